@@ -1,0 +1,53 @@
+#include "analysis/spectrum.hpp"
+
+#include <fftw3.h>
+
+#include <cmath>
+#include <complex>
+
+namespace rubatlas::analysis {
+
+// FFTW_ESTIMATE on fftw_malloc'ed arrays: a measured plan, or one on other alignment, rounds differently from run
+// to run, and the atlas promises equal bytes.
+struct Spectrum::Plan {
+  int revolutions;
+  int max_order;
+  int length;
+  double* signal;
+  fftw_complex* transform;
+  fftw_plan plan;
+};
+
+Spectrum::Spectrum(int revolutions, int samples_per_revolution, int max_order)
+    : plan_(std::make_unique<Plan>()) {
+  plan_->revolutions = revolutions;
+  plan_->max_order = max_order;
+  plan_->length = revolutions * samples_per_revolution;
+  const auto length = static_cast<std::size_t>(plan_->length);
+  plan_->signal = fftw_alloc_real(length);
+  plan_->transform = fftw_alloc_complex(length / 2 + 1);
+  plan_->plan = fftw_plan_dft_r2c_1d(plan_->length, plan_->signal, plan_->transform, FFTW_ESTIMATE);
+}
+
+Spectrum::~Spectrum() {
+  fftw_destroy_plan(plan_->plan);
+  fftw_free(plan_->transform);
+  fftw_free(plan_->signal);
+}
+
+std::size_t Spectrum::order_count() const {
+  return static_cast<std::size_t>(plan_->max_order) * static_cast<std::size_t>(plan_->revolutions) + 1;
+}
+
+std::span<double> Spectrum::samples() { return {plan_->signal, static_cast<std::size_t>(plan_->length)}; }
+
+void Spectrum::amplitudes(std::span<double> result) {
+  fftw_execute(plan_->plan);
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    const bool once = k == 0 || 2 * k == static_cast<std::size_t>(plan_->length);
+    const double magnitude = std::hypot(plan_->transform[k][0], plan_->transform[k][1]);
+    result[k] = (once ? 1.0 : 2.0) * magnitude / plan_->length;
+  }
+}
+
+}  // namespace rubatlas::analysis

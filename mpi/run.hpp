@@ -1,0 +1,24 @@
+/// The main job: a scene to an atlas, under mpirun or alone.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+namespace rubatlas::mpi {
+
+enum class ProgressStyle : std::uint8_t { automatic, bar, plain, off };
+
+struct RunOptions {
+  std::filesystem::path scene;
+  std::filesystem::path atlas;
+  bool resume = false;
+  bool overwrite = false;
+  bool dry_run = false;
+  ProgressStyle progress = ProgressStyle::automatic;
+};
+
+/// Runs the job on all ranks and returns the exit code of this rank (`exit_code.hpp`). Initialises MPI only when
+/// started by mpirun.
+int run(const RunOptions& options);
+
+}  // namespace rubatlas::mpi

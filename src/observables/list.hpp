@@ -1,0 +1,48 @@
+/// The list of observables: what an atlas can keep of a point, and the shape of each row.
+///
+/// This is the one place that names them. The scene reader checks `observables` against it, the atlas creates its
+/// datasets from it, the solver fills rows in its order.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace rubatlas::observables {
+
+/// An axis behind the grid's axes; its dimension scale carries these values.
+struct InnerAxis {
+  std::string name;  ///< section, component, order, passing
+  std::variant<std::vector<std::int32_t>, std::vector<double>, std::vector<std::string>> values;
+  std::string units;
+  std::string long_name;
+
+  [[nodiscard]] std::size_t size() const {
+    return std::visit([](const auto& list) { return list.size(); }, values);
+  }
+};
+
+/// One dataset of the atlas: float64, shape axes × inner axes.
+struct Description {
+  std::string name;                     ///< dataset name and the word in the scene
+  std::vector<std::string> inner_axes;  ///< names, outermost first; empty: one number per point
+  std::string units;
+  std::string long_name;
+  std::size_t row_size = 1;             ///< product of the inner extents
+};
+
+/// The observables that the scene asks for, in the order of the list.
+std::vector<Description> descriptions(const scene::Scene& scene);
+
+/// The inner axes that those observables and `final_state` (component) need, each once.
+std::vector<InnerAxis> inner_axes(const scene::Scene& scene);
+
+/// One row per description, in the same order; NaN throughout when the point did not end as done.
+using Rows = std::vector<std::vector<double>>;
+
+}  // namespace rubatlas::observables

@@ -1,0 +1,110 @@
+/// A scene: everything that a user can say about one atlas, typed, checked and in SI units.
+///
+/// The structs mirror the sections of the scene file (README, "The scene's keys"); the reader (`reader.hpp`)
+/// fills them, and nothing behind it ever sees JSON. Defaults are the paper's default rotor (MODEL 6.1).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rubatlas::scene {
+
+/// Point mass on a massless isotropic shaft (MODEL 1).
+struct Rotor {
+  double mass = 1.0;                ///< m [kg]
+  double natural_frequency = 10.0;  ///< ωn [rad/s]
+  double damping_ratio = 0.1;       ///< ζ [-]
+  double misalignment = 0.01001;    ///< y0 [m]: the ring's centre sits at (0, -y0)
+};
+
+/// Equal, massless, elastic blades clamped on a hub (MODEL 2, 3).
+struct Blades {
+  int count = 3;                   ///< n [-]
+  double length = 0.1;             ///< L [m]
+  double width = 0.01;             ///< b [m]
+  double thickness = 0.001;        ///< h [m]
+  double youngs_modulus = 206e9;   ///< E [Pa]
+  double hub_radius = 0.0;         ///< rh [m]
+};
+
+struct Ring {
+  double radius = 0.11;     ///< R [m], inner radius
+  double stiffness = 1e4;   ///< kr [N/m]; read by the law `elastic_ring` only (MODEL 4.7)
+};
+
+enum class ContactLaw : std::uint8_t { elastica, elastic_ring };
+
+struct Contact {
+  ContactLaw law = ContactLaw::elastica;
+  double friction = 0.1;  ///< μ [-]
+};
+
+/// Present only where the scene has a section `unbalance` or a grid axis of that name: absent means absent.
+struct Unbalance {
+  double moment = 0.0;  ///< me [kg m]
+  double phase = 0.0;   ///< γ [rad], from blade 1, positive with the rotation
+};
+
+/// Values along each axis of the atlas, ascending. Axes that the scene does not name hold the scene's one value.
+struct Grid {
+  std::vector<double> thickness;      ///< h [m]
+  std::vector<double> unbalance;      ///< me [kg m]
+  std::vector<double> friction;       ///< μ [-]
+  std::vector<double> damping_ratio;  ///< ζ [-]
+  std::vector<double> speed_ratio;    ///< Ω [-]
+};
+
+/// Where a point starts: from its neighbour below or above in Ω, both ways, or always from `initial`.
+enum class Sweep : std::uint8_t { up, down, both, independent };
+
+/// State of the shaft centre at phase 0 (MODEL 6).
+struct Initial {
+  double x = 0.0;   ///< [m]
+  double y = 0.0;   ///< [m]
+  double vx = 0.0;  ///< dx/dτ [m]
+  double vy = 0.0;  ///< dy/dτ [m]
+};
+
+struct Protocol {
+  int transient_revolutions = 200;   ///< run before anything is kept; 0 is legal
+  int sampled_revolutions = 100;     ///< S, at least 1
+  int samples_per_revolution = 256;  ///< of the spectrum and of `orbit`
+};
+
+struct Spectrum {
+  int max_order = 12;  ///< highest order kept; default max(12, 4 n)
+};
+
+struct Validity {
+  double max_shortening = 0.5;         ///< limit of δ/L [-] (MODEL 5)
+  std::optional<double> yield_strain;  ///< root bending strain flag [-]; absent: no flag
+};
+
+struct Accuracy {
+  double tolerance = 1e-9;  ///< local error of a step relative to the clearance (DESIGN A4)
+};
+
+struct Scene {
+  std::string title;
+  std::string reference;
+  Rotor rotor;
+  Blades blades;
+  Ring ring;
+  Contact contact;
+  std::optional<Unbalance> unbalance;
+  Grid grid;
+  Sweep sweep = Sweep::up;
+  Initial initial;
+  Protocol protocol;
+  Spectrum spectrum;
+  Validity validity;
+  std::vector<std::string> observables;  ///< in the order of the registration list, not of the file
+  Accuracy accuracy;
+
+  /// δc = R − rh − L [m] (MODEL 2).
+  [[nodiscard]] double clearance() const { return ring.radius - blades.hub_radius - blades.length; }
+};
+
+}  // namespace rubatlas::scene

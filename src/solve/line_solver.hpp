@@ -1,0 +1,75 @@
+/// The door to the physics: one line of the atlas, point by point.
+///
+/// A scene's choices (contact law, effects, observables) become types once, in `make_line_solver`; from there to
+/// the end of a point nothing is looked up by name. One virtual call per point.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "observables/list.hpp"
+#include "plan/grid.hpp"
+#include "scene/scene.hpp"
+
+namespace rubatlas::solve {
+
+/// x, y [m], dx/dτ, dy/dτ [m]: the shaft centre at phase 0, from its own equilibrium (MODEL 1).
+using SectionState = std::array<double, 4>;
+
+/// How a point ended (MODEL 5); the numbers are those of the atlas' `/status`.
+enum class PointStatus : std::uint8_t { pending = 0, done = 1, left_validity = 2, integrator_failed = 3 };
+
+/// Counts that tell what a point cost; never part of the atlas.
+struct WorkCounts {
+  std::uint64_t right_hand_sides = 0;
+  std::uint64_t steps = 0;
+  std::uint64_t rejected_steps = 0;
+  std::uint64_t touchdowns = 0;
+  std::uint64_t liftoffs = 0;
+  std::uint64_t slip_reversals = 0;
+  std::uint64_t gap_evaluations = 0;  ///< in flight
+};
+
+struct PointOutcome {
+  PointStatus status = PointStatus::pending;
+  std::int32_t failed_revolution = -1;  ///< counted from 0 through the transient; −1 when done
+  SectionState final_state{};           ///< after the last revolution; NaN when not done
+  observables::Rows rows;               ///< as `observables::descriptions(scene)`
+  WorkCounts work;
+};
+
+/// One point's motion on a uniform grid of time over the sampled revolutions.
+struct Orbit {
+  PointStatus status = PointStatus::pending;
+  std::int32_t failed_revolution = -1;
+  std::vector<double> time;               ///< τ [-] from the start of the sampled revolutions
+  std::vector<SectionState> state;        ///< one per time
+  std::vector<double> force;              ///< [time][blade], normal force F on each blade [N]
+  std::vector<SectionState> sections;     ///< Poincaré sections, one per sampled revolution
+};
+
+class LineSolver {
+ public:
+  virtual ~LineSolver() = default;
+
+  /// Runs transient and sampled revolutions at one speed ratio from `start`. `between_revolutions` is called
+  /// after each revolution (a rank answers its messages there); it must not throw.
+  virtual PointOutcome run(double speed_ratio, const SectionState& start,
+                           const std::function<void()>& between_revolutions) = 0;
+
+  /// The same motion, kept as `samples_per_revolution` samples over the sampled revolutions.
+  virtual Orbit orbit(double speed_ratio, const SectionState& start) = 0;
+};
+
+/// Blade tables, one per friction coefficient, made on first use and shared by all lines of a rank.
+class BladeTables;
+std::shared_ptr<BladeTables> make_blade_tables();
+
+/// `line` gives damping ratio, friction, unbalance and thickness; its speed ratio is not read.
+std::unique_ptr<LineSolver> make_line_solver(const scene::Scene& scene, const plan::PointParameters& line,
+                                             const std::shared_ptr<BladeTables>& tables);
+
+}  // namespace rubatlas::solve
