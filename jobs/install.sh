@@ -1,0 +1,48 @@
+#!/bin/sh
+# Installs the Debian packages that are missing, as root or with sudo; does nothing, quickly, where all are there.
+#
+#   jobs/install.sh            what building, running and drawing need
+#   jobs/install.sh --tests    that, and what tests/run.sh needs on top
+set -eu
+
+packages="g++ make cmake ninja-build pkg-config git ca-certificates
+  openmpi-bin libopenmpi-dev libhdf5-openmpi-dev libeigen3-dev libfftw3-dev nlohmann-json3-dev libcli11-dev
+  libfmt-dev libboost-dev
+  python3 python3-numpy python3-h5py python3-matplotlib python3-xarray python3-h5netcdf"
+case "${1-}" in
+  "") ;;
+  --tests) packages="$packages libgtest-dev libbenchmark-dev clang-format clang-tidy hdf5-tools netcdf-bin" ;;
+  *)
+    echo "install.sh: $1 is not an option; allowed: --tests" >&2
+    exit 2
+    ;;
+esac
+
+# libgtest-dev and the others count as there only when fully installed, not when removed with their settings left.
+missing=""
+for package in $packages; do
+  state=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$state" = installed ] || missing="$missing $package"
+done
+[ -n "$missing" ] || exit 0
+
+if ! command -v apt-get >/dev/null; then
+  echo "install.sh: this is no Debian; please install what corresponds to:$missing" >&2
+  exit 3
+fi
+as_root=""
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo >/dev/null; then
+    echo "install.sh: neither root nor sudo; please have installed:$missing" >&2
+    exit 3
+  fi
+  as_root=sudo
+fi
+
+echo "Installing:$missing"
+export DEBIAN_FRONTEND=noninteractive
+# Recommended packages would bring Fortran compilers and documentation that nothing here uses.
+$as_root apt-get -qq -o DPkg::Lock::Timeout=300 update
+# shellcheck disable=SC2086  # the list is meant to be split into words
+$as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -y -o DPkg::Lock::Timeout=300 \
+  install --no-install-recommends $missing </dev/null >/dev/null

@@ -1,0 +1,63 @@
+#!/bin/bash
+# From a fresh clone to an atlas, its Table 1 and its pictures:
+#
+#   ./jobs/quickstart.sh                  runs jobs/quick.json
+#   ./jobs/quickstart.sh jobs/rig.json    runs another scene
+#
+# A second call completes what an interrupted one left out, and is quick where nothing is missing.
+set -euo pipefail
+
+usage() { sed -n '2,7s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; }
+case "$#,${1-}" in
+  1,-h | 1,--help) usage && exit 0 ;;
+  0,* | 1,[!-]*) ;;
+  *) usage >&2 && exit 2 ;;
+esac
+scene=$(realpath "${1-$(dirname "${BASH_SOURCE[0]}")/quick.json}")
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+name=$(basename "$scene" .json)
+atlas=atlases/$name.h5
+maps=atlases/${name}_maps.h5
+table=atlases/${name}_table1.md
+pictures=atlases/$name
+say() { printf '\n== %s\n' "$*"; }
+
+say "1/5 Packages"
+./jobs/install.sh
+
+say "2/5 Build, in build/"
+# A build tree that is already there (made by tests/run.sh, say) keeps its options: nothing is compiled twice.
+[ -e build/CMakeCache.txt ] || cmake -S . -B build -G Ninja -DRUBATLAS_TESTS=OFF
+cmake --build build --target rubatlas
+
+say "3/5 Run $name on $(nproc) cores"
+mkdir -p "$pictures"
+# Under mpirun a rank's stderr is never a terminal, so the bar is asked for where ours is one.
+progress=plain
+if [ -t 2 ]; then progress=bar; fi
+. jobs/mpi_environment.sh
+code=0
+mpirun -q -n "$(nproc)" --oversubscribe --bind-to none \
+  build/rubatlas run "$scene" -o "$atlas" --resume --progress "$progress" || code=$?
+case $code in
+  0) ;;
+  1) echo "Some points ended without a motion to show; the atlas says which and why, in /status." ;;
+  75) echo "Stopped; the same command goes on from here." && exit 75 ;;
+  *) echo "quickstart.sh: the run ended with exit code $code" >&2 && exit "$code" ;;
+esac
+
+say "4/5 Analyse"
+build/rubatlas analyse "$atlas" -o "$maps" --table "$table" >/dev/null
+
+say "5/5 Draw"
+tools/draw.sh "$atlas" "$maps" "$pictures"
+
+say "Done in $((SECONDS / 60)) min $((SECONDS % 60)) s"
+cat "$table"
+echo
+echo "Atlas:    $atlas"
+echo "Maps:     $maps"
+echo "Table 1:  $table"
+echo "Pictures:"
+ls -1 "$pictures"/*.png
