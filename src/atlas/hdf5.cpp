@@ -1,0 +1,417 @@
+#include "atlas/hdf5.hpp"
+
+#include <hdf5.h>
+#include <hdf5_hl.h>
+#include <mpi.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <numeric>
+
+#include "atlas/environment_error.hpp"
+#include "atlas/hdf5_check.hpp"
+
+namespace rubatlas::atlas {
+
+static_assert(std::is_same_v<hid_t, Identifier>);
+
+namespace {
+
+template <Number T>
+Identifier memory_type() {
+  if constexpr (std::same_as<T, double>) return H5T_NATIVE_DOUBLE;
+  if constexpr (std::same_as<T, std::uint8_t>) return H5T_NATIVE_UINT8;
+  if constexpr (std::same_as<T, std::int32_t>) return H5T_NATIVE_INT32;
+  if constexpr (std::same_as<T, std::int64_t>) return H5T_NATIVE_INT64;
+}
+
+template <Number T>
+Identifier file_type() {
+  if constexpr (std::same_as<T, double>) return H5T_IEEE_F64LE;
+  if constexpr (std::same_as<T, std::uint8_t>) return H5T_STD_U8LE;
+  if constexpr (std::same_as<T, std::int32_t>) return H5T_STD_I32LE;
+  if constexpr (std::same_as<T, std::int64_t>) return H5T_STD_I64LE;
+}
+
+std::size_t product(const Shape& shape) {
+  return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
+}
+
+std::vector<hsize_t> extents(const Shape& shape) {
+  return {shape.begin(), shape.end()};
+}
+
+Handle simple_space(const Shape& shape) {
+  if (shape.empty()) return {RUBATLAS_HDF5(H5Screate(H5S_SCALAR)), H5Sclose};
+  const auto sizes = extents(shape);
+  return {RUBATLAS_HDF5(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr)), H5Sclose};
+}
+
+Handle property_list(Identifier kind) {
+  return {RUBATLAS_HDF5(H5Pcreate(kind)), H5Pclose};
+}
+
+Handle dataset_properties() {
+  Handle list = property_list(H5P_DATASET_CREATE);
+  RUBATLAS_HDF5(H5Pset_obj_track_times(list.get(), false));
+  return list;
+}
+
+/// `size` bytes, or H5T_VARIABLE.
+Handle text_type(std::size_t size) {
+  Handle type{RUBATLAS_HDF5(H5Tcopy(H5T_C_S1)), H5Tclose};
+  RUBATLAS_HDF5(H5Tset_size(type.get(), size));
+  RUBATLAS_HDF5(H5Tset_cset(type.get(), H5T_CSET_UTF8));
+  if (size != H5T_VARIABLE) RUBATLAS_HDF5(H5Tset_strpad(type.get(), H5T_STR_NULLPAD));
+  return type;
+}
+
+/// A text of variable or fixed length, read through `read(memory type, buffer)`.
+std::string read_one_text(Identifier stored_type, const std::function<void(Identifier, void*)>& read) {
+  if (RUBATLAS_HDF5(H5Tget_class(stored_type)) != H5T_STRING) throw EnvironmentError("HDF5: not a text");
+  if (RUBATLAS_HDF5(H5Tis_variable_str(stored_type)) > 0) {
+    const Handle type = text_type(H5T_VARIABLE);
+    char* raw = nullptr;
+    read(type.get(), &raw);
+    const std::unique_ptr<char, void (*)(char*)> owner(raw, [](char* text) { H5free_memory(text); });
+    return raw == nullptr ? std::string() : std::string(raw);
+  }
+  std::string text(H5Tget_size(stored_type), '\0');
+  read(text_type(text.size()).get(), text.data());
+  return text.substr(0, text.find('\0'));
+}
+
+/// Serial access without HDF5's own lock: an exclusive lock would shut readers out while an atlas is written.
+Handle access_without_lock() {
+  Handle list = property_list(H5P_FILE_ACCESS);
+  RUBATLAS_HDF5(H5Pset_file_locking(list.get(), false, true));
+  return list;
+}
+
+bool mpi_is_running() {
+  int initialized = 0;
+  int finalized = 0;
+  MPI_Initialized(&initialized);
+  MPI_Finalized(&finalized);
+  return initialized != 0 && finalized == 0;
+}
+
+}  // namespace
+
+void Handle::close() {
+  if (!is_open()) return;
+  RUBATLAS_HDF5(close_(std::exchange(identifier_, kNone)));
+}
+
+// Attributes
+// ----------------------------------------------------------------------------------------------------
+
+void Object::set_text(const std::string& name, const std::string& value) {
+  const Handle type = text_type(H5T_VARIABLE);
+  const Handle space = simple_space({});
+  const Handle attribute{RUBATLAS_HDF5(H5Acreate2(identifier(), name.c_str(), type.get(), space.get(),
+                                                  H5P_DEFAULT, H5P_DEFAULT)),
+                         H5Aclose};
+  const char* raw = value.c_str();
+  RUBATLAS_HDF5(H5Awrite(attribute.get(), type.get(), static_cast<const void*>(&raw)));
+}
+
+template <Number T>
+void Object::set_number(const std::string& name, T value) {
+  const Handle space = simple_space({});
+  const Handle attribute{RUBATLAS_HDF5(H5Acreate2(identifier(), name.c_str(), file_type<T>(), space.get(),
+                                                  H5P_DEFAULT, H5P_DEFAULT)),
+                         H5Aclose};
+  RUBATLAS_HDF5(H5Awrite(attribute.get(), memory_type<T>(), &value));
+}
+
+template <Number T>
+void Object::set_numbers(const std::string& name, std::span<const T> values) {
+  const Handle space = simple_space({values.size()});
+  const Handle attribute{RUBATLAS_HDF5(H5Acreate2(identifier(), name.c_str(), file_type<T>(), space.get(),
+                                                  H5P_DEFAULT, H5P_DEFAULT)),
+                         H5Aclose};
+  RUBATLAS_HDF5(H5Awrite(attribute.get(), memory_type<T>(), values.data()));
+}
+
+bool Object::has_attribute(const std::string& name) const {
+  return RUBATLAS_HDF5(H5Aexists(identifier(), name.c_str())) > 0;
+}
+
+std::string Object::text(const std::string& name) const {
+  const Handle attribute{RUBATLAS_HDF5(H5Aopen(identifier(), name.c_str(), H5P_DEFAULT)), H5Aclose};
+  const Handle type{RUBATLAS_HDF5(H5Aget_type(attribute.get())), H5Tclose};
+  return read_one_text(type.get(), [&](Identifier memory, void* buffer) {
+    RUBATLAS_HDF5(H5Aread(attribute.get(), memory, buffer));
+  });
+}
+
+double Object::number(const std::string& name) const {
+  const Handle attribute{RUBATLAS_HDF5(H5Aopen(identifier(), name.c_str(), H5P_DEFAULT)), H5Aclose};
+  const Handle space{RUBATLAS_HDF5(H5Aget_space(attribute.get())), H5Sclose};
+  if (H5Sget_simple_extent_npoints(space.get()) != 1) {
+    throw EnvironmentError("HDF5: attribute " + name + " is not one number");
+  }
+  double value = 0.0;
+  RUBATLAS_HDF5(H5Aread(attribute.get(), H5T_NATIVE_DOUBLE, &value));
+  return value;
+}
+
+// Datasets
+// ------------------------------------------------------------------------------------------------------
+
+Shape Dataset::shape() const {
+  const Handle space{RUBATLAS_HDF5(H5Dget_space(identifier())), H5Sclose};
+  std::vector<hsize_t> sizes(
+      static_cast<std::size_t>(RUBATLAS_HDF5(H5Sget_simple_extent_ndims(space.get()))));
+  RUBATLAS_HDF5(H5Sget_simple_extent_dims(space.get(), sizes.data(), nullptr));
+  return {sizes.begin(), sizes.end()};
+}
+
+std::size_t Dataset::size() const {
+  return product(shape());
+}
+
+template <Number T>
+void Dataset::write(std::span<const T> values) {
+  if (values.size() != size())
+    throw EnvironmentError("HDF5: a dataset is written with another number of values");
+  RUBATLAS_HDF5(H5Dwrite(identifier(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+}
+
+template <Number T>
+std::vector<T> Dataset::read() const {
+  std::vector<T> values(size());
+  RUBATLAS_HDF5(H5Dread(identifier(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+  return values;
+}
+
+namespace {
+
+/// The dataset's space with one block selected.
+Handle block_of(Identifier dataset, const Shape& start, const Shape& count) {
+  Handle space{RUBATLAS_HDF5(H5Dget_space(dataset)), H5Sclose};
+  const auto first = extents(start);
+  const auto sizes = extents(count);
+  const auto axes = static_cast<std::size_t>(RUBATLAS_HDF5(H5Sget_simple_extent_ndims(space.get())));
+  if (first.size() != axes || sizes.size() != axes) throw EnvironmentError("HDF5: a block of another rank");
+  RUBATLAS_HDF5(
+      H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, first.data(), nullptr, sizes.data(), nullptr));
+  return space;
+}
+
+}  // namespace
+
+template <Number T>
+void Dataset::write_block(const Shape& start, const Shape& count, std::span<const T> values) {
+  if (values.size() != product(count)) throw EnvironmentError("HDF5: a block of another number of values");
+  const Handle where = block_of(identifier(), start, count);
+  const Handle memory = simple_space({values.size()});
+  RUBATLAS_HDF5(
+      H5Dwrite(identifier(), memory_type<T>(), memory.get(), where.get(), H5P_DEFAULT, values.data()));
+}
+
+template <Number T>
+std::vector<T> Dataset::read_block(const Shape& start, const Shape& count) const {
+  std::vector<T> values(product(count));
+  const Handle where = block_of(identifier(), start, count);
+  const Handle memory = simple_space({values.size()});
+  RUBATLAS_HDF5(
+      H5Dread(identifier(), memory_type<T>(), memory.get(), where.get(), H5P_DEFAULT, values.data()));
+  return values;
+}
+
+void Dataset::make_scale(const std::string& name) {
+  RUBATLAS_HDF5(H5DSset_scale(identifier(), name.c_str()));
+}
+
+void Dataset::attach_scale(std::size_t axis, const Dataset& scale) {
+  RUBATLAS_HDF5(H5DSattach_scale(identifier(), scale.identifier(), static_cast<unsigned>(axis)));
+}
+
+std::string Dataset::scale_name(std::size_t axis) const {
+  if (RUBATLAS_HDF5(H5DSget_num_scales(identifier(), static_cast<unsigned>(axis))) == 0) return {};
+  std::string path;
+  const auto take_name = [](hid_t, unsigned, hid_t scale, void* result) -> herr_t {
+    std::string buffer(256, '\0');
+    const ssize_t length = H5Iget_name(scale, buffer.data(), buffer.size());
+    if (length > 0)
+      static_cast<std::string*>(result)->assign(buffer, 1, static_cast<std::size_t>(length) - 1);
+    return 1;  // the first is enough
+  };
+  RUBATLAS_HDF5(H5DSiterate_scales(identifier(), static_cast<unsigned>(axis), nullptr, take_name, &path));
+  return path;
+}
+
+// Files
+// ---------------------------------------------------------------------------------------------------------
+
+File File::create(const std::filesystem::path& path) {
+  prepare_hdf5();
+  const Handle creation = property_list(H5P_FILE_CREATE);
+  RUBATLAS_HDF5(H5Pset_obj_track_times(creation.get(), false));
+  const Handle access = access_without_lock();
+  return File(
+      {RUBATLAS_HDF5(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get())), H5Fclose});
+}
+
+File File::open_to_read(const std::filesystem::path& path) {
+  prepare_hdf5();
+  const Handle access = access_without_lock();
+  return File({RUBATLAS_HDF5(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get())), H5Fclose});
+}
+
+File File::open_to_write(const std::filesystem::path& path) {
+  prepare_hdf5();
+  const Handle access = access_without_lock();
+  if (mpi_is_running()) {
+    RUBATLAS_HDF5(H5Pset_fapl_mpio(access.get(), MPI_COMM_WORLD, MPI_INFO_NULL));
+  } else {
+    // The sieve buffer would hold rows back and write them in another order than they were given.
+    RUBATLAS_HDF5(H5Pset_sieve_buf_size(access.get(), 0));
+  }
+  return File({RUBATLAS_HDF5(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get())), H5Fclose});
+}
+
+Object File::root() const {
+  return group("/");
+}
+
+Object File::group(const std::string& path) const {
+  return Object({RUBATLAS_HDF5(H5Gopen2(handle_.get(), path.c_str(), H5P_DEFAULT)), H5Gclose});
+}
+
+Object File::create_group(const std::string& path) {
+  const Handle links = property_list(H5P_LINK_CREATE);
+  RUBATLAS_HDF5(H5Pset_create_intermediate_group(links.get(), 1));
+  const Handle properties = property_list(H5P_GROUP_CREATE);
+  RUBATLAS_HDF5(H5Pset_obj_track_times(properties.get(), false));
+  return Object(
+      {RUBATLAS_HDF5(H5Gcreate2(handle_.get(), path.c_str(), links.get(), properties.get(), H5P_DEFAULT)),
+       H5Gclose});
+}
+
+Dataset File::create(const std::string& path, Identifier type, const Shape& shape, Identifier properties) {
+  const Handle links = property_list(H5P_LINK_CREATE);
+  RUBATLAS_HDF5(H5Pset_create_intermediate_group(links.get(), 1));
+  const Handle space = simple_space(shape);
+  return Dataset({RUBATLAS_HDF5(H5Dcreate2(handle_.get(), path.c_str(), type, space.get(), links.get(),
+                                           properties, H5P_DEFAULT)),
+                  H5Dclose});
+}
+
+template <Number T>
+Dataset File::create_dataset(const std::string& path, const Shape& shape) {
+  return create(path, file_type<T>(), shape, dataset_properties().get());
+}
+
+template <Number T>
+Dataset File::create_sparse_dataset(const std::string& path, const Shape& shape) {
+  const Handle properties = dataset_properties();
+  RUBATLAS_HDF5(H5Pset_layout(properties.get(), H5D_CONTIGUOUS));
+  RUBATLAS_HDF5(H5Pset_alloc_time(properties.get(), H5D_ALLOC_TIME_EARLY));
+  RUBATLAS_HDF5(H5Pset_fill_time(properties.get(), H5D_FILL_TIME_NEVER));
+  return create(path, file_type<T>(), shape, properties.get());
+}
+
+template <Number T>
+Dataset File::create_filled_dataset(const std::string& path, const Shape& shape, T fill) {
+  const Handle properties = dataset_properties();
+  RUBATLAS_HDF5(H5Pset_layout(properties.get(), H5D_CONTIGUOUS));
+  RUBATLAS_HDF5(H5Pset_alloc_time(properties.get(), H5D_ALLOC_TIME_EARLY));
+  RUBATLAS_HDF5(H5Pset_fill_value(properties.get(), memory_type<T>(), &fill));
+  RUBATLAS_HDF5(H5Pset_fill_time(properties.get(), H5D_FILL_TIME_ALLOC));
+  return create(path, file_type<T>(), shape, properties.get());
+}
+
+Dataset File::create_text(const std::string& path, const std::string& text) {
+  const Handle type = text_type(H5T_VARIABLE);
+  Dataset dataset = create(path, type.get(), {}, dataset_properties().get());
+  const char* raw = text.c_str();
+  RUBATLAS_HDF5(H5Dwrite(dataset.identifier(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                         static_cast<const void*>(&raw)));
+  return dataset;
+}
+
+Dataset File::create_texts(const std::string& path, const std::vector<std::string>& texts) {
+  std::size_t length = 1;  // HDF5 knows no strings of length 0
+  for (const auto& text : texts) length = std::max(length, text.size());
+  std::string padded;
+  for (const auto& text : texts) (padded += text).resize(padded.size() + length - text.size(), '\0');
+  const Handle type = text_type(length);
+  Dataset dataset = create(path, type.get(), {texts.size()}, dataset_properties().get());
+  RUBATLAS_HDF5(H5Dwrite(dataset.identifier(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()));
+  return dataset;
+}
+
+bool File::has(const std::string& path) const {
+  // HDF5 wants every group on the way to be there before it answers for the last name.
+  for (auto end = path.find('/', 1);; end = path.find('/', end + 1)) {
+    const std::string part = path.substr(0, end);
+    if (part != "/" && RUBATLAS_HDF5(H5Lexists(handle_.get(), part.c_str(), H5P_DEFAULT)) == 0) return false;
+    if (end == std::string::npos) return true;
+  }
+}
+
+Dataset File::dataset(const std::string& path) const {
+  return Dataset({RUBATLAS_HDF5(H5Dopen2(handle_.get(), path.c_str(), H5P_DEFAULT)), H5Dclose});
+}
+
+std::string File::read_text(const std::string& path) const {
+  const Dataset stored = dataset(path);
+  const Handle type{RUBATLAS_HDF5(H5Dget_type(stored.identifier())), H5Tclose};
+  return read_one_text(type.get(), [&](Identifier memory, void* buffer) {
+    RUBATLAS_HDF5(H5Dread(stored.identifier(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer));
+  });
+}
+
+std::vector<std::string> File::read_texts(const std::string& path) const {
+  const Dataset stored = dataset(path);
+  const Handle type{RUBATLAS_HDF5(H5Dget_type(stored.identifier())), H5Tclose};
+  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0) {
+    throw EnvironmentError("HDF5: " + path + " does not hold fixed-length texts");
+  }
+  const std::size_t length = H5Tget_size(type.get());
+  std::string raw(length * stored.size(), '\0');
+  RUBATLAS_HDF5(
+      H5Dread(stored.identifier(), text_type(length).get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, raw.data()));
+  std::vector<std::string> texts;
+  for (std::size_t at = 0; at < raw.size(); at += length) {
+    const std::string text = raw.substr(at, length);
+    texts.push_back(text.substr(0, text.find('\0')));
+  }
+  return texts;
+}
+
+std::vector<std::string> File::names(const std::string& path) const {
+  const Handle owner{RUBATLAS_HDF5(H5Gopen2(handle_.get(), path.c_str(), H5P_DEFAULT)), H5Gclose};
+  std::vector<std::string> names;
+  const auto keep = [](hid_t, const char* name, const H5L_info_t*, void* result) -> herr_t {
+    static_cast<std::vector<std::string>*>(result)->emplace_back(name);
+    return 0;
+  };
+  RUBATLAS_HDF5(H5Literate(owner.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, keep, &names));
+  return names;
+}
+
+// The four number types
+// -----------------------------------------------------------------------------------------
+
+#define RUBATLAS_FOR_NUMBER(T)                                                           \
+  template void Object::set_number<T>(const std::string&, T);                            \
+  template void Object::set_numbers<T>(const std::string&, std::span<const T>);          \
+  template void Dataset::write<T>(std::span<const T>);                                   \
+  template std::vector<T> Dataset::read<T>() const;                                      \
+  template void Dataset::write_block<T>(const Shape&, const Shape&, std::span<const T>); \
+  template std::vector<T> Dataset::read_block<T>(const Shape&, const Shape&) const;      \
+  template Dataset File::create_dataset<T>(const std::string&, const Shape&);            \
+  template Dataset File::create_sparse_dataset<T>(const std::string&, const Shape&);     \
+  template Dataset File::create_filled_dataset<T>(const std::string&, const Shape&, T);
+RUBATLAS_FOR_NUMBER(double)
+RUBATLAS_FOR_NUMBER(std::uint8_t)
+RUBATLAS_FOR_NUMBER(std::int32_t)
+RUBATLAS_FOR_NUMBER(std::int64_t)
+#undef RUBATLAS_FOR_NUMBER
+
+}  // namespace rubatlas::atlas

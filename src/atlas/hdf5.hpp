@@ -1,0 +1,161 @@
+/// A thin layer over the C interface of HDF5 1.10: handles that close themselves, calls that throw.
+///
+/// What the rest of the project may rely on:
+///  - every failing call throws `EnvironmentError` with the call, its place and HDF5's own reason;
+///  - no dataset and no group keeps a time stamp, so equal contents give equal bytes;
+///  - numbers are little-endian in the file, whatever the machine; texts are UTF-8;
+///  - files are created and read with the serial driver; `File::open_to_write` goes through MPI-IO when MPI
+///  is
+///    initialised (then it is collective over all ranks), and then no call here but `write_block` is legal
+///    until `close`, since creating and flushing are collective.
+///
+/// `hdf5.h` stays out of this header: an identifier is HDF5's `hid_t`, a 64-bit integer.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rubatlas::atlas {
+
+using Identifier = std::int64_t;
+using Shape = std::vector<std::size_t>;
+
+/// What a dataset or an attribute may hold: f8, u1, i4 and i8 in h5py's words.
+template <typename T>
+concept Number = std::same_as<T, double> || std::same_as<T, std::uint8_t> || std::same_as<T, std::int32_t> ||
+    std::same_as<T, std::int64_t>;
+
+/// Owns one identifier and closes it.
+class Handle {
+ public:
+  using Close = int (*)(Identifier);
+
+  Handle() = default;
+  Handle(Identifier identifier, Close closer) : identifier_(identifier), close_(closer) {}
+  Handle(Handle&& other) noexcept
+      : identifier_(std::exchange(other.identifier_, kNone)), close_(other.close_) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(identifier_, other.identifier_);
+    std::swap(close_, other.close_);
+    return *this;
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() {
+    if (identifier_ != kNone) close_(identifier_);
+  }
+
+  [[nodiscard]] Identifier get() const { return identifier_; }
+  [[nodiscard]] bool is_open() const { return identifier_ != kNone; }
+  /// Closes now and says whether that worked, which a destructor cannot. Throws EnvironmentError.
+  void close();
+
+ private:
+  static constexpr Identifier kNone = -1;
+  Identifier identifier_ = kNone;
+  Close close_ = nullptr;
+};
+
+/// Anything that carries attributes: a dataset, a group, the root.
+class Object {
+ public:
+  explicit Object(Handle handle) : handle_(std::move(handle)) {}
+
+  void set_text(const std::string& name, const std::string& value);
+  template <Number T>
+  void set_number(const std::string& name, T value);
+  template <Number T>
+  void set_numbers(const std::string& name, std::span<const T> values);
+
+  [[nodiscard]] bool has_attribute(const std::string& name) const;
+  /// Throws EnvironmentError when there is no such attribute or when it is not a text.
+  [[nodiscard]] std::string text(const std::string& name) const;
+  [[nodiscard]] double number(const std::string& name) const;
+
+  [[nodiscard]] Identifier identifier() const { return handle_.get(); }
+
+ private:
+  Handle handle_;
+};
+
+/// An N-d array in C order. Reading converts between number types as HDF5 does.
+class Dataset : public Object {
+ public:
+  using Object::Object;
+
+  [[nodiscard]] Shape shape() const;
+  /// Product of the extents.
+  [[nodiscard]] std::size_t size() const;
+
+  /// The whole array; `values` has `size()` numbers.
+  template <Number T>
+  void write(std::span<const T> values);
+  template <Number T>
+  [[nodiscard]] std::vector<T> read() const;
+
+  /// The block of extent `count` at `start`, one entry per axis. Independent: any rank, at any time.
+  template <Number T>
+  void write_block(const Shape& start, const Shape& count, std::span<const T> values);
+  template <Number T>
+  [[nodiscard]] std::vector<T> read_block(const Shape& start, const Shape& count) const;
+
+  /// Makes this 1-d dataset a dimension scale of that name.
+  void make_scale(const std::string& name);
+  /// Says that `axis` of this dataset runs along `scale`.
+  void attach_scale(std::size_t axis, const Dataset& scale);
+  /// Path of the first scale of an axis, without its leading slash; empty when it has none.
+  [[nodiscard]] std::string scale_name(std::size_t axis) const;
+};
+
+/// A file. Paths are absolute or relative to the root; missing groups on the way are created.
+class File {
+ public:
+  /// A new file with the serial driver; what stood there is gone.
+  static File create(const std::filesystem::path& path);
+  static File open_to_read(const std::filesystem::path& path);
+  /// Open with MPI-IO when MPI is initialised, else with the serial driver, unbuffered: a block is in the
+  /// operating system's hands when `write_block` returns. Takes no lock (see `lock.hpp`).
+  static File open_to_write(const std::filesystem::path& path);
+
+  /// The root group, for its attributes.
+  [[nodiscard]] Object root() const;
+  Object create_group(const std::string& path);
+  [[nodiscard]] Object group(const std::string& path) const;
+
+  template <Number T>
+  Dataset create_dataset(const std::string& path, const Shape& shape);
+  /// Space is reserved at once and never filled: unwritten parts cost no disk and read as zeros.
+  template <Number T>
+  Dataset create_sparse_dataset(const std::string& path, const Shape& shape);
+  /// Every entry is `fill` until it is written.
+  template <Number T>
+  Dataset create_filled_dataset(const std::string& path, const Shape& shape, T fill);
+  /// A scalar string dataset (variable length).
+  Dataset create_text(const std::string& path, const std::string& text);
+  /// A 1-d array of fixed-length strings, padded with zeros.
+  Dataset create_texts(const std::string& path, const std::vector<std::string>& texts);
+
+  /// True when there is a dataset or group of that path.
+  [[nodiscard]] bool has(const std::string& path) const;
+  [[nodiscard]] Dataset dataset(const std::string& path) const;
+  [[nodiscard]] std::string read_text(const std::string& path) const;
+  [[nodiscard]] std::vector<std::string> read_texts(const std::string& path) const;
+  /// Names in a group, in alphabetical order.
+  [[nodiscard]] std::vector<std::string> names(const std::string& group = "/") const;
+
+  void close() { handle_.close(); }
+
+ private:
+  explicit File(Handle handle) : handle_(std::move(handle)) {}
+  Dataset create(const std::string& path, Identifier type, const Shape& shape, Identifier properties);
+
+  Handle handle_;
+};
+
+}  // namespace rubatlas::atlas
