@@ -1,0 +1,47 @@
+#!/usr/bin/python3
+"""Maximum displacement over the clearance, along the speed ratio (as the paper's Fig. 10a).
+
+  tools/displacement.py ATLAS.h5 -o PICTURE.png [--along damping_ratio] [--friction 0.1 ...]
+
+One curve per value of the swept parameter; above 1 the rotor moves further than the gap between blade and ring.
+"""
+import command_line
+import style
+from atlas_file import AtlasError, AtlasFile
+
+
+def draw(options):
+    with AtlasFile(options.source) as atlas:
+        wanted = command_line.wanted(options, atlas.axes)
+        swept = [axis for axis in atlas.swept_axes() if axis not in wanted]
+        along = options.along or (swept[0] if swept else None)
+        if along is not None and along not in atlas.axes[:-1]:
+            raise AtlasError(f"{along} is no axis of {options.source}, which has {', '.join(atlas.axes[:-1])}")
+        if atlas.clearance <= 0:
+            raise AtlasError(f"{options.source}: this rotor has no clearance to relate the displacement to")
+        lines = atlas.lines(along, **wanted) if along else [atlas.line(**wanted)]
+        speed = atlas.axis("speed_ratio")
+
+        figure, panel = style.plt.subplots(figsize=(9.5, 4.6))
+        # Ordered values get ordered colours; cividis ends in a yellow that is too light for a thin line.
+        colours = style.plt.get_cmap(style.SEQUENTIAL)([0.92 * i / max(1, len(lines) - 1) for i in range(len(lines))])
+        for line, colour in zip(lines, colours):
+            name = line.describe(without=[axis for axis in atlas.axes[:-1] if axis != along]) if along else None
+            panel.plot(speed, line.rows("max_displacement") / atlas.clearance, color=colour, lw=0.9, label=name)
+        panel.axhline(1.0, color=style.GREY, lw=0.8, ls=(0, (4, 3)))
+        panel.set_xlabel(style.label(atlas, "speed_ratio"))
+        panel.set_ylabel("Maximum displacement / clearance [-]")
+        panel.set_xlim(speed[0], speed[-1])
+        panel.set_ylim(bottom=0)
+        if along:
+            panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        fixed = lines[0].describe(without=[along] if along else [])
+        style.title(figure, atlas, f"{fixed}; clearance {1e3 * atlas.clearance:g} mm")
+        style.save(figure, options.output)
+
+
+if __name__ == "__main__":
+    arguments = command_line.parser(__doc__)
+    arguments.add_argument("--along", metavar="AXIS", help="the parameter with one curve per value "
+                                                           "(default: the first swept one)")
+    command_line.run(draw, arguments.parse_args())

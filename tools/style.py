@@ -1,0 +1,105 @@
+"""How all pictures look: one place for colours, labels, titles and the marks of points without a motion.
+
+Colours are those of Okabe and Ito, which people with any of the common colour deficiencies tell apart; maps use
+`cividis`, which is uniform in lightness.
+"""
+import matplotlib
+
+matplotlib.use("Agg")  # pictures go to files; no display is needed
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+from matplotlib.colors import BoundaryNorm, ListedColormap  # noqa: E402
+from matplotlib.patches import Patch  # noqa: E402
+
+INK = "#1a1a2e"
+BLUE, ORANGE, GREEN, VERMILION, PURPLE, SKY, YELLOW, GREY = (
+    "#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#F0E442", "#8c8c8c")
+CYCLE = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, INK, GREY]
+SEQUENTIAL = "cividis"
+
+# Classes of motion as `rubatlas analyse` numbers them, and how a map shows them.
+CLASSES = [
+    ("no motion", "#ffffff", lambda c: c == 0),
+    ("period 1", "#c6e2f5", lambda c: c == 1),
+    ("period 2", GREEN, lambda c: c == 2),
+    ("period 3", YELLOW, lambda c: c == 3),
+    ("period 4", ORANGE, lambda c: c == 4),
+    ("period 5 to 16", PURPLE, lambda c: (c >= 5) & (c <= 16)),
+    ("unresolved", "#a0a0a0", lambda c: c == 254),
+    ("aperiodic", INK, lambda c: c == 255),
+]
+
+plt.rcParams.update({
+    "figure.dpi": 100, "savefig.dpi": 150, "figure.constrained_layout.use": True,
+    "font.size": 9.5, "axes.titlesize": 10, "axes.labelsize": 9.5, "legend.fontsize": 8.5,
+    "xtick.labelsize": 8.5, "ytick.labelsize": 8.5, "text.color": INK, "axes.labelcolor": INK,
+    "axes.edgecolor": "#55556a", "xtick.color": "#55556a", "ytick.color": "#55556a",
+    "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.8,
+    "axes.grid": True, "grid.color": "#e4e4ea", "grid.linewidth": 0.6, "axes.axisbelow": True,
+    "axes.prop_cycle": plt.cycler(color=CYCLE), "lines.linewidth": 1.1, "legend.frameon": False,
+})
+
+# Metres make poor tick labels here: lengths are drawn in millimetres, times are not touched.
+_DRAWN = {"m": ("mm", 1e3)}
+
+
+def drawn(units):
+    """Unit to draw a unit in, and the factor towards it."""
+    return _DRAWN.get(units, (units, 1.0))
+
+
+def label(atlas, name, long_name=None):
+    """Axis label from the file's own attributes, in the unit that is drawn."""
+    text = long_name or atlas.long_name(name)
+    return f"{text[:1].upper()}{text[1:]} [{drawn(atlas.units(name))[0]}]"
+
+
+def title(figure, atlas, what):
+    """Two lines above (the scene's title; what is drawn), one below (reference, program and its version)."""
+    figure.suptitle(f"{atlas.scene.get('title') or atlas.path}", fontsize=12, fontweight="bold", x=0.01, ha="left")
+    figure.axes[0].set_title(what, loc="left", fontsize=9, color="#55556a")
+    made_by = f"rubatlas {atlas.attribute('software_version')} ({atlas.attribute('git_commit')[:10]})"
+    figure.supxlabel(" · ".join(part for part in (atlas.scene.get("reference", ""), made_by) if part),
+                     fontsize=6.5, color=GREY, x=0.01, ha="left")
+
+
+def mark_missing(axes, speed, status):
+    """Shades the speeds at which there is no motion to show: left the model's validity, failed, or still pending."""
+    half = 0.5 * (speed[1] - speed[0]) if len(speed) > 1 else 0.01
+    handles = []
+    for codes, colour, text in (((2, 3), "#f6d9cc", "left the model's validity"), ((0,), "#e8e8ee", "not computed yet")):
+        missing = np.isin(status, codes)
+        edges = np.flatnonzero(np.diff(np.concatenate([[False], missing, [False]])))
+        for first, last in edges.reshape(-1, 2):
+            for one in np.atleast_1d(axes):
+                one.axvspan(speed[first] - half, speed[last - 1] + half, color=colour, lw=0, zorder=0)
+        if missing.any():
+            handles.append(Patch(color=colour, label=text))
+    return handles
+
+
+def class_map():
+    """Colour map, norm and legend handles for indices into CLASSES."""
+    colours = ListedColormap([colour for _, colour, _ in CLASSES])
+    norm = BoundaryNorm(np.arange(len(CLASSES) + 1) - 0.5, len(CLASSES))
+    return colours, norm
+
+
+def class_index(classes):
+    """Indices into CLASSES of an array of classes of motion."""
+    index = np.zeros(classes.shape, dtype=int)
+    for number, (_, _, holds) in enumerate(CLASSES):
+        index[holds(classes)] = number
+    return index
+
+
+def class_handles(index):
+    """Legend handles of the classes that occur."""
+    return [Patch(facecolor=colour, edgecolor="#55556a", lw=0.5, label=name)
+            for number, (name, colour, _) in enumerate(CLASSES) if np.any(index == number)]
+
+
+def save(figure, path):
+    """Writes the PNG; the same data give the same bytes."""
+    figure.savefig(path, metadata={"Software": None})
+    plt.close(figure)

@@ -1,0 +1,73 @@
+#!/usr/bin/python3
+"""Waterfall: the spectrum of x over the speed ratio, with the 1x, 2x and 3x lines.
+
+  tools/waterfall.py ATLAS.h5 -o PICTURE.png [--damping_ratio 0.1 ...] [--max_frequency 4]
+
+Orders become frequencies, order times speed ratio, in units of the rotor's natural frequency: a motion that is tied to
+the rotation lies on the oblique lines, one that is tied to the rotor stands upright.
+"""
+import numpy as np
+
+import command_line
+import style
+from atlas_file import AtlasFile
+
+
+def by_frequency(speed, order, amplitude, edges):
+    """Regrids each speed's line spectrum to frequency bins; a bin holds the largest amplitude that falls into it.
+
+    Averages would sink a sharp line where bins are wider than the spacing of the orders. A bin without a line, where
+    they are narrower, takes the line nearest to its middle. Returns (speeds, bins); 0 beyond the highest order.
+    """
+    middle = 0.5 * (edges[1:] + edges[:-1])
+    result = np.zeros((len(speed), len(middle)))
+    for row, (ratio, spectrum) in enumerate(zip(speed, amplitude)):
+        frequency = order * ratio
+        nearest = np.clip(np.rint(middle / (ratio * order[1])).astype(int), 0, len(order) - 1)
+        result[row] = np.where(middle <= frequency[-1], spectrum[nearest], 0.0)
+        bins = np.digitize(frequency, edges) - 1
+        inside = (bins >= 0) & (bins < len(middle))
+        np.maximum.at(result[row], bins[inside], spectrum[inside])
+    return result
+
+
+def draw(options):
+    with AtlasFile(options.source) as atlas:
+        line = atlas.line(**command_line.wanted(options, atlas.axes))
+        speed, order, amplitude = atlas.axis("speed_ratio"), atlas.axis("order"), line.rows("spectrum")
+        units, factor = style.drawn(atlas.units("spectrum"))
+        top = options.max_frequency or min(4.0, order[-1] * speed[-1])
+        edges = np.linspace(0.0, top, 801)
+        amplitude[:, 0] = 0.0 * amplitude[:, 0]  # the mean position is no vibration; no motion stays NaN
+        shown = factor * by_frequency(speed, order, amplitude, edges)
+        largest = np.nanmax(shown, initial=0.0)
+        floor = 1e-5 * largest if largest > 0 else 1e-12
+
+        figure, panel = style.plt.subplots(figsize=(8.5, 6.2))
+        half = 0.5 * (speed[1] - speed[0]) if len(speed) > 1 else 0.01
+        colours = style.plt.get_cmap("magma").copy()
+        colours.set_bad("#dcdce4")
+        image = panel.imshow(np.ma.masked_invalid(np.maximum(shown, floor)), origin="lower", aspect="auto",
+                             extent=(0.0, top, speed[0] - half, speed[-1] + half), cmap=colours,
+                             norm=style.matplotlib.colors.LogNorm(floor, max(largest, 10 * floor)),
+                             interpolation="nearest")
+        panel.grid(False)
+        for multiple in (1, 2, 3):
+            end = min(speed[-1], top / multiple)
+            panel.plot([multiple * speed[0], multiple * end], [speed[0], end], color=style.SKY, lw=0.8,
+                       ls=(0, (2, 4)))
+            panel.annotate(f"{multiple}×", (multiple * end, end), xytext=(0, 4), textcoords="offset points", ha="center",
+                           fontsize=9, annotation_clip=False)
+        panel.set_xlim(0.0, top)
+        panel.set_ylim(speed[0] - half, speed[-1] + half)
+        panel.set_xlabel("Frequency / natural frequency [-]")
+        panel.set_ylabel(style.label(atlas, "speed_ratio"))
+        figure.colorbar(image, ax=panel, pad=0.02, label=f"{atlas.long_name('spectrum')} [{units}]")
+        style.title(figure, atlas, line.describe() + "\n")
+        style.save(figure, options.output)
+
+
+if __name__ == "__main__":
+    arguments = command_line.parser(__doc__)
+    arguments.add_argument("--max_frequency", type=float, help="right end, in natural frequencies (default: 4 or less)")
+    command_line.run(draw, arguments.parse_args())
