@@ -1,0 +1,99 @@
+/// The elastica as the solver uses it: piecewise polynomials of the bending parameter, one table per friction.
+///
+/// The curve is dimensionless, so that one table serves every length, width, thickness and modulus (MODEL 3.2).
+/// Pieces are quarter octaves of u below 1 and sixteenths above, found from the bits of the number; the first piece
+/// reaches from the unloaded blade to β/32 (1/8 where μ = 0) and keeps the exact leading powers, so that errors are
+/// relative all the way down. Graded like this, pieces are short against their distance from the curve's
+/// singularities u = ±iβ and ψL = π, and degree 11 leaves less than 1e-13 for every μ in [0, 2].
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace rubatlas::blade {
+
+/// A point of the curve with its slope, all dimensionless; derivatives are by the bending parameter u.
+struct CurvePoint {
+  double load;              ///< F L² / EI
+  double shortening;        ///< δ / L
+  double deflection;        ///< Δ / L
+  double load_slope;        ///< d(F L² / EI)/du
+  double shortening_slope;  ///< d(δ/L)/du
+  double deflection_slope;  ///< d(Δ/L)/du
+};
+
+class ElasticaCurve {
+ public:
+  /// Tabulates the curve for a Coulomb coefficient μ in [0, 2] up to a shortening of 0.75 L.
+  explicit ElasticaCurve(double friction);
+
+  [[nodiscard]] double friction() const { return friction_; }
+  /// β = atan μ [rad]: the scale on which the curve bends near the unloaded blade.
+  [[nodiscard]] double load_angle() const { return load_angle_; }
+  /// End of the table; beyond it the last piece is continued.
+  [[nodiscard]] double end() const { return end_; }
+
+  /// The curve at u. Negative u continues it by symmetry: all functions even for μ > 0, the deflection odd for μ = 0.
+  [[nodiscard]] CurvePoint at(double bending) const {
+    const double magnitude = std::abs(bending);
+    const Piece& piece = pieces_[index(magnitude)];
+    const double t = (magnitude - piece.centre) * piece.inverse_half_width;
+    Eigen::Array4d value = piece.coefficients[kDegree];
+    Eigen::Array4d slope = Eigen::Array4d::Zero();
+    for (int k = kDegree - 1; k >= 0; --k) {
+      slope = slope * t + value;
+      value = value * t + piece.coefficients[static_cast<std::size_t>(k)];
+    }
+    slope *= piece.inverse_half_width;
+    if (bending < 0.0) [[unlikely]] {
+      return {value[0], value[1], mirror_ * value[2], -slope[0], -slope[1], -mirror_ * slope[2]};
+    }
+    return {value[0], value[1], value[2], slope[0], slope[1], slope[2]};
+  }
+
+  /// Boundaries of the pieces from 0 to `end()`, with the curve there: for bracketing roots along the curve.
+  struct Knot {
+    double bending;
+    double shortening;
+    double deflection;
+  };
+  [[nodiscard]] const std::vector<Knot>& knots() const { return knots_; }
+
+ private:
+  static constexpr int kDegree = 11;
+  static constexpr int kCoarseShift = 50;  ///< leaves exponent and two leading bits: quarter octaves
+  static constexpr int kFineShift = 48;    ///< two bits more: sixteenths of an octave, from u = 1 on
+
+  struct Piece {
+    double centre;
+    double inverse_half_width;
+    std::array<Eigen::Array4d, kDegree + 1> coefficients;  ///< load, shortening, deflection, 0; powers of t
+  };
+
+  [[nodiscard]] std::size_t index(double magnitude) const {
+    const auto bits = std::bit_cast<std::uint64_t>(magnitude);
+    const std::int64_t piece = magnitude < 1.0 ? static_cast<std::int64_t>(bits >> kCoarseShift) - coarse_origin_
+                                               : static_cast<std::int64_t>(bits >> kFineShift) - fine_origin_;
+    return static_cast<std::size_t>(std::clamp<std::int64_t>(piece, 0, last_piece_));
+  }
+  void add_first_piece(double width);
+  void add_piece(double from, double to);
+
+  double friction_;
+  double load_angle_;
+  double mirror_;  ///< parity of the deflection: −1 for μ = 0
+  double end_ = 0.0;
+  std::int64_t coarse_origin_ = 0;  ///< shifted bits of the number whose piece would be piece 0
+  std::int64_t fine_origin_ = 0;
+  std::int64_t last_piece_ = 0;
+  std::vector<Piece> pieces_;
+  std::vector<Knot> knots_;
+};
+
+}  // namespace rubatlas::blade

@@ -1,0 +1,46 @@
+/// Contact law `elastic_ring`: rigid blades, and a massless ring that yields under each tip (MODEL 4.7).
+#pragma once
+
+#include <cmath>
+
+#include "contact/pose.hpp"
+
+namespace rubatlas::contact {
+
+class ElasticRingContact {
+ public:
+  /// The force follows from the position alone: nothing is carried along.
+  static constexpr bool kHasBending = false;
+
+  ElasticRingContact(Geometry geometry, double stiffness, double friction)
+      : geometry_(geometry), stiffness_(stiffness), friction_(friction) {}
+
+  [[nodiscard]] const Geometry& geometry() const { return geometry_; }
+
+  /// F = kr (|rk| − R). Always has a force: continued linearly beyond lift-off, where Runge–Kutta stages may land.
+  bool respond(const Pose& at, double slip, double speed_ratio, double& /*bending*/, TipForce& force) const {
+    const double a = at.radial + geometry_.reach;
+    const double b = at.tangential;
+    const double distance = std::sqrt(a * a + b * b);
+    // |rk| − R from g = |rk|² − R²: exact where both are nearly equal.
+    const double load = stiffness_ * at.gap / (distance + geometry_.ring_radius);
+    const double normal_radial = a / distance;
+    const double normal_tangential = b / distance;
+    const double friction = slip * friction_ * load;
+    force.radial = -load * normal_radial + friction * normal_tangential;
+    force.tangential = -load * normal_tangential - friction * normal_radial;
+    force.normal = load;
+    force.shortening = 0.0;
+    force.root_strain = 0.0;
+    force.slip_velocity = normal_radial * at.tangential_velocity - normal_tangential * at.radial_velocity +
+                          speed_ratio * geometry_.reach * normal_radial;
+    return true;
+  }
+
+ private:
+  Geometry geometry_;
+  double stiffness_;  ///< kr [N/m]
+  double friction_;   ///< μ [-]
+};
+
+}  // namespace rubatlas::contact

@@ -1,0 +1,64 @@
+/// Where a blade stands against the ring: everything that the contact of one blade needs to know of the rotor.
+///
+/// All in the frame of the ring, resolved along the blade (er) and across it (et) (MODEL 2, 4).
+#pragma once
+
+#include <cmath>
+
+namespace rubatlas::contact {
+
+/// The undeformed blade and the ring.
+struct Geometry {
+  double reach;        ///< rh + L [m]: from the shaft centre to the undeformed tip
+  double ring_radius;  ///< R [m]
+
+  /// (rh + L)² − R² [m²], as a product: R² and (rh+L)² agree in their leading digits.
+  [[nodiscard]] double closing() const { return (reach - ring_radius) * (reach + ring_radius); }
+};
+
+/// A blade's angle, as its unit vector er = (cosine, sine).
+struct BladeDirection {
+  double cosine;
+  double sine;
+};
+
+/// Shaft centre and its velocity seen from one blade.
+struct Pose {
+  double radial;               ///< cr = c·er [m]
+  double tangential;           ///< ct = c·et [m]
+  double radial_velocity;      ///< c'·er [m per unit τ]
+  double tangential_velocity;  ///< c'·et [m per unit τ]
+  double gap;                  ///< g = |c + (rh+L) er|² − R² [m²]: in contact exactly while positive
+};
+
+/// `cx, cy` is c = (x, y + y0) [m]; `vx, vy` its velocity.
+inline Pose pose(const Geometry& geometry, const BladeDirection& er, double cx, double cy, double vx, double vy) {
+  const double radial = cx * er.cosine + cy * er.sine;
+  return {radial, cy * er.cosine - cx * er.sine, vx * er.cosine + vy * er.sine, vy * er.cosine - vx * er.sine,
+          cx * cx + cy * cy + 2.0 * geometry.reach * radial + geometry.closing()};
+}
+
+/// dg/dτ [m²].
+inline double gap_rate(const Geometry& geometry, const Pose& at, double speed_ratio) {
+  return 2.0 * (at.radial * at.radial_velocity + at.tangential * at.tangential_velocity) +
+         2.0 * geometry.reach * (at.radial_velocity + speed_ratio * at.tangential);
+}
+
+/// Slip velocity of the undeformed tip [m per unit τ], which gives the slip direction of a new contact (MODEL 4.4).
+inline double undeformed_slip_velocity(const Geometry& geometry, const Pose& at, double speed_ratio) {
+  const double a = at.radial + geometry.reach;
+  const double b = at.tangential;
+  return (a * at.tangential_velocity - b * at.radial_velocity + speed_ratio * geometry.reach * a) / std::hypot(a, b);
+}
+
+/// What a contact does: the force on the rotor, resolved along and across the blade, and what is recorded of it.
+struct TipForce {
+  double radial;         ///< Fk·er [N]
+  double tangential;     ///< Fk·et [N]
+  double normal;         ///< F [N]
+  double shortening;     ///< δ/L [-]
+  double root_strain;    ///< bending strain at the root [-]; 0 for a rigid blade
+  double slip_velocity;  ///< v of the deformed tip [m per unit τ]
+};
+
+}  // namespace rubatlas::contact
