@@ -1,0 +1,72 @@
+/// An atlas that is read: by the analysis, by `orbit --from`, and by a run that resumes.
+///
+/// Points are numbered in C order over the axes, as in `plan::Grid`; a row is what one dataset holds for one
+/// point. An atlas may be read while it is written: look at `status` first, and only at rows that it calls
+/// done.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "atlas/hdf5.hpp"
+#include "plan/grid.hpp"
+
+namespace rubatlas::atlas {
+
+class AtlasReader {
+ public:
+  /// Throws EnvironmentError when the file cannot be opened, is no atlas, or has another schema version.
+  explicit AtlasReader(const std::filesystem::path& path);
+
+  /// `[direction,] …, thickness, unbalance, friction, damping_ratio, speed_ratio`, as the file has them.
+  [[nodiscard]] const std::vector<plan::Axis>& axes() const { return axes_; }
+  /// One extent per axis.
+  [[nodiscard]] Shape shape() const;
+  [[nodiscard]] std::size_t point_count() const;
+  /// Points that differ in speed ratio only: the last extent.
+  [[nodiscard]] std::size_t speed_count() const { return axes_.back().values.size(); }
+
+  /// One of 0 pending, 1 done, 2 left the model's validity, 3 integrator failed, per point.
+  [[nodiscard]] std::vector<std::uint8_t> status() const;
+  /// True when the atlas keeps a dataset of that name.
+  [[nodiscard]] bool has(const std::string& name) const { return file_.has(name); }
+  /// Extents of one row: empty for one number per point, {sections, 4} for `poincare`.
+  [[nodiscard]] Shape row_shape(const std::string& name) const;
+  /// A whole dataset, flat, in C order.
+  [[nodiscard]] std::vector<double> rows(const std::string& name) const;
+  /// The rows of points [line * speed_count, (line + 1) * speed_count), flat.
+  [[nodiscard]] std::vector<double> line_rows(const std::string& name, std::size_t line) const;
+  /// One point's row, flat.
+  [[nodiscard]] std::vector<double> row(const std::string& name, std::size_t point) const;
+  /// The values of an axis behind the grid's (`section`, `order`, `passing`).
+  [[nodiscard]] std::vector<double> inner_axis(const std::string& name) const;
+
+  /// State at the end of a point: x, y [m], dx/dτ, dy/dτ [m]; NaN where it did not end as done.
+  [[nodiscard]] std::array<double, 4> final_state(std::size_t point) const;
+  /// The point with these parameters, each within a relative 1e-9; of an atlas swept both ways, on the
+  /// `direction` line. Nothing where the atlas has no such point.
+  [[nodiscard]] std::optional<std::size_t> find(const plan::PointParameters& parameters,
+                                                plan::Direction direction = plan::Direction::up) const;
+
+  /// The scene file's own text.
+  [[nodiscard]] std::string scene() const { return file_.read_text("/scene"); }
+  /// The scene with every default written out; `scene::parse_scene` reads it.
+  [[nodiscard]] std::string scene_resolved() const { return file_.read_text("/scene_resolved"); }
+
+  /// The file itself, for attributes.
+  [[nodiscard]] const File& file() const { return file_; }
+
+ private:
+  [[nodiscard]] std::vector<double> read_from(const std::string& name, Shape start,
+                                              std::size_t axes_fixed) const;
+
+  File file_;
+  std::vector<plan::Axis> axes_;
+};
+
+}  // namespace rubatlas::atlas

@@ -1,0 +1,42 @@
+/// What an atlas consists of, decided from the scene alone: axes, datasets, their shapes, types and meanings.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "atlas/hdf5.hpp"
+#include "observables/list.hpp"
+#include "plan/grid.hpp"
+#include "scene/scene.hpp"
+
+namespace rubatlas::atlas {
+
+enum class NumberType : std::uint8_t { float64, uint8, int32 };
+
+/// One dataset with a row per point.
+struct RowDataset {
+  std::string name;
+  NumberType type = NumberType::float64;
+  std::vector<std::string> inner_axes;  ///< behind the grid's axes, outermost first
+  Shape shape;                          ///< grid's extents, then the inner ones
+  std::string units;
+  std::string long_name;
+};
+
+struct Schema {
+  std::vector<plan::Axis> axes;
+  std::vector<observables::InnerAxis> inner_axes;
+  std::vector<RowDataset> bookkeeping;  ///< status, restarted, failed_revolution, final_state: always there
+  std::vector<RowDataset> observables;  ///< in the order of `observables::descriptions`
+
+  /// Bytes of all rows when every point is done; the axes and texts besides are small.
+  [[nodiscard]] std::uint64_t byte_count() const;
+  /// Bytes of one point's rows.
+  [[nodiscard]] std::uint64_t bytes_per_point() const;
+};
+
+Schema schema_of(const scene::Scene& scene);
+
+}  // namespace rubatlas::atlas

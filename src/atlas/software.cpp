@@ -1,0 +1,15 @@
+#include "atlas/software.hpp"
+
+namespace rubatlas::atlas {
+
+void write_provenance(Object root, const Software& software, const std::string& title) {
+  root.set_text("Conventions", "CF-1.8");
+  root.set_text("schema_version", kSchemaVersion);
+  root.set_text("title", title);
+  root.set_text("software", software.software);
+  root.set_text("software_version", software.software_version);
+  root.set_text("git_commit", software.git_commit);
+  root.set_text("compiler", software.compiler);
+}
+
+}  // namespace rubatlas::atlas
