@@ -79,6 +79,8 @@ class Object {
   [[nodiscard]] double number(const std::string& name) const;
 
   [[nodiscard]] Identifier identifier() const { return handle_.get(); }
+  /// A file is closed, and under MPI finished, only when everything in it is.
+  void close() { handle_.close(); }
 
  private:
   Handle handle_;

@@ -28,8 +28,15 @@ struct RowDataset {
 struct Schema {
   std::vector<plan::Axis> axes;
   std::vector<observables::InnerAxis> inner_axes;
-  std::vector<RowDataset> bookkeeping;  ///< status, restarted, failed_revolution, final_state: always there
-  std::vector<RowDataset> observables;  ///< in the order of `observables::descriptions`
+  RowDataset status;
+  RowDataset restarted;
+  RowDataset failed_revolution;
+  RowDataset final_state;
+  std::vector<RowDataset>
+      observables;  ///< in the order of `observables::descriptions`; the four above are always there
+
+  /// All datasets with a row per point, in the order in which they are created.
+  [[nodiscard]] std::vector<const RowDataset*> row_datasets() const;
 
   /// Bytes of all rows when every point is done; the axes and texts besides are small.
   [[nodiscard]] std::uint64_t byte_count() const;

@@ -1,0 +1,84 @@
+#include "atlas/create.hpp"
+
+#include <array>
+#include <cstdint>
+#include <map>
+
+#include "atlas/hdf5.hpp"
+#include "atlas/inner_scale.hpp"
+#include "atlas/publish.hpp"
+#include "atlas/schema.hpp"
+#include "scene/reader.hpp"
+
+namespace rubatlas::atlas {
+namespace {
+
+using Scales = std::map<std::string, Dataset>;
+
+void create_grid_scales(File& file, const Schema& schema, Scales& scales) {
+  for (const auto& axis : schema.axes) {
+    Dataset scale = file.create_dataset<double>(axis.name, {axis.values.size()});
+    scale.write<double>(axis.values);
+    scale.make_scale(axis.name);
+    scale.set_text("units", axis.units);
+    scale.set_text("long_name", axis.long_name);
+    if (axis.name == "direction") {
+      scale.set_numbers<double>("flag_values", axis.values);
+      scale.set_text("flag_meanings", "up down");
+    }
+    scales.emplace(axis.name, std::move(scale));
+  }
+}
+
+/// Large datasets are allocated early and never filled, so that a fresh atlas costs no disk and no time, and
+/// writing a row changes no metadata. The small one whose zero would be a revolution is filled.
+Dataset create_rows(File& file, const RowDataset& rows) {
+  switch (rows.type) {
+    case NumberType::uint8:
+      return file.create_sparse_dataset<std::uint8_t>(rows.name, rows.shape);
+    case NumberType::int32:
+      return file.create_filled_dataset<std::int32_t>(rows.name, rows.shape, -1);
+    case NumberType::float64:
+      break;
+  }
+  return file.create_sparse_dataset<double>(rows.name, rows.shape);
+}
+
+void create_row_dataset(File& file, const Schema& schema, const RowDataset& rows, const Scales& scales) {
+  Dataset dataset = create_rows(file, rows);
+  dataset.set_text("long_name", rows.long_name);
+  if (rows.type == NumberType::float64) dataset.set_text("units", rows.units);
+  std::size_t position = 0;
+  for (const auto& axis : schema.axes) dataset.attach_scale(position++, scales.at(axis.name));
+  for (const auto& name : rows.inner_axes) dataset.attach_scale(position++, scales.at(name));
+
+  const auto set_flags = [&](std::size_t count, const char* meanings) {
+    constexpr std::array<std::uint8_t, 4> kValues{0, 1, 2, 3};
+    dataset.set_numbers<std::uint8_t>("flag_values", std::span(kValues).first(count));
+    dataset.set_text("flag_meanings", meanings);
+  };
+  if (rows.name == "status") set_flags(4, "pending done left_validity integrator_failed");
+  if (rows.name == "restarted") set_flags(2, "continued_from_neighbour started_from_initial");
+}
+
+}  // namespace
+
+void create_atlas(const std::filesystem::path& path, const scene::Scene& scene, const std::string& scene_text,
+                  const Software& software) {
+  const Schema schema = schema_of(scene);
+  File file = File::create(unpublished_name(path));
+  write_provenance(file.root(), software, scene.title);
+  file.create_text("/scene", scene_text).set_text("long_name", "the scene file, as it was given");
+  file.create_text("/scene_resolved", scene::resolved_json(scene))
+      .set_text("long_name", "the scene with every default and every axis value written out");
+  {
+    Scales scales;
+    create_grid_scales(file, schema, scales);
+    for (const auto& axis : schema.inner_axes) scales.emplace(axis.name, create_inner_scale(file, axis));
+    for (const auto* rows : schema.row_datasets()) create_row_dataset(file, schema, *rows, scales);
+  }
+  file.close();
+  publish(path);
+}
+
+}  // namespace rubatlas::atlas

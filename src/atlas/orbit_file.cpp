@@ -1,0 +1,84 @@
+#include "atlas/orbit_file.hpp"
+
+#include <numeric>
+#include <span>
+
+#include "atlas/hdf5.hpp"
+#include "atlas/inner_scale.hpp"
+#include "atlas/publish.hpp"
+#include "scene/reader.hpp"
+
+namespace rubatlas::atlas {
+namespace {
+
+std::vector<double> flat(const std::vector<solve::SectionState>& states) {
+  std::vector<double> values;
+  for (const auto& state : states) values.insert(values.end(), state.begin(), state.end());
+  return values;
+}
+
+void write_array(File& file, const std::string& name, const std::vector<double>& values, const Dataset& outer,
+                 const Dataset& inner, const std::string& units, const std::string& long_name) {
+  Dataset dataset = file.create_dataset<double>(name, {outer.size(), inner.size()});
+  dataset.write<double>(values);
+  dataset.attach_scale(0, outer);
+  dataset.attach_scale(1, inner);
+  dataset.set_text("units", units);
+  dataset.set_text("long_name", long_name);
+}
+
+/// 1, 2, ... as the values of a scale.
+std::vector<std::int32_t> counted(std::size_t count, std::int32_t first) {
+  std::vector<std::int32_t> values(count);
+  std::iota(values.begin(), values.end(), first);
+  return values;
+}
+
+void write_point(Object root, const plan::PointParameters& parameters, const solve::SectionState& start,
+                 const solve::Orbit& orbit) {
+  root.set_number<double>("speed_ratio", parameters.speed_ratio);
+  root.set_number<double>("damping_ratio", parameters.damping_ratio);
+  root.set_number<double>("friction", parameters.friction);
+  root.set_number<double>("unbalance", parameters.unbalance);
+  root.set_number<double>("thickness", parameters.thickness);
+  root.set_numbers<double>("start", start);
+  root.set_number<std::int32_t>("status", static_cast<std::int32_t>(orbit.status));
+  root.set_text("status_meanings", "0 pending, 1 done, 2 left_validity, 3 integrator_failed");
+  root.set_number<std::int32_t>("failed_revolution", orbit.failed_revolution);
+}
+
+}  // namespace
+
+void write_orbit(const std::filesystem::path& path, const scene::Scene& scene, const std::string& scene_text,
+                 const plan::PointParameters& parameters, const solve::SectionState& start,
+                 const solve::Orbit& orbit, const Software& software) {
+  File file = File::create(unpublished_name(path));
+  write_provenance(file.root(), software, scene.title);
+  write_point(file.root(), parameters, start, orbit);
+  file.create_text("/scene", scene_text).set_text("long_name", "the scene file, as it was given");
+  file.create_text("/scene_resolved", scene::resolved_json(scene))
+      .set_text("long_name", "the scene with every default and every axis value written out");
+
+  const auto blades = static_cast<std::size_t>(scene.blades.count);
+  {
+    const Dataset time = create_inner_scale(
+        file, {"time", orbit.time, "1",
+               "dimensionless time tau = omega_n t since the start of the sampled revolutions"});
+    const Dataset component =
+        create_inner_scale(file, {"component", std::vector<std::string>{"x", "y", "vx", "vy"}, "1",
+                                  "displacement from equilibrium and its derivative by tau"});
+    const Dataset blade = create_inner_scale(file, {"blade", counted(blades, 1), "1", "number of the blade"});
+    const Dataset section = create_inner_scale(
+        file, {"section", counted(orbit.sections.size(), scene.protocol.transient_revolutions + 1), "1",
+               "revolution at whose end the section is taken"});
+    write_array(file, "state", flat(orbit.state), time, component, "m",
+                "state of the shaft centre: x, y [m], dx/dtau, dy/dtau [m per unit tau]");
+    write_array(file, "force", orbit.force, time, blade, "N", "normal contact force on each blade");
+    write_array(file, "sections", flat(orbit.sections), section, component, "m",
+                "Poincare sections, once per revolution at phase 0");
+  }
+  file.close();
+  publish(path);
+}
+
+}  // namespace rubatlas::atlas

@@ -1,0 +1,79 @@
+#include "atlas/schema.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+#include "atlas/environment_error.hpp"
+
+namespace rubatlas::atlas {
+namespace {
+
+std::uint64_t number_size(NumberType type) {
+  switch (type) {
+    case NumberType::float64:
+      return sizeof(double);
+    case NumberType::int32:
+      return sizeof(std::int32_t);
+    case NumberType::uint8:
+      return sizeof(std::uint8_t);
+  }
+  return 0;
+}
+
+std::uint64_t bytes_of(const RowDataset& dataset) {
+  return std::accumulate(dataset.shape.begin(), dataset.shape.end(), number_size(dataset.type),
+                         std::multiplies<std::uint64_t>());
+}
+
+}  // namespace
+
+std::uint64_t Schema::byte_count() const {
+  return bytes_of(bookkeeping) + bytes_of(observables);
+}
+
+std::uint64_t Schema::bytes_per_point() const {
+  const auto points =
+      std::accumulate(axes.begin(), axes.end(), std::uint64_t{1},
+                      [](auto count, const auto& axis) { return count * axis.values.size(); });
+  return byte_count() / points;
+}
+
+Schema schema_of(const scene::Scene& scene) {
+  Schema schema;
+  schema.axes = plan::Grid(scene).axes();
+  schema.inner_axes = observables::inner_axes(scene);
+
+  const auto shape_over = [&](const std::vector<std::string>& inner) {
+    Shape shape;
+    for (const auto& axis : schema.axes) shape.push_back(axis.values.size());
+    for (const auto& name : inner) {
+      const auto axis = std::find_if(schema.inner_axes.begin(), schema.inner_axes.end(),
+                                     [&](const auto& candidate) { return candidate.name == name; });
+      if (axis == schema.inner_axes.end()) throw EnvironmentError("no inner axis is called " + name);
+      shape.push_back(axis->size());
+    }
+    return shape;
+  };
+
+  const auto rows_of = [&](std::string name, NumberType type, std::vector<std::string> inner,
+                           std::string units, std::string long_name) {
+    Shape shape = shape_over(inner);
+    return RowDataset{std::move(name),     type, std::move(inner), std::move(shape), std::move(units),
+                      std::move(long_name)};
+  };
+  schema.status = rows_of("status", NumberType::uint8, {}, "", "how the point ended");
+  schema.restarted = rows_of("restarted", NumberType::uint8, {}, "", "what the point started from");
+  schema.failed_revolution =
+      rows_of("failed_revolution", NumberType::int32, {}, "",
+              "revolution, counted from 0, in which status became 2 or 3; -1 elsewhere");
+  schema.final_state = rows_of("final_state", NumberType::float64, {"component"}, "m",
+                               "state at the end of the point: x, y [m], dx/dtau, dy/dtau [m per unit tau]");
+  for (const auto& kept : observables::descriptions(scene)) {
+    schema.observables.push_back(
+        rows_of(kept.name, NumberType::float64, kept.inner_axes, kept.units, kept.long_name));
+  }
+  return schema;
+}
+
+}  // namespace rubatlas::atlas
