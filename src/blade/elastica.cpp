@@ -13,8 +13,7 @@ Equilibrium<long double> equilibrium(long double friction, long double bending) 
   const Real kappa = std::sin(tip_psi / 2);
   const Real root_sine = std::sin(beta / 2);
   // κ² − sin²(β/2) = sin((ψL + β)/2) sin(θL/2)
-  const Real end =
-      std::atan2(std::sqrt(std::sin((tip_psi + beta) / 2) * std::sin(tip_angle / 2)), root_sine);
+  const Real end = std::atan2(std::sqrt(std::sin((tip_psi + beta) / 2) * std::sin(tip_angle / 2)), root_sine);
 
   // One pass for the three integrals over α in [0, α0], with dσ/L = dα / (q cos(ψ/2)).
   Real arc = 0;         // q

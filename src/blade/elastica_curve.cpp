@@ -74,8 +74,8 @@ void ElasticaCurve::add_first_piece(double width) {
     }
     const Eigen::Matrix<Real, Eigen::Dynamic, 1> fitted = interpolation(count, square) * samples;
     for (int k = 0; k < count; ++k) {
-      piece.coefficients[static_cast<std::size_t>(lead[component] + 2 * k)][static_cast<Eigen::Index>(component)] =
-          static_cast<double>(fitted(k));
+      piece.coefficients[static_cast<std::size_t>(lead[component] + 2 * k)]
+                        [static_cast<Eigen::Index>(component)] = static_cast<double>(fitted(k));
     }
   }
   pieces_.push_back(piece);

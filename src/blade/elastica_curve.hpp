@@ -1,10 +1,12 @@
-/// The elastica as the solver uses it: piecewise polynomials of the bending parameter, one table per friction.
+/// The elastica as the solver uses it: piecewise polynomials of the bending parameter, one table per
+/// friction.
 ///
-/// The curve is dimensionless, so that one table serves every length, width, thickness and modulus (MODEL 3.2).
-/// Pieces are quarter octaves of u below 1 and sixteenths above, found from the bits of the number; the first piece
-/// reaches from the unloaded blade to β/32 (1/8 where μ = 0) and keeps the exact leading powers, so that errors are
-/// relative all the way down. Graded like this, pieces are short against their distance from the curve's
-/// singularities u = ±iβ and ψL = π, and degree 11 leaves less than 1e-13 for every μ in [0, 2].
+/// The curve is dimensionless, so that one table serves every length, width, thickness and modulus
+/// (MODEL 3.2). Pieces are quarter octaves of u below 1 and sixteenths above, found from the bits of the
+/// number; the first piece reaches from the unloaded blade to β/32 (1/8 where μ = 0) and keeps the exact
+/// leading powers, so that errors are relative all the way down. Graded like this, pieces are short against
+/// their distance from the curve's singularities u = ±iβ and ψL = π, and degree 11 leaves less than 1e-13 for
+/// every μ in [0, 2].
 #pragma once
 
 #include <Eigen/Core>
@@ -39,7 +41,8 @@ class ElasticaCurve {
   /// End of the table; beyond it the last piece is continued.
   [[nodiscard]] double end() const { return end_; }
 
-  /// The curve at u. Negative u continues it by symmetry: all functions even for μ > 0, the deflection odd for μ = 0.
+  /// The curve at u. Negative u continues it by symmetry: all functions even for μ > 0, the deflection odd
+  /// for μ = 0.
   [[nodiscard]] CurvePoint at(double bending) const {
     const double magnitude = std::abs(bending);
     const Piece& piece = pieces_[index(magnitude)];
@@ -78,8 +81,9 @@ class ElasticaCurve {
 
   [[nodiscard]] std::size_t index(double magnitude) const {
     const auto bits = std::bit_cast<std::uint64_t>(magnitude);
-    const std::int64_t piece = magnitude < 1.0 ? static_cast<std::int64_t>(bits >> kCoarseShift) - coarse_origin_
-                                               : static_cast<std::int64_t>(bits >> kFineShift) - fine_origin_;
+    const std::int64_t piece = magnitude < 1.0
+                                   ? static_cast<std::int64_t>(bits >> kCoarseShift) - coarse_origin_
+                                   : static_cast<std::int64_t>(bits >> kFineShift) - fine_origin_;
     return static_cast<std::size_t>(std::clamp<std::int64_t>(piece, 0, last_piece_));
   }
   void add_first_piece(double width);

@@ -17,7 +17,8 @@ class ElasticRingContact {
 
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
 
-  /// F = kr (|rk| − R). Always has a force: continued linearly beyond lift-off, where Runge–Kutta stages may land.
+  /// F = kr (|rk| − R). Always has a force: continued linearly beyond lift-off, where Runge–Kutta stages may
+  /// land.
   bool respond(const Pose& at, double slip, double speed_ratio, double& /*bending*/, TipForce& force) const {
     const double a = at.radial + geometry_.reach;
     const double b = at.tangential;

@@ -9,8 +9,8 @@ namespace rubatlas::contact {
 
 std::optional<double> ElasticaContact::solve(const Pose& at, double slip) const {
   const auto& knots = curve_->knots();
-  // The residual is positive from the unloaded blade on (g > 0; on the receding side it first rises) and falls
-  // through zero once: walk up the curve until it has.
+  // The residual is positive from the unloaded blade on (g > 0; on the receding side it first rises) and
+  // falls through zero once: walk up the curve until it has.
   const auto after = std::find_if(knots.begin() + 1, knots.end(), [&](const auto& knot) {
     return residual(at, slip, knot.shortening, knot.deflection) < 0.0;
   });
@@ -22,8 +22,8 @@ std::optional<double> ElasticaContact::solve(const Pose& at, double slip) const 
     return residual(at, slip, point.shortening, point.deflection);
   };
   double at_low = function(low);
-  // The first piece starts at the unloaded blade, where h = g may be zero or negative by rounding. Step off it to
-  // where h is positive; where it is nowhere, the contact is too light to load the blade.
+  // The first piece starts at the unloaded blade, where h = g may be zero or negative by rounding. Step off
+  // it to where h is positive; where it is nowhere, the contact is too light to load the blade.
   if (low == 0.0 && at_low <= 0.0) {
     double step = high;
     do {
@@ -64,8 +64,9 @@ std::optional<double> ElasticaContact::solve_near(const Pose& at, double slip, d
 
 bool ElasticaContact::respond(const Pose& at, double slip, double speed_ratio, double& bending,
                               TipForce& force) const {
-  // Beyond a lift-off on the approaching side the gap is negative and no positive load exists. There the load is
-  // continued as an odd function of the gap (at μ = 0, where it does not vanish at lift-off, as an even one).
+  // Beyond a lift-off on the approaching side the gap is negative and no positive load exists. There the load
+  // is continued as an odd function of the gap (at μ = 0, where it does not vanish at lift-off, as an even
+  // one).
   const bool beyond_end = at.gap < 0.0 && slip * at.tangential >= 0.0;
   Pose mirrored = at;
   if (beyond_end) mirrored.gap = -at.gap;

@@ -1,8 +1,8 @@
 /// Contact law `elastica`: large-deflection blades in a rigid ring (MODEL 3, 4).
 ///
-/// The contact equation h = 0 couples the tip's position to the ring. It is used in two ways: as a constraint that
-/// an integrator carries along with the bending parameter u as a state (`constraint`), and as an equation to solve
-/// for u where several blades share the rotor (`solve`).
+/// The contact equation h = 0 couples the tip's position to the ring. It is used in two ways: as a constraint
+/// that an integrator carries along with the bending parameter u as a state (`constraint`), and as an
+/// equation to solve for u where several blades share the rotor (`solve`).
 #pragma once
 
 #include <cmath>
@@ -54,8 +54,7 @@ class ElasticaContact {
     // h = a² + b² − R² written from g, so that a light contact keeps its digits.
     result.residual = at.gap + shortening * (shortening - 2.0 * (at.radial + geometry_.reach)) +
                       deflection * (deflection - 2.0 * slip * at.tangential);
-    result.bending_slope =
-        -2.0 * length_ * (a * point.shortening_slope + slip * b * point.deflection_slope);
+    result.bending_slope = -2.0 * length_ * (a * point.shortening_slope + slip * b * point.deflection_slope);
     result.time_slope = 2.0 * a * (at.radial_velocity + speed_ratio * at.tangential) +
                         2.0 * b * (at.tangential_velocity - speed_ratio * at.radial);
     const double inverse_distance = 1.0 / std::sqrt(a * a + b * b);
@@ -73,7 +72,8 @@ class ElasticaContact {
         strain_unit_ * point.load * (point.deflection + friction_ * (1.0 - point.shortening));
     result.force.slip_velocity =
         normal_radial * at.tangential_velocity - normal_tangential * at.radial_velocity +
-        speed_ratio * ((geometry_.reach - shortening) * normal_radial - slip * deflection * normal_tangential);
+        speed_ratio *
+            ((geometry_.reach - shortening) * normal_radial - slip * deflection * normal_tangential);
     return result;
   }
 
@@ -83,8 +83,9 @@ class ElasticaContact {
   /// The same root found from a neighbouring one; falls back on `solve`.
   [[nodiscard]] std::optional<double> solve_near(const Pose& at, double slip, double bending) const;
 
-  /// Force at a root found near `bending`, which is updated; false where there is none. Smooth a little beyond the
-  /// end of the contact (g < 0), where Runge–Kutta stages may land: the force is continued as an odd function.
+  /// Force at a root found near `bending`, which is updated; false where there is none. Smooth a little
+  /// beyond the end of the contact (g < 0), where Runge–Kutta stages may land: the force is continued as an
+  /// odd function.
   bool respond(const Pose& at, double slip, double speed_ratio, double& bending, TipForce& force) const;
 
  private:

@@ -1,4 +1,5 @@
-/// Where a blade stands against the ring: everything that the contact of one blade needs to know of the rotor.
+/// Where a blade stands against the ring: everything that the contact of one blade needs to know of the
+/// rotor.
 ///
 /// All in the frame of the ring, resolved along the blade (er) and across it (et) (MODEL 2, 4).
 #pragma once
@@ -32,7 +33,8 @@ struct Pose {
 };
 
 /// `cx, cy` is c = (x, y + y0) [m]; `vx, vy` its velocity.
-inline Pose pose(const Geometry& geometry, const BladeDirection& er, double cx, double cy, double vx, double vy) {
+inline Pose pose(const Geometry& geometry, const BladeDirection& er, double cx, double cy, double vx,
+                 double vy) {
   const double radial = cx * er.cosine + cy * er.sine;
   return {radial, cy * er.cosine - cx * er.sine, vx * er.cosine + vy * er.sine, vy * er.cosine - vx * er.sine,
           cx * cx + cy * cy + 2.0 * geometry.reach * radial + geometry.closing()};
@@ -44,14 +46,17 @@ inline double gap_rate(const Geometry& geometry, const Pose& at, double speed_ra
          2.0 * geometry.reach * (at.radial_velocity + speed_ratio * at.tangential);
 }
 
-/// Slip velocity of the undeformed tip [m per unit τ], which gives the slip direction of a new contact (MODEL 4.4).
+/// Slip velocity of the undeformed tip [m per unit τ], which gives the slip direction of a new contact
+/// (MODEL 4.4).
 inline double undeformed_slip_velocity(const Geometry& geometry, const Pose& at, double speed_ratio) {
   const double a = at.radial + geometry.reach;
   const double b = at.tangential;
-  return (a * at.tangential_velocity - b * at.radial_velocity + speed_ratio * geometry.reach * a) / std::hypot(a, b);
+  return (a * at.tangential_velocity - b * at.radial_velocity + speed_ratio * geometry.reach * a) /
+         std::hypot(a, b);
 }
 
-/// What a contact does: the force on the rotor, resolved along and across the blade, and what is recorded of it.
+/// What a contact does: the force on the rotor, resolved along and across the blade, and what is recorded of
+/// it.
 struct TipForce {
   double radial;         ///< Fk·er [N]
   double tangential;     ///< Fk·et [N]

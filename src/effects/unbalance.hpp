@@ -1,7 +1,7 @@
 /// Effect `unbalance`: a mass eccentricity that turns with the rotor (MODEL 1).
 ///
-/// An effect states its acceleration and the closed form of flight under it: the response from rest, which is added
-/// to the free motion.
+/// An effect states its acceleration and the closed form of flight under it: the response from rest, which is
+/// added to the free motion.
 #pragma once
 
 #include <cmath>
@@ -43,11 +43,11 @@ class Unbalance {
     Complex velocity;
   };
 
-  /// Motion a time `elapsed` after rest at `start` (both in τ), in closed form; `motion` is the free motion's C and
-  /// S at `elapsed`.
+  /// Motion a time `elapsed` after rest at `start` (both in τ), in closed form; `motion` is the free motion's
+  /// C and S at `elapsed`.
   ///
-  /// Far from resonance Z (e^{iΩt} − …) as MODEL 4.5. Near Ω = 1 at small damping Z is huge and cancels, and at
-  /// Ω = 1, ζ = 0 it does not exist; there the divided difference (e^{iΩt} − e^{λt})/(iΩ − λ) is taken as
+  /// Far from resonance Z (e^{iΩt} − …) as MODEL 4.5. Near Ω = 1 at small damping Z is huge and cancels, and
+  /// at Ω = 1, ζ = 0 it does not exist; there the divided difference (e^{iΩt} − e^{λt})/(iΩ − λ) is taken as
   /// t e^{λt} (e^w − 1)/w with w = (iΩ − λ) t, which passes smoothly through the secular growth at w = 0.
   [[nodiscard]] Response from_rest(double start, double elapsed, const rotor::FreeMotion& free,
                                    const rotor::FreeMotion::Kernel& kernel) const {
@@ -65,7 +65,8 @@ class Unbalance {
       const Complex positive(-free.damping_ratio(), frequency);
       const Complex negative = std::conj(positive);
       const auto difference = [&](Complex eigenvalue) {
-        return elapsed * std::exp(eigenvalue * elapsed) * relative_growth((i * speed_ratio_ - eigenvalue) * elapsed);
+        return elapsed * std::exp(eigenvalue * elapsed) *
+               relative_growth((i * speed_ratio_ - eigenvalue) * elapsed);
       };
       response.position = unit * (difference(positive) - difference(negative)) / (2.0 * i * frequency);
     }
@@ -74,7 +75,8 @@ class Unbalance {
   }
 
  private:
-  static constexpr double kNearResonance = 0.25;  ///< of |1 − Ω² + 2iζΩ|: above, Z is at most four static ones
+  static constexpr double kNearResonance =
+      0.25;  ///< of |1 − Ω² + 2iζΩ|: above, Z is at most four static ones
 
   /// (e^w − 1)/w without cancellation.
   static Complex relative_growth(Complex w) {

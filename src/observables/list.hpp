@@ -1,7 +1,7 @@
 /// The list of observables: what an atlas can keep of a point, and the shape of each row.
 ///
-/// This is the one place that names them. The scene reader checks `observables` against it, the atlas creates its
-/// datasets from it, the solver fills rows in its order.
+/// This is the one place that names them. The scene reader checks `observables` against it, the atlas creates
+/// its datasets from it, the solver fills rows in its order.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,7 @@ struct Description {
   std::vector<std::string> inner_axes;  ///< names, outermost first; empty: one number per point
   std::string units;
   std::string long_name;
-  std::size_t row_size = 1;             ///< product of the inner extents
+  std::size_t row_size = 1;  ///< product of the inner extents
 };
 
 /// The observables that the scene asks for, in the order of the list.

@@ -1,7 +1,7 @@
 /// The door to the physics: one line of the atlas, point by point.
 ///
-/// A scene's choices (contact law, effects, observables) become types once, in `make_line_solver`; from there to
-/// the end of a point nothing is looked up by name. One virtual call per point.
+/// A scene's choices (contact law, effects, observables) become types once, in `make_line_solver`; from there
+/// to the end of a point nothing is looked up by name. One virtual call per point.
 #pragma once
 
 #include <array>
@@ -45,10 +45,10 @@ struct PointOutcome {
 struct Orbit {
   PointStatus status = PointStatus::pending;
   std::int32_t failed_revolution = -1;
-  std::vector<double> time;               ///< τ [-] from the start of the sampled revolutions
-  std::vector<SectionState> state;        ///< one per time
-  std::vector<double> force;              ///< [time][blade], normal force F on each blade [N]
-  std::vector<SectionState> sections;     ///< Poincaré sections, one per sampled revolution
+  std::vector<double> time;            ///< τ [-] from the start of the sampled revolutions
+  std::vector<SectionState> state;     ///< one per time
+  std::vector<double> force;           ///< [time][blade], normal force F on each blade [N]
+  std::vector<SectionState> sections;  ///< Poincaré sections, one per sampled revolution
 };
 
 class LineSolver {

@@ -1,0 +1,20 @@
+/// Root of a function between two points where it has opposite signs.
+#pragma once
+
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cstdint>
+
+namespace rubatlas::integrate {
+
+/// Located to the last bits of the argument (TOMS 748; the bracket never gives way to rounding).
+template <class Function>
+double root_between(Function function, double low, double high, double at_low, double at_high) {
+  if (at_high == 0.0) return high;
+  if (at_low == 0.0) return low;
+  std::uintmax_t iterations = 60;
+  const auto bracket = boost::math::tools::toms748_solve(
+      function, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(52), iterations);
+  return 0.5 * (bracket.first + bracket.second);
+}
+
+}  // namespace rubatlas::integrate

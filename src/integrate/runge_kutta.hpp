@@ -1,0 +1,158 @@
+/// One step of an explicit Runge–Kutta pair, with its error estimate and dense output on demand.
+///
+/// Knows no rotor: a system is anything that writes the derivative of a state and says whether it could
+/// (`bool system(const Vector& state, Vector& derivative)`; false rejects the step). The independent variable
+/// does not appear: systems that need the time carry it as a component.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace rubatlas::integrate {
+
+template <class Table, int kSize>
+class RungeKutta {
+ public:
+  using Vector = Eigen::Array<double, kSize, 1>;
+
+  /// Starts from a state; evaluates the first stage.
+  template <class System>
+  bool begin(System& system, const Vector& state) {
+    start_ = state;
+    return system(start_, stages_[0]);
+  }
+
+  /// Tries a step of the given size. On true, `end()` and the error estimate are set.
+  template <class System>
+  bool attempt(System& system, double size) {
+    size_ = size;
+    dense_ready_ = false;
+    if (!evaluate_stages(system, std::make_index_sequence<Table::kStages - 1>{})) return false;
+    end_ = start_ + size * weighted_sum([] { return Table::kWeight; });
+    return system(end_, stages_[Table::kStages]) && end_.isFinite().all();
+  }
+
+  /// Goes on from the end of the last step, which becomes the start of the next one.
+  void accept() {
+    start_ = end_;
+    stages_[0] = stages_[Table::kStages];
+  }
+
+  [[nodiscard]] const Vector& start() const { return start_; }
+  [[nodiscard]] const Vector& end() const { return end_; }
+  /// The end may be moved onto a constraint by as little as the local error.
+  [[nodiscard]] Vector& end() { return end_; }
+  [[nodiscard]] double size() const { return size_; }
+  [[nodiscard]] const Vector& start_derivative() const { return stages_[0]; }
+  [[nodiscard]] const Vector& end_derivative() const { return stages_[Table::kStages]; }
+
+  /// Differences to the embedded solutions of order 3 and 5.
+  struct ErrorEstimate {
+    Vector third;
+    Vector fifth;
+  };
+  [[nodiscard]] ErrorEstimate error_estimate() const {
+    return {size_ * weighted_sum([] { return Table::kError3; }),
+            size_ * weighted_sum([] { return Table::kError5; })};
+  }
+
+  /// Evaluates the further stages of dense output for the step last tried, once.
+  template <class System>
+  bool make_dense(System& system) {
+    if (dense_ready_) return true;
+    if (!evaluate_dense_stages(system,
+                               std::make_index_sequence<Table::kDenseStages - Table::kStages - 1>{})) {
+      return false;
+    }
+    const Vector difference = end_ - start_;
+    dense_[0] = difference;
+    dense_[1] = size_ * stages_[0] - difference;
+    dense_[2] = 2.0 * difference - size_ * (stages_[0] + stages_[Table::kStages]);
+    dense_[3] = size_ * weighted_sum([] { return Table::kDense[0]; });
+    dense_[4] = size_ * weighted_sum([] { return Table::kDense[1]; });
+    dense_[5] = size_ * weighted_sum([] { return Table::kDense[2]; });
+    dense_[6] = size_ * weighted_sum([] { return Table::kDense[3]; });
+    dense_ready_ = true;
+    return true;
+  }
+
+  /// State at the fraction θ in [0, 1] of the step; needs `make_dense`.
+  [[nodiscard]] Vector interpolate(double fraction) const {
+    const double rest = 1.0 - fraction;
+    Vector value = dense_[6];
+    value = dense_[5] + fraction * value;
+    value = dense_[4] + rest * value;
+    value = dense_[3] + fraction * value;
+    value = dense_[2] + rest * value;
+    value = dense_[1] + fraction * value;
+    value = dense_[0] + rest * value;
+    return start_ + fraction * value;
+  }
+
+  /// One component of it.
+  [[nodiscard]] double interpolate(double fraction, int component) const {
+    return start_[component] + fraction * mean_slope(fraction, component);
+  }
+
+  /// (component at θ − component at 0) / θ, finite at θ = 0.
+  [[nodiscard]] double mean_slope(double fraction, int component) const {
+    const double rest = 1.0 - fraction;
+    double value = dense_[6][component];
+    value = dense_[5][component] + fraction * value;
+    value = dense_[4][component] + rest * value;
+    value = dense_[3][component] + fraction * value;
+    value = dense_[2][component] + rest * value;
+    value = dense_[1][component] + fraction * value;
+    return dense_[0][component] + rest * value;
+  }
+
+  /// Moves one component of the step by a constant (a time whose origin moves).
+  void shift(int component, double amount) {
+    start_[component] += amount;
+    end_[component] += amount;
+  }
+
+ private:
+  // Weights come as a captureless function, so that each is a constant and zero ones leave no instruction
+  // behind.
+  template <class Weights>
+  [[nodiscard]] Vector weighted_sum(Weights) const {
+    Vector sum = Vector::Zero();
+    [&]<std::size_t... kJ>(std::index_sequence<kJ...>) {
+      ((add<Weights, kJ>(sum)), ...);
+    }
+    (std::make_index_sequence<Weights{}().size()>{});
+    return sum;
+  }
+  template <class Weights, std::size_t kJ>
+  void add(Vector& sum) const {
+    constexpr double kWeight = Weights{}()[kJ];
+    if constexpr (kWeight != 0.0) sum += kWeight * stages_[kJ];
+  }
+
+  template <class System, std::size_t... kI>
+  bool evaluate_stages(System& system, std::index_sequence<kI...>) {
+    return (evaluate_stage<kI + 1>(system) && ...);
+  }
+  template <class System, std::size_t... kI>
+  bool evaluate_dense_stages(System& system, std::index_sequence<kI...>) {
+    return (evaluate_stage<Table::kStages + 1 + kI>(system) && ...);
+  }
+  template <std::size_t kRow, class System>
+  bool evaluate_stage(System& system) {
+    const Vector state = start_ + size_ * weighted_sum([] { return Table::kStage[kRow]; });
+    return system(state, stages_[kRow]);
+  }
+
+  Vector start_;
+  Vector end_;
+  double size_ = 0.0;
+  bool dense_ready_ = false;
+  std::array<Vector, Table::kDenseStages> stages_;
+  std::array<Vector, 7> dense_;
+};
+
+}  // namespace rubatlas::integrate

@@ -1,0 +1,86 @@
+/// Observables of the contacts: `touchdowns_per_revolution`, `contact_fraction`, and the peaks
+/// `max_contact_force` and `max_root_strain`.
+#pragma once
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <memory>
+
+#include "observables/observable.hpp"
+#include "scene/scene.hpp"
+
+namespace rubatlas::observables {
+
+/// Touch-downs within the sampled revolutions, per revolution; a contact open at their start is not one.
+class TouchdownsPerRevolution final : public Observable {
+ public:
+  explicit TouchdownsPerRevolution(const scene::Scene& scene)
+      : revolutions_(scene.protocol.sampled_revolutions) {}
+  static std::unique_ptr<Observable> make(const scene::Scene& scene) {
+    return std::make_unique<TouchdownsPerRevolution>(scene);
+  }
+  void begin(const PointConstants& /*point*/) override { count_ = 0; }
+  void touch_down() override { ++count_; }
+  void write(std::span<double> row) override { row[0] = static_cast<double>(count_) / revolutions_; }
+
+ private:
+  int revolutions_;
+  long count_ = 0;
+};
+
+/// Share of the time with any blade in contact [-].
+class ContactFraction final : public Observable {
+ public:
+  explicit ContactFraction(const scene::Scene& scene) : revolutions_(scene.protocol.sampled_revolutions) {}
+  static std::unique_ptr<Observable> make(const scene::Scene& scene) {
+    return std::make_unique<ContactFraction>(scene);
+  }
+  void begin(const PointConstants& point) override {
+    sampled_time_ = point.period * revolutions_;
+    in_contact_ = 0.0;
+  }
+  void piece(MotionPiece& piece) override {
+    if (piece.contact_count() > 0) in_contact_ += piece.end() - piece.begin();
+  }
+  void write(std::span<double> row) override { row[0] = in_contact_ / sampled_time_; }
+
+ private:
+  int revolutions_;
+  double sampled_time_ = 0.0;
+  double in_contact_ = 0.0;
+};
+
+/// Largest value over all contacts of a function of contact and time.
+template <double (MotionPiece::*kQuantity)(std::size_t, double)>
+class ContactPeak final : public Observable {
+ public:
+  static std::unique_ptr<Observable> make(const scene::Scene& /*scene*/) {
+    return std::make_unique<ContactPeak>();
+  }
+  void begin(const PointConstants& /*point*/) override { peak_ = 0.0; }
+  void piece(MotionPiece& piece) override {
+    for (std::size_t contact = 0; contact < piece.contact_count(); ++contact) {
+      const auto negative = [&](double time) { return -(piece.*kQuantity)(contact, time); };
+      const double at_begin = -negative(piece.begin());
+      const double at_middle = -negative(0.5 * (piece.begin() + piece.end()));
+      const double at_end = -negative(piece.end());
+      peak_ = std::max({peak_, at_begin, at_middle, at_end});
+      // Within one step of the integrator a force has at most one maximum.
+      if (at_middle > std::min(at_begin, at_end)) {
+        const double top =
+            -boost::math::tools::brent_find_minima(negative, piece.begin(), piece.end(), kPeakBits).second;
+        peak_ = std::max(peak_, top);
+      }
+    }
+  }
+  void write(std::span<double> row) override { row[0] = peak_; }
+
+ private:
+  static constexpr int kPeakBits = 20;  ///< of the time; a maximum is flat, so its value has twice as many
+  double peak_ = 0.0;
+};
+
+using MaxContactForce = ContactPeak<&MotionPiece::normal_force>;
+using MaxRootStrain = ContactPeak<&MotionPiece::root_strain>;
+
+}  // namespace rubatlas::observables

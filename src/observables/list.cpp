@@ -1,0 +1,121 @@
+#include "observables/list.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "observables/contact_figures.hpp"
+#include "observables/max_displacement.hpp"
+#include "observables/poincare.hpp"
+#include "observables/poincare_blade_passing.hpp"
+#include "observables/recorder.hpp"
+#include "observables/spectrum.hpp"
+
+namespace rubatlas::observables {
+namespace {
+
+struct Entry {
+  const char* name;
+  std::vector<std::string> inner_axes;
+  const char* units;
+  const char* long_name;
+  std::unique_ptr<Observable> (*make)(const scene::Scene&);
+};
+
+/// The registration list, in the order in which datasets and rows stand.
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> kEntries = {
+      {"poincare",
+       {"section", "component"},
+       "m",
+       "state at phase 0 after each sampled revolution",
+       Poincare::make},
+      {"poincare_blade_passing",
+       {"passing", "component"},
+       "m",
+       "state at each blade passing of the sampled revolutions",
+       PoincareBladePassing::make},
+      {"max_displacement",
+       {},
+       "m",
+       "largest displacement of the shaft centre over continuous time",
+       MaxDisplacement::make},
+      {"spectrum", {"order"}, "m", "amplitude of x, 0-peak", SpectrumOfDisplacement::make},
+      {"touchdowns_per_revolution", {}, "1", "touch-downs per revolution", TouchdownsPerRevolution::make},
+      {"max_contact_force", {}, "N", "largest normal force on one blade", MaxContactForce::make},
+      {"contact_fraction", {}, "1", "share of time with any blade in contact", ContactFraction::make},
+      {"max_root_strain", {}, "1", "largest bending strain at a blade root", MaxRootStrain::make}};
+  return kEntries;
+}
+
+InnerAxis make_axis(const std::string& name, const scene::Scene& scene) {
+  const auto numbers = [](int count, int first) {
+    std::vector<std::int32_t> values(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = first + static_cast<std::int32_t>(i);
+    return values;
+  };
+  const scene::Protocol& protocol = scene.protocol;
+  if (name == "component")
+    return {name, std::vector<std::string>{"x", "y", "vx", "vy"}, "", "component of the state"};
+  if (name == "section") {
+    return {name, numbers(protocol.sampled_revolutions, protocol.transient_revolutions + 1), "1",
+            "revolutions since the point started"};
+  }
+  if (name == "passing") {
+    const int count = scene.blades.count;
+    return {name, numbers(protocol.sampled_revolutions * count, protocol.transient_revolutions * count + 1),
+            "1", "blade passings since the point started"};
+  }
+  std::vector<double> orders(static_cast<std::size_t>(scene.spectrum.max_order) *
+                                 static_cast<std::size_t>(protocol.sampled_revolutions) +
+                             1);
+  for (std::size_t i = 0; i < orders.size(); ++i)
+    orders[i] = static_cast<double>(i) / protocol.sampled_revolutions;
+  return {name, orders, "1", "order: multiple of the speed of rotation"};
+}
+
+bool asked_for(const Entry& entry, const scene::Scene& scene) {
+  return std::find(scene.observables.begin(), scene.observables.end(), entry.name) != scene.observables.end();
+}
+
+}  // namespace
+
+std::vector<Description> descriptions(const scene::Scene& scene) {
+  std::vector<Description> result;
+  for (const Entry& entry : entries()) {
+    if (!asked_for(entry, scene)) continue;
+    std::size_t row_size = 1;
+    for (const std::string& axis : entry.inner_axes) row_size *= make_axis(axis, scene).size();
+    result.push_back({entry.name, entry.inner_axes, entry.units, entry.long_name, row_size});
+  }
+  return result;
+}
+
+std::vector<InnerAxis> inner_axes(const scene::Scene& scene) {
+  std::vector<std::string> names = {"component"};
+  for (const Description& description : descriptions(scene)) {
+    for (const std::string& name : description.inner_axes) {
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+  }
+  std::vector<InnerAxis> result;
+  for (const std::string& name : names) result.push_back(make_axis(name, scene));
+  return result;
+}
+
+Recorder::Recorder(const scene::Scene& scene) : descriptions_(descriptions(scene)) {
+  for (const Entry& entry : entries()) {
+    if (asked_for(entry, scene)) observables_.push_back(entry.make(scene));
+  }
+}
+
+Rows Recorder::rows(bool done) {
+  Rows rows;
+  for (std::size_t i = 0; i < observables_.size(); ++i) {
+    std::vector<double> row(descriptions_[i].row_size, std::numeric_limits<double>::quiet_NaN());
+    if (done) observables_[i]->write(row);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace rubatlas::observables

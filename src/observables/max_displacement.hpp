@@ -1,0 +1,34 @@
+/// Observable `max_displacement`: supremum over continuous time of sqrt(x² + y²) (MODEL 6).
+#pragma once
+
+#include <algorithm>
+#include <memory>
+
+#include "observables/largest_distance.hpp"
+#include "observables/observable.hpp"
+#include "scene/scene.hpp"
+
+namespace rubatlas::observables {
+
+class MaxDisplacement final : public Observable {
+ public:
+  static std::unique_ptr<Observable> make(const scene::Scene&) { return std::make_unique<MaxDisplacement>(); }
+
+  void begin(const PointConstants& point) override {
+    speed_ratio_ = point.speed_ratio;
+    largest_ = 0.0;
+  }
+  void piece(MotionPiece& piece) override {
+    // Most pieces cannot beat the largest so far, which their bound tells without a search.
+    if (piece.displacement_bound() > largest_) {
+      largest_ = std::max(largest_, largest_distance(piece, 0.0, speed_ratio_));
+    }
+  }
+  void write(std::span<double> row) override { row[0] = largest_; }
+
+ private:
+  double speed_ratio_ = 0.0;
+  double largest_ = 0.0;  ///< [m]
+};
+
+}  // namespace rubatlas::observables

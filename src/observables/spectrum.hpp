@@ -1,0 +1,44 @@
+/// Observable `spectrum`: amplitude of x over order, over all sampled revolutions (`analysis/spectrum.hpp`).
+#pragma once
+
+#include <memory>
+
+#include "analysis/spectrum.hpp"
+#include "observables/observable.hpp"
+#include "scene/scene.hpp"
+
+namespace rubatlas::observables {
+
+class SpectrumOfDisplacement final : public Observable {
+ public:
+  explicit SpectrumOfDisplacement(const scene::Scene& scene)
+      : samples_per_revolution_(scene.protocol.samples_per_revolution),
+        spectrum_(scene.protocol.sampled_revolutions, samples_per_revolution_, scene.spectrum.max_order) {}
+  static std::unique_ptr<Observable> make(const scene::Scene& scene) {
+    return std::make_unique<SpectrumOfDisplacement>(scene);
+  }
+
+  void begin(const PointConstants& point) override {
+    period_ = point.period;
+    sample_ = 0;
+    filled_ = 0;
+  }
+  void piece(MotionPiece& piece) override {
+    for (; sample_ < samples_per_revolution_; ++sample_) {
+      const double time = period_ * sample_ / samples_per_revolution_;
+      if (time >= piece.end()) return;
+      spectrum_.samples()[filled_++] = piece.state(time)[0];
+    }
+  }
+  void revolution_ends(const State& /*section*/) override { sample_ = 0; }
+  void write(std::span<double> row) override { spectrum_.amplitudes(row); }
+
+ private:
+  int samples_per_revolution_;
+  analysis::Spectrum spectrum_;
+  double period_ = 0.0;
+  int sample_ = 0;          ///< next one within the revolution
+  std::size_t filled_ = 0;  ///< samples so far
+};
+
+}  // namespace rubatlas::observables

@@ -1,0 +1,142 @@
+/// Right-hand sides of the rotor in contact, in the two forms that the integrator uses.
+///
+/// Both have the state (x, y, x', y', τ, u), so that steps, events and dense output look the same; both are
+/// smooth across lift-off and between slip reversals.
+///
+/// `CarriedContact`: one elastica blade. The bending parameter u is a state and the contact equation h = 0
+/// carries itself (no root is solved): with a new independent variable σ
+///     dτ/dσ = −∂h/∂u,   du/dσ = dh/dτ at fixed u,   dz/dσ = z' dτ/dσ,
+/// which is regular at a head-on touch-down and at lift-off, where ∂h/∂u = 0 and the force is not Lipschitz
+/// in τ. Both rates are divided by their common length, so that σ is the arc in the plane (τ, u).
+///
+/// `SolvedContacts`: any law, any number of blades; σ = τ, and each blade's force is found where it stands.
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "contact/elastica_contact.hpp"
+#include "contact/pose.hpp"
+#include "effects/unbalance.hpp"
+#include "solve/rotor.hpp"
+
+namespace rubatlas::solve {
+
+using ContactState = Eigen::Array<double, 6, 1>;
+constexpr int kTime = 4;
+constexpr int kBending = 5;
+
+/// A contact that is open: which blade, its slip direction s = ±1 and, for elastic blades, its bending
+/// parameter.
+struct OpenContact {
+  int blade;
+  double slip;
+  double bending;
+};
+
+/// x'' and y'' [m per unit τ²] from a force on the rotor in newtons.
+template <class Forcing>
+std::complex<double> acceleration(const RotorConstants& rotor, const Forcing& forcing,
+                                  const ContactState& state, double force_x, double force_y) {
+  const double damping = 2.0 * rotor.damping_ratio;
+  std::complex<double> result(force_x * rotor.force_unit - damping * state[2] - state[0],
+                              force_y * rotor.force_unit - damping * state[3] - state[1]);
+  if constexpr (Forcing::kPresent) result += forcing.acceleration(state[kTime]);
+  return result;
+}
+
+template <class Forcing>
+class CarriedContact {
+ public:
+  CarriedContact(const RotorConstants& rotor, const BladeSet& blades, const contact::ElasticaContact& law,
+                 const Forcing& forcing)
+      : rotor_(&rotor), blades_(&blades), law_(&law), forcing_(&forcing) {}
+
+  void open(const OpenContact& contact) { contact_ = contact; }
+
+  bool operator()(const ContactState& state, ContactState& derivative) {
+    ++evaluations_;
+    const contact::BladeDirection er = blades_->direction(contact_.blade, blades_->first(state[kTime]));
+    const contact::Pose pose = pose_of(*rotor_, law_->geometry(), er, state.head<4>());
+    last_ = law_->constraint(pose, contact_.slip, state[kBending], rotor_->speed_ratio);
+    acceleration_ = acceleration(*rotor_, *forcing_, state,
+                                 last_.force.radial * er.cosine - last_.force.tangential * er.sine,
+                                 last_.force.radial * er.sine + last_.force.tangential * er.cosine);
+    const double scale =
+        1.0 / std::sqrt(last_.bending_slope * last_.bending_slope + last_.time_slope * last_.time_slope);
+    const double time_rate = -scale * last_.bending_slope;
+    derivative << time_rate * state[2], time_rate * state[3], time_rate * acceleration_.real(),
+        time_rate * acceleration_.imag(), time_rate, scale * last_.time_slope;
+    return true;
+  }
+
+  /// Of the last evaluation.
+  [[nodiscard]] const contact::ElasticaContact::Constraint& last() const { return last_; }
+  [[nodiscard]] std::complex<double> last_acceleration() const { return acceleration_; }
+  [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
+
+ private:
+  const RotorConstants* rotor_;
+  const BladeSet* blades_;
+  const contact::ElasticaContact* law_;
+  const Forcing* forcing_;
+  OpenContact contact_{};
+  contact::ElasticaContact::Constraint last_{};
+  std::complex<double> acceleration_;
+  std::uint64_t evaluations_ = 0;
+};
+
+template <class Law, class Forcing>
+class SolvedContacts {
+ public:
+  SolvedContacts(const RotorConstants& rotor, const BladeSet& blades, const Law& law, const Forcing& forcing)
+      : rotor_(&rotor), blades_(&blades), law_(&law), forcing_(&forcing) {
+    contacts_.reserve(static_cast<std::size_t>(blades.count()));
+    forces_.reserve(static_cast<std::size_t>(blades.count()));
+  }
+
+  void open(const std::vector<OpenContact>& contacts) {
+    contacts_ = contacts;
+    forces_.resize(contacts.size());
+  }
+
+  bool operator()(const ContactState& state, ContactState& derivative) {
+    ++evaluations_;
+    const contact::BladeDirection first = blades_->first(state[kTime]);
+    double force_x = 0.0;
+    double force_y = 0.0;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      OpenContact& contact = contacts_[i];
+      const contact::BladeDirection er = blades_->direction(contact.blade, first);
+      const contact::Pose pose = pose_of(*rotor_, law_->geometry(), er, state.head<4>());
+      contact::TipForce& force = forces_[i];
+      if (!law_->respond(pose, contact.slip, rotor_->speed_ratio, contact.bending, force)) return false;
+      force_x += force.radial * er.cosine - force.tangential * er.sine;
+      force_y += force.radial * er.sine + force.tangential * er.cosine;
+    }
+    acceleration_ = acceleration(*rotor_, *forcing_, state, force_x, force_y);
+    derivative << state[2], state[3], acceleration_.real(), acceleration_.imag(), 1.0, 0.0;
+    return true;
+  }
+
+  /// Of the last evaluation.
+  [[nodiscard]] const std::vector<contact::TipForce>& forces() const { return forces_; }
+  [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
+  [[nodiscard]] std::complex<double> last_acceleration() const { return acceleration_; }
+  [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
+
+ private:
+  const RotorConstants* rotor_;
+  const BladeSet* blades_;
+  const Law* law_;
+  const Forcing* forcing_;
+  std::vector<OpenContact> contacts_;
+  std::vector<contact::TipForce> forces_;
+  std::complex<double> acceleration_;
+  std::uint64_t evaluations_ = 0;
+};
+
+}  // namespace rubatlas::solve

@@ -1,0 +1,173 @@
+/// Flight: no blade in contact, motion in closed form (MODEL 4.5), and the search for the touch-down that
+/// ends it.
+#pragma once
+
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "effects/unbalance.hpp"
+#include "integrate/conservative_step.hpp"
+#include "rotor/free_motion.hpp"
+#include "solve/rotor.hpp"
+
+namespace rubatlas::solve {
+
+template <class Forcing>
+class Flight {
+ public:
+  using Complex = std::complex<double>;
+
+  Flight(const RotorConstants& rotor, const rotor::FreeMotion& free, const Forcing& forcing)
+      : rotor_(&rotor), free_(&free), forcing_(&forcing) {}
+
+  /// Takes off at time τ of the revolution.
+  void start(double time, const State& state) {
+    start_ = time;
+    position_ = {state[0], state[1]};
+    velocity_ = {state[2], state[3]};
+  }
+
+  [[nodiscard]] double start_time() const { return start_; }
+
+  [[nodiscard]] State state(double time) const {
+    const double elapsed = time - start_;
+    const auto kernel = free_->kernel(elapsed);
+    const double damping = free_->damping_ratio();
+    Complex position = rotor::FreeMotion::position(kernel, damping, position_, velocity_);
+    Complex velocity = rotor::FreeMotion::velocity(kernel, damping, position_, velocity_);
+    if constexpr (Forcing::kPresent) {
+      const auto response = forcing_->from_rest(start_, elapsed, *free_, kernel);
+      position += response.position;
+      velocity += response.velocity;
+    }
+    return {position.real(), position.imag(), velocity.real(), velocity.imag()};
+  }
+
+  /// z'' [m per unit τ²] of a state in flight.
+  [[nodiscard]] Complex acceleration(double time, const State& state) const {
+    Complex result = -2.0 * rotor_->damping_ratio * Complex(state[2], state[3]) - Complex(state[0], state[1]);
+    if constexpr (Forcing::kPresent) result += forcing_->acceleration(time);
+    return result;
+  }
+
+  /// Bound of |z| and |z'| from a state of this flight over the time `horizon` that follows:
+  /// d/dτ (|z|² + |z'|²)^½ <= |forcing|, since damping only takes away.
+  [[nodiscard]] double amplitude_bound(const State& state, double horizon) const {
+    double bound = std::sqrt(state.square().sum());
+    if constexpr (Forcing::kPresent) bound += forcing_->amplitude() * horizon;
+    return bound;
+  }
+
+  /// Bound of the forcing's acceleration [m per unit τ²].
+  [[nodiscard]] double forcing_bound() const {
+    if constexpr (Forcing::kPresent) return forcing_->amplitude();
+    return 0.0;
+  }
+
+ private:
+  const RotorConstants* rotor_;
+  const rotor::FreeMotion* free_;
+  const Forcing* forcing_;
+  double start_ = 0.0;
+  Complex position_;
+  Complex velocity_;
+};
+
+/// Finds the first touch-down of a flight. Each blade carries the time up to which it is proven clear; the
+/// least of them is pushed on until it cannot be, which is a touch-down, or until all have passed the
+/// horizon.
+class TouchdownSearch {
+ public:
+  TouchdownSearch(const RotorConstants& rotor, const contact::Geometry& geometry, const BladeSet& blades)
+      : rotor_(&rotor),
+        geometry_(geometry),
+        blades_(&blades),
+        clear_until_(static_cast<std::size_t>(blades.count())) {}
+
+  struct Touchdown {
+    int blade;
+    double time;  ///< τ of the revolution
+  };
+
+  template <class Forcing>
+  std::optional<Touchdown> find(const Flight<Forcing>& flight, double until) {
+    const double from = flight.start_time();
+    State state = flight.state(from);
+    ++evaluations_;
+    // The shaft cannot leave the clearance circle: no blade can touch, and there is nothing to search.
+    const double reach_of_shaft =
+        flight.amplitude_bound(state, until - from) + std::abs(rotor_->misalignment);
+    if (reach_of_shaft <= geometry_.ring_radius - geometry_.reach) return std::nullopt;
+
+    clear_until_.assign(clear_until_.size(), from);
+    double time = from;
+    while (true) {
+      std::size_t blade = 0;
+      for (std::size_t k = 1; k < clear_until_.size(); ++k) {
+        if (clear_until_[k] < clear_until_[blade]) blade = k;
+      }
+      if (clear_until_[blade] >= until) return std::nullopt;
+      if (clear_until_[blade] > time) {
+        time = clear_until_[blade];
+        state = flight.state(time);
+        ++evaluations_;
+      }
+      const double step = clear_step(flight, static_cast<int>(blade), time, state, until);
+      if (step <= kTimeResolution * std::max(1.0, time)) return Touchdown{static_cast<int>(blade), time};
+      clear_until_[blade] = time + step;
+    }
+  }
+
+  [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
+
+ private:
+  /// Times closer than this, relative to the time since the revolution started, are one: two units in the
+  /// last place.
+  static constexpr double kTimeResolution = 2.0 * std::numeric_limits<double>::epsilon();
+
+  template <class Forcing>
+  double clear_step(const Flight<Forcing>& flight, int blade, double time, const State& state,
+                    double until) const {
+    const double speed = rotor_->speed_ratio;
+    const double reach = geometry_.reach;
+    const contact::BladeDirection er = blades_->direction(blade, blades_->first(time));
+    const contact::Pose pose = pose_of(*rotor_, geometry_, er, state);
+    const double slope = contact::gap_rate(geometry_, pose, speed);
+    // Rounding may leave the gap of a blade that has just lifted off a little above zero.
+    if (pose.gap >= 0.0 && slope > 0.0) return 0.0;
+    const double value = std::min(pose.gap, 0.0);
+
+    const std::complex<double> acceleration = flight.acceleration(time, state);
+    const double cx = state[0];
+    const double cy = state[1] + rotor_->misalignment;
+    const double ar = acceleration.real() * er.cosine + acceleration.imag() * er.sine;
+    const double curvature =
+        2.0 * (state[2] * state[2] + state[3] * state[3] + cx * acceleration.real() +
+               cy * acceleration.imag()) +
+        2.0 * reach * (ar + speed * (2.0 * pose.tangential_velocity - speed * pose.radial));
+
+    // |g'''| <= 6|c'||c''| + 2|c||c'''| + 2(rh+L)(|c'''| + 3Ω|c''| + 3Ω²|c'| + Ω³|c|)
+    const double forcing = flight.forcing_bound();
+    const double damping = 2.0 * rotor_->damping_ratio;
+    const double bound = flight.amplitude_bound(state, until - time);  // of |z| and |c'|
+    const double centre = bound + std::abs(rotor_->misalignment);      // of |c|
+    const double second = std::sqrt(1.0 + damping * damping) * bound + forcing;
+    const double third = damping * second + bound + forcing * speed;
+    const double third_bound =
+        6.0 * bound * second + 2.0 * centre * third +
+        2.0 * reach * (third + speed * (3.0 * second + speed * (3.0 * bound + speed * centre)));
+    return integrate::conservative_step(value, slope, curvature, third_bound);
+  }
+
+  const RotorConstants* rotor_;
+  contact::Geometry geometry_;
+  const BladeSet* blades_;
+  std::vector<double> clear_until_;
+  std::uint64_t evaluations_ = 0;
+};
+
+}  // namespace rubatlas::solve

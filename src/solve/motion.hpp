@@ -1,0 +1,276 @@
+/// The motion of the rotor from revolution to revolution: flight and contact phases in turn.
+///
+/// Knows in which order things happen, not what is kept of them: a listener receives each piece of motion
+/// and each event, and asks the piece for the states that it wants. Time counts from the start of the
+/// revolution, so that the last digits do not wear off in a long run.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "contact/elastic_ring_contact.hpp"
+#include "contact/elastica_contact.hpp"
+#include "observables/largest_distance.hpp"
+#include "solve/contact_phase.hpp"
+#include "solve/flight.hpp"
+#include "solve/line_solver.hpp"
+#include "solve/motion_listener.hpp"
+#include "solve/rotor.hpp"
+
+namespace rubatlas::solve {
+
+template <class Law, class Forcing>
+class Motion {
+ public:
+  Motion(const RotorConstants& rotor, int blade_count, const Law& law, const Forcing& forcing,
+         const ContactLimits& limits)
+      : rotor_(rotor),
+        free_(rotor.damping_ratio),
+        forcing_(forcing),
+        law_(law),
+        limits_(limits),
+        blades_(blade_count, rotor.speed_ratio),
+        flight_(rotor_, free_, forcing_),
+        search_(rotor_, law_.geometry(), blades_),
+        solved_(rotor_, blades_, law_, limits_,
+                SolvedContacts<Law, Forcing>(rotor_, blades_, law_, forcing_)) {
+    if constexpr (Law::kHasBending) {
+      carried_.emplace(rotor_, blades_, law_, limits_,
+                       CarriedContact<Forcing>(rotor_, blades_, law_, forcing_));
+    }
+    contacts_.reserve(static_cast<std::size_t>(blade_count));
+  }
+  Motion(const Motion&) = delete;  // parts point at each other
+  Motion& operator=(const Motion&) = delete;
+
+  /// Starts at phase 0; blades with g > 0 are in contact (MODEL 4.4).
+  PointStatus start(const State& state) {
+    state_ = state;
+    time_ = 0.0;
+    phase_ = Phase::undecided;
+    contacts_.clear();
+    const contact::BladeDirection first = blades_.first(0.0);
+    for (int k = 0; k < blades_.count(); ++k) {
+      const contact::Pose pose = pose_of(rotor_, law_.geometry(), blades_.direction(k, first), state_);
+      if (pose.gap > 0.0 && !open(k, pose)) return PointStatus::left_validity;
+    }
+    return state_.isFinite().all() ? PointStatus::done : PointStatus::integrator_failed;
+  }
+
+  /// One revolution.
+  PointStatus revolution(MotionListener& listener) {
+    const double period = rotor_.period();
+    for (int events = 0; events < kMostEventsInRevolution; ++events) {
+      PhaseEnd end{};
+      if (phase_ == Phase::undecided) {
+        if (!begin_phase()) return PointStatus::left_validity;
+      }
+      switch (phase_) {
+        case Phase::flight:
+          end = fly(period, listener);
+          break;
+        case Phase::carried:
+          if constexpr (Law::kHasBending) end = touch(*carried_, period, listener);
+          break;
+        default:
+          end = touch(solved_, period, listener);
+      }
+      if (end.event == PhaseEvent::horizon) {
+        if (phase_ != Phase::flight) time_ = period;
+        return finish_revolution(period);
+      }
+      if (end.event == PhaseEvent::failed) return PointStatus::integrator_failed;
+      if (end.event == PhaseEvent::left_validity) return PointStatus::left_validity;
+      const PointStatus status = change_contacts(end, listener);
+      if (status != PointStatus::done) return status;
+    }
+    return PointStatus::integrator_failed;  // chatter
+  }
+
+  /// At the end of the last revolution.
+  [[nodiscard]] const State& state() const { return state_; }
+
+  [[nodiscard]] WorkCounts work() const {
+    WorkCounts result = work_;
+    const auto add = [&](const auto& phase) {
+      result.right_hand_sides += phase.evaluations();
+      result.steps += phase.steps();
+      result.rejected_steps += phase.rejected();
+    };
+    add(solved_);
+    if constexpr (Law::kHasBending) add(*carried_);
+    result.gap_evaluations = search_.evaluations();
+    return result;
+  }
+
+ private:
+  enum class Phase : std::uint8_t { undecided, flight, carried, solved };
+
+  static constexpr int kMostEventsInRevolution =
+      20000;  ///< bounds chatter; 50 blades make some hundred events
+
+  /// A piece of flight, as listeners see it.
+  class FlightPiece final : public observables::MotionPiece {
+   public:
+    FlightPiece(const Flight<Forcing>& flight, double begin, double end, double bound)
+        : flight_(&flight), begin_(begin), end_(end), bound_(bound) {}
+    [[nodiscard]] double begin() const override { return begin_; }
+    [[nodiscard]] double end() const override { return end_; }
+    [[nodiscard]] observables::State state(double time) override { return as_array(flight_->state(time)); }
+    [[nodiscard]] double displacement_bound() const override { return bound_; }
+    [[nodiscard]] std::size_t contact_count() const override { return 0; }
+    [[nodiscard]] int blade(std::size_t /*contact*/) const override { return -1; }
+    [[nodiscard]] double normal_force(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
+    [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
+
+   private:
+    const Flight<Forcing>* flight_;
+    double begin_;
+    double end_;
+    double bound_;  ///< of the displacement [m]
+  };
+
+  PhaseEnd fly(double period, MotionListener& listener) {
+    flight_.start(time_, state_);
+    const auto touchdown = search_.find(flight_, period);
+    const double end = touchdown ? touchdown->time : period;
+    if (end > time_) {
+      FlightPiece piece(flight_, time_, end, flight_.amplitude_bound(state_, end - time_));
+      // |c| may reach R in flight where no blade stands in the way (MODEL 5).
+      const double ring_radius = law_.geometry().ring_radius;
+      if (piece.displacement_bound() + std::abs(rotor_.misalignment) >= ring_radius &&
+          observables::largest_distance(piece, -rotor_.misalignment, rotor_.speed_ratio) >= ring_radius) {
+        return {PhaseEvent::left_validity};
+      }
+      listener.piece(piece);
+      state_ = flight_.state(end);
+      time_ = end;
+      if (!state_.isFinite().all()) return {PhaseEvent::failed};
+    }
+    if (!touchdown) return {PhaseEvent::horizon};
+    return {PhaseEvent::touch_down, touchdown->blade};
+  }
+
+  template <class AnyPhase>
+  PhaseEnd touch(AnyPhase& phase, double period, MotionListener& listener) {
+    const PhaseEnd end = phase.advance(period, listener);
+    if (end.event == PhaseEvent::horizon) {
+      state_ = phase.state_at(period);
+      phase.shift_time(period);
+      return end;
+    }
+    const ContactState full = phase.end_state();
+    state_ = full.template head<4>();
+    time_ = full[kTime];
+    for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i].bending = phase.bending(i);
+    if (!state_.isFinite().all()) return {PhaseEvent::failed};
+    return end;
+  }
+
+  PointStatus finish_revolution(double period) {
+    if (phase_ == Phase::flight) phase_ = Phase::undecided;
+    time_ -= period;  // exactly 0
+    return state_.isFinite().all() ? PointStatus::done : PointStatus::integrator_failed;
+  }
+
+  bool begin_phase() {
+    if (contacts_.empty()) {
+      phase_ = Phase::flight;
+      return true;
+    }
+    if constexpr (Law::kHasBending) {
+      if (contacts_.size() == 1) {
+        phase_ = Phase::carried;
+        return carried_->start(time_, state_, contacts_);
+      }
+    }
+    phase_ = Phase::solved;
+    return solved_.start(time_, state_, contacts_);
+  }
+
+  [[nodiscard]] contact::Pose pose(int blade) const {
+    return pose_of(rotor_, law_.geometry(), blades_.direction(blade, blades_.first(time_)), state_);
+  }
+
+  /// Opens a contact where it stands. False where no force exists (MODEL 5).
+  bool open(int blade, const contact::Pose& at) {
+    const double velocity = contact::undeformed_slip_velocity(law_.geometry(), at, rotor_.speed_ratio);
+    OpenContact contact{blade, velocity >= 0.0 ? 1.0 : -1.0, 0.0};
+    if constexpr (Law::kHasBending) {
+      // On the approaching side the force starts from zero, on the receding side from a finite value
+      // (MODEL 4.2).
+      const bool starts_unloaded = at.gap <= kGapRounding && contact.slip * at.tangential >= 0.0;
+      if (!starts_unloaded) {
+        const auto root = law_.solve(at, contact.slip);
+        if (!root) return false;
+        contact.bending = *root;
+      }
+    }
+    contacts_.push_back(contact);
+    return true;
+  }
+
+  [[nodiscard]] double force(const OpenContact& contact) const {
+    contact::TipForce force{};
+    if constexpr (Law::kHasBending) {
+      force = law_.constraint(pose(contact.blade), contact.slip, contact.bending, rotor_.speed_ratio).force;
+    } else {
+      double none = 0.0;
+      law_.respond(pose(contact.blade), contact.slip, rotor_.speed_ratio, none, force);
+    }
+    return force.normal;
+  }
+
+  PointStatus change_contacts(const PhaseEnd& end, MotionListener& listener) {
+    phase_ = Phase::undecided;
+    const auto contact = std::find_if(contacts_.begin(), contacts_.end(),
+                                      [&](const OpenContact& open) { return open.blade == end.blade; });
+    switch (end.event) {
+      case PhaseEvent::lift_off:
+        ++work_.liftoffs;
+        listener.event(Event{end.event, end.blade, time_, contact->slip, state_, force(*contact)});
+        contacts_.erase(contact);
+        return PointStatus::done;
+      case PhaseEvent::touch_down:
+        ++work_.touchdowns;
+        if (!open(end.blade, pose(end.blade))) return PointStatus::left_validity;
+        listener.event(
+            Event{end.event, end.blade, time_, contacts_.back().slip, state_, force(contacts_.back())});
+        return PointStatus::done;
+      default: {
+        ++work_.slip_reversals;
+        contact->slip = -contact->slip;
+        if constexpr (Law::kHasBending) {
+          const auto root = law_.solve(pose(contact->blade), contact->slip);
+          if (!root) return PointStatus::left_validity;
+          contact->bending = *root;
+        }
+        listener.event(Event{end.event, end.blade, time_, contact->slip, state_, force(*contact)});
+        return PointStatus::done;
+      }
+    }
+  }
+
+  static constexpr double kGapRounding = 1e-17;  ///< [m²]: g where a touch-down has been located
+
+  RotorConstants rotor_;
+  rotor::FreeMotion free_;
+  Forcing forcing_;
+  Law law_;
+  ContactLimits limits_;
+  BladeSet blades_;
+  Flight<Forcing> flight_;
+  TouchdownSearch search_;
+  ContactPhase<SolvedContacts<Law, Forcing>, Law> solved_;
+  std::optional<ContactPhase<CarriedContact<Forcing>, contact::ElasticaContact>> carried_;
+  std::vector<OpenContact> contacts_;
+  Phase phase_ = Phase::undecided;
+  State state_ = State::Zero();
+  double time_ = 0.0;
+  WorkCounts work_;
+};
+
+}  // namespace rubatlas::solve

@@ -1,0 +1,31 @@
+/// What follows a motion: receives its pieces and events in order of time.
+#pragma once
+
+#include <cstdint>
+
+#include "observables/motion_piece.hpp"
+#include "solve/rotor.hpp"
+
+namespace rubatlas::solve {
+
+enum class PhaseEvent : std::uint8_t { horizon, lift_off, touch_down, slip_reversal, left_validity, failed };
+
+/// A touch-down, lift-off or slip reversal.
+struct Event {
+  PhaseEvent kind;
+  int blade;    ///< from 0
+  double time;  ///< τ of the revolution
+  double slip;  ///< s: after a touch-down or reversal, before a lift-off
+  State state;
+  double force;  ///< F [N]: just after a touch-down or reversal, just before a lift-off
+};
+
+/// Does nothing itself: what runs in the transient.
+class MotionListener {
+ public:
+  virtual ~MotionListener() = default;
+  virtual void piece(observables::MotionPiece& /*piece*/) {}
+  virtual void event(const Event& /*event*/) {}
+};
+
+}  // namespace rubatlas::solve
