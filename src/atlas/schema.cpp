@@ -28,8 +28,16 @@ std::uint64_t bytes_of(const RowDataset& dataset) {
 
 }  // namespace
 
+std::vector<const RowDataset*> Schema::row_datasets() const {
+  std::vector<const RowDataset*> all{&status, &restarted, &failed_revolution, &final_state};
+  for (const auto& kept : observables) all.push_back(&kept);
+  return all;
+}
+
 std::uint64_t Schema::byte_count() const {
-  return bytes_of(bookkeeping) + bytes_of(observables);
+  std::uint64_t sum = 0;
+  for (const auto* rows : row_datasets()) sum += bytes_of(*rows);
+  return sum;
 }
 
 std::uint64_t Schema::bytes_per_point() const {
