@@ -1,0 +1,156 @@
+"""Who may include whom, where the big libraries may be seen, and what every folder owes to its reader."""
+import os
+import pathlib
+import re
+import unittest
+
+ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
+
+# The one table of who depends on whom, in the order of the flow: a folder sees itself and what stands here.
+MAY_INCLUDE = {
+    "src/scene": [],
+    "src/plan": ["scene"],
+    "src/blade": [],
+    "src/contact": ["blade"],
+    "src/rotor": [],
+    "src/effects": ["rotor"],
+    "src/integrate": [],
+    "src/observables": ["scene", "integrate", "analysis/spectrum.hpp"],
+    "src/solve": ["scene", "plan", "blade", "contact", "rotor", "effects", "integrate", "observables"],
+    "src/atlas": ["scene", "plan", "observables", "solve/line_solver.hpp"],
+    "analysis": ["scene", "plan", "atlas"],
+    "mpi": ["scene", "plan", "observables", "solve", "atlas", "analysis"],
+}
+
+# Libraries that stay in their folders, so that they can be exchanged there.
+STAYS_IN = {
+    "mpi.h": ["mpi", "src/atlas"],
+    "hdf5.h": ["src/atlas", "mpi"],
+    "hdf5_hl.h": ["src/atlas"],
+    "fftw3.h": ["analysis/spectrum.cpp"],
+    "nlohmann/json.hpp": ["src/scene"],
+    "CLI/CLI.hpp": ["mpi"],
+}
+
+TOP_LEVEL = {"CMakeLists.txt", "README.md", "LICENSE", "src", "mpi", "analysis", "tests", "jobs", "tools"}
+MADE_HERE = {"build", "atlases"}  # and build-*: none of them is under version control
+LONGEST_FILE = 450
+NAMES_THAT_SAY_NOTHING = {"utils", "util", "helpers", "helper", "manager", "common", "misc", "stuff", "tools"}
+
+
+def files(*suffixes):
+    """The project's own files with one of these suffixes, as paths relative to its root."""
+    for folder, folders, names in os.walk(ROOT):
+        relative = pathlib.Path(folder).relative_to(ROOT)
+        folders[:] = sorted(name for name in folders if not name.startswith((".", "build", "__pycache__")) and
+                            name not in MADE_HERE)
+        for name in sorted(names):
+            if name.endswith(suffixes):
+                yield relative / name
+
+
+def includes(path):
+    """Names in the include directives of a file."""
+    return re.findall(r'^\s*#\s*include\s*["<]([^">]+)[">]', (ROOT / path).read_text(), re.MULTILINE)
+
+
+def inside(path, place):
+    """True when `path` is the file `place` or lies in the folder `place`."""
+    return str(path) == place or str(path).startswith(place + "/")
+
+
+class Architecture(unittest.TestCase):
+    def expect_none(self, departures, rule):
+        departures = list(departures)
+        if departures:
+            self.fail(f"{rule}:\n  " + "\n  ".join(departures))
+
+    def test_folders_include_only_what_they_may_depend_on(self):
+        known = {folder.split("/")[-1] for folder in MAY_INCLUDE}
+        departures, seen = [], 0
+        for folder, allowed in MAY_INCLUDE.items():
+            own = folder.split("/")[-1]
+            for path in files(".hpp", ".cpp"):
+                if path.parent != pathlib.Path(folder):
+                    continue
+                for name in includes(path):
+                    if name.split("/")[0] not in known or "/" not in name:
+                        continue
+                    seen += 1
+                    if not any(inside(name, place) for place in [own, *allowed]):
+                        departures.append(f"{path} includes {name}")
+        self.assertGreater(seen, 50)
+        self.expect_none(departures, "a folder includes only what MAY_INCLUDE allows")
+
+    def test_every_source_folder_has_its_line_in_the_table(self):
+        found = {str(path.parent) for path in files(".hpp", ".cpp") if path.parts[0] != "tests"}
+        self.assertEqual(found, set(MAY_INCLUDE))
+
+    def test_the_table_has_no_cycles(self):
+        order = [folder.split("/")[-1] for folder in MAY_INCLUDE]
+        for folder, allowed in MAY_INCLUDE.items():
+            for name in allowed:
+                if "/" not in name:  # one header that stands alone (a spectrum) makes no cycle
+                    self.assertLess(order.index(name), order.index(folder.split("/")[-1]), f"{folder} before {name}")
+
+    def test_big_libraries_stay_in_their_folders(self):
+        departures = [f"{path} includes {name}, which stays in {', '.join(STAYS_IN[name])}"
+                      for path in files(".hpp", ".cpp") if path.parts[0] != "tests"
+                      for name in includes(path)
+                      if name in STAYS_IN and not any(inside(path, place) for place in STAYS_IN[name])]
+        self.expect_none(departures, "big libraries stay in their folders")
+
+    def test_every_file_is_short_enough_to_read(self):
+        lengths = {path: len((ROOT / path).read_text().splitlines()) for path in files(".hpp", ".cpp", ".py", ".sh", ".txt")}
+        self.assertGreater(len(lengths), 50)
+        self.expect_none((f"{path} has {length} lines" for path, length in lengths.items() if length > LONGEST_FILE),
+                         f"no file is longer than {LONGEST_FILE} lines")
+
+    def test_names_say_what_is_inside(self):
+        names = [path for path in files(".hpp", ".cpp", ".py", ".sh") if path.stem in NAMES_THAT_SAY_NOTHING]
+        self.expect_none(map(str, names), "a file is named after its subject")
+
+    def test_sources_are_named_in_snake_case(self):
+        names = [path for path in files(".hpp", ".cpp", ".py", ".sh") if not re.fullmatch(r"[a-z0-9_]+", path.stem)]
+        self.expect_none(map(str, names), "files are named in snake_case")
+
+    def test_every_header_is_guarded_and_opens_with_what_it_is(self):
+        for path in files(".hpp"):
+            text = (ROOT / path).read_text()
+            with self.subTest(path=str(path)):
+                self.assertEqual(text.count("#pragma once"), 1)
+                self.assertTrue(text.startswith("//"), "its first line says what it is")
+
+    def test_every_folder_has_a_readme(self):
+        folders = {ROOT / folder for folder in [*MAY_INCLUDE, "src", "tests", "tests/reference", "jobs", "tools"]}
+        missing = sorted(str(folder.relative_to(ROOT)) for folder in folders if not (folder / "README.md").is_file())
+        self.expect_none(missing, "every folder has a README.md")
+
+    def test_the_tests_readme_names_every_suite(self):
+        text = (ROOT / "tests" / "README.md").read_text()
+        suites = sorted(path.parent.name for path in files("CMakeLists.txt") if inside(path.parent.parent, "tests"))
+        self.assertGreater(len(suites), 8)
+        self.expect_none((suite for suite in suites if f"`{suite}/`" not in text), "tests/README.md names every suite")
+
+    def test_the_top_level_holds_nothing_else(self):
+        there = {path.name for path in ROOT.iterdir() if not path.name.startswith((".", "build")) and
+                 path.name not in MADE_HERE}
+        self.assertEqual(there, TOP_LEVEL)
+
+    def test_no_file_names_a_place_on_one_machine(self):
+        place = re.compile(r"(?<![\w.])/(home|work|root|Users)/\w")
+        departures = [f"{path}: {line.strip()}" for path in files(".hpp", ".cpp", ".py", ".sh", ".md", ".txt", ".json")
+                      for line in (ROOT / path).read_text().splitlines() if place.search(line)]
+        self.expect_none(departures, "nothing names a place on one machine")
+
+    def test_comments_cite_only_what_a_reader_can_have(self):
+        # Sections of the model and of published papers; design notes of the authors are not part of the project.
+        note = re.compile(r"\bDESIGN(\.md)?\b ?[AB]?\d?|\bSTYLE\.md\b")
+        departures = [f"{path}: {line.strip()}" for path in files(".hpp", ".cpp", ".py", ".sh", ".md", ".txt")
+                      if path.name != "test_architecture.py"
+                      for line in (ROOT / path).read_text().splitlines() if note.search(line)]
+        self.expect_none(departures, "comments cite the model or a publication")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,47 @@
+"""The elastica of the tools against reference values (60 digits) and against limits known in closed form."""
+import json
+import os
+import pathlib
+import sys
+import unittest
+
+import numpy as np
+
+ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
+sys.path.insert(0, str(ROOT / "tools"))
+import elastica  # noqa: E402
+
+# A picture needs three digits; that the closed form is free of cancellation shows in nine.
+RELATIVE = 1e-9
+
+
+class ToolsElastica(unittest.TestCase):
+    def test_agrees_with_the_reference_at_every_load(self):
+        rows = json.loads((ROOT / "tests/reference/elastica.json").read_text())["rows"]
+        self.assertGreater(len(rows), 50)
+        for row in rows:
+            with self.subTest(**row):
+                shortening, deflection = elastica.at_load(row["mu"], row["f"])
+                self.assertAlmostEqual(shortening / row["delta_L"], 1.0, delta=RELATIVE)
+                self.assertAlmostEqual(deflection / row["Delta_L"], 1.0, delta=RELATIVE)
+
+    def test_a_column_without_friction_buckles_at_the_euler_load(self):
+        load, shortening, _ = elastica.curve(0.0, [1e-6])
+        self.assertAlmostEqual(load[0], np.pi**2 / 4, delta=1e-9)
+        self.assertLess(shortening[0], 1e-11)
+
+    def test_a_small_load_bends_like_a_linear_cantilever(self):
+        friction, load = 0.2, 1e-6
+        shortening, deflection = elastica.at_load(friction, load)
+        self.assertAlmostEqual(deflection / (friction * load / 3.0), 1.0, delta=1e-5)
+        self.assertAlmostEqual(shortening / (0.6 * deflection**2), 1.0, delta=1e-5)
+
+    def test_the_drawn_curve_starts_at_zero_and_ends_at_the_limit(self):
+        load, shortening, deflection = elastica.up_to_shortening(0.1, 0.5)
+        self.assertEqual((load[0], shortening[0], deflection[0]), (0.0, 0.0, 0.0))
+        self.assertTrue(np.all(np.diff(shortening) > 0) and np.all(np.diff(load) > 0))
+        self.assertAlmostEqual(shortening[-1], 0.5, delta=0.005)
+
+
+if __name__ == "__main__":
+    unittest.main()
