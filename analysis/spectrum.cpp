@@ -7,8 +7,8 @@
 
 namespace rubatlas::analysis {
 
-// FFTW_ESTIMATE on fftw_malloc'ed arrays: a measured plan, or one on other alignment, rounds differently from run
-// to run, and the atlas promises equal bytes.
+// FFTW_ESTIMATE on fftw_malloc'ed arrays: a measured plan, or one on other alignment, rounds differently from
+// run to run, and the atlas promises equal bytes.
 struct Spectrum::Plan {
   int revolutions;
   int max_order;
@@ -39,7 +39,9 @@ std::size_t Spectrum::order_count() const {
   return static_cast<std::size_t>(plan_->max_order) * static_cast<std::size_t>(plan_->revolutions) + 1;
 }
 
-std::span<double> Spectrum::samples() { return {plan_->signal, static_cast<std::size_t>(plan_->length)}; }
+std::span<double> Spectrum::samples() {
+  return {plan_->signal, static_cast<std::size_t>(plan_->length)};
+}
 
 void Spectrum::amplitudes(std::span<double> result) {
   fftw_execute(plan_->plan);

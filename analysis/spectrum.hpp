@@ -1,7 +1,7 @@
 /// Amplitude spectrum of a uniformly sampled real signal over a whole number of revolutions (DESIGN A5).
 ///
-/// No window: the record is a whole number of revolutions, so every harmonic of the revolution falls on a line.
-/// Amplitudes are 0-peak: 2|X_k|/N, and |X_k|/N at order 0 and at Nyquist.
+/// No window: the record is a whole number of revolutions, so every harmonic of the revolution falls on a
+/// line. Amplitudes are 0-peak: 2|X_k|/N, and |X_k|/N at order 0 and at Nyquist.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,8 @@ namespace rubatlas::analysis {
 
 class Spectrum {
  public:
-  /// A record of `revolutions * samples_per_revolution` samples; orders 0, 1/revolutions, ... max_order are kept.
+  /// A record of `revolutions * samples_per_revolution` samples; orders 0, 1/revolutions, ... max_order are
+  /// kept.
   Spectrum(int revolutions, int samples_per_revolution, int max_order);
   ~Spectrum();
   Spectrum(const Spectrum&) = delete;

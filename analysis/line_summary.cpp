@@ -1,0 +1,23 @@
+#include "analysis/line_summary.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace rubatlas::analysis {
+
+LineSummary summarise(const Line& line, std::vector<double> parameters, SpeedScale scale, double floor) {
+  LineSummary summary;
+  summary.parameters = std::move(parameters);
+  summary.triggers = find_triggers(line, scale, floor);
+  summary.regions = find_regions(line, scale, summary.triggers);
+  const auto& motion = line.motion_per_passing.empty() ? line.motion : line.motion_per_passing;
+  summary.doublings = period_doublings(line.speed_ratio, motion);
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line.motion[i] == motion_class::kNone) continue;
+    if (std::isnan(summary.first_speed)) summary.first_speed = line.speed_ratio[i];
+    summary.last_speed = line.speed_ratio[i];
+  }
+  return summary;
+}
+
+}  // namespace rubatlas::analysis

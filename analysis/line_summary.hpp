@@ -1,0 +1,28 @@
+/// What the rules find on one line of an atlas, with the parameters that the line has.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "analysis/doublings.hpp"
+#include "analysis/line.hpp"
+#include "analysis/regions.hpp"
+#include "analysis/triggers.hpp"
+
+namespace rubatlas::analysis {
+
+struct LineSummary {
+  std::vector<double> parameters;  ///< one per axis of the atlas without `speed_ratio`, in their order
+  std::array<Trigger, 2> triggers;
+  std::array<Region, 4> regions;
+  /// On the map over a blade passing where the atlas has it, else over a revolution.
+  std::vector<PeriodDoubling> doublings;
+  double first_speed = kNotANumber;  ///< Ω [-] of the first point that has a class
+  double last_speed = kNotANumber;
+};
+
+/// Applies all rules to a line. `floor` as in `find_triggers`.
+LineSummary summarise(const Line& line, std::vector<double> parameters, SpeedScale scale, double floor);
+
+}  // namespace rubatlas::analysis

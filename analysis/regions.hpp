@@ -1,0 +1,37 @@
+/// Regions 1 to 4 along a line: small motion, chaos after the first trigger, periodic motion, chaos again.
+///
+/// The rules, in words and with their reasons, are in the README of this folder, "Regions".
+#pragma once
+
+#include <array>
+
+#include "analysis/line.hpp"
+#include "analysis/triggers.hpp"
+
+namespace rubatlas::analysis {
+
+/// Scaled width of the running share of aperiodic points. A periodic window, or a burst of chaos, that is shorter
+/// than half of it does not end a region.
+constexpr double kShareWindow = 1.0 / 20.0;
+/// A stretch is chaotic where at least this share of its running window is aperiodic.
+constexpr double kChaoticShare = 0.5;
+/// Chaos that begins below this scaled speed, midway between the triggers, is region 2; above it, region 4.
+constexpr double kBetweenTriggers = 0.5;
+
+struct Region {
+  Presence presence = Presence::not_covered;
+  double from = kNotANumber;                 ///< Ω [-] of the first point
+  double to = kNotANumber;                   ///< Ω [-] of the last point
+  double aperiodic_share = kNotANumber;      ///< [-] of the points that are periodic or aperiodic
+  double peak_displacement = kNotANumber;    ///< [m]
+  double median_displacement = kNotANumber;  ///< [m]
+
+  [[nodiscard]] bool present() const { return presence == Presence::present; }
+  /// Extent in Ω [-]; 0 where the region is absent or merged, NaN where not covered.
+  [[nodiscard]] double width() const;
+};
+
+/// Regions 1, 2, 3, 4 of a line, in that order.
+std::array<Region, 4> find_regions(const Line& line, SpeedScale scale, const std::array<Trigger, 2>& triggers);
+
+}  // namespace rubatlas::analysis

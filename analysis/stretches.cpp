@@ -1,0 +1,84 @@
+#include "analysis/stretches.hpp"
+
+#include <algorithm>
+
+namespace rubatlas::analysis {
+namespace {
+
+/// Share of aperiodic points in the window around point `i`. The two neighbours always belong to the window: on a
+/// coarse grid one point alone is not to decide.
+double running_share(std::span<const ClassifiedPoint> points, std::size_t i, double window) {
+  // Grid speeds are rounded: a point on the window's edge belongs to it on either side.
+  const double reach = 0.5 * window * (1.0 + 1e-9);
+  std::size_t first = i;
+  std::size_t last = i;
+  while (first > 0 && points[i].scaled_speed - points[first - 1].scaled_speed <= reach) --first;
+  while (last + 1 < points.size() && points[last + 1].scaled_speed - points[i].scaled_speed <= reach) ++last;
+  if (first == i && i > 0) --first;
+  if (last == i && i + 1 < points.size()) ++last;
+  const auto inside = points.subspan(first, last - first + 1);
+  const auto aperiodic = std::ranges::count_if(inside, [](const ClassifiedPoint& p) { return p.aperiodic; });
+  return static_cast<double>(aperiodic) / static_cast<double>(inside.size());
+}
+
+}  // namespace
+
+std::vector<ClassifiedPoint> classified_points(const Line& line, SpeedScale scale) {
+  std::vector<ClassifiedPoint> points;
+  for (std::size_t i = 0; i < line.size() && i < line.motion.size(); ++i) {
+    const bool aperiodic = line.motion[i] == motion_class::kAperiodic;
+    if (!aperiodic && !is_periodic(line.motion[i])) continue;
+    points.push_back({scale.scaled(line.speed_ratio[i]), aperiodic, i});
+  }
+  return points;
+}
+
+std::vector<Stretch> chaotic_stretches(std::span<const ClassifiedPoint> points, double window, double share) {
+  std::vector<Stretch> stretches;
+  std::size_t i = 0;
+  while (i < points.size()) {
+    if (running_share(points, i, window) < share) {
+      ++i;
+      continue;
+    }
+    Stretch stretch{i, i};
+    while (i < points.size() && running_share(points, i, window) >= share) stretch.last = i++;
+    while (stretch.first < stretch.last && !points[stretch.first].aperiodic) ++stretch.first;
+    while (stretch.last > stretch.first && !points[stretch.last].aperiodic) --stretch.last;
+    if (!points[stretch.first].aperiodic) continue;
+    while (stretch.first > 0 && points[stretch.first - 1].aperiodic) --stretch.first;
+    while (stretch.last + 1 < points.size() && points[stretch.last + 1].aperiodic) ++stretch.last;
+    if (!stretches.empty() && stretch.first <= stretches.back().last + 1) {
+      stretches.back().last = std::max(stretches.back().last, stretch.last);
+    } else {
+      stretches.push_back(stretch);
+    }
+  }
+  return stretches;
+}
+
+double length(std::span<const ClassifiedPoint> points, const Stretch& stretch) {
+  return points[stretch.last].scaled_speed - points[stretch.first].scaled_speed;
+}
+
+std::vector<Stretch> join_across_windows(std::span<const ClassifiedPoint> points,
+                                         std::vector<Stretch> stretches) {
+  while (true) {
+    auto shortest = stretches.end();
+    double shortest_gap = 0.0;
+    for (auto left = stretches.begin(); left != stretches.end() && left + 1 != stretches.end(); ++left) {
+      const auto right = left + 1;
+      const double gap = points[right->first].scaled_speed - points[left->last].scaled_speed;
+      const bool is_window = gap < length(points, *left) && gap < length(points, *right);
+      if (is_window && (shortest == stretches.end() || gap < shortest_gap)) {
+        shortest = left;
+        shortest_gap = gap;
+      }
+    }
+    if (shortest == stretches.end()) return stretches;
+    shortest->last = (shortest + 1)->last;
+    stretches.erase(shortest + 1);
+  }
+}
+
+}  // namespace rubatlas::analysis

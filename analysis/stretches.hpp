@@ -1,0 +1,41 @@
+/// Stretches of a line in which the motion is mostly aperiodic.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "analysis/line.hpp"
+
+namespace rubatlas::analysis {
+
+/// One point that counts for the rules: periodic or aperiodic. Unresolved points and points without a class are
+/// left out, they speak for neither.
+struct ClassifiedPoint {
+  double scaled_speed;  ///< Ω n/3 [-]
+  bool aperiodic;
+  std::size_t index;  ///< on the line
+};
+
+std::vector<ClassifiedPoint> classified_points(const Line& line, SpeedScale scale);
+
+/// Points [first, last] of a list of classified points; both ends are aperiodic.
+struct Stretch {
+  std::size_t first;
+  std::size_t last;
+};
+
+/// Maximal stretches in which the share of aperiodic points, over a window of scaled width `window` centred on
+/// each point (and at least its two neighbours), is `share` or more. Each is grown over the aperiodic points that
+/// follow it without a gap, and trimmed to begin and end with an aperiodic point. A burst of chaos shorter than
+/// `share` of a window, a single point above all, makes no stretch.
+std::vector<Stretch> chaotic_stretches(std::span<const ClassifiedPoint> points, double window, double share);
+
+/// Joins neighbours whose gap is shorter than both of them (a periodic window inside one region), shortest gap
+/// first, until no such gap is left.
+std::vector<Stretch> join_across_windows(std::span<const ClassifiedPoint> points, std::vector<Stretch> stretches);
+
+/// Length in scaled speed.
+[[nodiscard]] double length(std::span<const ClassifiedPoint> points, const Stretch& stretch);
+
+}  // namespace rubatlas::analysis

@@ -1,0 +1,78 @@
+#include "analysis/triggers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace rubatlas::analysis {
+namespace {
+
+struct Sample {
+  double scaled_speed;
+  double log_displacement;
+};
+
+std::vector<Sample> samples_of(const Line& line, SpeedScale scale, double floor) {
+  std::vector<Sample> samples;
+  for (std::size_t i = 0; i < line.size() && i < line.max_displacement.size(); ++i) {
+    const double displacement = line.max_displacement[i];
+    if (!std::isfinite(displacement)) continue;
+    samples.push_back({scale.scaled(line.speed_ratio[i]), std::log(std::max(displacement, floor))});
+  }
+  return samples;
+}
+
+/// Points that a level rests on at least, however coarse the grid.
+constexpr std::size_t kFewestPoints = 2;
+/// Points further away than this many stretches are another part of the line, not a coarse grid.
+constexpr double kFurthest = 3.0;
+
+/// Mean of the logarithm over the points within a stretch of `speed`, walking from `first` by `step`.
+std::optional<double> level(const std::vector<Sample>& samples, double speed, std::ptrdiff_t first,
+                            std::ptrdiff_t step) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (auto i = first; i >= 0 && i < std::ssize(samples); i += step) {
+    const Sample& sample = samples[static_cast<std::size_t>(i)];
+    const double distance = std::abs(sample.scaled_speed - speed) / kTriggerStretch;
+    if (distance > kFurthest || (distance > 1.0 && count >= kFewestPoints)) break;
+    sum += sample.log_displacement;
+    ++count;
+  }
+  if (count < kFewestPoints) return std::nullopt;
+  return sum / static_cast<double>(count);
+}
+
+Trigger find_trigger(const std::vector<Sample>& samples, SpeedScale scale, double nominal) {
+  Trigger best;
+  double largest = 0.0;
+  bool seen_below = false;
+  bool seen_above = false;
+  for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+    const double speed = 0.5 * (samples[i].scaled_speed + samples[i + 1].scaled_speed);
+    if (std::abs(speed - nominal) > kTriggerSearch) continue;
+    const auto below = level(samples, speed, static_cast<std::ptrdiff_t>(i), -1);
+    const auto above = level(samples, speed, static_cast<std::ptrdiff_t>(i) + 1, +1);
+    if (!below || !above) continue;
+    seen_below = seen_below || speed <= nominal;
+    seen_above = seen_above || speed >= nominal;
+    if (*above - *below > largest) {
+      largest = *above - *below;
+      best = {Presence::present, scale.speed_ratio(speed), std::exp(*below), std::exp(*above)};
+    }
+  }
+  if (!seen_below || !seen_above) return {};
+  if (largest < std::log(kTriggerRise)) return {.presence = Presence::absent};
+  return best;
+}
+
+}  // namespace
+
+std::array<Trigger, 2> find_triggers(const Line& line, SpeedScale scale, double floor) {
+  const auto samples = samples_of(line, scale, floor);
+  return {find_trigger(samples, scale, kNominalTrigger[0]), find_trigger(samples, scale, kNominalTrigger[1])};
+}
+
+}  // namespace rubatlas::analysis
