@@ -1,0 +1,117 @@
+"""What the READMEs tell a user to type is typed here: every command and every snippet runs, in the order of the page.
+
+A block that cannot run in a test stands below a comment that says why: <!-- not run: reason -->
+"""
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
+PROGRAM = pathlib.Path(os.environ["RUBATLAS_PROGRAM"])
+TINY = PROGRAM.parent / "tests/tiny_atlas"
+
+BLOCK = re.compile(r"(?:^<!-- not run: (?P<reason>[^>]+) -->\n)?^```(?P<language>\w+)\n(?P<text>.*?)^```", re.M | re.S)
+RUNS = {"sh": ["bash", "-euo", "pipefail", "-c"], "python": ["/usr/bin/python3", "-c"]}
+
+
+def environment():
+    """As on a machine of one's own: root is allowed to call mpirun, also with more ranks than cores."""
+    return {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+            "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_hwloc_base_binding_policy": "none",
+            "OMPI_MCA_btl_vader_single_copy_mechanism": "none", "MPLBACKEND": "Agg"}
+
+
+def clone(folder):
+    """A folder that looks like a clone after quickstart, with the tiny atlas in the place of its result."""
+    for name in ("jobs", "tools", "tests"):
+        (folder / name).symlink_to(ROOT / name)
+    (folder / "build").mkdir()
+    (folder / "build" / "rubatlas").symlink_to(PROGRAM)
+    (folder / "atlases").mkdir()
+    shutil.copy(TINY / "atlas.h5", folder / "atlases" / "quick.h5")
+    shutil.copy(TINY / "maps.h5", folder / "atlases" / "quick_maps.h5")
+
+
+class Documentation(unittest.TestCase):
+    def expect_blocks_run(self, page, at_least):
+        blocks = list(BLOCK.finditer((ROOT / page).read_text()))
+        ran = 0
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            clone(folder)
+            for block in blocks:
+                if block["reason"] or block["language"] not in RUNS:
+                    continue
+                with self.subTest(block=block["text"]):
+                    ended = subprocess.run([*RUNS[block["language"]], block["text"]], cwd=folder, env=environment(),
+                                           stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+                    # 1: done, though some points have no motion to show.
+                    self.assertIn(ended.returncode, (0, 1) if " run " in block["text"] else (0,),
+                                  ended.stdout[-2000:] + ended.stderr[-2000:])
+                ran += 1
+        self.assertGreaterEqual(ran, at_least, f"{page} has {len(blocks)} blocks, of which {ran} ran")
+
+    def test_every_block_of_the_readme_runs(self):
+        self.expect_blocks_run("README.md", at_least=4)
+
+    def test_every_block_of_the_tools_readme_runs(self):
+        self.expect_blocks_run("tools/README.md", at_least=4)
+
+    def test_other_languages_are_marked_or_plain(self):
+        for page in sorted(ROOT.rglob("README.md")):
+            if any(part.startswith(("build", ".")) for part in page.relative_to(ROOT).parts):
+                continue
+            for block in BLOCK.finditer(page.read_text()):
+                with self.subTest(page=str(page), block=block["text"][:60]):
+                    self.assertIn(block["language"], {*RUNS, "text", "json", "bibtex", "cpp"})
+
+    def test_every_relative_link_leads_somewhere(self):
+        links = 0
+        for page in sorted(ROOT.rglob("*.md")):
+            if any(part.startswith(("build", ".")) or part == "atlases" for part in page.relative_to(ROOT).parts):
+                continue
+            for target in re.findall(r"\]\((?!https?:|#)([^)#]+)", page.read_text()):
+                links += 1
+                self.assertTrue((page.parent / target).exists(), f"{page}: {target}")
+        self.assertGreater(links, 3)
+
+    def test_every_scene_in_jobs_is_accepted(self):
+        scenes = sorted((ROOT / "jobs").glob("*.json"))
+        self.assertGreaterEqual(len(scenes), 12)
+        for scene in scenes:
+            with self.subTest(scene=scene.name):
+                ended = subprocess.run([PROGRAM, "explain", scene], capture_output=True, text=True, check=False)
+                self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+                self.assertTrue(ended.stdout.strip())
+
+    def test_every_scene_in_jobs_says_what_it_is_and_where_from(self):
+        for scene in sorted((ROOT / "jobs").glob("*.json")):
+            with self.subTest(scene=scene.name):
+                content = json.loads(scene.read_text())
+                self.assertTrue(content["title"] and content["reference"])
+                kept = "poincare_blade_passing" in content["observables"]
+                self.assertEqual(kept, "unbalance" not in content and "unbalance" not in content["grid"])
+
+    def test_every_study_comes_with_both_contact_laws(self):
+        for study in ("default", "damping", "friction", "unbalance", "thickness"):
+            with self.subTest(study=study):
+                flexible = json.loads((ROOT / f"jobs/{study}.json").read_text())
+                rigid = json.loads((ROOT / f"jobs/{study}_elastic_ring.json").read_text())
+                self.assertEqual((flexible["contact"]["law"], rigid["contact"]["law"]), ("elastica", "elastic_ring"))
+                self.assertEqual(flexible["grid"], rigid["grid"])
+                speed = flexible["grid"]["speed_ratio"]
+                self.assertEqual((speed["from"], speed["to"], speed["count"]), (0.05, 0.95, 1000))
+
+    def test_the_jobs_readme_lists_every_scene(self):
+        page = (ROOT / "jobs/README.md").read_text()
+        for scene in sorted((ROOT / "jobs").glob("*.json")):
+            self.assertIn(f"`{scene.stem.removesuffix('_elastic_ring')}.json`", page)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,76 @@
+// The table of the scene's keys in README.md is the reader's own table: where this test fails, it prints the
+// text that belongs between the two marks.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "scene/observable_names.hpp"
+#include "scene/quantity.hpp"
+
+namespace rubatlas::scene {
+namespace {
+
+std::string default_text(const Quantity& quantity) {
+  if (!quantity.default_rule.empty()) return std::string(quantity.default_rule);
+  const auto value = quantity.read == nullptr ? std::nullopt : quantity.read(Scene{});
+  if (!value) return "absent";
+  return std::visit(
+      [](const auto& held) {
+        const auto text = fmt::format("{}", held);
+        return text.empty() ? std::string("empty") : text;
+      },
+      *value);
+}
+
+std::string allowed_text(const Quantity& quantity) {
+  if (quantity.kind == Kind::text) return "any text";
+  if (quantity.kind != Kind::choice) return quantity.range.text();
+  std::string words;
+  for (const auto& word : quantity.choices) words += fmt::format("{}`{}`", words.empty() ? "" : ", ", word);
+  return words;
+}
+
+std::string table() {
+  std::string text = "| key | symbol | meaning | unit | allowed | default |\n|---|---|---|---|---|---|\n";
+  for (const auto& quantity : quantities()) {
+    text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", quantity.pointer, quantity.symbol,
+                        quantity.meaning, quantity.unit == "1" ? "-" : quantity.unit, allowed_text(quantity),
+                        default_text(quantity));
+  }
+  text += "\nAxes of `grid`: ";
+  const auto axes = grid_axes();
+  for (std::size_t i = axes.size(); i-- > 0;)
+    text += fmt::format("`{}`{}", axes[i].name, i == 0 ? ".\n" : ", ");
+  text += "\nObservables: ";
+  const auto names = observable_names();
+  const auto defaults = default_observable_names();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const bool kept = std::find(defaults.begin(), defaults.end(), names[i]) != defaults.end();
+    text += fmt::format("{}`{}`{}{}", kept ? "**" : "", names[i], kept ? "**" : "",
+                        i + 1 == names.size() ? ".\n" : ", ");
+  }
+  return text;
+}
+
+TEST(SceneKeys, TheReadmeShowsTheTableOfTheReader) {
+  std::ifstream file(RUBATLAS_SOURCE_DIR "/README.md");
+  std::stringstream stream;
+  stream << file.rdbuf();
+  const std::string readme = stream.str();
+  const std::string begin = "<!-- scene keys: begin -->\n";
+  const auto first = readme.find(begin);
+  const auto last = readme.find("<!-- scene keys: end -->");
+  ASSERT_TRUE(first != std::string::npos && last != std::string::npos && first < last)
+      << "the marks are missing";
+  const auto from = first + begin.size();
+  EXPECT_EQ(readme.substr(from, last - from), table()) << "\nbetween the marks belongs:\n" << table();
+}
+
+}  // namespace
+}  // namespace rubatlas::scene
