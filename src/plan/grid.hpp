@@ -1,9 +1,9 @@
 /// The grid of an atlas: which point has which parameters, and in which order points depend on each other.
 ///
 /// Points are numbered in C order over the axes `[direction,] thickness, unbalance, friction, damping_ratio,
-/// speed_ratio` (DESIGN A5). A line is all points that differ in speed ratio only: points
-/// [line * speeds, (line + 1) * speeds). Along a line of a sweep each point starts from the final state of the
-/// one visited before it; `visit` counts along the line in the order in which the sweep goes.
+/// speed_ratio`. A line is all points that differ in speed ratio only: points
+/// [line * speeds, (line + 1) * speeds). Along a line of a sweep each point starts from the final state of
+/// the one visited before it; `visit` counts along the line in the order in which the sweep goes.
 #pragma once
 
 #include <cstddef>

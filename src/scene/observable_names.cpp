@@ -6,22 +6,21 @@ namespace rubatlas::scene {
 namespace {
 
 constexpr std::array<std::string_view, 8> kNames{
-    "poincare",
-    "poincare_blade_passing",
-    "max_displacement",
-    "spectrum",
-    "touchdowns_per_revolution",
-    "max_contact_force",
-    "contact_fraction",
-    "max_root_strain",
+    "poincare",         "poincare_blade_passing",    "max_displacement",
+    "spectrum",         "touchdowns_per_revolution", "max_contact_force",
+    "contact_fraction", "max_root_strain",
 };
 
 constexpr std::array<std::string_view, 3> kDefaults{"poincare", "max_displacement", "spectrum"};
 
 }  // namespace
 
-std::span<const std::string_view> observable_names() { return kNames; }
+std::span<const std::string_view> observable_names() {
+  return kNames;
+}
 
-std::span<const std::string_view> default_observable_names() { return kDefaults; }
+std::span<const std::string_view> default_observable_names() {
+  return kDefaults;
+}
 
 }  // namespace rubatlas::scene

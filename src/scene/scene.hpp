@@ -4,7 +4,9 @@
 /// fills them, and nothing behind it ever sees JSON. Defaults are the paper's default rotor (MODEL 6.1).
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,17 +23,17 @@ struct Rotor {
 
 /// Equal, massless, elastic blades clamped on a hub (MODEL 2, 3).
 struct Blades {
-  int count = 3;                   ///< n [-]
-  double length = 0.1;             ///< L [m]
-  double width = 0.01;             ///< b [m]
-  double thickness = 0.001;        ///< h [m]
-  double youngs_modulus = 206e9;   ///< E [Pa]
-  double hub_radius = 0.0;         ///< rh [m]
+  int count = 3;                  ///< n [-]
+  double length = 0.1;            ///< L [m]
+  double width = 0.01;            ///< b [m]
+  double thickness = 0.001;       ///< h [m]
+  double youngs_modulus = 206e9;  ///< E [Pa]
+  double hub_radius = 0.0;        ///< rh [m]
 };
 
 struct Ring {
-  double radius = 0.11;     ///< R [m], inner radius
-  double stiffness = 1e4;   ///< kr [N/m]; read by the law `elastic_ring` only (MODEL 4.7)
+  double radius = 0.11;    ///< R [m], inner radius
+  double stiffness = 1e4;  ///< kr [N/m]; read by the law `elastic_ring` only (MODEL 4.7)
 };
 
 enum class ContactLaw : std::uint8_t { elastica, elastic_ring };
@@ -47,7 +49,8 @@ struct Unbalance {
   double phase = 0.0;   ///< γ [rad], from blade 1, positive with the rotation
 };
 
-/// Values along each axis of the atlas, ascending. Axes that the scene does not name hold the scene's one value.
+/// Values along each axis of the atlas, ascending. Axes that the scene does not name hold the scene's one
+/// value.
 struct Grid {
   std::vector<double> thickness;      ///< h [m]
   std::vector<double> unbalance;      ///< me [kg m]
@@ -83,7 +86,7 @@ struct Validity {
 };
 
 struct Accuracy {
-  double tolerance = 1e-9;  ///< local error of a step relative to the clearance (DESIGN A4)
+  double tolerance = 1e-9;  ///< local error of a step relative to the clearance
 };
 
 struct Scene {
@@ -103,8 +106,13 @@ struct Scene {
   std::vector<std::string> observables;  ///< in the order of the registration list, not of the file
   Accuracy accuracy;
 
-  /// δc = R − rh − L [m] (MODEL 2).
-  [[nodiscard]] double clearance() const { return ring.radius - blades.hub_radius - blades.length; }
+  /// δc = R − rh − L [m] (MODEL 2). Zero where the three lengths cancel to their rounding: tolerances are
+  /// relative to the clearance, and 1e-17 m would make them meaningless.
+  [[nodiscard]] double clearance() const {
+    constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
+    const double difference = ring.radius - blades.hub_radius - blades.length;
+    return std::abs(difference) <= kRounding * ring.radius ? 0.0 : difference;
+  }
 };
 
 }  // namespace rubatlas::scene

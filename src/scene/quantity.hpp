@@ -1,0 +1,86 @@
+/// The one table of what a scene can say: every quantity's place, symbol, unit, meaning, range and source.
+///
+/// The reader, its error texts, the canonical form, the grid's axes, `explain` and the documentation all come
+/// from this table, so that a quantity is described once. A new quantity is a member of a struct in
+/// `scene.hpp` and one entry in `quantity.cpp`. Defaults are not repeated here: they are the default values
+/// of those structs.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace rubatlas::scene {
+
+/// Legal values of a number; a bound may be excluded, and infinite bounds are written as such.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_excluded = false;
+  bool high_excluded = false;
+
+  [[nodiscard]] bool contains(double value) const;
+  /// In interval notation: "[0, 2]", "(0, inf)".
+  [[nodiscard]] std::string text() const;
+};
+
+enum class Kind : std::uint8_t { number, whole_number, text, choice };
+
+/// A value as the scene file has it; a choice is its word.
+using Value = std::variant<double, int, std::string>;
+
+struct Quantity {
+  std::string_view pointer{};  ///< where it stands in the scene file, as a JSON pointer
+  std::string_view symbol{};   ///< as in MODEL; empty where it has none
+  std::string_view unit{};     ///< "1" where dimensionless, empty for texts and choices
+  std::string_view meaning{};  ///< one phrase, ASCII, used in error texts and as `long_name`
+  std::string_view source{};   ///< where range or default come from
+  Kind kind = Kind::number;
+  Range range{};
+  std::span<const std::string_view> choices{};  ///< words of a choice, in the order of its enumeration
+  std::string_view default_rule{};  ///< where the default is a rule or an absence rather than a value
+
+  /// Value in a scene, none where absent. Null for a quantity that lives on the grid only.
+  std::optional<Value> (*read)(const Scene&) = nullptr;
+  /// Puts a value, checked before, into a scene; makes its section present.
+  void (*write)(Scene&, const Value&) = nullptr;
+
+  /// Last part of the pointer.
+  [[nodiscard]] std::string_view key() const { return pointer.substr(pointer.rfind('/') + 1); }
+  /// All but the last part of the pointer, empty for a key of the scene's top level.
+  [[nodiscard]] std::string_view section() const { return pointer.substr(0, pointer.rfind('/')); }
+};
+
+/// All quantities, section by section.
+std::span<const Quantity> quantities();
+
+/// The entry at a pointer; throws std::out_of_range for a pointer that is not in the table.
+const Quantity& quantity(std::string_view pointer);
+
+/// A section of the scene file: a JSON object of quantities.
+struct Section {
+  std::string_view pointer;
+  std::string_view meaning;
+  /// Makes the section present in a scene; null for sections that every scene has.
+  void (*open)(Scene&) = nullptr;
+};
+
+std::span<const Section> sections();
+
+/// One swept quantity: an axis of every atlas, of extent 1 where the scene does not sweep it.
+struct GridAxis {
+  std::string_view name;      ///< key in `grid` and name of the atlas' dimension
+  std::string_view quantity;  ///< pointer of the quantity that the axis sweeps
+  std::vector<double> Grid::*values;
+};
+
+/// In the order of the atlas' axes, the slowest first.
+std::span<const GridAxis> grid_axes();
+
+}  // namespace rubatlas::scene

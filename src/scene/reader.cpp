@@ -1,0 +1,333 @@
+#include "scene/reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "scene/document.hpp"
+#include "scene/nearest.hpp"
+#include "scene/observable_names.hpp"
+#include "scene/quantity.hpp"
+
+namespace rubatlas::scene {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kLongestScene = std::size_t{64} << 20U;  // [bytes], far above any scene
+constexpr std::size_t kMostAxisValues = 1'000'000;
+constexpr double kMostPoints = 1e9;
+
+[[noreturn]] void fail(std::string_view pointer, const std::string& text) {
+  throw SceneError(fmt::format("{}: {}", pointer.empty() ? "/" : pointer, text));
+}
+
+std::string quoted(std::span<const std::string_view> words) {
+  return fmt::format("\"{}\"", fmt::join(words, "\", \""));
+}
+
+std::string_view last_key(std::string_view pointer) {
+  return pointer.substr(pointer.rfind('/') + 1);
+}
+
+// --- keys
+// -----------------------------------------------------------------------------------------------------
+
+/// Keys that may stand directly under a section (empty pointer: under the scene).
+std::vector<std::string_view> known_keys(std::string_view section) {
+  std::vector<std::string_view> keys;
+  if (section == "/grid") {
+    for (const auto& axis : grid_axes()) keys.push_back(axis.name);
+    return keys;
+  }
+  for (const auto& entry : quantities()) {
+    if (entry.section() == section) keys.push_back(entry.key());
+  }
+  if (section.empty()) {
+    for (const auto& entry : sections()) keys.push_back(last_key(entry.pointer));
+    keys.push_back("observables");
+  }
+  return keys;
+}
+
+/// The nearest known key as a pointer: a key that is right but stands in the wrong section is named first.
+std::string nearest_pointer(std::string_view section, std::string_view key) {
+  for (const auto& entry : quantities()) {
+    if (entry.key() == key) return std::string(entry.pointer);
+  }
+  const auto keys = known_keys(section);
+  return child(section, nearest(key, keys));
+}
+
+void check_keys(const json& object, std::string_view section) {
+  const auto keys = known_keys(section);
+  for (const auto& [key, value] : object.items()) {
+    if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+    fail(child(section, key),
+         fmt::format("unknown key, with the value {}; known {}: {}; nearest known key: {}", shown(value),
+                     section.empty() ? "in a scene" : fmt::format("in {}", section), fmt::join(keys, ", "),
+                     nearest_pointer(section, key)));
+  }
+}
+
+void check_structure(const json& document) {
+  if (!document.is_object())
+    fail("", fmt::format("{} is not a scene; a scene is a JSON object", shown(document)));
+  check_keys(document, "");
+  for (const auto& section : sections()) {
+    const auto found = document.find(last_key(section.pointer));
+    if (found == document.end()) continue;
+    if (!found->is_object()) {
+      fail(section.pointer, fmt::format("{} is not a section in braces; {}", shown(*found), section.meaning));
+    }
+    check_keys(*found, section.pointer);
+  }
+}
+
+// --- values
+// ---------------------------------------------------------------------------------------------------
+
+std::string with_unit(const Quantity& entry) {
+  const bool bare = entry.unit.empty() || entry.unit == "1";
+  return bare ? entry.range.text() : fmt::format("{} {}", entry.range.text(), entry.unit);
+}
+
+double checked_number(const json& value, std::string_view pointer, const Quantity& entry) {
+  if (!value.is_number()) {
+    fail(pointer, fmt::format("{} is not a number in {}; {}", shown(value), with_unit(entry), entry.meaning));
+  }
+  const double number = value.get<double>();
+  if (!entry.range.contains(number)) {
+    fail(pointer, fmt::format("{} is outside {}; {}", shown(value), with_unit(entry), entry.meaning));
+  }
+  return number + 0.0;  // no negative zero: equal scenes have equal canonical texts
+}
+
+Value checked_value(const json& value, std::string_view pointer, const Quantity& entry) {
+  switch (entry.kind) {
+    case Kind::number:
+      return checked_number(value, pointer, entry);
+    case Kind::whole_number:
+      if (!value.is_number() || value.get<double>() != std::trunc(value.get<double>())) {
+        fail(pointer, fmt::format("{} is not a whole number in {}; {}", shown(value), with_unit(entry),
+                                  entry.meaning));
+      }
+      return static_cast<int>(checked_number(value, pointer, entry));
+    case Kind::text:
+      if (!value.is_string()) fail(pointer, fmt::format("{} is not a text; {}", shown(value), entry.meaning));
+      return value.get<std::string>();
+    case Kind::choice:
+      break;
+  }
+  if (!value.is_string()) {
+    fail(pointer, fmt::format("{} is not one of {}; {}", shown(value), quoted(entry.choices), entry.meaning));
+  }
+  auto word = value.get<std::string>();
+  if (std::find(entry.choices.begin(), entry.choices.end(), word) == entry.choices.end()) {
+    fail(pointer, fmt::format("{} is not one of {}; {}; nearest: \"{}\"", shown(value), quoted(entry.choices),
+                              entry.meaning, nearest(word, entry.choices)));
+  }
+  return word;
+}
+
+void read_values(const json& document, Scene& scene) {
+  for (const auto& section : sections()) {
+    if (section.open != nullptr && document.contains(last_key(section.pointer))) section.open(scene);
+  }
+  for (const auto& entry : quantities()) {
+    const json::json_pointer pointer{std::string(entry.pointer)};
+    if (entry.write == nullptr || !document.contains(pointer)) continue;
+    entry.write(scene, checked_value(document.at(pointer), entry.pointer, entry));
+  }
+}
+
+// --- grid
+// -----------------------------------------------------------------------------------------------------
+
+std::vector<double> read_list(const json& list, std::string_view pointer, const Quantity& entry) {
+  if (list.empty())
+    fail(pointer, fmt::format("the list is empty; at least one value is needed; {}", entry.meaning));
+  if (list.size() > kMostAxisValues) {
+    fail(pointer, fmt::format("{} values; at most {} are allowed", list.size(), kMostAxisValues));
+  }
+  std::vector<double> values;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const auto here = child(pointer, std::to_string(i));
+    const double value = checked_number(list[i], here, entry);
+    if (i > 0 && value == values.back()) {
+      fail(here, fmt::format("{} stands twice; values are ascending without duplicates", shown(list[i])));
+    }
+    if (i > 0 && value < values.back()) {
+      fail(here, fmt::format("{} comes after {}; values are ascending without duplicates", shown(list[i]),
+                             shown(list[i - 1])));
+    }
+    values.push_back(value);
+  }
+  return values;
+}
+
+std::vector<double> read_span(const json& span, std::string_view pointer, const Quantity& entry) {
+  static constexpr std::array<std::string_view, 3> kKeys{"from", "to", "count"};
+  for (const auto& [key, value] : span.items()) {
+    if (std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end()) continue;
+    fail(child(pointer, key),
+         fmt::format("unknown key, with the value {}; known in {}: {}; nearest known key: {}", shown(value),
+                     pointer, fmt::join(kKeys, ", "), child(pointer, nearest(key, kKeys))));
+  }
+  for (const auto key : kKeys) {
+    if (!span.contains(key)) fail(child(pointer, key), "missing; a range of values is from, to and count");
+  }
+  const double from = checked_number(span["from"], child(pointer, "from"), entry);
+  const double to = checked_number(span["to"], child(pointer, "to"), entry);
+  static constexpr Quantity kCount{.meaning = "number of values from `from` to `to`, both included",
+                                   .kind = Kind::whole_number,
+                                   .range = {.low = 2, .high = kMostAxisValues}};
+  const int count = std::get<int>(checked_value(span["count"], child(pointer, "count"), kCount));
+  if (!(to > from)) {
+    fail(child(pointer, "to"),
+         fmt::format("{} is not above from, {}; values are ascending without duplicates", shown(span["to"]),
+                     shown(span["from"])));
+  }
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) {
+    values.push_back(i == count - 1 ? to : from + i * (to - from) / (count - 1));
+    if (i > 0 && !(values[values.size() - 1] > values[values.size() - 2])) {
+      fail(child(pointer, "count"), fmt::format("{} values from {} to {} are closer than numbers can be",
+                                                count, shown(span["from"]), shown(span["to"])));
+    }
+  }
+  return values;
+}
+
+std::vector<double> read_axis(const json& value, std::string_view pointer, const Quantity& entry) {
+  if (value.is_array()) return read_list(value, pointer, entry);
+  if (value.is_object()) return read_span(value, pointer, entry);
+  if (value.is_number()) return {checked_number(value, pointer, entry)};
+  fail(pointer,
+       fmt::format("{} is not a number, a list of numbers or {{\"from\", \"to\", \"count\"}} in {}; {}",
+                   shown(value), with_unit(entry), entry.meaning));
+}
+
+void read_grid(const json& document, Scene& scene) {
+  const json grid = document.value("grid", json::object());
+  double points = scene.sweep == Sweep::both ? 2.0 : 1.0;
+  for (const auto& axis : grid_axes()) {
+    const auto& entry = quantity(axis.quantity);
+    auto& values = scene.grid.*axis.values;
+    if (const auto found = grid.find(axis.name); found != grid.end()) {
+      values = read_axis(*found, child("/grid", axis.name), entry);
+      // A swept quantity is present, and an axis of one value is the scene's value.
+      if (entry.write != nullptr) {
+        const auto own = entry.read(scene);
+        if (!own || values.size() == 1) entry.write(scene, values.front());
+      }
+    } else if (entry.read == nullptr) {
+      fail(entry.pointer,
+           fmt::format("missing; a number, a list or {{\"from\", \"to\", \"count\"}} in {}; {}",
+                       with_unit(entry), entry.meaning));
+    } else {
+      const auto own = entry.read(scene);
+      values = {own ? std::get<double>(*own) : 0.0};  // an absent effect has the strength zero
+    }
+    points *= static_cast<double>(values.size());
+  }
+  if (points > kMostPoints)
+    fail("/grid", fmt::format("{} points; at most {} are allowed", points, kMostPoints));
+}
+
+// --- what more than one quantity decides
+// ------------------------------------------------------------------------
+
+void read_observables(const json& document, Scene& scene) {
+  const auto known = observable_names();
+  const auto found = document.find("observables");
+  if (found == document.end()) {
+    const auto names = default_observable_names();
+    scene.observables.assign(names.begin(), names.end());
+    return;
+  }
+  if (!found->is_array()) {
+    fail("/observables", fmt::format("{} is not a list of {}", shown(*found), quoted(known)));
+  }
+  std::vector<std::string> asked;
+  for (std::size_t i = 0; i < found->size(); ++i) {
+    const auto& value = (*found)[i];
+    const auto here = child("/observables", std::to_string(i));
+    if (!value.is_string()) fail(here, fmt::format("{} is not one of {}", shown(value), quoted(known)));
+    auto name = value.get<std::string>();
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      fail(here, fmt::format("{} is not one of {}; nearest: \"{}\"", shown(value), quoted(known),
+                             nearest(name, known)));
+    }
+    if (std::find(asked.begin(), asked.end(), name) != asked.end()) {
+      fail(here, fmt::format("{} stands twice; once is allowed", shown(value)));
+    }
+    asked.push_back(std::move(name));
+  }
+  for (const auto name : known) {
+    if (std::find(asked.begin(), asked.end(), name) != asked.end()) scene.observables.emplace_back(name);
+  }
+}
+
+void check_together(const json& document, Scene& scene) {
+  if (scene.contact.law != ContactLaw::elastic_ring && document.contains("/ring/stiffness"_json_pointer)) {
+    fail("/ring/stiffness",
+         fmt::format("{} has no effect under the contact law \"{}\"; only \"elastic_ring\" reads it",
+                     shown(document["ring"]["stiffness"]),
+                     std::get<std::string>(*quantity("/contact/law").read(scene))));
+  }
+  if (scene.clearance() < 0.0) {
+    fail("/ring/radius",
+         fmt::format("{} is smaller than hub_radius + length = {} m; the blades must fit into the ring",
+                     shortest(scene.ring.radius), shortest(scene.blades.hub_radius + scene.blades.length)));
+  }
+  const int highest = scene.protocol.samples_per_revolution / 2;
+  if (!document.contains("/spectrum/max_order"_json_pointer)) {
+    scene.spectrum.max_order = std::min(std::max(12, 4 * scene.blades.count), highest);
+  } else if (scene.spectrum.max_order > highest) {
+    fail("/spectrum/max_order",
+         fmt::format("{} is outside [1, {}], half of samples_per_revolution; {}", scene.spectrum.max_order,
+                     highest, quantity("/spectrum/max_order").meaning));
+  }
+}
+
+}  // namespace
+
+std::string read_text(const std::filesystem::path& path) {
+  const auto refuse = [&](std::string_view why) {
+    throw SceneError(fmt::format("cannot read the scene {}: {}", path.string(), why));
+  };
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) refuse("it is a directory");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!file) refuse(std::strerror(errno));
+  std::string text;
+  std::vector<char> block(std::size_t{1} << 16U);
+  while (const auto size = std::fread(block.data(), 1, block.size(), file.get())) {
+    text.append(block.data(), size);
+    if (text.size() > kLongestScene) refuse("it is longer than 64 MiB");
+  }
+  if (std::ferror(file.get()) != 0) refuse(std::strerror(errno));
+  return text;
+}
+
+Scene parse_scene(std::string_view text, std::string_view name) {
+  const json document = parse_document(text, name);
+  check_structure(document);
+  Scene scene;
+  read_values(document, scene);
+  read_grid(document, scene);
+  read_observables(document, scene);
+  check_together(document, scene);
+  return scene;
+}
+
+}  // namespace rubatlas::scene
