@@ -30,7 +30,8 @@ class AtlasError(Exception):
     """What was asked for is not in the file; the text says what is."""
 
 
-def _text(value):
+def text(value):
+    """A string as HDF5 hands it out, which may be bytes."""
     return value.decode() if isinstance(value, bytes) else str(value)
 
 
@@ -49,7 +50,7 @@ class AtlasFile:
             raise AtlasError(f"{path}: neither /status nor /class is there; this is no atlas")
         self.axes = [self._scale(grid, dimension) for dimension in range(grid.ndim)]
         scene = self.file.get("scene_resolved")
-        self.scene = json.loads(_text(scene[()])) if scene is not None else {}
+        self.scene = json.loads(text(scene[()])) if scene is not None else {}
 
     def __enter__(self):
         return self
@@ -83,16 +84,16 @@ class AtlasFile:
 
     def units(self, name):
         """Unit of a dataset as the file states it; "-" for a number without one."""
-        units = _text(self.dataset(name).attrs.get("units", "1"))
+        units = text(self.dataset(name).attrs.get("units", "1"))
         return "-" if units in ("1", "") else units
 
     def long_name(self, name):
         """What a dataset is, in words, as the file states it."""
-        return _text(self.dataset(name).attrs.get("long_name", name.replace("_", " ")))
+        return text(self.dataset(name).attrs.get("long_name", name.replace("_", " ")))
 
     def attribute(self, name):
         """Root attribute as text, empty where it is not there."""
-        return _text(self.file.attrs.get(name, ""))
+        return text(self.file.attrs.get(name, ""))
 
     @property
     def clearance(self):

@@ -16,21 +16,34 @@
 namespace rubatlas::scene {
 namespace {
 
+std::string text(const Value& value) {
+  if (std::holds_alternative<double>(value)) return fmt::format("{:g}", std::get<double>(value));
+  if (std::holds_alternative<int>(value)) return fmt::format("{}", std::get<int>(value));
+  return std::get<std::string>(value);
+}
+
+/// A scene in which nothing is absent, so that every quantity that has a default shows it.
+Scene with_everything() {
+  Scene scene;
+  scene.contact.law = ContactLaw::elastic_ring;
+  scene.unbalance.emplace();
+  return scene;
+}
+
 std::string default_text(const Quantity& quantity) {
   if (!quantity.default_rule.empty()) return std::string(quantity.default_rule);
-  const auto value = quantity.read == nullptr ? std::nullopt : quantity.read(Scene{});
-  if (!value) return "absent";
-  return std::visit(
-      [](const auto& held) {
-        const auto text = fmt::format("{}", held);
-        return text.empty() ? std::string("empty") : text;
-      },
-      *value);
+  if (const auto value = quantity.read(Scene{})) return text(*value);
+  return text(quantity.read(with_everything()).value()) + " where it applies, else absent";
+}
+
+std::string range_text(const Range& range) {
+  return fmt::format("{}{:g}, {:g}{}", range.low_excluded ? '(' : '[', range.low, range.high,
+                     range.high_excluded ? ')' : ']');
 }
 
 std::string allowed_text(const Quantity& quantity) {
   if (quantity.kind == Kind::text) return "any text";
-  if (quantity.kind != Kind::choice) return quantity.range.text();
+  if (quantity.kind != Kind::choice) return range_text(quantity.range);
   std::string words;
   for (const auto& word : quantity.choices) words += fmt::format("{}`{}`", words.empty() ? "" : ", ", word);
   return words;
