@@ -6,7 +6,9 @@
 namespace rubatlas::analysis {
 namespace {
 
-double norm(double x, double y, double vx, double vy) { return std::sqrt(x * x + y * y + vx * vx + vy * vy); }
+double norm(double x, double y, double vx, double vy) {
+  return std::sqrt(x * x + y * y + vx * vx + vy * vy);
+}
 
 std::uint8_t class_of_record(std::span<const double> states, double tolerance, std::size_t longest) {
   bool nearly = false;

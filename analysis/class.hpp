@@ -1,9 +1,9 @@
 /// The class of a motion: the smallest number of sections after which its states repeat.
 ///
-/// A point's record is its sampled section states (x, y, dx/dτ, dy/dτ), all in metres because τ is dimensionless
-/// (MODEL 1). The distance of two states is the Euclidean norm of their difference in all four components; the
-/// size of an orbit is the largest norm of its states, that is, their distance from the shaft at rest. Both are
-/// unchanged by a rotation of the plane, and scale with the orbit.
+/// A point's record is its sampled section states (x, y, dx/dτ, dy/dτ), all in metres because τ is
+/// dimensionless (MODEL 1). The distance of two states is the Euclidean norm of their difference in all four
+/// components; the size of an orbit is the largest norm of its states, that is, their distance from the shaft
+/// at rest. Both are unchanged by a rotation of the plane, and scale with the orbit.
 #pragma once
 
 #include <cstddef>
@@ -44,11 +44,12 @@ constexpr double kUnresolvedFactor = 100.0;
 
 /// Class of a record (sections × 4).
 ///
-/// Periodic with period p: p is the smallest of 1 … 16 whose closing distance is within the tolerance, over the
-/// whole record and over each of its halves alone. Aperiodic: no period closes within 100 tolerances, over the
-/// whole or a half. Unresolved: everything else, that is, orbits that nearly close and orbits whose halves differ.
-/// A half must be longer than a period to test it: a record shorter than 34 sections is never called aperiodic,
-/// one shorter than 4 is always unresolved. An empty record, or one with a value that is not finite, is `kNone`.
+/// Periodic with period p: p is the smallest of 1 … 16 whose closing distance is within the tolerance, over
+/// the whole record and over each of its halves alone. Aperiodic: no period closes within 100 tolerances,
+/// over the whole or a half. Unresolved: everything else, that is, orbits that nearly close and orbits whose
+/// halves differ. A half must be longer than a period to test it: a record shorter than 34 sections is never
+/// called aperiodic, one shorter than 4 is always unresolved. An empty record, or one with a value that is
+/// not finite, is `kNone`.
 [[nodiscard]] std::uint8_t classify(std::span<const double> states, const ClosingTolerance& tolerance);
 
 }  // namespace rubatlas::analysis

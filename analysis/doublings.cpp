@@ -26,7 +26,9 @@ std::vector<Run> runs_of(std::span<const std::uint8_t> motion) {
   return runs;
 }
 
-bool is_steady(const Run& run) { return is_periodic(run.motion) && run.last - run.first + 1 >= kShortestRun; }
+bool is_steady(const Run& run) {
+  return is_periodic(run.motion) && run.last - run.first + 1 >= kShortestRun;
+}
 
 }  // namespace
 

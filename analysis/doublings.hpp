@@ -16,8 +16,8 @@ struct PeriodDoubling {
 
 /// Points in a row with the same period that make a run; a single window is none.
 constexpr std::size_t kShortestRun = 2;
-/// Points between two runs that are allowed to have no class or to be unresolved: close to a doubling the motion
-/// settles slowly.
+/// Points between two runs that are allowed to have no class or to be unresolved: close to a doubling the
+/// motion settles slowly.
 constexpr std::size_t kLongestDoubt = 5;
 
 /// All period doublings, ascending in Ω; `speed_ratio` and `motion` (classes) have one entry per point.

@@ -33,7 +33,8 @@ Region region_over(const Line& line, Points points, std::size_t first, std::size
   const auto aperiodic = std::ranges::count_if(inside, [](const ClassifiedPoint& p) { return p.aperiodic; });
   region.aperiodic_share = static_cast<double>(aperiodic) / static_cast<double>(inside.size());
   std::vector<double> displacements;
-  for (std::size_t i = points[first].index; i <= points[last].index && i < line.max_displacement.size(); ++i) {
+  for (std::size_t i = points[first].index; i <= points[last].index && i < line.max_displacement.size();
+       ++i) {
     if (std::isfinite(line.max_displacement[i])) displacements.push_back(line.max_displacement[i]);
   }
   if (!displacements.empty()) region.peak_displacement = std::ranges::max(displacements);
@@ -73,8 +74,9 @@ std::optional<Stretch> longest_stretch(Points points, const std::vector<Stretch>
   });
   here = join_across_windows(points, std::move(here));
   if (here.empty()) return std::nullopt;
-  return *std::ranges::max_element(
-      here, {}, [&](const Stretch& s) { return std::pair{length(points, s), s.last - s.first}; });
+  return *std::ranges::max_element(here, {}, [&](const Stretch& s) {
+    return std::pair{length(points, s), s.last - s.first};
+  });
 }
 
 }  // namespace
@@ -90,12 +92,14 @@ double Region::width() const {
   }
 }
 
-std::array<Region, 4> find_regions(const Line& line, SpeedScale scale, const std::array<Trigger, 2>& triggers) {
+std::array<Region, 4> find_regions(const Line& line, SpeedScale scale,
+                                   const std::array<Trigger, 2>& triggers) {
   const auto all = classified_points(line, scale);
   std::array<Region, 4> regions;
   regions[0] = region_1(line, all, scale, triggers[0]);
 
-  // Chaos below the first trigger belongs to region 1; without a trigger, the search for it ends the same way.
+  // Chaos below the first trigger belongs to region 1; without a trigger, the search for it ends the same
+  // way.
   const double start = triggers[0].presence == Presence::present ? scale.scaled(triggers[0].speed_ratio)
                                                                  : kNominalTrigger[0] - kTriggerSearch;
   const auto first_above = std::ranges::find_if(all, [=](const auto& p) { return p.scaled_speed > start; });
@@ -103,8 +107,8 @@ std::array<Region, 4> find_regions(const Line& line, SpeedScale scale, const std
 
   const bool covered_2 = covered(points, kNominalTrigger[0], kBetweenTriggers);
   const bool covered_3 = covered(points, kBetweenTriggers, kNominalTrigger[1]);
-  const bool covered_4 = covered(points, kNominalTrigger[1], 1e9) &&
-                         covered(points, kNominalTrigger[1] + kTriggerSearch, 1e9);
+  const bool covered_4 =
+      covered(points, kNominalTrigger[1], 1e9) && covered(points, kNominalTrigger[1] + kTriggerSearch, 1e9);
 
   const auto stretches = chaotic_stretches(points, kShareWindow, kChaoticShare);
   const auto second = longest_stretch(points, stretches, start, kBetweenTriggers);

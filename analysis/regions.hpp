@@ -10,8 +10,8 @@
 
 namespace rubatlas::analysis {
 
-/// Scaled width of the running share of aperiodic points. A periodic window, or a burst of chaos, that is shorter
-/// than half of it does not end a region.
+/// Scaled width of the running share of aperiodic points. A periodic window, or a burst of chaos, that is
+/// shorter than half of it does not end a region.
 constexpr double kShareWindow = 1.0 / 20.0;
 /// A stretch is chaotic where at least this share of its running window is aperiodic.
 constexpr double kChaoticShare = 0.5;
@@ -32,6 +32,7 @@ struct Region {
 };
 
 /// Regions 1, 2, 3, 4 of a line, in that order.
-std::array<Region, 4> find_regions(const Line& line, SpeedScale scale, const std::array<Trigger, 2>& triggers);
+std::array<Region, 4> find_regions(const Line& line, SpeedScale scale,
+                                   const std::array<Trigger, 2>& triggers);
 
 }  // namespace rubatlas::analysis

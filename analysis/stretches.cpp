@@ -5,8 +5,8 @@
 namespace rubatlas::analysis {
 namespace {
 
-/// Share of aperiodic points in the window around point `i`. The two neighbours always belong to the window: on a
-/// coarse grid one point alone is not to decide.
+/// Share of aperiodic points in the window around point `i`. The two neighbours always belong to the window:
+/// on a coarse grid one point alone is not to decide.
 double running_share(std::span<const ClassifiedPoint> points, std::size_t i, double window) {
   // Grid speeds are rounded: a point on the window's edge belongs to it on either side.
   const double reach = 0.5 * window * (1.0 + 1e-9);

@@ -9,8 +9,8 @@
 
 namespace rubatlas::analysis {
 
-/// One point that counts for the rules: periodic or aperiodic. Unresolved points and points without a class are
-/// left out, they speak for neither.
+/// One point that counts for the rules: periodic or aperiodic. Unresolved points and points without a class
+/// are left out, they speak for neither.
 struct ClassifiedPoint {
   double scaled_speed;  ///< Ω n/3 [-]
   bool aperiodic;
@@ -25,15 +25,16 @@ struct Stretch {
   std::size_t last;
 };
 
-/// Maximal stretches in which the share of aperiodic points, over a window of scaled width `window` centred on
-/// each point (and at least its two neighbours), is `share` or more. Each is grown over the aperiodic points that
-/// follow it without a gap, and trimmed to begin and end with an aperiodic point. A burst of chaos shorter than
-/// `share` of a window, a single point above all, makes no stretch.
+/// Maximal stretches in which the share of aperiodic points, over a window of scaled width `window` centred
+/// on each point (and at least its two neighbours), is `share` or more. Each is grown over the aperiodic
+/// points that follow it without a gap, and trimmed to begin and end with an aperiodic point. A burst of
+/// chaos shorter than `share` of a window, a single point above all, makes no stretch.
 std::vector<Stretch> chaotic_stretches(std::span<const ClassifiedPoint> points, double window, double share);
 
-/// Joins neighbours whose gap is shorter than both of them (a periodic window inside one region), shortest gap
-/// first, until no such gap is left.
-std::vector<Stretch> join_across_windows(std::span<const ClassifiedPoint> points, std::vector<Stretch> stretches);
+/// Joins neighbours whose gap is shorter than both of them (a periodic window inside one region), shortest
+/// gap first, until no such gap is left.
+std::vector<Stretch> join_across_windows(std::span<const ClassifiedPoint> points,
+                                         std::vector<Stretch> stretches);
 
 /// Length in scaled speed.
 [[nodiscard]] double length(std::span<const ClassifiedPoint> points, const Stretch& stretch);

@@ -10,13 +10,15 @@
 
 namespace rubatlas::analysis {
 
-/// Scaled speeds Ω n/3 of the two triggers, and how far from them they are searched: a quarter of their distance.
+/// Scaled speeds Ω n/3 of the two triggers, and how far from them they are searched: a quarter of their
+/// distance.
 constexpr std::array<double, 2> kNominalTrigger{1.0 / 3.0, 2.0 / 3.0};
 constexpr double kTriggerSearch = 1.0 / 12.0;
 /// Scaled width of the stretches whose displacements are compared, below and above a speed.
 constexpr double kTriggerStretch = 1.0 / 30.0;
 /// The displacement takes off where it grows by this factor from the stretch below to the stretch above. The
-/// forced response of a linear rotor, Ω²/(1 − Ω²), grows by at most 1.25 over the same distance below Ω = 3/4.
+/// forced response of a linear rotor, Ω²/(1 − Ω²), grows by at most 1.25 over the same distance below Ω =
+/// 3/4.
 constexpr double kTriggerRise = 1.5;
 
 struct Trigger {
@@ -29,8 +31,8 @@ struct Trigger {
   [[nodiscard]] double ratio() const { return displacement_above / displacement_below; }  ///< [-]
 };
 
-/// Trigger 1 and trigger 2 of a line. `floor` [m] is the displacement below which two motions count as equally
-/// small (a shaft at rest has none at all).
+/// Trigger 1 and trigger 2 of a line. `floor` [m] is the displacement below which two motions count as
+/// equally small (a shaft at rest has none at all).
 std::array<Trigger, 2> find_triggers(const Line& line, SpeedScale scale, double floor);
 
 }  // namespace rubatlas::analysis

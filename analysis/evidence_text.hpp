@@ -1,0 +1,16 @@
+/// How the findings of the statements speak of regions and triggers.
+#pragma once
+
+#include <string>
+
+#include "analysis/regions.hpp"
+#include "analysis/triggers.hpp"
+
+namespace rubatlas::analysis {
+
+/// "region 2: 0.352-0.598, 87 % aperiodic, peak 15.4 mm", or "region 2: absent".
+std::string region_text(int number, const Region& region);
+/// "trigger 1: at 0.331, 0.1 mm to 3.2 mm (×32)", or "trigger 1: absent".
+std::string trigger_text(int number, const Trigger& trigger);
+
+}  // namespace rubatlas::analysis

@@ -1,0 +1,127 @@
+#include "analysis/statements.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "scene/quantity.hpp"
+
+namespace rubatlas::analysis {
+namespace {
+
+/// Decimals as binary64: nine digits tell values apart and forgive rounding.
+bool same(double a, double b) {
+  return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
+}
+
+/// Quantities that the default rotor fixes and no axis sweeps (MODEL 6.1).
+constexpr std::array kFixed{
+    "/rotor/mass",   "/rotor/natural_frequency", "/rotor/misalignment", "/blades/count", "/blades/length",
+    "/blades/width", "/blades/youngs_modulus",   "/blades/hub_radius",  "/ring/radius"};
+
+std::string difference_from_default(const scene::Scene& scene) {
+  const scene::Scene usual;
+  const auto number = [](const scene::Value& value) {
+    return std::holds_alternative<int>(value) ? std::get<int>(value) : std::get<double>(value);
+  };
+  for (const auto* pointer : kFixed) {
+    const auto& quantity = scene::quantity(pointer);
+    const double here = number(quantity.read(scene).value());
+    const double there = number(quantity.read(usual).value());
+    if (!same(here, there)) {
+      return fmt::format("the rotor is not the paper's default one: {} is {:g}, not {:g}", pointer, here,
+                         there);
+    }
+  }
+  return {};
+}
+
+/// Value of a parameter in the default rotor (MODEL 6.1).
+double default_value(std::string_view name) {
+  for (const auto& axis : scene::grid_axes()) {
+    if (axis.name != name) continue;
+    const auto value = scene::quantity(axis.quantity).read(scene::Scene{});
+    return value ? std::get<double>(*value) : 0.0;  // an absent effect, the unbalance, is none
+  }
+  return 0.0;  // direction: up
+}
+
+}  // namespace
+
+std::string_view text(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::agrees:
+      return "agrees";
+    case Verdict::partly:
+      return "partly";
+    case Verdict::disagrees:
+      return "disagrees";
+    case Verdict::not_covered:
+      break;
+  }
+  return "not covered by this atlas";
+}
+
+Verdict Statement::verdict() const {
+  const auto count = [&](bool value) {
+    return std::ranges::count_if(findings, [=](const Finding& f) { return f.holds && *f.holds == value; });
+  };
+  const auto yes = count(true);
+  const auto no = count(false);
+  if (yes + no == 0) return Verdict::not_covered;
+  if (no == 0) return Verdict::agrees;
+  return yes == 0 ? Verdict::disagrees : Verdict::partly;
+}
+
+Evidence::Evidence(const scene::Scene& scene, std::span<const Parameter> parameters,
+                   std::span<const LineSummary> lines, bool per_passing)
+    : parameters_(parameters),
+      lines_(lines),
+      scale_(scene.blades.count),
+      per_passing_(per_passing),
+      other_rotor_(difference_from_default(scene)) {}
+
+std::size_t Evidence::position(std::string_view name) const {
+  const auto found = std::ranges::find(parameters_, name, &Parameter::name);
+  return static_cast<std::size_t>(found - parameters_.begin());
+}
+
+std::vector<const LineSummary*> Evidence::lines_along(std::string_view name) const {
+  std::vector<const LineSummary*> result;
+  if (!other_rotor_.empty()) return result;
+  for (const auto& line : lines_) {
+    bool fits = true;
+    for (std::size_t i = 0; i < parameters_.size(); ++i) {
+      fits = fits &&
+             (parameters_[i].name == name || same(line.parameters[i], default_value(parameters_[i].name)));
+    }
+    if (fits) result.push_back(&line);
+  }
+  std::ranges::stable_sort(result, {}, [&](const LineSummary* line) { return value(*line, name); });
+  return result;
+}
+
+const LineSummary* Evidence::default_line() const {
+  const auto lines = lines_along("");
+  return lines.empty() ? nullptr : lines.front();
+}
+
+double Evidence::value(const LineSummary& line, std::string_view name) const {
+  const auto i = position(name);
+  return i < line.parameters.size() ? line.parameters[i] : 0.0;
+}
+
+std::string Evidence::value_text(const LineSummary& line, std::string_view name) const {
+  const auto i = position(name);
+  return parameters_[i].text(line.parameters[i]);
+}
+
+std::vector<Statement> judge_statements(const Evidence& evidence) {
+  auto statements = judge_default_rotor(evidence);
+  std::ranges::move(judge_parameters(evidence), std::back_inserter(statements));
+  return statements;
+}
+
+}  // namespace rubatlas::analysis
