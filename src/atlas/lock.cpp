@@ -44,6 +44,12 @@ FileLock::FileLock(int descriptor, std::filesystem::path remove_at_end)
 FileLock::FileLock(FileLock&& other) noexcept
     : descriptor_(std::exchange(other.descriptor_, -1)), remove_at_end_(std::move(other.remove_at_end_)) {}
 
+FileLock& FileLock::operator=(FileLock&& other) noexcept {
+  std::swap(descriptor_, other.descriptor_);
+  std::swap(remove_at_end_, other.remove_at_end_);
+  return *this;
+}
+
 FileLock::~FileLock() {
   if (descriptor_ < 0) return;
   if (!remove_at_end_.empty()) ::unlink(remove_at_end_.c_str());

@@ -21,7 +21,7 @@ class FileLock {
   static FileLock shared_on(const std::filesystem::path& atlas);
 
   FileLock(FileLock&& other) noexcept;
-  FileLock& operator=(FileLock&&) = delete;
+  FileLock& operator=(FileLock&& other) noexcept;
   ~FileLock();
 
  private:

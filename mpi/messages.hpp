@@ -1,0 +1,50 @@
+/// What the master (rank 0) and the workers say to each other. All messages are small, so that sending never
+/// waits.
+///
+///     worker -> master   ready        nothing to do: send me a piece
+///                        report       one point is computed and written
+///     master -> worker   piece        compute these points, in order
+///                        stop         finish the point you are at, report it, then say that you are ready
+///                        leave        there is nothing left to do for you
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "solve/line_solver.hpp"
+
+namespace rubatlas::mpi {
+
+enum class Tag : std::uint8_t { ready = 1, report = 2, piece = 3, stop = 4, leave = 5 };
+
+/// Points that one rank computes one after the other: part of a line, in the order of the sweep.
+struct Piece {
+  std::uint64_t line = 0;
+  std::uint64_t first_visit = 0;
+  std::uint64_t count = 0;
+  std::uint8_t from_initial = 1;  ///< the first point starts from the scene's `initial` ...
+  solve::SectionState start{};    ///< ... else from here
+};
+
+/// One point that a rank has written, and what it cost. The rows themselves are in the atlas already.
+struct PointReport {
+  std::uint64_t line = 0;
+  std::uint64_t visit = 0;
+  solve::PointStatus status = solve::PointStatus::pending;
+  std::uint8_t stop_requested = 0;  ///< the rank got a signal
+  solve::SectionState final_state{};
+  double seconds = 0.0;
+  solve::WorkCounts work;
+};
+
+/// `ready`: the rank may be so because it got a signal and gave up its piece.
+struct Ready {
+  std::uint8_t stop_requested = 0;
+};
+
+/// `stop` and `leave` say all with their tag.
+struct Nothing {};
+
+static_assert(std::is_trivially_copyable_v<Piece> && std::is_trivially_copyable_v<PointReport>);
+
+}  // namespace rubatlas::mpi

@@ -1,0 +1,29 @@
+/// What rank 0 does before a job's first point: reads the scene, decides whether the atlas may be written,
+/// and has it ready on the disk. The other ranks wait for its verdict.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "atlas/lock.hpp"
+#include "atlas/software.hpp"
+#include "mpi/run.hpp"
+#include "scene/scene.hpp"
+
+namespace rubatlas::mpi {
+
+struct Preparation {
+  std::string scene_text;
+  std::vector<std::uint8_t> status;           ///< per point, as the atlas has it
+  std::vector<double> final_states;           ///< per point × 4
+  std::optional<atlas::FileLock> run_lock;    ///< no second run
+  std::optional<atlas::FileLock> atlas_lock;  ///< no other writer
+};
+
+/// Throws scene::SceneError, UsageError or atlas::EnvironmentError; then nothing has been changed on the
+/// disk.
+Preparation prepare(const RunOptions& options, const atlas::Software& software);
+
+}  // namespace rubatlas::mpi

@@ -1,0 +1,111 @@
+#include "mpi/progress.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace rubatlas::mpi {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kBarPeriod{200};
+constexpr milliseconds kLinePeriod{5000};
+
+/// Under mpirun stderr is a pipe; the shell's COLUMNS, if exported, is then the best there is.
+std::size_t terminal_width() {
+  winsize size{};
+  if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+  if (const char* columns = std::getenv("COLUMNS")) {
+    if (const long width = std::strtol(columns, nullptr, 10); width > 0)
+      return static_cast<std::size_t>(width);
+  }
+  return 80;
+}
+
+std::string counts(const Standing& standing) {
+  std::string text = fmt::format("{}/{} points", standing.finished, standing.total);
+  if (standing.computed > 0 && standing.seconds > 0.0) {
+    text += fmt::format("  {:.3g}/s", static_cast<double>(standing.computed) / standing.seconds);
+  }
+  if (standing.seconds_left >= 0.0) text += "  ETA " + readable_duration(standing.seconds_left);
+  if (standing.failed > 0) text += fmt::format("  {} failed", standing.failed);
+  return text;
+}
+
+void say(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
+}  // namespace
+
+std::string readable_duration(double seconds) {
+  if (seconds < 59.95) return fmt::format("{:.1f} s", seconds);
+  const auto whole = std::llround(seconds);
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
+}
+
+std::string bar_line(const Standing& standing, std::size_t width) {
+  const std::string text = counts(standing);
+  constexpr std::size_t kFrame = 4;  // "[" and "]" and two blanks
+  constexpr std::size_t kShortestBar = 10;
+  constexpr std::size_t kLongestBar = 40;
+  if (width < text.size() + kFrame + kShortestBar) return text.substr(0, width);
+  const std::size_t length = std::min(kLongestBar, width - text.size() - kFrame);
+  const std::size_t full = standing.total == 0 ? length : length * standing.finished / standing.total;
+  return fmt::format("[{:#<{}}{:.<{}}]  {}", "", full, "", length - full, text);
+}
+
+std::string plain_line(const Standing& standing) {
+  const double share = standing.total == 0
+                           ? 1.0
+                           : static_cast<double>(standing.finished) / static_cast<double>(standing.total);
+  return fmt::format("{:3.0f} %  {}", std::floor(100.0 * share), counts(standing));
+}
+
+std::string summary_line(const Standing& standing) {
+  const double rate =
+      standing.seconds > 0.0 ? static_cast<double>(standing.computed) / standing.seconds : 0.0;
+  return fmt::format("{} of {} points, {} failed; {} computed in {}, {:.3g} points/s", standing.finished,
+                     standing.total, standing.failed, standing.computed, readable_duration(standing.seconds),
+                     rate);
+}
+
+Progress::Progress(ProgressStyle style)
+    : style_(style == ProgressStyle::automatic
+                 ? (::isatty(STDERR_FILENO) != 0 ? ProgressStyle::bar : ProgressStyle::plain)
+                 : style),
+      next_(std::chrono::steady_clock::now() + (style_ == ProgressStyle::plain ? kLinePeriod : kBarPeriod)) {}
+
+bool Progress::is_due() const {
+  return style_ != ProgressStyle::off && std::chrono::steady_clock::now() >= next_;
+}
+
+void Progress::show(const Standing& standing) {
+  if (style_ == ProgressStyle::off) return;
+  next_ = std::chrono::steady_clock::now() + (style_ == ProgressStyle::plain ? kLinePeriod : kBarPeriod);
+  if (style_ == ProgressStyle::plain) return say("rubatlas: " + plain_line(standing) + "\n");
+  // The last column stays free: some terminals wrap when it is written.
+  const std::string line = bar_line(standing, terminal_width() - 1);
+  const std::size_t erased = shown_columns_ > line.size() ? shown_columns_ - line.size() : 0;
+  say("\r" + line + std::string(erased, ' '));
+  shown_columns_ = line.size();
+}
+
+void Progress::finish(const Standing& standing) {
+  if (style_ == ProgressStyle::off) return;
+  if (style_ == ProgressStyle::bar) {
+    show(standing);
+    say("\n");
+  }
+  say("rubatlas: " + summary_line(standing) + "\n");
+}
+
+}  // namespace rubatlas::mpi

@@ -1,0 +1,113 @@
+#include "mpi/run_record.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "atlas/environment_error.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+/// How the file begins and ends; between the two, one run per paragraph.
+constexpr const char* kOpening = "{\"runs\": [\n";
+constexpr const char* kClosing = "\n]}\n";
+
+std::string utc(std::chrono::system_clock::time_point time) {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(time)));
+}
+
+/// "model name" of the first processor: the kind of machine whose atlases have equal bytes.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+std::string json_texts(const std::vector<std::string>& texts) {
+  std::vector<std::string> quoted;
+  for (const auto& text : texts) quoted.push_back(json_text(text));
+  return fmt::format("[{}]", fmt::join(quoted, ", "));
+}
+
+std::string paragraph(const RunRecord& record, const atlas::Software& software) {
+  const Standing& standing = record.result.standing;
+  const solve::WorkCounts& work = record.result.work;
+  const double rate =
+      standing.seconds > 0.0 ? static_cast<double>(standing.computed) / standing.seconds : 0.0;
+  std::string text = "  {\n";
+  const auto put = [&](const char* key, const std::string& value) {
+    text += fmt::format("{}    \"{}\": {}", text.size() > 4 ? ",\n" : "", key, value);
+  };
+  put("started", json_text(utc(record.started)));
+  put("finished", json_text(utc(std::chrono::system_clock::now())));
+  put("resumed", record.resumed ? "true" : "false");
+  put("exit_code", fmt::to_string(record.exit_code));
+  put("version", json_text(software.software_version));
+  put("git_commit", json_text(software.git_commit));
+  put("compiler", json_text(software.compiler));
+  put("processor", json_text(processor()));
+  put("ranks", fmt::to_string(record.hosts.size()));
+  put("host_of_rank", json_texts(record.hosts));
+  put("points_of_rank", fmt::format("[{}]", fmt::join(record.result.points_of_rank, ", ")));
+  put("busy_seconds_of_rank", fmt::format("[{:.3f}]", fmt::join(record.result.busy_seconds_of_rank, ", ")));
+  put("points_total", fmt::to_string(standing.total));
+  put("points_finished", fmt::to_string(standing.finished));
+  put("points_failed", fmt::to_string(standing.failed));
+  put("points_computed", fmt::to_string(standing.computed));
+  put("wall_seconds", fmt::format("{:.3f}", standing.seconds));
+  put("points_per_second", fmt::format("{:.4g}", rate));
+  put("right_hand_sides", fmt::to_string(work.right_hand_sides));
+  put("steps", fmt::to_string(work.steps));
+  put("rejected_steps", fmt::to_string(work.rejected_steps));
+  put("touchdowns", fmt::to_string(work.touchdowns));
+  put("liftoffs", fmt::to_string(work.liftoffs));
+  put("slip_reversals", fmt::to_string(work.slip_reversals));
+  put("gap_evaluations", fmt::to_string(work.gap_evaluations));
+  return text + "\n  }";
+}
+
+/// The paragraphs that are there, without opening and closing; empty when the file is missing or not ours.
+std::string earlier_paragraphs(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string opening = kOpening;
+  const std::string closing = kClosing;
+  if (!text.starts_with(opening) || !text.ends_with(closing)) return {};
+  return text.substr(opening.size(), text.size() - opening.size() - closing.size());
+}
+
+}  // namespace
+
+std::string json_text(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      quoted += '\\';
+      quoted += c;
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      quoted += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + '"';
+}
+
+void write_run_record(const std::filesystem::path& atlas, const RunRecord& record,
+                      const atlas::Software& software) {
+  const std::filesystem::path path = atlas.string() + ".run.json";
+  std::string runs = record.resumed ? earlier_paragraphs(path) : std::string();
+  if (!runs.empty()) runs += ",\n";
+  runs += paragraph(record, software);
+  std::ofstream file(path);
+  file << kOpening << runs << kClosing;
+  if (!file.flush()) throw atlas::EnvironmentError(fmt::format("cannot write {}", path.string()));
+}
+
+}  // namespace rubatlas::mpi

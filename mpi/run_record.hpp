@@ -1,0 +1,30 @@
+/// `<atlas>.run.json`: whatever differs from run to run and therefore must not be in the atlas.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "atlas/software.hpp"
+#include "mpi/master.hpp"
+
+namespace rubatlas::mpi {
+
+struct RunRecord {
+  std::chrono::system_clock::time_point started;
+  std::vector<std::string> hosts;  ///< one per rank
+  bool resumed = false;
+  int exit_code = 0;
+  JobResult result;
+};
+
+/// Adds a run to the record beside an atlas; `resumed` runs join those before them, others start it anew.
+/// Throws EnvironmentError.
+void write_run_record(const std::filesystem::path& atlas, const RunRecord& record,
+                      const atlas::Software& software);
+
+/// A text between quotation marks, as JSON wants it.
+std::string json_text(const std::string& text);
+
+}  // namespace rubatlas::mpi

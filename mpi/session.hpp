@@ -1,0 +1,57 @@
+/// The job's ranks: MPI from its start to its end, or one process without MPI.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace rubatlas::mpi {
+
+class Session {
+ public:
+  /// True when a launcher (mpirun, srun) started this process. Alone, MPI is never initialised: that would
+  /// cost half a second and would need a working network stack for nothing.
+  static bool started_by_launcher();
+
+  /// Initialises MPI when started by a launcher.
+  Session();
+  /// All ranks together.
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  [[nodiscard]] int rank() const { return rank_; }
+  [[nodiscard]] int size() const { return size_; }
+  [[nodiscard]] bool is_parallel() const { return parallel_; }
+
+  /// Rank 0's value and text, on every rank.
+  [[nodiscard]] int broadcast(int value) const;
+  [[nodiscard]] std::string broadcast(const std::string& text) const;
+  /// One short text per rank, in order, on rank 0; empty elsewhere.
+  [[nodiscard]] std::vector<std::string> gather(const std::string& text) const;
+  /// Returns when all ranks are here; those that come early sleep instead of spinning.
+  void wait_for_all() const;
+  /// Ends the job on all ranks: for errors that one rank alone has met. Alone, returns.
+  void abort(int exit_code) const;
+
+ private:
+  bool parallel_ = false;
+  int rank_ = 0;
+  int size_ = 1;
+};
+
+/// What a rank does when there is nothing to do: it sleeps, longer each time, since a polling rank burns its
+/// core.
+class Nap {
+ public:
+  void take();
+  /// Something came: sleep shortly again.
+  void reset() { length_ = kShortest; }
+
+ private:
+  static constexpr std::chrono::microseconds kShortest{50};
+  static constexpr std::chrono::microseconds kLongest{5000};
+  std::chrono::microseconds length_ = kShortest;
+};
+
+}  // namespace rubatlas::mpi
