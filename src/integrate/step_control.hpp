@@ -18,7 +18,7 @@ inline double combined_error(double fifth, double third) {
 inline double step_factor(double error, int order) {
   constexpr double kSafety = 0.9;
   constexpr double kShrinkMost = 0.2;
-  constexpr double kGrowMost = 6.0;
+  constexpr double kGrowMost = 2.0;
   if (!(error > 0.0)) return kGrowMost;
   return std::clamp(kSafety * std::pow(error, -1.0 / order), kShrinkMost, kGrowMost);
 }

@@ -51,13 +51,13 @@ class ContactPhase final : public observables::MotionPiece {
   /// Starts at time τ of the revolution. False where a force cannot be found.
   bool start(double time, const State& state, const std::vector<OpenContact>& contacts) {
     contacts_ = contacts;
+    ContactState full;
+    full << state, time, kCarried ? contacts_.front().bending : 0.0;
     if constexpr (kCarried) {
-      system_.open(contacts_.front());
+      system_.open(contacts_.front(), full);
     } else {
       system_.open(contacts_);
     }
-    ContactState full;
-    full << state, time, kCarried ? contacts_.front().bending : 0.0;
     step_size_ = first_step_size_;
     first_step_ = true;
     pending_ = false;
@@ -242,9 +242,15 @@ class ContactPhase final : public observables::MotionPiece {
   /// One accepted step with its segment and event; anything but `horizon` ends the phase.
   PhaseEnd make_step() {
     if (++steps_in_phase_ > kMostStepsInPhase) return {PhaseEvent::failed};
+    if constexpr (kCarried) aim_at_lift_off();
     while (true) {
       const bool evaluated = step_.attempt(system_, step_size_);
       const double error = evaluated ? scaled_error() : std::numeric_limits<double>::infinity();
+      if (error <= 1.0 && holds_whole_contact()) {
+        ++rejected_;
+        step_size_ *= 0.5;
+        continue;
+      }
       if (error <= 1.0) {
         ++steps_;
         if (first_step_) first_step_size_ = step_size_;
@@ -267,6 +273,31 @@ class ContactPhase final : public observables::MotionPiece {
     pending_ = true;
     return {PhaseEvent::horizon};
   }
+
+  /// A step from rising load to beyond lift-off. Its error may be small at its end, but lift-off would be
+  /// read from the middle of dense output, whose order is one less.
+  [[nodiscard]] bool holds_whole_contact() const {
+    if constexpr (kCarried) {
+      return step_.end()[kBending] <= 0.0 && step_.start_derivative()[kBending] > 0.0 &&
+             step_size_ > kSmallestStep;
+    }
+    return false;
+  }
+
+  /// Lets the step that would pass lift-off end just behind it, and the two before share what is left evenly.
+  /// A step far past u = 0 is wasted, and dense output is at its best near the ends of a step.
+  void aim_at_lift_off() {
+    const double bending = step_.start()[kBending];
+    const double rate = step_.start_derivative()[kBending];
+    if (!(rate < 0.0) || !(bending > 0.0)) return;
+    const double remaining = kAimBehind * bending / -rate;
+    if (remaining <= step_size_) {
+      step_size_ = remaining;
+    } else if (remaining < 2.0 * step_size_) {
+      step_size_ = 0.5 * remaining;
+    }
+  }
+  static constexpr double kAimBehind = 1.05;
 
   /// Moves the bending parameter back onto h = 0 by one Newton step, where h determines it well.
   void project() {

@@ -55,7 +55,15 @@ class CarriedContact {
                  const Forcing& forcing)
       : rotor_(&rotor), blades_(&blades), law_(&law), forcing_(&forcing) {}
 
-  void open(const OpenContact& contact) { contact_ = contact; }
+  /// Opens the contact in a state. The unit of σ is set so that it is the arc in the plane (τ, u) there: u
+  /// where the blade touches, τ where it bends most.
+  void open(const OpenContact& contact, const ContactState& state) {
+    contact_ = contact;
+    const contact::BladeDirection er = blades_->direction(contact_.blade, blades_->first(state[kTime]));
+    const contact::Pose pose = pose_of(*rotor_, law_->geometry(), er, state.head<4>());
+    const auto there = law_->constraint(pose, contact_.slip, state[kBending], rotor_->speed_ratio);
+    scale_ = 1.0 / std::hypot(there.bending_slope, there.time_slope);
+  }
 
   bool operator()(const ContactState& state, ContactState& derivative) {
     ++evaluations_;
@@ -65,11 +73,9 @@ class CarriedContact {
     acceleration_ = acceleration(*rotor_, *forcing_, state,
                                  last_.force.radial * er.cosine - last_.force.tangential * er.sine,
                                  last_.force.radial * er.sine + last_.force.tangential * er.cosine);
-    const double scale =
-        1.0 / std::sqrt(last_.bending_slope * last_.bending_slope + last_.time_slope * last_.time_slope);
-    const double time_rate = -scale * last_.bending_slope;
+    const double time_rate = -scale_ * last_.bending_slope;
     derivative << time_rate * state[2], time_rate * state[3], time_rate * acceleration_.real(),
-        time_rate * acceleration_.imag(), time_rate, scale * last_.time_slope;
+        time_rate * acceleration_.imag(), time_rate, scale_ * last_.time_slope;
     return true;
   }
 
@@ -84,6 +90,7 @@ class CarriedContact {
   const contact::ElasticaContact* law_;
   const Forcing* forcing_;
   OpenContact contact_{};
+  double scale_ = 1.0;  ///< unit of σ against the rates of h [1/m²]
   contact::ElasticaContact::Constraint last_{};
   std::complex<double> acceleration_;
   std::uint64_t evaluations_ = 0;
