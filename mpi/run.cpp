@@ -12,6 +12,7 @@
 
 #include "atlas/atlas_writer.hpp"
 #include "mpi/exit_code.hpp"
+#include "mpi/failure.hpp"
 #include "mpi/mailbox.hpp"
 #include "mpi/master.hpp"
 #include "mpi/point_runner.hpp"
@@ -27,22 +28,6 @@
 
 namespace rubatlas::mpi {
 namespace {
-
-/// The message and the exit code of what has been thrown.
-int report_failure(const std::exception_ptr& failure) {
-  try {
-    std::rethrow_exception(failure);
-  } catch (const scene::SceneError& error) {
-    fmt::print(stderr, "rubatlas: {}\n", error.what());
-    return exit_code::kUsage;
-  } catch (const UsageError& error) {
-    fmt::print(stderr, "rubatlas: {}\n", error.what());
-    return exit_code::kUsage;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "rubatlas: {}\n", error.what());
-  }
-  return exit_code::kEnvironment;
-}
 
 std::string host_name() {
   std::array<char, 256> name{};
