@@ -50,7 +50,7 @@ double default_value(std::string_view name) {
 
 }  // namespace
 
-std::string_view text(Verdict verdict) {
+std::string_view text_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::agrees:
       return "agrees";
@@ -61,7 +61,7 @@ std::string_view text(Verdict verdict) {
     case Verdict::not_covered:
       break;
   }
-  return "not covered by this atlas";
+  return "not covered";
 }
 
 Verdict Statement::verdict() const {

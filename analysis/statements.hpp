@@ -31,7 +31,7 @@ constexpr double kPeriodicShare = 0.05;
 constexpr double kSmall = 0.1;
 
 enum class Verdict : std::uint8_t { not_covered, agrees, partly, disagrees };
-[[nodiscard]] std::string_view text(Verdict verdict);
+[[nodiscard]] std::string_view text_of(Verdict verdict);
 
 /// One claim of a statement; no value: the atlas does not cover it.
 struct Finding {

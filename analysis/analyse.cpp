@@ -1,0 +1,136 @@
+#include "analysis/analyse.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "analysis/maps_file.hpp"
+#include "analysis/report.hpp"
+#include "atlas/environment_error.hpp"
+#include "scene/reader.hpp"
+
+namespace rubatlas::analysis {
+namespace {
+
+constexpr std::uint8_t kDone = 1;
+/// Displacements below this share of the clearance count as equally small (find_triggers).
+constexpr double kNegligible = 1e-6;
+/// Integrator's tolerances that the closing distance of a periodic orbit may have.
+constexpr double kIntegratorTolerances = 100.0;
+
+/// δc, or L/10 where δc is zero [m]: what the integrator's tolerance is relative to.
+double length_scale(const scene::Scene& scene) {
+  return scene.clearance() > 0.0 ? scene.clearance() : 0.1 * scene.blades.length;
+}
+
+/// Class of every point of a line from one of its datasets of sections.
+std::vector<std::uint8_t> classes_of_line(const atlas::AtlasReader& atlas, const std::string& sections,
+                                          std::span<const std::uint8_t> status, std::size_t line,
+                                          const ClosingTolerance& tolerance) {
+  const auto rows = atlas.line_rows(sections, line);
+  const std::size_t row_size = rows.size() / status.size();
+  std::vector<std::uint8_t> classes(status.size(), motion_class::kNone);
+  for (std::size_t i = 0; i < status.size(); ++i) {
+    if (status[i] == kDone) classes[i] = classify(std::span(rows).subspan(i * row_size, row_size), tolerance);
+  }
+  return classes;
+}
+
+std::vector<double> displacements_of_line(const atlas::AtlasReader& atlas,
+                                          std::span<const std::uint8_t> status, std::size_t line) {
+  if (!atlas.has("max_displacement")) return std::vector<double>(status.size(), kNotANumber);
+  auto rows = atlas.line_rows("max_displacement", line);
+  for (std::size_t i = 0; i < status.size(); ++i) {
+    if (status[i] != kDone) rows[i] = kNotANumber;
+  }
+  return rows;
+}
+
+/// Parameters of a line, one per axis but the last.
+std::vector<double> parameters_of_line(std::span<const plan::Axis> axes, std::size_t line) {
+  std::vector<double> values(axes.size() - 1);
+  for (std::size_t i = axes.size() - 1; i-- > 0;) {
+    const auto extent = axes[i].values.size();
+    values[i] = axes[i].values[line % extent];
+    line /= extent;
+  }
+  return values;
+}
+
+template <typename T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+void refuse_to_replace_the_atlas(const std::filesystem::path& atlas, const std::filesystem::path& written) {
+  std::error_code ignored;
+  if (std::filesystem::equivalent(atlas, written, ignored)) {
+    throw scene::SceneError(written.string() + ": this is the atlas itself; give the result another name");
+  }
+}
+
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream file(path);
+  file << text;
+  file.close();
+  if (!file) throw atlas::EnvironmentError(path.string() + ": the table cannot be written");
+}
+
+}  // namespace
+
+Findings examine(const atlas::AtlasReader& atlas) {
+  Findings found;
+  found.scene = scene::parse_scene(atlas.scene_resolved(), "scene_resolved");
+  found.axes = atlas.axes();
+  found.parameters = parameters_of(found.axes);
+  const double scale_length = length_scale(found.scene);
+  found.tolerance.floor = kIntegratorTolerances * found.scene.accuracy.tolerance * scale_length;
+  found.has_sections = atlas.has("poincare");
+  const bool per_passing = atlas.has("poincare_blade_passing");
+  const SpeedScale scale(found.scene.blades.count);
+
+  const auto status = atlas.status();
+  for (const auto value : status) ++found.status_count.at(value);
+  const std::size_t speeds = atlas.speed_count();
+  for (std::size_t line = 0; line * speeds < status.size(); ++line) {
+    const auto line_status = std::span(status).subspan(line * speeds, speeds);
+    Line points{.speed_ratio = found.axes.back().values,
+                .motion = std::vector<std::uint8_t>(speeds, motion_class::kNone),
+                .motion_per_passing = {},
+                .max_displacement = displacements_of_line(atlas, line_status, line)};
+    if (found.has_sections) {
+      points.motion = classes_of_line(atlas, "poincare", line_status, line, found.tolerance);
+    }
+    if (per_passing) {
+      points.motion_per_passing =
+          classes_of_line(atlas, "poincare_blade_passing", line_status, line, found.tolerance);
+    }
+    append(found.motion, points.motion);
+    append(found.motion_per_passing, points.motion_per_passing);
+    if (atlas.has("max_displacement")) append(found.max_displacement, points.max_displacement);
+    found.lines.push_back(
+        summarise(points, parameters_of_line(found.axes, line), scale, kNegligible * scale_length));
+  }
+  found.sensitivities = sensitivities(found.parameters, found.lines, scale);
+  found.statements = judge_statements(Evidence(found.scene, found.parameters, found.lines, per_passing));
+  return found;
+}
+
+void analyse(const std::filesystem::path& atlas, const std::filesystem::path& maps,
+             const std::optional<std::filesystem::path>& table) {
+  refuse_to_replace_the_atlas(atlas, maps);
+  if (table) refuse_to_replace_the_atlas(atlas, *table);
+  const atlas::AtlasReader reader(atlas);
+  const auto found = examine(reader);
+  write_maps(maps, found, reader, atlas.filename().string());
+  if (table) write_text(*table, markdown_report(found));
+  const auto text = plain_report(found);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  std::fflush(stdout);
+}
+
+}  // namespace rubatlas::analysis

@@ -1,0 +1,36 @@
+/// Everything that the analysis of one atlas finds: what the text, the Markdown and MAPS.h5 are written from.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "analysis/class.hpp"
+#include "analysis/line_summary.hpp"
+#include "analysis/parameter.hpp"
+#include "analysis/sensitivity.hpp"
+#include "analysis/statements.hpp"
+#include "plan/grid.hpp"
+#include "scene/scene.hpp"
+
+namespace rubatlas::analysis {
+
+struct Findings {
+  scene::Scene scene;
+  std::vector<plan::Axis> axes;  ///< of the atlas, `speed_ratio` last
+  std::vector<Parameter> parameters;
+  ClosingTolerance tolerance;
+  std::array<std::size_t, 4> status_count{};  ///< points pending, done, left validity, integrator failed
+  std::vector<std::uint8_t> motion;           ///< class per revolution, one per point
+  std::vector<std::uint8_t>
+      motion_per_passing;                ///< class per blade passing; empty where there are no sections
+  std::vector<double> max_displacement;  ///< [m] one per point; empty where the atlas has none
+  bool has_sections = false;             ///< the atlas keeps `poincare`
+  std::vector<LineSummary> lines;
+  std::vector<Sensitivity> sensitivities;
+  std::vector<Statement> statements;
+};
+
+}  // namespace rubatlas::analysis

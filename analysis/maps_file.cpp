@@ -1,0 +1,265 @@
+#include "analysis/maps_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <functional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "atlas/hdf5.hpp"
+#include "atlas/publish.hpp"
+#include "atlas/software.hpp"
+
+namespace rubatlas::analysis {
+namespace {
+
+using atlas::Dataset;
+using atlas::File;
+using atlas::Shape;
+
+/// The build that wrote the atlas: the maps are a function of it and of this version's rules.
+atlas::Software software_of(const File& atlas) {
+  const auto root = atlas.root();
+  return {root.text("software"), root.text("software_version"), root.text("git_commit"),
+          root.text("compiler")};
+}
+
+Dataset create_scale(File& file, const std::string& path, const std::string& name, std::size_t size,
+                     const std::string& long_name) {
+  Dataset scale = file.create_dataset<std::int32_t>(path, {size});
+  std::vector<std::int32_t> numbers(size);
+  for (std::size_t i = 0; i < size; ++i) numbers[i] = static_cast<std::int32_t>(i);
+  scale.write<std::int32_t>(numbers);
+  scale.make_scale(name);
+  scale.set_text("units", "1");
+  scale.set_text("long_name", long_name);
+  return scale;
+}
+
+std::vector<Dataset> create_axes(File& file, std::span<const plan::Axis> axes) {
+  std::vector<Dataset> scales;
+  for (const auto& axis : axes) {
+    Dataset scale = file.create_dataset<double>(axis.name, {axis.values.size()});
+    scale.write<double>(axis.values);
+    scale.make_scale(axis.name);
+    scale.set_text("units", axis.units);
+    scale.set_text("long_name", axis.long_name);
+    scales.push_back(std::move(scale));
+  }
+  return scales;
+}
+
+void create_class(File& file, const std::string& name, const std::string& sections, const Findings& found,
+                  std::span<const std::uint8_t> motion, const Shape& shape, std::span<const Dataset> axes) {
+  Dataset dataset = file.create_dataset<std::uint8_t>(name, shape);
+  dataset.write<std::uint8_t>(motion);
+  for (std::size_t i = 0; i < axes.size(); ++i) dataset.attach_scale(i, axes[i]);
+  std::vector<std::uint8_t> values{motion_class::kNone};
+  std::vector<std::string> meanings{"none"};
+  for (std::uint8_t period = 1; period <= motion_class::kLongestPeriod; ++period) {
+    values.push_back(period);
+    meanings.push_back(fmt::format("period_{}", period));
+  }
+  values.insert(values.end(), {motion_class::kUnresolved, motion_class::kAperiodic});
+  meanings.insert(meanings.end(), {"unresolved", "aperiodic"});
+  dataset.set_numbers<std::uint8_t>("flag_values", values);
+  dataset.set_text("flag_meanings", fmt::format("{}", fmt::join(meanings, " ")));
+  dataset.set_text("long_name", "class of the motion: its period in " + sections);
+  dataset.set_text("units", "1");
+  dataset.set_text(
+      "tolerance",
+      "sections repeat within max(relative_tolerance * size of the orbit, absolute_tolerance); distance: "
+      "Euclidean norm over x, y, vx, vy; size: largest norm of a sampled section state; unresolved: the "
+      "orbit closes within unresolved_factor tolerances, or differs between the two halves of the record");
+  dataset.set_number("relative_tolerance", found.tolerance.relative);
+  dataset.set_number("absolute_tolerance", found.tolerance.floor);
+  dataset.set_number("unresolved_factor", kUnresolvedFactor);
+}
+
+/// One column of the table of lines.
+struct Column {
+  std::string name;
+  std::string units;
+  std::string long_name;
+  std::function<double(const LineSummary&)> value;
+};
+
+std::vector<Column> columns_of(const Findings& found) {
+  std::vector<Column> columns;
+  for (std::size_t i = 0; i < found.parameters.size(); ++i) {
+    columns.push_back({found.axes[i].name, found.axes[i].units, found.axes[i].long_name,
+                       [i](const LineSummary& line) { return line.parameters[i]; }});
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto add = [&](const char* name, const char* units, const char* meaning, double Region::*member) {
+      columns.push_back({fmt::format("region_{}_{}", i + 1, name), units,
+                         fmt::format("region {}: {}", i + 1, meaning),
+                         [i, member](const LineSummary& line) { return line.regions[i].*member; }});
+    };
+    add("from", "1", "first speed ratio; NaN unless present", &Region::from);
+    add("to", "1", "last speed ratio; NaN unless present", &Region::to);
+    add("aperiodic_share", "1", "share of aperiodic points among the periodic and aperiodic ones",
+        &Region::aperiodic_share);
+    add("peak_displacement", "m", "largest displacement", &Region::peak_displacement);
+    add("median_displacement", "m", "median of the largest displacements", &Region::median_displacement);
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto add = [&](const char* name, const char* units, const char* meaning, auto value) {
+      columns.push_back({fmt::format("trigger_{}_{}", i + 1, name), units,
+                         fmt::format("trigger {}: {}", i + 1, meaning),
+                         [i, value](const LineSummary& line) { return value(line.triggers[i]); }});
+    };
+    add("speed_ratio", "1", "speed ratio; NaN unless present",
+        [](const Trigger& t) { return t.speed_ratio; });
+    add("rise", "m", "growth of the displacement across it", [](const Trigger& t) { return t.rise(); });
+    add("ratio", "1", "displacement above over displacement below",
+        [](const Trigger& t) { return t.ratio(); });
+  }
+  return columns;
+}
+
+void create_presence(File& file, const std::string& name, const std::string& long_name,
+                     const Dataset& line_scale, std::span<const std::uint8_t> values) {
+  Dataset dataset = file.create_dataset<std::uint8_t>("table1/" + name, {values.size()});
+  dataset.write<std::uint8_t>(values);
+  dataset.attach_scale(0, line_scale);
+  const std::vector<std::uint8_t> flags{0, 1, 2, 3};
+  dataset.set_numbers<std::uint8_t>("flag_values", flags);
+  dataset.set_text("flag_meanings", "not_covered absent present merged_with_region_2");
+  dataset.set_text("long_name", long_name);
+}
+
+void create_table(File& file, const Findings& found) {
+  auto group = file.create_group("table1");
+  group.set_text("long_name", "regions and triggers, one row per line of the atlas");
+  const Dataset scale = create_scale(file, "table1/line", "line", found.lines.size(),
+                                     "number of the line in the atlas, C order");
+  for (const auto& column : columns_of(found)) {
+    std::vector<double> values;
+    for (const auto& line : found.lines) values.push_back(column.value(line));
+    Dataset dataset = file.create_dataset<double>("table1/" + column.name, {values.size()});
+    dataset.write<double>(values);
+    dataset.attach_scale(0, scale);
+    dataset.set_text("units", column.units);
+    dataset.set_text("long_name", column.long_name);
+  }
+  std::vector<std::uint8_t> presence(found.lines.size());
+  const auto create = [&](const std::string& name, const std::string& long_name, auto presence_of) {
+    for (std::size_t i = 0; i < presence.size(); ++i) {
+      presence[i] = static_cast<std::uint8_t>(presence_of(found.lines[i]));
+    }
+    create_presence(file, name, long_name, scale, presence);
+  };
+  for (std::size_t i = 0; i < 4; ++i) {
+    create(fmt::format("region_{}_presence", i + 1), fmt::format("whether region {} is there", i + 1),
+           [i](const LineSummary& line) { return line.regions[i].presence; });
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    create(fmt::format("trigger_{}_presence", i + 1), fmt::format("whether trigger {} is there", i + 1),
+           [i](const LineSummary& line) { return line.triggers[i].presence; });
+  }
+}
+
+void create_texts(File& file, const std::string& path, const Dataset& scale, const std::string& long_name,
+                  const std::vector<std::string>& texts) {
+  Dataset dataset = file.create_texts(path, texts);
+  dataset.attach_scale(0, scale);
+  dataset.set_text("long_name", long_name);
+}
+
+void create_effects(File& file, const Findings& found) {
+  std::vector<std::string> parameters;
+  std::vector<std::string> held;
+  std::vector<std::string> subjects;
+  std::vector<std::string> effects;
+  for (const auto& sensitivity : found.sensitivities) {
+    for (const auto& effect : sensitivity.effects) {
+      parameters.push_back(found.parameters[sensitivity.parameter].name);
+      held.push_back(sensitivity.held);
+      subjects.push_back(effect.subject);
+      effects.push_back(effect.text);
+    }
+  }
+  if (effects.empty()) return;
+  auto group = file.create_group("effects");
+  group.set_text("long_name", "what happens to each region and trigger as one parameter grows");
+  const Dataset scale =
+      create_scale(file, "effects/effect", "effect", effects.size(), "number of the effect");
+  create_texts(file, "effects/parameter", scale, "parameter that grows", parameters);
+  create_texts(file, "effects/held", scale, "the other parameters", held);
+  create_texts(file, "effects/subject", scale, "region or trigger", subjects);
+  create_texts(file, "effects/text", scale, "what happens to it", effects);
+}
+
+void create_statements(File& file, const Findings& found) {
+  std::vector<std::string> names;
+  std::vector<std::string> claims;
+  std::vector<std::string> evidence;
+  std::vector<std::uint8_t> verdicts;
+  for (const auto& statement : found.statements) {
+    names.emplace_back(statement.name);
+    claims.emplace_back(statement.claim);
+    verdicts.push_back(static_cast<std::uint8_t>(statement.verdict()));
+    std::vector<std::string> texts;
+    for (const auto& finding : statement.findings) {
+      const char* mark = !finding.holds ? "not covered" : *finding.holds ? "yes" : "no";
+      texts.push_back(fmt::format("{}: {}", mark, finding.evidence));
+    }
+    evidence.push_back(fmt::format("{}", fmt::join(texts, "; ")));
+  }
+  auto group = file.create_group("statements");
+  group.set_text("long_name", "the paper's statements about its default rotor, judged on this atlas");
+  const Dataset scale =
+      create_scale(file, "statements/statement", "statement", names.size(), "number of the statement");
+  create_texts(file, "statements/name", scale, "name of the statement (MODEL 6.3)", names);
+  create_texts(file, "statements/claim", scale, "the statement, in short", claims);
+  create_texts(file, "statements/evidence", scale, "what the verdict rests on", evidence);
+  Dataset verdict = file.create_dataset<std::uint8_t>("statements/verdict", {verdicts.size()});
+  verdict.write<std::uint8_t>(verdicts);
+  verdict.attach_scale(0, scale);
+  const std::vector<std::uint8_t> flags{0, 1, 2, 3};
+  verdict.set_numbers<std::uint8_t>("flag_values", flags);
+  verdict.set_text("flag_meanings", "not_covered agrees partly disagrees");
+  verdict.set_text("long_name", "verdict");
+}
+
+void create_displacement(File& file, const Findings& found, const Shape& shape,
+                         std::span<const Dataset> axes) {
+  Dataset dataset = file.create_dataset<double>("max_displacement", shape);
+  dataset.write<double>(found.max_displacement);
+  for (std::size_t i = 0; i < axes.size(); ++i) dataset.attach_scale(i, axes[i]);
+  dataset.set_text("units", "m");
+  dataset.set_text("long_name", "largest displacement, as in the atlas; NaN where the point is not done");
+}
+
+}  // namespace
+
+void write_maps(const std::filesystem::path& path, const Findings& found, const atlas::AtlasReader& atlas,
+                const std::string& atlas_name) {
+  File file = File::create(atlas::unpublished_name(path));
+  {
+    auto root = file.root();
+    atlas::write_provenance(std::move(root), software_of(atlas.file()), found.scene.title);
+    auto again = file.root();
+    again.set_text("atlas", atlas_name);
+    file.create_text("scene_resolved", atlas.scene_resolved())
+        .set_text("long_name", "the scene of the atlas, with every default and every axis value written out");
+    const auto shape = atlas.shape();
+    const auto axes = create_axes(file, found.axes);
+    create_class(file, "class", "revolutions", found, found.motion, shape, axes);
+    if (!found.motion_per_passing.empty()) {
+      create_class(file, "class_blade_passing", "blade passings", found, found.motion_per_passing, shape,
+                   axes);
+    }
+    if (!found.max_displacement.empty()) create_displacement(file, found, shape, axes);
+    create_table(file, found);
+    create_effects(file, found);
+    create_statements(file, found);
+  }
+  file.close();
+  atlas::publish(path);
+}
+
+}  // namespace rubatlas::analysis

@@ -1,0 +1,109 @@
+#include "analysis/report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "analysis/report_parts.hpp"
+#include "analysis/text_layout.hpp"
+
+namespace rubatlas::analysis {
+namespace {
+
+constexpr std::size_t kColumns = 110;
+constexpr std::string_view kTableKey =
+    "Regions: first and last Ω, aperiodic share, peak displacement. Triggers: Ω, rise of the displacement in "
+    "mm and "
+    "as a ratio.";
+constexpr std::string_view kStatementsKey = "+ found, - not found, ? not covered by this atlas";
+
+std::string plain_table(const Findings& found) {
+  const auto header = table_header(found);
+  const auto rows = table_rows(found);
+  std::vector<std::size_t> widths;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    std::size_t width = character_count(header[i]);
+    for (const auto& row : rows) {
+      width = std::max({width, character_count(row[i].first), character_count(row[i].second)});
+    }
+    widths.push_back(width == 0 ? 0 : width + 2);
+  }
+  std::string text;
+  const auto add_line = [&](const auto& cell_text) {
+    std::string line;
+    for (std::size_t i = 0; i < header.size(); ++i) {
+      if (widths[i] > 0) line += padded(cell_text(i), widths[i]);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  };
+  add_line([&](std::size_t i) { return std::string_view(header[i]); });
+  for (const auto& row : rows) {
+    add_line([&](std::size_t i) { return std::string_view(row[i].first); });
+    add_line([&](std::size_t i) { return std::string_view(row[i].second); });
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string plain_report(const Findings& found) {
+  std::string text = found.scene.title.empty() ? std::string{} : found.scene.title + "\n\n";
+  for (const auto& fact : facts(found)) text += paragraph("", fact, 2, kColumns);
+  text += "\nREGIONS AND TRIGGERS\n" + paragraph("", kTableKey, 2, kColumns) + "\n" + plain_table(found);
+  for (const auto& sensitivity : found.sensitivities) {
+    text += fmt::format("\n{}\n", heading(found, sensitivity));
+    for (const auto& effect : sensitivity.effects) {
+      text += paragraph(fmt::format("  {}", effect.subject), effect.text, 13, kColumns);
+    }
+  }
+  text += fmt::format("\nTHE PAPER'S STATEMENTS, contact law {}\n", contact_law(found.scene));
+  text += paragraph("", kStatementsKey, 2, kColumns) + "\n";
+  for (const auto& statement : found.statements) {
+    text += paragraph(fmt::format("  {}  {}", statement.name, text_of(statement.verdict())), statement.claim,
+                      17, kColumns);
+    for (const auto& finding : statement.findings) {
+      text += paragraph(fmt::format("                 {}", mark(finding)), finding.evidence, 20, kColumns);
+    }
+  }
+  return text;
+}
+
+std::string markdown_report(const Findings& found) {
+  std::string text =
+      fmt::format("# {}\n\n", found.scene.title.empty() ? "Regions and triggers" : found.scene.title);
+  for (const auto& fact : facts(found)) text += fmt::format("- {}\n", fact);
+  text += fmt::format("\n## Regions and triggers\n\n{}\n\n", kTableKey);
+  const auto header = table_header(found);
+  text += fmt::format("| {} |\n|", fmt::join(header, " | "));
+  for (std::size_t i = 0; i < header.size(); ++i) text += "---|";
+  text += "\n";
+  for (const auto& row : table_rows(found)) {
+    text += "|";
+    for (const auto& cell : row) {
+      text += fmt::format(" {}{}{} |", cell.first, cell.second.empty() ? "" : "<br>", cell.second);
+    }
+    text += "\n";
+  }
+  for (const auto& sensitivity : found.sensitivities) {
+    text += fmt::format("\n## {}\n\n| | what happens |\n|---|---|\n", heading(found, sensitivity));
+    for (const auto& effect : sensitivity.effects) {
+      text += fmt::format("| {} | {} |\n", effect.subject, effect.text);
+    }
+  }
+  text += fmt::format("\n## The paper's statements, contact law {}\n\n{}\n\n", contact_law(found.scene),
+                      kStatementsKey);
+  text += "| | statement | verdict | evidence |\n|---|---|---|---|\n";
+  for (const auto& statement : found.statements) {
+    std::vector<std::string> evidence;
+    for (const auto& finding : statement.findings) {
+      evidence.push_back(fmt::format("{} {}", mark(finding), finding.evidence));
+    }
+    text += fmt::format("| {} | {} | {} | {} |\n", statement.name, statement.claim,
+                        text_of(statement.verdict()), fmt::join(evidence, "<br>"));
+  }
+  return text;
+}
+
+}  // namespace rubatlas::analysis

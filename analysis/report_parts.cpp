@@ -1,0 +1,167 @@
+#include "analysis/report_parts.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+
+namespace rubatlas::analysis {
+namespace {
+
+std::string axis_text(const Parameter& parameter) {
+  if (parameter.values.size() == 1) return parameter.text(parameter.values.front());
+  std::vector<std::string> values;
+  for (const double value : parameter.values) values.push_back(parameter.value_text(value));
+  return fmt::format("{} = {}", parameter.symbol, fmt::join(values, ", "));
+}
+
+std::string grid_text(const Findings& found) {
+  const auto& speeds = found.axes.back().values;
+  std::vector<std::string> parts{
+      speeds.size() == 1
+          ? fmt::format("Ω = {:g}", speeds.front())
+          : fmt::format("Ω from {:g} to {:g} ({} values)", speeds.front(), speeds.back(), speeds.size())};
+  for (const auto& parameter : found.parameters) parts.push_back(axis_text(parameter));
+  return fmt::format("Grid: {}.", fmt::join(parts, "; "));
+}
+
+std::string points_text(const Findings& found) {
+  const auto& [pending, done, left, failed] = found.status_count;
+  std::vector<std::string> parts{fmt::format("{} of {} done", done, pending + done + left + failed)};
+  if (pending > 0) parts.push_back(fmt::format("{} pending", pending));
+  if (left > 0) parts.push_back(fmt::format("{} left the model's validity", left));
+  if (failed > 0) parts.push_back(fmt::format("{} failed in the integrator", failed));
+  return fmt::format("Points: {}.", fmt::join(parts, ", "));
+}
+
+std::string class_name(std::uint8_t motion) {
+  if (motion == motion_class::kAperiodic) return "aperiodic";
+  if (motion == motion_class::kUnresolved) return "unresolved";
+  return fmt::format("period {}", motion);
+}
+
+std::string classes_text(std::span<const std::uint8_t> motion, std::string_view sections) {
+  std::map<std::uint8_t, std::size_t> counts;
+  for (const auto value : motion) {
+    if (value != motion_class::kNone) ++counts[value];
+  }
+  std::size_t total = 0;
+  for (const auto& [value, count] : counts) total += count;
+  std::vector<std::string> parts;
+  std::size_t rare = 0;
+  for (const auto& [value, count] : counts) {
+    const double percent = 100.0 * static_cast<double>(count) / static_cast<double>(total);
+    if (percent < 1.0 && is_periodic(value)) {
+      rare += count;
+      continue;
+    }
+    parts.push_back(fmt::format("{} {:.1f} %", class_name(value), percent));
+  }
+  if (rare > 0) {
+    parts.push_back(fmt::format("other periods {:.1f} %",
+                                100.0 * static_cast<double>(rare) / static_cast<double>(total)));
+  }
+  return fmt::format("Motion per {}: {}.", sections,
+                     parts.empty() ? "no classes" : fmt::format("{}", fmt::join(parts, ", ")));
+}
+
+std::string_view absence(Presence presence) {
+  switch (presence) {
+    case Presence::absent:
+      return "absent";
+    case Presence::merged:
+      return "merged with 2";
+    default:
+      return "not covered";
+  }
+}
+
+Cell region_cell(const Region& region) {
+  if (!region.present()) return {std::string(absence(region.presence)), {}};
+  return {fmt::format("{:.3f}-{:.3f}", region.from, region.to),
+          fmt::format("{:.0f} %, {}", 100.0 * region.aperiodic_share, millimetres(region.peak_displacement))};
+}
+
+Cell trigger_cell(const Trigger& trigger) {
+  if (trigger.presence != Presence::present) return {std::string(absence(trigger.presence)), {}};
+  return {fmt::format("{:.3f}", trigger.speed_ratio),
+          fmt::format("+{} ×{:.3g}", millimetres(trigger.rise()), trigger.ratio())};
+}
+
+/// Parameters that tell the lines of the atlas apart.
+std::vector<std::size_t> swept(const Findings& found) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < found.parameters.size(); ++i) {
+    if (found.parameters[i].values.size() > 1) result.push_back(i);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string contact_law(const scene::Scene& scene) {
+  if (scene.contact.law == scene::ContactLaw::elastica) return "elastica";
+  return fmt::format("elastic_ring, {:g} N/m", scene.ring.stiffness);
+}
+
+std::vector<std::string> facts(const Findings& found) {
+  std::vector<std::string> sentences;
+  const bool elastica = found.scene.contact.law == scene::ContactLaw::elastica;
+  sentences.push_back(fmt::format("Contact law: {} ({}); {} blades.", contact_law(found.scene),
+                                  elastica ? "elastic blades, stiff ring" : "rigid blades, yielding ring",
+                                  found.scene.blades.count));
+  sentences.push_back(grid_text(found));
+  sentences.push_back(points_text(found));
+  if (found.has_sections) {
+    sentences.push_back(classes_text(found.motion, "revolution"));
+  } else {
+    sentences.emplace_back("The atlas has no `poincare`: no classes, and no regions.");
+  }
+  if (!found.motion_per_passing.empty()) {
+    sentences.push_back(classes_text(found.motion_per_passing, "blade passing"));
+  }
+  if (found.max_displacement.empty()) {
+    sentences.emplace_back("The atlas has no `max_displacement`: no triggers, and no displacements.");
+  }
+  return sentences;
+}
+
+std::vector<std::string> table_header(const Findings& found) {
+  std::vector<std::string> symbols;
+  for (const auto i : swept(found)) symbols.push_back(found.parameters[i].symbol);
+  return {fmt::format("{}", fmt::join(symbols, ", ")),
+          "region 1",
+          "trigger 1",
+          "region 2",
+          "region 3",
+          "trigger 2",
+          "region 4"};
+}
+
+std::vector<std::vector<Cell>> table_rows(const Findings& found) {
+  std::vector<std::vector<Cell>> rows;
+  for (const auto& line : found.lines) {
+    std::vector<std::string> values;
+    for (const auto i : swept(found)) values.push_back(found.parameters[i].value_text(line.parameters[i]));
+    rows.push_back({{fmt::format("{}", fmt::join(values, ", ")), {}},
+                    region_cell(line.regions[0]),
+                    trigger_cell(line.triggers[0]),
+                    region_cell(line.regions[1]),
+                    region_cell(line.regions[2]),
+                    trigger_cell(line.triggers[1]),
+                    region_cell(line.regions[3])});
+  }
+  return rows;
+}
+
+std::string heading(const Findings& found, const Sensitivity& sensitivity) {
+  return fmt::format("As {} grows ({})", found.parameters[sensitivity.parameter].symbol, sensitivity.held);
+}
+
+std::string_view mark(const Finding& finding) {
+  if (!finding.holds) return "?";
+  return *finding.holds ? "+" : "-";
+}
+
+}  // namespace rubatlas::analysis

@@ -1,0 +1,34 @@
+/// What the plain text and the Markdown have in common: sentences and table cells, without any layout.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/findings.hpp"
+
+namespace rubatlas::analysis {
+
+/// Short sentences on what was examined: contact law, grid, points, classes.
+std::vector<std::string> facts(const Findings& found);
+
+/// The table of regions and triggers: one row per line, a cell for the parameters and one per region and
+/// trigger along Ω. A cell has two lines of text.
+struct Cell {
+  std::string first;
+  std::string second;
+};
+std::vector<std::string> table_header(const Findings& found);
+std::vector<std::vector<Cell>> table_rows(const Findings& found);
+
+/// "As ζ grows (μ = 0.1, me = 0 kg m, h = 1 mm)".
+std::string heading(const Findings& found, const Sensitivity& sensitivity);
+
+/// "+", "-" or "?": a finding that holds, does not, or is not covered.
+std::string_view mark(const Finding& finding);
+
+/// "elastica" or "elastic_ring, 10000 N/m".
+std::string contact_law(const scene::Scene& scene);
+
+}  // namespace rubatlas::analysis
