@@ -1,0 +1,106 @@
+#include "mpi/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+
+#include "mpi/exit_code.hpp"
+#include "mpi/version.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+constexpr const char* kExamples = R"(
+Examples:
+  mpirun -n 4 rubatlas run jobs/damping.json -o damping.h5       an atlas on four cores
+  rubatlas run jobs/quick.json -o quick.h5                       the same bytes without mpirun, on one
+  mpirun -n 4 rubatlas run jobs/damping.json -o damping.h5 --resume
+                                                                 what a stopped run has left open
+  rubatlas explain jobs/damping.json                             effects, grid, bytes and time beforehand
+  rubatlas orbit jobs/rig.json --at speed_ratio=0.304 -o orbit.h5
+  rubatlas orbit jobs/damping.json --at speed_ratio=0.5,damping_ratio=0.1 --from damping.h5 -o orbit.h5
+  rubatlas analyse damping.h5 -o maps.h5 --table table.md        regions, triggers and sensitivities
+
+Exit codes: 0 done; 1 done, but some points left the model or could not be integrated; 2 wrong call or scene;
+3 disk, files or MPI refused; 75 stopped on request, --resume goes on.
+)";
+
+const std::map<std::string, ProgressStyle> kProgressStyles{{"auto", ProgressStyle::automatic},
+                                                           {"bar", ProgressStyle::bar},
+                                                           {"plain", ProgressStyle::plain},
+                                                           {"off", ProgressStyle::off}};
+
+/// The library's sentence without its line breaks, and where to read on.
+UsageError usage_error(const CLI::App& program, const CLI::ParseError& error) {
+  std::string text = error.what();
+  while (!text.empty() && (text.back() == '\n' || text.back() == '.')) text.pop_back();
+  const auto chosen = program.get_subcommands();
+  const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
+  return UsageError(fmt::format("{}; rubatlas{} --help shows what is possible", text, command));
+}
+
+}  // namespace
+
+Command parse_command_line(int argument_count, const char* const* arguments) {
+  CLI::App program("Atlas of the nonlinear vibrations of a misaligned rotor with rubbing blades.",
+                   "rubatlas");
+  program.footer(kExamples);
+  program.set_version_flag("--version", version_text(), "Print version, commit, compiler and libraries");
+  program.require_subcommand(1);
+
+  RunOptions run_options;
+  auto* run = program.add_subcommand("run", "Compute the atlas of a scene; alone or under mpirun");
+  run->add_option("SCENE", run_options.scene, "Scene file (JSON)")->required();
+  run->add_option("-o,--output", run_options.atlas, "Atlas to write (HDF5)")->required();
+  auto* resume =
+      run->add_flag("--resume", run_options.resume, "Complete an atlas, or begin it where there is none");
+  run->add_flag("--overwrite", run_options.overwrite, "Replace an existing atlas")->excludes(resume);
+  run->add_option("--progress", run_options.progress, "auto, bar, plain or off; auto is a bar on a terminal")
+      ->transform(CLI::Transformer(kProgressStyles).description(""))
+      ->type_name("STYLE");
+  run->add_flag("--dry-run", run_options.dry_run, "Check scene, disk and output, explain, and stop");
+
+  ExplainCommand explain_command;
+  auto* explain = program.add_subcommand("explain", "Say what a scene would compute, and what it would cost");
+  explain->add_option("SCENE", explain_command.scene, "Scene file (JSON)")->required();
+
+  OrbitCommand orbit_command;
+  auto* orbit =
+      program.add_subcommand("orbit", "Compute one point in full: time, state, force on each blade");
+  orbit->add_option("SCENE", orbit_command.scene, "Scene file (JSON)")->required();
+  orbit
+      ->add_option(
+          "--at", orbit_command.at,
+          "Where: name=value[,name=value]; speed_ratio, damping_ratio, friction, unbalance, thickness, "
+          "direction (up or down, with --from)")
+      ->delimiter(',')
+      ->type_name("NAME=VALUE");
+  orbit->add_option("-o,--output", orbit_command.output, "Orbit to write (HDF5)")->required();
+  orbit->add_option("--from", orbit_command.from,
+                    "Atlas of the scene: start from its final state at this point");
+  orbit->add_flag("--overwrite", orbit_command.overwrite, "Replace an existing file");
+
+  AnalyseCommand analyse_command;
+  auto* analyse =
+      program.add_subcommand("analyse", "Classes, regions, triggers and sensitivities of an atlas");
+  analyse->add_option("ATLAS", analyse_command.atlas, "Atlas (HDF5)")->required();
+  analyse->add_option("-o,--output", analyse_command.maps, "Maps to write (HDF5)")->required();
+  analyse->add_option("--table", analyse_command.table, "Write the table to this file too (Markdown)");
+
+  try {
+    program.parse(argument_count, arguments);
+  } catch (const CLI::CallForHelp&) {
+    return PrintCommand{program.help()};
+  } catch (const CLI::CallForVersion&) {
+    return PrintCommand{version_text()};
+  } catch (const CLI::ParseError& error) {
+    throw usage_error(program, error);
+  }
+  if (run->parsed()) return run_options;
+  if (explain->parsed()) return explain_command;
+  if (orbit->parsed()) return orbit_command;
+  return analyse_command;
+}
+
+}  // namespace rubatlas::mpi

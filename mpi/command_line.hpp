@@ -1,0 +1,42 @@
+/// What the user has asked for, as typed values: the only place that knows the names of commands and flags.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "mpi/run.hpp"
+
+namespace rubatlas::mpi {
+
+/// `--help` and `--version`: a text for standard output.
+struct PrintCommand {
+  std::string text;
+};
+
+struct ExplainCommand {
+  std::filesystem::path scene;
+};
+
+struct OrbitCommand {
+  std::filesystem::path scene;
+  std::vector<std::string> at;  ///< "name=value", one per parameter
+  std::filesystem::path output;
+  std::optional<std::filesystem::path> from;  ///< an atlas whose final state is the start
+  bool overwrite = false;
+};
+
+struct AnalyseCommand {
+  std::filesystem::path atlas;
+  std::filesystem::path maps;
+  std::optional<std::filesystem::path> table;
+};
+
+using Command = std::variant<PrintCommand, RunOptions, ExplainCommand, OrbitCommand, AnalyseCommand>;
+
+/// Throws UsageError with one sentence.
+Command parse_command_line(int argument_count, const char* const* arguments);
+
+}  // namespace rubatlas::mpi

@@ -1,0 +1,315 @@
+#include "mpi/explain.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "atlas/free_space.hpp"
+#include "atlas/schema.hpp"
+#include "mpi/estimate.hpp"
+#include "mpi/progress.hpp"
+#include "plan/grid.hpp"
+#include "scene/quantity.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+/// "heading", then lines of a name in a fixed column and what is to be said about it.
+class Text {
+ public:
+  void heading(std::string_view title) { text_ += fmt::format("\n{}\n", title); }
+  /// Columns are counted in letters: names hold Greek ones.
+  void line(std::string_view name, std::string_view content) {
+    constexpr std::size_t kColumn = 18;
+    const auto letters = static_cast<std::size_t>(std::count_if(name.begin(), name.end(), [](char byte) {
+      return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+    }));
+    text_ += fmt::format("  {}{} {}\n", name, std::string(letters < kColumn ? kColumn - letters : 0, ' '),
+                         content);
+  }
+  [[nodiscard]] std::string take() { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
+
+/// A length in the unit that an engineer would read it in.
+std::string length(double metres) {
+  const double size = std::abs(metres);
+  if (size == 0.0) return "0 mm";
+  if (size >= 1.0) return fmt::format("{:.6g} m", metres);
+  return size >= 1e-4 ? fmt::format("{:.6g} mm", 1e3 * metres) : fmt::format("{:.6g} µm", 1e6 * metres);
+}
+
+double revolutions_per_minute(double radians_per_second) {
+  return 60.0 * radians_per_second / (2.0 * std::numbers::pi);
+}
+
+// --- the machine
+// ----------------------------------------------------------------------------------------------
+
+/// Bending stiffness E b h³/12 [N m²] (MODEL 3.1).
+double bending_stiffness(const scene::Blades& blades, double thickness) {
+  return blades.youngs_modulus * blades.width * thickness * thickness * thickness / 12.0;
+}
+
+/// Load at which a cantilever buckles, (π/2)² EI/L² [N] (MODEL 3.2).
+double euler_load(const scene::Blades& blades, double thickness) {
+  const double half_pi = 0.5 * std::numbers::pi;
+  return half_pi * half_pi * bending_stiffness(blades, thickness) / (blades.length * blades.length);
+}
+
+std::string between(double low, double high, std::string_view unit) {
+  return low == high ? fmt::format("{:.4g} {}", low, unit)
+                     : fmt::format("{:.4g} to {:.4g} {}", low, high, unit);
+}
+
+void describe_machine(const scene::Scene& scene, Text& text) {
+  const auto& [mass, frequency, damping, misalignment] = scene.rotor;
+  const auto& blades = scene.blades;
+  const auto& speeds = scene.grid.speed_ratio;
+  const auto& thicknesses = scene.grid.thickness;
+  const double clearance = scene.clearance();
+  const double overlap = std::abs(misalignment) - clearance;
+
+  text.heading("Machine");
+  text.line("shaft", fmt::format("m {:.6g} kg, ωn {:.6g} rad/s ({:.4g} Hz), k {:.4g} N/m", mass, frequency,
+                                 frequency / (2.0 * std::numbers::pi), mass * frequency * frequency));
+  text.line("spin", fmt::format("Ω {}, that is {}", between(speeds.front(), speeds.back(), ""),
+                                between(revolutions_per_minute(speeds.front() * frequency),
+                                        revolutions_per_minute(speeds.back() * frequency), "rpm")));
+  text.line("blades",
+            fmt::format("{} of {} × {}, h {}, on a hub of radius {}", blades.count, length(blades.length),
+                        length(blades.width),
+                        thicknesses.size() == 1 ? length(thicknesses.front())
+                                                : fmt::format("{} to {}", length(thicknesses.front()),
+                                                              length(thicknesses.back())),
+                        length(blades.hub_radius)));
+  if (scene.contact.law == scene::ContactLaw::elastica) {
+    text.line("Euler load",
+              between(euler_load(blades, thicknesses.front()), euler_load(blades, thicknesses.back()), "N"));
+  }
+  text.line("ring", fmt::format("R {}, clearance δc {}, misalignment y0 {}", length(scene.ring.radius),
+                                length(clearance), length(misalignment)));
+  text.line("at equilibrium",
+            overlap > 0.0 ? fmt::format("a passing blade overlaps the ring by {}: it rubs at every speed",
+                                        length(overlap))
+                          : fmt::format("blades pass the ring at a distance of {}", length(-overlap)));
+  text.line("triggers", fmt::format("look near Ω = 1/n = {:.4g} and 2/n = {:.4g} (n = {})",
+                                    1.0 / blades.count, 2.0 / blades.count, blades.count));
+}
+
+// --- effects
+// --------------------------------------------------------------------------------------------------
+
+void effect(Text& text, std::string_view name, bool present, const std::string& why) {
+  text.line(name, fmt::format("{:<4} {}", present ? "on" : "off", why));
+}
+
+std::string values_text(const std::vector<double>& values) {
+  constexpr std::size_t kShown = 8;
+  if (values.size() <= kShown) return fmt::format("{}", fmt::join(values, ", "));
+  return fmt::format("{} to {}", values.front(), values.back());
+}
+
+void describe_effects(const scene::Scene& scene, Text& text) {
+  const bool elastica = scene.contact.law == scene::ContactLaw::elastica;
+  const auto& friction = scene.grid.friction;
+  const auto& unbalance = scene.grid.unbalance;
+  text.heading("Effects");
+  effect(text, "elastic blades", elastica,
+         elastica ? "contact.law is elastica: large deflection, closed form (MODEL 3)"
+                  : "contact.law is elastic_ring: the blades are rigid");
+  effect(text, "elastic ring", !elastica,
+         elastica ? "contact.law is elastica: the ring is rigid"
+                  : fmt::format(
+                        "contact.law is elastic_ring: kr = {:.4g} N/m, {:.4g} shaft stiffnesses (MODEL 4.7)",
+                        scene.ring.stiffness,
+                        scene.ring.stiffness / (scene.rotor.mass * scene.rotor.natural_frequency *
+                                                scene.rotor.natural_frequency)));
+  effect(text, "friction", friction.back() > 0.0,
+         friction.back() > 0.0
+             ? fmt::format("Coulomb, μ = {}; its direction turns with the slip (MODEL 4.4){}",
+                           values_text(friction),
+                           friction.front() == 0.0 ? "; none on the lines with μ = 0" : "")
+             : std::string("μ = 0: the blade is a column, its force jumps to the Euler load"));
+  if (friction.back() == 0.0 && !elastica) effect(text, "slip", false, "no friction, no slip direction");
+  effect(text, "unbalance", scene.unbalance && unbalance.back() > 0.0,
+         !scene.unbalance ? "no section `unbalance` and no grid axis of that name: no term in the equations"
+         : unbalance.back() == 0.0
+             ? "me = 0: no term in the equations"
+             : fmt::format("me = {} kg m, phase {} rad from blade 1{}", values_text(unbalance),
+                           scene.unbalance->phase,
+                           unbalance.front() == 0.0 ? "; no term on the lines with me = 0" : ""));
+  effect(text, "yield flag", scene.validity.yield_strain.has_value(),
+         scene.validity.yield_strain ? fmt::format("root strain above {}", *scene.validity.yield_strain)
+                                     : std::string("no `validity.yield_strain`"));
+}
+
+void describe_kernel(const scene::Scene& scene, Text& text) {
+  const bool elastica = scene.contact.law == scene::ContactLaw::elastica;
+  const double scale = scene.clearance() > 0.0 ? scene.clearance() : 0.1 * scene.blades.length;
+  text.heading("Kernel");
+  text.line("flight",
+            "closed form: every effect here has one. Steps that cannot jump over a touch-down (MODEL 4.5)");
+  text.line("contact",
+            elastica
+                ? "Dormand-Prince 8(5,3); one blade: its bending is carried along as a state, no root is "
+                  "solved; several: a root each"
+                : "Dormand-Prince 8(5,3); the force is explicit");
+  text.line("accuracy", fmt::format("{:g} of {}: {:.3g} m a step, {:.3g} m per unit τ in velocity",
+                                    scene.accuracy.tolerance,
+                                    scene.clearance() > 0.0 ? "the clearance" : "L/10 (the clearance is 0)",
+                                    scene.accuracy.tolerance * scale, scene.accuracy.tolerance * scale));
+  text.line("a point ends",
+            fmt::format("after {} + {} revolutions, or with a status: {}no root of the contact "
+                        "equation, shaft at the ring",
+                        scene.protocol.transient_revolutions, scene.protocol.sampled_revolutions,
+                        elastica ? fmt::format("δ/L above {}, ", scene.validity.max_shortening) : ""));
+}
+
+// --- grid and file
+// --------------------------------------------------------------------------------------------
+
+void describe_grid(const scene::Scene& scene, const plan::Grid& grid, Text& text) {
+  text.heading("Grid");
+  for (const auto& axis : grid.axes()) {
+    const std::string unit = axis.units == "1" ? "" : fmt::format(" {}", axis.units);
+    text.line(axis.name, fmt::format("{:>6}  {}{}", axis.values.size(), values_text(axis.values), unit));
+  }
+  const std::string_view start = !grid.points_depend_on_each_other()
+                                     ? "every point from `initial`"
+                                     : "each point from the end of its neighbour, the first from `initial`";
+  text.line("points", fmt::format("{:>6}  on {} line{} along speed_ratio; sweep {}: {}", grid.point_count(),
+                                  grid.line_count(), grid.line_count() == 1 ? "" : "s",
+                                  std::get<std::string>(*scene::quantity("/sweep").read(scene)), start));
+}
+
+void describe_file(const scene::Scene& scene, Text& text) {
+  const atlas::Schema schema = atlas::schema_of(scene);
+  text.heading("Atlas");
+  for (const auto* dataset : schema.row_datasets()) {
+    std::uint64_t bytes = dataset->type == atlas::NumberType::float64 ? 8
+                          : dataset->type == atlas::NumberType::int32 ? 4
+                                                                      : 1;
+    for (const auto extent : dataset->shape) bytes *= extent;
+    text.line("/" + dataset->name.substr(dataset->name.starts_with('/') ? 1 : 0),
+              fmt::format("{:>9}  {}", atlas::readable_bytes(bytes), fmt::join(dataset->shape, " × ")));
+  }
+  text.line("together", fmt::format("{:>9}", atlas::readable_bytes(schema.byte_count())));
+}
+
+// --- time
+// -----------------------------------------------------------------------------------------------------
+
+void describe_time(const scene::Scene& scene, const plan::Grid& grid, const CostEstimate& cost, Text& text) {
+  const auto points = static_cast<double>(grid.point_count());
+  const double seconds = points * cost.seconds_per_point;
+  const double tables = scene.contact.law == scene::ContactLaw::elastica ? cost.table_seconds : 0.0;
+  text.heading("Time (an estimate, on this machine)");
+  text.line("on one rank",
+            fmt::format("{} ± {:.0f} %, divided by the number of ranks", readable_duration(seconds + tables),
+                        std::min(100.0, 100.0 * cost.standard_error / cost.seconds_per_point)));
+  text.line("from",
+            fmt::format("{} points tried from `initial`: {:.3g} ms each, {:.3g} to {:.3g} ms", cost.trials,
+                        1e3 * cost.seconds_per_point, 1e3 * cost.fastest, 1e3 * cost.slowest));
+  const auto touchdowns = static_cast<double>(cost.work.touchdowns);
+  if (touchdowns > 0.0) {
+    text.line("they had", fmt::format("{:.3g} touch-downs a revolution, {:.0f} right-hand sides each",
+                                      touchdowns / std::max(1.0, cost.revolutions),
+                                      static_cast<double>(cost.work.right_hand_sides) / touchdowns));
+  } else {
+    text.line("they had", "no touch-down at all");
+  }
+}
+
+// --- what to know before starting
+// -----------------------------------------------------------------------------
+
+/// Largest amplitude of the rotor without contact under the scene's unbalance [m] (MODEL 4.5), over the grid.
+double largest_free_amplitude(const scene::Scene& scene) {
+  double largest = 0.0;
+  const double eccentricity = scene.grid.unbalance.back() / scene.rotor.mass;
+  const double damping = scene.grid.damping_ratio.front();
+  for (const double speed : scene.grid.speed_ratio) {
+    const double detuning = std::hypot(1.0 - speed * speed, 2.0 * damping * speed);
+    if (eccentricity > 0.0) largest = std::max(largest, eccentricity * speed * speed / detuning);
+  }
+  return largest;
+}
+
+std::vector<std::string> notes(const scene::Scene& scene, const CostEstimate& cost) {
+  std::vector<std::string> result;
+  const auto& initial = scene.initial;
+  const bool at_rest = initial.x == 0.0 && initial.y == 0.0 && initial.vx == 0.0 && initial.vy == 0.0;
+  if (cost.failed > 0) {
+    result.push_back(
+        fmt::format("{} of the {} points tried did not end as done: their rows will be NaN and their status "
+                    "says why",
+                    cost.failed, cost.trials));
+  }
+  // MODEL 5: from rest the default rotor stays inside up to 1.02, leaves at 1.03 and always between 1.05
+  // and 1.24.
+  if (scene.grid.speed_ratio.back() > 1.0) {
+    result.emplace_back(
+        "speeds beyond Ω = 1 reach the border of the model: the default rotor leaves it at 1.03 and "
+        "always from 1.05 to 1.24. Near the border the very revolution of escape depends on the last "
+        "digits");
+  }
+  if (at_rest && std::abs(scene.rotor.misalignment) <= scene.clearance() &&
+      largest_free_amplitude(scene) == 0.0) {
+    result.emplace_back("the blades never reach the ring: nothing moves, every row is zero");
+  }
+  if (const double amplitude = largest_free_amplitude(scene); amplitude > 0.0) {
+    result.push_back(
+        fmt::format("without contact the unbalance alone would move the shaft by up to {}, {} clearances",
+                    length(amplitude),
+                    scene.clearance() > 0.0 ? fmt::format("{:.3g}", amplitude / scene.clearance()) : "many"));
+  }
+  if (scene.grid.damping_ratio.front() == 0.0) {
+    result.emplace_back("ζ = 0: free motion never decays, a transient of any length leaves it as it is");
+  }
+  if (scene.protocol.transient_revolutions == 0) {
+    result.emplace_back("no transient: the sections begin with the very first revolution");
+  }
+  const bool has_passing = std::find(scene.observables.begin(), scene.observables.end(),
+                                     "poincare_blade_passing") != scene.observables.end();
+  if (!has_passing && scene.unbalance == std::nullopt && scene.blades.count > 1) {
+    result.push_back(
+        fmt::format("without unbalance the natural period is a blade passing, T/{}: the observable "
+                    "`poincare_blade_passing` would show period doublings that once-per-revolution "
+                    "sections hide",
+                    scene.blades.count));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string explain(const scene::Scene& scene) {
+  constexpr std::chrono::duration<double> kBudget{2.0};
+  const plan::Grid grid(scene);
+  const CostEstimate cost = estimate_cost(scene, kBudget);
+
+  Text text;
+  describe_machine(scene, text);
+  describe_effects(scene, text);
+  describe_kernel(scene, text);
+  describe_grid(scene, grid, text);
+  describe_file(scene, text);
+  describe_time(scene, grid, cost, text);
+  const auto remarks = notes(scene, cost);
+  if (!remarks.empty()) text.heading("Notes");
+  for (const auto& remark : remarks) text.line("-", remark);
+
+  const std::string title = scene.title.empty() ? "(a scene without a title)" : scene.title;
+  return fmt::format("{}\n{}{}", title, scene.reference.empty() ? "" : scene.reference + "\n", text.take());
+}
+
+}  // namespace rubatlas::mpi

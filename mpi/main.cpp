@@ -1,0 +1,103 @@
+// rubatlas: from a scene to an atlas, and from an atlas to its maps.
+//
+//   1. the command line becomes one typed command                      (command_line)
+//   2. run      scene → plan → master ⇄ workers → solve → atlas        (run)
+//      explain  scene → plan → what it would be                        (explain)
+//      orbit    scene → one point in full                              (orbit_command)
+//      analyse  atlas → classes, regions, triggers, sensitivities      (analysis)
+//   3. whatever goes wrong becomes one message and an exit code        (failure)
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "analysis/analyse.hpp"
+#include "atlas/environment_error.hpp"
+#include "mpi/command_line.hpp"
+#include "mpi/exit_code.hpp"
+#include "mpi/explain.hpp"
+#include "mpi/failure.hpp"
+#include "mpi/orbit_command.hpp"
+#include "mpi/run.hpp"
+#include "mpi/session.hpp"
+#include "scene/reader.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+void print(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+    throw atlas::EnvironmentError("standard output takes no more text");
+  }
+}
+
+int carry_out(const PrintCommand& command) {
+  print(command.text);
+  return exit_code::kDone;
+}
+
+int carry_out(const RunOptions& options) {
+  return run(options);
+}
+
+int carry_out(const ExplainCommand& command) {
+  print(explain(scene::parse_scene(scene::read_text(command.scene), command.scene.string())));
+  return exit_code::kDone;
+}
+
+int carry_out(const OrbitCommand& command) {
+  return compute_orbit(command);
+}
+
+int carry_out(const AnalyseCommand& command) {
+  analysis::analyse(command.atlas, command.maps, command.table);
+  return exit_code::kDone;
+}
+
+/// What one process does: under mpirun the first rank does it, and all end together with its exit code, since
+/// a rank that left early would make mpirun kill the first before its message is out.
+template <typename Task>
+int on_one_rank(Task task) {
+  const Session session;
+  int code = exit_code::kDone;
+  if (session.rank() == 0) {
+    try {
+      code = task();
+    } catch (...) {
+      code = report_failure(std::current_exception());
+    }
+  }
+  session.wait_for_all();
+  return session.broadcast(code);
+}
+
+int carry_out_command_line(int argument_count, const char* const* arguments) {
+  std::optional<Command> command;
+  std::exception_ptr mistake;
+  try {
+    command = parse_command_line(argument_count, arguments);
+  } catch (...) {
+    mistake = std::current_exception();
+  }
+  if (command) {
+    if (const auto* options = std::get_if<RunOptions>(&*command)) return run(*options);
+  }
+  return on_one_rank([&] {
+    if (mistake) std::rethrow_exception(mistake);
+    return std::visit([](const auto& chosen) { return carry_out(chosen); }, *command);
+  });
+}
+
+}  // namespace
+}  // namespace rubatlas::mpi
+
+int main(int argument_count, char** arguments) {
+  try {
+    return rubatlas::mpi::carry_out_command_line(argument_count, arguments);
+  } catch (...) {
+    return rubatlas::mpi::report_failure(std::current_exception());
+  }
+}

@@ -1,0 +1,213 @@
+#include "mpi/orbit_command.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include "atlas/atlas_reader.hpp"
+#include "atlas/orbit_file.hpp"
+#include "mpi/exit_code.hpp"
+#include "mpi/version.hpp"
+#include "plan/grid.hpp"
+#include "scene/nearest.hpp"
+#include "scene/quantity.hpp"
+#include "scene/reader.hpp"
+#include "solve/line_solver.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+constexpr std::string_view kDirection = "direction";
+
+/// One "name=value" of the command line, checked against the table of quantities.
+struct Choice {
+  std::string name;
+  double value = 0.0;  ///< of `direction`: 0 up, 1 down
+};
+
+/// Where the orbit is: the point's parameters and, for an atlas swept both ways, the line.
+struct Place {
+  plan::PointParameters parameters;
+  std::optional<plan::Direction> direction;
+};
+
+std::vector<std::string_view> parameter_names() {
+  std::vector<std::string_view> names;
+  for (const auto& axis : scene::grid_axes()) names.push_back(axis.name);
+  std::reverse(names.begin(), names.end());  // the speed ratio first, as everybody thinks of it
+  names.push_back(kDirection);
+  return names;
+}
+
+Choice parse_choice(const std::string& text) {
+  const auto names = parameter_names();
+  const auto equals = text.find('=');
+  if (equals == std::string::npos) {
+    throw UsageError(
+        fmt::format("--at {}: not of the form name=value; names are {}", text, fmt::join(names, ", ")));
+  }
+  Choice choice{text.substr(0, equals)};
+  const std::string word = text.substr(equals + 1);
+  if (std::find(names.begin(), names.end(), choice.name) == names.end()) {
+    throw UsageError(fmt::format("--at {}: unknown name {}; names are {}; nearest: {}", text, choice.name,
+                                 fmt::join(names, ", "), scene::nearest(choice.name, names)));
+  }
+  if (choice.name == kDirection) {
+    if (word != "up" && word != "down")
+      throw UsageError(fmt::format("--at {}: direction is up or down", text));
+    choice.value = word == "down" ? 1.0 : 0.0;
+    return choice;
+  }
+  const auto axes = scene::grid_axes();
+  const auto axis =
+      std::find_if(axes.begin(), axes.end(), [&](const auto& entry) { return entry.name == choice.name; });
+  const auto& quantity = scene::quantity(axis->quantity);
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), choice.value);
+  if (error != std::errc{} || end != word.data() + word.size() || !quantity.range.contains(choice.value)) {
+    throw UsageError(fmt::format("--at {}: {} is not a number in {}; {}", text,
+                                 word.empty() ? "nothing" : word, quantity.range.text(), quantity.meaning));
+  }
+  return choice;
+}
+
+std::vector<Choice> parse_choices(const std::vector<std::string>& texts) {
+  std::vector<Choice> choices;
+  for (const auto& text : texts) {
+    auto choice = parse_choice(text);
+    for (const auto& earlier : choices) {
+      if (earlier.name == choice.name) throw UsageError(fmt::format("--at names {} twice", choice.name));
+    }
+    choices.push_back(std::move(choice));
+  }
+  return choices;
+}
+
+const Choice* find_choice(const std::vector<Choice>& choices, std::string_view name) {
+  const auto found =
+      std::find_if(choices.begin(), choices.end(), [&](const auto& entry) { return entry.name == name; });
+  return found == choices.end() ? nullptr : &*found;
+}
+
+/// A range of values, or all of them where they are few.
+std::string values_text(const std::vector<double>& values) {
+  constexpr std::size_t kFew = 10;
+  if (values.size() <= kFew) return fmt::format("{}", fmt::join(values, ", "));
+  return fmt::format("{} values from {} to {}", values.size(), values.front(), values.back());
+}
+
+/// The point that is meant: values given, and those of axes that have one value only.
+Place place_of(const scene::Scene& scene, const OrbitCommand& command) {
+  const auto choices = parse_choices(command.at);
+  // The grid decodes the parameters of its points: a scene whose axes hold one value each has one point.
+  scene::Scene single = scene;
+  for (const auto& axis : scene::grid_axes()) {
+    auto& values = single.grid.*axis.values;
+    if (const auto* choice = find_choice(choices, axis.name)) {
+      values = {choice->value};
+    } else if (values.size() > 1) {
+      throw UsageError(fmt::format("which {}? The grid has {}; add --at {}=VALUE", axis.name,
+                                   values_text(values), axis.name));
+    }
+  }
+  Place place;
+  place.parameters = plan::Grid(single).parameters(0);
+  if (const auto* choice = find_choice(choices, kDirection)) {
+    place.direction = choice->value == 0.0 ? plan::Direction::up : plan::Direction::down;
+  }
+  return place;
+}
+
+/// The values next to a missing one, for the message.
+std::string nearest_values(const std::vector<double>& values, double wanted) {
+  const auto above = std::lower_bound(values.begin(), values.end(), wanted);
+  if (above == values.begin()) return fmt::format("the nearest is {}", values.front());
+  if (above == values.end()) return fmt::format("the nearest is {}", values.back());
+  return fmt::format("the nearest are {} and {}", *(above - 1), *above);
+}
+
+double value_on(const plan::PointParameters& parameters, std::string_view axis) {
+  if (axis == "thickness") return parameters.thickness;
+  if (axis == "unbalance") return parameters.unbalance;
+  if (axis == "friction") return parameters.friction;
+  if (axis == "damping_ratio") return parameters.damping_ratio;
+  return parameters.speed_ratio;
+}
+
+UsageError no_such_point(const atlas::AtlasReader& atlas, const std::filesystem::path& path,
+                         const plan::PointParameters& parameters) {
+  constexpr double kSame = 1e-9;
+  for (const auto& axis : atlas.axes()) {
+    if (axis.name == kDirection) continue;
+    const double wanted = value_on(parameters, axis.name);
+    const bool present = std::any_of(axis.values.begin(), axis.values.end(), [&](double value) {
+      return std::abs(value - wanted) <= kSame * std::max(std::abs(value), std::abs(wanted));
+    });
+    if (!present) {
+      return UsageError(fmt::format("{} has no point at {}={}; it has {}; {}", path.string(), axis.name,
+                                    wanted, values_text(axis.values), nearest_values(axis.values, wanted)));
+    }
+  }
+  return UsageError(fmt::format("{} has no such point", path.string()));
+}
+
+/// The final state stored for a point: the orbit then shows the atlas' own attractor.
+solve::SectionState stored_state(const scene::Scene& scene, const std::filesystem::path& path,
+                                 const Place& place) {
+  const atlas::AtlasReader atlas(path);
+  const auto difference = scene::difference(atlas.scene_resolved(), scene::resolved_json(scene));
+  if (!difference.empty()) {
+    throw UsageError(fmt::format("{} was made from another scene: {}", path.string(), difference));
+  }
+  const bool both = atlas.axes().front().name == kDirection;
+  if (both && !place.direction) {
+    throw UsageError(
+        fmt::format("{} was swept both ways; add --at direction=up or --at direction=down", path.string()));
+  }
+  if (!both && place.direction) {
+    throw UsageError(fmt::format("{} was swept one way; it has no direction to choose", path.string()));
+  }
+  const auto point = atlas.find(place.parameters, place.direction.value_or(plan::Direction::up));
+  if (!point) throw no_such_point(atlas, path, place.parameters);
+  const auto status = static_cast<solve::PointStatus>(atlas.status()[*point]);
+  if (status != solve::PointStatus::done) {
+    throw UsageError(fmt::format(
+        "{} has no final state at this point: its status is {} ({})", path.string(), static_cast<int>(status),
+        status == solve::PointStatus::pending ? "not computed yet" : "it did not end as done"));
+  }
+  return atlas.final_state(*point);
+}
+
+}  // namespace
+
+int compute_orbit(const OrbitCommand& command) {
+  const std::string text = scene::read_text(command.scene);
+  const scene::Scene scene = scene::parse_scene(text, command.scene.string());
+  const Place place = place_of(scene, command);
+  if (place.direction && !command.from) {
+    throw UsageError("--at direction means a line of an atlas; it needs --from ATLAS");
+  }
+  if (std::filesystem::exists(command.output) && !command.overwrite) {
+    throw UsageError(fmt::format("{} exists; --overwrite replaces it", command.output.string()));
+  }
+  const auto& initial = scene.initial;
+  const solve::SectionState start = command.from
+                                        ? stored_state(scene, *command.from, place)
+                                        : solve::SectionState{initial.x, initial.y, initial.vx, initial.vy};
+
+  const auto solver = solve::make_line_solver(scene, place.parameters, solve::make_blade_tables());
+  const solve::Orbit orbit = solver->orbit(place.parameters.speed_ratio, start);
+  atlas::write_orbit(command.output, scene, text, place.parameters, start, orbit, software());
+
+  if (orbit.status == solve::PointStatus::done) return exit_code::kDone;
+  fmt::print(stderr, "rubatlas: the motion {} in revolution {}; {} holds what came before\n",
+             orbit.status == solve::PointStatus::left_validity ? "left the model's validity"
+                                                               : "could not be integrated",
+             orbit.failed_revolution, command.output.string());
+  return exit_code::kSomePointsFailed;
+}
+
+}  // namespace rubatlas::mpi
