@@ -1,0 +1,197 @@
+#include <sys/stat.h>
+
+#include <cmath>
+#include <limits>
+
+#include "atlas/atlas_reader.hpp"
+#include "atlas/atlas_writer.hpp"
+#include "atlas/create.hpp"
+#include "atlas/environment_error.hpp"
+#include "atlas/publish.hpp"
+#include "atlas/schema.hpp"
+#include "scratch.hpp"
+
+namespace rubatlas::atlas {
+namespace {
+
+const Software kSoftware{.software_version = "1", .git_commit = "none", .compiler = "none"};
+
+/// A row whose numbers tell which point and which place they belong to.
+solve::PointOutcome numbered_outcome(const scene::Scene& scene, std::size_t point) {
+  solve::PointOutcome outcome;
+  outcome.status = solve::PointStatus::done;
+  const double base = 1000.0 * static_cast<double>(point + 1);
+  for (std::size_t i = 0; i < outcome.final_state.size(); ++i)
+    outcome.final_state[i] = base + static_cast<double>(i);
+  for (const auto& kept : observables::descriptions(scene)) {
+    auto& row = outcome.rows.emplace_back(kept.row_size);
+    for (std::size_t i = 0; i < row.size(); ++i) row[i] = base + static_cast<double>(i);
+  }
+  return outcome;
+}
+
+class Atlas : public testing::Scratch {
+ protected:
+  void SetUp() override {
+    Scratch::SetUp();
+    create_atlas(path(), scene_, testing::kSmallScene, kSoftware);
+  }
+  [[nodiscard]] std::filesystem::path path() const { return file("atlas.h5"); }
+
+  scene::Scene scene_ = testing::small_scene();
+};
+
+TEST_F(Atlas, AFreshOneHasEveryAxisAndNoPointDone) {
+  const AtlasReader atlas(path());
+  EXPECT_EQ(atlas.shape(), (Shape{1, 1, 1, 2, 5}));
+  EXPECT_EQ(atlas.axes().back().name, "speed_ratio");
+  EXPECT_EQ(atlas.axes().back().values.back(), 0.5);
+  EXPECT_EQ(atlas.axes()[3].values, (std::vector<double>{0.05, 0.2}));
+  EXPECT_EQ(atlas.status(), std::vector<std::uint8_t>(10, 0));
+  EXPECT_EQ(atlas.rows("failed_revolution"), std::vector<double>(10, -1.0));
+  EXPECT_EQ(atlas.row_shape("poincare"), (Shape{3, 4}));
+  EXPECT_EQ(atlas.row_shape("poincare_blade_passing"), (Shape{9, 4}));
+  EXPECT_TRUE(atlas.row_shape("max_displacement").empty());
+  EXPECT_FALSE(atlas.has("max_contact_force")) << "the scene does not ask for it";
+}
+
+TEST_F(Atlas, KeepsTheSceneAsItWasGivenAndAsItWasUnderstood) {
+  const AtlasReader atlas(path());
+  EXPECT_EQ(atlas.scene(), testing::kSmallScene);
+  EXPECT_EQ(atlas.scene_resolved(), scene::resolved_json(scene_));
+  EXPECT_EQ(atlas.file().root().text("title"), "small");
+}
+
+TEST_F(Atlas, EveryAxisOfEveryRowRunsAlongItsScale) {
+  const AtlasReader atlas(path());
+  const Schema schema = schema_of(scene_);
+  for (const auto* rows : schema.row_datasets()) {
+    const Dataset dataset = atlas.file().dataset(rows->name);
+    for (std::size_t axis = 0; axis < schema.axes.size(); ++axis) {
+      EXPECT_EQ(dataset.scale_name(axis), schema.axes[axis].name) << rows->name;
+    }
+    for (std::size_t i = 0; i < rows->inner_axes.size(); ++i) {
+      EXPECT_EQ(dataset.scale_name(schema.axes.size() + i), rows->inner_axes[i]) << rows->name;
+    }
+  }
+}
+
+TEST_F(Atlas, ARowIsThereForReadersAsSoonAsItIsWritten) {
+  AtlasWriter writer(path(), scene_);
+  writer.write_point(7, true, numbered_outcome(scene_, 7));
+  // The writer is still open.
+  const AtlasReader atlas(path());
+  auto expected_status = std::vector<std::uint8_t>(10, 0);
+  expected_status[7] = 1;
+  EXPECT_EQ(atlas.status(), expected_status);
+  for (const auto& kept : observables::descriptions(scene_)) {
+    const auto row = atlas.row(kept.name, 7);
+    ASSERT_EQ(row.size(), kept.row_size);
+    for (std::size_t i = 0; i < row.size(); ++i)
+      EXPECT_EQ(row[i], 8000.0 + static_cast<double>(i)) << kept.name;
+  }
+  EXPECT_EQ(atlas.final_state(7), (std::array{8000.0, 8001.0, 8002.0, 8003.0}));
+  EXPECT_EQ(atlas.rows("restarted")[7], 1.0);
+  EXPECT_EQ(atlas.rows("restarted")[6], 0.0);
+}
+
+TEST_F(Atlas, ALineIsReadAsOnePiece) {
+  AtlasWriter writer(path(), scene_);
+  for (std::size_t point = 0; point < 10; ++point)
+    writer.write_point(point, false, numbered_outcome(scene_, point));
+  writer.close();
+  const AtlasReader atlas(path());
+  EXPECT_EQ(atlas.line_rows("max_displacement", 1), (std::vector<double>{6000, 7000, 8000, 9000, 10000}));
+  const auto sections = atlas.line_rows("poincare", 1);
+  ASSERT_EQ(sections.size(), 5U * 12U);
+  EXPECT_EQ(sections[12], 7000.0);
+}
+
+TEST_F(Atlas, APointThatFailedHasNoNumbersWhateverItReached) {
+  AtlasWriter writer(path(), scene_);
+  auto outcome = numbered_outcome(scene_, 3);
+  outcome.status = solve::PointStatus::left_validity;
+  outcome.failed_revolution = 4;
+  writer.write_point(3, false, outcome);
+  writer.close();
+  const AtlasReader atlas(path());
+  EXPECT_EQ(atlas.status()[3], 2);
+  EXPECT_EQ(atlas.rows("failed_revolution")[3], 4.0);
+  for (const auto& kept : observables::descriptions(scene_)) {
+    for (const double value : atlas.row(kept.name, 3)) EXPECT_TRUE(std::isnan(value)) << kept.name;
+  }
+  for (const double value : atlas.final_state(3)) EXPECT_TRUE(std::isnan(value));
+}
+
+TEST_F(Atlas, TheOrderInWhichRowsAreWrittenDoesNotShow) {
+  create_atlas(file("other.h5"), scene_, testing::kSmallScene, kSoftware);
+  AtlasWriter forward(path(), scene_);
+  AtlasWriter backward(file("other.h5"), scene_);
+  for (std::size_t point = 0; point < 10; ++point) {
+    forward.write_point(point, false, numbered_outcome(scene_, point));
+    backward.write_point(9 - point, false, numbered_outcome(scene_, 9 - point));
+  }
+  forward.close();
+  backward.close();
+  EXPECT_EQ(bytes(path()), bytes(file("other.h5")));
+}
+
+TEST_F(Atlas, PointsAreFoundByTheirParameters) {
+  const AtlasReader atlas(path());
+  plan::PointParameters wanted{.speed_ratio = 0.3,
+                               .damping_ratio = 0.2,
+                               .friction = scene_.contact.friction,
+                               .unbalance = 0.0,
+                               .thickness = scene_.blades.thickness};
+  EXPECT_EQ(atlas.find(wanted), 7U);
+  wanted.speed_ratio = 0.3 * (1.0 + 1e-12);
+  EXPECT_EQ(atlas.find(wanted), 7U) << "typed with fewer digits than stored";
+  wanted.speed_ratio = 0.301;
+  EXPECT_EQ(atlas.find(wanted), std::nullopt);
+}
+
+TEST_F(Atlas, OfBothDirectionsTheOneAskedForIsFound) {
+  auto text = testing::kSmallScene;
+  text.insert(1, R"("sweep": "both",)");
+  const auto both = scene::parse_scene(text);
+  create_atlas(file("both.h5"), both, text, kSoftware);
+  const AtlasReader atlas(file("both.h5"));
+  EXPECT_EQ(atlas.shape(), (Shape{2, 1, 1, 1, 2, 5}));
+  const plan::PointParameters wanted = plan::Grid(both).parameters(2);
+  EXPECT_EQ(atlas.find(wanted, plan::Direction::up), 2U);
+  EXPECT_EQ(atlas.find(wanted, plan::Direction::down), 12U);
+}
+
+TEST_F(Atlas, ItsSizeIsKnownBeforehand) {
+  const Schema schema = schema_of(scene_);
+  const std::uint64_t spectrum = 12 * 3 + 1;
+  EXPECT_EQ(schema.bytes_per_point(), 1 + 1 + 4 + 8 * (4 + 3 * 4 + 9 * 4 + 1 + spectrum));
+  EXPECT_EQ(schema.byte_count(), 10 * schema.bytes_per_point());
+}
+
+TEST_F(Atlas, AnotherScenesAtlasIsNotWritten) {
+  auto longer = scene_;
+  longer.protocol.sampled_revolutions = 4;
+  EXPECT_THROW(AtlasWriter(path(), longer), EnvironmentError);
+}
+
+TEST_F(Atlas, SomeOtherFileIsNotReadAsOne) {
+  { File::create(file("other.h5")).create_dataset<double>("/status", {1}); }
+  try {
+    AtlasReader atlas(file("other.h5"));
+    FAIL() << "was read";
+  } catch (const EnvironmentError& error) {
+    EXPECT_EQ(std::string(error.what()), file("other.h5").string() + " is not an atlas of rubatlas");
+  }
+}
+
+TEST_F(Atlas, AppearsUnderItsNameOnlyWhenItIsComplete) {
+  // Creation fails, here because its temporary name is taken by a directory: the old atlas stays as it was.
+  const std::string before = bytes(path());
+  std::filesystem::create_directory(unpublished_name(path()));
+  EXPECT_THROW(create_atlas(path(), scene_, testing::kSmallScene, kSoftware), EnvironmentError);
+  EXPECT_EQ(bytes(path()), before);
+}
+
+}  // namespace
+}  // namespace rubatlas::atlas
