@@ -1,0 +1,128 @@
+"""Runs the program as its users do, alone or under mpirun, on scenes that take a second."""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import time
+import unittest
+
+import h5py
+import numpy as np
+
+PROGRAM = os.environ["RUBATLAS_PROGRAM"]
+PENDING, DONE, LEFT_VALIDITY = 0, 1, 2
+TIME_LIMIT = 120  # s; a job that hangs fails its test instead of the whole suite
+
+# As in jobs/mpi_environment.sh.
+ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+               "OMPI_MCA_btl_vader_single_copy_mechanism": "none"}
+
+
+def scene(**changes):
+    """Three short lines of the default rotor through its chaotic region, some of their points failing."""
+    return {
+        "title": "short lines", "reference": "none",
+        "grid": {"speed_ratio": {"from": 0.2, "to": 0.9, "count": 12}, "damping_ratio": [0.05, 0.1, 0.2]},
+        "protocol": {"transient_revolutions": 10, "sampled_revolutions": 8, "samples_per_revolution": 32},
+        "spectrum": {"max_order": 4},
+        **changes,
+    }
+
+
+def long_scene(**changes):
+    """The same lines with enough points and revolutions that something can happen in the middle."""
+    return scene(grid={"speed_ratio": {"from": 0.2, "to": 0.9, "count": 60}, "damping_ratio": [0.05, 0.1, 0.2]},
+                 protocol={"transient_revolutions": 60, "sampled_revolutions": 20, "samples_per_revolution": 32},
+                 **changes)
+
+
+def command(ranks, *arguments):
+    """`ranks` None: without mpirun."""
+    launcher = [] if ranks is None else ["mpirun", "-q", "-n", str(ranks), "--oversubscribe", "--bind-to", "none"]
+    return [*launcher, PROGRAM, *map(str, arguments)]
+
+
+class JobTest(unittest.TestCase):
+    """A test with a directory of its own."""
+
+    def setUp(self):
+        self.directory = pathlib.Path(tempfile.mkdtemp(prefix="rubatlas_"))
+        self.addCleanup(shutil.rmtree, self.directory)
+
+    def write_scene(self, content, name="scene.json"):
+        path = self.directory / name
+        path.write_text(content if isinstance(content, str) else json.dumps(content))
+        return path
+
+    def execute(self, ranks, *arguments):
+        """Runs to the end; the completed process has its text in stdout and stderr."""
+        return subprocess.run(command(ranks, *arguments), env=ENVIRONMENT, cwd=self.directory, text=True,
+                              capture_output=True, timeout=TIME_LIMIT, check=False)
+
+    def fill(self, ranks, content, name="atlas.h5", *options):
+        """Runs a scene to its end, however its points end, and returns the atlas' path."""
+        atlas = self.directory / name
+        job = self.execute(ranks, "run", self.write_scene(content), "-o", atlas, "--progress", "off", *options)
+        self.assertIn(job.returncode, (0, 1), job.stderr)
+        return atlas
+
+    def start(self, ranks, content, atlas, *options):
+        """Starts a job and returns at once."""
+        job = subprocess.Popen(command(ranks, "run", self.write_scene(content), "-o", atlas, "--progress", "off", *options),
+                               env=ENVIRONMENT, cwd=self.directory, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(lambda: (job.poll() is None and job.kill(), job.wait(), job.stderr.close()))
+        return job
+
+    def assert_refused(self, job, exit_code, *parts):
+        """One sentence on stderr that has all `parts`, from one rank only."""
+        said = [line for line in job.stderr.splitlines() if line.startswith("rubatlas:")]
+        self.assertEqual(len(said), 1, job.stderr)
+        for part in parts:
+            self.assertIn(part, said[0])
+        self.assertEqual(job.returncode, exit_code, job.stderr)
+
+    def assert_same_bytes(self, one, other):
+        # Compared as a whole first: a difference of megabytes is no message.
+        if one.read_bytes() != other.read_bytes():
+            self.fail(f"{one.name} and {other.name} differ: " + ", ".join(differing_datasets(one, other)))
+
+
+def differing_datasets(one, other):
+    with h5py.File(one, "r") as a, h5py.File(other, "r") as b:
+        names = sorted(set(a) | set(b))
+        return [name for name in names if name not in a or name not in b or
+                a[name][()].tobytes() != b[name][()].tobytes()] or ["no dataset, but the file"]
+
+
+def wait_for_points(job, atlas, count):
+    """Returns when at least `count` points of the atlas are no longer pending, or the job has ended."""
+    end = time.monotonic() + TIME_LIMIT
+    while job.poll() is None and not atlas.exists():
+        time.sleep(0.002)
+    if not atlas.exists():
+        return
+    # Where the statuses are never changes, so the bytes can be looked at without HDF5.
+    with h5py.File(atlas, "r") as file:
+        place, size = file["status"].id.get_offset(), file["status"].size
+    with open(atlas, "rb", buffering=0) as raw:
+        while job.poll() is None and time.monotonic() < end:
+            raw.seek(place)
+            if np.count_nonzero(np.frombuffer(raw.read(size), np.uint8)) >= count:
+                return
+            time.sleep(0.002)
+
+
+def ranks_of(job):
+    """Process numbers of the ranks that an mpirun has started."""
+    found = []
+    for entry in pathlib.Path("/proc").iterdir():
+        if entry.name.isdigit():
+            try:
+                parent = int((entry / "stat").read_text().rsplit(")", 1)[1].split()[1])
+            except (OSError, IndexError):
+                continue  # gone in the meantime
+            if parent == job.pid:
+                found.append(int(entry.name))
+    return sorted(found)
