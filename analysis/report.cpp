@@ -64,7 +64,7 @@ std::string plain_report(const Findings& found) {
     text += paragraph(fmt::format("  {}  {}", statement.name, text_of(statement.verdict())), statement.claim,
                       17, kColumns);
     for (const auto& finding : statement.findings) {
-      text += paragraph(fmt::format("                 {}", mark(finding)), finding.evidence, 20, kColumns);
+      text += paragraph(fmt::format("                   {}", mark(finding)), finding.evidence, 22, kColumns);
     }
   }
   return text;
