@@ -1,12 +1,17 @@
 #include "mpi/command_line.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <map>
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
 
 #include "mpi/exit_code.hpp"
 #include "mpi/version.hpp"
+#include "scene/nearest.hpp"
 
 namespace rubatlas::mpi {
 namespace {
@@ -26,10 +31,30 @@ Exit codes: 0 done; 1 done, but some points left the model or could not be integ
 3 disk, files or MPI refused; 75 stopped on request, --resume goes on.
 )";
 
-const std::map<std::string, ProgressStyle> kProgressStyles{{"auto", ProgressStyle::automatic},
-                                                           {"bar", ProgressStyle::bar},
-                                                           {"plain", ProgressStyle::plain},
-                                                           {"off", ProgressStyle::off}};
+constexpr std::array<std::string_view, 4> kCommands{"run", "explain", "orbit", "analyse"};
+/// In the order of the enumeration ProgressStyle.
+constexpr std::array<std::string_view, 4> kProgressStyles{"auto", "bar", "plain", "off"};
+
+ProgressStyle progress_style(const std::string& word) {
+  const auto found = std::find(kProgressStyles.begin(), kProgressStyles.end(), word);
+  if (found == kProgressStyles.end()) {
+    throw UsageError(fmt::format("--progress {}: not one of {}; nearest: {}", word,
+                                 fmt::join(kProgressStyles, ", "), scene::nearest(word, kProgressStyles)));
+  }
+  return static_cast<ProgressStyle>(found - kProgressStyles.begin());
+}
+
+/// A mistyped command gets a better sentence than "a subcommand is required".
+void check_command(int argument_count, const char* const* arguments) {
+  if (argument_count < 2) {
+    throw UsageError(fmt::format("no command; commands are {}; rubatlas --help shows what is possible",
+                                 fmt::join(kCommands, ", ")));
+  }
+  const std::string_view word = arguments[1];
+  if (word.starts_with('-') || std::find(kCommands.begin(), kCommands.end(), word) != kCommands.end()) return;
+  throw UsageError(fmt::format("unknown command {}; commands are {}; nearest: {}", word,
+                               fmt::join(kCommands, ", "), scene::nearest(word, kCommands)));
+}
 
 /// The library's sentence without its line breaks, and where to read on.
 UsageError usage_error(const CLI::App& program, const CLI::ParseError& error) {
@@ -43,9 +68,9 @@ UsageError usage_error(const CLI::App& program, const CLI::ParseError& error) {
 }  // namespace
 
 Command parse_command_line(int argument_count, const char* const* arguments) {
+  check_command(argument_count, arguments);
   CLI::App program("Atlas of the nonlinear vibrations of a misaligned rotor with rubbing blades.",
                    "rubatlas");
-  program.footer(kExamples);
   program.set_version_flag("--version", version_text(), "Print version, commit, compiler and libraries");
   program.require_subcommand(1);
 
@@ -56,8 +81,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   auto* resume =
       run->add_flag("--resume", run_options.resume, "Complete an atlas, or begin it where there is none");
   run->add_flag("--overwrite", run_options.overwrite, "Replace an existing atlas")->excludes(resume);
-  run->add_option("--progress", run_options.progress, "auto, bar, plain or off; auto is a bar on a terminal")
-      ->transform(CLI::Transformer(kProgressStyles).description(""))
+  std::string progress = "auto";
+  run->add_option("--progress", progress, "auto, bar, plain or off; auto is a bar on a terminal")
       ->type_name("STYLE");
   run->add_flag("--dry-run", run_options.dry_run, "Check scene, disk and output, explain, and stop");
 
@@ -88,6 +113,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   analyse->add_option("-o,--output", analyse_command.maps, "Maps to write (HDF5)")->required();
   analyse->add_option("--table", analyse_command.table, "Write the table to this file too (Markdown)");
 
+  program.footer(kExamples);
+
   try {
     program.parse(argument_count, arguments);
   } catch (const CLI::CallForHelp&) {
@@ -97,7 +124,10 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   } catch (const CLI::ParseError& error) {
     throw usage_error(program, error);
   }
-  if (run->parsed()) return run_options;
+  if (run->parsed()) {
+    run_options.progress = progress_style(progress);
+    return run_options;
+  }
   if (explain->parsed()) return explain_command;
   if (orbit->parsed()) return orbit_command;
   return analyse_command;

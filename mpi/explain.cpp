@@ -26,7 +26,7 @@ class Text {
   void heading(std::string_view title) { text_ += fmt::format("\n{}\n", title); }
   /// Columns are counted in letters: names hold Greek ones.
   void line(std::string_view name, std::string_view content) {
-    constexpr std::size_t kColumn = 18;
+    constexpr std::size_t kColumn = 26;
     const auto letters = static_cast<std::size_t>(std::count_if(name.begin(), name.end(), [](char byte) {
       return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
     }));
@@ -66,8 +66,9 @@ double euler_load(const scene::Blades& blades, double thickness) {
 }
 
 std::string between(double low, double high, std::string_view unit) {
-  return low == high ? fmt::format("{:.4g} {}", low, unit)
-                     : fmt::format("{:.4g} to {:.4g} {}", low, high, unit);
+  const std::string suffix = unit.empty() ? "" : fmt::format(" {}", unit);
+  return low == high ? fmt::format("{:.4g}{}", low, suffix)
+                     : fmt::format("{:.4g} to {:.4g}{}", low, high, suffix);
 }
 
 void describe_machine(const scene::Scene& scene, Text& text) {
@@ -138,8 +139,8 @@ void describe_effects(const scene::Scene& scene, Text& text) {
              ? fmt::format("Coulomb, μ = {}; its direction turns with the slip (MODEL 4.4){}",
                            values_text(friction),
                            friction.front() == 0.0 ? "; none on the lines with μ = 0" : "")
-             : std::string("μ = 0: the blade is a column, its force jumps to the Euler load"));
-  if (friction.back() == 0.0 && !elastica) effect(text, "slip", false, "no friction, no slip direction");
+         : elastica ? std::string("μ = 0: a blade is a column, its force jumps to the Euler load (MODEL 4.6)")
+                    : std::string("μ = 0: the force is normal to the ring"));
   effect(text, "unbalance", scene.unbalance && unbalance.back() > 0.0,
          !scene.unbalance ? "no section `unbalance` and no grid axis of that name: no term in the equations"
          : unbalance.back() == 0.0
@@ -168,10 +169,11 @@ void describe_kernel(const scene::Scene& scene, Text& text) {
                                     scene.clearance() > 0.0 ? "the clearance" : "L/10 (the clearance is 0)",
                                     scene.accuracy.tolerance * scale, scene.accuracy.tolerance * scale));
   text.line("a point ends",
-            fmt::format("after {} + {} revolutions, or with a status: {}no root of the contact "
-                        "equation, shaft at the ring",
+            fmt::format("after {} + {} revolutions, or with a status: {}shaft at the ring",
                         scene.protocol.transient_revolutions, scene.protocol.sampled_revolutions,
-                        elastica ? fmt::format("δ/L above {}, ", scene.validity.max_shortening) : ""));
+                        elastica ? fmt::format("δ/L above {}, no root of the contact equation, ",
+                                               scene.validity.max_shortening)
+                                 : ""));
 }
 
 // --- grid and file
@@ -199,7 +201,7 @@ void describe_file(const scene::Scene& scene, Text& text) {
                           : dataset->type == atlas::NumberType::int32 ? 4
                                                                       : 1;
     for (const auto extent : dataset->shape) bytes *= extent;
-    text.line("/" + dataset->name.substr(dataset->name.starts_with('/') ? 1 : 0),
+    text.line(fmt::format("{}{}", dataset->name.starts_with('/') ? "" : "/", dataset->name),
               fmt::format("{:>9}  {}", atlas::readable_bytes(bytes), fmt::join(dataset->shape, " × ")));
   }
   text.line("together", fmt::format("{:>9}", atlas::readable_bytes(schema.byte_count())));

@@ -181,6 +181,17 @@ solve::SectionState stored_state(const scene::Scene& scene, const std::filesyste
   return atlas.final_state(*point);
 }
 
+/// The orbit must not replace what it is made from.
+void require_own_file(const OrbitCommand& command) {
+  std::error_code ignored;  // a file that does not exist is nobody's
+  for (const auto& source : {command.scene, command.from.value_or(command.scene)}) {
+    if (std::filesystem::equivalent(command.output, source, ignored)) {
+      throw UsageError(
+          fmt::format("-o {}: the orbit would replace {}", command.output.string(), source.string()));
+    }
+  }
+}
+
 }  // namespace
 
 int compute_orbit(const OrbitCommand& command) {
@@ -190,6 +201,7 @@ int compute_orbit(const OrbitCommand& command) {
   if (place.direction && !command.from) {
     throw UsageError("--at direction means a line of an atlas; it needs --from ATLAS");
   }
+  require_own_file(command);
   if (std::filesystem::exists(command.output) && !command.overwrite) {
     throw UsageError(fmt::format("{} exists; --overwrite replaces it", command.output.string()));
   }
