@@ -19,15 +19,17 @@ std::string describe_course(std::span<const CoursePoint> course, const CourseWor
   const double above = high->value - std::max(first.value, last.value);
   const double below = std::min(first.value, last.value) - low->value;
 
+  const auto begin = words.subject.empty() ? std::string{} : fmt::format("{} ", words.subject);
   const auto at = [&](const CoursePoint& point) { return fmt::format("{} at {}", number(point), point.at); };
   if (std::max(above, below) >= threshold && std::max(above, below) > 0.0) {
     const bool hill = above >= below;
-    return fmt::format("{} from {} to {}, then {} to {}", hill ? words.grows : words.shrinks, at(first),
-                       at(hill ? *high : *low), hill ? words.shrinks : words.grows, at(last));
+    return fmt::format("{}{} from {} to {}, then {} to {}", begin, hill ? words.grows : words.shrinks,
+                       at(first), at(hill ? *high : *low), hill ? words.shrinks : words.grows, at(last));
   }
   const double change = last.value - first.value;
   if (std::abs(change) < threshold || change == 0.0) return {};
-  return fmt::format("{} from {} to {}", change > 0.0 ? words.grows : words.shrinks, at(first), at(last));
+  return fmt::format("{}{} from {} to {}", begin, change > 0.0 ? words.grows : words.shrinks, at(first),
+                     at(last));
 }
 
 }  // namespace rubatlas::analysis

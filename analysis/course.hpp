@@ -21,6 +21,7 @@ struct Noticeable {
 };
 
 struct CourseWords {
+  std::string_view subject;  ///< stands before the first verb; empty where the reader knows it
   std::string_view grows;
   std::string_view shrinks;
 };

@@ -45,12 +45,15 @@ Lines within(const Evidence& evidence, const Lines& lines, std::string_view name
   return inside;
 }
 
-std::string picture(const LineSummary& line) {
-  static constexpr std::array kMarks{"?", "-", "+", "merged"};
-  std::vector<std::string> marks;
-  for (const auto& region : line.regions)
-    marks.emplace_back(kMarks[static_cast<std::size_t>(region.presence)]);
-  return fmt::format("{}", fmt::join(marks, " "));
+/// "no region 2", "region 4 merged with 2": what a line has not of the four regions.
+std::vector<std::string> what_lacks(const LineSummary& line) {
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < line.regions.size(); ++i) {
+    const auto presence = line.regions[i].presence;
+    if (presence == Presence::absent) texts.push_back(fmt::format("no region {}", i + 1));
+    if (presence == Presence::merged) texts.push_back(fmt::format("region {} merged with 2", i + 1));
+  }
+  return texts;
 }
 
 bool any_uncovered(const LineSummary& line) {
@@ -70,13 +73,14 @@ Finding all_four(const Evidence& evidence, const Lines& lines, std::string_view 
   std::vector<std::string> lacking;
   for (const auto* line : lines) {
     if (!four_regions(*line)) {
-      lacking.push_back(fmt::format("{} has {}", evidence.value_text(*line, name), picture(*line)));
+      lacking.push_back(
+          fmt::format("{} at {}", fmt::join(what_lacks(*line), ", "), evidence.value_text(*line, name)));
     }
   }
   const auto range = fmt::format("{} to {}", evidence.value_text(*lines.front(), name),
                                  evidence.value_text(*lines.back(), name));
-  if (lacking.empty()) return {true, fmt::format("regions 1, 2, 3, 4 from {}", range)};
-  return {false, fmt::format("of regions 1 2 3 4 (+ there, - absent) {}", fmt::join(lacking, "; "))};
+  if (lacking.empty()) return {true, fmt::format("all four regions from {}", range)};
+  return {false, fmt::format("{}", fmt::join(lacking, "; "))};
 }
 
 /// Compares one number of two lines; `wanted` is the sign of (low line − reference).

@@ -62,7 +62,7 @@ std::string plain_report(const Findings& found) {
   text += paragraph("", kStatementsKey, 2, kColumns) + "\n";
   for (const auto& statement : found.statements) {
     text += paragraph(fmt::format("  {}  {}", statement.name, text_of(statement.verdict())), statement.claim,
-                      17, kColumns);
+                      19, kColumns);
     for (const auto& finding : statement.findings) {
       text += paragraph(fmt::format("                   {}", mark(finding)), finding.evidence, 22, kColumns);
     }

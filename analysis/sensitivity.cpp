@@ -33,12 +33,12 @@ class Series {
       return fmt::format("{:.3f} ({})", p.value, extent(line_at(p)));
     };
     auto words =
-        describe_course(widths, {"widens", "shortens"}, noticeable_place(kNoticeableWidth), with_extent);
+        describe_course(widths, {"", "widens", "shortens"}, noticeable_place(kNoticeableWidth), with_extent);
     if (words.empty() && widths.size() > 1) {
       const auto middles =
           course(present, [&](const LineSummary& l) { return 0.5 * (of(l).from + of(l).to); });
       const Noticeable place{scale_.speed_ratio(kNoticeableWidth), 0.0};
-      words = describe_course(middles, {"moves up", "moves down"}, place,
+      words = describe_course(middles, {"", "moves up", "moves down"}, place,
                               [&](const CoursePoint& p) { return extent(line_at(p)); });
       if (words.empty()) {
         words = fmt::format("keeps its extent ({} to {})", extent(line_at(widths.front())),
@@ -51,12 +51,11 @@ class Series {
 
     const auto shares = course(present, [&](const LineSummary& l) { return of(l).aperiodic_share; });
     add(parts,
-        describe_course(shares, {"aperiodic share grows", "aperiodic share falls"}, {kNoticeableShare, 0.0},
+        describe_course(shares, {"aperiodic share", "grows", "falls"}, {kNoticeableShare, 0.0},
                         [](const CoursePoint& p) { return fmt::format("{:.0f} %", 100.0 * p.value); }));
     const auto peaks = course(present, [&](const LineSummary& l) { return of(l).peak_displacement; });
-    add(parts,
-        describe_course(peaks, {"peak displacement grows", "peak displacement falls"},
-                        {0.0, kNoticeableChange}, [](const CoursePoint& p) { return millimetres(p.value); }));
+    add(parts, describe_course(peaks, {"peak displacement", "grows", "falls"}, {0.0, kNoticeableChange},
+                               [](const CoursePoint& p) { return millimetres(p.value); }));
     return fmt::format("{}", fmt::join(parts, "; "));
   }
 
@@ -67,7 +66,7 @@ class Series {
 
     const auto places = course(present, [&](const LineSummary& l) { return of(l).speed_ratio; });
     auto words =
-        describe_course(places, {"moves up", "moves down"}, {scale_.speed_ratio(kNoticeablePlace), 0.0},
+        describe_course(places, {"", "moves up", "moves down"}, {scale_.speed_ratio(kNoticeablePlace), 0.0},
                         [](const CoursePoint& p) { return fmt::format("{:.3f}", p.value); });
     if (words.empty() && !places.empty()) {
       const auto [low, high] = std::ranges::minmax_element(places, {}, &CoursePoint::value);
@@ -76,7 +75,7 @@ class Series {
     }
     add(parts, words);
     const auto rises = course(present, [&](const LineSummary& l) { return of(l).rise(); });
-    add(parts, describe_course(rises, {"its rise grows", "its rise falls"}, {0.0, kNoticeableChange},
+    add(parts, describe_course(rises, {"its rise", "grows", "falls"}, {0.0, kNoticeableChange},
                                [&](const CoursePoint& p) {
                                  return fmt::format("{} (×{:.3g})", millimetres(p.value),
                                                     of(line_at(p)).ratio());

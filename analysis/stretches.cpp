@@ -1,6 +1,8 @@
 #include "analysis/stretches.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 
 namespace rubatlas::analysis {
 namespace {
@@ -19,6 +21,21 @@ double running_share(std::span<const ClassifiedPoint> points, std::size_t i, dou
   const auto inside = points.subspan(first, last - first + 1);
   const auto aperiodic = std::ranges::count_if(inside, [](const ClassifiedPoint& p) { return p.aperiodic; });
   return static_cast<double>(aperiodic) / static_cast<double>(inside.size());
+}
+
+/// The last aperiodic point that a stretch reaches from `end`, walking outwards by `step`: half a window far
+/// at most, and no further than half the share holds. Where chaos thins out towards its border, the window
+/// that straddles the border has less than the share already.
+std::size_t grown(std::span<const ClassifiedPoint> points, std::size_t end, std::ptrdiff_t step,
+                  double window, double share) {
+  std::size_t reached = end;
+  for (auto i = static_cast<std::ptrdiff_t>(end) + step; i >= 0 && i < std::ssize(points); i += step) {
+    const auto here = static_cast<std::size_t>(i);
+    if (std::abs(points[here].scaled_speed - points[end].scaled_speed) > 0.5 * window) break;
+    if (running_share(points, here, window) < 0.5 * share) break;
+    if (points[here].aperiodic) reached = here;
+  }
+  return reached;
 }
 
 }  // namespace
@@ -43,12 +60,12 @@ std::vector<Stretch> chaotic_stretches(std::span<const ClassifiedPoint> points, 
     }
     Stretch stretch{i, i};
     while (i < points.size() && running_share(points, i, window) >= share) stretch.last = i++;
+    stretch.first = grown(points, stretch.first, -1, window, share);
+    stretch.last = grown(points, stretch.last, +1, window, share);
     while (stretch.first < stretch.last && !points[stretch.first].aperiodic) ++stretch.first;
     while (stretch.last > stretch.first && !points[stretch.last].aperiodic) --stretch.last;
     if (!points[stretch.first].aperiodic) continue;
-    while (stretch.first > 0 && points[stretch.first - 1].aperiodic) --stretch.first;
-    while (stretch.last + 1 < points.size() && points[stretch.last + 1].aperiodic) ++stretch.last;
-    if (!stretches.empty() && stretch.first <= stretches.back().last + 1) {
+    if (!stretches.empty() && stretch.first <= stretches.back().last) {
       stretches.back().last = std::max(stretches.back().last, stretch.last);
     } else {
       stretches.push_back(stretch);

@@ -1,6 +1,7 @@
 #include "analysis/text_layout.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace rubatlas::analysis {
 
@@ -15,18 +16,45 @@ std::string padded(std::string_view text, std::size_t width) {
   return std::string(text) + std::string(std::max<std::size_t>(width, count + 2) - count, ' ');
 }
 
+namespace {
+
+/// Words that stay on the line of the word before them: "ζ = 0.1", "17 mm", "4 %".
+bool belongs_to_the_word_before(std::string_view word) {
+  static constexpr std::array<std::string_view, 7> kWords{"=", "≤", "≥", "%", "mm", "kg", "m"};
+  const auto bare = word.substr(0, std::min(word.size(), word.find_last_not_of(",;.):") + 1));
+  return std::ranges::find(kWords, bare) != kWords.end();
+}
+
+/// Where the first piece of a text ends that may not be broken: at a blank, or at the end.
+std::size_t end_of_piece(std::string_view text) {
+  auto end = text.find(' ');
+  while (end != std::string_view::npos) {
+    const auto next_end = text.find(' ', end + 1);
+    const auto next =
+        text.substr(end + 1, next_end == std::string_view::npos ? next_end : next_end - end - 1);
+    const auto before = text.substr(0, end);
+    const bool relation = before.ends_with("=") || before.ends_with("≤") || before.ends_with("≥");
+    if (!relation && !belongs_to_the_word_before(next)) break;
+    end = next_end;
+  }
+  return end;
+}
+
+}  // namespace
+
 std::string paragraph(std::string_view label, std::string_view text, std::size_t indentation,
                       std::size_t width) {
   std::string result = padded(label, indentation);
   std::size_t column = character_count(result);
   bool fresh = true;
   while (!text.empty()) {
-    const auto blank = text.find(' ');
+    const auto blank = end_of_piece(text);
     const auto word = text.substr(0, blank);
     text = blank == std::string_view::npos ? std::string_view{} : text.substr(blank + 1);
     const std::size_t needed = character_count(word) + (fresh ? 0 : 1);
     if (!fresh && column + needed > width) {
-      result += "\n" + std::string(indentation, ' ');
+      result += '\n';
+      result.append(indentation, ' ');
       column = indentation;
       fresh = true;
     }
