@@ -48,13 +48,13 @@ class ContactPhase final : public observables::MotionPiece {
     watched_.resize(static_cast<std::size_t>(blades.count()));
   }
 
-  /// Starts at time τ of the revolution. False where a force cannot be found.
+  /// Starts at time τ of the revolution. False where the system cannot start there.
   bool start(double time, const State& state, const std::vector<OpenContact>& contacts) {
     contacts_ = contacts;
     ContactState full;
     full << state, time, kCarried ? contacts_.front().bending : 0.0;
     if constexpr (kCarried) {
-      system_.open(contacts_.front(), full);
+      if (!system_.open(contacts_.front(), full)) return false;
     } else {
       system_.open(contacts_);
     }

@@ -7,7 +7,7 @@
 /// carries itself (no root is solved): with a new independent variable σ
 ///     dτ/dσ = −∂h/∂u,   du/dσ = dh/dτ at fixed u,   dz/dσ = z' dτ/dσ,
 /// which is regular at a head-on touch-down and at lift-off, where ∂h/∂u = 0 and the force is not Lipschitz
-/// in τ. Both rates are divided by their common length, so that σ is the arc in the plane (τ, u).
+/// in τ. All rates are times one constant, which gives σ a sensible unit.
 ///
 /// `SolvedContacts`: any law, any number of blades; σ = τ, and each blade's force is found where it stands.
 #pragma once
@@ -57,12 +57,16 @@ class CarriedContact {
 
   /// Opens the contact in a state. The unit of σ is set so that it is the arc in the plane (τ, u) there: u
   /// where the blade touches, τ where it bends most.
-  void open(const OpenContact& contact, const ContactState& state) {
+  /// False where both rates vanish, a tip at rest on the ring, from which this form cannot start.
+  bool open(const OpenContact& contact, const ContactState& state) {
     contact_ = contact;
     const contact::BladeDirection er = blades_->direction(contact_.blade, blades_->first(state[kTime]));
     const contact::Pose pose = pose_of(*rotor_, law_->geometry(), er, state.head<4>());
     const auto there = law_->constraint(pose, contact_.slip, state[kBending], rotor_->speed_ratio);
-    scale_ = 1.0 / std::hypot(there.bending_slope, there.time_slope);
+    const double rate = std::hypot(there.bending_slope, there.time_slope);
+    scale_ = 1.0 / rate;
+    const double radius = law_->geometry().ring_radius;
+    return rate > kRestingRate * radius * radius;
   }
 
   bool operator()(const ContactState& state, ContactState& derivative) {
@@ -85,6 +89,8 @@ class CarriedContact {
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
  private:
+  static constexpr double kRestingRate = 1e-15;  ///< of R²: rounding of the rates of h
+
   const RotorConstants* rotor_;
   const BladeSet* blades_;
   const contact::ElasticaContact* law_;

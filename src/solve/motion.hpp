@@ -182,10 +182,8 @@ class Motion {
       return true;
     }
     if constexpr (Law::kHasBending) {
-      if (contacts_.size() == 1) {
-        phase_ = Phase::carried;
-        return carried_->start(time_, state_, contacts_);
-      }
+      phase_ = Phase::carried;
+      if (contacts_.size() == 1 && carried_->start(time_, state_, contacts_)) return true;
     }
     phase_ = Phase::solved;
     return solved_.start(time_, state_, contacts_);
