@@ -72,8 +72,11 @@ TEST(SceneReader, EveryQuantityIsReadWhereItsPointerSays) {
     const auto after = entry.read(scene);
     ASSERT_TRUE(after.has_value()) << entry.pointer;
     EXPECT_NE(before, after) << entry.pointer;
-    if (entry.kind == Kind::number) EXPECT_EQ(std::get<double>(*after), std::stod(value)) << entry.pointer;
-    if (entry.kind == Kind::whole_number) EXPECT_EQ(std::get<int>(*after), 7) << entry.pointer;
+    if (entry.kind == Kind::number) {
+      EXPECT_EQ(std::get<double>(*after), std::stod(value)) << entry.pointer;
+    } else if (entry.kind == Kind::whole_number) {
+      EXPECT_EQ(std::get<int>(*after), 7) << entry.pointer;
+    }
   }
 }
 
@@ -82,10 +85,11 @@ TEST(SceneReader, EveryDefaultIsInItsRange) {
     if (entry.read == nullptr) continue;
     const auto value = entry.read(Scene{});
     if (!value) continue;
-    if (const auto* number = std::get_if<double>(&*value))
+    if (const auto* number = std::get_if<double>(&*value)) {
       EXPECT_TRUE(entry.range.contains(*number)) << entry.pointer;
-    if (const auto* number = std::get_if<int>(&*value))
-      EXPECT_TRUE(entry.range.contains(*number)) << entry.pointer;
+    } else if (const auto* whole_number = std::get_if<int>(&*value)) {
+      EXPECT_TRUE(entry.range.contains(*whole_number)) << entry.pointer;
+    }
   }
 }
 

@@ -40,7 +40,8 @@ TEST(ResolvedScene, ReadBackGivesTheSameValues) {
     const Scene scene = parse_scene(text);
     const Scene again = parse_scene(resolved_json(scene));
     for (const auto& entry : quantities()) {
-      if (entry.read != nullptr) EXPECT_EQ(entry.read(scene), entry.read(again)) << entry.pointer;
+      if (entry.read == nullptr) continue;
+      EXPECT_EQ(entry.read(scene), entry.read(again)) << entry.pointer;
     }
     for (const auto& axis : grid_axes())
       EXPECT_EQ(scene.grid.*axis.values, again.grid.*axis.values) << axis.name;

@@ -1,0 +1,74 @@
+// What `explain` says of a scene.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "program.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+std::string explained(const std::string& scene) {
+  const Workplace place;
+  static_cast<void>(place.write("s.json", scene));
+  const auto ending = place.rubatlas("explain s.json");
+  EXPECT_EQ(ending.code, 0) << ending.messages;
+  EXPECT_EQ(ending.messages, "");
+  return ending.output;
+}
+
+/// The line of a text that begins with a name.
+std::string line_of(const std::string& text, const std::string& name) {
+  const auto at = text.find("\n  " + name + " ");
+  return at == std::string::npos ? "no such line" : text.substr(at + 1, text.find('\n', at + 1) - at - 1);
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Explain, SaysWhichEffectsAreOnAndWhy) {
+  const std::string plain = explained(kSmallScene);
+  EXPECT_TRUE(holds(line_of(plain, "elastic blades"), " on "));
+  EXPECT_TRUE(holds(line_of(plain, "elastic ring"), " off "));
+  EXPECT_TRUE(holds(line_of(plain, "friction"), " on   Coulomb, μ = 0.1")) << plain;
+  EXPECT_TRUE(holds(line_of(plain, "unbalance"), " off  no section `unbalance`"));
+  EXPECT_TRUE(holds(line_of(plain, "yield flag"), " off "));
+  EXPECT_TRUE(holds(line_of(plain, "flight"), "closed form"));
+
+  const std::string other = explained(R"({"grid": {"speed_ratio": 0.3, "unbalance": [0, 1e-5]},
+    "contact": {"law": "elastic_ring", "friction": 0}, "validity": {"yield_strain": 0.002},
+    "protocol": {"transient_revolutions": 2, "sampled_revolutions": 2}})");
+  EXPECT_TRUE(holds(line_of(other, "elastic blades"), " off "));
+  EXPECT_TRUE(holds(line_of(other, "elastic ring"), "kr = 1e+04 N/m, 100 shaft stiffnesses"));
+  EXPECT_TRUE(holds(line_of(other, "friction"), " off "));
+  EXPECT_TRUE(holds(line_of(other, "unbalance"), " on   me = 0, 1e-05 kg m")) << other;
+  EXPECT_TRUE(holds(line_of(other, "yield flag"), " on   root strain above 0.002"));
+}
+
+TEST(Explain, GivesGridShapesAndBytesOfTheAtlas) {
+  const std::string text = explained(kSmallScene);
+  EXPECT_TRUE(holds(line_of(text, "points"), " 6  on 2 lines along speed_ratio; sweep up"));
+  EXPECT_TRUE(holds(line_of(text, "/poincare"), "1 × 1 × 1 × 2 × 3 × 3 × 4"));
+  EXPECT_TRUE(holds(line_of(text, "/spectrum"), "1 × 1 × 1 × 2 × 3 × 37"));
+  // 6 points: status and restarted 1 byte, failed revolution 4, final state 32, sections 96, displacement 8,
+  // spectrum 296
+  EXPECT_TRUE(holds(line_of(text, "together"), "2.63 kB")) << text;
+}
+
+TEST(Explain, EstimatesTheTimeFromPointsOfTheScene) {
+  const std::string text = explained(kSmallScene);
+  EXPECT_TRUE(holds(text, "\nTime (an estimate"));
+  EXPECT_TRUE(holds(line_of(text, "from"), "6 points tried"));
+  EXPECT_TRUE(holds(line_of(text, "they had"), "touch-downs a revolution"));
+}
+
+TEST(Explain, NamesWhatAUserShouldKnowBeforehand) {
+  EXPECT_TRUE(holds(explained(R"({"grid": {"speed_ratio": 1.2}, "protocol": {"sampled_revolutions": 1}})"),
+                    "reach the border of the model"));
+  EXPECT_TRUE(holds(explained(R"({"grid": {"speed_ratio": 0.5}, "rotor": {"misalignment": 0.009}})"),
+                    "the blades never reach the ring"));
+}
+
+}  // namespace
+}  // namespace rubatlas::mpi
