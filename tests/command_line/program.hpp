@@ -1,3 +1,4 @@
+/// The built program, run in a directory of its own as a user would run it.
 #pragma once
 
 #include <sys/wait.h>

@@ -1,3 +1,4 @@
+/// Scenes with one mistake, and what the reader says to them.
 #pragma once
 
 #include <string>
