@@ -24,6 +24,8 @@ SCENE_VALUE = {
     "thickness": ("blades", "thickness"),
 }
 DIRECTIONS = ["up", "down"]
+# As in the paper; a picture's axes have little room for words.
+SYMBOL = {"speed_ratio": "Ω", "damping_ratio": "ζ", "friction": "μ", "unbalance": "me", "thickness": "h"}
 
 
 class AtlasError(Exception):

@@ -41,7 +41,7 @@ def draw(options):
         panels[-1].set_xlim(speed[0], speed[-1])
         once = "blade passing" if options.passing else "revolution"
         style.title(figure, atlas, f"One dot per {once}: {line.describe()}")
-        style.save(figure, options.output)
+        style.save(figure, options)
 
 
 if __name__ == "__main__":

@@ -30,7 +30,7 @@ def draw(options):
         frictions = [float(line.value("friction"))] if "friction" in wanted else atlas.axis("friction")
 
         figure, panels = style.plt.subplots(1, 2, sharex=True, figsize=(9.0, 4.2))
-        colours = style.plt.get_cmap(style.SEQUENTIAL)(np.linspace(0.0, 0.85, len(frictions)))
+        colours = style.plt.get_cmap(style.SEQUENTIAL)(np.linspace(0.0, 0.88, len(frictions)))
         for friction, colour in zip(frictions, colours):
             load, shortening, deflection = elastica.up_to_shortening(friction, limit)
             if friction == 0.0:
@@ -47,7 +47,7 @@ def draw(options):
         panels[0].legend(loc="upper left")
         style.title(figure, atlas, f"Blade {1e3 * length:g} × {1e3 * blades['width']:g} × {1e3 * thickness:g} mm, "
                                    f"up to δ/L = {limit:g}")
-        style.save(figure, options.output)
+        style.save(figure, options)
 
 
 if __name__ == "__main__":

@@ -14,6 +14,7 @@ def parser(description, source="ATLAS.h5", line=True):
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     result.add_argument("source", metavar=source)
     result.add_argument("-o", "--output", required=True, metavar="PICTURE.png")
+    result.add_argument("--dpi", type=float, default=150.0, help="resolution (default: 150)")
     if line:
         group = result.add_argument_group("which line (default: the scene's own values)")
         for axis in LINE_AXES:

@@ -23,7 +23,7 @@ def draw(options):
         speed = atlas.axis("speed_ratio")
 
         figure, panel = style.plt.subplots(figsize=(9.5, 4.6))
-        # Ordered values get ordered colours; cividis ends in a yellow that is too light for a thin line.
+        # Ordered values get ordered colours; the map ends in a yellow that is too light for a thin line.
         colours = style.plt.get_cmap(style.SEQUENTIAL)([0.92 * i / max(1, len(lines) - 1) for i in range(len(lines))])
         for line, colour in zip(lines, colours):
             name = line.describe(without=[axis for axis in atlas.axes[:-1] if axis != along]) if along else None
@@ -37,7 +37,7 @@ def draw(options):
             panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
         fixed = lines[0].describe(without=[along] if along else [])
         style.title(figure, atlas, f"{fixed}; clearance {1e3 * atlas.clearance:g} mm")
-        style.save(figure, options.output)
+        style.save(figure, options)
 
 
 if __name__ == "__main__":

@@ -53,7 +53,7 @@ def draw(options):
     ring_centre = -scene["rotor"]["misalignment"]
 
     figure, (plane, forces) = style.plt.subplots(1, 2, figsize=(10.0, 4.9), gridspec_kw={"width_ratios": [1, 1.1]})
-    plane.plot(x, y, color=style.BLUE, lw=0.5, alpha=0.8, label="orbit")
+    plane.plot(x, y, color=style.BLUE, lw=0.45, alpha=0.45, label="orbit")
     plane.plot(sections[:, 0], sections[:, 1], "o", color=style.VERMILION,
                markersize=3.2, markeredgewidth=0, label="section, once per revolution")
     angle = np.linspace(0.0, 2.0 * np.pi, 361)
@@ -76,7 +76,7 @@ def draw(options):
     if orbit.data["force"].shape[1] <= 8:
         forces.legend(loc="upper left", bbox_to_anchor=(0.0, -0.12), ncol=4)
     style.title(figure, orbit, orbit.describe())
-    style.save(figure, options.output)
+    style.save(figure, options)
 
 
 if __name__ == "__main__":

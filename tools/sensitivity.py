@@ -23,11 +23,12 @@ def draw(options):
         lines, speed = atlas.lines(along, **wanted), atlas.axis("speed_ratio")
         units, factor = style.drawn(atlas.units("max_displacement"))
         displacement = factor * np.array([line.rows("max_displacement") for line in lines])
+        status = np.array([line.status() for line in lines])
         classes = None
         if options.maps:
             with AtlasFile(options.maps) as maps:
                 name = "class_blade_passing" if options.passing else "class"
-                classes = style.class_index(np.array([line.raw(name) for line in maps.lines(along, **wanted)]))
+                classes = np.array([line.raw(name) for line in maps.lines(along, **wanted)])
 
         count = 1 if classes is None else 2
         figure = style.plt.figure(figsize=(9.5, 1.3 + count * max(1.6, 0.32 * len(lines) + 0.6)))
@@ -37,16 +38,18 @@ def draw(options):
         half = 0.5 * (speed[1] - speed[0]) if len(speed) > 1 else 0.01
         place = dict(origin="lower", aspect="auto", interpolation="nearest",
                      extent=(speed[0] - half, speed[-1] + half, -0.5, len(lines) - 0.5))
-        colours = style.plt.get_cmap(style.SEQUENTIAL).copy()
-        colours.set_bad("#f0d9d0")
-        image = panels[0].imshow(np.ma.masked_invalid(displacement), cmap=colours, **place)
+        # Logarithmic, over three decades: the small motion below the first trigger has a structure of its own.
+        largest = np.nanmax(displacement, initial=0.0) or 1.0
+        image = panels[0].imshow(np.ma.masked_invalid(np.maximum(displacement, 1e-3 * largest)), cmap=style.SEQUENTIAL,
+                                 norm=style.matplotlib.colors.LogNorm(1e-3 * largest, largest), **place)
+        panels[0].imshow(style.missing_image(status), **place)
         figure.colorbar(image, cax=sides[0], label=f"Max. displacement [{units}]")
         if classes is not None:
-            colour_map, norm = style.class_map()
-            panels[1].imshow(classes, cmap=colour_map, norm=norm, **place)
+            class_image, handles = style.class_image(classes, status)
+            panels[1].imshow(class_image, **place)
             panels[1].set_title("Class of motion, in blade passings" if options.passing else
                                 "Class of motion, in revolutions", loc="left", fontsize=9, color="#55556a")
-            sides[1].legend(handles=style.class_handles(classes), loc="center left", bbox_to_anchor=(-0.5, 0.5))
+            sides[1].legend(handles=handles, loc="center left", bbox_to_anchor=(-0.5, 0.5))
             sides[1].set_axis_off()
             panels[0].tick_params(labelbottom=False)
         values, scale = atlas.axis(along), style.drawn(atlas.units(along))[1]
@@ -60,7 +63,7 @@ def draw(options):
             panel.set_ylabel(style.label(atlas, along))
         panels[-1].set_xlabel(style.label(atlas, "speed_ratio"))
         style.title(figure, atlas, lines[0].describe(without=[along]))
-        style.save(figure, options.output)
+        style.save(figure, options)
 
 
 if __name__ == "__main__":

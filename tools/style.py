@@ -1,36 +1,41 @@
 """How all pictures look: one place for colours, labels, titles and the marks of points without a motion.
 
 Colours are those of Okabe and Ito, which people with any of the common colour deficiencies tell apart; maps use
-`cividis`, which is uniform in lightness.
+`viridis`, which grows evenly in lightness.
 """
 import matplotlib
 
 matplotlib.use("Agg")  # pictures go to files; no display is needed
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from matplotlib.colors import BoundaryNorm, ListedColormap  # noqa: E402
 from matplotlib.patches import Patch  # noqa: E402
+
+from atlas_file import INTEGRATOR_FAILED, LEFT_VALIDITY, PENDING, SYMBOL  # noqa: E402
 
 INK = "#1a1a2e"
 BLUE, ORANGE, GREEN, VERMILION, PURPLE, SKY, YELLOW, GREY = (
     "#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#F0E442", "#8c8c8c")
 CYCLE = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, INK, GREY]
-SEQUENTIAL = "cividis"
+SEQUENTIAL = "viridis"
+
+# Points without a motion: which statuses, in which colour, and what the legend says.
+MISSING = [((LEFT_VALIDITY,), "#f3d9cd", "left the model's validity"),
+           ((INTEGRATOR_FAILED,), "#d9b3d9", "integrator failed"),
+           ((PENDING,), "#e6e6ec", "not computed yet")]
 
 # Classes of motion as `rubatlas analyse` numbers them, and how a map shows them.
 CLASSES = [
-    ("no motion", "#ffffff", lambda c: c == 0),
-    ("period 1", "#c6e2f5", lambda c: c == 1),
-    ("period 2", GREEN, lambda c: c == 2),
-    ("period 3", YELLOW, lambda c: c == 3),
-    ("period 4", ORANGE, lambda c: c == 4),
-    ("period 5 to 16", PURPLE, lambda c: (c >= 5) & (c <= 16)),
-    ("unresolved", "#a0a0a0", lambda c: c == 254),
-    ("aperiodic", INK, lambda c: c == 255),
+    ("period 1", "#c6e2f5", 1, 1),
+    ("period 2", GREEN, 2, 2),
+    ("period 3", YELLOW, 3, 3),
+    ("period 4", ORANGE, 4, 4),
+    ("period 5 to 16", PURPLE, 5, 16),
+    ("unresolved", "#a0a0a0", 254, 254),
+    ("aperiodic", INK, 255, 255),
 ]
 
 plt.rcParams.update({
-    "figure.dpi": 100, "savefig.dpi": 150, "figure.constrained_layout.use": True,
+    "figure.dpi": 100, "figure.constrained_layout.use": True,
     "font.size": 9.5, "axes.titlesize": 10, "axes.labelsize": 9.5, "legend.fontsize": 8.5,
     "xtick.labelsize": 8.5, "ytick.labelsize": 8.5, "text.color": INK, "axes.labelcolor": INK,
     "axes.edgecolor": "#55556a", "xtick.color": "#55556a", "ytick.color": "#55556a",
@@ -48,10 +53,10 @@ def drawn(units):
     return _DRAWN.get(units, (units, 1.0))
 
 
-def label(atlas, name, long_name=None):
-    """Axis label from the file's own attributes, in the unit that is drawn."""
-    text = long_name or atlas.long_name(name)
-    return f"{text[:1].upper()}{text[1:]} [{drawn(atlas.units(name))[0]}]"
+def label(atlas, name):
+    """Label of an axis of the grid: its name in the file, its symbol, and the unit it is drawn in."""
+    words = " ".join([*name.split("_"), SYMBOL.get(name, "")]).strip()
+    return f"{words[:1].upper()}{words[1:]} [{drawn(atlas.units(name))[0]}]"
 
 
 def title(figure, atlas, what):
@@ -67,7 +72,7 @@ def mark_missing(axes, speed, status):
     """Shades the speeds at which there is no motion to show: left the model's validity, failed, or still pending."""
     half = 0.5 * (speed[1] - speed[0]) if len(speed) > 1 else 0.01
     handles = []
-    for codes, colour, text in (((2, 3), "#f6d9cc", "left the model's validity"), ((0,), "#e8e8ee", "not computed yet")):
+    for codes, colour, text in MISSING:
         missing = np.isin(status, codes)
         edges = np.flatnonzero(np.diff(np.concatenate([[False], missing, [False]])))
         for first, last in edges.reshape(-1, 2):
@@ -78,28 +83,27 @@ def mark_missing(axes, speed, status):
     return handles
 
 
-def class_map():
-    """Colour map, norm and legend handles for indices into CLASSES."""
-    colours = ListedColormap([colour for _, colour, _ in CLASSES])
-    norm = BoundaryNorm(np.arange(len(CLASSES) + 1) - 0.5, len(CLASSES))
-    return colours, norm
+def class_image(classes, status):
+    """Colours (..., 3) of an array of classes of motion and their statuses, and the legend of those that occur."""
+    image, handles = np.ones((*classes.shape, 3)), []
+    entries = [(name, colour, (classes >= first) & (classes <= last)) for name, colour, first, last in CLASSES]
+    entries += [(name, colour, np.isin(status, codes)) for codes, colour, name in MISSING]
+    for name, colour, where in entries:
+        if where.any():
+            image[where] = matplotlib.colors.to_rgb(colour)
+            handles.append(Patch(facecolor=colour, edgecolor="#55556a", lw=0.5, label=name))
+    return image, handles
 
 
-def class_index(classes):
-    """Indices into CLASSES of an array of classes of motion."""
-    index = np.zeros(classes.shape, dtype=int)
-    for number, (_, _, holds) in enumerate(CLASSES):
-        index[holds(classes)] = number
-    return index
+def missing_image(status):
+    """Colours (..., 4) that cover an image where there is no motion, transparent elsewhere."""
+    image = np.zeros((*status.shape, 4))
+    for codes, colour, _ in MISSING:
+        image[np.isin(status, codes)] = matplotlib.colors.to_rgba(colour)
+    return image
 
 
-def class_handles(index):
-    """Legend handles of the classes that occur."""
-    return [Patch(facecolor=colour, edgecolor="#55556a", lw=0.5, label=name)
-            for number, (name, colour, _) in enumerate(CLASSES) if np.any(index == number)]
-
-
-def save(figure, path):
-    """Writes the PNG; the same data give the same bytes."""
-    figure.savefig(path, metadata={"Software": None})
+def save(figure, options):
+    """Writes the PNG that the options name; the same data give the same bytes."""
+    figure.savefig(options.output, dpi=options.dpi, metadata={"Software": None})
     plt.close(figure)

@@ -37,11 +37,11 @@ def draw(options):
         speed, order, amplitude = atlas.axis("speed_ratio"), atlas.axis("order"), line.rows("spectrum")
         units, factor = style.drawn(atlas.units("spectrum"))
         top = options.max_frequency or min(4.0, order[-1] * speed[-1])
-        edges = np.linspace(0.0, top, 801)
+        edges = np.linspace(0.0, top, 501)
         amplitude[:, 0] = 0.0 * amplitude[:, 0]  # the mean position is no vibration; no motion stays NaN
         shown = factor * by_frequency(speed, order, amplitude, edges)
         largest = np.nanmax(shown, initial=0.0)
-        floor = 1e-5 * largest if largest > 0 else 1e-12
+        floor = 1e-6 * largest if largest > 0 else 1e-12
 
         figure, panel = style.plt.subplots(figsize=(8.5, 6.2))
         half = 0.5 * (speed[1] - speed[0]) if len(speed) > 1 else 0.01
@@ -64,7 +64,7 @@ def draw(options):
         panel.set_ylabel(style.label(atlas, "speed_ratio"))
         figure.colorbar(image, ax=panel, pad=0.02, label=f"{atlas.long_name('spectrum')} [{units}]")
         style.title(figure, atlas, line.describe() + "\n")
-        style.save(figure, options.output)
+        style.save(figure, options)
 
 
 if __name__ == "__main__":

@@ -60,7 +60,7 @@ class Documentation(unittest.TestCase):
         self.expect_blocks_run("README.md", at_least=4)
 
     def test_every_block_of_the_tools_readme_runs(self):
-        self.expect_blocks_run("tools/README.md", at_least=4)
+        self.expect_blocks_run("tools/README.md", at_least=3)
 
     def test_other_languages_are_marked_or_plain(self):
         for page in sorted(ROOT.rglob("README.md")):

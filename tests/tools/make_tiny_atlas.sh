@@ -5,6 +5,7 @@ program=$1 folder=$2
 scene=$(realpath "$(dirname "${BASH_SOURCE[0]}")/tiny.json")
 mkdir -p "$folder"
 cd "$folder"
-"$program" run "$scene" -o atlas.h5 --overwrite --progress off
+# Exit code 1: some points leave the model, which the readers of an atlas have to cope with.
+"$program" run "$scene" -o atlas.h5 --overwrite --progress off || [ $? = 1 ]
 "$program" analyse atlas.h5 -o maps.h5 --table table1.md >/dev/null
-"$program" orbit "$scene" --at speed_ratio=0.3 -o orbit.h5
+"$program" orbit "$scene" --at speed_ratio=0.3,damping_ratio=0.1 -o orbit.h5
