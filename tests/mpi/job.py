@@ -20,11 +20,14 @@ ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_R
                "OMPI_MCA_btl_vader_single_copy_mechanism": "none"}
 
 
+FAILING = [0.02, 0.05, 0.1]  # damping ratios: at the first two some points leave the model's validity
+
+
 def scene(**changes):
-    """Three short lines of the default rotor through its chaotic region, some of their points failing."""
+    """Three short lines of the default rotor through its chaotic region; every point ends as done."""
     return {
         "title": "short lines", "reference": "none",
-        "grid": {"speed_ratio": {"from": 0.2, "to": 0.9, "count": 12}, "damping_ratio": [0.05, 0.1, 0.2]},
+        "grid": {"speed_ratio": {"from": 0.2, "to": 0.9, "count": 12}, "damping_ratio": [0.1, 0.15, 0.2]},
         "protocol": {"transient_revolutions": 10, "sampled_revolutions": 8, "samples_per_revolution": 32},
         "spectrum": {"max_order": 4},
         **changes,
@@ -33,7 +36,7 @@ def scene(**changes):
 
 def long_scene(**changes):
     """The same lines with enough points and revolutions that something can happen in the middle."""
-    return scene(grid={"speed_ratio": {"from": 0.2, "to": 0.9, "count": 60}, "damping_ratio": [0.05, 0.1, 0.2]},
+    return scene(grid={"speed_ratio": {"from": 0.2, "to": 0.9, "count": 60}, "damping_ratio": [0.1, 0.15, 0.2]},
                  protocol={"transient_revolutions": 60, "sampled_revolutions": 20, "samples_per_revolution": 32},
                  **changes)
 
@@ -58,8 +61,11 @@ class JobTest(unittest.TestCase):
 
     def execute(self, ranks, *arguments):
         """Runs to the end; the completed process has its text in stdout and stderr."""
-        return subprocess.run(command(ranks, *arguments), env=ENVIRONMENT, cwd=self.directory, text=True,
-                              capture_output=True, timeout=TIME_LIMIT, check=False)
+        job = subprocess.run(command(ranks, *arguments), env=ENVIRONMENT, cwd=self.directory, capture_output=True,
+                             timeout=TIME_LIMIT, check=False)
+        # Decoded here: Python's own text mode would turn the carriage returns of a progress bar into newlines.
+        job.stdout, job.stderr = job.stdout.decode(), job.stderr.decode()
+        return job
 
     def fill(self, ranks, content, name="atlas.h5", *options):
         """Runs a scene to its end, however its points end, and returns the atlas' path."""

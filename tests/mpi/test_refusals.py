@@ -1,9 +1,10 @@
 """What is refused, with which sentence and exit code, before anything is written."""
 import json
 import os
+import subprocess
 import unittest
 
-from job import JobTest, scene, long_scene, wait_for_points
+from job import JobTest, PROGRAM, scene, long_scene, wait_for_points
 
 
 class Refusals(JobTest):
@@ -74,8 +75,7 @@ class Refusals(JobTest):
 
     def test_an_atlas_beyond_the_processs_own_limit_ends_with_3(self):
         path = self.write_scene(scene())
-        launcher = ["bash", "-c", f'ulimit -f 8; exec "{os.environ["RUBATLAS_PROGRAM"]}" run "{path}" -o atlas.h5']
-        import subprocess
+        launcher = ["bash", "-c", f'ulimit -f 8; exec "{PROGRAM}" run "{path}" -o atlas.h5']
         job = subprocess.run(launcher, cwd=self.directory, text=True, capture_output=True, check=False)
         self.assert_refused(job, 3, "ulimit -f")
 
@@ -85,7 +85,7 @@ class Refusals(JobTest):
 
     def test_a_file_that_is_no_atlas_is_not_resumed(self):
         (self.directory / "atlas.h5").write_text("a letter")
-        self.assert_refused(self.run_job(2, self.write_scene(scene()), "--resume"), 3, "atlas.h5")
+        self.assert_refused(self.run_job(2, self.write_scene(scene()), "--resume"), 3, "atlas.h5", "cannot be opened as an atlas")
         self.assertEqual((self.directory / "atlas.h5").read_text(), "a letter")
 
     def test_a_second_run_on_the_same_atlas_is_kept_out(self):

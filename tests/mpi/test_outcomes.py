@@ -1,0 +1,79 @@
+"""How a job ends and what it leaves on record: exit codes, failed points, the record, the cost of waiting."""
+import json
+import os
+import resource
+import unittest
+
+import h5py
+
+from job import DONE, FAILING, JobTest, long_scene, scene
+
+
+class Outcomes(JobTest):
+    def failing_scene(self):
+        content = scene()
+        content["grid"]["damping_ratio"] = FAILING
+        return content
+
+    def test_a_job_whose_points_are_all_done_ends_with_0(self):
+        for ranks in (None, 2):
+            job = self.execute(ranks, "run", self.write_scene(scene()), "-o", f"atlas{ranks}.h5")
+            self.assertEqual(job.returncode, 0, job.stderr)
+
+    def test_a_job_with_points_that_failed_goes_on_and_ends_with_1(self):
+        for ranks in (None, 2):
+            name = f"atlas{ranks}.h5"
+            job = self.execute(ranks, "run", self.write_scene(self.failing_scene()), "-o", name)
+            self.assertEqual(job.returncode, 1, job.stderr)
+            with h5py.File(self.directory / name, "r") as atlas:
+                status = atlas["status"][...].ravel()
+            failed = int((status != DONE).sum())
+            self.assertTrue(0 < failed < status.size and (status != 0).all())
+            self.assertIn(f"36 of 36 points, {failed} failed", job.stderr)
+
+    def test_resuming_a_complete_atlas_with_failed_points_computes_nothing_and_ends_with_1(self):
+        path = self.write_scene(self.failing_scene())
+        self.assertEqual(self.execute(None, "run", path, "-o", "atlas.h5").returncode, 1)
+        before = (self.directory / "atlas.h5").read_bytes()
+        job = self.execute(2, "run", path, "-o", "atlas.h5", "--resume")
+        self.assertEqual(job.returncode, 1, job.stderr)
+        self.assertIn("; 0 computed in", job.stderr)
+        self.assertEqual((self.directory / "atlas.h5").read_bytes(), before)
+
+    def test_what_differs_from_run_to_run_is_in_the_record(self):
+        self.fill(2, scene())
+        run, = json.loads((self.directory / "atlas.h5.run.json").read_text())["runs"]
+        self.assertEqual((run["ranks"], run["points_total"], run["points_computed"]), (2, 36, 36))
+        self.assertEqual(len(run["host_of_rank"]), 2)
+        self.assertEqual(sum(run["points_of_rank"]), 36)
+        self.assertGreater(run["right_hand_sides"], run["touchdowns"])
+        self.assertGreater(run["wall_seconds"], 0.0)
+        self.assertRegex(run["started"], r"^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ$")
+
+    def test_nothing_but_atlas_and_record_is_left(self):
+        for ranks in (None, 3):
+            self.fill(ranks, scene(), f"atlas{ranks}.h5")
+        self.assertEqual(sorted(os.listdir(self.directory)),
+                         ["atlas3.h5", "atlas3.h5.run.json", "atlasNone.h5", "atlasNone.h5.run.json", "scene.json"])
+
+    def test_ranks_that_wait_do_not_burn_their_cores(self):
+        # One line keeps one rank busy, whatever their number. A spinning rank would cost as much as the busy one.
+        content = long_scene(sweep="up")
+        content["grid"]["damping_ratio"] = 0.1
+
+        def processor_seconds(ranks):
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            self.fill(ranks, content, f"atlas{ranks}.h5")
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+        run = json.loads
+        alone = processor_seconds(1)
+        with_waiting = processor_seconds(3)
+        busy = sum(run((self.directory / "atlas3.h5.run.json").read_text())["runs"][0]["busy_seconds_of_rank"])
+        # Starting a rank costs about 0.1 s of processor time.
+        self.assertLess(with_waiting - alone, 0.5 * busy + 0.3)
+
+
+if __name__ == "__main__":
+    unittest.main()

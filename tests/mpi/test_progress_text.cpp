@@ -1,0 +1,47 @@
+#include <gtest/gtest.h>
+
+#include "mpi/progress.hpp"
+#include "mpi/run_record.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+TEST(ProgressText, DurationsAreReadAtAGlance) {
+  EXPECT_EQ(readable_duration(0.04), "0.0 s");
+  EXPECT_EQ(readable_duration(59.9), "59.9 s");
+  EXPECT_EQ(readable_duration(59.96), "1 min 00 s");
+  EXPECT_EQ(readable_duration(3599.0), "59 min 59 s");
+  EXPECT_EQ(readable_duration(3661.0), "1 h 01 min");
+}
+
+TEST(ProgressText, TheBarShowsPointsRateTimeLeftAndFailures) {
+  const Standing standing{
+      .total = 200, .finished = 50, .failed = 3, .computed = 50, .seconds = 10.0, .seconds_left = 90.0};
+  EXPECT_EQ(bar_line(standing, 100),
+            "[##########..............................]  50/200 points  5/s  ETA 1 min 30 s  3 failed");
+}
+
+TEST(ProgressText, TheBarGivesWayToTheNumbersAndTheNumbersToTheWidth) {
+  const Standing standing{.total = 200, .finished = 50, .failed = 0, .computed = 50, .seconds = 10.0};
+  EXPECT_EQ(bar_line(standing, 35), "[###.........]  50/200 points  5/s");
+  for (std::size_t width = 0; width < 120; ++width) EXPECT_LE(bar_line(standing, width).size(), width);
+  EXPECT_EQ(bar_line(standing, 10), "50/200 poi");
+}
+
+TEST(ProgressText, AResumedJobCountsWhatIsThereButNotInItsRate) {
+  const Standing standing{.total = 200, .finished = 150, .failed = 0, .computed = 50, .seconds = 10.0};
+  EXPECT_EQ(plain_line(standing), " 75 %  150/200 points  5/s");
+  EXPECT_EQ(summary_line(standing), "150 of 200 points, 0 failed; 50 computed in 10.0 s, 5 points/s");
+}
+
+TEST(ProgressText, AJobIsNotCalledCompleteBeforeItsLastPoint) {
+  EXPECT_EQ(plain_line({.total = 1000, .finished = 999}).substr(0, 5), " 99 %");
+}
+
+TEST(RunRecord, TextsAreQuotedAsJsonWantsIt) {
+  EXPECT_EQ(json_text("a \"name\" \\ Ω"), "\"a \\\"name\\\" \\\\ Ω\"");
+  EXPECT_EQ(json_text("a\nb\t"), "\"a\\u000ab\\u0009\"");
+}
+
+}  // namespace
+}  // namespace rubatlas::mpi
