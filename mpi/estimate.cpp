@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include "plan/grid.hpp"
 
@@ -16,6 +17,11 @@ constexpr std::size_t kMostTrials = 400;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// CPU time, so that what else runs on the machine does not count.
+double processor_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 int total_revolutions(const scene::Scene& scene) {
@@ -68,18 +74,19 @@ CostEstimate estimate_cost(const scene::Scene& scene, std::chrono::duration<doub
             : static_cast<std::size_t>(position * static_cast<double>(grid.point_count()));
     const auto parameters = grid.parameters(point);
 
-    const auto before_table = Clock::now();
+    const double before_table = processor_seconds();
     const auto solver = solve::make_line_solver(trial, parameters, tables);
-    result.table_seconds += seconds_since(before_table);
+    result.table_seconds += processor_seconds() - before_table;
 
     int revolutions = 0;
-    const auto before = Clock::now();
+    const double before = processor_seconds();
     const auto outcome = solver->run(parameters.speed_ratio, start, [&] { ++revolutions; });
-    const double seconds = scale * seconds_since(before);
+    const double seconds = scale * (processor_seconds() - before);
 
     result.fastest = result.trials == 0 ? seconds : std::min(result.fastest, seconds);
     result.slowest = std::max(result.slowest, seconds);
-    if (outcome.status != solve::PointStatus::done) ++result.failed;
+    if (outcome.status == solve::PointStatus::left_validity) ++result.left_validity;
+    if (outcome.status == solve::PointStatus::integrator_failed) ++result.integrator_failed;
     result.revolutions += revolutions;
     add(result.work, outcome.work);
     sum += seconds;
@@ -87,7 +94,7 @@ CostEstimate estimate_cost(const scene::Scene& scene, std::chrono::duration<doub
     ++result.trials;
   }
   const auto count = static_cast<double>(result.trials);
-  result.seconds_per_point = sum / count;
+  result.seconds_per_point = std::max(sum / count, 1e-9);  // a clock that stood still is no rate
   const double variance =
       std::max(0.0, sum_of_squares / count - result.seconds_per_point * result.seconds_per_point);
   result.standard_error = result.trials > 1 ? std::sqrt(variance / (count - 1.0)) : result.seconds_per_point;

@@ -10,15 +10,16 @@
 namespace rubatlas::mpi {
 
 struct CostEstimate {
-  std::size_t trials = 0;          ///< points tried
-  std::size_t failed = 0;          ///< of these, how many did not end as done
-  double seconds_per_point = 0.0;  ///< mean over the trials, of one rank
-  double standard_error = 0.0;     ///< of that mean [s]
-  double fastest = 0.0;            ///< [s]
-  double slowest = 0.0;            ///< [s]
-  double revolutions = 0.0;        ///< of all trials together
-  double table_seconds = 0.0;      ///< for making the blade tables of all friction coefficients tried
-  solve::WorkCounts work;          ///< of all trials together
+  std::size_t trials = 0;             ///< points tried
+  std::size_t left_validity = 0;      ///< of these, how many left the model
+  std::size_t integrator_failed = 0;  ///< and how many could not be integrated
+  double seconds_per_point = 0.0;     ///< mean over the trials, CPU time of one rank
+  double standard_error = 0.0;        ///< of that mean [s]
+  double fastest = 0.0;               ///< [s]
+  double slowest = 0.0;               ///< [s]
+  double revolutions = 0.0;           ///< of all trials together
+  double table_seconds = 0.0;         ///< for making the blade tables of all friction coefficients tried
+  solve::WorkCounts work;             ///< of all trials together
 };
 
 /// Runs points spread over the whole grid, each from the scene's `initial`, until `budget` is used up. Long

@@ -216,7 +216,8 @@ void describe_time(const scene::Scene& scene, const plan::Grid& grid, const Cost
   const double tables = scene.contact.law == scene::ContactLaw::elastica ? cost.table_seconds : 0.0;
   text.heading("Time (an estimate, on this machine)");
   text.line("on one rank",
-            fmt::format("{} ± {:.0f} %, divided by the number of ranks", readable_duration(seconds + tables),
+            fmt::format("{} of CPU time ± {:.0f} %, divided by the number of ranks",
+                        readable_duration(seconds + tables),
                         std::min(100.0, 100.0 * cost.standard_error / cost.seconds_per_point)));
   text.line("from",
             fmt::format("{} points tried from `initial`: {:.3g} ms each, {:.3g} to {:.3g} ms", cost.trials,
@@ -250,11 +251,15 @@ std::vector<std::string> notes(const scene::Scene& scene, const CostEstimate& co
   std::vector<std::string> result;
   const auto& initial = scene.initial;
   const bool at_rest = initial.x == 0.0 && initial.y == 0.0 && initial.vx == 0.0 && initial.vy == 0.0;
-  if (cost.failed > 0) {
+  if (cost.left_validity > 0) {
     result.push_back(
-        fmt::format("{} of the {} points tried did not end as done: their rows will be NaN and their status "
-                    "says why",
-                    cost.failed, cost.trials));
+        fmt::format("{} of the {} points tried left the model: their rows will be NaN, with status 2",
+                    cost.left_validity, cost.trials));
+  }
+  if (cost.integrator_failed > 0) {
+    result.push_back(fmt::format(
+        "{} of the {} points tried could not be integrated: their rows will be NaN, with status 3",
+        cost.integrator_failed, cost.trials));
   }
   // MODEL 5: from rest the default rotor stays inside up to 1.02, leaves at 1.03 and always between 1.05
   // and 1.24.
