@@ -20,9 +20,16 @@ std::string_view absence_text(Presence presence) {
 
 }  // namespace
 
+std::string extent_text(const Region& region) {
+  const auto end = [](double speed, bool at_gap) {
+    return at_gap ? fmt::format("({:.3f})", speed) : fmt::format("{:.3f}", speed);
+  };
+  return fmt::format("{}-{}", end(region.from, region.begins_at_gap), end(region.to, region.ends_at_gap));
+}
+
 std::string region_text(int number, const Region& region) {
   if (!region.present()) return fmt::format("region {}: {}", number, absence_text(region.presence));
-  return fmt::format("region {}: {:.3f}-{:.3f}, {:.0f} % aperiodic, peak {}", number, region.from, region.to,
+  return fmt::format("region {}: {}, {:.0f} % aperiodic, peak {}", number, extent_text(region),
                      100.0 * region.aperiodic_share, millimetres(region.peak_displacement));
 }
 

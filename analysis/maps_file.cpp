@@ -131,6 +131,23 @@ void create_presence(File& file, const std::string& name, const std::string& lon
   dataset.set_text("long_name", long_name);
 }
 
+/// Which ends of a region lie at points that are not done.
+void create_open_ends(File& file, std::size_t region, const Findings& found, const Dataset& line_scale) {
+  std::vector<std::uint8_t> values;
+  for (const auto& line : found.lines) {
+    const auto& here = line.regions[region];
+    values.push_back(static_cast<std::uint8_t>((here.begins_at_gap ? 1 : 0) + (here.ends_at_gap ? 2 : 0)));
+  }
+  Dataset dataset =
+      file.create_dataset<std::uint8_t>(fmt::format("table1/region_{}_open", region + 1), {values.size()});
+  dataset.write<std::uint8_t>(values);
+  dataset.attach_scale(0, line_scale);
+  const std::vector<std::uint8_t> flags{0, 1, 2, 3};
+  dataset.set_numbers<std::uint8_t>("flag_values", flags);
+  dataset.set_text("flag_meanings", "closed begins_at_gap ends_at_gap both");
+  dataset.set_text("long_name", fmt::format("region {}: ends where points are not done", region + 1));
+}
+
 void create_table(File& file, const Findings& found) {
   auto group = file.create_group("table1");
   group.set_text("long_name", "regions and triggers, one row per line of the atlas");
@@ -155,6 +172,7 @@ void create_table(File& file, const Findings& found) {
   for (std::size_t i = 0; i < 4; ++i) {
     create(fmt::format("region_{}_presence", i + 1), fmt::format("whether region {} is there", i + 1),
            [i](const LineSummary& line) { return line.regions[i].presence; });
+    create_open_ends(file, i, found, scale);
   }
   for (std::size_t i = 0; i < 2; ++i) {
     create(fmt::format("trigger_{}_presence", i + 1), fmt::format("whether trigger {} is there", i + 1),

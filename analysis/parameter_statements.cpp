@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "analysis/evidence_text.hpp"
 #include "analysis/sensitivity.hpp"
@@ -21,6 +22,8 @@ constexpr double kLeastChaoticFriction = 0.01;
 constexpr double kGreatestChaoticFriction = 0.2;
 constexpr double kSmallUnbalance = 1e-5;     ///< [kg m] of the paper's five values the small ones
 constexpr double kGreatestUnbalance = 1e-4;  ///< [kg m] the paper's largest value
+/// More aperiodic points in region 1, as a share, that make "small chaotic areas".
+constexpr double kSmallArea = 0.01;
 /// Decimals as binary64.
 constexpr double kRounding = 1.0 + 1e-9;
 
@@ -56,58 +59,56 @@ std::vector<std::string> what_lacks(const LineSummary& line) {
   return texts;
 }
 
-bool any_uncovered(const LineSummary& line) {
-  return std::ranges::any_of(line.regions,
-                             [](const Region& r) { return r.presence == Presence::not_covered; });
-}
-
-bool four_regions(const LineSummary& line) {
-  return std::ranges::all_of(line.regions, &Region::present);
-}
-
-/// All four regions on each of the lines.
+/// All four regions on each of the lines: false where one is known not to be there, not covered where one
+/// might be where the points are not done.
 Finding all_four(const Evidence& evidence, const Lines& lines, std::string_view name) {
-  if (std::ranges::any_of(lines, [](const auto* line) { return any_uncovered(*line); })) {
-    return not_covered("the lines do not reach over all four regions");
-  }
   std::vector<std::string> lacking;
+  std::vector<std::string> unknown;
   for (const auto* line : lines) {
-    if (!four_regions(*line)) {
-      lacking.push_back(
-          fmt::format("{} at {}", fmt::join(what_lacks(*line), ", "), evidence.value_text(*line, name)));
-    }
+    const auto lacks = what_lacks(*line);
+    const bool uncovered = std::ranges::any_of(
+        line->regions, [](const Region& region) { return region.presence == Presence::not_covered; });
+    const auto at = evidence.value_text(*line, name);
+    if (!lacks.empty()) lacking.push_back(fmt::format("{} at {}", fmt::join(lacks, ", "), at));
+    if (lacks.empty() && uncovered) unknown.push_back(at);
   }
-  const auto range = fmt::format("{} to {}", evidence.value_text(*lines.front(), name),
-                                 evidence.value_text(*lines.back(), name));
-  if (lacking.empty()) return {true, fmt::format("all four regions from {}", range)};
-  return {false, fmt::format("{}", fmt::join(lacking, "; "))};
+  if (!lacking.empty()) return {false, fmt::format("{}", fmt::join(lacking, "; "))};
+  if (!unknown.empty())
+    return not_covered(fmt::format("not all regions are covered at {}", fmt::join(unknown, ", ")));
+  return {true, fmt::format("all four regions from {} to {}", evidence.value_text(*lines.front(), name),
+                            evidence.value_text(*lines.back(), name))};
 }
 
-/// Compares one number of two lines; `wanted` is the sign of (low line − reference).
+/// One number of a line, set against that of a reference line.
 struct Comparison {
   std::string what;
-  double here;
-  double reference;
-  int wanted;
-  double noticeable;
+  std::function<double(const LineSummary&)> value;
+  double sign;        ///< +1: it should be greater than on the reference line, -1: smaller
+  double noticeable;  ///< by this at least
   bool in_percent = false;
 };
 
-Finding compared(const Evidence& evidence, std::string_view name, const LineSummary& here,
-                 const LineSummary& reference, const Comparison& numbers) {
-  if (!std::isfinite(numbers.here) || !std::isfinite(numbers.reference)) {
-    return not_covered(fmt::format("{}: not known on both lines", numbers.what));
+/// Judged on the first of `candidates` on which the number is known: a region that ends at a gap has no
+/// width.
+Finding compared(const Evidence& evidence, std::string_view name, const Lines& candidates,
+                 const LineSummary& reference, const Comparison& comparison) {
+  const auto known = std::ranges::find_if(
+      candidates, [&](const LineSummary* line) { return std::isfinite(comparison.value(*line)); });
+  const double there = comparison.value(reference);
+  if (known == candidates.end() || !std::isfinite(there)) {
+    return not_covered(fmt::format("{}: not known on two lines", comparison.what));
   }
   const auto number = [&](double value) {
-    return numbers.in_percent ? fmt::format("{:.0f} %", 100.0 * value) : fmt::format("{:.3f}", value);
+    return comparison.in_percent ? fmt::format("{:.0f} %", 100.0 * value) : fmt::format("{:.3f}", value);
   };
-  return {numbers.wanted * (numbers.here - numbers.reference) >= numbers.noticeable,
-          fmt::format("{} {} at {}, {} at {}", numbers.what, number(numbers.here),
-                      evidence.value_text(here, name), number(numbers.reference),
-                      evidence.value_text(reference, name))};
+  const double here = comparison.value(**known);
+  return {
+      comparison.sign * (here - there) >= comparison.noticeable,
+      fmt::format("{}: {} at {}, {} at {}", comparison.what, number(here), evidence.value_text(**known, name),
+                  number(there), evidence.value_text(reference, name))};
 }
 
-/// Extent of the chaos in a region: width times share [-]; 0 where the region is absent.
+/// Extent of the chaos in a region: width times share [-]; 0 where the region is absent, NaN where not known.
 double chaos(const Region& region) {
   return region.present() ? region.width() * region.aperiodic_share : region.width();
 }
@@ -129,21 +130,24 @@ std::vector<Finding> low_damping_findings(const Evidence& evidence) {
   if (inside.empty() || reference == nullptr) return {not_covered("no damping ratio up to 0.15")};
 
   std::vector<Finding> findings{all_four(evidence, inside, name)};
-  const auto& low = *inside.front();
-  if (&low == reference) {
+  Lines lower;
+  std::ranges::copy_if(inside, std::back_inserter(lower), [&](const LineSummary* line) {
+    return evidence.value(*line, name) < evidence.value(*reference, name);
+  });
+  if (lower.empty()) {
     findings.push_back(not_covered("no damping ratio below that of the default rotor"));
     return findings;
   }
   const double step = evidence.scale().speed_ratio(kNoticeableWidth);
+  const auto width = [](std::size_t which) {
+    return [which](const LineSummary& line) { return line.regions[which].width(); };
+  };
+  const auto share = [](const LineSummary& line) { return line.regions[0].aperiodic_share; };
+  findings.push_back(compared(evidence, name, lower, *reference, {"width of region 2", width(1), 1.0, step}));
   findings.push_back(
-      compared(evidence, name, low, *reference,
-               {"width of region 2", low.regions[1].width(), reference->regions[1].width(), 1, step}));
-  findings.push_back(
-      compared(evidence, name, low, *reference,
-               {"width of region 3", low.regions[2].width(), reference->regions[2].width(), -1, step}));
-  findings.push_back(compared(evidence, name, low, *reference,
-                              {"aperiodic share of region 1", low.regions[0].aperiodic_share,
-                               reference->regions[0].aperiodic_share, 1, 0.01, true}));
+      compared(evidence, name, lower, *reference, {"width of region 3", width(2), -1.0, step}));
+  findings.push_back(compared(evidence, name, lower, *reference,
+                              {"aperiodic share of region 1", share, 1.0, kSmallArea, true}));
   return findings;
 }
 
@@ -158,10 +162,10 @@ std::vector<Finding> high_damping_findings(const Evidence& evidence) {
   }
   std::vector<Finding> findings;
   for (const std::size_t which : {1U, 3U}) {
-    findings.push_back(
-        compared(evidence, name, high, *reference,
-                 {fmt::format("chaos of region {} (width × share)", which + 1), chaos(high.regions[which]),
-                  chaos(reference->regions[which]), -1, evidence.scale().speed_ratio(kNoticeableWidth)}));
+    const auto extent = [which](const LineSummary& line) { return chaos(line.regions[which]); };
+    findings.push_back(compared(evidence, name, {&high}, *reference,
+                                {fmt::format("chaos of region {} (width × share)", which + 1), extent, -1.0,
+                                 evidence.scale().speed_ratio(kNoticeableWidth)}));
     const auto presence = high.regions[which].presence;
     const std::optional<bool> gone = presence == Presence::not_covered
                                          ? std::optional<bool>{}

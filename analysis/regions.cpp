@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/gaps.hpp"
 #include "analysis/stretches.hpp"
 
 namespace rubatlas::analysis {
@@ -24,11 +25,13 @@ double median(std::vector<double> values) {
 
 /// The region over points [first, last]; the displacement is of every finished point between them, the
 /// unresolved ones included.
-Region region_over(const Line& line, Points points, std::size_t first, std::size_t last) {
+Region region_over(const Line& line, SpeedScale scale, Points points, std::size_t first, std::size_t last) {
   Region region;
   region.presence = Presence::present;
   region.from = line.speed_ratio[points[first].index];
   region.to = line.speed_ratio[points[last].index];
+  region.begins_at_gap = gap_below(line, scale, points[first].index);
+  region.ends_at_gap = gap_above(line, scale, points[last].index);
   const auto inside = points.subspan(first, last - first + 1);
   const auto aperiodic = std::ranges::count_if(inside, [](const ClassifiedPoint& p) { return p.aperiodic; });
   region.aperiodic_share = static_cast<double>(aperiodic) / static_cast<double>(inside.size());
@@ -42,17 +45,43 @@ Region region_over(const Line& line, Points points, std::size_t first, std::size
   return region;
 }
 
-/// Points with a scaled speed in (above, below).
+/// Fewer points than this are not a stretch that could be judged.
+constexpr std::size_t kFewestPoints = 3;
+
 std::size_t count_between(Points points, double above, double below) {
   return static_cast<std::size_t>(std::ranges::count_if(
       points, [=](const ClassifiedPoint& p) { return p.scaled_speed > above && p.scaled_speed < below; }));
 }
 
-/// Fewer points than this are not a stretch that could be judged.
-constexpr std::size_t kFewestPoints = 3;
-
+/// True when there are points enough with a scaled speed in (above, below), and no gap of the line between
+/// them.
 bool covered(Points points, double above, double below) {
-  return count_between(points, above, below) >= kFewestPoints;
+  std::size_t count = 0;
+  std::size_t piece = 0;
+  for (const auto& point : points) {
+    if (point.scaled_speed <= above || point.scaled_speed >= below) continue;
+    if (count++ > 0 && point.piece != piece) return false;
+    piece = point.piece;
+  }
+  return count >= kFewestPoints;
+}
+
+/// Of the points [from, to), those of the piece of the line that has most points in (above, below).
+std::pair<std::size_t, std::size_t> main_piece(Points points, std::size_t from, std::size_t to, double above,
+                                               double below) {
+  std::pair<std::size_t, std::size_t> best{from, from};
+  std::size_t most = 0;
+  for (std::size_t first = from; first < to;) {
+    std::size_t last = first;
+    std::size_t count = 0;
+    for (; last < to && points[last].piece == points[first].piece; ++last) {
+      if (points[last].scaled_speed > above && points[last].scaled_speed < below) ++count;
+    }
+    if (count > most) best = {first, last};
+    most = std::max(most, count);
+    first = last;
+  }
+  return best;
 }
 
 Region region_1(const Line& line, Points points, SpeedScale scale, const Trigger& trigger) {
@@ -62,7 +91,9 @@ Region region_1(const Line& line, Points points, SpeedScale scale, const Trigger
   const auto first_above = std::ranges::find_if(points, [=](const auto& p) { return p.scaled_speed > end; });
   const auto count = static_cast<std::size_t>(first_above - points.begin());
   if (count < kFewestPoints) return {};
-  return region_over(line, points, 0, count - 1);
+  std::size_t first = count - 1;
+  while (first > 0 && points[first - 1].piece == points[count - 1].piece) --first;
+  return region_over(line, scale, points, first, count - 1);
 }
 
 /// The longest of the stretches that begin in [above, below), after joining them across periodic windows.
@@ -84,7 +115,7 @@ std::optional<Stretch> longest_stretch(Points points, const std::vector<Stretch>
 double Region::width() const {
   switch (presence) {
     case Presence::present:
-      return to - from;
+      return begins_at_gap || ends_at_gap ? kNotANumber : to - from;
     case Presence::not_covered:
       return kNotANumber;
     default:
@@ -107,34 +138,38 @@ std::array<Region, 4> find_regions(const Line& line, SpeedScale scale,
 
   const bool covered_2 = covered(points, kNominalTrigger[0], kBetweenTriggers);
   const bool covered_3 = covered(points, kBetweenTriggers, kNominalTrigger[1]);
-  const bool covered_4 =
-      covered(points, kNominalTrigger[1], 1e9) && covered(points, kNominalTrigger[1] + kTriggerSearch, 1e9);
+  const double beyond = kNominalTrigger[1] + kTriggerSearch;
+  const bool covered_4 = covered(points, kNominalTrigger[1], beyond) && points.back().scaled_speed > beyond;
 
   const auto stretches = chaotic_stretches(points, kShareWindow, kChaoticShare);
   const auto second = longest_stretch(points, stretches, start, kBetweenTriggers);
   const auto fourth = longest_stretch(points, stretches, kBetweenTriggers, 1e9);
 
-  if (second && covered_2) {
-    regions[1] = region_over(line, points, second->first, second->last);
+  if (second) {
+    regions[1] = region_over(line, scale, points, second->first, second->last);
   } else if (covered_2) {
     regions[1].presence = Presence::absent;
   }
 
   const bool goes_on = second && points[second->last].scaled_speed >= kNominalTrigger[1];
   if (fourth) {
-    regions[3] = region_over(line, points, fourth->first, fourth->last);
+    regions[3] = region_over(line, scale, points, fourth->first, fourth->last);
   } else if (goes_on) {
     regions[3].presence = Presence::merged;
   } else if (covered_4) {
     regions[3].presence = Presence::absent;
   }
 
-  if (!covered_3) return regions;
-  const std::size_t from = second ? second->last + 1 : 0;
-  const std::size_t to = fourth ? fourth->first : points.size();
-  const bool something_between = from < to && regions[3].presence != Presence::merged;
-  regions[2] = something_between ? region_over(line, points, from, to - 1) : Region{};
-  if (!something_between || regions[2].aperiodic_share >= kChaoticShare) {
+  if (regions[3].presence == Presence::merged) {
+    regions[2].presence = Presence::absent;
+    return regions;
+  }
+  if (count_between(points, kBetweenTriggers, kNominalTrigger[1]) < kFewestPoints) return regions;
+  const auto [from, to] =
+      main_piece(points, second ? second->last + 1 : 0, fourth ? fourth->first : points.size(),
+                 kBetweenTriggers, kNominalTrigger[1]);
+  if (from < to) regions[2] = region_over(line, scale, points, from, to - 1);
+  if (from < to ? regions[2].aperiodic_share >= kChaoticShare : covered_3) {
     regions[2] = {.presence = Presence::absent};
   }
   return regions;

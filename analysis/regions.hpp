@@ -26,8 +26,13 @@ struct Region {
   double peak_displacement = kNotANumber;    ///< [m]
   double median_displacement = kNotANumber;  ///< [m]
 
+  /// The region begins (ends) at a gap of the line, where points are not done: it may be longer than it
+  /// looks.
+  bool begins_at_gap = false;
+  bool ends_at_gap = false;
+
   [[nodiscard]] bool present() const { return presence == Presence::present; }
-  /// Extent in Ω [-]; 0 where the region is absent or merged, NaN where not covered.
+  /// Extent in Ω [-]; 0 where the region is absent or merged, NaN where it is not covered or open.
   [[nodiscard]] double width() const;
 };
 

@@ -13,9 +13,11 @@ namespace {
 
 constexpr std::size_t kColumns = 110;
 constexpr std::string_view kTableKey =
-    "Regions: first and last Ω, aperiodic share, peak displacement. Triggers: Ω, rise of the displacement in "
-    "mm and "
-    "as a ratio.";
+    "Regions: first and last Ω, aperiodic share, peak displacement; an Ω in parentheses is where points that "
+    "are "
+    "not done begin. Triggers: Ω, rise of the displacement in mm and as a ratio. Not covered: too few points "
+    "are "
+    "done there.";
 constexpr std::string_view kStatementsKey = "+ found, - not found, ? not covered by this atlas";
 
 std::string plain_table(const Findings& found) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <map>
 
+#include "analysis/evidence_text.hpp"
+
 namespace rubatlas::analysis {
 namespace {
 
@@ -79,7 +81,7 @@ std::string_view absence(Presence presence) {
 
 Cell region_cell(const Region& region) {
   if (!region.present()) return {std::string(absence(region.presence)), {}};
-  return {fmt::format("{:.3f}-{:.3f}", region.from, region.to),
+  return {extent_text(region),
           fmt::format("{:.0f} %, {}", 100.0 * region.aperiodic_share, millimetres(region.peak_displacement))};
 }
 

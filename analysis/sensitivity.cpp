@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "analysis/course.hpp"
+#include "analysis/evidence_text.hpp"
 
 namespace rubatlas::analysis {
 namespace {
@@ -24,9 +25,17 @@ class Series {
     const auto of = [which](const LineSummary& line) -> const Region& { return line.regions[which]; };
     std::vector<std::string> parts = presences([&](const LineSummary& line) { return of(line).presence; });
     const auto present = [&](const LineSummary& line) { return of(line).present(); };
-    const auto extent = [&](const LineSummary& line) {
-      return fmt::format("{:.3f}-{:.3f}", of(line).from, of(line).to);
+    const auto closed = [&](const LineSummary& line) {
+      return present(line) && !std::isnan(of(line).width());
     };
+    const auto extent = [&](const LineSummary& line) { return extent_text(of(line)); };
+    // A region that ends where points are not done has no width; it is shown as far as it is known.
+    for (const auto* line : lines_) {
+      if (of(*line).present() && std::isnan(of(*line).width())) {
+        parts.push_back(
+            fmt::format("known as {} at {}", extent(*line), parameter_.text(line->parameters[axis_])));
+      }
+    }
 
     const auto widths = course(present, [&](const LineSummary& l) { return of(l).width(); });
     const auto with_extent = [&](const CoursePoint& p) {
@@ -36,7 +45,7 @@ class Series {
         describe_course(widths, {"", "widens", "shortens"}, noticeable_place(kNoticeableWidth), with_extent);
     if (words.empty() && widths.size() > 1) {
       const auto middles =
-          course(present, [&](const LineSummary& l) { return 0.5 * (of(l).from + of(l).to); });
+          course(closed, [&](const LineSummary& l) { return 0.5 * (of(l).from + of(l).to); });
       const Noticeable place{scale_.speed_ratio(kNoticeableWidth), 0.0};
       words = describe_course(middles, {"", "moves up", "moves down"}, place,
                               [&](const CoursePoint& p) { return extent(line_at(p)); });

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "analysis/gaps.hpp"
+
 namespace rubatlas::analysis {
 namespace {
 
@@ -14,10 +16,14 @@ double running_share(std::span<const ClassifiedPoint> points, std::size_t i, dou
   const double reach = 0.5 * window * (1.0 + 1e-9);
   std::size_t first = i;
   std::size_t last = i;
-  while (first > 0 && points[i].scaled_speed - points[first - 1].scaled_speed <= reach) --first;
-  while (last + 1 < points.size() && points[last + 1].scaled_speed - points[i].scaled_speed <= reach) ++last;
-  if (first == i && i > 0) --first;
-  if (last == i && i + 1 < points.size()) ++last;
+  const auto here = [&](std::size_t j) { return points[j].piece == points[i].piece; };
+  const auto within = [&](std::size_t j) {
+    return here(j) && std::abs(points[j].scaled_speed - points[i].scaled_speed) <= reach;
+  };
+  while (first > 0 && within(first - 1)) --first;
+  while (last + 1 < points.size() && within(last + 1)) ++last;
+  if (first == i && i > 0 && here(i - 1)) --first;
+  if (last == i && i + 1 < points.size() && here(i + 1)) ++last;
   const auto inside = points.subspan(first, last - first + 1);
   const auto aperiodic = std::ranges::count_if(inside, [](const ClassifiedPoint& p) { return p.aperiodic; });
   return static_cast<double>(aperiodic) / static_cast<double>(inside.size());
@@ -31,6 +37,7 @@ std::size_t grown(std::span<const ClassifiedPoint> points, std::size_t end, std:
   std::size_t reached = end;
   for (auto i = static_cast<std::ptrdiff_t>(end) + step; i >= 0 && i < std::ssize(points); i += step) {
     const auto here = static_cast<std::size_t>(i);
+    if (points[here].piece != points[end].piece) break;
     if (std::abs(points[here].scaled_speed - points[end].scaled_speed) > 0.5 * window) break;
     if (running_share(points, here, window) < 0.5 * share) break;
     if (points[here].aperiodic) reached = here;
@@ -42,10 +49,12 @@ std::size_t grown(std::span<const ClassifiedPoint> points, std::size_t end, std:
 
 std::vector<ClassifiedPoint> classified_points(const Line& line, SpeedScale scale) {
   std::vector<ClassifiedPoint> points;
+  std::size_t piece = 0;
   for (std::size_t i = 0; i < line.size() && i < line.motion.size(); ++i) {
+    if (i > 0 && is_done(line, i - 1) && gap_above(line, scale, i - 1)) ++piece;
     const bool aperiodic = line.motion[i] == motion_class::kAperiodic;
     if (!aperiodic && !is_periodic(line.motion[i])) continue;
-    points.push_back({scale.scaled(line.speed_ratio[i]), aperiodic, i});
+    points.push_back({scale.scaled(line.speed_ratio[i]), aperiodic, i, piece});
   }
   return points;
 }
@@ -59,7 +68,10 @@ std::vector<Stretch> chaotic_stretches(std::span<const ClassifiedPoint> points, 
       continue;
     }
     Stretch stretch{i, i};
-    while (i < points.size() && running_share(points, i, window) >= share) stretch.last = i++;
+    const auto goes_on = [&] {
+      return points[i].piece == points[stretch.first].piece && running_share(points, i, window) >= share;
+    };
+    while (i < points.size() && goes_on()) stretch.last = i++;
     stretch.first = grown(points, stretch.first, -1, window, share);
     stretch.last = grown(points, stretch.last, +1, window, share);
     while (stretch.first < stretch.last && !points[stretch.first].aperiodic) ++stretch.first;
@@ -86,7 +98,8 @@ std::vector<Stretch> join_across_windows(std::span<const ClassifiedPoint> points
     for (auto left = stretches.begin(); left != stretches.end() && left + 1 != stretches.end(); ++left) {
       const auto right = left + 1;
       const double gap = points[right->first].scaled_speed - points[left->last].scaled_speed;
-      const bool is_window = gap < length(points, *left) && gap < length(points, *right);
+      const bool same_piece = points[left->last].piece == points[right->first].piece;
+      const bool is_window = same_piece && gap < length(points, *left) && gap < length(points, *right);
       if (is_window && (shortest == stretches.end() || gap < shortest_gap)) {
         shortest = left;
         shortest_gap = gap;

@@ -15,6 +15,7 @@ struct ClassifiedPoint {
   double scaled_speed;  ///< Ω n/3 [-]
   bool aperiodic;
   std::size_t index;  ///< on the line
+  std::size_t piece;  ///< grows at every gap of the line (gaps.hpp)
 };
 
 std::vector<ClassifiedPoint> classified_points(const Line& line, SpeedScale scale);
@@ -28,11 +29,12 @@ struct Stretch {
 /// Maximal stretches in which the share of aperiodic points, over a window of scaled width `window` centred
 /// on each point (and at least its two neighbours), is `share` or more; grown outwards by up to half a window
 /// while half that share holds; trimmed to begin and end with an aperiodic point. A burst of chaos shorter
-/// than `share` of a window, a single point above all, makes no stretch.
+/// than `share` of a window, a single point above all, makes no stretch. Windows and stretches end at the
+/// gaps of a line.
 std::vector<Stretch> chaotic_stretches(std::span<const ClassifiedPoint> points, double window, double share);
 
 /// Joins neighbours whose gap is shorter than both of them (a periodic window inside one region), shortest
-/// gap first, until no such gap is left.
+/// gap first, until no such gap is left; never across a gap of the line.
 std::vector<Stretch> join_across_windows(std::span<const ClassifiedPoint> points,
                                          std::vector<Stretch> stretches);
 
