@@ -23,7 +23,7 @@ TEST(ProgressText, TheBarShowsPointsRateTimeLeftAndFailures) {
 
 TEST(ProgressText, TheBarGivesWayToTheNumbersAndTheNumbersToTheWidth) {
   const Standing standing{.total = 200, .finished = 50, .failed = 0, .computed = 50, .seconds = 10.0};
-  EXPECT_EQ(bar_line(standing, 35), "[###.........]  50/200 points  5/s");
+  EXPECT_EQ(bar_line(standing, 35), "[###..........]  50/200 points  5/s");
   for (std::size_t width = 0; width < 120; ++width) EXPECT_LE(bar_line(standing, width).size(), width);
   EXPECT_EQ(bar_line(standing, 10), "50/200 poi");
 }

@@ -131,17 +131,22 @@ TEST(Schedule, LinesOfUnequalCostKeepRanksBusyToTheEnd) {
   const auto cost = [](std::size_t line, std::uint64_t visit) {
     return (visit > 80 && visit < 140 ? 10.0 : 1.0) * 3.0 / static_cast<double>(line + 1);
   };
+  double total = 0.0;
+  double longest_line = 0.0;
+  for (std::size_t line = 0; line < 7; ++line) {
+    double sum = 0.0;
+    for (std::uint64_t visit = 0; visit < 200; ++visit) sum += cost(line, visit);
+    total += sum;
+    longest_line = std::max(longest_line, sum);
+  }
   for (const int ranks : {2, 3}) {
     PlayedJob job(lines_of_points(7, 200, scene::Sweep::up), ranks);
-    double total = 0.0;
-    for (std::size_t line = 0; line < 7; ++line) {
-      for (std::uint64_t visit = 0; visit < 200; ++visit) total += cost(line, visit);
-    }
-    EXPECT_LE(job.play(cost), 1.02 * total / ranks);
+    // No schedule can be shorter than this.
+    EXPECT_LE(job.play(cost), 1.02 * std::max(total / ranks, longest_line));
   }
 }
 
-TEST(Schedule, ALineThatIsLongerThanTheRestIsNotLeftToTheEnd) {
+TEST(Schedule, ALineThatTurnsOutToBeLongIsNotLeftToTheEnd) {
   const auto cost = [](std::size_t line, std::uint64_t) { return line == 5 ? 5.0 : 1.0; };
   PlayedJob job(lines_of_points(6, 200, scene::Sweep::up), 2);
   // Five lines of 200 beside one of 1000: two ranks can be through at 1000 if the long one is begun early
