@@ -15,7 +15,7 @@ constexpr std::size_t kLongestPiece = 16;
 constexpr std::size_t kPiecesPerRank = 8;
 /// A line is urgent, and leads a rank away from its own, when alone it would take this share of the time that
 /// all ranks need for all that is left.
-constexpr double kUrgentShare = 0.5;
+constexpr double kUrgentShare = 0.25;
 
 }  // namespace
 
