@@ -29,18 +29,22 @@ double running_share(std::span<const ClassifiedPoint> points, std::size_t i, dou
   return static_cast<double>(aperiodic) / static_cast<double>(inside.size());
 }
 
-/// The last aperiodic point that a stretch reaches from `end`, walking outwards by `step`: half a window far
-/// at most, and no further than half the share holds. Where chaos thins out towards its border, the window
-/// that straddles the border has less than the share already.
+/// The furthest aperiodic point, half a window at most outwards (by `step`) from `end`, up to which the share
+/// holds for the points from `end` on. Where chaos with windows borders on periodic motion, the running
+/// window that straddles the border has less than the share already.
 std::size_t grown(std::span<const ClassifiedPoint> points, std::size_t end, std::ptrdiff_t step,
                   double window, double share) {
   std::size_t reached = end;
+  std::size_t seen = 0;
+  std::size_t aperiodic = 0;
   for (auto i = static_cast<std::ptrdiff_t>(end) + step; i >= 0 && i < std::ssize(points); i += step) {
-    const auto here = static_cast<std::size_t>(i);
-    if (points[here].piece != points[end].piece) break;
-    if (std::abs(points[here].scaled_speed - points[end].scaled_speed) > 0.5 * window) break;
-    if (running_share(points, here, window) < 0.5 * share) break;
-    if (points[here].aperiodic) reached = here;
+    const auto& point = points[static_cast<std::size_t>(i)];
+    const bool near = std::abs(point.scaled_speed - points[end].scaled_speed) <= 0.5 * window;
+    if (point.piece != points[end].piece || !near) break;
+    ++seen;
+    if (point.aperiodic) ++aperiodic;
+    const bool holds = static_cast<double>(aperiodic) >= share * static_cast<double>(seen);
+    if (point.aperiodic && holds) reached = static_cast<std::size_t>(i);
   }
   return reached;
 }
