@@ -57,12 +57,12 @@ void check_command(int argument_count, const char* const* arguments) {
 }
 
 /// The library's sentence without its line breaks, and where to read on.
-UsageError usage_error(const CLI::App& program, const CLI::ParseError& error) {
+std::string sentence_of(const CLI::App& program, const CLI::ParseError& error) {
   std::string text = error.what();
   while (!text.empty() && (text.back() == '\n' || text.back() == '.')) text.pop_back();
   const auto chosen = program.get_subcommands();
   const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
-  return UsageError(fmt::format("{}; rubatlas{} --help shows what is possible", text, command));
+  return fmt::format("{}; rubatlas{} --help shows what is possible", text, command);
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   } catch (const CLI::CallForVersion&) {
     return PrintCommand{version_text()};
   } catch (const CLI::ParseError& error) {
-    throw usage_error(program, error);
+    throw UsageError(sentence_of(program, error));
   }
   if (run->parsed()) {
     run_options.progress = progress_style(progress);

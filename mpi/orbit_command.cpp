@@ -137,8 +137,9 @@ double value_on(const plan::PointParameters& parameters, std::string_view axis) 
   return parameters.speed_ratio;
 }
 
-UsageError no_such_point(const atlas::AtlasReader& atlas, const std::filesystem::path& path,
-                         const plan::PointParameters& parameters) {
+/// Which value of which axis is not there, and what is.
+std::string no_such_point(const atlas::AtlasReader& atlas, const std::filesystem::path& path,
+                          const plan::PointParameters& parameters) {
   constexpr double kSame = 1e-9;
   for (const auto& axis : atlas.axes()) {
     if (axis.name == kDirection) continue;
@@ -147,11 +148,11 @@ UsageError no_such_point(const atlas::AtlasReader& atlas, const std::filesystem:
       return std::abs(value - wanted) <= kSame * std::max(std::abs(value), std::abs(wanted));
     });
     if (!present) {
-      return UsageError(fmt::format("{} has no point at {}={}; it has {}; {}", path.string(), axis.name,
-                                    wanted, values_text(axis.values), nearest_values(axis.values, wanted)));
+      return fmt::format("{} has no point at {}={}; it has {}; {}", path.string(), axis.name, wanted,
+                         values_text(axis.values), nearest_values(axis.values, wanted));
     }
   }
-  return UsageError(fmt::format("{} has no such point", path.string()));
+  return fmt::format("{} has no such point", path.string());
 }
 
 /// The final state stored for a point: the orbit then shows the atlas' own attractor.
@@ -171,7 +172,7 @@ solve::SectionState stored_state(const scene::Scene& scene, const std::filesyste
     throw UsageError(fmt::format("{} was swept one way; it has no direction to choose", path.string()));
   }
   const auto point = atlas.find(place.parameters, place.direction.value_or(plan::Direction::up));
-  if (!point) throw no_such_point(atlas, path, place.parameters);
+  if (!point) throw UsageError(no_such_point(atlas, path, place.parameters));
   const auto status = static_cast<solve::PointStatus>(atlas.status()[*point]);
   if (status != solve::PointStatus::done) {
     throw UsageError(fmt::format(

@@ -1,7 +1,8 @@
 #include "plan/grid.hpp"
 
 #include <array>
-#include <span>
+#include <ranges>
+#include <string_view>
 
 #include "scene/quantity.hpp"
 
@@ -59,10 +60,10 @@ std::size_t Grid::speed_count() const {
 
 PointParameters Grid::parameters(std::size_t point) const {
   PointParameters result;
-  for (auto axis = axes_.rbegin(); axis != axes_.rend(); ++axis) {
-    const std::size_t extent = axis->values.size();
+  for (const auto& axis : std::views::reverse(axes_)) {
+    const std::size_t extent = axis.values.size();
     for (const auto& parameter : kParameters) {
-      if (parameter.name == axis->name) result.*parameter.value = axis->values[point % extent];
+      if (parameter.name == axis.name) result.*parameter.value = axis.values[point % extent];
     }
     point /= extent;
   }

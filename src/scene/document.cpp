@@ -60,8 +60,9 @@ class TreeBuilder final : public nlohmann::json_sax<json> {
     std::string_view what = error.what();
     if (const auto tag = what.find("] "); tag != std::string_view::npos) what.remove_prefix(tag + 2);
     if (const auto column = what.find("column ");
-        what.starts_with("parse error at ") && column != what.npos) {
-      if (const auto end = what.find(": ", column); end != what.npos) what.remove_prefix(end + 2);
+        what.starts_with("parse error at ") && column != std::string_view::npos) {
+      if (const auto end = what.find(": ", column); end != std::string_view::npos)
+        what.remove_prefix(end + 2);
     }
     throw SceneError(fmt::format("{}: not JSON: {}", place(text_, name_, position), what));
   }

@@ -52,8 +52,8 @@ std::vector<std::string_view> known_keys(std::string_view section) {
     if (entry.section() == section) keys.push_back(entry.key());
   }
   if (section.empty()) {
-    for (const auto& entry : sections()) keys.push_back(last_key(entry.pointer));
-    keys.push_back("observables");
+    for (const auto& entry : sections()) keys.emplace_back(last_key(entry.pointer));
+    keys.emplace_back("observables");
   }
   return keys;
 }
@@ -211,9 +211,8 @@ std::vector<double> read_axis(const json& value, std::string_view pointer, const
   if (value.is_array()) return read_list(value, pointer, entry);
   if (value.is_object()) return read_span(value, pointer, entry);
   if (value.is_number()) return {checked_number(value, pointer, entry)};
-  fail(pointer,
-       fmt::format("{} is not a number, a list of numbers or {{\"from\", \"to\", \"count\"}} in {}; {}",
-                   shown(value), with_unit(entry), entry.meaning));
+  fail(pointer, fmt::format(R"({} is not a number, a list of numbers or {{"from", "to", "count"}} in {}; {})",
+                            shown(value), with_unit(entry), entry.meaning));
 }
 
 void read_grid(const json& document, Scene& scene) {
@@ -230,9 +229,8 @@ void read_grid(const json& document, Scene& scene) {
         if (!own || values.size() == 1) entry.write(scene, values.front());
       }
     } else if (entry.read == nullptr) {
-      fail(entry.pointer,
-           fmt::format("missing; a number, a list or {{\"from\", \"to\", \"count\"}} in {}; {}",
-                       with_unit(entry), entry.meaning));
+      fail(entry.pointer, fmt::format(R"(missing; a number, a list or {{"from", "to", "count"}} in {}; {})",
+                                      with_unit(entry), entry.meaning));
     } else {
       const auto own = entry.read(scene);
       values = {own ? std::get<double>(*own) : 0.0};  // an absent effect has the strength zero
@@ -280,7 +278,7 @@ void read_observables(const json& document, Scene& scene) {
 void check_together(const json& document, Scene& scene) {
   if (scene.contact.law != ContactLaw::elastic_ring && document.contains("/ring/stiffness"_json_pointer)) {
     fail("/ring/stiffness",
-         fmt::format("{} has no effect under the contact law \"{}\"; only \"elastic_ring\" reads it",
+         fmt::format(R"({} has no effect under the contact law "{}"; only "elastic_ring" reads it)",
                      shown(document["ring"]["stiffness"]),
                      std::get<std::string>(*quantity("/contact/law").read(scene))));
   }
