@@ -48,14 +48,14 @@ case $code in
 esac
 
 say "4/5 Analyse"
-build/rubatlas analyse "$atlas" -o "$maps" --table "$table" >/dev/null
+# Its text is for the terminal, at the very end; the same as Markdown goes to a file.
+summary=$(build/rubatlas analyse "$atlas" -o "$maps" --table "$table")
 
 say "5/5 Draw"
 tools/draw.sh "$atlas" "$maps" "$pictures"
 
 say "Done in $((SECONDS / 60)) min $((SECONDS % 60)) s"
-cat "$table"
-echo
+printf '%s\n\n' "$summary"
 echo "Atlas:    $atlas"
 echo "Maps:     $maps"
 echo "Table 1:  $table"
