@@ -67,7 +67,8 @@ std::vector<Finding> region_4_findings(const LineSummary& line, SpeedScale scale
   const auto* map =
       per_passing ? "blade passings" : "revolutions (the atlas has no sections per blade passing)";
   if (nearest == nullptr) {
-    findings.push_back({false, fmt::format("no period doubling near 2/3 in {}", map)});
+    findings.push_back({false, fmt::format("no period doubling seen near 2/3 in {}, on speeds {:.4f} apart",
+                                           map, line.speed_step)});
     return findings;
   }
   findings.push_back(

@@ -1,6 +1,6 @@
 #include "analysis/line_summary.hpp"
 
-#include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace rubatlas::analysis {
@@ -12,11 +12,14 @@ LineSummary summarise(const Line& line, std::vector<double> parameters, SpeedSca
   summary.regions = find_regions(line, scale, summary.triggers);
   const auto& motion = line.motion_per_passing.empty() ? line.motion : line.motion_per_passing;
   summary.doublings = period_doublings(line.speed_ratio, motion);
+  std::size_t count = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line.motion[i] == motion_class::kNone) continue;
-    if (std::isnan(summary.first_speed)) summary.first_speed = line.speed_ratio[i];
+    if (count++ == 0) summary.first_speed = line.speed_ratio[i];
     summary.last_speed = line.speed_ratio[i];
   }
+  if (count > 1)
+    summary.speed_step = (summary.last_speed - summary.first_speed) / static_cast<double>(count - 1);
   return summary;
 }
 

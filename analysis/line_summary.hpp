@@ -20,6 +20,7 @@ struct LineSummary {
   std::vector<PeriodDoubling> doublings;
   double first_speed = kNotANumber;  ///< Ω [-] of the first point that has a class
   double last_speed = kNotANumber;
+  double speed_step = kNotANumber;  ///< mean distance of points that have a class
 };
 
 /// Applies all rules to a line. `floor` as in `find_triggers`.
