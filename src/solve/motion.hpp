@@ -183,7 +183,16 @@ class Motion {
     }
     if constexpr (Law::kHasBending) {
       phase_ = Phase::carried;
-      if (contacts_.size() == 1 && carried_->start(time_, state_, contacts_)) return true;
+      if (contacts_.size() == 1) {
+        OpenContact& contact = contacts_.front();
+        // What other phases leave is a first guess; an unloaded blade starts at u = 0 exactly.
+        if (contact.bending > 0.0) {
+          const auto root = law_.solve_near(pose(contact.blade), contact.slip, contact.bending);
+          if (!root) return false;
+          contact.bending = *root;
+        }
+        if (carried_->start(time_, state_, contacts_)) return true;
+      }
     }
     phase_ = Phase::solved;
     return solved_.start(time_, state_, contacts_);
@@ -211,17 +220,6 @@ class Motion {
     return true;
   }
 
-  [[nodiscard]] double force(const OpenContact& contact) const {
-    contact::TipForce force{};
-    if constexpr (Law::kHasBending) {
-      force = law_.constraint(pose(contact.blade), contact.slip, contact.bending, rotor_.speed_ratio).force;
-    } else {
-      double none = 0.0;
-      law_.respond(pose(contact.blade), contact.slip, rotor_.speed_ratio, none, force);
-    }
-    return force.normal;
-  }
-
   PointStatus change_contacts(const PhaseEnd& end, MotionListener& listener) {
     phase_ = Phase::undecided;
     const auto contact = std::find_if(contacts_.begin(), contacts_.end(),
@@ -229,14 +227,13 @@ class Motion {
     switch (end.event) {
       case PhaseEvent::lift_off:
         ++work_.liftoffs;
-        listener.event(Event{end.event, end.blade, time_, contact->slip, state_, force(*contact)});
+        listener.event(Event{end.event, end.blade, time_, contact->slip, state_});
         contacts_.erase(contact);
         return PointStatus::done;
       case PhaseEvent::touch_down:
         ++work_.touchdowns;
         if (!open(end.blade, pose(end.blade))) return PointStatus::left_validity;
-        listener.event(
-            Event{end.event, end.blade, time_, contacts_.back().slip, state_, force(contacts_.back())});
+        listener.event(Event{end.event, end.blade, time_, contacts_.back().slip, state_});
         return PointStatus::done;
       default: {
         ++work_.slip_reversals;
@@ -246,7 +243,7 @@ class Motion {
           if (!root) return PointStatus::left_validity;
           contact->bending = *root;
         }
-        listener.event(Event{end.event, end.blade, time_, contact->slip, state_, force(*contact)});
+        listener.event(Event{end.event, end.blade, time_, contact->slip, state_});
         return PointStatus::done;
       }
     }

@@ -17,7 +17,6 @@ struct Event {
   double time;  ///< τ of the revolution
   double slip;  ///< s: after a touch-down or reversal, before a lift-off
   State state;
-  double force;  ///< F [N]: just after a touch-down or reversal, just before a lift-off
 };
 
 /// Does nothing itself: what runs in the transient.

@@ -1,0 +1,158 @@
+/// What one point promises: repeatable to the bit, bounded, honest about its end.
+#include "solve/line_solver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "reference_case.hpp"
+
+namespace rubatlas::test {
+namespace {
+
+constexpr solve::SectionState kRest{0.0, 0.0, 0.0, 0.0};
+
+scene::Scene default_scene() {
+  scene::Scene scene;
+  scene.observables = {"poincare",
+                       "poincare_blade_passing",
+                       "max_displacement",
+                       "spectrum",
+                       "touchdowns_per_revolution",
+                       "max_contact_force",
+                       "contact_fraction",
+                       "max_root_strain"};
+  scene.protocol = {20, 10, 64};
+  return scene;
+}
+
+plan::PointParameters line_of(const scene::Scene& scene) {
+  return {0.0, scene.rotor.damping_ratio, scene.contact.friction,
+          scene.unbalance ? scene.unbalance->moment : 0.0, scene.blades.thickness};
+}
+
+solve::PointOutcome run(const scene::Scene& scene, double speed_ratio,
+                        const solve::SectionState& start = kRest) {
+  return solve::make_line_solver(scene, line_of(scene), solve::make_blade_tables())
+      ->run(speed_ratio, start, [] {});
+}
+
+TEST(LineSolver, APointHasTheSameBitsWhateverRanBeforeIt) {
+  const scene::Scene scene = default_scene();
+  const auto solver = solve::make_line_solver(scene, line_of(scene), solve::make_blade_tables());
+  const auto fresh = solver->run(0.62, kRest, [] {});
+  solver->run(0.75, kRest, [] {});
+  solver->run(0.31, {1e-3, 0.0, 0.0, 0.0}, [] {});
+  const auto again = solver->run(0.62, kRest, [] {});
+  EXPECT_EQ(fresh.rows, again.rows);
+  EXPECT_EQ(fresh.final_state, again.final_state);
+  EXPECT_EQ(fresh.work.right_hand_sides, again.work.right_hand_sides);
+}
+
+TEST(LineSolver, ARotorThatCannotReachTheRingCostsNoIntegration) {
+  scene::Scene scene = default_scene();
+  scene.rotor.misalignment = 0.005;
+  const auto outcome = run(scene, 0.5, {1e-3, 0.0, 0.0, 0.0});
+  EXPECT_EQ(outcome.status, solve::PointStatus::done);
+  EXPECT_EQ(outcome.work.right_hand_sides, 0U);
+  EXPECT_LE(outcome.work.gap_evaluations, 30U) << "one bound per revolution";
+}
+
+TEST(LineSolver, UnbalanceWithoutContactCirclesWithTheTextbookAmplitude) {
+  scene::Scene scene = default_scene();
+  scene.rotor.misalignment = 0.0;
+  scene.unbalance = scene::Unbalance{1e-3, 0.4};
+  scene.observables = {"max_displacement", "spectrum"};
+  scene.protocol = {60, 10, 64};
+  const double speed = 0.8;
+  const auto outcome = run(scene, speed);
+  ASSERT_EQ(outcome.status, solve::PointStatus::done);
+  const double exact = 1e-3 * speed * speed / std::hypot(1.0 - speed * speed, 2.0 * 0.1 * speed);
+  EXPECT_NEAR(outcome.rows[0][0], exact,
+              1e-13 * exact + 1e-3 * std::exp(-0.1 * 60 * 2 * std::numbers::pi / speed));
+  EXPECT_NEAR(outcome.rows[1][10], exact, 1e-12) << "the 1x line of the spectrum, 0-peak";
+}
+
+TEST(LineSolver, AResonantUndampedRotorGrowsWithoutBoundUntilItLeavesTheModel) {
+  scene::Scene scene = default_scene();
+  scene.blades.count = 1;
+  scene.rotor.damping_ratio = 0.0;
+  scene.unbalance = scene::Unbalance{1e-2, 0.0};  // the one blade cannot hold it
+  const auto outcome = run(scene, 1.0);
+  EXPECT_EQ(outcome.status, solve::PointStatus::left_validity);
+  EXPECT_GE(outcome.failed_revolution, 0);
+}
+
+TEST(LineSolver, ADeepMisalignmentEndsWithAStatusAndRowsOfNaN) {
+  scene::Scene scene = default_scene();
+  scene.rotor.misalignment = 0.06;  // 0.55 R: no root of the contact equation
+  const auto outcome = run(scene, 0.3);
+  EXPECT_EQ(outcome.status, solve::PointStatus::left_validity);
+  EXPECT_EQ(outcome.failed_revolution, 0);
+  EXPECT_TRUE(std::isnan(outcome.final_state[0]));
+  for (const auto& row : outcome.rows) {
+    for (const double value : row) EXPECT_TRUE(std::isnan(value));
+  }
+}
+
+TEST(LineSolver, TheDefaultRotorStaysWithinTheModelAt1_02AndLeavesItAt1_10) {
+  scene::Scene scene = default_scene();
+  scene.protocol = {200, 100, 64};
+  scene.observables = {"max_displacement"};
+  EXPECT_EQ(run(scene, 1.02).status, solve::PointStatus::done);
+  EXPECT_EQ(run(scene, 1.10).status, solve::PointStatus::left_validity);
+}
+
+TEST(LineSolver, LimitOfVanishingFrictionIsTheFrictionlessRotor) {
+  // MODEL 4.6, to the digits given there.
+  const std::vector<std::pair<double, double>> published = {
+      {1e-3, 0.0153740}, {1e-4, 0.0154506}, {1e-5, 0.0154589}, {0.0, 0.0154598}};
+  for (const auto& [friction, displacement] : published) {
+    scene::Scene scene = default_scene();
+    scene.contact.friction = friction;
+    scene.observables = {"max_displacement"};
+    scene.protocol = {200, 100, 64};
+    EXPECT_NEAR(run(scene, 0.62).rows[0][0], displacement, 6e-8) << "friction " << friction;
+  }
+}
+
+TEST(LineSolver, TheOrbitPassesThroughThePoincareSections) {
+  const scene::Scene scene = default_scene();
+  const auto solver = solve::make_line_solver(scene, line_of(scene), solve::make_blade_tables());
+  const auto outcome = solver->run(0.62, kRest, [] {});
+  const auto orbit = solver->orbit(0.62, kRest);
+  ASSERT_EQ(orbit.time.size(), 10U * 64U);
+  ASSERT_EQ(orbit.force.size(), 3U * orbit.time.size());
+  ASSERT_EQ(orbit.sections.size(), 10U);
+  for (std::size_t i = 0; i < 10; ++i) {
+    for (std::size_t component = 0; component < 4; ++component) {
+      EXPECT_EQ(orbit.sections[i][component], outcome.rows[0][4 * i + component]);
+    }
+  }
+  for (std::size_t i = 1; i < 10; ++i) {
+    EXPECT_LE(distance(orbit.state[64 * i], orbit.sections[i - 1]), 1e-15)
+        << "each revolution starts at a section";
+  }
+}
+
+TEST(LineSolver, TheLastBladePassingOfARevolutionIsItsSection) {
+  const auto outcome = run(default_scene(), 0.62);
+  for (std::size_t i = 0; i < 10; ++i) {
+    for (std::size_t component = 0; component < 4; ++component) {
+      EXPECT_EQ(outcome.rows[1][4 * (3 * i + 2) + component], outcome.rows[0][4 * i + component]);
+    }
+  }
+}
+
+TEST(LineSolver, BetweenRevolutionsIsCalledOncePerRevolution) {
+  const scene::Scene scene = default_scene();
+  int calls = 0;
+  solve::make_line_solver(scene, line_of(scene), solve::make_blade_tables())->run(0.4, kRest, [&] {
+    ++calls;
+  });
+  EXPECT_EQ(calls, 30);
+}
+
+}  // namespace
+}  // namespace rubatlas::test

@@ -1,0 +1,58 @@
+/// The cases of tests/reference/orbits.json as scenes and numbers.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "contact/elastica_contact.hpp"
+#include "scene/scene.hpp"
+#include "solve/line_solver.hpp"
+#include "solve/rotor.hpp"
+
+namespace rubatlas::test {
+
+struct ReferenceEvent {
+  std::string kind;  ///< touch, lift, slip
+  int revolution;    ///< from 0
+  int blade;         ///< from 1
+  double time;       ///< τ of the revolution
+  double force;      ///< F just after a touch-down, just before a lift-off [N]; NaN for slip
+};
+
+struct ReferenceCase {
+  std::string name;
+  scene::Scene scene;  ///< grid of one point; observables: poincare, max_displacement
+  double speed_ratio = 0.0;
+  solve::SectionState start{};
+  bool periodic = false;
+  int touchdowns_in_ten = 0;
+  double max_displacement = 0.0;  ///< over the last 100 revolutions
+  int last_section = 0;
+  std::vector<solve::SectionState> first_sections;  ///< 1 … 10
+  std::vector<solve::SectionState> last_sections;   ///< last_section − 10 … last_section
+  std::vector<double> section_uncertainty;          ///< of the first sections, from the data's own tolerances
+  std::vector<ReferenceEvent> events;
+
+  [[nodiscard]] plan::PointParameters line() const;
+  /// Largest component over all stored sections.
+  [[nodiscard]] double amplitude() const;
+  friend std::ostream& operator<<(std::ostream& stream, const ReferenceCase& c) { return stream << c.name; }
+};
+
+const std::vector<ReferenceCase>& reference_cases();
+const ReferenceCase& reference_case(const std::string& name);
+
+/// Largest difference of the components.
+double distance(const solve::SectionState& a, const solve::SectionState& b);
+
+/// All sections of a case at a tolerance, from its start on; the run must end as done.
+std::vector<solve::SectionState> sections_of(const ReferenceCase& c, double tolerance);
+
+/// The law of a case, for forces at events.
+contact::ElasticaContact contact_of(const ReferenceCase& c);
+solve::RotorConstants constants_of(const ReferenceCase& c);
+
+}  // namespace rubatlas::test
