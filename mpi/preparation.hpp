@@ -26,4 +26,7 @@ struct Preparation {
 /// disk.
 Preparation prepare(const RunOptions& options, const atlas::Software& software);
 
+/// What `--dry-run` prints. All that `prepare` would refuse is refused, and nothing is written.
+std::string rehearse(const RunOptions& options);
+
 }  // namespace rubatlas::mpi

@@ -119,13 +119,18 @@ int run(const RunOptions& options) {
   int verdict = exit_code::kDone;
   if (session.rank() == 0) {
     try {
-      preparation = prepare(options, software());
+      if (options.dry_run) {
+        fmt::print("{}", rehearse(options));
+      } else {
+        preparation = prepare(options, software());
+      }
     } catch (...) {
       verdict = report_failure(std::current_exception());
     }
   }
+  session.wait_for_all();
   verdict = session.broadcast(verdict);
-  if (verdict != exit_code::kDone) return verdict;
+  if (verdict != exit_code::kDone || options.dry_run) return verdict;
 
   try {
     return fill_atlas(options, session, preparation);

@@ -18,6 +18,14 @@ std::size_t product(const Shape& shape) {
   return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
 }
 
+File open_atlas(const std::filesystem::path& path) {
+  try {
+    return File::open_to_read(path);
+  } catch (const EnvironmentError& error) {
+    throw EnvironmentError(fmt::format("{} cannot be opened as an atlas: {}", path.string(), error.what()));
+  }
+}
+
 /// The axes are the scales of `/status`: whatever axes another version adds, they are found.
 std::vector<plan::Axis> read_axes(const File& file) {
   const Dataset status = file.dataset("/status");
@@ -43,7 +51,7 @@ std::optional<std::size_t> index_of(const std::vector<double>& values, double va
 
 }  // namespace
 
-AtlasReader::AtlasReader(const std::filesystem::path& path) : file_(File::open_to_read(path)) {
+AtlasReader::AtlasReader(const std::filesystem::path& path) : file_(open_atlas(path)) {
   if (!file_.has("/status") || !file_.has("/scene_resolved") ||
       !file_.root().has_attribute("schema_version")) {
     throw EnvironmentError(fmt::format("{} is not an atlas of rubatlas", path.string()));

@@ -96,6 +96,17 @@ class Refusals(JobTest):
         self.assert_refused(second, 3, "another run is filling")
         self.assertIn(first.wait(timeout=60), (0, 1))
 
+    def test_a_dry_run_refuses_the_same_and_writes_nothing(self):
+        path = self.write_scene(scene())
+        job = self.run_job(2, path, "--dry-run")
+        self.assertEqual((job.returncode, job.stderr), (0, ""))
+        self.assertIn("36 points would be computed into atlas.h5; nothing has been written", job.stdout)
+        self.assertEqual(job.stdout.count("Dry run"), 1, "one rank speaks")
+        self.assertEqual(self.left_behind(), [])
+        self.fill(None, scene())
+        self.assert_refused(self.run_job(None, path, "--dry-run"), 2, "--overwrite")
+        self.assertIn("Dry run: 0 points", self.run_job(None, path, "--dry-run", "--resume").stdout)
+
 
 if __name__ == "__main__":
     unittest.main()
