@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <memory>
 
 #include "plan/grid.hpp"
 
@@ -11,8 +12,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Enough revolutions for a point to show what it costs, few enough that a trial ends.
+// Enough revolutions for a point to show what it costs; fewer where they are slow, so that there is time for
+// several points.
+constexpr int kFewestRevolutions = 5;
 constexpr int kMostRevolutions = 300;
+constexpr double kShareOfOneTrial = 0.1;
 constexpr std::size_t kMostTrials = 400;
 
 double seconds_since(Clock::time_point start) {
@@ -28,15 +32,32 @@ int total_revolutions(const scene::Scene& scene) {
   return scene.protocol.transient_revolutions + scene.protocol.sampled_revolutions;
 }
 
-/// The scene with at most kMostRevolutions, transient and sampled ones in the same proportion.
-scene::Scene shortened(scene::Scene scene) {
+/// The scene with at most so many revolutions, transient and sampled ones in the same proportion.
+scene::Scene shortened(scene::Scene scene, int revolutions) {
   auto& protocol = scene.protocol;
   const int total = total_revolutions(scene);
-  if (total <= kMostRevolutions) return scene;
+  if (total <= revolutions) return scene;
   const double share = static_cast<double>(protocol.sampled_revolutions) / total;
-  protocol.sampled_revolutions = std::max(1, static_cast<int>(std::lround(share * kMostRevolutions)));
-  protocol.transient_revolutions = kMostRevolutions - protocol.sampled_revolutions;
+  protocol.sampled_revolutions = std::max(1, static_cast<int>(std::lround(share * revolutions)));
+  protocol.transient_revolutions = revolutions - protocol.sampled_revolutions;
   return scene;
+}
+
+solve::SectionState start_of(const scene::Scene& scene) {
+  return {scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
+}
+
+/// How many revolutions a trial may have, from a few at the first point.
+int trial_revolutions(const scene::Scene& scene, double budget,
+                      const std::shared_ptr<solve::BladeTables>& tables) {
+  const scene::Scene probe = shortened(scene, kFewestRevolutions);
+  const auto parameters = plan::Grid(probe).parameters(0);
+  const auto solver = solve::make_line_solver(probe, parameters, tables);
+  const double before = processor_seconds();
+  solver->run(parameters.speed_ratio, start_of(probe), [] {});
+  const double per_revolution = std::max((processor_seconds() - before) / kFewestRevolutions, 1e-9);
+  return static_cast<int>(
+      std::clamp<double>(kShareOfOneTrial * budget / per_revolution, kFewestRevolutions, kMostRevolutions));
 }
 
 void add(solve::WorkCounts& sum, const solve::WorkCounts& work) {
@@ -52,17 +73,17 @@ void add(solve::WorkCounts& sum, const solve::WorkCounts& work) {
 }  // namespace
 
 CostEstimate estimate_cost(const scene::Scene& scene, std::chrono::duration<double> budget) {
-  const scene::Scene trial = shortened(scene);
+  const auto begin = Clock::now();
+  const auto tables = solve::make_blade_tables();
+  const scene::Scene trial = shortened(scene, trial_revolutions(scene, budget.count(), tables));
   const double scale = static_cast<double>(total_revolutions(scene)) / total_revolutions(trial);
   const plan::Grid grid(trial);
-  const auto tables = solve::make_blade_tables();
-  const solve::SectionState start{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
+  const solve::SectionState start = start_of(scene);
 
   CostEstimate result;
   double sum = 0.0;
   double sum_of_squares = 0.0;
   const std::size_t most_trials = std::min(grid.point_count(), kMostTrials);
-  const auto begin = Clock::now();
   while (result.trials < most_trials && (result.trials == 0 || seconds_since(begin) < budget.count())) {
     // Multiples of the golden section fall evenly over the grid however many of them there is time for. A
     // grid that is tried as a whole is tried point by point.
@@ -74,14 +95,13 @@ CostEstimate estimate_cost(const scene::Scene& scene, std::chrono::duration<doub
             : static_cast<std::size_t>(position * static_cast<double>(grid.point_count()));
     const auto parameters = grid.parameters(point);
 
-    const double before_table = processor_seconds();
     const auto solver = solve::make_line_solver(trial, parameters, tables);
-    result.table_seconds += processor_seconds() - before_table;
 
     int revolutions = 0;
     const double before = processor_seconds();
     const auto outcome = solver->run(parameters.speed_ratio, start, [&] { ++revolutions; });
-    const double seconds = scale * (processor_seconds() - before);
+    const bool done = outcome.status == solve::PointStatus::done;
+    const double seconds = (done ? scale : 1.0) * (processor_seconds() - before);
 
     result.fastest = result.trials == 0 ? seconds : std::min(result.fastest, seconds);
     result.slowest = std::max(result.slowest, seconds);

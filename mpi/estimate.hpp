@@ -18,7 +18,6 @@ struct CostEstimate {
   double fastest = 0.0;               ///< [s]
   double slowest = 0.0;               ///< [s]
   double revolutions = 0.0;           ///< of all trials together
-  double table_seconds = 0.0;         ///< for making the blade tables of all friction coefficients tried
   solve::WorkCounts work;             ///< of all trials together
 };
 

@@ -13,6 +13,8 @@
 #include "atlas/free_space.hpp"
 #include "atlas/schema.hpp"
 #include "mpi/estimate.hpp"
+#include "mpi/explain_text.hpp"
+#include "mpi/notes.hpp"
 #include "mpi/progress.hpp"
 #include "plan/grid.hpp"
 #include "scene/quantity.hpp"
@@ -20,39 +22,11 @@
 namespace rubatlas::mpi {
 namespace {
 
-/// "heading", then lines of a name in a fixed column and what is to be said about it.
-class Text {
- public:
-  void heading(std::string_view title) { text_ += fmt::format("\n{}\n", title); }
-  /// Columns are counted in letters: names hold Greek ones.
-  void line(std::string_view name, std::string_view content) {
-    constexpr std::size_t kColumn = 26;
-    const auto letters = static_cast<std::size_t>(std::count_if(name.begin(), name.end(), [](char byte) {
-      return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
-    }));
-    text_ += fmt::format("  {}{} {}\n", name, std::string(letters < kColumn ? kColumn - letters : 0, ' '),
-                         content);
-  }
-  [[nodiscard]] std::string take() { return std::move(text_); }
-
- private:
-  std::string text_;
-};
-
-/// A length in the unit that an engineer would read it in.
-std::string length(double metres) {
-  const double size = std::abs(metres);
-  if (size == 0.0) return "0 mm";
-  if (size >= 1.0) return fmt::format("{:.6g} m", metres);
-  return size >= 1e-4 ? fmt::format("{:.6g} mm", 1e3 * metres) : fmt::format("{:.6g} µm", 1e6 * metres);
-}
-
 double revolutions_per_minute(double radians_per_second) {
   return 60.0 * radians_per_second / (2.0 * std::numbers::pi);
 }
 
-// --- the machine
-// ----------------------------------------------------------------------------------------------
+// --- the machine ---
 
 /// Bending stiffness E b h³/12 [N m²] (MODEL 3.1).
 double bending_stiffness(const scene::Blades& blades, double thickness) {
@@ -106,8 +80,7 @@ void describe_machine(const scene::Scene& scene, Text& text) {
                                     1.0 / blades.count, 2.0 / blades.count, blades.count));
 }
 
-// --- effects
-// --------------------------------------------------------------------------------------------------
+// --- effects ---
 
 void effect(Text& text, std::string_view name, bool present, const std::string& why) {
   text.line(name, fmt::format("{:<4} {}", present ? "on" : "off", why));
@@ -176,8 +149,7 @@ void describe_kernel(const scene::Scene& scene, Text& text) {
                                  : ""));
 }
 
-// --- grid and file
-// --------------------------------------------------------------------------------------------
+// --- grid and file ---
 
 void describe_grid(const scene::Scene& scene, const plan::Grid& grid, Text& text) {
   text.heading("Grid");
@@ -207,21 +179,24 @@ void describe_file(const scene::Scene& scene, Text& text) {
   text.line("together", fmt::format("{:>9}", atlas::readable_bytes(schema.byte_count())));
 }
 
-// --- time
-// -----------------------------------------------------------------------------------------------------
+// --- time ---
 
-void describe_time(const scene::Scene& scene, const plan::Grid& grid, const CostEstimate& cost, Text& text) {
-  const auto points = static_cast<double>(grid.point_count());
-  const double seconds = points * cost.seconds_per_point;
-  const double tables = scene.contact.law == scene::ContactLaw::elastica ? cost.table_seconds : 0.0;
+/// Milliseconds where they are few.
+std::string duration(double seconds) {
+  return seconds < 10.0 ? fmt::format("{:.3g} ms", 1e3 * seconds) : readable_duration(seconds);
+}
+
+void describe_time(const plan::Grid& grid, const CostEstimate& cost, Text& text) {
+  const double seconds = static_cast<double>(grid.point_count()) * cost.seconds_per_point;
+  const bool all_tried = cost.trials == grid.point_count();
+  const double uncertainty = std::min(100.0, 100.0 * cost.standard_error / cost.seconds_per_point);
   text.heading("Time (an estimate, on this machine)");
-  text.line("on one rank",
-            fmt::format("{} of CPU time ± {:.0f} %, divided by the number of ranks",
-                        readable_duration(seconds + tables),
-                        std::min(100.0, 100.0 * cost.standard_error / cost.seconds_per_point)));
-  text.line("from",
-            fmt::format("{} points tried from `initial`: {:.3g} ms each, {:.3g} to {:.3g} ms", cost.trials,
-                        1e3 * cost.seconds_per_point, 1e3 * cost.fastest, 1e3 * cost.slowest));
+  text.line("on one rank", fmt::format("{} of CPU time{}, divided by the number of ranks",
+                                       seconds < 0.1 ? "under 0.1 s" : readable_duration(seconds),
+                                       all_tried ? "" : fmt::format(" ± {:.0f} %", uncertainty)));
+  text.line("from", fmt::format("{} point{} tried from `initial`: {} each, {} to {}", cost.trials,
+                                cost.trials == 1 ? "" : "s", duration(cost.seconds_per_point),
+                                duration(cost.fastest), duration(cost.slowest)));
   const auto touchdowns = static_cast<double>(cost.work.touchdowns);
   if (touchdowns > 0.0) {
     text.line("they had", fmt::format("{:.3g} touch-downs a revolution, {:.0f} right-hand sides each",
@@ -230,71 +205,6 @@ void describe_time(const scene::Scene& scene, const plan::Grid& grid, const Cost
   } else {
     text.line("they had", "no touch-down at all");
   }
-}
-
-// --- what to know before starting
-// -----------------------------------------------------------------------------
-
-/// Largest amplitude of the rotor without contact under the scene's unbalance [m] (MODEL 4.5), over the grid.
-double largest_free_amplitude(const scene::Scene& scene) {
-  double largest = 0.0;
-  const double eccentricity = scene.grid.unbalance.back() / scene.rotor.mass;
-  const double damping = scene.grid.damping_ratio.front();
-  for (const double speed : scene.grid.speed_ratio) {
-    const double detuning = std::hypot(1.0 - speed * speed, 2.0 * damping * speed);
-    if (eccentricity > 0.0) largest = std::max(largest, eccentricity * speed * speed / detuning);
-  }
-  return largest;
-}
-
-std::vector<std::string> notes(const scene::Scene& scene, const CostEstimate& cost) {
-  std::vector<std::string> result;
-  const auto& initial = scene.initial;
-  const bool at_rest = initial.x == 0.0 && initial.y == 0.0 && initial.vx == 0.0 && initial.vy == 0.0;
-  if (cost.left_validity > 0) {
-    result.push_back(
-        fmt::format("{} of the {} points tried left the model: their rows will be NaN, with status 2",
-                    cost.left_validity, cost.trials));
-  }
-  if (cost.integrator_failed > 0) {
-    result.push_back(fmt::format(
-        "{} of the {} points tried could not be integrated: their rows will be NaN, with status 3",
-        cost.integrator_failed, cost.trials));
-  }
-  // MODEL 5: from rest the default rotor stays inside up to 1.02, leaves at 1.03 and always between 1.05
-  // and 1.24.
-  if (scene.grid.speed_ratio.back() > 1.0) {
-    result.emplace_back(
-        "speeds beyond Ω = 1 reach the border of the model: the default rotor leaves it at 1.03 and "
-        "always from 1.05 to 1.24. Near the border the very revolution of escape depends on the last "
-        "digits");
-  }
-  if (at_rest && std::abs(scene.rotor.misalignment) <= scene.clearance() &&
-      largest_free_amplitude(scene) == 0.0) {
-    result.emplace_back("the blades never reach the ring: nothing moves, every row is zero");
-  }
-  if (const double amplitude = largest_free_amplitude(scene); amplitude > 0.0) {
-    result.push_back(
-        fmt::format("without contact the unbalance alone would move the shaft by up to {}, {} clearances",
-                    length(amplitude),
-                    scene.clearance() > 0.0 ? fmt::format("{:.3g}", amplitude / scene.clearance()) : "many"));
-  }
-  if (scene.grid.damping_ratio.front() == 0.0) {
-    result.emplace_back("ζ = 0: free motion never decays, a transient of any length leaves it as it is");
-  }
-  if (scene.protocol.transient_revolutions == 0) {
-    result.emplace_back("no transient: the sections begin with the very first revolution");
-  }
-  const bool has_passing = std::find(scene.observables.begin(), scene.observables.end(),
-                                     "poincare_blade_passing") != scene.observables.end();
-  if (!has_passing && scene.unbalance == std::nullopt && scene.blades.count > 1) {
-    result.push_back(
-        fmt::format("without unbalance the natural period is a blade passing, T/{}: the observable "
-                    "`poincare_blade_passing` would show period doublings that once-per-revolution "
-                    "sections hide",
-                    scene.blades.count));
-  }
-  return result;
 }
 
 }  // namespace
@@ -310,10 +220,10 @@ std::string explain(const scene::Scene& scene) {
   describe_kernel(scene, text);
   describe_grid(scene, grid, text);
   describe_file(scene, text);
-  describe_time(scene, grid, cost, text);
-  const auto remarks = notes(scene, cost);
+  describe_time(grid, cost, text);
+  const auto remarks = notes_on(scene, cost);
   if (!remarks.empty()) text.heading("Notes");
-  for (const auto& remark : remarks) text.line("-", remark);
+  for (const auto& remark : remarks) text.note(remark);
 
   const std::string title = scene.title.empty() ? "(a scene without a title)" : scene.title;
   return fmt::format("{}\n{}{}", title, scene.reference.empty() ? "" : scene.reference + "\n", text.take());
