@@ -96,6 +96,32 @@ Region region_1(const Line& line, Points points, SpeedScale scale, const Trigger
   return region_over(line, scale, points, first, count - 1);
 }
 
+/// Scaled speed that has region 2 below and region 4 above it: the middle of the periodic stretch, between
+/// chaos, that covers most of (1/2, 2/3); where none does, 1/2 itself.
+double border_of_two_and_four(Points points, const std::vector<Stretch>& stretches) {
+  std::vector<bool> chaotic(points.size(), false);
+  for (const auto& stretch : stretches) {
+    for (std::size_t i = stretch.first; i <= stretch.last; ++i) chaotic[i] = true;
+  }
+  double border = kBetweenTriggers;
+  double most = -1.0;
+  for (std::size_t first = 0; first < points.size(); ++first) {
+    if (chaotic[first]) continue;
+    std::size_t last = first;
+    while (last + 1 < points.size() && !chaotic[last + 1] && points[last + 1].piece == points[first].piece)
+      ++last;
+    const double low = points[first].scaled_speed;
+    const double high = points[last].scaled_speed;
+    const double covers = std::min(high, kNominalTrigger[1]) - std::max(low, kBetweenTriggers);
+    if (covers >= 0.0 && covers > most) {
+      most = covers;
+      border = 0.5 * (low + high);
+    }
+    first = last;
+  }
+  return border;
+}
+
 /// The longest of the stretches that begin in [above, below), after joining them across periodic windows.
 std::optional<Stretch> longest_stretch(Points points, const std::vector<Stretch>& all, double above,
                                        double below) {
@@ -142,8 +168,9 @@ std::array<Region, 4> find_regions(const Line& line, SpeedScale scale,
   const bool covered_4 = covered(points, kNominalTrigger[1], beyond) && points.back().scaled_speed > beyond;
 
   const auto stretches = chaotic_stretches(points, kShareWindow, kChaoticShare);
-  const auto second = longest_stretch(points, stretches, start, kBetweenTriggers);
-  const auto fourth = longest_stretch(points, stretches, kBetweenTriggers, 1e9);
+  const double border = border_of_two_and_four(points, stretches);
+  const auto second = longest_stretch(points, stretches, start, border);
+  const auto fourth = longest_stretch(points, stretches, border, 1e9);
 
   if (second) {
     regions[1] = region_over(line, scale, points, second->first, second->last);

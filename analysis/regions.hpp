@@ -15,7 +15,8 @@ namespace rubatlas::analysis {
 constexpr double kShareWindow = 1.0 / 20.0;
 /// A stretch is chaotic where at least this share of its running window is aperiodic.
 constexpr double kChaoticShare = 0.5;
-/// Chaos that begins below this scaled speed, midway between the triggers, is region 2; above it, region 4.
+/// The scaled speed midway between the triggers. Region 3 is around the periodic stretch that covers most of
+/// the range from here to the second trigger.
 constexpr double kBetweenTriggers = 0.5;
 
 struct Region {

@@ -103,6 +103,60 @@ TEST(Regions, ThreeMayBeSqueezedBetweenChaosAndChaos) {
   expect_extent(regions[3], 0.571, 0.95);
 }
 
+TEST(Regions, TwoMayBeginLateAndFourEarly) {
+  const auto late = regions_of(
+      {{0.3335, {1}, 1e-4}, {0.53, {6}, 1e-2}, {0.60, {255}, 1e-2}, {0.68, {1}, 1e-2}, {0.95, {255}, 2e-2}});
+  expect_extent(late[1], 0.531, 0.60);
+  expect_extent(late[2], 0.601, 0.68);
+  expect_extent(late[3], 0.681, 0.95);
+  const auto early = regions_of({{0.3335, {1}, 1e-4}, {0.52, {1}, 1e-2}, {0.95, {255}, 2e-2}});
+  EXPECT_EQ(early[1].presence, Presence::absent);
+  expect_extent(early[2], 0.334, 0.52);
+  expect_extent(early[3], 0.521, 0.95);
+}
+
+TEST(Regions, EndOpenAtAGap) {
+  auto pieces = four_regions();
+  pieces[1] = {0.45, {255}, 1e-2};
+  pieces.insert(pieces.begin() + 2, {0.55, {motion_class::kNone}, kNotANumber});
+  const auto regions = regions_of(pieces);
+  expect_extent(regions[1], 0.334, 0.45);
+  EXPECT_FALSE(regions[1].begins_at_gap);
+  EXPECT_TRUE(regions[1].ends_at_gap);
+  EXPECT_TRUE(std::isnan(regions[1].width()));
+  expect_extent(regions[2], 0.551, 0.666);
+  EXPECT_TRUE(regions[2].begins_at_gap);
+  EXPECT_FALSE(regions[2].ends_at_gap);
+  expect_extent(regions[3], 0.667, 0.95);
+  EXPECT_FALSE(std::isnan(regions[3].width()));
+}
+
+TEST(Regions, AreNotCalledAbsentWhereAGapMayHideThem) {
+  // Chaos may be what left the model's validity between 0.40 and 0.48, and beyond 0.70.
+  const auto nothing = motion_class::kNone;
+  const auto regions = regions_of({{0.3335, {1}, 1e-4},
+                                   {0.40, {1}, 1e-2},
+                                   {0.48, {nothing}, kNotANumber},
+                                   {0.70, {1}, 1e-2},
+                                   {0.95, {nothing}, kNotANumber}});
+  EXPECT_EQ(regions[1].presence, Presence::not_covered);
+  expect_extent(regions[2], 0.481, 0.70);
+  EXPECT_TRUE(regions[2].begins_at_gap && regions[2].ends_at_gap);
+  EXPECT_EQ(regions[3].presence, Presence::not_covered);
+}
+
+TEST(Regions, DoNotMindSinglePointsThatAreNotDone) {
+  auto line = line_of(0.05, 901, four_regions());
+  for (std::size_t i = 0; i < line.size(); i += 10) {
+    line.motion[i] = motion_class::kNone;
+    line.max_displacement[i] = kNotANumber;
+  }
+  for (const auto& region : regions_of_line(line)) {
+    EXPECT_EQ(region.presence, Presence::present);
+    EXPECT_FALSE(region.begins_at_gap || region.ends_at_gap);
+  }
+}
+
 TEST(Regions, OneIsAbsentWithoutTheFirstTrigger) {
   const auto regions = regions_of({{0.95, {1}, 1e-3}});
   EXPECT_EQ(regions[0].presence, Presence::absent);
@@ -171,6 +225,19 @@ TEST(PeriodDoublings, AreFoundWhereAPeriodBecomesTwiceItself) {
   EXPECT_EQ(doublings[0].from_period, 1);
   EXPECT_DOUBLE_EQ(doublings[1].speed_ratio, 0.5);
   EXPECT_EQ(doublings[1].from_period, 2);
+}
+
+TEST(PeriodDoublings, NeedOnePointOnlyWhereTheCascadeGoesOn) {
+  const std::vector<double> speed{0.1, 0.2, 0.3, 0.4, 0.5};
+  for (const std::vector<std::uint8_t>& motion :
+       {std::vector<std::uint8_t>{1, 1, 1, 2, 255}, {1, 1, 1, 2, 254}, {1, 1, 1, 2, 4}}) {
+    ASSERT_EQ(period_doublings(speed, motion).size(), 1U);
+    EXPECT_DOUBLE_EQ(period_doublings(speed, motion)[0].speed_ratio, 0.35);
+  }
+  for (const std::vector<std::uint8_t>& motion :
+       {std::vector<std::uint8_t>{1, 1, 1, 2, 1}, {1, 1, 1, 1, 2}}) {
+    EXPECT_TRUE(period_doublings(speed, motion).empty());
+  }
 }
 
 TEST(PeriodDoublings, AreNotSeenInSinglePointsJumpsOrHalvings) {

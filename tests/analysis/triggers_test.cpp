@@ -92,6 +92,20 @@ TEST(Triggers, AreNotCoveredWhereTheLineEndsBeforeThem) {
   }
 }
 
+TEST(Triggers, AreNotCalledAbsentWhereAGapMayHideThem) {
+  auto line = line_with([](double speed) { return speed < 0.5 ? 1e-3 : 1e-2; });
+  for (std::size_t i = 280; i < 310; ++i) {  // Ω from 0.33 to 0.36
+    line.max_displacement[i] = kNotANumber;
+    line.motion[i] = motion_class::kNone;
+  }
+  const auto triggers = find_triggers(line, kThreeBlades, kFloor);
+  EXPECT_EQ(triggers[0].presence, Presence::not_covered);
+  EXPECT_EQ(triggers[1].presence, Presence::absent);
+  // Nor is a step across the gap a trigger: nobody knows where in the gap it is.
+  for (std::size_t i = 310; i < 450; ++i) line.max_displacement[i] = 1e-1;
+  EXPECT_EQ(find_triggers(line, kThreeBlades, kFloor)[0].presence, Presence::not_covered);
+}
+
 TEST(Triggers, AreNotCoveredWhereNoDisplacementIsKnown) {
   const auto line = line_with([](double) { return kNotANumber; });
   EXPECT_EQ(find_triggers(line, kThreeBlades, kFloor)[0].presence, Presence::not_covered);
