@@ -12,6 +12,11 @@
 namespace rubatlas::analysis {
 namespace {
 
+/// "a to b", or "a" where both read the same.
+std::string from_to(const std::string& first, const std::string& last) {
+  return first == last ? first : fmt::format("{} to {}", first, last);
+}
+
 /// A series of lines along one parameter.
 class Series {
  public:
@@ -50,8 +55,8 @@ class Series {
       words = describe_course(middles, {"", "moves up", "moves down"}, place,
                               [&](const CoursePoint& p) { return extent(line_at(p)); });
       if (words.empty()) {
-        words = fmt::format("keeps its extent ({} to {})", extent(line_at(widths.front())),
-                            extent(line_at(widths.back())));
+        words = fmt::format("keeps its extent ({})",
+                            from_to(extent(line_at(widths.front())), extent(line_at(widths.back()))));
       }
     } else if (widths.size() == 1) {
       words = fmt::format("{} at {}", extent(line_at(widths.front())), widths.front().at);
@@ -79,8 +84,9 @@ class Series {
                         [](const CoursePoint& p) { return fmt::format("{:.3f}", p.value); });
     if (words.empty() && !places.empty()) {
       const auto [low, high] = std::ranges::minmax_element(places, {}, &CoursePoint::value);
-      words = places.size() == 1 ? fmt::format("at {:.3f} at {}", low->value, low->at)
-                                 : fmt::format("stays at {:.3f} to {:.3f}", low->value, high->value);
+      const auto at = [](const CoursePoint& point) { return fmt::format("{:.3f}", point.value); };
+      words = places.size() == 1 ? fmt::format("{} at {}", at(*low), low->at)
+                                 : fmt::format("stays at {}", from_to(at(*low), at(*high)));
     }
     add(parts, words);
     const auto rises = course(present, [&](const LineSummary& l) { return of(l).rise(); });
