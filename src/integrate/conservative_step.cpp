@@ -53,12 +53,16 @@ double conservative_step(double value, double slope, double curvature, double th
   for (int i = 0; i < 60; ++i) {
     const double chord =
         high > low && at_high > at_low ? low - at_low * (high - low) / (at_high - at_low) : low;
-    const double at_chord = majorant(chord);
     const double q_rate = rate(high);
     const double next = q_rate > 0.0 ? high - at_high / q_rate : chord;
-    if (at_chord <= 0.0 && chord > low) {
-      low = chord;
-      at_low = at_chord;
+    // At the root, rounding may leave the chord's end a little above zero; just before it, it does not.
+    for (const double candidate : {chord, chord * (1.0 - 1e-13)}) {
+      const double at_candidate = majorant(candidate);
+      if (at_candidate <= 0.0 && candidate > low) {
+        low = candidate;
+        at_low = at_candidate;
+        break;
+      }
     }
     if (!(next < high) || next <= low) break;
     high = next;

@@ -7,14 +7,15 @@
 
 namespace rubatlas::integrate {
 
-/// Located to the last bits of the argument (TOMS 748; the bracket never gives way to rounding). Where rounding has
-/// left both ends with one sign, the end nearer to the root.
+/// Located to the last bits of the argument (TOMS 748; the bracket never gives way to rounding). Where
+/// rounding has left both ends with one sign, the end nearer to the root.
 template <class Function>
 double root_between(Function function, double low, double high, double at_low, double at_high) {
   if (at_high == 0.0) return high;
   if (at_low == 0.0) return low;
   if (!((at_low < 0.0) != (at_high < 0.0))) return std::abs(at_low) < std::abs(at_high) ? low : high;
-  std::uintmax_t iterations = 60;
+  // Counted in evaluations: a dozen where the function is simple, far more at a root of higher multiplicity.
+  std::uintmax_t iterations = 300;
   const auto bracket = boost::math::tools::toms748_solve(
       function, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(52), iterations);
   return 0.5 * (bracket.first + bracket.second);
