@@ -97,6 +97,23 @@ class RungeKutta {
     return start_[component] + fraction * mean_slope(fraction, component);
   }
 
+  /// One component and its derivative by θ.
+  struct ValueAndSlope {
+    double value;
+    double slope;
+  };
+  [[nodiscard]] ValueAndSlope interpolate_with_slope(double fraction, int component) const {
+    const double rest = 1.0 - fraction;
+    double value = dense_[6][component];
+    double slope = 0.0;
+    for (int i = 5; i >= 0; --i) {
+      const bool by_fraction = i % 2 != 0;
+      slope = by_fraction ? value + fraction * slope : rest * slope - value;
+      value = dense_[static_cast<std::size_t>(i)][component] + (by_fraction ? fraction : rest) * value;
+    }
+    return {start_[component] + fraction * value, value + fraction * slope};
+  }
+
   /// (component at θ − component at 0) / θ, finite at θ = 0.
   [[nodiscard]] double mean_slope(double fraction, int component) const {
     const double rest = 1.0 - fraction;

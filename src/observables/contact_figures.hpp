@@ -60,17 +60,13 @@ class ContactPeak final : public Observable {
   void begin(const PointConstants& /*point*/) override { peak_ = 0.0; }
   void piece(MotionPiece& piece) override {
     for (std::size_t contact = 0; contact < piece.contact_count(); ++contact) {
+      peak_ = std::max(
+          {peak_, (piece.*kQuantity)(contact, piece.begin()), (piece.*kQuantity)(contact, piece.end())});
+      if (!piece.load_peaks(contact)) continue;
       const auto negative = [&](double time) { return -(piece.*kQuantity)(contact, time); };
-      const double at_begin = -negative(piece.begin());
-      const double at_middle = -negative(0.5 * (piece.begin() + piece.end()));
-      const double at_end = -negative(piece.end());
-      peak_ = std::max({peak_, at_begin, at_middle, at_end});
-      // Within one step of the integrator a force has at most one maximum.
-      if (at_middle > std::min(at_begin, at_end)) {
-        const double top =
-            -boost::math::tools::brent_find_minima(negative, piece.begin(), piece.end(), kPeakBits).second;
-        peak_ = std::max(peak_, top);
-      }
+      const double top =
+          -boost::math::tools::brent_find_minima(negative, piece.begin(), piece.end(), kPeakBits).second;
+      peak_ = std::max(peak_, top);
     }
   }
   void write(std::span<double> row) override { row[0] = peak_; }

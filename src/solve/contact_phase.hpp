@@ -113,6 +113,11 @@ class ContactPhase final : public observables::MotionPiece {
   [[nodiscard]] double displacement_bound() const override { return std::numeric_limits<double>::infinity(); }
   [[nodiscard]] std::size_t contact_count() const override { return contacts_.size(); }
   [[nodiscard]] int blade(std::size_t contact) const override { return contacts_[contact].blade; }
+  /// The load follows the gap: it has a maximum within the piece where the gap has.
+  [[nodiscard]] bool load_peaks(std::size_t contact) const override {
+    const Watched& blade = watched_[static_cast<std::size_t>(contacts_[contact].blade)];
+    return blade.rate > 0.0 && blade.end_rate < 0.0;
+  }
   [[nodiscard]] double normal_force(std::size_t contact, double time) override {
     return force_at(contact, full_state(time)).normal;
   }
@@ -218,14 +223,30 @@ class ContactPhase final : public observables::MotionPiece {
       if (time >= segment_end_) {
         fraction = end_fraction_;
       } else if (time > from && step_.make_dense(system_)) {
-        fraction = integrate::root_between([&](double part) { return step_.interpolate(part, kTime) - time; },
-                                           0.0, end_fraction_, from - time, segment_end_ - time);
+        fraction = fraction_at(time);
       }
     } else {
       fraction = std::clamp((time - from) / step_.size(), 0.0, end_fraction_);
     }
     return at_fraction(fraction);
   }
+
+  /// Fraction of the step at a time strictly within its segment: Newton, since time runs forward and
+  /// smoothly, with the bracketing solver where lift-off (dτ/dσ = 0) is too near.
+  [[nodiscard]] double fraction_at(double time) const {
+    const double from = step_.start()[kTime];
+    double fraction = end_fraction_ * (time - from) / (segment_end_ - from);
+    for (int i = 0; i < 8; ++i) {
+      const auto at = step_.interpolate_with_slope(fraction, kTime);
+      const double move = (time - at.value) / at.slope;
+      fraction += move;
+      if (!(fraction > 0.0 && fraction < end_fraction_)) break;
+      if (std::abs(move) <= kFractionResolution) return fraction;
+    }
+    return integrate::root_between([&](double part) { return step_.interpolate(part, kTime) - time; }, 0.0,
+                                   end_fraction_, from - time, segment_end_ - time);
+  }
+  static constexpr double kFractionResolution = 1e-14;
 
   /// Local error of the step in units of the tolerance, in every component of the state at fixed time.
   [[nodiscard]] double scaled_error() const {

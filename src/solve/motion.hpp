@@ -123,6 +123,7 @@ class Motion {
     [[nodiscard]] double displacement_bound() const override { return bound_; }
     [[nodiscard]] std::size_t contact_count() const override { return 0; }
     [[nodiscard]] int blade(std::size_t /*contact*/) const override { return -1; }
+    [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return false; }
     [[nodiscard]] double normal_force(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
     [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
 
