@@ -1,7 +1,6 @@
 #include "plan/grid.hpp"
 
 #include <array>
-#include <ranges>
 #include <string_view>
 
 #include "scene/quantity.hpp"
@@ -60,7 +59,8 @@ std::size_t Grid::speed_count() const {
 
 PointParameters Grid::parameters(std::size_t point) const {
   PointParameters result;
-  for (const auto& axis : std::views::reverse(axes_)) {
+  for (std::size_t i = axes_.size(); i-- > 0;) {  // the last axis runs fastest
+    const Axis& axis = axes_[i];
     const std::size_t extent = axis.values.size();
     for (const auto& parameter : kParameters) {
       if (parameter.name == axis.name) result.*parameter.value = axis.values[point % extent];
