@@ -1,0 +1,252 @@
+// The command: from an atlas to its text, its Markdown and its maps.
+#include "analysis/analyse.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "analysis/report.hpp"
+#include "analysis/text_layout.hpp"
+#include "atlas/environment_error.hpp"
+#include "atlas/hdf5.hpp"
+#include "scene/reader.hpp"
+#include "synthetic_atlas.hpp"
+#include "tests/atlas/scratch.hpp"
+
+namespace rubatlas::analysis {
+namespace {
+
+const std::string kScene = R"({
+  "title": "synthetic", "reference": "none",
+  "grid": {"speed_ratio": {"from": 0.05, "to": 0.95, "count": 91}, "damping_ratio": [0.1, 0.3]},
+  "protocol": {"transient_revolutions": 2, "sampled_revolutions": 40, "samples_per_revolution": 32},
+  "observables": ["poincare", "poincare_blade_passing", "max_displacement"]})";
+
+std::string with(std::string text, const std::string& old_part, const std::string& new_part) {
+  const auto at = text.find(old_part);
+  EXPECT_NE(at, std::string::npos) << old_part;
+  return text.replace(at, old_part.size(), new_part);
+}
+
+class Analyse : public atlas::testing::Scratch {
+ protected:
+  /// What the command prints.
+  std::string run(const std::string& name, const std::optional<std::filesystem::path>& table = std::nullopt) {
+    ::testing::internal::CaptureStdout();
+    try {
+      analyse(file(name), file("maps.h5"), table);
+    } catch (...) {
+      ::testing::internal::GetCapturedStdout();
+      throw;
+    }
+    return ::testing::internal::GetCapturedStdout();
+  }
+};
+
+TEST_F(Analyse, WritesTheClassOfEveryPointOnTheAxesOfTheAtlas) {
+  write_atlas(file("atlas.h5"), kScene, papers_point);
+  run("atlas.h5");
+  const auto maps = atlas::File::open_to_read(file("maps.h5"));
+  const auto classes = maps.dataset("class");
+  EXPECT_EQ(classes.shape(), (atlas::Shape{1, 1, 1, 2, 91}));
+  const auto values = classes.read<std::uint8_t>();
+  const auto speeds = maps.dataset("speed_ratio").read<double>();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    EXPECT_EQ(values[i], papers_point({.speed_ratio = speeds[i % 91]}).motion);
+  }
+  const std::array names{"thickness", "unbalance", "friction", "damping_ratio", "speed_ratio"};
+  for (std::size_t axis = 0; axis < names.size(); ++axis) EXPECT_EQ(classes.scale_name(axis), names[axis]);
+  EXPECT_DOUBLE_EQ(classes.number("relative_tolerance"), 1e-6);
+  EXPECT_DOUBLE_EQ(classes.number("absolute_tolerance"), 100.0 * 1e-9 * 0.01);
+  EXPECT_EQ(maps.dataset("class_blade_passing").shape(), classes.shape());
+  EXPECT_EQ(maps.dataset("max_displacement").read<double>()[0], 1e-4);
+}
+
+TEST_F(Analyse, WritesOneRowOfTheTablePerLine) {
+  write_atlas(file("atlas.h5"), kScene, papers_point);
+  run("atlas.h5");
+  const auto maps = atlas::File::open_to_read(file("maps.h5"));
+  const auto column = [&](const std::string& name) { return maps.dataset("table1/" + name).read<double>(); };
+  EXPECT_EQ(column("damping_ratio"), (std::vector<double>{0.1, 0.3}));
+  EXPECT_EQ(column("friction"), (std::vector<double>{0.1, 0.1}));
+  EXPECT_EQ(column("unbalance"), (std::vector<double>{0.0, 0.0}));
+  EXPECT_EQ(column("thickness"), (std::vector<double>{1e-3, 1e-3}));
+  EXPECT_NEAR(column("region_2_from")[0], 0.34, 1e-12);
+  EXPECT_NEAR(column("region_2_to")[0], 0.54, 1e-12);
+  EXPECT_DOUBLE_EQ(column("region_2_aperiodic_share")[0], 1.0);
+  EXPECT_DOUBLE_EQ(column("region_2_peak_displacement")[0], 1e-2);
+  EXPECT_NEAR(column("region_4_from")[1], 0.67, 1e-12);
+  EXPECT_NEAR(column("trigger_1_speed_ratio")[0], 0.335, 1e-12);
+  EXPECT_NEAR(column("trigger_1_rise")[0], 9.9e-3, 1e-12);
+  EXPECT_EQ(maps.dataset("table1/region_3_presence").read<std::uint8_t>(), (std::vector<std::uint8_t>{2, 2}));
+  EXPECT_EQ(maps.dataset("table1/region_1_from").scale_name(0), "table1/line");
+}
+
+TEST_F(Analyse, PrintsRegionsSensitivitiesAndStatementsAndWritesThemAsMarkdown) {
+  write_atlas(file("atlas.h5"), kScene, [](const plan::PointParameters& at) {
+    return at.damping_ratio > 0.2 && at.speed_ratio > 1.0 / 3.0 ? PrescribedPoint{1, 1e-3} : papers_point(at);
+  });
+  const auto text = run("atlas.h5", file("table.md"));
+  for (const auto* part :
+       {"Contact law: elastica (elastic blades, stiff ring); 3 blades.", "Points: 182 of 182 done.",
+        "0.340-0.540", "As ζ grows (h = 1 mm, me = 0 kg m, μ = 0.1)",
+        "region 2   absent at ζ = 0.3; 0.340-0.540 at ζ = 0.1", "P3  agrees", "P6  agrees",
+        "P8  not covered"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\nin\n" << text;
+  }
+  const auto markdown = bytes(file("table.md"));
+  for (const auto* part :
+       {"# synthetic", "| ζ | region 1 | trigger 1 | region 2 | region 3 | trigger 2 | region 4 |",
+        "| 0.1 | 0.050-0.330<br>0 %, 0.1 mm |", "| region 2 | absent at ζ = 0.3;",
+        "## The paper's statements, contact law elastica", "| P6 |"}) {
+    EXPECT_NE(markdown.find(part), std::string::npos) << part << "\nin\n" << markdown;
+  }
+}
+
+TEST_F(Analyse, KeepsToTheWidthOfATerminal) {
+  write_atlas(file("atlas.h5"), kScene, papers_point);
+  std::istringstream text(run("atlas.h5"));
+  for (std::string line; std::getline(text, line);) EXPECT_LE(character_count(line), 110U) << line;
+}
+
+TEST_F(Analyse, CopesWithPendingAndFailedPoints) {
+  write_atlas(file("atlas.h5"), kScene, [](const plan::PointParameters& at) {
+    auto point = papers_point(at);
+    if (at.damping_ratio > 0.2) point.motion = motion_class::kNone;                // pending
+    if (at.speed_ratio > 0.805) point.status = solve::PointStatus::left_validity;  // 15 speeds
+    if (std::abs(at.speed_ratio - 0.2) < 1e-9) point.status = solve::PointStatus::integrator_failed;
+    return point;
+  });
+  const auto text = run("atlas.h5");
+  EXPECT_NE(
+      text.find(
+          "Points: 75 of 182 done, 91 pending, 15 left the model's validity, 1 failed in the integrator."),
+      std::string::npos)
+      << text;
+  EXPECT_NE(text.find("0.670-(0.800)"), std::string::npos) << text;
+  const auto maps = atlas::File::open_to_read(file("maps.h5"));
+  const auto values = maps.dataset("class").read<std::uint8_t>();
+  const auto displacement = maps.dataset("max_displacement").read<double>();
+  for (const std::size_t i : {15U, 76U, 90U, 91U, 181U}) {
+    EXPECT_EQ(values[i], motion_class::kNone) << i;
+    EXPECT_TRUE(std::isnan(displacement[i])) << i;
+  }
+  EXPECT_EQ(maps.dataset("table1/region_1_presence").read<std::uint8_t>(), (std::vector<std::uint8_t>{2, 0}));
+  EXPECT_EQ(maps.dataset("table1/region_4_open").read<std::uint8_t>(), (std::vector<std::uint8_t>{2, 0}));
+}
+
+TEST_F(Analyse, CopesWithAnAtlasOfWhichNothingIsDone) {
+  write_atlas(file("atlas.h5"), kScene, [](const auto&) { return PrescribedPoint{motion_class::kNone}; });
+  EXPECT_NE(run("atlas.h5").find("Points: 0 of 182 done, 182 pending."), std::string::npos);
+}
+
+TEST_F(Analyse, CopesWithASinglePoint) {
+  const auto scene =
+      with(with(kScene, R"({"from": 0.05, "to": 0.95, "count": 91})", "0.3"), "[0.1, 0.3]", "0.1");
+  write_atlas(file("atlas.h5"), scene, papers_point);
+  const auto text = run("atlas.h5");
+  EXPECT_NE(text.find("Grid: Ω = 0.3; h = 1 mm;"), std::string::npos) << text;
+  EXPECT_NE(text.find("not covered"), std::string::npos);
+}
+
+TEST_F(Analyse, CopesWithAnAtlasWithoutSectionsOrDisplacements) {
+  write_atlas(file("atlas.h5"),
+              with(kScene, R"("poincare", "poincare_blade_passing", "max_displacement")", R"("spectrum")"),
+              papers_point);
+  const auto text = run("atlas.h5");
+  EXPECT_NE(text.find("no classes, and no regions"), std::string::npos) << text;
+  EXPECT_NE(text.find("no triggers, and no displacements"), std::string::npos) << text;
+  const auto maps = atlas::File::open_to_read(file("maps.h5"));
+  for (const auto value : maps.dataset("class").read<std::uint8_t>()) EXPECT_EQ(value, motion_class::kNone);
+  EXPECT_FALSE(maps.has("class_blade_passing"));
+  EXPECT_FALSE(maps.has("max_displacement"));
+}
+
+TEST_F(Analyse, TreatsTheDirectionsOfASweepAsLines) {
+  const auto scene =
+      with(with(kScene, "[0.1, 0.3]", "0.1"), "\"protocol\"", "\"sweep\": \"both\", \"protocol\"");
+  write_atlas(file("atlas.h5"), scene, papers_point);
+  const auto text = run("atlas.h5");
+  EXPECT_NE(text.find("\nup  "), std::string::npos) << text;
+  EXPECT_NE(text.find("\ndown  "), std::string::npos) << text;
+  EXPECT_EQ(text.find("As direction grows"), std::string::npos);
+  EXPECT_NE(text.find("P4  agrees"), std::string::npos) << text;
+  const auto maps = atlas::File::open_to_read(file("maps.h5"));
+  EXPECT_EQ(maps.dataset("class").shape(), (atlas::Shape{2, 1, 1, 1, 1, 91}));
+  EXPECT_EQ(maps.dataset("table1/direction").read<double>(), (std::vector<double>{0.0, 1.0}));
+}
+
+TEST_F(Analyse, GivesTheSameBytesForTheSameAtlas) {
+  write_atlas(file("atlas.h5"), kScene, papers_point);
+  run("atlas.h5");
+  const auto first = bytes(file("maps.h5"));
+  run("atlas.h5");
+  EXPECT_EQ(bytes(file("maps.h5")), first);
+}
+
+TEST_F(Analyse, RefusesToReplaceTheAtlas) {
+  write_atlas(file("atlas.h5"), kScene, papers_point);
+  const auto before = bytes(file("atlas.h5"));
+  std::filesystem::create_symlink(file("atlas.h5"), file("link.h5"));
+  EXPECT_THROW(analyse(file("atlas.h5"), file("atlas.h5"), std::nullopt), scene::SceneError);
+  EXPECT_THROW(analyse(file("atlas.h5"), file("link.h5"), std::nullopt), scene::SceneError);
+  EXPECT_THROW(analyse(file("atlas.h5"), file("maps.h5"), file("atlas.h5")), scene::SceneError);
+  EXPECT_EQ(bytes(file("atlas.h5")), before);
+}
+
+TEST_F(Analyse, SaysWhatCannotBeReadOrWritten) {
+  EXPECT_THROW(run("missing.h5"), atlas::EnvironmentError);
+  write_atlas(file("atlas.h5"), kScene, papers_point);
+  EXPECT_THROW(analyse(file("atlas.h5"), file("no/such/directory/maps.h5"), std::nullopt),
+               atlas::EnvironmentError);
+  EXPECT_THROW(run("atlas.h5", file("no/such/directory/table.md")), atlas::EnvironmentError);
+}
+
+/// Standard output of a Python program, or what it complained about.
+std::string python(const std::string& program, const std::filesystem::path& script) {
+  std::ofstream(script) << program;
+  const auto command = "/usr/bin/python3 " + script.string() + " 2>&1";
+  std::FILE* pipe = ::popen(command.c_str(), "r");
+  std::string output;
+  std::array<char, 256> buffer{};
+  while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) output += buffer.data();
+  ::pclose(pipe);
+  return output;
+}
+
+TEST_F(Analyse, WritesMapsThatH5pyAndXarrayRead) {
+  write_atlas(file("atlas.h5"), kScene, papers_point);
+  run("atlas.h5");
+  const auto output = python(R"(
+import h5py, numpy, xarray
+path = ")" + file("maps.h5").string() +
+                                 R"("
+with h5py.File(path) as maps:
+    print(maps["class"].dtype, maps["class"].attrs["flag_values"].dtype, len(maps["class"].attrs["flag_meanings"].split()))
+    print(maps["statements/verdict"].shape, maps["effects/text"][0].decode())
+with xarray.open_dataset(path, engine="h5netcdf") as maps:
+    print(int(maps["class"].sel(damping_ratio=0.3, speed_ratio=0.4, method="nearest").squeeze()))
+table = xarray.open_dataset(path, engine="h5netcdf", group="table1").to_dataframe()
+print(table.loc[1, "damping_ratio"], round(table.loc[1, "region_3_to"], 6))
+print(len(xarray.open_dataset(path, engine="h5netcdf", group="effects")["subject"]))
+)",
+                             file("read.py"));
+  EXPECT_EQ(output, "uint8 uint8 19\n(8,) keeps its extent (0.050-0.330)\n255\n0.3 0.66\n6\n");
+}
+
+TEST(TextLayout, BreaksBetweenWordsButNotWithinAQuantity) {
+  EXPECT_EQ(paragraph("  a", "one two three", 5, 12), "  a  one two\n     three\n");
+  EXPECT_EQ(paragraph(" ", "falls to 17 mm at ζ = 0.1", 2, 14), "   falls to\n  17 mm at\n  ζ = 0.1\n");
+}
+
+TEST(TextLayout, CountsCharactersNotBytes) {
+  EXPECT_EQ(character_count("ζ × Ω"), 5U);
+  EXPECT_EQ(padded("ζ", 4), "ζ   ");
+  EXPECT_EQ(padded("long", 3), "long  ");
+}
+
+}  // namespace
+}  // namespace rubatlas::analysis
