@@ -1,0 +1,72 @@
+/// The spectrum of motions made of known harmonics.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "observables/spectrum.hpp"
+#include "synthetic_motion.hpp"
+
+namespace rubatlas::observables {
+namespace {
+
+constexpr int kRevolutions = 10;
+
+scene::Scene scene_of(int samples_per_revolution, int max_order) {
+  scene::Scene scene;
+  scene.protocol.sampled_revolutions = kRevolutions;
+  scene.protocol.samples_per_revolution = samples_per_revolution;
+  scene.spectrum.max_order = max_order;
+  return scene;
+}
+
+std::vector<double> spectrum_of(const scene::Scene& scene, double speed_ratio,
+                                const std::function<State(double)>& motion) {
+  SpectrumOfDisplacement spectrum(scene);
+  feed(spectrum, point_at(speed_ratio, 3), kRevolutions, motion);
+  std::vector<double> row(static_cast<std::size_t>(scene.spectrum.max_order * kRevolutions + 1));
+  spectrum.write(row);
+  return row;
+}
+
+TEST(SpectrumOfDisplacement, ShowsEachHarmonicAtItsOrderWithItsAmplitude) {
+  const double speed = 0.62;
+  const auto motion = [speed](double time) {
+    const double phase = speed * time;
+    // y must not matter.
+    return State{
+        1e-3 - 2e-3 * std::cos(phase + 0.3) + 5e-4 * std::sin(3 * phase) + 7e-5 * std::cos(2.5 * phase), 0.1,
+        0, 0};
+  };
+  const auto row = spectrum_of(scene_of(256, 12), speed, motion);
+  ASSERT_EQ(row.size(), 121U);
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const double expected = i == 0 ? 1e-3 : i == 10 ? 2e-3 : i == 30 ? 5e-4 : i == 25 ? 7e-5 : 0.0;
+    EXPECT_NEAR(row[i], expected, 1e-16) << "order " << static_cast<double>(i) / kRevolutions;
+  }
+}
+
+TEST(SpectrumOfDisplacement, ReachesTheNyquistOrder) {
+  const auto motion = [](double time) { return State{3e-3 * std::cos(4 * 0.5 * time), 0, 0, 0}; };
+  const auto row = spectrum_of(scene_of(8, 4), 0.5, motion);
+  ASSERT_EQ(row.size(), 41U);
+  EXPECT_NEAR(row.back(), 3e-3, 1e-16) << "|X|/N at Nyquist";
+  EXPECT_NEAR(row[20], 0.0, 1e-16);
+}
+
+TEST(SpectrumOfDisplacement, ForgetsThePointBefore) {
+  const scene::Scene scene = scene_of(64, 4);
+  SpectrumOfDisplacement spectrum(scene);
+  std::vector<double> row(41);
+  for (const double size : {5.0, 1e-3}) {
+    feed(spectrum, point_at(0.8, 3), kRevolutions, [size](double time) {
+      return State{size * std::cos(0.8 * time), 0, 0, 0};
+    });
+    spectrum.write(row);
+    EXPECT_NEAR(row[10], size, 1e-13 * size);
+    EXPECT_NEAR(row[0], 0.0, 1e-13 * size);
+  }
+}
+
+}  // namespace
+}  // namespace rubatlas::observables
