@@ -102,6 +102,9 @@ int fill_atlas(const RunOptions& options, const Session& session, const Preparat
     progress.finish(result.standing);
     write_run_record(options.atlas, {started, hosts, options.resume, code, result}, software());
   }
+  // A rank that ends with a code other than 0 makes mpirun kill the others, which may still have something to
+  // write.
+  session.wait_for_all();
   return code;
 }
 

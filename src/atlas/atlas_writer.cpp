@@ -24,7 +24,7 @@ std::span<const T> one(const T& value) {
 }  // namespace
 
 AtlasWriter::AtlasWriter(const std::filesystem::path& path, const scene::Scene& scene)
-    : schema_(schema_of(scene)), file_(File::open_to_write(path)) {
+    : path_(path), schema_(schema_of(scene)), file_(File::open_to_write(path)) {
   for (const auto& axis : schema_.axes) grid_shape_.push_back(axis.values.size());
   std::size_t longest = 0;
   for (const auto* rows : schema_.row_datasets()) {
@@ -51,6 +51,15 @@ void AtlasWriter::write_row(const RowDataset& rows, std::size_t point, std::span
 }
 
 void AtlasWriter::write_point(std::size_t point, bool restarted, const solve::PointOutcome& outcome) {
+  try {
+    write_rows(point, restarted, outcome);
+  } catch (const EnvironmentError& error) {
+    // Most often the disk is full, which HDF5 over MPI-IO does not say.
+    throw EnvironmentError(fmt::format("{} takes no more rows: {}", path_.string(), error.what()));
+  }
+}
+
+void AtlasWriter::write_rows(std::size_t point, bool restarted, const solve::PointOutcome& outcome) {
   const bool done = outcome.status == solve::PointStatus::done;
   const auto present_or_absent = [&](std::span<const double> values) {
     return done ? values : std::span<const double>(absent_).first(values.size());

@@ -28,9 +28,11 @@ class AtlasWriter {
   void close();
 
  private:
+  void write_rows(std::size_t point, bool restarted, const solve::PointOutcome& outcome);
   template <Number T>
   void write_row(const RowDataset& rows, std::size_t point, std::span<const T> values);
 
+  std::filesystem::path path_;
   Schema schema_;
   Shape grid_shape_;
   File file_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
 #include "atlas/environment_error.hpp"
@@ -29,6 +30,7 @@ void throw_hdf5_error(const char* expression, const char* file, int line) {
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &reason);
   H5Eclear2(H5E_DEFAULT);
   if (reason.empty()) reason = "no reason given";
+  std::replace(reason.begin(), reason.end(), '\n', ' ');  // some of its texts hold a date with a line's end
   throw EnvironmentError(
       fmt::format("HDF5: {} ({} at {}:{})", reason, expression, below_source_tree(file), line));
 }
