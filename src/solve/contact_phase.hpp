@@ -10,15 +10,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
+#include <utility>
 #include <vector>
 
-#include "contact/pose.hpp"
-#include "integrate/dormand_prince_853.hpp"
 #include "integrate/root_between.hpp"
-#include "integrate/runge_kutta.hpp"
-#include "integrate/step_control.hpp"
 #include "observables/motion_piece.hpp"
+#include "solve/contact_step.hpp"
 #include "solve/contact_system.hpp"
 #include "solve/motion_listener.hpp"
 #include "solve/rotor.hpp"
@@ -39,39 +36,28 @@ struct ContactLimits {
 
 template <class System, class Law>
 class ContactPhase final : public observables::MotionPiece {
-  static constexpr bool kCarried = requires(System system) { system.last(); };
-
  public:
   ContactPhase(const RotorConstants& rotor, const BladeSet& blades, const Law& law,
                const ContactLimits& limits, System system)
-      : rotor_(&rotor), blades_(&blades), law_(&law), limits_(limits), system_(std::move(system)) {
-    watched_.resize(static_cast<std::size_t>(blades.count()));
-  }
+      : limits_(limits),
+        misalignment_(rotor.misalignment),
+        ring_radius_(law.geometry().ring_radius),
+        step_(rotor, blades, law, limits.tolerance, std::move(system)),
+        watched_(static_cast<std::size_t>(blades.count())) {}
 
   /// Starts at time τ of the revolution. False where the system cannot start there.
   bool start(double time, const State& state, const std::vector<OpenContact>& contacts) {
-    contacts_ = contacts;
-    ContactState full;
-    full << state, time, kCarried ? contacts_.front().bending : 0.0;
-    if constexpr (kCarried) {
-      if (!system_.open(contacts_.front(), full)) return false;
-    } else {
-      system_.open(contacts_);
-    }
-    step_size_ = first_step_size_;
-    first_step_ = true;
     pending_ = false;
     steps_in_phase_ = 0;
-    if (!step_.begin(system_, full)) return false;
-    for (int k = 0; k < blades_->count(); ++k) {
-      Watched& blade = watched_[static_cast<std::size_t>(k)];
-      blade.open = false;
-      look_at(k, full, blade.gap, blade.rate);
+    if (!step_.start(time, state, contacts)) return false;
+    for (std::size_t k = 0; k < watched_.size(); ++k) {
+      watched_[k].open = false;
+      watched_[k].at_begin = step_.gap(static_cast<int>(k), step_.begin());
     }
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      Watched& blade = watched_[static_cast<std::size_t>(contacts_[i].blade)];
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      Watched& blade = watched_[static_cast<std::size_t>(contacts[i].blade)];
       blade.open = true;
-      blade.slip_velocity = slip_velocity(i);
+      blade.slip_velocity = step_.slip_velocity(i);
     }
     return true;
   }
@@ -91,300 +77,124 @@ class ContactPhase final : public observables::MotionPiece {
         step_.accept();
         for (Watched& blade : watched_) blade.take_end();
       }
-      const PhaseEnd failure = make_step();
-      if (failure.event != PhaseEvent::horizon) return failure;
+      if (++steps_in_phase_ > kMostStepsInPhase) return {PhaseEvent::failed};
+      switch (step_.make()) {
+        case ContactStep<System, Law>::Outcome::failed:
+          return {PhaseEvent::failed};
+        case ContactStep<System, Law>::Outcome::no_force:
+          return {PhaseEvent::left_validity};
+        default:
+          find_end();
+      }
     }
   }
 
   /// Sets the clock back by a revolution.
   void shift_time(double period) {
-    step_.shift(kTime, -period);
+    step_.shift_time(period);
     segment_begin_ -= period;
     segment_end_ -= period;
   }
 
   /// State at a time of the piece that is being recorded.
   [[nodiscard]] State state_at(double time) { return full_state(time).template head<4>(); }
+  /// Full state where the phase ended.
+  [[nodiscard]] ContactState end_state() { return step_.at_fraction(end_fraction_); }
+  /// Bending parameter of an open contact there, as a first guess for the next phase.
+  [[nodiscard]] double bending(std::size_t contact) { return step_.bending(contact, end_fraction_); }
 
   // The piece of motion that is being recorded.
   [[nodiscard]] double begin() const override { return segment_begin_; }
   [[nodiscard]] double end() const override { return segment_limit_; }
   [[nodiscard]] observables::State state(double time) override { return as_array(state_at(time)); }
   [[nodiscard]] double displacement_bound() const override { return std::numeric_limits<double>::infinity(); }
-  [[nodiscard]] std::size_t contact_count() const override { return contacts_.size(); }
-  [[nodiscard]] int blade(std::size_t contact) const override { return contacts_[contact].blade; }
-  /// The load follows the gap: it has a maximum within the piece where the gap has.
+  [[nodiscard]] std::size_t contact_count() const override { return step_.contacts().size(); }
+  [[nodiscard]] int blade(std::size_t contact) const override { return step_.contacts()[contact].blade; }
   [[nodiscard]] bool load_peaks(std::size_t contact) const override {
-    const Watched& blade = watched_[static_cast<std::size_t>(contacts_[contact].blade)];
-    return blade.rate > 0.0 && blade.end_rate < 0.0;
+    const Watched& watched = watched_[static_cast<std::size_t>(blade(contact))];
+    return step_.load_may_peak(watched.at_begin.rate > 0.0 && watched.at_end.rate < 0.0);
   }
   [[nodiscard]] double normal_force(std::size_t contact, double time) override {
-    return force_at(contact, full_state(time)).normal;
+    return step_.force(contact, full_state(time)).normal;
   }
   [[nodiscard]] double root_strain(std::size_t contact, double time) override {
-    return force_at(contact, full_state(time)).root_strain;
+    return step_.force(contact, full_state(time)).root_strain;
   }
 
-  /// Full state where the phase ended.
-  [[nodiscard]] ContactState end_state() { return at_fraction(end_fraction_); }
-  [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
-  /// Bending parameter of an open contact at the end of the phase, as a first guess for the next one.
-  [[nodiscard]] double bending(std::size_t contact) {
-    if constexpr (kCarried) {
-      return end_state()[kBending];
-    } else {
-      return system_.contacts()[contact].bending;
-    }
-  }
-
-  [[nodiscard]] std::uint64_t evaluations() const { return system_.evaluations(); }
-  [[nodiscard]] std::uint64_t steps() const { return steps_; }
-  [[nodiscard]] std::uint64_t rejected() const { return rejected_; }
-  /// Steps guesses start afresh, so that a point does not depend on the one computed before it.
-  void forget() { first_step_size_ = kFirstStep; }
+  [[nodiscard]] std::uint64_t evaluations() const { return step_.evaluations(); }
+  [[nodiscard]] std::uint64_t steps() const { return step_.accepted(); }
+  [[nodiscard]] std::uint64_t rejected() const { return step_.rejected(); }
 
  private:
-  static constexpr double kFirstStep = 0.02;      ///< in σ; only the first contact of a point starts with it
-  static constexpr double kSmallestStep = 1e-15;  ///< in σ
   static constexpr int kMostStepsInPhase = 100000;  ///< bounds the work; no healthy contact takes a thousand
+  static constexpr double kGapRounding = 1e-17;     ///< [m²]: g of a contact that has just opened
+
+  using Gap = typename ContactStep<System, Law>::Gap;
 
   /// What is followed of a blade from step to step.
   struct Watched {
     bool open = false;
-    double gap = 0.0;            ///< g at the start of the step [m²]
-    double rate = 0.0;           ///< dg/dτ there
-    double slip_velocity = 0.0;  ///< v there, open contacts only
-    double end_gap = 0.0;
-    double end_rate = 0.0;
+    Gap at_begin{};              ///< of the step
+    Gap at_end{};                ///< of what is looked at of the step
+    double slip_velocity = 0.0;  ///< v at its begin, open contacts only
     double end_slip_velocity = 0.0;
 
     void take_end() {
-      gap = end_gap;
-      rate = end_rate;
+      at_begin = at_end;
       slip_velocity = end_slip_velocity;
     }
   };
 
-  void look_at(int blade, const ContactState& state, double& gap, double& rate) const {
-    const contact::BladeDirection er = blades_->direction(blade, blades_->first(state[kTime]));
-    const contact::Pose pose = pose_of(*rotor_, law_->geometry(), er, state.head<4>());
-    gap = pose.gap;
-    rate = contact::gap_rate(law_->geometry(), pose, rotor_->speed_ratio);
-  }
-  [[nodiscard]] double gap_at(int blade, double fraction) {
-    double gap = 0.0;
-    double rate = 0.0;
-    look_at(blade, at_fraction(fraction), gap, rate);
-    return gap;
-  }
-  [[nodiscard]] double rate_at(int blade, double fraction) {
-    double gap = 0.0;
-    double rate = 0.0;
-    look_at(blade, at_fraction(fraction), gap, rate);
-    return rate;
-  }
-
-  /// Slip velocity of an open contact at the last evaluation of the right-hand side.
-  [[nodiscard]] double slip_velocity(std::size_t contact) const {
-    if constexpr (kCarried) {
-      return system_.last().force.slip_velocity;
-    } else {
-      return system_.forces()[contact].slip_velocity;
-    }
-  }
-
-  [[nodiscard]] contact::TipForce force_at(std::size_t contact, const ContactState& state) const {
-    const OpenContact& open = contacts_[contact];
-    const contact::BladeDirection er = blades_->direction(open.blade, blades_->first(state[kTime]));
-    const contact::Pose pose = pose_of(*rotor_, law_->geometry(), er, state.head<4>());
-    if constexpr (kCarried) {
-      return law_->constraint(pose, open.slip, state[kBending], rotor_->speed_ratio).force;
-    } else {
-      contact::TipForce force{};
-      double bending = system_.contacts()[contact].bending;
-      law_->respond(pose, open.slip, rotor_->speed_ratio, bending, force);
-      return force;
-    }
-  }
-
-  [[nodiscard]] ContactState at_fraction(double fraction) {
-    if (fraction == 0.0) return step_.start();
-    if (fraction == 1.0) return step_.end();
-    if (!step_.make_dense(system_)) return ContactState::Constant(std::numeric_limits<double>::quiet_NaN());
-    return step_.interpolate(fraction);
-  }
-
   [[nodiscard]] ContactState full_state(double time) {
-    const double from = step_.start()[kTime];
-    double fraction = 0.0;
-    if (time == step_.end()[kTime] && end_fraction_ == 1.0) {
-      fraction = 1.0;
-    } else if constexpr (kCarried) {
-      if (time >= segment_end_) {
-        fraction = end_fraction_;
-      } else if (time > from && step_.make_dense(system_)) {
-        fraction = fraction_at(time);
-      }
-    } else {
-      fraction = std::clamp((time - from) / step_.size(), 0.0, end_fraction_);
-    }
-    return at_fraction(fraction);
+    if (time >= segment_end_) return step_.at_fraction(end_fraction_);
+    if (time <= step_.begin()[kTime]) return step_.begin();
+    return step_.at_fraction(step_.fraction_at(time, end_fraction_, segment_end_));
   }
 
-  /// Fraction of the step at a time strictly within its segment: Newton, since time runs forward and
-  /// smoothly, with the bracketing solver where lift-off (dτ/dσ = 0) is too near.
-  [[nodiscard]] double fraction_at(double time) const {
-    const double from = step_.start()[kTime];
-    double fraction = end_fraction_ * (time - from) / (segment_end_ - from);
-    for (int i = 0; i < 8; ++i) {
-      const auto at = step_.interpolate_with_slope(fraction, kTime);
-      const double move = (time - at.value) / at.slope;
-      fraction += move;
-      if (!(fraction > 0.0 && fraction < end_fraction_)) break;
-      if (std::abs(move) <= kFractionResolution) return fraction;
-    }
-    return integrate::root_between([&](double part) { return step_.interpolate(part, kTime) - time; }, 0.0,
-                                   end_fraction_, from - time, segment_end_ - time);
-  }
-  static constexpr double kFractionResolution = 1e-14;
-
-  /// Local error of the step in units of the tolerance, in every component of the state at fixed time.
-  [[nodiscard]] double scaled_error() const {
-    const auto estimate = step_.error_estimate();
-    const ContactState& end = step_.end();
-    const std::complex<double> acceleration = system_.last_acceleration();
-    const State rate(end[2], end[3], acceleration.real(), acceleration.imag());
-    // An error of the time is an error of the state along its path.
-    const State third = estimate.third.template head<4>() - rate * estimate.third[kTime];
-    const State fifth = estimate.fifth.template head<4>() - rate * estimate.fifth[kTime];
-    return integrate::combined_error(fifth.abs().maxCoeff(), third.abs().maxCoeff()) / limits_.tolerance;
-  }
-
-  /// One accepted step with its segment and event; anything but `horizon` ends the phase.
-  PhaseEnd make_step() {
-    if (++steps_in_phase_ > kMostStepsInPhase) return {PhaseEvent::failed};
-    if constexpr (kCarried) aim_at_lift_off();
-    while (true) {
-      const bool evaluated = step_.attempt(system_, step_size_);
-      const double error = evaluated ? scaled_error() : std::numeric_limits<double>::infinity();
-      if (error <= 1.0 && holds_whole_contact()) {
-        ++rejected_;
-        step_size_ *= 0.5;
-        continue;
-      }
-      if (error <= 1.0) {
-        ++steps_;
-        if (first_step_) first_step_size_ = step_size_;
-        first_step_ = false;
-        step_size_ *= integrate::step_factor(error, integrate::DormandPrince853::kOrder);
-        break;
-      }
-      ++rejected_;
-      step_size_ *= std::isfinite(error)
-                        ? std::min(integrate::step_factor(error, integrate::DormandPrince853::kOrder), 0.9)
-                        : 0.25;
-      if (!(step_size_ > kSmallestStep)) {
-        // Where no stage can find a force however short the step, the contact equation has lost its root.
-        return {evaluated ? PhaseEvent::failed : PhaseEvent::left_validity};
-      }
-    }
-    if constexpr (kCarried) project();
-    find_event();
-    segment_begin_ = step_.start()[kTime];
-    pending_ = true;
-    return {PhaseEvent::horizon};
-  }
-
-  /// A step from rising load to beyond lift-off. Its error may be small at its end, but lift-off would be
-  /// read from the middle of dense output, whose order is one less.
-  [[nodiscard]] bool holds_whole_contact() const {
-    if constexpr (kCarried) {
-      return step_.end()[kBending] <= 0.0 && step_.start_derivative()[kBending] > 0.0 &&
-             step_size_ > kSmallestStep;
-    }
-    return false;
-  }
-
-  /// Lets the step that would pass lift-off end just behind it, and the two before share what is left evenly.
-  /// A step far past u = 0 is wasted, and dense output is at its best near the ends of a step.
-  void aim_at_lift_off() {
-    const double bending = step_.start()[kBending];
-    const double rate = step_.start_derivative()[kBending];
-    if (!(rate < 0.0) || !(bending > 0.0)) return;
-    const double remaining = kAimBehind * bending / -rate;
-    if (remaining <= step_size_) {
-      step_size_ = remaining;
-    } else if (remaining < 2.0 * step_size_) {
-      step_size_ = 0.5 * remaining;
-    }
-  }
-  static constexpr double kAimBehind = 1.05;
-
-  /// Moves the bending parameter back onto h = 0 by one Newton step, where h determines it well.
-  void project() {
-    const auto& last = system_.last();
-    if (-last.bending_slope > std::abs(last.time_slope) * kWellDetermined) {
-      step_.end()[kBending] -= last.residual / last.bending_slope;
-    }
-  }
-  static constexpr double kWellDetermined =
-      1e-2;  ///< of |∂h/∂u| against |dh/dτ|; near lift-off u carries the clock
-
-  void find_event() {
+  /// Finds what ends the phase in the step just made, if anything, and where.
+  void find_end() {
     end_ = {PhaseEvent::horizon};
     end_fraction_ = 1.0;
-    ContactState end = step_.end();
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      watched_[static_cast<std::size_t>(contacts_[i].blade)].end_slip_velocity = slip_velocity(i);
+    for (std::size_t i = 0; i < contact_count(); ++i)
+      watched_of(i).end_slip_velocity = step_.slip_velocity(i);
+    // Nothing beyond lift-off is looked at: there time runs backwards.
+    const bool lifts_off = step_.passes_lift_off();
+    const bool left_validity =
+        !lifts_off && (step_.root_lost() || step_.shortening() > limits_.max_shortening);
+    if (lifts_off) {
+      end_fraction_ = step_.lift_off_fraction();
+      end_ = {PhaseEvent::lift_off, blade(0)};
     }
-    double shortening = 0.0;
-    bool root_lost = false;
-    if constexpr (kCarried) {
-      shortening = system_.last().force.shortening;
-      // Past u = 0 the even curve leads back along the same motion, time running backwards: end the step
-      // there.
-      if (end[kBending] <= 0.0 && step_.make_dense(system_)) {
-        const bool unloaded = step_.start()[kBending] <= 0.0;
-        const auto bending = [&](double part) {
-          return unloaded ? step_.mean_slope(part, kBending) : step_.interpolate(part, kBending);
-        };
-        end_fraction_ = integrate::root_between(bending, 0.0, 1.0, bending(0.0), bending(1.0));
-        end_ = {PhaseEvent::lift_off, contacts_.front().blade};
-        end = at_fraction(end_fraction_);
-        auto& blade = watched_[static_cast<std::size_t>(contacts_.front().blade)];
-        blade.end_slip_velocity = force_at(0, end).slip_velocity;
-        shortening = 0.0;
-      } else {
-        root_lost = system_.last().bending_slope >= 0.0;
-      }
-    } else {
-      for (const contact::TipForce& force : system_.forces())
-        shortening = std::max(shortening, force.shortening);
-    }
-    const double last_fraction = end_fraction_;
-    for (int k = 0; k < blades_->count(); ++k) {
-      Watched& blade = watched_[static_cast<std::size_t>(k)];
-      look_at(k, end, blade.end_gap, blade.end_rate);
-      if (blade.open) {
-        if (!(kCarried && end_.event == PhaseEvent::lift_off && last_fraction == end_fraction_)) {
-          look_for_lift_off(k, blade, last_fraction);
-        }
-      } else {
-        look_for_touch_down(k, blade, last_fraction);
-      }
-    }
-    for (std::size_t i = 0; i < contacts_.size(); ++i) look_for_slip_reversal(i, last_fraction);
+    const double last = end_fraction_;
+    const ContactState end = step_.at_fraction(last);
+    if (lifts_off) watched_of(0).end_slip_velocity = step_.force(0, end).slip_velocity;
 
-    segment_end_ = end_fraction_ == 1.0 ? step_.end()[kTime] : at_fraction(end_fraction_)[kTime];
+    for (int k = 0; k < static_cast<int>(watched_.size()); ++k) {
+      Watched& watched = watched_[static_cast<std::size_t>(k)];
+      watched.at_end = step_.gap(k, end);
+      if (!watched.open) {
+        look_for_touch_down(k, watched, last);
+      } else if (!lifts_off) {
+        look_for_lift_off(k, watched, last);
+      }
+    }
+    for (std::size_t i = 0; i < contact_count(); ++i) look_for_slip_reversal(i, last);
+
+    segment_begin_ = step_.begin()[kTime];
+    segment_end_ = step_.at_fraction(end_fraction_)[kTime];
+    pending_ = true;
     if (!std::isfinite(segment_end_)) {
       end_ = {PhaseEvent::failed};
-      segment_end_ = step_.start()[kTime];
-    } else if (end_.event == PhaseEvent::horizon && (root_lost || shortening > limits_.max_shortening)) {
+      segment_end_ = segment_begin_;
+    } else if ((end_.event == PhaseEvent::horizon && left_validity) ||
+               std::hypot(end[0], end[1] + misalignment_) >= ring_radius_) {
       end_ = {PhaseEvent::left_validity};
-      segment_end_ = step_.start()[kTime];
+      segment_end_ = segment_begin_;
     }
-    const double radius = std::hypot(end[0], end[1] + rotor_->misalignment);
-    if (radius >= law_->geometry().ring_radius) end_ = {PhaseEvent::left_validity};
+  }
+
+  [[nodiscard]] Watched& watched_of(std::size_t contact) {
+    return watched_[static_cast<std::size_t>(blade(contact))];
   }
 
   void take_if_first(double fraction, PhaseEvent event, int blade) {
@@ -394,87 +204,81 @@ class ContactPhase final : public observables::MotionPiece {
     }
   }
 
-  void look_for_lift_off(int k, const Watched& blade, double last) {
+  void look_for_lift_off(int k, const Watched& watched, double last) {
+    const auto rate = [&](double part) { return step_.gap(k, step_.at_fraction(part)).rate; };
+    const auto gap = [&](double part) { return step_.gap(k, step_.at_fraction(part)).value; };
     double high = last;
-    double at_high = blade.end_gap;
+    double at_high = watched.at_end.value;
     if (at_high > 0.0) {
       // The gap may close and open again within the step: then it has a minimum there.
-      if (!(blade.rate < 0.0 && blade.end_rate > 0.0)) return;
-      high = integrate::root_between([&](double part) { return rate_at(k, part); }, 0.0, last, blade.rate,
-                                     blade.end_rate);
-      at_high = gap_at(k, high);
+      if (!(watched.at_begin.rate < 0.0 && watched.at_end.rate > 0.0)) return;
+      high = integrate::root_between(rate, 0.0, last, watched.at_begin.rate, watched.at_end.rate);
+      at_high = gap(high);
       if (at_high > 0.0) return;
     }
     // A contact that has just opened starts at g = 0 to rounding; divided by the fraction it starts positive.
-    const double origin = std::min(blade.gap, 0.0);
-    const bool fresh = blade.gap <= kGapRounding;
+    const double origin = std::min(watched.at_begin.value, 0.0);
+    const bool fresh = watched.at_begin.value <= kGapRounding;
     const auto function = [&](double part) {
-      const double gap = gap_at(k, part) - origin;
-      return fresh ? gap / part : gap;
+      const double excess = gap(part) - origin;
+      return fresh ? excess / part : excess;
     };
     at_high = fresh ? (at_high - origin) / high : at_high;
-    const double at_low = fresh ? std::abs(at_high) : blade.gap;
+    const double at_low = fresh ? std::abs(at_high) : watched.at_begin.value;
     take_if_first(integrate::root_between(function, 0.0, high, at_low, at_high), PhaseEvent::lift_off, k);
   }
 
-  void look_for_touch_down(int k, const Watched& blade, double last) {
-    const auto gap = [&](double part) { return gap_at(k, part); };
-    const auto rate = [&](double part) { return rate_at(k, part); };
-    if (blade.gap >= 0.0) {
+  void look_for_touch_down(int k, const Watched& watched, double last) {
+    const auto rate = [&](double part) { return step_.gap(k, step_.at_fraction(part)).rate; };
+    const auto gap = [&](double part) { return step_.gap(k, step_.at_fraction(part)).value; };
+    if (watched.at_begin.value >= 0.0) {
       // Just lifted off, or about to touch: rounding decides the sign of g, its slope what happens.
-      if (blade.rate > 0.0) return take_if_first(0.0, PhaseEvent::touch_down, k);
-      if (!(blade.end_gap > 0.0 && blade.end_rate > 0.0)) return;
-      const double lowest = integrate::root_between(rate, 0.0, last, blade.rate, blade.end_rate);
+      if (watched.at_begin.rate > 0.0) return take_if_first(0.0, PhaseEvent::touch_down, k);
+      if (!(watched.at_end.value > 0.0 && watched.at_end.rate > 0.0)) return;
+      const double lowest =
+          integrate::root_between(rate, 0.0, last, watched.at_begin.rate, watched.at_end.rate);
       const double at_lowest = gap(lowest);
       if (at_lowest < 0.0) {
-        take_if_first(integrate::root_between(gap, lowest, last, at_lowest, blade.end_gap),
+        take_if_first(integrate::root_between(gap, lowest, last, at_lowest, watched.at_end.value),
                       PhaseEvent::touch_down, k);
       }
       return;
     }
     double high = last;
-    double at_high = blade.end_gap;
+    double at_high = watched.at_end.value;
     if (at_high <= 0.0) {
-      if (!(blade.rate > 0.0 && blade.end_rate < 0.0)) return;
-      high = integrate::root_between(rate, 0.0, last, blade.rate, blade.end_rate);
+      if (!(watched.at_begin.rate > 0.0 && watched.at_end.rate < 0.0)) return;
+      high = integrate::root_between(rate, 0.0, last, watched.at_begin.rate, watched.at_end.rate);
       at_high = gap(high);
       if (at_high <= 0.0) return;
     }
-    take_if_first(integrate::root_between(gap, 0.0, high, blade.gap, at_high), PhaseEvent::touch_down, k);
+    take_if_first(integrate::root_between(gap, 0.0, high, watched.at_begin.value, at_high),
+                  PhaseEvent::touch_down, k);
   }
 
   void look_for_slip_reversal(std::size_t contact, double last) {
-    const int k = contacts_[contact].blade;
-    const Watched& blade = watched_[static_cast<std::size_t>(k)];
-    const double before = blade.slip_velocity;
-    const double after = blade.end_slip_velocity;
+    const double before = watched_of(contact).slip_velocity;
+    const double after = watched_of(contact).end_slip_velocity;
     if (before == 0.0 || (before > 0.0) == (after > 0.0)) return;
-    const auto velocity = [&](double part) { return force_at(contact, at_fraction(part)).slip_velocity; };
-    take_if_first(integrate::root_between(velocity, 0.0, last, before, after), PhaseEvent::slip_reversal, k);
+    const auto velocity = [&](double part) {
+      return step_.force(contact, step_.at_fraction(part)).slip_velocity;
+    };
+    take_if_first(integrate::root_between(velocity, 0.0, last, before, after), PhaseEvent::slip_reversal,
+                  blade(contact));
   }
 
-  static constexpr double kGapRounding = 1e-17;  ///< [m²]: g of a contact that has just opened
-
-  const RotorConstants* rotor_;
-  const BladeSet* blades_;
-  const Law* law_;
   ContactLimits limits_;
-  System system_;
-  std::vector<OpenContact> contacts_;
-  std::vector<Watched> watched_;
-  integrate::RungeKutta<integrate::DormandPrince853, 6> step_;
-  double step_size_ = kFirstStep;
-  double first_step_size_ = kFirstStep;
-  bool first_step_ = true;
-  bool pending_ = false;        ///< a step has been made and not been recorded to its end
-  PhaseEnd end_{};              ///< what happens at the end of that step's segment
-  double end_fraction_ = 1.0;   ///< of the step, where the segment ends
-  double segment_begin_ = 0.0;  ///< recorded up to here
+  double misalignment_;  ///< y0 [m]
+  double ring_radius_;   ///< R [m]
+  ContactStep<System, Law> step_;
+  std::vector<Watched> watched_;  ///< one per blade
+  bool pending_ = false;          ///< a step has been made and not been recorded to its end
+  PhaseEnd end_{};                ///< what happens at the end of that step's segment
+  double end_fraction_ = 1.0;     ///< of the step, where the segment ends
+  double segment_begin_ = 0.0;    ///< recorded up to here
   double segment_end_ = 0.0;
   double segment_limit_ = 0.0;
   int steps_in_phase_ = 0;
-  std::uint64_t steps_ = 0;
-  std::uint64_t rejected_ = 0;
 };
 
 }  // namespace rubatlas::solve

@@ -116,6 +116,9 @@ class SolvedContacts {
     forces_.resize(contacts.size());
   }
 
+  /// Sets the first guesses of the roots back to what `contacts` gave before.
+  void restore(const std::vector<OpenContact>& contacts) { contacts_ = contacts; }
+
   bool operator()(const ContactState& state, ContactState& derivative) {
     ++evaluations_;
     const contact::BladeDirection first = blades_->first(state[kTime]);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -134,6 +135,33 @@ TEST(LineSolver, TheOrbitPassesThroughThePoincareSections) {
     EXPECT_LE(distance(orbit.state[64 * i], orbit.sections[i - 1]), 1e-15)
         << "each revolution starts at a section";
   }
+}
+
+TEST(LineSolver, TheLargestForceIsThatOfADenseScan) {
+  for (const double speed : {0.62, 0.9}) {
+    scene::Scene scene = default_scene();
+    scene.protocol = {20, 10, 20000};
+    scene.observables = {"max_contact_force"};
+    const auto solver = solve::make_line_solver(scene, line_of(scene), solve::make_blade_tables());
+    const double largest = solver->run(speed, kRest, [] {}).rows[0][0];
+    const auto orbit = solver->orbit(speed, kRest);
+    const double scanned = *std::max_element(orbit.force.begin(), orbit.force.end());
+    EXPECT_GE(largest, scanned * (1.0 - 1e-12));
+    EXPECT_NEAR(largest, scanned, 1e-4 * scanned) << "the scan misses the peak by less than a sample";
+  }
+}
+
+TEST(LineSolver, WhatIsObservedNeverChangesTheMotion) {
+  // Ten blades: several touch at once, where each force is found from a first guess.
+  scene::Scene scene = default_scene();
+  scene.blades.count = 10;
+  scene.protocol = {5, 5, 256};
+  const auto all = run(scene, 0.9);
+  scene.observables = {"poincare"};
+  const auto sections_alone = run(scene, 0.9);
+  ASSERT_EQ(all.status, solve::PointStatus::done);
+  EXPECT_EQ(all.rows[0], sections_alone.rows[0]);
+  EXPECT_EQ(all.final_state, sections_alone.final_state);
 }
 
 TEST(LineSolver, TheLastBladePassingOfARevolutionIsItsSection) {

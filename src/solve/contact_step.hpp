@@ -1,0 +1,282 @@
+/// One accepted step of a contact phase, with everything that can be asked of it: states on dense output,
+/// gaps, forces.
+///
+/// `System` is one of the right-hand sides of `contact_system.hpp`. What comes out of a step does not depend
+/// on what has been asked of the steps before it: dense output is made on a copy of the system's first
+/// guesses.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "contact/pose.hpp"
+#include "integrate/dormand_prince_853.hpp"
+#include "integrate/root_between.hpp"
+#include "integrate/runge_kutta.hpp"
+#include "integrate/step_control.hpp"
+#include "solve/contact_system.hpp"
+#include "solve/rotor.hpp"
+
+namespace rubatlas::solve {
+
+template <class System, class Law>
+class ContactStep {
+ public:
+  /// The bending parameter is a state of the system.
+  static constexpr bool kCarried = requires(System system) { system.last(); };
+
+  /// `tolerance` bounds the local error of a step [m]: accuracy.tolerance × δc.
+  ContactStep(const RotorConstants& rotor, const BladeSet& blades, const Law& law, double tolerance,
+              System system)
+      : rotor_(&rotor), blades_(&blades), law_(&law), tolerance_(tolerance), system_(std::move(system)) {}
+
+  /// Starts a phase at time τ of the revolution. False where the system cannot start there.
+  bool start(double time, const State& state, const std::vector<OpenContact>& contacts) {
+    contacts_ = contacts;
+    ContactState full;
+    full << state, time, kCarried ? contacts_.front().bending : 0.0;
+    if constexpr (kCarried) {
+      if (!system_.open(contacts_.front(), full)) return false;
+    } else {
+      system_.open(contacts_);
+    }
+    size_ = first_size_;
+    first_ = true;
+    return step_.begin(system_, full);
+  }
+
+  enum class Outcome : std::uint8_t { accepted, no_force, failed };
+
+  /// Makes one step that keeps the tolerance.
+  Outcome make() {
+    if constexpr (kCarried) aim_at_lift_off();
+    while (true) {
+      const bool evaluated = step_.attempt(system_, size_);
+      const double error = evaluated ? scaled_error() : std::numeric_limits<double>::infinity();
+      if (error <= 1.0 && !holds_whole_contact()) {
+        ++accepted_;
+        if (first_) first_size_ = size_;
+        first_ = false;
+        size_ *= factor(error);
+        if constexpr (kCarried) project();
+        return Outcome::accepted;
+      }
+      ++rejected_;
+      size_ *= !std::isfinite(error) ? 0.25 : error <= 1.0 ? 0.5 : std::min(factor(error), 0.9);
+      // Where no stage can find a force however short the step, the contact equation has lost its root.
+      if (!(size_ > kSmallestSize)) return evaluated ? Outcome::failed : Outcome::no_force;
+    }
+  }
+
+  /// Goes on from the end of the step.
+  void accept() { step_.accept(); }
+
+  [[nodiscard]] const ContactState& begin() const { return step_.start(); }
+  [[nodiscard]] const ContactState& end() const { return step_.end(); }
+  [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
+  [[nodiscard]] const System& system() const { return system_; }
+
+  /// State at the fraction θ in [0, 1]; NaN where a stage of dense output finds no force.
+  [[nodiscard]] ContactState at_fraction(double fraction) {
+    if (fraction == 0.0) return step_.start();
+    if (fraction == 1.0) return step_.end();
+    if (!make_dense()) return ContactState::Constant(std::numeric_limits<double>::quiet_NaN());
+    return step_.interpolate(fraction);
+  }
+
+  /// Fraction at a time strictly between the step's start and `last`, a fraction where time is `last_time`:
+  /// Newton, since time runs forward and smoothly, with the bracketing solver where lift-off (dτ/dσ = 0) is
+  /// too near.
+  [[nodiscard]] double fraction_at(double time, double last, double last_time) {
+    const double from = step_.start()[kTime];
+    double fraction = last * (time - from) / (last_time - from);
+    if (!kCarried || !make_dense()) return fraction;
+    for (int i = 0; i < 8; ++i) {
+      const auto at = step_.interpolate_with_slope(fraction, kTime);
+      const double move = (time - at.value) / at.slope;
+      fraction += move;
+      if (!(fraction > 0.0 && fraction < last)) break;
+      if (std::abs(move) <= kFractionResolution) return fraction;
+    }
+    return integrate::root_between([&](double part) { return step_.interpolate(part, kTime) - time; }, 0.0,
+                                   last, from - time, last_time - time);
+  }
+
+  /// True where the step has passed lift-off: u has gone through zero, beyond which the even curve leads back
+  /// along the same motion with time running backwards.
+  [[nodiscard]] bool passes_lift_off() const {
+    if constexpr (kCarried) return step_.end()[kBending] <= 0.0;
+    return false;
+  }
+  /// Fraction where u = 0, in a step that has passed it.
+  [[nodiscard]] double lift_off_fraction() {
+    if (!make_dense()) return 1.0;
+    const bool unloaded = step_.start()[kBending] <= 0.0;  // the step of the touch-down starts at u = 0 too
+    const auto bending = [&](double part) {
+      return unloaded ? step_.mean_slope(part, kBending) : step_.interpolate(part, kBending);
+    };
+    return integrate::root_between(bending, 0.0, 1.0, bending(0.0), bending(1.0));
+  }
+
+  /// g and dg/dτ of a blade in a state.
+  struct Gap {
+    double value;
+    double rate;
+  };
+  [[nodiscard]] Gap gap(int blade, const ContactState& state) const {
+    const contact::Pose at = pose(blade, state);
+    return {at.gap, contact::gap_rate(law_->geometry(), at, rotor_->speed_ratio)};
+  }
+
+  /// Slip velocity of an open contact at the end of the step (or where the phase starts).
+  [[nodiscard]] double slip_velocity(std::size_t contact) const {
+    if constexpr (kCarried) {
+      return system_.last().force.slip_velocity;
+    } else {
+      return system_.forces()[contact].slip_velocity;
+    }
+  }
+
+  /// What an open contact does in a state.
+  [[nodiscard]] contact::TipForce force(std::size_t contact, const ContactState& state) const {
+    const OpenContact& open = contacts_[contact];
+    const contact::Pose at = pose(open.blade, state);
+    if constexpr (kCarried) {
+      return law_->constraint(at, open.slip, state[kBending], rotor_->speed_ratio).force;
+    } else {
+      contact::TipForce force{};
+      double bending = system_.contacts()[contact].bending;
+      law_->respond(at, open.slip, rotor_->speed_ratio, bending, force);
+      return force;
+    }
+  }
+
+  /// Largest δ/L of the open contacts at the end of the step.
+  [[nodiscard]] double shortening() const {
+    double largest = 0.0;
+    if constexpr (kCarried) {
+      largest = system_.last().force.shortening;
+    } else {
+      for (const contact::TipForce& force : system_.forces()) largest = std::max(largest, force.shortening);
+    }
+    return largest;
+  }
+  /// True where the root of the contact equation has been lost within the step: past it time runs backwards.
+  [[nodiscard]] bool root_lost() const {
+    if constexpr (kCarried) return system_.last().bending_slope >= 0.0;
+    return false;
+  }
+
+  /// Whether a load may rise and fall again within the step: it follows the bending parameter where that is a
+  /// state, the gap where the ring yields, and is to be looked at where it has been solved for.
+  [[nodiscard]] bool load_may_peak(bool gap_peaks) const {
+    if constexpr (kCarried) {
+      return step_.start_derivative()[kBending] > 0.0 && step_.end_derivative()[kBending] < 0.0;
+    }
+    return Law::kHasBending || gap_peaks;
+  }
+
+  /// Bending parameter of an open contact at a fraction, as a first guess for the phase that follows.
+  [[nodiscard]] double bending(std::size_t contact, double fraction) {
+    if constexpr (kCarried) {
+      return at_fraction(fraction)[kBending];
+    } else {
+      return system_.contacts()[contact].bending;
+    }
+  }
+
+  /// Sets the clock back.
+  void shift_time(double period) { step_.shift(kTime, -period); }
+
+  [[nodiscard]] std::uint64_t evaluations() const { return system_.evaluations(); }
+  [[nodiscard]] std::uint64_t accepted() const { return accepted_; }
+  [[nodiscard]] std::uint64_t rejected() const { return rejected_; }
+
+ private:
+  static constexpr double kFirstSize = 0.02;      ///< in σ; only the first contact of a point starts with it
+  static constexpr double kSmallestSize = 1e-15;  ///< in σ
+  static constexpr double kFractionResolution = 1e-14;
+  static constexpr double kAimBehind = 1.05;  ///< of the way to lift-off
+  static constexpr double kWellDetermined =
+      1e-2;  ///< of |∂h/∂u| against |dh/dτ|; near lift-off u carries the clock
+
+  [[nodiscard]] static double factor(double error) {
+    return integrate::step_factor(error, integrate::DormandPrince853::kOrder);
+  }
+
+  [[nodiscard]] contact::Pose pose(int blade, const ContactState& state) const {
+    const contact::BladeDirection er = blades_->direction(blade, blades_->first(state[kTime]));
+    return pose_of(*rotor_, law_->geometry(), er, state.head<4>());
+  }
+
+  bool make_dense() {
+    if constexpr (kCarried) {
+      return step_.make_dense(system_);
+    } else {
+      guesses_ = system_.contacts();
+      const bool made = step_.make_dense(system_);
+      system_.restore(guesses_);
+      return made;
+    }
+  }
+
+  /// Local error of the step in units of the tolerance, in every component of the state at fixed time.
+  [[nodiscard]] double scaled_error() const {
+    const auto estimate = step_.error_estimate();
+    const ContactState& end = step_.end();
+    const std::complex<double> acceleration = system_.last_acceleration();
+    const State rate(end[2], end[3], acceleration.real(), acceleration.imag());
+    // An error of the time is an error of the state along its path.
+    const State third = estimate.third.template head<4>() - rate * estimate.third[kTime];
+    const State fifth = estimate.fifth.template head<4>() - rate * estimate.fifth[kTime];
+    return integrate::combined_error(fifth.abs().maxCoeff(), third.abs().maxCoeff()) / tolerance_;
+  }
+
+  /// A step from rising load to beyond lift-off. Its error may be small at its end, but lift-off would be
+  /// read from the middle of dense output, whose order is one less.
+  [[nodiscard]] bool holds_whole_contact() const {
+    return passes_lift_off() && step_.start_derivative()[kBending] > 0.0 && size_ > kSmallestSize;
+  }
+
+  /// Lets the step that would pass lift-off end just behind it, and the two before share what is left evenly.
+  /// A step far past u = 0 is wasted, and dense output is at its best near the ends of a step.
+  void aim_at_lift_off() {
+    const double bending = step_.start()[kBending];
+    const double rate = step_.start_derivative()[kBending];
+    if (!(rate < 0.0) || !(bending > 0.0)) return;
+    const double remaining = kAimBehind * bending / -rate;
+    if (remaining <= size_) {
+      size_ = remaining;
+    } else if (remaining < 2.0 * size_) {
+      size_ = 0.5 * remaining;
+    }
+  }
+
+  /// Moves the bending parameter back onto h = 0 by one Newton step, where h determines it well.
+  void project() {
+    const auto& last = system_.last();
+    if (-last.bending_slope > std::abs(last.time_slope) * kWellDetermined) {
+      step_.end()[kBending] -= last.residual / last.bending_slope;
+    }
+  }
+
+  const RotorConstants* rotor_;
+  const BladeSet* blades_;
+  const Law* law_;
+  double tolerance_;
+  System system_;
+  integrate::RungeKutta<integrate::DormandPrince853, 6> step_;
+  std::vector<OpenContact> contacts_;
+  std::vector<OpenContact> guesses_;
+  double size_ = kFirstSize;        ///< of the next step
+  double first_size_ = kFirstSize;  ///< of the first step of a phase, from the phase before
+  bool first_ = true;
+  std::uint64_t accepted_ = 0;
+  std::uint64_t rejected_ = 0;
+};
+
+}  // namespace rubatlas::solve
