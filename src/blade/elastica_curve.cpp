@@ -24,8 +24,9 @@ template <class Scale>
 Matrix interpolation(int count, Scale scale) {
   Matrix powers(count, count);
   for (int i = 0; i < count; ++i) {
-    Real power = 1;
-    for (int k = 0; k < count; ++k, power *= scale(chebyshev_point(i, count))) powers(i, k) = power;
+    const Real argument = scale(chebyshev_point(i, count));
+    powers(i, 0) = 1;
+    for (int k = 1; k < count; ++k) powers(i, k) = powers(i, k - 1) * argument;
   }
   return powers.fullPivLu().inverse();
 }
@@ -45,10 +46,11 @@ ElasticaCurve::ElasticaCurve(double friction)
   fine_origin_ = shifted_bits(1.0, kFineShift) - (shifted_bits(1.0, kCoarseShift) - coarse_origin_);
   knots_.push_back({0.0, 0.0, 0.0});
   add_first_piece(width);
-  for (double from = width; knots_.back().shortening < kLargestShortening;) {
+  double from = width;
+  while (knots_.back().shortening < kLargestShortening) {
     // One more unit in the last bit that the index keeps, carried into the exponent where it overflows.
     const int shift = from < 1.0 ? kCoarseShift : kFineShift;
-    const double to = std::bit_cast<double>(std::bit_cast<std::uint64_t>(from) + (std::uint64_t{1} << shift));
+    const auto to = std::bit_cast<double>(std::bit_cast<std::uint64_t>(from) + (std::uint64_t{1} << shift));
     add_piece(from, to);
     from = to;
   }
@@ -73,9 +75,10 @@ void ElasticaCurve::add_first_piece(double width) {
       samples(i) = value[component] / std::pow(t, static_cast<Real>(lead[component]));
     }
     const Eigen::Matrix<Real, Eigen::Dynamic, 1> fitted = interpolation(count, square) * samples;
-    for (int k = 0; k < count; ++k) {
-      piece.coefficients[static_cast<std::size_t>(lead[component] + 2 * k)]
-                        [static_cast<Eigen::Index>(component)] = static_cast<double>(fitted(k));
+    auto power = static_cast<std::size_t>(lead[component]);
+    for (const Real coefficient : fitted) {
+      piece.coefficients[power][static_cast<Eigen::Index>(component)] = static_cast<double>(coefficient);
+      power += 2;
     }
   }
   pieces_.push_back(piece);

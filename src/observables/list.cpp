@@ -98,6 +98,7 @@ std::vector<InnerAxis> inner_axes(const scene::Scene& scene) {
     }
   }
   std::vector<InnerAxis> result;
+  result.reserve(names.size());
   for (const std::string& name : names) result.push_back(make_axis(name, scene));
   return result;
 }

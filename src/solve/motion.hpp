@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "contact/elastic_ring_contact.hpp"
@@ -25,12 +26,12 @@ namespace rubatlas::solve {
 template <class Law, class Forcing>
 class Motion {
  public:
-  Motion(const RotorConstants& rotor, int blade_count, const Law& law, const Forcing& forcing,
+  Motion(const RotorConstants& rotor, int blade_count, Law law, const Forcing& forcing,
          const ContactLimits& limits)
       : rotor_(rotor),
         free_(rotor.damping_ratio),
         forcing_(forcing),
-        law_(law),
+        law_(std::move(law)),
         limits_(limits),
         blades_(blade_count, rotor.speed_ratio),
         flight_(rotor_, free_, forcing_),
