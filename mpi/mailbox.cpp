@@ -8,7 +8,7 @@ namespace rubatlas::mpi {
 // A message of two hundred bytes is taken by the transport at once (eager protocol), so a blocking send does
 // not wait for its receiver. MPI's default error handler ends the job.
 
-void Mailbox::send_bytes(int rank, Tag tag, const void* payload, std::size_t size) const {
+void Mailbox::send_bytes(int rank, Tag tag, const void* payload, std::size_t size) {
   MPI_Send(payload, static_cast<int>(size), MPI_BYTE, rank, static_cast<int>(tag), MPI_COMM_WORLD);
 }
 
@@ -21,7 +21,7 @@ std::optional<Envelope> Mailbox::peek() const {
   return Envelope{status.MPI_SOURCE, static_cast<Tag>(status.MPI_TAG)};
 }
 
-void Mailbox::receive_bytes(const Envelope& envelope, void* payload, std::size_t size) const {
+void Mailbox::receive_bytes(const Envelope& envelope, void* payload, std::size_t size) {
   MPI_Recv(payload, static_cast<int>(size), MPI_BYTE, envelope.source, static_cast<int>(envelope.tag),
            MPI_COMM_WORLD, MPI_STATUS_IGNORE);
 }

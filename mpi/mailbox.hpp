@@ -42,8 +42,8 @@ class Mailbox {
   void discard(const Envelope& envelope) const { static_cast<void>(receive<Nothing>(envelope)); }
 
  private:
-  void send_bytes(int rank, Tag tag, const void* payload, std::size_t size) const;
-  void receive_bytes(const Envelope& envelope, void* payload, std::size_t size) const;
+  static void send_bytes(int rank, Tag tag, const void* payload, std::size_t size);
+  static void receive_bytes(const Envelope& envelope, void* payload, std::size_t size);
 
   bool parallel_;
 };

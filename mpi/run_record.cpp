@@ -31,6 +31,7 @@ std::string processor() {
 
 std::string json_texts(const std::vector<std::string>& texts) {
   std::vector<std::string> quoted;
+  quoted.reserve(texts.size());
   for (const auto& text : texts) quoted.push_back(json_text(text));
   return fmt::format("[{}]", fmt::join(quoted, ", "));
 }

@@ -62,7 +62,7 @@ class Schedule {
   [[nodiscard]] std::size_t piece_length() const;
   void set_start(Piece& piece, const Line& line) const;
   /// Expected seconds of a line's points that are not reported.
-  [[nodiscard]] double remaining(std::size_t line) const;
+  [[nodiscard]] double remaining(std::size_t number) const;
   /// Of an average line, over the speeds that these visits of the line meet.
   [[nodiscard]] double expected(std::size_t line, std::uint64_t first_visit, std::uint64_t last_visit) const;
 

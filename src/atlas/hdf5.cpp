@@ -296,9 +296,10 @@ Dataset File::create(const std::string& path, Identifier type, const Shape& shap
   const Handle links = property_list(H5P_LINK_CREATE);
   RUBATLAS_HDF5(H5Pset_create_intermediate_group(links.get(), 1));
   const Handle space = simple_space(shape);
-  return Dataset({RUBATLAS_HDF5(H5Dcreate2(handle_.get(), path.c_str(), type, space.get(), links.get(),
-                                           properties, H5P_DEFAULT)),
-                  H5Dclose});
+  Handle created{RUBATLAS_HDF5(H5Dcreate2(handle_.get(), path.c_str(), type, space.get(), links.get(),
+                                          properties, H5P_DEFAULT)),
+                 H5Dclose};
+  return Dataset(std::move(created));
 }
 
 template <Number T>
@@ -355,7 +356,8 @@ bool File::has(const std::string& path) const {
 }
 
 Dataset File::dataset(const std::string& path) const {
-  return Dataset({RUBATLAS_HDF5(H5Dopen2(handle_.get(), path.c_str(), H5P_DEFAULT)), H5Dclose});
+  Handle opened{RUBATLAS_HDF5(H5Dopen2(handle_.get(), path.c_str(), H5P_DEFAULT)), H5Dclose};
+  return Dataset(std::move(opened));
 }
 
 std::string File::read_text(const std::string& path) const {
@@ -384,15 +386,15 @@ std::vector<std::string> File::read_texts(const std::string& path) const {
   return texts;
 }
 
-std::vector<std::string> File::names(const std::string& path) const {
-  const Handle owner{RUBATLAS_HDF5(H5Gopen2(handle_.get(), path.c_str(), H5P_DEFAULT)), H5Gclose};
-  std::vector<std::string> names;
+std::vector<std::string> File::names(const std::string& group) const {
+  const Handle owner{RUBATLAS_HDF5(H5Gopen2(handle_.get(), group.c_str(), H5P_DEFAULT)), H5Gclose};
+  std::vector<std::string> found;
   const auto keep = [](hid_t, const char* name, const H5L_info_t*, void* result) -> herr_t {
     static_cast<std::vector<std::string>*>(result)->emplace_back(name);
     return 0;
   };
-  RUBATLAS_HDF5(H5Literate(owner.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, keep, &names));
-  return names;
+  RUBATLAS_HDF5(H5Literate(owner.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, keep, &found));
+  return found;
 }
 
 // The four number types

@@ -23,7 +23,7 @@ std::uint64_t number_size(NumberType type) {
 
 std::uint64_t bytes_of(const RowDataset& dataset) {
   return std::accumulate(dataset.shape.begin(), dataset.shape.end(), number_size(dataset.type),
-                         std::multiplies<std::uint64_t>());
+                         std::multiplies<>());
 }
 
 }  // namespace
