@@ -89,7 +89,7 @@ class Object {
 /// An N-d array in C order. Reading converts between number types as HDF5 does.
 class Dataset : public Object {
  public:
-  using Object::Object;
+  explicit Dataset(Handle handle) : Object(std::move(handle)) {}
 
   [[nodiscard]] Shape shape() const;
   /// Product of the extents.
