@@ -42,7 +42,8 @@ std::vector<std::uint8_t> classes_of_line(const atlas::AtlasReader& atlas, const
 
 std::vector<double> displacements_of_line(const atlas::AtlasReader& atlas,
                                           std::span<const std::uint8_t> status, std::size_t line) {
-  if (!atlas.has("max_displacement")) return std::vector<double>(status.size(), kNotANumber);
+  std::vector<double> unknown(status.size(), kNotANumber);
+  if (!atlas.has("max_displacement")) return unknown;
   auto rows = atlas.line_rows("max_displacement", line);
   for (std::size_t i = 0; i < status.size(); ++i) {
     if (status[i] != kDone) rows[i] = kNotANumber;
@@ -112,8 +113,8 @@ Findings examine(const atlas::AtlasReader& atlas) {
     append(found.motion, points.motion);
     append(found.motion_per_passing, points.motion_per_passing);
     if (atlas.has("max_displacement")) append(found.max_displacement, points.max_displacement);
-    found.lines.push_back(
-        summarise(points, parameters_of_line(found.axes, line), scale, kNegligible * scale_length));
+    found.lines.push_back(summarise(std::move(points), parameters_of_line(found.axes, line), scale,
+                                    kNegligible * scale_length));
   }
   found.sensitivities = sensitivities(found.parameters, found.lines, scale);
   found.statements = judge_statements(Evidence(found.scene, found.parameters, found.lines, per_passing));
@@ -129,8 +130,10 @@ void analyse(const std::filesystem::path& atlas, const std::filesystem::path& ma
   write_maps(maps, found, reader, atlas.filename().string());
   if (table) write_text(*table, markdown_report(found));
   const auto text = plain_report(found);
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  std::fflush(stdout);
+  const bool printed = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (!printed || std::fflush(stdout) != 0) {
+    throw atlas::EnvironmentError("the standard output cannot be written");
+  }
 }
 
 }  // namespace rubatlas::analysis

@@ -50,6 +50,6 @@ constexpr double kUnresolvedFactor = 100.0;
 /// halves differ. A half must be longer than a period to test it: a record shorter than 34 sections is never
 /// called aperiodic, one shorter than 4 is always unresolved. An empty record, or one with a value that is
 /// not finite, is `kNone`.
-[[nodiscard]] std::uint8_t classify(std::span<const double> states, const ClosingTolerance& tolerance);
+[[nodiscard]] std::uint8_t classify(std::span<const double> states, const ClosingTolerance& closing);
 
 }  // namespace rubatlas::analysis

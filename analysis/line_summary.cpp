@@ -5,7 +5,7 @@
 
 namespace rubatlas::analysis {
 
-LineSummary summarise(const Line& line, std::vector<double> parameters, SpeedScale scale, double floor) {
+LineSummary summarise(Line line, std::vector<double> parameters, SpeedScale scale, double floor) {
   LineSummary summary;
   summary.parameters = std::move(parameters);
   summary.triggers = find_triggers(line, scale, floor);
@@ -20,6 +20,7 @@ LineSummary summarise(const Line& line, std::vector<double> parameters, SpeedSca
   }
   if (count > 1)
     summary.speed_step = (summary.last_speed - summary.first_speed) / static_cast<double>(count - 1);
+  summary.line = std::move(line);
   return summary;
 }
 

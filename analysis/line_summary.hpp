@@ -13,6 +13,7 @@
 namespace rubatlas::analysis {
 
 struct LineSummary {
+  Line line;                       ///< what the rules were applied to
   std::vector<double> parameters;  ///< one per axis of the atlas without `speed_ratio`, in their order
   std::array<Trigger, 2> triggers;
   std::array<Region, 4> regions;
@@ -24,6 +25,6 @@ struct LineSummary {
 };
 
 /// Applies all rules to a line. `floor` as in `find_triggers`.
-LineSummary summarise(const Line& line, std::vector<double> parameters, SpeedScale scale, double floor);
+LineSummary summarise(Line line, std::vector<double> parameters, SpeedScale scale, double floor);
 
 }  // namespace rubatlas::analysis

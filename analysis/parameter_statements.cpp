@@ -226,6 +226,12 @@ std::vector<Finding> friction_findings(const Evidence& evidence) {
   return findings;
 }
 
+/// A region that is known not to be there cannot become chaotic.
+std::optional<bool> if_known(const Region& region) {
+  if (region.presence == Presence::not_covered) return std::nullopt;
+  return false;
+}
+
 std::vector<Finding> unbalance_findings(const Evidence& evidence) {
   const std::string_view name = "unbalance";
   const auto lines = evidence.lines_along(name);
@@ -256,11 +262,18 @@ std::vector<Finding> unbalance_findings(const Evidence& evidence) {
     if (line.triggers[1].presence == Presence::not_covered) return std::nullopt;
     return line.triggers[1].presence == Presence::absent;
   });
-  growth("chaos in region 3", [](const LineSummary& line) -> Known {
-    const auto& region = line.regions[2];
-    if (region.presence == Presence::not_covered) return std::nullopt;
-    return !region.present() || region.aperiodic_share > kPeriodicShare;
-  });
+  const auto& place = lines.front()->regions[2];
+  if (place.present()) {
+    const auto where = fmt::format("chaos in most of {}, region 3 at {}", extent_text(place),
+                                   evidence.value_text(*lines.front(), name));
+    growth(where, [&](const LineSummary& line) -> Known {
+      const double share = aperiodic_share(line.line, place.from, place.to);
+      if (std::isnan(share)) return std::nullopt;
+      return share >= kChaoticShare;
+    });
+  } else {
+    findings.push_back({if_known(place), region_text(3, place)});
+  }
   growth("regions 2, 3 and 4 merged", [](const LineSummary& line) -> Known {
     if (line.regions[3].presence == Presence::not_covered) return std::nullopt;
     return line.regions[3].presence == Presence::merged;

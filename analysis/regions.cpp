@@ -66,24 +66,6 @@ bool covered(Points points, double above, double below) {
   return count >= kFewestPoints;
 }
 
-/// Of the points [from, to), those of the piece of the line that has most points in (above, below).
-std::pair<std::size_t, std::size_t> main_piece(Points points, std::size_t from, std::size_t to, double above,
-                                               double below) {
-  std::pair<std::size_t, std::size_t> best{from, from};
-  std::size_t most = 0;
-  for (std::size_t first = from; first < to;) {
-    std::size_t last = first;
-    std::size_t count = 0;
-    for (; last < to && points[last].piece == points[first].piece; ++last) {
-      if (points[last].scaled_speed > above && points[last].scaled_speed < below) ++count;
-    }
-    if (count > most) best = {first, last};
-    most = std::max(most, count);
-    first = last;
-  }
-  return best;
-}
-
 Region region_1(const Line& line, Points points, SpeedScale scale, const Trigger& trigger) {
   if (trigger.presence == Presence::not_covered) return {};
   if (trigger.presence != Presence::present) return {.presence = Presence::absent};
@@ -96,30 +78,28 @@ Region region_1(const Line& line, Points points, SpeedScale scale, const Trigger
   return region_over(line, scale, points, first, count - 1);
 }
 
-/// Scaled speed that has region 2 below and region 4 above it: the middle of the periodic stretch, between
-/// chaos, that covers most of (1/2, 2/3); where none does, 1/2 itself.
-double border_of_two_and_four(Points points, const std::vector<Stretch>& stretches) {
+/// The periodic stretch, between chaos and on one side of a gap, that covers most of (1/2, 2/3).
+std::optional<Stretch> periodic_between_triggers(Points points, const std::vector<Stretch>& chaos) {
   std::vector<bool> chaotic(points.size(), false);
-  for (const auto& stretch : stretches) {
+  for (const auto& stretch : chaos) {
     for (std::size_t i = stretch.first; i <= stretch.last; ++i) chaotic[i] = true;
   }
-  double border = kBetweenTriggers;
-  double most = -1.0;
+  std::optional<Stretch> best;
+  double most = 0.0;
   for (std::size_t first = 0; first < points.size(); ++first) {
     if (chaotic[first]) continue;
     std::size_t last = first;
-    while (last + 1 < points.size() && !chaotic[last + 1] && points[last + 1].piece == points[first].piece)
-      ++last;
-    const double low = points[first].scaled_speed;
-    const double high = points[last].scaled_speed;
-    const double covers = std::min(high, kNominalTrigger[1]) - std::max(low, kBetweenTriggers);
-    if (covers >= 0.0 && covers > most) {
+    const auto goes_on = [&](std::size_t i) { return !chaotic[i] && points[i].piece == points[first].piece; };
+    while (last + 1 < points.size() && goes_on(last + 1)) ++last;
+    const double covers = std::min(points[last].scaled_speed, kNominalTrigger[1]) -
+                          std::max(points[first].scaled_speed, kBetweenTriggers);
+    if (covers >= most) {
       most = covers;
-      border = 0.5 * (low + high);
+      best = Stretch{first, last};
     }
     first = last;
   }
-  return border;
+  return best;
 }
 
 /// The longest of the stretches that begin in [above, below), after joining them across periodic windows.
@@ -149,6 +129,17 @@ double Region::width() const {
   }
 }
 
+double aperiodic_share(const Line& line, double from, double to) {
+  std::size_t aperiodic = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < line.size() && i < line.motion.size(); ++i) {
+    if (line.speed_ratio[i] < from || line.speed_ratio[i] > to) continue;
+    if (line.motion[i] == motion_class::kAperiodic) ++aperiodic;
+    if (line.motion[i] == motion_class::kAperiodic || is_periodic(line.motion[i])) ++count;
+  }
+  return count == 0 ? kNotANumber : static_cast<double>(aperiodic) / static_cast<double>(count);
+}
+
 std::array<Region, 4> find_regions(const Line& line, SpeedScale scale,
                                    const std::array<Trigger, 2>& triggers) {
   const auto all = classified_points(line, scale);
@@ -168,7 +159,9 @@ std::array<Region, 4> find_regions(const Line& line, SpeedScale scale,
   const bool covered_4 = covered(points, kNominalTrigger[1], beyond) && points.back().scaled_speed > beyond;
 
   const auto stretches = chaotic_stretches(points, kShareWindow, kChaoticShare);
-  const double border = border_of_two_and_four(points, stretches);
+  const auto third = periodic_between_triggers(points, stretches);
+  const double border =
+      third ? 0.5 * (points[third->first].scaled_speed + points[third->last].scaled_speed) : kBetweenTriggers;
   const auto second = longest_stretch(points, stretches, start, border);
   const auto fourth = longest_stretch(points, stretches, border, 1e9);
 
@@ -187,17 +180,10 @@ std::array<Region, 4> find_regions(const Line& line, SpeedScale scale,
     regions[3].presence = Presence::absent;
   }
 
-  if (regions[3].presence == Presence::merged) {
+  if (third && count_between(points, kBetweenTriggers, kNominalTrigger[1]) >= kFewestPoints) {
+    regions[2] = region_over(line, scale, points, third->first, third->last);
+  } else if (covered_3) {
     regions[2].presence = Presence::absent;
-    return regions;
-  }
-  if (count_between(points, kBetweenTriggers, kNominalTrigger[1]) < kFewestPoints) return regions;
-  const auto [from, to] =
-      main_piece(points, second ? second->last + 1 : 0, fourth ? fourth->first : points.size(),
-                 kBetweenTriggers, kNominalTrigger[1]);
-  if (from < to) regions[2] = region_over(line, scale, points, from, to - 1);
-  if (from < to ? regions[2].aperiodic_share >= kChaoticShare : covered_3) {
-    regions[2] = {.presence = Presence::absent};
   }
   return regions;
 }

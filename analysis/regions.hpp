@@ -15,7 +15,7 @@ namespace rubatlas::analysis {
 constexpr double kShareWindow = 1.0 / 20.0;
 /// A stretch is chaotic where at least this share of its running window is aperiodic.
 constexpr double kChaoticShare = 0.5;
-/// The scaled speed midway between the triggers. Region 3 is around the periodic stretch that covers most of
+/// The scaled speed midway between the triggers. Region 3 is the periodic stretch that covers most of
 /// the range from here to the second trigger.
 constexpr double kBetweenTriggers = 0.5;
 
@@ -36,6 +36,10 @@ struct Region {
   /// Extent in Ω [-]; 0 where the region is absent or merged, NaN where it is not covered or open.
   [[nodiscard]] double width() const;
 };
+
+/// Share of aperiodic points among the periodic and aperiodic ones with Ω in [from, to]; NaN where there are
+/// none.
+double aperiodic_share(const Line& line, double from, double to);
 
 /// Regions 1, 2, 3, 4 of a line, in that order.
 std::array<Region, 4> find_regions(const Line& line, SpeedScale scale,

@@ -1,4 +1,4 @@
-/// Amplitude spectrum of a uniformly sampled real signal over a whole number of revolutions (DESIGN A5).
+/// Amplitude spectrum of a uniformly sampled real signal over a whole number of revolutions.
 ///
 /// No window: the record is a whole number of revolutions, so every harmonic of the revolution falls on a
 /// line. Amplitudes are 0-peak: 2|X_k|/N, and |X_k|/N at order 0 and at Nyquist.

@@ -102,8 +102,7 @@ std::vector<Stretch> join_across_windows(std::span<const ClassifiedPoint> points
     for (auto left = stretches.begin(); left != stretches.end() && left + 1 != stretches.end(); ++left) {
       const auto right = left + 1;
       const double gap = points[right->first].scaled_speed - points[left->last].scaled_speed;
-      const bool same_piece = points[left->last].piece == points[right->first].piece;
-      const bool is_window = same_piece && gap < length(points, *left) && gap < length(points, *right);
+      const bool is_window = gap < length(points, *left) && gap < length(points, *right);
       if (is_window && (shortest == stretches.end() || gap < shortest_gap)) {
         shortest = left;
         shortest_gap = gap;

@@ -33,8 +33,8 @@ struct Stretch {
 /// end at the gaps of a line.
 std::vector<Stretch> chaotic_stretches(std::span<const ClassifiedPoint> points, double window, double share);
 
-/// Joins neighbours whose gap is shorter than both of them (a periodic window inside one region), shortest
-/// gap first, until no such gap is left; never across a gap of the line.
+/// Joins neighbours where what is between them, a periodic window or points that are not done, is shorter
+/// than both of them, shortest gap first, until no such gap is left.
 std::vector<Stretch> join_across_windows(std::span<const ClassifiedPoint> points,
                                          std::vector<Stretch> stretches);
 

@@ -131,6 +131,32 @@ TEST(Regions, EndOpenAtAGap) {
   EXPECT_FALSE(std::isnan(regions[3].width()));
 }
 
+TEST(Regions, GoOnAcrossAGapThatIsShorterThanTheChaosOnBothSides) {
+  const auto regions = regions_of({{0.3335, {1}, 1e-4},
+                                   {0.45, {255}, 1e-2},
+                                   {0.50, {motion_class::kNone}, kNotANumber},
+                                   {0.60, {255}, 1e-2},
+                                   {0.67, {1}, 1e-2},
+                                   {0.95, {255}, 2e-2}});
+  expect_extent(regions[1], 0.334, 0.60);
+  EXPECT_FALSE(regions[1].begins_at_gap || regions[1].ends_at_gap);
+  expect_extent(regions[2], 0.601, 0.67);
+}
+
+TEST(Regions, LeaveChaosBesideThePeriodicStretchToNone) {
+  // The rig's picture: a short burst between regions 2 and 3 belongs to neither.
+  const auto regions = regions_of({{0.3335, {1}, 1e-4},
+                                   {0.45, {255}, 1e-2},
+                                   {0.52, {1}, 1e-2},
+                                   {0.55, {255}, 1e-2},
+                                   {0.65, {1}, 1e-2},
+                                   {0.95, {255}, 2e-2}});
+  expect_extent(regions[1], 0.334, 0.45);
+  expect_extent(regions[2], 0.551, 0.65);
+  expect_extent(regions[3], 0.651, 0.95);
+  EXPECT_DOUBLE_EQ(regions[2].aperiodic_share, 0.0);
+}
+
 TEST(Regions, AreNotCalledAbsentWhereAGapMayHideThem) {
   // Chaos may be what left the model's validity between 0.40 and 0.48, and beyond 0.70.
   const auto nothing = motion_class::kNone;
