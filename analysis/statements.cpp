@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "analysis/findings_along.hpp"
 #include "scene/quantity.hpp"
 
 namespace rubatlas::analysis {
@@ -116,6 +117,23 @@ double Evidence::value(const LineSummary& line, std::string_view name) const {
 std::string Evidence::value_text(const LineSummary& line, std::string_view name) const {
   const auto i = position(name);
   return parameters_[i].text(line.parameters[i]);
+}
+
+std::vector<Statement> judge_parameters(const Evidence& evidence) {
+  return {
+      {"P5",
+       "the global picture holds for ζ ≤ 0.15; low damping widens region 2, shortens region 3 and opens "
+       "small "
+       "chaotic areas in region 1",
+       low_damping_findings(evidence)},
+      {"P6", "high damping attenuates regions 2 and 4 until they disappear", high_damping_findings(evidence)},
+      {"P7", "friction changes things only locally; chaos appears in region 1 for 0.01 ≤ μ ≤ 0.2",
+       friction_findings(evidence)},
+      {"P8",
+       "small unbalance keeps the four regions; growing it (up to 1e-4 kg m) removes the trigger at 2/3, "
+       "makes "
+       "region 3 chaotic and merges 2, 3 and 4; the trigger at 1/3 always stays",
+       unbalance_findings(evidence)}};
 }
 
 std::vector<Statement> judge_statements(const Evidence& evidence) {

@@ -80,7 +80,7 @@ std::vector<Stretch> chaotic_stretches(std::span<const ClassifiedPoint> points, 
     stretch.last = grown(points, stretch.last, +1, window, share);
     while (stretch.first < stretch.last && !points[stretch.first].aperiodic) ++stretch.first;
     while (stretch.last > stretch.first && !points[stretch.last].aperiodic) --stretch.last;
-    if (!points[stretch.first].aperiodic) continue;
+    if (stretch.first == stretch.last) continue;
     if (!stretches.empty() && stretch.first <= stretches.back().last) {
       stretches.back().last = std::max(stretches.back().last, stretch.last);
     } else {

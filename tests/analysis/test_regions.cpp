@@ -242,6 +242,13 @@ TEST(Stretches, NeedHalfOfTheWindowToBeAperiodic) {
   EXPECT_EQ(stretches_of({1}), 0U);
 }
 
+TEST(Stretches, AreNotMadeByOnePointBetweenGaps) {
+  const auto nothing = motion_class::kNone;
+  const auto line = line_of(
+      0.3, 201, {{0.38, {nothing}, kNotANumber}, {0.381, {255}, 1e-2}, {0.5, {nothing}, kNotANumber}});
+  EXPECT_TRUE(chaotic_stretches(classified_points(line, kThreeBlades), kShareWindow, kChaoticShare).empty());
+}
+
 TEST(PeriodDoublings, AreFoundWhereAPeriodBecomesTwiceItself) {
   const std::vector<double> speed{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8};
   const std::vector<std::uint8_t> cascade{1, 1, 2, 2, 254, 4, 4, 255};

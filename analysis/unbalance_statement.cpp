@@ -1,0 +1,88 @@
+// P8 (MODEL 6.3): what unbalance does to the regions and triggers of the default rotor.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/evidence_text.hpp"
+#include "analysis/findings_along.hpp"
+
+namespace rubatlas::analysis {
+namespace {
+
+constexpr double kSmallUnbalance = 1e-5;     ///< [kg m] of the paper's five values the small ones
+constexpr double kGreatestUnbalance = 1e-4;  ///< [kg m] the paper's largest value
+
+/// A region that is known not to be there cannot become chaotic.
+std::optional<bool> if_known(const Region& region) {
+  if (region.presence == Presence::not_covered) return std::nullopt;
+  return false;
+}
+
+}  // namespace
+
+std::vector<Finding> unbalance_findings(const Evidence& evidence) {
+  const std::string_view name = "unbalance";
+  const auto lines = evidence.lines_along(name);
+  if (const auto reason = no_lines(evidence, lines, name); !reason.empty()) return {not_covered(reason)};
+  const auto small = within(evidence, lines, name, 0.0, kSmallUnbalance);
+  const auto paper = within(evidence, lines, name, 0.0, kGreatestUnbalance);
+  std::vector<Finding> findings;
+  if (!small.empty()) findings.push_back(all_four(evidence, small, name));
+
+  // "Growing it": what the least unbalance of the atlas has not, and one within the paper's range has.
+  const auto growth = [&](std::string_view what, const auto& shows) {
+    const auto knows = [&](const LineSummary* line) { return shows(*line).has_value(); };
+    if (paper.size() < 2 || !std::ranges::all_of(paper, knows)) {
+      findings.push_back(not_covered(fmt::format("{}: not known for every unbalance up to 1e-4 kg m", what)));
+      return;
+    }
+    const auto first = std::ranges::find_if(lines, [&](const auto* l) { return shows(*l).value_or(false); });
+    const bool already = first == lines.begin();
+    const bool never = first == lines.end();
+    const bool in_range = !never && evidence.value(**first, name) <= kGreatestUnbalance * kRounding;
+    findings.push_back(
+        {in_range && !already, never ? fmt::format("{}: never", what)
+                                     : fmt::format("{}: {} {}", what, already ? "already at" : "from",
+                                                   evidence.value_text(**first, name))});
+  };
+  using Known = std::optional<bool>;
+  growth("no trigger 2", [](const LineSummary& line) -> Known {
+    if (line.triggers[1].presence == Presence::not_covered) return std::nullopt;
+    return line.triggers[1].presence == Presence::absent;
+  });
+  const auto& place = lines.front()->regions[2];
+  if (place.present()) {
+    const auto where = fmt::format("chaos in most of {}, region 3 at {}", extent_text(place),
+                                   evidence.value_text(*lines.front(), name));
+    growth(where, [&](const LineSummary& line) -> Known {
+      const double share = aperiodic_share(line.line, place.from, place.to);
+      if (std::isnan(share)) return std::nullopt;
+      return share >= kChaoticShare;
+    });
+  } else {
+    findings.push_back({if_known(place), region_text(3, place)});
+  }
+  growth("regions 2, 3 and 4 merged", [](const LineSummary& line) -> Known {
+    if (line.regions[3].presence == Presence::not_covered) return std::nullopt;
+    return line.regions[3].presence == Presence::merged;
+  });
+
+  std::vector<std::string> without;
+  bool known = true;
+  for (const auto* line : lines) {
+    known = known && line->triggers[0].presence != Presence::not_covered;
+    if (line->triggers[0].presence == Presence::absent) without.push_back(evidence.value_text(*line, name));
+  }
+  if (!known) {
+    findings.push_back(not_covered("trigger 1: the lines do not reach over it"));
+  } else if (without.empty()) {
+    findings.push_back({true, "trigger 1 on every line"});
+  } else {
+    findings.push_back({false, fmt::format("no trigger 1 at {}", fmt::join(without, ", "))});
+  }
+  return findings;
+}
+
+}  // namespace rubatlas::analysis
