@@ -1,0 +1,19 @@
+/// The group /table1 of MAPS.h5: one row per line of the atlas, its parameters, regions and triggers.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "analysis/findings.hpp"
+#include "atlas/hdf5.hpp"
+
+namespace rubatlas::analysis {
+
+/// A dimension scale that numbers its entries from 0. `name` is that of the dimension.
+atlas::Dataset create_number_scale(atlas::File& file, const std::string& path, const std::string& name,
+                                   std::size_t size, const std::string& long_name);
+
+/// Creates the group with all its columns.
+void create_table(atlas::File& file, const Findings& found);
+
+}  // namespace rubatlas::analysis
