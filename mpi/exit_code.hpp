@@ -13,7 +13,8 @@ constexpr int kEnvironment = 3;       ///< I/O or environment
 constexpr int kInterrupted = 75;      ///< stopped on request, resumable
 }  // namespace exit_code
 
-/// A call that cannot be carried out as given (existing file without a flag, another scene's atlas): exit code 2.
+/// A call that cannot be carried out as given (existing file without a flag, another scene's atlas): exit
+/// code 2.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -17,8 +17,8 @@ struct RunOptions {
   ProgressStyle progress = ProgressStyle::automatic;
 };
 
-/// Runs the job on all ranks and returns the exit code of this rank (`exit_code.hpp`). Initialises MPI only when
-/// started by mpirun.
+/// Runs the job on all ranks and returns the exit code of this rank (`exit_code.hpp`). Initialises MPI only
+/// when started by mpirun.
 int run(const RunOptions& options);
 
 }  // namespace rubatlas::mpi
