@@ -149,8 +149,8 @@ TEST(Schedule, LinesOfUnequalCostKeepRanksBusyToTheEnd) {
 TEST(Schedule, ALineThatTurnsOutToBeLongIsNotLeftToTheEnd) {
   const auto cost = [](std::size_t line, std::uint64_t) { return line == 5 ? 5.0 : 1.0; };
   PlayedJob job(lines_of_points(6, 200, scene::Sweep::up), 2);
-  // Five lines of 200 beside one of 1000, whose cost nobody knows beforehand: whole lines in their order would take
-  // 1400, and with all costs known two ranks could be through at 1000.
+  // Five lines of 200 beside one of 1000, whose cost nobody knows beforehand: whole lines in their order
+  // would take 1400, and with all costs known two ranks could be through at 1000.
   EXPECT_LE(job.play(cost), 1100.0);
 }
 
