@@ -79,4 +79,23 @@ class ContactPeak final : public Observable {
 using MaxContactForce = ContactPeak<&MotionPiece::normal_force>;
 using MaxRootStrain = ContactPeak<&MotionPiece::root_strain>;
 
+/// The flag of `validity.yield_strain`: 1 where a blade's root has been strained beyond it, else 0.
+class Yielded final : public Observable {
+ public:
+  explicit Yielded(double yield_strain) : yield_strain_(yield_strain) {}
+  static std::unique_ptr<Observable> make(const scene::Scene& scene) {
+    return std::make_unique<Yielded>(*scene.validity.yield_strain);
+  }
+  void begin(const PointConstants& point) override { strain_.begin(point); }
+  void piece(MotionPiece& piece) override { strain_.piece(piece); }
+  void write(std::span<double> row) override {
+    strain_.write(row);
+    row[0] = row[0] > yield_strain_ ? 1.0 : 0.0;
+  }
+
+ private:
+  double yield_strain_;  ///< [-]
+  MaxRootStrain strain_;
+};
+
 }  // namespace rubatlas::observables

@@ -43,7 +43,8 @@ const std::vector<Entry>& entries() {
       {"touchdowns_per_revolution", {}, "1", "touch-downs per revolution", TouchdownsPerRevolution::make},
       {"max_contact_force", {}, "N", "largest normal force on one blade", MaxContactForce::make},
       {"contact_fraction", {}, "1", "share of time with any blade in contact", ContactFraction::make},
-      {"max_root_strain", {}, "1", "largest bending strain at a blade root", MaxRootStrain::make}};
+      {"max_root_strain", {}, "1", "largest bending strain at a blade root", MaxRootStrain::make},
+      {"yielded", {}, "1", "1 where a blade root was strained beyond validity.yield_strain", Yielded::make}};
   return kEntries;
 }
 
@@ -73,7 +74,9 @@ InnerAxis make_axis(const std::string& name, const scene::Scene& scene) {
   return {name, orders, "1", "order: multiple of the speed of rotation"};
 }
 
+/// The flag comes with its limit; everything else is named by the scene.
 bool asked_for(const Entry& entry, const scene::Scene& scene) {
+  if (entry.make == Yielded::make) return scene.validity.yield_strain.has_value();
   return std::find(scene.observables.begin(), scene.observables.end(), entry.name) != scene.observables.end();
 }
 

@@ -151,6 +151,21 @@ TEST(LineSolver, TheLargestForceIsThatOfADenseScan) {
   }
 }
 
+TEST(LineSolver, BladesStrainedBeyondYieldAreFlaggedAndRunOn) {
+  scene::Scene scene = default_scene();
+  scene.observables = {"max_root_strain"};
+  const auto unflagged = run(scene, 0.62);
+  ASSERT_EQ(unflagged.rows.size(), 1U) << "no limit, no flag";
+  const double strain = unflagged.rows[0][0];
+  for (const bool beyond : {true, false}) {
+    scene.validity.yield_strain = strain * (beyond ? 0.9 : 1.1);
+    const auto flagged = run(scene, 0.62);
+    EXPECT_EQ(flagged.status, solve::PointStatus::done);
+    ASSERT_EQ(flagged.rows.size(), 2U);
+    EXPECT_EQ(flagged.rows[1][0], beyond ? 1.0 : 0.0);
+  }
+}
+
 TEST(LineSolver, WhatIsObservedNeverChangesTheMotion) {
   // Ten blades: several touch at once, where each force is found from a first guess.
   scene::Scene scene = default_scene();
