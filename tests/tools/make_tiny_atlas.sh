@@ -3,6 +3,7 @@
 set -euo pipefail
 program=$1 folder=$2
 scene=$(realpath "$(dirname "${BASH_SOURCE[0]}")/tiny.json")
+rm -rf "$folder"
 mkdir -p "$folder"
 cd "$folder"
 # Exit code 1: some points leave the model, which the readers of an atlas have to cope with.
