@@ -18,7 +18,7 @@ constexpr std::string_view kTableKey =
     "not done begin. Triggers: Ω, rise of the displacement in mm and as a ratio. Not covered: too few points "
     "are "
     "done there.";
-constexpr std::string_view kStatementsKey = "+ found, - not found, ? not covered by this atlas";
+constexpr std::string_view kStatementsKey = "Findings: + found, - not found, ? not covered by this atlas.";
 
 std::string plain_table(const Findings& found) {
   const auto header = table_header(found);
