@@ -60,16 +60,6 @@ int trial_revolutions(const scene::Scene& scene, double budget,
       std::clamp<double>(kShareOfOneTrial * budget / per_revolution, kFewestRevolutions, kMostRevolutions));
 }
 
-void add(solve::WorkCounts& sum, const solve::WorkCounts& work) {
-  sum.right_hand_sides += work.right_hand_sides;
-  sum.steps += work.steps;
-  sum.rejected_steps += work.rejected_steps;
-  sum.touchdowns += work.touchdowns;
-  sum.liftoffs += work.liftoffs;
-  sum.slip_reversals += work.slip_reversals;
-  sum.gap_evaluations += work.gap_evaluations;
-}
-
 }  // namespace
 
 CostEstimate estimate_cost(const scene::Scene& scene, std::chrono::duration<double> budget) {
@@ -108,7 +98,7 @@ CostEstimate estimate_cost(const scene::Scene& scene, std::chrono::duration<doub
     if (outcome.status == solve::PointStatus::left_validity) ++result.left_validity;
     if (outcome.status == solve::PointStatus::integrator_failed) ++result.integrator_failed;
     result.revolutions += revolutions;
-    add(result.work, outcome.work);
+    result.work += outcome.work;
     sum += seconds;
     sum_of_squares += seconds * seconds;
     ++result.trials;

@@ -14,16 +14,6 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void add(solve::WorkCounts& sum, const solve::WorkCounts& more) {
-  sum.right_hand_sides += more.right_hand_sides;
-  sum.steps += more.steps;
-  sum.rejected_steps += more.rejected_steps;
-  sum.touchdowns += more.touchdowns;
-  sum.liftoffs += more.liftoffs;
-  sum.slip_reversals += more.slip_reversals;
-  sum.gap_evaluations += more.gap_evaluations;
-}
-
 }  // namespace
 
 Master::Master(const Session& session, const Mailbox& mailbox, Schedule& schedule, PointRunner& runner,
@@ -93,7 +83,7 @@ void Master::take(int rank, const PointReport& report) {
   if (report.status != solve::PointStatus::done) ++result_.standing.failed;
   ++result_.points_of_rank[static_cast<std::size_t>(rank)];
   result_.busy_seconds_of_rank[static_cast<std::size_t>(rank)] += report.seconds;
-  add(result_.work, report.work);
+  result_.work += report.work;
   if (report.stop_requested != 0 && !stopping_) stop_workers();
 }
 

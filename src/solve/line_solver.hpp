@@ -31,6 +31,17 @@ struct WorkCounts {
   std::uint64_t liftoffs = 0;
   std::uint64_t slip_reversals = 0;
   std::uint64_t gap_evaluations = 0;  ///< in flight
+
+  WorkCounts& operator+=(const WorkCounts& more) {
+    right_hand_sides += more.right_hand_sides;
+    steps += more.steps;
+    rejected_steps += more.rejected_steps;
+    touchdowns += more.touchdowns;
+    liftoffs += more.liftoffs;
+    slip_reversals += more.slip_reversals;
+    gap_evaluations += more.gap_evaluations;
+    return *this;
+  }
 };
 
 struct PointOutcome {
