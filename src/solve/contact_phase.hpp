@@ -42,6 +42,7 @@ class ContactPhase final : public observables::MotionPiece {
       : limits_(limits),
         misalignment_(rotor.misalignment),
         ring_radius_(law.geometry().ring_radius),
+        tip_speed_(rotor.speed_ratio * ring_radius_),
         step_(rotor, blades, law, limits.tolerance, std::move(system)),
         watched_(static_cast<std::size_t>(blades.count())) {}
 
@@ -57,7 +58,10 @@ class ContactPhase final : public observables::MotionPiece {
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       Watched& blade = watched_[static_cast<std::size_t>(contacts[i].blade)];
       blade.open = true;
-      blade.slip_velocity = step_.slip_velocity(i);
+      // A tip whose slip has just reversed starts at v = 0 to rounding: its sign is that at the end of the
+      // first step.
+      const double velocity = step_.slip_velocity(i);
+      blade.slip_velocity = std::abs(velocity) > kSlipRounding * tip_speed_ ? velocity : 0.0;
     }
     return true;
   }
@@ -128,6 +132,8 @@ class ContactPhase final : public observables::MotionPiece {
  private:
   static constexpr int kMostStepsInPhase = 100000;  ///< bounds the work; no healthy contact takes a thousand
   static constexpr double kGapRounding = 1e-17;     ///< [m²]: g of a contact that has just opened
+
+  static constexpr double kSlipRounding = 1e-12;  ///< of Ω R: v where a slip reversal has been located
 
   using Gap = typename ContactStep<System, Law>::Gap;
 
@@ -270,6 +276,7 @@ class ContactPhase final : public observables::MotionPiece {
   ContactLimits limits_;
   double misalignment_;  ///< y0 [m]
   double ring_radius_;   ///< R [m]
+  double tip_speed_;     ///< Ω R [m per unit τ]
   ContactStep<System, Law> step_;
   std::vector<Watched> watched_;  ///< one per blade
   bool pending_ = false;          ///< a step has been made and not been recorded to its end

@@ -151,6 +151,23 @@ TEST(LineSolver, TheLargestForceIsThatOfADenseScan) {
   }
 }
 
+TEST(LineSolver, SlipThatReversesOnARigidBladeGoesOnReversed) {
+  // Without an elastic tip v does not jump at a reversal, and starts the next phase at zero to rounding. At
+  // low damping the rotor whirls backwards in the ring and slip reverses in each contact.
+  scene::Scene scene = default_scene();
+  scene.contact.law = scene::ContactLaw::elastic_ring;
+  scene.rotor.damping_ratio = 0.01;
+  scene.observables = {"touchdowns_per_revolution"};
+  scene.protocol = {200, 100, 64};
+  for (const double speed :
+       {0.4559322033898305, 0.5101694915254237, 0.5372881355932203, 0.5779661016949152}) {
+    const auto outcome = run(scene, speed);
+    EXPECT_EQ(outcome.status, solve::PointStatus::done) << "speed ratio " << speed;
+    EXPECT_GT(outcome.work.slip_reversals, 1000U);
+    EXPECT_LT(outcome.work.slip_reversals, 2 * outcome.work.touchdowns);
+  }
+}
+
 TEST(LineSolver, BladesStrainedBeyondYieldAreFlaggedAndRunOn) {
   scene::Scene scene = default_scene();
   scene.observables = {"max_root_strain"};
