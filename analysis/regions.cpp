@@ -54,16 +54,18 @@ std::size_t count_between(Points points, double above, double below) {
 }
 
 /// True when there are points enough with a scaled speed in (above, below), and no gap of the line between
-/// them.
+/// them or from the last of them to `below`.
 bool covered(Points points, double above, double below) {
   std::size_t count = 0;
   std::size_t piece = 0;
   for (const auto& point : points) {
-    if (point.scaled_speed <= above || point.scaled_speed >= below) continue;
-    if (count++ > 0 && point.piece != piece) return false;
+    if (point.scaled_speed <= above) continue;
+    if (count > 0 && point.piece != piece) return false;
+    if (point.scaled_speed >= below) return count >= kFewestPoints;
     piece = point.piece;
+    ++count;
   }
-  return count >= kFewestPoints;
+  return false;
 }
 
 Region region_1(const Line& line, Points points, SpeedScale scale, const Trigger& trigger) {
@@ -156,7 +158,7 @@ std::array<Region, 4> find_regions(const Line& line, SpeedScale scale,
   const bool covered_2 = covered(points, kNominalTrigger[0], kBetweenTriggers);
   const bool covered_3 = covered(points, kBetweenTriggers, kNominalTrigger[1]);
   const double beyond = kNominalTrigger[1] + kTriggerSearch;
-  const bool covered_4 = covered(points, kNominalTrigger[1], beyond) && points.back().scaled_speed > beyond;
+  const bool covered_4 = covered(points, kNominalTrigger[1], beyond);
 
   const auto stretches = chaotic_stretches(points, kShareWindow, kChaoticShare);
   const auto third = periodic_between_triggers(points, stretches);
