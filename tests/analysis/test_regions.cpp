@@ -171,6 +171,17 @@ TEST(Regions, AreNotCalledAbsentWhereAGapMayHideThem) {
   EXPECT_EQ(regions[3].presence, Presence::not_covered);
 }
 
+TEST(Regions, AreNotCalledAbsentWhereAGapGoesOnToTheirEnd) {
+  // A few periodic points above the trigger, then nothing until region 3.
+  const auto regions = regions_of({{0.3335, {1}, 1e-4},
+                                   {0.345, {1}, 1e-2},
+                                   {0.64, {motion_class::kNone}, kNotANumber},
+                                   {0.68, {1}, 1e-2},
+                                   {0.95, {255}, 2e-2}});
+  EXPECT_EQ(regions[1].presence, Presence::not_covered);
+  expect_extent(regions[2], 0.641, 0.68);
+}
+
 TEST(Regions, DoNotMindSinglePointsThatAreNotDone) {
   auto line = line_of(0.05, 901, four_regions());
   for (std::size_t i = 0; i < line.size(); i += 10) {
