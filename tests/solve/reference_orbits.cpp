@@ -13,8 +13,7 @@ class ReferenceOrbit : public ::testing::TestWithParam<ReferenceCase> {};
 
 TEST_P(ReferenceOrbit, SectionsOfPeriodicMotionsAgreeAfterAllRevolutions) {
   const ReferenceCase& c = GetParam();
-  // default_Om0.68 has a long chaotic transient and is not marked periodic by accident: all its kinds are in
-  // the data.
+  // Only these have last sections to agree on; chaotic ones are held to their first sections below.
   if (!c.periodic) return;
   const auto sections = sections_of(c, 1e-12);
   const auto last = static_cast<std::size_t>(c.last_section);
