@@ -3,6 +3,7 @@
 #
 #   jobs/install.sh            what building, running and drawing need
 #   jobs/install.sh --tests    that, and what tests/run.sh needs on top
+#   jobs/install.sh --bench    what building needs, and tests/bench: the tests' framework, other solvers, a profiler
 set -eu
 
 packages="g++ make cmake ninja-build pkg-config git ca-certificates
@@ -12,8 +13,9 @@ packages="g++ make cmake ninja-build pkg-config git ca-certificates
 case "${1-}" in
   "") ;;
   --tests) packages="$packages libgtest-dev libbenchmark-dev clang-format clang-tidy hdf5-tools netcdf-bin" ;;
+  --bench) packages="$packages libgtest-dev libbenchmark-dev libsundials-dev valgrind" ;;
   *)
-    echo "install.sh: $1 is not an option; allowed: --tests" >&2
+    echo "install.sh: $1 is not an option; allowed: --tests, --bench" >&2
     exit 2
     ;;
 esac
