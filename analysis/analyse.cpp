@@ -10,6 +10,7 @@
 
 #include "analysis/maps_file.hpp"
 #include "analysis/report.hpp"
+#include "analysis/scene_tolerances.hpp"
 #include "atlas/environment_error.hpp"
 #include "scene/reader.hpp"
 
@@ -17,15 +18,6 @@ namespace rubatlas::analysis {
 namespace {
 
 constexpr std::uint8_t kDone = 1;
-/// Displacements below this share of the clearance count as equally small (find_triggers).
-constexpr double kNegligible = 1e-6;
-/// Integrator's tolerances that the closing distance of a periodic orbit may have.
-constexpr double kIntegratorTolerances = 100.0;
-
-/// δc, or L/10 where δc is zero [m]: what the integrator's tolerance is relative to.
-double length_scale(const scene::Scene& scene) {
-  return scene.clearance() > 0.0 ? scene.clearance() : 0.1 * scene.blades.length;
-}
 
 /// Class of every point of a line from one of its datasets of sections.
 std::vector<std::uint8_t> classes_of_line(const atlas::AtlasReader& atlas, const std::string& sections,
@@ -88,8 +80,7 @@ Findings examine(const atlas::AtlasReader& atlas) {
   found.scene = scene::parse_scene(atlas.scene_resolved(), "scene_resolved");
   found.axes = atlas.axes();
   found.parameters = parameters_of(found.axes);
-  const double scale_length = length_scale(found.scene);
-  found.tolerance.floor = kIntegratorTolerances * found.scene.accuracy.tolerance * scale_length;
+  found.tolerance = closing_tolerance(found.scene);
   found.has_sections = atlas.has("poincare");
   const bool per_passing = atlas.has("poincare_blade_passing");
   const SpeedScale scale(found.scene.blades.count);
@@ -114,7 +105,7 @@ Findings examine(const atlas::AtlasReader& atlas) {
     append(found.motion_per_passing, points.motion_per_passing);
     if (atlas.has("max_displacement")) append(found.max_displacement, points.max_displacement);
     found.lines.push_back(summarise(std::move(points), parameters_of_line(found.axes, line), scale,
-                                    kNegligible * scale_length));
+                                    negligible_displacement(found.scene)));
   }
   found.sensitivities = sensitivities(found.parameters, found.lines, scale);
   found.statements = judge_statements(Evidence(found.scene, found.parameters, found.lines, per_passing));
