@@ -1,0 +1,62 @@
+/// What is compared: a solver that takes the default rotor from rest through some revolutions.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "blade/elastica_curve.hpp"
+#include "solve/line_solver.hpp"
+
+namespace rubatlas::bench {
+
+/// What a peer made of one point.
+struct PeerRun {
+  bool completed = true;                      ///< to the last revolution
+  std::vector<solve::SectionState> sections;  ///< after revolutions 1, 2, …
+  std::uint64_t right_hand_sides = 0;
+  std::uint64_t touchdowns = 0;
+};
+
+/// How a peer is asked to run.
+struct PeerSettings {
+  double tolerance = 1e-9;  ///< local error of a step relative to the clearance
+  double max_step = std::numeric_limits<double>::infinity();  ///< longest step in τ
+};
+
+/// Blade tables are shared by all peers and made before any of them is timed.
+struct SharedTables {
+  std::shared_ptr<const blade::ElasticaCurve> curve;
+  std::shared_ptr<solve::BladeTables> blades;
+};
+const SharedTables& shared_tables();
+
+class Peer {
+ public:
+  explicit Peer(std::string name) : name_(std::move(name)) {}
+  virtual ~Peer() = default;
+  Peer(const Peer&) = delete;
+  Peer& operator=(const Peer&) = delete;
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// From rest at phase 0 through `revolutions` revolutions at one speed ratio.
+  [[nodiscard]] virtual PeerRun run(double speed_ratio, int revolutions,
+                                    const PeerSettings& settings) const = 0;
+
+ private:
+  std::string name_;
+};
+
+/// This program's methods, through the same door that the atlas uses.
+std::unique_ptr<Peer> make_hybrid();
+/// Boost.odeint: dopri5 with dense output, without and with our event location.
+std::unique_ptr<Peer> make_odeint_dopri5();
+std::unique_ptr<Peer> make_odeint_dopri5_located();
+/// SUNDIALS with its own rootfinding on g of each blade.
+std::unique_ptr<Peer> make_arkode(int order);
+enum class Multistep : std::uint8_t { adams, bdf };
+std::unique_ptr<Peer> make_cvode(Multistep method);
+
+}  // namespace rubatlas::bench
