@@ -26,12 +26,13 @@ Examples:
   rubatlas orbit jobs/rig.json --at speed_ratio=0.304 -o orbit.h5
   rubatlas orbit jobs/damping.json --at speed_ratio=0.5,damping_ratio=0.1 --from damping.h5 -o orbit.h5
   rubatlas analyse damping.h5 -o maps.h5 --table table.md        regions, triggers and sensitivities
+  rubatlas accuracy jobs/accuracy.json -o accuracy.h5            error against time, method by method
 
 Exit codes: 0 done; 1 done, but some points left the model or could not be integrated; 2 wrong call or scene;
 3 disk, files or MPI refused; 75 stopped on request, --resume goes on.
 )";
 
-constexpr std::array<std::string_view, 4> kCommands{"run", "explain", "orbit", "analyse"};
+constexpr std::array<std::string_view, 5> kCommands{"run", "explain", "orbit", "analyse", "accuracy"};
 /// In the order of the enumeration ProgressStyle.
 constexpr std::array<std::string_view, 4> kProgressStyles{"auto", "bar", "plain", "off"};
 
@@ -82,8 +83,11 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
       run->add_flag("--resume", run_options.resume, "Complete an atlas, or begin it where there is none");
   run->add_flag("--overwrite", run_options.overwrite, "Replace an existing atlas")->excludes(resume);
   std::string progress = "auto";
-  run->add_option("--progress", progress, "auto, bar, plain or off; auto is a bar on a terminal")
-      ->type_name("STYLE");
+  const auto add_progress = [&](CLI::App* command) {
+    command->add_option("--progress", progress, "auto, bar, plain or off; auto is a bar on a terminal")
+        ->type_name("STYLE");
+  };
+  add_progress(run);
   run->add_flag("--dry-run", run_options.dry_run, "Check scene, disk and output, explain, and stop");
 
   ExplainCommand explain_command;
@@ -113,6 +117,25 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   analyse->add_option("-o,--output", analyse_command.maps, "Maps to write (HDF5)")->required();
   analyse->add_option("--table", analyse_command.table, "Write the table to this file too (Markdown)");
 
+  AccuracyCommand accuracy_command;
+  auto* accuracy =
+      program.add_subcommand("accuracy", "Run a scene with every method and tolerance: what accuracy costs");
+  accuracy->add_option("SCENE", accuracy_command.scene, "Scene file (JSON)")->required();
+  accuracy->add_option("-o,--output", accuracy_command.output, "Study to write (HDF5)")->required();
+  AccuracyLadders& ladders = accuracy_command.ladders;
+  accuracy
+      ->add_option("--methods", ladders.methods,
+                   fmt::format("Of {}; default: all", fmt::join(accuracy_methods(), ", ")))
+      ->delimiter(',')
+      ->type_name("NAME,...");
+  const auto add_ladder = [&](const char* name, std::vector<double>& values, const char* meaning) {
+    accuracy->add_option(name, values, meaning)->delimiter(',')->type_name("VALUE,...");
+  };
+  add_ladder("--tolerances", ladders.tolerances, "Ladder of accuracy.tolerance; default: 1e-4 ... 1e-12");
+  accuracy->add_option("--repeats", accuracy_command.repeats, "Timed runs of each point; default: 3");
+  add_progress(accuracy);
+  accuracy->add_flag("--overwrite", accuracy_command.overwrite, "Replace an existing file");
+
   program.footer(kExamples);
 
   try {
@@ -130,6 +153,10 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   }
   if (explain->parsed()) return explain_command;
   if (orbit->parsed()) return orbit_command;
+  if (accuracy->parsed()) {
+    accuracy_command.progress = progress_style(progress);
+    return accuracy_command;
+  }
   return analyse_command;
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "mpi/accuracy_settings.hpp"
 #include "mpi/run.hpp"
 
 namespace rubatlas::mpi {
@@ -34,7 +35,17 @@ struct AnalyseCommand {
   std::optional<std::filesystem::path> table;
 };
 
-using Command = std::variant<PrintCommand, RunOptions, ExplainCommand, OrbitCommand, AnalyseCommand>;
+struct AccuracyCommand {
+  std::filesystem::path scene;
+  std::filesystem::path output;
+  AccuracyLadders ladders;
+  int repeats = 3;  ///< timed runs of each setting at each point
+  bool overwrite = false;
+  ProgressStyle progress = ProgressStyle::automatic;
+};
+
+using Command =
+    std::variant<PrintCommand, RunOptions, ExplainCommand, OrbitCommand, AnalyseCommand, AccuracyCommand>;
 
 /// Throws UsageError with one sentence.
 Command parse_command_line(int argument_count, const char* const* arguments);

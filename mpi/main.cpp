@@ -5,6 +5,7 @@
 //      explain  scene → plan → what it would be                        (explain)
 //      orbit    scene → one point in full                              (orbit_command)
 //      analyse  atlas → classes, regions, triggers, sensitivities      (analysis)
+//      accuracy scene → every method and tolerance → error and time    (accuracy_command)
 //   3. whatever goes wrong becomes one message and an exit code        (failure)
 #include <fmt/format.h>
 
@@ -16,6 +17,7 @@
 
 #include "analysis/analyse.hpp"
 #include "atlas/environment_error.hpp"
+#include "mpi/accuracy_command.hpp"
 #include "mpi/command_line.hpp"
 #include "mpi/exit_code.hpp"
 #include "mpi/explain.hpp"
@@ -55,6 +57,10 @@ int carry_out(const OrbitCommand& command) {
 int carry_out(const AnalyseCommand& command) {
   analysis::analyse(command.atlas, command.maps, command.table);
   return exit_code::kDone;
+}
+
+int carry_out(const AccuracyCommand& command) {
+  return compute_accuracy(command);
 }
 
 /// What one process does: under mpirun the first rank does it, and all end together with its exit code, since

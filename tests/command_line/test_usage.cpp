@@ -19,7 +19,7 @@ TEST(CommandLine, HelpNamesEveryCommandAndEndsWellOnStandardOutput) {
   const auto ending = Workplace().rubatlas("--help");
   EXPECT_EQ(ending.code, 0);
   EXPECT_EQ(ending.messages, "");
-  for (const std::string command : {"run", "explain", "orbit", "analyse"}) {
+  for (const std::string command : {"run", "explain", "orbit", "analyse", "accuracy"}) {
     EXPECT_NE(ending.output.find("\n  " + command + " "), std::string::npos) << command;
   }
   EXPECT_NE(ending.output.find("Exit codes: 0 done;"), std::string::npos);
@@ -27,7 +27,7 @@ TEST(CommandLine, HelpNamesEveryCommandAndEndsWellOnStandardOutput) {
 
 TEST(CommandLine, EveryCommandHasItsOwnHelp) {
   const Workplace place;
-  for (const std::string command : {"run", "explain", "orbit", "analyse"}) {
+  for (const std::string command : {"run", "explain", "orbit", "analyse", "accuracy"}) {
     const auto ending = place.rubatlas(command + " --help");
     EXPECT_EQ(ending.code, 0) << command;
     EXPECT_NE(ending.output.find("Usage: rubatlas " + command), std::string::npos) << ending.output;
@@ -52,10 +52,12 @@ TEST(CommandLine, AWrongCallIsOneSentenceAndExitCodeTwo) {
     return ending.messages;
   };
   EXPECT_EQ(says(""),
-            "rubatlas: no command; commands are run, explain, orbit, analyse; rubatlas --help shows what is "
+            "rubatlas: no command; commands are run, explain, orbit, analyse, accuracy; rubatlas --help "
+            "shows what is "
             "possible\n");
-  EXPECT_EQ(says("rnu s.json"),
-            "rubatlas: unknown command rnu; commands are run, explain, orbit, analyse; nearest: run\n");
+  EXPECT_EQ(
+      says("rnu s.json"),
+      "rubatlas: unknown command rnu; commands are run, explain, orbit, analyse, accuracy; nearest: run\n");
   EXPECT_EQ(says("run s.json"),
             "rubatlas: --output is required; rubatlas run --help shows what is possible\n");
   EXPECT_EQ(says("run -o a.h5"), "rubatlas: SCENE is required; rubatlas run --help shows what is possible\n");

@@ -1,0 +1,61 @@
+#include "mpi/accuracy_command.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "atlas/accuracy_file.hpp"
+#include "mpi/accuracy_settings.hpp"
+#include "mpi/accuracy_study.hpp"
+#include "mpi/exit_code.hpp"
+#include "mpi/progress.hpp"
+#include "mpi/version.hpp"
+#include "plan/grid.hpp"
+#include "scene/reader.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+constexpr int kMostRepeats = 1000;
+
+void require_possible(const AccuracyCommand& command) {
+  if (command.repeats < 1 || command.repeats > kMostRepeats) {
+    throw UsageError(fmt::format("--repeats {}: outside [1, {}]; timed runs of each point", command.repeats,
+                                 kMostRepeats));
+  }
+  std::error_code ignored;  // a file that does not exist is nobody's
+  if (std::filesystem::equivalent(command.output, command.scene, ignored)) {
+    throw UsageError(fmt::format("-o {}: the study would replace the scene", command.output.string()));
+  }
+  if (std::filesystem::exists(command.output) && !command.overwrite) {
+    throw UsageError(fmt::format("{} exists; --overwrite replaces it", command.output.string()));
+  }
+}
+
+}  // namespace
+
+int compute_accuracy(const AccuracyCommand& command) {
+  const std::string text = scene::read_text(command.scene);
+  const scene::Scene scene = scene::parse_scene(text, command.scene.string());
+  const auto settings = accuracy_settings(command.ladders, scene);
+  require_possible(command);
+
+  Progress progress(command.progress);
+  Standing standing;
+  standing.total = settings.size() * plan::Grid(scene).point_count();
+  const auto began = std::chrono::steady_clock::now();
+  const auto after_run = [&](const atlas::AccuracyRun& run) {
+    ++standing.finished;
+    ++standing.computed;
+    if (run.status != solve::PointStatus::done) ++standing.failed;
+    standing.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    if (progress.is_due()) progress.show(standing);
+  };
+  const auto study = study_accuracy(scene, settings, command.repeats, after_run);
+  atlas::write_accuracy(command.output, scene, text, study, software());
+  progress.finish(standing);
+  return standing.failed == 0 ? exit_code::kDone : exit_code::kSomePointsFailed;
+}
+
+}  // namespace rubatlas::mpi

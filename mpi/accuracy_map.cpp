@@ -1,0 +1,102 @@
+#include "mpi/accuracy_map.hpp"
+
+#include <cmath>
+
+#include "analysis/line_summary.hpp"
+#include "analysis/scene_tolerances.hpp"
+#include "plan/grid.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+using atlas::AccuracyRun;
+using atlas::AccuracyStudy;
+using atlas::MapChanges;
+
+/// 1 to 4, or 0: the region in which a speed lies.
+std::uint8_t region_at(const analysis::LineSummary& summary, double speed_ratio) {
+  for (std::size_t i = 0; i < summary.regions.size(); ++i) {
+    const auto& region = summary.regions[i];
+    if (region.present() && speed_ratio >= region.from && speed_ratio <= region.to) {
+      return static_cast<std::uint8_t>(i + 1);
+    }
+  }
+  return 0;
+}
+
+/// The line as `analysis` sees it; points of a line follow each other in the order of the grid.
+analysis::Line line_of(const plan::Grid& grid, const AccuracyStudy& study, std::size_t setting,
+                       std::size_t line) {
+  analysis::Line points;
+  points.speed_ratio = grid.axes().back().values;
+  for (std::size_t i = 0; i < grid.speed_count(); ++i) {
+    const AccuracyRun& run = study.run(setting, line * grid.speed_count() + i);
+    points.motion.push_back(run.motion);
+    points.max_displacement.push_back(run.max_displacement);
+  }
+  return points;
+}
+
+void find_regions(const scene::Scene& scene, const plan::Grid& grid, AccuracyStudy& study) {
+  const analysis::SpeedScale scale(scene.blades.count);
+  for (std::size_t setting = 0; setting < study.settings.size(); ++setting) {
+    for (std::size_t line = 0; line < grid.line_count(); ++line) {
+      const auto summary = analysis::summarise(line_of(grid, study, setting, line), {}, scale,
+                                               analysis::negligible_displacement(scene));
+      for (std::size_t i = 0; i < grid.speed_count(); ++i) {
+        const std::size_t point = line * grid.speed_count() + i;
+        study.runs[setting * study.points.size() + point].region =
+            region_at(summary, grid.parameters(point).speed_ratio);
+      }
+    }
+  }
+}
+
+/// Two displacements that are negligible are equal; one that is not there differs from any that is.
+bool displacement_changed(double found, double reference, double negligible) {
+  if (std::isnan(found) || std::isnan(reference)) return std::isnan(found) != std::isnan(reference);
+  if (found <= negligible && reference <= negligible) return false;
+  return !(std::abs(found - reference) <= kDisplacementTolerance * reference);
+}
+
+MapChanges changes_of(const AccuracyStudy& study, std::size_t setting, int revolutions, double negligible) {
+  MapChanges changes;
+  for (std::size_t point = 0; point < study.points.size(); ++point) {
+    const AccuracyRun& run = study.run(setting, point);
+    const AccuracyRun& reference = study.run(0, point);
+    const bool motion = run.status != reference.status || run.motion != reference.motion;
+    const bool region = run.region != reference.region;
+    const bool displacement =
+        displacement_changed(run.max_displacement, reference.max_displacement, negligible);
+    const bool any = motion || region || displacement;
+    changes.motion += motion ? 1.0 : 0.0;
+    changes.region += region ? 1.0 : 0.0;
+    changes.max_displacement += displacement ? 1.0 : 0.0;
+    changes.any += any ? 1.0 : 0.0;
+    const bool predictable = study.points[point].horizon == revolutions;
+    changes.beyond_chaos += motion || region || (displacement && predictable) ? 1.0 : 0.0;
+  }
+  const auto count = static_cast<double>(study.points.size());
+  changes.motion /= count;
+  changes.region /= count;
+  changes.max_displacement /= count;
+  changes.any /= count;
+  changes.beyond_chaos /= count;
+  return changes;
+}
+
+}  // namespace
+
+void judge_maps(const scene::Scene& scene, AccuracyStudy& study) {
+  const plan::Grid grid(scene);
+  find_regions(scene, grid, study);
+  const int revolutions = scene.protocol.transient_revolutions + scene.protocol.sampled_revolutions;
+  study.displacement_tolerance = kDisplacementTolerance;
+  study.changes.clear();
+  for (std::size_t setting = 0; setting < study.settings.size(); ++setting) {
+    study.changes.push_back(
+        changes_of(study, setting, revolutions, analysis::negligible_displacement(scene)));
+  }
+}
+
+}  // namespace rubatlas::mpi

@@ -1,0 +1,83 @@
+/// ACCURACY.h5: what accuracy costs. One row per setting (a method with its knobs) and point: error, time,
+/// work.
+///
+/// Self-describing in the manner of an atlas; the layout is in this folder's README, "ACCURACY.h5".
+/// Everything in it is a function of scene, options and build, but for the CPU times, which say so.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "atlas/software.hpp"
+#include "scene/scene.hpp"
+#include "solve/line_solver.hpp"
+
+namespace rubatlas::atlas {
+
+/// A method with its knobs. A knob that the method does not read is NaN.
+struct AccuracySetting {
+  static constexpr double kNotRead = std::numeric_limits<double>::quiet_NaN();
+
+  std::string method;                 ///< as `accuracy.method`
+  double tolerance = kNotRead;        ///< local error of a step relative to the clearance
+  double force_increment = kNotRead;  ///< dF [N]
+  double max_step = kNotRead;         ///< longest step in τ
+  double step = kNotRead;             ///< fixed step in τ
+};
+
+/// One setting at one point.
+struct AccuracyRun {
+  solve::PointStatus status = solve::PointStatus::pending;
+  std::int32_t failed_revolution = -1;  ///< of a run that did not end as done
+  /// Largest distance of the compared sections from those of the reference run, over the clearance [-]; NaN
+  /// where either run did not end as done.
+  double trajectory_error = std::numeric_limits<double>::quiet_NaN();
+  double cpu_time_min = 0.0;     ///< [s] over the repeats
+  double cpu_time_median = 0.0;  ///< [s]
+  solve::WorkCounts work;
+  std::uint8_t motion = 0;  ///< class per revolution, as in MAPS.h5
+  std::uint8_t region = 0;  ///< 1 to 4; 0 in none of them
+  double max_displacement = std::numeric_limits<double>::quiet_NaN();  ///< [m]
+  std::vector<solve::SectionState> first_sections;                     ///< after revolutions 1, 2, ...
+  std::vector<solve::SectionState> last_sections;                      ///< the last of the sampled ones
+};
+
+/// What holds for all settings at a point.
+struct AccuracyPoint {
+  solve::SectionState start{};  ///< from which all runs start: where the reference run's sweep comes from
+  /// Leading sections over which the two tightest runs agree; all revolutions of the protocol: predictable.
+  std::int32_t horizon = 0;
+};
+
+/// Shares of the points whose judgement differs from that of the reference run [-].
+struct MapChanges {
+  double motion = 0.0;            ///< class, or status
+  double region = 0.0;            ///< the point lies in another region: an edge has moved over it
+  double max_displacement = 0.0;  ///< by more than the stated share
+  double any = 0.0;               ///< at least one of them
+  double any_predictable =
+      0.0;  ///< the same among the points that are predictable to the end; NaN: no point is
+};
+
+struct AccuracyStudy {
+  std::vector<AccuracySetting> settings;  ///< the first is the reference
+  std::vector<AccuracyPoint> points;      ///< in the order of the grid
+  std::vector<AccuracyRun> runs;          ///< [setting][point]
+  std::vector<MapChanges> changes;        ///< one per setting
+  int repeats = 1;                        ///< timed runs of each setting at each point
+  double horizon_tolerance = 0.0;         ///< two sections agree within this, relative to the clearance
+  double displacement_tolerance = 0.0;    ///< a change of maximum displacement beyond this share counts
+
+  [[nodiscard]] const AccuracyRun& run(std::size_t setting, std::size_t point) const {
+    return runs[setting * points.size() + point];
+  }
+};
+
+/// What stood at `path` is replaced at once, when the new file is complete. Throws EnvironmentError.
+void write_accuracy(const std::filesystem::path& path, const scene::Scene& scene,
+                    const std::string& scene_text, const AccuracyStudy& study, const Software& software);
+
+}  // namespace rubatlas::atlas
