@@ -58,8 +58,9 @@ struct MapChanges {
   double region = 0.0;            ///< the point lies in another region: an edge has moved over it
   double max_displacement = 0.0;  ///< by more than the stated share
   double any = 0.0;               ///< at least one of them
-  double any_predictable =
-      0.0;  ///< the same among the points that are predictable to the end; NaN: no point is
+  /// Class or region at any point, displacement only where the motion is predictable to the end: what chaos
+  /// alone does to a maximum over finite time is left out.
+  double beyond_chaos = 0.0;
 };
 
 struct AccuracyStudy {
