@@ -17,9 +17,10 @@ namespace odeint = boost::numeric::odeint;
 using DormandPrince = odeint::runge_kutta_dopri5<PeerState>;
 using Dense = odeint::result_of::make_dense_output<DormandPrince>::type;
 
-constexpr double kFirstStep = 1e-3;  ///< in τ
+constexpr double kFirstStep = 1e-3;      ///< in τ
+constexpr double kShortestStep = 1e-12;  ///< in τ
 
-/// A stage at which the contact force does not exist (MODEL 5): ends the run.
+/// A stage at which the contact force does not exist (MODEL 5).
 struct NoForce {};
 
 /// The rotor of a point, and its right-hand side as odeint calls it.
@@ -54,6 +55,22 @@ PeerRun finish(PeerRun run, const ContactRotor& rotor, bool completed) {
   return run;
 }
 
+/// One step; a shorter one where a stage asks for a force where there is none.
+template <class System>
+void make_step(Dense& stepper, const System& system) {
+  while (true) {
+    try {
+      stepper.do_step(system);
+      return;
+    } catch (const NoForce&) {
+      const double step = 0.25 * stepper.current_time_step();
+      if (step < kShortestStep) throw;
+      const PeerState state = stepper.current_state();
+      stepper.initialize(state, stepper.current_time(), step);
+    }
+  }
+}
+
 /// Reads the sections that a step has passed, up to a time, off its dense output.
 void read_sections(Dense& stepper, double period, double until, std::size_t most, PeerRun& run) {
   while (run.sections.size() < most) {
@@ -78,7 +95,7 @@ class OdeintDopri5 final : public Peer {
     PeerRun run;
     try {
       while (run.sections.size() < most) {
-        stepper.do_step(point.by_gap());
+        make_step(stepper, point.by_gap());
         point.rotor.count_touchdowns(stepper.current_time(), stepper.current_state().data());
         read_sections(stepper, point.rotor.period(), stepper.current_time(), most, run);
       }
@@ -103,7 +120,7 @@ class OdeintDopri5Located final : public Peer {
     PeerState state;
     try {
       while (run.sections.size() < most) {
-        stepper.do_step(point.with_open_contacts());
+        make_step(stepper, point.with_open_contacts());
         const Event event = first_event(point.rotor, stepper);
         read_sections(stepper, point.rotor.period(), std::min(event.time, stepper.current_time()), most, run);
         if (event.blade < 0) continue;

@@ -1,0 +1,152 @@
+/// Side by side: this program and general solvers on the same points, from the same forces, to the same
+/// accuracy.
+///
+///   compare [REPEATS [REVOLUTIONS]]      default: 5 repeats, 60 revolutions a point
+///
+/// First each peer's tolerance is tightened until its error is that of `hybrid` at 1e-9; then Google
+/// Benchmark times all of them, repeats interleaved at random. Prints markdown tables.
+#include <benchmark/benchmark.h>
+#include <fmt/core.h>
+
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "comparison.hpp"
+
+namespace rubatlas::bench {
+namespace {
+
+constexpr double kTolerance = 1e-9;
+constexpr double kStepLimit = 0.02;  ///< in τ: no contact of the default line is shorter than a few of these
+constexpr int kSpeeds = 15;
+constexpr double kFirstSpeed = 0.1;
+constexpr double kLastSpeed = 0.8;
+
+std::vector<double> line_of_speeds() {
+  std::vector<double> speeds;
+  for (int i = 0; i < kSpeeds; ++i)
+    speeds.push_back(kFirstSpeed + (kLastSpeed - kFirstSpeed) * i / (kSpeeds - 1));
+  return speeds;
+}
+
+Competitor competitor(std::shared_ptr<const Peer> peer, double step_limit, double target,
+                      const std::vector<double>& speeds, int revolutions) {
+  Competitor result;
+  result.settings = match_accuracy(*peer, {kTolerance, step_limit}, target);
+  result.accuracy = accuracy_of(*peer, result.settings);
+  result.touchdowns = touchdowns_of(*peer, result.settings, speeds);
+  result.runs.resize(speeds.size());
+  result.times.resize(speeds.size());
+  result.revolutions = revolutions;
+  result.peer = std::move(peer);
+  return result;
+}
+
+Comparison competitors(int revolutions) {
+  Comparison comparison;
+  comparison.speed_ratios = line_of_speeds();
+  const std::shared_ptr<const Peer> hybrid = make_hybrid();
+  // hybrid's own error at its default tolerance is what the others have to reach; 1e-9 where it is better.
+  comparison.target = std::max(kTolerance, accuracy_of(*hybrid, {kTolerance, kStepLimit}).error);
+  const auto add = [&](std::shared_ptr<const Peer> peer, double step_limit) {
+    fmt::print(stderr, "matching the accuracy of {}, step limit {}\n", peer->name(), step_limit);
+    comparison.competitors.push_back(
+        competitor(std::move(peer), step_limit, comparison.target, comparison.speed_ratios, revolutions));
+  };
+  add(hybrid, kStepLimit);
+  const std::vector<std::shared_ptr<const Peer>> peers{
+      make_odeint_dopri5(), make_odeint_dopri5_located(), make_arkode(8),
+      make_arkode(5),       make_cvode(Multistep::adams), make_cvode(Multistep::bdf)};
+  for (const auto& peer : peers) add(peer, kStepLimit);
+  // What the limit is worth to the two that are fastest.
+  for (const double limit : {0.05, 0.1, 0.2, 0.5}) {
+    add(peers[1], limit);
+    add(peers[4], limit);
+  }
+  for (const auto& peer : peers) {
+    Competitor free;
+    free.settings.tolerance = kTolerance;
+    free.accuracy = accuracy_of(*peer, free.settings);
+    free.touchdowns = touchdowns_of(*peer, free.settings, comparison.speed_ratios);
+    free.peer = peer;
+    comparison.without_limit.push_back(std::move(free));
+  }
+  return comparison;
+}
+
+/// Takes the times that Google Benchmark has measured; their names are competitor/speed.
+class Collector final : public benchmark::BenchmarkReporter {
+ public:
+  explicit Collector(Comparison& comparison) : comparison_(&comparison) {}
+  bool ReportContext(const Context& /*context*/) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
+      const std::string& name = run.run_name.function_name;
+      const std::size_t slash = name.find('/');
+      const std::size_t which = std::stoul(name.substr(0, slash));
+      const std::size_t speed = std::stoul(name.substr(slash + 1));
+      comparison_->competitors[which].times[speed].push_back(run.cpu_accumulated_time /
+                                                             static_cast<double>(run.iterations));
+    }
+  }
+
+ private:
+  Comparison* comparison_;
+};
+
+void time_all(Comparison& comparison, int repeats) {
+  constexpr int kQuickRuns = 5;  ///< runs in a repeat of hybrid, which takes milliseconds
+  for (std::size_t which = 0; which < comparison.competitors.size(); ++which) {
+    Competitor& of = comparison.competitors[which];
+    for (std::size_t i = 0; i < comparison.speed_ratios.size(); ++i) {
+      const double speed = comparison.speed_ratios[i];
+      benchmark::RegisterBenchmark(fmt::format("{}/{}", which, i).c_str(),
+                                   [&of, i, speed](benchmark::State& state) {
+                                     for (auto _ : state) {
+                                       of.runs[i] = of.peer->run(speed, of.revolutions, of.settings);
+                                       benchmark::DoNotOptimize(of.runs[i]);
+                                     }
+                                   })
+          ->Iterations(which == 0 ? kQuickRuns : 1)
+          ->Repetitions(repeats);
+    }
+  }
+  std::vector<std::string> flags{"compare", "--benchmark_enable_random_interleaving=true"};
+  std::vector<char*> arguments;
+  for (std::string& flag : flags) arguments.push_back(flag.data());
+  int count = static_cast<int>(arguments.size());
+  benchmark::Initialize(&count, arguments.data());
+  Collector collector(comparison);
+  benchmark::RunSpecifiedBenchmarks(&collector);
+}
+
+int run(int argc, char** argv) {
+  const int repeats = argc > 1 ? std::atoi(argv[1]) : 5;
+  const int revolutions = argc > 2 ? std::atoi(argv[2]) : 60;
+  if (repeats < 1 || revolutions < 1 || argc > 3) {
+    fmt::print(stderr, "usage: compare [REPEATS [REVOLUTIONS]]\n");
+    return 2;
+  }
+  shared_tables();
+  Comparison comparison = competitors(revolutions);
+  fmt::print(stderr, "timing {} competitors at {} speeds, {} repeats\n", comparison.competitors.size(),
+             comparison.speed_ratios.size(), repeats);
+  time_all(comparison, repeats);
+  fmt::print("{}", tables(comparison));
+  return 0;
+}
+
+}  // namespace
+}  // namespace rubatlas::bench
+
+int main(int argc, char** argv) {
+  try {
+    return rubatlas::bench::run(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "compare: {}\n", error.what());
+    return 1;
+  }
+}

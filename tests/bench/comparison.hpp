@@ -1,0 +1,39 @@
+/// What has been measured of each competitor, and the tables made of it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "accuracy.hpp"
+#include "peer.hpp"
+
+namespace rubatlas::bench {
+
+/// A peer as it takes part: with a step limit and the tolerance that matches the accuracy asked for.
+struct Competitor {
+  std::shared_ptr<const Peer> peer;
+  PeerSettings settings;
+  Accuracy accuracy;
+  std::vector<std::uint64_t> touchdowns;   ///< [speed] in the compared revolutions
+  std::vector<PeerRun> runs;               ///< [speed] as timed
+  std::vector<std::vector<double>> times;  ///< [speed][repeat], CPU time of a run [s]
+  int revolutions = 0;                     ///< of a timed run
+};
+
+struct Comparison {
+  std::vector<double> speed_ratios;
+  double target = 0.0;                    ///< error that all have to reach, in units of the clearance
+  std::vector<Competitor> competitors;    ///< the first is `hybrid`
+  std::vector<Competitor> without_limit;  ///< the same peers with error control alone; not timed
+};
+
+/// CPU time of a revolution at one of the speeds [s]: median over the repeats.
+double time_per_revolution(const Competitor& competitor, std::size_t speed);
+/// Mean over the speeds [s].
+double time_per_revolution(const Competitor& competitor);
+
+/// The tables as markdown.
+std::string tables(const Comparison& comparison);
+
+}  // namespace rubatlas::bench
