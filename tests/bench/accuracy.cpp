@@ -30,7 +30,7 @@ Accuracy accuracy_of(const Peer& peer, const PeerSettings& settings) {
   for (const test::ReferenceCase* point : reference_points()) {
     const PeerRun run = peer.run(point->speed_ratio, kComparedRevolutions, settings);
     result.completed = result.completed && run.completed;
-    result.right_hand_sides += run.right_hand_sides;
+    result.right_hand_sides += run.work.right_hand_sides;
     for (std::size_t i = 0; i < run.sections.size(); ++i) {
       const solve::SectionState& section = run.sections[i];
       result.error = std::max(result.error,
@@ -76,7 +76,7 @@ std::vector<std::uint64_t> touchdowns_of(const Peer& peer, const PeerSettings& s
                                          std::span<const double> speed_ratios) {
   std::vector<std::uint64_t> result;
   for (const double speed_ratio : speed_ratios)
-    result.push_back(peer.run(speed_ratio, kComparedRevolutions, settings).touchdowns);
+    result.push_back(peer.run(speed_ratio, kComparedRevolutions, settings).work.touchdowns);
   return result;
 }
 

@@ -10,6 +10,7 @@
 
 #include <cstdlib>
 #include <exception>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -50,21 +51,21 @@ Comparison competitors(int revolutions) {
   const std::shared_ptr<const Peer> hybrid = make_hybrid();
   // hybrid's own error at its default tolerance is what the others have to reach; 1e-9 where it is better.
   comparison.target = std::max(kTolerance, accuracy_of(*hybrid, {kTolerance, kStepLimit}).error);
-  const auto add = [&](std::shared_ptr<const Peer> peer, double step_limit) {
+  const auto matched = [&](std::shared_ptr<const Peer> peer, double step_limit) {
     fmt::print(stderr, "matching the accuracy of {}, step limit {}\n", peer->name(), step_limit);
-    comparison.competitors.push_back(
-        competitor(std::move(peer), step_limit, comparison.target, comparison.speed_ratios, revolutions));
+    return competitor(std::move(peer), step_limit, comparison.target, comparison.speed_ratios, revolutions);
   };
-  add(hybrid, kStepLimit);
+  comparison.competitors.push_back(matched(hybrid, kStepLimit));
   const std::vector<std::shared_ptr<const Peer>> peers{
       make_odeint_dopri5(), make_odeint_dopri5_located(), make_arkode(8),
       make_arkode(5),       make_cvode(Multistep::adams), make_cvode(Multistep::bdf)};
-  for (const auto& peer : peers) add(peer, kStepLimit);
-  // What the limit is worth to the two that are fastest.
+  for (const auto& peer : peers) comparison.competitors.push_back(matched(peer, kStepLimit));
   for (const double limit : {0.05, 0.1, 0.2, 0.5}) {
-    add(peers[1], limit);
-    add(peers[4], limit);
+    for (const std::size_t fast : {1, 3, 4})  // the fastest of each library
+      comparison.longer_steps.push_back(matched(peers[fast], limit));
   }
+  comparison.whole_points = comparison.competitors.front();
+  comparison.whole_points.revolutions = 300;
   for (const auto& peer : peers) {
     Competitor free;
     free.settings.tolerance = kTolerance;
@@ -76,50 +77,52 @@ Comparison competitors(int revolutions) {
   return comparison;
 }
 
-/// Takes the times that Google Benchmark has measured; their names are competitor/speed.
+/// Where the times that Google Benchmark measures belong, by the name of the benchmark.
+using Places = std::map<std::string, std::vector<double>*>;
+
 class Collector final : public benchmark::BenchmarkReporter {
  public:
-  explicit Collector(Comparison& comparison) : comparison_(&comparison) {}
+  explicit Collector(const Places& places) : places_(&places) {}
   bool ReportContext(const Context& /*context*/) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
       if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
-      const std::string& name = run.run_name.function_name;
-      const std::size_t slash = name.find('/');
-      const std::size_t which = std::stoul(name.substr(0, slash));
-      const std::size_t speed = std::stoul(name.substr(slash + 1));
-      comparison_->competitors[which].times[speed].push_back(run.cpu_accumulated_time /
-                                                             static_cast<double>(run.iterations));
+      places_->at(run.run_name.function_name)
+          ->push_back(run.cpu_accumulated_time / static_cast<double>(run.iterations));
     }
   }
 
  private:
-  Comparison* comparison_;
+  const Places* places_;
 };
 
 void time_all(Comparison& comparison, int repeats) {
-  constexpr int kQuickRuns = 5;  ///< runs in a repeat of hybrid, which takes milliseconds
-  for (std::size_t which = 0; which < comparison.competitors.size(); ++which) {
-    Competitor& of = comparison.competitors[which];
+  constexpr int kQuickRuns = 5;  ///< runs in a repeat of what takes milliseconds
+  Places places;
+  const auto register_one = [&](Competitor& of, int runs) {
     for (std::size_t i = 0; i < comparison.speed_ratios.size(); ++i) {
       const double speed = comparison.speed_ratios[i];
-      benchmark::RegisterBenchmark(fmt::format("{}/{}", which, i).c_str(),
-                                   [&of, i, speed](benchmark::State& state) {
-                                     for (auto _ : state) {
-                                       of.runs[i] = of.peer->run(speed, of.revolutions, of.settings);
-                                       benchmark::DoNotOptimize(of.runs[i]);
-                                     }
-                                   })
-          ->Iterations(which == 0 ? kQuickRuns : 1)
-          ->Repetitions(repeats);
+      const auto body = [&of, i, speed](benchmark::State& state) {
+        for (auto _ : state) {
+          of.runs[i] = of.peer->run(speed, of.revolutions, of.settings);
+          benchmark::DoNotOptimize(of.runs[i]);
+        }
+      };
+      const std::string name = fmt::format("{}: {}", places.size(), of.peer->name());
+      places[name] = &of.times[i];
+      benchmark::RegisterBenchmark(name.c_str(), body)->Iterations(runs)->Repetitions(repeats);
     }
-  }
+  };
+  for (Competitor& of : comparison.competitors)
+    register_one(of, of.peer->family() == "hybrid" ? kQuickRuns : 1);
+  for (Competitor& of : comparison.longer_steps) register_one(of, 1);
+  register_one(comparison.whole_points, 1);
   std::vector<std::string> flags{"compare", "--benchmark_enable_random_interleaving=true"};
   std::vector<char*> arguments;
   for (std::string& flag : flags) arguments.push_back(flag.data());
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());
-  Collector collector(comparison);
+  Collector collector(places);
   benchmark::RunSpecifiedBenchmarks(&collector);
 }
 

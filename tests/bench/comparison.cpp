@@ -17,35 +17,22 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
-std::string step_limit(const Competitor& competitor) {
-  const double limit = competitor.settings.max_step;
-  return std::isfinite(limit) ? fmt::format("{:g}", limit) : "none";
-}
-
 std::uint64_t sum(const std::vector<std::uint64_t>& counts) {
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
-/// Found where `hybrid` finds some: more at one speed do not make up for fewer at another.
-std::uint64_t found(const Competitor& competitor, const Competitor& hybrid) {
-  std::uint64_t result = 0;
-  for (std::size_t i = 0; i < competitor.touchdowns.size(); ++i)
-    result += std::min(competitor.touchdowns[i], hybrid.touchdowns[i]);
-  return result;
-}
-
-std::string main_table(const Comparison& comparison) {
+std::string time_table(const Comparison& comparison, const std::vector<Competitor>& competitors) {
   const Competitor& hybrid = comparison.competitors.front();
   std::string text =
       "| solver | step limit (τ) | tolerance | error reached (δc) | touch-downs found | right-hand sides a "
       "revolution | … a touch-down | µs a revolution | ms a point | times hybrid |\n"
       "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
-  for (const Competitor& competitor : comparison.competitors) {
+  for (const Competitor& competitor : competitors) {
     double right_hand_sides = 0.0;
     double touchdowns = 0.0;
     for (const PeerRun& run : competitor.runs) {
-      right_hand_sides += static_cast<double>(run.right_hand_sides);
-      touchdowns += static_cast<double>(run.touchdowns);
+      right_hand_sides += static_cast<double>(run.work.right_hand_sides);
+      touchdowns += static_cast<double>(run.work.touchdowns);
     }
     const double time = time_per_revolution(competitor);
     const double revolutions = static_cast<double>(competitor.runs.size()) * competitor.revolutions;
@@ -53,9 +40,10 @@ std::string main_table(const Comparison& comparison) {
         "| {} | {} | {:.0e} | {:.1e}{} | {} of {} | {:.0f} | {:.0f} | {:.1f} | {:.2f} | {:.1f} |\n",
         competitor.peer->name(), &competitor == &hybrid ? "–" : step_limit(competitor),
         competitor.settings.tolerance, competitor.accuracy.error,
-        competitor.accuracy.error > comparison.target ? " (missed)" : "", found(competitor, hybrid),
-        sum(hybrid.touchdowns), right_hand_sides / revolutions, right_hand_sides / touchdowns, 1e6 * time,
-        1e3 * kRevolutionsOfAPoint * time, time / time_per_revolution(hybrid));
+        competitor.accuracy.error > comparison.target ? " (missed)" : "",
+        found_touchdowns(competitor, hybrid), sum(hybrid.touchdowns), right_hand_sides / revolutions,
+        right_hand_sides / touchdowns, 1e6 * time, 1e3 * kRevolutionsOfAPoint * time,
+        time / time_per_revolution(hybrid));
   }
   return text;
 }
@@ -70,7 +58,9 @@ std::string table_by_speed(const Comparison& comparison) {
   }
   std::string text = header + "\n" + rule + "\n";
   for (const Competitor& competitor : comparison.competitors) {
-    text += fmt::format("| {}, {} |", competitor.peer->name(), step_limit(competitor));
+    text += &competitor == &comparison.competitors.front()
+                ? fmt::format("| {} |", competitor.peer->name())
+                : fmt::format("| {}, {} |", competitor.peer->name(), step_limit(competitor));
     for (std::size_t i = 0; i < comparison.speed_ratios.size(); i += stride) {
       const double time = time_per_revolution(competitor, i);
       text += fmt::format(" {:.1f} ({:.1f}×) |", 1e6 * time,
@@ -92,13 +82,26 @@ std::string table_without_limit(const Comparison& comparison) {
     const Accuracy& accuracy = competitor.accuracy;
     text += fmt::format("| {} | {:.1f} | {} of {} | {:.3g} m{} | {:.3g} m |\n", competitor.peer->name(),
                         static_cast<double>(accuracy.right_hand_sides) / revolutions,
-                        found(competitor, hybrid), sum(hybrid.touchdowns), accuracy.largest_displacement,
-                        accuracy.completed ? "" : " (broke off)", reference_displacement());
+                        found_touchdowns(competitor, hybrid), sum(hybrid.touchdowns),
+                        accuracy.largest_displacement, accuracy.completed ? "" : " (broke off)",
+                        reference_displacement());
   }
   return text;
 }
 
 }  // namespace
+
+std::string step_limit(const Competitor& competitor) {
+  const double limit = competitor.settings.max_step;
+  return std::isfinite(limit) ? fmt::format("{:g}", limit) : "none";
+}
+
+std::uint64_t found_touchdowns(const Competitor& competitor, const Competitor& hybrid) {
+  std::uint64_t result = 0;
+  for (std::size_t i = 0; i < competitor.touchdowns.size(); ++i)
+    result += std::min(competitor.touchdowns[i], hybrid.touchdowns[i]);
+  return result;
+}
 
 double time_per_revolution(const Competitor& competitor, std::size_t speed) {
   return median(competitor.times[speed]) / competitor.revolutions;
@@ -112,7 +115,10 @@ double time_per_revolution(const Competitor& competitor) {
 
 std::string tables(const Comparison& comparison) {
   return fmt::format("Error to reach: {:.1e} of the clearance.\n\n", comparison.target) +
-         main_table(comparison) + "\n" + table_by_speed(comparison) + "\n" + table_without_limit(comparison);
+         time_table(comparison, comparison.competitors) + "\nGoals:\n\n" + goals(comparison) +
+         "\nSpeed by speed:\n\n" + table_by_speed(comparison) + "\nWith longer step limits:\n\n" +
+         time_table(comparison, comparison.longer_steps) + "\nWithout any:\n" + "\n" +
+         table_without_limit(comparison);
 }
 
 }  // namespace rubatlas::bench

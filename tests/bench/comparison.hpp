@@ -25,6 +25,8 @@ struct Comparison {
   std::vector<double> speed_ratios;
   double target = 0.0;                    ///< error that all have to reach, in units of the clearance
   std::vector<Competitor> competitors;    ///< the first is `hybrid`
+  std::vector<Competitor> longer_steps;   ///< the same peers with longer step limits
+  Competitor whole_points;                ///< hybrid over all 300 revolutions of a point
   std::vector<Competitor> without_limit;  ///< the same peers with error control alone; not timed
 };
 
@@ -33,7 +35,15 @@ double time_per_revolution(const Competitor& competitor, std::size_t speed);
 /// Mean over the speeds [s].
 double time_per_revolution(const Competitor& competitor);
 
-/// The tables as markdown.
+/// Touch-downs that a competitor finds where hybrid finds some: more at one speed do not make up for fewer at
+/// another.
+std::uint64_t found_touchdowns(const Competitor& competitor, const Competitor& hybrid);
+std::string step_limit(const Competitor& competitor);
+
+/// The goals, each with its measured figure, as a markdown table.
+std::string goals(const Comparison& comparison);
+
+/// All tables as markdown.
 std::string tables(const Comparison& comparison);
 
 }  // namespace rubatlas::bench

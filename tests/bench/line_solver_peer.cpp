@@ -22,15 +22,14 @@ class LineSolverPeer final : public Peer {
     scene.protocol = {0, revolutions, 64};  // every section is kept, and compared
     const auto solver = solve::make_line_solver(scene, line_of(scene, speed_ratio), shared_tables().blades);
     const solve::PointOutcome outcome = solver->run(speed_ratio, {0.0, 0.0, 0.0, 0.0}, [] {});
-    return {outcome.status == solve::PointStatus::done, sections_of(outcome.rows.front()),
-            outcome.work.right_hand_sides, outcome.work.touchdowns};
+    return {outcome.status == solve::PointStatus::done, sections_of(outcome.rows.front()), outcome.work};
   }
 };
 
 }  // namespace
 
 std::unique_ptr<Peer> make_hybrid() {
-  return std::make_unique<LineSolverPeer>("hybrid");
+  return std::make_unique<LineSolverPeer>("hybrid", "");
 }
 
 }  // namespace rubatlas::bench

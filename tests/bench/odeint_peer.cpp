@@ -50,8 +50,8 @@ Dense dense_stepper(const ContactRotor& rotor, const PeerSettings& settings) {
 
 PeerRun finish(PeerRun run, const ContactRotor& rotor, bool completed) {
   run.completed = completed;
-  run.right_hand_sides = rotor.right_hand_sides();
-  run.touchdowns = rotor.touchdowns();
+  run.work.right_hand_sides = rotor.right_hand_sides();
+  run.work.touchdowns = rotor.touchdowns();
   return run;
 }
 
@@ -183,10 +183,10 @@ class OdeintDopri5Located final : public Peer {
 }  // namespace
 
 std::unique_ptr<Peer> make_odeint_dopri5() {
-  return std::make_unique<OdeintDopri5>("odeint dopri5");
+  return std::make_unique<OdeintDopri5>("odeint", "dopri5");
 }
 std::unique_ptr<Peer> make_odeint_dopri5_located() {
-  return std::make_unique<OdeintDopri5Located>("odeint dopri5, events located");
+  return std::make_unique<OdeintDopri5Located>("odeint", "dopri5, events located");
 }
 
 }  // namespace rubatlas::bench

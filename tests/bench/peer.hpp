@@ -16,8 +16,7 @@ namespace rubatlas::bench {
 struct PeerRun {
   bool completed = true;                      ///< to the last revolution
   std::vector<solve::SectionState> sections;  ///< after revolutions 1, 2, …
-  std::uint64_t right_hand_sides = 0;
-  std::uint64_t touchdowns = 0;
+  solve::WorkCounts work;  ///< of others than this program right-hand sides and touch-downs only
 };
 
 /// How a peer is asked to run.
@@ -35,17 +34,21 @@ const SharedTables& shared_tables();
 
 class Peer {
  public:
-  explicit Peer(std::string name) : name_(std::move(name)) {}
+  /// `family` is the library or program, `variant` what of it; may be empty.
+  Peer(std::string family, const std::string& variant)
+      : family_(std::move(family)), name_(variant.empty() ? family_ : family_ + " " + variant) {}
   virtual ~Peer() = default;
   Peer(const Peer&) = delete;
   Peer& operator=(const Peer&) = delete;
 
+  [[nodiscard]] const std::string& family() const { return family_; }
   [[nodiscard]] const std::string& name() const { return name_; }
   /// From rest at phase 0 through `revolutions` revolutions at one speed ratio.
   [[nodiscard]] virtual PeerRun run(double speed_ratio, int revolutions,
                                     const PeerSettings& settings) const = 0;
 
  private:
+  std::string family_;
   std::string name_;
 };
 

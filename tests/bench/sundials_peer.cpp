@@ -164,7 +164,8 @@ class Cvode {
 template <class Solver, class Choice>
 class SundialsPeer final : public Peer {
  public:
-  SundialsPeer(std::string name, Choice choice) : Peer(std::move(name)), choice_(choice) {}
+  SundialsPeer(std::string family, const std::string& variant, Choice choice)
+      : Peer(std::move(family), variant), choice_(choice) {}
 
   [[nodiscard]] PeerRun run(double speed_ratio, int revolutions,
                             const PeerSettings& settings) const override {
@@ -194,8 +195,8 @@ class SundialsPeer final : public Peer {
         run.sections.push_back({at[0], at[1], at[2], at[3]});
       }
     }
-    run.right_hand_sides = rotor.right_hand_sides();
-    run.touchdowns = rotor.touchdowns();
+    run.work.right_hand_sides = rotor.right_hand_sides();
+    run.work.touchdowns = rotor.touchdowns();
     return run;
   }
 
@@ -216,12 +217,12 @@ class SundialsPeer final : public Peer {
 }  // namespace
 
 std::unique_ptr<Peer> make_arkode(int order) {
-  return std::make_unique<SundialsPeer<Erk, int>>("ARKODE ERKStep order " + std::to_string(order), order);
+  return std::make_unique<SundialsPeer<Erk, int>>("ARKODE", "ERKStep order " + std::to_string(order), order);
 }
 
 std::unique_ptr<Peer> make_cvode(Multistep method) {
   return std::make_unique<SundialsPeer<Cvode, Multistep>>(
-      method == Multistep::adams ? "CVODE Adams" : "CVODE BDF", method);
+      "CVODE", method == Multistep::adams ? "Adams" : "BDF", method);
 }
 
 }  // namespace rubatlas::bench

@@ -1,0 +1,66 @@
+/// What was asked of `hybrid`, and what has been measured.
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "comparison.hpp"
+
+namespace rubatlas::bench {
+namespace {
+
+std::string line(const std::string& goal, bool met, const std::string& measured) {
+  return fmt::format("| {} | {} | {} |\n", goal, measured, met ? "yes" : "no");
+}
+
+/// The fastest of a family that is as accurate as hybrid and finds every touch-down. Null where there is
+/// none.
+const Competitor* fastest(const Comparison& comparison, const std::vector<Competitor>& among,
+                          const std::string& family) {
+  const Competitor& hybrid = comparison.competitors.front();
+  const Competitor* result = nullptr;
+  for (const Competitor& competitor : among) {
+    if (competitor.peer->family() == family && competitor.accuracy.error <= comparison.target &&
+        found_touchdowns(competitor, hybrid) == found_touchdowns(hybrid, hybrid) &&
+        (!result || time_per_revolution(competitor) < time_per_revolution(*result)))
+      result = &competitor;
+  }
+  return result;
+}
+
+/// Measured at the common step limit, and at the best of the longer ones.
+std::string ratio_to(const Comparison& comparison, const std::string& family, double goal) {
+  const double hybrid = time_per_revolution(comparison.competitors.front());
+  std::string text;
+  for (const auto* among : {&comparison.competitors, &comparison.longer_steps}) {
+    const Competitor* peer = fastest(comparison, *among, family);
+    if (!peer) continue;
+    const double ratio = time_per_revolution(*peer) / hybrid;
+    text += line(fmt::format("{:g} times the fastest {}", goal, family), ratio >= goal,
+                 fmt::format("{:.1f} times {}, step limit {}", ratio, peer->peer->name(), step_limit(*peer)));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string goals(const Comparison& comparison) {
+  solve::WorkCounts work;
+  for (const PeerRun& run : comparison.whole_points.runs) work += run.work;
+  const auto touchdowns = static_cast<double>(work.touchdowns);
+  const double right_hand_sides = static_cast<double>(work.right_hand_sides) / touchdowns;
+  const double gaps = static_cast<double>(work.gap_evaluations) / touchdowns;
+  const double rejected = 100.0 * static_cast<double>(work.rejected_steps) /
+                          static_cast<double>(work.steps + work.rejected_steps);
+  const double point =
+      1e3 * time_per_revolution(comparison.whole_points) * comparison.whole_points.revolutions;
+  return "| goal for hybrid | measured | met |\n|---|---|---|\n" + ratio_to(comparison, "odeint", 30.0) +
+         ratio_to(comparison, "ARKODE", 100.0) + ratio_to(comparison, "CVODE", 100.0) +
+         ratio_to(comparison, "paper", 100.0) +
+         line("a point of 300 revolutions in 6 ms", point <= 6.0, fmt::format("{:.1f} ms", point)) +
+         line("120 right-hand sides a touch-down", right_hand_sides <= 120.0,
+              fmt::format("{:.0f}", right_hand_sides)) +
+         line("12 evaluations of the gap between touch-downs", gaps <= 12.0, fmt::format("{:.1f}", gaps)) +
+         line("5 % of steps rejected", rejected <= 5.0, fmt::format("{:.1f} %", rejected));
+}
+
+}  // namespace rubatlas::bench
