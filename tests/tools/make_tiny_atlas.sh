@@ -2,7 +2,8 @@
 # Makes the small real files that the tests of tools and documentation read: make_tiny_atlas.sh PROGRAM FOLDER
 set -euo pipefail
 program=$1 folder=$2
-scene=$(realpath "$(dirname "${BASH_SOURCE[0]}")/tiny.json")
+here=$(realpath "$(dirname "${BASH_SOURCE[0]}")")
+scene=$here/tiny.json
 rm -rf "$folder"
 mkdir -p "$folder"
 cd "$folder"
@@ -10,3 +11,5 @@ cd "$folder"
 "$program" run "$scene" -o atlas.h5 --overwrite --progress off || [ $? = 1 ]
 "$program" analyse atlas.h5 -o maps.h5 --table table1.md >/dev/null
 "$program" orbit "$scene" --at speed_ratio=0.3,damping_ratio=0.1 -o orbit.h5
+"$program" accuracy "$here/tiny_accuracy.json" -o accuracy.h5 --methods hybrid --tolerances 1e-5,1e-7,1e-9 \
+  --repeats 1 --progress off

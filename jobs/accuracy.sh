@@ -1,0 +1,28 @@
+#!/bin/bash
+# What accuracy costs: runs both studies, draws them and prints the table. Minutes of one core that has nothing else to do.
+#
+#   ./jobs/accuracy.sh              into atlases/accuracy
+#   ./jobs/accuracy.sh --publish    and into the README: its table, and the pictures in tools/pictures
+set -euo pipefail
+case "$#,${1-}" in
+  0,) publish=no ;;
+  1,--publish) publish=yes ;;
+  *) sed -n '2,5s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2 && exit 2 ;;
+esac
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+folder=atlases/accuracy
+mkdir -p "$folder"
+
+# Exit code 1: some runs have no motion to show, which is what the study is there to tell.
+study() { "${RUBATLAS:-build/rubatlas}" accuracy "$@" --overwrite || [ $? = 1 ]; }
+study jobs/accuracy.json -o "$folder/trajectories.h5"
+study jobs/accuracy_map.json -o "$folder/map.h5" --methods hybrid --repeats 1
+
+draw() {
+  tools/accuracy.py "$folder/trajectories.h5" --map "$folder/map.h5" --reference tests/reference/orbits.json "$@"
+}
+if [ "$publish" = yes ]; then
+  draw -o tools/pictures --dpi 75 --page README.md
+else
+  draw -o "$folder"
+fi

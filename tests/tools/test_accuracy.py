@@ -1,0 +1,135 @@
+"""Work-precision diagrams and the table of accuracy: what they say is what the study holds."""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
+TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
+ORBITS = ROOT / "tests/reference/orbits.json"
+sys.path.insert(0, str(ROOT / "tools"))
+import accuracy  # noqa: E402
+import style  # noqa: E402
+from accuracy_file import AccuracyFile  # noqa: E402
+from atlas_file import AtlasError  # noqa: E402
+
+
+def run(*arguments):
+    """Runs the tool as its user does."""
+    return subprocess.run([ROOT / "tools/accuracy.py", *map(str, arguments)], capture_output=True, text=True, check=False)
+
+
+def study_with(**data):
+    """The tiny study with some of its datasets replaced."""
+    study = AccuracyFile(TINY / "accuracy.h5")
+    study.data.update({name: np.asarray(values, dtype=float) for name, values in data.items()})
+    return study
+
+
+class ToolsAccuracy(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.temporary.name)
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def test_both_diagrams_are_drawn_and_the_table_is_printed(self):
+        ended = run(TINY / "accuracy.h5", "-o", self.folder, "--reference", ORBITS)
+        self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+        self.assertIn("| tolerance | trajectory error / δc | against the reference data |", ended.stdout)
+        self.assertRegex(ended.stdout, r"\n\| 1e-07 \| \d")
+        self.assertIn("\n| `hybrid` | tolerance 1e-07 |", ended.stdout)
+        for name in ("accuracy.png", "accuracy_map.png"):
+            pixels = style.plt.imread(self.folder / name)[:, :, :3]
+            self.assertTrue(0.01 < np.mean(np.any(pixels != 1.0, axis=2)) < 0.95, name)
+
+    def test_the_same_study_gives_the_same_bytes(self):
+        for name in ("a", "b"):
+            run(TINY / "accuracy.h5", "-o", self.folder / name)
+        for name in ("accuracy.png", "accuracy_map.png"):
+            self.assertEqual((self.folder / "a" / name).read_bytes(), (self.folder / "b" / name).read_bytes())
+
+    def test_errors_against_the_tightest_run_are_those_against_the_reference_data(self):
+        study = AccuracyFile(TINY / "accuracy.h5")
+        for points in (study.predictable(), ~study.predictable()):
+            found, known = study.worst_error(points), study.error_against(ORBITS, points)
+            # The tightest run has an error of its own, tolerance 1e-10; and chaos is known for ten sections only.
+            self.assertLess(known[0], 1e-8 if points is not None and points[0] else 1e-5)
+            for setting in study.of("hybrid"):
+                self.assertLessEqual(known[setting], 1.1 * found[setting] + 2.0 * known[0])
+        predictable = study.predictable()
+        found, known = study.worst_error(predictable), study.error_against(ORBITS, predictable)
+        for setting in study.of("hybrid")[:2]:
+            self.assertAlmostEqual(known[setting] / found[setting], 1.0, delta=0.1)
+
+    def test_reference_data_of_another_rotor_or_start_are_not_compared(self):
+        study = AccuracyFile(TINY / "accuracy.h5")
+        self.assertEqual(sorted(study.cases(ORBITS)), [0, 1, 2, 3])
+        study.scene["rotor"]["mass"] = 2.0
+        self.assertEqual(study.cases(ORBITS), {})
+        with self.assertRaisesRegex(AtlasError, "no case has the rotor and the start of a point"):
+            study.require_reference(ORBITS)
+        started = study_with(start=np.full((1, 1, 1, 1, 4, 4), 1e-6))
+        self.assertEqual(started.cases(ORBITS), {})
+
+    def test_a_trusted_tolerance_is_the_loosest_from_which_on_the_map_stays(self):
+        tolerance = lambda shares: [None if setting is None else study["tolerance"][setting]  # noqa: E731
+                                    for study in [study_with(map_error_beyond_chaos=[0.0, *shares])]
+                                    for setting in [accuracy.trusted(study)]][0]
+        self.assertAlmostEqual(tolerance([0.25, 0.0, 0.0]), 1e-7)
+        self.assertAlmostEqual(tolerance([0.0, 0.25, 0.0]), 1e-9)
+        self.assertAlmostEqual(tolerance([0.0, 0.0, 0.0]), 1e-5)
+        self.assertAlmostEqual(tolerance([0.25, 0.005, 0.005]), 1e-7)  # a point that no setting decides
+        self.assertIsNone(tolerance([0.5, 0.25, 0.25]))
+
+    def test_the_sentence_names_tolerance_time_and_the_price_of_ten_times_more(self):
+        times = np.ones((4, 1, 1, 1, 1, 4)) * np.array([9.0, 2e-3, 4e-3, 5e-3]).reshape(4, 1, 1, 1, 1, 1)
+        study = study_with(map_error_beyond_chaos=[0, 0.1, 0, 0], tolerance=[1e-9, 1e-6, 1e-7, 1e-8], cpu_time_min=times)
+        self.assertEqual(accuracy.sentence(study), "For a map you can trust, use tolerance 1e-07; it costs 4.0 ms a point; "
+                                                   "ten times more accurate costs 25 % more.")
+
+    def test_methods_are_compared_at_an_error_that_both_reach(self):
+        study = AccuracyFile(TINY / "accuracy.h5")
+        study.words = ["hybrid", "fixed", "hybrid", "hybrid"]
+        error = np.ones((4, 1, 1, 1, 1, 4)) * np.array([0, 1e-2, 1e-7, 1e-9]).reshape(4, 1, 1, 1, 1, 1)
+        study.data["trajectory_error"] = error
+        table = accuracy.method_table(study, 1e-6).splitlines()
+        self.assertIn("not reached", table[2])
+        self.assertIn("| `hybrid` | tolerance 1e-07 | 1.0e-07 |", table[3])
+        self.assertTrue(table[3].endswith("| 1 × |"))
+
+    def test_the_table_replaces_the_one_on_the_page_and_nothing_else(self):
+        page = self.folder / "page.md"
+        page.write_text(f"before\n{accuracy.BEGIN}\nold\n{accuracy.END}\nafter\n")
+        ended = run(TINY / "accuracy.h5", "-o", self.folder, "--page", page)
+        self.assertEqual(page.read_text(), f"before\n{accuracy.BEGIN}\n{ended.stdout}{accuracy.END}\nafter\n")
+
+    def test_the_readme_has_room_for_the_table(self):
+        accuracy.put_into_page(self.copy_of_readme(), "table")
+        self.assertIn(f"{accuracy.BEGIN}\ntable\n{accuracy.END}", (self.folder / "README.md").read_text())
+
+    def copy_of_readme(self):
+        path = self.folder / "README.md"
+        path.write_text((ROOT / "README.md").read_text())
+        return path
+
+    def test_a_mistake_is_one_sentence_and_exit_code_2(self):
+        page = self.folder / "page.md"
+        page.write_text("no marks")
+        for arguments, sentence in (((TINY / "atlas.h5",), "not a study that `rubatlas accuracy` has written"),
+                                    ((TINY / "accuracy.h5", "--page", page), "no lines <!-- accuracy: begin -->"),
+                                    ((TINY / "accuracy.h5", "--reference", page), "not reference data")):
+            ended = run(*arguments, "-o", self.folder)
+            self.assertEqual(ended.returncode, 2)
+            self.assertTrue(ended.stderr.startswith("accuracy.py: ") and sentence in ended.stderr, ended.stderr)
+            self.assertEqual(ended.stderr.count("\n"), 1, ended.stderr)
+        self.assertEqual(page.read_text(), "no marks")
+
+
+if __name__ == "__main__":
+    unittest.main()
