@@ -16,7 +16,8 @@ namespace rubatlas::mpi {
 /// of the reference method, one ten times less tight than the other, say how far a point can be predicted:
 /// they agree within 1000 times the looser tolerance over the whole protocol, or over a number of leading
 /// sections, the horizon. A trajectory's error is looked for in the sampled sections of the former, and
-/// within the horizon of the latter. `after_run` hears of every setting at every point once it is done.
+/// within the horizon of the latter. A run is timed up to `repeats` times, fewer where it is slow.
+/// `after_run` hears of every setting at every point once it is done.
 atlas::AccuracyStudy study_accuracy(const scene::Scene& scene,
                                     const std::vector<atlas::AccuracySetting>& settings, int repeats,
                                     const std::function<void(const atlas::AccuracyRun&)>& after_run);

@@ -132,7 +132,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
     accuracy->add_option(name, values, meaning)->delimiter(',')->type_name("VALUE,...");
   };
   add_ladder("--tolerances", ladders.tolerances, "Ladder of accuracy.tolerance; default: 1e-4 ... 1e-12");
-  accuracy->add_option("--repeats", accuracy_command.repeats, "Timed runs of each point; default: 3");
+  accuracy->add_option("--repeats", accuracy_command.repeats,
+                       "Timed runs of each point, fewer where they are slow; default: 3");
   add_progress(accuracy);
   accuracy->add_flag("--overwrite", accuracy_command.overwrite, "Replace an existing file");
 

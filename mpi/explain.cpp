@@ -205,6 +205,7 @@ void describe_time(const plan::Grid& grid, const CostEstimate& cost, Text& text)
   } else {
     text.line("they had", "no touch-down at all");
   }
+  text.line("another tolerance", "`rubatlas accuracy` shows what each costs in time, and what it is worth");
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ struct AccuracyStudy {
   std::vector<AccuracyPoint> points;      ///< in the order of the grid
   std::vector<AccuracyRun> runs;          ///< [setting][point]
   std::vector<MapChanges> changes;        ///< one per setting
-  int repeats = 1;                        ///< timed runs of each setting at each point
+  int repeats = 1;                        ///< timed runs of each setting at each point, fewer of slow ones
   double horizon_tolerance = 0.0;         ///< two sections agree within this, relative to the clearance
   double displacement_tolerance = 0.0;    ///< a change of maximum displacement beyond this share counts
 
