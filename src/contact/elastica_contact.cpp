@@ -18,7 +18,7 @@ std::optional<double> ElasticaContact::solve(const Pose& at, double slip) const 
   double low = (after - 1)->bending;
   double high = after->bending;
   const auto function = [&](double bending) {
-    const blade::CurvePoint point = curve_->at(bending);
+    const blade::CurvePoint point = curve_at(bending);
     return residual(at, slip, point.shortening, point.deflection);
   };
   double at_low = function(low);
@@ -46,7 +46,7 @@ std::optional<double> ElasticaContact::solve_near(const Pose& at, double slip, d
   // longer shrinks; a step that leaves the branch hands over to the bracketing solver.
   double previous = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < 12; ++iteration) {
-    const blade::CurvePoint point = curve_->at(bending);
+    const blade::CurvePoint point = curve_at(bending);
     const double h = residual(at, slip, point.shortening, point.deflection);
     const double a = at.radial + geometry_.reach - length_ * point.shortening;
     const double b = at.tangential - slip * length_ * point.deflection;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -45,7 +46,7 @@ class ElasticaContact {
   };
 
   [[nodiscard]] Constraint constraint(const Pose& at, double slip, double bending, double speed_ratio) const {
-    const blade::CurvePoint point = curve_->at(bending);
+    const blade::CurvePoint point = curve_at(bending);
     const double shortening = length_ * point.shortening;  // δ
     const double deflection = length_ * point.deflection;  // Δ
     const double a = at.radial + geometry_.reach - shortening;
@@ -88,7 +89,14 @@ class ElasticaContact {
   /// odd function.
   bool respond(const Pose& at, double slip, double speed_ratio, double& bending, TipForce& force) const;
 
+  /// How often the curve has been evaluated for this law. A law belongs to one motion and one thread.
+  [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
+
  private:
+  [[nodiscard]] blade::CurvePoint curve_at(double bending) const {
+    ++evaluations_;
+    return curve_->at(bending);
+  }
   [[nodiscard]] double residual(const Pose& at, double slip, double shortening, double deflection) const {
     const double delta = length_ * shortening;
     const double lateral = length_ * deflection;
@@ -102,6 +110,7 @@ class ElasticaContact {
   double strain_unit_;  ///< h / (2 L) [-]
   double friction_;
   std::shared_ptr<const blade::ElasticaCurve> curve_;
+  mutable std::uint64_t evaluations_ = 0;  ///< what a motion cost, not what it is
 };
 
 }  // namespace rubatlas::contact

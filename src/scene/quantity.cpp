@@ -24,11 +24,17 @@ constexpr bool kIsOptional<std::optional<T>> = true;
 constexpr std::array<std::string_view, 2> kContactLaws{"elastica", "elastic_ring"};
 constexpr std::array<std::string_view, 4> kSweeps{"up", "down", "both", "independent"};
 
+constexpr std::array<std::string_view, 6> kMethods{"hybrid", "hybrid_54", "hybrid_32",
+                                                   "paper",  "located",   "fixed"};
+
 constexpr std::span<const std::string_view> words(ContactLaw /*unused*/) {
   return kContactLaws;
 }
 constexpr std::span<const std::string_view> words(Sweep /*unused*/) {
   return kSweeps;
+}
+constexpr std::span<const std::string_view> words(Method /*unused*/) {
+  return kMethods;
 }
 
 template <typename T>
@@ -87,16 +93,28 @@ struct At<Section, Member> {
   }
 };
 
-// The stiffness of the ring is part of a scene only under the law that reads it.
-std::optional<Value> read_ring_stiffness(const Scene& scene) {
-  if (scene.contact.law != ContactLaw::elastic_ring) return std::nullopt;
-  return scene.ring.stiffness;
-}
+// A quantity that is part of a scene only under some words of a choice: the stiffness of the ring under the
+// law that reads it, the knobs of a method under that method.
+template <typename Place, auto Section, auto Member, auto... kReaders>
+struct Under : Place {
+  static constexpr std::array<std::string_view, sizeof...(kReaders)> kWords{
+      words(kReaders)[static_cast<std::size_t>(kReaders)]...};
+  static std::optional<Value> read(const Scene& scene) {
+    const auto chosen = (scene.*Section).*Member;
+    if (!((chosen == kReaders) || ...)) return std::nullopt;
+    return Place::read(scene);
+  }
+};
+template <auto Member, ContactLaw... kLaws>
+using UnderLaw = Under<At<&Scene::ring, Member>, &Scene::contact, &Contact::law, kLaws...>;
+template <auto Member, Method... kReaders>
+using UnderMethod = Under<At<&Scene::accuracy, Member>, &Scene::accuracy, &Accuracy::method, kReaders...>;
 
 template <typename Place>
 constexpr Quantity in(Quantity entry, Place /*unused*/) {
   entry.read = &Place::read;
   entry.write = &Place::write;
+  if constexpr (requires { Place::kWords; }) entry.readers = Place::kWords;
   return entry;
 }
 
@@ -214,17 +232,14 @@ const auto& table() {
           .source = kDefaultRotor,
           .range = above_zero_up_to(kLongest)},
          At<&Scene::ring, &Ring::radius>{}),
-      [] {
-        auto entry = in({.pointer = "/ring/stiffness",
-                         .symbol = "kr",
-                         .unit = "N/m",
-                         .meaning = "stiffness of the massless ring under a tip, law elastic_ring only",
-                         .source = "MODEL 4.7: not in the paper, 100 shaft stiffnesses of the default rotor",
-                         .range = above_zero_up_to(1e15)},
-                        At<&Scene::ring, &Ring::stiffness>{});
-        entry.read = &read_ring_stiffness;
-        return entry;
-      }(),
+      in({.pointer = "/ring/stiffness",
+          .symbol = "kr",
+          .unit = "N/m",
+          .meaning = "stiffness of the massless ring under a tip, law elastic_ring only",
+          .source = "MODEL 4.7: not in the paper, 100 shaft stiffnesses of the default rotor",
+          .range = above_zero_up_to(1e15),
+          .chooser = "/contact/law"},
+         UnderLaw<&Ring::stiffness, ContactLaw::elastic_ring>{}),
 
       in({.pointer = "/contact/law",
           .symbol = "",
@@ -356,6 +371,16 @@ const auto& table() {
           .default_rule = "absent: no flag"},
          At<&Scene::validity, &Validity::yield_strain>{}),
 
+      in({.pointer = "/accuracy/method",
+          .symbol = "",
+          .unit = "",
+          .meaning = "hybrid: closed-form flight, contacts of order 8 with located events, and the same of "
+                     "order 5(4) and 3(2); paper: the published scheme; located: one adaptive pair with "
+                     "located events; fixed: Runge-Kutta of order 4 with a fixed step",
+          .source = "the paper's scheme and what it is compared with",
+          .kind = Kind::choice,
+          .choices = kMethods},
+         At<&Scene::accuracy, &Accuracy::method>{}),
       in({.pointer = "/accuracy/tolerance",
           .symbol = "",
           .unit = "1",
@@ -363,6 +388,31 @@ const auto& table() {
           .source = "",
           .range = between(1e-14, 1e-2)},
          At<&Scene::accuracy, &Accuracy::tolerance>{}),
+      in({.pointer = "/accuracy/force_increment",
+          .symbol = "dF",
+          .unit = "N",
+          .meaning = "step of the upward search for a blade's force, method paper only",
+          .source = "the paper does not say: a thousandth of the Euler load of the default rotor, 42 N",
+          .range = between(1e-6, 1e6),
+          .chooser = "/accuracy/method"},
+         UnderMethod<&Accuracy::force_increment, Method::paper>{}),
+      in({.pointer = "/accuracy/max_step",
+          .symbol = "",
+          .unit = "1",
+          .meaning = "longest step in dimensionless time, methods paper and located only",
+          .source = "short against a contact, so that none is stepped over",
+          .range = between(1e-6, 1e3),
+          .chooser = "/accuracy/method"},
+         UnderMethod<&Accuracy::max_step, Method::paper, Method::located>{}),
+      in({.pointer = "/accuracy/step",
+          .symbol = "",
+          .unit = "1",
+          .meaning =
+              "step in dimensionless time, shortened to a whole number a revolution, method fixed only",
+          .source = "some hundred steps a contact",
+          .range = between(1e-6, 1.0),
+          .chooser = "/accuracy/method"},
+         UnderMethod<&Accuracy::step, Method::fixed>{}),
   };
   return entries;
 }
@@ -383,7 +433,7 @@ constexpr std::array kSections{
     Section{.pointer = "/protocol", .meaning = "how long a point runs and what of it is kept"},
     Section{.pointer = "/spectrum", .meaning = "extent of the amplitude spectrum"},
     Section{.pointer = "/validity", .meaning = "where the model ends"},
-    Section{.pointer = "/accuracy", .meaning = "error control of the integrator"},
+    Section{.pointer = "/accuracy", .meaning = "method of integration and its error control"},
 };
 
 constexpr std::array kGridAxes{

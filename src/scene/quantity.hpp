@@ -45,8 +45,10 @@ struct Quantity {
   Range range{};
   std::span<const std::string_view> choices{};  ///< words of a choice, in the order of its enumeration
   std::string_view default_rule{};  ///< where the default is a rule or an absence rather than a value
+  std::string_view chooser{};  ///< pointer of the choice that decides whether anything reads the quantity
+  std::span<const std::string_view> readers{};  ///< the words of that choice under which it is read
 
-  /// Value in a scene, none where absent. Null for a quantity that lives on the grid only.
+  /// Value in a scene, none where absent or not read. Null for a quantity that lives on the grid only.
   std::optional<Value> (*read)(const Scene&) = nullptr;
   /// Puts a value, checked before, into a scene; makes its section present.
   void (*write)(Scene&, const Value&) = nullptr;

@@ -276,11 +276,14 @@ void read_observables(const json& document, Scene& scene) {
 }
 
 void check_together(const json& document, Scene& scene) {
-  if (scene.contact.law != ContactLaw::elastic_ring && document.contains("/ring/stiffness"_json_pointer)) {
-    fail("/ring/stiffness",
-         fmt::format(R"({} has no effect under the contact law "{}"; only "elastic_ring" reads it)",
-                     shown(document["ring"]["stiffness"]),
-                     std::get<std::string>(*quantity("/contact/law").read(scene))));
+  for (const auto& entry : quantities()) {
+    const json::json_pointer pointer{std::string(entry.pointer)};
+    if (entry.chooser.empty() || !document.contains(pointer) || entry.read(scene)) continue;
+    const Quantity& chooser = quantity(entry.chooser);
+    fail(entry.pointer, fmt::format(R"({} has no effect under the {} {} "{}"; only {} reads it)",
+                                    shown(document.at(pointer)), last_key(chooser.section()), chooser.key(),
+                                    std::get<std::string>(*chooser.read(scene)),
+                                    fmt::format("\"{}\"", fmt::join(entry.readers, "\" or \""))));
   }
   if (scene.clearance() < 0.0) {
     fail("/ring/radius",

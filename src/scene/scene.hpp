@@ -85,8 +85,17 @@ struct Validity {
   std::optional<double> yield_strain;  ///< root bending strain flag [-]; absent: no flag
 };
 
+/// How a point is integrated: `hybrid` (closed-form flight, located events, order 8 in contact) and the same
+/// with pairs of order 5(4) and 3(2); `paper`, the published scheme; `located`, one adaptive pair with
+/// located events; `fixed`, classical Runge–Kutta with a fixed step.
+enum class Method : std::uint8_t { hybrid, hybrid_54, hybrid_32, paper, located, fixed };
+
 struct Accuracy {
-  double tolerance = 1e-9;  ///< local error of a step relative to the clearance
+  Method method = Method::hybrid;
+  double tolerance = 1e-9;        ///< local error of a step relative to the clearance
+  double force_increment = 0.04;  ///< dF [N]; read by the method `paper` only
+  double max_step = 0.02;         ///< longest step in τ; read by `paper` and `located` only
+  double step = 1e-3;             ///< in τ; read by `fixed` only
 };
 
 struct Scene {

@@ -30,7 +30,8 @@ struct WorkCounts {
   std::uint64_t touchdowns = 0;
   std::uint64_t liftoffs = 0;
   std::uint64_t slip_reversals = 0;
-  std::uint64_t gap_evaluations = 0;  ///< in flight
+  std::uint64_t gap_evaluations = 0;       ///< in flight
+  std::uint64_t elastica_evaluations = 0;  ///< of the blade's curve, wherever a force is asked for
 
   WorkCounts& operator+=(const WorkCounts& more) {
     right_hand_sides += more.right_hand_sides;
@@ -40,6 +41,7 @@ struct WorkCounts {
     liftoffs += more.liftoffs;
     slip_reversals += more.slip_reversals;
     gap_evaluations += more.gap_evaluations;
+    elastica_evaluations += more.elastica_evaluations;
     return *this;
   }
 };

@@ -102,7 +102,10 @@ class Motion {
       result.rejected_steps += phase.rejected();
     };
     add(solved_);
-    if constexpr (Law::kHasBending) add(*carried_);
+    if constexpr (Law::kHasBending) {
+      add(*carried_);
+      result.elastica_evaluations = law_.evaluations();
+    }
     result.gap_evaluations = search_.evaluations();
     return result;
   }

@@ -22,18 +22,18 @@ std::string text(const Value& value) {
   return std::get<std::string>(value);
 }
 
-/// A scene in which nothing is absent, so that every quantity that has a default shows it.
-Scene with_everything() {
+/// A scene in which a quantity is not absent, so that it shows its default.
+Scene with(const Quantity& entry) {
   Scene scene;
-  scene.contact.law = ContactLaw::elastic_ring;
   scene.unbalance.emplace();
+  if (!entry.chooser.empty()) quantity(entry.chooser).write(scene, Value{std::string(entry.readers.front())});
   return scene;
 }
 
 std::string default_text(const Quantity& quantity) {
   if (!quantity.default_rule.empty()) return std::string(quantity.default_rule);
   if (const auto value = quantity.read(Scene{})) return text(*value);
-  return text(quantity.read(with_everything()).value()) + " where it applies, else absent";
+  return text(quantity.read(with(quantity)).value()) + " where it applies, else absent";
 }
 
 std::string range_text(const Range& range) {

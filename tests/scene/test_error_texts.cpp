@@ -169,6 +169,26 @@ TEST(SceneErrors, TheRingsStiffnessNeedsTheLawThatReadsIt) {
   EXPECT_EQ(refusal_with(R"("ring": {"stiffness": 10000}, "contact": {"law": "elastic_ring"})"), "accepted");
 }
 
+TEST(SceneErrors, AKnobIsRefusedWhereTheMethodDoesNotReadIt) {
+  EXPECT_EQ(refusal_with(R"("accuracy": {"force_increment": 0.1})"),
+            "/accuracy/force_increment: 0.1 has no effect under the accuracy method \"hybrid\"; only "
+            "\"paper\" reads it");
+  EXPECT_EQ(refusal_with(R"("accuracy": {"method": "fixed", "max_step": 0.1})"),
+            "/accuracy/max_step: 0.1 has no effect under the accuracy method \"fixed\"; only \"paper\" or "
+            "\"located\" reads it");
+  EXPECT_EQ(refusal_with(R"("accuracy": {"method": "paper", "step": 0.1})"),
+            "/accuracy/step: 0.1 has no effect under the accuracy method \"paper\"; only \"fixed\" reads it");
+  EXPECT_EQ(
+      refusal_with(R"("accuracy": {"method": "paper", "force_increment": 0})"),
+      "/accuracy/force_increment: 0 is outside [1e-06, 1000000] N; step of the upward search for a blade's "
+      "force, method paper only");
+  for (const std::string knobs :
+       {R"("paper", "force_increment": 0.1, "max_step": 0.1)", R"("located", "max_step": 0.1)",
+        R"("fixed", "step": 0.1)", R"("hybrid_54", "tolerance": 1e-6)", R"("hybrid_32")"}) {
+    EXPECT_EQ(refusal_with(R"("accuracy": {"method": )" + knobs + "}"), "accepted") << knobs;
+  }
+}
+
 TEST(SceneErrors, BladesMustFitIntoTheRing) {
   EXPECT_EQ(
       refusal_with(R"("ring": {"radius": 0.09})"),
