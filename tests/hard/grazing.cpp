@@ -1,0 +1,88 @@
+/// Grazing: touch-downs so shallow that sampling, sign tests or an error estimate step over them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "hard_point.hpp"
+#include "rotor/free_motion.hpp"
+#include "solve/flight.hpp"
+
+namespace rubatlas::test {
+namespace {
+
+// Lengths that add up without rounding, so that a depth of 1e-12 of the clearance is what it says.
+constexpr double kRadius = 0.140625;  // R [m]
+constexpr double kReach = 0.125;      // rh + L [m]
+constexpr double kClearance = kRadius - kReach;
+
+/// Number i of 401 depths from 1e-3 to 1e-12 of the clearance, evenly spaced in the logarithm [-].
+double swept_depth(int i) {
+  return std::pow(10.0, -3.0 - 9.0 * i / 400.0);
+}
+
+/// An undamped rotor, whirling freely around the ring's centre with the amplitude ρ: z = ρ e^{i(τ − t0)}, so
+/// that g of blade k is a harmonic motion in time, (rh+L)² + ρ² − R² + 2 (rh+L) ρ cos((1 − Ω) τ − t0 −
+/// 2πk/n).
+class FreeWhirl {
+ public:
+  FreeWhirl(int blades, double speed_ratio)
+      : rotor_{speed_ratio, 0.0, 0.0, 1.0, kClearance},
+        blades_(blades, speed_ratio),
+        flight_(rotor_, free_, forcing_),
+        search_(rotor_, {kReach, kRadius}, blades_) {}
+
+  /// First touch-down of the whirl with amplitude ρ that has been at angle −t0 at τ = 0, from τ = `from` on.
+  std::optional<solve::TouchdownSearch::Touchdown> first_touchdown(double amplitude, double delay,
+                                                                   double from, double until) {
+    const double angle = from - delay;
+    const double x = amplitude * std::cos(angle);
+    const double y = amplitude * std::sin(angle);
+    flight_.start(from, {x, y, -y, x});
+    return search_.find(flight_, until);
+  }
+  [[nodiscard]] std::uint64_t evaluations() const { return search_.evaluations(); }
+
+ private:
+  solve::RotorConstants rotor_;
+  rotor::FreeMotion free_{0.0};
+  effects::NoForcing forcing_;
+  solve::BladeSet blades_;
+  solve::Flight<effects::NoForcing> flight_;
+  solve::TouchdownSearch search_;
+};
+
+TEST(Grazing, NoTouchdownOfASweptWhirlIsMissedAndNoneIsInvented) {
+  // g is harmonic with one maximum per blade in each turn against the rotor, of height set by ρ alone: every
+  // flight that reaches the ring has its touch-down where cos of the angle says, every other one has none.
+  const double speed = 0.3;
+  const double turn = 2.0 * std::numbers::pi / (1.0 - speed);
+  FreeWhirl whirl(1, speed);
+  int found = 0;
+  int invented = 0;
+  for (int i = 0; i <= 400; ++i) {
+    const double depth = swept_depth(i) * kClearance;
+    const double delay = 0.37 * turn * (1.0 - speed) + 0.01 * i;  // each graze at another time
+    const double top = delay / (1.0 - speed);
+    const double amplitude = kClearance + depth;
+    const auto touchdown = whirl.first_touchdown(amplitude, delay, top - 0.5 * turn, top + 0.5 * turn);
+    if (touchdown) {
+      ++found;
+      // g = 0: sin²(angle/2) = depth (2R − depth … ) / (4 (rh+L) ρ), exact for the harmonic motion.
+      const double rise = depth * (2.0 * kReach + 2.0 * kClearance + depth);
+      const double half_angle = std::asin(std::sqrt(rise / (4.0 * kReach * amplitude)));
+      const double exact = top - 2.0 * half_angle / (1.0 - speed);
+      // Rounding of g, 1e-17 m², over its rate 2 (rh+L) ρ (1 − Ω) sin(angle).
+      const double rate = 2.0 * kReach * amplitude * (1.0 - speed) * std::sin(2.0 * half_angle);
+      EXPECT_NEAR(touchdown->time, exact, 3e-17 / rate + 1e-14) << "depth " << swept_depth(i);
+    }
+    if (whirl.first_touchdown(kClearance - depth, delay, top - 0.5 * turn, top + 0.5 * turn)) ++invented;
+  }
+  EXPECT_EQ(found, 401);
+  EXPECT_EQ(invented, 0);
+  EXPECT_LE(whirl.evaluations(), 802U * 40U) << "a graze is found by few steps, not by creeping";
+}
+
+}  // namespace
+}  // namespace rubatlas::test

@@ -1,0 +1,156 @@
+#include "random_scene.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "scene/quantity.hpp"
+#include "scene/reader.hpp"
+
+namespace rubatlas::test {
+namespace {
+
+using nlohmann::json;
+
+/// Draws made from the generator's bits alone: the standard's distributions differ between libraries.
+class Draw {
+ public:
+  explicit Draw(std::uint64_t seed) : bits_(seed) {}
+
+  double uniform(double low, double high) {
+    return low + (high - low) * static_cast<double>(bits_() >> 11U) * 0x1p-53;
+  }
+  double log_uniform(double low, double high) {
+    return std::clamp(std::exp(uniform(std::log(low), std::log(high))), low, high);
+  }
+  std::size_t below(std::size_t bound) { return static_cast<std::size_t>(bits_() % bound); }
+  bool one_in(std::size_t number) { return below(number) == 0; }
+  double sign() { return one_in(2) ? 1.0 : -1.0; }
+  template <std::size_t N>
+  double one_of(const std::array<double, N>& values) {
+    return values[below(N)];
+  }
+
+ private:
+  std::mt19937_64 bits_;
+};
+
+/// Upper bounds of the reader are far away; what lies this far below them is as good as zero.
+constexpr double kDecades = 1e-15;
+
+double anywhere(Draw& draw, const scene::Range& range) {
+  if (draw.one_in(12)) return range.high;
+  if (draw.one_in(12) && !range.low_excluded) return range.low;
+  if (range.low < 0.0) {
+    return draw.one_in(4) ? 0.0 : draw.sign() * draw.log_uniform(range.high * kDecades, range.high);
+  }
+  return draw.log_uniform(range.low > 0.0 ? range.low : range.high * kDecades, range.high);
+}
+
+/// Every number of the reader's list over its legal range, but how long a point runs and what is kept of it.
+json draw_anywhere(Draw& draw) {
+  json scene;
+  for (const scene::Quantity& quantity : scene::quantities()) {
+    const bool number = quantity.kind == scene::Kind::number || quantity.kind == scene::Kind::whole_number;
+    const bool skipped = quantity.section() == "/protocol" || quantity.section() == "/spectrum" ||
+                         (quantity.section() == "/accuracy" && quantity.key() != "tolerance");
+    if (!number || skipped) continue;
+    const double value = anywhere(draw, quantity.range);
+    const json::json_pointer pointer{std::string(quantity.pointer)};
+    if (quantity.kind == scene::Kind::whole_number) {
+      scene[pointer] = static_cast<int>(value);
+    } else {
+      scene[pointer] = value;
+    }
+  }
+  scene["contact"]["law"] = draw.one_in(4) ? "elastic_ring" : "elastica";
+  if (scene["contact"]["law"] == "elastica") scene["ring"].erase("stiffness");
+  if (draw.one_in(2)) scene.erase("unbalance");
+  scene["protocol"] = {{"transient_revolutions", draw.below(2)},
+                       {"sampled_revolutions", 1 + draw.below(3)},
+                       {"samples_per_revolution", 2 + draw.below(40)}};
+  scene["observables"] = {"poincare",
+                          "poincare_blade_passing",
+                          "max_displacement",
+                          "spectrum",
+                          "touchdowns_per_revolution",
+                          "max_contact_force",
+                          "contact_fraction",
+                          "max_root_strain"};
+  return scene;
+}
+
+/// Lengths in proportion to the ring.
+void fit_into_ring(Draw& draw, json& scene) {
+  const double radius = draw.log_uniform(1e-4, 1e3);
+  const double clearance = draw.one_in(20) ? 0.0 : radius * draw.log_uniform(1e-6, 0.7);
+  const double reach = radius - clearance;
+  const double length = draw.one_in(3) ? reach : reach * draw.uniform(0.05, 1.0);
+  scene["ring"]["radius"] = radius;
+  scene["blades"]["length"] = length;
+  scene["blades"]["hub_radius"] = reach - length;
+  scene["blades"]["thickness"] = length * draw.log_uniform(1e-4, 0.3);
+  // Just above or below the clearance, or some way beyond it.
+  const double scale = clearance > 0.0 ? clearance : 1e-3 * radius;
+  const double offset = draw.one_in(2) ? scale * (1.0 + draw.sign() * draw.log_uniform(1e-15, 0.3))
+                                       : scale + radius * draw.log_uniform(1e-6, 0.4);
+  scene["rotor"]["misalignment"] = draw.one_in(5) ? 0.0 : draw.sign() * offset;
+  for (const char* component : {"x", "y", "vx", "vy"}) {
+    scene["initial"][component] = draw.one_in(2) ? 0.0 : draw.sign() * scale * draw.log_uniform(1e-6, 3.0);
+  }
+}
+
+/// Blades and shaft that are a match for each other; speeds and dampings at which formulas change.
+void make_it_rub(Draw& draw, json& scene) {
+  auto& rotor = scene["rotor"];
+  auto& blades = scene["blades"];
+  rotor["mass"] = draw.log_uniform(1e-3, 1e3);
+  rotor["natural_frequency"] = draw.log_uniform(1.0, 1e3);
+  const double shaft = rotor["mass"].get<double>() * std::pow(rotor["natural_frequency"].get<double>(), 2);
+  const double length = blades["length"];
+  blades["width"] = length * draw.log_uniform(1e-2, 1.0);
+  const double section =
+      blades["width"].get<double>() * std::pow(blades["thickness"].get<double>(), 3) / 12.0;
+  const double stiffness = shaft * draw.log_uniform(1e-3, 1e4);
+  blades["youngs_modulus"] = std::clamp(stiffness * length * length * length / (3.0 * section), 1e-3, 1e15);
+  if (scene["ring"].contains("stiffness")) scene["ring"]["stiffness"] = std::min(stiffness, 1e15);
+  rotor["damping_ratio"] = draw.one_in(2)
+                               ? draw.log_uniform(1e-3, 1.0)
+                               : draw.one_of(std::array{0.0, 1e-4, 0.1, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 5.0});
+  scene["grid"]["speed_ratio"] = draw.one_in(2)
+                                     ? draw.log_uniform(5e-3, 5.0)
+                                     : draw.one_of(std::array{0.005, 1.0 / 3, 0.5, 2.0 / 3, 1.0, 5.0});
+  scene["contact"]["friction"] =
+      draw.one_in(3) ? draw.uniform(0.0, 2.0) : draw.one_of(std::array{0.0, 1e-6, 0.01, 0.1, 0.2, 0.5, 2.0});
+  if (scene.contains("unbalance")) {
+    const double clearance =
+        scene["ring"]["radius"].get<double>() - length - blades["hub_radius"].get<double>();
+    scene["unbalance"]["moment"] =
+        std::min(1e6, rotor["mass"].get<double>() * std::max(clearance, 1e-6) * draw.log_uniform(1e-4, 3.0));
+  }
+  scene["accuracy"]["tolerance"] = draw.log_uniform(1e-13, 1e-3);
+  scene["validity"]["max_shortening"] = 0.5;
+}
+
+}  // namespace
+
+std::string random_scene_text(std::uint64_t index) {
+  Draw draw(0x5275624174'6c6173ULL + index);
+  while (true) {
+    json scene = draw_anywhere(draw);
+    if (index % 3 > 0) fit_into_ring(draw, scene);
+    if (index % 3 > 1) make_it_rub(draw, scene);
+    // The one condition between quantities: blades fit into the ring.
+    const double reach =
+        scene["blades"]["hub_radius"].get<double>() + scene["blades"]["length"].get<double>();
+    if (reach <= scene["ring"]["radius"].get<double>()) return scene.dump();
+  }
+}
+
+scene::Scene random_scene(std::uint64_t index) {
+  return scene::parse_scene(random_scene_text(index));
+}
+
+}  // namespace rubatlas::test
