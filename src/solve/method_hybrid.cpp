@@ -1,0 +1,12 @@
+// `hybrid`: closed-form flight, contacts by an order-8 pair, located events.
+
+#include "solve/hybrid_method.hpp"
+#include "solve/typed_line_solver.hpp"
+
+namespace rubatlas::solve {
+
+std::unique_ptr<LineSolver> make_hybrid(const LineRequest& request) {
+  return make_typed_line_solver<HybridMethod>(request);
+}
+
+}  // namespace rubatlas::solve
