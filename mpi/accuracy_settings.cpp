@@ -4,7 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <span>
 
 #include "mpi/exit_code.hpp"
 #include "scene/nearest.hpp"
@@ -15,34 +16,29 @@ namespace {
 
 using atlas::AccuracySetting;
 
-/// Which knobs a method reads.
-struct MethodKnobs {
-  std::string_view method;
-  bool tolerance = false;
-  bool force_increment = false;
-  bool max_step = false;
-  bool step = false;
-};
-
-constexpr std::array kMethods{
-    MethodKnobs{.method = "hybrid", .tolerance = true},
-};
-
 /// The reference is this much tighter than the tightest run that is compared with it.
 constexpr double kReferenceFactor = 10.0;
+constexpr std::string_view kReferenceMethod = "hybrid";
+/// The one method without error control.
+constexpr std::string_view kFixedStep = "fixed";
 
-const MethodKnobs& knobs_of(const std::string& method) {
-  const auto found = std::find_if(kMethods.begin(), kMethods.end(),
-                                  [&](const MethodKnobs& entry) { return entry.method == method; });
-  if (found != kMethods.end()) return *found;
-  const auto names = accuracy_methods();
-  throw UsageError(fmt::format("--methods {}: not one of {}; nearest: {}", method, fmt::join(names, ", "),
-                               scene::nearest(method, names)));
+/// True when the scene's own table says that a method reads this knob.
+bool reads(std::string_view method, std::string_view pointer) {
+  const auto& quantity = scene::quantity(pointer);
+  return quantity.chooser.empty() ||
+         std::find(quantity.readers.begin(), quantity.readers.end(), method) != quantity.readers.end();
 }
 
-/// The values, or the default ones where none are given; each within the range of its key in a scene.
+void require_known(const std::string& method) {
+  const auto known = accuracy_methods();
+  if (std::find(known.begin(), known.end(), method) != known.end()) return;
+  throw UsageError(fmt::format("--methods {}: not one of {}; nearest: {}", method, fmt::join(known, ", "),
+                               scene::nearest(method, known)));
+}
+
+/// The values, or the usual ones where none are given; each within the range of its key in a scene.
 std::vector<double> ladder(const std::vector<double>& values, std::vector<double> usual,
-                           const std::string& option, std::string_view pointer) {
+                           std::string_view option, std::string_view pointer) {
   const scene::Quantity& quantity = scene::quantity(pointer);
   for (const double value : values) {
     if (!quantity.range.contains(value)) {
@@ -67,35 +63,58 @@ void require_room_for_the_reference(const std::vector<double>& tolerances) {
 }  // namespace
 
 std::vector<std::string_view> accuracy_methods() {
-  std::vector<std::string_view> names;
-  for (const auto& entry : kMethods) names.push_back(entry.method);
-  return names;
+  const auto words = scene::quantity("/accuracy/method").choices;
+  return {words.begin(), words.end()};
 }
 
 std::vector<AccuracySetting> accuracy_settings(const AccuracyLadders& ladders, const scene::Scene& scene) {
   const auto tolerances =
       ladder(ladders.tolerances, {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}, "--tolerances",
              "/accuracy/tolerance");
+  const auto increments =
+      ladder(ladders.force_increments, {1.0, 0.1, 0.01}, "--force-increments", "/accuracy/force_increment");
+  const auto steps = ladder(ladders.steps, {2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4}, "--steps", "/accuracy/step");
   require_room_for_the_reference(tolerances);
-  const double tightest = *std::min_element(tolerances.begin(), tolerances.end());
-
-  std::vector<AccuracySetting> settings{{.method = "hybrid", .tolerance = tightest / kReferenceFactor}};
   std::vector<std::string> methods = ladders.methods;
+  for (const auto& method : methods) require_known(method);
   if (methods.empty()) {
     for (const auto name : accuracy_methods()) methods.emplace_back(name);
   }
-  static_cast<void>(scene);
+
+  const double tightest = *std::min_element(tolerances.begin(), tolerances.end());
+  std::vector<AccuracySetting> settings{
+      {.method = std::string(kReferenceMethod), .tolerance = tightest / kReferenceFactor}};
   for (const auto& method : methods) {
-    static_cast<void>(knobs_of(method));
-    for (const double tolerance : tolerances) {
-      settings.push_back({.method = method, .tolerance = tolerance});
+    AccuracySetting setting{.method = method};
+    if (reads(method, "/accuracy/max_step")) setting.max_step = scene.accuracy.max_step;
+    if (method == kFixedStep) {
+      for (const double step : steps) {
+        setting.step = step;
+        settings.push_back(setting);
+      }
+      continue;
+    }
+    const std::vector<double> not_read{AccuracySetting::kNotRead};
+    for (const double increment : reads(method, "/accuracy/force_increment") ? increments : not_read) {
+      setting.force_increment = increment;
+      for (const double tolerance : tolerances) {
+        setting.tolerance = tolerance;
+        settings.push_back(setting);
+      }
     }
   }
   return settings;
 }
 
 scene::Scene scene_with(const AccuracySetting& setting, scene::Scene scene) {
-  scene.accuracy.tolerance = setting.tolerance;
+  scene::quantity("/accuracy/method").write(scene, setting.method);
+  const auto set = [](double& knob, double value) {
+    if (std::isfinite(value)) knob = value;
+  };
+  set(scene.accuracy.tolerance, setting.tolerance);
+  set(scene.accuracy.force_increment, setting.force_increment);
+  set(scene.accuracy.max_step, setting.max_step);
+  set(scene.accuracy.step, setting.step);
   scene.observables = {"poincare", "max_displacement"};
   scene.validity.yield_strain.reset();
   return scene;

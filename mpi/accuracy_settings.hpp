@@ -10,15 +10,15 @@
 
 namespace rubatlas::mpi {
 
-/// The ladders; what a method does not read is not varied for it.
+/// What is varied; a knob that a method does not read is not varied for it. Empty: the usual values.
 struct AccuracyLadders {
-  std::vector<std::string> methods;      ///< empty: all
-  std::vector<double> tolerances;        ///< empty: 1e-4, 1e-5, ... 1e-12
-  std::vector<double> force_increments;  ///< dF [N]; empty: 1, 0.1, 0.01
-  std::vector<double> steps;             ///< in τ; empty: 2e-2 ... 2e-4
+  std::vector<std::string> methods{};      ///< all
+  std::vector<double> tolerances{};        ///< 1e-4, 1e-5, ... 1e-12
+  std::vector<double> force_increments{};  ///< dF [N]: 1, 0.1, 0.01; each with every tolerance
+  std::vector<double> steps{};             ///< in τ, fixed: 2e-2 ... 5e-4
 };
 
-/// The methods there are, the default first.
+/// The methods that a scene may name, the default first.
 std::vector<std::string_view> accuracy_methods();
 
 /// The reference (`hybrid`, ten times tighter than the tightest tolerance asked for), then each method's

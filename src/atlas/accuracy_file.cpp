@@ -172,6 +172,7 @@ void write_work(Writer& writer) {
         [member](const AccuracyRun& run) { return static_cast<std::int64_t>(run.work.*member); });
   };
   count("right_hand_sides", "evaluations of the equations of motion", &solve::WorkCounts::right_hand_sides);
+  count("elastica_evaluations", "evaluations of the blade's curve", &solve::WorkCounts::elastica_evaluations);
   count("gap_evaluations", "evaluations of the gap in flight", &solve::WorkCounts::gap_evaluations);
   count("steps", "accepted steps", &solve::WorkCounts::steps);
   count("rejected_steps", "rejected steps", &solve::WorkCounts::rejected_steps);

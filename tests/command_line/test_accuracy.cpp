@@ -14,7 +14,7 @@ namespace rubatlas::mpi {
 namespace {
 
 /// Two periodic speeds and a chaotic one.
-const std::string kScene = R"({"title": "three speeds", "grid": {"speed_ratio": [0.3, 0.4, 0.98]},
+const std::string kScene = R"({"title": "three speeds", "grid": {"speed_ratio": [0.3, 0.4, 0.75]},
   "protocol": {"transient_revolutions": 40, "sampled_revolutions": 40}, "sweep": ")";
 constexpr std::size_t kPoints = 3;
 constexpr double kRevolutions = 80.0;
@@ -43,11 +43,12 @@ std::vector<double> numbers(const atlas::File& file, const std::string& name) {
 }
 
 TEST_F(Accuracy, KeepsErrorTimeAndWorkOfEverySettingAtEveryPoint) {
-  const auto file = study("--methods hybrid --tolerances 1e-5,1e-8 --repeats 2");
+  const auto file = study("--methods hybrid --tolerances 1e-7,1e-8 --repeats 2");
   EXPECT_EQ(file.read_texts("/method"), (std::vector<std::string>{"hybrid", "hybrid", "hybrid"}));
-  EXPECT_EQ(numbers(file, "/tolerance"), (std::vector<double>{1e-9, 1e-5, 1e-8})) << "the reference first";
-  for (const std::string name : {"trajectory_error", "cpu_time_min", "cpu_time_median", "right_hand_sides",
-                                 "steps", "rejected_steps", "touchdowns", "status", "class"}) {
+  EXPECT_EQ(numbers(file, "/tolerance"), (std::vector<double>{1e-9, 1e-7, 1e-8})) << "the reference first";
+  for (const std::string name :
+       {"trajectory_error", "cpu_time_min", "cpu_time_median", "right_hand_sides", "elastica_evaluations",
+        "steps", "rejected_steps", "touchdowns", "status", "class"}) {
     EXPECT_EQ(file.dataset(name).shape(), (atlas::Shape{3, 1, 1, 1, 1, kPoints})) << name;
     EXPECT_EQ(file.dataset(name).scale_name(0), "setting") << name;
     EXPECT_EQ(file.dataset(name).scale_name(5), "speed_ratio") << name;
@@ -65,11 +66,11 @@ TEST_F(Accuracy, KeepsErrorTimeAndWorkOfEverySettingAtEveryPoint) {
 }
 
 TEST_F(Accuracy, ErrorsAreThoseOfTheMotionAsFarAsItCanBePredicted) {
-  const auto file = study("--methods hybrid --tolerances 1e-6,1e-9,1e-12 --repeats 1");
+  const auto file = study("--methods hybrid --tolerances 1e-8,1e-10,1e-12 --repeats 1");
   const auto horizon = numbers(file, "/horizon");
   EXPECT_EQ(horizon[0], kRevolutions) << "periodic at 0.30";
   EXPECT_EQ(horizon[1], kRevolutions) << "periodic at 0.40";
-  // Two nearby motions part by a factor of exp(2) in each revolution at 0.98.
+  // Two nearby motions part by a factor of exp(0.4) in each revolution at 0.75, on average.
   EXPECT_GE(horizon[2], 1.0);
   EXPECT_LE(horizon[2], 20.0);
   const auto error = numbers(file, "/trajectory_error");
@@ -87,7 +88,7 @@ TEST_F(Accuracy, ErrorsAreThoseOfTheMotionAsFarAsItCanBePredicted) {
 }
 
 TEST_F(Accuracy, AllButTheTimesIsTheSameEachTime) {
-  const std::string options = "--methods hybrid --tolerances 1e-6,1e-8 --repeats 1";
+  const std::string options = "--methods hybrid --tolerances 1e-7,1e-8 --repeats 1";
   const auto contents = [&] {
     const auto file = study(options);
     std::vector<std::pair<std::string, std::vector<double>>> all;
