@@ -13,9 +13,11 @@ namespace rubatlas::bench {
 /// Revolutions from rest over which motions are compared: within the predictable horizon of every point.
 constexpr int kComparedRevolutions = 10;
 
+/// Errors are those of x, y, x', y' at the compared sections.
 struct Accuracy {
   bool completed = true;
-  double error = 0.0;                 ///< largest of x, y, x', y' at a section, in units of the clearance
+  double typical_error = 0.0;         ///< geometric mean over the points of each one's largest error
+  double largest_error = 0.0;         ///< over all points; errors in units of the clearance
   double largest_displacement = 0.0;  ///< |x + iy| at a section [m]
   std::uint64_t right_hand_sides = 0;
 };

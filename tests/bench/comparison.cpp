@@ -24,9 +24,9 @@ std::uint64_t sum(const std::vector<std::uint64_t>& counts) {
 std::string time_table(const Comparison& comparison, const std::vector<Competitor>& competitors) {
   const Competitor& hybrid = comparison.competitors.front();
   std::string text =
-      "| solver | step limit (τ) | tolerance | error reached (δc) | touch-downs found | right-hand sides a "
+      "| solver | step limit (τ) | tolerance | error (δc) | largest | touch-downs found | right-hand sides a "
       "revolution | … a touch-down | µs a revolution | ms a point | times hybrid |\n"
-      "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+      "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const Competitor& competitor : competitors) {
     double right_hand_sides = 0.0;
     double touchdowns = 0.0;
@@ -37,13 +37,13 @@ std::string time_table(const Comparison& comparison, const std::vector<Competito
     const double time = time_per_revolution(competitor);
     const double revolutions = static_cast<double>(competitor.runs.size()) * competitor.revolutions;
     text += fmt::format(
-        "| {} | {} | {:.0e} | {:.1e}{} | {} of {} | {:.0f} | {:.0f} | {:.1f} | {:.2f} | {:.1f} |\n",
+        "| {} | {} | {:.0e} | {:.1e}{} | {:.1e} | {} of {} | {:.0f} | {:.0f} | {:.1f} | {:.2f} | {:.1f} |\n",
         competitor.peer->name(), &competitor == &hybrid ? "–" : step_limit(competitor),
-        competitor.settings.tolerance, competitor.accuracy.error,
-        competitor.accuracy.error > comparison.target ? " (missed)" : "",
-        found_touchdowns(competitor, hybrid), sum(hybrid.touchdowns), right_hand_sides / revolutions,
-        right_hand_sides / touchdowns, 1e6 * time, 1e3 * kRevolutionsOfAPoint * time,
-        time / time_per_revolution(hybrid));
+        competitor.settings.tolerance, competitor.accuracy.typical_error,
+        competitor.accuracy.typical_error > comparison.target ? " (missed)" : "",
+        competitor.accuracy.largest_error, found_touchdowns(competitor, hybrid), sum(hybrid.touchdowns),
+        right_hand_sides / revolutions, right_hand_sides / touchdowns, 1e6 * time,
+        1e3 * kRevolutionsOfAPoint * time, time / time_per_revolution(hybrid));
   }
   return text;
 }

@@ -23,7 +23,7 @@ struct Competitor {
 
 struct Comparison {
   std::vector<double> speed_ratios;
-  double target = 0.0;                    ///< error that all have to reach, in units of the clearance
+  double target = 0.0;                    ///< typical error that all have to reach, in units of the clearance
   std::vector<Competitor> competitors;    ///< the first is `hybrid`
   std::vector<Competitor> longer_steps;   ///< the same peers with longer step limits
   Competitor whole_points;                ///< hybrid over all 300 revolutions of a point

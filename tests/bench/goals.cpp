@@ -19,7 +19,7 @@ const Competitor* fastest(const Comparison& comparison, const std::vector<Compet
   const Competitor& hybrid = comparison.competitors.front();
   const Competitor* result = nullptr;
   for (const Competitor& competitor : among) {
-    if (competitor.peer->family() == family && competitor.accuracy.error <= comparison.target &&
+    if (competitor.peer->family() == family && competitor.accuracy.typical_error <= comparison.target &&
         found_touchdowns(competitor, hybrid) == found_touchdowns(hybrid, hybrid) &&
         (!result || time_per_revolution(competitor) < time_per_revolution(*result)))
       result = &competitor;

@@ -1,4 +1,6 @@
 /// This program's own methods.
+#include <fmt/core.h>
+
 #include "peer.hpp"
 #include "problem.hpp"
 
@@ -14,22 +16,36 @@ namespace {
 
 class LineSolverPeer final : public Peer {
  public:
-  using Peer::Peer;
+  /// `force_increment` dF [N] is read by `paper` only.
+  LineSolverPeer(std::string family, const std::string& variant, scene::Method method, double force_increment)
+      : Peer(std::move(family), variant), method_(method), force_increment_(force_increment) {}
 
   [[nodiscard]] PeerRun run(double speed_ratio, int revolutions,
                             const PeerSettings& settings) const override {
     scene::Scene scene = default_scene(revolutions, settings.tolerance);
     scene.protocol = {0, revolutions, 64};  // every section is kept, and compared
+    scene.accuracy.method = method_;
+    scene.accuracy.force_increment = force_increment_;
+    scene.accuracy.max_step = settings.max_step;
     const auto solver = solve::make_line_solver(scene, line_of(scene, speed_ratio), shared_tables().blades);
     const solve::PointOutcome outcome = solver->run(speed_ratio, {0.0, 0.0, 0.0, 0.0}, [] {});
     return {outcome.status == solve::PointStatus::done, sections_of(outcome.rows.front()), outcome.work};
   }
+
+ private:
+  scene::Method method_;
+  double force_increment_;
 };
 
 }  // namespace
 
 std::unique_ptr<Peer> make_hybrid() {
-  return std::make_unique<LineSolverPeer>("hybrid", "");
+  return std::make_unique<LineSolverPeer>("hybrid", "", scene::Method::hybrid, 0.0);
+}
+
+std::unique_ptr<Peer> make_paper(double force_increment) {
+  return std::make_unique<LineSolverPeer>("paper", fmt::format("dF {:g} N", force_increment),
+                                          scene::Method::paper, force_increment);
 }
 
 }  // namespace rubatlas::bench

@@ -54,6 +54,8 @@ class Peer {
 
 /// This program's methods, through the same door that the atlas uses.
 std::unique_ptr<Peer> make_hybrid();
+/// The published scheme; dF [N] is its step in the search for the force.
+std::unique_ptr<Peer> make_paper(double force_increment);
 /// Boost.odeint: dopri5 with dense output, without and with our event location.
 std::unique_ptr<Peer> make_odeint_dopri5();
 std::unique_ptr<Peer> make_odeint_dopri5_located();

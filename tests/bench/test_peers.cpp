@@ -27,14 +27,14 @@ TEST_P(PeerOnPeriodicMotion, AgreesWithTheReferenceOverTenRevolutions) {
   // of 1e-11, by 1e-6.
   const Accuracy accuracy = accuracy_of(*GetParam(), {1e-11, kStepLimit});
   EXPECT_TRUE(accuracy.completed);
-  EXPECT_LT(accuracy.error, 3e-6);
+  EXPECT_LT(accuracy.largest_error, 3e-6);
   EXPECT_GT(accuracy.largest_displacement, 0.5 * reference_displacement());
 }
 
 TEST_P(PeerOnPeriodicMotion, ErrorFallsWithTheTolerance) {
   const Accuracy loose = accuracy_of(*GetParam(), {1e-7, kStepLimit});
   const Accuracy tight = accuracy_of(*GetParam(), {1e-11, kStepLimit});
-  EXPECT_LT(tight.error, 0.1 * loose.error);
+  EXPECT_LT(tight.typical_error, 0.1 * loose.typical_error);
 }
 
 TEST_P(PeerOnPeriodicMotion, FindsTheTouchdownsThatHybridFinds) {
@@ -54,10 +54,10 @@ TEST(MatchedAccuracy, IsTheLoosestToleranceThatReachesTheTarget) {
   const auto peer = make_odeint_dopri5_located();
   const double target = 1e-7;
   const PeerSettings matched = match_accuracy(*peer, {1e-8, kStepLimit}, target);
-  EXPECT_LE(accuracy_of(*peer, matched).error, target);
+  EXPECT_LE(accuracy_of(*peer, matched).typical_error, target);
   PeerSettings looser = matched;
   looser.tolerance *= std::sqrt(10.0);
-  EXPECT_GT(accuracy_of(*peer, looser).error, target);
+  EXPECT_GT(accuracy_of(*peer, looser).typical_error, target);
 }
 
 TEST(ErrorControlAlone, StepsOverEveryContactAndReportsTheRotorAtRest) {
