@@ -31,6 +31,7 @@ struct BogackiShampine32 {
   static double estimate(NormOf norm_of) {
     return norm_of([] { return kError; });
   }
+  static constexpr int kEstimatePower = 3;  ///< of the step, with which it falls
   /// The estimate is of the embedded solution, and taken as it is.
   static constexpr double kEstimateExcess = 1.0;
 

@@ -35,6 +35,7 @@ struct DormandPrince54 {
   static double estimate(NormOf norm_of) {
     return norm_of([] { return kError; });
   }
+  static constexpr int kEstimatePower = 5;  ///< of the step, with which it falls
   /// The estimate is of the embedded solution, and taken as it is.
   static constexpr double kEstimateExcess = 1.0;
 

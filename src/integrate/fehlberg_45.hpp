@@ -38,6 +38,7 @@ struct Fehlberg45 {
   static double estimate(NormOf norm_of) {
     return norm_of([] { return kError; });
   }
+  static constexpr int kEstimatePower = 5;  ///< of the step, with which it falls
   static constexpr double kEstimateExcess = 1.0;
 
   /// No coefficients above those of the cubic.
