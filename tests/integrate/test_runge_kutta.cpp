@@ -16,6 +16,7 @@
 #include "integrate/dormand_prince_853.hpp"
 #include "integrate/runge_kutta.hpp"
 #include "integrate/step_control.hpp"
+#include "integrate/step_factor.hpp"
 
 namespace rubatlas::integrate {
 namespace {
@@ -115,16 +116,18 @@ TEST(RungeKutta, DenseOutputIsOfOrderSeven) {
   EXPECT_NEAR(slope(errors) - 1, 7.0, 0.4);
 }
 
-TEST(RungeKutta, ErrorEstimatesAreOfTheirOrders) {
-  const auto third = local_errors(
-      [](Method& method, Kepler&, double, double) { return method.error_estimate().third.abs().maxCoeff(); });
-  const auto fifth = local_errors(
-      [](Method& method, Kepler&, double, double) { return method.error_estimate().fifth.abs().maxCoeff(); });
-  EXPECT_NEAR(slope(third) - 1, 3.0, 0.5);
-  EXPECT_NEAR(slope(fifth) - 1, 5.0, 0.5);
+double largest_component(const Vector& difference) {
+  return difference.abs().maxCoeff();
 }
 
-TEST(RungeKutta, CombinedEstimateBoundsTheErrorOfAStep) {
+TEST(RungeKutta, ErrorEstimateIsOfOrderEight) {
+  // DOP853 combines the differences to solutions of order 3 and 5 (h⁴ and h⁶) to h¹²/h⁴.
+  const auto errors = local_errors(
+      [](Method& method, Kepler&, double, double) { return method.error_estimate(largest_component); });
+  EXPECT_NEAR(slope(errors), 8.0, 0.5);
+}
+
+TEST(RungeKutta, ErrorEstimateBoundsTheErrorOfAStep) {
   // An estimate, not a proof: on this mild orbit it bounds the error, at an eccentricity of 0.3 the error
   // reaches three times as much where steps are coarse.
   for (const double size : {0.1, 0.2, 0.3, 0.4}) {
@@ -133,8 +136,7 @@ TEST(RungeKutta, CombinedEstimateBoundsTheErrorOfAStep) {
       Method method;
       method.begin(kepler, exact(time));
       ASSERT_TRUE(method.attempt(kepler, size));
-      const auto estimate = method.error_estimate();
-      const double bound = combined_error(estimate.fifth.abs().maxCoeff(), estimate.third.abs().maxCoeff());
+      const double bound = method.error_estimate(largest_component);
       EXPECT_LE(distance(method.end(), exact(time + size)), bound + 2e-15) << size << ", " << time;
     }
   }
@@ -216,8 +218,7 @@ TEST(RungeKutta, StepAsksForNoMemory) {
   double sum = 0.0;
   for (int i = 0; i < 100; ++i) {
     method.attempt(kepler, 0.1);
-    const auto estimate = method.error_estimate();
-    sum += combined_error(estimate.fifth.abs().maxCoeff(), estimate.third.abs().maxCoeff());
+    sum += method.error_estimate(largest_component);
     method.make_dense(kepler);
     sum += method.interpolate(0.5).sum();
     method.accept();
@@ -278,15 +279,51 @@ TEST(RungeKutta, ShiftMovesOneComponentOfTheWholeStep) {
   EXPECT_EQ(method.interpolate(0.5)[0], before[0]);
 }
 
-TEST(StepControl, NextStepAimsAtTheToleranceWithinBounds) {
-  EXPECT_EQ(step_factor(0.0, 8), 2.0);
-  EXPECT_EQ(step_factor(1e-30, 8), 2.0);
-  EXPECT_EQ(step_factor(1e30, 8), 0.2);
-  EXPECT_NEAR(step_factor(1.0, 8), 0.9, 1e-15);
-  EXPECT_NEAR(step_factor(std::pow(0.6, 8), 8), 1.5, 1e-14);
-  EXPECT_EQ(combined_error(0.0, 0.0), 0.0);
-  EXPECT_NEAR(combined_error(3.0, 0.0), 3.0, 1e-15);
-  EXPECT_NEAR(combined_error(3.0, 40.0), 9.0 / 5.0, 1e-15);
+TEST(DormandPrince853, CombinesItsTwoEstimatesAsDop853Does) {
+  // The norm of the fifth-order difference, damped by how much smaller it is than that of the third.
+  const auto combined = [](double third, double fifth) {
+    return DormandPrince853::estimate(
+        [&](auto weights) { return weights() == DormandPrince853::kError3 ? third : fifth; });
+  };
+  EXPECT_EQ(combined(0.0, 0.0), 0.0);
+  EXPECT_NEAR(combined(0.0, 3.0), 3.0, 1e-15);
+  EXPECT_NEAR(combined(40.0, 3.0), 9.0 / 5.0, 1e-15);
+}
+
+TEST(StepFactor, NextStepAimsAtTheToleranceWithinBounds) {
+  EXPECT_EQ(step_factor(0.0, 5), 5.0);
+  EXPECT_EQ(step_factor(1e-30, 5), 5.0);
+  EXPECT_EQ(step_factor(1e30, 5), 0.2);
+  EXPECT_EQ(step_factor(std::numeric_limits<double>::infinity(), 5), 0.2);
+  EXPECT_NEAR(step_factor(1.0, 5), 0.9, 1e-15);
+  EXPECT_NEAR(step_factor(std::pow(0.6, 5), 5), 1.5, 1e-14);
+}
+
+TEST(StepControl, RelativeSizeTendsToWhereTheErrorStandsBelowWhatIsAccepted) {
+  // An error that falls exactly with size^8 and is 1 at a size of 0.3.
+  const auto error = [](double size) { return std::pow(size / 0.3, 8); };
+  for (const double first : {0.01, 0.1, 0.29}) {
+    StepControl control(8, first);
+    for (int i = 0; i < 60; ++i) control.accept(error(control.relative_size()), false);
+    EXPECT_LT(error(control.relative_size()), 1.0) << "accepted with a margin";
+    EXPECT_GT(error(control.relative_size()), 0.01) << "not wasted";
+  }
+}
+
+TEST(StepControl, RejectedStepIsFollowedByAShorterOne) {
+  for (const double error : {1.001, 3.0, 1e8, std::numeric_limits<double>::infinity()}) {
+    StepControl control(8, 0.2);
+    EXPECT_FALSE(StepControl::acceptable(error));
+    control.reject(error, 1.0);
+    EXPECT_LT(control.relative_size(), 0.2) << error;
+    EXPECT_GT(control.relative_size(), 0.0) << error;
+  }
+}
+
+TEST(StepControl, StepCutShortSaysNothingAboutTheNext) {
+  StepControl control(8, 0.2);
+  control.accept(1e-12, true);
+  EXPECT_EQ(control.relative_size(), 0.2);
 }
 
 }  // namespace
