@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <optional>
 
@@ -82,6 +83,61 @@ TEST(Grazing, NoTouchdownOfASweptWhirlIsMissedAndNoneIsInvented) {
   EXPECT_EQ(found, 401);
   EXPECT_EQ(invented, 0);
   EXPECT_LE(whirl.evaluations(), 802U * 40U) << "a graze is found by few steps, not by creeping";
+}
+
+/// A scene with the lengths above, blades (or a ring) so soft that a contact moves the shaft by less than 1e-9 of how
+/// deep it is, and a rotor at rest `depth` beyond the clearance.
+scene::Scene resting_rotor(scene::ContactLaw law, double depth, int revolutions) {
+  scene::Scene scene = default_rotor(revolutions);
+  scene.contact.law = law;
+  scene.blades.length = kReach;
+  scene.blades.youngs_modulus = 1e-3;
+  scene.ring.radius = kRadius;
+  scene.ring.stiffness = 1e-9;
+  scene.rotor.misalignment = kClearance * (1.0 + depth);
+  scene.observables = {"touchdowns_per_revolution"};
+  return scene;
+}
+
+TEST(Grazing, EachBladeTouchesOncePerRevolutionHoweverShallow) {
+  for (const auto law : {scene::ContactLaw::elastica, scene::ContactLaw::elastic_ring}) {
+    for (int decade = 3; decade <= 12; ++decade) {
+      const double depth = std::pow(10.0, -decade);
+      for (const int blades : {1, 3, 50}) {
+        scene::Scene scene = resting_rotor(law, depth, 10);
+        scene.blades.count = blades;
+        const auto touching = run(scene, 0.3);
+        ASSERT_EQ(touching.status, solve::PointStatus::done) << "depth 1e-" << decade;
+        EXPECT_EQ(touching.rows[0][0], blades) << "depth 1e-" << decade << ", law " << static_cast<int>(law);
+        scene.rotor.misalignment = kClearance * (1.0 - depth);
+        const auto clear = run(scene, 0.3);
+        ASSERT_EQ(clear.status, solve::PointStatus::done);
+        EXPECT_EQ(clear.work.touchdowns, 0U);
+        EXPECT_EQ(clear.work.right_hand_sides, 0U);
+      }
+    }
+  }
+}
+
+TEST(Grazing, AWhirlThatFollowsABladeJustBelowTheRingNeverTouchesAtLittleCost) {
+  // Unbalance turns the shaft with the rotor: blade 1 stays at the same distance from the ring for ever, 1e-3 … 1e-12
+  // of the clearance away. No bound on curvature gives long steps here; the amplitude of the whirl does.
+  for (int decade = 3; decade <= 12; ++decade) {
+    for (const double side : {-1.0, 1.0}) {
+      const double speed = 0.8;
+      const double damping = 0.1;
+      scene::Scene scene = resting_rotor(scene::ContactLaw::elastica, 0.0, 5);
+      scene.rotor.misalignment = 0.0;
+      scene.rotor.damping_ratio = damping;
+      const double amplitude = kClearance * (1.0 + side * std::pow(10.0, -decade));
+      const std::complex<double> stiffness(1.0 - speed * speed, 2.0 * damping * speed);
+      scene.unbalance = scene::Unbalance{amplitude * std::abs(stiffness) / (speed * speed), std::arg(stiffness)};
+      const auto outcome = run(scene, speed, {amplitude, 0.0, 0.0, speed * amplitude});
+      ASSERT_NO_FATAL_FAILURE(expect_an_honest_end(scene, outcome));
+      ASSERT_EQ(outcome.status, solve::PointStatus::done);
+      EXPECT_EQ(outcome.work.touchdowns, side < 0.0 ? 0U : outcome.work.touchdowns) << "depth 1e-" << decade;
+    }
+  }
 }
 
 }  // namespace

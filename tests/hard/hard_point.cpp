@@ -28,9 +28,14 @@ plan::PointParameters line_of(const scene::Scene& scene) {
           scene.unbalance ? scene.unbalance->moment : 0.0, scene.blades.thickness};
 }
 
-solve::PointOutcome run(const scene::Scene& scene, double speed_ratio, const solve::SectionState& start) {
-  return solve::make_line_solver(scene, line_of(scene), solve::make_blade_tables())
-      ->run(speed_ratio, start, [] {});
+const std::shared_ptr<solve::BladeTables>& shared_tables() {
+  static const auto kTables = solve::make_blade_tables();
+  return kTables;
+}
+
+solve::PointOutcome run(const scene::Scene& scene, double speed_ratio, const solve::SectionState& start,
+                        const std::shared_ptr<solve::BladeTables>& tables) {
+  return solve::make_line_solver(scene, line_of(scene), tables)->run(speed_ratio, start, [] {});
 }
 
 double largest_difference(const solve::SectionState& a, const solve::SectionState& b) {

@@ -14,7 +14,11 @@ scene::Scene test_rig(int revolutions);
 /// Parameters of the scene's one line.
 plan::PointParameters line_of(const scene::Scene& scene);
 
-solve::PointOutcome run(const scene::Scene& scene, double speed_ratio, const solve::SectionState& start = {});
+/// Blade tables that all cases with a few friction coefficients share.
+const std::shared_ptr<solve::BladeTables>& shared_tables();
+
+solve::PointOutcome run(const scene::Scene& scene, double speed_ratio, const solve::SectionState& start = {},
+                        const std::shared_ptr<solve::BladeTables>& tables = shared_tables());
 
 /// Largest difference of the components [m].
 double largest_difference(const solve::SectionState& a, const solve::SectionState& b);

@@ -22,7 +22,7 @@ void search(std::uint64_t first, std::uint64_t scenes) {
     const scene::Scene scene = random_scene(index);
     const double speed = scene.grid.speed_ratio.front();
     const solve::SectionState start{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
-    const auto outcome = run(scene, speed, start);
+    const auto outcome = run(scene, speed, start, solve::make_blade_tables());
     ASSERT_NO_FATAL_FAILURE(expect_an_honest_end(scene, outcome));
     if (outcome.status == solve::PointStatus::done) ++done;
     if (outcome.work.touchdowns > 0) ++touched;

@@ -1,0 +1,99 @@
+/// A motion below the scene, revolution by revolution, with its events and the force at the start of each contact:
+/// for cases that a scene cannot say (a signed spin, a start on the ring to the last bit).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "solve/motion.hpp"
+
+namespace rubatlas::test {
+
+/// Rotor, blades and ring of MODEL 6.1 where nothing else is said.
+struct HardRotor {
+  double speed_ratio = 0.3;       ///< Ω, may be negative [-]
+  double damping_ratio = 0.1;     ///< ζ [-]
+  double misalignment = 0.01001;  ///< y0 [m]
+  int blades = 3;
+  double ring_radius = 0.11;          ///< R [m]
+  double length = 0.1;                ///< L [m]; rh = 0
+  double thickness = 1e-3;            ///< h [m]
+  double bending_stiffness = 206e9 * 0.01 * 1e-9 / 12.0;  ///< EI [N m²]
+  double ring_stiffness = 1e4;        ///< kr [N/m]
+  double friction = 0.1;              ///< μ [-]
+  double tolerance = 1e-12;           ///< of the clearance
+
+  [[nodiscard]] double clearance() const { return ring_radius - length; }
+  [[nodiscard]] contact::Geometry geometry() const { return {length, ring_radius}; }
+  [[nodiscard]] double euler_load() const {  ///< [N]
+    return 0.25 * 9.869604401089358 * bending_stiffness / (length * length);
+  }
+  [[nodiscard]] solve::RotorConstants constants() const {
+    return {speed_ratio, damping_ratio, misalignment, 0.01, clearance()};
+  }
+  [[nodiscard]] solve::ContactLimits limits() const { return {tolerance * clearance(), 0.5}; }
+  [[nodiscard]] contact::ElasticaContact elastica() const {
+    return {geometry(), {length, thickness, bending_stiffness}, std::make_shared<blade::ElasticaCurve>(friction)};
+  }
+  [[nodiscard]] contact::ElasticRingContact elastic_ring() const {
+    return {geometry(), ring_stiffness, friction};
+  }
+};
+
+/// Pose of a blade at time τ of the revolution.
+inline contact::Pose pose_at(const HardRotor& rotor, int blade, double time, const solve::State& state) {
+  const solve::BladeSet blades(rotor.blades, rotor.speed_ratio);
+  return solve::pose_of(rotor.constants(), rotor.geometry(), blades.direction(blade, blades.first(time)), state);
+}
+
+struct RecordedEvent {
+  int revolution;
+  solve::Event event;
+};
+
+struct RecordedMotion {
+  solve::PointStatus status = solve::PointStatus::pending;
+  std::vector<RecordedEvent> events;
+  std::vector<solve::State> sections;  ///< after each revolution
+  solve::WorkCounts work;
+
+  [[nodiscard]] std::vector<solve::Event> of_kind(solve::PhaseEvent kind) const {
+    std::vector<solve::Event> found;
+    for (const RecordedEvent& entry : events) {
+      if (entry.event.kind == kind) found.push_back(entry.event);
+    }
+    return found;
+  }
+};
+
+/// Hands every piece of motion to a function, and keeps the events.
+template <class OnPiece>
+class Recording final : public solve::MotionListener {
+ public:
+  explicit Recording(OnPiece on_piece) : on_piece_(on_piece) {}
+  void piece(observables::MotionPiece& piece) override { on_piece_(piece); }
+  void event(const solve::Event& event) override { events.push_back({revolution, event}); }
+  int revolution = 0;
+  std::vector<RecordedEvent> events;
+
+ private:
+  OnPiece on_piece_;
+};
+
+template <class Law, class Forcing, class OnPiece>
+RecordedMotion follow(const HardRotor& rotor, const Law& law, const Forcing& forcing, const solve::State& start,
+                      int revolutions, OnPiece on_piece) {
+  solve::Motion<Law, Forcing> motion(rotor.constants(), rotor.blades, law, forcing, rotor.limits());
+  Recording<OnPiece> recording(on_piece);
+  RecordedMotion result;
+  result.status = motion.start(start);
+  for (; recording.revolution < revolutions && result.status == solve::PointStatus::done; ++recording.revolution) {
+    result.status = motion.revolution(recording);
+    result.sections.push_back(motion.state());
+  }
+  result.events = std::move(recording.events);
+  result.work = motion.work();
+  return result;
+}
+
+}  // namespace rubatlas::test

@@ -1,0 +1,48 @@
+/// Slip that reverses, and tips that nearly stick.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hard_point.hpp"
+
+namespace rubatlas::test {
+namespace {
+
+using solve::PointStatus;
+
+TEST(Slip, KickedRotorsReverseTheirSlipABoundedNumberOfTimes) {
+  // A shaft that whirls against the spin faster than the tips run reverses the slip of every contact; where both nearly
+  // cancel, the tip sticks and the model flips to and fro. Kicks of all sizes against slow and fast rotors, friction
+  // from none to twice the load.
+  int reversals = 0;
+  int done = 0;
+  int runs = 0;
+  for (const auto law : {scene::ContactLaw::elastica, scene::ContactLaw::elastic_ring}) {
+    for (const double friction : {0.0, 0.1, 0.5, 2.0}) {
+      for (const double speed : {0.005, 0.05, 0.3}) {
+        for (int kick = -10; kick <= 10; ++kick) {
+          SCOPED_TRACE(::testing::Message() << "law " << static_cast<int>(law) << ", friction " << friction
+                                            << ", speed " << speed << ", kick " << kick);
+          scene::Scene scene = default_rotor(2);
+          scene.contact = {law, friction};
+          scene.rotor.misalignment = 0.0;
+          const solve::SectionState start{0.005, 0.0, 0.0, 0.01 * kick * std::abs(kick) / 10.0};
+          const auto outcome = run(scene, speed, start);
+          ASSERT_NO_FATAL_FAILURE(expect_an_honest_end(scene, outcome));
+          reversals += static_cast<int>(outcome.work.slip_reversals);
+          ++runs;
+          if (outcome.status == PointStatus::done) {
+            ++done;
+          } else {
+            printf("law %d mu %g sp %g kick %d status %d rev %d td %lu slip %lu rhs %lu\n",(int)law,friction,speed,kick,(int)outcome.status,outcome.failed_revolution,outcome.work.touchdowns,outcome.work.slip_reversals,outcome.work.right_hand_sides);
+          }
+        }
+      }
+    }
+  }
+  printf("runs %d done %d reversals %d\n", runs, done, reversals);
+  EXPECT_GT(reversals, 1000);
+}
+
+}  // namespace
+}  // namespace rubatlas::test

@@ -1,0 +1,77 @@
+/// What an atlas says of a point does not hang on the digits that nobody chose: where the motion is called periodic,
+/// it is that whatever the tolerance, the step or the last digits of the start; where it hangs on them, it is not
+/// called periodic.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "analysis/class.hpp"
+#include "analysis/scene_tolerances.hpp"
+#include "hard_point.hpp"
+
+namespace rubatlas::test {
+namespace {
+
+using analysis::is_periodic;
+using analysis::motion_class::kAperiodic;
+using analysis::motion_class::kUnresolved;
+using solve::PointStatus;
+
+struct Verdict {
+  std::uint8_t motion;
+  double displacement;  ///< largest [m]
+};
+
+Verdict verdict(const scene::Scene& scene, double speed, const solve::SectionState& start) {
+  const auto outcome = run(scene, speed, start);
+  EXPECT_EQ(outcome.status, PointStatus::done) << speed;
+  return {analysis::classify(outcome.rows[0], analysis::closing_tolerance(scene)), outcome.rows[1][0]};
+}
+
+void expect_stable(scene::Scene scene, const char* name) {
+  scene.protocol = {200, 100, 64};
+  int periodic = 0;
+  int other = 0;
+  for (int i = 0; i <= 28; ++i) {
+    const double speed = 0.1 + 0.025 * i;
+    SCOPED_TRACE(::testing::Message() << name << ", speed " << speed);
+    const Verdict base = verdict(scene, speed, {});
+    scene::Scene tighter = scene;
+    tighter.accuracy.tolerance *= 0.1;
+    // The error of a step of order eight falls with 2⁻⁸.
+    scene::Scene half_steps = scene;
+    half_steps.accuracy.tolerance /= 256.0;
+    const Verdict variants[] = {verdict(tighter, speed, {}), verdict(half_steps, speed, {}),
+                                verdict(scene, speed, {1e-10, 0.0, 0.0, 0.0}),
+                                verdict(scene, speed, {0.0, -1e-10, 0.0, 1e-10})};
+    for (const Verdict& variant : variants) {
+      if (is_periodic(base.motion)) {
+        EXPECT_EQ(variant.motion, base.motion);
+        EXPECT_NEAR(variant.displacement, base.displacement, 1e-5 * base.displacement);
+      } else {
+        EXPECT_TRUE(variant.motion == kUnresolved || variant.motion == kAperiodic)
+            << static_cast<int>(base.motion) << " became " << static_cast<int>(variant.motion);
+      }
+    }
+    (is_periodic(base.motion) ? periodic : other) += 1;
+  }
+  EXPECT_GT(periodic, 4);
+  EXPECT_GT(other, 4);
+}
+
+TEST(StableClass, OfTheDefaultRotorDoesNotHangOnDigitsThatNobodyChose) {
+  expect_stable(default_rotor(1), "default rotor");
+}
+
+TEST(StableClass, OfBladesInAnElasticRingDoesNotHangOnDigitsThatNobodyChose) {
+  scene::Scene scene = default_rotor(1);
+  scene.contact.law = scene::ContactLaw::elastic_ring;
+  expect_stable(scene, "elastic ring");
+}
+
+TEST(StableClass, OfTheTestRigDoesNotHangOnDigitsThatNobodyChose) {
+  expect_stable(test_rig(1), "test rig");
+}
+
+}  // namespace
+}  // namespace rubatlas::test
