@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "mpi/exit_code.hpp"
 #include "scene/nearest.hpp"
@@ -37,8 +36,8 @@ void require_known(const std::string& method) {
 }
 
 /// The values, or the usual ones where none are given; each within the range of its key in a scene.
-std::vector<double> ladder(const std::vector<double>& values, std::vector<double> usual,
-                           std::string_view option, std::string_view pointer) {
+const std::vector<double>& ladder(const std::vector<double>& values, const std::vector<double>& usual,
+                                  std::string_view option, std::string_view pointer) {
   const scene::Quantity& quantity = scene::quantity(pointer);
   for (const double value : values) {
     if (!quantity.range.contains(value)) {
@@ -46,7 +45,7 @@ std::vector<double> ladder(const std::vector<double>& values, std::vector<double
           fmt::format("{} {}: outside {}; {}", option, value, quantity.range.text(), quantity.meaning));
     }
   }
-  return values.empty() ? std::move(usual) : values;
+  return values.empty() ? usual : values;
 }
 
 /// The reference has to be possible too.
@@ -68,12 +67,15 @@ std::vector<std::string_view> accuracy_methods() {
 }
 
 std::vector<AccuracySetting> accuracy_settings(const AccuracyLadders& ladders, const scene::Scene& scene) {
-  const auto tolerances =
-      ladder(ladders.tolerances, {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}, "--tolerances",
-             "/accuracy/tolerance");
-  const auto increments =
-      ladder(ladders.force_increments, {1.0, 0.1, 0.01}, "--force-increments", "/accuracy/force_increment");
-  const auto steps = ladder(ladders.steps, {2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4}, "--steps", "/accuracy/step");
+  static const AccuracyLadders kUsual{.methods = {},
+                                      .tolerances = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12},
+                                      .force_increments = {1.0, 0.1, 0.01},
+                                      .steps = {2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4}};
+  const auto& tolerances =
+      ladder(ladders.tolerances, kUsual.tolerances, "--tolerances", "/accuracy/tolerance");
+  const auto& increments = ladder(ladders.force_increments, kUsual.force_increments, "--force-increments",
+                                  "/accuracy/force_increment");
+  const auto& steps = ladder(ladders.steps, kUsual.steps, "--steps", "/accuracy/step");
   require_room_for_the_reference(tolerances);
   std::vector<std::string> methods = ladders.methods;
   for (const auto& method : methods) require_known(method);

@@ -1,9 +1,8 @@
 #include "mpi/accuracy_study.hpp"
 
-#include <time.h>  // clock_gettime is POSIX
-
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <memory>
 
 #include "analysis/class.hpp"

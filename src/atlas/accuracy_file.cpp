@@ -41,6 +41,7 @@ class Writer {
   void words_of_settings(const std::string& name, const std::string& long_name,
                          std::string AccuracySetting::*member) {
     std::vector<std::string> words;
+    words.reserve(study_.settings.size());
     for (const auto& setting : study_.settings) words.push_back(setting.*member);
     Dataset dataset = file_.create_texts(name, words);
     dataset.attach_scale(0, setting_);
