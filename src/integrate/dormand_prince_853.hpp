@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 namespace rubatlas::integrate {
 
@@ -58,6 +59,18 @@ struct DormandPrince853 {
   static constexpr std::array<double, 13> kError5 = {
       {0.01312004499419488, 0, 0, 0, 0, -1.2251564463762044, -0.4957589496572502, 1.6643771824549864,
        -0.35032884874997366, 0.3341791187130175, 0.08192320648511571, -0.022355307863886294, 0}};
+  /// The combination of the two that DOP853 uses: it falls with size^8. `norm_of` gives the norm of the
+  /// difference with the given weights.
+  template <class NormOf>
+  static double estimate(NormOf norm_of) {
+    const double third = norm_of([] { return kError3; });
+    const double fifth = norm_of([] { return kError5; });
+    const double denominator = std::sqrt(fifth * fifth + 0.01 * third * third);
+    return denominator > 0.0 ? fifth * fifth / denominator : 0.0;
+  }
+  /// How much the estimate exceeds the local error of the solution, whose order is one higher (README).
+  static constexpr double kEstimateExcess = 12.0;
+
   /// d[i][j]: stage weights of the upper four coefficients of dense output.
   static constexpr std::array<std::array<double, 16>, 4> kDense = {{
       {{-8.428938276109013, 0, 0, 0, 0, 0.5667149535193777, -3.0689499459498917, 2.38466765651207,

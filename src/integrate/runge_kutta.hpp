@@ -49,14 +49,11 @@ class RungeKutta {
   [[nodiscard]] const Vector& start_derivative() const { return stages_[0]; }
   [[nodiscard]] const Vector& end_derivative() const { return stages_[Table::kStages]; }
 
-  /// Differences to the embedded solutions of order 3 and 5.
-  struct ErrorEstimate {
-    Vector third;
-    Vector fifth;
-  };
-  [[nodiscard]] ErrorEstimate error_estimate() const {
-    return {size_ * weighted_sum([] { return Table::kError3; }),
-            size_ * weighted_sum([] { return Table::kError5; })};
+  /// Estimate of the local error, from the differences to the embedded solutions in the given norm (a
+  /// functional from vectors to numbers).
+  template <class Norm>
+  [[nodiscard]] double error_estimate(Norm norm) const {
+    return Table::estimate([&](auto weights) { return norm(size_ * weighted_sum(weights)); });
   }
 
   /// Evaluates the further stages of dense output for the step last tried, once.
@@ -71,24 +68,16 @@ class RungeKutta {
     dense_[0] = difference;
     dense_[1] = size_ * stages_[0] - difference;
     dense_[2] = 2.0 * difference - size_ * (stages_[0] + stages_[Table::kStages]);
-    dense_[3] = size_ * weighted_sum([] { return Table::kDense[0]; });
-    dense_[4] = size_ * weighted_sum([] { return Table::kDense[1]; });
-    dense_[5] = size_ * weighted_sum([] { return Table::kDense[2]; });
-    dense_[6] = size_ * weighted_sum([] { return Table::kDense[3]; });
+    set_upper_coefficients(std::make_index_sequence<Table::kDense.size()>{});
     dense_ready_ = true;
     return true;
   }
 
-  /// State at the fraction θ in [0, 1] of the step; needs `make_dense`.
+  /// State at the fraction θ in [0, 1] of the step; needs `make_dense`. Coefficients are nested with factors
+  /// θ and 1 − θ in turn, the first three being those of the cubic that the ends and their slopes give.
   [[nodiscard]] Vector interpolate(double fraction) const {
-    const double rest = 1.0 - fraction;
-    Vector value = dense_[6];
-    value = dense_[5] + fraction * value;
-    value = dense_[4] + rest * value;
-    value = dense_[3] + fraction * value;
-    value = dense_[2] + rest * value;
-    value = dense_[1] + fraction * value;
-    value = dense_[0] + rest * value;
+    Vector value = dense_[kCoefficients - 1];
+    for (std::size_t i = kCoefficients - 1; i-- > 0;) value = dense_[i] + factor(i, fraction) * value;
     return start_ + fraction * value;
   }
 
@@ -103,27 +92,22 @@ class RungeKutta {
     double slope;
   };
   [[nodiscard]] ValueAndSlope interpolate_with_slope(double fraction, int component) const {
-    const double rest = 1.0 - fraction;
-    double value = dense_[6][component];
+    double value = dense_[kCoefficients - 1][component];
     double slope = 0.0;
-    for (int i = 5; i >= 0; --i) {
-      const bool by_fraction = i % 2 != 0;
-      slope = by_fraction ? value + fraction * slope : rest * slope - value;
-      value = dense_[static_cast<std::size_t>(i)][component] + (by_fraction ? fraction : rest) * value;
+    for (std::size_t i = kCoefficients - 1; i-- > 0;) {
+      slope = i % 2 != 0 ? value + fraction * slope : factor(i, fraction) * slope - value;
+      value = dense_[i][component] + factor(i, fraction) * value;
     }
     return {start_[component] + fraction * value, value + fraction * slope};
   }
 
   /// (component at θ − component at 0) / θ, finite at θ = 0.
   [[nodiscard]] double mean_slope(double fraction, int component) const {
-    const double rest = 1.0 - fraction;
-    double value = dense_[6][component];
-    value = dense_[5][component] + fraction * value;
-    value = dense_[4][component] + rest * value;
-    value = dense_[3][component] + fraction * value;
-    value = dense_[2][component] + rest * value;
-    value = dense_[1][component] + fraction * value;
-    return dense_[0][component] + rest * value;
+    double value = dense_[kCoefficients - 1][component];
+    for (std::size_t i = kCoefficients - 1; i-- > 0;) {
+      value = dense_[i][component] + factor(i, fraction) * value;
+    }
+    return value;
   }
 
   /// Moves one component of the step by a constant (a time whose origin moves).
@@ -133,6 +117,18 @@ class RungeKutta {
   }
 
  private:
+  static constexpr std::size_t kCoefficients = 3 + Table::kDense.size();
+
+  /// Between the coefficients i and i + 1 of dense output.
+  [[nodiscard]] static double factor(std::size_t i, double fraction) {
+    return i % 2 != 0 ? fraction : 1.0 - fraction;
+  }
+
+  template <std::size_t... kI>
+  void set_upper_coefficients(std::index_sequence<kI...>) {
+    ((dense_[3 + kI] = size_ * weighted_sum([] { return Table::kDense[kI]; })), ...);
+  }
+
   // Weights come as a captureless function, so that each is a constant and zero ones leave no instruction
   // behind.
   template <class Weights>
@@ -169,7 +165,7 @@ class RungeKutta {
   double size_ = 0.0;
   bool dense_ready_ = false;
   std::array<Vector, Table::kDenseStages> stages_;
-  std::array<Vector, 7> dense_;
+  std::array<Vector, kCoefficients> dense_;
 };
 
 }  // namespace rubatlas::integrate

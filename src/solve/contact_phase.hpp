@@ -34,7 +34,7 @@ struct ContactLimits {
   double max_shortening;  ///< of δ/L [-]
 };
 
-template <class System, class Law>
+template <class System, class Law, class Pair>
 class ContactPhase final : public observables::MotionPiece {
  public:
   ContactPhase(const RotorConstants& rotor, const BladeSet& blades, const Law& law,
@@ -83,9 +83,9 @@ class ContactPhase final : public observables::MotionPiece {
       }
       if (++steps_in_phase_ > kMostStepsInPhase) return {PhaseEvent::failed};
       switch (step_.make()) {
-        case ContactStep<System, Law>::Outcome::failed:
+        case ContactStep<System, Law, Pair>::Outcome::failed:
           return {PhaseEvent::failed};
-        case ContactStep<System, Law>::Outcome::no_force:
+        case ContactStep<System, Law, Pair>::Outcome::no_force:
           return {PhaseEvent::left_validity};
         default:
           find_end();
@@ -135,7 +135,7 @@ class ContactPhase final : public observables::MotionPiece {
 
   static constexpr double kSlipRounding = 1e-12;  ///< of Ω R: v where a slip reversal has been located
 
-  using Gap = typename ContactStep<System, Law>::Gap;
+  using Gap = typename ContactStep<System, Law, Pair>::Gap;
 
   /// What is followed of a blade from step to step.
   struct Watched {
@@ -277,7 +277,7 @@ class ContactPhase final : public observables::MotionPiece {
   double misalignment_;  ///< y0 [m]
   double ring_radius_;   ///< R [m]
   double tip_speed_;     ///< Ω R [m per unit τ]
-  ContactStep<System, Law> step_;
+  ContactStep<System, Law, Pair> step_;
   std::vector<Watched> watched_;  ///< one per blade
   bool pending_ = false;          ///< a step has been made and not been recorded to its end
   PhaseEnd end_{};                ///< what happens at the end of that step's segment

@@ -1,9 +1,9 @@
 /// One accepted step of a contact phase, with everything that can be asked of it: states on dense output,
 /// gaps, forces.
 ///
-/// `System` is one of the right-hand sides of `contact_system.hpp`. What comes out of a step does not depend
-/// on what has been asked of the steps before it: dense output is made on a copy of the system's first
-/// guesses.
+/// `System` is one of the right-hand sides of `contact_system.hpp`, `Pair` a table of Runge–Kutta
+/// coefficients. What comes out of a step does not depend on what has been asked of the steps before it:
+/// dense output is made on a copy of the system's first guesses.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "contact/pose.hpp"
-#include "integrate/dormand_prince_853.hpp"
 #include "integrate/root_between.hpp"
 #include "integrate/runge_kutta.hpp"
 #include "integrate/step_control.hpp"
@@ -23,7 +22,7 @@
 
 namespace rubatlas::solve {
 
-template <class System, class Law>
+template <class System, class Law, class Pair>
 class ContactStep {
  public:
   /// The bending parameter is a state of the system.
@@ -32,7 +31,12 @@ class ContactStep {
   /// `tolerance` bounds the local error of a step [m]: accuracy.tolerance × δc.
   ContactStep(const RotorConstants& rotor, const BladeSet& blades, const Law& law, double tolerance,
               System system)
-      : rotor_(&rotor), blades_(&blades), law_(&law), tolerance_(tolerance), system_(std::move(system)) {}
+      : rotor_(&rotor),
+        blades_(&blades),
+        law_(&law),
+        tolerance_(tolerance),
+        system_(std::move(system)),
+        control_(Pair::kOrder, kFirstSize) {}
 
   /// Starts a phase at time τ of the revolution. False where the system cannot start there.
   bool start(double time, const State& state, const std::vector<OpenContact>& contacts) {
@@ -44,8 +48,7 @@ class ContactStep {
     } else {
       system_.open(contacts_);
     }
-    size_ = first_size_;
-    first_ = true;
+    control_.begin_phase();
     return step_.begin(system_, full);
   }
 
@@ -53,22 +56,25 @@ class ContactStep {
 
   /// Makes one step that keeps the tolerance.
   Outcome make() {
-    if constexpr (kCarried) aim_at_lift_off();
     while (true) {
-      const bool evaluated = step_.attempt(system_, size_);
+      const double proposed = proposed_size();
+      const double size = aimed_at_lift_off(proposed);
+      const bool evaluated = step_.attempt(system_, size);
       const double error = evaluated ? scaled_error() : std::numeric_limits<double>::infinity();
-      if (error <= 1.0 && !holds_whole_contact()) {
-        ++accepted_;
-        if (first_) first_size_ = size_;
-        first_ = false;
-        size_ *= factor(error);
-        if constexpr (kCarried) project();
-        return Outcome::accepted;
+      if (integrate::StepControl::acceptable(error)) {
+        if (!holds_whole_contact()) {
+          ++accepted_;
+          control_.accept(error, size < proposed);
+          if constexpr (kCarried) project();
+          return Outcome::accepted;
+        }
+        control_.halve(size / proposed);
+      } else {
+        control_.reject(error, size / proposed);
       }
       ++rejected_;
-      size_ *= !std::isfinite(error) ? 0.25 : error <= 1.0 ? 0.5 : std::min(factor(error), 0.9);
       // Where no stage can find a force however short the step, the contact equation has lost its root.
-      if (!(size_ > kSmallestSize)) return evaluated ? Outcome::failed : Outcome::no_force;
+      if (!(size > kSmallestSize)) return evaluated ? Outcome::failed : Outcome::no_force;
     }
   }
 
@@ -197,15 +203,39 @@ class ContactStep {
   [[nodiscard]] std::uint64_t rejected() const { return rejected_; }
 
  private:
-  static constexpr double kFirstSize = 0.02;      ///< in σ; only the first contact of a point starts with it
+  static constexpr double kFirstSize =
+      0.1;  ///< of the scale; only the first contact of a point starts with it
   static constexpr double kSmallestSize = 1e-15;  ///< in σ
   static constexpr double kFractionResolution = 1e-14;
-  static constexpr double kAimBehind = 1.05;  ///< of the way to lift-off
+  static constexpr double kAimBehind = 1.05;     ///< of the way to lift-off
+  static constexpr double kBendingWeight = 0.3;  ///< of the relative error of u against that of the state
   static constexpr double kWellDetermined =
       1e-2;  ///< of |∂h/∂u| against |dh/dτ|; near lift-off u carries the clock
 
-  [[nodiscard]] static double factor(double error) {
-    return integrate::step_factor(error, integrate::DormandPrince853::kOrder);
+  /// Scale on which the motion varies where the blade is bent by u [in σ]: the distance of u to the curve's
+  /// singularities ±iβ. Where forces are solved for, σ = τ has no scale of its own.
+  [[nodiscard]] double scale(double bending) const {
+    if constexpr (kCarried) {
+      const double load_angle = law_->curve().load_angle();
+      // The column (μ = 0) has none but ψL = π.
+      const double width = load_angle > 0.0 ? load_angle : 1.0;
+      return std::sqrt(width * width + bending * bending);
+    }
+    return 1.0;
+  }
+
+  /// The control's share of the scale, which is taken in the middle of the step, as far as the rate of u
+  /// tells where that is.
+  [[nodiscard]] double proposed_size() const {
+    const double bending = step_.start()[kBending];
+    const double rate = step_.start_derivative()[kBending];
+    double size = control_.relative_size() * scale(bending);
+    if constexpr (kCarried) {
+      for (int i = 0; i < 2; ++i) {
+        size = control_.relative_size() * scale(std::max(0.0, bending + 0.5 * size * rate));
+      }
+    }
+    return size;
   }
 
   [[nodiscard]] contact::Pose pose(int blade, const ContactState& state) const {
@@ -224,36 +254,46 @@ class ContactStep {
     }
   }
 
-  /// Local error of the step in units of the tolerance, in every component of the state at fixed time.
+  /// Local error of the step in units of the tolerance: of the state at fixed time, of the time along the
+  /// path, and of the bending parameter on its own scale. Each of them passes through zero at places, the sum
+  /// does not.
   [[nodiscard]] double scaled_error() const {
-    const auto estimate = step_.error_estimate();
     const ContactState& end = step_.end();
     const std::complex<double> acceleration = system_.last_acceleration();
     const State rate(end[2], end[3], acceleration.real(), acceleration.imag());
-    // An error of the time is an error of the state along its path.
-    const State third = estimate.third.template head<4>() - rate * estimate.third[kTime];
-    const State fifth = estimate.fifth.template head<4>() - rate * estimate.fifth[kTime];
-    return integrate::combined_error(fifth.abs().maxCoeff(), third.abs().maxCoeff()) / tolerance_;
+    const double fastest = rate.abs().maxCoeff();
+    double bending_weight = 0.0;
+    if constexpr (kCarried) {
+      bending_weight = kBendingWeight * rotor_->length_scale /
+                       std::min(scale(step_.start()[kBending]), scale(end[kBending]));
+    }
+    const double estimate = step_.error_estimate([&](const ContactState& difference) {
+      // An error of the time is an error of the state along its path.
+      const double time = difference[kTime];
+      const double along = fastest * time;
+      const double bending = bending_weight * difference[kBending];
+      const State state = difference.template head<4>() - rate * time;
+      return std::sqrt(state.square().sum() + along * along + bending * bending);
+    });
+    return estimate / (Pair::kEstimateExcess * tolerance_);
   }
 
   /// A step from rising load to beyond lift-off. Its error may be small at its end, but lift-off would be
   /// read from the middle of dense output, whose order is one less.
   [[nodiscard]] bool holds_whole_contact() const {
-    return passes_lift_off() && step_.start_derivative()[kBending] > 0.0 && size_ > kSmallestSize;
+    return passes_lift_off() && step_.start_derivative()[kBending] > 0.0 && step_.size() > kSmallestSize;
   }
 
   /// Lets the step that would pass lift-off end just behind it, and the two before share what is left evenly.
   /// A step far past u = 0 is wasted, and dense output is at its best near the ends of a step.
-  void aim_at_lift_off() {
+  [[nodiscard]] double aimed_at_lift_off(double size) const {
+    if constexpr (!kCarried) return size;
     const double bending = step_.start()[kBending];
     const double rate = step_.start_derivative()[kBending];
-    if (!(rate < 0.0) || !(bending > 0.0)) return;
+    if (!(rate < 0.0) || !(bending > 0.0)) return size;
     const double remaining = kAimBehind * bending / -rate;
-    if (remaining <= size_) {
-      size_ = remaining;
-    } else if (remaining < 2.0 * size_) {
-      size_ = 0.5 * remaining;
-    }
+    if (remaining <= size) return remaining;
+    return remaining < 2.0 * size ? 0.5 * remaining : size;
   }
 
   /// Moves the bending parameter back onto h = 0 by one Newton step, where h determines it well.
@@ -269,12 +309,10 @@ class ContactStep {
   const Law* law_;
   double tolerance_;
   System system_;
-  integrate::RungeKutta<integrate::DormandPrince853, 6> step_;
+  integrate::RungeKutta<Pair, 6> step_;
+  integrate::StepControl control_;
   std::vector<OpenContact> contacts_;
   std::vector<OpenContact> guesses_;
-  double size_ = kFirstSize;        ///< of the next step
-  double first_size_ = kFirstSize;  ///< of the first step of a phase, from the phase before
-  bool first_ = true;
   std::uint64_t accepted_ = 0;
   std::uint64_t rejected_ = 0;
 };

@@ -14,6 +14,7 @@
 
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
+#include "integrate/dormand_prince_853.hpp"
 #include "observables/largest_distance.hpp"
 #include "solve/contact_phase.hpp"
 #include "solve/flight.hpp"
@@ -23,7 +24,7 @@
 
 namespace rubatlas::solve {
 
-template <class Law, class Forcing>
+template <class Law, class Forcing, class Pair = integrate::DormandPrince853>
 class Motion {
  public:
   Motion(const RotorConstants& rotor, int blade_count, Law law, const Forcing& forcing,
@@ -264,8 +265,8 @@ class Motion {
   BladeSet blades_;
   Flight<Forcing> flight_;
   TouchdownSearch search_;
-  ContactPhase<SolvedContacts<Law, Forcing>, Law> solved_;
-  std::optional<ContactPhase<CarriedContact<Forcing>, contact::ElasticaContact>> carried_;
+  ContactPhase<SolvedContacts<Law, Forcing>, Law, Pair> solved_;
+  std::optional<ContactPhase<CarriedContact<Forcing>, contact::ElasticaContact, Pair>> carried_;
   std::vector<OpenContact> contacts_;
   Phase phase_ = Phase::undecided;
   State state_ = State::Zero();
