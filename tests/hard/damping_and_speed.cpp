@@ -21,9 +21,9 @@ constexpr std::array<double, 9> kSpeeds = {0.005, 0.02, 0.1, 1.0 / 3.0, 0.62, 1.
 const std::array kLaws = {scene::ContactLaw::elastica, scene::ContactLaw::elastic_ring};
 
 TEST(DampingAndSpeed, EveryDampingAtEverySpeedConverges) {
-  // Undamped, nearly undamped, critical to within a rounding, creeping; two hundred natural periods in a revolution to
-  // five revolutions in one. Two tolerances agree after a revolution as far as the motion lets errors be: starts that
-  // are shifted by a nanometre tell how much it amplifies what each contact adds.
+  // Undamped, nearly undamped, critical to within a rounding, creeping; two hundred natural periods in a
+  // revolution to five revolutions in one. Two tolerances agree after a revolution as far as the motion lets
+  // errors be: starts that are shifted by a nanometre tell how much it amplifies what each contact adds.
   constexpr double kTolerance = 1e-10;
   constexpr double kShift = 1e-9;
   int touched = 0;
@@ -31,8 +31,8 @@ TEST(DampingAndSpeed, EveryDampingAtEverySpeedConverges) {
   for (const auto law : kLaws) {
     for (const double damping : kDampings) {
       for (const double speed : kSpeeds) {
-        SCOPED_TRACE(::testing::Message() << "law " << static_cast<int>(law) << ", damping 1 + " << damping - 1.0
-                                          << ", speed " << speed);
+        SCOPED_TRACE(::testing::Message() << "law " << static_cast<int>(law) << ", damping 1 + "
+                                          << damping - 1.0 << ", speed " << speed);
         scene::Scene scene = default_rotor(1);
         scene.contact.law = law;
         scene.rotor.damping_ratio = damping;
@@ -97,7 +97,8 @@ TEST(DampingAndSpeed, AnUndampedResonantRotorGrowsWithTimeUntilItMeetsTheRing) {
   for (std::size_t revolution = 0; revolution < 200; ++revolution) {
     const double grown = 1e-5 * std::numbers::pi * static_cast<double>(revolution + 1);
     const auto state = section(growing.rows[0], revolution);
-    EXPECT_LE(largest_difference(state, {0.0, -grown, grown, 0.0}), 1e-13 * static_cast<double>(revolution + 1) * grown)
+    EXPECT_LE(largest_difference(state, {0.0, -grown, grown, 0.0}),
+              1e-13 * static_cast<double>(revolution + 1) * grown)
         << revolution;
   }
   // δc = 0.01 is passed in revolution 318.3.
@@ -109,8 +110,8 @@ TEST(DampingAndSpeed, AnUndampedResonantRotorGrowsWithTimeUntilItMeetsTheRing) {
 }
 
 TEST(DampingAndSpeed, ADeeplyMisalignedRotorIsInContactForEver) {
-  // Soft blades under a shaft far off the ring's centre: one or two of eight always touch, there is no flight to
-  // search, and each blade comes and goes once in a revolution.
+  // Soft blades under a shaft far off the ring's centre: one or two of eight always touch, there is no flight
+  // to search, and each blade comes and goes once in a revolution.
   scene::Scene scene = default_rotor(20);
   scene.blades.count = 8;
   scene.blades.thickness = 1e-4;

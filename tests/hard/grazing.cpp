@@ -85,8 +85,8 @@ TEST(Grazing, NoTouchdownOfASweptWhirlIsMissedAndNoneIsInvented) {
   EXPECT_LE(whirl.evaluations(), 802U * 40U) << "a graze is found by few steps, not by creeping";
 }
 
-/// A scene with the lengths above, blades (or a ring) so soft that a contact moves the shaft by less than 1e-9 of how
-/// deep it is, and a rotor at rest `depth` beyond the clearance.
+/// A scene with the lengths above, blades (or a ring) so soft that a contact moves the shaft by less than
+/// 1e-9 of how deep it is, and a rotor at rest `depth` beyond the clearance.
 scene::Scene resting_rotor(scene::ContactLaw law, double depth, int revolutions) {
   scene::Scene scene = default_rotor(revolutions);
   scene.contact.law = law;
@@ -120,8 +120,9 @@ TEST(Grazing, EachBladeTouchesOncePerRevolutionHoweverShallow) {
 }
 
 TEST(Grazing, AWhirlThatFollowsABladeJustBelowTheRingNeverTouchesAtLittleCost) {
-  // Unbalance turns the shaft with the rotor: blade 1 stays at the same distance from the ring for ever, 1e-3 … 1e-12
-  // of the clearance away. No bound on curvature gives long steps here; the amplitude of the whirl does.
+  // Unbalance turns the shaft with the rotor: blade 1 stays at the same distance from the ring for ever, 1e-3
+  // … 1e-12 of the clearance away. No bound on curvature gives long steps here; the amplitude of the whirl
+  // does.
   for (int decade = 3; decade <= 12; ++decade) {
     for (const double side : {-1.0, 1.0}) {
       const double speed = 0.8;
@@ -131,7 +132,8 @@ TEST(Grazing, AWhirlThatFollowsABladeJustBelowTheRingNeverTouchesAtLittleCost) {
       scene.rotor.damping_ratio = damping;
       const double amplitude = kClearance * (1.0 + side * std::pow(10.0, -decade));
       const std::complex<double> stiffness(1.0 - speed * speed, 2.0 * damping * speed);
-      scene.unbalance = scene::Unbalance{amplitude * std::abs(stiffness) / (speed * speed), std::arg(stiffness)};
+      scene.unbalance =
+          scene::Unbalance{amplitude * std::abs(stiffness) / (speed * speed), std::arg(stiffness)};
       const auto outcome = run(scene, speed, {amplitude, 0.0, 0.0, speed * amplitude});
       ASSERT_NO_FATAL_FAILURE(expect_an_honest_end(scene, outcome));
       ASSERT_EQ(outcome.status, solve::PointStatus::done);

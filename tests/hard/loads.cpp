@@ -1,4 +1,5 @@
-/// Force through and far beyond the Euler load, blades from foil to block, friction from none to twice the load.
+/// Force through and far beyond the Euler load, blades from foil to block, friction from none to twice the
+/// load.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,14 +26,15 @@ double euler_load(const scene::Scene& scene) {
 }
 
 TEST(Loads, EveryBladeMaterialAndFrictionKeepsTheTolerance) {
-  // Twenty million times from the softest to the stiffest blade. The first contacts of a rotor at rest: what comes
-  // after them amplifies errors, and is not what is asked here.
+  // Twenty million times from the softest to the stiffest blade. The first contacts of a rotor at rest: what
+  // comes after them amplifies errors, and is not what is asked here.
   for (const double modulus : {kSteel, kRubber}) {
     for (const double thickness : kThicknesses) {
       for (const double friction : kFrictions) {
         for (const auto law : {scene::ContactLaw::elastica, scene::ContactLaw::elastic_ring}) {
-          SCOPED_TRACE(::testing::Message() << "modulus " << modulus << ", thickness " << thickness << ", friction "
-                                            << friction << ", law " << static_cast<int>(law));
+          SCOPED_TRACE(::testing::Message()
+                       << "modulus " << modulus << ", thickness " << thickness << ", friction " << friction
+                       << ", law " << static_cast<int>(law));
           scene::Scene scene = default_rotor(1);
           scene.contact = {law, friction};
           scene.blades.youngs_modulus = modulus;
@@ -47,7 +49,8 @@ TEST(Loads, EveryBladeMaterialAndFrictionKeepsTheTolerance) {
           EXPECT_GT(tight.work.touchdowns, 0U);
           EXPECT_EQ(loose.status, PointStatus::done);
           EXPECT_EQ(tight.status, PointStatus::done);
-          EXPECT_LE(largest_difference(loose.final_state, tight.final_state), 100.0 * 1e-9 * scene.clearance());
+          EXPECT_LE(largest_difference(loose.final_state, tight.final_state),
+                    100.0 * 1e-9 * scene.clearance());
         }
       }
     }
@@ -55,9 +58,10 @@ TEST(Loads, EveryBladeMaterialAndFrictionKeepsTheTolerance) {
 }
 
 TEST(Loads, TheForceGoesThroughTheEulerLoadAndFarBeyond) {
-  // A stiff shaft pushes its blades through and beyond buckling, up to where they are shortened by half (at twice the
-  // Euler load a blade is shortened by 0.9, beyond the model): nothing special happens to the integrator, whose force is
-  // a function of the bending. Without friction the blade is a column, and no load below the Euler load exists.
+  // A stiff shaft pushes its blades through and beyond buckling, up to where they are shortened by half (at
+  // twice the Euler load a blade is shortened by 0.9, beyond the model): nothing special happens to the
+  // integrator, whose force is a function of the bending. Without friction the blade is a column, and no load
+  // below the Euler load exists.
   for (const double friction : {0.0, 1e-3, 0.1, 0.5}) {
     double largest = 0.0;
     double smallest = 1e300;

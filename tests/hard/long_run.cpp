@@ -13,8 +13,8 @@ namespace {
 using solve::PointStatus;
 using solve::SectionState;
 
-/// The free rotor after a number of revolutions, ζ = 0: turned in the plane (z, z') by 2π N/Ω. The angle is reduced in
-/// whole numbers of turns before it is rounded: Ω is a quotient of small whole numbers.
+/// The free rotor after a number of revolutions, ζ = 0: turned in the plane (z, z') by 2π N/Ω. The angle is
+/// reduced in whole numbers of turns before it is rounded: Ω is a quotient of small whole numbers.
 SectionState swung(const SectionState& start, long revolutions, long numerator, long denominator) {
   const long turns = revolutions * denominator % numerator;  // N/Ω modulo 1, in units of 1/numerator
   const double angle = 2.0 * std::numbers::pi * static_cast<double>(turns) / static_cast<double>(numerator);
@@ -44,18 +44,21 @@ void fly(int revolutions) {
     ASSERT_EQ(outcome.status, PointStatus::done);
     ASSERT_EQ(outcome.work.right_hand_sides, 0U);
     const double relative_energy = std::abs(energy(outcome.final_state) / energy(start) - 1.0);
-    // Rounding at the end of each revolution, half a unit in the last place in each of four components; and the
-    // rounding of 2π/Ω, the same each time.
+    // Rounding at the end of each revolution, half a unit in the last place in each of four components; and
+    // the rounding of 2π/Ω, the same each time.
     EXPECT_LE(relative_energy, 2.0 * revolutions * 2.2e-16) << ratio;
-    const double phase_error = largest_difference(outcome.final_state, swung(start, revolutions, speed.numerator, speed.denominator)) / 5e-3;
+    const double phase_error =
+        largest_difference(outcome.final_state,
+                           swung(start, revolutions, speed.numerator, speed.denominator)) /
+        5e-3;
     EXPECT_LE(phase_error, revolutions * (1.0 + 2.0 * std::numbers::pi / ratio) * 2.2e-16) << ratio;
     printf("%g energy %g phase %g\n", ratio, relative_energy, phase_error);
   }
 }
 
 void rub(int revolutions) {
-  // An orbit with contacts that repeats every revolution, and one that repeats every third: after the transient each
-  // section is the same to the last digits, and stays so.
+  // An orbit with contacts that repeats every revolution, and one that repeats every third: after the
+  // transient each section is the same to the last digits, and stays so.
   for (const double speed : {0.4, 0.62}) {
     scene::Scene scene = default_rotor(100);
     scene.protocol.transient_revolutions = 2000;
@@ -68,7 +71,8 @@ void rub(int revolutions) {
     for (std::size_t i = 0; i < early.rows[0].size(); ++i) {
       drift = std::max(drift, std::abs(early.rows[0][i] - late.rows[0][i]));
     }
-    printf("%g drift %g, touchdowns %lu rhs %lu; %.17g %.17g %.17g\n", speed, drift, late.work.touchdowns, late.work.right_hand_sides, late.rows[0][0],late.rows[0][4],late.rows[0][8]);
+    printf("%g drift %g, touchdowns %lu rhs %lu; %.17g %.17g %.17g\n", speed, drift, late.work.touchdowns,
+           late.work.right_hand_sides, late.rows[0][0], late.rows[0][4], late.rows[0][8]);
     EXPECT_LE(drift, 1e-9 * scene.clearance());
     EXPECT_NEAR(early.rows[1][0], late.rows[1][0], 1e-9 * scene.clearance());
   }

@@ -57,15 +57,16 @@ TEST(ManyBlades, ToleranceHoldsHoweverManyTouchAtOnce) {
       ASSERT_EQ(tight.status, PointStatus::done);
       EXPECT_GT(tight.work.touchdowns, static_cast<std::uint64_t>(blades));
       const double contacts = static_cast<double>(1 + tight.work.touchdowns);
-      EXPECT_LE(largest_difference(loose.final_state, tight.final_state), 10.0 * contacts * 1e-9 * scene.clearance());
+      EXPECT_LE(largest_difference(loose.final_state, tight.final_state),
+                10.0 * contacts * 1e-9 * scene.clearance());
       EXPECT_LE(loose.work.right_hand_sides, 200U * (loose.work.touchdowns + loose.work.liftoffs));
     }
   }
 }
 
 TEST(ManyBlades, BladesThatTouchAtTheSameInstantAllTouch) {
-  // A shaft on the bisector of two blades, a rounding away from where both tips stand on the ring, and moving out:
-  // which of them comes first is rounding, that both come at once is not.
+  // A shaft on the bisector of two blades, a rounding away from where both tips stand on the ring, and moving
+  // out: which of them comes first is rounding, that both come at once is not.
   HardRotor rotor;
   rotor.misalignment = 0.0;
   for (const int blades : {2, 4, 5, 50}) {
@@ -73,12 +74,12 @@ TEST(ManyBlades, BladesThatTouchAtTheSameInstantAllTouch) {
     rotor.blades = blades;
     const double bisector = std::numbers::pi / blades;
     const double across = rotor.length * std::sin(bisector);
-    const double distance =
-        std::sqrt((rotor.ring_radius - across) * (rotor.ring_radius + across)) - rotor.length * std::cos(bisector);
+    const double distance = std::sqrt((rotor.ring_radius - across) * (rotor.ring_radius + across)) -
+                            rotor.length * std::cos(bisector);
     const State start = turned({distance - 1e-15, 0.0, 0.2, 0.0}, bisector);
     with_each_law(rotor, [&](const auto& law) {
-      solve::Motion<std::decay_t<decltype(law)>, effects::NoForcing> motion(rotor.constants(), blades, law, {},
-                                                                            rotor.limits());
+      solve::Motion<std::decay_t<decltype(law)>, effects::NoForcing> motion(rotor.constants(), blades, law,
+                                                                            {}, rotor.limits());
       auto recording = Recording(kNoPiece);
       ASSERT_EQ(motion.start(start), PointStatus::done);
       motion.revolution(recording);
@@ -95,8 +96,8 @@ TEST(ManyBlades, BladesThatTouchAtTheSameInstantAllTouch) {
 }
 
 TEST(ManyBlades, NoBladeCountsMoreThanAnother) {
-  // Around a centred shaft the whole motion can be turned by a blade spacing: another blade does what one did, at the
-  // same time, and the section is turned.
+  // Around a centred shaft the whole motion can be turned by a blade spacing: another blade does what one
+  // did, at the same time, and the section is turned.
   HardRotor rotor;
   rotor.misalignment = 0.0;
   rotor.speed_ratio = 0.35;
@@ -119,7 +120,8 @@ TEST(ManyBlades, NoBladeCountsMoreThanAnother) {
           EXPECT_EQ(other.events[i].event.kind, motion.events[i].event.kind) << i;
           EXPECT_EQ(other.events[i].event.blade, (motion.events[i].event.blade + by) % blades) << i;
         }
-        const double difference = (other.sections.back() - turned(motion.sections.back(), angle)).abs().maxCoeff();
+        const double difference =
+            (other.sections.back() - turned(motion.sections.back(), angle)).abs().maxCoeff();
         EXPECT_LE(difference, 1e-8 * rotor.clearance());
       }
     });

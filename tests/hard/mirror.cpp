@@ -1,7 +1,7 @@
 /// Mirror symmetry: a rotor that spins the other way round in the mirrored ring moves the mirrored way.
 ///
-/// Nothing in a scene can say a negative speed; the equations can (MODEL 1, 2, 4). Mirrored about the x axis: Ω and y0
-/// change sign, blade k stands where blade n − k stood, γ changes sign, and so do y and y'.
+/// Nothing in a scene can say a negative speed; the equations can (MODEL 1, 2, 4). Mirrored about the x axis:
+/// Ω and y0 change sign, blade k stands where blade n − k stood, γ changes sign, and so do y and y'.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,8 @@ HardRotor mirrored(HardRotor rotor) {
 }
 
 template <class MakeLaw, class MakeForcing>
-void expect_mirror_images(const HardRotor& rotor, MakeLaw make_law, MakeForcing make_forcing, const State& start) {
+void expect_mirror_images(const HardRotor& rotor, MakeLaw make_law, MakeForcing make_forcing,
+                          const State& start) {
   const auto no_piece = [](observables::MotionPiece&) {};
   const HardRotor other = mirrored(rotor);
   const auto motion = follow(rotor, make_law(rotor), make_forcing(rotor, 1.0), start, 6, no_piece);
@@ -43,7 +44,8 @@ void expect_mirror_images(const HardRotor& rotor, MakeLaw make_law, MakeForcing 
     EXPECT_NEAR(event.time, mirror_event.time, 1e-9) << i;
   }
   for (std::size_t i = 0; i < motion.sections.size(); ++i) {
-    EXPECT_LE((motion.sections[i] - mirrored(image.sections[i])).abs().maxCoeff(), 1e-9 * rotor.clearance()) << i;
+    EXPECT_LE((motion.sections[i] - mirrored(image.sections[i])).abs().maxCoeff(), 1e-9 * rotor.clearance())
+        << i;
   }
 }
 

@@ -1,5 +1,5 @@
-/// A motion below the scene, revolution by revolution, with its events and the force at the start of each contact:
-/// for cases that a scene cannot say (a signed spin, a start on the ring to the last bit).
+/// A motion below the scene, revolution by revolution, with its events and the force at the start of each
+/// contact: for cases that a scene cannot say (a signed spin, a start on the ring to the last bit).
 #pragma once
 
 #include <memory>
@@ -15,13 +15,13 @@ struct HardRotor {
   double damping_ratio = 0.1;     ///< ζ [-]
   double misalignment = 0.01001;  ///< y0 [m]
   int blades = 3;
-  double ring_radius = 0.11;          ///< R [m]
-  double length = 0.1;                ///< L [m]; rh = 0
-  double thickness = 1e-3;            ///< h [m]
+  double ring_radius = 0.11;                              ///< R [m]
+  double length = 0.1;                                    ///< L [m]; rh = 0
+  double thickness = 1e-3;                                ///< h [m]
   double bending_stiffness = 206e9 * 0.01 * 1e-9 / 12.0;  ///< EI [N m²]
-  double ring_stiffness = 1e4;        ///< kr [N/m]
-  double friction = 0.1;              ///< μ [-]
-  double tolerance = 1e-12;           ///< of the clearance
+  double ring_stiffness = 1e4;                            ///< kr [N/m]
+  double friction = 0.1;                                  ///< μ [-]
+  double tolerance = 1e-12;                               ///< of the clearance
 
   [[nodiscard]] double clearance() const { return ring_radius - length; }
   [[nodiscard]] contact::Geometry geometry() const { return {length, ring_radius}; }
@@ -33,7 +33,8 @@ struct HardRotor {
   }
   [[nodiscard]] solve::ContactLimits limits() const { return {tolerance * clearance(), 0.5}; }
   [[nodiscard]] contact::ElasticaContact elastica() const {
-    return {geometry(), {length, thickness, bending_stiffness}, std::make_shared<blade::ElasticaCurve>(friction)};
+    return {
+        geometry(), {length, thickness, bending_stiffness}, std::make_shared<blade::ElasticaCurve>(friction)};
   }
   [[nodiscard]] contact::ElasticRingContact elastic_ring() const {
     return {geometry(), ring_stiffness, friction};
@@ -43,7 +44,8 @@ struct HardRotor {
 /// Pose of a blade at time τ of the revolution.
 inline contact::Pose pose_at(const HardRotor& rotor, int blade, double time, const solve::State& state) {
   const solve::BladeSet blades(rotor.blades, rotor.speed_ratio);
-  return solve::pose_of(rotor.constants(), rotor.geometry(), blades.direction(blade, blades.first(time)), state);
+  return solve::pose_of(rotor.constants(), rotor.geometry(), blades.direction(blade, blades.first(time)),
+                        state);
 }
 
 struct RecordedEvent {
@@ -81,13 +83,14 @@ class Recording final : public solve::MotionListener {
 };
 
 template <class Law, class Forcing, class OnPiece>
-RecordedMotion follow(const HardRotor& rotor, const Law& law, const Forcing& forcing, const solve::State& start,
-                      int revolutions, OnPiece on_piece) {
+RecordedMotion follow(const HardRotor& rotor, const Law& law, const Forcing& forcing,
+                      const solve::State& start, int revolutions, OnPiece on_piece) {
   solve::Motion<Law, Forcing> motion(rotor.constants(), rotor.blades, law, forcing, rotor.limits());
   Recording<OnPiece> recording(on_piece);
   RecordedMotion result;
   result.status = motion.start(start);
-  for (; recording.revolution < revolutions && result.status == solve::PointStatus::done; ++recording.revolution) {
+  for (; recording.revolution < revolutions && result.status == solve::PointStatus::done;
+       ++recording.revolution) {
     result.status = motion.revolution(recording);
     result.sections.push_back(motion.state());
   }

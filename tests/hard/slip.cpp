@@ -11,9 +11,9 @@ namespace {
 using solve::PointStatus;
 
 TEST(Slip, KickedRotorsReverseTheirSlipABoundedNumberOfTimes) {
-  // A shaft that whirls against the spin faster than the tips run reverses the slip of every contact; where both nearly
-  // cancel, the tip sticks and the model flips to and fro. Kicks of all sizes against slow and fast rotors, friction
-  // from none to twice the load.
+  // A shaft that whirls against the spin faster than the tips run reverses the slip of every contact; where
+  // both nearly cancel, the tip sticks and the model flips to and fro. Kicks of all sizes against slow and
+  // fast rotors, friction from none to twice the load.
   int reversals = 0;
   int done = 0;
   int runs = 0;
@@ -34,7 +34,9 @@ TEST(Slip, KickedRotorsReverseTheirSlipABoundedNumberOfTimes) {
           if (outcome.status == PointStatus::done) {
             ++done;
           } else {
-            printf("law %d mu %g sp %g kick %d status %d rev %d td %lu slip %lu rhs %lu\n",(int)law,friction,speed,kick,(int)outcome.status,outcome.failed_revolution,outcome.work.touchdowns,outcome.work.slip_reversals,outcome.work.right_hand_sides);
+            printf("law %d mu %g sp %g kick %d status %d rev %d td %lu slip %lu rhs %lu\n", (int)law,
+                   friction, speed, kick, (int)outcome.status, outcome.failed_revolution,
+                   outcome.work.touchdowns, outcome.work.slip_reversals, outcome.work.right_hand_sides);
           }
         }
       }

@@ -1,6 +1,6 @@
-/// What an atlas says of a point does not hang on the digits that nobody chose: where the motion is called periodic,
-/// it is that whatever the tolerance, the step or the last digits of the start; where it hangs on them, it is not
-/// called periodic.
+/// What an atlas says of a point does not hang on the digits that nobody chose: where the motion is called
+/// periodic, it is that whatever the tolerance, the step or the last digits of the start; where it hangs on
+/// them, it is not called periodic.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -14,7 +14,8 @@ using solve::State;
 
 constexpr effects::NoForcing kNoForcing;
 
-/// One blade in a ring around the shaft's own centre, lengths without rounding: a tip placed on the ring is on it.
+/// One blade in a ring around the shaft's own centre, lengths without rounding: a tip placed on the ring is
+/// on it.
 HardRotor one_blade() {
   HardRotor rotor;
   rotor.blades = 1;
@@ -25,24 +26,25 @@ HardRotor one_blade() {
 }
 
 TEST(Touchdown, HeadOnTheForceStartsLikeTheRootOfTime) {
-  // ct = 0 and g = 0 at τ = 0, moving straight at the ring: with Δ = μ F L³/3EI and δ = 3/5 Δ²/L the contact equation
-  // is g = Δ² (6/5 R/L − 1) to leading order, and g = 2 R v τ: the force is not Lipschitz in time.
+  // ct = 0 and g = 0 at τ = 0, moving straight at the ring: with Δ = μ F L³/3EI and δ = 3/5 Δ²/L the contact
+  // equation is g = Δ² (6/5 R/L − 1) to leading order, and g = 2 R v τ: the force is not Lipschitz in time.
   const HardRotor rotor = one_blade();
   const double velocity = 0.02;
   const double length = rotor.length;
   const double unit = 3.0 * rotor.bending_stiffness / (rotor.friction * length * length * length);
   const double steepness = 1.2 * rotor.ring_radius / length - 1.0;
   int compared = 0;
-  const auto motion = follow(rotor, rotor.elastica(), kNoForcing, {rotor.clearance(), 0.0, velocity, 0.0}, 1,
-                             [&](observables::MotionPiece& piece) {
-    if (piece.contact_count() == 0 || piece.begin() > 0.0) return;
-    for (const double time : {1e-16, 1e-14, 1e-12, 1e-10}) {
-      if (time >= piece.end()) continue;
-      const double gap = 2.0 * rotor.ring_radius * velocity * time;
-      EXPECT_NEAR(piece.normal_force(0, time) / (unit * std::sqrt(gap / steepness)), 1.0, 2e-2) << time;
-      ++compared;
-    }
-  });
+  const auto motion = follow(
+      rotor, rotor.elastica(), kNoForcing, {rotor.clearance(), 0.0, velocity, 0.0}, 1,
+      [&](observables::MotionPiece& piece) {
+        if (piece.contact_count() == 0 || piece.begin() > 0.0) return;
+        for (const double time : {1e-16, 1e-14, 1e-12, 1e-10}) {
+          if (time >= piece.end()) continue;
+          const double gap = 2.0 * rotor.ring_radius * velocity * time;
+          EXPECT_NEAR(piece.normal_force(0, time) / (unit * std::sqrt(gap / steepness)), 1.0, 2e-2) << time;
+          ++compared;
+        }
+      });
   EXPECT_EQ(motion.status, PointStatus::done);
   EXPECT_GE(compared, 3);
 }
@@ -53,14 +55,16 @@ TEST(Touchdown, OnTheRecedingSideTheForceIsFiniteAtOnce) {
   rotor.blades = 1;
   rotor.misalignment = 0.0;
   const double across = -1e-3;
-  const double along = std::sqrt(rotor.ring_radius * rotor.ring_radius - across * across) - rotor.length - 1e-9;
+  const double along =
+      std::sqrt(rotor.ring_radius * rotor.ring_radius - across * across) - rotor.length - 1e-9;
   double first_force = 0.0;
   double before = -1.0;
-  const auto motion =
-      follow(rotor, rotor.elastica(), kNoForcing, {along, across, 0.02, 0.0}, 1, [&](observables::MotionPiece& piece) {
-        if (piece.contact_count() == 0 && before < 0.0) before = piece.end();
-        if (piece.contact_count() == 1 && first_force == 0.0) first_force = piece.normal_force(0, piece.begin());
-      });
+  const auto motion = follow(rotor, rotor.elastica(), kNoForcing, {along, across, 0.02, 0.0}, 1,
+                             [&](observables::MotionPiece& piece) {
+                               if (piece.contact_count() == 0 && before < 0.0) before = piece.end();
+                               if (piece.contact_count() == 1 && first_force == 0.0)
+                                 first_force = piece.normal_force(0, piece.begin());
+                             });
   ASSERT_EQ(motion.status, PointStatus::done);
   const auto touchdowns = motion.of_kind(PhaseEvent::touch_down);
   ASSERT_FALSE(touchdowns.empty());
@@ -76,9 +80,10 @@ TEST(Touchdown, OnTheRecedingSideTheForceIsFiniteAtOnce) {
 }
 
 TEST(Touchdown, LiftOffGoesThroughTheFoldWithoutAJump) {
-  // The shaft's tangential velocity sets where the blade leaves: before top dead centre, where the load has come down
-  // to zero, or behind it, where the load drops from a finite value. In between lies the fold, where both rates of the
-  // contact equation vanish at lift-off; it is approached to the last bits by bisection.
+  // The shaft's tangential velocity sets where the blade leaves: before top dead centre, where the load has
+  // come down to zero, or behind it, where the load drops from a finite value. In between lies the fold,
+  // where both rates of the contact equation vanish at lift-off; it is approached to the last bits by
+  // bisection.
   HardRotor rotor = one_blade();
   rotor.damping_ratio = 0.05;
   const auto law = rotor.elastica();
