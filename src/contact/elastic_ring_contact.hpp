@@ -38,6 +38,19 @@ class ElasticRingContact {
     return true;
   }
 
+  /// The same by steps of the force from 0 until it has reached that value, as `ElasticaContact` has it.
+  bool respond_upwards(const Pose& at, double slip, double speed_ratio, double increment,
+                       TipForce& force) const {
+    double bending = 0.0;
+    respond(at, slip, speed_ratio, bending, force);
+    const double stepped = std::ceil(force.normal / increment) * increment;
+    const double excess = force.normal > 0.0 ? stepped / force.normal : 1.0;
+    force.radial *= excess;
+    force.tangential *= excess;
+    force.normal = stepped;
+    return true;
+  }
+
  private:
   Geometry geometry_;
   double stiffness_;  ///< kr [N/m]

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -79,6 +80,34 @@ bool ElasticaContact::respond(const Pose& at, double slip, double speed_ratio, d
     force.tangential = -force.tangential;
     force.normal = -force.normal;
   }
+  return true;
+}
+
+bool ElasticaContact::respond_upwards(const Pose& at, double slip, double speed_ratio, double increment,
+                                      TipForce& force) const {
+  constexpr double kShareOfIncrement = 0.05;  // how closely the curve's point stands for the load
+  constexpr double kFirstBending = 1e-3;      // of β: there F ~ u² still
+  // From the unloaded blade F grows like u²; at μ = 0 the column stays straight up to its Euler load.
+  const double first = kFirstBending * (friction_ > 0.0 ? curve_->load_angle() : 1.0);
+  const double buckling = curve_at(0.0).load;
+  const double curvature = (curve_at(first).load - buckling) / (first * first);
+  const double step = increment / load_unit_;
+  double bending = 0.0;
+  blade::CurvePoint point{};
+  for (double count = std::floor(buckling / step) + 1.0;; ++count) {
+    const double load = count * step;
+    if (bending == 0.0) {
+      bending = std::sqrt((load - buckling) / curvature);
+      point = curve_at(bending);
+    }
+    while (std::abs(load - point.load) > kShareOfIncrement * step) {
+      bending += (load - point.load) / point.load_slope;
+      if (!(bending < curve_->end())) return false;
+      point = curve_at(bending);
+    }
+    if (residual(at, slip, point.shortening, point.deflection) <= 0.0) break;
+  }
+  force = constraint(at, slip, bending, speed_ratio).force;
   return true;
 }
 

@@ -89,6 +89,12 @@ class ElasticaContact {
   /// odd function.
   bool respond(const Pose& at, double slip, double speed_ratio, double& bending, TipForce& force) const;
 
+  /// Force by the published scheme (MODEL 4.2): F ← F + dF from 0 until h changes sign; `increment` dF [N].
+  /// Where g > 0; false where the table ends before. The curve is followed in its own parameter, mostly one
+  /// evaluation an increment.
+  bool respond_upwards(const Pose& at, double slip, double speed_ratio, double increment,
+                       TipForce& force) const;
+
   /// How often the curve has been evaluated for this law. A law belongs to one motion and one thread.
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 

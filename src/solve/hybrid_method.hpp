@@ -9,9 +9,11 @@
 
 namespace rubatlas::solve {
 
+/// `Pair`: the Runge–Kutta coefficients in contact.
+template <class Pair>
 struct HybridMethod {
   template <class Law, class Forcing>
-  using Motion = solve::Motion<Law, Forcing>;
+  using Motion = solve::Motion<Law, Forcing, Pair>;
 
   template <class Law, class Forcing>
   static std::unique_ptr<Motion<Law, Forcing>> make(const RotorConstants& rotor, const Law& law,

@@ -11,7 +11,21 @@ std::shared_ptr<BladeTables> make_blade_tables() {
 
 std::unique_ptr<LineSolver> make_line_solver(const scene::Scene& scene, const plan::PointParameters& line,
                                              const std::shared_ptr<BladeTables>& tables) {
-  return make_hybrid({scene, line, *tables});
+  const LineRequest request{scene, line, *tables};
+  switch (scene.accuracy.method) {
+    case scene::Method::paper:
+      return make_paper(request);
+    case scene::Method::located:
+      return make_located(request);
+    case scene::Method::fixed:
+      return make_fixed(request);
+    case scene::Method::hybrid_54:
+      return make_hybrid_54(request);
+    case scene::Method::hybrid_32:
+      return make_hybrid_32(request);
+    default:
+      return make_hybrid(request);
+  }
 }
 
 }  // namespace rubatlas::solve

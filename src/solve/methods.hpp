@@ -16,5 +16,10 @@ struct LineRequest {
 };
 
 std::unique_ptr<LineSolver> make_hybrid(const LineRequest& request);
+std::unique_ptr<LineSolver> make_hybrid_54(const LineRequest& request);
+std::unique_ptr<LineSolver> make_hybrid_32(const LineRequest& request);
+std::unique_ptr<LineSolver> make_paper(const LineRequest& request);
+std::unique_ptr<LineSolver> make_located(const LineRequest& request);
+std::unique_ptr<LineSolver> make_fixed(const LineRequest& request);
 
 }  // namespace rubatlas::solve

@@ -1,0 +1,13 @@
+// `hybrid_32`: as `hybrid`, with a pair of order 3(2) in contact: what the order is worth.
+
+#include "integrate/bogacki_shampine_32.hpp"
+#include "solve/hybrid_method.hpp"
+#include "solve/typed_line_solver.hpp"
+
+namespace rubatlas::solve {
+
+std::unique_ptr<LineSolver> make_hybrid_32(const LineRequest& request) {
+  return make_typed_line_solver<HybridMethod<integrate::BogackiShampine32>>(request);
+}
+
+}  // namespace rubatlas::solve

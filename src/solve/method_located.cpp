@@ -1,0 +1,36 @@
+// `located`: an adaptive Runge–Kutta pair of order 5(4) over flight and contact alike; touch-downs, lift-offs
+// and slip reversals are found by sign changes over a step and located on dense output, and the force is
+// solved for in each stage. What a good general library for differential equations does.
+
+#include "integrate/dormand_prince_54.hpp"
+#include "solve/stepped_motion.hpp"
+#include "solve/typed_line_solver.hpp"
+
+namespace rubatlas::solve {
+namespace {
+
+struct Located {
+  using Table = integrate::DormandPrince54;
+  using Search = SolvedForce;
+  static constexpr bool kAdaptive = true;
+  static constexpr bool kLocated = true;
+
+  template <class Law, class Forcing>
+  using Motion = SteppedMotion<Law, Forcing, Located>;
+
+  template <class Law, class Forcing>
+  static std::unique_ptr<Motion<Law, Forcing>> make(const RotorConstants& rotor, const Law& law,
+                                                    const Forcing& forcing, const scene::Scene& scene) {
+    const SteppedLimits limits{scene.accuracy.tolerance * rotor.length_scale, scene.accuracy.max_step,
+                               scene.validity.max_shortening};
+    return std::make_unique<Motion<Law, Forcing>>(rotor, scene.blades.count, law, forcing, Search{}, limits);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<LineSolver> make_located(const LineRequest& request) {
+  return make_typed_line_solver<Located>(request);
+}
+
+}  // namespace rubatlas::solve

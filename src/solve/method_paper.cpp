@@ -1,0 +1,46 @@
+// `paper`: the published scheme, an adaptive Runge–Kutta method of order 4 over flight and contact alike,
+// with contact by the sign of g in each stage and the force by upward stepping (MODEL 4.2). The paper names
+// neither the pair nor the increment: Fehlberg's 4(5), whose solution is of order 4, and the increment of the
+// scene.
+
+#include "integrate/fehlberg_45.hpp"
+#include "solve/stepped_motion.hpp"
+#include "solve/typed_line_solver.hpp"
+
+namespace rubatlas::solve {
+namespace {
+
+struct Paper {
+  using Table = integrate::Fehlberg45;
+  struct Search {
+    double increment;  ///< dF [N]
+    [[nodiscard]] double resolution() const { return increment; }
+    template <class Law>
+    bool operator()(const Law& law, const contact::Pose& at, double slip, double speed_ratio,
+                    double& /*bending*/, contact::TipForce& force) const {
+      return law.respond_upwards(at, slip, speed_ratio, increment, force);
+    }
+  };
+  static constexpr bool kAdaptive = true;
+  static constexpr bool kLocated = false;
+
+  template <class Law, class Forcing>
+  using Motion = SteppedMotion<Law, Forcing, Paper>;
+
+  template <class Law, class Forcing>
+  static std::unique_ptr<Motion<Law, Forcing>> make(const RotorConstants& rotor, const Law& law,
+                                                    const Forcing& forcing, const scene::Scene& scene) {
+    const SteppedLimits limits{scene.accuracy.tolerance * rotor.length_scale, scene.accuracy.max_step,
+                               scene.validity.max_shortening};
+    return std::make_unique<Motion<Law, Forcing>>(rotor, scene.blades.count, law, forcing,
+                                                  Search{scene.accuracy.force_increment}, limits);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<LineSolver> make_paper(const LineRequest& request) {
+  return make_typed_line_solver<Paper>(request);
+}
+
+}  // namespace rubatlas::solve

@@ -1,0 +1,292 @@
+/// The motion of the rotor in steps over flight and contact alike: what people write first, what a general
+/// library does, and what was published. The hybrid method (`motion.hpp`) is compared with these.
+///
+/// A scheme says which Runge–Kutta coefficients (`Table`), how a blade's force is found (`Search`), whether
+/// steps follow an error estimate (`kAdaptive`) and whether they end at events (`kLocated`). Without,
+/// contacts open, close and reverse at the ends of steps, and within a step the sign of g decides where it is
+/// asked for.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "integrate/runge_kutta.hpp"
+#include "integrate/step_factor.hpp"
+#include "observables/motion_piece.hpp"
+#include "solve/line_solver.hpp"
+#include "solve/motion_listener.hpp"
+#include "solve/rotor.hpp"
+#include "solve/stepped_events.hpp"
+#include "solve/stepped_system.hpp"
+
+namespace rubatlas::solve {
+
+struct SteppedLimits {
+  double tolerance;       ///< local error of a step [m]; not read by fixed steps
+  double longest_step;    ///< in τ; the step itself where steps are fixed
+  double max_shortening;  ///< of δ/L [-]
+};
+
+template <class Law, class Forcing, class Scheme>
+class SteppedMotion final : public observables::MotionPiece {
+ public:
+  SteppedMotion(const RotorConstants& rotor, int blade_count, Law law, const Forcing& forcing,
+                typename Scheme::Search search, const SteppedLimits& limits)
+      : rotor_(rotor),
+        directions_(blade_count, rotor.speed_ratio),
+        law_(std::move(law)),
+        forcing_(forcing),
+        limits_(limits),
+        resolution_(search.resolution()),
+        steps_in_revolution_(std::ceil(rotor.period() / limits.longest_step)),
+        system_(rotor_, directions_, law_, forcing_, std::move(search)),
+        size_(rotor.period() / steps_in_revolution_) {}
+  SteppedMotion(const SteppedMotion&) = delete;  // parts point at each other
+  SteppedMotion& operator=(const SteppedMotion&) = delete;
+
+  /// Starts at phase 0; blades with g > 0 are in contact (MODEL 4.4).
+  PointStatus start(const State& state) {
+    SteppedState full;
+    full << state, 0.0;
+    if (!full.isFinite().all()) return PointStatus::integrator_failed;
+    for (std::size_t k = 0; k < system_.blades().size(); ++k) {
+      const contact::Pose at = system_.pose(k, full);
+      system_.blades()[k] = {at.gap > 0.0, system_.opening_slip(at)};
+    }
+    return begin(full) ? PointStatus::done : PointStatus::left_validity;
+  }
+
+  /// One revolution.
+  PointStatus revolution(MotionListener& listener) {
+    const double period = rotor_.period();
+    const double most_steps = kMostRefinement * steps_in_revolution_ + kMostSteps;
+    for (double step = 1.0; step <= most_steps; ++step) {
+      if (const PointStatus status = make_step(step, period); status != PointStatus::done) return status;
+      const PointStatus status = finish_step(listener);
+      if (status != PointStatus::done) return status;
+      if (step_.start()[kSteppedTime] >= period) {
+        step_.shift(kSteppedTime, -period);
+        return PointStatus::done;
+      }
+    }
+    return PointStatus::integrator_failed;
+  }
+
+  /// At the end of the last revolution.
+  [[nodiscard]] State state() const { return step_.start().template head<4>(); }
+
+  [[nodiscard]] WorkCounts work() const {
+    WorkCounts result = work_;
+    result.right_hand_sides = system_.evaluations();
+    if constexpr (Law::kHasBending) result.elastica_evaluations = law_.evaluations();
+    return result;
+  }
+
+  // The piece of motion that is being recorded: the step, up to its event. Its contacts are those of its
+  // start.
+  [[nodiscard]] double begin() const override { return step_.start()[kSteppedTime]; }
+  [[nodiscard]] double end() const override { return end_time_; }
+  [[nodiscard]] observables::State state(double time) override {
+    return as_array(State(state_at((time - begin()) / step_.size()).template head<4>()));
+  }
+  [[nodiscard]] double displacement_bound() const override { return std::numeric_limits<double>::infinity(); }
+  [[nodiscard]] std::size_t contact_count() const override { return open_.size(); }
+  [[nodiscard]] int blade(std::size_t contact) const override { return static_cast<int>(open_[contact]); }
+  /// Without located events a peak is what the ends of steps have seen.
+  [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return Scheme::kLocated; }
+  [[nodiscard]] double normal_force(std::size_t contact, double time) override {
+    return system_.force(open_[contact], state_at((time - begin()) / step_.size())).normal;
+  }
+  [[nodiscard]] double root_strain(std::size_t contact, double time) override {
+    return system_.force(open_[contact], state_at((time - begin()) / step_.size())).root_strain;
+  }
+
+ private:
+  using System = SteppedSystem<Law, Forcing, typename Scheme::Search, Scheme::kLocated>;
+
+  static constexpr double kMostRefinement = 10.0;  ///< steps a revolution against the longest ones, and so
+  static constexpr double kMostSteps = 1e6;        ///< many more: bounds the work
+  static constexpr double kSmallestSize = 1e-15;   ///< in τ
+  static constexpr double kSlipRounding = 1e-12;   ///< of Ω R: v where a slip reversal has been located
+
+  /// Goes on from a state whose right-hand side has not been evaluated yet.
+  bool begin(const SteppedState& state) {
+    if (!step_.begin(system_, state)) return false;
+    look_around();
+    return true;
+  }
+
+  /// Takes down how the blades stand at the start of a step.
+  void look_around() {
+    before_ = system_.blades();
+    open_.clear();
+    for (std::size_t k = 0; k < before_.size(); ++k) {
+      if (before_[k].open) open_.push_back(k);
+      // A tip whose slip has just reversed may stand at v = 0 to rounding: it has no sign yet.
+      const double rounding = kSlipRounding * rotor_.speed_ratio * law_.geometry().ring_radius;
+      if (std::abs(before_[k].slip_velocity) <= rounding) before_[k].slip_velocity = 0.0;
+    }
+  }
+
+  /// The `number`-th step of a revolution, counted from 1.
+  PointStatus make_step(double number, double period) {
+    if constexpr (!Scheme::kAdaptive) {
+      if (!step_.attempt(system_, size_)) return why_not();
+      step_.end()[kSteppedTime] = number == steps_in_revolution_ ? period : size_ * number;
+      return PointStatus::done;
+    } else {
+      const double remaining = period - step_.start()[kSteppedTime];
+      while (true) {
+        // The last steps of a revolution share what remains and end with it.
+        const double wanted = std::min(size_, limits_.longest_step);
+        double size = wanted;
+        const bool last = remaining <= size;
+        if (last) {
+          size = remaining;
+        } else if (remaining < 2.0 * size) {
+          size = 0.5 * remaining;
+        }
+        const bool evaluated = step_.attempt(system_, size);
+        const double error = evaluated ? scaled_error() : std::numeric_limits<double>::infinity();
+        const double proposed = size * integrate::step_factor(error, Scheme::Table::kEstimatePower);
+        if (error <= 1.0) {
+          // A step that was cut short does not make the next one shorter.
+          size_ = size < wanted ? std::max(proposed, wanted) : proposed;
+          if (last) step_.end()[kSteppedTime] = period;
+          return PointStatus::done;
+        }
+        ++work_.rejected_steps;
+        system_.blades() = before_;
+        size_ = proposed;
+        if (!(size_ > kSmallestSize)) return evaluated ? PointStatus::integrator_failed : why_not();
+      }
+    }
+  }
+
+  /// Why the last step could not be made.
+  [[nodiscard]] PointStatus why_not() const {
+    return step_.start().isFinite().all() ? PointStatus::left_validity : PointStatus::integrator_failed;
+  }
+
+  [[nodiscard]] double scaled_error() const {
+    const double estimate = step_.error_estimate(
+        [](const SteppedState& difference) { return difference.template head<4>().abs().maxCoeff(); });
+    return estimate / (limits_.tolerance + step_.size() * acceleration_noise());
+  }
+
+  /// What the uncertainty of the forces may add to the error estimate per unit of τ [m per unit τ²]: each
+  /// stage is off by up to one resolution, always to the same side. A control that chased it would shrink its
+  /// steps without end.
+  [[nodiscard]] double acceleration_noise() const {
+    if (resolution_ == 0.0) return 0.0;
+    const double sum = Scheme::Table::estimate([](auto weights) { return sum_of_magnitudes(weights()); });
+    const auto blades = static_cast<double>(std::max<std::size_t>(1, open_.size()));
+    return 0.5 * sum * blades * resolution_ * rotor_.force_unit;
+  }
+  template <class Weights>
+  [[nodiscard]] static double sum_of_magnitudes(const Weights& weights) {
+    double sum = 0.0;
+    for (const double weight : weights) sum += std::abs(weight);
+    return sum;
+  }
+
+  [[nodiscard]] SteppedState state_at(double fraction) {
+    if (fraction <= 0.0) return step_.start();
+    if (fraction >= 1.0) return step_.end();
+    step_.make_dense(system_);  // needs no evaluation in any of the schemes
+    return step_.interpolate(fraction);
+  }
+
+  /// Looks at what happened in the step, hands it over, and goes on from its end or its event.
+  PointStatus finish_step(MotionListener& listener) {
+    ++work_.steps;
+    SteppedEvent event;
+    if constexpr (Scheme::kLocated)
+      event = first_event(system_, before_, [this](double part) { return state_at(part); });
+    const bool cut = event.fraction < 1.0;
+    const SteppedState end = state_at(event.fraction);
+    if (!end.isFinite().all()) return PointStatus::integrator_failed;
+    if (std::hypot(end[0], end[1] + rotor_.misalignment) >= law_.geometry().ring_radius ||
+        (!cut && system_.shortening() > limits_.max_shortening)) {
+      return PointStatus::left_validity;
+    }
+    end_time_ = end[kSteppedTime];
+    if (end_time_ > begin()) listener.piece(*this);
+    bool changed = cut;
+    if constexpr (Scheme::kLocated) {
+      if (event.kind != PhaseEvent::horizon) {
+        if (++events_without_progress_ > kMostEventsAtOnce) return PointStatus::integrator_failed;
+        change(event.kind, event.blade, end, listener);
+        changed = true;
+      } else {
+        events_without_progress_ = 0;
+      }
+    } else {
+      changed = change_at_end(end, listener);
+    }
+    if (changed) return begin(end) ? PointStatus::done : PointStatus::left_validity;
+    step_.accept();
+    look_around();
+    return PointStatus::done;
+  }
+
+  /// Opens, closes and reverses contacts by what the end of a step shows. True where that changes the force
+  /// there.
+  bool change_at_end(const SteppedState& end, MotionListener& listener) {
+    bool changed = false;
+    for (std::size_t k = 0; k < before_.size(); ++k) {
+      const SteppedBlade after = system_.blades()[k];
+      const bool touches = after.gap > 0.0;
+      if (touches != after.open) {
+        change(touches ? PhaseEvent::touch_down : PhaseEvent::lift_off, k, end, listener);
+      } else if (touches && before_[k].slip_velocity * after.slip_velocity < 0.0) {
+        change(PhaseEvent::slip_reversal, k, end, listener);
+        changed = true;
+      }
+    }
+    return changed;
+  }
+
+  void change(PhaseEvent kind, std::size_t k, const SteppedState& at, MotionListener& listener) {
+    SteppedBlade& blade = system_.blades()[k];
+    const double slip_before = blade.slip;
+    if (kind == PhaseEvent::slip_reversal) {
+      ++work_.slip_reversals;
+      blade.slip = -blade.slip;
+    } else if (kind == PhaseEvent::lift_off) {
+      ++work_.liftoffs;
+      blade = {};
+    } else {
+      ++work_.touchdowns;
+      blade.open = true;
+      blade.slip = system_.opening_slip(system_.pose(k, at));
+    }
+    listener.event(Event{kind, static_cast<int>(k), at[kSteppedTime],
+                         kind == PhaseEvent::lift_off ? slip_before : blade.slip, at.template head<4>()});
+  }
+
+  static constexpr int kMostEventsAtOnce = 20000;  ///< without a step between them: chatter
+
+  RotorConstants rotor_;
+  BladeSet directions_;
+  Law law_;
+  Forcing forcing_;
+  SteppedLimits limits_;
+  double resolution_;           ///< of a blade's force [N]
+  double steps_in_revolution_;  ///< of the longest step, a whole number
+  System system_;
+  integrate::RungeKutta<typename Scheme::Table, 5> step_;
+  double size_;                       ///< of the next step
+  double end_time_ = 0.0;             ///< of the piece
+  std::vector<SteppedBlade> before_;  ///< at the start of the step
+  std::vector<std::size_t> open_;     ///< blades in contact there
+  int events_without_progress_ = 0;
+  WorkCounts work_;
+};
+
+}  // namespace rubatlas::solve
