@@ -1,0 +1,89 @@
+/// Phase volume: the map of a revolution contracts it by e^{−4ζT} and by nothing else (forces depend on
+/// position only, and the jumps of the force at lift-off and at a touch-down on the receding side have
+/// determinant one).
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <numbers>
+
+#include "hard_point.hpp"
+
+namespace rubatlas::test {
+namespace {
+
+using solve::PointStatus;
+using solve::SectionState;
+
+struct VolumeCase {
+  const char* name;
+  scene::ContactLaw law;
+  int blades;
+  double speed;
+  double damping;
+  double friction;
+  double unbalance;
+  SectionState start;
+};
+
+class PhaseVolume : public ::testing::TestWithParam<VolumeCase> {};
+
+TEST_P(PhaseVolume, ContractsByTheDampingAlone) {
+  const VolumeCase& c = GetParam();
+  scene::Scene scene = default_rotor(1);
+  scene.contact = {c.law, c.friction};
+  scene.blades.count = c.blades;
+  scene.rotor.damping_ratio = c.damping;
+  if (c.unbalance > 0.0) scene.unbalance = scene::Unbalance{c.unbalance, 0.4};
+  scene.accuracy.tolerance = 1e-14;
+  std::uint64_t touchdowns = 0;
+  const auto map = [&](const SectionState& from) {
+    const auto outcome = run(scene, c.speed, from);
+    EXPECT_EQ(outcome.status, PointStatus::done);
+    EXPECT_EQ(outcome.work.slip_reversals, 0U);
+    touchdowns = outcome.work.touchdowns;
+    return outcome.final_state;
+  };
+  const auto jacobian = [&](double step) {
+    Eigen::Matrix4d matrix;
+    for (std::size_t j = 0; j < 4; ++j) {
+      SectionState ahead = c.start;
+      SectionState behind = c.start;
+      ahead[j] += step;
+      behind[j] -= step;
+      const SectionState after = map(ahead);
+      const SectionState before = map(behind);
+      for (std::size_t i = 0; i < 4; ++i) {
+        matrix(static_cast<int>(i), static_cast<int>(j)) = (after[i] - before[i]) / (2.0 * step);
+      }
+    }
+    return matrix;
+  };
+  // Central differences with two steps, and Richardson's extrapolation.
+  const double step = 5e-8;
+  const Eigen::Matrix4d extrapolated = (4.0 * jacobian(step) - jacobian(2.0 * step)) / 3.0;
+  const double exact = std::exp(-4.0 * c.damping * 2.0 * std::numbers::pi / c.speed);
+  EXPECT_NEAR(extrapolated.determinant() / exact, 1.0, 1e-6);
+  EXPECT_GT(touchdowns, 0U);
+}
+
+constexpr auto kElastica = scene::ContactLaw::elastica;
+constexpr auto kElasticRing = scene::ContactLaw::elastic_ring;
+
+INSTANTIATE_TEST_SUITE_P(
+    Motions, PhaseVolume,
+    ::testing::Values(
+        VolumeCase{"undamped", kElastica, 3, 0.62, 0.0, 0.1, 0.0, {2e-3, -1e-3, 1e-3, 2e-3}},
+        VolumeCase{"well_damped", kElastica, 3, 0.9, 0.2, 0.1, 0.0, {0.0, 2e-3, 0.0, 4e-3}},
+        VolumeCase{"unbalanced", kElastica, 3, 0.45, 0.05, 0.1, 1e-4, {1e-3, 0.0, 0.0, -1e-3}},
+        VolumeCase{"without_friction", kElastica, 3, 0.62, 0.05, 0.0, 0.0, {2e-3, -1e-3, 1e-3, 2e-3}},
+        VolumeCase{"much_friction", kElastica, 3, 0.62, 0.05, 1.0, 0.0, {1e-3, 0.0, 0.0, 1e-3}},
+        VolumeCase{"five_blades", kElastica, 5, 0.5, 0.05, 0.3, 0.0, {-1e-3, 2e-3, 1e-3, 0.0}},
+        VolumeCase{
+            "five_blades_in_an_elastic_ring", kElasticRing, 5, 0.5, 0.05, 0.1, 0.0, {-1e-3, 2e-3, 1e-3, 0.0}},
+        VolumeCase{
+            "unbalanced_in_an_elastic_ring", kElasticRing, 3, 0.45, 0.0, 0.3, 1e-4, {1e-3, 0.0, 0.0, -1e-3}}),
+    [](const auto& instance) { return std::string(instance.param.name); });
+
+}  // namespace
+}  // namespace rubatlas::test
