@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "mpi/exit_code.hpp"
@@ -20,6 +21,15 @@ constexpr double kReferenceFactor = 10.0;
 constexpr std::string_view kReferenceMethod = "hybrid";
 /// The one method without error control.
 constexpr std::string_view kFixedStep = "fixed";
+
+/// A tolerance finer than the jumps of a force in steps rejects most of them, and an increment finer than the
+/// tolerance needs is wasted: the two are refined together.
+struct ToleranceAndIncrement {
+  double tolerance;
+  double force_increment;  ///< dF [N]
+};
+constexpr std::array kUsualWithIncrement{ToleranceAndIncrement{1e-4, 1.0}, ToleranceAndIncrement{1e-5, 1.0},
+                                         ToleranceAndIncrement{1e-5, 0.1}, ToleranceAndIncrement{1e-6, 0.1}};
 
 /// True when the scene's own table says that a method reads this knob.
 bool reads(std::string_view method, std::string_view pointer) {
@@ -96,8 +106,17 @@ std::vector<AccuracySetting> accuracy_settings(const AccuracyLadders& ladders, c
       }
       continue;
     }
+    const bool stepped_force = reads(method, "/accuracy/force_increment");
+    if (stepped_force && ladders.tolerances.empty() && ladders.force_increments.empty()) {
+      for (const auto& [tolerance, increment] : kUsualWithIncrement) {
+        setting.tolerance = tolerance;
+        setting.force_increment = increment;
+        settings.push_back(setting);
+      }
+      continue;
+    }
     const std::vector<double> not_read{AccuracySetting::kNotRead};
-    for (const double increment : reads(method, "/accuracy/force_increment") ? increments : not_read) {
+    for (const double increment : stepped_force ? increments : not_read) {
       setting.force_increment = increment;
       for (const double tolerance : tolerances) {
         setting.tolerance = tolerance;

@@ -12,10 +12,10 @@ namespace rubatlas::mpi {
 
 /// What is varied; a knob that a method does not read is not varied for it. Empty: the usual values.
 struct AccuracyLadders {
-  std::vector<std::string> methods{};      ///< all
-  std::vector<double> tolerances{};        ///< 1e-4, 1e-5, ... 1e-12
-  std::vector<double> force_increments{};  ///< dF [N]: 1, 0.1, 0.01; each with every tolerance
-  std::vector<double> steps{};             ///< in τ, fixed: 2e-2 ... 5e-4
+  std::vector<std::string> methods{};  ///< all
+  std::vector<double> tolerances{};    ///< 1e-4, 1e-5, ... 1e-12; of `paper` fewer, each with its increments
+  std::vector<double> force_increments{};  ///< dF [N]: 1 and 0.1
+  std::vector<double> steps{};             ///< in τ, of `fixed`: 2e-2 ... 1e-3
 };
 
 /// The methods that a scene may name, the default first.

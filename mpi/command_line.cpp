@@ -131,9 +131,11 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   const auto add_ladder = [&](const char* name, std::vector<double>& values, const char* meaning) {
     accuracy->add_option(name, values, meaning)->delimiter(',')->type_name("VALUE,...");
   };
-  add_ladder("--tolerances", ladders.tolerances, "Of every method but fixed; default: 1e-4, 1e-5 ... 1e-12");
-  add_ladder("--force-increments", ladders.force_increments, "In N, of paper; default: 1, 0.1, 0.01");
-  add_ladder("--steps", ladders.steps, "In dimensionless time, of fixed; default: 2e-2 ... 5e-4");
+  add_ladder(
+      "--tolerances", ladders.tolerances,
+      "Default: 1e-4, 1e-5 ... 1e-12; of paper four pairs of tolerance and increment; fixed reads none");
+  add_ladder("--force-increments", ladders.force_increments, "In N, of paper, each with every tolerance");
+  add_ladder("--steps", ladders.steps, "In dimensionless time, of fixed; default: 2e-2 ... 1e-3");
   accuracy->add_option("--repeats", accuracy_command.repeats,
                        "Timed runs of each point, fewer where they are slow; default: 3");
   add_progress(accuracy);

@@ -55,6 +55,16 @@ TEST(AccuracySettings, AllMethodsOfAScenesChoiceAreComparedUnlessSomeAreNamed) {
             (std::set<std::string>{"hybrid", "hybrid_54", "hybrid_32", "paper", "located", "fixed"}));
 }
 
+TEST(AccuracySettings, TheTwoKnobsOfThePublishedSchemeAreRefinedTogether) {
+  const auto settings = settings_of({.methods = {"paper"}});
+  ASSERT_GE(settings.size(), 4U);
+  EXPECT_DOUBLE_EQ(settings[0].tolerance, 1e-13) << "the reference follows the other methods' tolerances";
+  for (std::size_t i = 2; i < settings.size(); ++i) {
+    EXPECT_LE(settings[i].tolerance, settings[i - 1].tolerance);
+    EXPECT_LE(settings[i].force_increment, settings[i - 1].force_increment);
+  }
+}
+
 TEST(AccuracySettings, AreAppliedToTheSceneThatIsRun) {
   scene::Scene scene;
   scene.accuracy.tolerance = 1e-7;
