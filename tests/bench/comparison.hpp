@@ -26,6 +26,7 @@ struct Comparison {
   double target = 0.0;                    ///< typical error that all have to reach, in units of the clearance
   std::vector<Competitor> competitors;    ///< the first is `hybrid`
   std::vector<Competitor> longer_steps;   ///< the same peers with longer step limits
+  std::vector<Competitor> paper;          ///< the published scheme, and hybrid as accurate as that, in turn
   Competitor whole_points;                ///< hybrid over all 300 revolutions of a point
   std::vector<Competitor> without_limit;  ///< the same peers with error control alone; not timed
 };
