@@ -14,7 +14,6 @@ struct Paper {
   using Table = integrate::Fehlberg45;
   struct Search {
     double increment;  ///< dF [N]
-    [[nodiscard]] double resolution() const { return increment; }
     template <class Law>
     bool operator()(const Law& law, const contact::Pose& at, double slip, double speed_ratio,
                     double& /*bending*/, contact::TipForce& force) const {

@@ -42,7 +42,6 @@ class SteppedMotion final : public observables::MotionPiece {
         law_(std::move(law)),
         forcing_(forcing),
         limits_(limits),
-        resolution_(search.resolution()),
         steps_in_revolution_(std::ceil(rotor.period() / limits.longest_step)),
         system_(rotor_, directions_, law_, forcing_, std::move(search)),
         size_(rotor.period() / steps_in_revolution_) {}
@@ -110,7 +109,7 @@ class SteppedMotion final : public observables::MotionPiece {
   using System = SteppedSystem<Law, Forcing, typename Scheme::Search, Scheme::kLocated>;
 
   static constexpr double kMostRefinement = 10.0;  ///< steps a revolution against the longest ones, and so
-  static constexpr double kMostSteps = 1e6;        ///< many more: bounds the work
+  static constexpr double kMostSteps = 1e5;        ///< many more: bounds the work
   static constexpr double kSmallestSize = 1e-15;   ///< in τ
   static constexpr double kSlipRounding = 1e-12;   ///< of Ω R: v where a slip reversal has been located
 
@@ -176,23 +175,7 @@ class SteppedMotion final : public observables::MotionPiece {
   [[nodiscard]] double scaled_error() const {
     const double estimate = step_.error_estimate(
         [](const SteppedState& difference) { return difference.template head<4>().abs().maxCoeff(); });
-    return estimate / (limits_.tolerance + step_.size() * acceleration_noise());
-  }
-
-  /// What the uncertainty of the forces may add to the error estimate per unit of τ [m per unit τ²]: each
-  /// stage is off by up to one resolution, always to the same side. A control that chased it would shrink its
-  /// steps without end.
-  [[nodiscard]] double acceleration_noise() const {
-    if (resolution_ == 0.0) return 0.0;
-    const double sum = Scheme::Table::estimate([](auto weights) { return sum_of_magnitudes(weights()); });
-    const auto blades = static_cast<double>(std::max<std::size_t>(1, open_.size()));
-    return 0.5 * sum * blades * resolution_ * rotor_.force_unit;
-  }
-  template <class Weights>
-  [[nodiscard]] static double sum_of_magnitudes(const Weights& weights) {
-    double sum = 0.0;
-    for (const double weight : weights) sum += std::abs(weight);
-    return sum;
+    return estimate / limits_.tolerance;
   }
 
   [[nodiscard]] SteppedState state_at(double fraction) {
@@ -277,7 +260,6 @@ class SteppedMotion final : public observables::MotionPiece {
   Law law_;
   Forcing forcing_;
   SteppedLimits limits_;
-  double resolution_;           ///< of a blade's force [N]
   double steps_in_revolution_;  ///< of the longest step, a whole number
   System system_;
   integrate::RungeKutta<typename Scheme::Table, 5> step_;

@@ -3,7 +3,7 @@
 ///
 /// Whether a blade touches is either frozen for a step (`located`, whose steps end at events) or decided by
 /// the sign of g wherever the right-hand side is asked for (MODEL 4.1). `Search` says how a blade's force is
-/// found: `bool operator()(law, pose, slip, speed_ratio, bending, force)`, to within `resolution()` [N].
+/// found: `bool operator()(law, pose, slip, speed_ratio, bending, force)`.
 #pragma once
 
 #include <Eigen/Core>
@@ -128,9 +128,6 @@ class SteppedSystem {
 
 /// The root of the contact equation, as accurate as numbers allow.
 struct SolvedForce {
-  /// What the force is uncertain by [N].
-  [[nodiscard]] static double resolution() { return 0.0; }
-
   template <class Law>
   bool operator()(const Law& law, const contact::Pose& at, double slip, double speed_ratio, double& bending,
                   contact::TipForce& force) const {
