@@ -41,7 +41,7 @@ TEST_P(RandomSearch, EveryLegalSceneEndsWithAStatus) {
 INSTANTIATE_TEST_SUITE_P(Slow, RandomSearch, ::testing::Range<std::uint64_t>(0, kShards));
 
 TEST(RandomSearch, TheFirstScenesEndWithAStatus) {
-  search(0, 150);
+  search(0, 30);
 }
 
 }  // namespace
