@@ -36,20 +36,20 @@ def draw_lines(axes, study, cost, error, floor, width=1.4, **look):
 
 def draw_trajectories(study, options):
     """Error against CPU time and right-hand sides: above for predictable points, below within the horizon of the others."""
-    groups = [(study.predictable(), "predictable to the end:\nlargest error / clearance"),
+    known = "predictable to the end:\nlargest error / clearance"
+    groups = [(study.predictable(), known),
               (~study.predictable(), "chaotic, within the horizon:\nlargest error / clearance")]
     groups = [(points, words) for points, words in groups if points.any()]
-    figure, panels = style.plt.subplots(len(groups), 2, figsize=(10.0, 1.3 + 3.1 * len(groups)), sharey="row",
+    figure, panels = style.plt.subplots(len(groups), 2, figsize=(11.5, 1.3 + 3.1 * len(groups)), sharey="row",
                                         squeeze=False)
     for (points, words), row in zip(groups, panels):
-        error = study.worst_error(points)
+        error = np.where(study.complete(points), study.worst_error(points), np.nan)
         costs = [1e3 * study.mean("cpu_time_min", points), study.mean("right_hand_sides", points)]
         for axes, cost in zip(row, costs):
             draw_lines(axes, study, cost, error, SMALLEST_DRAWN)
-            for method in study.methods() if options.reference else []:
-                settings = study.of(method)
-                axes.plot(cost[settings], study.error_against(options.reference, points)[settings], ls="none", marker="x",
-                          markersize=5.0, color=style.INK, zorder=5)
+            if options.reference and words is known:
+                axes.plot(cost[1:], study.error_against(options.reference, points)[1:], ls="none", marker="x", markersize=5.0,
+                          color=style.INK, zorder=5)
             axes.set_xscale("log")
             axes.set_yscale("log")
         row[0].set_ylabel(f"{np.count_nonzero(points)} points {words}")
@@ -59,8 +59,8 @@ def draw_trajectories(study, options):
     handles, labels = panels[0][0].get_legend_handles_labels()
     if options.reference:
         handles.append(style.plt.Line2D([], [], ls="none", marker="x", color=style.INK))
-        labels.append("against the reference data")
-    panels[0][1].legend(handles, labels, loc="upper right", ncol=2)
+        labels.append("against the\nreference data")
+    panels[0][1].legend(handles, labels, loc="upper left", bbox_to_anchor=(1.0, 1.0))
     style.title(figure, study, f"Work and precision: {study.describe()}")
     style.save(figure, argparse.Namespace(output=options.output / "accuracy.png", dpi=options.dpi))
 
@@ -71,12 +71,12 @@ def draw_map(study, options):
     zero = 0.4 / count  # where "none" is drawn: below the share of one point
     everywhere = np.ones(study.point_count(), dtype=bool)
     costs = [1e3 * study.mean("cpu_time_min", everywhere), study.mean("right_hand_sides", everywhere)]
-    figure, panels = style.plt.subplots(1, 2, figsize=(10.0, 4.4), sharey=True)
+    figure, panels = style.plt.subplots(1, 2, figsize=(11.5, 4.4), sharey=True)
     for axes, cost in zip(panels, costs):
         draw_lines(axes, study, cost, study["map_error_beyond_chaos"], zero)
         hybrid = study.of("hybrid")
         axes.plot(cost[hybrid], np.maximum(study["map_error"][hybrid], zero), color=style.GREY, ls=(0, (4, 3)),
-                  label="hybrid, with the maxima of chaotic points")
+                  label="hybrid, with the maxima\nof chaotic points")
         axes.axhline(1.0 / count, color=style.GREY, lw=0.7)
         axes.set_xscale("log")
         axes.set_yscale("log")
@@ -88,7 +88,7 @@ def draw_map(study, options):
     panels[0].xaxis.set_major_formatter("{x:g}")
     panels[0].set_xlabel("CPU time of a point [ms]")
     panels[1].set_xlabel("Right-hand sides of a point [-]")
-    panels[1].legend(loc="upper right")
+    panels[1].legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     style.title(figure, study, f"Error of the map: {study.describe()}")
     style.save(figure, argparse.Namespace(output=options.output / "accuracy_map.png", dpi=options.dpi))
 

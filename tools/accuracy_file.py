@@ -88,6 +88,10 @@ class AccuracyFile:
         """Mean over some points, one number per setting; a run that ended early counts with what it took."""
         return self._flat(name)[:, points].mean(axis=1)
 
+    def complete(self, points):
+        """Settings at which all of some points ran to the end, so that their costs compare."""
+        return self.done[:, points].all(axis=1)
+
     def worst_error(self, points):
         """Largest trajectory error over some points, one number per setting; NaN where a point was lost."""
         return worst(self._flat("trajectory_error")[:, points])

@@ -93,6 +93,14 @@ class ToolsAccuracy(unittest.TestCase):
         self.assertEqual(accuracy.sentence(study), "For a map you can trust, use tolerance 1e-07; it costs 4.0 ms a point; "
                                                    "ten times more accurate costs 25 % more.")
 
+    def test_a_setting_that_lost_a_point_has_no_cost_to_compare(self):
+        study = AccuracyFile(TINY / "accuracy.h5")
+        everywhere = np.ones(study.point_count(), dtype=bool)
+        np.testing.assert_array_equal(study.complete(everywhere), [True] * 4)
+        study.done[2, 1] = False
+        np.testing.assert_array_equal(study.complete(everywhere), [True, True, False, True])
+        np.testing.assert_array_equal(study.complete(study.predictable()), [True] * 4)
+
     def test_methods_are_compared_at_an_error_that_both_reach(self):
         study = AccuracyFile(TINY / "accuracy.h5")
         study.words = ["hybrid", "fixed", "hybrid", "hybrid"]
