@@ -26,8 +26,8 @@ double euler_load(const scene::Scene& scene) {
 }
 
 TEST(Loads, EveryBladeMaterialAndFrictionKeepsTheTolerance) {
-  // From the softest to the stiffest blade a factor of 3e11. The first contacts of a rotor at rest: what comes
-  // after them amplifies errors, and is not what is asked here.
+  // From the softest to the stiffest blade a factor of 3e11. The first contacts of a rotor at rest: what
+  // comes after them amplifies errors, and is not what is asked here.
   for (const double modulus : {kSteel, kRubber}) {
     for (const double thickness : kThicknesses) {
       for (const double friction : kFrictions) {
