@@ -86,10 +86,14 @@ double distance(const solve::SectionState& a, const solve::SectionState& b) {
 }
 
 std::vector<solve::SectionState> sections_of(const ReferenceCase& c, double tolerance) {
+  return sections_of(c, tolerance, c.last_section);
+}
+
+std::vector<solve::SectionState> sections_of(const ReferenceCase& c, double tolerance, int revolutions) {
   scene::Scene scene = c.scene;
   scene.accuracy.tolerance = tolerance;
   scene.observables = {"poincare"};
-  scene.protocol = {0, c.last_section, 64};
+  scene.protocol = {0, revolutions, 64};
   const auto solver = solve::make_line_solver(scene, c.line(), solve::make_blade_tables());
   const auto outcome = solver->run(c.speed_ratio, c.start, [] {});
   if (outcome.status != solve::PointStatus::done) throw std::runtime_error(c.name + " did not end as done");

@@ -48,7 +48,9 @@ const ReferenceCase& reference_case(const std::string& name);
 /// Largest difference of the components.
 double distance(const solve::SectionState& a, const solve::SectionState& b);
 
-/// All sections of a case at a tolerance, from its start on; the run must end as done.
+/// The first sections of a case at a tolerance, from its start on; the run must end as done.
+std::vector<solve::SectionState> sections_of(const ReferenceCase& c, double tolerance, int revolutions);
+/// All of them.
 std::vector<solve::SectionState> sections_of(const ReferenceCase& c, double tolerance);
 
 /// The law of a case, for forces at events.

@@ -31,7 +31,9 @@ TEST_P(ReferenceOrbit, FirstSectionsAgreeAsFarAsTheMotionLetsErrorsBe) {
   // constant.
   constexpr double kTolerance = 1e-13;
   constexpr double kAmplification = 10.0 * kTolerance / 1e-16;
-  const auto sections = sections_of(c, kTolerance);
+  // No further: of the motions near that at Ω = 0.98, one in fourteen leaves the model within 300
+  // revolutions.
+  const auto sections = sections_of(c, kTolerance, static_cast<int>(c.first_sections.size()));
   for (std::size_t i = 0; i < c.first_sections.size(); ++i) {
     const double floor = 10.0 * kTolerance * c.scene.clearance();
     EXPECT_LE(distance(sections[i], c.first_sections[i]), floor + kAmplification * c.section_uncertainty[i])
