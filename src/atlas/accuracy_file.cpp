@@ -52,6 +52,7 @@ class Writer {
   void per_setting(const std::string& name, const std::string& units, const std::string& long_name,
                    const std::vector<Entry>& entries, double Entry::*member) {
     std::vector<double> values;
+    values.reserve(entries.size());
     for (const auto& entry : entries) values.push_back(entry.*member);
     write<double>(name, units, long_name, values, {&setting_});
   }
