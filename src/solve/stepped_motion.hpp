@@ -63,9 +63,12 @@ class SteppedMotion final : public observables::MotionPiece {
   /// One revolution.
   PointStatus revolution(MotionListener& listener) {
     const double period = rotor_.period();
-    const double most_steps = kMostRefinement * steps_in_revolution_ + kMostSteps;
-    for (double step = 1.0; step <= most_steps; ++step) {
-      if (const PointStatus status = make_step(step, period); status != PointStatus::done) return status;
+    const auto most_steps = static_cast<std::int64_t>(kMostRefinement * steps_in_revolution_ + kMostSteps);
+    for (std::int64_t step = 1; step <= most_steps; ++step) {
+      if (const PointStatus status = make_step(static_cast<double>(step), period);
+          status != PointStatus::done) {
+        return status;
+      }
       const PointStatus status = finish_step(listener);
       if (status != PointStatus::done) return status;
       if (step_.start()[kSteppedTime] >= period) {
