@@ -14,7 +14,11 @@ std::uint8_t class_of_record(std::span<const double> states, double tolerance, s
   bool nearly = false;
   for (std::size_t period = 1; period <= longest; ++period) {
     const double distance = closing_distance(states, period);
-    if (distance <= tolerance) return static_cast<std::uint8_t>(period);
+    if (distance <= tolerance) {
+      // A shorter period that all but closes: a doubling that has hardly begun, or a motion that still
+      // settles.
+      return nearly ? motion_class::kUnresolved : static_cast<std::uint8_t>(period);
+    }
     nearly = nearly || distance <= kUnresolvedFactor * tolerance;
   }
   return nearly ? motion_class::kUnresolved : motion_class::kAperiodic;

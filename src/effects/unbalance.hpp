@@ -7,6 +7,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <optional>
 
 #include "rotor/free_motion.hpp"
 
@@ -42,6 +43,13 @@ class Unbalance {
     Complex position;
     Complex velocity;
   };
+
+  /// Steady response at time τ of the revolution; none near resonance, where it may not exist.
+  [[nodiscard]] std::optional<Response> steady(double time) const {
+    if (std::norm(dynamic_stiffness_) <= kNearResonance * kNearResonance) return std::nullopt;
+    const Complex position = acceleration(time) / dynamic_stiffness_;
+    return Response{position, Complex(0.0, speed_ratio_) * position};
+  }
 
   /// Motion a time `elapsed` after rest at `start` (both in τ), in closed form; `motion` is the free motion's
   /// C and S at `elapsed`.

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -133,18 +134,25 @@ class RungeKutta {
   // behind.
   template <class Weights>
   [[nodiscard]] Vector weighted_sum(Weights) const {
-    Vector sum = Vector::Zero();
-    [&]<std::size_t... kJ>(std::index_sequence<kJ...>) {
-      ((add<Weights, kJ>(sum)), ...);
+    return [&]<std::size_t... kJ>(std::index_sequence<kJ...>)->Vector {
+      return (... + (Weights{}()[kNonZero<Weights>[kJ]] * stages_[kNonZero<Weights>[kJ]]));
     }
-    (std::make_index_sequence<Weights{}().size()>{});
-    return sum;
+    (std::make_index_sequence<kNonZero<Weights>.size()>{});
   }
-  template <class Weights, std::size_t kJ>
-  void add(Vector& sum) const {
-    constexpr double kWeight = Weights{}()[kJ];
-    if constexpr (kWeight != 0.0) sum += kWeight * stages_[kJ];
-  }
+
+  /// The stages that count in a sum, so that the others leave no instruction behind.
+  template <class Weights>
+  static constexpr auto kNonZero = [] {
+    constexpr auto kWeights = Weights{}();
+    constexpr auto kCount = static_cast<std::size_t>(
+        std::count_if(kWeights.begin(), kWeights.end(), [](double weight) { return weight != 0.0; }));
+    std::array<std::size_t, kCount> stages{};
+    std::size_t next = 0;
+    for (std::size_t j = 0; j < kWeights.size(); ++j) {
+      if (kWeights[j] != 0.0) stages[next++] = j;
+    }
+    return stages;
+  }();
 
   template <class System, std::size_t... kI>
   bool evaluate_stages(System& system, std::index_sequence<kI...>) {
@@ -160,8 +168,8 @@ class RungeKutta {
     return system(state, stages_[kRow]);
   }
 
-  Vector start_;
-  Vector end_;
+  Vector start_ = Vector::Zero();
+  Vector end_ = Vector::Zero();
   double size_ = 0.0;
   bool dense_ready_ = false;
   std::array<Vector, Table::kDenseStages> stages_;

@@ -42,14 +42,13 @@ class ContactPhase final : public observables::MotionPiece {
       : limits_(limits),
         misalignment_(rotor.misalignment),
         ring_radius_(law.geometry().ring_radius),
-        tip_speed_(rotor.speed_ratio * ring_radius_),
+        tip_speed_(std::abs(rotor.speed_ratio) * ring_radius_),
         step_(rotor, blades, law, limits.tolerance, std::move(system)),
         watched_(static_cast<std::size_t>(blades.count())) {}
 
   /// Starts at time τ of the revolution. False where the system cannot start there.
   bool start(double time, const State& state, const std::vector<OpenContact>& contacts) {
     pending_ = false;
-    steps_in_phase_ = 0;
     if (!step_.start(time, state, contacts)) return false;
     for (std::size_t k = 0; k < watched_.size(); ++k) {
       watched_[k].open = false;
@@ -66,9 +65,9 @@ class ContactPhase final : public observables::MotionPiece {
     return true;
   }
 
-  /// Goes on until something ends the phase or time reaches `until`; hands every piece of motion to the
-  /// listener.
-  PhaseEnd advance(double until, MotionListener& listener) {
+  /// Goes on until something ends the phase, time reaches `until` or no steps are left; hands every piece of
+  /// motion to the listener. `steps_left` counts steps down, rejected ones too.
+  PhaseEnd advance(double until, std::int64_t& steps_left, MotionListener& listener) {
     while (true) {
       if (pending_) {
         const bool beyond = segment_end_ > until;
@@ -81,8 +80,11 @@ class ContactPhase final : public observables::MotionPiece {
         step_.accept();
         for (Watched& blade : watched_) blade.take_end();
       }
-      if (++steps_in_phase_ > kMostStepsInPhase) return {PhaseEvent::failed};
-      switch (step_.make()) {
+      if (steps_left <= 0) return {PhaseEvent::failed};
+      const std::uint64_t before = step_.attempts();
+      const auto outcome = step_.make();
+      steps_left -= static_cast<std::int64_t>(step_.attempts() - before);
+      switch (outcome) {
         case ContactStep<System, Law, Pair>::Outcome::failed:
           return {PhaseEvent::failed};
         case ContactStep<System, Law, Pair>::Outcome::no_force:
@@ -130,8 +132,7 @@ class ContactPhase final : public observables::MotionPiece {
   [[nodiscard]] std::uint64_t rejected() const { return step_.rejected(); }
 
  private:
-  static constexpr int kMostStepsInPhase = 100000;  ///< bounds the work; no healthy contact takes a thousand
-  static constexpr double kGapRounding = 1e-17;     ///< [m²]: g of a contact that has just opened
+  static constexpr double kGapRounding = 1e-17;  ///< [m²]: g of a contact that has just opened
 
   static constexpr double kSlipRounding = 1e-12;  ///< of Ω R: v where a slip reversal has been located
 
@@ -285,7 +286,6 @@ class ContactPhase final : public observables::MotionPiece {
   double segment_begin_ = 0.0;    ///< recorded up to here
   double segment_end_ = 0.0;
   double segment_limit_ = 0.0;
-  int steps_in_phase_ = 0;
 };
 
 }  // namespace rubatlas::solve

@@ -62,7 +62,7 @@ class ContactStep {
       const bool evaluated = step_.attempt(system_, size);
       const double error = evaluated ? scaled_error() : std::numeric_limits<double>::infinity();
       if (integrate::StepControl::acceptable(error)) {
-        if (!holds_whole_contact()) {
+        if (!holds_whole_contact() && !passes_fold()) {
           ++accepted_;
           control_.accept(error, size < proposed);
           if constexpr (kCarried) project();
@@ -200,12 +200,14 @@ class ContactStep {
 
   [[nodiscard]] std::uint64_t evaluations() const { return system_.evaluations(); }
   [[nodiscard]] std::uint64_t accepted() const { return accepted_; }
+  [[nodiscard]] std::uint64_t attempts() const { return accepted_ + rejected_; }
   [[nodiscard]] std::uint64_t rejected() const { return rejected_; }
 
  private:
   static constexpr double kFirstSize =
       0.1;  ///< of the scale; only the first contact of a point starts with it
-  static constexpr double kSmallestSize = 1e-15;  ///< in σ
+  static constexpr double kSmallestSize = 1e-15;   ///< in σ
+  static constexpr double kFoldResolution = 1e-6;  ///< of the scale
   static constexpr double kFractionResolution = 1e-14;
   static constexpr double kAimBehind = 1.05;     ///< of the way to lift-off
   static constexpr double kBendingWeight = 0.3;  ///< of the relative error of u against that of the state
@@ -282,6 +284,14 @@ class ContactStep {
   /// read from the middle of dense output, whose order is one less.
   [[nodiscard]] bool holds_whole_contact() const {
     return passes_lift_off() && step_.start_derivative()[kBending] > 0.0 && step_.size() > kSmallestSize;
+  }
+
+  /// A step past the fold of the contact equation, where time turns round: what ends the contact before it
+  /// would be looked for on a path that leads there and back. Only a fold that short steps reach too has lost
+  /// the root.
+  [[nodiscard]] bool passes_fold() const {
+    return root_lost() && !passes_lift_off() &&
+           step_.size() > kFoldResolution * scale(step_.start()[kBending]);
   }
 
   /// Lets the step that would pass lift-off end just behind it, and the two before share what is left evenly.

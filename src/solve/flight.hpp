@@ -12,6 +12,7 @@
 #include "effects/unbalance.hpp"
 #include "integrate/conservative_step.hpp"
 #include "rotor/free_motion.hpp"
+#include "solve/line_solver.hpp"
 #include "solve/rotor.hpp"
 
 namespace rubatlas::solve {
@@ -54,11 +55,19 @@ class Flight {
     return result;
   }
 
-  /// Bound of |z| and |z'| from a state of this flight over the time `horizon` that follows:
-  /// d/dτ (|z|² + |z'|²)^½ <= |forcing|, since damping only takes away.
-  [[nodiscard]] double amplitude_bound(const State& state, double horizon) const {
+  /// Bound of |z| and |z'| from a state of this flight over the time `horizon` that follows, which may be
+  /// infinite. Damping only takes away, so that (|z|² + |z'|²)^½ grows by |forcing| a unit of time at most;
+  /// and that of the distance to the steady response does not grow at all.
+  [[nodiscard]] double amplitude_bound(double time, const State& state, double horizon) const {
     double bound = std::sqrt(state.square().sum());
-    if constexpr (Forcing::kPresent) bound += forcing_->amplitude() * horizon;
+    if constexpr (Forcing::kPresent) {
+      bound += forcing_->amplitude() * horizon;
+      if (const auto steady = forcing_->steady(time)) {
+        const double distance = std::sqrt(std::norm(Complex(state[0], state[1]) - steady->position) +
+                                          std::norm(Complex(state[2], state[3]) - steady->velocity));
+        bound = std::min(bound, distance + std::max(std::abs(steady->position), std::abs(steady->velocity)));
+      }
+    }
     return bound;
   }
 
@@ -97,11 +106,8 @@ class TouchdownSearch {
   std::optional<Touchdown> find(const Flight<Forcing>& flight, double until) {
     const double from = flight.start_time();
     State state = flight.state(from);
-    ++evaluations_;
     // The shaft cannot leave the clearance circle: no blade can touch, and there is nothing to search.
-    const double reach_of_shaft =
-        flight.amplitude_bound(state, until - from) + std::abs(rotor_->misalignment);
-    if (reach_of_shaft <= geometry_.ring_radius - geometry_.reach) return std::nullopt;
+    if (stays_clear(flight, from, state, until - from)) return std::nullopt;
 
     clear_until_.assign(clear_until_.size(), from);
     double time = from;
@@ -114,14 +120,27 @@ class TouchdownSearch {
       if (clear_until_[blade] > time) {
         time = clear_until_[blade];
         state = flight.state(time);
-        ++evaluations_;
       }
+      if (gave_up()) return std::nullopt;
+      ++evaluations_;
       const double step = clear_step(flight, static_cast<int>(blade), time, state, until);
       if (step <= kTimeResolution * std::max(1.0, time)) return Touchdown{static_cast<int>(blade), time};
       clear_until_[blade] = time + step;
     }
   }
 
+  /// The rotor stays within the clearance circle for ever, so that no blade can touch.
+  template <class Forcing>
+  [[nodiscard]] bool never_touches(const Flight<Forcing>& flight, const State& state) const {
+    return stays_clear(flight, flight.start_time(), state, std::numeric_limits<double>::infinity());
+  }
+
+  /// Starts to count what a revolution may cost.
+  void begin_revolution() { most_evaluations_ = evaluations_ + WorkBounds::kGapEvaluations; }
+  /// The last search ended for that bound.
+  [[nodiscard]] bool gave_up() const { return evaluations_ >= most_evaluations_; }
+
+  /// Gaps evaluated, one for each blade and time.
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
  private:
@@ -130,13 +149,20 @@ class TouchdownSearch {
   static constexpr double kTimeResolution = 2.0 * std::numeric_limits<double>::epsilon();
 
   template <class Forcing>
+  [[nodiscard]] bool stays_clear(const Flight<Forcing>& flight, double time, const State& state,
+                                 double horizon) const {
+    return flight.amplitude_bound(time, state, horizon) + std::abs(rotor_->misalignment) <=
+           geometry_.ring_radius - geometry_.reach;
+  }
+
+  template <class Forcing>
   double clear_step(const Flight<Forcing>& flight, int blade, double time, const State& state,
                     double until) const {
-    const double speed = rotor_->speed_ratio;
+    const double turning = rotor_->speed_ratio;
     const double reach = geometry_.reach;
     const contact::BladeDirection er = blades_->direction(blade, blades_->first(time));
     const contact::Pose pose = pose_of(*rotor_, geometry_, er, state);
-    const double slope = contact::gap_rate(geometry_, pose, speed);
+    const double slope = contact::gap_rate(geometry_, pose, turning);
     // Rounding may leave the gap of a blade that has just lifted off a little above zero.
     if (pose.gap >= 0.0 && slope > 0.0) return 0.0;
     const double value = std::min(pose.gap, 0.0);
@@ -148,18 +174,24 @@ class TouchdownSearch {
     const double curvature =
         2.0 * (state[2] * state[2] + state[3] * state[3] + cx * acceleration.real() +
                cy * acceleration.imag()) +
-        2.0 * reach * (ar + speed * (2.0 * pose.tangential_velocity - speed * pose.radial));
+        2.0 * reach * (ar + turning * (2.0 * pose.tangential_velocity - turning * pose.radial));
 
-    // |g'''| <= 6|c'||c''| + 2|c||c'''| + 2(rh+L)(|c'''| + 3Ω|c''| + 3Ω²|c'| + Ω³|c|)
+    const double speed = std::abs(turning);
+    // g''' = 6 c'·c'' + 2 c·c''' + 2(rh+L) er·(d/dτ + iΩ)³ c. In the last term z''' and z'' are written with
+    // z, z' and the forcing, whose weights are bounded together: |z|² + |z'|² <= bound².
     const double forcing = flight.forcing_bound();
     const double damping = 2.0 * rotor_->damping_ratio;
-    const double bound = flight.amplitude_bound(state, until - time);  // of |z| and |c'|
-    const double centre = bound + std::abs(rotor_->misalignment);      // of |c|
+    const double bound = flight.amplitude_bound(time, state, until - time);  // of |z| and |c'|
+    const double misalignment = std::abs(rotor_->misalignment);
+    const double centre = bound + misalignment;  // of |c|
     const double second = std::sqrt(1.0 + damping * damping) * bound + forcing;
     const double third = damping * second + bound + forcing * speed;
-    const double third_bound =
-        6.0 * bound * second + 2.0 * centre * third +
-        2.0 * reach * (third + speed * (3.0 * second + speed * (3.0 * bound + speed * centre)));
+    const double of_velocity =
+        std::hypot(damping * damping - 1.0 - 3.0 * speed * speed, 3.0 * speed * damping);
+    const double of_position = std::hypot(damping, speed * (3.0 + speed * speed));
+    const double turned_third = std::hypot(of_velocity, of_position) * bound +
+                                (damping + 4.0 * speed) * forcing + speed * speed * speed * misalignment;
+    const double third_bound = 6.0 * bound * second + 2.0 * centre * third + 2.0 * reach * turned_third;
     return integrate::conservative_step(value, slope, curvature, third_bound);
   }
 
@@ -168,6 +200,7 @@ class TouchdownSearch {
   const BladeSet* blades_;
   std::vector<double> clear_until_;
   std::uint64_t evaluations_ = 0;
+  std::uint64_t most_evaluations_ = std::numeric_limits<std::uint64_t>::max();
 };
 
 }  // namespace rubatlas::solve

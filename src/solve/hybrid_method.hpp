@@ -1,6 +1,8 @@
 /// The hybrid method: closed-form flight, contacts in steps of a Runge–Kutta pair, located events.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 
 #include "scene/scene.hpp"
@@ -18,7 +20,10 @@ struct HybridMethod {
   template <class Law, class Forcing>
   static std::unique_ptr<Motion<Law, Forcing>> make(const RotorConstants& rotor, const Law& law,
                                                     const Forcing& forcing, const scene::Scene& scene) {
-    const ContactLimits limits{scene.accuracy.tolerance * rotor.length_scale, scene.validity.max_shortening};
+    // No step can be closer than positions are rounded: a clearance of nanometres asks for more.
+    const double rounding = std::numeric_limits<double>::epsilon() * scene.ring.radius;
+    const ContactLimits limits{std::max(scene.accuracy.tolerance * rotor.length_scale, rounding),
+                               scene.validity.max_shortening};
     return std::make_unique<Motion<Law, Forcing>>(rotor, scene.blades.count, law, forcing, limits);
   }
 };

@@ -46,6 +46,16 @@ struct WorkCounts {
   }
 };
 
+/// Bounds of the work in one revolution, far beyond what any motion needs that comes to an end: fifty blades
+/// in chaos make some thousand steps. A revolution that passes one ends its point as `integrator_failed`: a
+/// contact that opens and closes without end (the model's own, MODEL 4.2 and 4.4), or a scene beyond double
+/// precision.
+struct WorkBounds {
+  static constexpr std::int64_t kSteps = 100000;  ///< in contact, rejected ones included
+  static constexpr std::uint64_t kGapEvaluations = 1000000;
+  static constexpr int kEvents = 20000;  ///< touch-downs, lift-offs and slip reversals
+};
+
 struct PointOutcome {
   PointStatus status = PointStatus::pending;
   std::int32_t failed_revolution = -1;  ///< counted from 0 through the transient; −1 when done

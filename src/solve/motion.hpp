@@ -59,13 +59,17 @@ class Motion {
       const contact::Pose pose = pose_of(rotor_, law_.geometry(), blades_.direction(k, first), state_);
       if (pose.gap > 0.0 && !open(k, pose)) return PointStatus::left_validity;
     }
+    flight_.start(time_, state_);
+    never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);
     return state_.isFinite().all() ? PointStatus::done : PointStatus::integrator_failed;
   }
 
   /// One revolution.
   PointStatus revolution(MotionListener& listener) {
     const double period = rotor_.period();
-    for (int events = 0; events < kMostEventsInRevolution; ++events) {
+    steps_left_ = WorkBounds::kSteps;
+    search_.begin_revolution();
+    for (int events = 0; events < WorkBounds::kEvents; ++events) {
       PhaseEnd end{};
       if (phase_ == Phase::undecided) {
         if (!begin_phase()) return PointStatus::left_validity;
@@ -114,9 +118,6 @@ class Motion {
  private:
   enum class Phase : std::uint8_t { undecided, flight, carried, solved };
 
-  static constexpr int kMostEventsInRevolution =
-      20000;  ///< bounds chatter; 50 blades make some hundred events
-
   /// A piece of flight, as listeners see it.
   class FlightPiece final : public observables::MotionPiece {
    public:
@@ -141,10 +142,14 @@ class Motion {
 
   PhaseEnd fly(double period, MotionListener& listener) {
     flight_.start(time_, state_);
-    const auto touchdown = search_.find(flight_, period);
+    std::optional<TouchdownSearch::Touchdown> touchdown;
+    if (!never_touches_) {
+      touchdown = search_.find(flight_, period);
+      if (search_.gave_up()) return {PhaseEvent::failed};
+    }
     const double end = touchdown ? touchdown->time : period;
     if (end > time_) {
-      FlightPiece piece(flight_, time_, end, flight_.amplitude_bound(state_, end - time_));
+      FlightPiece piece(flight_, time_, end, flight_.amplitude_bound(time_, state_, end - time_));
       // |c| may reach R in flight where no blade stands in the way (MODEL 5).
       const double ring_radius = law_.geometry().ring_radius;
       if (piece.displacement_bound() + std::abs(rotor_.misalignment) >= ring_radius &&
@@ -162,7 +167,7 @@ class Motion {
 
   template <class AnyPhase>
   PhaseEnd touch(AnyPhase& phase, double period, MotionListener& listener) {
-    const PhaseEnd end = phase.advance(period, listener);
+    const PhaseEnd end = phase.advance(period, steps_left_, listener);
     if (end.event == PhaseEvent::horizon) {
       state_ = phase.state_at(period);
       phase.shift_time(period);
@@ -271,6 +276,8 @@ class Motion {
   Phase phase_ = Phase::undecided;
   State state_ = State::Zero();
   double time_ = 0.0;
+  std::int64_t steps_left_ = 0;  ///< in this revolution
+  bool never_touches_ = false;   ///< proven at the start of the point
   WorkCounts work_;
 };
 

@@ -29,8 +29,8 @@ struct RotorConstants {
   double force_unit;     ///< 1/(m ωn²) [m/N]: acceleration per unit τ² of one newton
   double length_scale;   ///< δc, or L/10 where δc = 0 [m]: what tolerances are relative to
 
-  /// τ of one revolution.
-  [[nodiscard]] double period() const { return 2.0 * std::numbers::pi / speed_ratio; }
+  /// τ of one revolution. A negative speed ratio is a spin the other way, the mirror image.
+  [[nodiscard]] double period() const { return 2.0 * std::numbers::pi / std::abs(speed_ratio); }
 };
 
 /// Directions of n equal blades; blade 0 is the paper's blade 1, at angle 0 when the revolution starts.

@@ -105,6 +105,11 @@ std::vector<solve::SectionState> sections_of(const ReferenceCase& c, double tole
   return sections;
 }
 
+std::vector<solve::SectionState> settled_sections_of(const ReferenceCase& c, double tolerance) {
+  constexpr const char* kLongTransient = "default_Om0.68";
+  return sections_of(c, tolerance, c.name == kLongTransient ? 3 * c.last_section : c.last_section);
+}
+
 contact::ElasticaContact contact_of(const ReferenceCase& c) {
   const scene::Blades& blades = c.scene.blades;
   const double stiffness = blades.youngs_modulus * blades.width * std::pow(blades.thickness, 3) / 12.0;

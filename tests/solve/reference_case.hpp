@@ -53,6 +53,11 @@ std::vector<solve::SectionState> sections_of(const ReferenceCase& c, double tole
 /// All of them.
 std::vector<solve::SectionState> sections_of(const ReferenceCase& c, double tolerance);
 
+/// The last sections of a case at a tolerance. One case ends on an orbit of period 1 after a chaotic
+/// transient: how long that lasts depends on the last digits, the orbit does not, and it is given three times
+/// the time.
+std::vector<solve::SectionState> settled_sections_of(const ReferenceCase& c, double tolerance);
+
 /// The law of a case, for forces at events.
 contact::ElasticaContact contact_of(const ReferenceCase& c);
 solve::RotorConstants constants_of(const ReferenceCase& c);
