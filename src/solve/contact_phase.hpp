@@ -50,9 +50,10 @@ class ContactPhase final : public observables::MotionPiece {
   bool start(double time, const State& state, const std::vector<OpenContact>& contacts) {
     pending_ = false;
     if (!step_.start(time, state, contacts)) return false;
+    const contact::BladeDirection first = step_.first_blade(step_.begin());
     for (std::size_t k = 0; k < watched_.size(); ++k) {
       watched_[k].open = false;
-      watched_[k].at_begin = step_.gap(static_cast<int>(k), step_.begin());
+      watched_[k].at_begin = step_.gap(static_cast<int>(k), step_.begin(), first);
     }
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       Watched& blade = watched_[static_cast<std::size_t>(contacts[i].blade)];
@@ -176,9 +177,10 @@ class ContactPhase final : public observables::MotionPiece {
     const ContactState end = step_.at_fraction(last);
     if (lifts_off) watched_of(0).end_slip_velocity = step_.force(0, end).slip_velocity;
 
+    const contact::BladeDirection first = step_.first_blade(end);
     for (int k = 0; k < static_cast<int>(watched_.size()); ++k) {
       Watched& watched = watched_[static_cast<std::size_t>(k)];
-      watched.at_end = step_.gap(k, end);
+      watched.at_end = step_.gap(k, end, first);
       if (!watched.open) {
         look_for_touch_down(k, watched, last);
       } else if (!lifts_off) {
@@ -193,11 +195,16 @@ class ContactPhase final : public observables::MotionPiece {
     if (!std::isfinite(segment_end_)) {
       end_ = {PhaseEvent::failed};
       segment_end_ = segment_begin_;
-    } else if ((end_.event == PhaseEvent::horizon && left_validity) ||
-               std::hypot(end[0], end[1] + misalignment_) >= ring_radius_) {
+    } else if ((end_.event == PhaseEvent::horizon && left_validity) || outside(end)) {
       end_ = {PhaseEvent::left_validity};
       segment_end_ = segment_begin_;
     }
+  }
+
+  /// The shaft's centre has reached the ring (MODEL 5).
+  [[nodiscard]] bool outside(const ContactState& state) const {
+    const double y = state[1] + misalignment_;
+    return state[0] * state[0] + y * y >= ring_radius_ * ring_radius_;
   }
 
   [[nodiscard]] Watched& watched_of(std::size_t contact) {

@@ -45,6 +45,7 @@ class ContactStep {
     full << state, time, kCarried ? contacts_.front().bending : 0.0;
     if constexpr (kCarried) {
       if (!system_.open(contacts_.front(), full)) return false;
+      system_.anchor(time);
     } else {
       system_.open(contacts_);
     }
@@ -56,6 +57,7 @@ class ContactStep {
 
   /// Makes one step that keeps the tolerance.
   Outcome make() {
+    if constexpr (kCarried) system_.anchor(step_.start()[kTime]);
     while (true) {
       const double proposed = proposed_size();
       const double size = aimed_at_lift_off(proposed);
@@ -128,13 +130,21 @@ class ContactStep {
     return integrate::root_between(bending, 0.0, 1.0, bending(0.0), bending(1.0));
   }
 
+  /// Direction of blade 0 in a state.
+  [[nodiscard]] contact::BladeDirection first_blade(const ContactState& state) const {
+    return blades_->first(state[kTime]);
+  }
   /// g and dg/dτ of a blade in a state.
   struct Gap {
     double value;
     double rate;
   };
   [[nodiscard]] Gap gap(int blade, const ContactState& state) const {
-    const contact::Pose at = pose(blade, state);
+    return gap(blade, state, first_blade(state));
+  }
+  /// The same when blade 0 stands at `first`, for all blades in one state.
+  [[nodiscard]] Gap gap(int blade, const ContactState& state, const contact::BladeDirection& first) const {
+    const contact::Pose at = pose(blade, state, first);
     return {at.gap, contact::gap_rate(law_->geometry(), at, rotor_->speed_ratio)};
   }
 
@@ -241,8 +251,11 @@ class ContactStep {
   }
 
   [[nodiscard]] contact::Pose pose(int blade, const ContactState& state) const {
-    const contact::BladeDirection er = blades_->direction(blade, blades_->first(state[kTime]));
-    return pose_of(*rotor_, law_->geometry(), er, state.head<4>());
+    return pose(blade, state, first_blade(state));
+  }
+  [[nodiscard]] contact::Pose pose(int blade, const ContactState& state,
+                                   const contact::BladeDirection& first) const {
+    return pose_of(*rotor_, law_->geometry(), blades_->direction(blade, first), state.head<4>());
   }
 
   bool make_dense() {

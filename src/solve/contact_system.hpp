@@ -69,9 +69,15 @@ class CarriedContact {
     return rate > kRestingRate * radius * radius;
   }
 
+  /// Takes the blade's direction at a time from which those of the stages near it are turned.
+  void anchor(double time) {
+    anchor_time_ = time;
+    anchor_ = blades_->direction(contact_.blade, blades_->first(time));
+  }
+
   bool operator()(const ContactState& state, ContactState& derivative) {
     ++evaluations_;
-    const contact::BladeDirection er = blades_->direction(contact_.blade, blades_->first(state[kTime]));
+    const contact::BladeDirection er = turned(state[kTime]);
     const contact::Pose pose = pose_of(*rotor_, law_->geometry(), er, state.head<4>());
     last_ = law_->constraint(pose, contact_.slip, state[kBending], rotor_->speed_ratio);
     acceleration_ = acceleration(*rotor_, *forcing_, state,
@@ -89,6 +95,23 @@ class CarriedContact {
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
  private:
+  /// Direction of the blade, from that at the anchor by the series of sine and cosine: within a step the
+  /// blade turns by some hundredths, and a sine and cosine in full are a quarter of a right-hand side.
+  [[nodiscard]] contact::BladeDirection turned(double time) const {
+    const double angle = rotor_->speed_ratio * (time - anchor_time_);
+    const double square = angle * angle;
+    if (!(square < kFarTurned)) return blades_->direction(contact_.blade, blades_->first(time));
+    const double fourth = square * square;
+    const double sine = angle + (angle * square) * ((-1.0 / 6 + square * (1.0 / 120)) +
+                                                    fourth * (-1.0 / 5040 + square * (1.0 / 362880)));
+    const double cosine_less_one =
+        square * ((-0.5 + square * (1.0 / 24)) + fourth * (-1.0 / 720 + square * (1.0 / 40320)));
+    return {anchor_.cosine + (anchor_.cosine * cosine_less_one - anchor_.sine * sine),
+            anchor_.sine + (anchor_.sine * cosine_less_one + anchor_.cosine * sine)};
+  }
+
+  /// [rad²]: below it the first terms left out, angle^11/11! and angle^10/10!, are less than 1e-18.
+  static constexpr double kFarTurned = 0.0039;
   static constexpr double kRestingRate = 1e-15;  ///< of R²: rounding of the rates of h
 
   const RotorConstants* rotor_;
@@ -96,6 +119,8 @@ class CarriedContact {
   const contact::ElasticaContact* law_;
   const Forcing* forcing_;
   OpenContact contact_{};
+  double anchor_time_ = 0.0;
+  contact::BladeDirection anchor_{};
   double scale_ = 1.0;  ///< unit of σ against the rates of h [1/m²]
   contact::ElasticaContact::Constraint last_{};
   std::complex<double> acceleration_;

@@ -95,6 +95,7 @@ class TouchdownSearch {
       : rotor_(&rotor),
         geometry_(geometry),
         blades_(&blades),
+        turning_weight_(turning_weight(rotor)),
         clear_until_(static_cast<std::size_t>(blades.count())) {}
 
   struct Touchdown {
@@ -148,6 +149,17 @@ class TouchdownSearch {
   /// last place.
   static constexpr double kTimeResolution = 2.0 * std::numeric_limits<double>::epsilon();
 
+  /// Bound of |(d/dτ + iΩ)³ z| against (|z|² + |z'|²)^½ in a flight without forcing: z''' and z'' are written
+  /// with z and z', whose weights are taken together.
+  static double turning_weight(const RotorConstants& rotor) {
+    const double damping = 2.0 * rotor.damping_ratio;
+    const double speed = std::abs(rotor.speed_ratio);
+    const double of_velocity =
+        std::hypot(damping * damping - 1.0 - 3.0 * speed * speed, 3.0 * speed * damping);
+    const double of_position = std::hypot(damping, speed * (3.0 + speed * speed));
+    return std::hypot(of_velocity, of_position);
+  }
+
   template <class Forcing>
   [[nodiscard]] bool stays_clear(const Flight<Forcing>& flight, double time, const State& state,
                                  double horizon) const {
@@ -186,11 +198,8 @@ class TouchdownSearch {
     const double centre = bound + misalignment;  // of |c|
     const double second = std::sqrt(1.0 + damping * damping) * bound + forcing;
     const double third = damping * second + bound + forcing * speed;
-    const double of_velocity =
-        std::hypot(damping * damping - 1.0 - 3.0 * speed * speed, 3.0 * speed * damping);
-    const double of_position = std::hypot(damping, speed * (3.0 + speed * speed));
-    const double turned_third = std::hypot(of_velocity, of_position) * bound +
-                                (damping + 4.0 * speed) * forcing + speed * speed * speed * misalignment;
+    const double turned_third =
+        turning_weight_ * bound + (damping + 4.0 * speed) * forcing + speed * speed * speed * misalignment;
     const double third_bound = 6.0 * bound * second + 2.0 * centre * third + 2.0 * reach * turned_third;
     return integrate::conservative_step(value, slope, curvature, third_bound);
   }
@@ -198,6 +207,7 @@ class TouchdownSearch {
   const RotorConstants* rotor_;
   contact::Geometry geometry_;
   const BladeSet* blades_;
+  double turning_weight_;
   std::vector<double> clear_until_;
   std::uint64_t evaluations_ = 0;
   std::uint64_t most_evaluations_ = std::numeric_limits<std::uint64_t>::max();
