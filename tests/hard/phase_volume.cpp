@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <numbers>
+#include <ostream>
 
 #include "hard_point.hpp"
 
@@ -25,6 +26,11 @@ struct VolumeCase {
   double unbalance;
   SectionState start;
 };
+
+/// gtest: the name of a case in the list of tests.
+void PrintTo(const VolumeCase& volume_case, std::ostream* out) {
+  *out << volume_case.name;
+}
 
 class PhaseVolume : public ::testing::TestWithParam<VolumeCase> {};
 
