@@ -417,25 +417,6 @@ const auto& table() {
   return entries;
 }
 
-constexpr std::array kSections{
-    Section{.pointer = "/rotor", .meaning = "point mass on a massless isotropic shaft"},
-    Section{.pointer = "/blades", .meaning = "equal, massless blades clamped on a hub"},
-    Section{.pointer = "/ring", .meaning = "the ring that surrounds the blades"},
-    Section{.pointer = "/contact", .meaning = "what happens between a blade tip and the ring"},
-    Section{.pointer = "/unbalance",
-            .meaning = "an effect: absent without this section or a grid axis of this name",
-            .open =
-                [](Scene& scene) {
-                  if (!scene.unbalance) scene.unbalance.emplace();
-                }},
-    Section{.pointer = "/grid", .meaning = "the values along the axes of the atlas"},
-    Section{.pointer = "/initial", .meaning = "state of the shaft centre at phase 0"},
-    Section{.pointer = "/protocol", .meaning = "how long a point runs and what of it is kept"},
-    Section{.pointer = "/spectrum", .meaning = "extent of the amplitude spectrum"},
-    Section{.pointer = "/validity", .meaning = "where the model ends"},
-    Section{.pointer = "/accuracy", .meaning = "method of integration and its error control"},
-};
-
 constexpr std::array kGridAxes{
     GridAxis{.name = "thickness", .quantity = "/blades/thickness", .values = &Grid::thickness},
     GridAxis{.name = "unbalance", .quantity = "/unbalance/moment", .values = &Grid::unbalance},
@@ -446,16 +427,6 @@ constexpr std::array kGridAxes{
 
 }  // namespace
 
-bool Range::contains(double value) const {
-  const bool above = low_excluded ? value > low : value >= low;
-  const bool below = high_excluded ? value < high : value <= high;
-  return above && below;
-}
-
-std::string Range::text() const {
-  return fmt::format("{}{}, {}{}", low_excluded ? '(' : '[', low, high, high_excluded ? ')' : ']');
-}
-
 std::span<const Quantity> quantities() {
   return table();
 }
@@ -465,10 +436,6 @@ const Quantity& quantity(std::string_view pointer) {
                                   [&](const Quantity& entry) { return entry.pointer == pointer; });
   if (found == table().end()) throw std::out_of_range(fmt::format("no quantity at {}", pointer));
   return *found;
-}
-
-std::span<const Section> sections() {
-  return kSections;
 }
 
 std::span<const GridAxis> grid_axes() {
