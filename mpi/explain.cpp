@@ -142,8 +142,10 @@ void describe_kernel(const scene::Scene& scene, Text& text) {
                                     scene.clearance() > 0.0 ? "the clearance" : "L/10 (the clearance is 0)",
                                     scene.accuracy.tolerance * scale, scene.accuracy.tolerance * scale));
   text.line("a point ends",
-            fmt::format("after {} + {} revolutions, or with a status: {}shaft at the ring",
-                        scene.protocol.transient_revolutions, scene.protocol.sampled_revolutions,
+            fmt::format("after {}{} + {} revolutions, or with a status: {}shaft at the ring",
+                        scene.protocol.transient_revolutions,
+                        scene.protocol.stop_when_periodic ? " (fewer once the sections repeat)" : "",
+                        scene.protocol.sampled_revolutions,
                         elastica ? fmt::format("δ/L above {}, no root of the contact equation, ",
                                                scene.validity.max_shortening)
                                  : ""));

@@ -344,6 +344,13 @@ const auto& table() {
           .kind = Kind::whole_number,
           .range = between(2, kMostSamples)},
          At<&Scene::protocol, &Protocol::samples_per_revolution>{}),
+      in({.pointer = "/protocol/stop_when_periodic",
+          .symbol = "",
+          .unit = "",
+          .meaning = "leave out transient revolutions once the sections repeat",
+          .source = "off, as in the paper",
+          .kind = Kind::flag},
+         At<&Scene::protocol, &Protocol::stop_when_periodic>{}),
 
       in({.pointer = "/spectrum/max_order",
           .symbol = "",
@@ -417,14 +424,6 @@ const auto& table() {
   return entries;
 }
 
-constexpr std::array kGridAxes{
-    GridAxis{.name = "thickness", .quantity = "/blades/thickness", .values = &Grid::thickness},
-    GridAxis{.name = "unbalance", .quantity = "/unbalance/moment", .values = &Grid::unbalance},
-    GridAxis{.name = "friction", .quantity = "/contact/friction", .values = &Grid::friction},
-    GridAxis{.name = "damping_ratio", .quantity = "/rotor/damping_ratio", .values = &Grid::damping_ratio},
-    GridAxis{.name = "speed_ratio", .quantity = "/grid/speed_ratio", .values = &Grid::speed_ratio},
-};
-
 }  // namespace
 
 std::span<const Quantity> quantities() {
@@ -436,10 +435,6 @@ const Quantity& quantity(std::string_view pointer) {
                                   [&](const Quantity& entry) { return entry.pointer == pointer; });
   if (found == table().end()) throw std::out_of_range(fmt::format("no quantity at {}", pointer));
   return *found;
-}
-
-std::span<const GridAxis> grid_axes() {
-  return kGridAxes;
 }
 
 }  // namespace rubatlas::scene

@@ -30,10 +30,10 @@ struct Range {
   [[nodiscard]] std::string text() const;
 };
 
-enum class Kind : std::uint8_t { number, whole_number, text, choice };
+enum class Kind : std::uint8_t { number, whole_number, flag, text, choice };
 
 /// A value as the scene file has it; a choice is its word.
-using Value = std::variant<double, int, std::string>;
+using Value = std::variant<double, int, bool, std::string>;
 
 struct Quantity {
   std::string_view pointer{};  ///< where it stands in the scene file, as a JSON pointer

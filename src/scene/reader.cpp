@@ -121,6 +121,11 @@ Value checked_value(const json& value, std::string_view pointer, const Quantity&
                                   entry.meaning));
       }
       return static_cast<int>(checked_number(value, pointer, entry));
+    case Kind::flag:
+      if (!value.is_boolean()) {
+        fail(pointer, fmt::format("{} is not true or false; {}", shown(value), entry.meaning));
+      }
+      return value.get<bool>();
     case Kind::text:
       if (!value.is_string()) fail(pointer, fmt::format("{} is not a text; {}", shown(value), entry.meaning));
       return value.get<std::string>();

@@ -74,6 +74,7 @@ struct Protocol {
   int transient_revolutions = 200;   ///< run before anything is kept; 0 is legal
   int sampled_revolutions = 100;     ///< S, at least 1
   int samples_per_revolution = 256;  ///< of the spectrum and of `orbit`
+  bool stop_when_periodic = false;   ///< leave out transient revolutions of a motion that repeats
 };
 
 struct Spectrum {

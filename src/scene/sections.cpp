@@ -24,10 +24,22 @@ constexpr std::array kSections{
     Section{.pointer = "/accuracy", .meaning = "method of integration and its error control"},
 };
 
+constexpr std::array kGridAxes{
+    GridAxis{.name = "thickness", .quantity = "/blades/thickness", .values = &Grid::thickness},
+    GridAxis{.name = "unbalance", .quantity = "/unbalance/moment", .values = &Grid::unbalance},
+    GridAxis{.name = "friction", .quantity = "/contact/friction", .values = &Grid::friction},
+    GridAxis{.name = "damping_ratio", .quantity = "/rotor/damping_ratio", .values = &Grid::damping_ratio},
+    GridAxis{.name = "speed_ratio", .quantity = "/grid/speed_ratio", .values = &Grid::speed_ratio},
+};
+
 }  // namespace
 
 std::span<const Section> sections() {
   return kSections;
+}
+
+std::span<const GridAxis> grid_axes() {
+  return kGridAxes;
 }
 
 }  // namespace rubatlas::scene

@@ -20,6 +20,7 @@
 #include "solve/motion_listener.hpp"
 #include "solve/orbit_listener.hpp"
 #include "solve/rotor.hpp"
+#include "solve/settling.hpp"
 
 namespace rubatlas::solve {
 
@@ -104,6 +105,9 @@ class TypedLineSolver final : public LineSolver {
             clearance > 0.0 ? clearance : 0.1 * scene_.blades.length};
   }
 
+  /// What tolerances are relative to [m].
+  [[nodiscard]] double motion_scale() const { return constants(1.0).length_scale; }
+
   /// A fresh motion for each point: nothing but the start state crosses from point to point.
   [[nodiscard]] std::unique_ptr<PointMotion> make_motion(double speed_ratio) const {
     return Method::make(constants(speed_ratio), law_, make_forcing_(speed_ratio), scene_);
@@ -115,6 +119,8 @@ class TypedLineSolver final : public LineSolver {
     MotionListener transient;
     const int first_sampled = scene_.protocol.transient_revolutions;
     const int revolutions = first_sampled + scene_.protocol.sampled_revolutions;
+    Settling settling(Settling::kCloseness * scene_.accuracy.tolerance * motion_scale());
+    bool watched = scene_.protocol.stop_when_periodic;
     PointStatus status = motion.start(as_state(start));
     for (int revolution = 0; revolution < revolutions; ++revolution) {
       const bool sampled = revolution >= first_sampled;
@@ -124,6 +130,13 @@ class TypedLineSolver final : public LineSolver {
         return status;
       }
       after_revolution(sampled);
+      if (!watched || sampled) continue;
+      settling.add(motion.state());
+      if (const int period = settling.period()) {
+        // Whole periods are left out, so that every section keeps its place in the cycle.
+        revolution += (first_sampled - 1 - revolution) / period * period;
+        watched = false;
+      }
     }
     return status;
   }

@@ -19,6 +19,7 @@ namespace {
 std::string text(const Value& value) {
   if (std::holds_alternative<double>(value)) return fmt::format("{:g}", std::get<double>(value));
   if (std::holds_alternative<int>(value)) return fmt::format("{}", std::get<int>(value));
+  if (std::holds_alternative<bool>(value)) return std::get<bool>(value) ? "true" : "false";
   return std::get<std::string>(value);
 }
 
@@ -43,6 +44,7 @@ std::string range_text(const Range& range) {
 
 std::string allowed_text(const Quantity& quantity) {
   if (quantity.kind == Kind::text) return "any text";
+  if (quantity.kind == Kind::flag) return "`true`, `false`";
   if (quantity.kind != Kind::choice) return range_text(quantity.range);
   std::string words;
   for (const auto& word : quantity.choices) words += fmt::format("{}`{}`", words.empty() ? "" : ", ", word);

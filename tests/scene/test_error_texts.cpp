@@ -197,6 +197,9 @@ TEST(SceneErrors, BladesMustFitIntoTheRing) {
 }
 
 TEST(SceneErrors, TheSpectrumEndsAtHalfTheSamples) {
+  EXPECT_EQ(refusal_with(R"("protocol": {"stop_when_periodic": 1})"),
+            "/protocol/stop_when_periodic: 1 is not true or false; leave out transient revolutions once the "
+            "sections repeat");
   EXPECT_EQ(refusal_with(R"("spectrum": {"max_order": 33}, "protocol": {"samples_per_revolution": 64})"),
             "/spectrum/max_order: 33 is outside [1, 32], half of samples_per_revolution; highest order of "
             "the spin speed "

@@ -60,6 +60,9 @@ TEST(SceneReader, EveryQuantityIsReadWhereItsPointerSays) {
       case Kind::choice:
         value = "\"" + std::string(entry.choices.back()) + "\"";
         break;
+      case Kind::flag:
+        value = "true";
+        break;
       case Kind::whole_number:
         value = "7";
         break;
