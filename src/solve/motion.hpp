@@ -273,12 +273,12 @@ class Motion {
   ContactPhase<SolvedContacts<Law, Forcing>, Law, Pair> solved_;
   std::optional<ContactPhase<CarriedContact<Forcing>, contact::ElasticaContact, Pair>> carried_;
   std::vector<OpenContact> contacts_;
-  Phase phase_ = Phase::undecided;
   State state_ = State::Zero();
   double time_ = 0.0;
   std::int64_t steps_left_ = 0;  ///< in this revolution
-  bool never_touches_ = false;   ///< proven at the start of the point
   WorkCounts work_;
+  Phase phase_ = Phase::undecided;
+  bool never_touches_ = false;  ///< proven at the start of the point
 };
 
 }  // namespace rubatlas::solve

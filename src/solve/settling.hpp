@@ -14,9 +14,9 @@ namespace rubatlas::solve {
 
 class Settling {
  public:
-  static constexpr int kLongestPeriod = 16;  ///< in revolutions, as the classes of `analyse`
-  static constexpr int kRepeats = 3;         ///< periods in succession that repeat the one before
-  static constexpr double kCloseness = 0.1;  ///< of accuracy.tolerance × δc
+  static constexpr std::size_t kLongestPeriod = 16;  ///< in revolutions, as the classes of `analyse`
+  static constexpr std::size_t kRepeats = 3;         ///< periods in succession that repeat the one before
+  static constexpr double kCloseness = 0.1;          ///< of accuracy.tolerance × δc
 
   /// `distance` bounds the difference of any component of two sections that are the same [m].
   explicit Settling(double distance) : distance_(distance) {}
