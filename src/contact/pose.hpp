@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cmath>
+#include <complex>
 
 namespace rubatlas::contact {
 
@@ -44,6 +45,17 @@ inline Pose pose(const Geometry& geometry, const BladeDirection& er, double cx, 
 inline double gap_rate(const Geometry& geometry, const Pose& at, double speed_ratio) {
   return 2.0 * (at.radial * at.radial_velocity + at.tangential * at.tangential_velocity) +
          2.0 * geometry.reach * (at.radial_velocity + speed_ratio * at.tangential);
+}
+
+/// d²g/dτ² [m²] where the shaft's centre c moves with `velocity` and `acceleration`, all in the ring's frame.
+inline double gap_curvature(const Geometry& geometry, const BladeDirection& er, const Pose& at,
+                            const std::complex<double>& centre, const std::complex<double>& velocity,
+                            const std::complex<double>& acceleration, double speed_ratio) {
+  const double outward = acceleration.real() * er.cosine + acceleration.imag() * er.sine;
+  return 2.0 * (velocity.real() * velocity.real() + velocity.imag() * velocity.imag() +
+                centre.real() * acceleration.real() + centre.imag() * acceleration.imag()) +
+         2.0 * geometry.reach *
+             (outward + speed_ratio * (2.0 * at.tangential_velocity - speed_ratio * at.radial));
 }
 
 /// Slip velocity of the undeformed tip [m per unit τ], which gives the slip direction of a new contact

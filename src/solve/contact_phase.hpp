@@ -128,12 +128,15 @@ class ContactPhase final : public observables::MotionPiece {
     return step_.force(contact, full_state(time)).root_strain;
   }
 
+  [[nodiscard]] const System& system() const { return step_.system(); }
   [[nodiscard]] std::uint64_t evaluations() const { return step_.evaluations(); }
   [[nodiscard]] std::uint64_t steps() const { return step_.accepted(); }
   [[nodiscard]] std::uint64_t rejected() const { return step_.rejected(); }
 
  private:
   static constexpr double kGapRounding = 1e-17;  ///< [m²]: g of a contact that has just opened
+
+  static constexpr double kShareBeyond = 1e-9;  ///< of λ past 0 or 1 where a tip ceases to skim
 
   static constexpr double kSlipRounding = 1e-12;  ///< of Ω R: v where a slip reversal has been located
 
@@ -146,6 +149,9 @@ class ContactPhase final : public observables::MotionPiece {
     Gap at_end{};                ///< of what is looked at of the step
     double slip_velocity = 0.0;  ///< v at its begin, open contacts only
     double end_slip_velocity = 0.0;
+
+    /// So lightly in contact, and leaving, that rounding decides whether there is a force.
+    [[nodiscard]] bool ends_by_rounding() const { return at_end.value <= kGapRounding && at_end.rate < 0.0; }
 
     void take_end() {
       at_begin = at_end;
@@ -183,11 +189,15 @@ class ContactPhase final : public observables::MotionPiece {
       watched.at_end = step_.gap(k, end, first);
       if (!watched.open) {
         look_for_touch_down(k, watched, last);
+      } else if constexpr (ContactStep<System, Law, Pair>::kSkims) {
+        look_for_end_of_skimming(k, last);
       } else if (!lifts_off) {
         look_for_lift_off(k, watched, last);
       }
     }
     for (std::size_t i = 0; i < contact_count(); ++i) look_for_slip_reversal(i, last);
+    if (step_.root_lost() && watched_of(0).ends_by_rounding())
+      take_if_first(last, PhaseEvent::lift_off, blade(0));
 
     segment_begin_ = step_.begin()[kTime];
     segment_end_ = step_.at_fraction(end_fraction_)[kTime];
@@ -240,6 +250,20 @@ class ContactPhase final : public observables::MotionPiece {
     at_high = fresh ? (at_high - origin) / high : at_high;
     const double at_low = fresh ? std::abs(at_high) : watched.at_begin.value;
     take_if_first(integrate::root_between(function, 0.0, high, at_low, at_high), PhaseEvent::lift_off, k);
+  }
+
+  /// λ has left [0, 1], by so much that rounding does not lead it back.
+  void look_for_end_of_skimming(int k, double last) {
+    const auto share = [&](double part) { return step_.system().share(step_.at_fraction(part)); };
+    const double before = share(0.0);
+    const double after = share(last);
+    const auto end_at = [&](double bound, PhaseEvent event) {
+      take_if_first(integrate::root_between([&](double part) { return share(part) - bound; }, 0.0, last,
+                                            before - bound, after - bound),
+                    event, k);
+    };
+    if (after < -kShareBeyond) end_at(-kShareBeyond, PhaseEvent::lift_off);
+    if (after > 1.0 + kShareBeyond) end_at(1.0 + kShareBeyond, PhaseEvent::pressed_in);
   }
 
   void look_for_touch_down(int k, const Watched& watched, double last) {

@@ -27,6 +27,8 @@ class ContactStep {
  public:
   /// The bending parameter is a state of the system.
   static constexpr bool kCarried = requires(System system) { system.last(); };
+  /// The blade stays on g = 0 under a share of its force.
+  static constexpr bool kSkims = requires(System system, ContactState state) { system.share(state); };
 
   /// `tolerance` bounds the local error of a step [m]: accuracy.tolerance × δc.
   ContactStep(const RotorConstants& rotor, const BladeSet& blades, const Law& law, double tolerance,
@@ -68,6 +70,7 @@ class ContactStep {
           ++accepted_;
           control_.accept(error, size < proposed);
           if constexpr (kCarried) project();
+          if constexpr (kSkims) system_.project(step_.end());
           return Outcome::accepted;
         }
         control_.halve(size / proposed);
@@ -159,6 +162,7 @@ class ContactStep {
 
   /// What an open contact does in a state.
   [[nodiscard]] contact::TipForce force(std::size_t contact, const ContactState& state) const {
+    if constexpr (kSkims) return system_.force(state);
     const OpenContact& open = contacts_[contact];
     const contact::Pose at = pose(open.blade, state);
     if constexpr (kCarried) {

@@ -180,13 +180,9 @@ class TouchdownSearch {
     const double value = std::min(pose.gap, 0.0);
 
     const std::complex<double> acceleration = flight.acceleration(time, state);
-    const double cx = state[0];
-    const double cy = state[1] + rotor_->misalignment;
-    const double ar = acceleration.real() * er.cosine + acceleration.imag() * er.sine;
     const double curvature =
-        2.0 * (state[2] * state[2] + state[3] * state[3] + cx * acceleration.real() +
-               cy * acceleration.imag()) +
-        2.0 * reach * (ar + turning * (2.0 * pose.tangential_velocity - turning * pose.radial));
+        contact::gap_curvature(geometry_, er, pose, {state[0], state[1] + rotor_->misalignment},
+                               {state[2], state[3]}, acceleration, turning);
 
     const double speed = std::abs(turning);
     // g''' = 6 c'·c'' + 2 c·c''' + 2(rh+L) er·(d/dτ + iΩ)³ c. In the last term z''' and z'' are written with

@@ -53,7 +53,7 @@ struct WorkCounts {
 struct WorkBounds {
   static constexpr std::int64_t kSteps = 100000;  ///< in contact, rejected ones included
   static constexpr std::uint64_t kGapEvaluations = 1000000;
-  static constexpr int kEvents = 20000;  ///< touch-downs, lift-offs and slip reversals
+  static constexpr int kEvents = 100000;  ///< touch-downs, lift-offs and slip reversals
 };
 
 struct PointOutcome {

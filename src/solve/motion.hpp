@@ -21,6 +21,7 @@
 #include "solve/line_solver.hpp"
 #include "solve/motion_listener.hpp"
 #include "solve/rotor.hpp"
+#include "solve/skimming_contact.hpp"
 
 namespace rubatlas::solve {
 
@@ -42,6 +43,7 @@ class Motion {
     if constexpr (Law::kHasBending) {
       carried_.emplace(rotor_, blades_, law_, limits_,
                        CarriedContact<Forcing>(rotor_, blades_, law_, forcing_));
+      skimming_.emplace(rotor_, blades_, law_, limits_, Skimming(rotor_, blades_, law_, forcing_));
     }
     contacts_.reserve(static_cast<std::size_t>(blade_count));
   }
@@ -81,6 +83,9 @@ class Motion {
         case Phase::carried:
           if constexpr (Law::kHasBending) end = touch(*carried_, period, listener);
           break;
+        case Phase::skimming:
+          if constexpr (Law::kHasBending) end = touch(*skimming_, period, listener);
+          break;
         default:
           end = touch(solved_, period, listener);
       }
@@ -109,6 +114,7 @@ class Motion {
     add(solved_);
     if constexpr (Law::kHasBending) {
       add(*carried_);
+      add(*skimming_);
       result.elastica_evaluations = law_.evaluations();
     }
     result.gap_evaluations = search_.evaluations();
@@ -116,7 +122,7 @@ class Motion {
   }
 
  private:
-  enum class Phase : std::uint8_t { undecided, flight, carried, solved };
+  enum class Phase : std::uint8_t { undecided, flight, carried, skimming, solved };
 
   /// A piece of flight, as listeners see it.
   class FlightPiece final : public observables::MotionPiece {
@@ -193,6 +199,10 @@ class Motion {
       return true;
     }
     if constexpr (Law::kHasBending) {
+      if (begins_to_skim()) {
+        phase_ = Phase::skimming;
+        return skimming_->start(time_, state_, contacts_);
+      }
       phase_ = Phase::carried;
       if (contacts_.size() == 1) {
         OpenContact& contact = contacts_.front();
@@ -207,6 +217,15 @@ class Motion {
     }
     phase_ = Phase::solved;
     return solved_.start(time_, state_, contacts_);
+  }
+
+  /// The one blade in contact has just touched down, hops less far than a step may err, and would return.
+  [[nodiscard]] bool begins_to_skim() requires Law::kHasBending {
+    const bool touched_down = std::exchange(touched_down_, false);
+    if (!touched_down || contacts_.size() != 1) return false;
+    ContactState full;
+    full << state_, time_, 0.0;
+    return skimming_->system().begins(full, contacts_.front(), kUnresolvedHop * limits_.tolerance);
   }
 
   [[nodiscard]] contact::Pose pose(int blade) const {
@@ -244,7 +263,10 @@ class Motion {
       case PhaseEvent::touch_down:
         ++work_.touchdowns;
         if (!open(end.blade, pose(end.blade))) return PointStatus::left_validity;
+        touched_down_ = true;
         listener.event(Event{end.event, end.blade, time_, contacts_.back().slip, state_});
+        return PointStatus::done;
+      case PhaseEvent::pressed_in:
         return PointStatus::done;
       default: {
         ++work_.slip_reversals;
@@ -260,6 +282,11 @@ class Motion {
     }
   }
 
+  using Skimming = SkimmingContact<contact::ElasticaContact, Forcing>;
+
+  /// Tolerances: hops lower than that are taken in their limit. They may grow by some tens while the force
+  /// changes along the ring.
+  static constexpr double kUnresolvedHop = 1.0;
   static constexpr double kGapRounding = 1e-17;  ///< [m²]: g where a touch-down has been located
 
   RotorConstants rotor_;
@@ -272,12 +299,14 @@ class Motion {
   TouchdownSearch search_;
   ContactPhase<SolvedContacts<Law, Forcing>, Law, Pair> solved_;
   std::optional<ContactPhase<CarriedContact<Forcing>, contact::ElasticaContact, Pair>> carried_;
+  std::optional<ContactPhase<Skimming, contact::ElasticaContact, Pair>> skimming_;
   std::vector<OpenContact> contacts_;
   State state_ = State::Zero();
   double time_ = 0.0;
   std::int64_t steps_left_ = 0;  ///< in this revolution
   WorkCounts work_;
   Phase phase_ = Phase::undecided;
+  bool touched_down_ = false;   ///< the present contacts began with a touch-down
   bool never_touches_ = false;  ///< proven at the start of the point
 };
 

@@ -8,9 +8,17 @@
 
 namespace rubatlas::solve {
 
-enum class PhaseEvent : std::uint8_t { horizon, lift_off, touch_down, slip_reversal, left_validity, failed };
+enum class PhaseEvent : std::uint8_t {
+  horizon,
+  lift_off,
+  touch_down,
+  slip_reversal,
+  pressed_in,  ///< a tip that has skimmed the ring is held by its full force
+  left_validity,
+  failed
+};
 
-/// A touch-down, lift-off or slip reversal.
+/// A touch-down, lift-off, slip reversal, or end of skimming.
 struct Event {
   PhaseEvent kind;
   int blade;    ///< from 0

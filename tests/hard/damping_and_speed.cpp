@@ -62,7 +62,7 @@ TEST(DampingAndSpeed, EveryDampingAtEverySpeedConverges) {
     }
   }
   EXPECT_EQ(touched, static_cast<int>(kLaws.size() * kDampings.size() * kSpeeds.size()));
-  EXPECT_GE(done, touched - 4);
+  EXPECT_EQ(done, touched);
 }
 
 TEST(DampingAndSpeed, AMotionFullOfContactsPassesThroughCriticalDampingWithoutAJump) {

@@ -1,0 +1,140 @@
+/// A tip that skims the ring: the motion to which ever smaller hops tend where the force starts from a finite
+/// value (MODEL 4.2, 4.6).
+///
+/// On the receding side a blade that touches down is thrown back at once. Where the free motion then leads it
+/// to the ring again, the hops grow smaller without end; in their limit the tip stays on g = 0 under the
+/// share λ of its force that holds it there,
+///     g'' (free) + λ g'' (full force) = 0,   0 <= λ <= 1
+/// (Filippov, Differential Equations with Discontinuous Righthand Sides, 1988, §4: the convex combination of
+/// the two sides; in λ also the share of time that hops spend in contact). At λ = 0 the tip leaves the ring,
+/// at λ = 1 it is pressed in.
+#pragma once
+
+#include <complex>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "contact/pose.hpp"
+#include "solve/contact_system.hpp"
+#include "solve/rotor.hpp"
+
+namespace rubatlas::solve {
+
+/// Right-hand side in τ while one blade skims, with the interface of `SolvedContacts`.
+template <class Law, class Forcing>
+class SkimmingContact {
+ public:
+  SkimmingContact(const RotorConstants& rotor, const BladeSet& blades, const Law& law, const Forcing& forcing)
+      : rotor_(&rotor), blades_(&blades), law_(&law), forcing_(&forcing), contacts_(1), forces_(1) {}
+
+  void open(const std::vector<OpenContact>& contacts) { contacts_ = contacts; }
+  void restore(const std::vector<OpenContact>& contacts) { contacts_ = contacts; }
+
+  bool operator()(const ContactState& state, ContactState& derivative) {
+    ++evaluations_;
+    Balance balance;
+    if (!weigh(state, contacts_.front(), balance)) return false;
+    forces_.front() = balance.force;
+    acceleration_ = balance.free + balance.share * balance.pushed;
+    derivative << state[2], state[3], acceleration_.real(), acceleration_.imag(), 1.0, 0.0;
+    return true;
+  }
+
+  /// λ in a state; NaN where the blade has no force.
+  [[nodiscard]] double share(const ContactState& state) const {
+    OpenContact contact = contacts_.front();
+    Balance balance;
+    return weigh(state, contact, balance) ? balance.share : std::numeric_limits<double>::quiet_NaN();
+  }
+  /// λ times what the blade does in full.
+  [[nodiscard]] contact::TipForce force(const ContactState& state) const {
+    OpenContact contact = contacts_.front();
+    Balance balance;
+    weigh(state, contact, balance);
+    return balance.force;
+  }
+
+  /// Whether a blade that touches down in a state begins to skim: it would be thrown back and return, at most
+  /// `hop` [m] away from the ring.
+  [[nodiscard]] bool begins(const ContactState& state, OpenContact contact, double hop) const {
+    const contact::Pose at = pose(state, contact.blade);
+    Balance balance;
+    if (!weigh(state, contact, balance)) return false;
+    if (!(balance.free_curvature > 0.0 && balance.share > 0.0 && balance.share < 1.0)) return false;
+    const double rate = contact::gap_rate(law_->geometry(), at, rotor_->speed_ratio);
+    return rate * rate <= 4.0 * law_->geometry().ring_radius * hop * balance.free_curvature;
+  }
+
+  /// Puts a state back on g = 0, dg/dτ = 0, the shortest way.
+  void project(ContactState& state) const {
+    const contact::Geometry& geometry = law_->geometry();
+    const contact::BladeDirection er = direction(state, contacts_.front().blade);
+    const double outward_x = state[0] + geometry.reach * er.cosine;
+    const double outward_y = state[1] + rotor_->misalignment + geometry.reach * er.sine;
+    const double inverse = 0.5 / (outward_x * outward_x + outward_y * outward_y);
+    const double gap = pose(state, contacts_.front().blade).gap;
+    state[0] -= gap * inverse * outward_x;
+    state[1] -= gap * inverse * outward_y;
+    const double rate =
+        contact::gap_rate(geometry, pose(state, contacts_.front().blade), rotor_->speed_ratio);
+    state[2] -= rate * inverse * outward_x;
+    state[3] -= rate * inverse * outward_y;
+  }
+
+  /// Of the last evaluation.
+  [[nodiscard]] const std::vector<contact::TipForce>& forces() const { return forces_; }
+  [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
+  [[nodiscard]] std::complex<double> last_acceleration() const { return acceleration_; }
+  [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
+
+ private:
+  /// Free motion against the blade's full force.
+  struct Balance {
+    std::complex<double> free;    ///< z'' without the blade
+    std::complex<double> pushed;  ///< what its full force adds
+    double free_curvature;        ///< g'' without the blade [m²]
+    double share;                 ///< λ
+    contact::TipForce force;      ///< λ times the force
+  };
+
+  [[nodiscard]] contact::BladeDirection direction(const ContactState& state, int blade) const {
+    return blades_->direction(blade, blades_->first(state[kTime]));
+  }
+  [[nodiscard]] contact::Pose pose(const ContactState& state, int blade) const {
+    return pose_of(*rotor_, law_->geometry(), direction(state, blade), state.head<4>());
+  }
+
+  bool weigh(const ContactState& state, OpenContact& contact, Balance& balance) const {
+    const contact::BladeDirection er = direction(state, contact.blade);
+    const contact::Pose at = pose_of(*rotor_, law_->geometry(), er, state.head<4>());
+    contact::TipForce& force = balance.force;
+    if (!law_->respond(at, contact.slip, rotor_->speed_ratio, contact.bending, force)) return false;
+    balance.free = acceleration(*rotor_, *forcing_, state, 0.0, 0.0);
+    balance.pushed = rotor_->force_unit * std::complex<double>(force.radial, force.tangential) *
+                     std::complex<double>(er.cosine, er.sine);
+    balance.free_curvature =
+        contact::gap_curvature(law_->geometry(), er, at, {state[0], state[1] + rotor_->misalignment},
+                               {state[2], state[3]}, balance.free, rotor_->speed_ratio);
+    const double pushed_curvature =
+        2.0 * rotor_->force_unit *
+        ((at.radial + law_->geometry().reach) * force.radial + at.tangential * force.tangential);
+    balance.share = -balance.free_curvature / pushed_curvature;
+    force.radial *= balance.share;
+    force.tangential *= balance.share;
+    force.normal *= balance.share;
+    force.root_strain *= balance.share;
+    return true;
+  }
+
+  const RotorConstants* rotor_;
+  const BladeSet* blades_;
+  const Law* law_;
+  const Forcing* forcing_;
+  std::vector<OpenContact> contacts_;
+  std::vector<contact::TipForce> forces_;
+  std::complex<double> acceleration_;
+  std::uint64_t evaluations_ = 0;
+};
+
+}  // namespace rubatlas::solve
