@@ -12,6 +12,7 @@
 #include "analysis/report.hpp"
 #include "analysis/scene_tolerances.hpp"
 #include "atlas/environment_error.hpp"
+#include "plan/scene_of_line.hpp"
 #include "scene/reader.hpp"
 
 namespace rubatlas::analysis {
@@ -80,32 +81,35 @@ Findings examine(const atlas::AtlasReader& atlas) {
   found.scene = scene::parse_scene(atlas.scene_resolved(), "scene_resolved");
   found.axes = atlas.axes();
   found.parameters = parameters_of(found.axes);
-  found.tolerance = closing_tolerance(found.scene);
   found.has_sections = atlas.has("poincare");
   const bool per_passing = atlas.has("poincare_blade_passing");
   const SpeedScale scale(found.scene.blades.count);
+  const plan::Grid grid(found.scene);
 
   const auto status = atlas.status();
   for (const auto value : status) ++found.status_count.at(value);
   const std::size_t speeds = atlas.speed_count();
   for (std::size_t line = 0; line * speeds < status.size(); ++line) {
+    const auto own = plan::scene_of_line(found.scene, grid.parameters(line * speeds));
+    const auto tolerance = closing_tolerance(own);
+    found.tolerance.push_back(tolerance);
     const auto line_status = std::span(status).subspan(line * speeds, speeds);
     Line points{.speed_ratio = found.axes.back().values,
                 .motion = std::vector<std::uint8_t>(speeds, motion_class::kNone),
                 .motion_per_passing = {},
                 .max_displacement = displacements_of_line(atlas, line_status, line)};
     if (found.has_sections) {
-      points.motion = classes_of_line(atlas, "poincare", line_status, line, found.tolerance);
+      points.motion = classes_of_line(atlas, "poincare", line_status, line, tolerance);
     }
     if (per_passing) {
       points.motion_per_passing =
-          classes_of_line(atlas, "poincare_blade_passing", line_status, line, found.tolerance);
+          classes_of_line(atlas, "poincare_blade_passing", line_status, line, tolerance);
     }
     append(found.motion, points.motion);
     append(found.motion_per_passing, points.motion_per_passing);
     if (atlas.has("max_displacement")) append(found.max_displacement, points.max_displacement);
     found.lines.push_back(summarise(std::move(points), parameters_of_line(found.axes, line), scale,
-                                    negligible_displacement(found.scene)));
+                                    negligible_displacement(own)));
   }
   found.sensitivities = sensitivities(found.parameters, found.lines, scale);
   found.statements = judge_statements(Evidence(found.scene, found.parameters, found.lines, per_passing));

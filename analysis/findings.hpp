@@ -21,7 +21,7 @@ struct Findings {
   scene::Scene scene;
   std::vector<plan::Axis> axes;  ///< of the atlas, `speed_ratio` last
   std::vector<Parameter> parameters;
-  ClosingTolerance tolerance;
+  std::vector<ClosingTolerance> tolerance;    ///< one per line: lengths may be swept
   std::array<std::size_t, 4> status_count{};  ///< points pending, done, left validity, integrator failed
   std::vector<std::uint8_t> motion;           ///< class per revolution, one per point
   std::vector<std::uint8_t>

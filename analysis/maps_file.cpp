@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <iterator>
 #include <span>
 #include <utility>
 #include <vector>
@@ -61,8 +63,14 @@ void create_class(File& file, const std::string& name, const std::string& sectio
       "sections repeat within max(relative_tolerance * size of the orbit, absolute_tolerance); distance: "
       "Euclidean norm over x, y, vx, vy; size: largest norm of a sampled section state; unresolved: the "
       "orbit closes within unresolved_factor tolerances, or differs between the two halves of the record");
-  dataset.set_number("relative_tolerance", found.tolerance.relative);
-  dataset.set_number("absolute_tolerance", found.tolerance.floor);
+  dataset.set_number("relative_tolerance", found.tolerance.front().relative);
+  std::vector<double> floors;
+  for (const auto& tolerance : found.tolerance) floors.push_back(tolerance.floor);
+  if (std::ranges::count(floors, floors.front()) == std::ssize(floors)) {
+    dataset.set_number("absolute_tolerance", floors.front());
+  } else {  // lengths are swept
+    dataset.set_numbers<double>("absolute_tolerance", floors);
+  }
   dataset.set_number("unresolved_factor", kUnresolvedFactor);
 }
 

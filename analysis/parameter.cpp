@@ -12,11 +12,8 @@ namespace {
 
 Parameter parameter_of(const plan::Axis& axis) {
   Parameter parameter{.name = axis.name, .symbol = axis.name, .unit = axis.units, .values = axis.values};
-  for (const auto& swept : scene::grid_axes()) {
-    if (swept.name != axis.name) continue;
-    const auto symbol = scene::quantity(swept.quantity).symbol;
-    if (!symbol.empty()) parameter.symbol = symbol;
-  }
+  const auto* swept = scene::quantity_of_axis(axis.name);
+  if (swept != nullptr && !swept->symbol.empty()) parameter.symbol = swept->symbol;
   if (parameter.unit == "1") parameter.unit.clear();
   if (parameter.unit == "m") {
     parameter.unit = "mm";

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "analysis/evidence_text.hpp"
+#include "scene/quantity.hpp"
 
 namespace rubatlas::analysis {
 namespace {
@@ -104,7 +105,9 @@ std::vector<std::size_t> swept(const Findings& found) {
 
 std::string contact_law(const scene::Scene& scene) {
   if (scene.contact.law == scene::ContactLaw::elastica) return "elastica";
-  return fmt::format("elastic_ring, {:g} N/m", scene.ring.stiffness);
+  const auto stiffness = scene::values_in(scene, "/ring/stiffness");
+  if (stiffness.size() == 1) return fmt::format("elastic_ring, {:g} N/m", stiffness.front());
+  return fmt::format("elastic_ring, {:g} to {:g} N/m", stiffness.front(), stiffness.back());
 }
 
 std::vector<std::string> facts(const Findings& found) {

@@ -17,10 +17,15 @@ bool same(double a, double b) {
   return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
 }
 
-/// Quantities that the default rotor fixes and no axis sweeps (MODEL 6.1).
+/// Quantities that the default rotor fixes and that are no axis of every atlas (MODEL 6.1).
 constexpr std::array kFixed{
     "/rotor/mass",   "/rotor/natural_frequency", "/rotor/misalignment", "/blades/count", "/blades/length",
     "/blades/width", "/blades/youngs_modulus",   "/blades/hub_radius",  "/ring/radius"};
+
+bool is_swept(const scene::Scene& scene, std::string_view pointer) {
+  return std::ranges::any_of(
+      scene.grid.swept, [&](const auto& axis) { return axis.pointer == pointer && axis.values.size() > 1; });
+}
 
 std::string difference_from_default(const scene::Scene& scene) {
   const scene::Scene usual;
@@ -28,6 +33,7 @@ std::string difference_from_default(const scene::Scene& scene) {
     return std::holds_alternative<int>(value) ? std::get<int>(value) : std::get<double>(value);
   };
   for (const auto* pointer : kFixed) {
+    if (is_swept(scene, pointer)) continue;  // its lines are told apart by the value on the axis
     const auto& quantity = scene::quantity(pointer);
     const double here = number(quantity.read(scene).value());
     const double there = number(quantity.read(usual).value());
@@ -41,12 +47,23 @@ std::string difference_from_default(const scene::Scene& scene) {
 
 /// Value of a parameter in the default rotor (MODEL 6.1).
 double default_value(std::string_view name) {
-  for (const auto& axis : scene::grid_axes()) {
-    if (axis.name != name) continue;
-    const auto value = scene::quantity(axis.quantity).read(scene::Scene{});
-    return value ? std::get<double>(*value) : 0.0;  // an absent effect, the unbalance, is none
+  const auto* quantity = scene::quantity_of_axis(name);
+  if (quantity == nullptr) return 0.0;  // direction: up
+  scene::Scene usual;
+  if (!quantity->chooser.empty()) {
+    scene::quantity(quantity->chooser).write(usual, std::string(quantity->readers.front()));
   }
-  return 0.0;  // direction: up
+  const auto value = quantity->read(usual);
+  return value ? std::get<double>(*value) : 0.0;  // an absent effect, the unbalance, is none
+}
+
+/// Whether a value of a parameter is the default rotor's. An axis of one value that only some scenes have is
+/// the scene's own value, which `difference_from_default` has looked at.
+bool is_usual(const Parameter& parameter, double value) {
+  const bool in_every_atlas =
+      std::ranges::count(scene::grid_axes(), parameter.name, &scene::GridAxis::name) > 0;
+  const bool own_value = !in_every_atlas && parameter.name != "direction" && parameter.values.size() == 1;
+  return own_value || same(value, default_value(parameter.name));
 }
 
 }  // namespace
@@ -95,8 +112,7 @@ std::vector<const LineSummary*> Evidence::lines_along(std::string_view name) con
   for (const auto& line : lines_) {
     bool fits = true;
     for (std::size_t i = 0; i < parameters_.size(); ++i) {
-      fits = fits &&
-             (parameters_[i].name == name || same(line.parameters[i], default_value(parameters_[i].name)));
+      fits = fits && (parameters_[i].name == name || is_usual(parameters_[i], line.parameters[i]));
     }
     if (fits) result.push_back(&line);
   }

@@ -5,6 +5,7 @@
 #include "analysis/line_summary.hpp"
 #include "analysis/scene_tolerances.hpp"
 #include "plan/grid.hpp"
+#include "plan/scene_of_line.hpp"
 
 namespace rubatlas::mpi {
 namespace {
@@ -37,12 +38,23 @@ analysis::Line line_of(const plan::Grid& grid, const AccuracyStudy& study, std::
   return points;
 }
 
-void find_regions(const scene::Scene& scene, const plan::Grid& grid, AccuracyStudy& study) {
+/// Displacement [m] that is negligible on each line: lengths may be swept.
+std::vector<double> negligible_on_lines(const scene::Scene& scene, const plan::Grid& grid) {
+  std::vector<double> negligible;
+  for (std::size_t line = 0; line < grid.line_count(); ++line) {
+    const auto own = plan::scene_of_line(scene, grid.parameters(line * grid.speed_count()));
+    negligible.push_back(analysis::negligible_displacement(own));
+  }
+  return negligible;
+}
+
+void find_regions(const scene::Scene& scene, const plan::Grid& grid, const std::vector<double>& negligible,
+                  AccuracyStudy& study) {
   const analysis::SpeedScale scale(scene.blades.count);
   for (std::size_t setting = 0; setting < study.settings.size(); ++setting) {
     for (std::size_t line = 0; line < grid.line_count(); ++line) {
-      const auto summary = analysis::summarise(line_of(grid, study, setting, line), {}, scale,
-                                               analysis::negligible_displacement(scene));
+      const auto summary =
+          analysis::summarise(line_of(grid, study, setting, line), {}, scale, negligible[line]);
       for (std::size_t i = 0; i < grid.speed_count(); ++i) {
         const std::size_t point = line * grid.speed_count() + i;
         study.runs[setting * study.points.size() + point].region =
@@ -59,7 +71,9 @@ bool displacement_changed(double found, double reference, double negligible) {
   return !(std::abs(found - reference) <= kDisplacementTolerance * reference);
 }
 
-MapChanges changes_of(const AccuracyStudy& study, std::size_t setting, int revolutions, double negligible) {
+MapChanges changes_of(const AccuracyStudy& study, std::size_t setting, int revolutions,
+                      const std::vector<double>& negligible) {
+  const std::size_t speeds = study.points.size() / negligible.size();
   MapChanges changes;
   for (std::size_t point = 0; point < study.points.size(); ++point) {
     const AccuracyRun& run = study.run(setting, point);
@@ -67,7 +81,7 @@ MapChanges changes_of(const AccuracyStudy& study, std::size_t setting, int revol
     const bool motion = run.status != reference.status || run.motion != reference.motion;
     const bool region = run.region != reference.region;
     const bool displacement =
-        displacement_changed(run.max_displacement, reference.max_displacement, negligible);
+        displacement_changed(run.max_displacement, reference.max_displacement, negligible[point / speeds]);
     const bool any = motion || region || displacement;
     changes.motion += motion ? 1.0 : 0.0;
     changes.region += region ? 1.0 : 0.0;
@@ -89,13 +103,13 @@ MapChanges changes_of(const AccuracyStudy& study, std::size_t setting, int revol
 
 void judge_maps(const scene::Scene& scene, AccuracyStudy& study) {
   const plan::Grid grid(scene);
-  find_regions(scene, grid, study);
+  const auto negligible = negligible_on_lines(scene, grid);
+  find_regions(scene, grid, negligible, study);
   const int revolutions = scene.protocol.transient_revolutions + scene.protocol.sampled_revolutions;
   study.displacement_tolerance = kDisplacementTolerance;
   study.changes.clear();
   for (std::size_t setting = 0; setting < study.settings.size(); ++setting) {
-    study.changes.push_back(
-        changes_of(study, setting, revolutions, analysis::negligible_displacement(scene)));
+    study.changes.push_back(changes_of(study, setting, revolutions, negligible));
   }
 }
 

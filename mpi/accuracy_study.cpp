@@ -10,6 +10,7 @@
 #include "mpi/accuracy_map.hpp"
 #include "mpi/accuracy_settings.hpp"
 #include "plan/grid.hpp"
+#include "plan/scene_of_line.hpp"
 
 namespace rubatlas::mpi {
 namespace {
@@ -69,6 +70,11 @@ class Points {
   /// A scene's own protocol.
   [[nodiscard]] scene::Scene protocol_of(const AccuracySetting& setting) const {
     return scene_with(setting, scene_);
+  }
+
+  /// A scene with the values that its swept quantities have at a point.
+  [[nodiscard]] scene::Scene scene_of(const scene::Scene& scene, std::size_t point) const {
+    return plan::scene_of_line(scene, grid_.parameters(point));
   }
 
   /// All sections after the first `count` revolutions; none when the motion ends before.
@@ -140,7 +146,7 @@ double largest_distance(const Sections& a, const Sections& b, std::size_t count)
 class Study {
  public:
   Study(const scene::Scene& scene, const std::vector<AccuracySetting>& settings, int repeats)
-      : scene_(scene), points_(scene), length_scale_(analysis::length_scale(scene)) {
+      : scene_(scene), points_(scene) {
     study_.settings = settings;
     study_.repeats = repeats;
     study_.horizon_tolerance = kAgreement * kLooser * settings.front().tolerance;
@@ -171,11 +177,12 @@ class Study {
     const AccuracySetting& chosen = study_.settings[setting];
     const AccuracyPoint& at = study_.points[point];
     const scene::Scene scene = points_.protocol_of(chosen);
+    const scene::Scene own = points_.scene_of(scene, point);
     const auto outcome = points_.timed(scene, point, at.start, study_.repeats, run);
     run.status = outcome.status;
     run.failed_revolution = outcome.failed_revolution;
     run.work = outcome.work;
-    run.motion = analysis::classify(outcome.rows[0], analysis::closing_tolerance(scene));
+    run.motion = analysis::classify(outcome.rows[0], analysis::closing_tolerance(own));
     run.max_displacement = outcome.rows[1][0];
 
     const bool to_the_end = at.horizon == points_.revolutions();
@@ -185,7 +192,7 @@ class Study {
     const Reference& reference = references_[point];
     const double error = to_the_end ? largest_distance(sampled, reference.sampled, sampled.size())
                                     : largest_distance(firsts, reference.all, at.horizon);
-    run.trajectory_error = error / length_scale_;
+    run.trajectory_error = error / analysis::length_scale(own);
     run.first_sections.assign(firsts.begin(),
                               firsts.begin() + std::min<std::ptrdiff_t>(std::ssize(firsts), kFirstSections));
     run.last_sections.assign(sampled.end() - std::min<std::ptrdiff_t>(std::ssize(sampled), kLastSections),
@@ -214,13 +221,12 @@ class Study {
     reference.sampled.assign(reference.all.end() - sampled, reference.all.end());
     at.horizon =
         agreeing(reference.all, points_.first_sections(looser, point, at.start, points_.revolutions()),
-                 study_.horizon_tolerance * length_scale_);
+                 study_.horizon_tolerance * analysis::length_scale(points_.scene_of(scene_, point)));
     return reference.all;
   }
 
   scene::Scene scene_;
   Points points_;
-  double length_scale_;
   AccuracyStudy study_;
   std::vector<Reference> references_;
 };

@@ -102,7 +102,7 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
       ->add_option(
           "--at", orbit_command.at,
           "Where: name=value[,name=value]; speed_ratio, damping_ratio, friction, unbalance, thickness, "
-          "direction (up or down, with --from)")
+          "further axes of the scene's grid, direction (up or down, with --from)")
       ->delimiter(',')
       ->type_name("NAME=VALUE");
   orbit->add_option("-o,--output", orbit_command.output, "Orbit to write (HDF5)")->required();

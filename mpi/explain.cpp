@@ -54,6 +54,12 @@ void describe_machine(const scene::Scene& scene, Text& text) {
   const double overlap = std::abs(misalignment) - clearance;
 
   text.heading("Machine");
+  if (!scene.grid.swept.empty()) {
+    std::vector<std::string_view> names;
+    for (const auto& swept : scene.grid.swept) names.push_back(swept.pointer);
+    text.line("swept",
+              fmt::format("{}: here with the first value, under Grid with all", fmt::join(names, ", ")));
+  }
   text.line("shaft", fmt::format("m {:.6g} kg, ωn {:.6g} rad/s ({:.4g} Hz), k {:.4g} N/m", mass, frequency,
                                  frequency / (2.0 * std::numbers::pi), mass * frequency * frequency));
   text.line("spin", fmt::format("Ω {}, that is {}", between(speeds.front(), speeds.back(), ""),
@@ -92,6 +98,13 @@ std::string values_text(const std::vector<double>& values) {
   return fmt::format("{} to {}", values.front(), values.back());
 }
 
+std::string ring_text(const scene::Scene& scene) {
+  const auto stiffness = scene::values_in(scene, "/ring/stiffness");
+  const double shaft = scene.rotor.mass * scene.rotor.natural_frequency * scene.rotor.natural_frequency;
+  return fmt::format("kr = {}, {}", between(stiffness.front(), stiffness.back(), "N/m"),
+                     between(stiffness.front() / shaft, stiffness.back() / shaft, "shaft stiffnesses"));
+}
+
 void describe_effects(const scene::Scene& scene, Text& text) {
   const bool elastica = scene.contact.law == scene::ContactLaw::elastica;
   const auto& friction = scene.grid.friction;
@@ -102,11 +115,7 @@ void describe_effects(const scene::Scene& scene, Text& text) {
                   : "contact.law is elastic_ring: the blades are rigid");
   effect(text, "elastic ring", !elastica,
          elastica ? "contact.law is elastica: the ring is rigid"
-                  : fmt::format(
-                        "contact.law is elastic_ring: kr = {:.4g} N/m, {:.4g} shaft stiffnesses (MODEL 4.7)",
-                        scene.ring.stiffness,
-                        scene.ring.stiffness / (scene.rotor.mass * scene.rotor.natural_frequency *
-                                                scene.rotor.natural_frequency)));
+                  : fmt::format("contact.law is elastic_ring: {} (MODEL 4.7)", ring_text(scene)));
   effect(text, "friction", friction.back() > 0.0,
          friction.back() > 0.0
              ? fmt::format("Coulomb, μ = {}; its direction turns with the slip (MODEL 4.4){}",

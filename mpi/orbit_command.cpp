@@ -13,6 +13,7 @@
 #include "mpi/exit_code.hpp"
 #include "mpi/version.hpp"
 #include "plan/grid.hpp"
+#include "plan/scene_of_line.hpp"
 #include "scene/nearest.hpp"
 #include "scene/quantity.hpp"
 #include "scene/reader.hpp"
@@ -35,16 +36,17 @@ struct Place {
   std::optional<plan::Direction> direction;
 };
 
-std::vector<std::string_view> parameter_names() {
+std::vector<std::string_view> parameter_names(const std::vector<scene::Axis>& axes) {
   std::vector<std::string_view> names;
-  for (const auto& axis : scene::grid_axes()) names.push_back(axis.name);
+  for (const auto& axis : axes) names.push_back(axis.name);
   std::reverse(names.begin(), names.end());  // the speed ratio first, as everybody thinks of it
   names.push_back(kDirection);
   return names;
 }
 
-Choice parse_choice(const std::string& text) {
-  const auto names = parameter_names();
+/// An axis is named as its dimension is, or by the pointer of its quantity as in the scene.
+Choice parse_choice(const std::string& text, const std::vector<scene::Axis>& axes) {
+  const auto names = parameter_names(axes);
   const auto equals = text.find('=');
   if (equals == std::string::npos) {
     throw UsageError(
@@ -52,6 +54,10 @@ Choice parse_choice(const std::string& text) {
   }
   Choice choice{text.substr(0, equals)};
   const std::string word = text.substr(equals + 1);
+  const auto axis = std::ranges::find_if(axes, [&](const auto& entry) {
+    return entry.name == choice.name || entry.quantity->pointer == choice.name;
+  });
+  if (axis != axes.end()) choice.name = axis->name;
   if (std::find(names.begin(), names.end(), choice.name) == names.end()) {
     throw UsageError(fmt::format("--at {}: unknown name {}; names are {}; nearest: {}", text, choice.name,
                                  fmt::join(names, ", "), scene::nearest(choice.name, names)));
@@ -62,10 +68,7 @@ Choice parse_choice(const std::string& text) {
     choice.value = word == "down" ? 1.0 : 0.0;
     return choice;
   }
-  const auto axes = scene::grid_axes();
-  const auto axis =
-      std::find_if(axes.begin(), axes.end(), [&](const auto& entry) { return entry.name == choice.name; });
-  const auto& quantity = scene::quantity(axis->quantity);
+  const auto& quantity = *axis->quantity;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), choice.value);
   if (error != std::errc{} || end != word.data() + word.size() || !quantity.range.contains(choice.value)) {
     throw UsageError(fmt::format("--at {}: {} is not a number in {}; {}", text,
@@ -74,10 +77,11 @@ Choice parse_choice(const std::string& text) {
   return choice;
 }
 
-std::vector<Choice> parse_choices(const std::vector<std::string>& texts) {
+std::vector<Choice> parse_choices(const std::vector<std::string>& texts,
+                                  const std::vector<scene::Axis>& axes) {
   std::vector<Choice> choices;
   for (const auto& text : texts) {
-    auto choice = parse_choice(text);
+    auto choice = parse_choice(text, axes);
     for (const auto& earlier : choices) {
       if (earlier.name == choice.name) throw UsageError(fmt::format("--at names {} twice", choice.name));
     }
@@ -101,20 +105,23 @@ std::string values_text(const std::vector<double>& values) {
 
 /// The point that is meant: values given, and those of axes that have one value only.
 Place place_of(const scene::Scene& scene, const OrbitCommand& command) {
-  const auto choices = parse_choices(command.at);
-  // The grid decodes the parameters of its points: a scene whose axes hold one value each has one point.
-  scene::Scene single = scene;
-  for (const auto& axis : scene::grid_axes()) {
-    auto& values = single.grid.*axis.values;
-    if (const auto* choice = find_choice(choices, axis.name)) {
-      values = {choice->value};
-    } else if (values.size() > 1) {
+  const auto axes = scene::axes_of(scene);
+  const auto choices = parse_choices(command.at, axes);
+  std::vector<double> values;
+  for (const auto& axis : axes) {
+    const auto* choice = find_choice(choices, axis.name);
+    if (choice == nullptr && axis.values.size() > 1) {
       throw UsageError(fmt::format("which {}? The grid has {}; add --at {}=VALUE", axis.name,
-                                   values_text(values), axis.name));
+                                   values_text(axis.values), axis.name));
     }
+    values.push_back(choice != nullptr ? choice->value : axis.values.front());
   }
   Place place;
-  place.parameters = plan::Grid(single).parameters(0);
+  place.parameters = plan::parameters_at(values);
+  if (plan::scene_of_line(scene, place.parameters).clearance() < 0.0) {
+    throw UsageError(
+        "--at: the blades do not fit into the ring there; radius must be hub_radius + length at least");
+  }
   if (const auto* choice = find_choice(choices, kDirection)) {
     place.direction = choice->value == 0.0 ? plan::Direction::up : plan::Direction::down;
   }
@@ -129,21 +136,15 @@ std::string nearest_values(const std::vector<double>& values, double wanted) {
   return fmt::format("the nearest are {} and {}", *(above - 1), *above);
 }
 
-double value_on(const plan::PointParameters& parameters, std::string_view axis) {
-  if (axis == "thickness") return parameters.thickness;
-  if (axis == "unbalance") return parameters.unbalance;
-  if (axis == "friction") return parameters.friction;
-  if (axis == "damping_ratio") return parameters.damping_ratio;
-  return parameters.speed_ratio;
-}
-
 /// Which value of which axis is not there, and what is.
 std::string no_such_point(const atlas::AtlasReader& atlas, const std::filesystem::path& path,
                           const plan::PointParameters& parameters) {
   constexpr double kSame = 1e-9;
+  const auto values = plan::values_of(parameters);
+  auto next = values.begin();
   for (const auto& axis : atlas.axes()) {
     if (axis.name == kDirection) continue;
-    const double wanted = value_on(parameters, axis.name);
+    const double wanted = *next++;
     const bool present = std::any_of(axis.values.begin(), axis.values.end(), [&](double value) {
       return std::abs(value - wanted) <= kSame * std::max(std::abs(value), std::abs(wanted));
     });

@@ -7,7 +7,7 @@ import json
 import h5py
 import numpy as np
 
-from atlas_file import DONE, AtlasError, text
+from atlas_file import DONE, AtlasError, clearance_of, swept_pointers, text, with_values
 
 # Parameters of a reference case, and where a resolved scene states them.
 PARAMETERS = {"R": "/ring/radius", "L": "/blades/length", "rh": "/blades/hub_radius", "m": "/rotor/mass",
@@ -96,9 +96,8 @@ class AccuracyFile:
         """Largest trajectory error over some points, one number per setting; NaN where a point was lost."""
         return worst(self._flat("trajectory_error")[:, points])
 
-    def clearance(self):
-        ring, blades = self.scene["ring"], self.scene["blades"]
-        return ring["radius"] - blades["hub_radius"] - blades["length"]
+    def clearance(self, point):
+        return clearance_of(with_values(self.scene, {name: values[point] for name, values in self.points().items()}))
 
     # --- reference data ---
 
@@ -115,16 +114,20 @@ class AccuracyFile:
             return found
         for case in cases:
             wanted = case["params"]
-            if any(self._stated(pointer) != wanted[name] for name, pointer in PARAMETERS.items()):
-                continue
             start = np.array(case.get("initial_state", [0.0] * 4), dtype=float)
             same = np.all(starts == start, axis=1)
+            for name, pointer in PARAMETERS.items():
+                same &= self._stated(pointer) == wanted[name]
             for name, axis in SWEPT.items():
                 same &= np.abs(points[axis] - wanted[name]) <= 1e-12 * max(abs(wanted[name]), 1e-12)
             found.update({int(point): case for point in np.flatnonzero(same)})
         return found
 
     def _stated(self, pointer):
+        """What the scene says; one value per point where its grid sweeps the quantity by this pointer."""
+        name = pointer.strip("/").replace("/", "_")
+        if name in swept_pointers(self.scene):
+            return self.points()[name]
         section, key = pointer.strip("/").split("/")
         return self.scene[section][key]
 
@@ -156,7 +159,7 @@ class AccuracyFile:
             else:
                 continue
             if count:
-                distances[:, point] = np.linalg.norm(difference, axis=2).max(axis=1) / self.clearance()
+                distances[:, point] = np.linalg.norm(difference, axis=2).max(axis=1) / self.clearance(point)
         return worst(distances[:, points & np.isfinite(distances).any(axis=0)])
 
     def _sections(self, name):

@@ -28,6 +28,25 @@ DIRECTIONS = ["up", "down"]
 SYMBOL = {"speed_ratio": "Ω", "damping_ratio": "ζ", "friction": "μ", "unbalance": "me", "thickness": "h"}
 
 
+def swept_pointers(scene):
+    """Axes that the scene's grid names by a JSON pointer: name of the dimension → (section, key)."""
+    return {key.strip("/").replace("/", "_"): tuple(key.strip("/").split("/"))
+            for key in scene.get("grid", {}) if key.startswith("/")}
+
+
+def with_values(scene, values):
+    """The scene with values (by the names of axes) of quantities that its grid names by pointers written in."""
+    own = {name: dict(part) if isinstance(part, dict) else part for name, part in scene.items()}
+    for name, (section, key) in swept_pointers(scene).items():
+        own[section][key] = float(values[name])
+    return own
+
+
+def clearance_of(scene):
+    """δc = R − rh − L [m], the radial gap between ring and blade tip of the centred rotor."""
+    return scene["ring"]["radius"] - scene["blades"]["hub_radius"] - scene["blades"]["length"]
+
+
 class AtlasError(Exception):
     """What was asked for is not in the file; the text says what is."""
 
@@ -97,11 +116,6 @@ class AtlasFile:
         """Root attribute as text, empty where it is not there."""
         return text(self.file.attrs.get(name, ""))
 
-    @property
-    def clearance(self):
-        """δc = R − rh − L [m], the radial gap between ring and blade tip of the centred rotor."""
-        return self.scene["ring"]["radius"] - self.scene["blades"]["hub_radius"] - self.scene["blades"]["length"]
-
     def swept_axes(self):
         """Axes with more than one value, apart from the speed ratio."""
         return [name for name in self.axes[:-1] if self.dataset(name).size > 1]
@@ -145,6 +159,15 @@ class Line:
     def value(self, axis):
         """The line's value on an axis."""
         return self.atlas.axis(axis)[self.index[self.atlas.axes.index(axis)]]
+
+    @property
+    def scene(self):
+        """The atlas' scene with the line's own value of every quantity that is swept by its pointer."""
+        return with_values(self.atlas.scene, {name: self.value(name) for name in swept_pointers(self.atlas.scene)})
+
+    @property
+    def clearance(self):
+        return clearance_of(self.scene)
 
     def status(self):
         return self.atlas.dataset("status")[self.index]

@@ -21,7 +21,7 @@ def draw(options):
                              "under which blades are rigid; only elastica has curves to draw")
         wanted = command_line.wanted(options, atlas.axes)
         line = atlas.line(**wanted)
-        blades = atlas.scene["blades"]
+        blades = line.scene["blades"]
         length, thickness = blades["length"], float(line.value("thickness"))
         rigidity = blades["youngs_modulus"] * blades["width"] * thickness**3 / 12.0  # EI [N m²]
         unit = rigidity / length**2  # the force that F L²/EI counts [N]

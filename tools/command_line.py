@@ -19,12 +19,19 @@ def parser(description, source="ATLAS.h5", line=True):
         group = result.add_argument_group("which line (default: the scene's own values)")
         for axis in LINE_AXES:
             group.add_argument(f"--{axis}", metavar="up|down" if axis == "direction" else "VALUE")
+        group.add_argument("--at", action="append", default=[], metavar="NAME=VALUE",
+                           help="a value on any other axis of the atlas, such as ring_stiffness=1e4; may be repeated")
     return result
 
 
 def wanted(options, axes):
     """The axes that the user has named, as arguments of `AtlasFile.line`."""
     named = {axis: getattr(options, axis) for axis in LINE_AXES if getattr(options, axis, None) is not None}
+    for choice in getattr(options, "at", []):
+        name, equals, value = choice.partition("=")
+        if not equals:
+            raise AtlasError(f"--at {choice}: not of the form NAME=VALUE")
+        named[name] = value
     try:
         return {axis: value if axis == "direction" else float(value) for axis, value in named.items()}
     except ValueError as error:

@@ -17,9 +17,10 @@ def draw(options):
         along = options.along or (swept[0] if swept else None)
         if along is not None and along not in atlas.axes[:-1]:
             raise AtlasError(f"{along} is no axis of {options.source}, which has {', '.join(atlas.axes[:-1])}")
-        if atlas.clearance <= 0:
-            raise AtlasError(f"{options.source}: this rotor has no clearance to relate the displacement to")
         lines = atlas.lines(along, **wanted) if along else [atlas.line(**wanted)]
+        clearances = [line.clearance for line in lines]
+        if min(clearances) <= 0:
+            raise AtlasError(f"{options.source}: this rotor has no clearance to relate the displacement to")
         speed = atlas.axis("speed_ratio")
 
         figure, panel = style.plt.subplots(figsize=(9.5, 4.6))
@@ -27,7 +28,7 @@ def draw(options):
         colours = style.plt.get_cmap(style.SEQUENTIAL)([0.92 * i / max(1, len(lines) - 1) for i in range(len(lines))])
         for line, colour in zip(lines, colours):
             name = line.describe(without=[axis for axis in atlas.axes[:-1] if axis != along]) if along else None
-            panel.plot(speed, line.rows("max_displacement") / atlas.clearance, color=colour, lw=0.9, label=name)
+            panel.plot(speed, line.rows("max_displacement") / line.clearance, color=colour, lw=0.9, label=name)
         panel.axhline(1.0, color=style.GREY, lw=0.8, ls=(0, (4, 3)))
         panel.set_xlabel(style.label(atlas, "speed_ratio"))
         panel.set_ylabel("Maximum displacement / clearance [-]")
@@ -36,7 +37,8 @@ def draw(options):
         if along:
             panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
         fixed = lines[0].describe(without=[along] if along else [])
-        style.title(figure, atlas, f"{fixed}; clearance {1e3 * atlas.clearance:g} mm")
+        gaps = " to ".join(dict.fromkeys(f"{1e3 * gap:g}" for gap in (min(clearances), max(clearances))))
+        style.title(figure, atlas, f"{fixed}; clearance {gaps} mm")
         style.save(figure, options)
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 import command_line
 import style
-from atlas_file import DONE, AtlasError, text
+from atlas_file import DONE, AtlasError, clearance_of, swept_pointers, text, with_values
 
 
 class OrbitFile:
@@ -29,6 +29,8 @@ class OrbitFile:
                 self.scene = json.loads(file["scene_resolved"][()])
         except (OSError, KeyError) as error:
             raise AtlasError(f"{path}: not an orbit that `rubatlas orbit` has written ({error})") from None
+        self.further_axes = sorted(swept_pointers(self.scene))
+        self.scene = with_values(self.scene, self.attributes)
         if self.attributes["status"] != DONE:
             raise AtlasError(f"{path}: no orbit to draw; the motion ended in revolution "
                              f"{self.attributes['failed_revolution']} with status {self.attributes['status']} "
@@ -38,7 +40,7 @@ class OrbitFile:
         return text(self.attributes.get(name, ""))
 
     def describe(self):
-        names = ("speed_ratio", "damping_ratio", "friction", "unbalance", "thickness")
+        names = ("speed_ratio", "damping_ratio", "friction", "unbalance", "thickness", *self.further_axes)
         units = {"unbalance": " kg m", "thickness": " m"}
         return ", ".join(f"{name.replace('_', ' ')} {self.attributes[name]:g}{units.get(name, '')}" for name in names)
 
@@ -49,7 +51,7 @@ def draw(options):
     units, factor = style.drawn(orbit.units["state"])
     x, y = factor * orbit.data["state"][:, 0], factor * orbit.data["state"][:, 1]
     sections = factor * orbit.data["sections"]
-    clearance = scene["ring"]["radius"] - scene["blades"]["hub_radius"] - scene["blades"]["length"]
+    clearance = clearance_of(scene)
     ring_centre = -scene["rotor"]["misalignment"]
 
     figure, (plane, forces) = style.plt.subplots(1, 2, figsize=(10.0, 4.9), gridspec_kw={"width_ratios": [1, 1.1]})

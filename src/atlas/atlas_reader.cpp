@@ -118,21 +118,14 @@ std::array<double, 4> AtlasReader::final_state(std::size_t point) const {
 
 std::optional<std::size_t> AtlasReader::find(const plan::PointParameters& parameters,
                                              plan::Direction direction) const {
-  const auto wanted = [&](const std::string& axis) -> std::optional<double> {
-    if (axis == "direction") return static_cast<double>(direction);
-    if (axis == "thickness") return parameters.thickness;
-    if (axis == "unbalance") return parameters.unbalance;
-    if (axis == "friction") return parameters.friction;
-    if (axis == "damping_ratio") return parameters.damping_ratio;
-    if (axis == "speed_ratio") return parameters.speed_ratio;
-    return std::nullopt;
-  };
+  std::vector<double> wanted = plan::values_of(parameters);
+  if (axes_.front().name == "direction") wanted.insert(wanted.begin(), static_cast<double>(direction));
+  if (wanted.size() != axes_.size()) return std::nullopt;
   std::size_t point = 0;
-  for (const auto& axis : axes_) {
-    const auto value = wanted(axis.name);
-    const auto index = value ? index_of(axis.values, *value) : std::nullopt;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    const auto index = index_of(axes_[i].values, wanted[i]);
     if (!index) return std::nullopt;
-    point = point * axis.values.size() + *index;
+    point = point * axes_[i].values.size() + *index;
   }
   return point;
 }

@@ -23,7 +23,8 @@ class AtlasReader {
   /// Throws EnvironmentError when the file cannot be opened, is no atlas, or has another schema version.
   explicit AtlasReader(const std::filesystem::path& path);
 
-  /// `[direction,] …, thickness, unbalance, friction, damping_ratio, speed_ratio`, as the file has them.
+  /// `[direction,] [axes swept by pointer,] thickness, unbalance, friction, damping_ratio, speed_ratio`, as
+  /// the file has them.
   [[nodiscard]] const std::vector<plan::Axis>& axes() const { return axes_; }
   /// One extent per axis.
   [[nodiscard]] Shape shape() const;

@@ -6,6 +6,7 @@
 #include "atlas/hdf5.hpp"
 #include "atlas/inner_scale.hpp"
 #include "atlas/publish.hpp"
+#include "scene/quantity.hpp"
 #include "scene/reader.hpp"
 
 namespace rubatlas::atlas {
@@ -34,13 +35,11 @@ std::vector<std::int32_t> counted(std::size_t count, std::int32_t first) {
   return values;
 }
 
-void write_point(Object root, const plan::PointParameters& parameters, const solve::SectionState& start,
-                 const solve::Orbit& orbit) {
-  root.set_number<double>("speed_ratio", parameters.speed_ratio);
-  root.set_number<double>("damping_ratio", parameters.damping_ratio);
-  root.set_number<double>("friction", parameters.friction);
-  root.set_number<double>("unbalance", parameters.unbalance);
-  root.set_number<double>("thickness", parameters.thickness);
+void write_point(Object root, const scene::Scene& scene, const plan::PointParameters& parameters,
+                 const solve::SectionState& start, const solve::Orbit& orbit) {
+  const auto axes = scene::axes_of(scene);
+  const auto values = plan::values_of(parameters);
+  for (std::size_t i = axes.size(); i-- > 0;) root.set_number<double>(axes[i].name, values[i]);
   root.set_numbers<double>("start", start);
   root.set_number<std::int32_t>("status", static_cast<std::int32_t>(orbit.status));
   root.set_text("status_meanings", "0 pending, 1 done, 2 left_validity, 3 integrator_failed");
@@ -54,7 +53,7 @@ void write_orbit(const std::filesystem::path& path, const scene::Scene& scene, c
                  const solve::Orbit& orbit, const Software& software) {
   File file = File::create(unpublished_name(path));
   write_provenance(file.root(), software, scene.title);
-  write_point(file.root(), parameters, start, orbit);
+  write_point(file.root(), scene, parameters, start, orbit);
   file.create_text("/scene", scene_text).set_text("long_name", "the scene file, as it was given");
   file.create_text("/scene_resolved", scene::resolved_json(scene))
       .set_text("long_name", "the scene with every default and every axis value written out");

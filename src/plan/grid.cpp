@@ -1,28 +1,33 @@
 #include "plan/grid.hpp"
 
 #include <array>
-#include <string_view>
 
 #include "scene/quantity.hpp"
 
 namespace rubatlas::plan {
 namespace {
 
-/// Which member of a point's parameters an axis of the scene sets.
-struct AxisParameter {
-  std::string_view name;
-  double PointParameters::*value;
-};
-
-constexpr std::array kParameters{
-    AxisParameter{"thickness", &PointParameters::thickness},
-    AxisParameter{"unbalance", &PointParameters::unbalance},
-    AxisParameter{"friction", &PointParameters::friction},
-    AxisParameter{"damping_ratio", &PointParameters::damping_ratio},
-    AxisParameter{"speed_ratio", &PointParameters::speed_ratio},
-};
+/// Which members of a point's parameters the axes of `scene::grid_axes` set, in their order.
+constexpr std::array kParameters{&PointParameters::thickness, &PointParameters::unbalance,
+                                 &PointParameters::friction, &PointParameters::damping_ratio,
+                                 &PointParameters::speed_ratio};
 
 }  // namespace
+
+std::vector<double> values_of(const PointParameters& parameters) {
+  std::vector<double> values = parameters.swept;
+  for (const auto member : kParameters) values.push_back(parameters.*member);
+  return values;
+}
+
+PointParameters parameters_at(std::span<const double> values) {
+  PointParameters result;
+  const auto named = values.last(kParameters.size());
+  for (std::size_t i = 0; i < kParameters.size(); ++i) result.*kParameters[i] = named[i];
+  const auto swept = values.first(values.size() - kParameters.size());
+  result.swept.assign(swept.begin(), swept.end());
+  return result;
+}
 
 Grid::Grid(const scene::Scene& scene)
     : sweep_(scene.sweep), chained_(scene.sweep != scene::Sweep::independent) {
@@ -30,10 +35,9 @@ Grid::Grid(const scene::Scene& scene)
     axes_.push_back(
         {"direction", {0.0, 1.0}, "1", "direction of the sweep along the speed ratio: 0 up, 1 down"});
   }
-  for (const auto& axis : scene::grid_axes()) {
-    const auto& quantity = scene::quantity(axis.quantity);
-    axes_.push_back({std::string(axis.name), scene.grid.*axis.values, std::string(quantity.unit),
-                     std::string(quantity.meaning)});
+  for (auto& axis : scene::axes_of(scene)) {
+    axes_.push_back({std::move(axis.name), std::move(axis.values), std::string(axis.quantity->unit),
+                     std::string(axis.quantity->meaning)});
   }
 }
 
@@ -58,16 +62,14 @@ std::size_t Grid::speed_count() const {
 }
 
 PointParameters Grid::parameters(std::size_t point) const {
-  PointParameters result;
+  std::vector<double> values(axes_.size());
   for (std::size_t i = axes_.size(); i-- > 0;) {  // the last axis runs fastest
-    const Axis& axis = axes_[i];
-    const std::size_t extent = axis.values.size();
-    for (const auto& parameter : kParameters) {
-      if (parameter.name == axis.name) result.*parameter.value = axis.values[point % extent];
-    }
-    point /= extent;
+    const auto& along = axes_[i].values;
+    values[i] = along[point % along.size()];
+    point /= along.size();
   }
-  return result;
+  const std::size_t first = sweep_ == scene::Sweep::both ? 1 : 0;  // the direction is no parameter
+  return parameters_at(std::span<const double>(values).subspan(first));
 }
 
 Direction Grid::direction(std::size_t line) const {

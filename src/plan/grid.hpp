@@ -1,13 +1,14 @@
 /// The grid of an atlas: which point has which parameters, and in which order points depend on each other.
 ///
-/// Points are numbered in C order over the axes `[direction,] thickness, unbalance, friction, damping_ratio,
-/// speed_ratio`. A line is all points that differ in speed ratio only: points
+/// Points are numbered in C order over the axes `[direction,] [axes swept by pointer,] thickness, unbalance,
+/// friction, damping_ratio, speed_ratio`. A line is all points that differ in speed ratio only: points
 /// [line * speeds, (line + 1) * speeds). Along a line of a sweep each point starts from the final state of
 /// the one visited before it; `visit` counts along the line in the order in which the sweep goes.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,12 +18,18 @@ namespace rubatlas::plan {
 
 /// The swept quantities at one grid point, or (all but the speed ratio) on one line.
 struct PointParameters {
-  double speed_ratio = 0.0;    ///< Ω [-]
-  double damping_ratio = 0.0;  ///< ζ [-]
-  double friction = 0.0;       ///< μ [-]
-  double unbalance = 0.0;      ///< me [kg m]
-  double thickness = 0.0;      ///< h [m]
+  double speed_ratio = 0.0;        ///< Ω [-]
+  double damping_ratio = 0.0;      ///< ζ [-]
+  double friction = 0.0;           ///< μ [-]
+  double unbalance = 0.0;          ///< me [kg m]
+  double thickness = 0.0;          ///< h [m]
+  std::vector<double> swept = {};  ///< on the axes of `scene::Grid::swept`, in their order
 };
+
+/// The parameters as one value per axis, in the order of `scene::axes_of` (slowest first, speed ratio last).
+std::vector<double> values_of(const PointParameters& parameters);
+/// The reverse: the last five values are those of the axes with names of their own.
+PointParameters parameters_at(std::span<const double> values);
 
 enum class Direction : std::uint8_t { up = 0, down = 1 };
 

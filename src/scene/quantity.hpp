@@ -75,7 +75,7 @@ struct Section {
 
 std::span<const Section> sections();
 
-/// One swept quantity: an axis of every atlas, of extent 1 where the scene does not sweep it.
+/// An axis with a name of its own: part of every atlas, of extent 1 where the scene does not sweep it.
 struct GridAxis {
   std::string_view name;      ///< key in `grid` and name of the atlas' dimension
   std::string_view quantity;  ///< pointer of the quantity that the axis sweeps
@@ -84,5 +84,29 @@ struct GridAxis {
 
 /// In the order of the atlas' axes, the slowest first.
 std::span<const GridAxis> grid_axes();
+
+/// Name of the dimension of a quantity that is swept by its pointer: "ring_stiffness" for "/ring/stiffness".
+std::string axis_name(std::string_view pointer);
+
+/// Every quantity that `grid` may name by its pointer: the numbers that describe the machine and the effects
+/// on it, without those whose axis has a name of its own.
+std::vector<const Quantity*> sweepable_quantities();
+
+/// An axis of one scene's atlas.
+struct Axis {
+  std::string name;                    ///< of the dimension
+  const Quantity* quantity = nullptr;  ///< never null
+  std::vector<double> values;          ///< ascending
+};
+
+/// All axes of a scene's atlas but `direction`, the slowest first: those swept by their pointer, sorted by
+/// name, then `grid_axes()`.
+std::vector<Axis> axes_of(const Scene& scene);
+
+/// The quantity of an axis of that name, of any scene; null for a name that no scene's axis has.
+const Quantity* quantity_of_axis(std::string_view name);
+
+/// The values that a number takes in an atlas: those of its axis, or the scene's one; none where absent.
+std::vector<double> values_in(const Scene& scene, std::string_view pointer);
 
 }  // namespace rubatlas::scene

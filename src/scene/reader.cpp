@@ -67,13 +67,44 @@ std::string nearest_pointer(std::string_view section, std::string_view key) {
   return child(section, nearest(key, keys));
 }
 
+bool is_pointer(std::string_view key) {
+  return key.starts_with('/');
+}
+
+/// A key of `grid` that is a JSON pointer must be that of a quantity that can be swept so.
+void check_pointer_axis(const std::string& key, const json& value) {
+  const auto here = child("/grid", key);
+  std::vector<std::string_view> allowed;
+  for (const auto* entry : sweepable_quantities()) allowed.push_back(entry->pointer);
+  if (std::ranges::count(allowed, key) > 0) return;
+  std::vector<std::string_view> near = allowed;
+  for (const auto& axis : grid_axes()) {
+    if (key == axis.quantity) {
+      fail(here, fmt::format("with the value {}; the axis of this quantity has a name of its own: {}",
+                             shown(value), axis.name));
+    }
+    near.push_back(axis.quantity);
+  }
+  const auto best = nearest(key, near);
+  const auto named = std::ranges::find(grid_axes(), best, &GridAxis::quantity);
+  fail(here,
+       fmt::format("no quantity that can be swept, with the value {}; by their pointers can be: {}; "
+                   "nearest: {}",
+                   shown(value), fmt::join(allowed, ", "), named == grid_axes().end() ? best : named->name));
+}
+
 void check_keys(const json& object, std::string_view section) {
   const auto keys = known_keys(section);
   for (const auto& [key, value] : object.items()) {
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+    if (section == "/grid" && is_pointer(key)) {
+      check_pointer_axis(key, value);
+      continue;
+    }
     fail(child(section, key),
-         fmt::format("unknown key, with the value {}; known {}: {}; nearest known key: {}", shown(value),
+         fmt::format("unknown key, with the value {}; known {}: {}{}; nearest known key: {}", shown(value),
                      section.empty() ? "in a scene" : fmt::format("in {}", section), fmt::join(keys, ", "),
+                     section == "/grid" ? ", and pointers of other quantities" : "",
                      nearest_pointer(section, key)));
   }
 }
@@ -220,9 +251,24 @@ std::vector<double> read_axis(const json& value, std::string_view pointer, const
                             shown(value), with_unit(entry), entry.meaning));
 }
 
+/// Axes that the grid names by pointers. No point reads the scene's own value of such a quantity, so the
+/// scene has the first one of the axis: whatever is computed from the scene alone belongs to a point of the
+/// atlas.
+void read_pointer_axes(const json& grid, Scene& scene) {
+  for (const auto& [key, value] : grid.items()) {
+    if (!is_pointer(key)) continue;
+    const auto& entry = quantity(key);
+    scene.grid.swept.push_back({key, read_axis(value, child("/grid", key), entry)});
+    entry.write(scene, scene.grid.swept.back().values.front());
+  }
+  std::ranges::sort(scene.grid.swept, {}, [](const PointerAxis& axis) { return axis_name(axis.pointer); });
+}
+
 void read_grid(const json& document, Scene& scene) {
   const json grid = document.value("grid", json::object());
   double points = scene.sweep == Sweep::both ? 2.0 : 1.0;
+  read_pointer_axes(grid, scene);
+  for (const auto& swept : scene.grid.swept) points *= static_cast<double>(swept.values.size());
   for (const auto& axis : grid_axes()) {
     const auto& entry = quantity(axis.quantity);
     auto& values = scene.grid.*axis.values;
@@ -280,21 +326,44 @@ void read_observables(const json& document, Scene& scene) {
   }
 }
 
-void check_together(const json& document, Scene& scene) {
+/// A quantity that only some words of a choice read is an error under the others, as a key and on the grid.
+void check_choosers(const json& document, const Scene& scene) {
   for (const auto& entry : quantities()) {
-    const json::json_pointer pointer{std::string(entry.pointer)};
-    if (entry.chooser.empty() || !document.contains(pointer) || entry.read(scene)) continue;
-    const Quantity& chooser = quantity(entry.chooser);
-    fail(entry.pointer, fmt::format(R"({} has no effect under the {} {} "{}"; only {} reads it)",
-                                    shown(document.at(pointer)), last_key(chooser.section()), chooser.key(),
-                                    std::get<std::string>(*chooser.read(scene)),
-                                    fmt::format("\"{}\"", fmt::join(entry.readers, "\" or \""))));
+    if (entry.chooser.empty() || entry.read(scene)) continue;
+    const auto on_the_grid = child("/grid", entry.pointer);
+    for (const auto& place : {std::string(entry.pointer), on_the_grid}) {
+      const json::json_pointer pointer{place};
+      if (!document.contains(pointer)) continue;
+      const Quantity& chooser = quantity(entry.chooser);
+      fail(place, fmt::format(R"({} has no effect under the {} {} "{}"; only {} reads it)",
+                              shown(document.at(pointer)), last_key(chooser.section()), chooser.key(),
+                              std::get<std::string>(*chooser.read(scene)),
+                              fmt::format("\"{}\"", fmt::join(entry.readers, "\" or \""))));
+    }
   }
-  if (scene.clearance() < 0.0) {
-    fail("/ring/radius",
-         fmt::format("{} is smaller than hub_radius + length = {} m; the blades must fit into the ring",
-                     shortest(scene.ring.radius), shortest(scene.blades.hub_radius + scene.blades.length)));
+}
+
+/// The clearance at its least: the smallest ring around the longest blades on the largest hub of the grid.
+void check_clearance(const Scene& scene) {
+  Scene tightest = scene;
+  std::string place = "/ring/radius";
+  for (const auto& swept : scene.grid.swept) {
+    const bool ring = swept.pointer == "/ring/radius";
+    if (!ring && swept.pointer != "/blades/length" && swept.pointer != "/blades/hub_radius") continue;
+    quantity(swept.pointer).write(tightest, ring ? swept.values.front() : swept.values.back());
+    place = child("/grid", swept.pointer);
   }
+  if (tightest.clearance() >= 0.0) return;
+  fail(place,
+       fmt::format("{}{} is smaller than hub_radius + length = {} m; the blades must fit into the ring{}",
+                   place == "/ring/radius" ? "" : "a ring of radius ", shortest(tightest.ring.radius),
+                   shortest(tightest.blades.hub_radius + tightest.blades.length),
+                   place == "/ring/radius" ? "" : " at every point of the grid"));
+}
+
+void check_together(const json& document, Scene& scene) {
+  check_choosers(document, scene);
+  check_clearance(scene);
   const int highest = scene.protocol.samples_per_revolution / 2;
   if (!document.contains("/spectrum/max_order"_json_pointer)) {
     scene.spectrum.max_order = std::min(std::max(12, 4 * scene.blades.count), highest);

@@ -89,6 +89,7 @@ std::string resolved_json(const Scene& scene) {
     if (entry.read != nullptr && !entry.read(scene)) continue;
     document["grid"][std::string(axis.name)] = scene.grid.*axis.values;
   }
+  for (const auto& swept : scene.grid.swept) document["grid"][swept.pointer] = swept.values;
   document["observables"] = scene.observables;
   std::string text;
   write(document, "", text);

@@ -49,14 +49,21 @@ struct Unbalance {
   double phase = 0.0;   ///< γ [rad], from blade 1, positive with the rotation
 };
 
-/// Values along each axis of the atlas, ascending. Axes that the scene does not name hold the scene's one
-/// value.
+/// Values of a quantity that the grid names by its JSON pointer: an axis of the atlas besides the usual five.
+struct PointerAxis {
+  std::string pointer;         ///< of the quantity, for example "/ring/stiffness"
+  std::vector<double> values;  ///< ascending, in the quantity's unit
+};
+
+/// Values along each axis of the atlas, ascending. Of the five axes that every atlas has, those that the
+/// scene does not name hold the scene's one value.
 struct Grid {
   std::vector<double> thickness;      ///< h [m]
   std::vector<double> unbalance;      ///< me [kg m]
   std::vector<double> friction;       ///< μ [-]
   std::vector<double> damping_ratio;  ///< ζ [-]
   std::vector<double> speed_ratio;    ///< Ω [-]
+  std::vector<PointerAxis> swept;     ///< further axes, sorted by the names of their dimensions
 };
 
 /// Where a point starts: from its neighbour below or above in Ω, both ways, or always from `initial`.

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "scene/quantity.hpp"
 
@@ -32,6 +34,10 @@ constexpr std::array kGridAxes{
     GridAxis{.name = "speed_ratio", .quantity = "/grid/speed_ratio", .values = &Grid::speed_ratio},
 };
 
+/// Sections that say how a motion is computed and kept, not which machine moves: no axis of an atlas.
+constexpr std::array<std::string_view, 7> kNotSwept{"",          "/grid",     "/initial", "/protocol",
+                                                    "/spectrum", "/validity", "/accuracy"};
+
 }  // namespace
 
 std::span<const Section> sections() {
@@ -40,6 +46,50 @@ std::span<const Section> sections() {
 
 std::span<const GridAxis> grid_axes() {
   return kGridAxes;
+}
+
+std::string axis_name(std::string_view pointer) {
+  std::string name(pointer.substr(1));
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+
+std::vector<const Quantity*> sweepable_quantities() {
+  std::vector<const Quantity*> found;
+  for (const auto& entry : quantities()) {
+    if (entry.kind != Kind::number || std::ranges::count(kNotSwept, entry.section()) > 0) continue;
+    if (std::ranges::count(kGridAxes, entry.pointer, &GridAxis::quantity) > 0) continue;
+    found.push_back(&entry);
+  }
+  return found;
+}
+
+std::vector<Axis> axes_of(const Scene& scene) {
+  std::vector<Axis> axes;
+  for (const auto& swept : scene.grid.swept) {
+    axes.push_back({axis_name(swept.pointer), &quantity(swept.pointer), swept.values});
+  }
+  for (const auto& axis : kGridAxes) {
+    axes.push_back({std::string(axis.name), &quantity(axis.quantity), scene.grid.*axis.values});
+  }
+  return axes;
+}
+
+const Quantity* quantity_of_axis(std::string_view name) {
+  const auto named = std::ranges::find(kGridAxes, name, &GridAxis::name);
+  if (named != kGridAxes.end()) return &quantity(named->quantity);
+  const auto all = sweepable_quantities();
+  const auto found =
+      std::ranges::find_if(all, [&](const auto* entry) { return axis_name(entry->pointer) == name; });
+  return found == all.end() ? nullptr : *found;
+}
+
+std::vector<double> values_in(const Scene& scene, std::string_view pointer) {
+  for (auto& axis : axes_of(scene)) {
+    if (axis.quantity->pointer == pointer) return std::move(axis.values);
+  }
+  const auto own = quantity(pointer).read(scene);
+  return own ? std::vector{std::get<double>(*own)} : std::vector<double>{};
 }
 
 }  // namespace rubatlas::scene

@@ -1,5 +1,6 @@
 #include "solve/line_solver.hpp"
 
+#include "plan/scene_of_line.hpp"
 #include "solve/blade_tables.hpp"
 #include "solve/methods.hpp"
 
@@ -11,7 +12,8 @@ std::shared_ptr<BladeTables> make_blade_tables() {
 
 std::unique_ptr<LineSolver> make_line_solver(const scene::Scene& scene, const plan::PointParameters& line,
                                              const std::shared_ptr<BladeTables>& tables) {
-  const LineRequest request{scene, line, *tables};
+  const scene::Scene own = plan::scene_of_line(scene, line);
+  const LineRequest request{own, line, *tables};
   switch (scene.accuracy.method) {
     case scene::Method::paper:
       return make_paper(request);

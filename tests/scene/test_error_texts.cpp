@@ -74,7 +74,7 @@ TEST(SceneErrors, AnUnknownKeyNamesTheNearestKnownOne) {
   EXPECT_EQ(
       refusal_of_grid(R"("speed_ration": 0.5)"),
       "/grid/speed_ration: unknown key, with the value 0.5; known in /grid: thickness, unbalance, friction, "
-      "damping_ratio, speed_ratio; nearest known key: /grid/speed_ratio");
+      "damping_ratio, speed_ratio, and pointers of other quantities; nearest known key: /grid/speed_ratio");
 }
 
 TEST(SceneErrors, AKeyInTheWrongSectionIsSentToItsOwn) {

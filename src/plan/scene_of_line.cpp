@@ -1,0 +1,26 @@
+#include "plan/scene_of_line.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "scene/quantity.hpp"
+
+namespace rubatlas::plan {
+
+scene::Scene scene_of_line(const scene::Scene& scene, const PointParameters& line) {
+  const auto axes = scene::axes_of(scene);
+  const auto values = values_of(line);
+  if (axes.size() != values.size()) {
+    throw std::invalid_argument(
+        fmt::format("a line with {} swept values, of a scene with {} axes", values.size(), axes.size()));
+  }
+  scene::Scene own = scene;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (axes[i].quantity->write != nullptr) axes[i].quantity->write(own, values[i]);
+  }
+  if (line.unbalance == 0.0) own.unbalance.reset();
+  return own;
+}
+
+}  // namespace rubatlas::plan
