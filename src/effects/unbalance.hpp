@@ -9,15 +9,10 @@
 #include <numbers>
 #include <optional>
 
+#include "effects/response.hpp"
 #include "rotor/free_motion.hpp"
 
 namespace rubatlas::effects {
-
-/// A rotor on which nothing acts but shaft and ring.
-class NoForcing {
- public:
-  static constexpr bool kPresent = false;
-};
 
 class Unbalance {
  public:
@@ -38,11 +33,6 @@ class Unbalance {
   [[nodiscard]] Complex acceleration(double time) const {
     return std::polar(amplitude_, speed_ratio_ * time + phase_);
   }
-
-  struct Response {
-    Complex position;
-    Complex velocity;
-  };
 
   /// Steady response at time τ of the revolution; none near resonance, where it may not exist.
   [[nodiscard]] std::optional<Response> steady(double time) const {

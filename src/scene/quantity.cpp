@@ -6,136 +6,29 @@
 #include <array>
 #include <cstddef>
 #include <stdexcept>
+#include <tuple>
 #include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "scene/place.hpp"
 
 namespace rubatlas::scene {
 namespace {
 
-// From a pair of member pointers to the two functions of an entry: At<&Scene::rotor, &Rotor::mass> reads and
-// writes scene.rotor.mass, whether section or member are optional or not, and whether the member is a number
-// or a choice. With one member pointer, At<&Scene::title>, the value is the scene's own.
-template <typename T>
-constexpr bool kIsOptional = false;
-template <typename T>
-constexpr bool kIsOptional<std::optional<T>> = true;
-
-// The order of a quantity's `choices` is the order of the enumeration: the one place where words become
-// types.
-constexpr std::array<std::string_view, 2> kContactLaws{"elastica", "elastic_ring"};
-constexpr std::array<std::string_view, 4> kSweeps{"up", "down", "both", "independent"};
-
-constexpr std::array<std::string_view, 6> kMethods{"hybrid", "hybrid_54", "hybrid_32",
-                                                   "paper",  "located",   "fixed"};
-
-constexpr std::span<const std::string_view> words(ContactLaw /*unused*/) {
-  return kContactLaws;
-}
-constexpr std::span<const std::string_view> words(Sweep /*unused*/) {
-  return kSweeps;
-}
-constexpr std::span<const std::string_view> words(Method /*unused*/) {
-  return kMethods;
-}
-
-template <typename T>
-Value to_value(const T& member) {
-  if constexpr (std::is_enum_v<T>) {
-    return std::string(words(member)[static_cast<std::size_t>(member)]);
-  } else {
-    return member;
-  }
-}
-
-template <typename T>
-void from_value(T& member, const Value& value) {
-  if constexpr (std::is_enum_v<T>) {
-    const auto list = words(T{});
-    const auto found = std::find(list.begin(), list.end(), std::get<std::string>(value));
-    member = static_cast<T>(found - list.begin());
-  } else if constexpr (kIsOptional<T>) {
-    member = std::get<typename T::value_type>(value);
-  } else {
-    member = std::get<T>(value);
-  }
-}
-
-template <auto Section, auto... Member>
-struct At;
-
-template <auto Section>
-struct At<Section> {
-  static std::optional<Value> read(const Scene& scene) { return to_value(scene.*Section); }
-  static void write(Scene& scene, const Value& value) { from_value(scene.*Section, value); }
-};
-
-template <auto Section, auto Member>
-struct At<Section, Member> {
-  static std::optional<Value> read(const Scene& scene) {
-    const auto& section = scene.*Section;
-    if constexpr (kIsOptional<std::remove_cvref_t<decltype(section)>>) {
-      if (!section) return std::nullopt;
-      return to_value((*section).*Member);
-    } else if constexpr (kIsOptional<std::remove_cvref_t<decltype(section.*Member)>>) {
-      if (!(section.*Member)) return std::nullopt;
-      return to_value(*(section.*Member));
-    } else {
-      return to_value(section.*Member);
-    }
-  }
-  static void write(Scene& scene, const Value& value) {
-    auto& section = scene.*Section;
-    if constexpr (kIsOptional<std::remove_cvref_t<decltype(section)>>) {
-      if (!section) section.emplace();
-      from_value((*section).*Member, value);
-    } else {
-      from_value(section.*Member, value);
-    }
-  }
-};
-
-// A quantity that is part of a scene only under some words of a choice: the stiffness of the ring under the
-// law that reads it, the knobs of a method under that method.
-template <typename Place, auto Section, auto Member, auto... kReaders>
-struct Under : Place {
-  static constexpr std::array<std::string_view, sizeof...(kReaders)> kWords{
-      words(kReaders)[static_cast<std::size_t>(kReaders)]...};
-  static std::optional<Value> read(const Scene& scene) {
-    const auto chosen = (scene.*Section).*Member;
-    if (!((chosen == kReaders) || ...)) return std::nullopt;
-    return Place::read(scene);
-  }
-};
 template <auto Member, ContactLaw... kLaws>
 using UnderLaw = Under<At<&Scene::ring, Member>, &Scene::contact, &Contact::law, kLaws...>;
 template <auto Member, Method... kReaders>
 using UnderMethod = Under<At<&Scene::accuracy, Member>, &Scene::accuracy, &Accuracy::method, kReaders...>;
 
-template <typename Place>
-constexpr Quantity in(Quantity entry, Place /*unused*/) {
-  entry.read = &Place::read;
-  entry.write = &Place::write;
-  if constexpr (requires { Place::kWords; }) entry.readers = Place::kWords;
-  return entry;
-}
-
-constexpr Range above_zero_up_to(double high) {
-  return {.low = 0.0, .high = high, .low_excluded = true};
-}
-constexpr Range between(double low, double high) {
-  return {.low = low, .high = high};
-}
-
-// Upper bounds without a physical reason are there to catch a slip of units before it costs a night of
-// computing.
-constexpr double kLongest = 1e3;   // [m]
-constexpr double kHeaviest = 1e9;  // [kg]
 constexpr double kMostRevolutions = 1e8;
 constexpr double kMostSamples = 65536;
 constexpr double kHighestOrder = 32768;
 
 constexpr std::string_view kDefaultRotor = "MODEL 6.1";
 
-const auto& table() {
+/// The table but for the quantities of the effects, which describe themselves.
+const auto& own_table() {
   static const std::array entries{
       in({.pointer = "/title",
           .symbol = "",
@@ -157,7 +50,7 @@ const auto& table() {
           .unit = "kg",
           .meaning = "modal mass of the rotor",
           .source = kDefaultRotor,
-          .range = above_zero_up_to(kHeaviest)},
+          .range = above_zero_up_to(kHeaviestMass)},
          At<&Scene::rotor, &Rotor::mass>{}),
       in({.pointer = "/rotor/natural_frequency",
           .symbol = "ωn",
@@ -178,7 +71,7 @@ const auto& table() {
           .unit = "m",
           .meaning = "distance of the ring's centre below the shaft's equilibrium",
           .source = kDefaultRotor,
-          .range = between(-kLongest, kLongest)},
+          .range = between(-kLongestLength, kLongestLength)},
          At<&Scene::rotor, &Rotor::misalignment>{}),
 
       in({.pointer = "/blades/count",
@@ -194,21 +87,21 @@ const auto& table() {
           .unit = "m",
           .meaning = "length of a blade from hub to tip",
           .source = kDefaultRotor,
-          .range = above_zero_up_to(kLongest)},
+          .range = above_zero_up_to(kLongestLength)},
          At<&Scene::blades, &Blades::length>{}),
       in({.pointer = "/blades/width",
           .symbol = "b",
           .unit = "m",
           .meaning = "width of a blade along the shaft",
           .source = kDefaultRotor,
-          .range = above_zero_up_to(kLongest)},
+          .range = above_zero_up_to(kLongestLength)},
          At<&Scene::blades, &Blades::width>{}),
       in({.pointer = "/blades/thickness",
           .symbol = "h",
           .unit = "m",
           .meaning = "thickness of a blade in its plane of bending",
           .source = kDefaultRotor,
-          .range = above_zero_up_to(kLongest)},
+          .range = above_zero_up_to(kLongestLength)},
          At<&Scene::blades, &Blades::thickness>{}),
       in({.pointer = "/blades/youngs_modulus",
           .symbol = "E",
@@ -222,7 +115,7 @@ const auto& table() {
           .unit = "m",
           .meaning = "radius of the hub on which the blades are clamped",
           .source = kDefaultRotor,
-          .range = between(0.0, kLongest)},
+          .range = between(0.0, kLongestLength)},
          At<&Scene::blades, &Blades::hub_radius>{}),
 
       in({.pointer = "/ring/radius",
@@ -230,7 +123,7 @@ const auto& table() {
           .unit = "m",
           .meaning = "inner radius of the ring",
           .source = kDefaultRotor,
-          .range = above_zero_up_to(kLongest)},
+          .range = above_zero_up_to(kLongestLength)},
          At<&Scene::ring, &Ring::radius>{}),
       in({.pointer = "/ring/stiffness",
           .symbol = "kr",
@@ -258,21 +151,6 @@ const auto& table() {
           .range = between(0.0, 2.0)},
          At<&Scene::contact, &Contact::friction>{}),
 
-      in({.pointer = "/unbalance/moment",
-          .symbol = "me",
-          .unit = "kg m",
-          .meaning = "unbalance, mass times eccentricity",
-          .source = "MODEL 1",
-          .range = between(0.0, 1e6)},
-         At<&Scene::unbalance, &Unbalance::moment>{}),
-      in({.pointer = "/unbalance/phase",
-          .symbol = "γ",
-          .unit = "rad",
-          .meaning = "angle of the unbalance from blade 1, positive with the rotation",
-          .source = "MODEL 1",
-          .range = between(-1e3, 1e3)},
-         At<&Scene::unbalance, &Unbalance::phase>{}),
-
       Quantity{.pointer = "/grid/speed_ratio",
                .symbol = "Ω",
                .unit = "1",
@@ -296,28 +174,28 @@ const auto& table() {
           .unit = "m",
           .meaning = "horizontal displacement at the start",
           .source = "MODEL 6",
-          .range = between(-kLongest, kLongest)},
+          .range = between(-kLongestLength, kLongestLength)},
          At<&Scene::initial, &Initial::x>{}),
       in({.pointer = "/initial/y",
           .symbol = "y",
           .unit = "m",
           .meaning = "vertical displacement at the start",
           .source = "MODEL 6",
-          .range = between(-kLongest, kLongest)},
+          .range = between(-kLongestLength, kLongestLength)},
          At<&Scene::initial, &Initial::y>{}),
       in({.pointer = "/initial/vx",
           .symbol = "x'",
           .unit = "m",
           .meaning = "horizontal velocity at the start, per unit of dimensionless time",
           .source = "MODEL 6",
-          .range = between(-kLongest, kLongest)},
+          .range = between(-kLongestLength, kLongestLength)},
          At<&Scene::initial, &Initial::vx>{}),
       in({.pointer = "/initial/vy",
           .symbol = "y'",
           .unit = "m",
           .meaning = "vertical velocity at the start, per unit of dimensionless time",
           .source = "MODEL 6",
-          .range = between(-kLongest, kLongest)},
+          .range = between(-kLongestLength, kLongestLength)},
          At<&Scene::initial, &Initial::vy>{}),
 
       in({.pointer = "/protocol/transient_revolutions",
@@ -421,6 +299,44 @@ const auto& table() {
           .chooser = "/accuracy/method"},
          UnderMethod<&Accuracy::step, Method::fixed>{}),
   };
+  return entries;
+}
+
+template <typename T>
+constexpr Kind kind_of() {
+  if constexpr (std::is_same_v<T, double>) return Kind::number;
+  if constexpr (std::is_same_v<T, int>) return Kind::whole_number;
+  if constexpr (std::is_same_v<T, bool>) return Kind::flag;
+}
+
+template <auto Effect, auto Member>
+Quantity quantity_of(const effects::Field<Member>& field) {
+  using Settings = std::remove_cvref_t<decltype(*(std::declval<Scene>().*Effect))>;
+  return in({.pointer = field.pointer,
+             .symbol = field.symbol,
+             .unit = field.unit,
+             .meaning = field.meaning,
+             .source = field.source,
+             .kind = kind_of<std::remove_cvref_t<decltype(std::declval<Settings>().*Member)>>(),
+             .range = field.range},
+            At<Effect, Member>{});
+}
+
+/// Own entries, with those of the effects behind the sections of the machine.
+const std::vector<Quantity>& table() {
+  static const std::vector<Quantity> entries = [] {
+    const auto& own = own_table();
+    const auto machine_end =
+        std::ranges::find(own, std::string_view("/grid/speed_ratio"), &Quantity::pointer);
+    std::vector<Quantity> all(own.begin(), machine_end);
+    effects::for_each_effect([&]<auto Effect>() {
+      using Settings = std::remove_cvref_t<decltype(*(std::declval<Scene>().*Effect))>;
+      std::apply([&](const auto&... field) { (all.push_back(quantity_of<Effect>(field)), ...); },
+                 Settings::quantities());
+    });
+    all.insert(all.end(), machine_end, own.end());
+    return all;
+  }();
   return entries;
 }
 

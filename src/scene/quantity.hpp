@@ -6,7 +6,6 @@
 /// of those structs.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,21 +13,10 @@
 #include <variant>
 #include <vector>
 
+#include "scene/range.hpp"
 #include "scene/scene.hpp"
 
 namespace rubatlas::scene {
-
-/// Legal values of a number; a bound may be excluded, and infinite bounds are written as such.
-struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool low_excluded = false;
-  bool high_excluded = false;
-
-  [[nodiscard]] bool contains(double value) const;
-  /// In interval notation: "[0, 2]", "(0, inf)".
-  [[nodiscard]] std::string text() const;
-};
 
 enum class Kind : std::uint8_t { number, whole_number, flag, text, choice };
 

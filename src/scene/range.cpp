@@ -1,6 +1,6 @@
-#include <fmt/format.h>
+#include "scene/range.hpp"
 
-#include "scene/quantity.hpp"
+#include <fmt/format.h>
 
 namespace rubatlas::scene {
 

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "effects/list.hpp"
+
 namespace rubatlas::scene {
 
 /// Point mass on a massless isotropic shaft (MODEL 1).
@@ -43,11 +45,9 @@ struct Contact {
   double friction = 0.1;  ///< μ [-]
 };
 
-/// Present only where the scene has a section `unbalance` or a grid axis of that name: absent means absent.
-struct Unbalance {
-  double moment = 0.0;  ///< me [kg m]
-  double phase = 0.0;   ///< γ [rad], from blade 1, positive with the rotation
-};
+/// An effect is present only where the scene has its section or a grid axis of its quantity: absent means
+/// absent (`effects/list.hpp`).
+using Unbalance = effects::UnbalanceSettings;
 
 /// Values of a quantity that the grid names by its JSON pointer: an axis of the atlas besides the usual five.
 struct PointerAxis {
@@ -106,14 +106,13 @@ struct Accuracy {
   double step = 1e-3;             ///< in τ; read by `fixed` only
 };
 
-struct Scene {
+struct Scene : effects::Effects {
   std::string title;
   std::string reference;
   Rotor rotor;
   Blades blades;
   Ring ring;
   Contact contact;
-  std::optional<Unbalance> unbalance;
   Grid grid;
   Sweep sweep = Sweep::up;
   Initial initial;

@@ -7,17 +7,11 @@
 namespace rubatlas::scene {
 namespace {
 
-constexpr std::array kSections{
+constexpr std::array kOwnSections{
     Section{.pointer = "/rotor", .meaning = "point mass on a massless isotropic shaft"},
     Section{.pointer = "/blades", .meaning = "equal, massless blades clamped on a hub"},
     Section{.pointer = "/ring", .meaning = "the ring that surrounds the blades"},
     Section{.pointer = "/contact", .meaning = "what happens between a blade tip and the ring"},
-    Section{.pointer = "/unbalance",
-            .meaning = "an effect: absent without this section or a grid axis of this name",
-            .open =
-                [](Scene& scene) {
-                  if (!scene.unbalance) scene.unbalance.emplace();
-                }},
     Section{.pointer = "/grid", .meaning = "the values along the axes of the atlas"},
     Section{.pointer = "/initial", .meaning = "state of the shaft centre at phase 0"},
     Section{.pointer = "/protocol", .meaning = "how long a point runs and what of it is kept"},
@@ -41,7 +35,21 @@ constexpr std::array<std::string_view, 7> kNotSwept{"",          "/grid",     "/
 }  // namespace
 
 std::span<const Section> sections() {
-  return kSections;
+  static const std::vector<Section> entries = [] {
+    const auto machine_end = std::ranges::find(kOwnSections, std::string_view("/grid"), &Section::pointer);
+    std::vector<Section> all(kOwnSections.begin(), machine_end);
+    effects::for_each_effect([&]<auto Effect>() {
+      using Settings = std::remove_cvref_t<decltype(*(std::declval<Scene>().*Effect))>;
+      all.push_back({.pointer = Settings::kDescription.section,
+                     .meaning = Settings::kDescription.meaning,
+                     .open = [](Scene& scene) {
+                       if (!(scene.*Effect)) (scene.*Effect).emplace();
+                     }});
+    });
+    all.insert(all.end(), machine_end, kOwnSections.end());
+    return all;
+  }();
+  return entries;
 }
 
 std::span<const GridAxis> grid_axes() {

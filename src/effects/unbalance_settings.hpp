@@ -1,0 +1,40 @@
+/// Effect `unbalance`, as a scene describes it; `unbalance.hpp` is what it does.
+#pragma once
+
+#include <tuple>
+
+#include "effects/description.hpp"
+
+namespace rubatlas::effects {
+
+struct UnbalanceSettings {
+  double moment = 0.0;  ///< me [kg m]
+  double phase = 0.0;   ///< γ [rad], from blade 1, positive with the rotation
+
+  static constexpr Description kDescription{
+      .section = "/unbalance",
+      .meaning = "a mass eccentricity that turns with the rotor",
+      .equation = "z'' + 2ζ z' + z = (me/m) Ω² e^{i(Ωτ+γ)}",
+      .source = "MODEL 1",
+      .flight = "closed form (MODEL 4.5), at resonance too",
+      .breaks = "blade passing",
+  };
+  static constexpr auto quantities() {
+    return std::tuple{Field<&UnbalanceSettings::moment>{.pointer = "/unbalance/moment",
+                                                        .symbol = "me",
+                                                        .unit = "kg m",
+                                                        .meaning = "unbalance, mass times eccentricity",
+                                                        .source = "MODEL 1",
+                                                        .range = scene::between(0.0, 1e6)},
+                      Field<&UnbalanceSettings::phase>{
+                          .pointer = "/unbalance/phase",
+                          .symbol = "γ",
+                          .unit = "rad",
+                          .meaning = "angle of the unbalance from blade 1, positive with the rotation",
+                          .source = "MODEL 1",
+                          .range = scene::between(-1e3, 1e3)}};
+  }
+  [[nodiscard]] bool acts() const { return moment != 0.0; }
+};
+
+}  // namespace rubatlas::effects
