@@ -64,18 +64,38 @@ struct ContactLanes<kLanes>::Arithmetic {
     if constexpr (kLanes == 8) return static_cast<Lanes>(_mm512_sqrt_pd(static_cast<__m512d>(value)));
     if constexpr (kLanes == 4) return static_cast<Lanes>(_mm256_sqrt_pd(static_cast<__m256d>(value)));
   }
-  /// One number of each lane's own piece.
-  __attribute__((always_inline)) static Lanes gather(const double* const (&base)[kLanes],
-                                                     std::size_t offset) {
+  /// Four numbers of each lane's own piece, side by side in memory, the last of which nobody needs. Rows are
+  /// loaded and turned into columns: a gather loads one number at a time.
+  struct Columns {
+    Lanes column[3];
+  };
+  __attribute__((always_inline)) static Columns columns(const double* const (&base)[kLanes],
+                                                        std::size_t offset) {
     if constexpr (kLanes == 8) {
-      return static_cast<Lanes>(_mm512_i64gather_pd(
-          _mm512_add_epi64(_mm512_loadu_si512(base), _mm512_set1_epi64(static_cast<long long>(8 * offset))),
-          nullptr, 1));
+      // Row i in the lower half, row i + 4 in the upper one.
+      const auto rows = [&](int i) __attribute__((always_inline)) {
+        return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(base[i] + offset)),
+                                  _mm256_loadu_pd(base[i + 4] + offset), 1);
+      };
+      const __m512d r0 = rows(0), r1 = rows(1), r2 = rows(2), r3 = rows(3);
+      const __m512d first = _mm512_unpacklo_pd(r0, r1), second = _mm512_unpackhi_pd(r0, r1);
+      const __m512d third = _mm512_unpacklo_pd(r2, r3), fourth = _mm512_unpackhi_pd(r2, r3);
+      const __m512i lower = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
+      const __m512i upper = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+      return {{static_cast<Lanes>(_mm512_permutex2var_pd(first, lower, third)),
+               static_cast<Lanes>(_mm512_permutex2var_pd(second, lower, fourth)),
+               static_cast<Lanes>(_mm512_permutex2var_pd(first, upper, third))}};
     }
     if constexpr (kLanes == 4) {
-      Lanes value;
-      for (int i = 0; i < 4; ++i) value[i] = base[i][offset];
-      return value;
+      const auto row = [&](int i) __attribute__((always_inline)) {
+        return _mm256_loadu_pd(base[i] + offset);
+      };
+      const __m256d r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
+      const __m256d first = _mm256_unpacklo_pd(r0, r1), second = _mm256_unpackhi_pd(r0, r1);
+      const __m256d third = _mm256_unpacklo_pd(r2, r3), fourth = _mm256_unpackhi_pd(r2, r3);
+      return {{static_cast<Lanes>(_mm256_permute2f128_pd(first, third, 0x20)),
+               static_cast<Lanes>(_mm256_permute2f128_pd(second, fourth, 0x20)),
+               static_cast<Lanes>(_mm256_permute2f128_pd(first, third, 0x31))}};
     }
   }
 
@@ -107,21 +127,29 @@ struct ContactLanes<kLanes>::Arithmetic {
     }
     using Piece = std::remove_cvref_t<decltype((b.curve_[0]->*member(Pieces{}))[0])>;
     constexpr std::size_t kFirst = offsetof(Piece, coefficients) / sizeof(double);
-    const Lanes inverse = gather(base, 1);
-    const Lanes t = (size - gather(base, 0)) * inverse;
+    Lanes centre, inverse;
+    for (int i = 0; i < kLanes; ++i) {
+      centre[i] = base[i][0];
+      inverse[i] = base[i][1];
+    }
+    const Lanes t = (size - centre) * inverse;
     const Lanes t2 = t * t;
-    Lanes value[3], slope[3];
-    for (std::size_t m = 0; m < 3; ++m) {
-      Lanes even = gather(base, kFirst + 40 + m), odd = gather(base, kFirst + 44 + m);
-      Lanes even_slope{}, odd_slope{};
-      for (std::size_t k = 10; k >= 2; k -= 2) {
-        even_slope = even_slope * t2 + even;
-        odd_slope = odd_slope * t2 + odd;
-        even = even * t2 + gather(base, kFirst + 4 * (k - 2) + m);
-        odd = odd * t2 + gather(base, kFirst + 4 * (k - 1) + m);
+    Columns even = columns(base, kFirst + 40), odd = columns(base, kFirst + 44);
+    Lanes even_slope[3] = {}, odd_slope[3] = {}, value[3], slope[3];
+#pragma GCC unroll 5
+    for (std::size_t k = 10; k >= 2; k -= 2) {
+      const Columns next_even = columns(base, kFirst + 4 * (k - 2));
+      const Columns next_odd = columns(base, kFirst + 4 * (k - 1));
+      for (std::size_t m = 0; m < 3; ++m) {
+        even_slope[m] = even_slope[m] * t2 + even.column[m];
+        odd_slope[m] = odd_slope[m] * t2 + odd.column[m];
+        even.column[m] = even.column[m] * t2 + next_even.column[m];
+        odd.column[m] = odd.column[m] * t2 + next_odd.column[m];
       }
-      value[m] = even + t * odd;
-      slope[m] = (odd + (2.0 * t) * (even_slope + t * odd_slope)) * inverse;
+    }
+    for (std::size_t m = 0; m < 3; ++m) {
+      value[m] = even.column[m] + t * odd.column[m];
+      slope[m] = (odd.column[m] + (2.0 * t) * (even_slope[m] + t * odd_slope[m])) * inverse;
     }
     const Lanes one = Lanes{} + 1.0;
     const Lanes sign = u < 0.0 ? -one : one;
