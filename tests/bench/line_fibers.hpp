@@ -24,6 +24,13 @@ struct LaneCounts {
   std::uint64_t batches = 0;   ///< of more than one attempt
   std::uint64_t in_lanes = 0;  ///< attempts made in them
   std::uint64_t alone = 0;     ///< attempts made by the scalar path, too few having come together
+
+  LaneCounts& operator+=(const LaneCounts& more) {
+    batches += more.batches;
+    in_lanes += more.in_lanes;
+    alone += more.alone;
+    return *this;
+  }
 };
 
 class LineFibers {
