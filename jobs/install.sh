@@ -13,7 +13,7 @@ packages="g++ make cmake ninja-build pkg-config git ca-certificates
 case "${1-}" in
   "") ;;
   --tests) packages="$packages libgtest-dev libbenchmark-dev clang-format clang-tidy hdf5-tools netcdf-bin" ;;
-  --bench) packages="$packages libgtest-dev libbenchmark-dev libsundials-dev valgrind" ;;
+  --bench) packages="$packages libgtest-dev libbenchmark-dev libboost-context-dev libsundials-dev valgrind" ;;
   *)
     echo "install.sh: $1 is not an option; allowed: --tests, --bench" >&2
     exit 2
