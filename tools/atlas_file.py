@@ -116,6 +116,11 @@ class AtlasFile:
         """Root attribute as text, empty where it is not there."""
         return text(self.file.attrs.get(name, ""))
 
+    @property
+    def clearance(self):
+        """δc of the scene [m]; where lengths are swept, that of its first line: ask the line that you look at."""
+        return clearance_of(self.scene)
+
     def swept_axes(self):
         """Axes with more than one value, apart from the speed ratio."""
         return [name for name in self.axes[:-1] if self.dataset(name).size > 1]

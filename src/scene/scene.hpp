@@ -58,12 +58,12 @@ struct PointerAxis {
 /// Values along each axis of the atlas, ascending. Of the five axes that every atlas has, those that the
 /// scene does not name hold the scene's one value.
 struct Grid {
-  std::vector<double> thickness;      ///< h [m]
-  std::vector<double> unbalance;      ///< me [kg m]
-  std::vector<double> friction;       ///< μ [-]
-  std::vector<double> damping_ratio;  ///< ζ [-]
-  std::vector<double> speed_ratio;    ///< Ω [-]
-  std::vector<PointerAxis> swept;     ///< further axes, sorted by the names of their dimensions
+  std::vector<double> thickness;        ///< h [m]
+  std::vector<double> unbalance;        ///< me [kg m]
+  std::vector<double> friction;         ///< μ [-]
+  std::vector<double> damping_ratio;    ///< ζ [-]
+  std::vector<double> speed_ratio;      ///< Ω [-]
+  std::vector<PointerAxis> swept = {};  ///< further axes, sorted by the names of their dimensions
 };
 
 /// Where a point starts: from its neighbour below or above in Ω, both ways, or always from `initial`.

@@ -85,6 +85,54 @@ TEST_F(Analyse, WritesOneRowOfTheTablePerLine) {
   EXPECT_EQ(maps.dataset("table1/region_1_from").scale_name(0), "table1/line");
 }
 
+TEST_F(Analyse, AnAxisNamedByItsPointerIsAParameterAsAnyOther) {
+  const auto scene =
+      with(with(kScene, R"("damping_ratio": [0.1, 0.3])", R"("/ring/stiffness": [1e3, 1e4])"),
+           R"("reference": "none",)", R"("reference": "none", "contact": {"law": "elastic_ring"},)");
+  write_atlas(file("atlas.h5"), scene, [](const plan::PointParameters& at) {
+    return at.swept.front() < 5e3 && at.speed_ratio > 1.0 / 3.0 ? PrescribedPoint{1, 1e-3} : papers_point(at);
+  });
+  const auto text = run("atlas.h5");
+  for (const auto* part :
+       {"Contact law: elastic_ring, 1000 to 10000 N/m", "kr = 1000 N/m, 10000 N/m",
+        "As kr grows (h = 1 mm, me = 0 kg m, μ = 0.1, ζ = 0.1)",
+        "region 2   absent at kr = 1000 N/m; 0.340-0.540 at kr = 10000 N/m", "P3  agrees"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\nin\n" << text;
+  }
+  const auto maps = atlas::File::open_to_read(file("maps.h5"));
+  EXPECT_EQ(maps.dataset("class").shape(), (atlas::Shape{2, 1, 1, 1, 1, 91}));
+  EXPECT_EQ(maps.dataset("class").scale_name(0), "ring_stiffness");
+  EXPECT_EQ(maps.dataset("table1/ring_stiffness").read<double>(), (std::vector<double>{1e3, 1e4}));
+  EXPECT_EQ(maps.dataset("table1/ring_stiffness").text("units"), "N/m");
+  EXPECT_EQ(maps.dataset("table1/region_2_presence").read<std::uint8_t>(), (std::vector<std::uint8_t>{1, 2}));
+}
+
+TEST_F(Analyse, StatementsAreJudgedOnTheDefaultRotorAmongSweptOnes) {
+  const auto with_axis = [](const std::string& axis) {
+    return with(kScene, R"("damping_ratio": [0.1, 0.3])", axis);
+  };
+  // What the paper says is seen at the default misalignment only.
+  write_atlas(file("atlas.h5"), with_axis(R"("/rotor/misalignment": [0.01001, 0.0102])"),
+              [](const plan::PointParameters& at) {
+                return at.swept.front() > 0.0101 ? PrescribedPoint{1, 1e-3} : papers_point(at);
+              });
+  EXPECT_NE(run("atlas.h5").find("P3  agrees"), std::string::npos);
+  write_atlas(file("other.h5"), with_axis(R"("/rotor/misalignment": [0.0102, 0.0103])"), papers_point);
+  EXPECT_NE(run("other.h5").find("P3  not covered"), std::string::npos);
+}
+
+TEST_F(Analyse, TheClosingToleranceFollowsASweptClearance) {
+  write_atlas(file("atlas.h5"),
+              with(kScene, R"("damping_ratio": [0.1, 0.3])", R"("/ring/radius": [0.11, 0.12, 0.15])"),
+              papers_point);
+  const auto found = examine(atlas::AtlasReader(file("atlas.h5")));
+  ASSERT_EQ(found.tolerance.size(), 3U);
+  const std::array clearances{0.01, 0.02, 0.05};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(found.tolerance[i].floor, 100.0 * 1e-9 * clearances[i], 1e-20);
+  }
+}
+
 TEST_F(Analyse, PrintsRegionsSensitivitiesAndStatementsAndWritesThemAsMarkdown) {
   write_atlas(file("atlas.h5"), kScene, [](const plan::PointParameters& at) {
     return at.damping_ratio > 0.2 && at.speed_ratio > 1.0 / 3.0 ? PrescribedPoint{1, 1e-3} : papers_point(at);

@@ -64,6 +64,56 @@ TEST_F(Orbit, MistypedPlacesAreNamed) {
             "rubatlas: --at direction means a line of an atlas; it needs --from ATLAS\n");
 }
 
+TEST_F(Orbit, AnAxisNamedByItsPointerIsChosenByItsNameOrItsPointer) {
+  static_cast<void>(place.write("ring.json", R"({"contact": {"law": "elastic_ring"},
+    "grid": {"speed_ratio": [0.3, 0.4], "/ring/stiffness": [1e3, 1e4]},
+    "protocol": {"transient_revolutions": 4, "sampled_revolutions": 3}})"));
+  static_cast<void>(
+      place.write("own.json", R"({"contact": {"law": "elastic_ring"}, "ring": {"stiffness": 2e3},
+    "grid": {"speed_ratio": [0.3, 0.4]}, "protocol": {"transient_revolutions": 4, "sampled_revolutions": 3}})"));
+  ASSERT_EQ(place.rubatlas("orbit own.json --at speed_ratio=0.4 -o own.h5").code, 0);
+  // Only the rows of numbers: what stands around them names places in the file.
+  const auto states = [&](const std::string& file) {
+    return place.shell("h5dump -m %.17g -d state " + file + " | grep '^ *([0-9]*,[0-9]*):'").output;
+  };
+  const std::string own = states("own.h5");
+  ASSERT_GT(own.size(), 1000U);
+  for (const std::string name : {"ring_stiffness", "/ring/stiffness"}) {
+    const auto ending =
+        place.rubatlas("orbit ring.json --at speed_ratio=0.4," + name + "=2e3 -o o.h5 --overwrite");
+    ASSERT_EQ(ending.code, 0) << ending.messages;
+    EXPECT_TRUE(states("o.h5") == own) << name;
+    EXPECT_NE(place.shell("h5dump -a ring_stiffness o.h5").output.find("(0): 2000"), std::string::npos);
+  }
+  const auto refused_here = [&](const std::string& arguments) {
+    return place.rubatlas("orbit ring.json --at speed_ratio=0.4" + arguments + " -o other.h5").messages;
+  };
+  EXPECT_EQ(refused_here(""),
+            "rubatlas: which ring_stiffness? The grid has 1000, 10000; add --at ring_stiffness=VALUE\n");
+  EXPECT_EQ(refused_here(",ring_stiffness=1e3,/ring/stiffness=1e4"),
+            "rubatlas: --at names ring_stiffness twice\n");
+  EXPECT_EQ(refused_here(",/ring/stiffness=0"),
+            "rubatlas: --at /ring/stiffness=0: 0 is not a number in (0, 1000000000000000]; stiffness of the "
+            "massless ring under a tip, law elastic_ring only\n");
+  ASSERT_EQ(place.rubatlas("run ring.json -o a.h5 --progress off").code, 0);
+  EXPECT_EQ(
+      refused_here(",ring_stiffness=2e3 --from a.h5"),
+      "rubatlas: a.h5 has no point at ring_stiffness=2000; it has 1000, 10000; the nearest are 1000 and "
+      "10000\n");
+  EXPECT_EQ(refused_here(",ring_stiffness=1e4 --from a.h5"), "");
+}
+
+TEST_F(Orbit, BladesFitIntoTheRingWhereTheOrbitIs) {
+  static_cast<void>(
+      place.write("lengths.json", R"({"grid": {"speed_ratio": 0.3, "/ring/radius": [0.105, 0.11]}})"));
+  const auto ending = place.rubatlas("orbit lengths.json --at ring_radius=0.09 -o o.h5");
+  EXPECT_EQ(ending.code, 2);
+  EXPECT_EQ(
+      ending.messages,
+      "rubatlas: --at: the blades do not fit into the ring there; radius must be hub_radius + length at "
+      "least\n");
+}
+
 TEST_F(Orbit, NeverReplacesAFileUnasked) {
   const std::string at = "--at speed_ratio=0.3,damping_ratio=0.1 -o o.h5";
   static_cast<void>(place.write("o.h5", "mine"));

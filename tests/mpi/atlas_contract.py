@@ -29,14 +29,17 @@ def departures(path):
             need(isinstance(atlas.attrs.get(name), str), f"the root has no text {name}")
         scene = json.loads(atlas["scene_resolved"].asstr()[()])
         json.loads(atlas["scene"].asstr()[()])
-        axes = (["direction"] if scene["sweep"] == "both" else []) + GRID_AXES
+        # Quantities that the grid names by their pointers: /ring/stiffness is the axis ring_stiffness.
+        swept = {key[1:].replace("/", "_"): values for key, values in scene["grid"].items() if key.startswith("/")}
+        axes = (["direction"] if scene["sweep"] == "both" else []) + sorted(swept) + GRID_AXES
+        on_grid = {**scene["grid"], **swept}
         shape = tuple(atlas[axis].size for axis in axes)
         for axis in axes:
             scale = atlas[axis]
             need(scale.dtype.str == "<f8" and scale.ndim == 1, f"/{axis} is no row of float64")
             need((np.diff(scale[...]) > 0).all(), f"/{axis} does not ascend")
             # A scene without unbalance has no such axis; the atlas then has its one value, zero.
-            need(axis == "direction" or scene["grid"].get(axis, [0.0]) == list(scale[...]), f"/{axis} is not the scene's")
+            need(axis == "direction" or on_grid.get(axis, [0.0]) == list(scale[...]), f"/{axis} is not the scene's")
 
         asked = scene["observables"]
         need(set(asked) <= set(IF_ASKED), "the scene asks for something unknown")

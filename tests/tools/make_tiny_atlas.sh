@@ -11,5 +11,9 @@ cd "$folder"
 "$program" run "$scene" -o atlas.h5 --overwrite --progress off || [ $? = 1 ]
 "$program" analyse atlas.h5 -o maps.h5 --table table1.md >/dev/null
 "$program" orbit "$scene" --at speed_ratio=0.3,damping_ratio=0.1 -o orbit.h5
+# An atlas with an axis that its scene names by a JSON pointer.
+"$program" run "$here/rings.json" -o rings.h5 --overwrite --progress off
+"$program" analyse rings.h5 -o rings_maps.h5 >/dev/null
+"$program" orbit "$here/rings.json" --at speed_ratio=0.4,damping_ratio=0.1,ring_radius=0.1095 -o rings_orbit.h5
 "$program" accuracy "$here/tiny_accuracy.json" -o accuracy.h5 --methods hybrid --tolerances 1e-5,1e-7,1e-9 \
   --repeats 1 --progress off

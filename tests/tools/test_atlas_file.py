@@ -26,6 +26,14 @@ class ToolsAtlasFile(unittest.TestCase):
         with AtlasFile(TINY / "atlas.h5") as atlas:
             self.assertEqual(atlas.line().value("damping_ratio"), 0.1)
 
+    def test_a_quantity_swept_by_its_pointer_is_the_lines_own(self):
+        with AtlasFile(TINY / "rings.h5") as atlas:
+            self.assertEqual(atlas.axes[0], "ring_radius")
+            for radius in (0.109, 0.11):
+                line = atlas.line(ring_radius=radius)
+                self.assertEqual(line.scene["ring"]["radius"], radius)
+                self.assertAlmostEqual(line.clearance, radius - 0.1, places=15)
+
     def test_a_value_that_is_not_there_is_answered_with_those_that_are(self):
         with AtlasFile(TINY / "atlas.h5") as atlas:
             with self.assertRaisesRegex(AtlasError, "damping_ratio 0.3 is not in this atlas, which has 0.05, 0.1, 0.2"):

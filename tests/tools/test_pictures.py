@@ -99,6 +99,27 @@ class ToolsPictures(unittest.TestCase):
             names = sorted(path.stem for path in pathlib.Path(folder).glob("*.png"))
         self.assertEqual(names, ["bifurcation", "blade", "displacement", "sensitivity", "sensitivity_blade_passing", "waterfall"])
 
+    def test_all_pictures_are_drawn_where_a_quantity_is_swept_by_its_pointer(self):
+        with tempfile.TemporaryDirectory() as folder:
+            ended = run("draw.sh", TINY / "rings.h5", TINY / "rings_maps.h5", folder)
+            self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+            names = sorted(path.stem for path in pathlib.Path(folder).glob("*.png"))
+        self.assertEqual(names, ["bifurcation", "blade", "displacement", "sensitivity", "waterfall"])
+        self.assertIn("Ring radius [mm]", Figure("sensitivity", TINY / "rings.h5").texts())
+        self.assertIn("ring radius 0.11 m", Figure("bifurcation", TINY / "rings.h5", "--at", "ring_radius=0.11").texts())
+
+    def test_a_displacement_is_drawn_over_the_clearance_of_its_own_line(self):
+        figure = Figure("displacement", TINY / "rings.h5", "--damping_ratio", 0.1)
+        self.assertIn("clearance 9 to 10 mm", figure.texts())
+        with AtlasFile(TINY / "rings.h5") as atlas:
+            for curve, radius in zip(figure.figure.axes[0].lines, (0.109, 0.11)):
+                displacement = atlas.line(ring_radius=radius, damping_ratio=0.1).rows("max_displacement")
+                np.testing.assert_allclose(curve.get_ydata(), displacement / (radius - 0.1), rtol=1e-12)
+
+    def test_an_orbit_is_drawn_in_its_own_ring(self):
+        self.assertIn("clearance 9.5 mm", Figure("orbit", TINY / "rings_orbit.h5").texts())
+        self.assertIn("ring radius 0.1095", Figure("orbit", TINY / "rings_orbit.h5").texts())
+
     def test_the_same_atlas_gives_the_same_bytes(self):
         with tempfile.TemporaryDirectory() as folder:
             pictures = [pathlib.Path(folder) / name for name in ("a.png", "b.png")]
