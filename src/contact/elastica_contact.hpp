@@ -35,6 +35,9 @@ class ElasticaContact {
         curve_(std::move(curve)) {}
 
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
+  /// The law of one blade: the same for all.
+  using OfBlade = ElasticaContact;
+  [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const blade::ElasticaCurve& curve() const { return *curve_; }
 
   /// A contact at one bending parameter, with the rates that carry it along h = 0.

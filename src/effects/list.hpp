@@ -4,13 +4,13 @@
 #include <optional>
 
 #include "effects/static_load.hpp"
-#include "effects/unbalance_settings.hpp"
+#include "effects/unbalance.hpp"
 
 namespace rubatlas::effects {
 
 /// Sections of a scene that are there only where an effect is wanted. Absent means absent.
 struct Effects {
-  std::optional<UnbalanceSettings> unbalance;
+  std::optional<Unbalance> unbalance;
   std::optional<Gravity> gravity;
   std::optional<SideLoad> side_load;
 };

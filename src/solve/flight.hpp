@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "effects/unbalance.hpp"
+#include "effects/harmonic.hpp"
 #include "integrate/conservative_step.hpp"
 #include "rotor/free_motion.hpp"
 #include "solve/line_solver.hpp"
@@ -89,11 +89,12 @@ class Flight {
 /// Finds the first touch-down of a flight. Each blade carries the time up to which it is proven clear; the
 /// least of them is pushed on until it cannot be, which is a touch-down, or until all have passed the
 /// horizon.
+template <class Law, class Blades = BladeSet>
 class TouchdownSearch {
  public:
-  TouchdownSearch(const RotorConstants& rotor, const contact::Geometry& geometry, const BladeSet& blades)
+  TouchdownSearch(const RotorConstants& rotor, const Law& law, const Blades& blades)
       : rotor_(&rotor),
-        geometry_(geometry),
+        law_(&law),
         blades_(&blades),
         turning_weight_(turning_weight(rotor)),
         clear_until_(static_cast<std::size_t>(blades.count())) {}
@@ -103,8 +104,8 @@ class TouchdownSearch {
     double time;  ///< τ of the revolution
   };
 
-  template <class Forcing>
-  std::optional<Touchdown> find(const Flight<Forcing>& flight, double until) {
+  template <class Flight>
+  std::optional<Touchdown> find(const Flight& flight, double until) {
     const double from = flight.start_time();
     State state = flight.state(from);
     // The shaft cannot leave the clearance circle: no blade can touch, and there is nothing to search.
@@ -131,8 +132,8 @@ class TouchdownSearch {
   }
 
   /// The rotor stays within the clearance circle for ever, so that no blade can touch.
-  template <class Forcing>
-  [[nodiscard]] bool never_touches(const Flight<Forcing>& flight, const State& state) const {
+  template <class Flight>
+  [[nodiscard]] bool never_touches(const Flight& flight, const State& state) const {
     return stays_clear(flight, flight.start_time(), state, std::numeric_limits<double>::infinity());
   }
 
@@ -160,28 +161,37 @@ class TouchdownSearch {
     return std::hypot(of_velocity, of_position);
   }
 
-  template <class Forcing>
-  [[nodiscard]] bool stays_clear(const Flight<Forcing>& flight, double time, const State& state,
+  template <class Flight>
+  [[nodiscard]] bool stays_clear(const Flight& flight, double time, const State& state,
                                  double horizon) const {
-    return flight.amplitude_bound(time, state, horizon) + std::abs(rotor_->misalignment) <=
-           geometry_.ring_radius - geometry_.reach;
+    return flight.amplitude_bound(time, state, horizon) + std::abs(rotor_->misalignment) <= least_clearance();
   }
 
-  template <class Forcing>
-  double clear_step(const Flight<Forcing>& flight, int blade, double time, const State& state,
-                    double until) const {
-    const double turning = rotor_->speed_ratio;
-    const double reach = geometry_.reach;
+  /// Of the blade that reaches farthest [m].
+  [[nodiscard]] double least_clearance() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < blades_->count(); ++k) {
+      const contact::Geometry& geometry = law_->of(k).geometry();
+      least = std::min(least, geometry.ring_radius - geometry.reach);
+    }
+    return least;
+  }
+
+  template <class Flight>
+  double clear_step(const Flight& flight, int blade, double time, const State& state, double until) const {
+    const double turning = blades_->speed(time);
+    const contact::Geometry& geometry = law_->of(blade).geometry();
+    const double reach = geometry.reach;
     const contact::BladeDirection er = blades_->direction(blade, blades_->first(time));
-    const contact::Pose pose = pose_of(*rotor_, geometry_, er, state);
-    const double slope = contact::gap_rate(geometry_, pose, turning);
+    const contact::Pose pose = pose_of(*rotor_, geometry, er, state);
+    const double slope = contact::gap_rate(geometry, pose, turning);
     // Rounding may leave the gap of a blade that has just lifted off a little above zero.
     if (pose.gap >= 0.0 && slope > 0.0) return 0.0;
     const double value = std::min(pose.gap, 0.0);
 
     const std::complex<double> acceleration = flight.acceleration(time, state);
     const double curvature =
-        contact::gap_curvature(geometry_, er, pose, {state[0], state[1] + rotor_->misalignment},
+        contact::gap_curvature(geometry, er, pose, {state[0], state[1] + rotor_->misalignment},
                                {state[2], state[3]}, acceleration, turning);
 
     const double speed = std::abs(turning);
@@ -201,8 +211,8 @@ class TouchdownSearch {
   }
 
   const RotorConstants* rotor_;
-  contact::Geometry geometry_;
-  const BladeSet* blades_;
+  const Law* law_;
+  const Blades* blades_;
   double turning_weight_;
   std::vector<double> clear_until_;
   std::uint64_t evaluations_ = 0;

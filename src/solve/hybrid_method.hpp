@@ -24,7 +24,8 @@ struct HybridMethod {
     const double rounding = std::numeric_limits<double>::epsilon() * scene.ring.radius;
     const ContactLimits limits{std::max(scene.accuracy.tolerance * rotor.length_scale, rounding),
                                scene.validity.max_shortening};
-    return std::make_unique<Motion<Law, Forcing>>(rotor, scene.blades.count, law, forcing, limits);
+    return std::make_unique<Motion<Law, Forcing>>(rotor, BladeSet(scene.blades.count, rotor.speed_ratio), law,
+                                                  forcing, limits);
   }
 };
 

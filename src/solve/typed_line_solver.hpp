@@ -12,7 +12,7 @@
 
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
-#include "effects/unbalance.hpp"
+#include "effects/harmonic.hpp"
 #include "observables/recorder.hpp"
 #include "solve/blade_tables.hpp"
 #include "solve/line_solver.hpp"
@@ -45,7 +45,7 @@ struct WithUnbalance {
   double specific_moment;  ///< me/m [m]
   double phase;            ///< γ [rad]
   double damping_ratio;    ///< ζ [-]
-  effects::Unbalance operator()(double speed_ratio) const {
+  effects::RotatingUnbalance operator()(double speed_ratio) const {
     return {specific_moment, phase, speed_ratio, damping_ratio};
   }
 };

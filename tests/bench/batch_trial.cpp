@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "contact_lanes.hpp"
-#include "effects/unbalance.hpp"
+#include "effects/harmonic.hpp"
 #include "problem.hpp"
 #include "solve/motion.hpp"
 
@@ -96,7 +96,7 @@ int run() {
   std::size_t shortest = 1000;
   for (std::size_t i = 0; i < points.size(); ++i) {
     solve::Motion<contact::ElasticaContact, effects::NoForcing> motion(
-        points[i].rotor, scene.blades.count, law, none, {tolerance, scene.validity.max_shortening});
+        points[i].rotor, points[i].blades, law, none, {tolerance, scene.validity.max_shortening});
     TouchDowns seen;
     motion.start(solve::State::Zero());
     for (int k = 0; k < 12; ++k) motion.revolution(seen);

@@ -8,7 +8,7 @@
 #include <array>
 #include <span>
 
-#include "effects/unbalance.hpp"
+#include "effects/harmonic.hpp"
 #include "integrate/dormand_prince_853.hpp"
 #include "integrate/runge_kutta.hpp"
 #include "solve/contact_system.hpp"

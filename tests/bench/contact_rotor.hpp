@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contact/elastica_contact.hpp"
-#include "effects/unbalance.hpp"
+#include "effects/harmonic.hpp"
 #include "solve/contact_system.hpp"
 #include "solve/rotor.hpp"
 
