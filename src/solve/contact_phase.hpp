@@ -15,6 +15,7 @@
 
 #include "integrate/root_between.hpp"
 #include "observables/motion_piece.hpp"
+#include "solve/blade_set.hpp"
 #include "solve/contact_step.hpp"
 #include "solve/contact_system.hpp"
 #include "solve/motion_listener.hpp"

@@ -17,6 +17,7 @@
 #include "integrate/root_between.hpp"
 #include "integrate/runge_kutta.hpp"
 #include "integrate/step_control.hpp"
+#include "solve/blade_set.hpp"
 #include "solve/contact_system.hpp"
 #include "solve/rotor.hpp"
 

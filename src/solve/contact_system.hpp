@@ -21,6 +21,7 @@
 #include "contact/elastica_contact.hpp"
 #include "contact/pose.hpp"
 #include "effects/harmonic.hpp"
+#include "solve/blade_set.hpp"
 #include "solve/rotor.hpp"
 
 namespace rubatlas::solve {

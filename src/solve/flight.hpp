@@ -12,6 +12,7 @@
 #include "effects/harmonic.hpp"
 #include "integrate/conservative_step.hpp"
 #include "rotor/free_motion.hpp"
+#include "solve/blade_set.hpp"
 #include "solve/line_solver.hpp"
 #include "solve/rotor.hpp"
 
@@ -20,6 +21,7 @@ namespace rubatlas::solve {
 template <class Forcing>
 class Flight {
  public:
+  static constexpr bool kAnySupport = false;
   using Complex = std::complex<double>;
 
   Flight(const RotorConstants& rotor, const rotor::FreeMotion& free, const Forcing& forcing)
@@ -69,6 +71,17 @@ class Flight {
       }
     }
     return bound;
+  }
+
+  /// Bounds of |z''| and |z'''| while |z| and |z'| are within `bound`.
+  [[nodiscard]] double second_bound(double bound) const {
+    const double damping = 2.0 * rotor_->damping_ratio;
+    return std::sqrt(1.0 + damping * damping) * bound + forcing_bound();
+  }
+  [[nodiscard]] double third_bound(double bound) const {
+    double result = 2.0 * rotor_->damping_ratio * second_bound(bound) + bound;
+    if constexpr (Forcing::kPresent) result += forcing_->rate();
+    return result;
   }
 
   /// Bound of the forcing's acceleration [m per unit τ²].
@@ -190,24 +203,54 @@ class TouchdownSearch {
     const double value = std::min(pose.gap, 0.0);
 
     const std::complex<double> acceleration = flight.acceleration(time, state);
-    const double curvature =
-        contact::gap_curvature(geometry, er, pose, {state[0], state[1] + rotor_->misalignment},
-                               {state[2], state[3]}, acceleration, turning);
+    double curvature = contact::gap_curvature(geometry, er, pose, {state[0], state[1] + rotor_->misalignment},
+                                              {state[2], state[3]}, acceleration, turning);
+    const double bound = flight.amplitude_bound(time, state, until - time);  // of |z| and |c'|
+    if constexpr (Blades::kRipples || Flight::kAnySupport) {
+      if constexpr (Blades::kRipples) {
+        curvature += 2.0 * reach * blades_->angular_acceleration(time) * pose.tangential;
+      }
+      return integrate::conservative_step(value, slope, curvature, third_bound(flight, bound, reach));
+    } else {
+      return integrate::conservative_step(value, slope, curvature, close_third_bound(flight, bound, reach));
+    }
+  }
 
-    const double speed = std::abs(turning);
+  /// Bound of |g'''| at constant speed on an isotropic shaft.
+  template <class Flight>
+  double close_third_bound(const Flight& flight, double bound, double reach) const {
+    const double speed = std::abs(rotor_->speed_ratio);
     // g''' = 6 c'·c'' + 2 c·c''' + 2(rh+L) er·(d/dτ + iΩ)³ c. In the last term z''' and z'' are written with
     // z, z' and the forcing, whose weights are bounded together: |z|² + |z'|² <= bound².
     const double forcing = flight.forcing_bound();
     const double damping = 2.0 * rotor_->damping_ratio;
-    const double bound = flight.amplitude_bound(time, state, until - time);  // of |z| and |c'|
     const double misalignment = std::abs(rotor_->misalignment);
     const double centre = bound + misalignment;  // of |c|
     const double second = std::sqrt(1.0 + damping * damping) * bound + forcing;
     const double third = damping * second + bound + forcing * speed;
     const double turned_third =
         turning_weight_ * bound + (damping + 4.0 * speed) * forcing + speed * speed * speed * misalignment;
-    const double third_bound = 6.0 * bound * second + 2.0 * centre * third + 2.0 * reach * turned_third;
-    return integrate::conservative_step(value, slope, curvature, third_bound);
+    return 6.0 * bound * second + 2.0 * centre * third + 2.0 * reach * turned_third;
+  }
+
+  /// The same for any support and any turning, term by term: with D = d/dτ + iφ',
+  /// D³c = c''' + 3iφ'c'' + 3(iφ'' − φ'²)c' + (iφ''' − 3φ'φ'' − iφ'³)c.
+  template <class Flight>
+  double third_bound(const Flight& flight, double bound, double reach) const {
+    double speed = std::abs(rotor_->speed_ratio);
+    double of_velocity = speed * speed;
+    double of_position = speed * speed * speed;
+    if constexpr (Blades::kRipples) {
+      speed = blades_->speed_bound();
+      const double change = blades_->angular_acceleration_bound();
+      of_velocity = speed * speed + change;
+      of_position = blades_->angular_jerk_bound() + 3.0 * speed * change + speed * speed * speed;
+    }
+    const double centre = bound + std::abs(rotor_->misalignment);
+    const double second = flight.second_bound(bound);
+    const double third = flight.third_bound(bound);
+    const double turned = third + 3.0 * speed * second + 3.0 * of_velocity * bound + of_position * centre;
+    return 6.0 * bound * second + 2.0 * centre * third + 2.0 * reach * turned;
   }
 
   const RotorConstants* rotor_;

@@ -18,6 +18,7 @@
 #include "contact/elastica_contact.hpp"
 #include "integrate/dormand_prince_853.hpp"
 #include "observables/largest_distance.hpp"
+#include "solve/blade_set.hpp"
 #include "solve/contact_phase.hpp"
 #include "solve/flight.hpp"
 #include "solve/line_solver.hpp"

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "contact/pose.hpp"
+#include "solve/blade_set.hpp"
 #include "solve/contact_system.hpp"
 #include "solve/rotor.hpp"
 
@@ -119,6 +120,10 @@ class SkimmingContact {
     balance.free_curvature =
         contact::gap_curvature(law.geometry(), er, at, {state[0], state[1] + rotor_->misalignment},
                                {state[2], state[3]}, balance.free, speed);
+    if constexpr (Blades::kRipples) {
+      balance.free_curvature +=
+          2.0 * law.geometry().reach * blades_->angular_acceleration(state[kTime]) * at.tangential;
+    }
     const double pushed_curvature =
         2.0 * rotor_->force_unit *
         ((at.radial + law.geometry().reach) * force.radial + at.tangential * force.tangential);
