@@ -7,13 +7,13 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
-#include <unsupported/Eigen/MatrixFunctions>
 #include <vector>
 
 #include "effects/unbalance.hpp"
-#include "exact_motion.hpp"
+#include "random_support.hpp"
 #include "rotor/free_motion.hpp"
 #include "rotor/linear_support.hpp"
+#include "rotor/support_matrices.hpp"
 
 namespace rubatlas::rotor {
 namespace {
@@ -102,6 +102,150 @@ TEST(LinearSupport, CrossCouplingDrivesForwardWhirlOnceItOutgrowsDamping) {
       }
     }
   }
+}
+
+TEST(LinearSupport, RotatingDampingDrivesForwardWhirlAboveItsThreshold) {
+  // Onset at Ω = 1 + ζ/ζ_r, at whirl frequency 1; below it, and turning backward, the same damping helps.
+  for (const double external : {0.0, 0.05, 0.1}) {
+    for (const double rotating : {0.02, 0.1}) {
+      const double threshold = 1 + external / rotating;
+      const auto support = [&](double speed) {
+        const SupportMatrices parts = with_rotating_damping(isotropic_shaft(external), rotating, speed);
+        return LinearSupport(parts.stiffness, parts.damping, {});
+      };
+      EXPECT_TRUE(support(threshold * (1 - 1e-9)).is_stable_in_flight());
+      EXPECT_FALSE(support(threshold * (1 + 1e-9)).is_stable_in_flight());
+      // Whirl with the rotor grows, against it decays.
+      const LinearSupport above = support(2 * threshold);
+      const double time = 4 / above.growth_rate();
+      EXPECT_GT(above.state(0.0, {1e-3, 0.0, 0.0, 1e-3}, time).head<2>().norm(), 10e-3);
+      const LinearSupport mirrored = support(-2 * threshold);
+      EXPECT_GT(mirrored.state(0.0, {1e-3, 0.0, 0.0, -1e-3}, time).head<2>().norm(), 10e-3);
+      EXPECT_NEAR(mirrored.growth_rate(), above.growth_rate(), 1e-14);
+    }
+  }
+}
+
+TEST(LinearSupport, AnisotropicUndampedShaftSwingsInTwoPlanes) {
+  const double soft = 0.8, stiff = 1.7, angle = 0.4;  // principal stiffnesses, direction of the soft one
+  const Eigen::Rotation2Dd turn(angle);
+  const Matrix2d stiffness = turn.toRotationMatrix() * Eigen::Vector2d(soft, stiff).asDiagonal() *
+                             turn.toRotationMatrix().transpose();
+  const LinearSupport support(stiffness, Matrix2d::Zero(), {});
+  const Eigen::Vector2d position = turn.inverse() * kStart.head<2>();
+  const Eigen::Vector2d velocity = turn.inverse() * kStart.tail<2>();
+  for (const double time : {0.01, 1.0, 30.0, 1000.0}) {
+    Eigen::Vector2d there, speed;
+    for (int plane = 0; plane < 2; ++plane) {
+      const double frequency = std::sqrt(plane == 0 ? soft : stiff);
+      const double c = std::cos(frequency * time), s = std::sin(frequency * time);
+      there[plane] = position[plane] * c + velocity[plane] * s / frequency;
+      speed[plane] = velocity[plane] * c - position[plane] * s * frequency;
+    }
+    State exact;
+    exact << turn * there, turn * speed;
+    // The stiffness in turned axes and the phases are rounded.
+    EXPECT_LE((support.state(0.0, kStart, time) - exact).norm(), 1e-15 * (2 + time) * kStart.norm()) << time;
+  }
+}
+
+TEST(LinearSupport, EqualsTheMatrixExponentialForAnySupportAndForcing) {
+  std::mt19937 random(4);
+  double worst = 0.0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const RandomSupport parts(random, trial % 4);
+    const LinearSupport support(parts.stiffness, parts.damping, parts.forcing);
+    for (const double elapsed : {1e-9, 0.02, 0.9, 7.0, 60.0, 1000.0}) {
+      if (support.growth_rate() * elapsed > 300) continue;  // squares overflow
+      const ExactFlight exact(support, elapsed);
+      const double error = (support.state(1.3, kStart, elapsed) - exact.state(1.3, kStart)).norm();
+      worst = std::max(worst, error / exact.scale(kStart));
+    }
+  }
+  EXPECT_LE(worst, 1e-14);
+}
+
+TEST(LinearSupport, ThirtyTwoFrequenciesAreOneMotion) {
+  std::mt19937 random(7);
+  const RandomSupport parts(random, LinearSupport::kMostTerms);
+  const LinearSupport support(parts.stiffness, 2.0 * Matrix2d::Identity(), parts.forcing);
+  for (const double elapsed : {0.5, 40.0}) {
+    const ExactFlight exact(support, elapsed);
+    EXPECT_LE((support.state(0.2, kStart, elapsed) - exact.state(0.2, kStart)).norm(),
+              1e-14 * exact.scale(kStart));
+  }
+}
+
+TEST(LinearSupport, TwoFlightsInARowAreOne) {
+  std::mt19937 random(5);
+  for (int trial = 0; trial < 50; ++trial) {
+    const RandomSupport parts(random, 2);
+    const LinearSupport support(parts.stiffness, parts.damping, parts.forcing);
+    for (const double first : {0.01, 0.7, 5.0, 20.0}) {
+      for (const double second : {0.02, 1.3, 9.0}) {
+        const State middle = support.state(0.6, kStart, first);
+        const State twice = support.state(0.6 + first, middle, second);
+        const State once = support.state(0.6, kStart, first + second);
+        // Rounding of the sum of times moves a state by its speed; what is lost on the way grows with the
+        // flow.
+        const double way =
+            ExactFlight(support, second).scale(middle) + ExactFlight(support, first + second).scale(kStart);
+        ASSERT_LE((twice - once).norm(), 1e-14 * (1 + first + second) * way) << trial << ", " << first;
+      }
+    }
+  }
+}
+
+TEST(LinearSupport, RevolutionContractsPhaseVolumeByTheTraceOfDamping) {
+  std::mt19937 random(6);
+  for (int trial = 0; trial < 50; ++trial) {
+    const RandomSupport parts(random, 1);
+    const LinearSupport support(parts.stiffness, parts.damping, parts.forcing);
+    const double period = 3.0;
+    const State origin = support.state(0.0, State::Zero(), period);
+    Eigen::Matrix4d map;
+    for (int i = 0; i < 4; ++i) map.col(i) = support.state(0.0, State::Unit(i), period) - origin;
+    const double scale = map.jacobiSvd().singularValues().head<3>().prod() * map.norm();
+    EXPECT_NEAR(map.determinant(), std::exp(support.phase_volume_rate() * period), 1e-13 * scale) << trial;
+  }
+}
+
+TEST(LinearSupport, AccelerationIsTheRateOfVelocity) {
+  std::mt19937 random(8);
+  const RandomSupport parts(random, 3);
+  const LinearSupport support(parts.stiffness, parts.damping, parts.forcing);
+  const double step = 1e-4;
+  const State before = support.state(0.7, kStart, 1.0 - step), after = support.state(0.7, kStart, 1.0 + step);
+  const State now = support.state(0.7, kStart, 1.0);
+  const Complex rate = Complex(after[2] - before[2], after[3] - before[3]) / (2 * step);
+  const Complex acceleration = support.acceleration(1.7, now);
+  EXPECT_LE(std::abs(rate - acceleration), 1e-6 * std::abs(acceleration));
+  EXPECT_EQ(acceleration, support.acceleration(now) + support.forcing(1.7));
+}
+
+TEST(LinearSupport, TermsOfOneFrequencyAreOneTerm) {
+  const LinearSupport two = isotropic(0.1, {{{1.0, 0.5}, 0.0}, {2.0, 0.6}, {{0.25, -2.0}, 0.0}});
+  const LinearSupport one = isotropic(0.1, {{{1.25, -1.5}, 0.0}, {2.0, 0.6}});
+  EXPECT_EQ(two.terms().size(), 2u);
+  EXPECT_EQ(two.state(0.3, kStart, 5.0), one.state(0.3, kStart, 5.0));
+}
+
+TEST(LinearSupport, NoTimeIsNoMotion) {
+  const LinearSupport support = isotropic(0.1, {{1.0, 0.0}, {2.0, 0.6}});
+  EXPECT_EQ(support.state(0.3, kStart, 0.0), kStart);
+}
+
+TEST(LinearSupport, MisuseIsRefused) {
+  const Matrix2d unit = Matrix2d::Identity();
+  std::vector<HarmonicForcing> forcing;
+  for (int j = 0; j <= LinearSupport::kMostTerms; ++j) forcing.push_back({1.0, 0.1 * j});
+  EXPECT_THROW(LinearSupport(unit, unit, forcing), std::invalid_argument);
+  forcing.pop_back();
+  EXPECT_NO_THROW(LinearSupport(unit, unit, forcing));
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(LinearSupport(unit * nothing, unit, {}), std::invalid_argument);
+  EXPECT_THROW(LinearSupport(unit, unit * nothing, {}), std::invalid_argument);
+  EXPECT_THROW(isotropic(0.1, {{1.0, nothing}}), std::invalid_argument);
 }
 
 }  // namespace
