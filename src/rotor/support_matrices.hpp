@@ -19,8 +19,8 @@ inline SupportMatrices isotropic_shaft(double damping_ratio) {
 /// Damping ζ_r that turns with the rotor at Ω (internal damping of shaft and shrink fits): its force
 /// −2ζ_r (z' − iΩ z) opposes the velocity that a turning observer sees, hence C += 2ζ_r I and
 /// K += 2ζ_r Ω [[0, 1], [−1, 0]]. It feeds forward whirl slower than the rotor: with external damping ζ the
-/// threshold is Ω = 1 + ζ/ζ_r (Yamamoto & Ishida, Linear and Nonlinear Rotordynamics, ch. on internal
-/// damping; Ehrich, Handbook of Rotordynamics, ch. 1).
+/// threshold is Ω = 1 + ζ/ζ_r (Yamamoto & Ishida, Linear and Nonlinear Rotordynamics;
+/// Ehrich, Handbook of Rotordynamics).
 inline SupportMatrices with_rotating_damping(SupportMatrices support, double rotating_damping_ratio,
                                              double speed_ratio) {
   const double cross = 2.0 * rotating_damping_ratio * speed_ratio;

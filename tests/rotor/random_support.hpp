@@ -11,7 +11,7 @@
 
 namespace rubatlas::rotor {
 
-/// K within 1 of the isotropic shaft's and C within 0.3 of 0.3 I, entry by entry: about half are unstable.
+/// K within 1 of the isotropic shaft's and C within 0.3 of 0.3 I, entry by entry: two in five are unstable.
 struct RandomSupport {
   RandomSupport(std::mt19937& random, int terms) {
     std::uniform_real_distribution<double> any(-1.0, 1.0);

@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "../integrate/allocations.hpp"
 #include "random_support.hpp"
 #include "rotor/linear_support.hpp"
 #include "rotor/support_bounds.hpp"
@@ -207,6 +208,22 @@ TEST(SupportBounds, ShaftThatDriftsIsStillBoundedInFiniteTime) {
   EXPECT_EQ(bounds.amplitude_bound(0.0, kStart, kForEver), kForEver);
   for (const double horizon : {0.5, 5.0})
     EXPECT_LE(largest(support, 0.0, kStart, horizon), bounds.amplitude_bound(0.0, kStart, horizon));
+}
+
+TEST(SupportBounds, FlightAndItsBoundsAskForNoMemory) {
+  std::mt19937 random(15);
+  const RandomSupport parts(random, LinearSupport::kMostTerms);
+  const LinearSupport support(parts.stiffness, parts.damping, parts.forcing);
+  const SupportBounds bounds(support);
+  const auto before = integrate::allocations();
+  double sum = 0.0;
+  for (const double elapsed : {0.0, 0.3, 20.0, 500.0}) {
+    const State state = support.state(0.1, kStart, elapsed);
+    sum += bounds.amplitude_bound(elapsed, state, 1.0) + std::abs(support.acceleration(elapsed, state)) +
+           bounds.second_bound(1.0) + bounds.third_bound(1.0) + bounds.turned_third_bound(1.0, 0.62);
+  }
+  EXPECT_EQ(integrate::allocations() - before, 0u);
+  EXPECT_GT(sum, 0.0);
 }
 
 }  // namespace
