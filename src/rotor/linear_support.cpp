@@ -108,7 +108,7 @@ void LinearSupport::build_propagators() {
   for (std::size_t level = 0; level < kLevels; ++level) {
     Flow flow = identity(terms_.size());
     for (std::size_t digit = 0; digit < kDigits; ++digit) {
-      propagators_.push_back(flow.support.cast<double>());
+      propagators_.emplace_back(flow.support.cast<double>());
       for (std::size_t j = 0; j < terms_.size(); ++j) {
         const Response response{flow.gains[j].cast<double>(), static_cast<double>(flow.turns[j](0, 0)),
                                 static_cast<double>(flow.turns[j](1, 0))};
