@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <stdexcept>
 
@@ -106,13 +105,14 @@ void LinearSupport::build_propagators() {
   propagators_.reserve(kLevels * kDigits);
   responses_.reserve(kLevels * kDigits * terms_.size());
   Flow step = exponential(system_.cast<Real>(), terms_, step_);
-  for (int level = 0; level < kLevels; ++level) {
+  for (std::size_t level = 0; level < kLevels; ++level) {
     Flow flow = identity(terms_.size());
-    for (int digit = 0; digit < kDigits; ++digit) {
-      propagators_.push_back(flow.support.cast<double>());
+    for (std::size_t digit = 0; digit < kDigits; ++digit) {
+      propagators_.emplace_back(flow.support.cast<double>());
       for (std::size_t j = 0; j < terms_.size(); ++j) {
-        responses_.push_back({flow.gains[j].cast<double>(), static_cast<double>(flow.turns[j](0, 0)),
-                              static_cast<double>(flow.turns[j](1, 0))});
+        const Response response{flow.gains[j].cast<double>(), static_cast<double>(flow.turns[j](0, 0)),
+                                static_cast<double>(flow.turns[j](1, 0))};
+        responses_.push_back(response);
       }
       flow = product(step, flow);
     }
@@ -123,7 +123,8 @@ void LinearSupport::build_propagators() {
 LinearSupport::State LinearSupport::state(double start_time, const State& start, double elapsed) const {
   State state = start;
   Phasors phasors;
-  for (std::size_t j = 0; j < terms_.size(); ++j) {
+  phasors.count = terms_.size();
+  for (std::size_t j = 0; j < phasors.count; ++j) {
     const double angle = terms_[j].frequency * start_time;
     const double cosine = std::cos(angle);
     const double sine = std::sin(angle);
@@ -132,26 +133,26 @@ LinearSupport::State LinearSupport::state(double start_time, const State& start,
     phasors.imaginary[j] = amplitude.real() * sine + amplitude.imag() * cosine;
   }
 
-  const auto steps = static_cast<std::int64_t>(elapsed * steps_per_time_ + 0.5);
-  const double rest = elapsed - static_cast<double>(steps) * step_;  // exact: h is a power of two
-  constexpr std::int64_t kSquare = kDigits * kDigits;
+  // The nearest number of steps; what is left is exact, since h is a power of two.
+  const std::size_t steps = (static_cast<std::size_t>(elapsed * (2.0 * steps_per_time_)) + 1) / 2;
+  const double rest = elapsed - static_cast<double>(steps) * step_;
   // Flights beyond the last level repeat its longest propagator.
-  std::int64_t digit = steps / kSquare;
-  for (; digit > 0; digit -= kDigits - 1) {
-    const auto taken = static_cast<std::size_t>(std::min<std::int64_t>(digit, kDigits - 1));
-    advance(2 * kDigits + taken, state, phasors);
+  for (std::size_t left = steps / (kDigits * kDigits); left > 0;) {
+    const std::size_t digit = std::min(left, kDigits - 1);
+    advance(2 * kDigits + digit, state, phasors);
+    left -= digit;
   }
-  if ((digit = steps / kDigits % kDigits) > 0)
-    advance(kDigits + static_cast<std::size_t>(digit), state, phasors);
-  if ((digit = steps % kDigits) > 0) advance(static_cast<std::size_t>(digit), state, phasors);
+  if (const std::size_t digit = steps / kDigits % kDigits; digit > 0)
+    advance(kDigits + digit, state, phasors);
+  if (const std::size_t digit = steps % kDigits; digit > 0) advance(digit, state, phasors);
   advance_within_step(rest, state, phasors);
   return state;
 }
 
 void LinearSupport::advance(std::size_t entry, State& state, Phasors& phasors) const {
   state = (propagators_[entry] * state).eval();
-  const Response* response = responses_.data() + entry * terms_.size();
-  for (std::size_t j = 0; j < terms_.size(); ++j, ++response) {
+  const Response* response = responses_.data() + entry * phasors.count;
+  for (std::size_t j = 0; j < phasors.count; ++j, ++response) {
     const double real = phasors.real[j];
     const double imaginary = phasors.imaginary[j];
     state += response->gain.col(0) * real + response->gain.col(1) * imaginary;
@@ -167,7 +168,7 @@ void LinearSupport::advance_within_step(double time, State& state, Phasors& phas
   for (int k = 1; k <= kOrder; ++k) {
     const double factor = time / k;
     Eigen::Vector2d rate = -stiffness_ * position - damping_ * velocity;
-    for (std::size_t j = 0; j < terms_.size(); ++j) {
+    for (std::size_t j = 0; j < phasors.count; ++j) {
       const double real = phasors.real[j];
       const double imaginary = phasors.imaginary[j];
       rate += Eigen::Vector2d(real, imaginary);

@@ -16,7 +16,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <complex>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -33,7 +35,7 @@ class LinearSupport {
   using Complex = std::complex<double>;
   using State = Eigen::Vector4d;  ///< x, y, x', y' [m, m per unit τ]
 
-  static constexpr int kMostTerms = 32;  ///< different frequencies of the forcing
+  static constexpr std::size_t kMostTerms = 32;  ///< different frequencies of the forcing
 
   /// `stiffness` K and `damping` C are those of the equation above [-]. Terms of equal frequency are added.
   /// Throws std::invalid_argument for more than kMostTerms frequencies and for values that are not finite.
@@ -66,8 +68,8 @@ class LinearSupport {
   [[nodiscard]] bool is_stable_in_flight() const;
 
  private:
-  static constexpr int kDigits = 32;  ///< base of the splitting of `elapsed`
-  static constexpr int kLevels = 3;
+  static constexpr std::size_t kDigits = 32;  ///< base of the splitting of `elapsed`
+  static constexpr std::size_t kLevels = 3;
   static constexpr int kOrder = 9;  ///< (1/16)^10/9! is below 1e-17
 
   /// Response of s to a forcing u e^{iντ} from rest over a stored time, and the factor of u over it.
@@ -76,10 +78,11 @@ class LinearSupport {
     double cosine;
     double sine;
   };
-  /// u_j = F_j e^{iν_j τ}.
+  /// u_j = F_j e^{iν_j τ}. Only the first `count` are ever set or read.
   struct Phasors {
-    double real[kMostTerms];
-    double imaginary[kMostTerms];
+    std::size_t count;
+    std::array<double, kMostTerms> real;
+    std::array<double, kMostTerms> imaginary;
   };
 
   void build_propagators();

@@ -13,7 +13,7 @@ namespace rubatlas::rotor {
 
 /// K within 1 of the isotropic shaft's and C within 0.3 of 0.3 I, entry by entry: two in five are unstable.
 struct RandomSupport {
-  RandomSupport(std::mt19937& random, int terms) {
+  RandomSupport(std::mt19937& random, std::size_t terms) {
     std::uniform_real_distribution<double> any(-1.0, 1.0);
     stiffness.setIdentity();
     damping = 0.3 * Eigen::Matrix2d::Identity();
@@ -21,7 +21,7 @@ struct RandomSupport {
       stiffness(i / 2, i % 2) += any(random);
       damping(i / 2, i % 2) += 0.3 * any(random);
     }
-    for (int j = 0; j < terms; ++j) {
+    for (std::size_t j = 0; j < terms; ++j) {
       const double real = any(random), imaginary = any(random), frequency = 3 * any(random);
       forcing.push_back({{0.01 * real, 0.01 * imaginary}, j == 0 ? 0.0 : frequency});
     }

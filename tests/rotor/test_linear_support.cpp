@@ -152,7 +152,7 @@ TEST(LinearSupport, AnisotropicUndampedShaftSwingsInTwoPlanes) {
 TEST(LinearSupport, EqualsTheMatrixExponentialForAnySupportAndForcing) {
   std::mt19937 random(4);
   double worst = 0.0;
-  for (int trial = 0; trial < 200; ++trial) {
+  for (std::size_t trial = 0; trial < 200; ++trial) {
     const RandomSupport parts(random, trial % 4);
     const LinearSupport support(parts.stiffness, parts.damping, parts.forcing);
     for (const double elapsed : {1e-9, 0.02, 0.9, 7.0, 60.0, 1000.0}) {
@@ -178,7 +178,7 @@ TEST(LinearSupport, ThirtyTwoFrequenciesAreOneMotion) {
 
 TEST(LinearSupport, TwoFlightsInARowAreOne) {
   std::mt19937 random(5);
-  for (int trial = 0; trial < 50; ++trial) {
+  for (std::size_t trial = 0; trial < 50; ++trial) {
     const RandomSupport parts(random, 2);
     const LinearSupport support(parts.stiffness, parts.damping, parts.forcing);
     for (const double first : {0.01, 0.7, 5.0, 20.0}) {
@@ -198,7 +198,7 @@ TEST(LinearSupport, TwoFlightsInARowAreOne) {
 
 TEST(LinearSupport, RevolutionContractsPhaseVolumeByTheTraceOfDamping) {
   std::mt19937 random(6);
-  for (int trial = 0; trial < 50; ++trial) {
+  for (std::size_t trial = 0; trial < 50; ++trial) {
     const RandomSupport parts(random, 1);
     const LinearSupport support(parts.stiffness, parts.damping, parts.forcing);
     const double period = 3.0;
@@ -238,7 +238,8 @@ TEST(LinearSupport, NoTimeIsNoMotion) {
 TEST(LinearSupport, MisuseIsRefused) {
   const Matrix2d unit = Matrix2d::Identity();
   std::vector<HarmonicForcing> forcing;
-  for (int j = 0; j <= LinearSupport::kMostTerms; ++j) forcing.push_back({1.0, 0.1 * j});
+  for (std::size_t j = 0; j <= LinearSupport::kMostTerms; ++j)
+    forcing.push_back({1.0, 0.1 * static_cast<double>(j)});
   EXPECT_THROW(LinearSupport(unit, unit, forcing), std::invalid_argument);
   forcing.pop_back();
   EXPECT_NO_THROW(LinearSupport(unit, unit, forcing));

@@ -50,7 +50,7 @@ double largest(const LinearSupport& support, double time, const State& start, do
 TEST(SupportBounds, NoFlightPassesItsAmplitudeBound) {
   std::mt19937 random(11);
   int tight = 0;
-  for (int trial = 0; trial < 200; ++trial) {
+  for (std::size_t trial = 0; trial < 200; ++trial) {
     const RandomSupport parts(random, trial % 4);
     const LinearSupport support(parts.stiffness, parts.damping, parts.forcing);
     const SupportBounds bounds(support);
@@ -69,7 +69,7 @@ TEST(SupportBounds, NoFlightPassesItsAmplitudeBound) {
 TEST(SupportBounds, StableSupportsAreBoundedForEverAndUnstableOnesAreNot) {
   std::mt19937 random(12);
   int stable = 0, unstable = 0;
-  for (int trial = 0; trial < 300; ++trial) {
+  for (std::size_t trial = 0; trial < 300; ++trial) {
     const RandomSupport parts(random, trial % 3);
     const LinearSupport support(parts.stiffness, parts.damping, parts.forcing);
     const SupportBounds bounds(support);
@@ -131,7 +131,7 @@ TEST(SupportBounds, UndampedResonanceIsNotBoundedForEver) {
 
 TEST(SupportBounds, SteadyResponseRepeats) {
   std::mt19937 random(13);
-  for (int trial = 0; trial < 50; ++trial) {
+  for (std::size_t trial = 0; trial < 50; ++trial) {
     const RandomSupport parts(random, 3);
     const LinearSupport support(parts.stiffness, parts.damping, parts.forcing);
     const SupportBounds bounds(support);
@@ -157,12 +157,12 @@ TEST(SupportBounds, OrbitOfAnUnbalancedIsotropicShaftIsItsSteadyResponse) {
 TEST(SupportBounds, DerivativesStayBelowTheirBounds) {
   std::mt19937 random(14);
   double closest = 0.0;
-  for (int trial = 0; trial < 200; ++trial) {
+  for (std::size_t trial = 0; trial < 200; ++trial) {
     const RandomSupport parts(random, trial % 4);
     const LinearSupport support(parts.stiffness, parts.damping, parts.forcing);
     const SupportBounds bounds(support);
     const ExactFlight::Matrix generator = ExactFlight::generator(support);
-    const double speed = 0.1 * (trial % 20) - 0.5;
+    const double speed = 0.1 * static_cast<double>(trial % 20) - 0.5;
     for (int sample = 0; sample < 50; ++sample) {
       const State state = random_state(random);
       const double time = 0.37 * sample;
