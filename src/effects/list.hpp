@@ -5,6 +5,7 @@
 
 #include "effects/speed_ripple.hpp"
 #include "effects/static_load.hpp"
+#include "effects/support.hpp"
 #include "effects/unbalance.hpp"
 #include "effects/unequal_blades.hpp"
 
@@ -15,6 +16,7 @@ struct Effects {
   std::optional<Unbalance> unbalance;
   std::optional<Gravity> gravity;
   std::optional<SideLoad> side_load;
+  std::optional<Support> support;
   std::optional<SpeedRipple> speed_ripple;
   std::optional<UnequalBlades> unequal_blades;
 };
@@ -25,6 +27,7 @@ constexpr void for_each_effect(Visit visit) {
   visit.template operator()<&Effects::unbalance>();
   visit.template operator()<&Effects::gravity>();
   visit.template operator()<&Effects::side_load>();
+  visit.template operator()<&Effects::support>();
   visit.template operator()<&Effects::speed_ripple>();
   visit.template operator()<&Effects::unequal_blades>();
 }

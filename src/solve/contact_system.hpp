@@ -42,11 +42,16 @@ struct OpenContact {
 template <class Forcing>
 std::complex<double> acceleration(const RotorConstants& rotor, const Forcing& forcing,
                                   const ContactState& state, double force_x, double force_y) {
-  const double damping = 2.0 * rotor.damping_ratio;
-  std::complex<double> result(force_x * rotor.force_unit - damping * state[2] - state[0],
-                              force_y * rotor.force_unit - damping * state[3] - state[1]);
-  if constexpr (Forcing::kPresent) result += forcing.acceleration(state[kTime]);
-  return result;
+  if constexpr (requires { Forcing::kAnySupport; }) {
+    return forcing.support.acceleration(state[kTime], state.template head<4>().matrix()) +
+           rotor.force_unit * std::complex<double>(force_x, force_y);
+  } else {
+    const double damping = 2.0 * rotor.damping_ratio;
+    std::complex<double> result(force_x * rotor.force_unit - damping * state[2] - state[0],
+                                force_y * rotor.force_unit - damping * state[3] - state[1]);
+    if constexpr (Forcing::kPresent) result += forcing.acceleration(state[kTime]);
+    return result;
+  }
 }
 
 template <class Law, class Forcing, class Blades = BladeSet>
