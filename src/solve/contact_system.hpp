@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/elastica_contact.hpp"
 #include "contact/pose.hpp"
 #include "effects/unbalance.hpp"
 #include "solve/rotor.hpp"
@@ -48,11 +47,10 @@ std::complex<double> acceleration(const RotorConstants& rotor, const Forcing& fo
   return result;
 }
 
-template <class Forcing>
+template <class Law, class Forcing>
 class CarriedContact {
  public:
-  CarriedContact(const RotorConstants& rotor, const BladeSet& blades, const contact::ElasticaContact& law,
-                 const Forcing& forcing)
+  CarriedContact(const RotorConstants& rotor, const BladeSet& blades, const Law& law, const Forcing& forcing)
       : rotor_(&rotor), blades_(&blades), law_(&law), forcing_(&forcing) {}
 
   /// Opens the contact in a state. The unit of σ is set so that it is the arc in the plane (τ, u) there: u
@@ -90,7 +88,7 @@ class CarriedContact {
   }
 
   /// Of the last evaluation.
-  [[nodiscard]] const contact::ElasticaContact::Constraint& last() const { return last_; }
+  [[nodiscard]] const typename Law::Constraint& last() const { return last_; }
   [[nodiscard]] std::complex<double> last_acceleration() const { return acceleration_; }
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
@@ -116,13 +114,13 @@ class CarriedContact {
 
   const RotorConstants* rotor_;
   const BladeSet* blades_;
-  const contact::ElasticaContact* law_;
+  const Law* law_;
   const Forcing* forcing_;
   OpenContact contact_{};
   double anchor_time_ = 0.0;
   contact::BladeDirection anchor_{};
   double scale_ = 1.0;  ///< unit of σ against the rates of h [1/m²]
-  contact::ElasticaContact::Constraint last_{};
+  typename Law::Constraint last_{};
   std::complex<double> acceleration_;
   std::uint64_t evaluations_ = 0;
 };
@@ -154,7 +152,10 @@ class SolvedContacts {
       const contact::BladeDirection er = blades_->direction(contact.blade, first);
       const contact::Pose pose = pose_of(*rotor_, law_->geometry(), er, state.head<4>());
       contact::TipForce& force = forces_[i];
-      if (!law_->respond(pose, contact.slip, rotor_->speed_ratio, contact.bending, force)) return false;
+      if (!law_->respond(pose, contact.slip, rotor_->speed_ratio, contact.bending, force)) {
+        without_force_ = i;
+        return false;
+      }
       force_x += force.radial * er.cosine - force.tangential * er.sine;
       force_y += force.radial * er.sine + force.tangential * er.cosine;
     }
@@ -163,6 +164,8 @@ class SolvedContacts {
     return true;
   }
 
+  /// The contact that has found no force in the last evaluation that failed.
+  [[nodiscard]] std::size_t without_force() const { return without_force_; }
   /// Of the last evaluation.
   [[nodiscard]] const std::vector<contact::TipForce>& forces() const { return forces_; }
   [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
@@ -176,6 +179,7 @@ class SolvedContacts {
   const Forcing* forcing_;
   std::vector<OpenContact> contacts_;
   std::vector<contact::TipForce> forces_;
+  std::size_t without_force_ = 0;
   std::complex<double> acceleration_;
   std::uint64_t evaluations_ = 0;
 };

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -42,7 +43,7 @@ class Motion {
                 SolvedContacts<Law, Forcing>(rotor_, blades_, law_, forcing_)) {
     if constexpr (Law::kHasBending) {
       carried_.emplace(rotor_, blades_, law_, limits_,
-                       CarriedContact<Forcing>(rotor_, blades_, law_, forcing_));
+                       CarriedContact<BendingLaw, Forcing>(rotor_, blades_, law_, forcing_));
       skimming_.emplace(rotor_, blades_, law_, limits_, Skimming(rotor_, blades_, law_, forcing_));
     }
     contacts_.reserve(static_cast<std::size_t>(blade_count));
@@ -204,7 +205,7 @@ class Motion {
         return skimming_->start(time_, state_, contacts_);
       }
       phase_ = Phase::carried;
-      if (contacts_.size() == 1) {
+      if (contacts_.size() == 1 && law_.carried()) {
         OpenContact& contact = contacts_.front();
         // What other phases leave is a first guess; an unloaded blade starts at u = 0 exactly.
         if (contact.bending > 0.0) {
@@ -223,6 +224,9 @@ class Motion {
   [[nodiscard]] bool begins_to_skim() requires Law::kHasBending {
     const bool touched_down = std::exchange(touched_down_, false);
     if (!touched_down || contacts_.size() != 1) return false;
+    // A blade released at the fold returns from a distance, and a column that is compressed starts from no
+    // force: neither hops without end.
+    if (Law::kReleasesAtFold || !law_.carried()) return false;
     ContactState full;
     full << state_, time_, 0.0;
     return skimming_->system().begins(full, contacts_.front(), kUnresolvedHop * limits_.tolerance);
@@ -239,7 +243,7 @@ class Motion {
     if constexpr (Law::kHasBending) {
       // On the approaching side the force starts from zero, on the receding side from a finite value
       // (MODEL 4.2).
-      const bool starts_unloaded = at.gap <= kGapRounding && contact.slip * at.tangential >= 0.0;
+      const bool starts_unloaded = at.gap <= kGapRounding && law_.starts_unloaded(at, contact.slip);
       if (!starts_unloaded) {
         const auto root = law_.solve(at, contact.slip);
         if (!root) return false;
@@ -272,7 +276,16 @@ class Motion {
         ++work_.slip_reversals;
         contact->slip = -contact->slip;
         if constexpr (Law::kHasBending) {
-          const auto root = law_.solve(pose(contact->blade), contact->slip);
+          const contact::Pose at = pose(contact->blade);
+          const auto root = law_.solve(at, contact->slip);
+          // A tip that was held beyond the ring is free where friction turns to the other side.
+          if (!root && Law::kReleasesAtFold && at.gap < 0.0) {
+            listener.event(Event{end.event, end.blade, time_, contact->slip, state_});
+            ++work_.liftoffs;
+            listener.event(Event{PhaseEvent::lift_off, end.blade, time_, contact->slip, state_});
+            contacts_.erase(contact);
+            return PointStatus::done;
+          }
           if (!root) return PointStatus::left_validity;
           contact->bending = *root;
         }
@@ -282,7 +295,9 @@ class Motion {
     }
   }
 
-  using Skimming = SkimmingContact<contact::ElasticaContact, Forcing>;
+  /// Any law with a bending parameter, where this one has none: the phases that need one are never made.
+  using BendingLaw = std::conditional_t<Law::kHasBending, Law, contact::ElasticaContact>;
+  using Skimming = SkimmingContact<BendingLaw, Forcing>;
 
   /// Tolerances: hops lower than that are taken in their limit. They may grow by some tens while the force
   /// changes along the ring.
@@ -298,8 +313,8 @@ class Motion {
   Flight<Forcing> flight_;
   TouchdownSearch search_;
   ContactPhase<SolvedContacts<Law, Forcing>, Law, Pair> solved_;
-  std::optional<ContactPhase<CarriedContact<Forcing>, contact::ElasticaContact, Pair>> carried_;
-  std::optional<ContactPhase<Skimming, contact::ElasticaContact, Pair>> skimming_;
+  std::optional<ContactPhase<CarriedContact<BendingLaw, Forcing>, BendingLaw, Pair>> carried_;
+  std::optional<ContactPhase<Skimming, BendingLaw, Pair>> skimming_;
   std::vector<OpenContact> contacts_;
   State state_ = State::Zero();
   double time_ = 0.0;

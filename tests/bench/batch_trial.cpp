@@ -22,7 +22,7 @@
 namespace {
 using namespace rubatlas;
 using Pair = integrate::DormandPrince853;
-using System = solve::CarriedContact<effects::NoForcing>;
+using System = solve::CarriedContact<contact::ElasticaContact, effects::NoForcing>;
 using Step = integrate::RungeKutta<Pair, 6>;
 
 // Private members that lanes gather from: naming them in an explicit instantiation is legal.
