@@ -60,6 +60,7 @@ std::optional<double> DirectedElastica<Direction, FrictionLaw>::amplitude_of(con
                                                                              double speed_ratio,
                                                                              double modulus,
                                                                              double guess) const {
+  constexpr double kSmallStep = 1e-8;  // of φ: the next one is a rounding error
   // d falls from A − b of the unloaded blade; a root lies between the two ends or nowhere.
   const double side = std::copysign(1.0, modulus);
   const double first = side * first_load_angle(at, slip, speed_ratio);
@@ -77,11 +78,13 @@ std::optional<double> DirectedElastica<Direction, FrictionLaw>::amplitude_of(con
     const Constraint there = constraint(at, slip, speed_ratio, {modulus, amplitude});
     const double value = side * there.misdirection;
     (value > 0.0 ? low : high) = amplitude;
-    double next = amplitude - there.misdirection / there.misdirection_by_amplitude;
-    if (!(next > low && next < high)) next = low > 0.0 ? 0.5 * (low + high) : 0.25 * high;
-    const bool ends = std::abs(next - amplitude) <= 1e-8 * amplitude;
-    amplitude = next;
-    if (ends) break;
+    const double step = -there.misdirection / there.misdirection_by_amplitude;
+    const double next = amplitude + step;
+    if (std::abs(step) <= kSmallStep * amplitude) return next;
+    if (next > low && next < high)
+      amplitude = next;
+    else
+      amplitude = low > 0.0 ? 0.5 * (low + high) : 0.25 * high;
   }
   return amplitude;
 }
