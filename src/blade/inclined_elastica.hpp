@@ -32,6 +32,12 @@ struct InclinedPoint {
   Inclined deflection;  ///< D / L [-], signed: towards the side to which a load with b > 0 pushes
 };
 
+/// A bent blade, as a point of the chart.
+struct Bend {
+  double modulus;    ///< κ [-]
+  double amplitude;  ///< φ [rad]
+};
+
 /// Largest modulus |κ| and amplitude φ for which the quadrature keeps its accuracy, beyond a shortening of
 /// 0.8 L.
 inline constexpr double kLargestModulus = 0.999;

@@ -39,8 +39,10 @@ auto DirectedElastica<Direction, FrictionLaw>::newton(const Pose& at, double sli
     const bool small = size < 1e-8;
     const bool ends = small && (size * size * size <= 1e-16 * previous * previous || size >= 0.5 * previous);
     if (ends) {
-      // On the branch that a growing load reaches: d falls with φ at fixed κ, h falls with |κ| along d = 0.
-      if (!(side * there.misdirection_by_amplitude < 0.0) || !(determinant > 0.0)) return std::nullopt;
+      // On the branch that a growing load reaches: h falls with |κ| along d = 0, and d with φ at fixed κ.
+      // (Not so where steep friction holds the tip back; the determinant keeps its sign.)
+      const bool falls = FrictionLaw::kDependsOnVelocity || side * there.misdirection_by_amplitude < 0.0;
+      if (!falls || !(determinant > 0.0)) return std::nullopt;
     }
     const double modulus = side * (bend.modulus + by_modulus);
     const double least = side * bend.modulus / kFarthest;
@@ -60,6 +62,7 @@ std::optional<double> DirectedElastica<Direction, FrictionLaw>::amplitude_of(con
                                                                              double speed_ratio,
                                                                              double modulus,
                                                                              double guess) const {
+  constexpr double kRounding = 1e-15;  // of d
   constexpr double kSmallStep = 1e-8;  // of φ: the next one is a rounding error
   // d falls from A − b of the unloaded blade; a root lies between the two ends or nowhere.
   const double side = std::copysign(1.0, modulus);
@@ -80,17 +83,20 @@ std::optional<double> DirectedElastica<Direction, FrictionLaw>::amplitude_of(con
     (value > 0.0 ? low : high) = amplitude;
     const double step = -there.misdirection / there.misdirection_by_amplitude;
     const double next = amplitude + step;
-    if (std::abs(step) <= kSmallStep * amplitude) return next;
+    if (std::abs(step) <= kSmallStep * amplitude || std::abs(value) <= kRounding) {
+      return next > 0.0 ? next : amplitude;
+    }
     if (next > low && next < high)
       amplitude = next;
     else
       amplitude = low > 0.0 ? 0.5 * (low + high) : 0.25 * high;
   }
-  return amplitude;
+  return std::nullopt;
 }
 
-/// Walks along the equilibria to one side by the angle A = 2 asin |κ| of the tip against its load, from the
-/// unloaded blade (A = b, or 0 for a column) or from the fold where those against the load's side begin.
+/// Under a given friction coefficient: walks along the equilibria to one side by the angle A = 2 asin |κ| of
+/// the tip against its load, from the unloaded blade (A = b, or 0 for a column) or from the fold where those
+/// against the load's side begin.
 template <class Direction, class FrictionLaw>
 class DirectedElastica<Direction, FrictionLaw>::Walk {
  public:
@@ -212,10 +218,72 @@ class DirectedElastica<Direction, FrictionLaw>::Walk {
 };
 
 template <class Direction, class FrictionLaw>
+auto DirectedElastica<Direction, FrictionLaw>::solve_for_coefficient(const Pose& at, double slip,
+                                                                     double speed_ratio, double side) const
+    -> std::optional<Bend> {
+  constexpr int kSteps = 8;  // from the coefficient of the undeformed tip to the largest
+  const auto at_coefficient = [&](double coefficient) {
+    const DirectedElastica<Direction, CoulombFriction> law(geometry_, {length_, 0.0, 1.0}, {coefficient});
+    return law.solve(at, 1.0, speed_ratio, side);
+  };
+  // c − c(v) where the tip stands under c: negative at the least c, positive at the largest. Not a number
+  // where the blade cannot stand on this side.
+  std::optional<Bend> bend;
+  const auto excess = [&](double coefficient) {
+    bend = at_coefficient(coefficient);
+    if (!bend) return std::numeric_limits<double>::quiet_NaN();
+    return coefficient - constraint_or_unloaded(at, slip, speed_ratio, *bend).coefficient;
+  };
+  const double start =
+      direction(at, slip, speed_ratio, at.radial + geometry_.reach, at.tangential).coefficient;
+  double low = start;
+  double at_low = excess(low);
+  if (at_low == 0.0) return bend;
+  // Friction along −side·t holds a blade to its side.
+  const double end = std::copysign(friction_.largest(), bend ? -at_low : side);
+  double high = low;
+  double at_high = at_low;
+  for (int i = 1; i <= kSteps && !(at_high * end >= 0.0); ++i) {
+    low = high;
+    at_low = at_high;
+    high = i < kSteps ? start + (end - start) * i / kSteps : end;
+    at_high = excess(high);
+  }
+  for (int halving = 0; std::isnan(at_low) && halving < 40; ++halving) {
+    const double middle = 0.5 * (low + high);
+    const double at_middle = excess(middle);
+    const bool beyond = at_middle * end >= 0.0;
+    (beyond ? high : low) = middle;
+    (beyond ? at_high : at_low) = at_middle;
+  }
+  if (!(at_high * at_low <= 0.0)) return std::nullopt;
+  if (low > high) {
+    std::swap(low, high);
+    std::swap(at_low, at_high);
+  }
+  bool lost = false;
+  const auto excess_or_end = [&](double coefficient) {
+    const double value = excess(coefficient);
+    lost = lost || !bend;
+    return bend ? value : at_high;
+  };
+  std::uintmax_t iterations = 100;
+  const auto bracket = boost::math::tools::toms748_solve(
+      excess_or_end, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(40), iterations);
+  bend = at_coefficient(0.5 * (bracket.first + bracket.second));
+  if (!bend || lost) return std::nullopt;
+  return newton(at, slip, speed_ratio, *bend);
+}
+
+template <class Direction, class FrictionLaw>
 auto DirectedElastica<Direction, FrictionLaw>::solve(const Pose& at, double slip, double speed_ratio,
                                                      double side) const -> std::optional<Bend> {
-  Walk walk(*this, at, slip, speed_ratio, side);
-  return walk.find() ? walk.root() : walk.unbent();
+  if constexpr (FrictionLaw::kDependsOnVelocity) {
+    return solve_for_coefficient(at, slip, speed_ratio, side);
+  } else {
+    Walk walk(*this, at, slip, speed_ratio, side);
+    return walk.find() ? walk.root() : walk.unbent();
+  }
 }
 
 template <class Direction, class FrictionLaw>
@@ -283,10 +351,7 @@ bool DirectedElastica<Direction, FrictionLaw>::respond(const Pose& at, double sl
   if (!root) return false;
   bending = root->modulus;
   amplitude = root->amplitude;
-  set_force(mirrored, speed_ratio,
-            constraint(mirrored, slip, speed_ratio,
-                       {bending, std::max(amplitude, std::numeric_limits<double>::min())}),
-            force);
+  set_force(mirrored, speed_ratio, constraint_or_unloaded(mirrored, slip, speed_ratio, *root), force);
   if (beyond_end && side * first > 0.0) {
     force.radial = -force.radial;
     force.tangential = -force.tangential;

@@ -20,7 +20,9 @@
 /// s (MODEL 2).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "blade/inclined_elastica.hpp"
@@ -43,8 +45,9 @@ struct NormalLoad {
 template <class Direction, class FrictionLaw>
 class DirectedElastica {
  public:
-  /// An open contact is described by its bent blade; the sign of `bending` is a memory.
-  static constexpr bool kHasBending = true;
+  /// The blade is found where the rotor stands; nothing is carried along as a state. (`bending` is a first
+  /// guess, and its sign the memory of the side.)
+  static constexpr bool kHasBending = false;
   /// Does a contact remember the side to which its blade is bent?
   static constexpr bool kRemembersSide = Direction::kFollowsNormal || !FrictionLaw::kHasSlipState;
 
@@ -60,11 +63,7 @@ class DirectedElastica {
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
   [[nodiscard]] const FrictionLaw& friction() const { return friction_; }
 
-  /// A bent blade: κ (signed by the side) and φ.
-  struct Bend {
-    double modulus;
-    double amplitude;
-  };
+  using Bend = blade::Bend;
 
   /// A contact at one bend, in equilibrium where `residual` and `misdirection` are zero.
   struct Constraint {
@@ -180,6 +179,16 @@ class DirectedElastica {
   /// Newton's method from a bend; none where it leaves the side, or ends on another branch than the one of
   /// `solve`.
   [[nodiscard]] std::optional<Bend> newton(const Pose& at, double slip, double speed_ratio, Bend bend) const;
+  /// `solve` for friction that depends on v: the coefficient c with c = c(v), outside, and `solve` under that
+  /// c.
+  [[nodiscard]] std::optional<Bend> solve_for_coefficient(const Pose& at, double slip, double speed_ratio,
+                                                          double side) const;
+  /// The constraint, also of a blade without load (φ = 0).
+  [[nodiscard]] Constraint constraint_or_unloaded(const Pose& at, double slip, double speed_ratio,
+                                                  const Bend& bend) const {
+    return constraint(at, slip, speed_ratio,
+                      {bend.modulus, std::max(bend.amplitude, std::numeric_limits<double>::min())});
+  }
   /// φ with d = 0 at a fixed κ: the smallest, which has the smallest load.
   [[nodiscard]] std::optional<double> amplitude_of(const Pose& at, double slip, double speed_ratio,
                                                    double modulus, double guess) const;

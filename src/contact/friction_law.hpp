@@ -7,6 +7,7 @@
 /// `slope` is dc/dv [1/(m per unit τ)] at fixed s.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace rubatlas::contact {
@@ -18,6 +19,8 @@ struct CoulombFriction {
   static constexpr bool kHasSlipState = true;
   /// Does c depend on the slip velocity between reversals?
   static constexpr bool kDependsOnVelocity = false;
+  /// Bound of |c|.
+  [[nodiscard]] double largest() const { return friction; }
   [[nodiscard]] double coefficient(double /*velocity*/, double slip) const { return slip * friction; }
   [[nodiscard]] double slope(double /*velocity*/, double /*slip*/) const { return 0.0; }
 };
@@ -32,6 +35,7 @@ struct RegularisedFriction {
 
   static constexpr bool kHasSlipState = false;
   static constexpr bool kDependsOnVelocity = true;
+  [[nodiscard]] double largest() const { return friction; }
   [[nodiscard]] double coefficient(double velocity, double /*slip*/) const {
     return friction * std::tanh(velocity / regularising_velocity);
   }
@@ -54,6 +58,7 @@ struct StribeckFriction {
 
   static constexpr bool kHasSlipState = false;
   static constexpr bool kDependsOnVelocity = true;
+  [[nodiscard]] double largest() const { return std::max(static_friction, kinetic_friction); }
   [[nodiscard]] double coefficient(double velocity, double /*slip*/) const {
     const double ratio = velocity / stribeck_velocity;
     return (kinetic_friction + (static_friction - kinetic_friction) * std::exp(-ratio * ratio)) *
