@@ -169,8 +169,8 @@ class ContactStep {
       return law_->constraint(at, open.slip, state[kBending], rotor_->speed_ratio).force;
     } else {
       contact::TipForce force{};
-      double bending = system_.contacts()[contact].bending;
-      law_->respond(at, open.slip, rotor_->speed_ratio, bending, force);
+      OpenContact guess = system_.contacts()[contact];
+      respond(*law_, at, rotor_->speed_ratio, guess, force);
       return force;
     }
   }
