@@ -5,7 +5,7 @@
 /// and of c'' only −c F t/(m ωn²), the blade's own friction, lies along t besides what else moves the rotor.
 /// So dv/dτ is linear in the friction coefficient c, and sticking is the one c that makes it zero: Coulomb's
 /// law as an inclusion, c ∈ [−μ, μ] at v = 0 (Filippov; Leine, Nijmeijer, Dynamics and Bifurcations of
-/// Non-Smooth Mechanical Systems, Springer 2004, chapter 6). The tip leaves the ring's hold where |c| reaches
+/// Non-Smooth Mechanical Systems, Springer 2004). The tip leaves the ring's hold where |c| reaches
 /// the static μ, and slips in the direction s = sign c.
 #pragma once
 

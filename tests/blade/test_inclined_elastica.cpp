@@ -73,9 +73,9 @@ TEST(InclinedElastica, BladesBentAgainstTheirLoadFollowLegendresIntegrals) {
 }
 
 TEST(InclinedElastica, ColumnWhoseLoadPointsAtAFixedPoleBucklesLater) {
-  // κ → 0 is the beam-column. A load that always points at a pole on the axis, a distance p behind the tip, holds the
-  // column up: tan q / q = 1 − p/L, from the Euler load π²/4 (p infinite) to π² where the pole is the clamp itself
-  // (Timoshenko, Gere, Theory of Elastic Stability, chapter 2).
+  // κ → 0 is the beam-column. A load that always points at a pole on the axis, a distance p behind the tip,
+  // holds the column up: tan q / q = 1 − p/L, from the Euler load π²/4 (p infinite) to π² where the pole is
+  // the clamp itself (Timoshenko, Gere, Theory of Elastic Stability, chapter 2).
   double before = kPi * kPi / 4;
   for (double amplitude = 1.6; amplitude < 3.13; amplitude += 0.1) {
     const InclinedPoint point = inclined_equilibrium(1e-6, amplitude);

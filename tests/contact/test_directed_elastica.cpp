@@ -225,6 +225,52 @@ TEST(DirectedElastica, RootFromANeighbourIsTheRootFromScratch) {
   EXPECT_GT(compared, 7000);
 }
 
+TEST(DirectedElastica, ThereIsOneEquilibriumOnASideOrNone) {
+  // Along d = 0, its smallest φ at each κ found by a scan, h changes sign once, from plus to minus, or never.
+  const double speed = 0.5;
+  for (const double friction : {0.0, 0.1, 0.3}) {
+    const auto law = directed<NormalLoad>(kRig, CoulombFriction{friction});
+    RandomContacts contacts(kRig, 0.25, 57);
+    for (int i = 0; i < 40; ++i) {
+      const Pose at = contacts.next();
+      const double side = i % 2 == 0 ? 1.0 : -1.0;
+      const auto misdirection = [&](double modulus, double amplitude) {
+        return side * law.constraint(at, 1.0, speed, {side * modulus, amplitude}).misdirection;
+      };
+      int falls = 0;
+      int rises = 0;
+      double before = NAN;
+      for (int k = 1; k <= 200; ++k) {
+        const double modulus = 0.99 * std::pow(k / 200.0, 2);
+        double amplitude = 0.0;
+        for (double high = 0.05; high < 3.14; high += 0.05) {
+          if (misdirection(modulus, high) > 0.0) continue;
+          if (high == 0.05) break;  // no equilibrium with so little bending
+          double low = high - 0.05;
+          amplitude = high;
+          for (int halving = 0; halving < 40; ++halving) {
+            const double middle = 0.5 * (low + amplitude);
+            (misdirection(modulus, middle) > 0.0 ? low : amplitude) = middle;
+          }
+          break;
+        }
+        if (amplitude == 0.0) continue;
+        const auto there = law.constraint(at, 1.0, speed, {side * modulus, amplitude});
+        if (there.blade.shortening.value > 0.75) break;
+        if (before > 0.0 && there.residual <= 0.0) ++falls;
+        if (before <= 0.0 && there.residual > 0.0) ++rises;
+        before = there.residual;
+      }
+      ASSERT_LE(falls, 1) << friction << ", " << i;
+      ASSERT_EQ(rises, 0) << friction << ", " << i;
+      const auto root = law.solve(at, 1.0, speed, side);
+      if (falls == 1) {
+        ASSERT_TRUE(root.has_value()) << friction << ", " << i;
+      }
+    }
+  }
+}
+
 TEST(DirectedElastica, MirroredMotionHasTheMirroredForce) {
   const auto law = directed<NormalLoad>(kDefaultRotor, CoulombFriction{0.1});
   RandomContacts contacts(kDefaultRotor, 0.25, 56);
