@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "effects/blade_and_ring.hpp"
+#include "effects/contact_load.hpp"
 #include "effects/speed_ripple.hpp"
 #include "effects/static_load.hpp"
 #include "effects/support.hpp"
@@ -19,6 +21,12 @@ struct Effects {
   std::optional<Support> support;
   std::optional<SpeedRipple> speed_ripple;
   std::optional<UnequalBlades> unequal_blades;
+  std::optional<AxialCompliance> axial_compliance;
+  std::optional<YieldingRing> yielding_ring;
+  std::optional<Release> release;
+  std::optional<LoadDirection> load_direction;
+  std::optional<RegularisedFriction> regularised_friction;
+  std::optional<Stribeck> stribeck;
 };
 
 /// Calls `visit.operator()<&Effects::effect>()` for each, in the order of the documentation.
@@ -30,6 +38,12 @@ constexpr void for_each_effect(Visit visit) {
   visit.template operator()<&Effects::support>();
   visit.template operator()<&Effects::speed_ripple>();
   visit.template operator()<&Effects::unequal_blades>();
+  visit.template operator()<&Effects::axial_compliance>();
+  visit.template operator()<&Effects::yielding_ring>();
+  visit.template operator()<&Effects::release>();
+  visit.template operator()<&Effects::load_direction>();
+  visit.template operator()<&Effects::regularised_friction>();
+  visit.template operator()<&Effects::stribeck>();
 }
 
 /// Present and of a strength that is not zero.
