@@ -62,9 +62,14 @@ std::string plain_report(const Findings& found) {
   }
   text += fmt::format("\nTHE PAPER'S STATEMENTS, contact law {}\n", contact_law(found.scene));
   text += paragraph("", kStatementsKey, 2, kColumns) + "\n";
+  std::string setting;
   for (const auto& statement : found.statements) {
-    text += paragraph(fmt::format("  {}  {}", statement.name, text_of(statement.verdict())), statement.claim,
-                      19, kColumns);
+    if (statement.setting.text != setting) {
+      setting = statement.setting.text;
+      text += fmt::format("\n  at {}\n", setting);
+    }
+    text += paragraph(fmt::format("  {:<3} {}", statement.name, text_of(statement.verdict())),
+                      statement.claim, 19, kColumns);
     for (const auto& finding : statement.findings) {
       text += paragraph(fmt::format("                   {}", mark(finding)), finding.evidence, 22, kColumns);
     }
@@ -96,14 +101,14 @@ std::string markdown_report(const Findings& found) {
   }
   text += fmt::format("\n## The paper's statements, contact law {}\n\n{}\n\n", contact_law(found.scene),
                       kStatementsKey);
-  text += "| | statement | verdict | evidence |\n|---|---|---|---|\n";
+  text += "| | statement | at | verdict | evidence |\n|---|---|---|---|---|\n";
   for (const auto& statement : found.statements) {
     std::vector<std::string> evidence;
     for (const auto& finding : statement.findings) {
       evidence.push_back(fmt::format("{} {}", mark(finding), finding.evidence));
     }
-    text += fmt::format("| {} | {} | {} | {} |\n", statement.name, statement.claim,
-                        text_of(statement.verdict()), fmt::join(evidence, "<br>"));
+    text += fmt::format("| {} | {} | {} | {} | {} |\n", statement.name, statement.claim,
+                        statement.setting.text, text_of(statement.verdict()), fmt::join(evidence, "<br>"));
   }
   return text;
 }

@@ -282,7 +282,7 @@ print(table.loc[1, "damping_ratio"], round(table.loc[1, "region_3_to"], 6))
 print(len(xarray.open_dataset(path, engine="h5netcdf", group="effects")["subject"]))
 )",
                              file("read.py"));
-  EXPECT_EQ(output, "uint8 uint8 19\n(8,) keeps its extent (0.050-0.330)\n255\n0.3 0.66\n6\n");
+  EXPECT_EQ(output, "uint8 uint8 19\n(15,) keeps its extent (0.050-0.330)\n255\n0.3 0.66\n6\n");
 }
 
 TEST(TextLayout, BreaksBetweenWordsButNotWithinAQuantity) {
