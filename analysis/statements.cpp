@@ -64,18 +64,24 @@ std::vector<Statement> judge_statements(const scene::Scene& scene, std::span<con
                                         std::span<const LineSummary> lines, bool per_passing) {
   std::vector<Statement> statements;
   const auto judge = [&](const ReferenceRotor& rotor, std::string_view along, const auto& judgement) {
+    std::vector<Statement> own;
     for (auto& setting : settings(rotor, scene, parameters, along)) {
       const Evidence evidence(scene, parameters, lines, per_passing, rotor, setting);
       for (auto& statement : judgement(evidence)) {
-        if (!statement.findings.empty() && statement.verdict() == Verdict::not_covered &&
-            !setting.text.empty() && std::ranges::any_of(statements, [&](const Statement& other) {
-              return other.name == statement.name && other.verdict() == Verdict::not_covered;
-            })) {
-          continue;  // said once
-        }
         statement.setting = setting;
-        statements.push_back(std::move(statement));
+        own.push_back(std::move(statement));
       }
+    }
+    for (auto& statement : own) {  // what no setting covers is said once
+      const auto covered = [&](const Statement& other) {
+        return other.name == statement.name && other.verdict() != Verdict::not_covered;
+      };
+      const auto said = [&](const Statement& other) { return other.name == statement.name; };
+      const bool nowhere = std::ranges::none_of(own, covered);
+      if (nowhere && std::ranges::any_of(statements, said)) continue;
+      if (nowhere) statement.setting = {};
+      // `own` still asks for names and verdicts: a copy, not a move.
+      statements.push_back(statement);
     }
   };
   const auto one = [](Statement (*judgement)(const Evidence&)) {
