@@ -111,14 +111,19 @@ std::vector<Finding> high_damping_findings(const Evidence& evidence) {
                                 {fmt::format("chaos of region {} (width × share)", which + 1),
                                  fmt::format("high ζ attenuates region {}", which + 1), extent, -1.0,
                                  evidence.scale().speed_ratio(kNoticeableWidth)}));
+    // What disappears has been there: on the line that high damping is compared with.
     const auto presence = high.regions[which].presence;
-    const std::optional<bool> gone = presence == Presence::not_covered
-                                         ? std::optional<bool>{}
-                                         : std::optional<bool>{presence == Presence::absent};
-    findings.push_back({gone,
-                        fmt::format("{} at {}", region_text(static_cast<int>(which) + 1, high.regions[which]),
-                                    evidence.value_text(high, name)),
-                        fmt::format("high ζ: region {} disappears", which + 1)});
+    const auto before = reference->regions[which].presence;
+    std::optional<bool> gone;
+    if (presence != Presence::not_covered && before != Presence::not_covered) {
+      gone = presence == Presence::absent && before != Presence::absent;
+    }
+    findings.push_back(
+        {gone,
+         fmt::format("{} at {}, {} at {}", region_text(static_cast<int>(which) + 1, high.regions[which]),
+                     evidence.value_text(high, name), before == Presence::absent ? "absent already" : "there",
+                     evidence.value_text(*reference, name)),
+         fmt::format("high ζ: region {} disappears", which + 1)});
   }
   return findings;
 }

@@ -52,9 +52,10 @@ std::string plain_table(const Findings& found) {
   return text;
 }
 
-/// Why nothing of a statement is covered, where that is one reason; empty otherwise.
+/// Why nothing of a statement is covered at any setting, where that is one reason; empty otherwise.
 std::string only_reason(const Statement& statement) {
-  const bool one = statement.findings.size() == 1 && !statement.findings.front().holds;
+  const bool one =
+      statement.setting.text.empty() && statement.findings.size() == 1 && !statement.findings.front().holds;
   return one ? statement.findings.front().evidence : std::string{};
 }
 

@@ -9,6 +9,7 @@ each column: how many of the rows were found there. `--counts` prints the same a
 worth of detail: the statements, and the sum.
 """
 import json
+import re
 
 import h5py
 import numpy as np
@@ -76,6 +77,12 @@ def rows_of(columns, statements):
     return rows
 
 
+def place(column):
+    """Where a column stands among those of its law: upward sweeps first, then by the numbers of its setting."""
+    numbers = [float(value) for value in re.findall(r"= (-?[0-9.]+(?:e[-+]?[0-9]+)?)", column.setting)]
+    return "down" in column.setting, numbers
+
+
 def found(column, rows):
     return sum(column.findings.get(row, (None, ""))[0] == YES for row in rows)
 
@@ -93,18 +100,20 @@ def counts(columns, rows, statements):
 
 
 def heading(column):
-    return "\n".join([column.law, *column.setting.split(", ")]) if column.setting else column.law
+    return "\n".join([column.law, *column.setting.replace("direction = ", "").split(", ")]) if column.setting else column.law
 
 
 def draw(options):
     statements = options.statements.split(",")
     columns = [column for path in options.maps for column in columns_of(path, statements)]
+    laws = list(dict.fromkeys(column.law for column in columns))
+    columns.sort(key=lambda column: (laws.index(column.law), place(column)))
     rows = rows_of(columns, statements)
     if not rows:
         raise AtlasError(f"{', '.join(options.maps)}: no finding of {options.statements}")
     if options.counts:
         print(counts(columns, rows, statements))
-    height, width = 0.27 * len(rows), 0.86 * len(columns)
+    height, width = 0.27 * len(rows), max(0.92 * len(columns), 3.5)
     figure = style.plt.figure(figsize=(width + 3.4, height + 2.2))
     axes = figure.add_subplot()
     image, seen = np.ones((len(rows), len(columns), 3)), []

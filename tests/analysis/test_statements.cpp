@@ -182,6 +182,12 @@ TEST_F(Statements, SixDisagreesWhenHighDampingChangesNothing) {
   EXPECT_EQ(verdict("P6"), Verdict::disagrees);
 }
 
+TEST_F(Statements, SixIsNotFoundWhereThereWasNoChaosToEnd) {
+  add(small_and_periodic());
+  add(small_and_periodic(), {.damping = 0.3});
+  EXPECT_EQ(verdict("P6"), Verdict::disagrees);
+}
+
 TEST_F(Statements, SixIsNotCoveredUpToModerateDamping) {
   add(paper(), {.damping = 0.05});
   add(paper());
