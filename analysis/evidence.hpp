@@ -32,8 +32,7 @@ class Evidence {
  public:
   /// The spans must outlive the evidence.
   Evidence(const scene::Scene& scene, std::span<const Parameter> parameters,
-           std::span<const LineSummary> lines, bool per_passing, ReferenceRotor rotor = default_rotor(),
-           Setting setting = {});
+           std::span<const LineSummary> lines, bool per_passing, ReferenceRotor rotor, Setting setting);
 
   [[nodiscard]] const ReferenceRotor& rotor() const { return rotor_; }
   [[nodiscard]] const scene::Scene& scene() const { return scene_; }

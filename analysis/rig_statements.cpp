@@ -13,9 +13,9 @@
 namespace rubatlas::analysis {
 namespace {
 
-/// A single speed stands for what lies within this of it, in scaled speed: chaos has windows, and speeds are
-/// read off a figure.
-constexpr double kAround = 0.01;
+/// A single speed stands for what lies within this of it: the paper gives some of them to two digits, and
+/// chaos has windows of single points.
+constexpr double kAround = 0.005;
 
 /// Where the rig's speed range was divided (P14), Ω.
 struct Range {
