@@ -99,7 +99,7 @@ std::string cost_text(std::optional<double> with, std::optional<double> without)
 
 template <auto Effect>
 void describe(const scene::Scene& scene, const plan::Grid& grid, Text& text) {
-  using Settings = std::remove_cvref_t<decltype(*(scene.*Effect))>;
+  using Settings = effects::Settings<Effect>;
   constexpr auto& kDescription = Settings::kDescription;
   const std::string name = scene::axis_name(kDescription.section);
   const bool present = (scene.*Effect).has_value();

@@ -16,7 +16,7 @@
 namespace rubatlas::test {
 
 template <auto Effect>
-using SettingsOf = std::remove_cvref_t<decltype(*(std::declval<effects::Effects>().*Effect))>;
+using SettingsOf = effects::Settings<Effect>;
 
 /// "speed_ripple" for the section "/speed_ripple".
 template <auto Effect>
