@@ -80,4 +80,18 @@ inline double largest_difference(const solve::SectionState& a, const solve::Sect
   return largest;
 }
 
+/// By how much an error made at the start is larger at the end, from starts a little aside; 1 where errors
+/// shrink. What a tolerance bounds is the error of a step: the rest is the motion's own.
+inline double growth_of_errors(const scene::Scene& scene) {
+  const double shift = 1e-6 * scene.clearance();
+  const auto end = run(scene).final_state;
+  double growth = 1.0;
+  for (std::size_t i = 0; i < end.size(); ++i) {
+    solve::SectionState start{};
+    start[i] = shift;
+    growth = std::max(growth, largest_difference(run(scene, start).final_state, end) / shift);
+  }
+  return growth;
+}
+
 }  // namespace rubatlas::test
