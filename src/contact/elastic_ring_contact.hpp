@@ -11,6 +11,8 @@ class ElasticRingContact {
  public:
   /// The force follows from the position alone: nothing is carried along.
   static constexpr bool kHasBending = false;
+  /// The force ends where the tip leaves the ring.
+  static constexpr bool kReleasesAtFold = false;
 
   ElasticRingContact(Geometry geometry, double stiffness, double friction)
       : geometry_(geometry), stiffness_(stiffness), friction_(friction) {}

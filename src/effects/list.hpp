@@ -10,6 +10,7 @@
 
 #include "effects/speed_ripple.hpp"
 #include "effects/static_load.hpp"
+#include "effects/support.hpp"
 #include "effects/unbalance.hpp"
 #include "effects/unequal_blades.hpp"
 
@@ -20,6 +21,7 @@ struct Effects {
   std::optional<Unbalance> unbalance;
   std::optional<Gravity> gravity;
   std::optional<SideLoad> side_load;
+  std::optional<Support> support;
   std::optional<SpeedRipple> speed_ripple;
   std::optional<UnequalBlades> unequal_blades;
 };
@@ -64,6 +66,7 @@ constexpr void for_each_effect(Visit given) {
   visit.template operator()<&Effects::unbalance>();
   visit.template operator()<&Effects::gravity>();
   visit.template operator()<&Effects::side_load>();
+  visit.template operator()<&Effects::support>();
   visit.template operator()<&Effects::speed_ripple>();
   visit.template operator()<&Effects::unequal_blades>();
 }

@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/elastica_contact.hpp"
 #include "contact/pose.hpp"
 #include "effects/harmonic.hpp"
 #include "solve/blade_set.hpp"
@@ -42,11 +41,16 @@ struct OpenContact {
 template <class Forcing>
 std::complex<double> acceleration(const RotorConstants& rotor, const Forcing& forcing,
                                   const ContactState& state, double force_x, double force_y) {
-  const double damping = 2.0 * rotor.damping_ratio;
-  std::complex<double> result(force_x * rotor.force_unit - damping * state[2] - state[0],
-                              force_y * rotor.force_unit - damping * state[3] - state[1]);
-  if constexpr (Forcing::kPresent) result += forcing.acceleration(state[kTime]);
-  return result;
+  if constexpr (requires { Forcing::kAnySupport; }) {
+    return forcing.support.acceleration(state[kTime], state.template head<4>().matrix()) +
+           rotor.force_unit * std::complex<double>(force_x, force_y);
+  } else {
+    const double damping = 2.0 * rotor.damping_ratio;
+    std::complex<double> result(force_x * rotor.force_unit - damping * state[2] - state[0],
+                                force_y * rotor.force_unit - damping * state[3] - state[1]);
+    if constexpr (Forcing::kPresent) result += forcing.acceleration(state[kTime]);
+    return result;
+  }
 }
 
 template <class Law, class Forcing, class Blades = BladeSet>
@@ -138,7 +142,10 @@ class SolvedContacts {
       const auto& law = law_->of(contact.blade);
       const contact::Pose pose = pose_of(*rotor_, law.geometry(), er, state.head<4>());
       contact::TipForce& force = forces_[i];
-      if (!law.respond(pose, contact.slip, speed, contact.bending, force)) return false;
+      if (!law.respond(pose, contact.slip, speed, contact.bending, force)) {
+        without_force_ = i;
+        return false;
+      }
       force_x += force.radial * er.cosine - force.tangential * er.sine;
       force_y += force.radial * er.sine + force.tangential * er.cosine;
     }
@@ -147,6 +154,8 @@ class SolvedContacts {
     return true;
   }
 
+  /// The contact that has found no force in the last evaluation that failed.
+  [[nodiscard]] std::size_t without_force() const { return without_force_; }
   /// Of the last evaluation.
   [[nodiscard]] const std::vector<contact::TipForce>& forces() const { return forces_; }
   [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
@@ -160,6 +169,7 @@ class SolvedContacts {
   const Forcing* forcing_;
   std::vector<OpenContact> contacts_;
   std::vector<contact::TipForce> forces_;
+  std::size_t without_force_ = 0;
   std::complex<double> acceleration_;
   std::uint64_t evaluations_ = 0;
 };

@@ -1,5 +1,5 @@
 // `hybrid` for rotors on which more acts than the paper's: 2 laws, with numbers of their own for each blade,
-// at constant and at rippling speed.
+// at constant and at rippling speed, on the isotropic shaft and on any linear support.
 
 #include <optional>
 #include <utility>
@@ -30,14 +30,20 @@ auto blade_by_blade(const scene::Scene& line, MakeLaw make_law) {
   return contact::UnequalBlades(std::move(laws));
 }
 
+template <class Machine, class Law>
+std::unique_ptr<LineSolver> on(const scene::Scene& line, Law law) {
+  return std::make_unique<TypedLineSolver<Hybrid, Law, Machine>>(line, std::move(law), Machine(line));
+}
+
 template <class Law>
-std::unique_ptr<LineSolver> on_machine(const scene::Scene& line, Law law) {
-  if (effects::acts<&effects::Effects::speed_ripple>(line)) {
-    return std::make_unique<TypedLineSolver<Hybrid, Law, RipplingMachine>>(line, std::move(law),
-                                                                           RipplingMachine(line));
+std::unique_ptr<LineSolver> on_its_machine(const scene::Scene& line, Law law) {
+  using effects::Effects;
+  const bool ripples = effects::acts<&Effects::speed_ripple>(line);
+  if (effects::acts<&Effects::support>(line)) {
+    return ripples ? on<SupportedRipplingMachine>(line, std::move(law))
+                   : on<SupportedMachine>(line, std::move(law));
   }
-  return std::make_unique<TypedLineSolver<Hybrid, Law, MachineWithEffects>>(line, std::move(law),
-                                                                            MachineWithEffects(line));
+  return ripples ? on<RipplingMachine>(line, std::move(law)) : on<MachineWithEffects>(line, std::move(law));
 }
 
 }  // namespace
@@ -46,13 +52,13 @@ std::unique_ptr<LineSolver> make_hybrid_with_effects(const LineRequest& request)
   const scene::Scene& line = request.line;
   const auto friction = line.contact.friction;
   if (line.contact.law == scene::ContactLaw::elastic_ring) {
-    return on_machine(line, blade_by_blade(line, [&](const scene::Blades& blade) {
-                        return elastic_ring_law(line.ring, blade, friction);
-                      }));
+    return on_its_machine(line, blade_by_blade(line, [&](const scene::Blades& blade) {
+                            return elastic_ring_law(line.ring, blade, friction);
+                          }));
   }
-  return on_machine(line, blade_by_blade(line, [&](const scene::Blades& blade) {
-                      return elastica_law(line.ring, blade, request.tables.curve(friction));
-                    }));
+  return on_its_machine(line, blade_by_blade(line, [&](const scene::Blades& blade) {
+                          return elastica_law(line.ring, blade, request.tables.curve(friction));
+                        }));
 }
 
 }  // namespace rubatlas::solve
