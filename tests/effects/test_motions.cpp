@@ -87,6 +87,24 @@ TEST(EveryEffect, ConvergesAsTheToleranceTightens) {
   });
 }
 
+TEST(EveryEffect, BreaksTheSymmetryOfBladePassingsIfAndOnlyIfItSaysSo) {
+  effects::for_each_effect([&]<auto Effect>() {
+    json scene = effect_scene<Effect>(0.45, kRevolutions);
+    scene["observables"] = {"poincare_blade_passing"};
+    scene["accuracy"]["tolerance"] = 1e-12;
+    const scene::Scene checked = parsed(scene);
+    const auto motion = run(checked, {1e-3, 0.0, 0.0, 1e-3});
+    ASSERT_EQ(motion.status, PointStatus::done);
+    const auto& passings = motion.rows[0];
+    const auto later = run(checked, {passings[0], passings[1], passings[2], passings[3]});
+    const double departure = largest_difference(later.rows[0], passings, 0, 4);
+    const bool says_so =
+        SettingsOf<Effect>::kDescription.breaks.find("blade passing") != std::string_view::npos;
+    EXPECT_EQ(departure > 1e-6, says_so) << name_of<Effect>() << ": departs by " << departure << " m";
+    if (!says_so) EXPECT_LE(departure, 1e-9) << name_of<Effect>();
+  });
+}
+
 TEST(EveryEffect, IsTheSameMotionWhereverItsLineResumes) {
   effects::for_each_effect([&]<auto Effect>() {
     SCOPED_TRACE(name_of<Effect>());

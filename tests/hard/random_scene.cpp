@@ -162,13 +162,14 @@ double strength(Draw& draw, const scene::Quantity& quantity, const json& scene, 
       std::max(1e-6, scene["ring"]["radius"].get<double>() - scene["blades"]["length"].get<double>() -
                          scene["blades"]["hub_radius"].get<double>());
   const double share = draw.log_uniform(1e-4, 1.0);
-  const double size = quantity.unit == "m"      ? clearance * share
-                      : quantity.unit == "N"    ? mass * square * clearance * share
-                      : quantity.unit == "m/s2" ? square * clearance * share
-                      : quantity.unit == "N/m"  ? mass * square * share
-                      : quantity.unit == "kg"   ? mass * share
-                      : quantity.unit == "rad"  ? 4.0 * share
-                                                : std::min(quantity.range.high, 10.0) * share;
+  const double size = quantity.unit == "m"       ? clearance * share
+                      : quantity.unit == "N"     ? mass * square * clearance * share
+                      : quantity.unit == "m/s2"  ? square * clearance * share
+                      : quantity.unit == "N/m"   ? mass * square * share
+                      : quantity.unit == "N s/m" ? mass * std::sqrt(square) * share
+                      : quantity.unit == "kg"    ? mass * share
+                      : quantity.unit == "rad"   ? 4.0 * share
+                                                 : std::min(quantity.range.high, 10.0) * share;
   const double signed_size = quantity.range.low < 0.0 ? draw.sign() * size : size;
   return std::clamp(signed_size, quantity.range.low, quantity.range.high);
 }
