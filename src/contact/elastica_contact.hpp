@@ -38,6 +38,13 @@ enum class Release : std::uint8_t {
   at_fold   ///< where the force does: at u = 0, or at the fold ∂h/∂u = 0 beyond which there is no root
 };
 
+/// What a law knows of an elastic blade.
+struct ElasticBlade {
+  double length;             ///< L [m]
+  double thickness;          ///< h [m]
+  double bending_stiffness;  ///< EI = E b h³ / 12 [N m²]
+};
+
 template <class Ring, Release kRelease>
 class ElasticBladeContact {
  public:
@@ -45,12 +52,12 @@ class ElasticBladeContact {
   static constexpr bool kHasBending = true;
   /// A contact on the receding side goes on while it has a force, with g < 0.
   static constexpr bool kReleasesAtFold = kRelease == Release::at_fold;
+  /// Friction takes its sign from a discrete state (MODEL 4.4).
+  static constexpr bool kHasSlipState = true;
+  /// The load is largest where the gap is.
+  static constexpr bool kLoadFollowsGap = false;
 
-  struct Blade {
-    double length;             ///< L [m]
-    double thickness;          ///< h [m]
-    double bending_stiffness;  ///< EI = E b h³ / 12 [N m²]
-  };
+  using Blade = ElasticBlade;
 
   ElasticBladeContact(Geometry geometry, Blade blade, std::shared_ptr<const blade::ElasticaCurve> curve,
                       Ring ring = {})
@@ -72,7 +79,7 @@ class ElasticBladeContact {
 
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
   /// The law of one blade: the same for all.
-  using OfBlade = ElasticaContact;
+  using OfBlade = ElasticBladeContact;
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const blade::ElasticaCurve& curve() const { return *curve_; }
 

@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "effects/blade_and_ring.hpp"
+#include "effects/contact_load.hpp"
 #include "effects/speed_ripple.hpp"
 #include "effects/static_load.hpp"
 #include "effects/support.hpp"
@@ -24,6 +26,12 @@ struct Effects {
   std::optional<Support> support;
   std::optional<SpeedRipple> speed_ripple;
   std::optional<UnequalBlades> unequal_blades;
+  std::optional<AxialCompliance> axial_compliance;
+  std::optional<YieldingRing> yielding_ring;
+  std::optional<Release> release;
+  std::optional<LoadDirection> load_direction;
+  std::optional<RegularisedFriction> regularised_friction;
+  std::optional<Stribeck> stribeck;
 };
 
 /// The settings of an effect of the list: `Gravity` for `&Effects::gravity`.
@@ -69,6 +77,12 @@ constexpr void for_each_effect(Visit given) {
   visit.template operator()<&Effects::support>();
   visit.template operator()<&Effects::speed_ripple>();
   visit.template operator()<&Effects::unequal_blades>();
+  visit.template operator()<&Effects::axial_compliance>();
+  visit.template operator()<&Effects::yielding_ring>();
+  visit.template operator()<&Effects::release>();
+  visit.template operator()<&Effects::load_direction>();
+  visit.template operator()<&Effects::regularised_friction>();
+  visit.template operator()<&Effects::stribeck>();
 }
 
 /// Present and of a strength that is not zero.

@@ -207,7 +207,9 @@ class ContactPhase final : public observables::MotionPiece {
         look_for_lift_off(k, watched, last);
       }
     }
-    for (std::size_t i = 0; i < contact_count(); ++i) look_for_slip_reversal(i, last);
+    if constexpr (Law::kHasSlipState) {
+      for (std::size_t i = 0; i < contact_count(); ++i) look_for_slip_reversal(i, last);
+    }
     if (step_.root_lost() && watched_of(0).ends_by_rounding())
       take_if_first(last, PhaseEvent::lift_off, blade(0));
 

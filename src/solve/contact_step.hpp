@@ -140,7 +140,8 @@ class ContactStep {
   /// for a carried contact that is released there: σ goes on smoothly where time turns round.
   [[nodiscard]] bool passes_release() const {
     if constexpr (kCarried && kReleasesAtFold) {
-      return law_->of(contacts_.front().blade).fold_measure(step_.end()[kBending], system_.last().bending_slope) > 0.0;
+      return law_->of(contacts_.front().blade)
+                 .fold_measure(step_.end()[kBending], system_.last().bending_slope) > 0.0;
     }
     return false;
   }
@@ -150,8 +151,9 @@ class ContactStep {
       const auto measure = [&](double part) {
         const ContactState state = at_fraction(part);
         const OpenContact& open = contacts_.front();
-        const auto there =
-            law_->of(open.blade).constraint(pose(open.blade, state), open.slip, state[kBending], blades_->speed(state[kTime]));
+        const auto there = law_->of(open.blade)
+                               .constraint(pose(open.blade, state), open.slip, state[kBending],
+                                           blades_->speed(state[kTime]));
         return law_->of(contacts_.front().blade).fold_measure(state[kBending], there.bending_slope);
       };
       const double at_end = measure(1.0);
@@ -220,8 +222,8 @@ class ContactStep {
           .force;
     } else {
       contact::TipForce force{};
-      double bending = system_.contacts()[contact].bending;
-      law_->of(open.blade).respond(at, open.slip, blades_->speed(state[kTime]), bending, force);
+      OpenContact guess = system_.contacts()[contact];
+      respond(law_->of(open.blade), at, blades_->speed(state[kTime]), guess, force);
       return force;
     }
   }
@@ -248,7 +250,7 @@ class ContactStep {
     if constexpr (kCarried) {
       return step_.start_derivative()[kBending] > 0.0 && step_.end_derivative()[kBending] < 0.0;
     }
-    return Law::kHasBending || gap_peaks;
+    return !Law::kLoadFollowsGap || gap_peaks;
   }
 
   /// Bending parameter of an open contact at a fraction, as a first guess for the phase that follows.

@@ -35,7 +35,21 @@ struct OpenContact {
   int blade;
   double slip;
   double bending;
+  double amplitude = 0.0;  ///< second first guess of a law that has two unknowns a blade; 0: not known
 };
+
+/// The force of an open contact where its blade stands; updates its guesses.
+template <class Law>
+bool respond(const Law& law, const contact::Pose& at, double speed_ratio, OpenContact& contact,
+             contact::TipForce& force) {
+  if constexpr (requires {
+                  law.respond(at, contact.slip, speed_ratio, contact.bending, contact.amplitude, force);
+                }) {
+    return law.respond(at, contact.slip, speed_ratio, contact.bending, contact.amplitude, force);
+  } else {
+    return law.respond(at, contact.slip, speed_ratio, contact.bending, force);
+  }
+}
 
 /// x'' and y'' [m per unit τ²] from a force on the rotor in newtons.
 template <class Forcing>
@@ -142,7 +156,7 @@ class SolvedContacts {
       const auto& law = law_->of(contact.blade);
       const contact::Pose pose = pose_of(*rotor_, law.geometry(), er, state.head<4>());
       contact::TipForce& force = forces_[i];
-      if (!law.respond(pose, contact.slip, speed, contact.bending, force)) {
+      if (!respond(law, pose, speed, contact, force)) {
         without_force_ = i;
         return false;
       }

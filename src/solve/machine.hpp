@@ -89,21 +89,15 @@ class MachineWithEffects {
   scene::Scene line_;
 };
 
-/// The same at a speed that ripples.
-class RipplingMachine final : public MachineWithEffects {
+/// On any linear support, at a speed that may ripple.
+class AnyMachine final : public MachineWithEffects {
  public:
   using MachineWithEffects::MachineWithEffects;
   [[nodiscard]] RipplingBlades blades(double speed_ratio) const {
-    return {angles(), speed_ratio, *line_.speed_ripple};
+    return {angles(), speed_ratio, line_.speed_ripple.value_or(effects::SpeedRipple{})};
   }
-};
-
-/// A shaft on a support of its own, at constant speed.
-class SupportedMachine : public MachineWithEffects {
- public:
-  using MachineWithEffects::MachineWithEffects;
   [[nodiscard]] SupportedShaft forcing(double speed_ratio) const {
-    const effects::Support& added = *line_.support;
+    const effects::Support added = line_.support.value_or(effects::Support{});
     const double frequency = line_.rotor.natural_frequency;
     const double stiffness = line_.rotor.mass * frequency * frequency;
     const double damping = line_.rotor.mass * frequency;
@@ -119,15 +113,6 @@ class SupportedMachine : public MachineWithEffects {
       forcing.push_back({term.acceleration(0.0), term.frequency()});
     }
     return SupportedShaft(rotor::LinearSupport(matrices.stiffness, matrices.damping, forcing));
-  }
-};
-
-/// The same at a speed that ripples.
-class SupportedRipplingMachine final : public SupportedMachine {
- public:
-  using SupportedMachine::SupportedMachine;
-  [[nodiscard]] RipplingBlades blades(double speed_ratio) const {
-    return {angles(), speed_ratio, *line_.speed_ripple};
   }
 };
 

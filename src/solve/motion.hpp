@@ -228,8 +228,6 @@ class Motion {
   [[nodiscard]] bool begins_to_skim() requires Law::kHasBending {
     const bool touched_down = std::exchange(touched_down_, false);
     if (!touched_down || contacts_.size() != 1) return false;
-    const bool touched_down = std::exchange(touched_down_, false);
-    if (!touched_down || contacts_.size() != 1) return false;
     // A blade released at the fold returns from a distance, and a column that is compressed starts from no
     // force: neither hops without end.
     if (Law::kReleasesAtFold || !law_.of(contacts_.front().blade).carried()) return false;

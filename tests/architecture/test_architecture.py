@@ -18,7 +18,7 @@ MAY_INCLUDE = {
     "src/observables": ["scene", "integrate", "analysis/spectrum.hpp"],
     "src/solve": ["scene", "plan", "blade", "contact", "rotor", "effects", "integrate", "observables"],
     "src/atlas": ["scene", "plan", "observables", "solve/line_solver.hpp"],
-    "analysis": ["scene", "plan", "atlas"],
+    "analysis": ["scene", "plan", "blade/elastica.hpp", "atlas"],
     "mpi": ["scene", "plan", "observables", "solve", "atlas", "analysis"],
 }
 
