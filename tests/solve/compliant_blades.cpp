@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "effects/unbalance.hpp"
+#include "effects/harmonic.hpp"
 #include "solve/blade_tables.hpp"
 #include "solve/motion.hpp"
 
@@ -84,7 +84,8 @@ struct Run {
 template <class Law>
 Run<Law> run(const Law& law, double speed_ratio, int revolutions, int blades = 3, double tolerance = 1e-12,
              const State& start = State::Zero()) {
-  Motion<Law, effects::NoForcing> motion(rotor_at(speed_ratio), blades, law, {}, {tolerance, 0.5});
+  Motion<Law, effects::NoForcing> motion(rotor_at(speed_ratio), {blades, speed_ratio}, law, {},
+                                         {tolerance, 0.5});
   Run<Law> result{};
   result.status = motion.start(start);
   for (int i = 0; i < revolutions && result.status == PointStatus::done; ++i)
