@@ -174,10 +174,10 @@ double strength(Draw& draw, const scene::Quantity& quantity, const json& scene, 
   return std::clamp(signed_size, quantity.range.low, quantity.range.high);
 }
 
-/// Each effect in one scene of three, whatever effects there are.
+/// Each effect in one scene of eight, whatever effects there are.
 void draw_effects(Draw& draw, json& scene, bool in_proportion) {
   for (const std::string_view section : effect_sections()) {
-    if (!draw.one_in(3)) continue;
+    if (!draw.one_in(8)) continue;
     json& drawn = scene[json::json_pointer(std::string(section))] = json::object();
     for (const scene::Quantity& quantity : scene::quantities()) {
       if (quantity.section() != section || draw.one_in(4)) continue;
