@@ -159,7 +159,7 @@ class Motion {
     }
     const double end = touchdown ? touchdown->time : period;
     if (end > time_) {
-      FlightPiece piece(flight_, time_, end, flight_.amplitude_bound(time_, state_, end - time_));
+      FlightPiece piece(flight_, time_, end, flight_.displacement_bound(time_, state_, end - time_));
       // |c| may reach R in flight where no blade stands in the way (MODEL 5).
       const double ring_radius = law_.of(0).geometry().ring_radius;
       if (piece.displacement_bound() + std::abs(rotor_.misalignment) >= ring_radius &&
