@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
         VolumeCase{"gravity", kElastica, 3, 0.62, 0.05, 0.1, 0.0, {2e-3, -1e-3, 1e-3, 2e-3}, lean},
         VolumeCase{"side_load", kElastica, 3, 0.45, 0.05, 0.3, 1e-4, {1e-3, 0.0, 0.0, -1e-3}, push},
         VolumeCase{"speed_ripple", kElastica, 3, 0.62, 0.05, 0.1, 1e-4, {2e-3, -1e-3, 1e-3, 2e-3}, ripple},
-        VolumeCase{"unequal_blades", kElastica, 5, 0.5, 0.05, 0.1, 0.0, {-1e-3, 2e-3, 1e-3, 0.0}, spread},
+        VolumeCase{"unequal_blades", kElastica, 5, 0.5, 0.05, 0.3, 0.0, {-1e-3, 2e-3, 1e-3, 0.0}, spread},
         VolumeCase{
             "elastic_ring", kElasticRing, 3, 0.45, 0.05, 0.3, 1e-4, {1e-3, 0.0, 0.0, -1e-3}, all_at_once},
         VolumeCase{"elastica", kElastica, 3, 0.45, 0.05, 0.1, 1e-4, {1e-3, 0.0, 0.0, -1e-3}, all_at_once}),
