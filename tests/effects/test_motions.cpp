@@ -110,7 +110,9 @@ TEST(EveryEffect, BreaksTheSymmetryOfBladePassingsIfAndOnlyIfItSaysSo) {
     const bool says_so =
         SettingsOf<Effect>::kDescription.breaks.find("blade passing") != std::string_view::npos;
     EXPECT_EQ(departure > 1e-6, says_so) << name_of<Effect>() << ": departs by " << departure << " m";
-    if (!says_so) EXPECT_LE(departure, 1e-9) << name_of<Effect>();
+    if (!says_so) {
+      EXPECT_LE(departure, 1e-9) << name_of<Effect>();
+    }
   });
 }
 
