@@ -56,7 +56,7 @@ std::string below(const std::string& text, const std::string& name) {
   if (at == std::string::npos) return "no such line";
   at = text.find('\n', at + 1);
   auto end = at;
-  while (text.compare(end, 4, "\n    ") == 0) end = text.find('\n', end + 1);
+  while (text.compare(end, 5, "\n    ") == 0) end = text.find('\n', end + 1);
   return text.substr(at, end - at);
 }
 
