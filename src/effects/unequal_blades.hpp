@@ -4,6 +4,7 @@
 /// hand (section 3.2 of the paper).
 #pragma once
 
+#include <algorithm>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
 #include <cstddef>
@@ -88,10 +89,7 @@ struct UnequalBlades {
   }
   [[nodiscard]] bool acts() const {
     const auto any = [](const std::vector<double>& errors) {
-      for (const double error : errors) {
-        if (error != 0.0) return true;
-      }
-      return false;
+      return std::ranges::any_of(errors, [](double error) { return error != 0.0; });
     };
     return any(length_errors) || any(thickness_errors) || any(angle_errors) || length_spread > 0.0 ||
            thickness_spread > 0.0 || angle_spread > 0.0;

@@ -31,11 +31,10 @@ namespace rubatlas::solve {
 template <class Law, class Forcing, class Pair = integrate::DormandPrince853, class Blades = BladeSet>
 class Motion {
  public:
-  Motion(const RotorConstants& rotor, Blades blades, Law law, const Forcing& forcing,
-         const ContactLimits& limits)
+  Motion(const RotorConstants& rotor, Blades blades, Law law, Forcing forcing, const ContactLimits& limits)
       : rotor_(rotor),
         free_(rotor.damping_ratio),
-        forcing_(forcing),
+        forcing_(std::move(forcing)),
         law_(std::move(law)),
         limits_(limits),
         blades_(std::move(blades)),
@@ -85,10 +84,11 @@ class Motion {
           end = fly(period, listener);
           break;
         case Phase::carried:
-          if constexpr (Law::kHasBending) end = touch(*carried_, period, listener);
-          break;
         case Phase::skimming:
-          if constexpr (Law::kHasBending) end = touch(*skimming_, period, listener);
+          if constexpr (Law::kHasBending) {
+            end = phase_ == Phase::carried ? touch(*carried_, period, listener)
+                                           : touch(*skimming_, period, listener);
+          }
           break;
         default:
           end = touch(solved_, period, listener);
