@@ -168,10 +168,9 @@ void describe_time(const plan::Grid& grid, const CostEstimate& cost, Text& text)
 
 }  // namespace
 
-std::string explain(const scene::Scene& scene) {
-  constexpr std::chrono::duration<double> kBudget{2.0};
+std::string explain(const scene::Scene& scene, double measured_for) {
   const plan::Grid grid(scene);
-  const CostEstimate cost = estimate_cost(scene, kBudget);
+  const CostEstimate cost = estimate_cost(scene, std::chrono::duration<double>(measured_for));
 
   Text text;
   describe_machine(scene, text);

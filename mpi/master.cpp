@@ -1,5 +1,6 @@
 #include "mpi/master.hpp"
 
+#include "mpi/clock.hpp"
 #include "mpi/signals.hpp"
 
 namespace rubatlas::mpi {
@@ -9,10 +10,6 @@ constexpr int kSelf = 0;
 
 /// A look into the mailbox costs about a microsecond; a revolution takes some ten.
 constexpr std::chrono::microseconds kServicePeriod{50};
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 }  // namespace
 

@@ -15,7 +15,7 @@ namespace {
 std::string explained(const std::string& scene) {
   const Workplace place;
   static_cast<void>(place.write("s.json", scene));
-  const auto ending = place.rubatlas("explain s.json");
+  const auto ending = place.rubatlas("explain s.json --measure 0.1");
   EXPECT_EQ(ending.code, 0) << ending.messages;
   EXPECT_EQ(ending.messages, "");
   return ending.output;
