@@ -10,6 +10,7 @@
 
 #include "effects/blade_and_ring.hpp"
 #include "effects/contact_load.hpp"
+#include "effects/ring_body.hpp"
 #include "effects/speed_ripple.hpp"
 #include "effects/static_load.hpp"
 #include "effects/support.hpp"
@@ -32,6 +33,7 @@ struct Effects {
   std::optional<LoadDirection> load_direction;
   std::optional<RegularisedFriction> regularised_friction;
   std::optional<Stribeck> stribeck;
+  std::optional<RingBody> ring_body;
 };
 
 /// The settings of an effect of the list: `Gravity` for `&Effects::gravity`.
@@ -83,6 +85,7 @@ constexpr void for_each_effect(Visit given) {
   visit.template operator()<&Effects::load_direction>();
   visit.template operator()<&Effects::regularised_friction>();
   visit.template operator()<&Effects::stribeck>();
+  visit.template operator()<&Effects::ring_body>();
 }
 
 /// Present and of a strength that is not zero.

@@ -67,6 +67,10 @@ void check_blades(const Scene& scene) {
   if (rigid && scene.load_direction) refuse("/load_direction", kRigid);
   if (scene.stribeck && scene.regularised_friction)
     refuse("/stribeck", "stands beside /regularised_friction; friction has one law");
+  if (scene.ring_body && (scene.load_direction || scene.stribeck || scene.regularised_friction ||
+                          scene.yielding_ring || scene.release))
+    refuse("/ring_body",
+           "does not combine with load_direction, regularised_friction, stribeck, yielding_ring or release");
   const bool directed = !rigid && (scene.load_direction || scene.stribeck || scene.regularised_friction);
   if (!directed) return;
   constexpr std::string_view kPlain =

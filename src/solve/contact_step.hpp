@@ -26,10 +26,13 @@ namespace rubatlas::solve {
 template <class System, class Law, class Pair, class Blades = BladeSet>
 class ContactStep {
  public:
+  using FullState = typename System::FullState;
+  using Bodies = decltype(bodies(std::declval<const FullState&>()));  ///< what moves, without time and u
+
   /// The bending parameter is a state of the system.
   static constexpr bool kCarried = requires(System system) { system.last(); };
   /// The blade stays on g = 0 under a share of its force.
-  static constexpr bool kSkims = requires(System system, ContactState state) { system.share(state); };
+  static constexpr bool kSkims = requires(System system, FullState state) { system.share(state); };
   /// A contact ends where its force does, not where the undeformed tip leaves the ring.
   static constexpr bool kReleasesAtFold = Law::kReleasesAtFold && !kSkims;
 
@@ -44,10 +47,9 @@ class ContactStep {
         control_(Pair::kOrder, kFirstSize) {}
 
   /// Starts a phase at time τ of the revolution. False where the system cannot start there.
-  bool start(double time, const State& state, const std::vector<OpenContact>& contacts) {
+  bool start(double time, const Bodies& state, const std::vector<OpenContact>& contacts) {
     contacts_ = contacts;
-    ContactState full;
-    full << state, time, kCarried ? contacts_.front().bending : 0.0;
+    const FullState full = full_state(state, time, kCarried ? contacts_.front().bending : 0.0);
     if constexpr (kCarried) {
       if (!system_.open(contacts_.front(), full)) return false;
       system_.anchor(time);
@@ -89,16 +91,16 @@ class ContactStep {
   /// Goes on from the end of the step.
   void accept() { step_.accept(); }
 
-  [[nodiscard]] const ContactState& begin() const { return step_.start(); }
-  [[nodiscard]] const ContactState& end() const { return step_.end(); }
+  [[nodiscard]] const FullState& begin() const { return step_.start(); }
+  [[nodiscard]] const FullState& end() const { return step_.end(); }
   [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
   [[nodiscard]] const System& system() const { return system_; }
 
   /// State at the fraction θ in [0, 1]; NaN where a stage of dense output finds no force.
-  [[nodiscard]] ContactState at_fraction(double fraction) {
+  [[nodiscard]] FullState at_fraction(double fraction) {
     if (fraction == 0.0) return step_.start();
     if (fraction == 1.0) return step_.end();
-    if (!make_dense()) return ContactState::Constant(std::numeric_limits<double>::quiet_NaN());
+    if (!make_dense()) return FullState::Constant(std::numeric_limits<double>::quiet_NaN());
     return step_.interpolate(fraction);
   }
 
@@ -149,7 +151,7 @@ class ContactStep {
   [[nodiscard]] double release_fraction() {
     if constexpr (kCarried && kReleasesAtFold) {
       const auto measure = [&](double part) {
-        const ContactState state = at_fraction(part);
+        const FullState state = at_fraction(part);
         const OpenContact& open = contacts_.front();
         const auto there = law_->of(open.blade)
                                .constraint(pose(open.blade, state), open.slip, state[kBending],
@@ -174,7 +176,7 @@ class ContactStep {
     return -1;
   }
   /// Whether a blade's contact ends at g = 0 where it stands.
-  [[nodiscard]] bool ends_at_ring(int blade, const ContactState& state) const {
+  [[nodiscard]] bool ends_at_ring(int blade, const FullState& state) const {
     if constexpr (kReleasesAtFold) {
       if constexpr (kCarried) return false;
       for (const OpenContact& open : contacts_) {
@@ -185,7 +187,7 @@ class ContactStep {
   }
 
   /// Direction of blade 0 in a state.
-  [[nodiscard]] contact::BladeDirection first_blade(const ContactState& state) const {
+  [[nodiscard]] contact::BladeDirection first_blade(const FullState& state) const {
     return blades_->first(state[kTime]);
   }
   /// g and dg/dτ of a blade in a state.
@@ -193,11 +195,11 @@ class ContactStep {
     double value;
     double rate;
   };
-  [[nodiscard]] Gap gap(int blade, const ContactState& state) const {
+  [[nodiscard]] Gap gap(int blade, const FullState& state) const {
     return gap(blade, state, first_blade(state));
   }
   /// The same when blade 0 stands at `first`, for all blades in one state.
-  [[nodiscard]] Gap gap(int blade, const ContactState& state, const contact::BladeDirection& first) const {
+  [[nodiscard]] Gap gap(int blade, const FullState& state, const contact::BladeDirection& first) const {
     const contact::Pose at = pose(blade, state, first);
     return {at.gap, contact::gap_rate(law_->of(blade).geometry(), at, blades_->speed(state[kTime]))};
   }
@@ -212,7 +214,7 @@ class ContactStep {
   }
 
   /// What an open contact does in a state.
-  [[nodiscard]] contact::TipForce force(std::size_t contact, const ContactState& state) const {
+  [[nodiscard]] contact::TipForce force(std::size_t contact, const FullState& state) const {
     if constexpr (kSkims) return system_.force(state);
     const OpenContact& open = contacts_[contact];
     const contact::Pose at = pose(open.blade, state);
@@ -307,12 +309,12 @@ class ContactStep {
     return size;
   }
 
-  [[nodiscard]] contact::Pose pose(int blade, const ContactState& state) const {
+  [[nodiscard]] contact::Pose pose(int blade, const FullState& state) const {
     return pose(blade, state, first_blade(state));
   }
-  [[nodiscard]] contact::Pose pose(int blade, const ContactState& state,
+  [[nodiscard]] contact::Pose pose(int blade, const FullState& state,
                                    const contact::BladeDirection& first) const {
-    return pose_of(*rotor_, law_->of(blade).geometry(), blades_->direction(blade, first), state.head<4>());
+    return pose_of(*rotor_, law_->of(blade).geometry(), blades_->direction(blade, first), from_ring(state));
   }
 
   bool make_dense() {
@@ -330,21 +332,20 @@ class ContactStep {
   /// path, and of the bending parameter on its own scale. Each of them passes through zero at places, the sum
   /// does not.
   [[nodiscard]] double scaled_error() const {
-    const ContactState& end = step_.end();
-    const std::complex<double> acceleration = system_.last_acceleration();
-    const State rate(end[2], end[3], acceleration.real(), acceleration.imag());
+    const FullState& end = step_.end();
+    const Bodies& rate = system_.last_rate();
     const double fastest = rate.abs().maxCoeff();
     double bending_weight = 0.0;
     if constexpr (kCarried) {
       bending_weight = kBendingWeight * rotor_->length_scale /
                        std::min(scale(step_.start()[kBending]), scale(end[kBending]));
     }
-    const double estimate = step_.error_estimate([&](const ContactState& difference) {
+    const double estimate = step_.error_estimate([&](const FullState& difference) {
       // An error of the time is an error of the state along its path.
       const double time = difference[kTime];
       const double along = fastest * time;
       const double bending = bending_weight * difference[kBending];
-      const State state = difference.template head<4>() - rate * time;
+      const Bodies state = bodies(difference) - rate * time;
       return std::sqrt(state.square().sum() + along * along + bending * bending);
     });
     return estimate / (Pair::kEstimateExcess * tolerance_);
@@ -396,7 +397,7 @@ class ContactStep {
   const Law* law_;
   double tolerance_;
   System system_;
-  integrate::RungeKutta<Pair, 6> step_;
+  integrate::RungeKutta<Pair, FullState::RowsAtCompileTime> step_;
   integrate::StepControl control_;
   std::vector<OpenContact> contacts_;
   std::vector<OpenContact> guesses_;

@@ -19,6 +19,7 @@
 #include "integrate/dormand_prince_853.hpp"
 #include "observables/largest_distance.hpp"
 #include "solve/blade_set.hpp"
+#include "solve/bodies.hpp"
 #include "solve/contact_phase.hpp"
 #include "solve/flight.hpp"
 #include "solve/line_solver.hpp"
@@ -31,6 +32,8 @@ namespace rubatlas::solve {
 template <class Law, class Forcing, class Pair = integrate::DormandPrince853, class Blades = BladeSet>
 class Motion {
  public:
+  using Bodies = BodiesOf<Forcing>;  ///< the shaft, and the ring where that is a body
+
   Motion(const RotorConstants& rotor, Blades blades, Law law, Forcing forcing, const ContactLimits& limits)
       : rotor_(rotor),
         free_(rotor.damping_ratio),
@@ -54,19 +57,27 @@ class Motion {
   Motion& operator=(const Motion&) = delete;
 
   /// Starts at phase 0; blades with g > 0 are in contact (MODEL 4.4).
-  PointStatus start(const State& state) {
+  PointStatus start(const Bodies& state) {
     state_ = state;
     time_ = 0.0;
     phase_ = Phase::undecided;
     contacts_.clear();
     const contact::BladeDirection first = blades_.first(0.0);
     for (int k = 0; k < blades_.count(); ++k) {
-      const contact::Pose at = pose_of(rotor_, law_.of(k).geometry(), blades_.direction(k, first), state_);
+      const contact::Pose at =
+          pose_of(rotor_, law_.of(k).geometry(), blades_.direction(k, first), from_ring(state_));
       if (at.gap > 0.0 && !open(k, at)) return PointStatus::left_validity;
     }
     flight_.start(time_, state_);
     never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);
     return state_.isFinite().all() ? PointStatus::done : PointStatus::integrator_failed;
+  }
+
+  /// The same with the ring at rest in its place.
+  PointStatus start(const State& shaft) requires kRingMoves<Forcing> {
+    Bodies bodies = Bodies::Zero();
+    bodies.template head<4>() = shaft;
+    return start(bodies);
   }
 
   /// One revolution.
@@ -106,7 +117,7 @@ class Motion {
   }
 
   /// At the end of the last revolution.
-  [[nodiscard]] const State& state() const { return state_; }
+  [[nodiscard]] const Bodies& state() const { return state_; }
 
   [[nodiscard]] WorkCounts work() const {
     WorkCounts result = work_;
@@ -128,14 +139,18 @@ class Motion {
  private:
   enum class Phase : std::uint8_t { undecided, flight, carried, skimming, solved };
 
-  /// A piece of flight, as listeners see it.
+  /// A piece of flight, as listeners see it, or as seen from the ring.
+  template <bool kFromRing = false>
   class FlightPiece final : public observables::MotionPiece {
    public:
     FlightPiece(const Flight<Forcing>& flight, double begin, double end, double bound)
         : flight_(&flight), begin_(begin), end_(end), bound_(bound) {}
     [[nodiscard]] double begin() const override { return begin_; }
     [[nodiscard]] double end() const override { return end_; }
-    [[nodiscard]] observables::State state(double time) override { return as_array(flight_->state(time)); }
+    [[nodiscard]] observables::State state(double time) override {
+      const Bodies bodies = flight_->state(time);
+      return as_array(kFromRing ? from_ring(bodies) : shaft(bodies));
+    }
     [[nodiscard]] double displacement_bound() const override { return bound_; }
     [[nodiscard]] std::size_t contact_count() const override { return 0; }
     [[nodiscard]] int blade(std::size_t /*contact*/) const override { return -1; }
@@ -159,13 +174,8 @@ class Motion {
     }
     const double end = touchdown ? touchdown->time : period;
     if (end > time_) {
-      FlightPiece piece(flight_, time_, end, flight_.displacement_bound(time_, state_, end - time_));
-      // |c| may reach R in flight where no blade stands in the way (MODEL 5).
-      const double ring_radius = law_.of(0).geometry().ring_radius;
-      if (piece.displacement_bound() + std::abs(rotor_.misalignment) >= ring_radius &&
-          observables::largest_distance(piece, -rotor_.misalignment, rotor_.speed_ratio) >= ring_radius) {
-        return {PhaseEvent::left_validity};
-      }
+      FlightPiece<> piece(flight_, time_, end, flight_.displacement_bound(time_, state_, end - time_));
+      if (passes_through_ring(piece)) return {PhaseEvent::left_validity};
       listener.piece(piece);
       state_ = flight_.state(end);
       time_ = end;
@@ -173,6 +183,22 @@ class Motion {
     }
     if (!touchdown) return {PhaseEvent::horizon};
     return {PhaseEvent::touch_down, touchdown->blade};
+  }
+
+  /// |c| may reach R in flight where no blade stands in the way (MODEL 5).
+  [[nodiscard]] bool passes_through_ring(FlightPiece<>& piece) const {
+    if constexpr (kRingMoves<Forcing>) {
+      const double bound = bound_from_ring(flight_, time_, state_, piece.end() - time_);
+      FlightPiece<true> seen(flight_, time_, piece.end(), bound);
+      return reaches_ring(seen, flight_.fastest());
+    } else {
+      return reaches_ring(piece, rotor_.speed_ratio);
+    }
+  }
+  [[nodiscard]] bool reaches_ring(observables::MotionPiece& piece, double fastest) const {
+    const double ring_radius = law_.of(0).geometry().ring_radius;
+    return piece.displacement_bound() + std::abs(rotor_.misalignment) >= ring_radius &&
+           observables::largest_distance(piece, -rotor_.misalignment, fastest) >= ring_radius;
   }
 
   template <class AnyPhase>
@@ -183,8 +209,8 @@ class Motion {
       phase.shift_time(period);
       return end;
     }
-    const ContactState full = phase.end_state();
-    state_ = full.template head<4>();
+    const FullStateOf<Forcing> full = phase.end_state();
+    state_ = bodies(full);
     time_ = full[kTime];
     for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i].bending = phase.bending(i);
     if (!state_.isFinite().all()) return {PhaseEvent::failed};
@@ -231,13 +257,13 @@ class Motion {
     // A blade released at the fold returns from a distance, and a column that is compressed starts from no
     // force: neither hops without end.
     if (Law::kReleasesAtFold || !law_.of(contacts_.front().blade).carried()) return false;
-    ContactState full;
-    full << state_, time_, 0.0;
-    return skimming_->system().begins(full, contacts_.front(), kUnresolvedHop * limits_.tolerance);
+    return skimming_->system().begins(full_state(state_, time_, 0.0), contacts_.front(),
+                                      kUnresolvedHop * limits_.tolerance);
   }
 
   [[nodiscard]] contact::Pose pose(int blade) const {
-    return pose_of(rotor_, law_.of(blade).geometry(), blades_.direction(blade, blades_.first(time_)), state_);
+    return pose_of(rotor_, law_.of(blade).geometry(), blades_.direction(blade, blades_.first(time_)),
+                   from_ring(state_));
   }
 
   /// Opens a contact where it stands. False where no force exists (MODEL 5).
@@ -266,14 +292,14 @@ class Motion {
     switch (end.event) {
       case PhaseEvent::lift_off:
         ++work_.liftoffs;
-        listener.event(Event{end.event, end.blade, time_, contact->slip, state_});
+        listener.event(Event{end.event, end.blade, time_, contact->slip, shaft(state_)});
         contacts_.erase(contact);
         return PointStatus::done;
       case PhaseEvent::touch_down:
         ++work_.touchdowns;
         if (!open(end.blade, pose(end.blade))) return PointStatus::left_validity;
         touched_down_ = true;
-        listener.event(Event{end.event, end.blade, time_, contacts_.back().slip, state_});
+        listener.event(Event{end.event, end.blade, time_, contacts_.back().slip, shaft(state_)});
         return PointStatus::done;
       case PhaseEvent::pressed_in:
         return PointStatus::done;
@@ -285,16 +311,16 @@ class Motion {
           const auto root = law_.of(contact->blade).solve(at, contact->slip);
           // A tip that was held beyond the ring is free where friction turns to the other side.
           if (!root && Law::kReleasesAtFold && at.gap < 0.0) {
-            listener.event(Event{end.event, end.blade, time_, contact->slip, state_});
+            listener.event(Event{end.event, end.blade, time_, contact->slip, shaft(state_)});
             ++work_.liftoffs;
-            listener.event(Event{PhaseEvent::lift_off, end.blade, time_, contact->slip, state_});
+            listener.event(Event{PhaseEvent::lift_off, end.blade, time_, contact->slip, shaft(state_)});
             contacts_.erase(contact);
             return PointStatus::done;
           }
           if (!root) return PointStatus::left_validity;
           contact->bending = *root;
         }
-        listener.event(Event{end.event, end.blade, time_, contact->slip, state_});
+        listener.event(Event{end.event, end.blade, time_, contact->slip, shaft(state_)});
         return PointStatus::done;
       }
     }
@@ -324,7 +350,7 @@ class Motion {
   std::optional<Carried> carried_;
   std::optional<Skimming> skimming_;
   std::vector<OpenContact> contacts_;
-  State state_ = State::Zero();
+  Bodies state_ = Bodies::Zero();
   double time_ = 0.0;
   std::int64_t steps_left_ = 0;  ///< in this revolution
   WorkCounts work_;

@@ -14,6 +14,7 @@
 #include "contact/elastica_contact.hpp"
 #include "observables/recorder.hpp"
 #include "solve/blade_tables.hpp"
+#include "solve/bodies.hpp"
 #include "solve/line_solver.hpp"
 #include "solve/machine.hpp"
 #include "solve/methods.hpp"
@@ -53,13 +54,13 @@ class TypedLineSolver final : public LineSolver {
     recorder_.begin({constants(speed_ratio).period(), speed_ratio, scene_.blades.count});
     PointOutcome outcome;
     const auto after_revolution = [&](bool sampled) {
-      if (sampled) recorder_.revolution_ends(as_array(motion->state()));
+      if (sampled) recorder_.revolution_ends(as_array(shaft(motion->state())));
       between_revolutions();
     };
     outcome.status = integrate(*motion, start, recording, after_revolution, outcome.failed_revolution);
     const bool done = outcome.status == PointStatus::done;
     outcome.final_state.fill(std::numeric_limits<double>::quiet_NaN());
-    if (done) outcome.final_state = as_array(motion->state());
+    if (done) outcome.final_state = as_array(shaft(motion->state()));
     outcome.rows = recorder_.rows(done);
     outcome.work = motion->work();
     return outcome;
@@ -71,7 +72,7 @@ class TypedLineSolver final : public LineSolver {
                            scene_.blades.count);
     std::int32_t failed_revolution = -1;
     const auto after_revolution = [&](bool sampled) {
-      if (sampled) listener.revolution_ends(as_array(motion->state()));
+      if (sampled) listener.revolution_ends(as_array(shaft(motion->state())));
     };
     const PointStatus status = integrate(*motion, start, listener, after_revolution, failed_revolution);
     Orbit orbit = listener.take();
@@ -108,7 +109,8 @@ class TypedLineSolver final : public LineSolver {
     MotionListener transient;
     const int first_sampled = scene_.protocol.transient_revolutions;
     const int revolutions = first_sampled + scene_.protocol.sampled_revolutions;
-    Settling settling(Settling::kCloseness * scene_.accuracy.tolerance * motion_scale());
+    using Section = std::remove_cvref_t<decltype(motion.state())>;
+    Settling<Section> settling(Settling<Section>::kCloseness * scene_.accuracy.tolerance * motion_scale());
     bool watched = scene_.protocol.stop_when_periodic;
     PointStatus status = motion.start(as_state(start));
     for (int revolution = 0; revolution < revolutions; ++revolution) {

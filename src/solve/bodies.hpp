@@ -1,0 +1,123 @@
+/// What moves: the shaft alone, or the shaft and the ring as a body. The state of either, in flight and in
+/// contact, and what contacts see of it.
+///
+/// A contact depends on where the shaft is as seen from the ring, z − r and z' − r'. In flight and between
+/// phases a state has the shaft's four numbers and the ring's four behind them; in contact, time and bending
+/// parameter stand between the two, so that they have the same places with and without a ring that moves.
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <type_traits>
+#include <utility>
+
+#include "rotor/ring_body.hpp"
+#include "solve/rotor.hpp"
+
+namespace rubatlas::solve {
+
+/// Shaft, then ring: x, y, x', y', rx, ry, rx', ry' [m, m per unit τ].
+using ShaftAndRing = Eigen::Array<double, 8, 1>;
+
+/// x, y, x', y', τ, u.
+using ContactState = Eigen::Array<double, 6, 1>;
+/// x, y, x', y', τ, u, rx, ry, rx', ry'.
+using RingContactState = Eigen::Array<double, 10, 1>;
+constexpr int kTime = 4;
+constexpr int kBending = 5;
+
+/// What acts on a shaft whose ring is a body: `ShaftForcing` on the shaft, and the ring itself.
+template <class ShaftForcing>
+struct WithRingBody {
+  static constexpr bool kPresent = true;
+  ShaftForcing shaft;
+  rotor::RingBody ring;
+};
+
+template <class Forcing>
+inline constexpr bool kRingMoves = false;
+template <class ShaftForcing>
+inline constexpr bool kRingMoves<WithRingBody<ShaftForcing>> = true;
+
+/// State between phases, and in contact.
+template <class Forcing>
+using BodiesOf = std::conditional_t<kRingMoves<Forcing>, ShaftAndRing, State>;
+template <class Forcing>
+using FullStateOf = std::conditional_t<kRingMoves<Forcing>, RingContactState, ContactState>;
+
+/// The shaft's part.
+inline const State& shaft(const State& bodies) {
+  return bodies;
+}
+inline State shaft(const ShaftAndRing& bodies) {
+  return bodies.head<4>();
+}
+
+/// The ring's part.
+inline rotor::RingBody::State ring(const ShaftAndRing& bodies) {
+  return bodies.tail<4>();
+}
+inline rotor::RingBody::State ring(const RingContactState& full) {
+  return full.tail<4>();
+}
+
+/// Without time and bending parameter.
+inline State bodies(const ContactState& full) {
+  return full.head<4>();
+}
+inline ShaftAndRing bodies(const RingContactState& full) {
+  ShaftAndRing result;
+  result << full.head<4>(), full.tail<4>();
+  return result;
+}
+
+/// z − r and z' − r'.
+inline const State& from_ring(const State& bodies) {
+  return bodies;
+}
+inline State from_ring(const ShaftAndRing& bodies) {
+  return bodies.head<4>() - bodies.tail<4>();
+}
+inline State from_ring(const ContactState& full) {
+  return full.head<4>();
+}
+inline State from_ring(const RingContactState& full) {
+  return full.head<4>() - full.tail<4>();
+}
+
+/// A state in contact.
+inline ContactState full_state(const State& bodies, double time, double bending) {
+  ContactState full;
+  full << bodies, time, bending;
+  return full;
+}
+inline RingContactState full_state(const ShaftAndRing& bodies, double time, double bending) {
+  RingContactState full;
+  full << bodies.head<4>(), time, bending, bodies.tail<4>();
+  return full;
+}
+
+/// Acceleration of one newton between shaft and ring, as a contact sees it [m/N].
+template <class Forcing>
+double closing_unit(const RotorConstants& rotor, [[maybe_unused]] const Forcing& forcing) {
+  if constexpr (kRingMoves<Forcing>) return rotor.force_unit + forcing.ring.force_unit();
+  return rotor.force_unit;
+}
+
+/// d/dτ of the bodies' state, where the shaft has the acceleration `shaft` and blades push the ring by
+/// `on_ring` [N].
+template <class Forcing>
+BodiesOf<Forcing> rate_of(const FullStateOf<Forcing>& full, [[maybe_unused]] const Forcing& forcing,
+                          const std::complex<double>& shaft,
+                          [[maybe_unused]] const std::complex<double>& on_ring) {
+  if constexpr (kRingMoves<Forcing>) {
+    const std::complex<double> of_ring = forcing.ring.acceleration(ring(full), on_ring);
+    ShaftAndRing rate;
+    rate << full[2], full[3], shaft.real(), shaft.imag(), full[8], full[9], of_ring.real(), of_ring.imag();
+    return rate;
+  } else {
+    return {full[2], full[3], shaft.real(), shaft.imag()};
+  }
+}
+
+}  // namespace rubatlas::solve
