@@ -104,26 +104,28 @@ TEST(RingBody, BoundsOfItsFreeMotionHold) {
 }
 
 TEST(RingBody, FliesOnWithoutTheShaftAfterAContact) {
-  const RingBody ring(1.0, 1e4, 40.0, kNaturalFrequency);
-  auto motion = elastic_blades(ring_rotor(0.62, 0.1), ring);
-  ASSERT_EQ(motion.start(State{1e-3, 0.0, 0.0, 1e-3}), PointStatus::done);
+  // The rotor fits into the ring: it is kicked against it, and comes to rest without.
+  const RingBody ring(1.0, 1e4, 2.0, kNaturalFrequency);
+  auto motion = elastic_blades(ring_rotor(0.62, 0.1, 0.009), ring);
+  ASSERT_EQ(motion.start(State{1e-3, 0.0, 0.0, 8e-3}), PointStatus::done);
   const double period = 2.0 * std::numbers::pi / 0.62;
   int flights = 0;
   for (int revolution = 0; revolution < 12; ++revolution) {
     RingWitness witness;
-    const ShaftAndRing before = motion.state();
+    const RingBody::State before = motion.state().tail<4>();
     ASSERT_EQ(motion.revolution(witness), PointStatus::done);
+    const RingBody::State after = motion.state().tail<4>();
+    const double departure = (after - ring.free(before, period)).abs().maxCoeff();
     if (witness.most > 0) {
-      EXPECT_GT((motion.state().tail<4>() - ring.free(before.tail<4>(), period)).abs().maxCoeff(), 1e-9);
-      continue;
+      EXPECT_GT(departure, 1e-7);
+    } else {
+      EXPECT_GT(before.abs().maxCoeff(), 1e-9) << "it still moves";
+      EXPECT_LE(departure, 1e-17);
+      ++flights;
     }
-    ++flights;
-    const RingBody::State free = ring.free(before.tail<4>(), period);
-    EXPECT_LE((motion.state().tail<4>() - free).abs().maxCoeff(), 1e-15);
   }
-  // And after the last lift-off of a revolution with contacts, from wherever the ring was.
-  EXPECT_GT(motion.work().touchdowns, 5U);
-  EXPECT_GE(flights, 0);
+  EXPECT_GT(motion.work().touchdowns, 0U);
+  EXPECT_GT(flights, 3);
 }
 
 // --- search ---
@@ -281,7 +283,7 @@ TEST(RingBody, CarriesAllBladesInContactTogether) {
   };
   EXPECT_LE(displaced(2), 1e-16);
   EXPECT_LE(displaced(4), 1e-16);
-  EXPECT_GT(displaced(1), 1e-5);
+  EXPECT_GT(displaced(1), 1e-6);
 }
 
 }  // namespace
