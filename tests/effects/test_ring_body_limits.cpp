@@ -37,7 +37,7 @@ State after_two_revolutions(const Law& law, const Forcing& forcing, int blades =
     EXPECT_EQ(motion.revolution(nobody), PointStatus::done);
   }
   EXPECT_GE(motion.work().touchdowns, 2U);
-  return shaft(motion.state());
+  return solve::shaft(motion.state());
 }
 template <class Law>
 State in_moving_ring(const Law& law, double mass, double stiffness, double damping, int blades = 3) {
