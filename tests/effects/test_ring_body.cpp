@@ -132,7 +132,7 @@ TEST(RingBody, FliesOnWithoutTheShaftAfterAContact) {
 
 TEST(RingBody, NoTouchdownIsMissedWhereShaftAndRingMoveTowardsEachOther) {
   // The search against a scan of the gaps; the ring is fast, slow, damped and not.
-  const solve::RotorConstants rotor = ring_rotor(0.5, 0.05, 0.004);
+  const solve::RotorConstants rotor = ring_rotor(0.5, 0.05, 0.007);
   const contact::ElasticRingContact law(kBladeAndRing, 1e4, 0.1);
   const solve::BladeSet blades(3, rotor.speed_ratio);
   const rotor::FreeMotion free(rotor.damping_ratio);
