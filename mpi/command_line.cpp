@@ -88,6 +88,11 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
         ->type_name("STYLE");
   };
   add_progress(run);
+  // For comparisons: the atlas has the same bytes. In no group, so that --help does not show it.
+  run->add_option("--lanes", run_options.most_lanes)
+      ->envname("RUBATLAS_LANES")
+      ->check(CLI::Range(1, 8))
+      ->group("");
   run->add_flag("--dry-run", run_options.dry_run, "Check scene, disk and output, explain, and stop");
 
   ExplainCommand explain_command;

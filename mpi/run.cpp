@@ -76,11 +76,13 @@ int fill_atlas(const RunOptions& options, const Session& session, const Preparat
   const plan::Grid grid(scene);
   atlas::AtlasWriter writer(options.atlas, scene);
 
+  const batch::Width width = batch::width_of(scene, options.most_lanes);
+
   // 4. Rank 0 hands out pieces of lines, and computes like the others.
   Progress progress(leading ? options.progress : ProgressStyle::off);
   JobResult result;
   try {
-    PointRunner runner(scene, grid, writer);
+    PointRunner runner(scene, grid, writer, width);
     if (leading) {
       result = lead(session, preparation, grid, runner, progress);
     } else {

@@ -36,6 +36,9 @@ class ElasticaContact {
 
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
   [[nodiscard]] const blade::ElasticaCurve& curve() const { return *curve_; }
+  [[nodiscard]] double length() const { return length_; }            ///< L [m]
+  [[nodiscard]] double load_unit() const { return load_unit_; }      ///< EI / L² [N]
+  [[nodiscard]] double strain_unit() const { return strain_unit_; }  ///< h / (2 L) [-]
 
   /// A contact at one bending parameter, with the rates that carry it along h = 0.
   struct Constraint {
@@ -97,6 +100,8 @@ class ElasticaContact {
 
   /// How often the curve has been evaluated for this law. A law belongs to one motion and one thread.
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
+  /// Counts evaluations that were made elsewhere on behalf of this law.
+  void count_evaluations(std::uint64_t more) const { evaluations_ += more; }
 
  private:
   [[nodiscard]] blade::CurvePoint curve_at(double bending) const {
@@ -112,8 +117,8 @@ class ElasticaContact {
 
   Geometry geometry_;
   double length_;
-  double load_unit_;    ///< EI / L² [N]
-  double strain_unit_;  ///< h / (2 L) [-]
+  double load_unit_;
+  double strain_unit_;
   double friction_;
   std::shared_ptr<const blade::ElasticaCurve> curve_;
   mutable std::uint64_t evaluations_ = 0;  ///< what a motion cost, not what it is

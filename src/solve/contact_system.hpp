@@ -94,6 +94,34 @@ class CarriedContact {
   [[nodiscard]] std::complex<double> last_acceleration() const { return acceleration_; }
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
+  /// All that a right-hand side depends on besides the state, for those that evaluate several of them side by
+  /// side.
+  struct Parameters {
+    const RotorConstants* rotor;
+    const BladeSet* blades;
+    const contact::ElasticaContact* law;
+    const Forcing* forcing;
+    OpenContact contact;
+    double scale;
+    double anchor_time;
+    contact::BladeDirection anchor;
+  };
+  [[nodiscard]] Parameters parameters() const {
+    return {rotor_, blades_, law_, forcing_, contact_, scale_, anchor_time_, anchor_};
+  }
+  /// Takes over evaluations that were made elsewhere by the same operations, and what the last of them gave.
+  void adopt(const contact::ElasticaContact::Constraint& last, std::complex<double> acceleration,
+             std::uint64_t evaluations) {
+    last_ = last;
+    acceleration_ = acceleration;
+    evaluations_ += evaluations;
+    law_->count_evaluations(evaluations);
+  }
+
+  /// [rad²], square of the angle from the anchor: below it the first terms that the series leaves out,
+  /// angle^11/11! and angle^10/10!, are less than 1e-18.
+  static constexpr double kFarTurned = 0.0039;
+
  private:
   /// Direction of the blade, from that at the anchor by the series of sine and cosine: within a step the
   /// blade turns by some hundredths, and a sine and cosine in full are a quarter of a right-hand side.
@@ -110,8 +138,6 @@ class CarriedContact {
             anchor_.sine + (anchor_.sine * cosine_less_one + anchor_.cosine * sine)};
   }
 
-  /// [rad²]: below it the first terms left out, angle^11/11! and angle^10/10!, are less than 1e-18.
-  static constexpr double kFarTurned = 0.0039;
   static constexpr double kRestingRate = 1e-15;  ///< of R²: rounding of the rates of h
 
   const RotorConstants* rotor_;

@@ -162,22 +162,26 @@ std::unique_ptr<LineSolver> with_forcing(const scene::Scene& scene, const plan::
                                                                        unbalance);
 }
 
+/// The elastica blades of a line.
+inline contact::ElasticaContact elastica_of(const LineRequest& request) {
+  const scene::Blades& blades = request.scene.blades;
+  const contact::Geometry geometry{blades.hub_radius + blades.length, request.scene.ring.radius};
+  const double thickness = request.line.thickness;
+  const double stiffness = blades.youngs_modulus * blades.width * thickness * thickness * thickness / 12.0;
+  return {geometry, {blades.length, thickness, stiffness}, request.tables.curve(request.line.friction)};
+}
+
 /// The line solver of a method for a scene's law and forcing.
 template <class Method>
 std::unique_ptr<LineSolver> make_typed_line_solver(const LineRequest& request) {
   const scene::Scene& scene = request.scene;
   const plan::PointParameters& line = request.line;
-  const scene::Blades& blades = scene.blades;
-  const contact::Geometry geometry{blades.hub_radius + blades.length, scene.ring.radius};
   if (scene.contact.law == scene::ContactLaw::elastic_ring) {
+    const contact::Geometry geometry{scene.blades.hub_radius + scene.blades.length, scene.ring.radius};
     return with_forcing<Method>(scene, line,
                                 contact::ElasticRingContact(geometry, scene.ring.stiffness, line.friction));
   }
-  const double thickness = line.thickness;
-  const double stiffness = blades.youngs_modulus * blades.width * thickness * thickness * thickness / 12.0;
-  return with_forcing<Method>(scene, line,
-                              contact::ElasticaContact(geometry, {blades.length, thickness, stiffness},
-                                                       request.tables.curve(line.friction)));
+  return with_forcing<Method>(scene, line, elastica_of(request));
 }
 
 }  // namespace rubatlas::solve
