@@ -62,8 +62,8 @@ class Batches(JobTest):
             self.assertGreater(min(record["attempts_in_lanes_of_rank"]), 0)
 
     def test_a_number_of_lanes_that_there_is_not_is_refused(self):
-        run = self.execute(None, "run", self.write_scene(scene()), "-o", "atlas.h5", "--lanes", "0")
-        self.assert_refused(run, 2, "lanes")
+        run = self.execute(None, "run", self.write_scene(scene()), "-o", "atlas.h5", "--lanes", "-1")
+        self.assert_refused(run, 2, "--lanes -1", "side by side")
 
 
 if __name__ == "__main__":
