@@ -20,7 +20,7 @@ void pack(std::span<LaneRequest* const> requests, LaneBlock<kLanes>& block) {
       block.stages[0][c][i] = request.step->start_derivative()[c];
     }
     block.size[i] = request.size;
-    block.speed[i] = request.rotor->speed_ratio;
+    block.speed[i] = request.blades->speed(request.anchor.time);
     block.damping[i] = 2.0 * request.rotor->damping_ratio;
     block.force_unit[i] = request.rotor->force_unit;
     block.misalignment[i] = request.rotor->misalignment;
@@ -32,10 +32,10 @@ void pack(std::span<LaneRequest* const> requests, LaneBlock<kLanes>& block) {
     block.friction[i] = law.curve().friction();
     block.mirror[i] = law.curve().mirror();
     block.scale[i] = request.scale;
-    block.slip[i] = request.contact.slip;
-    block.anchor_time[i] = request.anchor_time;
-    block.anchor_cosine[i] = request.anchor.cosine;
-    block.anchor_sine[i] = request.anchor.sine;
+    block.slip[i] = request.slip;
+    block.anchor_time[i] = request.anchor.time;
+    block.anchor_cosine[i] = request.anchor.direction.cosine;
+    block.anchor_sine[i] = request.anchor.direction.sine;
   }
 }
 

@@ -31,7 +31,7 @@ struct LaneArithmetic {
   using Pair = integrate::DormandPrince853;
   using Curve = blade::ElasticaCurve;
 
-  /// (cos, sin) of the blade in each lane: `CarriedContact::turned`.
+  /// (cos, sin) of the blade in each lane: `BladeSet::direction_near`.
   RUBATLAS_INLINE void turn(const Block& b, Lanes time, Lanes& cosine, Lanes& sine) {
     const Lanes angle = b.speed * (time - b.anchor_time);
     const Lanes square = angle * angle;
@@ -43,9 +43,9 @@ struct LaneArithmetic {
     cosine = b.anchor_cosine + (b.anchor_cosine * cosine_less_one - b.anchor_sine * sine_of_angle);
     sine = b.anchor_sine + (b.anchor_sine * cosine_less_one + b.anchor_cosine * sine_of_angle);
     for (std::size_t i = 0; i < kLanes; ++i) {
-      if (!(square[i] < solve::CarriedContact<effects::NoForcing>::kFarTurned)) [[unlikely]] {
+      if (!(square[i] < solve::BladeSet::kFarTurned)) [[unlikely]] {
         const LaneRequest& request = *b.request[i];
-        const auto er = request.blades->direction(request.contact.blade, request.blades->first(time[i]));
+        const auto er = request.blades->direction_near(request.anchor, time[i]);
         cosine[i] = er.cosine;
         sine[i] = er.sine;
       }

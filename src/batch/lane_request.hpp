@@ -3,9 +3,11 @@
 
 #include <complex>
 
-#include "effects/unbalance.hpp"
+#include "contact/elastica_contact.hpp"
+#include "effects/harmonic.hpp"
 #include "integrate/dormand_prince_853.hpp"
 #include "integrate/runge_kutta.hpp"
+#include "solve/blade_set.hpp"
 #include "solve/contact_system.hpp"
 
 namespace rubatlas::batch {
@@ -19,9 +21,10 @@ constexpr int kEvaluationsOfAttempt = integrate::DormandPrince853::kStages;
 template <class System>
 inline constexpr bool kFitsLanes = false;
 template <>
-inline constexpr bool kFitsLanes<solve::CarriedContact<effects::NoForcing>> = true;
+inline constexpr bool kFitsLanes<solve::CarriedContact<contact::ElasticaContact, effects::NoForcing>> = true;
 template <>
-inline constexpr bool kFitsLanes<solve::CarriedContact<effects::Unbalance>> = true;
+inline constexpr bool
+    kFitsLanes<solve::CarriedContact<contact::ElasticaContact, effects::RotatingUnbalance>> = true;
 
 struct LaneRequest {
   /// Of a system that is open and anchored at the start of a step that has begun.
@@ -33,9 +36,8 @@ struct LaneRequest {
     blades = parameters.blades;
     law = parameters.law;
     unbalance = unbalance_of(*parameters.forcing);
-    contact = parameters.contact;
+    slip = parameters.slip;
     scale = parameters.scale;
-    anchor_time = parameters.anchor_time;
     anchor = parameters.anchor;
   }
 
@@ -44,11 +46,10 @@ struct LaneRequest {
   const solve::RotorConstants* rotor;
   const solve::BladeSet* blades;
   const contact::ElasticaContact* law;
-  const effects::Unbalance* unbalance;  ///< none: no forcing
-  solve::OpenContact contact;
+  const effects::RotatingUnbalance* unbalance;  ///< none: no forcing
+  double slip;
   double scale;
-  double anchor_time;
-  contact::BladeDirection anchor;
+  solve::BladeSet::Anchor anchor;
 
   // What the attempt gave, besides the stages and the end of the step.
   bool finite = false;  ///< what the step's own attempt would have returned
@@ -56,8 +57,12 @@ struct LaneRequest {
   std::complex<double> acceleration;
 
  private:
-  static const effects::Unbalance* unbalance_of(const effects::NoForcing& /*none*/) { return nullptr; }
-  static const effects::Unbalance* unbalance_of(const effects::Unbalance& forcing) { return &forcing; }
+  static const effects::RotatingUnbalance* unbalance_of(const effects::NoForcing& /*none*/) {
+    return nullptr;
+  }
+  static const effects::RotatingUnbalance* unbalance_of(const effects::RotatingUnbalance& forcing) {
+    return &forcing;
+  }
 };
 
 }  // namespace rubatlas::batch

@@ -1,7 +1,7 @@
 #include "batch/line_batch.hpp"
 
-#include <algorithm>
 #include <chrono>
+#include <type_traits>
 
 #include "batch/contact_lanes.hpp"
 #include "batch/line_fibers.hpp"
@@ -38,7 +38,14 @@ class OneByOne final : public LineBatch {
 std::string_view why_not(const scene::Scene& scene) {
   if (scene.contact.law != scene::ContactLaw::elastica) return "the elastic ring has nothing to carry";
   if (scene.accuracy.method != scene::Method::hybrid) return "only the method `hybrid` is made for it";
-  if (scene.gravity || scene.side_load) return "a static load is not known to the lanes";
+  bool more_acts = false;
+  effects::for_each_effect([&]<auto Effect>() {
+    using Settings = std::remove_cvref_t<decltype(*(scene.*Effect))>;
+    if constexpr (!std::is_same_v<Settings, effects::Unbalance>) {
+      more_acts = more_acts || (scene.*Effect).has_value();
+    }
+  });
+  if (more_acts) return "of effects the lanes know the unbalance only";
   return {};
 }
 

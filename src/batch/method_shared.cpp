@@ -1,4 +1,4 @@
-// The motions of `hybrid` with shared attempts.
+// The motions of `hybrid` with shared attempts: the paper's rotor with elastica blades.
 
 #include "batch/shared_attempts.hpp"
 #include "plan/scene_of_line.hpp"
@@ -11,9 +11,8 @@ std::unique_ptr<solve::LineSolver> make_sharing_line_solver(const scene::Scene& 
                                                             const plan::PointParameters& line,
                                                             solve::BladeTables& tables) {
   const scene::Scene own = plan::scene_of_line(scene, line);
-  const solve::LineRequest request{own, line, tables};
-  return solve::with_forcing<solve::HybridMethod<SharedDormandPrince853>>(own, line,
-                                                                          solve::elastica_of(request));
+  return solve::on_paper_s_machine<solve::HybridMethod<SharedDormandPrince853>>(
+      own, solve::elastica_law(own.ring, own.blades, tables.curve(own.contact.friction)));
 }
 
 }  // namespace rubatlas::batch

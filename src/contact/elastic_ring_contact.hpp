@@ -16,6 +16,9 @@ class ElasticRingContact {
       : geometry_(geometry), stiffness_(stiffness), friction_(friction) {}
 
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
+  /// The law of one blade: the same for all.
+  using OfBlade = ElasticRingContact;
+  [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
 
   /// F = kr (|rk| − R). Always has a force: continued linearly beyond lift-off, where Runge–Kutta stages may
   /// land.

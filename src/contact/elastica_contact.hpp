@@ -35,6 +35,9 @@ class ElasticaContact {
         curve_(std::move(curve)) {}
 
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
+  /// The law of one blade: the same for all.
+  using OfBlade = ElasticaContact;
+  [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const blade::ElasticaCurve& curve() const { return *curve_; }
   [[nodiscard]] double length() const { return length_; }            ///< L [m]
   [[nodiscard]] double load_unit() const { return load_unit_; }      ///< EI / L² [N]

@@ -8,12 +8,9 @@
 
 #include <complex>
 #include <numbers>
-#include <optional>
 #include <tuple>
 
 #include "effects/description.hpp"
-#include "effects/response.hpp"
-#include "rotor/free_motion.hpp"
 
 namespace rubatlas::effects {
 
@@ -26,7 +23,7 @@ struct Gravity {
       .meaning = "the rotor's weight; a vertical machine has none",
       .equation = "z'' + 2ζ z' + z = g/ωn² e^{iα}",
       .source = "statics",
-      .flight = "closed form: a constant particular solution",
+      .flight = "closed form: a harmonic of frequency 0",
       .breaks = "mirror symmetry, blade passing only if it acts along y",
   };
   static constexpr auto quantities() {
@@ -59,7 +56,7 @@ struct SideLoad {
       .meaning = "a constant force on the shaft: a seal, a gear, a belt",
       .equation = "z'' + 2ζ z' + z = w/k e^{iα}",
       .source = "statics",
-      .flight = "closed form: a constant particular solution",
+      .flight = "closed form: a harmonic of frequency 0",
       .breaks = "mirror symmetry, but for a load along y",
   };
   static constexpr auto quantities() {
@@ -81,31 +78,6 @@ struct SideLoad {
   [[nodiscard]] std::complex<double> deflection(double stiffness, double /*natural_frequency*/) const {
     return std::polar(force / stiffness, direction);
   }
-};
-
-/// The sum of all static loads, as the motion uses it.
-class StaticLoad {
- public:
-  static constexpr bool kPresent = true;
-  using Complex = std::complex<double>;
-
-  /// `deflection` f [m]: where the rotor would rest.
-  explicit StaticLoad(Complex deflection) : deflection_(deflection) {}
-
-  /// |f| [m]: the acceleration.
-  [[nodiscard]] double amplitude() const { return std::abs(deflection_); }
-  [[nodiscard]] Complex acceleration(double /*time*/) const { return deflection_; }
-  [[nodiscard]] std::optional<Response> steady(double /*time*/) const { return Response{deflection_, 0.0}; }
-
-  /// Motion a time after rest: f (1 − e^{−ζτ}(C + ζ S)).
-  [[nodiscard]] Response from_rest(double /*start*/, double /*elapsed*/, const rotor::FreeMotion& free,
-                                   const rotor::FreeMotion::Kernel& kernel) const {
-    return {deflection_ * (1.0 - kernel.cosine - free.damping_ratio() * kernel.sine),
-            deflection_ * kernel.sine};
-  }
-
- private:
-  Complex deflection_;
 };
 
 }  // namespace rubatlas::effects

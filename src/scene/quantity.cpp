@@ -307,6 +307,7 @@ constexpr Kind kind_of() {
   if constexpr (std::is_same_v<T, double>) return Kind::number;
   if constexpr (std::is_same_v<T, int>) return Kind::whole_number;
   if constexpr (std::is_same_v<T, bool>) return Kind::flag;
+  if constexpr (std::is_same_v<T, std::vector<double>>) return Kind::numbers;
 }
 
 template <auto Effect, auto Member>

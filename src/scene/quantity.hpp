@@ -18,10 +18,10 @@
 
 namespace rubatlas::scene {
 
-enum class Kind : std::uint8_t { number, whole_number, flag, text, choice };
+enum class Kind : std::uint8_t { number, whole_number, flag, text, choice, numbers };
 
 /// A value as the scene file has it; a choice is its word.
-using Value = std::variant<double, int, bool, std::string>;
+using Value = std::variant<double, int, bool, std::string, std::vector<double>>;
 
 struct Quantity {
   std::string_view pointer{};  ///< where it stands in the scene file, as a JSON pointer

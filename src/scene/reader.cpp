@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "scene/document.hpp"
+#include "scene/effect_checks.hpp"
 #include "scene/nearest.hpp"
 #include "scene/observable_names.hpp"
 #include "scene/quantity.hpp"
@@ -142,6 +143,18 @@ double checked_number(const json& value, std::string_view pointer, const Quantit
   return number + 0.0;  // no negative zero: equal scenes have equal canonical texts
 }
 
+std::vector<double> checked_numbers(const json& value, std::string_view pointer, const Quantity& entry) {
+  if (!value.is_array()) {
+    fail(pointer,
+         fmt::format("{} is not a list of numbers in {}; {}", shown(value), with_unit(entry), entry.meaning));
+  }
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    numbers.push_back(checked_number(value[i], child(pointer, std::to_string(i)), entry));
+  }
+  return numbers;
+}
+
 Value checked_value(const json& value, std::string_view pointer, const Quantity& entry) {
   switch (entry.kind) {
     case Kind::number:
@@ -160,6 +173,8 @@ Value checked_value(const json& value, std::string_view pointer, const Quantity&
     case Kind::text:
       if (!value.is_string()) fail(pointer, fmt::format("{} is not a text; {}", shown(value), entry.meaning));
       return value.get<std::string>();
+    case Kind::numbers:
+      return checked_numbers(value, pointer, entry);
     case Kind::choice:
       break;
   }
@@ -364,6 +379,7 @@ void check_clearance(const Scene& scene) {
 void check_together(const json& document, Scene& scene) {
   check_choosers(document, scene);
   check_clearance(scene);
+  check_effects(scene);
   const int highest = scene.protocol.samples_per_revolution / 2;
   if (!document.contains("/spectrum/max_order"_json_pointer)) {
     scene.spectrum.max_order = std::min(std::max(12, 4 * scene.blades.count), highest);

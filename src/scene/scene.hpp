@@ -47,7 +47,7 @@ struct Contact {
 
 /// An effect is present only where the scene has its section or a grid axis of its quantity: absent means
 /// absent (`effects/list.hpp`).
-using Unbalance = effects::UnbalanceSettings;
+using Unbalance = effects::Unbalance;
 
 /// Values of a quantity that the grid names by its JSON pointer: an axis of the atlas besides the usual five.
 struct PointerAxis {

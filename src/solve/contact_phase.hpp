@@ -15,6 +15,7 @@
 
 #include "integrate/root_between.hpp"
 #include "observables/motion_piece.hpp"
+#include "solve/blade_set.hpp"
 #include "solve/contact_step.hpp"
 #include "solve/contact_system.hpp"
 #include "solve/motion_listener.hpp"
@@ -34,14 +35,14 @@ struct ContactLimits {
   double max_shortening;  ///< of δ/L [-]
 };
 
-template <class System, class Law, class Pair>
+template <class System, class Law, class Pair, class Blades = BladeSet>
 class ContactPhase final : public observables::MotionPiece {
  public:
-  ContactPhase(const RotorConstants& rotor, const BladeSet& blades, const Law& law,
-               const ContactLimits& limits, System system)
+  ContactPhase(const RotorConstants& rotor, const Blades& blades, const Law& law, const ContactLimits& limits,
+               System system)
       : limits_(limits),
         misalignment_(rotor.misalignment),
-        ring_radius_(law.geometry().ring_radius),
+        ring_radius_(law.of(0).geometry().ring_radius),
         tip_speed_(std::abs(rotor.speed_ratio) * ring_radius_),
         step_(rotor, blades, law, limits.tolerance, std::move(system)),
         watched_(static_cast<std::size_t>(blades.count())) {}
@@ -86,9 +87,9 @@ class ContactPhase final : public observables::MotionPiece {
       const auto outcome = step_.make();
       steps_left -= static_cast<std::int64_t>(step_.attempts() - before);
       switch (outcome) {
-        case ContactStep<System, Law, Pair>::Outcome::failed:
+        case ContactStep<System, Law, Pair, Blades>::Outcome::failed:
           return {PhaseEvent::failed};
-        case ContactStep<System, Law, Pair>::Outcome::no_force:
+        case ContactStep<System, Law, Pair, Blades>::Outcome::no_force:
           return {PhaseEvent::left_validity};
         default:
           find_end();
@@ -140,7 +141,7 @@ class ContactPhase final : public observables::MotionPiece {
 
   static constexpr double kSlipRounding = 1e-12;  ///< of Ω R: v where a slip reversal has been located
 
-  using Gap = typename ContactStep<System, Law, Pair>::Gap;
+  using Gap = typename ContactStep<System, Law, Pair, Blades>::Gap;
 
   /// What is followed of a blade from step to step.
   struct Watched {
@@ -189,7 +190,7 @@ class ContactPhase final : public observables::MotionPiece {
       watched.at_end = step_.gap(k, end, first);
       if (!watched.open) {
         look_for_touch_down(k, watched, last);
-      } else if constexpr (ContactStep<System, Law, Pair>::kSkims) {
+      } else if constexpr (ContactStep<System, Law, Pair, Blades>::kSkims) {
         look_for_end_of_skimming(k, last);
       } else if (!lifts_off) {
         look_for_lift_off(k, watched, last);
@@ -309,7 +310,7 @@ class ContactPhase final : public observables::MotionPiece {
   double misalignment_;  ///< y0 [m]
   double ring_radius_;   ///< R [m]
   double tip_speed_;     ///< Ω R [m per unit τ]
-  ContactStep<System, Law, Pair> step_;
+  ContactStep<System, Law, Pair, Blades> step_;
   std::vector<Watched> watched_;  ///< one per blade
   bool pending_ = false;          ///< a step has been made and not been recorded to its end
   PhaseEnd end_{};                ///< what happens at the end of that step's segment

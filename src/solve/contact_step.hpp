@@ -17,12 +17,13 @@
 #include "integrate/root_between.hpp"
 #include "integrate/runge_kutta.hpp"
 #include "integrate/step_control.hpp"
+#include "solve/blade_set.hpp"
 #include "solve/contact_system.hpp"
 #include "solve/rotor.hpp"
 
 namespace rubatlas::solve {
 
-template <class System, class Law, class Pair>
+template <class System, class Law, class Pair, class Blades = BladeSet>
 class ContactStep {
  public:
   /// The bending parameter is a state of the system.
@@ -31,7 +32,7 @@ class ContactStep {
   static constexpr bool kSkims = requires(System system, ContactState state) { system.share(state); };
 
   /// `tolerance` bounds the local error of a step [m]: accuracy.tolerance × δc.
-  ContactStep(const RotorConstants& rotor, const BladeSet& blades, const Law& law, double tolerance,
+  ContactStep(const RotorConstants& rotor, const Blades& blades, const Law& law, double tolerance,
               System system)
       : rotor_(&rotor),
         blades_(&blades),
@@ -148,7 +149,7 @@ class ContactStep {
   /// The same when blade 0 stands at `first`, for all blades in one state.
   [[nodiscard]] Gap gap(int blade, const ContactState& state, const contact::BladeDirection& first) const {
     const contact::Pose at = pose(blade, state, first);
-    return {at.gap, contact::gap_rate(law_->geometry(), at, rotor_->speed_ratio)};
+    return {at.gap, contact::gap_rate(law_->of(blade).geometry(), at, blades_->speed(state[kTime]))};
   }
 
   /// Slip velocity of an open contact at the end of the step (or where the phase starts).
@@ -166,11 +167,13 @@ class ContactStep {
     const OpenContact& open = contacts_[contact];
     const contact::Pose at = pose(open.blade, state);
     if constexpr (kCarried) {
-      return law_->constraint(at, open.slip, state[kBending], rotor_->speed_ratio).force;
+      return law_->of(open.blade)
+          .constraint(at, open.slip, state[kBending], blades_->speed(state[kTime]))
+          .force;
     } else {
       contact::TipForce force{};
       double bending = system_.contacts()[contact].bending;
-      law_->respond(at, open.slip, rotor_->speed_ratio, bending, force);
+      law_->of(open.blade).respond(at, open.slip, blades_->speed(state[kTime]), bending, force);
       return force;
     }
   }
@@ -232,7 +235,7 @@ class ContactStep {
   /// singularities ±iβ. Where forces are solved for, σ = τ has no scale of its own.
   [[nodiscard]] double scale(double bending) const {
     if constexpr (kCarried) {
-      const double load_angle = law_->curve().load_angle();
+      const double load_angle = law_->of(contacts_.front().blade).curve().load_angle();
       // The column (μ = 0) has none but ψL = π.
       const double width = load_angle > 0.0 ? load_angle : 1.0;
       return std::sqrt(width * width + bending * bending);
@@ -259,7 +262,7 @@ class ContactStep {
   }
   [[nodiscard]] contact::Pose pose(int blade, const ContactState& state,
                                    const contact::BladeDirection& first) const {
-    return pose_of(*rotor_, law_->geometry(), blades_->direction(blade, first), state.head<4>());
+    return pose_of(*rotor_, law_->of(blade).geometry(), blades_->direction(blade, first), state.head<4>());
   }
 
   bool make_dense() {
@@ -332,7 +335,7 @@ class ContactStep {
   }
 
   const RotorConstants* rotor_;
-  const BladeSet* blades_;
+  const Blades* blades_;
   const Law* law_;
   double tolerance_;
   System system_;

@@ -20,7 +20,8 @@
 
 #include "contact/elastica_contact.hpp"
 #include "contact/pose.hpp"
-#include "effects/unbalance.hpp"
+#include "effects/harmonic.hpp"
+#include "solve/blade_set.hpp"
 #include "solve/rotor.hpp"
 
 namespace rubatlas::solve {
@@ -48,11 +49,10 @@ std::complex<double> acceleration(const RotorConstants& rotor, const Forcing& fo
   return result;
 }
 
-template <class Forcing>
+template <class Law, class Forcing, class Blades = BladeSet>
 class CarriedContact {
  public:
-  CarriedContact(const RotorConstants& rotor, const BladeSet& blades, const contact::ElasticaContact& law,
-                 const Forcing& forcing)
+  CarriedContact(const RotorConstants& rotor, const Blades& blades, const Law& law, const Forcing& forcing)
       : rotor_(&rotor), blades_(&blades), law_(&law), forcing_(&forcing) {}
 
   /// Opens the contact in a state. The unit of σ is set so that it is the arc in the plane (τ, u) there: u
@@ -60,26 +60,25 @@ class CarriedContact {
   /// False where both rates vanish, a tip at rest on the ring, from which this form cannot start.
   bool open(const OpenContact& contact, const ContactState& state) {
     contact_ = contact;
+    law_of_blade_ = &law_->of(contact.blade);
     const contact::BladeDirection er = blades_->direction(contact_.blade, blades_->first(state[kTime]));
-    const contact::Pose pose = pose_of(*rotor_, law_->geometry(), er, state.head<4>());
-    const auto there = law_->constraint(pose, contact_.slip, state[kBending], rotor_->speed_ratio);
+    const contact::Pose pose = pose_of(*rotor_, law_of_blade_->geometry(), er, state.head<4>());
+    const auto there =
+        law_of_blade_->constraint(pose, contact_.slip, state[kBending], blades_->speed(state[kTime]));
     const double rate = std::hypot(there.bending_slope, there.time_slope);
     scale_ = 1.0 / rate;
-    const double radius = law_->geometry().ring_radius;
+    const double radius = law_of_blade_->geometry().ring_radius;
     return rate > kRestingRate * radius * radius;
   }
 
   /// Takes the blade's direction at a time from which those of the stages near it are turned.
-  void anchor(double time) {
-    anchor_time_ = time;
-    anchor_ = blades_->direction(contact_.blade, blades_->first(time));
-  }
+  void anchor(double time) { anchor_ = blades_->anchor(contact_.blade, time); }
 
   bool operator()(const ContactState& state, ContactState& derivative) {
     ++evaluations_;
-    const contact::BladeDirection er = turned(state[kTime]);
-    const contact::Pose pose = pose_of(*rotor_, law_->geometry(), er, state.head<4>());
-    last_ = law_->constraint(pose, contact_.slip, state[kBending], rotor_->speed_ratio);
+    const contact::BladeDirection er = blades_->direction_near(anchor_, state[kTime]);
+    const contact::Pose pose = pose_of(*rotor_, law_of_blade_->geometry(), er, state.head<4>());
+    last_ = law_of_blade_->constraint(pose, contact_.slip, state[kBending], blades_->speed(state[kTime]));
     acceleration_ = acceleration(*rotor_, *forcing_, state,
                                  last_.force.radial * er.cosine - last_.force.tangential * er.sine,
                                  last_.force.radial * er.sine + last_.force.tangential * er.cosine);
@@ -90,7 +89,7 @@ class CarriedContact {
   }
 
   /// Of the last evaluation.
-  [[nodiscard]] const contact::ElasticaContact::Constraint& last() const { return last_; }
+  [[nodiscard]] const auto& last() const { return last_; }
   [[nodiscard]] std::complex<double> last_acceleration() const { return acceleration_; }
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
@@ -98,65 +97,45 @@ class CarriedContact {
   /// side.
   struct Parameters {
     const RotorConstants* rotor;
-    const BladeSet* blades;
-    const contact::ElasticaContact* law;
+    const Blades* blades;
+    const typename Law::OfBlade* law;
     const Forcing* forcing;
-    OpenContact contact;
+    double slip;
     double scale;
-    double anchor_time;
-    contact::BladeDirection anchor;
+    typename Blades::Anchor anchor;
   };
   [[nodiscard]] Parameters parameters() const {
-    return {rotor_, blades_, law_, forcing_, contact_, scale_, anchor_time_, anchor_};
+    return {rotor_, blades_, law_of_blade_, forcing_, contact_.slip, scale_, anchor_};
   }
   /// Takes over evaluations that were made elsewhere by the same operations, and what the last of them gave.
-  void adopt(const contact::ElasticaContact::Constraint& last, std::complex<double> acceleration,
+  void adopt(const typename Law::OfBlade::Constraint& last, std::complex<double> acceleration,
              std::uint64_t evaluations) {
     last_ = last;
     acceleration_ = acceleration;
     evaluations_ += evaluations;
-    law_->count_evaluations(evaluations);
+    law_of_blade_->count_evaluations(evaluations);
   }
-
-  /// [rad²], square of the angle from the anchor: below it the first terms that the series leaves out,
-  /// angle^11/11! and angle^10/10!, are less than 1e-18.
-  static constexpr double kFarTurned = 0.0039;
 
  private:
-  /// Direction of the blade, from that at the anchor by the series of sine and cosine: within a step the
-  /// blade turns by some hundredths, and a sine and cosine in full are a quarter of a right-hand side.
-  [[nodiscard]] contact::BladeDirection turned(double time) const {
-    const double angle = rotor_->speed_ratio * (time - anchor_time_);
-    const double square = angle * angle;
-    if (!(square < kFarTurned)) return blades_->direction(contact_.blade, blades_->first(time));
-    const double fourth = square * square;
-    const double sine = angle + (angle * square) * ((-1.0 / 6 + square * (1.0 / 120)) +
-                                                    fourth * (-1.0 / 5040 + square * (1.0 / 362880)));
-    const double cosine_less_one =
-        square * ((-0.5 + square * (1.0 / 24)) + fourth * (-1.0 / 720 + square * (1.0 / 40320)));
-    return {anchor_.cosine + (anchor_.cosine * cosine_less_one - anchor_.sine * sine),
-            anchor_.sine + (anchor_.sine * cosine_less_one + anchor_.cosine * sine)};
-  }
-
   static constexpr double kRestingRate = 1e-15;  ///< of R²: rounding of the rates of h
 
   const RotorConstants* rotor_;
-  const BladeSet* blades_;
-  const contact::ElasticaContact* law_;
+  const Blades* blades_;
+  const Law* law_;
   const Forcing* forcing_;
+  const typename Law::OfBlade* law_of_blade_ = nullptr;
   OpenContact contact_{};
-  double anchor_time_ = 0.0;
-  contact::BladeDirection anchor_{};
+  typename Blades::Anchor anchor_{};
   double scale_ = 1.0;  ///< unit of σ against the rates of h [1/m²]
-  contact::ElasticaContact::Constraint last_{};
+  typename Law::OfBlade::Constraint last_{};
   std::complex<double> acceleration_;
   std::uint64_t evaluations_ = 0;
 };
 
-template <class Law, class Forcing>
+template <class Law, class Forcing, class Blades = BladeSet>
 class SolvedContacts {
  public:
-  SolvedContacts(const RotorConstants& rotor, const BladeSet& blades, const Law& law, const Forcing& forcing)
+  SolvedContacts(const RotorConstants& rotor, const Blades& blades, const Law& law, const Forcing& forcing)
       : rotor_(&rotor), blades_(&blades), law_(&law), forcing_(&forcing) {
     contacts_.reserve(static_cast<std::size_t>(blades.count()));
     forces_.reserve(static_cast<std::size_t>(blades.count()));
@@ -173,14 +152,16 @@ class SolvedContacts {
   bool operator()(const ContactState& state, ContactState& derivative) {
     ++evaluations_;
     const contact::BladeDirection first = blades_->first(state[kTime]);
+    const double speed = blades_->speed(state[kTime]);
     double force_x = 0.0;
     double force_y = 0.0;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       OpenContact& contact = contacts_[i];
       const contact::BladeDirection er = blades_->direction(contact.blade, first);
-      const contact::Pose pose = pose_of(*rotor_, law_->geometry(), er, state.head<4>());
+      const auto& law = law_->of(contact.blade);
+      const contact::Pose pose = pose_of(*rotor_, law.geometry(), er, state.head<4>());
       contact::TipForce& force = forces_[i];
-      if (!law_->respond(pose, contact.slip, rotor_->speed_ratio, contact.bending, force)) return false;
+      if (!law.respond(pose, contact.slip, speed, contact.bending, force)) return false;
       force_x += force.radial * er.cosine - force.tangential * er.sine;
       force_y += force.radial * er.sine + force.tangential * er.cosine;
     }
@@ -197,7 +178,7 @@ class SolvedContacts {
 
  private:
   const RotorConstants* rotor_;
-  const BladeSet* blades_;
+  const Blades* blades_;
   const Law* law_;
   const Forcing* forcing_;
   std::vector<OpenContact> contacts_;

@@ -9,9 +9,10 @@
 #include <optional>
 #include <vector>
 
-#include "effects/unbalance.hpp"
+#include "effects/harmonic.hpp"
 #include "integrate/conservative_step.hpp"
 #include "rotor/free_motion.hpp"
+#include "solve/blade_set.hpp"
 #include "solve/line_solver.hpp"
 #include "solve/rotor.hpp"
 
@@ -20,6 +21,7 @@ namespace rubatlas::solve {
 template <class Forcing>
 class Flight {
  public:
+  static constexpr bool kAnySupport = false;
   using Complex = std::complex<double>;
 
   Flight(const RotorConstants& rotor, const rotor::FreeMotion& free, const Forcing& forcing)
@@ -71,6 +73,17 @@ class Flight {
     return bound;
   }
 
+  /// Bounds of |z''| and |z'''| while |z| and |z'| are within `bound`.
+  [[nodiscard]] double second_bound(double bound) const {
+    const double damping = 2.0 * rotor_->damping_ratio;
+    return std::sqrt(1.0 + damping * damping) * bound + forcing_bound();
+  }
+  [[nodiscard]] double third_bound(double bound) const {
+    double result = 2.0 * rotor_->damping_ratio * second_bound(bound) + bound;
+    if constexpr (Forcing::kPresent) result += forcing_->rate();
+    return result;
+  }
+
   /// Bound of the forcing's acceleration [m per unit τ²].
   [[nodiscard]] double forcing_bound() const {
     if constexpr (Forcing::kPresent) return forcing_->amplitude();
@@ -89,11 +102,12 @@ class Flight {
 /// Finds the first touch-down of a flight. Each blade carries the time up to which it is proven clear; the
 /// least of them is pushed on until it cannot be, which is a touch-down, or until all have passed the
 /// horizon.
+template <class Law, class Blades = BladeSet>
 class TouchdownSearch {
  public:
-  TouchdownSearch(const RotorConstants& rotor, const contact::Geometry& geometry, const BladeSet& blades)
+  TouchdownSearch(const RotorConstants& rotor, const Law& law, const Blades& blades)
       : rotor_(&rotor),
-        geometry_(geometry),
+        law_(&law),
         blades_(&blades),
         turning_weight_(turning_weight(rotor)),
         clear_until_(static_cast<std::size_t>(blades.count())) {}
@@ -103,8 +117,8 @@ class TouchdownSearch {
     double time;  ///< τ of the revolution
   };
 
-  template <class Forcing>
-  std::optional<Touchdown> find(const Flight<Forcing>& flight, double until) {
+  template <class Flight>
+  std::optional<Touchdown> find(const Flight& flight, double until) {
     const double from = flight.start_time();
     State state = flight.state(from);
     // The shaft cannot leave the clearance circle: no blade can touch, and there is nothing to search.
@@ -131,8 +145,8 @@ class TouchdownSearch {
   }
 
   /// The rotor stays within the clearance circle for ever, so that no blade can touch.
-  template <class Forcing>
-  [[nodiscard]] bool never_touches(const Flight<Forcing>& flight, const State& state) const {
+  template <class Flight>
+  [[nodiscard]] bool never_touches(const Flight& flight, const State& state) const {
     return stays_clear(flight, flight.start_time(), state, std::numeric_limits<double>::infinity());
   }
 
@@ -160,49 +174,88 @@ class TouchdownSearch {
     return std::hypot(of_velocity, of_position);
   }
 
-  template <class Forcing>
-  [[nodiscard]] bool stays_clear(const Flight<Forcing>& flight, double time, const State& state,
+  template <class Flight>
+  [[nodiscard]] bool stays_clear(const Flight& flight, double time, const State& state,
                                  double horizon) const {
-    return flight.amplitude_bound(time, state, horizon) + std::abs(rotor_->misalignment) <=
-           geometry_.ring_radius - geometry_.reach;
+    return flight.amplitude_bound(time, state, horizon) + std::abs(rotor_->misalignment) <= least_clearance();
   }
 
-  template <class Forcing>
-  double clear_step(const Flight<Forcing>& flight, int blade, double time, const State& state,
-                    double until) const {
-    const double turning = rotor_->speed_ratio;
-    const double reach = geometry_.reach;
+  /// Of the blade that reaches farthest [m].
+  [[nodiscard]] double least_clearance() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < blades_->count(); ++k) {
+      const contact::Geometry& geometry = law_->of(k).geometry();
+      least = std::min(least, geometry.ring_radius - geometry.reach);
+    }
+    return least;
+  }
+
+  template <class Flight>
+  double clear_step(const Flight& flight, int blade, double time, const State& state, double until) const {
+    const double turning = blades_->speed(time);
+    const contact::Geometry& geometry = law_->of(blade).geometry();
+    const double reach = geometry.reach;
     const contact::BladeDirection er = blades_->direction(blade, blades_->first(time));
-    const contact::Pose pose = pose_of(*rotor_, geometry_, er, state);
-    const double slope = contact::gap_rate(geometry_, pose, turning);
+    const contact::Pose pose = pose_of(*rotor_, geometry, er, state);
+    const double slope = contact::gap_rate(geometry, pose, turning);
     // Rounding may leave the gap of a blade that has just lifted off a little above zero.
     if (pose.gap >= 0.0 && slope > 0.0) return 0.0;
     const double value = std::min(pose.gap, 0.0);
 
     const std::complex<double> acceleration = flight.acceleration(time, state);
-    const double curvature =
-        contact::gap_curvature(geometry_, er, pose, {state[0], state[1] + rotor_->misalignment},
-                               {state[2], state[3]}, acceleration, turning);
+    double curvature = contact::gap_curvature(geometry, er, pose, {state[0], state[1] + rotor_->misalignment},
+                                              {state[2], state[3]}, acceleration, turning);
+    const double bound = flight.amplitude_bound(time, state, until - time);  // of |z| and |c'|
+    if constexpr (Blades::kRipples || Flight::kAnySupport) {
+      if constexpr (Blades::kRipples) {
+        curvature += 2.0 * reach * blades_->angular_acceleration(time) * pose.tangential;
+      }
+      return integrate::conservative_step(value, slope, curvature, third_bound(flight, bound, reach));
+    } else {
+      return integrate::conservative_step(value, slope, curvature, close_third_bound(flight, bound, reach));
+    }
+  }
 
-    const double speed = std::abs(turning);
+  /// Bound of |g'''| at constant speed on an isotropic shaft.
+  template <class Flight>
+  double close_third_bound(const Flight& flight, double bound, double reach) const {
+    const double speed = std::abs(rotor_->speed_ratio);
     // g''' = 6 c'·c'' + 2 c·c''' + 2(rh+L) er·(d/dτ + iΩ)³ c. In the last term z''' and z'' are written with
     // z, z' and the forcing, whose weights are bounded together: |z|² + |z'|² <= bound².
     const double forcing = flight.forcing_bound();
     const double damping = 2.0 * rotor_->damping_ratio;
-    const double bound = flight.amplitude_bound(time, state, until - time);  // of |z| and |c'|
     const double misalignment = std::abs(rotor_->misalignment);
     const double centre = bound + misalignment;  // of |c|
     const double second = std::sqrt(1.0 + damping * damping) * bound + forcing;
     const double third = damping * second + bound + forcing * speed;
     const double turned_third =
         turning_weight_ * bound + (damping + 4.0 * speed) * forcing + speed * speed * speed * misalignment;
-    const double third_bound = 6.0 * bound * second + 2.0 * centre * third + 2.0 * reach * turned_third;
-    return integrate::conservative_step(value, slope, curvature, third_bound);
+    return 6.0 * bound * second + 2.0 * centre * third + 2.0 * reach * turned_third;
+  }
+
+  /// The same for any support and any turning, term by term: with D = d/dτ + iφ',
+  /// D³c = c''' + 3iφ'c'' + 3(iφ'' − φ'²)c' + (iφ''' − 3φ'φ'' − iφ'³)c.
+  template <class Flight>
+  double third_bound(const Flight& flight, double bound, double reach) const {
+    double speed = std::abs(rotor_->speed_ratio);
+    double of_velocity = speed * speed;
+    double of_position = speed * speed * speed;
+    if constexpr (Blades::kRipples) {
+      speed = blades_->speed_bound();
+      const double change = blades_->angular_acceleration_bound();
+      of_velocity = speed * speed + change;
+      of_position = blades_->angular_jerk_bound() + 3.0 * speed * change + speed * speed * speed;
+    }
+    const double centre = bound + std::abs(rotor_->misalignment);
+    const double second = flight.second_bound(bound);
+    const double third = flight.third_bound(bound);
+    const double turned = third + 3.0 * speed * second + 3.0 * of_velocity * bound + of_position * centre;
+    return 6.0 * bound * second + 2.0 * centre * third + 2.0 * reach * turned;
   }
 
   const RotorConstants* rotor_;
-  contact::Geometry geometry_;
-  const BladeSet* blades_;
+  const Law* law_;
+  const Blades* blades_;
   double turning_weight_;
   std::vector<double> clear_until_;
   std::uint64_t evaluations_ = 0;

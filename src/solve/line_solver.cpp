@@ -1,10 +1,26 @@
 #include "solve/line_solver.hpp"
 
+#include <type_traits>
+
 #include "plan/scene_of_line.hpp"
 #include "solve/blade_tables.hpp"
 #include "solve/methods.hpp"
 
 namespace rubatlas::solve {
+
+namespace {
+
+/// An effect besides the unbalance is present and not of strength zero.
+bool more_acts_than_the_paper_s(const scene::Scene& line) {
+  bool found = false;
+  effects::for_each_effect([&]<auto Effect>() {
+    using Settings = std::remove_cvref_t<decltype(*(line.*Effect))>;
+    if constexpr (!std::is_same_v<Settings, effects::Unbalance>) found = found || effects::acts<Effect>(line);
+  });
+  return found;
+}
+
+}  // namespace
 
 std::shared_ptr<BladeTables> make_blade_tables() {
   return std::make_shared<BladeTables>();
@@ -13,7 +29,8 @@ std::shared_ptr<BladeTables> make_blade_tables() {
 std::unique_ptr<LineSolver> make_line_solver(const scene::Scene& scene, const plan::PointParameters& line,
                                              const std::shared_ptr<BladeTables>& tables) {
   const scene::Scene own = plan::scene_of_line(scene, line);
-  const LineRequest request{own, line, *tables};
+  const LineRequest request{own, *tables};
+  if (more_acts_than_the_paper_s(own)) return make_hybrid_with_effects(request);
   switch (scene.accuracy.method) {
     case scene::Method::paper:
       return make_paper(request);

@@ -14,15 +14,15 @@ struct Fixed {
   static constexpr bool kAdaptive = false;
   static constexpr bool kLocated = false;
 
-  template <class Law, class Forcing>
+  template <class Law, class Forcing, class Blades>
   using Motion = SteppedMotion<Law, Forcing, Fixed>;
 
   template <class Law, class Forcing>
-  static std::unique_ptr<Motion<Law, Forcing>> make(const RotorConstants& rotor, const Law& law,
-                                                    const Forcing& forcing, const scene::Scene& scene) {
+  static auto make(const RotorConstants& rotor, const BladeSet& blades, const Law& law,
+                   const Forcing& forcing, const scene::Scene& scene) {
     const SteppedLimits limits{scene.accuracy.tolerance * rotor.length_scale, scene.accuracy.step,
                                scene.validity.max_shortening};
-    return std::make_unique<Motion<Law, Forcing>>(rotor, scene.blades.count, law, forcing, Search{}, limits);
+    return std::make_unique<Motion<Law, Forcing, BladeSet>>(rotor, blades, law, forcing, Search{}, limits);
   }
 };
 

@@ -23,16 +23,16 @@ struct Paper {
   static constexpr bool kAdaptive = true;
   static constexpr bool kLocated = false;
 
-  template <class Law, class Forcing>
+  template <class Law, class Forcing, class Blades>
   using Motion = SteppedMotion<Law, Forcing, Paper>;
 
   template <class Law, class Forcing>
-  static std::unique_ptr<Motion<Law, Forcing>> make(const RotorConstants& rotor, const Law& law,
-                                                    const Forcing& forcing, const scene::Scene& scene) {
+  static auto make(const RotorConstants& rotor, const BladeSet& blades, const Law& law,
+                   const Forcing& forcing, const scene::Scene& scene) {
     const SteppedLimits limits{scene.accuracy.tolerance * rotor.length_scale, scene.accuracy.max_step,
                                scene.validity.max_shortening};
-    return std::make_unique<Motion<Law, Forcing>>(rotor, scene.blades.count, law, forcing,
-                                                  Search{scene.accuracy.force_increment}, limits);
+    return std::make_unique<Motion<Law, Forcing, BladeSet>>(rotor, blades, law, forcing,
+                                                            Search{scene.accuracy.force_increment}, limits);
   }
 };
 

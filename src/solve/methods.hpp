@@ -10,12 +10,12 @@ namespace rubatlas::solve {
 
 /// What a line solver is made of.
 struct LineRequest {
-  const scene::Scene& scene;
-  const plan::PointParameters& line;
+  const scene::Scene& line;  ///< the scene with the line's values of all that is swept
   BladeTables& tables;
 };
 
 std::unique_ptr<LineSolver> make_hybrid(const LineRequest& request);
+std::unique_ptr<LineSolver> make_hybrid_with_effects(const LineRequest& request);
 std::unique_ptr<LineSolver> make_hybrid_54(const LineRequest& request);
 std::unique_ptr<LineSolver> make_hybrid_32(const LineRequest& request);
 std::unique_ptr<LineSolver> make_paper(const LineRequest& request);

@@ -9,13 +9,16 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
 #include "integrate/dormand_prince_853.hpp"
 #include "observables/largest_distance.hpp"
+#include "solve/blade_set.hpp"
 #include "solve/contact_phase.hpp"
 #include "solve/flight.hpp"
 #include "solve/line_solver.hpp"
@@ -25,27 +28,28 @@
 
 namespace rubatlas::solve {
 
-template <class Law, class Forcing, class Pair = integrate::DormandPrince853>
+template <class Law, class Forcing, class Pair = integrate::DormandPrince853, class Blades = BladeSet>
 class Motion {
  public:
-  Motion(const RotorConstants& rotor, int blade_count, Law law, const Forcing& forcing,
+  Motion(const RotorConstants& rotor, Blades blades, Law law, const Forcing& forcing,
          const ContactLimits& limits)
       : rotor_(rotor),
         free_(rotor.damping_ratio),
         forcing_(forcing),
         law_(std::move(law)),
         limits_(limits),
-        blades_(blade_count, rotor.speed_ratio),
+        blades_(std::move(blades)),
         flight_(rotor_, free_, forcing_),
-        search_(rotor_, law_.geometry(), blades_),
+        search_(rotor_, law_, blades_),
         solved_(rotor_, blades_, law_, limits_,
-                SolvedContacts<Law, Forcing>(rotor_, blades_, law_, forcing_)) {
+                SolvedContacts<Law, Forcing, Blades>(rotor_, blades_, law_, forcing_)) {
     if constexpr (Law::kHasBending) {
       carried_.emplace(rotor_, blades_, law_, limits_,
-                       CarriedContact<Forcing>(rotor_, blades_, law_, forcing_));
-      skimming_.emplace(rotor_, blades_, law_, limits_, Skimming(rotor_, blades_, law_, forcing_));
+                       CarriedContact<Law, Forcing, Blades>(rotor_, blades_, law_, forcing_));
+      skimming_.emplace(rotor_, blades_, law_, limits_,
+                        SkimmingContact<Law, Forcing, Blades>(rotor_, blades_, law_, forcing_));
     }
-    contacts_.reserve(static_cast<std::size_t>(blade_count));
+    contacts_.reserve(static_cast<std::size_t>(blades_.count()));
   }
   Motion(const Motion&) = delete;  // parts point at each other
   Motion& operator=(const Motion&) = delete;
@@ -58,8 +62,8 @@ class Motion {
     contacts_.clear();
     const contact::BladeDirection first = blades_.first(0.0);
     for (int k = 0; k < blades_.count(); ++k) {
-      const contact::Pose pose = pose_of(rotor_, law_.geometry(), blades_.direction(k, first), state_);
-      if (pose.gap > 0.0 && !open(k, pose)) return PointStatus::left_validity;
+      const contact::Pose at = pose_of(rotor_, law_.of(k).geometry(), blades_.direction(k, first), state_);
+      if (at.gap > 0.0 && !open(k, at)) return PointStatus::left_validity;
     }
     flight_.start(time_, state_);
     never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);
@@ -148,7 +152,7 @@ class Motion {
 
   PhaseEnd fly(double period, MotionListener& listener) {
     flight_.start(time_, state_);
-    std::optional<TouchdownSearch::Touchdown> touchdown;
+    std::optional<typename TouchdownSearch<Law, Blades>::Touchdown> touchdown;
     if (!never_touches_) {
       touchdown = search_.find(flight_, period);
       if (search_.gave_up()) return {PhaseEvent::failed};
@@ -157,7 +161,7 @@ class Motion {
     if (end > time_) {
       FlightPiece piece(flight_, time_, end, flight_.amplitude_bound(time_, state_, end - time_));
       // |c| may reach R in flight where no blade stands in the way (MODEL 5).
-      const double ring_radius = law_.geometry().ring_radius;
+      const double ring_radius = law_.of(0).geometry().ring_radius;
       if (piece.displacement_bound() + std::abs(rotor_.misalignment) >= ring_radius &&
           observables::largest_distance(piece, -rotor_.misalignment, rotor_.speed_ratio) >= ring_radius) {
         return {PhaseEvent::left_validity};
@@ -208,7 +212,8 @@ class Motion {
         OpenContact& contact = contacts_.front();
         // What other phases leave is a first guess; an unloaded blade starts at u = 0 exactly.
         if (contact.bending > 0.0) {
-          const auto root = law_.solve_near(pose(contact.blade), contact.slip, contact.bending);
+          const auto root =
+              law_.of(contact.blade).solve_near(pose(contact.blade), contact.slip, contact.bending);
           if (!root) return false;
           contact.bending = *root;
         }
@@ -229,19 +234,20 @@ class Motion {
   }
 
   [[nodiscard]] contact::Pose pose(int blade) const {
-    return pose_of(rotor_, law_.geometry(), blades_.direction(blade, blades_.first(time_)), state_);
+    return pose_of(rotor_, law_.of(blade).geometry(), blades_.direction(blade, blades_.first(time_)), state_);
   }
 
   /// Opens a contact where it stands. False where no force exists (MODEL 5).
   bool open(int blade, const contact::Pose& at) {
-    const double velocity = contact::undeformed_slip_velocity(law_.geometry(), at, rotor_.speed_ratio);
+    const double velocity =
+        contact::undeformed_slip_velocity(law_.of(blade).geometry(), at, blades_.speed(time_));
     OpenContact contact{blade, velocity >= 0.0 ? 1.0 : -1.0, 0.0};
     if constexpr (Law::kHasBending) {
       // On the approaching side the force starts from zero, on the receding side from a finite value
       // (MODEL 4.2).
       const bool starts_unloaded = at.gap <= kGapRounding && contact.slip * at.tangential >= 0.0;
       if (!starts_unloaded) {
-        const auto root = law_.solve(at, contact.slip);
+        const auto root = law_.of(blade).solve(at, contact.slip);
         if (!root) return false;
         contact.bending = *root;
       }
@@ -272,7 +278,7 @@ class Motion {
         ++work_.slip_reversals;
         contact->slip = -contact->slip;
         if constexpr (Law::kHasBending) {
-          const auto root = law_.solve(pose(contact->blade), contact->slip);
+          const auto root = law_.of(contact->blade).solve(pose(contact->blade), contact->slip);
           if (!root) return PointStatus::left_validity;
           contact->bending = *root;
         }
@@ -282,24 +288,29 @@ class Motion {
     }
   }
 
-  using Skimming = SkimmingContact<contact::ElasticaContact, Forcing>;
-
   /// Tolerances: hops lower than that are taken in their limit. They may grow by some tens while the force
   /// changes along the ring.
   static constexpr double kUnresolvedHop = 1.0;
   static constexpr double kGapRounding = 1e-17;  ///< [m²]: g where a touch-down has been located
+
+  // Only blades that bend carry a parameter, and start with a force.
+  template <class System>
+  using OfBending =
+      std::conditional_t<Law::kHasBending, ContactPhase<System, Law, Pair, Blades>, std::monostate>;
+  using Carried = OfBending<CarriedContact<Law, Forcing, Blades>>;
+  using Skimming = OfBending<SkimmingContact<Law, Forcing, Blades>>;
 
   RotorConstants rotor_;
   rotor::FreeMotion free_;
   Forcing forcing_;
   Law law_;
   ContactLimits limits_;
-  BladeSet blades_;
+  Blades blades_;
   Flight<Forcing> flight_;
-  TouchdownSearch search_;
-  ContactPhase<SolvedContacts<Law, Forcing>, Law, Pair> solved_;
-  std::optional<ContactPhase<CarriedContact<Forcing>, contact::ElasticaContact, Pair>> carried_;
-  std::optional<ContactPhase<Skimming, contact::ElasticaContact, Pair>> skimming_;
+  TouchdownSearch<Law, Blades> search_;
+  ContactPhase<SolvedContacts<Law, Forcing, Blades>, Law, Pair, Blades> solved_;
+  std::optional<Carried> carried_;
+  std::optional<Skimming> skimming_;
   std::vector<OpenContact> contacts_;
   State state_ = State::Zero();
   double time_ = 0.0;

@@ -16,16 +16,17 @@
 #include <vector>
 
 #include "contact/pose.hpp"
+#include "solve/blade_set.hpp"
 #include "solve/contact_system.hpp"
 #include "solve/rotor.hpp"
 
 namespace rubatlas::solve {
 
 /// Right-hand side in τ while one blade skims, with the interface of `SolvedContacts`.
-template <class Law, class Forcing>
+template <class Law, class Forcing, class Blades = BladeSet>
 class SkimmingContact {
  public:
-  SkimmingContact(const RotorConstants& rotor, const BladeSet& blades, const Law& law, const Forcing& forcing)
+  SkimmingContact(const RotorConstants& rotor, const Blades& blades, const Law& law, const Forcing& forcing)
       : rotor_(&rotor), blades_(&blades), law_(&law), forcing_(&forcing), contacts_(1), forces_(1) {}
 
   void open(const std::vector<OpenContact>& contacts) { contacts_ = contacts; }
@@ -62,13 +63,14 @@ class SkimmingContact {
     Balance balance;
     if (!weigh(state, contact, balance)) return false;
     if (!(balance.free_curvature > 0.0 && balance.share > 0.0 && balance.share < 1.0)) return false;
-    const double rate = contact::gap_rate(law_->geometry(), at, rotor_->speed_ratio);
-    return rate * rate <= 4.0 * law_->geometry().ring_radius * hop * balance.free_curvature;
+    const contact::Geometry& geometry = law_->of(contact.blade).geometry();
+    const double rate = contact::gap_rate(geometry, at, blades_->speed(state[kTime]));
+    return rate * rate <= 4.0 * geometry.ring_radius * hop * balance.free_curvature;
   }
 
   /// Puts a state back on g = 0, dg/dτ = 0, the shortest way.
   void project(ContactState& state) const {
-    const contact::Geometry& geometry = law_->geometry();
+    const contact::Geometry& geometry = law_->of(contacts_.front().blade).geometry();
     const contact::BladeDirection er = direction(state, contacts_.front().blade);
     const double outward_x = state[0] + geometry.reach * er.cosine;
     const double outward_y = state[1] + rotor_->misalignment + geometry.reach * er.sine;
@@ -77,7 +79,7 @@ class SkimmingContact {
     state[0] -= gap * inverse * outward_x;
     state[1] -= gap * inverse * outward_y;
     const double rate =
-        contact::gap_rate(geometry, pose(state, contacts_.front().blade), rotor_->speed_ratio);
+        contact::gap_rate(geometry, pose(state, contacts_.front().blade), blades_->speed(state[kTime]));
     state[2] -= rate * inverse * outward_x;
     state[3] -= rate * inverse * outward_y;
   }
@@ -102,23 +104,29 @@ class SkimmingContact {
     return blades_->direction(blade, blades_->first(state[kTime]));
   }
   [[nodiscard]] contact::Pose pose(const ContactState& state, int blade) const {
-    return pose_of(*rotor_, law_->geometry(), direction(state, blade), state.head<4>());
+    return pose_of(*rotor_, law_->of(blade).geometry(), direction(state, blade), state.head<4>());
   }
 
   bool weigh(const ContactState& state, OpenContact& contact, Balance& balance) const {
     const contact::BladeDirection er = direction(state, contact.blade);
-    const contact::Pose at = pose_of(*rotor_, law_->geometry(), er, state.head<4>());
+    const auto& law = law_->of(contact.blade);
+    const double speed = blades_->speed(state[kTime]);
+    const contact::Pose at = pose_of(*rotor_, law.geometry(), er, state.head<4>());
     contact::TipForce& force = balance.force;
-    if (!law_->respond(at, contact.slip, rotor_->speed_ratio, contact.bending, force)) return false;
+    if (!law.respond(at, contact.slip, speed, contact.bending, force)) return false;
     balance.free = acceleration(*rotor_, *forcing_, state, 0.0, 0.0);
     balance.pushed = rotor_->force_unit * std::complex<double>(force.radial, force.tangential) *
                      std::complex<double>(er.cosine, er.sine);
     balance.free_curvature =
-        contact::gap_curvature(law_->geometry(), er, at, {state[0], state[1] + rotor_->misalignment},
-                               {state[2], state[3]}, balance.free, rotor_->speed_ratio);
+        contact::gap_curvature(law.geometry(), er, at, {state[0], state[1] + rotor_->misalignment},
+                               {state[2], state[3]}, balance.free, speed);
+    if constexpr (Blades::kRipples) {
+      balance.free_curvature +=
+          2.0 * law.geometry().reach * blades_->angular_acceleration(state[kTime]) * at.tangential;
+    }
     const double pushed_curvature =
         2.0 * rotor_->force_unit *
-        ((at.radial + law_->geometry().reach) * force.radial + at.tangential * force.tangential);
+        ((at.radial + law.geometry().reach) * force.radial + at.tangential * force.tangential);
     balance.share = -balance.free_curvature / pushed_curvature;
     force.radial *= balance.share;
     force.tangential *= balance.share;
@@ -128,7 +136,7 @@ class SkimmingContact {
   }
 
   const RotorConstants* rotor_;
-  const BladeSet* blades_;
+  const Blades* blades_;
   const Law* law_;
   const Forcing* forcing_;
   std::vector<OpenContact> contacts_;

@@ -18,6 +18,7 @@
 #include "integrate/runge_kutta.hpp"
 #include "integrate/step_factor.hpp"
 #include "observables/motion_piece.hpp"
+#include "solve/blade_set.hpp"
 #include "solve/line_solver.hpp"
 #include "solve/motion_listener.hpp"
 #include "solve/rotor.hpp"
@@ -35,10 +36,10 @@ struct SteppedLimits {
 template <class Law, class Forcing, class Scheme>
 class SteppedMotion final : public observables::MotionPiece {
  public:
-  SteppedMotion(const RotorConstants& rotor, int blade_count, Law law, const Forcing& forcing,
+  SteppedMotion(const RotorConstants& rotor, const BladeSet& blades, Law law, const Forcing& forcing,
                 typename Scheme::Search search, const SteppedLimits& limits)
       : rotor_(rotor),
-        directions_(blade_count, rotor.speed_ratio),
+        directions_(blades),
         law_(std::move(law)),
         forcing_(forcing),
         limits_(limits),

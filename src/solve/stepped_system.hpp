@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "contact/pose.hpp"
+#include "solve/blade_set.hpp"
 #include "solve/rotor.hpp"
 
 namespace rubatlas::solve {

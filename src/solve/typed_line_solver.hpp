@@ -12,10 +12,10 @@
 
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
-#include "effects/unbalance.hpp"
 #include "observables/recorder.hpp"
 #include "solve/blade_tables.hpp"
 #include "solve/line_solver.hpp"
+#include "solve/machine.hpp"
 #include "solve/methods.hpp"
 #include "solve/motion_listener.hpp"
 #include "solve/orbit_listener.hpp"
@@ -37,27 +37,14 @@ class RecordingListener final : public MotionListener {
   observables::Recorder* recorder_;
 };
 
-/// Makes the forcing of one point; the effects' types are chosen with it.
-struct WithoutForcing {
-  effects::NoForcing operator()(double /*speed_ratio*/) const { return {}; }
-};
-struct WithUnbalance {
-  double specific_moment;  ///< me/m [m]
-  double phase;            ///< γ [rad]
-  double damping_ratio;    ///< ζ [-]
-  effects::Unbalance operator()(double speed_ratio) const {
-    return {specific_moment, phase, speed_ratio, damping_ratio};
-  }
-};
-
-/// One line under one law, forcing and method. A method says what its motions are and how one is made:
-/// `Method::Motion<Law, Forcing>`, `Method::make(rotor, law, forcing, scene)`.
-template <class Method, class Law, class MakeForcing>
+/// One line under one law, on one machine, by one method. A method says what its motions are and how one is
+/// made: `Method::Motion<Law, Forcing, Blades>`, `Method::make(rotor, blades, law, forcing, scene)`.
+template <class Method, class Law, class Machine>
 class TypedLineSolver final : public LineSolver {
  public:
-  TypedLineSolver(const scene::Scene& scene, const plan::PointParameters& line, Law law,
-                  MakeForcing make_forcing)
-      : scene_(scene), line_(line), law_(std::move(law)), make_forcing_(make_forcing), recorder_(scene) {}
+  /// `line`: the scene with the line's values of all that is swept.
+  TypedLineSolver(const scene::Scene& line, Law law, Machine machine)
+      : scene_(line), law_(std::move(law)), machine_(std::move(machine)), recorder_(line) {}
 
   PointOutcome run(double speed_ratio, const SectionState& start,
                    const std::function<void()>& between_revolutions) override {
@@ -94,13 +81,14 @@ class TypedLineSolver final : public LineSolver {
   }
 
  private:
-  using Forcing = std::invoke_result_t<MakeForcing, double>;
-  using PointMotion = typename Method::template Motion<Law, Forcing>;
+  using Forcing = decltype(std::declval<Machine>().forcing(1.0));
+  using Blades = decltype(std::declval<Machine>().blades(1.0));
+  using PointMotion = typename Method::template Motion<Law, Forcing, Blades>;
 
   [[nodiscard]] RotorConstants constants(double speed_ratio) const {
     const double clearance = scene_.clearance();
     const double frequency = scene_.rotor.natural_frequency;
-    return {speed_ratio, line_.damping_ratio, scene_.rotor.misalignment,
+    return {speed_ratio, scene_.rotor.damping_ratio, scene_.rotor.misalignment,
             1.0 / (scene_.rotor.mass * frequency * frequency),
             clearance > 0.0 ? clearance : 0.1 * scene_.blades.length};
   }
@@ -110,7 +98,8 @@ class TypedLineSolver final : public LineSolver {
 
   /// A fresh motion for each point: nothing but the start state crosses from point to point.
   [[nodiscard]] std::unique_ptr<PointMotion> make_motion(double speed_ratio) const {
-    return Method::make(constants(speed_ratio), law_, make_forcing_(speed_ratio), scene_);
+    return Method::make(constants(speed_ratio), machine_.blades(speed_ratio), law_,
+                        machine_.forcing(speed_ratio), scene_);
   }
 
   template <class AfterRevolution>
@@ -142,46 +131,46 @@ class TypedLineSolver final : public LineSolver {
   }
 
   scene::Scene scene_;
-  plan::PointParameters line_;
   Law law_;
-  MakeForcing make_forcing_;
+  Machine machine_;
   observables::Recorder recorder_;
 };
 
+inline contact::Geometry geometry_of(const scene::Ring& ring, const scene::Blades& blade) {
+  return {blade.hub_radius + blade.length, ring.radius};
+}
+inline contact::ElasticRingContact elastic_ring_law(const scene::Ring& ring, const scene::Blades& blade,
+                                                    double friction) {
+  return {geometry_of(ring, blade), ring.stiffness, friction};
+}
+inline contact::ElasticaContact elastica_law(const scene::Ring& ring, const scene::Blades& blade,
+                                             std::shared_ptr<const blade::ElasticaCurve> curve) {
+  const double thickness = blade.thickness;
+  const double stiffness = blade.youngs_modulus * blade.width * thickness * thickness * thickness / 12.0;
+  return {geometry_of(ring, blade), {blade.length, thickness, stiffness}, std::move(curve)};
+}
+
 template <class Method, class Law>
-std::unique_ptr<LineSolver> with_forcing(const scene::Scene& scene, const plan::PointParameters& line,
-                                         Law law) {
+std::unique_ptr<LineSolver> on_paper_s_machine(const scene::Scene& line, Law law) {
   // Absent means absent: a rotor without unbalance has no forcing in its equations.
-  if (!scene.unbalance || line.unbalance == 0.0) {
-    return std::make_unique<TypedLineSolver<Method, Law, WithoutForcing>>(scene, line, std::move(law),
-                                                                          WithoutForcing{});
+  if (!effects::acts<&effects::Effects::unbalance>(line)) {
+    return std::make_unique<TypedLineSolver<Method, Law, PlainMachine>>(line, std::move(law),
+                                                                        PlainMachine{line.blades.count});
   }
-  const WithUnbalance unbalance{line.unbalance / scene.rotor.mass, scene.unbalance->phase,
-                                line.damping_ratio};
-  return std::make_unique<TypedLineSolver<Method, Law, WithUnbalance>>(scene, line, std::move(law),
-                                                                       unbalance);
+  const UnbalancedMachine machine{line.blades.count, line.unbalance->moment / line.rotor.mass,
+                                  line.unbalance->phase, line.rotor.damping_ratio};
+  return std::make_unique<TypedLineSolver<Method, Law, UnbalancedMachine>>(line, std::move(law), machine);
 }
 
-/// The elastica blades of a line.
-inline contact::ElasticaContact elastica_of(const LineRequest& request) {
-  const scene::Blades& blades = request.scene.blades;
-  const contact::Geometry geometry{blades.hub_radius + blades.length, request.scene.ring.radius};
-  const double thickness = request.line.thickness;
-  const double stiffness = blades.youngs_modulus * blades.width * thickness * thickness * thickness / 12.0;
-  return {geometry, {blades.length, thickness, stiffness}, request.tables.curve(request.line.friction)};
-}
-
-/// The line solver of a method for a scene's law and forcing.
+/// The line solver of a method for the paper's rotor, by the scene's law.
 template <class Method>
 std::unique_ptr<LineSolver> make_typed_line_solver(const LineRequest& request) {
-  const scene::Scene& scene = request.scene;
-  const plan::PointParameters& line = request.line;
-  if (scene.contact.law == scene::ContactLaw::elastic_ring) {
-    const contact::Geometry geometry{scene.blades.hub_radius + scene.blades.length, scene.ring.radius};
-    return with_forcing<Method>(scene, line,
-                                contact::ElasticRingContact(geometry, scene.ring.stiffness, line.friction));
+  const scene::Scene& line = request.line;
+  if (line.contact.law == scene::ContactLaw::elastic_ring) {
+    return on_paper_s_machine<Method>(line, elastic_ring_law(line.ring, line.blades, line.contact.friction));
   }
-  return with_forcing<Method>(scene, line, elastica_of(request));
+  return on_paper_s_machine<Method>(
+      line, elastica_law(line.ring, line.blades, request.tables.curve(line.contact.friction)));
 }
 
 }  // namespace rubatlas::solve

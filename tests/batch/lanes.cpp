@@ -35,7 +35,7 @@ void expect_same(double one, double other) {
 template <class Forcing>
 class AskedUnder final : public Asked {
  public:
-  using System = solve::CarriedContact<Forcing>;
+  using System = solve::CarriedContact<contact::ElasticaContact, Forcing>;
   AskedUnder(const System& system, const solve::ContactState& state, double size)
       : system_(system), state_(state), size_(size), in_lane_(system) {}
 
@@ -109,13 +109,14 @@ class Machine {
 
   /// Attempts at sizes that keep the tolerance and at some that do not, up to past lift-off.
   void ask(std::vector<std::unique_ptr<Asked>>& asked) {
-    solve::Motion<contact::ElasticaContact, Forcing> motion(rotor_, 3, law_, forcing_, {kTolerance, 0.5});
+    solve::Motion<contact::ElasticaContact, Forcing> motion(rotor_, blades_, law_, forcing_,
+                                                            {kTolerance, 0.5});
     TouchDowns seen;
     ASSERT_EQ(motion.start(solve::State::Zero()), solve::PointStatus::done);
     for (int i = 0; i < 6; ++i) motion.revolution(seen);
     ASSERT_FALSE(seen.events.empty());
     for (const solve::Event& event : seen.events) {
-      solve::CarriedContact<Forcing> system(rotor_, blades_, law_, forcing_);
+      solve::CarriedContact<contact::ElasticaContact, Forcing> system(rotor_, blades_, law_, forcing_);
       solve::ContactState state;
       state << event.state, event.time, 0.0;
       if (!system.open({event.blade, event.slip, 0.0}, state)) continue;
@@ -151,7 +152,7 @@ class Lanes : public testing::Test {
         const double thickness = speed_ratio < 0.5 ? 0.001 : 0.0007;
         steady_.emplace_back(speed_ratio, 0.1, friction, thickness, effects::NoForcing{});
         unbalanced_.emplace_back(speed_ratio, 0.05, friction, thickness,
-                                 effects::Unbalance(1e-4, 0.3, speed_ratio, 0.05));
+                                 effects::RotatingUnbalance(1e-4, 0.3, speed_ratio, 0.05));
       }
     }
     for (auto& machine : steady_) machine.ask(asked_);
@@ -177,7 +178,7 @@ class Lanes : public testing::Test {
  private:
   static constexpr std::size_t kStride = 173;
   std::list<Machine<effects::NoForcing>> steady_;  // requests point at them
-  std::list<Machine<effects::Unbalance>> unbalanced_;
+  std::list<Machine<effects::RotatingUnbalance>> unbalanced_;
   std::vector<std::unique_ptr<Asked>> asked_;
   std::vector<Asked*> order_;
 };

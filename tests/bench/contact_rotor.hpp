@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "contact/elastica_contact.hpp"
-#include "effects/unbalance.hpp"
+#include "effects/harmonic.hpp"
 #include "solve/contact_system.hpp"
+#include "solve/blade_set.hpp"
 #include "solve/rotor.hpp"
 
 namespace rubatlas::bench {

@@ -20,13 +20,16 @@ std::string text(const Value& value) {
   if (std::holds_alternative<double>(value)) return fmt::format("{:g}", std::get<double>(value));
   if (std::holds_alternative<int>(value)) return fmt::format("{}", std::get<int>(value));
   if (std::holds_alternative<bool>(value)) return std::get<bool>(value) ? "true" : "false";
-  return std::get<std::string>(value);
+  if (std::holds_alternative<std::string>(value)) return std::get<std::string>(value);
+  return "none";  // a list
 }
 
 /// A scene in which a quantity is not absent, so that it shows its default.
 Scene with(const Quantity& entry) {
   Scene scene;
-  scene.unbalance.emplace();
+  for (const auto& section : sections()) {
+    if (section.open != nullptr) section.open(scene);
+  }
   if (!entry.chooser.empty()) quantity(entry.chooser).write(scene, Value{std::string(entry.readers.front())});
   return scene;
 }
@@ -44,6 +47,7 @@ std::string range_text(const Range& range) {
 
 std::string allowed_text(const Quantity& quantity) {
   if (quantity.kind == Kind::text) return "any text";
+  if (quantity.kind == Kind::numbers) return "a list in " + range_text(quantity.range);
   if (quantity.kind == Kind::flag) return "`true`, `false`";
   if (quantity.kind != Kind::choice) return range_text(quantity.range);
   std::string words;

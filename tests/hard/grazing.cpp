@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "contact/elastic_ring_contact.hpp"
 #include "hard_point.hpp"
 #include "rotor/free_motion.hpp"
 #include "solve/flight.hpp"
@@ -28,15 +29,17 @@ double swept_depth(int i) {
 /// 2πk/n).
 class FreeWhirl {
  public:
+  using Search = solve::TouchdownSearch<contact::ElasticRingContact>;
+
   FreeWhirl(int blades, double speed_ratio)
       : rotor_{speed_ratio, 0.0, 0.0, 1.0, kClearance},
         blades_(blades, speed_ratio),
         flight_(rotor_, free_, forcing_),
-        search_(rotor_, {kReach, kRadius}, blades_) {}
+        search_(rotor_, law_, blades_) {}
 
   /// First touch-down of the whirl with amplitude ρ that has been at angle −t0 at τ = 0, from τ = `from` on.
-  std::optional<solve::TouchdownSearch::Touchdown> first_touchdown(double amplitude, double delay,
-                                                                   double from, double until) {
+  std::optional<Search::Touchdown> first_touchdown(double amplitude, double delay, double from,
+                                                   double until) {
     const double angle = from - delay;
     const double x = amplitude * std::cos(angle);
     const double y = amplitude * std::sin(angle);
@@ -51,7 +54,8 @@ class FreeWhirl {
   effects::NoForcing forcing_;
   solve::BladeSet blades_;
   solve::Flight<effects::NoForcing> flight_;
-  solve::TouchdownSearch search_;
+  contact::ElasticRingContact law_{{kReach, kRadius}, 1.0, 0.0};
+  Search search_;
 };
 
 TEST(Grazing, NoTouchdownOfASweptWhirlIsMissedAndNoneIsInvented) {

@@ -78,8 +78,8 @@ TEST(ManyBlades, BladesThatTouchAtTheSameInstantAllTouch) {
                             rotor.length * std::cos(bisector);
     const State start = turned({distance - 1e-15, 0.0, 0.2, 0.0}, bisector);
     with_each_law(rotor, [&](const auto& law) {
-      solve::Motion<std::decay_t<decltype(law)>, effects::NoForcing> motion(rotor.constants(), blades, law,
-                                                                            {}, rotor.limits());
+      solve::Motion<std::decay_t<decltype(law)>, effects::NoForcing> motion(
+          rotor.constants(), {blades, rotor.speed_ratio}, law, {}, rotor.limits());
       auto recording = Recording(kNoPiece);
       ASSERT_EQ(motion.start(start), PointStatus::done);
       motion.revolution(recording);

@@ -53,7 +53,7 @@ const auto kElastica = [](const HardRotor& rotor) { return rotor.elastica(); };
 const auto kElasticRing = [](const HardRotor& rotor) { return rotor.elastic_ring(); };
 const auto kUnforced = [](const HardRotor&, double) { return effects::NoForcing{}; };
 const auto kUnbalanced = [](const HardRotor& rotor, double side) {
-  return effects::Unbalance(1e-4, side * 0.7, rotor.speed_ratio, rotor.damping_ratio);
+  return effects::RotatingUnbalance(1e-4, side * 0.7, rotor.speed_ratio, rotor.damping_ratio);
 };
 
 TEST(Mirror, ARotorThatSpinsTheOtherWayMovesTheMirroredWay) {

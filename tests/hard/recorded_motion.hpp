@@ -85,7 +85,8 @@ class Recording final : public solve::MotionListener {
 template <class Law, class Forcing, class OnPiece>
 RecordedMotion follow(const HardRotor& rotor, const Law& law, const Forcing& forcing,
                       const solve::State& start, int revolutions, OnPiece on_piece) {
-  solve::Motion<Law, Forcing> motion(rotor.constants(), rotor.blades, law, forcing, rotor.limits());
+  solve::Motion<Law, Forcing> motion(rotor.constants(), {rotor.blades, rotor.speed_ratio}, law, forcing,
+                                     rotor.limits());
   Recording<OnPiece> recording(on_piece);
   RecordedMotion result;
   result.status = motion.start(start);

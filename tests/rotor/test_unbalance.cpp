@@ -6,7 +6,7 @@
 #include <complex>
 #include <numbers>
 
-#include "effects/unbalance.hpp"
+#include "effects/harmonic.hpp"
 #include "exact_motion.hpp"
 #include "rotor/free_motion.hpp"
 

@@ -60,6 +60,9 @@ TEST(SceneReader, EveryQuantityIsReadWhereItsPointerSays) {
       case Kind::choice:
         value = "\"" + std::string(entry.choices.back()) + "\"";
         break;
+      case Kind::numbers:
+        value = "[0.001, 0.0, -0.002]";
+        break;
       case Kind::flag:
         value = "true";
         break;

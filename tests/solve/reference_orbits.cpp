@@ -92,7 +92,7 @@ TEST_P(ReferenceOrbit, EventsComeInTheSameOrderAtTheSameTimesWithTheSameForces) 
     }
   };
   if (c.scene.unbalance) {
-    run(effects::Unbalance(c.scene.unbalance->moment / c.scene.rotor.mass, 0.0, c.speed_ratio,
+    run(effects::RotatingUnbalance(c.scene.unbalance->moment / c.scene.rotor.mass, 0.0, c.speed_ratio,
                            rotor.damping_ratio));
   } else {
     run(effects::NoForcing{});

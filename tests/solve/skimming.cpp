@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "effects/unbalance.hpp"
+#include "effects/harmonic.hpp"
 #include "solve/blade_tables.hpp"
 #include "solve/motion.hpp"
 
@@ -19,13 +19,13 @@ constexpr RotorConstants kCreeping{0.005, 1.0, 0.01001, 0.01, 0.01};
 constexpr contact::Geometry kGeometry{0.1, 0.11};
 
 /// The creeping rotor, which hops on the receding side of each blade's passage.
-Motion<contact::ElasticaContact, effects::Unbalance> creeping(double friction, double tolerance) {
+Motion<contact::ElasticaContact, effects::RotatingUnbalance> creeping(double friction, double tolerance) {
   const double bending_stiffness = 206e9 * 0.01 * 1e-9 / 12.0;
   return {kCreeping,
           3,
           contact::ElasticaContact(kGeometry, {0.1, 0.001, bending_stiffness},
                                    make_blade_tables()->curve(friction)),
-          effects::Unbalance(1e-4, 0.3, kCreeping.speed_ratio, kCreeping.damping_ratio),
+          effects::RotatingUnbalance(1e-4, 0.3, kCreeping.speed_ratio, kCreeping.damping_ratio),
           {tolerance, 0.5}};
 }
 
@@ -86,8 +86,7 @@ TEST(Skimming, IsTheLimitOfEverSmallerHops) {
       for (std::size_t i = 0; i < times.size(); ++i) {
         EXPECT_EQ(skims.contacts[i], 1U);
         const double apart = (skims.states[i] - hops.states[i]).head<2>().abs().maxCoeff();
-        EXPECT_LT(apart, 100.0 * tolerance)
-            << friction << " " << tolerance << " " << times[i];
+        EXPECT_LT(apart, 100.0 * tolerance) << friction << " " << tolerance << " " << times[i];
       }
     }
   }
@@ -121,7 +120,7 @@ TEST(Skimming, EndsWhereTheFreeMotionLeavesTheRing) {
     const BladeSet blades(3, kCreeping.speed_ratio);
     const auto direction = blades.direction(event.blade, blades.first(event.time));
     const State& s = event.state;
-    const effects::Unbalance unbalance(1e-4, 0.3, kCreeping.speed_ratio, kCreeping.damping_ratio);
+    const effects::RotatingUnbalance unbalance(1e-4, 0.3, kCreeping.speed_ratio, kCreeping.damping_ratio);
     const std::complex<double> acceleration =
         unbalance.acceleration(event.time) -
         2.0 * kCreeping.damping_ratio * std::complex<double>(s[2], s[3]) - std::complex<double>(s[0], s[1]);
@@ -140,9 +139,9 @@ TEST(Skimming, IsPassedOverWhereHopsAreResolved) {
   // Chaotic motion at moderate speed touches down on the receding side all the time and never skims: the same
   // bits as if there were no skimming.
   const RotorConstants rotor{0.5, 0.1, 0.01001, 0.01, 0.01};
-  const effects::Unbalance unbalance(1e-5, 0.0, rotor.speed_ratio, rotor.damping_ratio);
-  Motion<contact::ElasticaContact, effects::Unbalance> motion(
-      rotor, 3,
+  const effects::RotatingUnbalance unbalance(1e-5, 0.0, rotor.speed_ratio, rotor.damping_ratio);
+  Motion<contact::ElasticaContact, effects::RotatingUnbalance> motion(
+      rotor, BladeSet(3, rotor.speed_ratio),
       contact::ElasticaContact(kGeometry, {0.1, 0.001, 206e9 * 0.01 * 1e-9 / 12.0},
                                make_blade_tables()->curve(0.1)),
       unbalance, {1e-11, 0.5});

@@ -1,0 +1,36 @@
+/// Blades that are not alike: any law, with numbers of its own for each blade.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace rubatlas::contact {
+
+/// `Law` is the law of one blade.
+template <class Law>
+class UnequalBlades {
+ public:
+  static constexpr bool kHasBending = Law::kHasBending;
+  using OfBlade = Law;
+
+  /// One law a blade.
+  explicit UnequalBlades(std::vector<Law> blades) : blades_(std::move(blades)) {}
+
+  [[nodiscard]] const Law& of(int blade) const { return blades_[static_cast<std::size_t>(blade)]; }
+
+  /// How often the curves of all blades have been evaluated.
+  [[nodiscard]] std::uint64_t evaluations() const {
+    std::uint64_t sum = 0;
+    if constexpr (kHasBending) {
+      for (const Law& blade : blades_) sum += blade.evaluations();
+    }
+    return sum;
+  }
+
+ private:
+  std::vector<Law> blades_;
+};
+
+}  // namespace rubatlas::contact

@@ -1,0 +1,85 @@
+/// Effect `speed_ripple`: the spin speed varies periodically within a revolution, as a motor's or an engine's
+/// does.
+///
+///     φ' = Ω (1 + a cos(pΩτ + ψ)),   φ = Ωτ + (a/p) (sin(pΩτ + ψ) − sin ψ)
+///
+/// The order p is whole, so that a revolution still takes 2π/Ω and ends where it began. The rig of the paper
+/// varied by ±3 to ±167 rpm (section 4). An unbalance then acts with −(me/m) d²/dτ² e^{iφ}: by Jacobi and
+/// Anger a sum of harmonics Ω (1 + kp) with Bessel functions for weights (Abramowitz & Stegun 9.1.42), so
+/// that flight stays in closed form.
+#pragma once
+
+#include <boost/math/special_functions/bessel.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <tuple>
+#include <vector>
+
+#include "effects/description.hpp"
+#include "effects/harmonic.hpp"
+
+namespace rubatlas::effects {
+
+struct SpeedRipple {
+  double amplitude = 0.0;  ///< a [-]: largest departure of the speed, relative to its mean
+  int order = 1;           ///< p [-]: ripples in a revolution
+  double phase = 0.0;      ///< ψ [rad]
+
+  static constexpr Description kDescription{
+      .section = "/speed_ripple",
+      .meaning = "a spin speed that varies within each revolution",
+      .equation = "φ' = Ω (1 + a cos(pΩτ + ψ)) in place of Ω",
+      .source = "Jacobi-Anger: Abramowitz & Stegun 9.1.42",
+      .flight = "closed form: an unbalance acts with side bands Ω (1 + kp)",
+      .breaks = "blade passing, but for p a multiple of n",
+  };
+  static constexpr auto quantities() {
+    return std::tuple{
+        Field<&SpeedRipple::amplitude>{.pointer = "/speed_ripple/amplitude",
+                                       .symbol = "a",
+                                       .unit = "1",
+                                       .meaning = "largest departure of the spin speed, share of its mean",
+                                       .source = "none",
+                                       .range = scene::between(0.0, 0.9)},
+        Field<&SpeedRipple::order>{.pointer = "/speed_ripple/order",
+                                   .symbol = "p",
+                                   .unit = "1",
+                                   .meaning = "ripples in a revolution",
+                                   .source = "once a revolution",
+                                   .range = scene::between(1, 1000)},
+        Field<&SpeedRipple::phase>{.pointer = "/speed_ripple/phase",
+                                   .symbol = "ψ",
+                                   .unit = "rad",
+                                   .meaning = "phase of the ripple when blade 1 is at angle 0",
+                                   .source = "fastest there",
+                                   .range = scene::between(-1e3, 1e3)}};
+  }
+  [[nodiscard]] bool acts() const { return amplitude != 0.0; }
+};
+
+/// What an unbalance of me/m [m] at the phase γ becomes: side bands until they are below rounding.
+inline std::vector<Harmonic> rippled_unbalance(const SpeedRipple& ripple, double specific_moment,
+                                               double phase, double speed_ratio, double damping_ratio) {
+  const double depth = ripple.amplitude / ripple.order;
+  const double strength = std::abs(specific_moment) * speed_ratio * speed_ratio;
+  std::vector<Harmonic> terms;
+  const auto add = [&](int k) {
+    const double frequency = speed_ratio * (1.0 + k * ripple.order);
+    const double weight = boost::math::cyl_bessel_j(k, depth);
+    const double amplitude = specific_moment * frequency * frequency * weight;
+    const double angle = phase - depth * std::sin(ripple.phase) + k * ripple.phase;
+    terms.emplace_back(std::abs(amplitude), amplitude < 0.0 ? angle + std::numbers::pi : angle, frequency,
+                       damping_ratio);
+    return std::abs(amplitude);
+  };
+  constexpr int kMost = 64;
+  add(0);
+  for (int k = 1; k < kMost; ++k) {
+    const double strongest = std::max(add(k), add(-k));
+    if (strongest < std::numeric_limits<double>::epsilon() * 1e-2 * strength) break;
+  }
+  return terms;
+}
+
+}  // namespace rubatlas::effects

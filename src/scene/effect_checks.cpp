@@ -1,0 +1,61 @@
+#include "scene/effect_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include "scene/quantity.hpp"
+#include "scene/reader.hpp"
+
+namespace rubatlas::scene {
+namespace {
+
+/// Only the program's own method knows effects; the others are there to be compared on the paper's rotor.
+void check_method(const Scene& scene) {
+  if (scene.accuracy.method == Method::hybrid) return;
+  effects::for_each_effect([&]<auto Effect>() {
+    using Settings = std::remove_cvref_t<decltype(*(std::declval<Scene>().*Effect))>;
+    if constexpr (!std::is_same_v<Settings, effects::Unbalance>) {
+      if (!(scene.*Effect)) return;
+      throw SceneError(fmt::format(
+          R"({}: the method "{}" computes the paper's rotor and its unbalance; effects need "hybrid")",
+          Settings::kDescription.section, std::get<std::string>(*quantity("/accuracy/method").read(scene))));
+    }
+  });
+}
+
+void check_unequal_blades(const Scene& scene) {
+  if (!scene.unequal_blades) return;
+  const auto& blades = scene.blades;
+  const auto check = [&](std::string_view pointer, const std::vector<double>& errors) {
+    if (!errors.empty() && std::ssize(errors) != blades.count) {
+      throw SceneError(fmt::format("{}: {} numbers for {} blades; one a blade, or none", pointer,
+                                   errors.size(), blades.count));
+    }
+  };
+  check("/unequal_blades/length_errors", scene.unequal_blades->length_errors);
+  check("/unequal_blades/thickness_errors", scene.unequal_blades->thickness_errors);
+  check("/unequal_blades/angle_errors", scene.unequal_blades->angle_errors);
+  const auto smallest = [&](std::string_view pointer) { return std::ranges::min(values_in(scene, pointer)); };
+  const double length = smallest("/blades/length");
+  const double thickness = smallest("/blades/thickness");
+  for (const auto& error : scene.unequal_blades->errors(blades.count)) {
+    if (!(length + error.length > 0.0) || !(thickness + error.thickness > 0.0)) {
+      throw SceneError(fmt::format(
+          "/unequal_blades: a blade {} m shorter and {} m thinner than it should be; nothing of it is left",
+          -error.length, -error.thickness));
+    }
+  }
+}
+
+}  // namespace
+
+void check_effects(const Scene& scene) {
+  check_method(scene);
+  check_unequal_blades(scene);
+}
+
+}  // namespace rubatlas::scene

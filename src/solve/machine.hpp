@@ -1,0 +1,99 @@
+/// What turns and pushes the shaft on one line, as types: the forcing and the blades of a point.
+///
+/// A machine makes both for a speed ratio. The paper's rotor has a machine without forcing and one with an
+/// unbalance, and nothing else in its equations; effects besides have machines of their own, in which a list
+/// holds just the forcings that the scene has.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "effects/harmonic.hpp"
+#include "effects/list.hpp"
+#include "scene/scene.hpp"
+#include "solve/blade_set.hpp"
+#include "solve/rippling_blades.hpp"
+
+namespace rubatlas::solve {
+
+/// Equal blades at constant speed, nothing but shaft and ring.
+struct PlainMachine {
+  int blade_count;
+  [[nodiscard]] effects::NoForcing forcing(double /*speed_ratio*/) const { return {}; }
+  [[nodiscard]] BladeSet blades(double speed_ratio) const { return {blade_count, speed_ratio}; }
+};
+
+/// The same with an unbalance.
+struct UnbalancedMachine {
+  int blade_count;
+  double specific_moment;  ///< me/m [m]
+  double phase;            ///< γ [rad]
+  double damping_ratio;    ///< ζ [-]
+  [[nodiscard]] effects::RotatingUnbalance forcing(double speed_ratio) const {
+    return {specific_moment, phase, speed_ratio, damping_ratio};
+  }
+  [[nodiscard]] BladeSet blades(double speed_ratio) const { return {blade_count, speed_ratio}; }
+};
+
+/// Whatever a scene's effects make of it, at constant speed.
+class MachineWithEffects {
+ public:
+  explicit MachineWithEffects(scene::Scene line) : line_(std::move(line)) {}
+
+  [[nodiscard]] effects::Harmonics forcing(double speed_ratio) const {
+    return effects::Harmonics(harmonics(speed_ratio));
+  }
+  [[nodiscard]] BladeSet blades(double speed_ratio) const { return {angles(), speed_ratio}; }
+
+  /// All harmonic forcings that the scene has.
+  [[nodiscard]] std::vector<effects::Harmonic> harmonics(double speed_ratio) const {
+    using effects::Effects;
+    const double damping = line_.rotor.damping_ratio;
+    std::vector<effects::Harmonic> terms;
+    if (effects::acts<&Effects::unbalance>(line_)) {
+      const double specific_moment = line_.unbalance->moment / line_.rotor.mass;
+      if (effects::acts<&Effects::speed_ripple>(line_)) {
+        terms = effects::rippled_unbalance(*line_.speed_ripple, specific_moment, line_.unbalance->phase,
+                                           speed_ratio, damping);
+      } else {
+        terms.push_back(
+            effects::RotatingUnbalance(specific_moment, line_.unbalance->phase, speed_ratio, damping));
+      }
+    }
+    const double frequency = line_.rotor.natural_frequency;
+    const double stiffness = line_.rotor.mass * frequency * frequency;
+    const auto add_static = [&](const auto& load) {
+      const std::complex<double> deflection = load->deflection(stiffness, frequency);
+      terms.emplace_back(std::abs(deflection), std::arg(deflection), 0.0, damping);
+    };
+    if (effects::acts<&Effects::gravity>(line_)) add_static(line_.gravity);
+    if (effects::acts<&Effects::side_load>(line_)) add_static(line_.side_load);
+    return terms;
+  }
+
+  /// Angles of the blades from blade 0's place [rad].
+  [[nodiscard]] std::vector<double> angles() const {
+    std::vector<double> result = equal_angles(line_.blades.count);
+    if (effects::acts<&Effects::unequal_blades>(line_)) {
+      const auto errors = line_.unequal_blades->errors(line_.blades.count);
+      for (std::size_t k = 0; k < result.size(); ++k) result[k] += errors[k].angle;
+    }
+    return result;
+  }
+
+ protected:
+  using Effects = effects::Effects;
+  scene::Scene line_;
+};
+
+/// The same at a speed that ripples.
+class RipplingMachine final : public MachineWithEffects {
+ public:
+  using MachineWithEffects::MachineWithEffects;
+  [[nodiscard]] RipplingBlades blades(double speed_ratio) const {
+    return {angles(), speed_ratio, *line_.speed_ripple};
+  }
+};
+
+}  // namespace rubatlas::solve
