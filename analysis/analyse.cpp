@@ -112,7 +112,7 @@ Findings examine(const atlas::AtlasReader& atlas) {
                                     negligible_displacement(own)));
   }
   found.sensitivities = sensitivities(found.parameters, found.lines, scale);
-  found.statements = judge_statements(Evidence(found.scene, found.parameters, found.lines, per_passing));
+  found.statements = judge_statements(found.scene, found.parameters, found.lines, per_passing);
   return found;
 }
 

@@ -20,6 +20,7 @@ constexpr double kSmallArea = 0.01;
 /// One number of a line, set against that of a reference line.
 struct Comparison {
   std::string what;
+  std::string claim;
   std::function<double(const LineSummary&)> value;
   double sign;        ///< +1: it should be greater than on the reference line, -1: smaller
   double noticeable;  ///< by this at least
@@ -34,7 +35,7 @@ Finding compared(const Evidence& evidence, std::string_view name, const Lines& c
       candidates, [&](const LineSummary* line) { return std::isfinite(comparison.value(*line)); });
   const double there = comparison.value(reference);
   if (known == candidates.end() || !std::isfinite(there)) {
-    return not_covered(fmt::format("{}: not known on two lines", comparison.what));
+    return not_covered(fmt::format("{}: not known on two lines", comparison.what), comparison.claim);
   }
   const auto number = [&](double value) {
     return comparison.in_percent ? fmt::format("{:.0f} %", 100.0 * value) : fmt::format("{:.3f}", value);
@@ -43,7 +44,8 @@ Finding compared(const Evidence& evidence, std::string_view name, const Lines& c
   return {
       comparison.sign * (here - there) >= comparison.noticeable,
       fmt::format("{}: {} at {}, {} at {}", comparison.what, number(here), evidence.value_text(**known, name),
-                  number(there), evidence.value_text(reference, name))};
+                  number(there), evidence.value_text(reference, name)),
+      comparison.claim, fmt::format("{} / {}", number(here), number(there))};
 }
 
 /// Extent of the chaos in a region: width times share [-]; 0 where the region is absent, NaN where not known.
@@ -54,7 +56,7 @@ double chaos(const Region& region) {
 /// The line that low and high damping are compared with: the default one, else the highest within the paper's
 /// range.
 const LineSummary* reference_damping(const Evidence& evidence, const Lines& lines) {
-  if (const auto* line = evidence.default_line()) return line;
+  if (const auto* line = evidence.own_line()) return line;
   const auto inside = within(evidence, lines, "damping_ratio", 0.0, kGlobalPictureDamping);
   return inside.empty() ? nullptr : inside.back();
 }
@@ -69,7 +71,7 @@ std::vector<Finding> low_damping_findings(const Evidence& evidence) {
   const auto* reference = reference_damping(evidence, lines);
   if (inside.empty() || reference == nullptr) return {not_covered("no damping ratio up to 0.15")};
 
-  std::vector<Finding> findings{all_four(evidence, inside, name)};
+  std::vector<Finding> findings{all_four(evidence, inside, name, "all four regions for ζ ≤ 0.15")};
   Lines lower;
   std::ranges::copy_if(inside, std::back_inserter(lower), [&](const LineSummary* line) {
     return evidence.value(*line, name) < evidence.value(*reference, name);
@@ -83,11 +85,13 @@ std::vector<Finding> low_damping_findings(const Evidence& evidence) {
     return [which](const LineSummary& line) { return line.regions[which].width(); };
   };
   const auto share = [](const LineSummary& line) { return line.regions[0].aperiodic_share; };
-  findings.push_back(compared(evidence, name, lower, *reference, {"width of region 2", width(1), 1.0, step}));
-  findings.push_back(
-      compared(evidence, name, lower, *reference, {"width of region 3", width(2), -1.0, step}));
   findings.push_back(compared(evidence, name, lower, *reference,
-                              {"aperiodic share of region 1", share, 1.0, kSmallArea, true}));
+                              {"width of region 2", "low ζ widens region 2", width(1), 1.0, step}));
+  findings.push_back(compared(evidence, name, lower, *reference,
+                              {"width of region 3", "low ζ shortens region 3", width(2), -1.0, step}));
+  findings.push_back(compared(evidence, name, lower, *reference,
+                              {"aperiodic share of region 1", "low ζ: small chaotic areas in region 1", share,
+                               1.0, kSmallArea, true}));
   return findings;
 }
 
@@ -104,15 +108,22 @@ std::vector<Finding> high_damping_findings(const Evidence& evidence) {
   for (const std::size_t which : {1U, 3U}) {
     const auto extent = [which](const LineSummary& line) { return chaos(line.regions[which]); };
     findings.push_back(compared(evidence, name, {&high}, *reference,
-                                {fmt::format("chaos of region {} (width × share)", which + 1), extent, -1.0,
+                                {fmt::format("chaos of region {} (width × share)", which + 1),
+                                 fmt::format("high ζ attenuates region {}", which + 1), extent, -1.0,
                                  evidence.scale().speed_ratio(kNoticeableWidth)}));
+    // What disappears has been there: on the line that high damping is compared with.
     const auto presence = high.regions[which].presence;
-    const std::optional<bool> gone = presence == Presence::not_covered
-                                         ? std::optional<bool>{}
-                                         : std::optional<bool>{presence == Presence::absent};
+    const auto before = reference->regions[which].presence;
+    std::optional<bool> gone;
+    if (presence != Presence::not_covered && before != Presence::not_covered) {
+      gone = presence == Presence::absent && before != Presence::absent;
+    }
     findings.push_back(
-        {gone, fmt::format("{} at {}", region_text(static_cast<int>(which) + 1, high.regions[which]),
-                           evidence.value_text(high, name))});
+        {gone,
+         fmt::format("{} at {}, {} at {}", region_text(static_cast<int>(which) + 1, high.regions[which]),
+                     evidence.value_text(high, name), before == Presence::absent ? "absent already" : "there",
+                     evidence.value_text(*reference, name)),
+         fmt::format("high ζ: region {} disappears", which + 1)});
   }
   return findings;
 }

@@ -4,7 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "analysis/evidence_text.hpp"
 
 namespace rubatlas::analysis {
 namespace {
@@ -20,19 +23,21 @@ std::vector<std::string> what_lacks(const LineSummary& line) {
   return texts;
 }
 
-/// All four regions on each of the lines: false where one is known not to be there, not covered where one
-/// might be where the points are not done.
 }  // namespace
 
-Finding not_covered(std::string reason) {
-  return {std::nullopt, std::move(reason)};
+Finding not_covered(std::string reason, std::string claim) {
+  return {std::nullopt, std::move(reason), std::move(claim)};
+}
+
+bool has_all_four(const LineSummary& line) {
+  return std::ranges::all_of(line.regions, &Region::present);
 }
 
 std::string no_lines(const Evidence& evidence, const Lines& lines, std::string_view name) {
   if (!evidence.other_rotor().empty()) return evidence.other_rotor();
   if (lines.size() >= 2) return {};
-  return fmt::format("the grid has {} of the default rotor along {}",
-                     lines.empty() ? "no line" : "only one line", name);
+  return fmt::format("the grid has {} of {} along {}", lines.empty() ? "no line" : "only one line",
+                     evidence.rotor().name, name);
 }
 
 Lines within(const Evidence& evidence, const Lines& lines, std::string_view name, double low, double high) {
@@ -44,7 +49,7 @@ Lines within(const Evidence& evidence, const Lines& lines, std::string_view name
   return inside;
 }
 
-Finding all_four(const Evidence& evidence, const Lines& lines, std::string_view name) {
+Finding all_four(const Evidence& evidence, const Lines& lines, std::string_view name, std::string claim) {
   std::vector<std::string> lacking;
   std::vector<std::string> unknown;
   for (const auto* line : lines) {
@@ -55,11 +60,58 @@ Finding all_four(const Evidence& evidence, const Lines& lines, std::string_view 
     if (!lacks.empty()) lacking.push_back(fmt::format("{} at {}", fmt::join(lacks, ", "), at));
     if (lacks.empty() && uncovered) unknown.push_back(at);
   }
-  if (!lacking.empty()) return {false, fmt::format("{}", fmt::join(lacking, "; "))};
-  if (!unknown.empty())
-    return not_covered(fmt::format("not all regions are covered at {}", fmt::join(unknown, ", ")));
-  return {true, fmt::format("all four regions from {} to {}", evidence.value_text(*lines.front(), name),
-                            evidence.value_text(*lines.back(), name))};
+  const auto brief = fmt::format("{}/{}", lines.size() - lacking.size() - unknown.size(), lines.size());
+  if (!lacking.empty()) {
+    return {false, fmt::format("{}", fmt::join(lacking, "; ")), std::move(claim), brief};
+  }
+  if (!unknown.empty()) {
+    return not_covered(fmt::format("not all regions are covered at {}", fmt::join(unknown, ", ")),
+                       std::move(claim));
+  }
+  return {true,
+          fmt::format("all four regions from {} to {}", evidence.value_text(*lines.front(), name),
+                      evidence.value_text(*lines.back(), name)),
+          std::move(claim), brief};
+}
+
+Finding trigger_at_its_place(const LineSummary& line, SpeedScale scale, std::size_t which) {
+  const auto& trigger = line.triggers[which];
+  const auto text = trigger_text(static_cast<int>(which) + 1, trigger);
+  const auto claim = fmt::format("trigger {} at {}/n", which + 1, which + 1);
+  if (trigger.presence == Presence::not_covered) return not_covered(text, claim);
+  if (trigger.presence != Presence::present) return {false, text, claim};
+  const double scaled = scale.scaled(trigger.speed_ratio);
+  return {std::abs(scaled - kNominalTrigger.at(which)) <= kSamePlace,
+          fmt::format("{}; {:.3f}/n", text, 3.0 * scaled), claim, fmt::format("{:.3f}/n", 3.0 * scaled)};
+}
+
+Finding trigger_on_every(const Evidence& evidence, const Lines& lines, std::string_view name,
+                         std::size_t which, std::string_view of) {
+  auto claim = fmt::format("{}: trigger {} at {}/n", of, which + 1, which + 1);
+  std::vector<std::string> departures;
+  std::vector<std::string> unknown;
+  double lowest = kNotANumber;
+  double highest = kNotANumber;
+  for (const auto* line : lines) {
+    const auto one = trigger_at_its_place(*line, evidence.scale(), which);
+    const auto& trigger = line->triggers.at(which);
+    if (!one.holds) unknown.push_back(evidence.value_text(*line, name));
+    if (one.holds == false) {
+      departures.push_back(fmt::format("{} at {}", trigger_text(static_cast<int>(which) + 1, trigger),
+                                       evidence.value_text(*line, name)));
+    }
+    lowest = std::fmin(lowest, trigger.speed_ratio);
+    highest = std::fmax(highest, trigger.speed_ratio);
+  }
+  const auto brief = fmt::format("{}/{}", lines.size() - departures.size() - unknown.size(), lines.size());
+  if (!departures.empty())
+    return {false, fmt::format("{}", fmt::join(departures, "; ")), std::move(claim), brief};
+  if (!unknown.empty()) {
+    return not_covered(fmt::format("trigger {} is not covered at {}", which + 1, fmt::join(unknown, ", ")),
+                       std::move(claim));
+  }
+  return {true, fmt::format("trigger {} on every line, at {:.3f}-{:.3f}", which + 1, lowest, highest),
+          std::move(claim), brief};
 }
 
 }  // namespace rubatlas::analysis

@@ -14,7 +14,10 @@ namespace rubatlas::analysis {
 using Lines = std::vector<const LineSummary*>;
 
 /// A finding without a value.
-Finding not_covered(std::string reason);
+Finding not_covered(std::string reason, std::string claim = {});
+
+/// Lines on which all four regions are.
+[[nodiscard]] bool has_all_four(const LineSummary& line);
 
 /// Why no line can be judged along a parameter; empty when there are at least two.
 std::string no_lines(const Evidence& evidence, const Lines& lines, std::string_view name);
@@ -24,7 +27,14 @@ Lines within(const Evidence& evidence, const Lines& lines, std::string_view name
 
 /// All four regions on each of the lines: false where one is known not to be there, not covered where one
 /// might be where the points are not done.
-Finding all_four(const Evidence& evidence, const Lines& lines, std::string_view name);
+Finding all_four(const Evidence& evidence, const Lines& lines, std::string_view name, std::string claim);
+
+/// A trigger on every one of the lines, each within `kSamePlace` of its place (1/n, 2/n); `of` says which
+/// lines they are.
+Finding trigger_on_every(const Evidence& evidence, const Lines& lines, std::string_view name,
+                         std::size_t which, std::string_view of);
+/// The trigger of one line at 1/n (2/n).
+Finding trigger_at_its_place(const LineSummary& line, SpeedScale scale, std::size_t which);
 
 /// Limits and values are decimals as binary64: a limit is stretched by this factor.
 constexpr double kRounding = 1.0 + 1e-9;

@@ -33,10 +33,11 @@ std::vector<Finding> friction_findings(const Evidence& evidence) {
   const std::string_view name = "friction";
   const auto lines = evidence.lines_along(name);
   if (const auto reason = no_lines(evidence, lines, name); !reason.empty()) return {not_covered(reason)};
-  std::vector<Finding> findings{all_four(evidence, lines, name)};
+  std::vector<Finding> findings{all_four(evidence, lines, name, "all four regions at every μ")};
   if (findings.front().holds == true) {
     const double shift = largest_shift(lines, evidence.scale());
-    findings.push_back({shift <= kNextTo, fmt::format("borders of the regions move by up to {:.3f}", shift)});
+    findings.push_back({shift <= kNextTo, fmt::format("borders of the regions move by up to {:.3f}", shift),
+                        "μ moves borders only locally", fmt::format("{:.3f}", shift)});
   }
   const auto judge = [&](const Lines& some, bool expected, std::string_view where) {
     if (some.empty()) return;
@@ -49,10 +50,13 @@ std::vector<Finding> friction_findings(const Evidence& evidence) {
       holds = holds && (share > 0.0) == expected;
       shares.push_back(fmt::format("{:.1f} % at {}", 100.0 * share, evidence.value_text(*line, name)));
     }
+    const auto claim = fmt::format("{}chaos in region 1 {}", expected ? "" : "no ", where);
     if (!known) {
-      findings.push_back(not_covered(fmt::format("chaos in region 1 {}: no region 1 on every line", where)));
+      findings.push_back(
+          not_covered(fmt::format("chaos in region 1 {}: no region 1 on every line", where), claim));
     } else {
-      findings.push_back({holds, fmt::format("chaos in region 1 {}: {}", where, fmt::join(shares, ", "))});
+      findings.push_back(
+          {holds, fmt::format("chaos in region 1 {}: {}", where, fmt::join(shares, ", ")), claim});
     }
   };
   const auto inside = within(evidence, lines, name, kLeastChaoticFriction, kGreatestChaoticFriction);

@@ -109,10 +109,12 @@ void create_statements(File& file, const Findings& found) {
   std::vector<std::string> names;
   std::vector<std::string> claims;
   std::vector<std::string> evidence;
+  std::vector<std::string> settings;
   std::vector<std::uint8_t> verdicts;
   for (const auto& statement : found.statements) {
     names.emplace_back(statement.name);
     claims.emplace_back(statement.claim);
+    settings.push_back(statement.setting.text);
     verdicts.push_back(static_cast<std::uint8_t>(statement.verdict()));
     std::vector<std::string> texts;
     for (const auto& finding : statement.findings) {
@@ -122,11 +124,12 @@ void create_statements(File& file, const Findings& found) {
     evidence.push_back(fmt::format("{}", fmt::join(texts, "; ")));
   }
   auto group = file.create_group("statements");
-  group.set_text("long_name", "the paper's statements about its default rotor, judged on this atlas");
+  group.set_text("long_name", "the paper's statements, judged on this atlas");
   const Dataset scale =
       create_number_scale(file, "statements/statement", "statement", names.size(), "number of the statement");
   create_texts(file, "statements/name", scale, "name of the statement (MODEL 6.3)", names);
   create_texts(file, "statements/claim", scale, "the statement, in short", claims);
+  create_texts(file, "statements/setting", scale, "values of what is open, at which it was judged", settings);
   create_texts(file, "statements/evidence", scale, "what the verdict rests on", evidence);
   Dataset verdict = file.create_dataset<std::uint8_t>("statements/verdict", {verdicts.size()});
   verdict.write<std::uint8_t>(verdicts);
@@ -135,6 +138,42 @@ void create_statements(File& file, const Findings& found) {
   verdict.set_numbers<std::uint8_t>("flag_values", flags);
   verdict.set_text("flag_meanings", "not_covered agrees partly disagrees");
   verdict.set_text("long_name", "verdict");
+}
+
+/// One row per finding of a statement: what the map of statements is drawn from.
+void create_findings(File& file, const Findings& found) {
+  std::vector<std::int32_t> statement;
+  std::vector<std::uint8_t> holds;
+  std::vector<std::string> claims;
+  std::vector<std::string> briefs;
+  std::vector<std::string> evidence;
+  for (std::size_t i = 0; i < found.statements.size(); ++i) {
+    for (const auto& finding : found.statements[i].findings) {
+      statement.push_back(static_cast<std::int32_t>(i));
+      holds.push_back(!finding.holds ? 0 : *finding.holds ? 1 : 2);
+      claims.push_back(finding.claim);
+      briefs.push_back(finding.brief);
+      evidence.push_back(finding.evidence);
+    }
+  }
+  auto group = file.create_group("findings");
+  group.set_text("long_name", "what each statement was found to rest on");
+  const Dataset scale =
+      create_number_scale(file, "findings/finding", "finding", holds.size(), "number of the finding");
+  Dataset owner = file.create_dataset<std::int32_t>("findings/statement", {statement.size()});
+  owner.write<std::int32_t>(statement);
+  owner.attach_scale(0, scale);
+  owner.set_text("long_name", "number of the statement that it belongs to");
+  create_texts(file, "findings/claim", scale, "what is found or not; empty where nothing is judged", claims);
+  create_texts(file, "findings/brief", scale, "the number that it rests on", briefs);
+  create_texts(file, "findings/evidence", scale, "what it rests on", evidence);
+  Dataset held = file.create_dataset<std::uint8_t>("findings/holds", {holds.size()});
+  held.write<std::uint8_t>(holds);
+  held.attach_scale(0, scale);
+  const std::vector<std::uint8_t> flags{0, 1, 2};
+  held.set_numbers<std::uint8_t>("flag_values", flags);
+  held.set_text("flag_meanings", "not_covered yes no");
+  held.set_text("long_name", "whether it was found");
 }
 
 void create_displacement(File& file, const Findings& found, const Shape& shape,
@@ -169,6 +208,7 @@ void write_maps(const std::filesystem::path& path, const Findings& found, const 
     create_table(file, found);
     create_effects(file, found);
     create_statements(file, found);
+    create_findings(file, found);
   }
   file.close();
   atlas::publish(path);

@@ -4,6 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "analysis/report_parts.hpp"
 #include "analysis/text_layout.hpp"
@@ -48,6 +52,33 @@ std::string plain_table(const Findings& found) {
   return text;
 }
 
+/// Why nothing of a statement is covered at any setting, where that is one reason; empty otherwise.
+std::string only_reason(const Statement& statement) {
+  const bool one =
+      statement.setting.text.empty() && statement.findings.size() == 1 && !statement.findings.front().holds;
+  return one ? statement.findings.front().evidence : std::string{};
+}
+
+/// Two or more statements that are not covered for the same reason are told in one line.
+bool is_shared(const Statement& statement, std::span<const Statement> statements) {
+  const auto reason = only_reason(statement);
+  return !reason.empty() && std::ranges::count(statements, reason, only_reason) > 1;
+}
+
+/// Reasons and the names of the statements that share them, in the order of the statements.
+std::vector<std::pair<std::string, std::vector<std::string_view>>> shared_reasons(
+    std::span<const Statement> statements) {
+  std::vector<std::pair<std::string, std::vector<std::string_view>>> result;
+  for (const auto& statement : statements) {
+    if (!is_shared(statement, statements)) continue;
+    const auto reason = only_reason(statement);
+    auto found = std::ranges::find(result, reason, [](const auto& entry) { return entry.first; });
+    if (found == result.end()) found = result.insert(result.end(), {reason, {}});
+    found->second.push_back(statement.name);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string plain_report(const Findings& found) {
@@ -62,9 +93,18 @@ std::string plain_report(const Findings& found) {
   }
   text += fmt::format("\nTHE PAPER'S STATEMENTS, contact law {}\n", contact_law(found.scene));
   text += paragraph("", kStatementsKey, 2, kColumns) + "\n";
+  std::string setting;
+  for (const auto& [reason, names] : shared_reasons(found.statements)) {
+    text += paragraph(fmt::format("  {}", fmt::join(names, ", ")), "not covered: " + reason, 19, kColumns);
+  }
   for (const auto& statement : found.statements) {
-    text += paragraph(fmt::format("  {}  {}", statement.name, text_of(statement.verdict())), statement.claim,
-                      19, kColumns);
+    if (is_shared(statement, found.statements)) continue;
+    if (statement.setting.text != setting) {
+      setting = statement.setting.text;
+      text += fmt::format("\n  at {}\n", setting);
+    }
+    text += paragraph(fmt::format("  {:<3} {}", statement.name, text_of(statement.verdict())),
+                      statement.claim, 19, kColumns);
     for (const auto& finding : statement.findings) {
       text += paragraph(fmt::format("                   {}", mark(finding)), finding.evidence, 22, kColumns);
     }
@@ -96,14 +136,14 @@ std::string markdown_report(const Findings& found) {
   }
   text += fmt::format("\n## The paper's statements, contact law {}\n\n{}\n\n", contact_law(found.scene),
                       kStatementsKey);
-  text += "| | statement | verdict | evidence |\n|---|---|---|---|\n";
+  text += "| | statement | at | verdict | evidence |\n|---|---|---|---|---|\n";
   for (const auto& statement : found.statements) {
     std::vector<std::string> evidence;
     for (const auto& finding : statement.findings) {
       evidence.push_back(fmt::format("{} {}", mark(finding), finding.evidence));
     }
-    text += fmt::format("| {} | {} | {} | {} |\n", statement.name, statement.claim,
-                        text_of(statement.verdict()), fmt::join(evidence, "<br>"));
+    text += fmt::format("| {} | {} | {} | {} | {} |\n", statement.name, statement.claim,
+                        statement.setting.text, text_of(statement.verdict()), fmt::join(evidence, "<br>"));
   }
   return text;
 }

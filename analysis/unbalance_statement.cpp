@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kSmallUnbalance = 1e-5;     ///< [kg m] of the paper's five values the small ones
 constexpr double kGreatestUnbalance = 1e-4;  ///< [kg m] the paper's largest value
+constexpr const char* kChaos = "growing me makes region 3 chaotic";
+constexpr const char* kStays = "trigger 1 stays at every me";
 
 /// A region that is known not to be there cannot become chaotic.
 std::optional<bool> if_known(const Region& region) {
@@ -29,26 +31,29 @@ std::vector<Finding> unbalance_findings(const Evidence& evidence) {
   const auto small = within(evidence, lines, name, 0.0, kSmallUnbalance);
   const auto paper = within(evidence, lines, name, 0.0, kGreatestUnbalance);
   std::vector<Finding> findings;
-  if (!small.empty()) findings.push_back(all_four(evidence, small, name));
+  if (!small.empty()) findings.push_back(all_four(evidence, small, name, "four regions for me ≤ 1e-5"));
 
   // "Growing it": what the least unbalance of the atlas has not, and one within the paper's range has.
-  const auto growth = [&](std::string_view what, const auto& shows) {
+  const auto growth = [&](std::string_view what, std::string claim, const auto& shows) {
     const auto knows = [&](const LineSummary* line) { return shows(*line).has_value(); };
     if (paper.size() < 2 || !std::ranges::all_of(paper, knows)) {
-      findings.push_back(not_covered(fmt::format("{}: not known for every unbalance up to 1e-4 kg m", what)));
+      findings.push_back(
+          not_covered(fmt::format("{}: not known for every unbalance up to 1e-4 kg m", what), claim));
       return;
     }
     const auto first = std::ranges::find_if(lines, [&](const auto* l) { return shows(*l).value_or(false); });
     const bool already = first == lines.begin();
     const bool never = first == lines.end();
     const bool in_range = !never && evidence.value(**first, name) <= kGreatestUnbalance * kRounding;
-    findings.push_back(
-        {in_range && !already, never ? fmt::format("{}: never", what)
-                                     : fmt::format("{}: {} {}", what, already ? "already at" : "from",
-                                                   evidence.value_text(**first, name))});
+    findings.push_back({in_range && !already,
+                        never ? fmt::format("{}: never", what)
+                              : fmt::format("{}: {} {}", what, already ? "already at" : "from",
+                                            evidence.value_text(**first, name)),
+                        std::move(claim),
+                        never ? "never" : fmt::format("{:.0e}", evidence.value(**first, name))});
   };
   using Known = std::optional<bool>;
-  growth("no trigger 2", [](const LineSummary& line) -> Known {
+  growth("no trigger 2", "growing me removes trigger 2", [](const LineSummary& line) -> Known {
     if (line.triggers[1].presence == Presence::not_covered) return std::nullopt;
     return line.triggers[1].presence == Presence::absent;
   });
@@ -56,31 +61,38 @@ std::vector<Finding> unbalance_findings(const Evidence& evidence) {
   if (place.present()) {
     const auto where = fmt::format("chaos in most of {}, region 3 at {}", extent_text(place),
                                    evidence.value_text(*lines.front(), name));
-    growth(where, [&](const LineSummary& line) -> Known {
+    growth(where, kChaos, [&](const LineSummary& line) -> Known {
       const double share = aperiodic_share(line.line, place.from, place.to);
       if (std::isnan(share)) return std::nullopt;
       return share >= kChaoticShare;
     });
   } else {
-    findings.push_back({if_known(place), region_text(3, place)});
+    findings.push_back({if_known(place), region_text(3, place), kChaos});
   }
-  growth("regions 2, 3 and 4 merged", [](const LineSummary& line) -> Known {
+  growth("regions 2, 3 and 4 merged", "growing me merges 2, 3 and 4", [](const LineSummary& line) -> Known {
     if (line.regions[3].presence == Presence::not_covered) return std::nullopt;
     return line.regions[3].presence == Presence::merged;
   });
 
+  // "Always": at every unbalance of the paper's range; what is beyond is said.
   std::vector<std::string> without;
+  std::vector<std::string> beyond;
   bool known = true;
   for (const auto* line : lines) {
-    known = known && line->triggers[0].presence != Presence::not_covered;
-    if (line->triggers[0].presence == Presence::absent) without.push_back(evidence.value_text(*line, name));
+    const bool in_range = evidence.value(*line, name) <= kGreatestUnbalance * kRounding;
+    const auto presence = line->triggers[0].presence;
+    known = known && (!in_range || presence != Presence::not_covered);
+    if (presence == Presence::absent) {
+      (in_range ? without : beyond).push_back(evidence.value_text(*line, name));
+    }
   }
+  const auto after = beyond.empty() ? "" : fmt::format(" (beyond: none at {})", fmt::join(beyond, ", "));
   if (!known) {
-    findings.push_back(not_covered("trigger 1: the lines do not reach over it"));
+    findings.push_back(not_covered("trigger 1: the lines do not reach over it", kStays));
   } else if (without.empty()) {
-    findings.push_back({true, "trigger 1 on every line"});
+    findings.push_back({true, "trigger 1 on every line up to 1e-4 kg m" + after, kStays});
   } else {
-    findings.push_back({false, fmt::format("no trigger 1 at {}", fmt::join(without, ", "))});
+    findings.push_back({false, fmt::format("no trigger 1 at {}{}", fmt::join(without, ", "), after), kStays});
   }
   return findings;
 }

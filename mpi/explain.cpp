@@ -14,6 +14,7 @@
 #include "atlas/schema.hpp"
 #include "batch/line_batch.hpp"
 #include "mpi/estimate.hpp"
+#include "mpi/explain_effects.hpp"
 #include "mpi/explain_text.hpp"
 #include "mpi/notes.hpp"
 #include "mpi/progress.hpp"
@@ -38,12 +39,6 @@ double bending_stiffness(const scene::Blades& blades, double thickness) {
 double euler_load(const scene::Blades& blades, double thickness) {
   const double half_pi = 0.5 * std::numbers::pi;
   return half_pi * half_pi * bending_stiffness(blades, thickness) / (blades.length * blades.length);
-}
-
-std::string between(double low, double high, std::string_view unit) {
-  const std::string suffix = unit.empty() ? "" : fmt::format(" {}", unit);
-  return low == high ? fmt::format("{:.4g}{}", low, suffix)
-                     : fmt::format("{:.4g} to {:.4g}{}", low, high, suffix);
 }
 
 void describe_machine(const scene::Scene& scene, Text& text) {
@@ -87,54 +82,7 @@ void describe_machine(const scene::Scene& scene, Text& text) {
                                     1.0 / blades.count, 2.0 / blades.count, blades.count));
 }
 
-// --- effects ---
-
-void effect(Text& text, std::string_view name, bool present, const std::string& why) {
-  text.line(name, fmt::format("{:<4} {}", present ? "on" : "off", why));
-}
-
-std::string values_text(const std::vector<double>& values) {
-  constexpr std::size_t kShown = 8;
-  if (values.size() <= kShown) return fmt::format("{}", fmt::join(values, ", "));
-  return fmt::format("{} to {}", values.front(), values.back());
-}
-
-std::string ring_text(const scene::Scene& scene) {
-  const auto stiffness = scene::values_in(scene, "/ring/stiffness");
-  const double shaft = scene.rotor.mass * scene.rotor.natural_frequency * scene.rotor.natural_frequency;
-  return fmt::format("kr = {}, {}", between(stiffness.front(), stiffness.back(), "N/m"),
-                     between(stiffness.front() / shaft, stiffness.back() / shaft, "shaft stiffnesses"));
-}
-
-void describe_effects(const scene::Scene& scene, Text& text) {
-  const bool elastica = scene.contact.law == scene::ContactLaw::elastica;
-  const auto& friction = scene.grid.friction;
-  const auto& unbalance = scene.grid.unbalance;
-  text.heading("Effects");
-  effect(text, "elastic blades", elastica,
-         elastica ? "contact.law is elastica: large deflection, closed form (MODEL 3)"
-                  : "contact.law is elastic_ring: the blades are rigid");
-  effect(text, "elastic ring", !elastica,
-         elastica ? "contact.law is elastica: the ring is rigid"
-                  : fmt::format("contact.law is elastic_ring: {} (MODEL 4.7)", ring_text(scene)));
-  effect(text, "friction", friction.back() > 0.0,
-         friction.back() > 0.0
-             ? fmt::format("Coulomb, μ = {}; its direction turns with the slip (MODEL 4.4){}",
-                           values_text(friction),
-                           friction.front() == 0.0 ? "; none on the lines with μ = 0" : "")
-         : elastica ? std::string("μ = 0: a blade is a column, its force jumps to the Euler load (MODEL 4.6)")
-                    : std::string("μ = 0: the force is normal to the ring"));
-  effect(text, "unbalance", scene.unbalance && unbalance.back() > 0.0,
-         !scene.unbalance ? "no section `unbalance` and no grid axis of that name: no term in the equations"
-         : unbalance.back() == 0.0
-             ? "me = 0: no term in the equations"
-             : fmt::format("me = {} kg m, phase {} rad from blade 1{}", values_text(unbalance),
-                           scene.unbalance->phase,
-                           unbalance.front() == 0.0 ? "; no term on the lines with me = 0" : ""));
-  effect(text, "yield flag", scene.validity.yield_strain.has_value(),
-         scene.validity.yield_strain ? fmt::format("root strain above {}", *scene.validity.yield_strain)
-                                     : std::string("no `validity.yield_strain`"));
-}
+// --- method ---
 
 void describe_kernel(const scene::Scene& scene, Text& text) {
   const bool elastica = scene.contact.law == scene::ContactLaw::elastica;

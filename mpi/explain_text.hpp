@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace rubatlas::mpi {
 
@@ -38,6 +40,20 @@ inline std::string length(double metres) {
   if (size == 0.0) return "0 mm";
   if (size >= 1.0) return fmt::format("{:.6g} m", metres);
   return size >= 1e-4 ? fmt::format("{:.6g} mm", 1e3 * metres) : fmt::format("{:.6g} µm", 1e6 * metres);
+}
+
+/// One value or a range of them, with a unit; an empty one for a number without.
+inline std::string between(double low, double high, std::string_view unit) {
+  const std::string suffix = unit.empty() ? "" : fmt::format(" {}", unit);
+  return low == high ? fmt::format("{:.4g}{}", low, suffix)
+                     : fmt::format("{:.4g} to {:.4g}{}", low, high, suffix);
+}
+
+/// A few values one by one, more of them as a range.
+inline std::string values_text(const std::vector<double>& values) {
+  constexpr std::size_t kShown = 8;
+  if (values.size() <= kShown) return fmt::format("{}", fmt::join(values, ", "));
+  return fmt::format("{} to {}", values.front(), values.back());
 }
 
 }  // namespace rubatlas::mpi

@@ -11,8 +11,10 @@ std::unique_ptr<solve::LineSolver> make_sharing_line_solver(const scene::Scene& 
                                                             const plan::PointParameters& line,
                                                             solve::BladeTables& tables) {
   const scene::Scene own = plan::scene_of_line(scene, line);
+  const solve::LineRequest request{own, tables};
   return solve::on_paper_s_machine<solve::HybridMethod<SharedDormandPrince853>>(
-      own, solve::elastica_law(own.ring, own.blades, tables.curve(own.contact.friction)));
+      own, contact::ElasticaContact(solve::geometry_of(own.ring, own.blades), solve::blade_of(own.blades),
+                                    solve::curve_of(request, own.blades)));
 }
 
 }  // namespace rubatlas::batch

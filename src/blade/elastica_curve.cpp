@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <numbers>
 
+#include "blade/beam_column.hpp"
 #include "blade/elastica.hpp"
 
 namespace rubatlas::blade {
@@ -33,9 +34,11 @@ Matrix interpolation(int count, Scale scale) {
 
 }  // namespace
 
-ElasticaCurve::ElasticaCurve(double friction)
+ElasticaCurve::ElasticaCurve(double friction, Theory theory, double axial_compliance)
     : friction_(friction < kSmallestFriction ? 0.0 : friction),
-      load_angle_(std::atan(friction_)),
+      theory_(theory),
+      axial_compliance_(axial_compliance),
+      load_angle_(theory == Theory::elastica ? std::atan(friction_) : friction_),
       mirror_(friction_ == 0.0 ? -1.0 : 1.0) {
   // A power of two at most β/32, so that the first piece ends where a quarter octave begins.
   const double width = friction_ == 0.0 ? 0.125 : std::exp2(std::floor(std::log2(load_angle_ / 32.0)));
@@ -44,7 +47,8 @@ ElasticaCurve::ElasticaCurve(double friction)
   };
   coarse_origin_ = shifted_bits(width, kCoarseShift) - 1;
   fine_origin_ = shifted_bits(1.0, kFineShift) - (shifted_bits(1.0, kCoarseShift) - coarse_origin_);
-  knots_.push_back({0.0, 0.0, 0.0});
+  const double start = friction_ == 0.0 ? kEulerLoad : 0.0;
+  knots_.push_back({0.0, start, axial_compliance_ * start, 0.0});
   add_first_piece(width);
   double from = width;
   while (knots_.back().shortening < kLargestShortening) {
@@ -56,6 +60,18 @@ ElasticaCurve::ElasticaCurve(double friction)
   }
   last_piece_ = static_cast<std::int64_t>(pieces_.size()) - 1;
   end_ = knots_.back().bending;
+}
+
+Equilibrium<long double> ElasticaCurve::exact(long double bending) const {
+  return theory_ == Theory::elastica ? equilibrium(friction_, bending)
+                                     : beam_column_equilibrium(friction_, bending);
+}
+
+void ElasticaCurve::add_knot(double bending) {
+  const auto there = exact(bending);
+  knots_.push_back({bending, static_cast<double>(there.load),
+                    static_cast<double>(there.shortening + axial_compliance_ * there.load),
+                    static_cast<double>(there.deflection)});
 }
 
 void ElasticaCurve::add_first_piece(double width) {
@@ -70,8 +86,8 @@ void ElasticaCurve::add_first_piece(double width) {
     Eigen::Matrix<Real, Eigen::Dynamic, 1> samples(count);
     for (int i = 0; i < count; ++i) {
       const Real t = std::sqrt(square(chebyshev_point(i, count)));
-      const auto exact = equilibrium(friction_, t * width);
-      const std::array<Real, 3> value = {exact.load, exact.shortening, exact.deflection};
+      const auto there = exact(t * width);
+      const std::array<Real, 3> value = {there.load, there.shortening, there.deflection};
       samples(i) = value[component] / std::pow(t, static_cast<Real>(lead[component]));
     }
     const Eigen::Matrix<Real, Eigen::Dynamic, 1> fitted = interpolation(count, square) * samples;
@@ -81,9 +97,10 @@ void ElasticaCurve::add_first_piece(double width) {
       power += 2;
     }
   }
+  // Each with its own leading power, so that neither loses digits to the other.
+  for (Eigen::Array4d& coefficient : piece.coefficients) coefficient[1] += axial_compliance_ * coefficient[0];
   pieces_.push_back(piece);
-  const auto exact = equilibrium(friction_, width);
-  knots_.push_back({width, static_cast<double>(exact.shortening), static_cast<double>(exact.deflection)});
+  add_knot(width);
 }
 
 void ElasticaCurve::add_piece(double from, double to) {
@@ -92,8 +109,8 @@ void ElasticaCurve::add_piece(double from, double to) {
   const Real half_width = (static_cast<Real>(to) - from) / 2;
   Matrix samples(kDegree + 1, 3);
   for (int i = 0; i <= kDegree; ++i) {
-    const auto exact = equilibrium(friction_, centre + half_width * chebyshev_point(i, kDegree + 1));
-    samples.row(i) << exact.load, exact.shortening, exact.deflection;
+    const auto there = exact(centre + half_width * chebyshev_point(i, kDegree + 1));
+    samples.row(i) << there.load, there.shortening + axial_compliance_ * there.load, there.deflection;
   }
   const Matrix fitted = kFit * samples;
   Piece piece{static_cast<double>(centre), static_cast<double>(1 / half_width), {}};
@@ -102,8 +119,7 @@ void ElasticaCurve::add_piece(double from, double to) {
         static_cast<double>(fitted(k, 1)), static_cast<double>(fitted(k, 2)), 0.0;
   }
   pieces_.push_back(piece);
-  const auto exact = equilibrium(friction_, to);
-  knots_.push_back({to, static_cast<double>(exact.shortening), static_cast<double>(exact.deflection)});
+  add_knot(to);
 }
 
 }  // namespace rubatlas::blade

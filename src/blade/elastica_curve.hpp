@@ -1,12 +1,15 @@
-/// The elastica as the solver uses it: piecewise polynomials of the bending parameter, one table per
-/// friction.
+/// The blade as the solver uses it: piecewise polynomials of the bending parameter, one table per friction,
+/// theory and axial compliance.
 ///
 /// The curve is dimensionless, so that one table serves every length, width, thickness and modulus
 /// (MODEL 3.2). Pieces are quarter octaves of u below 1 and sixteenths above, found from the bits of the
 /// number; the first piece reaches from the unloaded blade to β/32 (1/8 where μ = 0) and keeps the exact
 /// leading powers, so that errors are relative all the way down. Graded like this, pieces are short against
 /// their distance from the curve's singularities u = ±iβ and ψL = π, and degree 11 leaves less than 1e-13 for
-/// every μ in [0, 2].
+/// every μ in [0, 2]. The beam-column (`beam_column.hpp`) has u = ±iμ for ±iβ and no other singularity.
+///
+/// Axial compliance adds ε F L²/EI to the shortening δ/L, ε = EI/(EA L²): the axial strain F/EA of the blade,
+/// taken along the undeformed blade, which is right to the order of strain times slope squared.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +19,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <vector>
+
+#include "blade/elastica.hpp"
 
 namespace rubatlas::blade {
 
@@ -30,13 +36,26 @@ struct CurvePoint {
   double deflection_slope;  ///< d(Δ/L)/du
 };
 
+/// F L²/EI of the cantilever that begins to buckle: π²/4.
+inline constexpr double kEulerLoad = std::numbers::pi * std::numbers::pi / 4.0;
+
+/// How far the blade may bend.
+enum class Theory : std::uint8_t {
+  elastica,    ///< large deflections (MODEL 3)
+  beam_column  ///< small slopes
+};
+
 class ElasticaCurve {
  public:
   /// Tabulates the curve for a Coulomb coefficient μ in [0, 2] up to a shortening of 0.75 L.
-  explicit ElasticaCurve(double friction);
+  /// `axial_compliance`: ε = EI/(EA L²) >= 0 [-], h²/(12 L²) for a rectangular section.
+  explicit ElasticaCurve(double friction, Theory theory = Theory::elastica, double axial_compliance = 0.0);
 
   [[nodiscard]] double friction() const { return friction_; }
-  /// β = atan μ [rad]: the scale on which the curve bends near the unloaded blade.
+  [[nodiscard]] Theory theory() const { return theory_; }
+  /// ε [-].
+  [[nodiscard]] double axial_compliance() const { return axial_compliance_; }
+  /// β = atan μ [rad], μ for the beam-column: the scale on which the curve bends near the unloaded blade.
   [[nodiscard]] double load_angle() const { return load_angle_; }
   /// End of the table; beyond it the last piece is continued.
   [[nodiscard]] double end() const { return end_; }
@@ -84,6 +103,7 @@ class ElasticaCurve {
   /// Boundaries of the pieces from 0 to `end()`, with the curve there: for bracketing roots along the curve.
   struct Knot {
     double bending;
+    double load;
     double shortening;
     double deflection;
   };
@@ -103,7 +123,13 @@ class ElasticaCurve {
   void add_first_piece(double width);
   void add_piece(double from, double to);
 
+  /// Without axial compliance.
+  [[nodiscard]] Equilibrium<long double> exact(long double bending) const;
+  void add_knot(double bending);
+
   double friction_;
+  Theory theory_;
+  double axial_compliance_;
   double load_angle_;
   double mirror_;
   double end_ = 0.0;

@@ -3,22 +3,31 @@
 
 #include <cmath>
 
+#include "contact/friction_law.hpp"
 #include "contact/pose.hpp"
 
 namespace rubatlas::contact {
 
-class ElasticRingContact {
+/// With any friction law: the slip velocity of a rigid blade does not depend on the force, so c(v) is
+/// explicit.
+template <class FrictionLaw>
+class RigidBladeContact {
  public:
   /// The force follows from the position alone: nothing is carried along.
   static constexpr bool kHasBending = false;
+  /// The force ends where the tip leaves the ring.
+  static constexpr bool kReleasesAtFold = false;
+  static constexpr bool kHasSlipState = FrictionLaw::kHasSlipState;
+  static constexpr bool kLoadFollowsGap = true;
 
-  ElasticRingContact(Geometry geometry, double stiffness, double friction)
+  RigidBladeContact(Geometry geometry, double stiffness, FrictionLaw friction)
       : geometry_(geometry), stiffness_(stiffness), friction_(friction) {}
 
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
   /// The law of one blade: the same for all.
-  using OfBlade = ElasticRingContact;
+  using OfBlade = RigidBladeContact;
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
+  [[nodiscard]] const FrictionLaw& friction() const { return friction_; }
 
   /// F = kr (|rk| − R). Always has a force: continued linearly beyond lift-off, where Runge–Kutta stages may
   /// land.
@@ -30,14 +39,14 @@ class ElasticRingContact {
     const double load = stiffness_ * at.gap / (distance + geometry_.ring_radius);
     const double normal_radial = a / distance;
     const double normal_tangential = b / distance;
-    const double friction = slip * friction_ * load;
+    force.slip_velocity = normal_radial * at.tangential_velocity - normal_tangential * at.radial_velocity +
+                          speed_ratio * geometry_.reach * normal_radial;
+    const double friction = friction_.coefficient(force.slip_velocity, slip) * load;
     force.radial = -load * normal_radial + friction * normal_tangential;
     force.tangential = -load * normal_tangential - friction * normal_radial;
     force.normal = load;
     force.shortening = 0.0;
     force.root_strain = 0.0;
-    force.slip_velocity = normal_radial * at.tangential_velocity - normal_tangential * at.radial_velocity +
-                          speed_ratio * geometry_.reach * normal_radial;
     return true;
   }
 
@@ -57,7 +66,14 @@ class ElasticRingContact {
  private:
   Geometry geometry_;
   double stiffness_;  ///< kr [N/m]
-  double friction_;   ///< μ [-]
+  FrictionLaw friction_;
+};
+
+/// As MODEL 4.7 has it: Coulomb friction μ.
+class ElasticRingContact : public RigidBladeContact<CoulombFriction> {
+ public:
+  ElasticRingContact(Geometry geometry, double stiffness, double friction)
+      : RigidBladeContact(geometry, stiffness, CoulombFriction{friction}) {}
 };
 
 }  // namespace rubatlas::contact

@@ -1,8 +1,17 @@
-/// Contact law `elastica`: large-deflection blades in a rigid ring (MODEL 3, 4).
+/// Contact law `elastica`: large-deflection blades in a rigid ring (MODEL 3, 4). The curve that it is given
+/// may as well be a beam-column, with axial compliance or without.
 ///
 /// The contact equation h = 0 couples the tip's position to the ring. It is used in two ways: as a constraint
 /// that an integrator carries along with the bending parameter u as a state (`constraint`), and as an
 /// equation to solve for u where several blades share the rotor (`solve`).
+///
+/// Two things are chosen by type, and cost nothing where they are not: a ring that yields under each tip, in
+/// series with the blade,
+///     h = a² + b² − (R + F/kr)²
+/// and where a contact ends (`Release`).
+///
+/// The column (μ = 0) with axial compliance or in a yielding ring is compressed straight up to its Euler load
+/// before it bends. Its equilibria are two branches, not one curve in u: it is solved for, not carried.
 #pragma once
 
 #include <cmath>
@@ -15,33 +24,77 @@
 
 namespace rubatlas::contact {
 
-class ElasticaContact {
+struct RigidRing {
+  static constexpr bool kYields = false;
+};
+struct YieldingRing {
+  static constexpr bool kYields = true;
+  double stiffness;  ///< kr > 0 [N/m], under each tip by itself (MODEL 4.7)
+};
+
+/// Where a contact ends.
+enum class Release : std::uint8_t {
+  at_ring,  ///< where the undeformed tip leaves the ring, g = 0 (MODEL 4.1)
+  at_fold   ///< where the force does: at u = 0, or at the fold ∂h/∂u = 0 beyond which there is no root
+};
+
+/// What a law knows of an elastic blade.
+struct ElasticBlade {
+  double length;             ///< L [m]
+  double thickness;          ///< h [m]
+  double bending_stiffness;  ///< EI = E b h³ / 12 [N m²]
+};
+
+template <class Ring, Release kRelease>
+class ElasticBladeContact {
  public:
   /// An open contact is described by its bending parameter u.
   static constexpr bool kHasBending = true;
+  /// A contact on the receding side goes on while it has a force, with g < 0.
+  static constexpr bool kReleasesAtFold = kRelease == Release::at_fold;
+  /// Friction takes its sign from a discrete state (MODEL 4.4).
+  static constexpr bool kHasSlipState = true;
+  /// The load is largest where the gap is.
+  static constexpr bool kLoadFollowsGap = false;
 
-  struct Blade {
-    double length;             ///< L [m]
-    double thickness;          ///< h [m]
-    double bending_stiffness;  ///< EI = E b h³ / 12 [N m²]
-  };
+  using Blade = ElasticBlade;
 
-  ElasticaContact(Geometry geometry, Blade blade, std::shared_ptr<const blade::ElasticaCurve> curve)
+  ElasticBladeContact(Geometry geometry, Blade blade, std::shared_ptr<const blade::ElasticaCurve> curve,
+                      Ring ring = {})
       : geometry_(geometry),
         length_(blade.length),
         load_unit_(blade.bending_stiffness / (blade.length * blade.length)),
         strain_unit_(0.5 * blade.thickness / blade.length),
         friction_(curve->friction()),
-        curve_(std::move(curve)) {}
+        axial_unit_(blade.length * curve->axial_compliance()),
+        curve_(std::move(curve)) {
+    if constexpr (Ring::kYields) yield_unit_ = load_unit_ / ring.stiffness;
+    carried_ = friction_ > 0.0 || (axial_unit_ == 0.0 && !Ring::kYields);
+    if (friction_ > 0.0) {
+      const double per_lateral = 3.0 / (friction_ * length_);
+      axial_relief_ = per_lateral * axial_unit_;
+      ring_relief_ = per_lateral * yield_unit_ * geometry_.ring_radius;
+    }
+  }
 
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
   /// The law of one blade: the same for all.
-  using OfBlade = ElasticaContact;
+  using OfBlade = ElasticBladeContact;
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const blade::ElasticaCurve& curve() const { return *curve_; }
   [[nodiscard]] double length() const { return length_; }            ///< L [m]
   [[nodiscard]] double load_unit() const { return load_unit_; }      ///< EI / L² [N]
   [[nodiscard]] double strain_unit() const { return strain_unit_; }  ///< h / (2 L) [-]
+
+  /// An open contact can be carried along h = 0 by its bending parameter; else it is to be solved for.
+  [[nodiscard]] bool carried() const { return carried_; }
+
+  /// Whether the force vanishes with the gap where the blade stands: h falls with the load from the unloaded
+  /// blade on, −dh/dF = 2 (rh + L + cr) dδ/dF + 2 s ct dΔ/dF + 2R/kr >= 0 with Δ = μ F L³/(3 EI) there.
+  /// Without compliance: the approaching side (MODEL 4.2).
+  [[nodiscard]] bool starts_unloaded(const Pose& at, double slip) const {
+    return slip * at.tangential + (axial_relief_ * (at.radial + geometry_.reach) + ring_relief_) >= 0.0;
+  }
 
   /// A contact at one bending parameter, with the rates that carry it along h = 0.
   struct Constraint {
@@ -52,36 +105,13 @@ class ElasticaContact {
   };
 
   [[nodiscard]] Constraint constraint(const Pose& at, double slip, double bending, double speed_ratio) const {
-    const blade::CurvePoint point = curve_at(bending);
-    const double shortening = length_ * point.shortening;  // δ
-    const double deflection = length_ * point.deflection;  // Δ
-    const double a = at.radial + geometry_.reach - shortening;
-    const double b = at.tangential - slip * deflection;
-    Constraint result;
-    // h = a² + b² − R² written from g, so that a light contact keeps its digits.
-    result.residual = at.gap + shortening * (shortening - 2.0 * (at.radial + geometry_.reach)) +
-                      deflection * (deflection - 2.0 * slip * at.tangential);
-    result.bending_slope = -2.0 * length_ * (a * point.shortening_slope + slip * b * point.deflection_slope);
-    result.time_slope = 2.0 * a * (at.radial_velocity + speed_ratio * at.tangential) +
-                        2.0 * b * (at.tangential_velocity - speed_ratio * at.radial);
-    const double inverse_distance = 1.0 / std::sqrt(a * a + b * b);
-    const double normal_radial = a * inverse_distance;
-    const double normal_tangential = b * inverse_distance;
-    const double load = load_unit_ * point.load;
-    const double friction = slip * friction_ * load;
-    // Fk = −F n − s μ F t with t = n turned by +90°.
-    result.force.radial = -load * normal_radial + friction * normal_tangential;
-    result.force.tangential = -load * normal_tangential - friction * normal_radial;
-    result.force.normal = load;
-    result.force.shortening = point.shortening;
-    // (h/2) θ'(0) with EI θ'(0) = F Δ + μF (L − δ)
-    result.force.root_strain =
-        strain_unit_ * point.load * (point.deflection + friction_ * (1.0 - point.shortening));
-    result.force.slip_velocity =
-        normal_radial * at.tangential_velocity - normal_tangential * at.radial_velocity +
-        speed_ratio *
-            ((geometry_.reach - shortening) * normal_radial - slip * deflection * normal_tangential);
-    return result;
+    return constraint_at(at, slip, curve_at(bending), speed_ratio);
+  }
+
+  /// ∂h/∂u as a function that changes its sign at the fold of the contact equation and nowhere else: negative
+  /// where the force follows the gap. For μ > 0 the curve is even, and ∂h/∂u passes zero at u = 0 too.
+  [[nodiscard]] double fold_measure(double bending, double bending_slope) const {
+    return friction_ > 0.0 ? bending_slope / bending : bending_slope;
   }
 
   /// Root of h = 0 that an increase of the load from zero reaches first (MODEL 4.2), or none (MODEL 5).
@@ -107,24 +137,99 @@ class ElasticaContact {
   void count_evaluations(std::uint64_t more) const { evaluations_ += more; }
 
  private:
+  [[nodiscard]] Constraint constraint_at(const Pose& at, double slip, const blade::CurvePoint& point,
+                                         double speed_ratio) const {
+    const double shortening = length_ * point.shortening;  // δ
+    const double deflection = length_ * point.deflection;  // Δ
+    const double a = at.radial + geometry_.reach - shortening;
+    const double b = at.tangential - slip * deflection;
+    Constraint result;
+    // h = a² + b² − R² written from g, so that a light contact keeps its digits.
+    result.residual = at.gap + shortening * (shortening - 2.0 * (at.radial + geometry_.reach)) +
+                      deflection * (deflection - 2.0 * slip * at.tangential);
+    result.bending_slope = -2.0 * length_ * (a * point.shortening_slope + slip * b * point.deflection_slope);
+    if constexpr (Ring::kYields) {
+      const double yielding = yield_unit_ * point.load;  // F/kr
+      result.residual -= yielding * (2.0 * geometry_.ring_radius + yielding);
+      result.bending_slope -= 2.0 * yield_unit_ * (geometry_.ring_radius + yielding) * point.load_slope;
+    }
+    result.time_slope = 2.0 * a * (at.radial_velocity + speed_ratio * at.tangential) +
+                        2.0 * b * (at.tangential_velocity - speed_ratio * at.radial);
+    const double inverse_distance = 1.0 / std::sqrt(a * a + b * b);
+    const double normal_radial = a * inverse_distance;
+    const double normal_tangential = b * inverse_distance;
+    const double load = load_unit_ * point.load;
+    const double friction = slip * friction_ * load;
+    // Fk = −F n − s μ F t with t = n turned by +90°.
+    result.force.radial = -load * normal_radial + friction * normal_tangential;
+    result.force.tangential = -load * normal_tangential - friction * normal_radial;
+    result.force.normal = load;
+    result.force.shortening = point.shortening;
+    // (h/2) θ'(0) with EI θ'(0) = F Δ + μF (L − δ)
+    result.force.root_strain =
+        strain_unit_ * point.load * (point.deflection + friction_ * (1.0 - point.shortening));
+    result.force.slip_velocity =
+        normal_radial * at.tangential_velocity - normal_tangential * at.radial_velocity +
+        speed_ratio *
+            ((geometry_.reach - shortening) * normal_radial - slip * deflection * normal_tangential);
+    return result;
+  }
+
   [[nodiscard]] blade::CurvePoint curve_at(double bending) const {
     ++evaluations_;
     return curve_->at(bending);
   }
-  [[nodiscard]] double residual(const Pose& at, double slip, double shortening, double deflection) const {
-    const double delta = length_ * shortening;
-    const double lateral = length_ * deflection;
-    return at.gap + delta * (delta - 2.0 * (at.radial + geometry_.reach)) +
-           lateral * (lateral - 2.0 * slip * at.tangential);
+  /// h and ∂h/∂u alone. `point`: of the curve or one of its knots.
+  template <class Point>
+  [[nodiscard]] double residual(const Pose& at, double slip, const Point& point) const {
+    const double delta = length_ * point.shortening;
+    const double lateral = length_ * point.deflection;
+    double h = at.gap + delta * (delta - 2.0 * (at.radial + geometry_.reach)) +
+               lateral * (lateral - 2.0 * slip * at.tangential);
+    if constexpr (Ring::kYields) {
+      const double yielding = yield_unit_ * point.load;
+      h -= yielding * (2.0 * geometry_.ring_radius + yielding);
+    }
+    return h;
   }
+  [[nodiscard]] double slope(const Pose& at, double slip, const blade::CurvePoint& point) const {
+    const double a = at.radial + geometry_.reach - length_ * point.shortening;
+    const double b = at.tangential - slip * length_ * point.deflection;
+    double slope = -2.0 * length_ * (a * point.shortening_slope + slip * b * point.deflection_slope);
+    if constexpr (Ring::kYields) {
+      slope -= 2.0 * yield_unit_ * (geometry_.ring_radius + yield_unit_ * point.load) * point.load_slope;
+    }
+    return slope;
+  }
+
+  /// F L²/EI of a straight column whose tip lies on the ring: the smaller root of h = 0, which is quadratic
+  /// in F at Δ = 0. At most the Euler load where the column is straight indeed.
+  [[nodiscard]] double straight_load(const Pose& at) const {
+    const double linear = (at.radial + geometry_.reach) * axial_unit_ + geometry_.ring_radius * yield_unit_;
+    const double square = axial_unit_ * axial_unit_ - yield_unit_ * yield_unit_;
+    return at.gap / (linear + std::sqrt(linear * linear - square * at.gap));
+  }
+  [[nodiscard]] blade::CurvePoint straight(double load) const {
+    return {load, curve_->axial_compliance() * load, 0.0, 0.0, 0.0, 0.0};
+  }
+  /// Root beyond the fold where the undeformed tip has left the ring, g < 0; none where the fold has too.
+  [[nodiscard]] std::optional<double> solve_held(const Pose& at, double slip) const;
 
   Geometry geometry_;
   double length_;
   double load_unit_;
   double strain_unit_;
   double friction_;
+  double axial_unit_;          ///< L ε [m]: axial shortening under F = EI/L²
+  double yield_unit_ = 0.0;    ///< EI/(L² kr) [m]: yielding of the ring under F = EI/L²
+  double axial_relief_ = 0.0;  ///< 3ε/μ [-]
+  double ring_relief_ = 0.0;   ///< 3 EI R / (μ L³ kr) [m]
+  bool carried_ = true;
   std::shared_ptr<const blade::ElasticaCurve> curve_;
   mutable std::uint64_t evaluations_ = 0;  ///< what a motion cost, not what it is
 };
+
+/// Elastic blades in a rigid ring, released where the undeformed tip leaves it: the paper's law.
+using ElasticaContact = ElasticBladeContact<RigidRing, Release::at_ring>;
 
 }  // namespace rubatlas::contact

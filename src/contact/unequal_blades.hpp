@@ -13,6 +13,9 @@ template <class Law>
 class UnequalBlades {
  public:
   static constexpr bool kHasBending = Law::kHasBending;
+  static constexpr bool kReleasesAtFold = Law::kReleasesAtFold;
+  static constexpr bool kHasSlipState = Law::kHasSlipState;
+  static constexpr bool kLoadFollowsGap = Law::kLoadFollowsGap;
   using OfBlade = Law;
 
   /// One law a blade.

@@ -47,6 +47,7 @@ class Harmonic {
   /// |a| [m per unit τ²], a bound of the acceleration, and |a ν|, one of its derivative.
   [[nodiscard]] double amplitude() const { return amplitude_; }
   [[nodiscard]] double rate() const { return amplitude_ * std::abs(frequency_); }
+  [[nodiscard]] double frequency() const { return frequency_; }  ///< ν [per unit τ]
 
   /// Acceleration at time τ of the revolution [m per unit τ²].
   [[nodiscard]] Complex acceleration(double time) const {

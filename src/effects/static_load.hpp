@@ -24,7 +24,7 @@ struct Gravity {
       .equation = "z'' + 2ζ z' + z = g/ωn² e^{iα}",
       .source = "statics",
       .flight = "closed form: a harmonic of frequency 0",
-      .breaks = "mirror symmetry, blade passing only if it acts along y",
+      .breaks = "mirror symmetry, but along y",
   };
   static constexpr auto quantities() {
     return std::tuple{Field<&Gravity::acceleration>{.pointer = "/gravity/acceleration",

@@ -51,10 +51,39 @@ void check_unequal_blades(const Scene& scene) {
   }
 }
 
+/// Effects of elastic blades say nothing of rigid ones, and a load of its own direction has no table.
+void check_blades(const Scene& scene) {
+  const auto refuse = [](std::string_view section, std::string_view why) {
+    throw SceneError(fmt::format("{}: {}", section, why));
+  };
+  const bool rigid = scene.contact.law == ContactLaw::elastic_ring;
+  constexpr std::string_view kRigid =
+      R"(has no effect under the contact law "elastic_ring", whose blades are rigid)";
+  if (rigid && scene.axial_compliance) refuse("/axial_compliance", kRigid);
+  if (rigid && scene.yielding_ring)
+    refuse("/yielding_ring",
+           R"(the contact law "elastic_ring" has a ring that yields already: /ring/stiffness)");
+  if (rigid && scene.release) refuse("/release", kRigid);
+  if (rigid && scene.load_direction) refuse("/load_direction", kRigid);
+  if (scene.stribeck && scene.regularised_friction)
+    refuse("/stribeck", "stands beside /regularised_friction; friction has one law");
+  const bool directed = !rigid && (scene.load_direction || scene.stribeck || scene.regularised_friction);
+  if (!directed) return;
+  constexpr std::string_view kPlain =
+      R"(combines with inextensible elastica in a rigid ring only: no axial_compliance, yielding_ring, release or law "beam_column")";
+  if (scene.axial_compliance || scene.yielding_ring || scene.release ||
+      scene.contact.law == ContactLaw::beam_column)
+    refuse(scene.load_direction ? "/load_direction"
+           : scene.stribeck     ? "/stribeck"
+                                : "/regularised_friction",
+           kPlain);
+}
+
 }  // namespace
 
 void check_effects(const Scene& scene) {
   check_method(scene);
+  check_blades(scene);
   check_unequal_blades(scene);
 }
 

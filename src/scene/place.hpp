@@ -16,7 +16,7 @@ namespace rubatlas::scene {
 
 // The order of a quantity's `choices` is the order of the enumeration: the one place where words become
 // types.
-inline constexpr std::array<std::string_view, 2> kContactLaws{"elastica", "elastic_ring"};
+inline constexpr std::array<std::string_view, 3> kContactLaws{"elastica", "elastic_ring", "beam_column"};
 inline constexpr std::array<std::string_view, 4> kSweeps{"up", "down", "both", "independent"};
 
 inline constexpr std::array<std::string_view, 6> kMethods{"hybrid", "hybrid_54", "hybrid_32",

@@ -138,7 +138,8 @@ const auto& own_table() {
           .symbol = "",
           .unit = "",
           .meaning =
-              "elastica: elastic blades in a rigid ring; elastic_ring: rigid blades in an elastic ring",
+              "elastica: elastic blades in a rigid ring; elastic_ring: rigid blades in an elastic ring; "
+              "beam_column: as elastica with small slopes",
           .source = "MODEL 4, MODEL 4.7",
           .kind = Kind::choice,
           .choices = kContactLaws},

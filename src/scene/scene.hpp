@@ -38,7 +38,7 @@ struct Ring {
   double stiffness = 1e4;  ///< kr [N/m]; read by the law `elastic_ring` only (MODEL 4.7)
 };
 
-enum class ContactLaw : std::uint8_t { elastica, elastic_ring };
+enum class ContactLaw : std::uint8_t { elastica, elastic_ring, beam_column };
 
 struct Contact {
   ContactLaw law = ContactLaw::elastica;

@@ -1,8 +1,9 @@
-/// Blade tables, one per friction coefficient, made on first use.
+/// Blade tables, one per friction coefficient, theory and axial compliance, made on first use.
 #pragma once
 
 #include <map>
 #include <memory>
+#include <tuple>
 
 #include "blade/elastica_curve.hpp"
 #include "solve/line_solver.hpp"
@@ -11,14 +12,17 @@ namespace rubatlas::solve {
 
 class BladeTables {
  public:
-  std::shared_ptr<const blade::ElasticaCurve> curve(double friction) {
-    auto& entry = curves_[friction];
-    if (!entry) entry = std::make_shared<blade::ElasticaCurve>(friction);
+  /// `axial_compliance`: ε [-].
+  std::shared_ptr<const blade::ElasticaCurve> curve(double friction,
+                                                    blade::Theory theory = blade::Theory::elastica,
+                                                    double axial_compliance = 0.0) {
+    auto& entry = curves_[{friction, theory, axial_compliance}];
+    if (!entry) entry = std::make_shared<blade::ElasticaCurve>(friction, theory, axial_compliance);
     return entry;
   }
 
  private:
-  std::map<double, std::shared_ptr<const blade::ElasticaCurve>> curves_;
+  std::map<std::tuple<double, blade::Theory, double>, std::shared_ptr<const blade::ElasticaCurve>> curves_;
 };
 
 }  // namespace rubatlas::solve

@@ -90,6 +90,9 @@ class ContactPhase final : public observables::MotionPiece {
         case ContactStep<System, Law, Pair, Blades>::Outcome::failed:
           return {PhaseEvent::failed};
         case ContactStep<System, Law, Pair, Blades>::Outcome::no_force:
+          end_fraction_ = 0.0;
+          if (const int released = step_.released_blade(); released >= 0)
+            return {PhaseEvent::lift_off, released};
           return {PhaseEvent::left_validity};
         default:
           find_end();
@@ -173,11 +176,19 @@ class ContactPhase final : public observables::MotionPiece {
     for (std::size_t i = 0; i < contact_count(); ++i)
       watched_of(i).end_slip_velocity = step_.slip_velocity(i);
     // Nothing beyond lift-off is looked at: there time runs backwards.
-    const bool lifts_off = step_.passes_lift_off();
+    bool past_fold = step_.passes_release();
+    if (past_fold) {
+      end_fraction_ = step_.release_fraction();
+      // A column has a fold on the other side of u = 0 too.
+      if (step_.passes_lift_off()) past_fold = end_fraction_ < step_.lift_off_fraction();
+    }
+    // Where the undeformed tip is still in the ring at the fold, it could not be free.
+    const bool caught = past_fold && step_.gap(blade(0), step_.at_fraction(end_fraction_)).value >= 0.0;
+    const bool lifts_off = past_fold ? !caught : step_.passes_lift_off();
     const bool left_validity =
-        !lifts_off && (step_.root_lost() || step_.shortening() > limits_.max_shortening);
+        !lifts_off && (caught || step_.root_lost() || step_.shortening() > limits_.max_shortening);
     if (lifts_off) {
-      end_fraction_ = step_.lift_off_fraction();
+      if (!past_fold) end_fraction_ = step_.lift_off_fraction();
       end_ = {PhaseEvent::lift_off, blade(0)};
     }
     const double last = end_fraction_;
@@ -192,11 +203,13 @@ class ContactPhase final : public observables::MotionPiece {
         look_for_touch_down(k, watched, last);
       } else if constexpr (ContactStep<System, Law, Pair, Blades>::kSkims) {
         look_for_end_of_skimming(k, last);
-      } else if (!lifts_off) {
+      } else if (!lifts_off && step_.ends_at_ring(k, end)) {
         look_for_lift_off(k, watched, last);
       }
     }
-    for (std::size_t i = 0; i < contact_count(); ++i) look_for_slip_reversal(i, last);
+    if constexpr (Law::kHasSlipState) {
+      for (std::size_t i = 0; i < contact_count(); ++i) look_for_slip_reversal(i, last);
+    }
     if (step_.root_lost() && watched_of(0).ends_by_rounding())
       take_if_first(last, PhaseEvent::lift_off, blade(0));
 

@@ -30,6 +30,8 @@ class ContactStep {
   static constexpr bool kCarried = requires(System system) { system.last(); };
   /// The blade stays on g = 0 under a share of its force.
   static constexpr bool kSkims = requires(System system, ContactState state) { system.share(state); };
+  /// A contact ends where its force does, not where the undeformed tip leaves the ring.
+  static constexpr bool kReleasesAtFold = Law::kReleasesAtFold && !kSkims;
 
   /// `tolerance` bounds the local error of a step [m]: accuracy.tolerance × δc.
   ContactStep(const RotorConstants& rotor, const Blades& blades, const Law& law, double tolerance,
@@ -134,6 +136,54 @@ class ContactStep {
     return integrate::root_between(bending, 0.0, 1.0, bending(0.0), bending(1.0));
   }
 
+  /// True where the step has passed the fold of the contact equation and with it the end of the contact. Only
+  /// for a carried contact that is released there: σ goes on smoothly where time turns round.
+  [[nodiscard]] bool passes_release() const {
+    if constexpr (kCarried && kReleasesAtFold) {
+      return law_->of(contacts_.front().blade)
+                 .fold_measure(step_.end()[kBending], system_.last().bending_slope) > 0.0;
+    }
+    return false;
+  }
+  /// Fraction where the fold is, in a step that has passed it.
+  [[nodiscard]] double release_fraction() {
+    if constexpr (kCarried && kReleasesAtFold) {
+      const auto measure = [&](double part) {
+        const ContactState state = at_fraction(part);
+        const OpenContact& open = contacts_.front();
+        const auto there = law_->of(open.blade)
+                               .constraint(pose(open.blade, state), open.slip, state[kBending],
+                                           blades_->speed(state[kTime]));
+        return law_->of(contacts_.front().blade).fold_measure(state[kBending], there.bending_slope);
+      };
+      const double at_end = measure(1.0);
+      // At the unloaded blade where a contact may start, h falls with the load.
+      const double at_begin = step_.start()[kBending] == 0.0 ? -at_end : measure(0.0);
+      if (!(at_begin < 0.0)) return 0.0;
+      return integrate::root_between(measure, 0.0, 1.0, at_begin, at_end);
+    }
+    return 1.0;
+  }
+  /// The same where forces are solved for: a blade that finds none beyond the start of the step, however
+  /// short that is, while its undeformed tip is outside the ring. −1 where there is no such blade.
+  [[nodiscard]] int released_blade() const {
+    if constexpr (!kCarried && kReleasesAtFold) {
+      const int blade = contacts_[system_.without_force()].blade;
+      if (gap(blade, step_.start()).value < 0.0) return blade;
+    }
+    return -1;
+  }
+  /// Whether a blade's contact ends at g = 0 where it stands.
+  [[nodiscard]] bool ends_at_ring(int blade, const ContactState& state) const {
+    if constexpr (kReleasesAtFold) {
+      if constexpr (kCarried) return false;
+      for (const OpenContact& open : contacts_) {
+        if (open.blade == blade) return law_->of(blade).starts_unloaded(pose(blade, state), open.slip);
+      }
+    }
+    return true;
+  }
+
   /// Direction of blade 0 in a state.
   [[nodiscard]] contact::BladeDirection first_blade(const ContactState& state) const {
     return blades_->first(state[kTime]);
@@ -172,8 +222,8 @@ class ContactStep {
           .force;
     } else {
       contact::TipForce force{};
-      double bending = system_.contacts()[contact].bending;
-      law_->of(open.blade).respond(at, open.slip, blades_->speed(state[kTime]), bending, force);
+      OpenContact guess = system_.contacts()[contact];
+      respond(law_->of(open.blade), at, blades_->speed(state[kTime]), guess, force);
       return force;
     }
   }
@@ -200,7 +250,7 @@ class ContactStep {
     if constexpr (kCarried) {
       return step_.start_derivative()[kBending] > 0.0 && step_.end_derivative()[kBending] < 0.0;
     }
-    return Law::kHasBending || gap_peaks;
+    return !Law::kLoadFollowsGap || gap_peaks;
   }
 
   /// Bending parameter of an open contact at a fraction, as a first guess for the phase that follows.
@@ -310,7 +360,7 @@ class ContactStep {
   /// would be looked for on a path that leads there and back. Only a fold that short steps reach too has lost
   /// the root.
   [[nodiscard]] bool passes_fold() const {
-    return root_lost() && !passes_lift_off() &&
+    return !kReleasesAtFold && root_lost() && !passes_lift_off() &&
            step_.size() > kFoldResolution * scale(step_.start()[kBending]);
   }
 

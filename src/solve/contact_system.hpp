@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/elastica_contact.hpp"
 #include "contact/pose.hpp"
 #include "effects/harmonic.hpp"
 #include "solve/blade_set.hpp"
@@ -36,17 +35,36 @@ struct OpenContact {
   int blade;
   double slip;
   double bending;
+  double amplitude = 0.0;  ///< second first guess of a law that has two unknowns a blade; 0: not known
 };
+
+/// The force of an open contact where its blade stands; updates its guesses.
+template <class Law>
+bool respond(const Law& law, const contact::Pose& at, double speed_ratio, OpenContact& contact,
+             contact::TipForce& force) {
+  if constexpr (requires {
+                  law.respond(at, contact.slip, speed_ratio, contact.bending, contact.amplitude, force);
+                }) {
+    return law.respond(at, contact.slip, speed_ratio, contact.bending, contact.amplitude, force);
+  } else {
+    return law.respond(at, contact.slip, speed_ratio, contact.bending, force);
+  }
+}
 
 /// x'' and y'' [m per unit τ²] from a force on the rotor in newtons.
 template <class Forcing>
 std::complex<double> acceleration(const RotorConstants& rotor, const Forcing& forcing,
                                   const ContactState& state, double force_x, double force_y) {
-  const double damping = 2.0 * rotor.damping_ratio;
-  std::complex<double> result(force_x * rotor.force_unit - damping * state[2] - state[0],
-                              force_y * rotor.force_unit - damping * state[3] - state[1]);
-  if constexpr (Forcing::kPresent) result += forcing.acceleration(state[kTime]);
-  return result;
+  if constexpr (requires { Forcing::kAnySupport; }) {
+    return forcing.support.acceleration(state[kTime], state.template head<4>().matrix()) +
+           rotor.force_unit * std::complex<double>(force_x, force_y);
+  } else {
+    const double damping = 2.0 * rotor.damping_ratio;
+    std::complex<double> result(force_x * rotor.force_unit - damping * state[2] - state[0],
+                                force_y * rotor.force_unit - damping * state[3] - state[1]);
+    if constexpr (Forcing::kPresent) result += forcing.acceleration(state[kTime]);
+    return result;
+  }
 }
 
 template <class Law, class Forcing, class Blades = BladeSet>
@@ -161,7 +179,10 @@ class SolvedContacts {
       const auto& law = law_->of(contact.blade);
       const contact::Pose pose = pose_of(*rotor_, law.geometry(), er, state.head<4>());
       contact::TipForce& force = forces_[i];
-      if (!law.respond(pose, contact.slip, speed, contact.bending, force)) return false;
+      if (!respond(law, pose, speed, contact, force)) {
+        without_force_ = i;
+        return false;
+      }
       force_x += force.radial * er.cosine - force.tangential * er.sine;
       force_y += force.radial * er.sine + force.tangential * er.cosine;
     }
@@ -170,6 +191,8 @@ class SolvedContacts {
     return true;
   }
 
+  /// The contact that has found no force in the last evaluation that failed.
+  [[nodiscard]] std::size_t without_force() const { return without_force_; }
   /// Of the last evaluation.
   [[nodiscard]] const std::vector<contact::TipForce>& forces() const { return forces_; }
   [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
@@ -183,6 +206,7 @@ class SolvedContacts {
   const Forcing* forcing_;
   std::vector<OpenContact> contacts_;
   std::vector<contact::TipForce> forces_;
+  std::size_t without_force_ = 0;
   std::complex<double> acceleration_;
   std::uint64_t evaluations_ = 0;
 };

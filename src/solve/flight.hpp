@@ -57,7 +57,7 @@ class Flight {
     return result;
   }
 
-  /// Bound of |z| and |z'| from a state of this flight over the time `horizon` that follows, which may be
+  /// Bound of (|z|² + |z'|²)^½ from a state of this flight over the time `horizon` that follows, which may be
   /// infinite. Damping only takes away, so that (|z|² + |z'|²)^½ grows by |forcing| a unit of time at most;
   /// and that of the distance to the steady response does not grow at all.
   [[nodiscard]] double amplitude_bound(double time, const State& state, double horizon) const {
@@ -67,7 +67,8 @@ class Flight {
       if (const auto steady = forcing_->steady(time)) {
         const double distance = std::sqrt(std::norm(Complex(state[0], state[1]) - steady->position) +
                                           std::norm(Complex(state[2], state[3]) - steady->velocity));
-        bound = std::min(bound, distance + std::max(std::abs(steady->position), std::abs(steady->velocity)));
+        bound =
+            std::min(bound, distance + std::sqrt(std::norm(steady->position) + std::norm(steady->velocity)));
       }
     }
     return bound;

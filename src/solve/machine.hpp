@@ -11,9 +11,11 @@
 
 #include "effects/harmonic.hpp"
 #include "effects/list.hpp"
+#include "rotor/support_matrices.hpp"
 #include "scene/scene.hpp"
 #include "solve/blade_set.hpp"
 #include "solve/rippling_blades.hpp"
+#include "solve/supported_flight.hpp"
 
 namespace rubatlas::solve {
 
@@ -87,12 +89,30 @@ class MachineWithEffects {
   scene::Scene line_;
 };
 
-/// The same at a speed that ripples.
-class RipplingMachine final : public MachineWithEffects {
+/// On any linear support, at a speed that may ripple.
+class AnyMachine final : public MachineWithEffects {
  public:
   using MachineWithEffects::MachineWithEffects;
   [[nodiscard]] RipplingBlades blades(double speed_ratio) const {
-    return {angles(), speed_ratio, *line_.speed_ripple};
+    return {angles(), speed_ratio, line_.speed_ripple.value_or(effects::SpeedRipple{})};
+  }
+  [[nodiscard]] SupportedShaft forcing(double speed_ratio) const {
+    const effects::Support added = line_.support.value_or(effects::Support{});
+    const double frequency = line_.rotor.natural_frequency;
+    const double stiffness = line_.rotor.mass * frequency * frequency;
+    const double damping = line_.rotor.mass * frequency;
+    rotor::SupportMatrices matrices = rotor::isotropic_shaft(line_.rotor.damping_ratio);
+    Eigen::Matrix2d more;
+    more << added.stiffness_xx, added.stiffness_xy, added.stiffness_yx, added.stiffness_yy;
+    matrices.stiffness += more / stiffness;
+    more << added.damping_xx, added.damping_xy, added.damping_yx, added.damping_yy;
+    matrices.damping += more / damping;
+    matrices = rotor::with_rotating_damping(matrices, 0.5 * added.rotating_damping / damping, speed_ratio);
+    std::vector<rotor::HarmonicForcing> forcing;
+    for (const auto& term : harmonics(speed_ratio)) {
+      forcing.push_back({term.acceleration(0.0), term.frequency()});
+    }
+    return SupportedShaft(rotor::LinearSupport(matrices.stiffness, matrices.damping, forcing));
   }
 };
 

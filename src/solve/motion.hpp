@@ -208,7 +208,7 @@ class Motion {
         return skimming_->start(time_, state_, contacts_);
       }
       phase_ = Phase::carried;
-      if (contacts_.size() == 1) {
+      if (contacts_.size() == 1 && law_.of(contacts_.front().blade).carried()) {
         OpenContact& contact = contacts_.front();
         // What other phases leave is a first guess; an unloaded blade starts at u = 0 exactly.
         if (contact.bending > 0.0) {
@@ -228,6 +228,9 @@ class Motion {
   [[nodiscard]] bool begins_to_skim() requires Law::kHasBending {
     const bool touched_down = std::exchange(touched_down_, false);
     if (!touched_down || contacts_.size() != 1) return false;
+    // A blade released at the fold returns from a distance, and a column that is compressed starts from no
+    // force: neither hops without end.
+    if (Law::kReleasesAtFold || !law_.of(contacts_.front().blade).carried()) return false;
     ContactState full;
     full << state_, time_, 0.0;
     return skimming_->system().begins(full, contacts_.front(), kUnresolvedHop * limits_.tolerance);
@@ -245,7 +248,7 @@ class Motion {
     if constexpr (Law::kHasBending) {
       // On the approaching side the force starts from zero, on the receding side from a finite value
       // (MODEL 4.2).
-      const bool starts_unloaded = at.gap <= kGapRounding && contact.slip * at.tangential >= 0.0;
+      const bool starts_unloaded = at.gap <= kGapRounding && law_.of(blade).starts_unloaded(at, contact.slip);
       if (!starts_unloaded) {
         const auto root = law_.of(blade).solve(at, contact.slip);
         if (!root) return false;
@@ -278,7 +281,16 @@ class Motion {
         ++work_.slip_reversals;
         contact->slip = -contact->slip;
         if constexpr (Law::kHasBending) {
-          const auto root = law_.of(contact->blade).solve(pose(contact->blade), contact->slip);
+          const contact::Pose at = pose(contact->blade);
+          const auto root = law_.of(contact->blade).solve(at, contact->slip);
+          // A tip that was held beyond the ring is free where friction turns to the other side.
+          if (!root && Law::kReleasesAtFold && at.gap < 0.0) {
+            listener.event(Event{end.event, end.blade, time_, contact->slip, state_});
+            ++work_.liftoffs;
+            listener.event(Event{PhaseEvent::lift_off, end.blade, time_, contact->slip, state_});
+            contacts_.erase(contact);
+            return PointStatus::done;
+          }
           if (!root) return PointStatus::left_validity;
           contact->bending = *root;
         }

@@ -143,11 +143,23 @@ inline contact::ElasticRingContact elastic_ring_law(const scene::Ring& ring, con
                                                     double friction) {
   return {geometry_of(ring, blade), ring.stiffness, friction};
 }
-inline contact::ElasticaContact elastica_law(const scene::Ring& ring, const scene::Blades& blade,
-                                             std::shared_ptr<const blade::ElasticaCurve> curve) {
+inline contact::ElasticaContact::Blade blade_of(const scene::Blades& blade) {
   const double thickness = blade.thickness;
-  const double stiffness = blade.youngs_modulus * blade.width * thickness * thickness * thickness / 12.0;
-  return {geometry_of(ring, blade), {blade.length, thickness, stiffness}, std::move(curve)};
+  return {blade.length, thickness,
+          blade.youngs_modulus * blade.width * thickness * thickness * thickness / 12.0};
+}
+/// The curve of a blade: elastica or beam-column, and its axial compliance.
+inline std::shared_ptr<const blade::ElasticaCurve> curve_of(const LineRequest& request,
+                                                            const scene::Blades& blade) {
+  const scene::Scene& line = request.line;
+  const auto theory = line.contact.law == scene::ContactLaw::beam_column ? blade::Theory::beam_column
+                                                                         : blade::Theory::elastica;
+  double compliance = 0.0;
+  if (effects::acts<&effects::Effects::axial_compliance>(line)) {
+    const double slenderness = blade.thickness / blade.length;
+    compliance = line.axial_compliance->share * slenderness * slenderness / 12.0;
+  }
+  return request.tables.curve(line.contact.friction, theory, compliance);
 }
 
 template <class Method, class Law>
@@ -170,7 +182,8 @@ std::unique_ptr<LineSolver> make_typed_line_solver(const LineRequest& request) {
     return on_paper_s_machine<Method>(line, elastic_ring_law(line.ring, line.blades, line.contact.friction));
   }
   return on_paper_s_machine<Method>(
-      line, elastica_law(line.ring, line.blades, request.tables.curve(line.contact.friction)));
+      line, contact::ElasticaContact(geometry_of(line.ring, line.blades), blade_of(line.blades),
+                                     curve_of(request, line.blades)));
 }
 
 }  // namespace rubatlas::solve

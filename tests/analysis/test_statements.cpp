@@ -35,7 +35,7 @@ class Statements : public ::testing::Test {
 
   Statement judge(std::string_view name, bool per_passing = false) {
     parameters_ = parameters_of(axes_);
-    for (auto& statement : judge_statements(Evidence(scene_, parameters_, lines_, per_passing))) {
+    for (auto& statement : judge_statements(scene_, parameters_, lines_, per_passing)) {
       if (statement.name == name) return statement;
     }
     return {"none", "", {}};
@@ -139,7 +139,7 @@ TEST_F(Statements, AreNotCoveredForAnotherRotor) {
     EXPECT_EQ(verdict(name), Verdict::not_covered) << name;
   }
   EXPECT_EQ(judge("P1").findings[0].evidence,
-            "the rotor is not the paper's default one: /rotor/misalignment is 0.02, not 0.01001");
+            "this is not the paper's default rotor: /rotor/misalignment is 0.02, not 0.01001");
 }
 
 TEST_F(Statements, OneToFourAreNotCoveredWithoutTheDefaultLine) {
@@ -179,6 +179,12 @@ TEST_F(Statements, SixAgreesWhenHighDampingEndsTheChaos) {
 TEST_F(Statements, SixDisagreesWhenHighDampingChangesNothing) {
   add(paper());
   add(paper(), {.damping = 0.3});
+  EXPECT_EQ(verdict("P6"), Verdict::disagrees);
+}
+
+TEST_F(Statements, SixIsNotFoundWhereThereWasNoChaosToEnd) {
+  add(small_and_periodic());
+  add(small_and_periodic(), {.damping = 0.3});
   EXPECT_EQ(verdict("P6"), Verdict::disagrees);
 }
 

@@ -19,7 +19,7 @@ MAY_INCLUDE = {
     "src/solve": ["scene", "plan", "blade", "contact", "rotor", "effects", "integrate", "observables"],
     "src/batch": ["scene", "plan", "blade", "contact", "effects", "integrate", "solve"],
     "src/atlas": ["scene", "plan", "observables", "solve/line_solver.hpp"],
-    "analysis": ["scene", "plan", "atlas"],
+    "analysis": ["scene", "plan", "blade/elastica.hpp", "atlas"],
     "mpi": ["scene", "plan", "observables", "solve", "batch", "atlas", "analysis"],
 }
 

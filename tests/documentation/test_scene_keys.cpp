@@ -4,12 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <variant>
 
+#include "page.hpp"
 #include "scene/observable_names.hpp"
 #include "scene/quantity.hpp"
 
@@ -78,17 +77,8 @@ std::string table() {
 }
 
 TEST(SceneKeys, TheReadmeShowsTheTableOfTheReader) {
-  std::ifstream file(RUBATLAS_SOURCE_DIR "/README.md");
-  std::stringstream stream;
-  stream << file.rdbuf();
-  const std::string readme = stream.str();
-  const std::string begin = "<!-- scene keys: begin -->\n";
-  const auto first = readme.find(begin);
-  const auto last = readme.find("<!-- scene keys: end -->");
-  ASSERT_TRUE(first != std::string::npos && last != std::string::npos && first < last)
-      << "the marks are missing";
-  const auto from = first + begin.size();
-  EXPECT_EQ(readme.substr(from, last - from), table()) << "\nbetween the marks belongs:\n" << table();
+  const std::string shown = documentation::between_marks("README.md", "scene keys");
+  EXPECT_EQ(shown, table()) << "\nbetween the marks belongs:\n" << table();
 }
 
 }  // namespace

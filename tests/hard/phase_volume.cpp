@@ -25,6 +25,7 @@ struct VolumeCase {
   double friction;
   double unbalance;
   SectionState start;
+  void (*effects)(scene::Scene&) = [](scene::Scene&) {};
 };
 
 /// gtest: the name of a case in the list of tests.
@@ -41,6 +42,7 @@ TEST_P(PhaseVolume, ContractsByTheDampingAlone) {
   scene.blades.count = c.blades;
   scene.rotor.damping_ratio = c.damping;
   if (c.unbalance > 0.0) scene.unbalance = scene::Unbalance{c.unbalance, 0.4};
+  c.effects(scene);
   scene.accuracy.tolerance = 1e-14;
   std::uint64_t touchdowns = 0;
   const auto map = [&](const SectionState& from) {
@@ -75,6 +77,40 @@ TEST_P(PhaseVolume, ContractsByTheDampingAlone) {
 
 constexpr auto kElastica = scene::ContactLaw::elastica;
 constexpr auto kElasticRing = scene::ContactLaw::elastic_ring;
+
+// Loads that are fixed or prescribed in time, and blades of any shape, leave the forces a function of
+// position.
+
+void lean(scene::Scene& scene) {
+  scene.gravity = effects::Gravity{0.1, 0.3};
+}
+void push(scene::Scene& scene) {
+  scene.side_load = effects::SideLoad{0.1, 1.2};
+}
+void ripple(scene::Scene& scene) {
+  scene.speed_ripple = effects::SpeedRipple{0.1, 2, 0.5};
+}
+void spread(scene::Scene& scene) {
+  auto& blades = scene.unequal_blades.emplace();
+  blades.length_spread = 1e-4;
+  blades.thickness_spread = 5e-5;
+  blades.angle_spread = 0.02;
+}
+void all_at_once(scene::Scene& scene) {
+  for (const auto effect : {lean, push, ripple, spread}) effect(scene);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Effects, PhaseVolume,
+    ::testing::Values(
+        VolumeCase{"gravity", kElastica, 3, 0.62, 0.05, 0.1, 0.0, {2e-3, -1e-3, 1e-3, 2e-3}, lean},
+        VolumeCase{"side_load", kElastica, 3, 0.45, 0.05, 0.3, 1e-4, {1e-3, 0.0, 0.0, -1e-3}, push},
+        VolumeCase{"speed_ripple", kElastica, 3, 0.62, 0.05, 0.1, 1e-4, {2e-3, -1e-3, 1e-3, 2e-3}, ripple},
+        VolumeCase{"unequal_blades", kElastica, 5, 0.5, 0.05, 0.1, 0.0, {-1e-3, 2e-3, 1e-3, 0.0}, spread},
+        VolumeCase{
+            "elastic_ring", kElasticRing, 3, 0.45, 0.05, 0.3, 1e-4, {1e-3, 0.0, 0.0, -1e-3}, all_at_once},
+        VolumeCase{"elastica", kElastica, 3, 0.45, 0.05, 0.1, 1e-4, {1e-3, 0.0, 0.0, -1e-3}, all_at_once}),
+    [](const auto& instance) { return std::string(instance.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(
     Motions, PhaseVolume,

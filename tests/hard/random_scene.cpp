@@ -5,6 +5,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "scene/quantity.hpp"
 #include "scene/reader.hpp"
@@ -49,12 +52,28 @@ double anywhere(Draw& draw, const scene::Range& range) {
   return draw.log_uniform(range.low > 0.0 ? range.low : range.high * kDecades, range.high);
 }
 
-/// Every number of the reader's list over its legal range, but how long a point runs and what is kept of it.
+/// Sections of effects that a scene may have besides the unbalance.
+std::vector<std::string_view> effect_sections() {
+  std::vector<std::string_view> found;
+  effects::for_each_effect([&]<auto Effect>() {
+    const std::string_view section = effects::Settings<Effect>::kDescription.section;
+    if (section != "/unbalance") found.push_back(section);
+  });
+  return found;
+}
+
+bool is_in(const std::vector<std::string_view>& sections, std::string_view section) {
+  return std::find(sections.begin(), sections.end(), section) != sections.end();
+}
+
+/// Every number of the reader's list over its legal range, but effects, how long a point runs and what is
+/// kept of it.
 json draw_anywhere(Draw& draw) {
   json scene;
   for (const scene::Quantity& quantity : scene::quantities()) {
     const bool number = quantity.kind == scene::Kind::number || quantity.kind == scene::Kind::whole_number;
-    const bool skipped = quantity.section() == "/protocol" || quantity.section() == "/spectrum" ||
+    const bool skipped = is_in(effect_sections(), quantity.section()) || quantity.section() == "/protocol" ||
+                         quantity.section() == "/spectrum" ||
                          (quantity.section() == "/accuracy" && quantity.key() != "tolerance");
     if (!number || skipped) continue;
     const double value = anywhere(draw, quantity.range);
@@ -134,18 +153,82 @@ void make_it_rub(Draw& draw, json& scene) {
   scene["validity"]["max_shortening"] = 0.5;
 }
 
+/// A number of an effect: over its legal range, or in proportion to the machine by its unit.
+double strength(Draw& draw, const scene::Quantity& quantity, const json& scene, bool in_proportion) {
+  if (!in_proportion) return anywhere(draw, quantity.range);
+  const double mass = scene["rotor"]["mass"];
+  const double square = std::pow(scene["rotor"]["natural_frequency"].get<double>(), 2);
+  const double clearance =
+      std::max(1e-6, scene["ring"]["radius"].get<double>() - scene["blades"]["length"].get<double>() -
+                         scene["blades"]["hub_radius"].get<double>());
+  const double share = draw.log_uniform(1e-4, 1.0);
+  const double size = quantity.unit == "m"      ? clearance * share
+                      : quantity.unit == "N"    ? mass * square * clearance * share
+                      : quantity.unit == "m/s2" ? square * clearance * share
+                      : quantity.unit == "N/m"  ? mass * square * share
+                      : quantity.unit == "kg"   ? mass * share
+                      : quantity.unit == "rad"  ? 4.0 * share
+                                                : std::min(quantity.range.high, 10.0) * share;
+  const double signed_size = quantity.range.low < 0.0 ? draw.sign() * size : size;
+  return std::clamp(signed_size, quantity.range.low, quantity.range.high);
+}
+
+/// Each effect in one scene of three, whatever effects there are.
+void draw_effects(Draw& draw, json& scene, bool in_proportion) {
+  for (const std::string_view section : effect_sections()) {
+    if (!draw.one_in(3)) continue;
+    json& drawn = scene[json::json_pointer(std::string(section))] = json::object();
+    for (const scene::Quantity& quantity : scene::quantities()) {
+      if (quantity.section() != section || draw.one_in(4)) continue;
+      json& value = drawn[std::string(quantity.key())];
+      const auto number = [&] { return strength(draw, quantity, scene, in_proportion); };
+      if (quantity.kind == scene::Kind::number) {
+        value = number();
+      } else if (quantity.kind == scene::Kind::whole_number) {
+        value = static_cast<int>(std::ceil(number()));
+      } else if (quantity.kind == scene::Kind::flag) {
+        value = draw.one_in(2);
+      } else if (quantity.kind == scene::Kind::choice) {
+        value = quantity.choices[draw.below(quantity.choices.size())];
+      } else if (quantity.kind == scene::Kind::numbers) {
+        value = json::array();
+        for (int k = 0; k < scene["blades"]["count"].get<int>(); ++k) value.push_back(number());
+      }
+    }
+  }
+}
+
+/// A scene may break a condition between an effect and the machine (a blade of which errors leave nothing):
+/// it is drawn anew. Any other word of the reader is a test's failure.
+bool breaks_a_condition_of_an_effect(const std::string& text) {
+  try {
+    scene::parse_scene(text);
+  } catch (const scene::SceneError& error) {
+    const std::string said = error.what();
+    for (const std::string_view section : effect_sections()) {
+      if (said.starts_with(section) && said.find("is outside") == std::string::npos) return true;
+    }
+    throw;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string random_scene_text(std::uint64_t index) {
   Draw draw(0x5275624174'6c6173ULL + index);
+  Draw of_effects(0x456666656374'73ULL + index);
   while (true) {
     json scene = draw_anywhere(draw);
     if (index % 3 > 0) fit_into_ring(draw, scene);
     if (index % 3 > 1) make_it_rub(draw, scene);
-    // The one condition between quantities: blades fit into the ring.
+    // The one condition between quantities of the machine: blades fit into the ring.
     const double reach =
         scene["blades"]["hub_radius"].get<double>() + scene["blades"]["length"].get<double>();
-    if (reach <= scene["ring"]["radius"].get<double>()) return scene.dump();
+    if (reach > scene["ring"]["radius"].get<double>()) continue;
+    draw_effects(of_effects, scene, index % 3 > 1);
+    std::string text = scene.dump();
+    if (!breaks_a_condition_of_an_effect(text)) return text;
   }
 }
 

@@ -82,11 +82,11 @@ class Recording final : public solve::MotionListener {
   OnPiece on_piece_;
 };
 
-template <class Law, class Forcing, class OnPiece>
-RecordedMotion follow(const HardRotor& rotor, const Law& law, const Forcing& forcing,
+template <class Blades, class Law, class Forcing, class OnPiece>
+RecordedMotion follow(const HardRotor& rotor, const Blades& blades, const Law& law, const Forcing& forcing,
                       const solve::State& start, int revolutions, OnPiece on_piece) {
-  solve::Motion<Law, Forcing> motion(rotor.constants(), {rotor.blades, rotor.speed_ratio}, law, forcing,
-                                     rotor.limits());
+  solve::Motion<Law, Forcing, integrate::DormandPrince853, Blades> motion(rotor.constants(), blades, law,
+                                                                          forcing, rotor.limits());
   Recording<OnPiece> recording(on_piece);
   RecordedMotion result;
   result.status = motion.start(start);
@@ -98,6 +98,14 @@ RecordedMotion follow(const HardRotor& rotor, const Law& law, const Forcing& for
   result.events = std::move(recording.events);
   result.work = motion.work();
   return result;
+}
+
+/// The same with equally spaced blades at constant speed.
+template <class Law, class Forcing, class OnPiece>
+RecordedMotion follow(const HardRotor& rotor, const Law& law, const Forcing& forcing,
+                      const solve::State& start, int revolutions, OnPiece on_piece) {
+  return follow(rotor, solve::BladeSet(rotor.blades, rotor.speed_ratio), law, forcing, start, revolutions,
+                on_piece);
 }
 
 }  // namespace rubatlas::test

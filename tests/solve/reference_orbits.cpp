@@ -79,7 +79,8 @@ TEST_P(ReferenceOrbit, EventsComeInTheSameOrderAtTheSameTimesWithTheSameForces) 
   std::vector<int> revolutions;
   int touchdowns = 0;
   const auto run = [&](const auto& forcing) {
-    solve::Motion motion(rotor, c.scene.blades.count, law, forcing, limits);
+    solve::Motion motion(rotor, solve::BladeSet(c.scene.blades.count, rotor.speed_ratio), law, forcing,
+                         limits);
     ASSERT_EQ(motion.start(solve::as_state(c.start)), solve::PointStatus::done);
     for (int revolution = 0; revolution < 10; ++revolution) {
       record.events.clear();
@@ -93,7 +94,7 @@ TEST_P(ReferenceOrbit, EventsComeInTheSameOrderAtTheSameTimesWithTheSameForces) 
   };
   if (c.scene.unbalance) {
     run(effects::RotatingUnbalance(c.scene.unbalance->moment / c.scene.rotor.mass, 0.0, c.speed_ratio,
-                           rotor.damping_ratio));
+                                   rotor.damping_ratio));
   } else {
     run(effects::NoForcing{});
   }

@@ -22,7 +22,7 @@ constexpr contact::Geometry kGeometry{0.1, 0.11};
 Motion<contact::ElasticaContact, effects::RotatingUnbalance> creeping(double friction, double tolerance) {
   const double bending_stiffness = 206e9 * 0.01 * 1e-9 / 12.0;
   return {kCreeping,
-          3,
+          BladeSet(3, kCreeping.speed_ratio),
           contact::ElasticaContact(kGeometry, {0.1, 0.001, bending_stiffness},
                                    make_blade_tables()->curve(friction)),
           effects::RotatingUnbalance(1e-4, 0.3, kCreeping.speed_ratio, kCreeping.damping_ratio),

@@ -85,6 +85,9 @@ class ToolsPictures(unittest.TestCase):
     def test_the_blade_is_drawn(self):
         self.expect_picture("blade.py", TINY / "atlas.h5")
 
+    def test_the_map_of_statements_is_drawn(self):
+        self.expect_picture("statement_map.py", TINY / "maps.h5", TINY / "rings_maps.h5", colours=10)
+
     def test_every_picture_has_its_command(self):
         tools = sorted(path.name for path in (ROOT / "tools").glob("*.py") if os.access(path, os.X_OK))
         drawn = (ROOT / "tools" / "draw.sh").read_text() + (ROOT / "tools" / "README.md").read_text()

@@ -1,0 +1,41 @@
+#!/bin/bash
+# What each effect does to the default rotor: runs its scene with and without it, and draws both side by side.
+#
+#   ./jobs/effects.sh                     every jobs/effect_<name>.json
+#   ./jobs/effects.sh gravity wear ...    these
+#   ./jobs/effects.sh --publish [...]     also renews tools/pictures/effect_<name>.png
+#
+# Atlases go to atlases/, pictures beside them. The scene without the effect is the same file without its section.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+[ "${1-}" != --help ] || { sed -n '2,9s/^# \{0,1\}//p' jobs/effects.sh; exit 0; }
+publish=no
+[ "${1-}" != --publish ] || { publish=yes; shift; }
+program=${RUBATLAS:-build/rubatlas}
+[ -x "$program" ] || { echo "effects.sh: no program at $program; ./jobs/quickstart.sh builds it" >&2; exit 2; }
+
+names=("$@")
+if [ $# -eq 0 ]; then
+  for scene in jobs/effect_*.json; do
+    name=${scene#jobs/effect_}
+    names+=("${name%.json}")
+  done
+fi
+mkdir -p atlases
+# Some points without a motion (exit code 1) are a result.
+atlas() { "$program" run "$1" -o "$2" --resume || [ $? -eq 1 ]; }
+for name in "${names[@]}"; do
+  scene=jobs/effect_$name.json
+  [ -e "$scene" ] || { echo "effects.sh: $scene is not there" >&2; exit 2; }
+  with=atlases/effect_$name without=atlases/effect_${name}_without
+  /usr/bin/python3 -c '
+import json, sys
+name, scene, plain = sys.argv[1:]
+content = json.load(open(scene, encoding="utf-8"))
+del content[name]
+json.dump(content, open(plain, "w", encoding="utf-8"), indent=2)' "$name" "$scene" "$without.json"
+  atlas "$scene" "$with.h5"
+  atlas "$without.json" "$without.h5"
+  tools/effect.py "$with.h5" --without "$without.h5" --dpi 60 -o "$with.png"
+  [ "$publish" = no ] || cp "$with.png" tools/pictures/
+done

@@ -1,0 +1,55 @@
+#include "mpi/effect_cost.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <ctime>
+#include <limits>
+
+#include "plan/grid.hpp"
+#include "solve/line_solver.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+/// CPU time [s] of one repetition and number of repetitions: the fastest has met the fewest interruptions.
+constexpr double kOneRepetition = 2e-3;
+constexpr int kRepetitions = 5;
+constexpr int kRevolutions = 10;
+constexpr std::array kPlacesOnTheLine{0.3, 0.5, 0.7};
+
+double processor_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+}  // namespace
+
+std::optional<double> seconds_per_right_hand_side(const scene::Scene& scene) {
+  scene::Scene trial = scene;
+  trial.protocol.transient_revolutions = 0;
+  trial.protocol.sampled_revolutions =
+      std::min(kRevolutions, scene.protocol.sampled_revolutions + scene.protocol.transient_revolutions);
+  const plan::Grid grid(trial);
+  const std::size_t first = grid.point_count() - grid.speed_count();
+  const auto solver = solve::make_line_solver(trial, grid.parameters(first), solve::make_blade_tables());
+  const solve::SectionState start{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
+
+  double fastest = std::numeric_limits<double>::infinity();
+  for (int repetition = 0; repetition < kRepetitions; ++repetition) {
+    solve::WorkCounts work;
+    const double began = processor_seconds();
+    double seconds = 0.0;
+    do {
+      for (const double place : kPlacesOnTheLine) {
+        const auto speed = static_cast<std::size_t>(place * static_cast<double>(grid.speed_count()));
+        work += solver->run(grid.parameters(first + speed).speed_ratio, start, [] {}).work;
+      }
+      seconds = processor_seconds() - began;
+    } while (seconds < kOneRepetition);
+    if (work.right_hand_sides == 0) return std::nullopt;
+    fastest = std::min(fastest, seconds / static_cast<double>(work.right_hand_sides));
+  }
+  return fastest;
+}
+
+}  // namespace rubatlas::mpi

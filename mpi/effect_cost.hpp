@@ -1,0 +1,15 @@
+/// What a right-hand side of a scene's own kernel costs, measured there and then.
+#pragma once
+
+#include <optional>
+
+#include "scene/scene.hpp"
+
+namespace rubatlas::mpi {
+
+/// CPU seconds per right-hand side, with all that belongs to it in a run (flight, search for events), from a
+/// few milliseconds of motion on the last line of the scene's grid: the one with the largest values of all
+/// that is swept. None where no blade comes into contact there.
+std::optional<double> seconds_per_right_hand_side(const scene::Scene& scene);
+
+}  // namespace rubatlas::mpi

@@ -1,0 +1,156 @@
+#include "mpi/explain_effects.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "mpi/effect_cost.hpp"
+#include "plan/grid.hpp"
+#include "plan/scene_of_line.hpp"
+#include "scene/quantity.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+void effect(Text& text, std::string_view name, bool on, const std::string& why) {
+  text.line(name, fmt::format("{:<4} {}", on ? "on" : "off", why));
+}
+
+void more(Text& text, const std::string& content) {
+  text.line("", fmt::format("     {}", content));
+}
+
+std::string ring_text(const scene::Scene& scene) {
+  const auto stiffness = scene::values_in(scene, "/ring/stiffness");
+  const double shaft = scene.rotor.mass * scene.rotor.natural_frequency * scene.rotor.natural_frequency;
+  return fmt::format("kr = {}, {}", between(stiffness.front(), stiffness.back(), "N/m"),
+                     between(stiffness.front() / shaft, stiffness.back() / shaft, "shaft stiffnesses"));
+}
+
+// --- effects of the list ---
+
+/// On how many lines of the grid an effect acts.
+template <auto Effect>
+std::size_t lines_where_it_acts(const scene::Scene& scene, const plan::Grid& grid) {
+  std::size_t count = 0;
+  for (std::size_t line = 0; line < grid.line_count(); ++line) {
+    const auto own = plan::scene_of_line(scene, grid.parameters(grid.point(line, 0)));
+    if (effects::acts<Effect>(own)) ++count;
+  }
+  return count;
+}
+
+/// The scene as if nobody had named the effect.
+template <auto Effect>
+scene::Scene without(scene::Scene scene, std::string_view section) {
+  (scene.*Effect).reset();
+  std::erase_if(scene.grid.swept,
+                [&](const auto& swept) { return scene::quantity(swept.pointer).section() == section; });
+  for (const auto& axis : scene::grid_axes()) {
+    if (scene::quantity(axis.quantity).section() == section) scene.grid.*axis.values = {0.0};
+  }
+  return scene;
+}
+
+/// All quantities of a section, with every value that they take.
+std::string quantities_text(const scene::Scene& scene, std::string_view section) {
+  std::vector<std::string> parts;
+  for (const auto& entry : scene::quantities()) {
+    if (entry.section() != section) continue;
+    const auto value = entry.read(scene);
+    if (!value) continue;
+    std::string shown;
+    if (entry.kind == scene::Kind::number) {
+      shown = values_text(scene::values_in(scene, entry.pointer));
+    } else if (entry.kind == scene::Kind::numbers) {
+      shown = values_text(std::get<std::vector<double>>(*value));
+    } else if (entry.kind == scene::Kind::whole_number) {
+      shown = fmt::format("{}", std::get<int>(*value));
+    } else if (entry.kind == scene::Kind::flag) {
+      shown = std::get<bool>(*value) ? "true" : "false";
+    } else {
+      shown = std::get<std::string>(*value);
+    }
+    if (shown.empty()) continue;  // a list without numbers
+    const bool with_unit = !entry.unit.empty() && entry.unit != "1";
+    parts.push_back(fmt::format("{} = {}{}{}", entry.symbol.empty() ? entry.key() : entry.symbol, shown,
+                                with_unit ? " " : "", with_unit ? entry.unit : ""));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+bool has_axis_of_its_own(std::string_view section) {
+  return std::ranges::any_of(scene::grid_axes(), [&](const auto& axis) {
+    return scene::quantity(axis.quantity).section() == section;
+  });
+}
+
+std::string cost_text(std::optional<double> with, std::optional<double> without) {
+  if (!with || !without) return "no blade comes into contact where it was to be measured";
+  return fmt::format(
+      "measured: {:.0f} ns a right-hand side with its share of flight, {:.0f} without it ({:+.0f} %)",
+      1e9 * *with, 1e9 * *without, 100.0 * (*with / *without - 1.0));
+}
+
+template <auto Effect>
+void describe(const scene::Scene& scene, const plan::Grid& grid, Text& text) {
+  using Settings = effects::Settings<Effect>;
+  constexpr auto& kDescription = Settings::kDescription;
+  const std::string name = scene::axis_name(kDescription.section);
+  const bool present = (scene.*Effect).has_value();
+  const std::size_t acting = lines_where_it_acts<Effect>(scene, grid);
+  if (!present && acting == 0) {
+    effect(text, name, false,
+           fmt::format("no section `{}`{}: no term in the equations", name,
+                       has_axis_of_its_own(kDescription.section) ? " and no grid axis of that name" : ""));
+    return;
+  }
+  const std::string quantities = quantities_text(scene, kDescription.section);
+  if (acting == 0) {
+    effect(text, name, false, fmt::format("{}: of zero strength, no term in the equations", quantities));
+    return;
+  }
+  effect(
+      text, name, true,
+      fmt::format("{}{}", quantities,
+                  acting == grid.line_count() ? ""
+                                              : fmt::format("; no term on {} of {} lines",
+                                                            grid.line_count() - acting, grid.line_count())));
+  more(text, fmt::format("{} ({})", kDescription.equation, kDescription.source));
+  more(text, cost_text(seconds_per_right_hand_side(scene),
+                       seconds_per_right_hand_side(without<Effect>(scene, kDescription.section))));
+  more(text, fmt::format("flight: {}", kDescription.flight));
+}
+
+}  // namespace
+
+void describe_effects(const scene::Scene& scene, Text& text) {
+  const bool elastica = scene.contact.law == scene::ContactLaw::elastica;
+  const auto& friction = scene.grid.friction;
+  text.heading("Effects");
+  effect(text, "elastic blades", elastica,
+         elastica ? "contact.law is elastica: large deflection, closed form (MODEL 3)"
+                  : "contact.law is elastic_ring: the blades are rigid");
+  effect(text, "elastic ring", !elastica,
+         elastica ? "contact.law is elastica: the ring is rigid"
+                  : fmt::format("contact.law is elastic_ring: {} (MODEL 4.7)", ring_text(scene)));
+  effect(text, "friction", friction.back() > 0.0,
+         friction.back() > 0.0
+             ? fmt::format("Coulomb, μ = {}; its direction turns with the slip (MODEL 4.4){}",
+                           values_text(friction),
+                           friction.front() == 0.0 ? "; none on the lines with μ = 0" : "")
+         : elastica ? std::string("μ = 0: a blade is a column, its force jumps to the Euler load (MODEL 4.6)")
+                    : std::string("μ = 0: the force is normal to the ring"));
+  effect(text, "yield flag", scene.validity.yield_strain.has_value(),
+         scene.validity.yield_strain ? fmt::format("root strain above {}", *scene.validity.yield_strain)
+                                     : std::string("no `validity.yield_strain`"));
+  const plan::Grid grid(scene);
+  effects::for_each_effect([&]<auto Effect>() { describe<Effect>(scene, grid, text); });
+}
+
+}  // namespace rubatlas::mpi

@@ -1,0 +1,370 @@
+#include "contact/directed_elastica.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace rubatlas::contact {
+namespace {
+
+using blade::kLargestAmplitude;
+using blade::kLargestModulus;
+
+constexpr double kLargestShortening = 0.75;  ///< of L: where the table of `ElasticaContact` ends, too
+
+}  // namespace
+
+template <class Direction, class FrictionLaw>
+auto DirectedElastica<Direction, FrictionLaw>::newton(const Pose& at, double slip, double speed_ratio,
+                                                      Bend bend) const -> std::optional<Bend> {
+  constexpr double kFarthest = 4.0;  // factor by which one step may shrink κ or φ
+  const double side = std::copysign(1.0, bend.modulus);
+  double previous = std::numeric_limits<double>::infinity();
+  for (int iteration = 0; iteration < 16; ++iteration) {
+    const Constraint there = constraint(at, slip, speed_ratio, bend);
+    const double determinant = there.determinant();
+    const double by_modulus = (there.misdirection * there.residual_by_amplitude -
+                               there.residual * there.misdirection_by_amplitude) /
+                              determinant;
+    const double by_amplitude =
+        (there.residual * there.misdirection_by_modulus - there.misdirection * there.residual_by_modulus) /
+        determinant;
+    const double size =
+        std::max(std::abs(by_modulus / bend.modulus), std::abs(by_amplitude / bend.amplitude));
+    if (!(size < 1e3)) return std::nullopt;  // a fold, or not a number
+    // The floor of the steps is the rounding of g against the slope, so it also ends where they no longer
+    // shrink.
+    const bool small = size < 1e-8;
+    const bool ends = small && (size * size * size <= 1e-16 * previous * previous || size >= 0.5 * previous);
+    if (ends) {
+      // On the branch that a growing load reaches: h falls with |κ| along d = 0, and d with φ at fixed κ.
+      // (Not so where steep friction holds the tip back; the determinant keeps its sign.)
+      const bool falls = FrictionLaw::kDependsOnVelocity || side * there.misdirection_by_amplitude < 0.0;
+      if (!falls || !(determinant > 0.0)) return std::nullopt;
+    }
+    const double modulus = side * (bend.modulus + by_modulus);
+    const double least = side * bend.modulus / kFarthest;
+    bend.modulus = side * std::clamp(modulus, least, kLargestModulus);
+    bend.amplitude = std::clamp(bend.amplitude + by_amplitude, bend.amplitude / kFarthest, kLargestAmplitude);
+    if (ends) {
+      if (there.blade.shortening.value > kLargestShortening) return std::nullopt;
+      return bend;
+    }
+    previous = size;
+  }
+  return std::nullopt;
+}
+
+template <class Direction, class FrictionLaw>
+std::optional<double> DirectedElastica<Direction, FrictionLaw>::amplitude_of(const Pose& at, double slip,
+                                                                             double speed_ratio,
+                                                                             double modulus,
+                                                                             double guess) const {
+  constexpr double kRounding = 1e-15;  // of d
+  constexpr double kSmallStep = 1e-8;  // of φ: the next one is a rounding error
+  // d falls from A − b of the unloaded blade; a root lies between the two ends or nowhere.
+  const double side = std::copysign(1.0, modulus);
+  const double first = side * first_load_angle(at, slip, speed_ratio);
+  const double angle = 2.0 * std::asin(side * modulus);
+  if (angle < first) return std::nullopt;
+  double low = 0.0;
+  double high = kLargestAmplitude;
+  if (first <= 0.0 &&
+      side * constraint(at, slip, speed_ratio, {modulus, kLargestAmplitude}).misdirection >= 0.0)
+    return std::nullopt;
+  // A light load bends the blade by A − b ~ A φ².
+  double amplitude =
+      guess > low && guess < high ? guess : std::min(1.5, std::sqrt(3.0 * (angle - first) / angle));
+  for (int iteration = 0; iteration < 80; ++iteration) {
+    const Constraint there = constraint(at, slip, speed_ratio, {modulus, amplitude});
+    const double value = side * there.misdirection;
+    (value > 0.0 ? low : high) = amplitude;
+    const double step = -there.misdirection / there.misdirection_by_amplitude;
+    const double next = amplitude + step;
+    if (std::abs(step) <= kSmallStep * amplitude || std::abs(value) <= kRounding) {
+      return next > 0.0 ? next : amplitude;
+    }
+    if (next > low && next < high)
+      amplitude = next;
+    else
+      amplitude = low > 0.0 ? 0.5 * (low + high) : 0.25 * high;
+  }
+  return std::nullopt;
+}
+
+/// Under a given friction coefficient: walks along the equilibria to one side by the angle A = 2 asin |κ| of
+/// the tip against its load, from the unloaded blade (A = b, or 0 for a column) or from the fold where those
+/// against the load's side begin.
+template <class Direction, class FrictionLaw>
+class DirectedElastica<Direction, FrictionLaw>::Walk {
+ public:
+  Walk(const DirectedElastica& law, const Pose& at, double slip, double speed_ratio, double side)
+      : law_(law),
+        at_(at),
+        slip_(slip),
+        speed_ratio_(speed_ratio),
+        side_(side),
+        first_(side * law.first_load_angle(at, slip, speed_ratio)),
+        start_(std::max(first_, 0.0)),
+        least_(std::max(start_ * kRounding, kLeast)) {}
+
+  /// The angles between which h falls through zero for the first time; false where it does nowhere.
+  bool find() {
+    constexpr double kLargestStep = 0.1;  // [rad]
+    const bool approaching = side_ * at_.tangential >= 0.0;
+    const double last = 2.0 * std::asin(kLargestModulus);
+    // h = g at the unloaded blade: where that is positive the walk need not begin with the lightest load.
+    double step = at_.gap > 0.0 ? std::max(0.01 * start_, 1e-3) : least_;
+    double outside = start_;  // the last angle before the equilibria begin
+    for (double angle = start_;;) {
+      angle = std::min(angle + step, last);
+      const auto there = state(angle);
+      if (!there) {
+        if (low_) return false;
+        outside = angle;
+      } else {
+        take(angle, there->residual);
+        // The root may lie before the first step, towards the unloaded blade or the fold.
+        while (high_ && !low_ && *high_ - outside > (outside > start_ ? kRounding * outside : least_)) {
+          const double middle =
+              outside > start_ ? 0.5 * (outside + *high_) : start_ + (*high_ - start_) / 16.0;
+          const auto between = state(middle);
+          if (between)
+            take(middle, between->residual);
+          else
+            outside = middle;
+        }
+        if (high_ && low_) return true;
+        if ((high_ && approaching) || there->blade.shortening.value > kLargestShortening) return false;
+        high_.reset();
+        outside = start_;
+      }
+      if (angle == last) return false;
+      step = std::min(angle - start_, kLargestStep);
+    }
+  }
+
+  /// After `find`: the equilibrium between the two angles.
+  std::optional<Bend> root() {
+    const auto crossing = bend(*low_ + (*high_ - *low_) * at_low_ / (at_low_ - at_high_));
+    if (crossing) {
+      const auto root = law_.newton(at_, slip_, speed_ratio_, *crossing);
+      if (root && side_ * root->modulus >= std::sin(0.5 * *low_) &&
+          side_ * root->modulus <= std::sin(0.5 * *high_))
+        return root;
+    }
+    const auto residual = [&](double angle) {
+      const auto there = state(angle);
+      return there ? there->residual : at_low_;
+    };
+    std::uintmax_t iterations = 100;
+    const auto bracket =
+        boost::math::tools::toms748_solve(residual, *low_, *high_, at_low_, at_high_,
+                                          boost::math::tools::eps_tolerance<double>(52), iterations);
+    const auto found = bend(0.5 * (bracket.first + bracket.second));
+    if (!found ||
+        blade::inclined_equilibrium(found->modulus, found->amplitude).shortening.value > kLargestShortening)
+      return std::nullopt;
+    return found;
+  }
+
+  /// Where h is nowhere positive (g <= 0 by a little) nothing bends the blade; a column carries its buckling
+  /// load.
+  std::optional<Bend> unbent() {
+    if (low_ || first_ < 0.0) return std::nullopt;
+    if (first_ > 0.0) return Bend{side_ * std::sin(0.5 * start_), 0.0};
+    return bend(kLeast);
+  }
+
+ private:
+  static constexpr double kRounding = 1e-12;  ///< of b: an angle by which A does not differ from it
+  static constexpr double kLeast = 1e-18;     ///< [rad] by which a column is still straight
+
+  std::optional<Bend> bend(double angle) {
+    // A − b ~ A φ² at light loads.
+    const double share = (angle - start_) / angle;
+    const double guess = share_ > 0.0 ? amplitude_ * std::sqrt(share / share_) : 0.0;
+    const double modulus = side_ * std::sin(0.5 * angle);
+    const auto amplitude = law_.amplitude_of(at_, slip_, speed_ratio_, modulus, guess);
+    if (!amplitude) return std::nullopt;
+    share_ = share;
+    amplitude_ = *amplitude;
+    return Bend{modulus, *amplitude};
+  }
+  std::optional<Constraint> state(double angle) {
+    const auto there = bend(angle);
+    if (!there) return std::nullopt;
+    return law_.constraint(at_, slip_, speed_ratio_, *there);
+  }
+  void take(double angle, double residual) {
+    (residual > 0.0 ? low_ : high_) = angle;
+    (residual > 0.0 ? at_low_ : at_high_) = residual;
+  }
+
+  const DirectedElastica& law_;
+  Pose at_;
+  double slip_;
+  double speed_ratio_;
+  double side_;
+  double first_;  ///< b of the undeformed blade, positive towards the side
+  double start_;  ///< A of the unloaded blade
+  double least_;  ///< the smallest A − `start_`
+  double amplitude_ = 0.0;
+  double share_ = 0.0;  ///< (A − start)/A at `amplitude_`
+  std::optional<double> low_, high_;
+  double at_low_ = 0.0, at_high_ = 0.0;
+};
+
+template <class Direction, class FrictionLaw>
+auto DirectedElastica<Direction, FrictionLaw>::solve_for_coefficient(const Pose& at, double slip,
+                                                                     double speed_ratio, double side) const
+    -> std::optional<Bend> {
+  constexpr int kSteps = 8;  // from the coefficient of the undeformed tip to the largest
+  const auto at_coefficient = [&](double coefficient) {
+    const DirectedElastica<Direction, CoulombFriction> law(geometry_, {length_, 0.0, 1.0}, {coefficient});
+    return law.solve(at, 1.0, speed_ratio, side);
+  };
+  // c − c(v) where the tip stands under c: negative at the least c, positive at the largest. Not a number
+  // where the blade cannot stand on this side.
+  std::optional<Bend> bend;
+  const auto excess = [&](double coefficient) {
+    bend = at_coefficient(coefficient);
+    if (!bend) return std::numeric_limits<double>::quiet_NaN();
+    return coefficient - constraint_or_unloaded(at, slip, speed_ratio, *bend).coefficient;
+  };
+  const double start =
+      direction(at, slip, speed_ratio, at.radial + geometry_.reach, at.tangential).coefficient;
+  double low = start;
+  double at_low = excess(low);
+  if (at_low == 0.0) return bend;
+  // Friction along −side·t holds a blade to its side.
+  const double end = std::copysign(friction_.largest(), bend ? -at_low : side);
+  double high = low;
+  double at_high = at_low;
+  for (int i = 1; i <= kSteps && !(at_high * end >= 0.0); ++i) {
+    low = high;
+    at_low = at_high;
+    high = i < kSteps ? start + (end - start) * i / kSteps : end;
+    at_high = excess(high);
+  }
+  for (int halving = 0; std::isnan(at_low) && halving < 40; ++halving) {
+    const double middle = 0.5 * (low + high);
+    const double at_middle = excess(middle);
+    const bool beyond = at_middle * end >= 0.0;
+    (beyond ? high : low) = middle;
+    (beyond ? at_high : at_low) = at_middle;
+  }
+  if (!(at_high * at_low <= 0.0)) return std::nullopt;
+  if (low > high) {
+    std::swap(low, high);
+    std::swap(at_low, at_high);
+  }
+  bool lost = false;
+  const auto excess_or_end = [&](double coefficient) {
+    const double value = excess(coefficient);
+    lost = lost || !bend;
+    return bend ? value : at_high;
+  };
+  std::uintmax_t iterations = 100;
+  const auto bracket = boost::math::tools::toms748_solve(
+      excess_or_end, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(40), iterations);
+  bend = at_coefficient(0.5 * (bracket.first + bracket.second));
+  if (!bend || lost) return std::nullopt;
+  return newton(at, slip, speed_ratio, *bend);
+}
+
+template <class Direction, class FrictionLaw>
+auto DirectedElastica<Direction, FrictionLaw>::solve(const Pose& at, double slip, double speed_ratio,
+                                                     double side) const -> std::optional<Bend> {
+  if constexpr (FrictionLaw::kDependsOnVelocity) {
+    return solve_for_coefficient(at, slip, speed_ratio, side);
+  } else {
+    Walk walk(*this, at, slip, speed_ratio, side);
+    return walk.find() ? walk.root() : walk.unbent();
+  }
+}
+
+template <class Direction, class FrictionLaw>
+auto DirectedElastica<Direction, FrictionLaw>::solve_near(const Pose& at, double slip, double speed_ratio,
+                                                          const Bend& near) const -> std::optional<Bend> {
+  Bend start = near;
+  const double side = std::copysign(1.0, near.modulus);
+  if (!(near.amplitude > 0.0)) {
+    const auto amplitude = amplitude_of(at, slip, speed_ratio, near.modulus, 0.0);
+    if (!amplitude) return solve(at, slip, speed_ratio, side);
+    start.amplitude = *amplitude;
+  }
+  const auto root = newton(at, slip, speed_ratio, start);
+  return root ? root : solve(at, slip, speed_ratio, side);
+}
+
+template <class Direction, class FrictionLaw>
+void DirectedElastica<Direction, FrictionLaw>::set_force(const Pose& at, double speed_ratio,
+                                                         const Constraint& there, TipForce& force) const {
+  const double a = there.radial;
+  const double b = there.tangential;
+  const double inverse_distance = 1.0 / std::sqrt(a * a + b * b);
+  const double normal_radial = a * inverse_distance;
+  const double normal_tangential = b * inverse_distance;
+  const double c = there.coefficient;
+  // F = P / sqrt(1 + c²); on the rotor −F n − c F t.
+  const double load = load_unit_ * there.blade.load / std::sqrt(1.0 + c * c);
+  const double friction = c * load;
+  force.radial = -load * normal_radial + friction * normal_tangential;
+  force.tangential = -load * normal_tangential - friction * normal_radial;
+  force.normal = load;
+  force.shortening = there.blade.shortening.value;
+  force.root_strain = strain_unit_ * std::abs(there.blade.curvature);
+  force.slip_velocity =
+      normal_radial * at.tangential_velocity - normal_tangential * at.radial_velocity +
+      speed_ratio * ((a - at.radial) * normal_radial + (b - at.tangential) * normal_tangential);
+}
+
+template <class Direction, class FrictionLaw>
+bool DirectedElastica<Direction, FrictionLaw>::respond(const Pose& at, double slip, double speed_ratio,
+                                                       double& bending, double& amplitude,
+                                                       TipForce& force) const {
+  const double first = first_load_angle(at, slip, speed_ratio);
+  double side = first != 0.0 ? std::copysign(1.0, first) : slip;
+  bool known = bending != 0.0;
+  if constexpr (kRemembersSide) {
+    if (known) side = std::copysign(1.0, bending);
+  } else {
+    known = known && side * bending > 0.0;
+  }
+  // Beyond a lift-off on the approaching side no positive load exists: continued as an odd function of the
+  // gap, or as an even one where the load does not vanish at lift-off, the column's and the one of a blade
+  // bent against its load.
+  const bool beyond_end = at.gap < 0.0 && side * at.tangential >= 0.0;
+  Pose mirrored = at;
+  if (beyond_end) mirrored.gap = -at.gap;
+  auto root = known ? solve_near(mirrored, slip, speed_ratio, {bending, amplitude})
+                    : solve(mirrored, slip, speed_ratio, side);
+  if constexpr (kRemembersSide) {
+    if (!root) {  // it snaps through
+      side = -side;
+      root = solve(mirrored, slip, speed_ratio, side);
+    }
+  }
+  if (!root) return false;
+  bending = root->modulus;
+  amplitude = root->amplitude;
+  set_force(mirrored, speed_ratio, constraint_or_unloaded(mirrored, slip, speed_ratio, *root), force);
+  if (beyond_end && side * first > 0.0) {
+    force.radial = -force.radial;
+    force.tangential = -force.tangential;
+    force.normal = -force.normal;
+  }
+  return true;
+}
+
+template class DirectedElastica<AxialLoad, CoulombFriction>;
+template class DirectedElastica<AxialLoad, RegularisedFriction>;
+template class DirectedElastica<AxialLoad, StribeckFriction>;
+template class DirectedElastica<NormalLoad, CoulombFriction>;
+template class DirectedElastica<NormalLoad, RegularisedFriction>;
+template class DirectedElastica<NormalLoad, StribeckFriction>;
+
+}  // namespace rubatlas::contact

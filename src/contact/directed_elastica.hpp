@@ -1,0 +1,210 @@
+/// Contact law of flexible blades whose tip load has a direction of its own: along the blade, as the paper
+/// assumes, or as the ring gives it, with any friction law.
+///
+/// The ring acts on the tip with −F n − c F t: n the normal where the deformed tip stands, (cos α, sin α)
+/// along and across the blade, t = n turned by +90°, c the signed friction coefficient. Along and across the
+/// blade that is one load P = F sqrt(1 + c²) at the angle b against the axis,
+///     b = α + atan c   (NormalLoad: as it is)      b = atan c   (AxialLoad: MODEL 3.1, α left out),
+/// and the blade is the elastica under an inclined load. Unknown are its κ and φ
+/// (blade/inclined_elastica.hpp); the equations are the contact equation h(κ, φ) = 0 (MODEL 4) and the
+/// direction of the load
+///     d(κ, φ) = b(κ, φ) − [α] − atan c(v) = 0,
+/// where α and the slip velocity v (MODEL 4.4) follow from where the tip is.
+///
+/// Sides. Under an axial load with friction the blade bends to the side to which friction pushes it. Where b
+/// passes through zero (the normal turns, or c(v) changes sign) a blade that is bent stays bent to its side,
+/// held there by the load that bends it, until its equilibrium ends in a fold and it snaps through: as with
+/// any column, the side is a discrete memory, here the sign of `bending`. A blade that has just touched has
+/// none (`bending` = 0) and bends as its load first points, b of the undeformed tip; at b = 0 exactly, to the
+/// side of s. With AxialLoad and CoulombFriction b never passes through zero, and the side is always that of
+/// s (MODEL 2).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "blade/inclined_elastica.hpp"
+#include "contact/elastica_contact.hpp"
+#include "contact/friction_law.hpp"
+#include "contact/pose.hpp"
+
+namespace rubatlas::contact {
+
+/// The paper's small-angle assumption: the normal load presses along the undeformed blade, friction across
+/// it.
+struct AxialLoad {
+  static constexpr bool kFollowsNormal = false;
+};
+/// The load as the ring gives it, along the normal and tangent at the deformed tip.
+struct NormalLoad {
+  static constexpr bool kFollowsNormal = true;
+};
+
+template <class Direction, class FrictionLaw>
+class DirectedElastica {
+ public:
+  /// The blade is found where the rotor stands; nothing is carried along as a state. (`bending` is a first
+  /// guess, and its sign the memory of the side.)
+  static constexpr bool kHasBending = false;
+  static constexpr bool kReleasesAtFold = false;
+  static constexpr bool kHasSlipState = FrictionLaw::kHasSlipState;
+  static constexpr bool kLoadFollowsGap = false;
+  /// Does a contact remember the side to which its blade is bent?
+  static constexpr bool kRemembersSide = Direction::kFollowsNormal || !FrictionLaw::kHasSlipState;
+
+  using Blade = ElasticaContact::Blade;
+
+  DirectedElastica(Geometry geometry, Blade blade, FrictionLaw friction)
+      : geometry_(geometry),
+        length_(blade.length),
+        load_unit_(blade.bending_stiffness / (blade.length * blade.length)),
+        strain_unit_(0.5 * blade.thickness / blade.length),
+        friction_(friction) {}
+
+  [[nodiscard]] const Geometry& geometry() const { return geometry_; }
+  /// The law of one blade: the same for all.
+  using OfBlade = DirectedElastica;
+  [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
+  [[nodiscard]] const FrictionLaw& friction() const { return friction_; }
+
+  using Bend = blade::Bend;
+
+  /// A contact at one bend, in equilibrium where `residual` and `misdirection` are zero.
+  struct Constraint {
+    blade::InclinedPoint blade;
+    double radial;                                              ///< rk·er [m]
+    double tangential;                                          ///< rk·et [m]
+    double coefficient;                                         ///< c [-]
+    double residual;                                            ///< h [m²]
+    double misdirection;                                        ///< d [rad]
+    double residual_by_modulus, residual_by_amplitude;          ///< [m²]
+    double misdirection_by_modulus, misdirection_by_amplitude;  ///< [rad]
+
+    /// ∂(h, d)/∂(κ, φ) [m² rad]: zero at a fold, where a bent blade snaps through.
+    [[nodiscard]] double determinant() const {
+      return residual_by_modulus * misdirection_by_amplitude -
+             residual_by_amplitude * misdirection_by_modulus;
+    }
+  };
+
+  [[nodiscard]] Constraint constraint(const Pose& at, double slip, double speed_ratio,
+                                      const Bend& bend) const {
+    Constraint result;
+    result.blade = blade::inclined_equilibrium(bend.modulus, bend.amplitude);
+    const blade::InclinedPoint& point = result.blade;
+    const double shortening = length_ * point.shortening.value;  // δ
+    const double deflection = length_ * point.deflection.value;  // D
+    const double a = at.radial + geometry_.reach - shortening;
+    const double b = at.tangential - deflection;
+    result.radial = a;
+    result.tangential = b;
+    // h = a² + b² − R² written from g, so that a light contact keeps its digits.
+    result.residual = at.gap + shortening * (shortening - 2.0 * (at.radial + geometry_.reach)) +
+                      deflection * (deflection - 2.0 * at.tangential);
+    const double twice = -2.0 * length_;
+    result.residual_by_modulus = twice * (a * point.shortening.by_modulus + b * point.deflection.by_modulus);
+    result.residual_by_amplitude =
+        twice * (a * point.shortening.by_amplitude + b * point.deflection.by_amplitude);
+    const LoadDirection load = direction(at, slip, speed_ratio, a, b);
+    result.coefficient = load.coefficient;
+    result.misdirection = point.load_angle.value - load.angle;
+    // dα = (a db − b da)/|r|², and da = −L dδ, db = −L dD.
+    const double turn = load.angle_by_normal * length_ / (a * a + b * b);
+    result.misdirection_by_modulus = point.load_angle.by_modulus + turn * (a * point.deflection.by_modulus -
+                                                                           b * point.shortening.by_modulus);
+    result.misdirection_by_amplitude =
+        point.load_angle.by_amplitude +
+        turn * (a * point.deflection.by_amplitude - b * point.shortening.by_amplitude);
+    return result;
+  }
+
+  /// The equilibrium to the given side (±1) that an increase of the bending from the unloaded blade on, or
+  /// from the fold, reaches first; none where the blade cannot stand on that side. Slow: walks along the
+  /// equilibria. A contact too light to bend the blade by a rounding error has κ = sin(b/2), φ = 0 and
+  /// carries nothing.
+  [[nodiscard]] std::optional<Bend> solve(const Pose& at, double slip, double speed_ratio, double side) const;
+
+  /// The same found from a neighbouring one, to its side; falls back on `solve`.
+  [[nodiscard]] std::optional<Bend> solve_near(const Pose& at, double slip, double speed_ratio,
+                                               const Bend& near) const;
+
+  /// Force at an equilibrium found near (`bending`, `amplitude`) = (κ, φ), which are updated; false where
+  /// there is none. `bending` = 0: a new contact. Stays on the side of `bending` where it can, and snaps to
+  /// the other where it cannot. `amplitude` = 0: not known. Beyond the end of the contact (g < 0), where
+  /// Runge–Kutta stages may land, continued as `ElasticaContact`.
+  bool respond(const Pose& at, double slip, double speed_ratio, double& bending, double& amplitude,
+               TipForce& force) const;
+
+  /// The same where only `bending` is carried along: φ is found first.
+  bool respond(const Pose& at, double slip, double speed_ratio, double& bending, TipForce& force) const {
+    double amplitude = 0.0;
+    return respond(at, slip, speed_ratio, bending, amplitude, force);
+  }
+
+  /// b of the undeformed blade, to which it bends when it is touched [rad].
+  [[nodiscard]] double first_load_angle(const Pose& at, double slip, double speed_ratio) const {
+    return direction(at, slip, speed_ratio, at.radial + geometry_.reach, at.tangential).angle;
+  }
+
+ private:
+  class Walk;
+  struct LoadDirection {
+    double angle;            ///< [α] + atan c [rad]
+    double angle_by_normal;  ///< its derivative by α [-]
+    double coefficient;      ///< c [-]
+  };
+
+  /// Direction of the load on a tip that stands at (a, b) along and across the blade. Of the slip velocity
+  /// only the direction of the normal matters: v = (c' − Ω ez × c)·t + Ω R on the ring.
+  [[nodiscard]] LoadDirection direction(const Pose& at, double slip, double speed_ratio, double a,
+                                        double b) const {
+    double normal_angle = 0.0;
+    double by_normal = 0.0;
+    if constexpr (Direction::kFollowsNormal) {
+      normal_angle = std::atan2(b, a);
+      by_normal = 1.0;
+    }
+    if constexpr (!FrictionLaw::kDependsOnVelocity) {
+      const double coefficient = friction_.coefficient(0.0, slip);
+      return {normal_angle + std::atan(coefficient), by_normal, coefficient};
+    }
+    const double inverse_distance = 1.0 / std::sqrt(a * a + b * b);
+    const double across = at.tangential_velocity - speed_ratio * at.radial;
+    const double along = at.radial_velocity + speed_ratio * at.tangential;
+    const double velocity = inverse_distance * (a * across - b * along) + speed_ratio * geometry_.ring_radius;
+    const double velocity_by_normal = -inverse_distance * (b * across + a * along);
+    const double coefficient = friction_.coefficient(velocity, slip);
+    return {
+        normal_angle + std::atan(coefficient),
+        by_normal + friction_.slope(velocity, slip) * velocity_by_normal / (1.0 + coefficient * coefficient),
+        coefficient};
+  }
+
+  /// Newton's method from a bend; none where it leaves the side, or ends on another branch than the one of
+  /// `solve`.
+  [[nodiscard]] std::optional<Bend> newton(const Pose& at, double slip, double speed_ratio, Bend bend) const;
+  /// `solve` for friction that depends on v: the coefficient c with c = c(v), outside, and `solve` under that
+  /// c.
+  [[nodiscard]] std::optional<Bend> solve_for_coefficient(const Pose& at, double slip, double speed_ratio,
+                                                          double side) const;
+  /// The constraint, also of a blade without load (φ = 0).
+  [[nodiscard]] Constraint constraint_or_unloaded(const Pose& at, double slip, double speed_ratio,
+                                                  const Bend& bend) const {
+    return constraint(at, slip, speed_ratio,
+                      {bend.modulus, std::max(bend.amplitude, std::numeric_limits<double>::min())});
+  }
+  /// φ with d = 0 at a fixed κ: the smallest, which has the smallest load.
+  [[nodiscard]] std::optional<double> amplitude_of(const Pose& at, double slip, double speed_ratio,
+                                                   double modulus, double guess) const;
+  void set_force(const Pose& at, double speed_ratio, const Constraint& there, TipForce& force) const;
+
+  Geometry geometry_;
+  double length_;
+  double load_unit_;    ///< EI / L² [N]
+  double strain_unit_;  ///< h / (2 L) [-]
+  FrictionLaw friction_;
+};
+
+}  // namespace rubatlas::contact

@@ -1,0 +1,50 @@
+/// A rigid blade's tip that sticks to the ring: the friction that keeps its slip velocity at rest.
+///
+/// With r = c + (rh+L) er, n = r/|r|, t = n turned by +90°, the slip velocity is v = r'·t, hence
+///     dv/dτ = t·c'' + Ω² (rh+L) ct/|r| − v (n·r')/|r|,
+/// and of c'' only −c F t/(m ωn²), the blade's own friction, lies along t besides what else moves the rotor.
+/// So dv/dτ is linear in the friction coefficient c, and sticking is the one c that makes it zero: Coulomb's
+/// law as an inclusion, c ∈ [−μ, μ] at v = 0 (Filippov; Leine, Nijmeijer, Dynamics and Bifurcations of
+/// Non-Smooth Mechanical Systems, Springer 2004). The tip leaves the ring's hold where |c| reaches
+/// the static μ, and slips in the direction s = sign c.
+#pragma once
+
+#include <cmath>
+
+#include "contact/pose.hpp"
+
+namespace rubatlas::contact {
+
+/// What moves the shaft's centre except for the friction at the blade in question, along and across that
+/// blade [m per unit τ²]: shaft, damping, unbalance, other blades, and, which makes no difference, its own
+/// normal force.
+struct OtherAcceleration {
+  double radial;      ///< ·er
+  double tangential;  ///< ·et
+};
+
+/// dv/dτ [m per unit τ²] of a rigid blade's tip under the friction coefficient c; `load_acceleration` is
+/// F/(m ωn²) [m per unit τ²].
+inline double slip_acceleration(const Geometry& geometry, const Pose& at, double speed_ratio,
+                                const OtherAcceleration& other, double load_acceleration,
+                                double coefficient) {
+  const double a = at.radial + geometry.reach;
+  const double b = at.tangential;
+  const double distance = std::sqrt(a * a + b * b);
+  const double across = at.tangential_velocity + speed_ratio * geometry.reach;
+  const double slip_velocity = (a * across - b * at.radial_velocity) / distance;
+  const double outward_velocity = (a * at.radial_velocity + b * across) / distance;
+  return (a * other.tangential - b * other.radial + speed_ratio * speed_ratio * geometry.reach * b -
+          slip_velocity * outward_velocity) /
+             distance -
+         coefficient * load_acceleration;
+}
+
+/// The signed friction coefficient c [-] with dv/dτ = 0. The tip can stick where |c| <= μ; infinite or not a
+/// number where nothing presses (`load_acceleration` zero).
+inline double sticking_coefficient(const Geometry& geometry, const Pose& at, double speed_ratio,
+                                   const OtherAcceleration& other, double load_acceleration) {
+  return slip_acceleration(geometry, at, speed_ratio, other, load_acceleration, 0.0) / load_acceleration;
+}
+
+}  // namespace rubatlas::contact

@@ -1,0 +1,39 @@
+/// Directed blades of the test rotors, and what their contacts must satisfy, worked out anew.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "contact/directed_elastica.hpp"
+#include "rotors.hpp"
+
+namespace rubatlas::contact {
+
+template <class Direction, class FrictionLaw>
+DirectedElastica<Direction, FrictionLaw> directed(const TestRotor& rotor, FrictionLaw friction) {
+  return {rotor.geometry(),
+          {rotor.length, rotor.thickness, rotor.load_unit() * rotor.length * rotor.length},
+          friction};
+}
+
+/// A contact with its blade, as `respond` leaves it.
+struct Met {
+  bool found;
+  double bending = 0.0;
+  double amplitude = 0.0;
+  TipForce force{};
+};
+
+template <class Law>
+Met meet(const Law& law, const Pose& at, double slip, double speed, double bending = 0.0,
+         double amplitude = 0.0) {
+  Met result{true, bending, amplitude, {}};
+  result.found = law.respond(at, slip, speed, result.bending, result.amplitude, result.force);
+  return result;
+}
+
+inline double difference(const TipForce& one, const TipForce& other) {
+  return std::hypot(one.radial - other.radial, one.tangential - other.tangential);
+}
+
+}  // namespace rubatlas::contact

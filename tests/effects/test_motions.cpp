@@ -1,0 +1,102 @@
+// Every effect of the list in motion, on its scene of jobs/. Nothing here names one.
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+
+#include "effect_scene.hpp"
+
+namespace rubatlas::test {
+namespace {
+
+using nlohmann::json;
+using solve::PointStatus;
+
+constexpr double kSpeeds[] = {0.3, 0.45, 0.62};
+constexpr int kRevolutions = 4;
+
+/// The effect's section at zero strength: as it is by default, or with one of its numbers set to zero.
+template <auto Effect>
+std::optional<json> zero_strength() {
+  scene::Scene scene;
+  (scene.*Effect).emplace();
+  if (!effects::acts<Effect>(scene)) return json::object();
+  for (const scene::Quantity* entry : quantities_of(SettingsOf<Effect>::kDescription.section)) {
+    if (entry->kind != scene::Kind::number || !entry->range.contains(0.0)) continue;
+    (scene.*Effect).emplace();
+    entry->write(scene, scene::Value{0.0});
+    if (!effects::acts<Effect>(scene)) return json{{std::string(entry->key()), 0.0}};
+  }
+  return std::nullopt;
+}
+
+TEST(EveryEffect, ActsInItsSceneAndChangesTheMotion) {
+  effects::for_each_effect([&]<auto Effect>() {
+    SCOPED_TRACE(name_of<Effect>());
+    double largest = 0.0;
+    for (const double speed : kSpeeds) {
+      const json with = effect_scene<Effect>(speed, kRevolutions);
+      const scene::Scene scene = parsed(with);
+      EXPECT_TRUE(effects::acts<Effect>(scene));
+      const auto outcome = run(scene);
+      const auto plain = run(parsed(without<Effect>(with)));
+      EXPECT_EQ(outcome.status, PointStatus::done) << speed;
+      EXPECT_EQ(plain.status, PointStatus::done) << speed;
+      EXPECT_GT(outcome.work.touchdowns, 0U) << speed;
+      largest = std::max(largest, largest_difference(outcome.final_state, plain.final_state));
+    }
+    EXPECT_GT(largest, 1e-6) << "m: the motion is that without the effect";
+  });
+}
+
+TEST(EveryEffect, OfZeroStrengthIsAsIfItWereAbsent) {
+  effects::for_each_effect([&]<auto Effect>() {
+    SCOPED_TRACE(name_of<Effect>());
+    const auto zero = zero_strength<Effect>();
+    ASSERT_TRUE(zero.has_value()) << "none of its numbers at zero switches it off";
+    for (const double speed : kSpeeds) {
+      json scene = without<Effect>(effect_scene<Effect>(speed, kRevolutions));
+      const auto absent = run(parsed(scene));
+      scene[json::json_pointer(std::string(SettingsOf<Effect>::kDescription.section))] = *zero;
+      const auto present = run(parsed(scene));
+      ASSERT_EQ(absent.status, PointStatus::done);
+      EXPECT_EQ(present.rows, absent.rows) << "to the last bit";
+      EXPECT_EQ(present.final_state, absent.final_state);
+      EXPECT_EQ(present.work.right_hand_sides, absent.work.right_hand_sides);
+    }
+  });
+}
+
+TEST(EveryEffect, ConvergesAsTheToleranceTightens) {
+  effects::for_each_effect([&]<auto Effect>() {
+    for (const double speed : kSpeeds) {
+      json scene = effect_scene<Effect>(speed, kRevolutions);
+      const double scale = growth_of_errors(parsed(scene)) * parsed(scene).clearance();
+      const auto end = [&](double tolerance) {
+        scene["accuracy"]["tolerance"] = tolerance;
+        const auto outcome = run(parsed(scene));
+        EXPECT_EQ(outcome.status, PointStatus::done);
+        return outcome.final_state;
+      };
+      const auto best = end(1e-13);
+      for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11}) {
+        EXPECT_LE(largest_difference(end(tolerance), best), 100.0 * tolerance * scale)
+            << name_of<Effect>() << ", speed " << speed << ", tolerance " << tolerance;
+      }
+    }
+  });
+}
+
+TEST(EveryEffect, IsTheSameMotionWhereverItsLineResumes) {
+  effects::for_each_effect([&]<auto Effect>() {
+    SCOPED_TRACE(name_of<Effect>());
+    const auto whole = run(parsed(effect_scene<Effect>(0.45, 4)));
+    const scene::Scene half = parsed(effect_scene<Effect>(0.45, 2));
+    const auto second = run(half, run(half).final_state);
+    const double scale = growth_of_errors(half) * half.clearance();
+    EXPECT_LE(largest_difference(second.final_state, whole.final_state), 100.0 * 1e-9 * scale);
+  });
+}
+
+}  // namespace
+}  // namespace rubatlas::test

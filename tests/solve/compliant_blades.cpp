@@ -1,0 +1,296 @@
+/// Motions of the elastica law's other forms: axial compliance, a yielding ring, the beam-column, and
+/// contacts that end at the fold of the force.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "effects/harmonic.hpp"
+#include "solve/blade_tables.hpp"
+#include "solve/motion.hpp"
+
+namespace rubatlas::solve {
+namespace {
+
+using blade::Theory;
+using contact::ElasticaContact;
+using contact::Release;
+using contact::RigidRing;
+using contact::YieldingRing;
+using ReleasedAtFold = contact::ElasticBladeContact<RigidRing, Release::at_fold>;
+using InYieldingRing = contact::ElasticBladeContact<YieldingRing, Release::at_ring>;
+using InYieldingRingReleasedAtFold = contact::ElasticBladeContact<YieldingRing, Release::at_fold>;
+
+constexpr contact::Geometry kGeometry{0.1, 0.11};
+constexpr double kLength = 0.1;
+constexpr double kThickness = 1e-3;
+constexpr double kBendingStiffness = 206e9 * 0.01 * 1e-9 / 12.0;
+
+RotorConstants rotor_at(double speed_ratio) {
+  return {speed_ratio, 0.1, 0.01001, 0.01, 0.01};
+}
+
+template <class Law, class... Ring>
+Law make(double friction, double share, Theory theory = Theory::elastica, Ring... ring) {
+  static BladeTables tables;
+  const double compliance = share * kThickness * kThickness / (12.0 * kLength * kLength);
+  return {kGeometry,
+          {kLength, kThickness, kBendingStiffness},
+          tables.curve(friction, theory, compliance),
+          ring...};
+}
+
+/// Keeps events, the force that ends each contact, and the ends of all pieces.
+class Witness final : public MotionListener {
+ public:
+  void piece(observables::MotionPiece& piece) override {
+    forces_.assign(1000, 0.0);
+    in_contact = std::max(in_contact, piece.contact_count());
+    for (std::size_t i = 0; i < piece.contact_count(); ++i) {
+      largest_force = std::max(largest_force, piece.normal_force(i, piece.end()));
+      forces_[static_cast<std::size_t>(piece.blade(i))] = piece.normal_force(i, piece.end());
+    }
+    const State begin = as_state(piece.state(piece.begin()));
+    if (begin_known_) largest_jump = std::max(largest_jump, (begin - last_).abs().maxCoeff());
+    last_ = as_state(piece.state(piece.end()));
+    begin_known_ = true;
+  }
+  void event(const Event& event) override {
+    events.push_back(event);
+    last_forces.push_back(forces_[static_cast<std::size_t>(event.blade)]);
+  }
+  std::vector<Event> events;
+  std::vector<double> last_forces;  ///< F at the end of the piece before each event [N]
+  double largest_force = 0.0;
+  double largest_jump = 0.0;  ///< of a state's component from piece to piece
+  std::size_t in_contact = 0;
+
+ private:
+  std::vector<double> forces_ = std::vector<double>(1000, 0.0);
+  State last_ = State::Zero();
+  bool begin_known_ = false;
+};
+
+template <class Law>
+struct Run {
+  PointStatus status;
+  State state;
+  Witness witness;
+};
+template <class Law>
+Run<Law> run(const Law& law, double speed_ratio, int revolutions, int blades = 3, double tolerance = 1e-12,
+             const State& start = State::Zero()) {
+  Motion<Law, effects::NoForcing> motion(rotor_at(speed_ratio), {blades, speed_ratio}, law, {},
+                                         {tolerance, 0.5});
+  Run<Law> result{};
+  result.status = motion.start(start);
+  for (int i = 0; i < revolutions && result.status == PointStatus::done; ++i)
+    result.status = motion.revolution(result.witness);
+  result.state = motion.state();
+  return result;
+}
+
+contact::Pose pose_at(double speed_ratio, int blades, const Event& event) {
+  const BladeSet set(blades, speed_ratio);
+  return pose_of(rotor_at(speed_ratio), kGeometry, set.direction(event.blade, set.first(event.time)),
+                 event.state);
+}
+
+double difference(const State& one, const State& other) {
+  return (one - other).abs().maxCoeff();
+}
+
+TEST(CompliantBlades, MoveLikeTheInextensibleOnesToFirstOrder) {
+  // Before chaos or a graze can tell them apart: two revolutions.
+  for (const double friction : {0.0, 0.1}) {
+    const State exact = run(make<ElasticaContact>(friction, 0.0), 0.62, 2).state;
+    double before = 0.0;
+    for (const double share : {0.01, 0.001, 0.0001}) {
+      const auto with = run(make<ElasticaContact>(friction, share), 0.62, 2);
+      ASSERT_EQ(with.status, PointStatus::done);
+      const double off = difference(with.state, exact);
+      if (before > 0.0) {
+        EXPECT_NEAR(before / off, 10.0, 0.2) << friction << ", " << share;
+      }
+      before = off;
+    }
+  }
+}
+
+TEST(CompliantBlades, InAStiffRingMoveLikeInARigidOneToFirstOrder) {
+  for (const double friction : {0.0, 0.1}) {
+    const State exact = run(make<ElasticaContact>(friction, 0.0), 0.62, 2).state;
+    double before = 0.0;
+    for (const double stiffness : {1e9, 1e10, 1e11}) {
+      const auto with =
+          run(make<InYieldingRing>(friction, 0.0, Theory::elastica, YieldingRing{stiffness}), 0.62, 2);
+      ASSERT_EQ(with.status, PointStatus::done);
+      const double off = difference(with.state, exact);
+      if (before > 0.0) {
+        EXPECT_NEAR(before / off, 10.0, 0.2) << friction << ", " << stiffness;
+      }
+      before = off;
+    }
+  }
+}
+
+/// How one contact ends, from its touch-down on.
+struct Ended {
+  PhaseEnd end;
+  ContactState state;
+};
+template <class System, class Law>
+Ended follow(const Law& law, double speed_ratio, int blades, const Event& touch_down, System make_system) {
+  const RotorConstants rotor = rotor_at(speed_ratio);
+  const BladeSet set(blades, speed_ratio);
+  const effects::NoForcing none;
+  auto system = make_system(rotor, set, none);
+  ContactPhase<decltype(system), Law, integrate::DormandPrince853> phase(rotor, set, law, {1e-13, 0.5},
+                                                                         std::move(system));
+  OpenContact contact{touch_down.blade, touch_down.slip, 0.0};
+  const contact::Pose at = pose_at(speed_ratio, blades, touch_down);
+  if (!law.starts_unloaded(at, contact.slip)) contact.bending = law.solve(at, contact.slip).value();
+  EXPECT_TRUE(phase.start(touch_down.time, touch_down.state, {contact}));
+  std::int64_t steps = 100000;
+  MotionListener nobody;
+  const PhaseEnd end = phase.advance(1e3, steps, nobody);
+  return {end, phase.end_state()};
+}
+
+/// Every touch-down of a motion, followed to its end with the bending parameter as a state and with forces
+/// solved for.
+template <class Law>
+int expect_both_forms_agree(const Law& law, double speed_ratio, int blades, double allowed) {
+  constexpr double kFastest = 0.5;  // m per unit τ²: what 50 N do to the rotor
+  const effects::NoForcing none;
+  const auto motion = run(law, speed_ratio, 4, blades);
+  int compared = 0;
+  for (const Event& event : motion.witness.events) {
+    if (event.kind != PhaseEvent::touch_down) continue;
+    using Solved = SolvedContacts<Law, effects::NoForcing>;
+    using Carried = CarriedContact<Law, effects::NoForcing>;
+    const auto solved = follow(
+        law, speed_ratio, blades, event,
+        [&](const auto& rotor, const auto& set, const auto&) { return Solved(rotor, set, law, none); });
+    const auto carried = follow(
+        law, speed_ratio, blades, event,
+        [&](const auto& rotor, const auto& set, const auto&) { return Carried(rotor, set, law, none); });
+    EXPECT_EQ(solved.end.event, carried.end.event);
+    EXPECT_EQ(solved.end.blade, carried.end.blade);
+    const double time = std::abs(solved.state[kTime] - carried.state[kTime]);
+    EXPECT_LT(time, allowed);
+    EXPECT_LT(difference(solved.state.template head<4>(), carried.state.template head<4>()),
+              kFastest * allowed);
+    if (solved.end.event == PhaseEvent::lift_off) ++compared;
+  }
+  return compared;
+}
+
+TEST(CompliantBlades, CarriedAndSolvedContactsAgree) {
+  constexpr double kAllowed = 1e-9;  // of τ: the solved form has no order where a contact begins head-on
+  const YieldingRing ring{1e5};
+  for (const double speed : {0.36, 0.62}) {
+    EXPECT_GT(expect_both_forms_agree(make<ElasticaContact>(0.1, 1.0), speed, 10, kAllowed), 10);
+    EXPECT_GT(
+        expect_both_forms_agree(make<ElasticaContact>(0.1, 0.0, Theory::beam_column), speed, 10, kAllowed),
+        10);
+    EXPECT_GT(
+        expect_both_forms_agree(make<InYieldingRing>(0.1, 1.0, Theory::elastica, ring), speed, 10, kAllowed),
+        10);
+    EXPECT_GT(expect_both_forms_agree(make<ReleasedAtFold>(0.1, 0.0), speed, 10, kAllowed), 10);
+    EXPECT_GT(expect_both_forms_agree(make<InYieldingRingReleasedAtFold>(0.1, 1.0, Theory::beam_column, ring),
+                                      speed, 10, kAllowed),
+              10);
+  }
+}
+
+/// Receding lift-offs of a motion that are at the fold; also how many while other blades touched.
+struct Releases {
+  int at_fold = 0;
+  int beside_others = 0;
+};
+template <class Law>
+Releases expect_releases_at_the_fold(const Law& law, double speed_ratio, int blades, int revolutions) {
+  constexpr double kLocated = 1e-12;  // g [m²]: 2R times a few tolerances
+  const auto motion = run(law, speed_ratio, revolutions, blades);
+  EXPECT_LT(motion.witness.largest_jump, 1e-15) << "the state is continuous";
+  Releases found;
+  int open = 0;
+  for (std::size_t i = 0; i < motion.witness.events.size(); ++i) {
+    const Event& event = motion.witness.events[i];
+    contact::Pose at = pose_at(speed_ratio, blades, event);
+    if (event.kind == PhaseEvent::touch_down) {
+      ++open;
+      EXPECT_NEAR(at.gap, 0.0, 1e-16) << "touch-downs stay where they are";
+    }
+    if (event.kind != PhaseEvent::lift_off) continue;
+    --open;
+    if (law.starts_unloaded(at, event.slip)) {
+      EXPECT_NEAR(at.gap, 0.0, kLocated);
+      if (law.curve().friction() > 0.0) {
+        EXPECT_NEAR(motion.witness.last_forces[i], 0.0, 1e-5);
+      }
+      continue;
+    }
+    EXPECT_LT(at.gap, 0.0) << "held beyond the ring";
+    const double gap = at.gap;
+    at.gap = gap + kLocated;
+    const auto before = law.solve(at, event.slip);
+    EXPECT_TRUE(before.has_value()) << "there is a force up to the fold, event " << i;
+    if (before) {
+      // It vanishes from a finite value, at the end of a square root.
+      const double force = law.constraint(at, event.slip, *before, speed_ratio).force.normal;
+      EXPECT_GT(motion.witness.last_forces[i], 0.5 * force);
+      EXPECT_LT(motion.witness.last_forces[i], force * (1 + 1e-9));
+    }
+    at.gap = gap - kLocated;
+    EXPECT_FALSE(law.solve(at, event.slip).has_value()) << "and none beyond, event " << i;
+    ++found.at_fold;
+    if (open > 0) ++found.beside_others;
+  }
+  return found;
+}
+
+TEST(ReleaseAtFold, EndsContactsWhereTheForceDoes) {
+  Releases all;
+  int in_yielding_ring = 0;
+  const auto yielding = make<InYieldingRingReleasedAtFold>(0.1, 1.0, Theory::elastica, YieldingRing{1e7});
+  for (const auto& [speed, blades] : {std::pair{0.36, 10}, std::pair{0.5, 3}, std::pair{0.75, 10},
+                                      std::pair{0.3, 10}, std::pair{0.36, 20}, std::pair{0.9, 10}}) {
+    for (const double friction : {0.0, 0.1, 0.3}) {
+      const auto found = expect_releases_at_the_fold(make<ReleasedAtFold>(friction, 0.0), speed, blades, 10);
+      all.at_fold += found.at_fold;
+      all.beside_others += found.beside_others;
+    }
+    in_yielding_ring += expect_releases_at_the_fold(yielding, speed, blades, 10).at_fold;
+  }
+  EXPECT_GT(all.at_fold, 200);
+  EXPECT_GT(all.beside_others, 5);
+  EXPECT_GT(in_yielding_ring, 20);
+}
+
+TEST(ReleaseAtFold, LetsContactsLastLongerOnTheRecedingSide) {
+  for (const auto& [speed, blades] : {std::pair{0.36, 10}, std::pair{0.5, 3}, std::pair{0.75, 3}}) {
+    const auto ring = run(make<ElasticaContact>(0.1, 0.0), speed, 10, blades);
+    const auto fold = run(make<ReleasedAtFold>(0.1, 0.0), speed, 10, blades);
+    const auto& events = ring.witness.events;
+    const auto receding = std::find_if(events.begin(), events.end(), [&](const Event& event) {
+      return event.kind == PhaseEvent::lift_off &&
+             event.slip * pose_at(speed, blades, event).tangential < 0.0;
+    });
+    ASSERT_NE(receding, events.end());
+    const auto same = static_cast<std::size_t>(receding - events.begin());
+    for (std::size_t i = 0; i < same; ++i)
+      EXPECT_NEAR(fold.witness.events[i].time, events[i].time, 1e-9) << "one motion up to there";
+    EXPECT_EQ(fold.witness.events[same].kind, PhaseEvent::lift_off);
+    EXPECT_EQ(fold.witness.events[same].blade, receding->blade);
+    EXPECT_GT(fold.witness.events[same].time, receding->time + 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace rubatlas::solve
