@@ -59,8 +59,8 @@ Statement judge_blade_curve(const Evidence& evidence) {
   const double load = kSmallLoad * euler;
   const auto whole = at_load(friction, load);
   const auto half = at_load(friction, 0.5 * load);
-  const double shortening = static_cast<double>(std::log2(whole.shortening / half.shortening));
-  const double deflection = static_cast<double>(std::log2(whole.deflection / half.deflection));
+  const auto shortening = static_cast<double>(std::log2(whole.shortening / half.shortening));
+  const auto deflection = static_cast<double>(std::log2(whole.deflection / half.deflection));
   const auto text = [&](const char* what, double exponent, long double there) {
     return fmt::format("{} grows as F^{:.3f} from {:.2f} to {:.2f} N, where it is {:.3g} mm (μ = {:g})", what,
                        exponent, 0.5 * unit * load, unit * load,

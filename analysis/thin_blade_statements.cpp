@@ -144,7 +144,9 @@ std::vector<Finding> clearance_findings(const Evidence& evidence) {
   const auto& rig = evidence.rotor().scene;
   const double interference = rig.rotor.misalignment - rig.clearance();
 
-  const auto moved = evidence.lines_over({kThickness, kMisalignment});
+  auto moved = evidence.lines_over({kThickness, kMisalignment});
+  // A blade that does not reach the ring never touches it from rest: there is no picture to compare.
+  std::erase_if(moved, [&](const LineSummary* line) { return misalignment(*line) <= clearance(*line); });
   Lines widened;  // the ring grows and moves by as much: the blades reach as far into it
   for (const auto* line : evidence.lines_over({kThickness, kRadius, kMisalignment})) {
     const double reach = misalignment(*line) - clearance(*line);

@@ -30,7 +30,7 @@ std::vector<Sample> samples_of(const Line& line, SpeedScale scale, double floor)
 }
 
 /// Points that a level rests on at least, however coarse the grid.
-constexpr std::size_t kFewestPoints = 2;
+constexpr std::size_t kFewestBesidePeak = 2;
 /// Points further away than this many stretches are another part of the line, not a coarse grid.
 constexpr double kFurthest = 3.0;
 
@@ -44,11 +44,11 @@ std::optional<double> level(const std::vector<Sample>& samples, double speed, st
     const Sample& sample = samples[static_cast<std::size_t>(i)];
     const double distance = std::abs(sample.scaled_speed - speed) / kTriggerStretch;
     if (sample.piece != samples[static_cast<std::size_t>(first)].piece) break;
-    if (distance > kFurthest || (distance > 1.0 && count >= kFewestPoints)) break;
+    if (distance > kFurthest || (distance > 1.0 && count >= kFewestBesidePeak)) break;
     sum += sample.log_displacement;
     ++count;
   }
-  if (count < kFewestPoints) return std::nullopt;
+  if (count < kFewestBesidePeak) return std::nullopt;
   return sum / static_cast<double>(count);
 }
 

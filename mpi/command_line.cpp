@@ -95,6 +95,11 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   ExplainCommand explain_command;
   auto* explain = program.add_subcommand("explain", "Say what a scene would compute, and what it would cost");
   explain->add_option("SCENE", explain_command.scene, "Scene file (JSON)")->required();
+  explain
+      ->add_option("--measure", explain_command.measured_for,
+                   fmt::format("How long points are tried for the estimate; default: {}", kEstimateSeconds))
+      ->check(CLI::Range(0.0, 3600.0))
+      ->type_name("SECONDS");
 
   OrbitCommand orbit_command;
   auto* orbit =

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mpi/accuracy_settings.hpp"
+#include "mpi/explain.hpp"
 #include "mpi/run.hpp"
 
 namespace rubatlas::mpi {
@@ -19,6 +20,7 @@ struct PrintCommand {
 
 struct ExplainCommand {
   std::filesystem::path scene;
+  double measured_for = kEstimateSeconds;  ///< [s]: how long points are tried for the estimate of the time
 };
 
 struct OrbitCommand {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <ctime>
 #include <limits>
 
+#include "mpi/clock.hpp"
 #include "plan/grid.hpp"
 #include "solve/line_solver.hpp"
 
@@ -17,10 +17,6 @@ constexpr double kOneRepetition = 2e-3;
 constexpr int kRepetitions = 5;
 constexpr int kRevolutions = 10;
 constexpr std::array kPlacesOnTheLine{0.3, 0.5, 0.7};
-
-double processor_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 }  // namespace
 

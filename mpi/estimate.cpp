@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <memory>
 #include <vector>
 
 #include "batch/line_batch.hpp"
+#include "mpi/clock.hpp"
 #include "plan/grid.hpp"
 
 namespace rubatlas::mpi {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 // Enough revolutions for a point to show what it costs; fewer where they are slow, so that there is time for
 // several points.
@@ -20,15 +18,6 @@ constexpr int kFewestRevolutions = 5;
 constexpr int kMostRevolutions = 300;
 constexpr double kShareOfOneTrial = 0.1;
 constexpr std::size_t kMostTrials = 400;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// CPU time, so that what else runs on the machine does not count.
-double processor_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 int total_revolutions(const scene::Scene& scene) {
   return scene.protocol.transient_revolutions + scene.protocol.sampled_revolutions;
@@ -65,7 +54,7 @@ int trial_revolutions(const scene::Scene& scene, double budget,
 }  // namespace
 
 CostEstimate estimate_cost(const scene::Scene& scene, std::chrono::duration<double> budget) {
-  const auto begin = Clock::now();
+  const auto begin = std::chrono::steady_clock::now();
   const auto tables = solve::make_blade_tables();
   const scene::Scene trial = shortened(scene, trial_revolutions(scene, budget.count(), tables));
   const double scale = static_cast<double>(total_revolutions(scene)) / total_revolutions(trial);

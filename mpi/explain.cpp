@@ -68,7 +68,7 @@ void describe_machine(const scene::Scene& scene, Text& text) {
                                                 : fmt::format("{} to {}", length(thicknesses.front()),
                                                               length(thicknesses.back())),
                         length(blades.hub_radius)));
-  if (scene.contact.law == scene::ContactLaw::elastica) {
+  if (scene.contact.law != scene::ContactLaw::elastic_ring) {
     text.line("Euler load",
               between(euler_load(blades, thicknesses.front()), euler_load(blades, thicknesses.back()), "N"));
   }
@@ -85,16 +85,15 @@ void describe_machine(const scene::Scene& scene, Text& text) {
 // --- method ---
 
 void describe_kernel(const scene::Scene& scene, Text& text) {
-  const bool elastica = scene.contact.law == scene::ContactLaw::elastica;
+  const bool bending = scene.contact.law != scene::ContactLaw::elastic_ring;
   const double scale = scene.clearance() > 0.0 ? scene.clearance() : 0.1 * scene.blades.length;
   text.heading("Kernel");
   text.line("flight",
             "closed form: every effect here has one. Steps that cannot jump over a touch-down (MODEL 4.5)");
   text.line("contact",
-            elastica
-                ? "Dormand-Prince 8(5,3); one blade: its bending is carried along as a state, no root is "
-                  "solved; several: a root each"
-                : "Dormand-Prince 8(5,3); the force is explicit");
+            bending ? "Dormand-Prince 8(5,3); one blade: its bending is carried along as a state, no root is "
+                      "solved; several: a root each"
+                    : "Dormand-Prince 8(5,3); the force is explicit");
   const batch::Width width = batch::width_of(scene);
   text.line("batches",
             width.seats > 1
@@ -111,9 +110,9 @@ void describe_kernel(const scene::Scene& scene, Text& text) {
                         scene.protocol.transient_revolutions,
                         scene.protocol.stop_when_periodic ? " (fewer once the sections repeat)" : "",
                         scene.protocol.sampled_revolutions,
-                        elastica ? fmt::format("δ/L above {}, no root of the contact equation, ",
-                                               scene.validity.max_shortening)
-                                 : ""));
+                        bending ? fmt::format("δ/L above {}, no root of the contact equation, ",
+                                              scene.validity.max_shortening)
+                                : ""));
 }
 
 // --- grid and file ---
@@ -180,10 +179,9 @@ void describe_time(const plan::Grid& grid, const CostEstimate& cost, Text& text)
 
 }  // namespace
 
-std::string explain(const scene::Scene& scene) {
-  constexpr std::chrono::duration<double> kBudget{2.0};
+std::string explain(const scene::Scene& scene, double measured_for) {
   const plan::Grid grid(scene);
-  const CostEstimate cost = estimate_cost(scene, kBudget);
+  const CostEstimate cost = estimate_cost(scene, std::chrono::duration<double>(measured_for));
 
   Text text;
   describe_machine(scene, text);

@@ -7,8 +7,11 @@
 
 namespace rubatlas::mpi {
 
-/// Effects on and off and why, kernel, grid, datasets, bytes and an estimate of the time. Runs a few of the
-/// scene's points for about two seconds to make the estimate.
-std::string explain(const scene::Scene& scene);
+/// How long points are tried for an estimate [s], unless the user says otherwise.
+inline constexpr double kEstimateSeconds = 2.0;
+
+/// Effects on and off and why, kernel, grid, datasets, bytes and an estimate of the time, for which some of
+/// the scene's points, one at least, run for about `measured_for` [s].
+std::string explain(const scene::Scene& scene, double measured_for = kEstimateSeconds);
 
 }  // namespace rubatlas::mpi

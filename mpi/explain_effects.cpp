@@ -129,23 +129,42 @@ void describe(const scene::Scene& scene, const plan::Grid& grid, Text& text) {
 
 }  // namespace
 
-void describe_effects(const scene::Scene& scene, Text& text) {
-  const bool elastica = scene.contact.law == scene::ContactLaw::elastica;
+namespace {
+
+std::string blades_text(scene::ContactLaw law) {
+  switch (law) {
+    case scene::ContactLaw::elastica:
+      return "contact.law is elastica: large deflection, closed form (MODEL 3)";
+    case scene::ContactLaw::beam_column:
+      return "contact.law is beam_column: small deflection, closed form";
+    default:
+      return "contact.law is elastic_ring: the blades are rigid";
+  }
+}
+
+/// The law of friction itself may be an effect of the list, which then says so.
+std::string friction_text(const scene::Scene& scene) {
   const auto& friction = scene.grid.friction;
+  if (friction.back() == 0.0) {
+    return scene.contact.law == scene::ContactLaw::elastic_ring
+               ? "μ = 0: the force is normal to the ring"
+               : "μ = 0: a blade is a column, its force jumps to the Euler load (MODEL 4.6)";
+  }
+  return fmt::format("Coulomb, μ = {}; its direction turns with the slip (MODEL 4.4){}",
+                     values_text(friction), friction.front() == 0.0 ? "; none on the lines with μ = 0" : "");
+}
+
+}  // namespace
+
+void describe_effects(const scene::Scene& scene, Text& text) {
+  const bool rigid = scene.contact.law == scene::ContactLaw::elastic_ring;
   text.heading("Effects");
-  effect(text, "elastic blades", elastica,
-         elastica ? "contact.law is elastica: large deflection, closed form (MODEL 3)"
-                  : "contact.law is elastic_ring: the blades are rigid");
-  effect(text, "elastic ring", !elastica,
-         elastica ? "contact.law is elastica: the ring is rigid"
-                  : fmt::format("contact.law is elastic_ring: {} (MODEL 4.7)", ring_text(scene)));
-  effect(text, "friction", friction.back() > 0.0,
-         friction.back() > 0.0
-             ? fmt::format("Coulomb, μ = {}; its direction turns with the slip (MODEL 4.4){}",
-                           values_text(friction),
-                           friction.front() == 0.0 ? "; none on the lines with μ = 0" : "")
-         : elastica ? std::string("μ = 0: a blade is a column, its force jumps to the Euler load (MODEL 4.6)")
-                    : std::string("μ = 0: the force is normal to the ring"));
+  effect(text, "elastic blades", !rigid, blades_text(scene.contact.law));
+  effect(text, "elastic ring", rigid,
+         rigid ? fmt::format("contact.law is elastic_ring: {} (MODEL 4.7)", ring_text(scene))
+               : fmt::format("contact.law is {}: rigid but for what is on below",
+                             std::get<std::string>(*scene::quantity("/contact/law").read(scene))));
+  effect(text, "friction", scene.grid.friction.back() > 0.0, friction_text(scene));
   effect(text, "yield flag", scene.validity.yield_strain.has_value(),
          scene.validity.yield_strain ? fmt::format("root strain above {}", *scene.validity.yield_strain)
                                      : std::string("no `validity.yield_strain`"));

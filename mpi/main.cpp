@@ -46,7 +46,8 @@ int carry_out(const RunOptions& options) {
 }
 
 int carry_out(const ExplainCommand& command) {
-  print(explain(scene::parse_scene(scene::read_text(command.scene), command.scene.string())));
+  print(explain(scene::parse_scene(scene::read_text(command.scene), command.scene.string()),
+                command.measured_for));
   return exit_code::kDone;
 }
 

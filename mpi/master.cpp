@@ -1,15 +1,12 @@
 #include "mpi/master.hpp"
 
+#include "mpi/clock.hpp"
 #include "mpi/signals.hpp"
 
 namespace rubatlas::mpi {
 namespace {
 
 constexpr int kSelf = 0;
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 }  // namespace
 

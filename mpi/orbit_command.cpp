@@ -38,6 +38,7 @@ struct Place {
 
 std::vector<std::string_view> parameter_names(const std::vector<scene::Axis>& axes) {
   std::vector<std::string_view> names;
+  names.reserve(axes.size() + 1);
   for (const auto& axis : axes) names.push_back(axis.name);
   std::reverse(names.begin(), names.end());  // the speed ratio first, as everybody thinks of it
   names.push_back(kDirection);

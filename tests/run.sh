@@ -60,15 +60,16 @@ configure() {
 
 if [ "$plain" = yes ]; then
   say "Build, in build/, warnings as errors"
-  configure build
+  configure build -DRUBATLAS_TESTS_TOGETHER=ON
   cmake --build build --parallel "$(nproc)"
   run_tests build -LE "$leave_out"
 fi
 
 if [ "$sanitized" = yes ]; then
   say "Build with address and undefined-behaviour sanitizers, in build-sanitize/"
-  suites=(scene plan blade contact rotor integrate observables solve atlas analysis physics hard)
-  configure build-sanitize -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1 -DRUBATLAS_SANITIZE=address,undefined
+  suites=(scene plan blade contact rotor effects integrate observables solve atlas analysis physics hard)
+  configure build-sanitize -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1 -DRUBATLAS_SANITIZE=address,undefined \
+    -DCMAKE_UNITY_BUILD=ON -DRUBATLAS_TESTS_TOGETHER=ON
   cmake --build build-sanitize --parallel "$(nproc)" --target "${suites[@]/#/test_}"
   run_tests build-sanitize -L "^($(IFS='|'; echo "${suites[*]}"))(-|\$)" -LE "$leave_out" -E "$leave_out_sanitized"
 fi

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numeric>
 
 #include "atlas/environment_error.hpp"
 #include "atlas/point_index.hpp"
@@ -13,10 +11,6 @@
 
 namespace rubatlas::atlas {
 namespace {
-
-std::size_t product(const Shape& shape) {
-  return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
-}
 
 File open_atlas(const std::filesystem::path& path) {
   try {

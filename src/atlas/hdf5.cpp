@@ -34,10 +34,6 @@ Identifier file_type() {
   if constexpr (std::same_as<T, std::int64_t>) return H5T_STD_I64LE;
 }
 
-std::size_t product(const Shape& shape) {
-  return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
-}
-
 std::vector<hsize_t> extents(const Shape& shape) {
   return {shape.begin(), shape.end()};
 }
@@ -98,6 +94,10 @@ bool mpi_is_running() {
 }
 
 }  // namespace
+
+std::size_t product(const Shape& shape) {
+  return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
+}
 
 void Handle::close() {
   if (!is_open()) return;

@@ -26,6 +26,9 @@ namespace rubatlas::atlas {
 using Identifier = std::int64_t;
 using Shape = std::vector<std::size_t>;
 
+/// Number of elements.
+std::size_t product(const Shape& shape);
+
 /// What a dataset or an attribute may hold: f8, u1, i4 and i8 in h5py's words.
 template <typename T>
 concept Number = std::same_as<T, double> || std::same_as<T, std::uint8_t> || std::same_as<T, std::int32_t> ||

@@ -58,7 +58,7 @@ InclinedPoint integrate(double modulus, double amplitude) {
   const double cosine_b = std::sqrt(1.0 - sine_b * sine_b);  // cos(b/2)
   const double inverse_cosine_b = 1.0 / cosine_b;
 
-  const Array versed = versed_sine<Array>(amplitude * kRule.abscissa);
+  const auto versed = versed_sine<Array>(amplitude * kRule.abscissa);
   const Array cosine = 1.0 - versed;
   const Array sine_psi = modulus * cosine;                      // sin(ψ/2)
   const Array cosine_psi = (1.0 - sine_psi * sine_psi).sqrt();  // cos(ψ/2)

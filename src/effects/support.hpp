@@ -31,7 +31,7 @@ struct Support {
       .equation = "z'' + (2ζ I + ΔC/(m ωn) + 2ζr I) z' + (I + ΔK/k + 2ζr Ω J) z = f",
       .source = "Ehrich, Handbook of Rotordynamics; Yamamoto & Ishida, Linear and Nonlinear Rotordynamics",
       .flight = "closed form: the exponential of the system's matrix",
-      .breaks = "blade passing and mirror symmetry; phase volume contracts by e^{-tr(C) T}",
+      .breaks = "mirror symmetry; phase volume contracts by e^{-tr(C) T}",
   };
   static constexpr auto quantities() {
     constexpr scene::Range kAny = scene::between(-1e15, 1e15);

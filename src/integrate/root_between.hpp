@@ -8,12 +8,14 @@
 namespace rubatlas::integrate {
 
 /// Located to the last bits of the argument (TOMS 748; the bracket never gives way to rounding). Where
-/// rounding has left both ends with one sign, the end nearer to the root.
+/// rounding has left both ends with one sign, the end nearer to the root; where a value is not a number,
+/// `high`.
 template <class Function>
 double root_between(Function function, double low, double high, double at_low, double at_high) {
   if (at_high == 0.0) return high;
   if (at_low == 0.0) return low;
-  if (!((at_low < 0.0) != (at_high < 0.0))) return std::abs(at_low) < std::abs(at_high) ? low : high;
+  const bool bracketed = (at_low < 0.0 && at_high > 0.0) || (at_low > 0.0 && at_high < 0.0);
+  if (!bracketed) return std::abs(at_low) < std::abs(at_high) ? low : high;
   // Counted in evaluations: a dozen where the function is simple, far more at a root of higher multiplicity.
   std::uintmax_t iterations = 300;
   const auto bracket = boost::math::tools::toms748_solve(

@@ -20,10 +20,24 @@ constexpr double kWorstCondition = 1e6;
 /// the distance to it would bound nothing.
 constexpr double kNearestResonance = 1e-10;
 
-/// Largest singular value, rounded up.
+/// Largest singular value of a matrix with two rows or two columns: the root of the larger eigenvalue of its
+/// Gram matrix, a quadratic.
+template <class Matrix>
+double largest_singular_value(const Matrix& matrix) {
+  if constexpr (Matrix::RowsAtCompileTime != 2) {
+    return largest_singular_value(matrix.adjoint().eval());
+  } else {
+    const double first = matrix.row(0).squaredNorm();
+    const double second = matrix.row(1).squaredNorm();
+    const double across = std::abs(matrix.row(1).dot(matrix.row(0)));
+    return std::sqrt(0.5 * (first + second) + std::hypot(0.5 * (first - second), across));
+  }
+}
+
+/// The same, rounded up.
 template <class Matrix>
 double spectral_norm(const Matrix& matrix) {
-  return matrix.jacobiSvd().singularValues()[0] * (1.0 + 16.0 * kRounding);
+  return largest_singular_value(matrix) * (1.0 + 16.0 * kRounding);
 }
 
 Beside beside(const Matrix2d& of_position, const Matrix2d& of_velocity) {
@@ -87,8 +101,7 @@ void SupportBounds::add_norm(const Matrix4d& weight, bool never_grows) {
     growth += 64.0 * kRounding * std::sqrt(largest / smallest) * system_.norm();
   }
   const double rounded_up = 1.0 + 64.0 * kRounding * largest / smallest;
-  const double widest =
-      Eigen::SelfAdjointEigenSolver<Matrix2d>(Matrix2d(weight.bottomRightCorner<2, 2>())).eigenvalues()[1];
+  const double widest = largest_singular_value(weight.bottomRightCorner<2, 2>().eval());
   norms_[norm_count_++] = {root, growth, rounded_up / std::sqrt(smallest), std::sqrt(widest) * rounded_up};
 }
 
@@ -118,10 +131,10 @@ void SupportBounds::find_steady_response() {
     dynamic.diagonal().array() -= term.frequency * term.frequency;
     const double scale =
         stiffness_.norm() + std::abs(term.frequency) * damping_.norm() + term.frequency * term.frequency;
-    const Eigen::JacobiSVD<Eigen::Matrix2cd> factors(dynamic, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    if (factors.singularValues()[1] <= kNearestResonance * scale) return;
+    const double smallest_singular_value = std::abs(dynamic.determinant()) / largest_singular_value(dynamic);
+    if (!(smallest_singular_value > kNearestResonance * scale)) return;
     const Eigen::Vector2cd force(term.amplitude, term.amplitude * Complex(0.0, -1.0));
-    const Eigen::Vector2cd shape = factors.solve(force);
+    const Eigen::Vector2cd shape = dynamic.inverse() * force;
     Eigen::Vector4cd phasor;
     phasor << shape, Complex(0.0, term.frequency) * shape;
     steady_.push_back((Eigen::Matrix<double, 4, 2>() << phasor.real(), -phasor.imag()).finished());

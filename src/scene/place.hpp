@@ -33,9 +33,9 @@ constexpr std::span<const std::string_view> words(Method /*unused*/) {
 }
 
 template <typename T>
-constexpr bool kIsOptional = false;
+inline constexpr bool kIsOptional = false;
 template <typename T>
-constexpr bool kIsOptional<std::optional<T>> = true;
+inline constexpr bool kIsOptional<std::optional<T>> = true;
 
 template <typename T>
 Value to_value(const T& member) {

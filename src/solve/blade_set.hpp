@@ -14,6 +14,7 @@ namespace rubatlas::solve {
 /// Angles of n equally spaced blades from blade 0 [rad].
 inline std::vector<double> equal_angles(int count) {
   std::vector<double> angles;
+  angles.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) angles.push_back(2.0 * std::numbers::pi * k / count);
   return angles;
 }

@@ -69,7 +69,7 @@ class ContactStep {
       const bool evaluated = step_.attempt(system_, size);
       const double error = evaluated ? scaled_error() : std::numeric_limits<double>::infinity();
       if (integrate::StepControl::acceptable(error)) {
-        if (!holds_whole_contact() && !passes_fold()) {
+        if (!holds_whole_contact() && !passes_fold() && !leaves_curve()) {
           ++accepted_;
           control_.accept(error, size < proposed);
           if constexpr (kCarried) project();
@@ -362,6 +362,13 @@ class ContactStep {
   [[nodiscard]] bool passes_fold() const {
     return !kReleasesAtFold && root_lost() && !passes_lift_off() &&
            step_.size() > kFoldResolution * scale(step_.start()[kBending]);
+  }
+
+  /// A step beyond the end of the blade's table, far outside of the model's validity: what is continued there
+  /// says nothing.
+  [[nodiscard]] bool leaves_curve() const {
+    if constexpr (kCarried) return step_.end()[kBending] > law_->of(contacts_.front().blade).curve().end();
+    return false;
   }
 
   /// Lets the step that would pass lift-off end just behind it, and the two before share what is left evenly.

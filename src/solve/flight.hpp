@@ -58,20 +58,16 @@ class Flight {
   }
 
   /// Bound of (|z|² + |z'|²)^½ from a state of this flight over the time `horizon` that follows, which may be
-  /// infinite. Damping only takes away, so that (|z|² + |z'|²)^½ grows by |forcing| a unit of time at most;
-  /// and that of the distance to the steady response does not grow at all.
+  /// infinite. Damping only takes away, so that it grows by |forcing| a unit of time at most; and that of the
+  /// distance to the steady response does not grow at all.
   [[nodiscard]] double amplitude_bound(double time, const State& state, double horizon) const {
-    double bound = std::sqrt(state.square().sum());
-    if constexpr (Forcing::kPresent) {
-      bound += forcing_->amplitude() * horizon;
-      if (const auto steady = forcing_->steady(time)) {
-        const double distance = std::sqrt(std::norm(Complex(state[0], state[1]) - steady->position) +
-                                          std::norm(Complex(state[2], state[3]) - steady->velocity));
-        bound =
-            std::min(bound, distance + std::sqrt(std::norm(steady->position) + std::norm(steady->velocity)));
-      }
-    }
-    return bound;
+    return bound(time, state, horizon, [](const auto& steady) {
+      return std::sqrt(std::norm(steady.position) + std::norm(steady.velocity));
+    });
+  }
+  /// The same of |z| alone.
+  [[nodiscard]] double displacement_bound(double time, const State& state, double horizon) const {
+    return bound(time, state, horizon, [](const auto& steady) { return std::abs(steady.position); });
   }
 
   /// Bounds of |z''| and |z'''| while |z| and |z'| are within `bound`.
@@ -92,6 +88,21 @@ class Flight {
   }
 
  private:
+  /// `size`: of the steady response.
+  template <class Size>
+  [[nodiscard]] double bound(double time, const State& state, double horizon, Size size) const {
+    double result = std::sqrt(state.square().sum());
+    if constexpr (Forcing::kPresent) {
+      result += forcing_->amplitude() * horizon;
+      if (const auto steady = forcing_->steady(time)) {
+        const double distance = std::sqrt(std::norm(Complex(state[0], state[1]) - steady->position) +
+                                          std::norm(Complex(state[2], state[3]) - steady->velocity));
+        result = std::min(result, distance + size(*steady));
+      }
+    }
+    return result;
+  }
+
   const RotorConstants* rotor_;
   const rotor::FreeMotion* free_;
   const Forcing* forcing_;
@@ -178,7 +189,8 @@ class TouchdownSearch {
   template <class Flight>
   [[nodiscard]] bool stays_clear(const Flight& flight, double time, const State& state,
                                  double horizon) const {
-    return flight.amplitude_bound(time, state, horizon) + std::abs(rotor_->misalignment) <= least_clearance();
+    return flight.displacement_bound(time, state, horizon) + std::abs(rotor_->misalignment) <=
+           least_clearance();
   }
 
   /// Of the blade that reaches farthest [m].

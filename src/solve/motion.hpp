@@ -31,11 +31,10 @@ namespace rubatlas::solve {
 template <class Law, class Forcing, class Pair = integrate::DormandPrince853, class Blades = BladeSet>
 class Motion {
  public:
-  Motion(const RotorConstants& rotor, Blades blades, Law law, const Forcing& forcing,
-         const ContactLimits& limits)
+  Motion(const RotorConstants& rotor, Blades blades, Law law, Forcing forcing, const ContactLimits& limits)
       : rotor_(rotor),
         free_(rotor.damping_ratio),
-        forcing_(forcing),
+        forcing_(std::move(forcing)),
         law_(std::move(law)),
         limits_(limits),
         blades_(std::move(blades)),
@@ -85,10 +84,11 @@ class Motion {
           end = fly(period, listener);
           break;
         case Phase::carried:
-          if constexpr (Law::kHasBending) end = touch(*carried_, period, listener);
-          break;
         case Phase::skimming:
-          if constexpr (Law::kHasBending) end = touch(*skimming_, period, listener);
+          if constexpr (Law::kHasBending) {
+            end = phase_ == Phase::carried ? touch(*carried_, period, listener)
+                                           : touch(*skimming_, period, listener);
+          }
           break;
         default:
           end = touch(solved_, period, listener);
@@ -159,7 +159,7 @@ class Motion {
     }
     const double end = touchdown ? touchdown->time : period;
     if (end > time_) {
-      FlightPiece piece(flight_, time_, end, flight_.amplitude_bound(time_, state_, end - time_));
+      FlightPiece piece(flight_, time_, end, flight_.displacement_bound(time_, state_, end - time_));
       // |c| may reach R in flight where no blade stands in the way (MODEL 5).
       const double ring_radius = law_.of(0).geometry().ring_radius;
       if (piece.displacement_bound() + std::abs(rotor_.misalignment) >= ring_radius &&

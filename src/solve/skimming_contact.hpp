@@ -59,13 +59,13 @@ class SkimmingContact {
   /// Whether a blade that touches down in a state begins to skim: it would be thrown back and return, at most
   /// `hop` [m] away from the ring.
   [[nodiscard]] bool begins(const ContactState& state, OpenContact contact, double hop) const {
-    const contact::Pose at = pose(state, contact.blade);
-    Balance balance;
-    if (!weigh(state, contact, balance)) return false;
-    if (!(balance.free_curvature > 0.0 && balance.share > 0.0 && balance.share < 1.0)) return false;
+    // Hops are seldom that low: the force is asked for only where they are.
+    const FreeMotion free = free_motion(state, contact.blade);
     const contact::Geometry& geometry = law_->of(contact.blade).geometry();
-    const double rate = contact::gap_rate(geometry, at, blades_->speed(state[kTime]));
-    return rate * rate <= 4.0 * geometry.ring_radius * hop * balance.free_curvature;
+    const double rate = contact::gap_rate(geometry, free.pose, blades_->speed(state[kTime]));
+    if (!(rate * rate <= 4.0 * geometry.ring_radius * hop * free.curvature)) return false;
+    Balance balance;
+    return weigh(state, contact, balance) && balance.share > 0.0 && balance.share < 1.0;
   }
 
   /// Puts a state back on g = 0, dg/dτ = 0, the shortest way.
@@ -95,7 +95,6 @@ class SkimmingContact {
   struct Balance {
     std::complex<double> free;    ///< z'' without the blade
     std::complex<double> pushed;  ///< what its full force adds
-    double free_curvature;        ///< g'' without the blade [m²]
     double share;                 ///< λ
     contact::TipForce force;      ///< λ times the force
   };
@@ -107,27 +106,43 @@ class SkimmingContact {
     return pose_of(*rotor_, law_->of(blade).geometry(), direction(state, blade), state.head<4>());
   }
 
+  /// The motion without the blade, as that sees it.
+  struct FreeMotion {
+    contact::BladeDirection direction;
+    contact::Pose pose;
+    std::complex<double> acceleration;  ///< z''
+    double curvature;                   ///< g'' [m²]
+  };
+  [[nodiscard]] FreeMotion free_motion(const ContactState& state, int blade) const {
+    const contact::Geometry& geometry = law_->of(blade).geometry();
+    FreeMotion free;
+    free.direction = direction(state, blade);
+    free.pose = pose_of(*rotor_, geometry, free.direction, state.head<4>());
+    free.acceleration = acceleration(*rotor_, *forcing_, state, 0.0, 0.0);
+    free.curvature = contact::gap_curvature(geometry, free.direction, free.pose,
+                                            {state[0], state[1] + rotor_->misalignment}, {state[2], state[3]},
+                                            free.acceleration, blades_->speed(state[kTime]));
+    if constexpr (Blades::kRipples) {
+      free.curvature +=
+          2.0 * geometry.reach * blades_->angular_acceleration(state[kTime]) * free.pose.tangential;
+    }
+    return free;
+  }
+
   bool weigh(const ContactState& state, OpenContact& contact, Balance& balance) const {
-    const contact::BladeDirection er = direction(state, contact.blade);
+    const FreeMotion free = free_motion(state, contact.blade);
+    const contact::BladeDirection& er = free.direction;
+    const contact::Pose& at = free.pose;
     const auto& law = law_->of(contact.blade);
-    const double speed = blades_->speed(state[kTime]);
-    const contact::Pose at = pose_of(*rotor_, law.geometry(), er, state.head<4>());
     contact::TipForce& force = balance.force;
-    if (!law.respond(at, contact.slip, speed, contact.bending, force)) return false;
-    balance.free = acceleration(*rotor_, *forcing_, state, 0.0, 0.0);
+    if (!law.respond(at, contact.slip, blades_->speed(state[kTime]), contact.bending, force)) return false;
+    balance.free = free.acceleration;
     balance.pushed = rotor_->force_unit * std::complex<double>(force.radial, force.tangential) *
                      std::complex<double>(er.cosine, er.sine);
-    balance.free_curvature =
-        contact::gap_curvature(law.geometry(), er, at, {state[0], state[1] + rotor_->misalignment},
-                               {state[2], state[3]}, balance.free, speed);
-    if constexpr (Blades::kRipples) {
-      balance.free_curvature +=
-          2.0 * law.geometry().reach * blades_->angular_acceleration(state[kTime]) * at.tangential;
-    }
     const double pushed_curvature =
         2.0 * rotor_->force_unit *
         ((at.radial + law.geometry().reach) * force.radial + at.tangential * force.tangential);
-    balance.share = -balance.free_curvature / pushed_curvature;
+    balance.share = -free.curvature / pushed_curvature;
     force.radial *= balance.share;
     force.tangential *= balance.share;
     force.normal *= balance.share;

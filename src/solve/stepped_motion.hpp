@@ -36,12 +36,12 @@ struct SteppedLimits {
 template <class Law, class Forcing, class Scheme>
 class SteppedMotion final : public observables::MotionPiece {
  public:
-  SteppedMotion(const RotorConstants& rotor, const BladeSet& blades, Law law, const Forcing& forcing,
+  SteppedMotion(const RotorConstants& rotor, const BladeSet& blades, Law law, Forcing forcing,
                 typename Scheme::Search search, const SteppedLimits& limits)
       : rotor_(rotor),
         directions_(blades),
         law_(std::move(law)),
-        forcing_(forcing),
+        forcing_(std::move(forcing)),
         limits_(limits),
         steps_in_revolution_(std::ceil(rotor.period() / limits.longest_step)),
         system_(rotor_, directions_, law_, forcing_, std::move(search)),

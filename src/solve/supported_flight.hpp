@@ -43,6 +43,9 @@ class Flight<SupportedShaft> {
   [[nodiscard]] double amplitude_bound(double time, const State& state, double horizon) const {
     return shaft_->bounds.amplitude_bound(time, state.matrix(), horizon);
   }
+  [[nodiscard]] double displacement_bound(double time, const State& state, double horizon) const {
+    return amplitude_bound(time, state, horizon);
+  }
   [[nodiscard]] double second_bound(double bound) const { return shaft_->bounds.second_bound(bound); }
   [[nodiscard]] double third_bound(double bound) const { return shaft_->bounds.third_bound(bound); }
 

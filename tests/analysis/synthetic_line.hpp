@@ -10,6 +10,9 @@
 
 namespace rubatlas::analysis {
 
+/// Of the default rotor.
+inline const SpeedScale kThreeBlades(3);
+
 /// From the end of the piece before (or the start of the line) up to and including `to`.
 struct Piece {
   double to;                         ///< Ω [-]

@@ -12,8 +12,6 @@
 namespace rubatlas::analysis {
 namespace {
 
-const SpeedScale kThreeBlades(3);
-
 std::array<Region, 4> regions_of_line(const Line& line, SpeedScale scale = kThreeBlades) {
   return find_regions(line, scale, find_triggers(line, scale, 1e-8));
 }

@@ -197,6 +197,19 @@ TEST_F(RotorStatements, FifteenDisagreesWhenOnlyThickBladesFeelThem) {
   EXPECT_EQ(verdict("P15"), Verdict::disagrees);
 }
 
+TEST_F(RotorStatements, FifteenLeavesOutRotorsThatDoNotReachTheRing) {
+  on_the_rig();
+  axes({"rotor_misalignment", "ring_radius", "thickness", "friction", "damping_ratio"});
+  for (const double misalignment : {0.31e-3, 0.36e-3, 0.41e-3}) {  // the clearance is 0.35 mm
+    for (const double thickness : {0.2e-3, 0.5e-3}) {
+      add(misalignment < 0.35e-3 ? nothing_happens() : four_regions(),
+          {misalignment, 62.5e-3, thickness, 0.1, 0.05});
+    }
+  }
+  EXPECT_EQ(holds("P15", "h ≥ 0.4 mm: y0 does not matter"), true);
+  EXPECT_EQ(holds("P15", "h < 0.4 mm: y0 matters"), false);
+}
+
 TEST_F(RotorStatements, FifteenComparesClearancesAtTheSameReachIntoTheRing) {
   on_the_rig();
   axes({"rotor_misalignment", "ring_radius", "thickness", "friction", "damping_ratio"});

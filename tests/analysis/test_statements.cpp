@@ -12,8 +12,6 @@
 namespace rubatlas::analysis {
 namespace {
 
-const SpeedScale kThreeBlades(3);
-
 /// The default rotor's parameters, in the order unbalance, friction, damping ratio.
 struct At {
   double unbalance = 0.0;

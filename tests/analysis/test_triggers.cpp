@@ -11,7 +11,6 @@ namespace rubatlas::analysis {
 namespace {
 
 constexpr double kFloor = 1e-8;
-const SpeedScale kThreeBlades(3);
 
 /// 901 speeds, 0.001 apart, with a displacement given as a function of Ω.
 template <typename Displacement>

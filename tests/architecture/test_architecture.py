@@ -109,6 +109,13 @@ class Architecture(unittest.TestCase):
         self.expect_none((f"{path} has {length} lines" for path, length in lengths.items() if length > LONGEST_FILE),
                          f"no file is longer than {LONGEST_FILE} lines")
 
+    def test_every_source_includes_its_own_header_first(self):
+        sources = [path for path in files(".cpp") if path.parts[0] != "tests" and (ROOT / path).with_suffix(".hpp").exists()]
+        self.assertGreater(len(sources), 50)
+        self.expect_none((f"{path} begins with {includes(path)[0]}" for path in sources
+                          if includes(path)[0] != str(path.with_suffix(".hpp")).removeprefix("src/")),
+                         "a header's own source shows that it compiles alone")
+
     def test_names_say_what_is_inside(self):
         names = [path for path in files(".hpp", ".cpp", ".py", ".sh") if path.stem in NAMES_THAT_SAY_NOTHING]
         self.expect_none(map(str, names), "a file is named after its subject")

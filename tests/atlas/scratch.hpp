@@ -9,6 +9,7 @@
 #include <iterator>
 #include <string>
 
+#include "atlas/software.hpp"
 #include "scene/reader.hpp"
 #include "scene/scene.hpp"
 
@@ -33,6 +34,8 @@ class Scratch : public ::testing::Test {
 
   std::filesystem::path directory_;
 };
+
+inline const Software kSoftware{.software_version = "1", .git_commit = "none", .compiler = "none"};
 
 /// Two damping ratios, five speeds, three sampled revolutions, four observables.
 inline const std::string kSmallScene = R"({

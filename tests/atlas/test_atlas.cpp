@@ -14,8 +14,6 @@
 namespace rubatlas::atlas {
 namespace {
 
-const Software kSoftware{.software_version = "1", .git_commit = "none", .compiler = "none"};
-
 /// A row whose numbers tell which point and which place they belong to.
 solve::PointOutcome numbered_outcome(const scene::Scene& scene, std::size_t point) {
   solve::PointOutcome outcome;
@@ -34,7 +32,7 @@ class Atlas : public testing::Scratch {
  protected:
   void SetUp() override {
     Scratch::SetUp();
-    create_atlas(path(), scene_, testing::kSmallScene, kSoftware);
+    create_atlas(path(), scene_, testing::kSmallScene, testing::kSoftware);
   }
   [[nodiscard]] std::filesystem::path path() const { return file("atlas.h5"); }
 
@@ -124,7 +122,7 @@ TEST_F(Atlas, APointThatFailedHasNoNumbersWhateverItReached) {
 }
 
 TEST_F(Atlas, TheOrderInWhichRowsAreWrittenDoesNotShow) {
-  create_atlas(file("other.h5"), scene_, testing::kSmallScene, kSoftware);
+  create_atlas(file("other.h5"), scene_, testing::kSmallScene, testing::kSoftware);
   AtlasWriter forward(path(), scene_);
   AtlasWriter backward(file("other.h5"), scene_);
   for (std::size_t point = 0; point < 10; ++point) {
@@ -154,7 +152,7 @@ TEST_F(Atlas, OfBothDirectionsTheOneAskedForIsFound) {
   auto text = testing::kSmallScene;
   text.insert(1, R"("sweep": "both",)");
   const auto both = scene::parse_scene(text);
-  create_atlas(file("both.h5"), both, text, kSoftware);
+  create_atlas(file("both.h5"), both, text, testing::kSoftware);
   const AtlasReader atlas(file("both.h5"));
   EXPECT_EQ(atlas.shape(), (Shape{2, 1, 1, 1, 2, 5}));
   const plan::PointParameters wanted = plan::Grid(both).parameters(2);
@@ -189,7 +187,7 @@ TEST_F(Atlas, AppearsUnderItsNameOnlyWhenItIsComplete) {
   // Creation fails, here because its temporary name is taken by a directory: the old atlas stays as it was.
   const std::string before = bytes(path());
   std::filesystem::create_directory(unpublished_name(path()));
-  EXPECT_THROW(create_atlas(path(), scene_, testing::kSmallScene, kSoftware), EnvironmentError);
+  EXPECT_THROW(create_atlas(path(), scene_, testing::kSmallScene, testing::kSoftware), EnvironmentError);
   EXPECT_EQ(bytes(path()), before);
 }
 

@@ -5,14 +5,13 @@
 namespace rubatlas::atlas {
 namespace {
 
-const Software kSoftware{.software_version = "1", .git_commit = "none", .compiler = "none"};
 const plan::PointParameters kParameters{0.3, 0.1, 0.1, 0.0, 0.001};
 
 class OrbitFile : public testing::Scratch {
  protected:
   void write(const solve::Orbit& orbit) const {
     write_orbit(file("orbit.h5"), testing::small_scene(), testing::kSmallScene, kParameters,
-                {1.0, 2.0, 3.0, 4.0}, orbit, kSoftware);
+                {1.0, 2.0, 3.0, 4.0}, orbit, testing::kSoftware);
   }
 };
 

@@ -9,8 +9,8 @@
 
 #include "contact/elastica_contact.hpp"
 #include "effects/harmonic.hpp"
-#include "solve/contact_system.hpp"
 #include "solve/blade_set.hpp"
+#include "solve/contact_system.hpp"
 #include "solve/rotor.hpp"
 
 namespace rubatlas::bench {

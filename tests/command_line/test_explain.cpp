@@ -1,9 +1,13 @@
 // What `explain` says of a scene.
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <string>
 
+#include "effects/list.hpp"
 #include "program.hpp"
+#include "scene/quantity.hpp"
+#include "scene/reader.hpp"
 
 namespace rubatlas::mpi {
 namespace {
@@ -11,7 +15,7 @@ namespace {
 std::string explained(const std::string& scene) {
   const Workplace place;
   static_cast<void>(place.write("s.json", scene));
-  const auto ending = place.rubatlas("explain s.json");
+  const auto ending = place.rubatlas("explain s.json --measure 0.1");
   EXPECT_EQ(ending.code, 0) << ending.messages;
   EXPECT_EQ(ending.messages, "");
   return ending.output;
@@ -44,6 +48,58 @@ TEST(Explain, SaysWhichEffectsAreOnAndWhy) {
   EXPECT_TRUE(holds(line_of(other, "friction"), " off "));
   EXPECT_TRUE(holds(line_of(other, "unbalance"), " on   me = 0, 1e-05 kg m")) << other;
   EXPECT_TRUE(holds(line_of(other, "yield flag"), " on   root strain above 0.002"));
+}
+
+/// What follows the line of a name, up to the next name.
+std::string below(const std::string& text, const std::string& name) {
+  auto at = text.find("\n  " + name + " ");
+  if (at == std::string::npos) return "no such line";
+  at = text.find('\n', at + 1);
+  auto end = at;
+  while (text.compare(end, 5, "\n    ") == 0) end = text.find('\n', end + 1);
+  return text.substr(at, end - at);
+}
+
+TEST(Explain, ListsEveryEffectWithWhatItCostsAndWhetherFlightStaysExact) {
+  const std::string plain = explained(kSmallScene);
+  effects::for_each_effect([&]<auto Effect>() {
+    constexpr auto& kDescription = effects::Settings<Effect>::kDescription;
+    const std::string name = scene::axis_name(kDescription.section);
+    SCOPED_TRACE(name);
+    EXPECT_TRUE(holds(line_of(plain, name), " off  no section `" + name + "`")) << line_of(plain, name);
+    EXPECT_EQ(below(plain, name), "") << "nothing to say of an effect that is off";
+
+    const std::string with =
+        explained(scene::read_text(RUBATLAS_SOURCE_DIR "/jobs/effect_" + name + ".json"));
+    EXPECT_TRUE(holds(line_of(with, name), " on   ")) << line_of(with, name);
+    const std::string more = below(with, name);
+    EXPECT_TRUE(holds(more, std::string(kDescription.equation))) << more;
+    EXPECT_TRUE(holds(more, "flight: " + std::string(kDescription.flight))) << more;
+    const auto at = more.find("measured: ");
+    ASSERT_NE(at, std::string::npos) << more;
+    double cost = 0.0;
+    double cost_without = 0.0;
+    ASSERT_EQ(std::sscanf(more.c_str() + at,
+                          "measured: %lf ns a right-hand side with its share of flight, %lf without it",
+                          &cost, &cost_without),
+              2)
+        << more;
+    EXPECT_GT(cost, 10.0) << "ns: no computer is as fast";
+    EXPECT_GT(cost_without, 10.0);
+  });
+}
+
+TEST(Explain, SaysWhereAnEffectHasNoStrengthAndOnHowManyLinesItActs) {
+  const std::string zero = explained(R"({"grid": {"speed_ratio": 0.5}, "side_load": {"force": 0},
+    "protocol": {"transient_revolutions": 2, "sampled_revolutions": 2}})");
+  EXPECT_TRUE(holds(line_of(zero, "side_load"),
+                    " off  w = 0 N, α = 0 rad: of zero strength, no term in the equations"))
+      << line_of(zero, "side_load");
+  const std::string swept = explained(R"({"grid": {"speed_ratio": 0.5, "/side_load/force": [0, 0.05, 0.1]},
+    "protocol": {"transient_revolutions": 2, "sampled_revolutions": 2}})");
+  EXPECT_TRUE(
+      holds(line_of(swept, "side_load"), " on   w = 0, 0.05, 0.1 N, α = 0 rad; no term on 1 of 3 lines"))
+      << line_of(swept, "side_load");
 }
 
 TEST(Explain, GivesGridShapesAndBytesOfTheAtlas) {

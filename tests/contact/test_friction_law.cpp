@@ -11,7 +11,7 @@
 namespace rubatlas::contact {
 namespace {
 
-constexpr double kStiffness = 1e4;  // [N/m]
+constexpr double kRingStiffness = 1e4;  // [N/m]
 
 TEST(FrictionLaw, IsOddInTheSlipAndOpposesIt) {
   const RegularisedFriction regularised{0.2, 1e-3};
@@ -61,7 +61,7 @@ TEST(FrictionLaw, StribeckWithEqualCoefficientsIsTheRegularisedLaw) {
 TEST(RigidBladeContact, RegularisedFrictionBecomesCoulombs) {
   RandomContacts contacts(kDefaultRotor, 0.25, 31);
   const Geometry geometry = kDefaultRotor.geometry();
-  const ElasticRingContact coulomb(geometry, kStiffness, 0.1);
+  const ElasticRingContact coulomb(geometry, kRingStiffness, 0.1);
   int bitwise = 0;
   for (int i = 0; i < 3000; ++i) {
     const Pose at = contacts.next();
@@ -71,7 +71,7 @@ TEST(RigidBladeContact, RegularisedFrictionBecomesCoulombs) {
     coulomb.respond(at, slip, 0.4, bending, sharp);
     double before = INFINITY;
     for (const double v0 : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
-      const RigidBladeContact law(geometry, kStiffness, RegularisedFriction{0.1, v0});
+      const RigidBladeContact law(geometry, kRingStiffness, RegularisedFriction{0.1, v0});
       TipForce soft{};
       law.respond(at, slip, 0.4, bending, soft);
       const double difference =
@@ -89,7 +89,7 @@ TEST(RigidBladeContact, RegularisedFrictionBecomesCoulombs) {
 
 TEST(RigidBladeContact, RegularisedForceIsContinuousThroughZeroSlip) {
   const Geometry geometry = kDefaultRotor.geometry();
-  const RigidBladeContact law(geometry, kStiffness, RegularisedFriction{0.1, 1e-3});
+  const RigidBladeContact law(geometry, kRingStiffness, RegularisedFriction{0.1, 1e-3});
   const double speed = 0.4;
   double bending = 0.0;
   TipForce before{};

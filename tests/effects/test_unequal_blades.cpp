@@ -12,7 +12,7 @@ using effects::BladeError;
 using solve::PointStatus;
 using solve::SectionState;
 
-scene::Scene default_rotor(scene::ContactLaw law, double speed_ratio) {
+scene::Scene equal_blades(scene::ContactLaw law, double speed_ratio) {
   nlohmann::json scene = effect_scene<&effects::Effects::unequal_blades>(speed_ratio, 4);
   scene.erase("unequal_blades");
   scene["contact"]["law"] = law == scene::ContactLaw::elastica ? "elastica" : "elastic_ring";
@@ -24,7 +24,7 @@ scene::Scene default_rotor(scene::ContactLaw law, double speed_ratio) {
 class UnequalBlades : public ::testing::TestWithParam<scene::ContactLaw> {};
 
 TEST_P(UnequalBlades, AllLongerByTheSameAreLongerBlades) {
-  scene::Scene errors = default_rotor(GetParam(), 0.45);
+  scene::Scene errors = equal_blades(GetParam(), 0.45);
   scene::Scene length = errors;
   errors.unequal_blades.emplace().length_errors = {2e-4, 2e-4, 2e-4};
   length.blades.length += 2e-4;
@@ -36,7 +36,7 @@ TEST_P(UnequalBlades, AllLongerByTheSameAreLongerBlades) {
 }
 
 TEST_P(UnequalBlades, AllThickerByTheSameAreThickerBlades) {
-  scene::Scene errors = default_rotor(GetParam(), 0.45);
+  scene::Scene errors = equal_blades(GetParam(), 0.45);
   scene::Scene thickness = errors;
   errors.unequal_blades.emplace().thickness_errors = {1e-4, 1e-4, 1e-4};
   thickness.blades.thickness += 1e-4;
@@ -48,7 +48,7 @@ TEST_P(UnequalBlades, AllThickerByTheSameAreThickerBlades) {
 }
 
 TEST_P(UnequalBlades, RenumberedAndABladeLaterMoveTheSameWay) {
-  scene::Scene scene = default_rotor(GetParam(), 0.45);
+  scene::Scene scene = equal_blades(GetParam(), 0.45);
   auto& errors = scene.unequal_blades.emplace();
   errors.length_errors = {1e-4, 0.0, -3e-4};
   errors.thickness_errors = {0.0, 1e-4, -1e-4};
@@ -70,7 +70,7 @@ TEST_P(UnequalBlades, RenumberedAndABladeLaterMoveTheSameWay) {
 
 TEST_P(UnequalBlades, OneThatIsLongerTouchesAlone) {
   // Two blades pass the ring at 50 µm, the third overlaps it by 1 µm.
-  scene::Scene scene = default_rotor(GetParam(), 0.2);
+  scene::Scene scene = equal_blades(GetParam(), 0.2);
   scene.rotor.misalignment = 0.00995;
   scene.protocol.sampled_revolutions = 3;
   scene.protocol.samples_per_revolution = 4096;

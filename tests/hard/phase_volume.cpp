@@ -75,8 +75,8 @@ TEST_P(PhaseVolume, ContractsByTheDampingAlone) {
   EXPECT_GT(touchdowns, 0U);
 }
 
-constexpr auto kElastica = scene::ContactLaw::elastica;
-constexpr auto kElasticRing = scene::ContactLaw::elastic_ring;
+constexpr auto kOfTheBlades = scene::ContactLaw::elastica;
+constexpr auto kOfTheRing = scene::ContactLaw::elastic_ring;
 
 // Loads that are fixed or prescribed in time, and blades of any shape, leave the forces a function of
 // position.
@@ -103,28 +103,28 @@ void all_at_once(scene::Scene& scene) {
 INSTANTIATE_TEST_SUITE_P(
     Effects, PhaseVolume,
     ::testing::Values(
-        VolumeCase{"gravity", kElastica, 3, 0.62, 0.05, 0.1, 0.0, {2e-3, -1e-3, 1e-3, 2e-3}, lean},
-        VolumeCase{"side_load", kElastica, 3, 0.45, 0.05, 0.3, 1e-4, {1e-3, 0.0, 0.0, -1e-3}, push},
-        VolumeCase{"speed_ripple", kElastica, 3, 0.62, 0.05, 0.1, 1e-4, {2e-3, -1e-3, 1e-3, 2e-3}, ripple},
-        VolumeCase{"unequal_blades", kElastica, 5, 0.5, 0.05, 0.1, 0.0, {-1e-3, 2e-3, 1e-3, 0.0}, spread},
+        VolumeCase{"gravity", kOfTheBlades, 3, 0.62, 0.05, 0.1, 0.0, {2e-3, -1e-3, 1e-3, 2e-3}, lean},
+        VolumeCase{"side_load", kOfTheBlades, 3, 0.45, 0.05, 0.3, 1e-4, {1e-3, 0.0, 0.0, -1e-3}, push},
+        VolumeCase{"speed_ripple", kOfTheBlades, 3, 0.62, 0.05, 0.1, 1e-4, {2e-3, -1e-3, 1e-3, 2e-3}, ripple},
+        VolumeCase{"unequal_blades", kOfTheBlades, 5, 0.5, 0.05, 0.3, 0.0, {-1e-3, 2e-3, 1e-3, 0.0}, spread},
         VolumeCase{
-            "elastic_ring", kElasticRing, 3, 0.45, 0.05, 0.3, 1e-4, {1e-3, 0.0, 0.0, -1e-3}, all_at_once},
-        VolumeCase{"elastica", kElastica, 3, 0.45, 0.05, 0.1, 1e-4, {1e-3, 0.0, 0.0, -1e-3}, all_at_once}),
+            "elastic_ring", kOfTheRing, 3, 0.45, 0.05, 0.3, 1e-4, {1e-3, 0.0, 0.0, -1e-3}, all_at_once},
+        VolumeCase{"elastica", kOfTheBlades, 3, 0.45, 0.05, 0.1, 1e-4, {1e-3, 0.0, 0.0, -1e-3}, all_at_once}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(
     Motions, PhaseVolume,
     ::testing::Values(
-        VolumeCase{"undamped", kElastica, 3, 0.62, 0.0, 0.1, 0.0, {2e-3, -1e-3, 1e-3, 2e-3}},
-        VolumeCase{"well_damped", kElastica, 3, 0.9, 0.2, 0.1, 0.0, {0.0, 2e-3, 0.0, 4e-3}},
-        VolumeCase{"unbalanced", kElastica, 3, 0.45, 0.05, 0.1, 1e-4, {1e-3, 0.0, 0.0, -1e-3}},
-        VolumeCase{"without_friction", kElastica, 3, 0.62, 0.05, 0.0, 0.0, {2e-3, -1e-3, 1e-3, 2e-3}},
-        VolumeCase{"much_friction", kElastica, 3, 0.62, 0.05, 1.0, 0.0, {1e-3, 0.0, 0.0, 1e-3}},
-        VolumeCase{"five_blades", kElastica, 5, 0.5, 0.05, 0.3, 0.0, {-1e-3, 2e-3, 1e-3, 0.0}},
+        VolumeCase{"undamped", kOfTheBlades, 3, 0.62, 0.0, 0.1, 0.0, {2e-3, -1e-3, 1e-3, 2e-3}},
+        VolumeCase{"well_damped", kOfTheBlades, 3, 0.9, 0.2, 0.1, 0.0, {0.0, 2e-3, 0.0, 4e-3}},
+        VolumeCase{"unbalanced", kOfTheBlades, 3, 0.45, 0.05, 0.1, 1e-4, {1e-3, 0.0, 0.0, -1e-3}},
+        VolumeCase{"without_friction", kOfTheBlades, 3, 0.62, 0.05, 0.0, 0.0, {2e-3, -1e-3, 1e-3, 2e-3}},
+        VolumeCase{"much_friction", kOfTheBlades, 3, 0.62, 0.05, 1.0, 0.0, {1e-3, 0.0, 0.0, 1e-3}},
+        VolumeCase{"five_blades", kOfTheBlades, 5, 0.5, 0.05, 0.3, 0.0, {-1e-3, 2e-3, 1e-3, 0.0}},
         VolumeCase{
-            "five_blades_in_an_elastic_ring", kElasticRing, 5, 0.5, 0.05, 0.1, 0.0, {-1e-3, 2e-3, 1e-3, 0.0}},
+            "five_blades_in_an_elastic_ring", kOfTheRing, 5, 0.5, 0.05, 0.1, 0.0, {-1e-3, 2e-3, 1e-3, 0.0}},
         VolumeCase{
-            "unbalanced_in_an_elastic_ring", kElasticRing, 3, 0.45, 0.0, 0.3, 1e-4, {1e-3, 0.0, 0.0, -1e-3}}),
+            "unbalanced_in_an_elastic_ring", kOfTheRing, 3, 0.45, 0.0, 0.3, 1e-4, {1e-3, 0.0, 0.0, -1e-3}}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace

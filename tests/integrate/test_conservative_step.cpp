@@ -183,6 +183,13 @@ TEST(RootBetween, FindsRootsOfHighMultiplicityAndSteepOnes) {
   EXPECT_NEAR(root_between(steep, 0.0, 1.0, steep(0.0), steep(1.0)), 0.7, 3e-16);
 }
 
+TEST(RootBetween, AValueThatIsNoNumberEndsTheSearchWithoutAnException) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const auto line = [](double x) { return x - 0.5; };
+  EXPECT_EQ(root_between(line, 0.0, 1.0, -0.5, none), 1.0);
+  EXPECT_EQ(root_between(line, 0.0, 1.0, none, 0.5), 1.0);
+}
+
 TEST(RootBetween, ReturnsAnEndThatIsARoot) {
   const auto function = [](double t) { return t - 0.25; };
   EXPECT_EQ(root_between(function, 0.25, 1.0, 0.0, 0.75), 0.25);

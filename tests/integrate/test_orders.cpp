@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "convergence_order.hpp"
 #include "integrate/bogacki_shampine_32.hpp"
 #include "integrate/classical_runge_kutta.hpp"
 #include "integrate/dormand_prince_54.hpp"
@@ -43,23 +44,6 @@ Vector exact(double time) {
   Vector state;
   state << 1.2 * std::cos(time), 0.8 * std::sin(time), -1.2 * std::sin(time), 0.8 * std::cos(time), time;
   return state;
-}
-
-double distance(const Vector& one, const Vector& other) {
-  return (one - other).abs().maxCoeff();
-}
-
-/// Slope of log(error) over log(size), by least squares.
-double slope(const std::vector<std::pair<double, double>>& errors) {
-  double x = 0, y = 0, xx = 0, xy = 0;
-  for (const auto& [size, error] : errors) {
-    x += std::log(size);
-    y += std::log(error);
-    xx += std::log(size) * std::log(size);
-    xy += std::log(size) * std::log(error);
-  }
-  const auto n = static_cast<double>(errors.size());
-  return (n * xy - x * y) / (n * xx - x * x);
 }
 
 /// The largest of an error of one step over the orbit, for a list of sizes.
@@ -138,20 +122,20 @@ TYPED_TEST(EveryTable, GlobalErrorFallsWithItsOrder) {
     for (int i = 0; i < steps; ++i) {
       ASSERT_TRUE(method.attempt(orbit, duration / steps));
       method.accept();
-      largest = std::max(largest, distance(method.start(), exact(duration * (i + 1) / steps)));
+      largest = std::max(largest, largest_difference(method.start(), exact(duration * (i + 1) / steps)));
     }
     errors.emplace_back(duration / steps, largest);
   }
   ASSERT_GT(errors.back().second, 1e-14) << "above rounding";
-  EXPECT_NEAR(slope(errors), TypeParam::kOrder, 0.35);
+  EXPECT_NEAR(convergence_order(errors), TypeParam::kOrder, 0.35);
 }
 
 TYPED_TEST(EveryTable, LocalErrorFallsWithOneOrderMore) {
   const auto errors = local_errors<RungeKutta<TypeParam, 5>>(
       Known<TypeParam>::kSize, [](auto& method, ForcedOrbit&, double time, double size) {
-        return distance(method.end(), exact(time + size));
+        return largest_difference(method.end(), exact(time + size));
       });
-  EXPECT_NEAR(slope(errors), TypeParam::kOrder + 1, 0.35);
+  EXPECT_NEAR(convergence_order(errors), TypeParam::kOrder + 1, 0.35);
 }
 
 TYPED_TEST(EveryTable, DenseOutputIsOfItsOrder) {
@@ -160,11 +144,12 @@ TYPED_TEST(EveryTable, DenseOutputIsOfItsOrder) {
         EXPECT_TRUE(method.make_dense(orbit));
         double largest = 0.0;
         for (double part = 0.0625; part < 1.0; part += 0.0625) {
-          largest = std::max(largest, distance(method.interpolate(part), exact(time + part * size)));
+          largest =
+              std::max(largest, largest_difference(method.interpolate(part), exact(time + part * size)));
         }
         return largest;
       });
-  EXPECT_NEAR(slope(errors), Known<TypeParam>::kDenseOrder + 1, 0.4);
+  EXPECT_NEAR(convergence_order(errors), Known<TypeParam>::kDenseOrder + 1, 0.4);
 }
 
 TYPED_TEST(EveryTable, DenseOutputMeetsTheEndsOfTheStep) {
@@ -173,8 +158,8 @@ TYPED_TEST(EveryTable, DenseOutputMeetsTheEndsOfTheStep) {
   method.begin(orbit, exact(0.4));
   ASSERT_TRUE(method.attempt(orbit, 0.3));
   ASSERT_TRUE(method.make_dense(orbit));
-  EXPECT_EQ(distance(method.interpolate(0.0), method.start()), 0.0);
-  EXPECT_LE(distance(method.interpolate(1.0), method.end()), 4e-16);
+  EXPECT_EQ(largest_difference(method.interpolate(0.0), method.start()), 0.0);
+  EXPECT_LE(largest_difference(method.interpolate(1.0), method.end()), 4e-16);
 }
 
 TYPED_TEST(EveryTable, StepCostsItsStages) {
@@ -220,7 +205,7 @@ TYPED_TEST(EveryPair, EstimateFallsWithThePowerThatItStates) {
       Known<TypeParam>::kSize, [](auto& method, ForcedOrbit&, double, double) {
         return method.error_estimate([](const Vector& difference) { return difference.abs().maxCoeff(); });
       });
-  EXPECT_NEAR(slope(errors), Known<TypeParam>::kEstimatePower, 0.35);
+  EXPECT_NEAR(convergence_order(errors), Known<TypeParam>::kEstimatePower, 0.35);
 }
 
 TYPED_TEST(EveryPair, EstimateIsNotFarBelowTheErrorOfAStep) {
@@ -234,7 +219,7 @@ TYPED_TEST(EveryPair, EstimateIsNotFarBelowTheErrorOfAStep) {
     ASSERT_TRUE(method.attempt(orbit, 0.5 * Known<TypeParam>::kSize));
     const double estimate =
         method.error_estimate([](const Vector& difference) { return difference.abs().maxCoeff(); });
-    EXPECT_LE(distance(method.end(), exact(time + method.size())), 1.2 * estimate + 1e-15) << time;
+    EXPECT_LE(largest_difference(method.end(), exact(time + method.size())), 1.2 * estimate + 1e-15) << time;
   }
 }
 

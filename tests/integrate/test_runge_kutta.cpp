@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "allocations.hpp"
+#include "convergence_order.hpp"
 #include "integrate/dormand_prince_853.hpp"
 #include "integrate/runge_kutta.hpp"
 #include "integrate/step_control.hpp"
@@ -21,14 +22,14 @@
 namespace rubatlas::integrate {
 namespace {
 
-using Method = RungeKutta<DormandPrince853, 4>;
-using Vector = Method::Vector;
+using EighthOrder = RungeKutta<DormandPrince853, 4>;
+using PlanarState = EighthOrder::Vector;
 
 constexpr double kEccentricity = 0.1;
 
 struct Kepler {
   int evaluations = 0;
-  bool operator()(const Vector& state, Vector& derivative) {
+  bool operator()(const PlanarState& state, PlanarState& derivative) {
     ++evaluations;
     const double square = state[0] * state[0] + state[1] * state[1];
     const double cube = square * std::sqrt(square);
@@ -37,35 +38,18 @@ struct Kepler {
   }
 };
 
-Vector exact(double time) {
+PlanarState on_the_ellipse(double time) {
   long double anomaly = time;
   for (int i = 0; i < 50; ++i) {
     anomaly -= (anomaly - kEccentricity * std::sin(anomaly) - time) / (1 - kEccentricity * std::cos(anomaly));
   }
   const long double minor = std::sqrt(1 - static_cast<long double>(kEccentricity) * kEccentricity);
   const long double rate = 1 / (1 - kEccentricity * std::cos(anomaly));
-  Vector state;
+  PlanarState state;
   state << static_cast<double>(std::cos(anomaly) - kEccentricity),
       static_cast<double>(minor * std::sin(anomaly)), static_cast<double>(-std::sin(anomaly) * rate),
       static_cast<double>(minor * std::cos(anomaly) * rate);
   return state;
-}
-
-double distance(const Vector& one, const Vector& other) {
-  return (one - other).abs().maxCoeff();
-}
-
-/// Slope of log(error) over log(size), by least squares.
-double slope(const std::vector<std::pair<double, double>>& errors) {
-  double x = 0, y = 0, xx = 0, xy = 0;
-  for (const auto& [size, error] : errors) {
-    x += std::log(size);
-    y += std::log(error);
-    xx += std::log(size) * std::log(size);
-    xy += std::log(size) * std::log(error);
-  }
-  const auto n = static_cast<double>(errors.size());
-  return (n * xy - x * y) / (n * xx - x * x);
 }
 
 TEST(RungeKutta, GlobalErrorFallsWithTheEighthPowerOfTheStep) {
@@ -73,16 +57,16 @@ TEST(RungeKutta, GlobalErrorFallsWithTheEighthPowerOfTheStep) {
   const double duration = 6.0;
   for (const int steps : {32, 40, 48, 56, 64, 72}) {
     Kepler kepler;
-    Method method;
-    method.begin(kepler, exact(0.0));
+    EighthOrder method;
+    method.begin(kepler, on_the_ellipse(0.0));
     for (int i = 0; i < steps; ++i) {
       ASSERT_TRUE(method.attempt(kepler, duration / steps));
       method.accept();
     }
-    errors.emplace_back(duration / steps, distance(method.start(), exact(duration)));
+    errors.emplace_back(duration / steps, largest_difference(method.start(), on_the_ellipse(duration)));
   }
   ASSERT_GT(errors.back().second, 1e-13) << "above rounding";
-  EXPECT_NEAR(slope(errors), 8.0, 0.3);
+  EXPECT_NEAR(convergence_order(errors), 8.0, 0.3);
 }
 
 /// Errors of one step from exact values over the orbit, for a list of sizes.
@@ -93,8 +77,8 @@ std::vector<std::pair<double, double>> local_errors(Error error) {
     double largest = 0.0;
     for (double time = 0.0; time < 6.0; time += 0.37) {
       Kepler kepler;
-      Method method;
-      method.begin(kepler, exact(time));
+      EighthOrder method;
+      method.begin(kepler, on_the_ellipse(time));
       EXPECT_TRUE(method.attempt(kepler, size));
       largest = std::max(largest, error(method, kepler, time, size));
     }
@@ -104,27 +88,28 @@ std::vector<std::pair<double, double>> local_errors(Error error) {
 }
 
 TEST(RungeKutta, DenseOutputIsOfOrderSeven) {
-  const auto errors = local_errors([](Method& method, Kepler& kepler, double time, double size) {
+  const auto errors = local_errors([](EighthOrder& method, Kepler& kepler, double time, double size) {
     EXPECT_TRUE(method.make_dense(kepler));
     double largest = 0.0;
     for (double part = 0.0625; part < 1.0; part += 0.0625) {
-      largest = std::max(largest, distance(method.interpolate(part), exact(time + part * size)));
+      largest =
+          std::max(largest, largest_difference(method.interpolate(part), on_the_ellipse(time + part * size)));
     }
     return largest;
   });
   ASSERT_GT(errors.back().second, 1e-13);
-  EXPECT_NEAR(slope(errors) - 1, 7.0, 0.4);
+  EXPECT_NEAR(convergence_order(errors) - 1, 7.0, 0.4);
 }
 
-double largest_component(const Vector& difference) {
+double largest_component(const PlanarState& difference) {
   return difference.abs().maxCoeff();
 }
 
 TEST(RungeKutta, ErrorEstimateIsOfOrderEight) {
   // DOP853 combines the differences to solutions of order 3 and 5 (h⁴ and h⁶) to h¹²/h⁴.
   const auto errors = local_errors(
-      [](Method& method, Kepler&, double, double) { return method.error_estimate(largest_component); });
-  EXPECT_NEAR(slope(errors), 8.0, 0.5);
+      [](EighthOrder& method, Kepler&, double, double) { return method.error_estimate(largest_component); });
+  EXPECT_NEAR(convergence_order(errors), 8.0, 0.5);
 }
 
 TEST(RungeKutta, ErrorEstimateBoundsTheErrorOfAStep) {
@@ -133,40 +118,42 @@ TEST(RungeKutta, ErrorEstimateBoundsTheErrorOfAStep) {
   for (const double size : {0.1, 0.2, 0.3, 0.4}) {
     for (double time = 0.0; time < 6.0; time += 0.37) {
       Kepler kepler;
-      Method method;
-      method.begin(kepler, exact(time));
+      EighthOrder method;
+      method.begin(kepler, on_the_ellipse(time));
       ASSERT_TRUE(method.attempt(kepler, size));
       const double bound = method.error_estimate(largest_component);
-      EXPECT_LE(distance(method.end(), exact(time + size)), bound + 2e-15) << size << ", " << time;
+      EXPECT_LE(largest_difference(method.end(), on_the_ellipse(time + size)), bound + 2e-15)
+          << size << ", " << time;
     }
   }
 }
 
 TEST(RungeKutta, DenseOutputJoinsTheEndsOfTheStep) {
   Kepler kepler;
-  Method method;
-  method.begin(kepler, exact(0.4));
+  EighthOrder method;
+  method.begin(kepler, on_the_ellipse(0.4));
   ASSERT_TRUE(method.attempt(kepler, 0.3));
   ASSERT_TRUE(method.make_dense(kepler));
-  EXPECT_EQ(distance(method.interpolate(0.0), method.start()), 0.0);
-  EXPECT_LE(distance(method.interpolate(1.0), method.end()), 2e-16);
+  EXPECT_EQ(largest_difference(method.interpolate(0.0), method.start()), 0.0);
+  EXPECT_LE(largest_difference(method.interpolate(1.0), method.end()), 2e-16);
   const double step = 1e-5;
-  const Vector start_slope = (method.interpolate(step) - method.start()) / (step * 0.3);
-  const Vector end_slope = (method.end() - method.interpolate(1 - step)) / (step * 0.3);
-  EXPECT_LE(distance(start_slope, method.start_derivative()), 1e-4);
-  EXPECT_LE(distance(end_slope, method.end_derivative()), 1e-4);
+  const PlanarState start_slope = (method.interpolate(step) - method.start()) / (step * 0.3);
+  const PlanarState end_slope = (method.end() - method.interpolate(1 - step)) / (step * 0.3);
+  EXPECT_LE(largest_difference(start_slope, method.start_derivative()), 1e-4);
+  EXPECT_LE(largest_difference(end_slope, method.end_derivative()), 1e-4);
   for (int k = 0; k < 4; ++k) {
     EXPECT_EQ(method.interpolate(0.37, k), method.interpolate(0.37)[k]);
-    EXPECT_NEAR(method.mean_slope(0.37, k), (method.interpolate(0.37, k) - method.start()[k]) / 0.37, 1e-15);
-    EXPECT_NEAR(method.mean_slope(0.0, k), 0.3 * method.start_derivative()[k], 1e-15);
+    EXPECT_NEAR(method.mean_convergence_order(0.37, k),
+                (method.interpolate(0.37, k) - method.start()[k]) / 0.37, 1e-15);
+    EXPECT_NEAR(method.mean_convergence_order(0.0, k), 0.3 * method.start_derivative()[k], 1e-15);
   }
 }
 
 TEST(RungeKutta, StepIsTheSameToTheLastBitEachTime) {
   const auto run = [] {
     Kepler kepler;
-    Method method;
-    method.begin(kepler, exact(0.0));
+    EighthOrder method;
+    method.begin(kepler, on_the_ellipse(0.0));
     for (int i = 0; i < 50; ++i) {
       method.attempt(kepler, 0.1 + 0.002 * i);
       method.accept();
@@ -175,30 +162,30 @@ TEST(RungeKutta, StepIsTheSameToTheLastBitEachTime) {
     method.make_dense(kepler);
     return method.interpolate(0.3);
   };
-  const Vector first = run();
-  const Vector second = run();
+  const PlanarState first = run();
+  const PlanarState second = run();
   for (int k = 0; k < 4; ++k) EXPECT_EQ(first[k], second[k]);
 }
 
 TEST(RungeKutta, RepeatedAttemptDoesNotRememberTheFailedOne) {
   Kepler kepler;
-  Method fresh;
-  fresh.begin(kepler, exact(0.0));
+  EighthOrder fresh;
+  fresh.begin(kepler, on_the_ellipse(0.0));
   fresh.attempt(kepler, 0.2);
-  Method repeated;
-  repeated.begin(kepler, exact(0.0));
+  EighthOrder repeated;
+  repeated.begin(kepler, on_the_ellipse(0.0));
   repeated.attempt(kepler, 0.9);
   repeated.make_dense(kepler);
   repeated.attempt(kepler, 0.2);
-  EXPECT_EQ(distance(fresh.end(), repeated.end()), 0.0);
+  EXPECT_EQ(largest_difference(fresh.end(), repeated.end()), 0.0);
   ASSERT_TRUE(fresh.make_dense(kepler) && repeated.make_dense(kepler));
-  EXPECT_EQ(distance(fresh.interpolate(0.6), repeated.interpolate(0.6)), 0.0);
+  EXPECT_EQ(largest_difference(fresh.interpolate(0.6), repeated.interpolate(0.6)), 0.0);
 }
 
 TEST(RungeKutta, StepCostsTwelveEvaluationsAndDenseOutputThreeOnce) {
   Kepler kepler;
-  Method method;
-  method.begin(kepler, exact(0.0));
+  EighthOrder method;
+  method.begin(kepler, on_the_ellipse(0.0));
   EXPECT_EQ(std::exchange(kepler.evaluations, 0), 1);
   method.attempt(kepler, 0.1);
   EXPECT_EQ(std::exchange(kepler.evaluations, 0), 12);
@@ -211,8 +198,8 @@ TEST(RungeKutta, StepCostsTwelveEvaluationsAndDenseOutputThreeOnce) {
 
 TEST(RungeKutta, StepAsksForNoMemory) {
   Kepler kepler;
-  Method method;
-  const Vector start = exact(0.0);
+  EighthOrder method;
+  const PlanarState start = on_the_ellipse(0.0);
   const std::size_t before = allocations();
   method.begin(kepler, start);
   double sum = 0.0;
@@ -234,15 +221,15 @@ TEST(RungeKutta, StepAsksForNoMemory) {
 /// Says no from the given evaluation on.
 struct Refusing {
   int allowed;
-  bool operator()(const Vector& state, Vector& derivative) {
+  bool operator()(const PlanarState& state, PlanarState& derivative) {
     derivative = -state;
     return allowed-- > 0;
   }
 };
 
 TEST(RungeKutta, StepIsRejectedWhereTheSystemCannotBeEvaluated) {
-  const Vector start = Vector::Ones();
-  Method method;
+  const PlanarState start = PlanarState::Ones();
+  EighthOrder method;
   Refusing at_once{0};
   EXPECT_FALSE(method.begin(at_once, start));
   for (int good = 0; good < 12; ++good) {
@@ -257,22 +244,22 @@ TEST(RungeKutta, StepIsRejectedWhereTheSystemCannotBeEvaluated) {
 }
 
 TEST(RungeKutta, StepIsRejectedWhereTheStateIsNotFinite) {
-  const auto explodes = [](const Vector& state, Vector& derivative) {
+  const auto explodes = [](const PlanarState& state, PlanarState& derivative) {
     derivative = state * std::numeric_limits<double>::max();
     return true;
   };
-  Method method;
-  ASSERT_TRUE(method.begin(explodes, Vector::Ones()));
+  EighthOrder method;
+  ASSERT_TRUE(method.begin(explodes, PlanarState::Ones()));
   EXPECT_FALSE(method.attempt(explodes, 1.0));
 }
 
 TEST(RungeKutta, ShiftMovesOneComponentOfTheWholeStep) {
   Kepler kepler;
-  Method method;
-  method.begin(kepler, exact(0.0));
+  EighthOrder method;
+  method.begin(kepler, on_the_ellipse(0.0));
   method.attempt(kepler, 0.2);
   method.make_dense(kepler);
-  const Vector before = method.interpolate(0.5);
+  const PlanarState before = method.interpolate(0.5);
   method.shift(1, -2.0);
   EXPECT_EQ(method.start()[1], -2.0);
   EXPECT_NEAR(method.interpolate(0.5)[1], before[1] - 2.0, 2e-16);

@@ -22,7 +22,7 @@ using State = LinearSupport::State;
 using Eigen::Matrix2d;
 
 constexpr double kForEver = std::numeric_limits<double>::infinity();
-const State kStart(0.003, -0.001, 0.002, 0.004);
+const State kBegin(0.003, -0.001, 0.002, 0.004);
 
 LinearSupport support_of(const SupportMatrices& parts, const std::vector<HarmonicForcing>& forcing = {}) {
   return {parts.stiffness, parts.damping, forcing};
@@ -91,7 +91,7 @@ TEST(SupportBounds, StableSupportsAreBoundedForEverAndUnstableOnesAreNot) {
 TEST(SupportBounds, IsotropicShaftNeverGainsEnergy) {
   for (const double damping : {0.0, 0.1, 1 - 1e-12, 1.0, 1 + 1e-12, 5.0}) {
     const SupportBounds bounds(support_of(isotropic_shaft(damping)));
-    EXPECT_LE(bounds.amplitude_bound(0.0, kStart, kForEver), kStart.norm() * (1 + 1e-12)) << damping;
+    EXPECT_LE(bounds.amplitude_bound(0.0, kBegin, kForEver), kBegin.norm() * (1 + 1e-12)) << damping;
   }
 }
 
@@ -109,12 +109,12 @@ TEST(SupportBounds, BoundednessEndsWhereCrossCouplingOutgrowsDamping) {
   const double damping = 0.1;
   for (const double share : {0.0, 0.5, 0.99, 1 - 1e-9}) {
     const SupportBounds bounds(support_of(cross_coupled(damping, 2 * damping * share)));
-    EXPECT_TRUE(std::isfinite(bounds.amplitude_bound(0.0, kStart, kForEver))) << share;
+    EXPECT_TRUE(std::isfinite(bounds.amplitude_bound(0.0, kBegin, kForEver))) << share;
   }
   for (const double share : {1 + 1e-9, 1.5}) {
     const LinearSupport support = support_of(cross_coupled(damping, 2 * damping * share));
     const SupportBounds bounds(support);
-    EXPECT_EQ(bounds.amplitude_bound(0.0, kStart, kForEver), kForEver) << share;
+    EXPECT_EQ(bounds.amplitude_bound(0.0, kBegin, kForEver), kForEver) << share;
     EXPECT_NEAR(bounds.logarithmic_norm(), support.growth_rate(), 1e-12);
     EXPECT_EQ(bounds.amplitude_bound(0.0, State::Zero(), kForEver), 0.0);
   }
@@ -124,7 +124,7 @@ TEST(SupportBounds, UndampedResonanceIsNotBoundedForEver) {
   const LinearSupport support = support_of(isotropic_shaft(0.0), {{1e-4, 1.0}});
   const SupportBounds bounds(support);
   EXPECT_FALSE(bounds.has_steady_response());
-  EXPECT_EQ(bounds.amplitude_bound(0.0, kStart, kForEver), kForEver);
+  EXPECT_EQ(bounds.amplitude_bound(0.0, kBegin, kForEver), kForEver);
   EXPECT_LE(bounds.amplitude_bound(0.0, State::Zero(), 20.0), 1e-4 * 20.0 * (1 + 1e-12));
   EXPECT_LE(largest(support, 0.0, State::Zero(), 20.0), bounds.amplitude_bound(0.0, State::Zero(), 20.0));
 }
@@ -205,9 +205,9 @@ TEST(SupportBounds, ShaftThatDriftsIsStillBoundedInFiniteTime) {
   parts.stiffness(1, 1) = 0.0;
   const LinearSupport support = support_of(parts);
   const SupportBounds bounds(support);
-  EXPECT_EQ(bounds.amplitude_bound(0.0, kStart, kForEver), kForEver);
+  EXPECT_EQ(bounds.amplitude_bound(0.0, kBegin, kForEver), kForEver);
   for (const double horizon : {0.5, 5.0})
-    EXPECT_LE(largest(support, 0.0, kStart, horizon), bounds.amplitude_bound(0.0, kStart, horizon));
+    EXPECT_LE(largest(support, 0.0, kBegin, horizon), bounds.amplitude_bound(0.0, kBegin, horizon));
 }
 
 TEST(SupportBounds, FlightAndItsBoundsAskForNoMemory) {
@@ -218,7 +218,7 @@ TEST(SupportBounds, FlightAndItsBoundsAskForNoMemory) {
   const auto before = integrate::allocations();
   double sum = 0.0;
   for (const double elapsed : {0.0, 0.3, 20.0, 500.0}) {
-    const State state = support.state(0.1, kStart, elapsed);
+    const State state = support.state(0.1, kBegin, elapsed);
     sum += bounds.amplitude_bound(elapsed, state, 1.0) + std::abs(support.acceleration(elapsed, state)) +
            bounds.second_bound(1.0) + bounds.third_bound(1.0) + bounds.turned_third_bound(1.0, 0.62);
   }

@@ -54,9 +54,11 @@ TEST(SceneErrors, AWholeNumberMayBeWrittenWithADecimalPoint) {
 
 TEST(SceneErrors, AChoiceListsItsWordsAndTheNearestOne) {
   EXPECT_EQ(refusal_with(R"("contact": {"law": "elastic-ring"})"),
-            "/contact/law: \"elastic-ring\" is not one of \"elastica\", \"elastic_ring\"; elastica: elastic "
+            "/contact/law: \"elastic-ring\" is not one of \"elastica\", \"elastic_ring\", \"beam_column\"; "
+            "elastica: elastic "
             "blades in a "
-            "rigid ring; elastic_ring: rigid blades in an elastic ring; nearest: \"elastic_ring\"");
+            "rigid ring; elastic_ring: rigid blades in an elastic ring; beam_column: as elastica with small "
+            "slopes; nearest: \"elastic_ring\"");
   EXPECT_EQ(refusal_with(R"("sweep": 1)"),
             "/sweep: 1 is not one of \"up\", \"down\", \"both\", \"independent\"; where a point starts: from "
             "its lower "

@@ -61,7 +61,7 @@ TEST(SceneReader, EveryQuantityIsReadWhereItsPointerSays) {
         value = "\"" + std::string(entry.choices.back()) + "\"";
         break;
       case Kind::numbers:
-        value = "[0.001, 0.0, -0.002]";
+        value = "[0.0001, 0.0, -0.0002]";
         break;
       case Kind::flag:
         value = "true";
@@ -70,7 +70,10 @@ TEST(SceneReader, EveryQuantityIsReadWhereItsPointerSays) {
         value = "7";
         break;
       case Kind::number:
-        value = entry.pointer == "/ring/radius" ? "0.5" : "0.0078125";
+        // A ring that the blades fit into, spreads that leave something of each blade.
+        value = entry.pointer == "/ring/radius"        ? "0.5"
+                : entry.section() == "/unequal_blades" ? "0.0000152587890625"
+                                                       : "0.0078125";
         break;
     }
     nlohmann::json document = {{"grid", {{"speed_ratio", 0.5}}}};
@@ -109,7 +112,8 @@ TEST(SceneReader, TheTableCallsEveryQuantityByMeaningUnitAndAnAsciiPhrase) {
     EXPECT_TRUE(std::all_of(entry.meaning.begin(), entry.meaning.end(), [](char letter) {
       return letter > 0;
     })) << entry.pointer;
-    const bool is_number = entry.kind == Kind::number || entry.kind == Kind::whole_number;
+    const bool is_number =
+        entry.kind == Kind::number || entry.kind == Kind::whole_number || entry.kind == Kind::numbers;
     EXPECT_EQ(is_number, !entry.unit.empty()) << entry.pointer;
     EXPECT_EQ(&quantity(entry.pointer), &entry);
   }

@@ -16,23 +16,23 @@ namespace rubatlas::solve {
 namespace {
 
 constexpr RotorConstants kCreeping{0.005, 1.0, 0.01001, 0.01, 0.01};
-constexpr contact::Geometry kGeometry{0.1, 0.11};
+constexpr contact::Geometry kDefaultGeometry{0.1, 0.11};
 
 /// The creeping rotor, which hops on the receding side of each blade's passage.
 Motion<contact::ElasticaContact, effects::RotatingUnbalance> creeping(double friction, double tolerance) {
   const double bending_stiffness = 206e9 * 0.01 * 1e-9 / 12.0;
   return {kCreeping,
           BladeSet(3, kCreeping.speed_ratio),
-          contact::ElasticaContact(kGeometry, {0.1, 0.001, bending_stiffness},
+          contact::ElasticaContact(kDefaultGeometry, {0.1, 0.001, bending_stiffness},
                                    make_blade_tables()->curve(friction)),
           effects::RotatingUnbalance(1e-4, 0.3, kCreeping.speed_ratio, kCreeping.damping_ratio),
           {tolerance, 0.5}};
 }
 
 /// Keeps the states at given times, and the events.
-class Witness final : public MotionListener {
+class Spectator final : public MotionListener {
  public:
-  explicit Witness(std::vector<double> times) : times_(std::move(times)) {}
+  explicit Spectator(std::vector<double> times) : times_(std::move(times)) {}
   void piece(observables::MotionPiece& piece) override {
     while (states.size() < times_.size() && times_[states.size()] < piece.end()) {
       states.push_back(as_state(piece.state(times_[states.size()])));
@@ -50,7 +50,7 @@ class Witness final : public MotionListener {
 
 contact::Pose pose_at(double time, const State& state, int blade) {
   const BladeSet blades(3, kCreeping.speed_ratio);
-  return pose_of(kCreeping, kGeometry, blades.direction(blade, blades.first(time)), state);
+  return pose_of(kCreeping, kDefaultGeometry, blades.direction(blade, blades.first(time)), state);
 }
 
 /// The touch-down from which a tip skims, and the lift-off where it ceases to.
@@ -73,13 +73,13 @@ TEST(Skimming, IsTheLimitOfEverSmallerHops) {
   const std::vector<double> times{316.0, 317.0, 318.0, 319.0};
   for (const double friction : {0.1, 0.5}) {
     auto hopping = creeping(friction, 1e-15);
-    Witness hops(times);
+    Spectator hops(times);
     hopping.start(State::Zero());
     ASSERT_EQ(hopping.revolution(hops), PointStatus::done);
     ASSERT_GT(hops.events.size(), 10000U);
     for (const double tolerance : {1e-10, 1e-11}) {
       auto skimming = creeping(friction, tolerance);
-      Witness skims(times);
+      Spectator skims(times);
       skimming.start(State::Zero());
       ASSERT_EQ(skimming.revolution(skims), PointStatus::done);
       EXPECT_LT(skims.events.size(), hops.events.size() / 10);
@@ -96,13 +96,13 @@ TEST(Skimming, KeepsTheTipOnTheRing) {
   const std::vector<double> times{316.0, 316.9, 317.3, 318.7, 319.6};
   for (const double friction : {0.0, 0.1, 0.5}) {
     auto motion = creeping(friction, 1e-11);
-    Witness witness(times);
+    Spectator witness(times);
     motion.start(State::Zero());
     ASSERT_EQ(motion.revolution(witness), PointStatus::done);
     for (std::size_t i = 0; i < times.size(); ++i) {
       const contact::Pose at = pose_at(times[i], witness.states[i], 0);
       EXPECT_LT(std::abs(at.gap), 0.22 * 1e-11);
-      EXPECT_LT(std::abs(contact::gap_rate(kGeometry, at, kCreeping.speed_ratio)), 0.22 * 1e-11);
+      EXPECT_LT(std::abs(contact::gap_rate(kDefaultGeometry, at, kCreeping.speed_ratio)), 0.22 * 1e-11);
     }
   }
 }
@@ -110,7 +110,7 @@ TEST(Skimming, KeepsTheTipOnTheRing) {
 TEST(Skimming, EndsWhereTheFreeMotionLeavesTheRing) {
   // No force is needed any longer: g = 0, g' = 0, and without the blade g'' = 0 too.
   auto motion = creeping(0.1, 1e-11);
-  Witness witness({});
+  Spectator witness({});
   motion.start(State::Zero());
   ASSERT_EQ(motion.revolution(witness), PointStatus::done);
   const auto contact = longest_contact_on_the_receding_side(witness.events);
@@ -124,7 +124,7 @@ TEST(Skimming, EndsWhereTheFreeMotionLeavesTheRing) {
     const std::complex<double> acceleration =
         unbalance.acceleration(event.time) -
         2.0 * kCreeping.damping_ratio * std::complex<double>(s[2], s[3]) - std::complex<double>(s[0], s[1]);
-    return contact::gap_curvature(kGeometry, direction, pose_at(event.time, s, event.blade),
+    return contact::gap_curvature(kDefaultGeometry, direction, pose_at(event.time, s, event.blade),
                                   {s[0], s[1] + kCreeping.misalignment}, {s[2], s[3]}, acceleration,
                                   kCreeping.speed_ratio);
   };
@@ -132,7 +132,7 @@ TEST(Skimming, EndsWhereTheFreeMotionLeavesTheRing) {
   EXPECT_LT(std::abs(curvature_without_blade(contact->second)),
             1e-4 * curvature_without_blade(contact->first));
   const contact::Pose at = pose_at(contact->second.time, contact->second.state, contact->second.blade);
-  EXPECT_LT(std::abs(contact::gap_rate(kGeometry, at, kCreeping.speed_ratio)), 0.22 * 1e-11);
+  EXPECT_LT(std::abs(contact::gap_rate(kDefaultGeometry, at, kCreeping.speed_ratio)), 0.22 * 1e-11);
 }
 
 TEST(Skimming, IsPassedOverWhereHopsAreResolved) {
@@ -142,10 +142,10 @@ TEST(Skimming, IsPassedOverWhereHopsAreResolved) {
   const effects::RotatingUnbalance unbalance(1e-5, 0.0, rotor.speed_ratio, rotor.damping_ratio);
   Motion<contact::ElasticaContact, effects::RotatingUnbalance> motion(
       rotor, BladeSet(3, rotor.speed_ratio),
-      contact::ElasticaContact(kGeometry, {0.1, 0.001, 206e9 * 0.01 * 1e-9 / 12.0},
+      contact::ElasticaContact(kDefaultGeometry, {0.1, 0.001, 206e9 * 0.01 * 1e-9 / 12.0},
                                make_blade_tables()->curve(0.1)),
       unbalance, {1e-11, 0.5});
-  Witness witness({});
+  Spectator witness({});
   motion.start(State::Zero());
   for (int revolution = 0; revolution < 100; ++revolution)
     ASSERT_EQ(motion.revolution(witness), PointStatus::done);
@@ -155,7 +155,7 @@ TEST(Skimming, IsPassedOverWhereHopsAreResolved) {
     const BladeSet blades(3, rotor.speed_ratio);
     const auto direction = blades.direction(event.blade, blades.first(event.time));
     if (event.kind == PhaseEvent::touch_down &&
-        event.slip * pose_of(rotor, kGeometry, direction, event.state).tangential < 0.0)
+        event.slip * pose_of(rotor, kDefaultGeometry, direction, event.state).tangential < 0.0)
       ++receding;
   }
   EXPECT_GT(receding, 10);

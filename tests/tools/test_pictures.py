@@ -85,6 +85,9 @@ class ToolsPictures(unittest.TestCase):
     def test_the_blade_is_drawn(self):
         self.expect_picture("blade.py", TINY / "atlas.h5")
 
+    def test_an_effect_is_drawn_beside_its_absence(self):
+        self.expect_picture("effect.py", TINY / "atlas.h5", "--without", TINY / "atlas.h5", "--dpi", 100)
+
     def test_the_map_of_statements_is_drawn(self):
         self.expect_picture("statement_map.py", TINY / "maps.h5", TINY / "rings_maps.h5", colours=10)
 
