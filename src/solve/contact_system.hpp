@@ -111,6 +111,29 @@ class CarriedContact {
   [[nodiscard]] std::complex<double> last_acceleration() const { return acceleration_; }
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
+  /// All that a right-hand side depends on besides the state, for those that evaluate several of them side by
+  /// side.
+  struct Parameters {
+    const RotorConstants* rotor;
+    const Blades* blades;
+    const typename Law::OfBlade* law;
+    const Forcing* forcing;
+    double slip;
+    double scale;
+    typename Blades::Anchor anchor;
+  };
+  [[nodiscard]] Parameters parameters() const {
+    return {rotor_, blades_, law_of_blade_, forcing_, contact_.slip, scale_, anchor_};
+  }
+  /// Takes over evaluations that were made elsewhere by the same operations, and what the last of them gave.
+  void adopt(const typename Law::OfBlade::Constraint& last, std::complex<double> acceleration,
+             std::uint64_t evaluations) {
+    last_ = last;
+    acceleration_ = acceleration;
+    evaluations_ += evaluations;
+    law_of_blade_->count_evaluations(evaluations);
+  }
+
  private:
   static constexpr double kRestingRate = 1e-15;  ///< of R²: rounding of the rates of h
 
