@@ -37,6 +37,7 @@ class OneByOne final : public LineBatch {
 /// The lanes know one carried contact under no forcing or an unbalance.
 std::string_view why_not(const scene::Scene& scene) {
   if (scene.contact.law == scene::ContactLaw::elastic_ring) return "the elastic ring has nothing to carry";
+  if (scene.contact.law != scene::ContactLaw::elastica) return "the lanes know the elastica only";
   if (scene.accuracy.method != scene::Method::hybrid) return "only the method `hybrid` is made for it";
   bool more_acts = false;
   effects::for_each_effect([&]<auto Effect>() {

@@ -36,8 +36,8 @@ class RungeKutta {
     return system(end_, stages_[Table::kStages]) && end_.isFinite().all();
   }
 
-  /// Takes over an attempt that was made elsewhere by the same operations: `write(stages, end)` sets the stages
-  /// from 1 to `kStages` and the end. Returns what `attempt` would have.
+  /// Takes over an attempt that was made elsewhere by the same operations: `write(stages, end)` sets the
+  /// stages from 1 to `kStages` and the end. Returns what `attempt` would have.
   template <class Write>
   bool adopt(double size, Write write) {
     size_ = size;

@@ -36,10 +36,10 @@ struct SteppedLimits {
 template <class Law, class Forcing, class Scheme>
 class SteppedMotion final : public observables::MotionPiece {
  public:
-  SteppedMotion(const RotorConstants& rotor, const BladeSet& blades, Law law, Forcing forcing,
+  SteppedMotion(const RotorConstants& rotor, BladeSet blades, Law law, Forcing forcing,
                 typename Scheme::Search search, const SteppedLimits& limits)
       : rotor_(rotor),
-        directions_(blades),
+        directions_(std::move(blades)),
         law_(std::move(law)),
         forcing_(std::move(forcing)),
         limits_(limits),

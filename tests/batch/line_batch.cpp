@@ -6,6 +6,7 @@
 #include <cstring>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "batch/contact_lanes.hpp"
@@ -113,6 +114,22 @@ TEST(LineBatch, AnElasticRingIsComputedLineByLine) {
   scene.contact.law = scene::ContactLaw::elastic_ring;
   EXPECT_EQ(width_of(scene).seats, 1);
   EXPECT_FALSE(width_of(scene).reason.empty());
+}
+
+TEST(LineBatch, OtherLawsAndEffectsAreComputedLineByLine) {
+  for (const auto* const more :
+       {R"("contact": {"law": "beam_column"})", R"("gravity": {"acceleration": 0.01})",
+        R"("load_direction": {"along_normal": true})"}) {
+    const auto scene = scene::parse_scene(
+        std::string(R"({"grid": {"speed_ratio": 0.5, "damping_ratio": [0.1, 0.2]}, )") + more + "}");
+    EXPECT_EQ(width_of(scene).seats, 1) << more;
+  }
+}
+
+TEST(LineBatch, EffectsThatOnlyTheGridNamesAreComputedLineByLine) {
+  const auto scene =
+      scene::parse_scene(R"({"grid": {"speed_ratio": 0.5, "/gravity/acceleration": [0, 0.01]}})");
+  EXPECT_EQ(width_of(scene).seats, 1);
 }
 
 TEST(LineBatch, OtherMethodsAreComputedLineByLine) {
