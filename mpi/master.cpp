@@ -16,13 +16,13 @@ Master::Master(const Session& session, const Mailbox& mailbox, Schedule& schedul
       schedule_(schedule),
       runner_(runner),
       progress_(progress),
+      workers_(session.size() - 1),
       start_(std::chrono::steady_clock::now()) {
   result_.standing = standing;
   const auto ranks = static_cast<std::size_t>(session.size());
   result_.points_of_rank.assign(ranks, 0);
   result_.busy_seconds_of_rank.assign(ranks, 0.0);
   ranks_.resize(ranks);
-  workers_ = session.size() - 1;
   ranks_[kSelf].seats = runner.seats();
   for (int seat = 0; seat < runner.seats(); ++seat) ranks_[kSelf].free_seats.push_back(seat);
 }

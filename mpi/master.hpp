@@ -58,7 +58,7 @@ class Master {
     bool has_left = false;
   };
   std::vector<Rank> ranks_;
-  int workers_ = 0;  ///< that have not left
+  int workers_;  ///< that have not left
   bool stopping_ = false;
   std::chrono::steady_clock::time_point start_;
   Pace pace_{Mailbox::kLookPeriod};

@@ -14,6 +14,7 @@
 
 #define RUBATLAS_INLINE __attribute__((always_inline)) static
 
+// NOLINTBEGIN(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays): see lane_block.hpp
 namespace rubatlas::batch {
 
 /// Three numbers of each lane's own piece of the blade's table. They lie side by side in memory with a fourth
@@ -192,5 +193,6 @@ struct LaneArithmetic {
 };
 
 }  // namespace rubatlas::batch
+// NOLINTEND(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
 
 #undef RUBATLAS_INLINE

@@ -12,13 +12,16 @@ template <int kLanes>
 struct LaneVector;
 template <>
 struct LaneVector<4> {
-  typedef double Type __attribute__((vector_size(32)));
+  using Type [[gnu::vector_size(32)]] = double;
 };
 template <>
 struct LaneVector<8> {
-  typedef double Type __attribute__((vector_size(64)));
+  using Type [[gnu::vector_size(64)]] = double;
 };
 
+// Plain arrays here and in the arithmetic: functions of std::array that are compiled behind a target's pragma
+// could be linked in where others call them, on a processor that does not know them.
+// NOLINTBEGIN(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
 template <int kLanes>
 struct LaneBlock {
   using Lanes = typename LaneVector<kLanes>::Type;
@@ -34,6 +37,7 @@ struct LaneBlock {
   std::array<const blade::ElasticaCurve*, kLanes> curve;
   bool any_unbalance;
 };
+// NOLINTEND(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
 
 /// The stages and the end of all attempts of a block, from its first stages. For processors that can.
 void attempt_avx2(LaneBlock<4>& block);

@@ -20,6 +20,7 @@ struct Avx2 {
   __attribute__((always_inline)) static Lanes root(Lanes x) {
     return static_cast<Lanes>(_mm256_sqrt_pd(static_cast<__m256d>(x)));
   }
+  // NOLINTNEXTLINE(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays): see lane_block.hpp
   __attribute__((always_inline)) static Columns<4> columns(const double* const (&rows)[4],
                                                            std::size_t offset) {
     const __m256d r0 = _mm256_loadu_pd(rows[0] + offset), r1 = _mm256_loadu_pd(rows[1] + offset);

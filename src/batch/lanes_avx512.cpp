@@ -24,6 +24,7 @@ struct Avx512 {
   __attribute__((always_inline)) static __m512d two_rows(const double* lower, const double* upper) {
     return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(lower)), _mm256_loadu_pd(upper), 1);
   }
+  // NOLINTNEXTLINE(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays): see lane_block.hpp
   __attribute__((always_inline)) static Columns<8> columns(const double* const (&rows)[8],
                                                            std::size_t offset) {
     const __m512d r0 = two_rows(rows[0] + offset, rows[4] + offset);

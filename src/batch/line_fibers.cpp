@@ -10,7 +10,7 @@ namespace {
 
 /// A point needs some ten kilobytes, the plan of its spectrum most of them. Pages that are not touched cost
 /// nothing, and the one below ends the process rather than spoil a neighbour.
-constexpr std::size_t kStackBytes = 1024 * 1024;
+constexpr std::size_t kStackBytes = std::size_t{1024} * 1024;
 
 /// What a thread runs is a property of the thread, as in `std::this_thread`.
 thread_local LineFibers* running_batch = nullptr;
