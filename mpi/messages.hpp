@@ -8,6 +8,7 @@
 ///                        leave        there is nothing left to do for you
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
@@ -23,7 +24,8 @@ struct Piece {
   std::uint64_t first_visit = 0;
   std::uint64_t count = 0;
   std::uint8_t from_initial = 1;  ///< the first point starts from the scene's `initial` ...
-  solve::SectionState start{};    ///< ... else from here
+  solve::SectionState start{};    ///< ... else from here,
+  solve::Memory memory;           ///< with this; last, so that what is unused of it is not sent
 };
 
 /// One point that a rank has written, and what it cost. The rows themselves are in the atlas already.
@@ -35,7 +37,17 @@ struct PointReport {
   solve::SectionState final_state{};
   double seconds = 0.0;
   solve::WorkCounts work;
+  solve::Memory final_memory;  ///< last, as above
 };
+
+/// Bytes of a message that are sent.
+template <typename Payload>
+std::size_t sent_size(const Payload& payload) {
+  if constexpr (requires { payload.memory; }) return sizeof payload - payload.memory.unused_bytes();
+  if constexpr (requires { payload.final_memory; })
+    return sizeof payload - payload.final_memory.unused_bytes();
+  return sizeof payload;
+}
 
 /// `ready`: the rank may be so because it got a signal and gave up its piece.
 struct Ready {

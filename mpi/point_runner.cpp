@@ -28,10 +28,11 @@ solve::LineSolver& PointRunner::solver_of(std::size_t line) {
 }
 
 void PointRunner::run(const Piece& piece, const Callbacks& callbacks) {
-  const solve::SectionState initial{scene_.initial.x, scene_.initial.y, scene_.initial.vx, scene_.initial.vy};
+  const solve::PointStart initial(
+      solve::SectionState{scene_.initial.x, scene_.initial.y, scene_.initial.vx, scene_.initial.vy});
   solve::LineSolver& solver = solver_of(piece.line);
   bool from_initial = piece.from_initial != 0;
-  solve::SectionState start = piece.start;
+  solve::PointStart start(piece.start, piece.memory);
   for (std::uint64_t visit = piece.first_visit; visit < piece.first_visit + piece.count; ++visit) {
     if (callbacks.stop()) return;
     const auto began = std::chrono::steady_clock::now();
@@ -45,12 +46,13 @@ void PointRunner::run(const Piece& piece, const Callbacks& callbacks) {
     report.visit = visit;
     report.status = outcome.status;
     report.final_state = outcome.final_state;
+    report.final_memory = outcome.final_memory;
     report.work = outcome.work;
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     callbacks.after_point(report);
 
     from_initial = !grid_.points_depend_on_each_other() || outcome.status != solve::PointStatus::done;
-    start = outcome.final_state;
+    start = {outcome.final_state, outcome.final_memory};
   }
 }
 

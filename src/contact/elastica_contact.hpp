@@ -82,6 +82,14 @@ class ElasticBladeContact {
   using OfBlade = ElasticBladeContact;
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const blade::ElasticaCurve& curve() const { return *curve_; }
+  /// The same blade, shorter at its tip by `lost` [m]. The curve stays, and with it the axial compliance
+  /// relative to the length.
+  [[nodiscard]] ElasticBladeContact shortened(double lost) const {
+    const Blade blade{length_ - lost, 2.0 * strain_unit_ * length_, load_unit_ * length_ * length_};
+    Ring ring{};
+    if constexpr (Ring::kYields) ring.stiffness = load_unit_ / yield_unit_;
+    return {{geometry_.reach - lost, geometry_.ring_radius}, blade, curve_, ring};
+  }
 
   /// An open contact can be carried along h = 0 by its bending parameter; else it is to be solved for.
   [[nodiscard]] bool carried() const { return carried_; }
