@@ -26,7 +26,7 @@ struct Wear {
   static constexpr Description kDescription{
       .section = "/wear",
       .meaning = "blades that lose length by the work of friction at their tips",
-      .equation = "L − w Σ W in place of L, W = ∫ μ F |v| dτ of a revolution, taken off at its end",
+      .equation = "L − w Σ W in place of L, W = ∫ μ F abs(v) dτ of a revolution, taken off at its end",
       .source = "Archard 1953; Rabinowicz, Friction and Wear of Materials",
       .flight = "closed form: blades keep their lengths within a revolution",
       .breaks = "blade passing; a state alone no longer says how long the blades are",
