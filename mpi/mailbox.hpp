@@ -28,7 +28,7 @@ class Mailbox {
   template <typename Payload>
   requires std::is_trivially_copyable_v<Payload>
   void send(int rank, Tag tag, const Payload& payload) const {
-    send_bytes(rank, tag, &payload, sizeof payload);
+    send_bytes(rank, tag, &payload, sent_size(payload));
   }
   void send(int rank, Tag tag) const { send(rank, tag, Nothing{}); }
 

@@ -8,6 +8,7 @@
 ///                        leave        there is nothing left to do for you
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
@@ -23,8 +24,9 @@ struct Piece {
   std::uint64_t first_visit = 0;
   std::uint64_t count = 0;
   std::uint8_t from_initial = 1;  ///< the first point starts from the scene's `initial` ...
-  solve::SectionState start{};    ///< ... else from here
+  solve::SectionState start{};    ///< ... else from here,
   std::int32_t seat = 0;          ///< of the rank (`PointRunner`)
+  solve::Memory memory;           ///< of where it starts; last, so that what is unused of it is not sent
 };
 
 /// One point that a rank has written, and what it cost. The rows themselves are in the atlas already.
@@ -36,7 +38,17 @@ struct PointReport {
   solve::SectionState final_state{};
   double seconds = 0.0;
   solve::WorkCounts work;
+  solve::Memory final_memory;  ///< last, as above
 };
+
+/// Bytes of a message that are sent.
+template <typename Payload>
+std::size_t sent_size(const Payload& payload) {
+  if constexpr (requires { payload.memory; }) return sizeof payload - payload.memory.unused_bytes();
+  if constexpr (requires { payload.final_memory; })
+    return sizeof payload - payload.final_memory.unused_bytes();
+  return sizeof payload;
+}
 
 /// `ready`: the seat has never had a piece, or its piece is over; given up, it may be, because of a signal.
 struct Ready {

@@ -81,10 +81,11 @@ void PointRunner::begin_points(const Callbacks& callbacks) {
 
 void PointRunner::begin_point(int seat_number) {
   const Seat& seat = seats_[static_cast<std::size_t>(seat_number)];
-  const solve::SectionState initial{scene_.initial.x, scene_.initial.y, scene_.initial.vx, scene_.initial.vy};
+  const solve::PointStart initial(
+      solve::SectionState{scene_.initial.x, scene_.initial.y, scene_.initial.vx, scene_.initial.vy});
   const std::size_t point = grid_.point(seat.left.line, seat.left.first_visit);
   batch_->begin(seat_number, *seat.solver->solver, grid_.parameters(point).speed_ratio,
-                seat.left.from_initial != 0 ? initial : seat.left.start);
+                seat.left.from_initial != 0 ? initial : solve::PointStart(seat.left.start, seat.left.memory));
 }
 
 void PointRunner::finish_point(const batch::Finished& finished, const Callbacks& callbacks) {
@@ -98,6 +99,7 @@ void PointRunner::finish_point(const batch::Finished& finished, const Callbacks&
   report.visit = left.first_visit;
   report.status = outcome.status;
   report.final_state = outcome.final_state;
+  report.final_memory = outcome.final_memory;
   report.work = outcome.work;
   report.seconds = finished.seconds;
   callbacks.after_point(report);
@@ -105,6 +107,7 @@ void PointRunner::finish_point(const batch::Finished& finished, const Callbacks&
   const bool goes_on = grid_.points_depend_on_each_other() && outcome.status == solve::PointStatus::done;
   left.from_initial = goes_on ? 0 : 1;
   left.start = outcome.final_state;
+  left.memory = outcome.final_memory;
   ++left.first_visit;
   if (--left.count == 0) {
     end_piece(finished.seat, callbacks);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -55,13 +54,8 @@ int exit_code_of(const JobResult& result) {
 /// Rank 0's part of the job between opening and closing the atlas.
 JobResult lead(const Session& session, const Preparation& preparation, const plan::Grid& grid,
                PointRunner& runner, Progress& progress) {
-  const auto stored_state = [&](std::size_t point) {
-    solve::SectionState state{};
-    std::copy_n(preparation.final_states.begin() + static_cast<std::ptrdiff_t>(state.size() * point),
-                state.size(), state.begin());
-    return state;
-  };
-  Schedule schedule(grid, preparation.status, stored_state, session.size());
+  const auto stored = [&](std::size_t point) { return preparation.ends.of(point); };
+  Schedule schedule(grid, preparation.status, stored, session.size());
   const Mailbox mailbox(session);
   Master master(session, mailbox, schedule, runner, progress, standing_before(preparation.status));
   return master.run();

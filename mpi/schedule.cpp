@@ -20,7 +20,7 @@ constexpr double kUrgentShare = 0.25;
 }  // namespace
 
 Schedule::Schedule(const plan::Grid& grid, std::span<const std::uint8_t> status,
-                   const std::function<solve::SectionState(std::size_t point)>& final_state, int rank_count)
+                   const std::function<solve::PointStart(std::size_t point)>& final_state, int rank_count)
     : grid_(grid),
       lines_(grid.line_count()),
       rank_count_(static_cast<std::size_t>(rank_count)),
@@ -65,12 +65,15 @@ void Schedule::set_start(Piece& piece, const Line& line) const {
   if (!grid_.points_depend_on_each_other() || piece.first_visit == 0) return;
   const bool behind_reported = line.next > 0 && line.pending[line.next - 1] + 1 == piece.first_visit;
   const auto stored = line.stored.find(piece.first_visit);
+  const auto start_from = [&](const solve::PointStart& start) {
+    piece.start = start.state;
+    piece.memory = start.memory;
+    piece.from_initial = 0;
+  };
   if (behind_reported && line.last) {
-    piece.start = *line.last;
-    piece.from_initial = 0;
+    start_from(*line.last);
   } else if (!behind_reported && stored != line.stored.end()) {
-    piece.start = stored->second;
-    piece.from_initial = 0;
+    start_from(stored->second);
   }
 }
 
@@ -80,7 +83,8 @@ void Schedule::record(const PointReport& report) {
   --unreported_;
   if (line.reported == line.pending.size()) --open_lines_;
   line.seconds += report.seconds;
-  line.last = report.status == solve::PointStatus::done ? std::optional(report.final_state) : std::nullopt;
+  line.last.reset();
+  if (report.status == solve::PointStatus::done) line.last.emplace(report.final_state, report.final_memory);
   const auto visit = static_cast<std::size_t>(report.visit);
   const bool up = grid_.direction(report.line) == plan::Direction::up;
   costs_.record(up ? visit : grid_.speed_count() - 1 - visit, report.seconds);

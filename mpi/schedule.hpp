@@ -31,7 +31,7 @@ class Schedule {
   /// `status`: one per point, as the atlas has it; only pending points are handed out. `final_state`: of a
   /// point whose status is done, asked for here only, where a line goes on behind it.
   Schedule(const plan::Grid& grid, std::span<const std::uint8_t> status,
-           const std::function<solve::SectionState(std::size_t point)>& final_state, int rank_count);
+           const std::function<solve::PointStart(std::size_t point)>& final_state, int rank_count);
 
   /// The next piece for a rank, or for one of its seats where it computes several side by side; nothing when
   /// there is none for it now (`unassigned` says whether there may be later).
@@ -50,12 +50,12 @@ class Schedule {
 
  private:
   struct Line {
-    std::vector<std::uint64_t> pending;       ///< visits, in order
-    std::size_t next = 0;                     ///< the first of `pending` that is not handed out
-    std::size_t reported = 0;                 ///< how many of them are computed
-    double seconds = 0.0;                     ///< what those took
-    std::optional<solve::SectionState> last;  ///< end of the last reported point; nothing if it failed
-    std::map<std::uint64_t, solve::SectionState>
+    std::vector<std::uint64_t> pending;     ///< visits, in order
+    std::size_t next = 0;                   ///< the first of `pending` that is not handed out
+    std::size_t reported = 0;               ///< how many of them are computed
+    double seconds = 0.0;                   ///< what those took
+    std::optional<solve::PointStart> last;  ///< end of the last reported point; nothing if it failed
+    std::map<std::uint64_t, solve::PointStart>
         stored;  ///< starts of visits behind a point that was done before
 
     [[nodiscard]] bool has_unassigned() const { return next < pending.size(); }

@@ -14,7 +14,7 @@ namespace {
 class OneByOne final : public LineBatch {
  public:
   void begin(int /*seat*/, solve::LineSolver& solver, double speed_ratio,
-             const solve::SectionState& start) override {
+             const solve::PointStart& start) override {
     solver_ = &solver;
     speed_ratio_ = speed_ratio;
     start_ = start;
@@ -31,7 +31,7 @@ class OneByOne final : public LineBatch {
  private:
   solve::LineSolver* solver_ = nullptr;
   double speed_ratio_ = 0.0;
-  solve::SectionState start_{};
+  solve::PointStart start_;
 };
 
 /// The lanes know one carried contact under no forcing or an unbalance.

@@ -47,7 +47,7 @@ class LineBatch {
   /// Puts a point on a free seat, from 0 to `Width::seats` − 1. Solver and start outlive it; a solver sits on
   /// one seat at a time.
   virtual void begin(int seat, solve::LineSolver& solver, double speed_ratio,
-                     const solve::SectionState& start) = 0;
+                     const solve::PointStart& start) = 0;
 
   /// Goes on with all points until one has ended; at least one is under way. `between_revolutions` is called
   /// after each revolution of any of them, and may begin points on free seats. What a solver throws is thrown

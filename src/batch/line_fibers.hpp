@@ -24,7 +24,7 @@ class LineFibers final : public LineBatch {
   explicit LineFibers(int seats);
 
   void begin(int seat, solve::LineSolver& solver, double speed_ratio,
-             const solve::SectionState& start) override;
+             const solve::PointStart& start) override;
   Finished advance(const std::function<void()>& between_revolutions) override;
   [[nodiscard]] LaneCounts counts() const override { return counts_; }
 
@@ -39,7 +39,7 @@ class LineFibers final : public LineBatch {
     boost::context::fiber fiber;  ///< of the point under way
     solve::LineSolver* solver = nullptr;
     double speed_ratio = 0.0;
-    solve::SectionState start{};
+    solve::PointStart start;
     solve::PointOutcome outcome;
     std::exception_ptr failure;
     bool ended = false;

@@ -85,6 +85,14 @@ class ElasticBladeContact {
   [[nodiscard]] double length() const { return length_; }            ///< L [m]
   [[nodiscard]] double load_unit() const { return load_unit_; }      ///< EI / L² [N]
   [[nodiscard]] double strain_unit() const { return strain_unit_; }  ///< h / (2 L) [-]
+  /// The same blade, shorter at its tip by `lost` [m]. The curve stays, and with it the axial compliance
+  /// relative to the length.
+  [[nodiscard]] ElasticBladeContact shortened(double lost) const {
+    const Blade blade{length_ - lost, 2.0 * strain_unit_ * length_, load_unit_ * length_ * length_};
+    Ring ring{};
+    if constexpr (Ring::kYields) ring.stiffness = load_unit_ / yield_unit_;
+    return {{geometry_.reach - lost, geometry_.ring_radius}, blade, curve_, ring};
+  }
 
   /// An open contact can be carried along h = 0 by its bending parameter; else it is to be solved for.
   [[nodiscard]] bool carried() const { return carried_; }

@@ -10,11 +10,13 @@
 
 #include "effects/blade_and_ring.hpp"
 #include "effects/contact_load.hpp"
+#include "effects/speed_ramp.hpp"
 #include "effects/speed_ripple.hpp"
 #include "effects/static_load.hpp"
 #include "effects/support.hpp"
 #include "effects/unbalance.hpp"
 #include "effects/unequal_blades.hpp"
+#include "effects/wear.hpp"
 
 namespace rubatlas::effects {
 
@@ -32,6 +34,8 @@ struct Effects {
   std::optional<LoadDirection> load_direction;
   std::optional<RegularisedFriction> regularised_friction;
   std::optional<Stribeck> stribeck;
+  std::optional<Wear> wear;
+  std::optional<SpeedRamp> speed_ramp;
 };
 
 /// The settings of an effect of the list: `Gravity` for `&Effects::gravity`.
@@ -83,6 +87,8 @@ constexpr void for_each_effect(Visit given) {
   visit.template operator()<&Effects::load_direction>();
   visit.template operator()<&Effects::regularised_friction>();
   visit.template operator()<&Effects::stribeck>();
+  visit.template operator()<&Effects::wear>();
+  visit.template operator()<&Effects::speed_ramp>();
 }
 
 /// Present and of a strength that is not zero.

@@ -51,6 +51,39 @@ void check_unequal_blades(const Scene& scene) {
   }
 }
 
+void check_wear(const Scene& scene) {
+  const bool kept = std::ranges::count(scene.observables, "clearance_growth") > 0;
+  if (kept && !scene.wear) {
+    throw SceneError(
+        "/observables: \"clearance_growth\" is that of blades that wear; there is no section /wear");
+  }
+  if (!scene.wear) return;
+  if (scene.protocol.stop_when_periodic) {
+    throw SceneError("/wear: /protocol/stop_when_periodic leaves out revolutions, in which blades wear too");
+  }
+  if (scene.wear->carries_over && scene.sweep == Sweep::independent) {
+    throw SceneError(R"(/wear/carries_over: the sweep is "independent"; no point comes after another)");
+  }
+}
+
+/// A ramp that goes on over all sampled revolutions stays within the speeds that a grid may have.
+void check_speed_ramp(const Scene& scene) {
+  if (!scene.speed_ramp) return;
+  const Range legal = quantity("/grid/speed_ratio").range;
+  const auto rates = values_in(scene, "/speed_ramp/rate");
+  const int ramped = scene.protocol.sampled_revolutions - 1;
+  for (const double rate : {std::ranges::min(rates), std::ranges::max(rates)}) {
+    for (const double first : {scene.grid.speed_ratio.front(), scene.grid.speed_ratio.back()}) {
+      const double last = first + ramped * rate;
+      if (legal.contains(last)) continue;
+      throw SceneError(fmt::format(
+          "/speed_ramp/rate: from speed ratio {} on {} leads to {} in the last sampled revolution; "
+          "speed ratios are {}",
+          first, rate, last, legal.text()));
+    }
+  }
+}
+
 /// Effects of elastic blades say nothing of rigid ones, and a load of its own direction has no table.
 void check_blades(const Scene& scene) {
   const auto refuse = [](std::string_view section, std::string_view why) {
@@ -85,6 +118,8 @@ void check_effects(const Scene& scene) {
   check_method(scene);
   check_blades(scene);
   check_unequal_blades(scene);
+  check_wear(scene);
+  check_speed_ramp(scene);
 }
 
 }  // namespace rubatlas::scene

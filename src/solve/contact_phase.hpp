@@ -18,6 +18,7 @@
 #include "solve/blade_set.hpp"
 #include "solve/contact_step.hpp"
 #include "solve/contact_system.hpp"
+#include "solve/friction_power.hpp"
 #include "solve/motion_listener.hpp"
 #include "solve/rotor.hpp"
 
@@ -44,6 +45,7 @@ class ContactPhase final : public observables::MotionPiece {
         misalignment_(rotor.misalignment),
         ring_radius_(law.of(0).geometry().ring_radius),
         tip_speed_(std::abs(rotor.speed_ratio) * ring_radius_),
+        law_(&law),
         step_(rotor, blades, law, limits.tolerance, std::move(system)),
         watched_(static_cast<std::size_t>(blades.count())) {}
 
@@ -114,6 +116,18 @@ class ContactPhase final : public observables::MotionPiece {
   /// Bending parameter of an open contact there, as a first guess for the next phase.
   [[nodiscard]] double bending(std::size_t contact) { return step_.bending(contact, end_fraction_); }
 
+  /// An open contact at a time of the piece that is being recorded, from where another motion goes on.
+  [[nodiscard]] OpenContact contact_at(std::size_t contact, double time) {
+    OpenContact open = step_.contacts()[contact];
+    if constexpr (ContactStep<System, Law, Pair, Blades>::kCarried) {
+      open.bending = full_state(time)[kBending];
+    } else {
+      open.bending = step_.system().contacts()[contact].bending;
+      open.amplitude = step_.system().contacts()[contact].amplitude;
+    }
+    return open;
+  }
+
   // The piece of motion that is being recorded.
   [[nodiscard]] double begin() const override { return segment_begin_; }
   [[nodiscard]] double end() const override { return segment_limit_; }
@@ -130,6 +144,9 @@ class ContactPhase final : public observables::MotionPiece {
   }
   [[nodiscard]] double root_strain(std::size_t contact, double time) override {
     return step_.force(contact, full_state(time)).root_strain;
+  }
+  [[nodiscard]] double friction_power(std::size_t contact, double time) override {
+    return solve::friction_power(law_->of(blade(contact)), step_.force(contact, full_state(time)));
   }
 
   [[nodiscard]] const System& system() const { return step_.system(); }
@@ -323,6 +340,7 @@ class ContactPhase final : public observables::MotionPiece {
   double misalignment_;  ///< y0 [m]
   double ring_radius_;   ///< R [m]
   double tip_speed_;     ///< Ω R [m per unit τ]
+  const Law* law_;
   ContactStep<System, Law, Pair, Blades> step_;
   std::vector<Watched> watched_;  ///< one per blade
   bool pending_ = false;          ///< a step has been made and not been recorded to its end

@@ -69,6 +69,41 @@ class Motion {
     return state_.isFinite().all() ? PointStatus::done : PointStatus::integrator_failed;
   }
 
+  /// A motion at the end of a revolution, for another to go on from.
+  struct Handover {
+    State state;
+    std::vector<OpenContact> contacts;
+  };
+  [[nodiscard]] Handover hand_over() {
+    Handover handed{state_, contacts_};
+    const auto ask = [&](auto& phase) {
+      for (std::size_t i = 0; i < contacts_.size(); ++i) handed.contacts[i] = phase.contact_at(i, time_);
+    };
+    if (phase_ == Phase::solved) ask(solved_);
+    if constexpr (Law::kHasBending) {
+      if (phase_ == Phase::carried) ask(*carried_);
+      if (phase_ == Phase::skimming) ask(*skimming_);
+    }
+    return handed;
+  }
+  /// Goes on at phase 0 from where a motion with another speed or other blades has ended: contacts stay, with
+  /// their slip directions (MODEL 4.4), where the blade still reaches the ring.
+  PointStatus take_over(const Handover& handed) {
+    state_ = handed.state;
+    contacts_.clear();
+    const contact::BladeDirection first = blades_.first(0.0);
+    for (int k = 0; k < blades_.count(); ++k) {
+      const contact::Pose at = pose_of(rotor_, law_.of(k).geometry(), blades_.direction(k, first), state_);
+      const auto held = std::find_if(handed.contacts.begin(), handed.contacts.end(),
+                                     [&](const OpenContact& open) { return open.blade == k; });
+      const bool found = held == handed.contacts.end() ? at.gap <= 0.0 || open(k, at) : keep(*held, at);
+      if (!found) return PointStatus::left_validity;
+    }
+    flight_.start(time_, state_);
+    never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);
+    return PointStatus::done;
+  }
+
   /// One revolution.
   PointStatus revolution(MotionListener& listener) {
     const double period = rotor_.period();
@@ -142,6 +177,7 @@ class Motion {
     [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return false; }
     [[nodiscard]] double normal_force(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
     [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
+    [[nodiscard]] double friction_power(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
 
    private:
     const Flight<Forcing>* flight_;
@@ -256,6 +292,30 @@ class Motion {
       }
     }
     contacts_.push_back(contact);
+    return true;
+  }
+
+  /// Goes on with a contact where the tip stands now, or lets it go where that has left the ring. False where
+  /// no force exists (MODEL 5).
+  bool keep(OpenContact contact, const contact::Pose& at) {
+    bool leaves = at.gap <= 0.0;
+    if constexpr (Law::kHasBending) {
+      const auto& law = law_.of(contact.blade);
+      if (at.gap <= kGapRounding && law.starts_unloaded(at, contact.slip)) {
+        contact.bending = 0.0;
+      } else if (!leaves || Law::kReleasesAtFold) {
+        const auto root = contact.bending > 0.0 ? law.solve_near(at, contact.slip, contact.bending)
+                                                : law.solve(at, contact.slip);
+        if (!root && !leaves) return false;
+        leaves = !root;
+        contact.bending = root.value_or(0.0);
+      }
+    }
+    if (leaves) {
+      ++work_.liftoffs;
+    } else {
+      contacts_.push_back(contact);
+    }
     return true;
   }
 

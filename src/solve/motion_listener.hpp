@@ -33,6 +33,8 @@ class MotionListener {
   virtual ~MotionListener() = default;
   virtual void piece(observables::MotionPiece& /*piece*/) {}
   virtual void event(const Event& /*event*/) {}
+  /// The revolution that follows turns at this Ω. Never called where the speed does not ramp.
+  virtual void speed_changes(double /*speed_ratio*/) {}
 };
 
 }  // namespace rubatlas::solve

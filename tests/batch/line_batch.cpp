@@ -145,12 +145,12 @@ TEST(LineBatch, ABatchIsNoWiderThanAsked) {
 /// A solver that fails after some revolutions, as one out of memory would.
 class Broken final : public solve::LineSolver {
  public:
-  solve::PointOutcome run(double, const solve::SectionState&,
+  solve::PointOutcome run(double, const solve::PointStart&,
                           const std::function<void()>& between_revolutions) override {
     for (int i = 0; i < 3; ++i) between_revolutions();
     throw std::runtime_error("out of order");
   }
-  solve::Orbit orbit(double, const solve::SectionState&) override { return {}; }
+  solve::Orbit orbit(double, const solve::PointStart&) override { return {}; }
 };
 
 TEST(LineBatch, WhatASolverThrowsReachesTheCallerWhileOthersAreUnderWay) {
