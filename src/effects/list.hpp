@@ -12,6 +12,7 @@
 #include "effects/contact_load.hpp"
 #include "effects/speed_ripple.hpp"
 #include "effects/static_load.hpp"
+#include "effects/stick.hpp"
 #include "effects/support.hpp"
 #include "effects/unbalance.hpp"
 #include "effects/unequal_blades.hpp"
@@ -32,6 +33,7 @@ struct Effects {
   std::optional<LoadDirection> load_direction;
   std::optional<RegularisedFriction> regularised_friction;
   std::optional<Stribeck> stribeck;
+  std::optional<Stick> stick;
 };
 
 /// The settings of an effect of the list: `Gravity` for `&Effects::gravity`.
@@ -83,6 +85,7 @@ constexpr void for_each_effect(Visit given) {
   visit.template operator()<&Effects::load_direction>();
   visit.template operator()<&Effects::regularised_friction>();
   visit.template operator()<&Effects::stribeck>();
+  visit.template operator()<&Effects::stick>();
 }
 
 /// Present and of a strength that is not zero.
