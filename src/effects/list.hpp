@@ -13,6 +13,7 @@
 #include "effects/speed_ramp.hpp"
 #include "effects/speed_ripple.hpp"
 #include "effects/static_load.hpp"
+#include "effects/stick.hpp"
 #include "effects/support.hpp"
 #include "effects/unbalance.hpp"
 #include "effects/unequal_blades.hpp"
@@ -36,6 +37,7 @@ struct Effects {
   std::optional<Stribeck> stribeck;
   std::optional<Wear> wear;
   std::optional<SpeedRamp> speed_ramp;
+  std::optional<Stick> stick;
 };
 
 /// The settings of an effect of the list: `Gravity` for `&Effects::gravity`.
@@ -89,6 +91,7 @@ constexpr void for_each_effect(Visit given) {
   visit.template operator()<&Effects::stribeck>();
   visit.template operator()<&Effects::wear>();
   visit.template operator()<&Effects::speed_ramp>();
+  visit.template operator()<&Effects::stick>();
 }
 
 /// Present and of a strength that is not zero.

@@ -100,6 +100,11 @@ void check_blades(const Scene& scene) {
   if (rigid && scene.load_direction) refuse("/load_direction", kRigid);
   if (scene.stribeck && scene.regularised_friction)
     refuse("/stribeck", "stands beside /regularised_friction; friction has one law");
+  if (scene.stick && !rigid)
+    refuse("/stick", R"(holds the tips of rigid blades only: the contact law "elastic_ring")");
+  if (scene.stick && (scene.stribeck || scene.regularised_friction))
+    refuse("/stick", fmt::format("stands beside {}; friction has one law",
+                                 scene.stribeck ? "/stribeck" : "/regularised_friction"));
   const bool directed = !rigid && (scene.load_direction || scene.stribeck || scene.regularised_friction);
   if (!directed) return;
   constexpr std::string_view kPlain =

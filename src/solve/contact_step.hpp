@@ -30,6 +30,8 @@ class ContactStep {
   static constexpr bool kCarried = requires(System system) { system.last(); };
   /// The blade stays on g = 0 under a share of its force.
   static constexpr bool kSkims = requires(System system, ContactState state) { system.share(state); };
+  /// Tips stick: their slip velocities stay zero.
+  static constexpr bool kSticks = requires(System system, ContactState state) { system.excess(0, state); };
   /// A contact ends where its force does, not where the undeformed tip leaves the ring.
   static constexpr bool kReleasesAtFold = Law::kReleasesAtFold && !kSkims;
 
@@ -73,7 +75,7 @@ class ContactStep {
           ++accepted_;
           control_.accept(error, size < proposed);
           if constexpr (kCarried) project();
-          if constexpr (kSkims) system_.project(step_.end());
+          if constexpr (kSkims || kSticks) system_.project(step_.end());
           return Outcome::accepted;
         }
         control_.halve(size / proposed);
@@ -99,7 +101,9 @@ class ContactStep {
     if (fraction == 0.0) return step_.start();
     if (fraction == 1.0) return step_.end();
     if (!make_dense()) return ContactState::Constant(std::numeric_limits<double>::quiet_NaN());
-    return step_.interpolate(fraction);
+    ContactState state = step_.interpolate(fraction);
+    if constexpr (kSticks) system_.project(state);
+    return state;
   }
 
   /// Fraction at a time strictly between the step's start and `last`, a fraction where time is `last_time`:
@@ -214,6 +218,7 @@ class ContactStep {
   /// What an open contact does in a state.
   [[nodiscard]] contact::TipForce force(std::size_t contact, const ContactState& state) const {
     if constexpr (kSkims) return system_.force(state);
+    if constexpr (kSticks) return system_.force(contact, state);
     const OpenContact& open = contacts_[contact];
     const contact::Pose at = pose(open.blade, state);
     if constexpr (kCarried) {

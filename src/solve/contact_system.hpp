@@ -29,14 +29,17 @@ using ContactState = Eigen::Array<double, 6, 1>;
 constexpr int kTime = 4;
 constexpr int kBending = 5;
 
-/// A contact that is open: which blade, its slip direction s = ±1 and, for elastic blades, its bending
-/// parameter.
+/// A contact that is open: which blade, its slip direction s = ±1 (0 where it sticks) and, for elastic
+/// blades, its bending parameter.
 struct OpenContact {
   int blade;
   double slip;
   double bending;
   double amplitude = 0.0;  ///< second first guess of a law that has two unknowns a blade; 0: not known
 };
+
+/// Of Ω R: slip velocities below it are zero, as where a slip reversal has been located.
+constexpr double kSlipRounding = 1e-12;
 
 /// The force of an open contact where its blade stands; updates its guesses.
 template <class Law>

@@ -5,7 +5,9 @@
 /// revolution, so that the last digits do not wear off in a long run.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -25,6 +27,7 @@
 #include "solve/motion_listener.hpp"
 #include "solve/rotor.hpp"
 #include "solve/skimming_contact.hpp"
+#include "solve/sticking_contacts.hpp"
 
 namespace rubatlas::solve {
 
@@ -48,6 +51,11 @@ class Motion {
       skimming_.emplace(rotor_, blades_, law_, limits_,
                         SkimmingContact<Law, Forcing, Blades>(rotor_, blades_, law_, forcing_));
     }
+    if constexpr (contact::Sticks<Law>) {
+      judge_.emplace(rotor_, blades_, law_, forcing_);
+      sticking_.emplace(rotor_, blades_, law_, limits_,
+                        StickingContacts<Law, Forcing, Blades>(rotor_, blades_, law_, forcing_));
+    }
     contacts_.reserve(static_cast<std::size_t>(blades_.count()));
   }
   Motion(const Motion&) = delete;  // parts point at each other
@@ -64,6 +72,7 @@ class Motion {
       const contact::Pose at = pose_of(rotor_, law_.of(k).geometry(), blades_.direction(k, first), state_);
       if (at.gap > 0.0 && !open(k, at)) return PointStatus::left_validity;
     }
+    settle([](const OpenContact&) {});
     flight_.start(time_, state_);
     never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);
     return state_.isFinite().all() ? PointStatus::done : PointStatus::integrator_failed;
@@ -125,6 +134,9 @@ class Motion {
                                            : touch(*skimming_, period, listener);
           }
           break;
+        case Phase::sticking:
+          if constexpr (contact::Sticks<Law>) end = touch(*sticking_, period, listener);
+          break;
         default:
           end = touch(solved_, period, listener);
       }
@@ -151,6 +163,7 @@ class Motion {
       result.rejected_steps += phase.rejected();
     };
     add(solved_);
+    if constexpr (contact::Sticks<Law>) add(*sticking_);
     if constexpr (Law::kHasBending) {
       add(*carried_);
       add(*skimming_);
@@ -161,7 +174,7 @@ class Motion {
   }
 
  private:
-  enum class Phase : std::uint8_t { undecided, flight, carried, skimming, solved };
+  enum class Phase : std::uint8_t { undecided, flight, carried, skimming, sticking, solved };
 
   /// A piece of flight, as listeners see it.
   class FlightPiece final : public observables::MotionPiece {
@@ -256,6 +269,12 @@ class Motion {
         if (carried_->start(time_, state_, contacts_)) return true;
       }
     }
+    if constexpr (contact::Sticks<Law>) {
+      if (stuck_count() > 0) {
+        phase_ = Phase::sticking;
+        return sticking_->start(time_, state_, contacts_);
+      }
+    }
     phase_ = Phase::solved;
     return solved_.start(time_, state_, contacts_);
   }
@@ -281,6 +300,10 @@ class Motion {
     const double velocity =
         contact::undeformed_slip_velocity(law_.of(blade).geometry(), at, blades_.speed(time_));
     OpenContact contact{blade, velocity >= 0.0 ? 1.0 : -1.0, 0.0};
+    if constexpr (contact::Sticks<Law>) {
+      const double tip_speed = std::abs(rotor_.speed_ratio) * law_.of(blade).geometry().ring_radius;
+      if (std::abs(velocity) <= kSlipRounding * tip_speed) contact.slip = 0.0;
+    }
     if constexpr (Law::kHasBending) {
       // On the approaching side the force starts from zero, on the receding side from a finite value
       // (MODEL 4.2).
@@ -319,6 +342,48 @@ class Motion {
     return true;
   }
 
+  [[nodiscard]] std::ptrdiff_t stuck_count() const {
+    return std::ranges::count(contacts_, 0.0, &OpenContact::slip);
+  }
+
+  [[nodiscard]] ContactState full_state() const {
+    ContactState full;
+    full << state_, time_, 0.0;
+    return full;
+  }
+
+  /// Lets go of the tips at rest that friction cannot hold where the rotor stands, and tells it of each.
+  template <class Tell>
+  void settle(Tell let_go) {
+    if constexpr (contact::Sticks<Law>) {
+      if (stuck_count() > 0) judge_->settle(full_state(), contacts_, let_go);
+    }
+  }
+
+  /// The slip velocity of a tip has come to zero, or friction no longer holds it there.
+  void change_slip(OpenContact& contact, PhaseEvent event, MotionListener& listener) {
+    if (event == PhaseEvent::comes_loose) {
+      judge_->open(contacts_);
+      const auto place = static_cast<std::size_t>(&contact - contacts_.data());
+      contact.slip = std::copysign(1.0, judge_->coefficient(place, full_state()));
+    } else {
+      ++work_.slip_reversals;
+      // Where two tips stick already, a third passes through.
+      const bool passes = stuck_count() >= std::ptrdiff_t{Judge::kMostStuck};
+      contact.slip = passes ? -contact.slip : 0.0;
+    }
+    tell_of_others(contact.blade, listener);
+    listener.event(Event{event, contact.blade, time_, contact.slip, state_});
+  }
+
+  /// Settles after an event of one blade.
+  void tell_of_others(int blade, MotionListener& listener) {
+    settle([&](const OpenContact& other) {
+      if (other.blade != blade)
+        listener.event(Event{PhaseEvent::comes_loose, other.blade, time_, other.slip, state_});
+    });
+  }
+
   PointStatus change_contacts(const PhaseEnd& end, MotionListener& listener) {
     phase_ = Phase::undecided;
     const auto contact = std::find_if(contacts_.begin(), contacts_.end(),
@@ -328,16 +393,22 @@ class Motion {
         ++work_.liftoffs;
         listener.event(Event{end.event, end.blade, time_, contact->slip, state_});
         contacts_.erase(contact);
+        tell_of_others(end.blade, listener);
         return PointStatus::done;
       case PhaseEvent::touch_down:
         ++work_.touchdowns;
         if (!open(end.blade, pose(end.blade))) return PointStatus::left_validity;
         touched_down_ = true;
+        tell_of_others(end.blade, listener);
         listener.event(Event{end.event, end.blade, time_, contacts_.back().slip, state_});
         return PointStatus::done;
       case PhaseEvent::pressed_in:
         return PointStatus::done;
       default: {
+        if constexpr (contact::Sticks<Law>) {
+          change_slip(*contact, end.event, listener);
+          return PointStatus::done;
+        }
         ++work_.slip_reversals;
         contact->slip = -contact->slip;
         if constexpr (Law::kHasBending) {
@@ -371,6 +442,11 @@ class Motion {
       std::conditional_t<Law::kHasBending, ContactPhase<System, Law, Pair, Blades>, std::monostate>;
   using Carried = OfBending<CarriedContact<Law, Forcing, Blades>>;
   using Skimming = OfBending<SkimmingContact<Law, Forcing, Blades>>;
+  // Only tips that can stick have a right-hand side for it, and one that is asked whether they do.
+  using Judge =
+      std::conditional_t<contact::Sticks<Law>, StickingContacts<Law, Forcing, Blades>, std::monostate>;
+  using Sticking =
+      std::conditional_t<contact::Sticks<Law>, ContactPhase<Judge, Law, Pair, Blades>, std::monostate>;
 
   RotorConstants rotor_;
   rotor::FreeMotion free_;
@@ -383,6 +459,8 @@ class Motion {
   ContactPhase<SolvedContacts<Law, Forcing, Blades>, Law, Pair, Blades> solved_;
   std::optional<Carried> carried_;
   std::optional<Skimming> skimming_;
+  std::optional<Sticking> sticking_;
+  std::optional<Judge> judge_;
   std::vector<OpenContact> contacts_;
   State state_ = State::Zero();
   double time_ = 0.0;
