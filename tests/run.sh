@@ -16,7 +16,7 @@ sanitized=yes
 leave_out='slow'
 # Sanitizers look at what is executed, not at how often: long runs show them nothing new, nor do the random
 # scenes with fifty blades in contact or the methods that ours is compared with, which take minutes there.
-leave_out_sanitized='^(LongRun|StableClass|FixedMethod|PaperMethod|Orbits/PeriodicMotion|Compared/)|^First/RandomSearch.*/(50_to_99|100_to_149)'
+leave_out_sanitized='^(LongRun|StableClass|FixedMethod|PaperMethod|Orbits/PeriodicMotion|Compared/)|^First/RandomSearch.*/(0_to_49|50_to_99|100_to_149)'
 case "$#,${1-}" in
   0,) ;;
   1,--full)

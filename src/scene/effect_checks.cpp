@@ -105,6 +105,9 @@ void check_blades(const Scene& scene) {
   if (scene.stick && (scene.stribeck || scene.regularised_friction))
     refuse("/stick", fmt::format("stands beside {}; friction has one law",
                                  scene.stribeck ? "/stribeck" : "/regularised_friction"));
+  if (scene.stick && (scene.wear || scene.speed_ramp))
+    refuse("/stick", fmt::format("stands beside {}, whose changes between revolutions would tear tips loose",
+                                 scene.wear ? "/wear" : "/speed_ramp"));
   const bool directed = !rigid && (scene.load_direction || scene.stribeck || scene.regularised_friction);
   if (!directed) return;
   constexpr std::string_view kPlain =

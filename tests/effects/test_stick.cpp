@@ -371,7 +371,7 @@ TEST(Stick, OfTheMirroredRotorIsTheMirrorImage) {
   EXPECT_GE(sticks, 2);
 }
 
-TEST(Stick, RefusesElasticBladesAndASecondLawOfFriction) {
+TEST(Stick, RefusesElasticBladesASecondLawOfFrictionAndAMachineThatChanges) {
   const auto refusal = [](const std::string& sections) {
     return scene::refusal(R"({"grid": {"speed_ratio": 0.5}, "stick": {}, )" + sections + "}");
   };
@@ -381,6 +381,8 @@ TEST(Stick, RefusesElasticBladesAndASecondLawOfFriction) {
             "/stick: stands beside /stribeck; friction has one law");
   EXPECT_EQ(refusal(R"("contact": {"law": "elastic_ring"}, "regularised_friction": {"velocity": 0.1})"),
             "/stick: stands beside /regularised_friction; friction has one law");
+  EXPECT_EQ(refusal(R"("contact": {"law": "elastic_ring"}, "speed_ramp": {"rate": 0.001})"),
+            "/stick: stands beside /speed_ramp, whose changes between revolutions would tear tips loose");
   EXPECT_EQ(refusal(R"("contact": {"law": "elastic_ring"})"), "accepted");
 }
 
