@@ -265,7 +265,7 @@ TEST(Stick, FrictionNeverDrivesATipWhereTurningItRoundDoes) {
 }
 
 TEST(Stick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
-  // Over the first contacts, before errors grow.
+  // At 1e-3 a rotor that whirls has lost its way within the revolution: the limit is below.
   const HardRotor rotor = rolling_rotor(0.3, 0.5);
   const auto nothing = [](observables::MotionPiece&) {};
   const auto start = kick(0.3, 1.5);
@@ -274,7 +274,7 @@ TEST(Stick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
   ASSERT_GE(
       std::ranges::count_if(stuck.events, [](const auto& entry) { return begins_to_stick(entry.event); }), 1);
   std::vector<double> distances;
-  for (const double velocity : {1e-3, 1e-4, 1e-5}) {
+  for (const double velocity : {1e-4, 1e-5, 1e-6}) {
     const contact::RigidBladeContact law(rotor.geometry(), rotor.ring_stiffness,
                                          contact::RegularisedFriction{rotor.friction, velocity});
     const auto steep = follow(rotor, law, effects::NoForcing{}, start, 1, nothing);
