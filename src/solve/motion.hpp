@@ -9,11 +9,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "contact/elastic_ring_contact.hpp"
@@ -22,7 +20,7 @@
 #include "observables/largest_distance.hpp"
 #include "solve/blade_set.hpp"
 #include "solve/contact_phase.hpp"
-#include "solve/flight.hpp"
+#include "solve/flight_piece.hpp"
 #include "solve/line_solver.hpp"
 #include "solve/motion_listener.hpp"
 #include "solve/rotor.hpp"
@@ -176,29 +174,6 @@ class Motion {
  private:
   enum class Phase : std::uint8_t { undecided, flight, carried, skimming, sticking, solved };
 
-  /// A piece of flight, as listeners see it.
-  class FlightPiece final : public observables::MotionPiece {
-   public:
-    FlightPiece(const Flight<Forcing>& flight, double begin, double end, double bound)
-        : flight_(&flight), begin_(begin), end_(end), bound_(bound) {}
-    [[nodiscard]] double begin() const override { return begin_; }
-    [[nodiscard]] double end() const override { return end_; }
-    [[nodiscard]] observables::State state(double time) override { return as_array(flight_->state(time)); }
-    [[nodiscard]] double displacement_bound() const override { return bound_; }
-    [[nodiscard]] std::size_t contact_count() const override { return 0; }
-    [[nodiscard]] int blade(std::size_t /*contact*/) const override { return -1; }
-    [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return false; }
-    [[nodiscard]] double normal_force(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
-    [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
-    [[nodiscard]] double friction_power(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
-
-   private:
-    const Flight<Forcing>* flight_;
-    double begin_;
-    double end_;
-    double bound_;  ///< of the displacement [m]
-  };
-
   PhaseEnd fly(double period, MotionListener& listener) {
     flight_.start(time_, state_);
     std::optional<typename TouchdownSearch<Law, Blades>::Touchdown> touchdown;
@@ -208,7 +183,7 @@ class Motion {
     }
     const double end = touchdown ? touchdown->time : period;
     if (end > time_) {
-      FlightPiece piece(flight_, time_, end, flight_.displacement_bound(time_, state_, end - time_));
+      FlightPiece<Forcing> piece(flight_, time_, end, flight_.displacement_bound(time_, state_, end - time_));
       // |c| may reach R in flight where no blade stands in the way (MODEL 5).
       const double ring_radius = law_.of(0).geometry().ring_radius;
       if (piece.displacement_bound() + std::abs(rotor_.misalignment) >= ring_radius &&
