@@ -265,10 +265,10 @@ TEST(Stick, FrictionNeverDrivesATipWhereTurningItRoundDoes) {
 }
 
 TEST(Stick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
-  // At 1e-3 a rotor that whirls has lost its way within the revolution: the limit is below.
-  const HardRotor rotor = rolling_rotor(0.3, 0.5);
+  // A few contacts with five sticks: no whirl in which errors grow.
+  const HardRotor rotor = rolling_rotor(0.05, 0.3);
   const auto nothing = [](observables::MotionPiece&) {};
-  const auto start = kick(0.3, 1.5);
+  const solve::State start{0.005, 0.0, 0.0, -0.05};
   const auto stuck = follow(rotor, sticking_law(rotor, 1.0), effects::NoForcing{}, start, 1, nothing);
   ASSERT_EQ(stuck.status, solve::PointStatus::done);
   ASSERT_GE(
