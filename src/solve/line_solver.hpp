@@ -46,6 +46,7 @@ class Memory {
 /// What a point starts from.
 struct PointStart {
   PointStart() = default;
+  // A state alone is a start. NOLINTNEXTLINE(google-explicit-constructor)
   PointStart(const SectionState& from, const Memory& remembered = {}) : state(from), memory(remembered) {}
   SectionState state{};
   Memory memory;  ///< empty: as new
