@@ -67,7 +67,7 @@ fi
 
 if [ "$sanitized" = yes ]; then
   say "Build with address and undefined-behaviour sanitizers, in build-sanitize/"
-  suites=(scene plan blade contact rotor effects integrate observables solve batch atlas analysis physics hard)
+  suites=(scene plan blade contact rotor integrate observables solve batch atlas analysis physics hard)
   configure build-sanitize -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1 -DRUBATLAS_SANITIZE=address,undefined \
     -DCMAKE_UNITY_BUILD=ON -DRUBATLAS_TESTS_TOGETHER=ON
   cmake --build build-sanitize --parallel "$(nproc)" --target "${suites[@]/#/test_}"
