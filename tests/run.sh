@@ -68,6 +68,7 @@ fi
 if [ "$sanitized" = yes ]; then
   say "Build with address and undefined-behaviour sanitizers, in build-sanitize/"
   suites=(scene plan blade contact rotor integrate observables solve batch atlas analysis physics hard)
+  [ "$leave_out" = slow ] || suites+=(effects)  # minutes of compiling
   configure build-sanitize -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1 -DRUBATLAS_SANITIZE=address,undefined \
     -DCMAKE_UNITY_BUILD=ON -DRUBATLAS_TESTS_TOGETHER=ON
   cmake --build build-sanitize --parallel "$(nproc)" --target "${suites[@]/#/test_}"
