@@ -8,12 +8,12 @@ set -eu
 
 packages="g++ make cmake ninja-build pkg-config git ca-certificates
   openmpi-bin libopenmpi-dev libhdf5-openmpi-dev libeigen3-dev libfftw3-dev nlohmann-json3-dev libcli11-dev
-  libfmt-dev libboost-dev
+  libfmt-dev libboost-dev libboost-context-dev
   python3 python3-numpy python3-h5py python3-matplotlib python3-xarray python3-h5netcdf"
 case "${1-}" in
   "") ;;
   --tests) packages="$packages libgtest-dev libbenchmark-dev clang-format clang-tidy hdf5-tools netcdf-bin" ;;
-  --bench) packages="$packages libgtest-dev libbenchmark-dev libboost-context-dev libsundials-dev valgrind" ;;
+  --bench) packages="$packages libgtest-dev libbenchmark-dev libsundials-dev valgrind" ;;
   *)
     echo "install.sh: $1 is not an option; allowed: --tests, --bench" >&2
     exit 2

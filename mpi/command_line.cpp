@@ -88,6 +88,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
         ->type_name("STYLE");
   };
   add_progress(run);
+  // For comparisons: the atlas has the same bytes. In no group, so that --help does not show it.
+  run->add_option("--lanes", run_options.most_lanes)->envname("RUBATLAS_LANES")->group("");
   run->add_flag("--dry-run", run_options.dry_run, "Check scene, disk and output, explain, and stop");
 
   ExplainCommand explain_command;
@@ -159,6 +161,11 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   }
   if (run->parsed()) {
     run_options.progress = progress_style(progress);
+    if (run_options.most_lanes < 0) {
+      throw UsageError(
+          fmt::format("--lanes {}: how many lines of a rank side by side, at most; 0 sets no bound",
+                      run_options.most_lanes));
+    }
     return run_options;
   }
   if (explain->parsed()) return explain_command;

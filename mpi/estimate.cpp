@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <vector>
 
+#include "batch/line_batch.hpp"
 #include "mpi/clock.hpp"
 #include "plan/grid.hpp"
 
@@ -58,40 +60,64 @@ CostEstimate estimate_cost(const scene::Scene& scene, std::chrono::duration<doub
   const double scale = static_cast<double>(total_revolutions(scene)) / total_revolutions(trial);
   const plan::Grid grid(trial);
   const solve::SectionState start = start_of(scene);
+  const std::size_t most_trials = std::min(grid.point_count(), kMostTrials);
+  // Multiples of the golden section fall evenly over the grid however many of them there is time for. A grid
+  // that is tried as a whole is tried point by point.
+  const auto point_of = [&](std::size_t number) {
+    constexpr double kGoldenSection = 0.6180339887498949;
+    const double position = std::fmod(kGoldenSection * static_cast<double>(number), 1.0);
+    return grid.point_count() == most_trials
+               ? number
+               : static_cast<std::size_t>(position * static_cast<double>(grid.point_count()));
+  };
+
+  batch::Width width = batch::width_of(scene);
+  const std::size_t most_side_by_side =
+      grid.points_depend_on_each_other() ? grid.line_count() : grid.point_count();
+  width.seats = static_cast<int>(std::min(static_cast<std::size_t>(width.seats), most_side_by_side));
+  // Before the batch: what runs in it ends first.
+  std::vector<std::unique_ptr<solve::LineSolver>> solvers(static_cast<std::size_t>(width.seats));
+  const auto points = batch::make_line_batch(width);
 
   CostEstimate result;
-  double sum = 0.0;
-  double sum_of_squares = 0.0;
-  const std::size_t most_trials = std::min(grid.point_count(), kMostTrials);
-  while (result.trials < most_trials && (result.trials == 0 || seconds_since(begin) < budget.count())) {
-    // Multiples of the golden section fall evenly over the grid however many of them there is time for. A
-    // grid that is tried as a whole is tried point by point.
-    constexpr double kGoldenSection = 0.6180339887498949;
-    const double position = std::fmod(kGoldenSection * static_cast<double>(result.trials), 1.0);
-    const std::size_t point =
-        grid.point_count() == most_trials
-            ? result.trials
-            : static_cast<std::size_t>(position * static_cast<double>(grid.point_count()));
-    const auto parameters = grid.parameters(point);
-
-    const auto solver = solve::make_line_solver(trial, parameters, tables);
-
-    int revolutions = 0;
+  result.side_by_side = width.seats;
+  std::vector<double> seconds;
+  std::size_t begun = 0;
+  const auto begin_on = [&](std::size_t seat) {
+    const auto parameters = grid.parameters(point_of(begun));
+    solvers[seat] = batch::make_line_solver(width, trial, parameters, tables);
+    points->begin(static_cast<int>(seat), *solvers[seat], parameters.speed_ratio, start);
+    ++begun;
+  };
+  double sum_of_shares = 0.0;
+  double processor_time = 0.0;
+  for (std::size_t seat = 0; seat < solvers.size() && begun < most_trials; ++seat) begin_on(seat);
+  while (result.trials < begun) {
     const double before = processor_seconds();
-    const auto outcome = solver->run(parameters.speed_ratio, start, [&] { ++revolutions; });
-    const bool done = outcome.status == solve::PointStatus::done;
-    const double seconds = (done ? scale : 1.0) * (processor_seconds() - before);
-
-    result.fastest = result.trials == 0 ? seconds : std::min(result.fastest, seconds);
-    result.slowest = std::max(result.slowest, seconds);
+    const auto finished = points->advance([&] { result.revolutions += 1.0; });
+    processor_time += processor_seconds() - before;
+    const auto& outcome = finished.outcome;
+    sum_of_shares += finished.seconds;
+    seconds.push_back((outcome.status == solve::PointStatus::done ? scale : 1.0) * finished.seconds);
     if (outcome.status == solve::PointStatus::left_validity) ++result.left_validity;
     if (outcome.status == solve::PointStatus::integrator_failed) ++result.integrator_failed;
-    result.revolutions += revolutions;
     result.work += outcome.work;
-    sum += seconds;
-    sum_of_squares += seconds * seconds;
     ++result.trials;
+    if (begun < most_trials && seconds_since(begin) < budget.count()) {
+      begin_on(static_cast<std::size_t>(finished.seat));
+    }
   }
+
+  // Shares are of time on the wall, in which others may have run too.
+  const double own = sum_of_shares > 0.0 ? processor_time / sum_of_shares : 1.0;
+  double sum = 0.0;
+  double sum_of_squares = 0.0;
+  for (const double share : seconds) {
+    sum += own * share;
+    sum_of_squares += own * share * own * share;
+  }
+  result.fastest = own * *std::min_element(seconds.begin(), seconds.end());
+  result.slowest = own * *std::max_element(seconds.begin(), seconds.end());
   const auto count = static_cast<double>(result.trials);
   result.seconds_per_point = std::max(sum / count, 1e-9);  // a clock that stood still is no rate
   const double variance =

@@ -18,11 +18,13 @@ struct CostEstimate {
   double fastest = 0.0;               ///< [s]
   double slowest = 0.0;               ///< [s]
   double revolutions = 0.0;           ///< of all trials together
+  int side_by_side = 1;               ///< lines in a batch, as one rank would have them
   solve::WorkCounts work;             ///< of all trials together
 };
 
 /// Runs points spread over the whole grid, each from the scene's `initial`, until `budget` is used up. Long
-/// protocols are shortened and their time scaled, so that no trial takes much longer than the budget.
+/// protocols are shortened and their time scaled, so that no trial takes much longer than the budget. Points
+/// are tried in batches where the atlas is computed so.
 CostEstimate estimate_cost(const scene::Scene& scene, std::chrono::duration<double> budget);
 
 }  // namespace rubatlas::mpi

@@ -12,6 +12,7 @@
 
 #include "atlas/free_space.hpp"
 #include "atlas/schema.hpp"
+#include "batch/line_batch.hpp"
 #include "mpi/estimate.hpp"
 #include "mpi/explain_effects.hpp"
 #include "mpi/explain_text.hpp"
@@ -93,6 +94,13 @@ void describe_kernel(const scene::Scene& scene, Text& text) {
             bending ? "Dormand-Prince 8(5,3); one blade: its bending is carried along as a state, no root is "
                       "solved; several: a root each"
                     : "Dormand-Prince 8(5,3); the force is explicit");
+  const batch::Width width = batch::width_of(scene);
+  text.line("batches",
+            width.seats > 1
+                ? fmt::format("a rank with several lines makes up to {} contact steps side by side, in SIMD "
+                              "lanes ({}); same bytes",
+                              width.seats, width.reason)
+                : fmt::format("none, line by line: {}", width.reason));
   text.line("accuracy", fmt::format("{:g} of {}: {:.3g} m a step, {:.3g} m per unit τ in velocity",
                                     scene.accuracy.tolerance,
                                     scene.clearance() > 0.0 ? "the clearance" : "L/10 (the clearance is 0)",
@@ -149,9 +157,12 @@ void describe_time(const plan::Grid& grid, const CostEstimate& cost, Text& text)
   const bool all_tried = cost.trials == grid.point_count();
   const double uncertainty = std::min(100.0, 100.0 * cost.standard_error / cost.seconds_per_point);
   text.heading("Time (an estimate, on this machine)");
-  text.line("on one rank", fmt::format("{} of CPU time{}, divided by the number of ranks",
-                                       seconds < 0.1 ? "under 0.1 s" : readable_duration(seconds),
-                                       all_tried ? "" : fmt::format(" ± {:.0f} %", uncertainty)));
+  text.line(
+      "on one rank",
+      fmt::format("{} of CPU time{}, divided by the number of ranks{}",
+                  seconds < 0.1 ? "under 0.1 s" : readable_duration(seconds),
+                  all_tried ? "" : fmt::format(" ± {:.0f} %", uncertainty),
+                  cost.side_by_side > 1 ? fmt::format(" while each has {} lines", cost.side_by_side) : ""));
   text.line("from", fmt::format("{} point{} tried from `initial`: {} each, {} to {}", cost.trials,
                                 cost.trials == 1 ? "" : "s", duration(cost.seconds_per_point),
                                 duration(cost.fastest), duration(cost.slowest)));

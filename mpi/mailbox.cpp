@@ -5,7 +5,7 @@
 
 namespace rubatlas::mpi {
 
-// A message of two hundred bytes is taken by the transport at once (eager protocol), so a blocking send does
+// A message of some hundred bytes is taken by the transport at once (eager protocol), so a blocking send does
 // not wait for its receiver. MPI's default error handler ends the job.
 
 void Mailbox::send_bytes(int rank, Tag tag, const void* payload, std::size_t size) {

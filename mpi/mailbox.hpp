@@ -1,6 +1,7 @@
 /// Sends and takes messages; never waits for one.
 #pragma once
 
+#include <chrono>
 #include <concepts>
 #include <cstddef>
 #include <optional>
@@ -19,12 +20,15 @@ struct Envelope {
 
 class Mailbox {
  public:
+  /// How often somebody who computes looks into it: a look costs about a microsecond, a revolution some ten.
+  static constexpr std::chrono::microseconds kLookPeriod{50};
+
   explicit Mailbox(const Session& session) : parallel_(session.is_parallel()) {}
 
   template <typename Payload>
   requires std::is_trivially_copyable_v<Payload>
   void send(int rank, Tag tag, const Payload& payload) const {
-    send_bytes(rank, tag, &payload, sizeof payload);
+    send_bytes(rank, tag, &payload, sent_size(payload));
   }
   void send(int rank, Tag tag) const { send(rank, tag, Nothing{}); }
 

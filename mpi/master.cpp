@@ -8,9 +8,6 @@ namespace {
 
 constexpr int kSelf = 0;
 
-/// A look into the mailbox costs about a microsecond; a revolution takes some ten.
-constexpr std::chrono::microseconds kServicePeriod{50};
-
 }  // namespace
 
 Master::Master(const Session& session, const Mailbox& mailbox, Schedule& schedule, PointRunner& runner,
@@ -19,31 +16,41 @@ Master::Master(const Session& session, const Mailbox& mailbox, Schedule& schedul
       schedule_(schedule),
       runner_(runner),
       progress_(progress),
-      start_(std::chrono::steady_clock::now()),
-      next_service_(start_) {
+      workers_(session.size() - 1),
+      start_(std::chrono::steady_clock::now()) {
   result_.standing = standing;
   const auto ranks = static_cast<std::size_t>(session.size());
   result_.points_of_rank.assign(ranks, 0);
   result_.busy_seconds_of_rank.assign(ranks, 0.0);
-  for (int rank = 1; rank < session.size(); ++rank) workers_.insert(rank);
+  ranks_.resize(ranks);
+  ranks_[kSelf].seats = runner.seats();
+  for (int seat = 0; seat < runner.seats(); ++seat) ranks_[kSelf].free_seats.push_back(seat);
 }
 
 JobResult Master::run() {
   const PointRunner::Callbacks callbacks{
-      .between_revolutions = [this] { serve_when_due(); },
+      .between_revolutions =
+          [this] {
+            if (pace_.is_due()) serve();
+          },
       .after_point = [this](const PointReport& report) { take(kSelf, report); },
+      .piece_over =
+          [this](int seat) {
+            --ranks_[kSelf].pieces;
+            seat_is_free(kSelf, seat);
+            hand_out();
+          },
       .stop = [this] { return stopping_; },
   };
   Nap nap;
   while (true) {
     serve();
-    const auto piece = stopping_ ? std::nullopt : schedule_.next(kSelf);
-    if (piece) {
-      runner_.run(*piece, callbacks);
+    if (runner_.pieces() > 0) {
+      runner_.run(callbacks);
       nap.reset();
       continue;
     }
-    if (workers_.empty()) break;
+    if (workers_ == 0) break;
     nap.take();
   }
   result_.stopped = stopping_ && result_.standing.finished < result_.standing.total;
@@ -51,21 +58,19 @@ JobResult Master::run() {
   return result_;
 }
 
-void Master::serve_when_due() {
-  const auto now = std::chrono::steady_clock::now();
-  if (now < next_service_) return;
-  next_service_ = now + kServicePeriod;
-  serve();
-}
-
 void Master::serve() {
   while (const auto envelope = mailbox_.peek()) {
     if (envelope->tag == Tag::report) {
       take(envelope->source, mailbox_.receive<PointReport>(*envelope));
     } else {
-      const bool stop = mailbox_.receive<Ready>(*envelope).stop_requested != 0;
-      idle_.push_back(envelope->source);
-      if (stop && !stopping_) stop_workers();
+      const auto ready = mailbox_.receive<Ready>(*envelope);
+      Rank& rank = ranks_[static_cast<std::size_t>(envelope->source)];
+      // The first words of a rank are about seats that had no piece yet.
+      const bool greets = static_cast<int>(rank.free_seats.size()) + rank.pieces < ready.seats;
+      rank.seats = ready.seats;
+      if (!greets) --rank.pieces;
+      seat_is_free(envelope->source, ready.seat);
+      if (ready.stop_requested != 0 && !stopping_) stop_workers();
     }
   }
   if (stop_requested() && !stopping_) stop_workers();
@@ -84,26 +89,70 @@ void Master::take(int rank, const PointReport& report) {
   if (report.stop_requested != 0 && !stopping_) stop_workers();
 }
 
-void Master::stop_workers() {
-  stopping_ = true;
-  for (const int rank : workers_) mailbox_.send(rank, Tag::stop);
+void Master::seat_is_free(int rank, int seat) {
+  ranks_[static_cast<std::size_t>(rank)].free_seats.push_back(seat);
 }
 
-/// Idle workers get a piece; they leave when there will be none.
+void Master::stop_workers() {
+  stopping_ = true;
+  for (std::size_t rank = 1; rank < ranks_.size(); ++rank) {
+    if (!ranks_[rank].has_left) mailbox_.send(static_cast<int>(rank), Tag::stop);
+  }
+}
+
+/// Free seats get a piece; workers leave when there will be none.
 void Master::hand_out() {
-  std::vector<int> still_idle;
-  for (const int rank : idle_) {
-    const auto piece = stopping_ ? std::nullopt : schedule_.next(rank);
-    if (piece) {
-      mailbox_.send(rank, Tag::piece, *piece);
-    } else if (stopping_ || schedule_.unassigned() == 0) {
-      mailbox_.send(rank, Tag::leave);
-      workers_.erase(rank);
+  while (!stopping_ && schedule_.unassigned() > 0) {
+    const int number = next_to_serve();
+    if (number < 0) break;
+    Rank& rank = ranks_[static_cast<std::size_t>(number)];
+    const auto piece = schedule_.next(number, rank.free_seats.back());
+    if (!piece) break;
+    rank.free_seats.pop_back();
+    ++rank.pieces;
+    if (number == kSelf) {
+      runner_.begin(*piece);
     } else {
-      still_idle.push_back(rank);
+      mailbox_.send(number, Tag::piece, *piece);
     }
   }
-  idle_ = std::move(still_idle);
+  if (stopping_ || schedule_.unassigned() == 0) dismiss_workers();
+}
+
+/// The rank with a free seat that has least to do, or −1 where those that ask have to leave what there is to
+/// others: lines side by side are shared out evenly among the ranks, whatever seats they have, and the few
+/// that are left over go to whoever asks when everybody has as many.
+int Master::next_to_serve() const {
+  const int all = static_cast<int>(schedule_.side_by_side());
+  const int even_share = all / static_cast<int>(ranks_.size());
+  const bool left_over = all % static_cast<int>(ranks_.size()) != 0;
+  int chosen = -1;
+  bool everybody_has_it = true;
+  for (std::size_t i = 0; i < ranks_.size(); ++i) {
+    const Rank& rank = ranks_[i];
+    // A rank may have fewer seats than that.
+    const bool full = rank.seats > 0 && rank.pieces == rank.seats;
+    everybody_has_it = everybody_has_it && (full || rank.pieces >= even_share);
+    if (rank.free_seats.empty()) continue;
+    if (chosen < 0 || rank.pieces < ranks_[static_cast<std::size_t>(chosen)].pieces) {
+      chosen = static_cast<int>(i);
+    }
+  }
+  if (chosen < 0) return chosen;
+  const int pieces = ranks_[static_cast<std::size_t>(chosen)].pieces;
+  const bool takes = pieces < even_share || (pieces == even_share && left_over && everybody_has_it);
+  return takes ? chosen : -1;
+}
+
+void Master::dismiss_workers() {
+  for (std::size_t number = 1; number < ranks_.size(); ++number) {
+    Rank& rank = ranks_[number];
+    const bool idle = rank.seats > 0 && static_cast<int>(rank.free_seats.size()) == rank.seats;
+    if (!idle || rank.has_left) continue;
+    mailbox_.send(static_cast<int>(number), Tag::leave);
+    rank.has_left = true;
+    --workers_;
+  }
 }
 
 Standing Master::standing() const {

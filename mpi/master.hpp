@@ -1,12 +1,12 @@
 /// Rank 0: hands out pieces, keeps count, and computes pieces itself in between.
 ///
 /// It answers its workers between the revolutions of its own points, so nobody waits for longer than one
-/// revolution takes, and it costs no rank: N ranks compute on N cores.
+/// revolution takes, and it costs no rank: N ranks compute on N cores. A rank that follows several lines side
+/// by side gets a piece for each of its seats, as long as no rank has fewer than its share of the lines left.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
-#include <set>
 #include <vector>
 
 #include "mpi/mailbox.hpp"
@@ -37,10 +37,12 @@ class Master {
 
  private:
   void serve();
-  void serve_when_due();
   void take(int rank, const PointReport& report);
+  void seat_is_free(int rank, int seat);
   void stop_workers();
   void hand_out();
+  [[nodiscard]] int next_to_serve() const;
+  void dismiss_workers();
   [[nodiscard]] Standing standing() const;
 
   const Mailbox& mailbox_;
@@ -48,11 +50,18 @@ class Master {
   PointRunner& runner_;
   Progress& progress_;
   JobResult result_;
-  std::vector<int> idle_;  ///< workers that have asked for a piece
-  std::set<int> workers_;  ///< that have not left
+  /// What a rank does, as far as its messages have come.
+  struct Rank {
+    int seats = 0;                ///< 0: not heard of yet
+    std::vector<int> free_seats;  ///< that have asked for a piece
+    int pieces = 0;               ///< that it computes
+    bool has_left = false;
+  };
+  std::vector<Rank> ranks_;
+  int workers_;  ///< that have not left
   bool stopping_ = false;
   std::chrono::steady_clock::time_point start_;
-  std::chrono::steady_clock::time_point next_service_;
+  Pace pace_{Mailbox::kLookPeriod};
 };
 
 }  // namespace rubatlas::mpi

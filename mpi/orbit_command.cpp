@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "atlas/atlas_reader.hpp"
+#include "atlas/final_states.hpp"
 #include "atlas/orbit_file.hpp"
 #include "mpi/exit_code.hpp"
 #include "mpi/version.hpp"
@@ -157,9 +158,9 @@ std::string no_such_point(const atlas::AtlasReader& atlas, const std::filesystem
   return fmt::format("{} has no such point", path.string());
 }
 
-/// The final state stored for a point: the orbit then shows the atlas' own attractor.
-solve::SectionState stored_state(const scene::Scene& scene, const std::filesystem::path& path,
-                                 const Place& place) {
+/// The end stored for a point: the orbit then shows the atlas' own attractor.
+solve::PointStart stored_end(const scene::Scene& scene, const std::filesystem::path& path,
+                             const Place& place) {
   const atlas::AtlasReader atlas(path);
   const auto difference = scene::difference(atlas.scene_resolved(), scene::resolved_json(scene));
   if (!difference.empty()) {
@@ -181,7 +182,7 @@ solve::SectionState stored_state(const scene::Scene& scene, const std::filesyste
         "{} has no final state at this point: its status is {} ({})", path.string(), static_cast<int>(status),
         status == solve::PointStatus::pending ? "not computed yet" : "it did not end as done"));
   }
-  return atlas.final_state(*point);
+  return atlas::FinalStates(atlas, scene).of(*point);
 }
 
 /// The orbit must not replace what it is made from.
@@ -209,13 +210,13 @@ int compute_orbit(const OrbitCommand& command) {
     throw UsageError(fmt::format("{} exists; --overwrite replaces it", command.output.string()));
   }
   const auto& initial = scene.initial;
-  const solve::SectionState start = command.from
-                                        ? stored_state(scene, *command.from, place)
-                                        : solve::SectionState{initial.x, initial.y, initial.vx, initial.vy};
+  const solve::PointStart start = command.from
+                                      ? stored_end(scene, *command.from, place)
+                                      : solve::SectionState{initial.x, initial.y, initial.vx, initial.vy};
 
   const auto solver = solve::make_line_solver(scene, place.parameters, solve::make_blade_tables());
   const solve::Orbit orbit = solver->orbit(place.parameters.speed_ratio, start);
-  atlas::write_orbit(command.output, scene, text, place.parameters, start, orbit, software());
+  atlas::write_orbit(command.output, scene, text, place.parameters, start.state, orbit, software());
 
   if (orbit.status == solve::PointStatus::done) return exit_code::kDone;
   fmt::print(stderr, "rubatlas: the motion {} in revolution {}; {} holds what came before\n",

@@ -1,57 +1,128 @@
 #include "mpi/point_runner.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <iterator>
 
 namespace rubatlas::mpi {
 namespace {
 
-/// Solvers kept per rank. A rank changes lines when a job comes to its end; the lines then under way are few.
+/// Solvers kept per rank, more than it has seats. A rank changes lines when a job comes to its end; the lines
+/// then under way are few.
 constexpr std::size_t kSolversKept = 16;
 
 }  // namespace
 
-PointRunner::PointRunner(const scene::Scene& scene, const plan::Grid& grid, atlas::AtlasWriter& writer)
-    : scene_(scene), grid_(grid), writer_(writer) {}
+PointRunner::PointRunner(const scene::Scene& scene, const plan::Grid& grid, atlas::AtlasWriter& writer,
+                         const batch::Width& width)
+    : scene_(scene),
+      grid_(grid),
+      writer_(writer),
+      width_(width),
+      batch_(batch::make_line_batch(width)),
+      seats_(static_cast<std::size_t>(width.seats)) {}
 
-solve::LineSolver& PointRunner::solver_of(std::size_t line) {
-  const auto known = std::find_if(solvers_.begin(), solvers_.end(),
-                                  [&](const CachedSolver& cached) { return cached.line == line; });
+/// Where points are independent several seats may have the same line, each with a solver of its own.
+PointRunner::CachedSolver& PointRunner::solver_of(std::size_t line) {
+  const auto known = std::find_if(solvers_.begin(), solvers_.end(), [&](const CachedSolver& cached) {
+    return cached.line == line && !cached.seated;
+  });
   if (known != solvers_.end()) {
     solvers_.splice(solvers_.begin(), solvers_, known);
-  } else {
-    if (solvers_.size() == kSolversKept) solvers_.pop_back();
-    const plan::PointParameters parameters = grid_.parameters(grid_.point(line, 0));
-    solvers_.push_front({line, solve::make_line_solver(scene_, parameters, tables_)});
+    return solvers_.front();
   }
-  return *solvers_.front().solver;
+  if (solvers_.size() == kSolversKept) {
+    const auto oldest =
+        std::find_if(solvers_.rbegin(), solvers_.rend(), [](const auto& cached) { return !cached.seated; });
+    solvers_.erase(std::prev(oldest.base()));
+  }
+  const plan::PointParameters parameters = grid_.parameters(grid_.point(line, 0));
+  solvers_.push_front({line, batch::make_line_solver(width_, scene_, parameters, tables_)});
+  return solvers_.front();
 }
 
-void PointRunner::run(const Piece& piece, const Callbacks& callbacks) {
-  const solve::SectionState initial{scene_.initial.x, scene_.initial.y, scene_.initial.vx, scene_.initial.vy};
-  solve::LineSolver& solver = solver_of(piece.line);
-  bool from_initial = piece.from_initial != 0;
-  solve::SectionState start = piece.start;
-  for (std::uint64_t visit = piece.first_visit; visit < piece.first_visit + piece.count; ++visit) {
-    if (callbacks.stop()) return;
-    const auto began = std::chrono::steady_clock::now();
-    const std::size_t point = grid_.point(piece.line, visit);
-    const solve::PointOutcome outcome = solver.run(
-        grid_.parameters(point).speed_ratio, from_initial ? initial : start, callbacks.between_revolutions);
-    writer_.write_point(point, from_initial, outcome);
+void PointRunner::begin(const Piece& piece) {
+  Seat& seat = seats_.at(static_cast<std::size_t>(piece.seat));
+  seat.left = piece;
+  seat.solver = &solver_of(piece.line);
+  seat.solver->seated = true;
+  seat.waits = true;
+  ++pieces_;
+  ++waiting_;
+}
 
-    PointReport report;
-    report.line = piece.line;
-    report.visit = visit;
-    report.status = outcome.status;
-    report.final_state = outcome.final_state;
-    report.work = outcome.work;
-    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    callbacks.after_point(report);
-
-    from_initial = !grid_.points_depend_on_each_other() || outcome.status != solve::PointStatus::done;
-    start = outcome.final_state;
+void PointRunner::run(const Callbacks& callbacks) {
+  const auto between_revolutions = [&] {
+    callbacks.between_revolutions();
+    begin_points(callbacks);
+  };
+  begin_points(callbacks);
+  while (pieces_ > 0) {
+    finish_point(batch_->advance(between_revolutions), callbacks);
+    begin_points(callbacks);
   }
+}
+
+/// A piece that is given up here may be followed by another on the same seat.
+void PointRunner::begin_points(const Callbacks& callbacks) {
+  while (waiting_ > 0) {
+    for (int number = 0; number < seats(); ++number) {
+      Seat& seat = seats_[static_cast<std::size_t>(number)];
+      if (!seat.waits) continue;
+      seat.waits = false;
+      --waiting_;
+      if (callbacks.stop()) {
+        end_piece(number, callbacks);
+      } else {
+        begin_point(number);
+      }
+    }
+  }
+}
+
+void PointRunner::begin_point(int seat_number) {
+  const Seat& seat = seats_[static_cast<std::size_t>(seat_number)];
+  const solve::PointStart initial(
+      solve::SectionState{scene_.initial.x, scene_.initial.y, scene_.initial.vx, scene_.initial.vy});
+  const std::size_t point = grid_.point(seat.left.line, seat.left.first_visit);
+  batch_->begin(seat_number, *seat.solver->solver, grid_.parameters(point).speed_ratio,
+                seat.left.from_initial != 0 ? initial : solve::PointStart(seat.left.start, seat.left.memory));
+}
+
+void PointRunner::finish_point(const batch::Finished& finished, const Callbacks& callbacks) {
+  Seat& seat = seats_[static_cast<std::size_t>(finished.seat)];
+  Piece& left = seat.left;
+  const solve::PointOutcome& outcome = finished.outcome;
+  writer_.write_point(grid_.point(left.line, left.first_visit), left.from_initial != 0, outcome);
+
+  PointReport report;
+  report.line = left.line;
+  report.visit = left.first_visit;
+  report.status = outcome.status;
+  report.final_state = outcome.final_state;
+  report.final_memory = outcome.final_memory;
+  report.work = outcome.work;
+  report.seconds = finished.seconds;
+  callbacks.after_point(report);
+
+  const bool goes_on = grid_.points_depend_on_each_other() && outcome.status == solve::PointStatus::done;
+  left.from_initial = goes_on ? 0 : 1;
+  left.start = outcome.final_state;
+  left.memory = outcome.final_memory;
+  ++left.first_visit;
+  if (--left.count == 0) {
+    end_piece(finished.seat, callbacks);
+  } else {
+    seat.waits = true;
+    ++waiting_;
+  }
+}
+
+void PointRunner::end_piece(int seat_number, const Callbacks& callbacks) {
+  Seat& seat = seats_[static_cast<std::size_t>(seat_number)];
+  seat.solver->seated = false;
+  seat.solver = nullptr;
+  --pieces_;
+  callbacks.piece_over(seat_number);
 }
 
 }  // namespace rubatlas::mpi

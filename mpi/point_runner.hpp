@@ -1,12 +1,17 @@
 /// Computes pieces and writes their rows: what every rank does, the master too.
+///
+/// A rank has as many seats as its processor has lanes for the scene, one piece on each: points of several
+/// lines are computed side by side (`src/batch`).
 #pragma once
 
 #include <cstddef>
 #include <functional>
 #include <list>
 #include <memory>
+#include <vector>
 
 #include "atlas/atlas_writer.hpp"
+#include "batch/line_batch.hpp"
 #include "mpi/messages.hpp"
 #include "plan/grid.hpp"
 #include "scene/scene.hpp"
@@ -16,31 +21,58 @@ namespace rubatlas::mpi {
 
 class PointRunner {
  public:
-  PointRunner(const scene::Scene& scene, const plan::Grid& grid, atlas::AtlasWriter& writer);
+  PointRunner(const scene::Scene& scene, const plan::Grid& grid, atlas::AtlasWriter& writer,
+              const batch::Width& width);
 
   struct Callbacks {
     std::function<void()> between_revolutions;
     std::function<void(const PointReport&)> after_point;
-    std::function<bool()> stop;  ///< asked before each point: true gives up the rest of the piece
+    std::function<void(int seat)> piece_over;  ///< ended or given up
+    std::function<bool()> stop;  ///< asked before each point: true gives up the rest of its piece
   };
 
-  /// Computes a piece's points in order. Each starts from the end of the one before it; after one that did
-  /// not end as done, and always where points are independent, from the scene's `initial`.
-  void run(const Piece& piece, const Callbacks& callbacks);
+  [[nodiscard]] int seats() const { return static_cast<int>(seats_.size()); }
+  /// How many of them have a piece.
+  [[nodiscard]] int pieces() const { return pieces_; }
+
+  /// Puts a piece on its seat, which is free; within callbacks too.
+  void begin(const Piece& piece);
+
+  /// Computes until no piece is left. A piece's points go in order: each starts from the end of the one
+  /// before it; after one that did not end as done, and always where points are independent, from the scene's
+  /// `initial`.
+  void run(const Callbacks& callbacks);
+
+  [[nodiscard]] batch::LaneCounts lane_counts() const { return batch_->counts(); }
 
  private:
   struct CachedSolver {
     std::size_t line = 0;
     std::unique_ptr<solve::LineSolver> solver;
+    bool seated = false;
+  };
+  struct Seat {
+    Piece left;  ///< of the piece, from its next point on
+    CachedSolver* solver = nullptr;
+    bool waits = false;  ///< for its next point to begin
   };
 
-  solve::LineSolver& solver_of(std::size_t line);
+  void begin_points(const Callbacks& callbacks);
+  void begin_point(int seat_number);
+  void finish_point(const batch::Finished& finished, const Callbacks& callbacks);
+  void end_piece(int seat_number, const Callbacks& callbacks);
+  CachedSolver& solver_of(std::size_t line);
 
   const scene::Scene& scene_;
   const plan::Grid& grid_;
   atlas::AtlasWriter& writer_;
+  batch::Width width_;
   std::shared_ptr<solve::BladeTables> tables_ = solve::make_blade_tables();
-  std::list<CachedSolver> solvers_;  ///< most recently used first
+  std::list<CachedSolver> solvers_;  ///< most recently used first; longer-lived than what runs in the batch
+  std::unique_ptr<batch::LineBatch> batch_;
+  std::vector<Seat> seats_;
+  int pieces_ = 0;
+  int waiting_ = 0;
 };
 
 }  // namespace rubatlas::mpi

@@ -67,7 +67,7 @@ Preparation prepare(const RunOptions& options, const atlas::Software& software) 
                options.atlas.string(), commit, software.git_commit);
   }
   preparation.status = atlas.status();
-  preparation.final_states = atlas.rows("/final_state");
+  preparation.ends = atlas::FinalStates(atlas, scene);
   return preparation;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "atlas/final_states.hpp"
 #include "atlas/lock.hpp"
 #include "atlas/software.hpp"
 #include "mpi/run.hpp"
@@ -17,7 +18,7 @@ namespace rubatlas::mpi {
 struct Preparation {
   std::string scene_text;
   std::vector<std::uint8_t> status;           ///< per point, as the atlas has it
-  std::vector<double> final_states;           ///< per point × 4
+  atlas::FinalStates ends;                    ///< of all points, where status is done
   std::optional<atlas::FileLock> run_lock;    ///< no second run
   std::optional<atlas::FileLock> atlas_lock;  ///< no other writer
 };

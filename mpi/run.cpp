@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -11,6 +10,7 @@
 #include <optional>
 
 #include "atlas/atlas_writer.hpp"
+#include "batch/line_batch.hpp"
 #include "mpi/exit_code.hpp"
 #include "mpi/failure.hpp"
 #include "mpi/mailbox.hpp"
@@ -54,13 +54,8 @@ int exit_code_of(const JobResult& result) {
 /// Rank 0's part of the job between opening and closing the atlas.
 JobResult lead(const Session& session, const Preparation& preparation, const plan::Grid& grid,
                PointRunner& runner, Progress& progress) {
-  const auto stored_state = [&](std::size_t point) {
-    solve::SectionState state{};
-    std::copy_n(preparation.final_states.begin() + static_cast<std::ptrdiff_t>(state.size() * point),
-                state.size(), state.begin());
-    return state;
-  };
-  Schedule schedule(grid, preparation.status, stored_state, session.size());
+  const auto stored = [&](std::size_t point) { return preparation.ends.of(point); };
+  Schedule schedule(grid, preparation.status, stored, session.size());
   const Mailbox mailbox(session);
   Master master(session, mailbox, schedule, runner, progress, standing_before(preparation.status));
   return master.run();
@@ -76,16 +71,20 @@ int fill_atlas(const RunOptions& options, const Session& session, const Preparat
   const plan::Grid grid(scene);
   atlas::AtlasWriter writer(options.atlas, scene);
 
+  const batch::Width width = batch::width_of(scene, options.most_lanes);
+
   // 4. Rank 0 hands out pieces of lines, and computes like the others.
   Progress progress(leading ? options.progress : ProgressStyle::off);
   JobResult result;
+  batch::LaneCounts lane_counts;
   try {
-    PointRunner runner(scene, grid, writer);
+    PointRunner runner(scene, grid, writer, width);
     if (leading) {
       result = lead(session, preparation, grid, runner, progress);
     } else {
       work(Mailbox(session), runner);
     }
+    lane_counts = runner.lane_counts();
   } catch (...) {
     // Before the writer goes: closing the atlas would wait for ranks that will not come.
     const int code = report_failure(std::current_exception());
@@ -98,9 +97,12 @@ int fill_atlas(const RunOptions& options, const Session& session, const Preparat
   writer.close();
   const int code = session.broadcast(exit_code_of(result));
   const std::vector<std::string> hosts = session.gather(host_name());
+  const std::vector<std::string> lanes = session.gather(fmt::to_string(width.seats));
+  const std::vector<std::string> in_lanes = session.gather(fmt::to_string(lane_counts.in_lanes));
   if (leading) {
     progress.finish(result.standing);
-    write_run_record(options.atlas, {started, hosts, options.resume, code, result}, software());
+    write_run_record(options.atlas, {started, hosts, lanes, in_lanes, options.resume, code, result},
+                     software());
   }
   // A rank that ends with a code other than 0 makes mpirun kill the others, which may still have something to
   // write.

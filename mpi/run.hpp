@@ -14,6 +14,7 @@ struct RunOptions {
   bool resume = false;
   bool overwrite = false;
   bool dry_run = false;
+  int most_lanes = 0;  ///< lines of a rank side by side, at most; 0: as many as the processor has lanes
   ProgressStyle progress = ProgressStyle::automatic;
 };
 

@@ -55,6 +55,8 @@ std::string paragraph(const RunRecord& record, const atlas::Software& software) 
   put("processor", json_text(processor()));
   put("ranks", fmt::to_string(record.hosts.size()));
   put("host_of_rank", json_texts(record.hosts));
+  put("lanes_of_rank", fmt::format("[{}]", fmt::join(record.lanes, ", ")));
+  put("attempts_in_lanes_of_rank", fmt::format("[{}]", fmt::join(record.in_lanes, ", ")));
   put("points_of_rank", fmt::format("[{}]", fmt::join(record.result.points_of_rank, ", ")));
   put("busy_seconds_of_rank", fmt::format("[{:.3f}]", fmt::join(record.result.busy_seconds_of_rank, ", ")));
   put("points_total", fmt::to_string(standing.total));

@@ -13,7 +13,9 @@ namespace rubatlas::mpi {
 
 struct RunRecord {
   std::chrono::system_clock::time_point started;
-  std::vector<std::string> hosts;  ///< one per rank
+  std::vector<std::string> hosts;     ///< one per rank
+  std::vector<std::string> lanes;     ///< one per rank: lines that it can follow side by side
+  std::vector<std::string> in_lanes;  ///< one per rank: attempts of steps made beside others
   bool resumed = false;
   int exit_code = 0;
   JobResult result;

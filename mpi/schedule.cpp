@@ -11,8 +11,8 @@ constexpr auto kDone = static_cast<std::uint8_t>(solve::PointStatus::done);
 
 /// Long enough that asking for work is rare beside computing it, short enough that lines stay balanced.
 constexpr std::size_t kLongestPiece = 16;
-/// Pieces shrink when less than this many longest pieces per rank are left.
-constexpr std::size_t kPiecesPerRank = 8;
+/// Pieces shrink when less than this many longest pieces per seat are left.
+constexpr std::size_t kPiecesPerSeat = 8;
 /// A line is urgent, and leads a rank away from its own, when alone it would take this share of the time that
 /// all ranks need for all that is left.
 constexpr double kUrgentShare = 0.25;
@@ -20,10 +20,10 @@ constexpr double kUrgentShare = 0.25;
 }  // namespace
 
 Schedule::Schedule(const plan::Grid& grid, std::span<const std::uint8_t> status,
-                   const std::function<solve::SectionState(std::size_t point)>& final_state, int rank_count)
+                   const std::function<solve::PointStart(std::size_t point)>& final_state, int rank_count)
     : grid_(grid),
       lines_(grid.line_count()),
-      line_of_rank_(static_cast<std::size_t>(rank_count), kNone),
+      rank_count_(static_cast<std::size_t>(rank_count)),
       costs_(grid.speed_count()) {
   for (std::size_t number = 0; number < lines_.size(); ++number) {
     Line& line = lines_[number];
@@ -35,14 +35,18 @@ Schedule::Schedule(const plan::Grid& grid, std::span<const std::uint8_t> status,
       if (status[before] == kDone) line.stored.emplace(visit, final_state(before));
     }
     unassigned_ += line.pending.size();
+    if (!line.pending.empty()) ++open_lines_;
   }
+  unreported_ = unassigned_;
 }
 
-std::optional<Piece> Schedule::next(int rank) {
-  const auto choice = choose_line(rank);
+std::optional<Piece> Schedule::next(int rank, int seat) {
+  std::size_t& own = line_of_seat_.try_emplace({rank, seat}, kNone).first->second;
+  const auto choice = choose_line(own);
   if (!choice) return std::nullopt;
   Line& line = lines_[*choice];
   Piece piece;
+  piece.seat = seat;
   piece.line = *choice;
   piece.first_visit = line.pending[line.next];
   set_start(piece, line);
@@ -53,7 +57,7 @@ std::optional<Piece> Schedule::next(int rank) {
     ++line.next;
     --unassigned_;
   }
-  line_of_rank_[static_cast<std::size_t>(rank)] = *choice;
+  own = *choice;
   return piece;
 }
 
@@ -61,28 +65,33 @@ void Schedule::set_start(Piece& piece, const Line& line) const {
   if (!grid_.points_depend_on_each_other() || piece.first_visit == 0) return;
   const bool behind_reported = line.next > 0 && line.pending[line.next - 1] + 1 == piece.first_visit;
   const auto stored = line.stored.find(piece.first_visit);
+  const auto start_from = [&](const solve::PointStart& start) {
+    piece.start = start.state;
+    piece.memory = start.memory;
+    piece.from_initial = 0;
+  };
   if (behind_reported && line.last) {
-    piece.start = *line.last;
-    piece.from_initial = 0;
+    start_from(*line.last);
   } else if (!behind_reported && stored != line.stored.end()) {
-    piece.start = stored->second;
-    piece.from_initial = 0;
+    start_from(stored->second);
   }
 }
 
 void Schedule::record(const PointReport& report) {
   Line& line = lines_[report.line];
   ++line.reported;
+  --unreported_;
+  if (line.reported == line.pending.size()) --open_lines_;
   line.seconds += report.seconds;
-  line.last = report.status == solve::PointStatus::done ? std::optional(report.final_state) : std::nullopt;
+  line.last.reset();
+  if (report.status == solve::PointStatus::done) line.last.emplace(report.final_state, report.final_memory);
   const auto visit = static_cast<std::size_t>(report.visit);
   const bool up = grid_.direction(report.line) == plan::Direction::up;
   costs_.record(up ? visit : grid_.speed_count() - 1 - visit, report.seconds);
 }
 
-std::optional<std::size_t> Schedule::choose_line(int rank) const {
+std::optional<std::size_t> Schedule::choose_line(std::size_t own) const {
   if (unassigned_ == 0) return std::nullopt;
-  const std::size_t own = line_of_rank_[static_cast<std::size_t>(rank)];
   if (grid_.points_depend_on_each_other()) return choose_chained_line(own);
   if (own != kNone && lines_[own].has_unassigned()) return own;
   const auto open =
@@ -105,12 +114,13 @@ std::optional<std::size_t> Schedule::choose_chained_line(std::size_t own) const 
       longest = number;
     }
   }
-  const bool urgent = most > kUrgentShare * total / static_cast<double>(line_of_rank_.size());
+  const bool urgent = most > kUrgentShare * total / static_cast<double>(rank_count_);
   return own != kNone && is_free(own) && !urgent ? own : longest;
 }
 
 std::size_t Schedule::piece_length() const {
-  return std::clamp(unassigned_ / (kPiecesPerRank * line_of_rank_.size()), std::size_t{1}, kLongestPiece);
+  const std::size_t seats = std::max(rank_count_, line_of_seat_.size());
+  return std::clamp(unassigned_ / (kPiecesPerSeat * seats), std::size_t{1}, kLongestPiece);
 }
 
 double Schedule::expected(std::size_t line, std::uint64_t first_visit, std::uint64_t last_visit) const {

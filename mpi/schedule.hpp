@@ -5,7 +5,7 @@
 /// what keeps two ranks busy to the end of seven lines: preempting a line at a piece's end costs nothing, so
 /// the line with the most work left goes first (with free preemption this rule reaches McNaughton's bound,
 /// total work over ranks, up to the length of a piece), and pieces get shorter towards the end. While there
-/// are many lines a rank stays with its line, which keeps the number of lines under way, and of solvers,
+/// are many lines a seat stays with its line, which keeps the number of lines under way, and of solvers,
 /// small. Independent points have no order: any rank gets any of them.
 ///
 /// Knows neither MPI nor files; nothing that it decides can change a result.
@@ -17,6 +17,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "mpi/cost_model.hpp"
@@ -30,14 +31,18 @@ class Schedule {
   /// `status`: one per point, as the atlas has it; only pending points are handed out. `final_state`: of a
   /// point whose status is done, asked for here only, where a line goes on behind it.
   Schedule(const plan::Grid& grid, std::span<const std::uint8_t> status,
-           const std::function<solve::SectionState(std::size_t point)>& final_state, int rank_count);
+           const std::function<solve::PointStart(std::size_t point)>& final_state, int rank_count);
 
-  /// The next piece for a rank; nothing when there is none for it now (`unassigned` says whether there may be
-  /// later).
-  std::optional<Piece> next(int rank);
+  /// The next piece for a rank, or for one of its seats where it computes several side by side; nothing when
+  /// there is none for it now (`unassigned` says whether there may be later).
+  std::optional<Piece> next(int rank, int seat = 0);
   /// One point of a piece is done. The last one frees the line.
   void record(const PointReport& report);
 
+  /// How many pieces can be under way at the same time, now or when those that are have ended.
+  [[nodiscard]] std::size_t side_by_side() const {
+    return grid_.points_depend_on_each_other() ? open_lines_ : unreported_;
+  }
   /// Points that have not been handed out.
   [[nodiscard]] std::size_t unassigned() const { return unassigned_; }
   /// Expected seconds of all points not yet reported, over the seconds recorded: what ETA needs.
@@ -45,19 +50,19 @@ class Schedule {
 
  private:
   struct Line {
-    std::vector<std::uint64_t> pending;       ///< visits, in order
-    std::size_t next = 0;                     ///< the first of `pending` that is not handed out
-    std::size_t reported = 0;                 ///< how many of them are computed
-    double seconds = 0.0;                     ///< what those took
-    std::optional<solve::SectionState> last;  ///< end of the last reported point; nothing if it failed
-    std::map<std::uint64_t, solve::SectionState>
+    std::vector<std::uint64_t> pending;     ///< visits, in order
+    std::size_t next = 0;                   ///< the first of `pending` that is not handed out
+    std::size_t reported = 0;               ///< how many of them are computed
+    double seconds = 0.0;                   ///< what those took
+    std::optional<solve::PointStart> last;  ///< end of the last reported point; nothing if it failed
+    std::map<std::uint64_t, solve::PointStart>
         stored;  ///< starts of visits behind a point that was done before
 
     [[nodiscard]] bool has_unassigned() const { return next < pending.size(); }
     [[nodiscard]] bool is_under_way() const { return reported < next; }
   };
 
-  [[nodiscard]] std::optional<std::size_t> choose_line(int rank) const;
+  [[nodiscard]] std::optional<std::size_t> choose_line(std::size_t own) const;
   [[nodiscard]] std::optional<std::size_t> choose_chained_line(std::size_t own) const;
   [[nodiscard]] std::size_t piece_length() const;
   void set_start(Piece& piece, const Line& line) const;
@@ -68,9 +73,12 @@ class Schedule {
 
   const plan::Grid& grid_;
   std::vector<Line> lines_;
-  std::vector<std::size_t> line_of_rank_;  ///< the last one; kNone at first
+  std::map<std::pair<int, int>, std::size_t> line_of_seat_;  ///< by rank and seat; the last one it had
+  std::size_t rank_count_;
   CostModel costs_;
   std::size_t unassigned_ = 0;
+  std::size_t unreported_ = 0;
+  std::size_t open_lines_ = 0;  ///< with points that are not reported
 };
 
 }  // namespace rubatlas::mpi

@@ -54,4 +54,21 @@ class Nap {
   std::chrono::microseconds length_ = kShortest;
 };
 
+/// When it is time again for something that is to be done now and then.
+class Pace {
+ public:
+  explicit Pace(std::chrono::microseconds period) : period_(period) {}
+  /// Asking costs a look at the clock.
+  bool is_due() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_) return false;
+    next_ = now + period_;
+    return true;
+  }
+
+ private:
+  std::chrono::microseconds period_;
+  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now();
+};
+
 }  // namespace rubatlas::mpi

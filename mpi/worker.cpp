@@ -8,48 +8,73 @@ namespace {
 
 constexpr int kMaster = 0;
 
-/// The master's next word, asleep until it comes.
-Envelope wait_for_message(const Mailbox& mailbox) {
-  Nap nap;
-  while (true) {
-    if (const auto envelope = mailbox.peek()) return *envelope;
-    nap.take();
+/// What the master has said, and the answers.
+class Ear {
+ public:
+  Ear(const Mailbox& mailbox, PointRunner& runner) : mailbox_(mailbox), runner_(runner) {}
+
+  /// Takes all that has come; true where anything had.
+  bool listen() {
+    bool heard = false;
+    while (const auto envelope = mailbox_.peek()) {
+      heard = true;
+      if (envelope->tag == Tag::piece) {
+        runner_.begin(mailbox_.receive<Piece>(*envelope));
+        continue;
+      }
+      mailbox_.discard(*envelope);
+      stopping_ = stopping_ || envelope->tag == Tag::stop;
+      leaving_ = leaving_ || envelope->tag == Tag::leave;
+    }
+    return heard;
   }
-}
+  [[nodiscard]] bool stopping() const { return stopping_ || stop_requested(); }
+  [[nodiscard]] bool leaving() const { return leaving_; }
+
+  void say_ready(int seat) const {
+    mailbox_.send(kMaster, Tag::ready,
+                  Ready{seat, runner_.seats(), static_cast<std::uint8_t>(stop_requested() ? 1 : 0)});
+  }
+
+ private:
+  const Mailbox& mailbox_;
+  PointRunner& runner_;
+  bool stopping_ = false;
+  bool leaving_ = false;
+};
 
 }  // namespace
 
 void work(const Mailbox& mailbox, PointRunner& runner) {
+  Ear ear(mailbox, runner);
+  Pace pace(Mailbox::kLookPeriod);
   const PointRunner::Callbacks callbacks{
-      .between_revolutions = [] {},
+      .between_revolutions =
+          [&] {
+            // A rank whose seats are all taken has nothing to hear before one of its points is done.
+            if (runner.pieces() < runner.seats() && pace.is_due()) ear.listen();
+          },
       .after_point =
           [&](const PointReport& report) {
             PointReport message = report;
             message.stop_requested = stop_requested() ? 1 : 0;
             mailbox.send(kMaster, Tag::report, message);
           },
-      // While a piece is computed the only message that can come is `stop`; it stays in the box until the
-      // piece is given up, and is taken below.
-      .stop = [&] { return stop_requested() || mailbox.peek().has_value(); },
+      .piece_over = [&](int seat) { ear.say_ready(seat); },
+      .stop =
+          [&] {
+            ear.listen();
+            return ear.stopping();
+          },
   };
-  const auto say_ready = [&] {
-    const bool stop = stop_requested();
-    mailbox.send(kMaster, Tag::ready, Ready{static_cast<std::uint8_t>(stop ? 1 : 0)});
-  };
-  say_ready();
-  while (true) {
-    const Envelope envelope = wait_for_message(mailbox);
-    switch (envelope.tag) {
-      case Tag::piece:
-        runner.run(mailbox.receive<Piece>(envelope), callbacks);
-        say_ready();
-        break;
-      case Tag::leave:
-        mailbox.discard(envelope);
-        return;
-      default:
-        mailbox.discard(envelope);
-        break;
+  for (int seat = 0; seat < runner.seats(); ++seat) ear.say_ready(seat);
+  Nap nap;
+  while (!ear.leaving()) {
+    if (ear.listen()) {
+      runner.run(callbacks);
+      nap.reset();
+    } else {
+      nap.take();
     }
   }
 }

@@ -16,7 +16,7 @@ sanitized=yes
 leave_out='slow'
 # Sanitizers look at what is executed, not at how often: long runs show them nothing new, nor do the random
 # scenes with fifty blades in contact or the methods that ours is compared with, which take minutes there.
-leave_out_sanitized='^(LongRun|StableClass|FixedMethod|PaperMethod|Orbits/PeriodicMotion|Compared/)|^First/RandomSearch.*/(50_to_99|100_to_149)'
+leave_out_sanitized='^(LongRun|StableClass|FixedMethod|PaperMethod|Orbits/PeriodicMotion|Compared/)|^First/RandomSearch.*/(0_to_49|50_to_99|100_to_149)'
 case "$#,${1-}" in
   0,) ;;
   1,--full)
@@ -67,7 +67,8 @@ fi
 
 if [ "$sanitized" = yes ]; then
   say "Build with address and undefined-behaviour sanitizers, in build-sanitize/"
-  suites=(scene plan blade contact rotor effects integrate observables solve atlas analysis physics hard)
+  suites=(scene plan blade contact rotor integrate observables solve batch atlas analysis physics hard)
+  [ "$leave_out" = slow ] || suites+=(effects)  # minutes of compiling
   configure build-sanitize -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1 -DRUBATLAS_SANITIZE=address,undefined \
     -DCMAKE_UNITY_BUILD=ON -DRUBATLAS_TESTS_TOGETHER=ON
   cmake --build build-sanitize --parallel "$(nproc)" --target "${suites[@]/#/test_}"
@@ -75,7 +76,8 @@ if [ "$sanitized" = yes ]; then
 fi
 
 say "Done in $((SECONDS / 60)) min $((SECONDS % 60)) s"
-# The counts are those of ctest's own reports; a test that did not run has not passed.
+# The counts are those of ctest's own reports; a test that did not run has not passed. One that says itself that this
+# processor or build has nothing for it to show (no SIMD lanes) is named and counts as neither.
 /usr/bin/python3 - "${reports[@]}" <<'COUNT'
 import sys
 import xml.etree.ElementTree as tree
@@ -89,12 +91,17 @@ for report in sys.argv[1:]:
         print(f"failed: no report {report}: {error}")
         complete = False
         continue
-    total, ran = int(suite.get("tests")), sum(case.get("status") == "run" for case in suite.iter("testcase"))
-    complete = complete and total > 0
-    passed, failed = passed + ran, failed + total - ran
-    for case in suite.iter("testcase"):
-        if case.get("status") != "run":
+    cases = list(suite.iter("testcase"))
+    complete = complete and int(suite.get("tests")) == len(cases) > 0
+    for case in cases:
+        skipped = case.find("skipped")
+        if case.get("status") == "run":
+            passed += 1
+        elif skipped is not None and "SKIP_REGULAR_EXPRESSION" in skipped.get("message", ""):
+            print(f"nothing to show here: {case.get('name')}")
+        else:
             print(f"failed: {case.get('name')}")
+            failed += 1
 print(f"{passed} passed, {failed} failed")
 sys.exit(0 if complete and failed == 0 else 1)
 COUNT

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 #include <span>
+#include <vector>
 
 #include "atlas/environment_error.hpp"
 #include "atlas/point_index.hpp"
@@ -68,6 +69,15 @@ void AtlasWriter::write_rows(std::size_t point, bool restarted, const solve::Poi
     write_row<double>(schema_.observables[i], point, present_or_absent(outcome.rows[i]));
   }
   write_row<double>(schema_.final_state, point, present_or_absent(outcome.final_state));
+  std::span<const double> remembered = outcome.final_memory.view();
+  for (const RowDataset& memory : schema_.memories) {
+    // A line on which the effect has no strength leaves things as they are.
+    const std::size_t size = memory.shape.back();
+    const std::vector<double> unchanged(size, 0.0);
+    const bool there = remembered.size() >= size;
+    write_row<double>(memory, point, present_or_absent(there ? remembered.first(size) : unchanged));
+    if (there) remembered = remembered.subspan(size);
+  }
   write_row<std::uint8_t>(schema_.restarted, point, one<std::uint8_t>(restarted ? 1 : 0));
   write_row<std::int32_t>(schema_.failed_revolution, point,
                           one<std::int32_t>(done ? -1 : outcome.failed_revolution));

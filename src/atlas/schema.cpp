@@ -30,6 +30,7 @@ std::uint64_t bytes_of(const RowDataset& dataset) {
 
 std::vector<const RowDataset*> Schema::row_datasets() const {
   std::vector<const RowDataset*> all{&status, &restarted, &failed_revolution, &final_state};
+  for (const auto& remembered : memories) all.push_back(&remembered);
   for (const auto& kept : observables) all.push_back(&kept);
   return all;
 }
@@ -77,6 +78,10 @@ Schema schema_of(const scene::Scene& scene) {
               "revolution, counted from 0, in which status became 2 or 3; -1 elsewhere");
   schema.final_state = rows_of("final_state", NumberType::float64, {"component"}, "m",
                                "state at the end of the point: x, y [m], dx/dtau, dy/dtau [m per unit tau]");
+  for (const auto& remembered : observables::memories(scene)) {
+    schema.memories.push_back(rows_of(remembered.name, NumberType::float64, remembered.inner_axes,
+                                      remembered.units, remembered.long_name));
+  }
   for (const auto& kept : observables::descriptions(scene)) {
     schema.observables.push_back(
         rows_of(kept.name, NumberType::float64, kept.inner_axes, kept.units, kept.long_name));

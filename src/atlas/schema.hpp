@@ -32,6 +32,7 @@ struct Schema {
   RowDataset restarted;
   RowDataset failed_revolution;
   RowDataset final_state;
+  std::vector<RowDataset> memories;  ///< `/final_state_<effect>`, in the order of `observables::memories`
   std::vector<RowDataset>
       observables;  ///< in the order of `observables::descriptions`; the four above are always there
 

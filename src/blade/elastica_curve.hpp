@@ -64,7 +64,7 @@ class ElasticaCurve {
   /// for μ = 0.
   [[nodiscard]] CurvePoint at(double bending) const {
     const double magnitude = std::abs(bending);
-    const Piece& piece = pieces_[index(magnitude)];
+    const Piece& piece = this->piece(magnitude);
     const double t = (magnitude - piece.centre) * piece.inverse_half_width;
     // Even and odd powers apart: two chains of half the length, which the processor works on side by side.
     const double square = t * t;
@@ -88,6 +88,18 @@ class ElasticaCurve {
     return {value[0], value[1], value[2], slope[0], slope[1], slope[2]};
   }
 
+  /// One piece of the table, for those that evaluate several curves side by side.
+  static constexpr int kDegree = 11;
+  struct Piece {
+    double centre;
+    double inverse_half_width;
+    std::array<Eigen::Array4d, kDegree + 1> coefficients;  ///< load, shortening, deflection, 0; powers of t
+  };
+  /// The one that holds |u|.
+  [[nodiscard]] const Piece& piece(double magnitude) const { return pieces_[index(magnitude)]; }
+  /// Parity of the deflection: −1 for μ = 0, else 1.
+  [[nodiscard]] double mirror() const { return mirror_; }
+
   /// Boundaries of the pieces from 0 to `end()`, with the curve there: for bracketing roots along the curve.
   struct Knot {
     double bending;
@@ -98,15 +110,8 @@ class ElasticaCurve {
   [[nodiscard]] const std::vector<Knot>& knots() const { return knots_; }
 
  private:
-  static constexpr int kDegree = 11;
   static constexpr int kCoarseShift = 50;  ///< leaves exponent and two leading bits: quarter octaves
   static constexpr int kFineShift = 48;    ///< two bits more: sixteenths of an octave, from u = 1 on
-
-  struct Piece {
-    double centre;
-    double inverse_half_width;
-    std::array<Eigen::Array4d, kDegree + 1> coefficients;  ///< load, shortening, deflection, 0; powers of t
-  };
 
   [[nodiscard]] std::size_t index(double magnitude) const {
     const auto bits = std::bit_cast<std::uint64_t>(magnitude);
@@ -126,7 +131,7 @@ class ElasticaCurve {
   Theory theory_;
   double axial_compliance_;
   double load_angle_;
-  double mirror_;  ///< parity of the deflection: −1 for μ = 0
+  double mirror_;
   double end_ = 0.0;
   std::int64_t coarse_origin_ = 0;  ///< shifted bits of the number whose piece would be piece 0
   std::int64_t fine_origin_ = 0;

@@ -68,6 +68,12 @@ class DirectedElastica {
   using OfBlade = DirectedElastica;
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const FrictionLaw& friction() const { return friction_; }
+  /// The same blade, shorter at its tip by `lost` [m].
+  [[nodiscard]] DirectedElastica shortened(double lost) const {
+    return {{geometry_.reach - lost, geometry_.ring_radius},
+            {length_ - lost, 2.0 * strain_unit_ * length_, load_unit_ * length_ * length_},
+            friction_};
+  }
 
   using Bend = blade::Bend;
 

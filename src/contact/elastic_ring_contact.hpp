@@ -28,6 +28,10 @@ class RigidBladeContact {
   using OfBlade = RigidBladeContact;
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const FrictionLaw& friction() const { return friction_; }
+  /// The same blade, shorter at its tip by `lost` [m].
+  [[nodiscard]] RigidBladeContact shortened(double lost) const {
+    return {{geometry_.reach - lost, geometry_.ring_radius}, stiffness_, friction_};
+  }
 
   /// F = kr (|rk| − R). Always has a force: continued linearly beyond lift-off, where Runge–Kutta stages may
   /// land.

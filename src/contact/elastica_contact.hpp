@@ -82,6 +82,17 @@ class ElasticBladeContact {
   using OfBlade = ElasticBladeContact;
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const blade::ElasticaCurve& curve() const { return *curve_; }
+  [[nodiscard]] double length() const { return length_; }            ///< L [m]
+  [[nodiscard]] double load_unit() const { return load_unit_; }      ///< EI / L² [N]
+  [[nodiscard]] double strain_unit() const { return strain_unit_; }  ///< h / (2 L) [-]
+  /// The same blade, shorter at its tip by `lost` [m]. The curve stays, and with it the axial compliance
+  /// relative to the length.
+  [[nodiscard]] ElasticBladeContact shortened(double lost) const {
+    const Blade blade{length_ - lost, 2.0 * strain_unit_ * length_, load_unit_ * length_ * length_};
+    Ring ring{};
+    if constexpr (Ring::kYields) ring.stiffness = load_unit_ / yield_unit_;
+    return {{geometry_.reach - lost, geometry_.ring_radius}, blade, curve_, ring};
+  }
 
   /// An open contact can be carried along h = 0 by its bending parameter; else it is to be solved for.
   [[nodiscard]] bool carried() const { return carried_; }
@@ -130,6 +141,8 @@ class ElasticBladeContact {
 
   /// How often the curve has been evaluated for this law. A law belongs to one motion and one thread.
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
+  /// Counts evaluations that were made elsewhere on behalf of this law.
+  void count_evaluations(std::uint64_t more) const { evaluations_ += more; }
 
  private:
   [[nodiscard]] Constraint constraint_at(const Pose& at, double slip, const blade::CurvePoint& point,
@@ -212,8 +225,8 @@ class ElasticBladeContact {
 
   Geometry geometry_;
   double length_;
-  double load_unit_;    ///< EI / L² [N]
-  double strain_unit_;  ///< h / (2 L) [-]
+  double load_unit_;
+  double strain_unit_;
   double friction_;
   double axial_unit_;          ///< L ε [m]: axial shortening under F = EI/L²
   double yield_unit_ = 0.0;    ///< EI/(L² kr) [m]: yielding of the ring under F = EI/L²

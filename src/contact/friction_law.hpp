@@ -25,6 +25,25 @@ struct CoulombFriction {
   [[nodiscard]] double slope(double /*velocity*/, double /*slip*/) const { return 0.0; }
 };
 
+/// Coulomb's law with stick: s = 0 is a tip at rest, which the caller holds by whatever friction that takes
+/// (`sticking.hpp`), up to the static coefficient.
+struct StickingFriction {
+  double friction;         ///< μ of a tip that slips [-]
+  double largest_holding;  ///< μs of a tip at rest [-]
+
+  static constexpr bool kHasSlipState = true;
+  static constexpr bool kDependsOnVelocity = false;
+  [[nodiscard]] double largest() const { return largest_holding; }
+  [[nodiscard]] double coefficient(double /*velocity*/, double slip) const { return slip * friction; }
+  [[nodiscard]] double slope(double /*velocity*/, double /*slip*/) const { return 0.0; }
+};
+
+/// A contact law under which tips can stick.
+template <class Law>
+concept Sticks = requires(const Law& law) {
+  law.of(0).friction().largest_holding;
+};
+
 /// Regularised Coulomb law, c = μ tanh(v/v0). Beyond |v| = 20 v0 it is Coulomb's law to the last bit; a tip
 /// that would stick creeps instead, at a speed below v0.
 /// Source: Andersson, Söderberg, Björklund, Tribology International 40 (2007) 580–587; Pennestrì

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,15 @@ class UnequalBlades {
   explicit UnequalBlades(std::vector<Law> blades) : blades_(std::move(blades)) {}
 
   [[nodiscard]] const Law& of(int blade) const { return blades_[static_cast<std::size_t>(blade)]; }
+
+  /// The same blades, each shorter by what it has lost at its tip [m].
+  [[nodiscard]] UnequalBlades shortened(std::span<const double> lost) const {
+    UnequalBlades worn = *this;
+    for (std::size_t k = 0; k < lost.size(); ++k) {
+      if (lost[k] != 0.0) worn.blades_[k] = blades_[k].shortened(lost[k]);
+    }
+    return worn;
+  }
 
   /// How often the curves of all blades have been evaluated.
   [[nodiscard]] std::uint64_t evaluations() const {

@@ -24,6 +24,16 @@ struct Description {
   std::string_view breaks;    ///< invariants of the hard suite that do not hold under it; empty: none
 };
 
+/// What an effect remembers from point to point besides the state: numbers along one inner axis of the atlas,
+/// in the dataset `/final_state_<effect>`. An effect that has such a memory says so by a member
+///     static constexpr Memory kMemory;
+/// Its length is that of the axis (`observables/list.hpp`): n for "blade", 4 for "component".
+struct Memory {
+  std::string_view inner_axis;
+  std::string_view units;
+  std::string_view long_name;
+};
+
 /// One quantity of an effect; its kind follows from the member's type.
 template <auto Member>
 struct Field {

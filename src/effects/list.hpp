@@ -11,11 +11,14 @@
 #include "effects/blade_and_ring.hpp"
 #include "effects/contact_load.hpp"
 #include "effects/ring_body.hpp"
+#include "effects/speed_ramp.hpp"
 #include "effects/speed_ripple.hpp"
 #include "effects/static_load.hpp"
+#include "effects/stick.hpp"
 #include "effects/support.hpp"
 #include "effects/unbalance.hpp"
 #include "effects/unequal_blades.hpp"
+#include "effects/wear.hpp"
 
 namespace rubatlas::effects {
 
@@ -33,6 +36,9 @@ struct Effects {
   std::optional<LoadDirection> load_direction;
   std::optional<RegularisedFriction> regularised_friction;
   std::optional<Stribeck> stribeck;
+  std::optional<Wear> wear;
+  std::optional<SpeedRamp> speed_ramp;
+  std::optional<Stick> stick;
   std::optional<RingBody> ring_body;
 };
 
@@ -85,6 +91,9 @@ constexpr void for_each_effect(Visit given) {
   visit.template operator()<&Effects::load_direction>();
   visit.template operator()<&Effects::regularised_friction>();
   visit.template operator()<&Effects::stribeck>();
+  visit.template operator()<&Effects::wear>();
+  visit.template operator()<&Effects::speed_ramp>();
+  visit.template operator()<&Effects::stick>();
   visit.template operator()<&Effects::ring_body>();
 }
 

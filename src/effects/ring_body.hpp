@@ -30,6 +30,11 @@ struct RingBody {
       .breaks =
           "a state alone no longer says how the ring moves; phase volume contracts by e^{-2 c_r T/m_r} more",
   };
+  static constexpr Memory kMemory{
+      .inner_axis = "component",
+      .units = "m",
+      .long_name = "the ring's displacement from its place of rest and velocity, as final_state",
+  };
   static constexpr auto quantities() {
     return std::tuple{Field<&RingBody::mass>{.pointer = "/ring_body/mass",
                                              .symbol = "m_r",

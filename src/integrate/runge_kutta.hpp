@@ -36,6 +36,16 @@ class RungeKutta {
     return system(end_, stages_[Table::kStages]) && end_.isFinite().all();
   }
 
+  /// Takes over an attempt that was made elsewhere by the same operations: `write(stages, end)` sets the
+  /// stages from 1 to `kStages` and the end. Returns what `attempt` would have.
+  template <class Write>
+  bool adopt(double size, Write write) {
+    size_ = size;
+    dense_ready_ = false;
+    write(stages_, end_);
+    return end_.isFinite().all();
+  }
+
   /// Goes on from the end of the last step, which becomes the start of the next one.
   void accept() {
     start_ = end_;

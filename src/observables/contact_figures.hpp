@@ -1,5 +1,5 @@
-/// Observables of the contacts: `touchdowns_per_revolution`, `contact_fraction`, and the peaks
-/// `max_contact_force` and `max_root_strain`.
+/// Observables of the contacts: `touchdowns_per_revolution`, `contact_fraction`, the peaks
+/// `max_contact_force` and `max_root_strain`, and `clearance_growth`.
 #pragma once
 
 #include <algorithm>
@@ -38,7 +38,14 @@ class ContactFraction final : public Observable {
   void begin(const PointConstants& point) override {
     sampled_time_ = point.period * revolutions_;
     in_contact_ = 0.0;
+    period_ = point.period;
+    left_ = revolutions_;
   }
+  void speed_changes(const PointConstants& point) override {
+    sampled_time_ += (point.period - period_) * left_;
+    period_ = point.period;
+  }
+  void revolution_ends(const State& /*section*/) override { --left_; }
   void piece(MotionPiece& piece) override {
     if (piece.contact_count() > 0) in_contact_ += piece.end() - piece.begin();
   }
@@ -48,6 +55,8 @@ class ContactFraction final : public Observable {
   int revolutions_;
   double sampled_time_ = 0.0;
   double in_contact_ = 0.0;
+  double period_ = 0.0;
+  int left_ = 0;  ///< sampled revolutions that have not ended
 };
 
 /// Largest value over all contacts of a function of contact and time.
@@ -96,6 +105,21 @@ class Yielded final : public Observable {
  private:
   double yield_strain_;  ///< [-]
   MaxRootStrain strain_;
+};
+
+/// By how much the clearance of the blade that has worn most has grown over the point [m], transient
+/// included.
+class ClearanceGrowth final : public Observable {
+ public:
+  static std::unique_ptr<Observable> make(const scene::Scene& /*scene*/) {
+    return std::make_unique<ClearanceGrowth>();
+  }
+  void begin(const PointConstants& /*point*/) override { growth_ = 0.0; }
+  void clearance_grows(double growth) override { growth_ = growth; }
+  void write(std::span<double> row) override { row[0] = growth_; }
+
+ private:
+  double growth_ = 0.0;
 };
 
 }  // namespace rubatlas::observables

@@ -44,6 +44,11 @@ const std::vector<Entry>& entries() {
       {"max_contact_force", {}, "N", "largest normal force on one blade", MaxContactForce::make},
       {"contact_fraction", {}, "1", "share of time with any blade in contact", ContactFraction::make},
       {"max_root_strain", {}, "1", "largest bending strain at a blade root", MaxRootStrain::make},
+      {"clearance_growth",
+       {},
+       "m",
+       "growth of the clearance over the point by wear, of the blade that has worn most",
+       ClearanceGrowth::make},
       {"yielded", {}, "1", "1 where a blade root was strained beyond validity.yield_strain", Yielded::make}};
   return kEntries;
 }
@@ -66,6 +71,7 @@ InnerAxis make_axis(const std::string& name, const scene::Scene& scene) {
     return {name, numbers(protocol.sampled_revolutions * count, protocol.transient_revolutions * count + 1),
             "1", "blade passings since the point started"};
   }
+  if (name == "blade") return {name, numbers(scene.blades.count, 1), "1", "blade, counted from 1"};
   std::vector<double> orders(static_cast<std::size_t>(scene.spectrum.max_order) *
                                  static_cast<std::size_t>(protocol.sampled_revolutions) +
                              1);
@@ -93,13 +99,40 @@ std::vector<Description> descriptions(const scene::Scene& scene) {
   return result;
 }
 
+std::vector<Description> memories(const scene::Scene& scene) {
+  std::vector<Description> result;
+  effects::for_each_effect([&]<auto Effect>() {
+    using Settings = effects::Settings<Effect>;
+    if constexpr (requires { Settings::kMemory; }) {
+      constexpr std::string_view kSection = Settings::kDescription.section;
+      const bool swept = std::ranges::any_of(scene.grid.swept, [&](const scene::PointerAxis& axis) {
+        return axis.pointer.starts_with(std::string(kSection) + '/');
+      });
+      if (!swept && !effects::acts<Effect>(scene)) return;
+      std::string name = "final_state" + std::string(kSection);
+      std::ranges::replace(name, '/', '_');
+      const std::string axis(Settings::kMemory.inner_axis);
+      result.push_back({name,
+                        {axis},
+                        std::string(Settings::kMemory.units),
+                        std::string(Settings::kMemory.long_name),
+                        make_axis(axis, scene).size()});
+    }
+  });
+  return result;
+}
+
 std::vector<InnerAxis> inner_axes(const scene::Scene& scene) {
   std::vector<std::string> names = {"component"};
-  for (const Description& description : descriptions(scene)) {
-    for (const std::string& name : description.inner_axes) {
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  const auto add = [&](const std::vector<Description>& kept) {
+    for (const Description& description : kept) {
+      for (const std::string& name : description.inner_axes) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+      }
     }
-  }
+  };
+  add(descriptions(scene));
+  add(memories(scene));
   std::vector<InnerAxis> result;
   result.reserve(names.size());
   for (const std::string& name : names) result.push_back(make_axis(name, scene));

@@ -39,7 +39,12 @@ struct Description {
 /// The observables that the scene asks for, in the order of the list.
 std::vector<Description> descriptions(const scene::Scene& scene);
 
-/// The inner axes that those observables and `final_state` (component) need, each once.
+/// What the scene's effects remember from point to point besides the state, one dataset
+/// `final_state_<effect>` each; a point's numbers stand one after the other in this order (`solve::Memory`).
+/// Empty for most scenes.
+std::vector<Description> memories(const scene::Scene& scene);
+
+/// The inner axes that observables, memories and `final_state` (component) need, each once.
 std::vector<InnerAxis> inner_axes(const scene::Scene& scene);
 
 /// One row per description, in the same order; NaN throughout when the point did not end as done.

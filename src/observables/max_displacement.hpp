@@ -18,6 +18,7 @@ class MaxDisplacement final : public Observable {
     speed_ratio_ = point.speed_ratio;
     largest_ = 0.0;
   }
+  void speed_changes(const PointConstants& point) override { speed_ratio_ = point.speed_ratio; }
   void piece(MotionPiece& piece) override {
     // Most pieces cannot beat the largest so far, which their bound tells without a search.
     if (piece.displacement_bound() > largest_) {

@@ -31,6 +31,8 @@ class MotionPiece {
   /// Normal force F [N] and bending strain at the blade's root [-] of a contact at a time of the piece.
   [[nodiscard]] virtual double normal_force(std::size_t contact, double time) = 0;
   [[nodiscard]] virtual double root_strain(std::size_t contact, double time) = 0;
+  /// Power of friction |c F v| at its tip [J per unit τ], v the slip velocity (MODEL 4.4).
+  [[nodiscard]] virtual double friction_power(std::size_t contact, double time) = 0;
 };
 
 /// One grid point's constants, as far as observables need them.

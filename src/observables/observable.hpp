@@ -17,6 +17,11 @@ class Observable {
   virtual void touch_down() {}
   /// The revolution is over; `section` is the state there.
   virtual void revolution_ends(const State& /*section*/) {}
+  /// The revolution that follows turns at another speed. Called where the speed ramps only.
+  virtual void speed_changes(const PointConstants& /*point*/) {}
+  /// By how much the largest clearance of a blade has grown since the point started [m]. Called once, before
+  /// `write`, where blades wear only.
+  virtual void clearance_grows(double /*growth*/) {}
   /// The row, once all revolutions are over.
   virtual void write(std::span<double> row) = 0;
 };

@@ -22,6 +22,7 @@ class PoincareBladePassing final : public Observable {
     passing_ = 1;
     values_.clear();
   }
+  void speed_changes(const PointConstants& point) override { point_ = point; }
   void piece(MotionPiece& piece) override {
     // The last passing of a revolution is its section.
     for (; passing_ < point_.blade_count; ++passing_) {

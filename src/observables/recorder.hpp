@@ -1,8 +1,10 @@
 /// The observables that a scene asks for, fed together.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <vector>
 
 #include "observables/list.hpp"
@@ -15,7 +17,16 @@ class Recorder {
   explicit Recorder(const scene::Scene& scene);
 
   void begin(const PointConstants& point) {
+    blade_count_ = point.blade_count;
     for (auto& observable : observables_) observable->begin(point);
+  }
+  /// The revolution that follows turns at another Ω.
+  void speed_changes(double speed_ratio) {
+    const PointConstants point{2.0 * std::numbers::pi / std::abs(speed_ratio), speed_ratio, blade_count_};
+    for (auto& observable : observables_) observable->speed_changes(point);
+  }
+  void clearance_grows(double growth) {
+    for (auto& observable : observables_) observable->clearance_grows(growth);
   }
   void piece(MotionPiece& piece) {
     for (auto& observable : observables_) observable->piece(piece);
@@ -32,6 +43,7 @@ class Recorder {
  private:
   std::vector<Description> descriptions_;
   std::vector<std::unique_ptr<Observable>> observables_;
+  int blade_count_ = 0;
 };
 
 }  // namespace rubatlas::observables

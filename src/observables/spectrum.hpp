@@ -23,6 +23,7 @@ class SpectrumOfDisplacement final : public Observable {
     sample_ = 0;
     filled_ = 0;
   }
+  void speed_changes(const PointConstants& point) override { period_ = point.period; }
   void piece(MotionPiece& piece) override {
     for (; sample_ < samples_per_revolution_; ++sample_) {
       const double time = period_ * sample_ / samples_per_revolution_;

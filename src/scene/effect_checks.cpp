@@ -51,6 +51,57 @@ void check_unequal_blades(const Scene& scene) {
   }
 }
 
+void check_wear(const Scene& scene) {
+  const bool kept = std::ranges::count(scene.observables, "clearance_growth") > 0;
+  if (kept && !scene.wear) {
+    throw SceneError(
+        "/observables: \"clearance_growth\" is that of blades that wear; there is no section /wear");
+  }
+  if (!scene.wear) return;
+  if (scene.protocol.stop_when_periodic) {
+    throw SceneError("/wear: /protocol/stop_when_periodic leaves out revolutions, in which blades wear too");
+  }
+  if (scene.wear->carries_over && scene.sweep == Sweep::independent) {
+    throw SceneError(R"(/wear/carries_over: the sweep is "independent"; no point comes after another)");
+  }
+}
+
+/// A ramp that goes on over all sampled revolutions stays within the speeds that a grid may have.
+void check_speed_ramp(const Scene& scene) {
+  if (!scene.speed_ramp) return;
+  const Range legal = quantity("/grid/speed_ratio").range;
+  const auto rates = values_in(scene, "/speed_ramp/rate");
+  const int ramped = scene.protocol.sampled_revolutions - 1;
+  for (const double rate : {std::ranges::min(rates), std::ranges::max(rates)}) {
+    for (const double first : {scene.grid.speed_ratio.front(), scene.grid.speed_ratio.back()}) {
+      const double last = first + ramped * rate;
+      if (legal.contains(last)) continue;
+      throw SceneError(fmt::format(
+          "/speed_ramp/rate: from speed ratio {} on {} leads to {} in the last sampled revolution; "
+          "speed ratios are {}",
+          first, rate, last, legal.text()));
+    }
+  }
+}
+
+/// A ring that moves is compiled for the plain laws, and for a machine that stays as it is.
+void check_ring_body(const Scene& scene) {
+  if (!scene.ring_body) return;
+  const auto refuse_beside = [](bool there, std::string_view section) {
+    if (!there) return;
+    throw SceneError(
+        fmt::format("/ring_body: stands beside {}; the ring moves as one body without it only", section));
+  };
+  refuse_beside(scene.yielding_ring.has_value(), "/yielding_ring");
+  refuse_beside(scene.release.has_value(), "/release");
+  refuse_beside(scene.load_direction.has_value(), "/load_direction");
+  refuse_beside(scene.regularised_friction.has_value(), "/regularised_friction");
+  refuse_beside(scene.stribeck.has_value(), "/stribeck");
+  refuse_beside(scene.wear.has_value(), "/wear");
+  refuse_beside(scene.speed_ramp.has_value(), "/speed_ramp");
+  refuse_beside(scene.stick.has_value(), "/stick");
+}
+
 /// Effects of elastic blades say nothing of rigid ones, and a load of its own direction has no table.
 void check_blades(const Scene& scene) {
   const auto refuse = [](std::string_view section, std::string_view why) {
@@ -67,10 +118,14 @@ void check_blades(const Scene& scene) {
   if (rigid && scene.load_direction) refuse("/load_direction", kRigid);
   if (scene.stribeck && scene.regularised_friction)
     refuse("/stribeck", "stands beside /regularised_friction; friction has one law");
-  if (scene.ring_body && (scene.load_direction || scene.stribeck || scene.regularised_friction ||
-                          scene.yielding_ring || scene.release))
-    refuse("/ring_body",
-           "does not combine with load_direction, regularised_friction, stribeck, yielding_ring or release");
+  if (scene.stick && !rigid)
+    refuse("/stick", R"(holds the tips of rigid blades only: the contact law "elastic_ring")");
+  if (scene.stick && (scene.stribeck || scene.regularised_friction))
+    refuse("/stick", fmt::format("stands beside {}; friction has one law",
+                                 scene.stribeck ? "/stribeck" : "/regularised_friction"));
+  if (scene.stick && (scene.wear || scene.speed_ramp))
+    refuse("/stick", fmt::format("stands beside {}, whose changes between revolutions would tear tips loose",
+                                 scene.wear ? "/wear" : "/speed_ramp"));
   const bool directed = !rigid && (scene.load_direction || scene.stribeck || scene.regularised_friction);
   if (!directed) return;
   constexpr std::string_view kPlain =
@@ -89,6 +144,9 @@ void check_effects(const Scene& scene) {
   check_method(scene);
   check_blades(scene);
   check_unequal_blades(scene);
+  check_wear(scene);
+  check_speed_ramp(scene);
+  check_ring_body(scene);
 }
 
 }  // namespace rubatlas::scene

@@ -5,10 +5,10 @@
 namespace rubatlas::scene {
 namespace {
 
-constexpr std::array<std::string_view, 8> kNames{
+constexpr std::array<std::string_view, 9> kNames{
     "poincare",         "poincare_blade_passing",    "max_displacement",
     "spectrum",         "touchdowns_per_revolution", "max_contact_force",
-    "contact_fraction", "max_root_strain",
+    "contact_fraction", "max_root_strain",           "clearance_growth",
 };
 
 constexpr std::array<std::string_view, 3> kDefaults{"poincare", "max_displacement", "spectrum"};

@@ -81,11 +81,11 @@ class BladeSet : public BladePlaces {
     return {from.cosine + (from.cosine * cosine_less_one - from.sine * sine),
             from.sine + (from.sine * cosine_less_one + from.cosine * sine)};
   }
-
- private:
-  /// [rad²]: below it the first terms left out, angle^11/11! and angle^10/10!, are less than 1e-18.
+  /// [rad²], square of the angle from the anchor: below it the first terms that the series leaves out,
+  /// angle^11/11! and angle^10/10!, are less than 1e-18.
   static constexpr double kFarTurned = 0.0039;
 
+ private:
   double speed_ratio_;
 };
 

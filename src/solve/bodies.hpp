@@ -45,6 +45,14 @@ using BodiesOf = std::conditional_t<kRingMoves<Forcing>, ShaftAndRing, State>;
 template <class Forcing>
 using FullStateOf = std::conditional_t<kRingMoves<Forcing>, RingContactState, ContactState>;
 
+/// A shaft, and where the ring moves that at rest in its place.
+template <class Forcing>
+BodiesOf<Forcing> ring_at_rest(const State& shaft) {
+  BodiesOf<Forcing> bodies = BodiesOf<Forcing>::Zero();
+  bodies.template head<4>() = shaft;
+  return bodies;
+}
+
 /// The shaft's part.
 inline const State& shaft(const State& bodies) {
   return bodies;
@@ -104,20 +112,37 @@ double closing_unit(const RotorConstants& rotor, [[maybe_unused]] const Forcing&
   return rotor.force_unit;
 }
 
-/// d/dτ of the bodies' state, where the shaft has the acceleration `shaft` and blades push the ring by
-/// `on_ring` [N].
+/// Accelerations of shaft and ring [m per unit τ²].
+struct ShaftAndRingAcceleration {
+  std::complex<double> shaft;
+  std::complex<double> ring;
+};
 template <class Forcing>
-BodiesOf<Forcing> rate_of(const FullStateOf<Forcing>& full, [[maybe_unused]] const Forcing& forcing,
-                          const std::complex<double>& shaft,
-                          [[maybe_unused]] const std::complex<double>& on_ring) {
+using AccelerationOf =
+    std::conditional_t<kRingMoves<Forcing>, ShaftAndRingAcceleration, std::complex<double>>;
+
+/// Of all that moves, where the shaft has the acceleration `shaft` and blades push the ring by `on_ring` [N].
+template <class Forcing>
+AccelerationOf<Forcing> acceleration_of_all([[maybe_unused]] const FullStateOf<Forcing>& full,
+                                            [[maybe_unused]] const Forcing& forcing,
+                                            const std::complex<double>& shaft,
+                                            [[maybe_unused]] const std::complex<double>& on_ring) {
   if constexpr (kRingMoves<Forcing>) {
-    const std::complex<double> of_ring = forcing.ring.acceleration(ring(full), on_ring);
-    ShaftAndRing rate;
-    rate << full[2], full[3], shaft.real(), shaft.imag(), full[8], full[9], of_ring.real(), of_ring.imag();
-    return rate;
+    return {shaft, forcing.ring.acceleration(ring(full), on_ring)};
   } else {
-    return {full[2], full[3], shaft.real(), shaft.imag()};
+    return shaft;
   }
+}
+
+/// d/dτ of the bodies' state.
+inline State rate_of(const ContactState& full, const std::complex<double>& acceleration) {
+  return {full[2], full[3], acceleration.real(), acceleration.imag()};
+}
+inline ShaftAndRing rate_of(const RingContactState& full, const ShaftAndRingAcceleration& acceleration) {
+  ShaftAndRing rate;
+  rate << full[2], full[3], acceleration.shaft.real(), acceleration.shaft.imag(), full[8], full[9],
+      acceleration.ring.real(), acceleration.ring.imag();
+  return rate;
 }
 
 }  // namespace rubatlas::solve

@@ -13,11 +13,13 @@
 #include <utility>
 #include <vector>
 
+#include "contact/friction_law.hpp"
 #include "integrate/root_between.hpp"
 #include "observables/motion_piece.hpp"
 #include "solve/blade_set.hpp"
 #include "solve/contact_step.hpp"
 #include "solve/contact_system.hpp"
+#include "solve/friction_power.hpp"
 #include "solve/motion_listener.hpp"
 #include "solve/rotor.hpp"
 
@@ -47,6 +49,7 @@ class ContactPhase final : public observables::MotionPiece {
         misalignment_(rotor.misalignment),
         ring_radius_(law.of(0).geometry().ring_radius),
         tip_speed_(std::abs(rotor.speed_ratio) * ring_radius_),
+        law_(&law),
         step_(rotor, blades, law, limits.tolerance, std::move(system)),
         watched_(static_cast<std::size_t>(blades.count())) {}
 
@@ -117,6 +120,18 @@ class ContactPhase final : public observables::MotionPiece {
   /// Bending parameter of an open contact there, as a first guess for the next phase.
   [[nodiscard]] double bending(std::size_t contact) { return step_.bending(contact, end_fraction_); }
 
+  /// An open contact at a time of the piece that is being recorded, from where another motion goes on.
+  [[nodiscard]] OpenContact contact_at(std::size_t contact, double time) {
+    OpenContact open = step_.contacts()[contact];
+    if constexpr (ContactStep<System, Law, Pair, Blades>::kCarried) {
+      open.bending = full_state_at(time)[kBending];
+    } else {
+      open.bending = step_.system().contacts()[contact].bending;
+      open.amplitude = step_.system().contacts()[contact].amplitude;
+    }
+    return open;
+  }
+
   // The piece of motion that is being recorded.
   [[nodiscard]] double begin() const override { return segment_begin_; }
   [[nodiscard]] double end() const override { return segment_limit_; }
@@ -134,6 +149,9 @@ class ContactPhase final : public observables::MotionPiece {
   [[nodiscard]] double root_strain(std::size_t contact, double time) override {
     return step_.force(contact, full_state_at(time)).root_strain;
   }
+  [[nodiscard]] double friction_power(std::size_t contact, double time) override {
+    return solve::friction_power(law_->of(blade(contact)), step_.force(contact, full_state_at(time)));
+  }
 
   [[nodiscard]] const System& system() const { return step_.system(); }
   [[nodiscard]] std::uint64_t evaluations() const { return step_.evaluations(); }
@@ -145,7 +163,7 @@ class ContactPhase final : public observables::MotionPiece {
 
   static constexpr double kShareBeyond = 1e-9;  ///< of λ past 0 or 1 where a tip ceases to skim
 
-  static constexpr double kSlipRounding = 1e-12;  ///< of Ω R: v where a slip reversal has been located
+  static constexpr int kLooks = 4;  ///< in a step, for a tip that comes loose
 
   using Gap = typename ContactStep<System, Law, Pair, Blades>::Gap;
 
@@ -211,7 +229,15 @@ class ContactPhase final : public observables::MotionPiece {
       }
     }
     if constexpr (Law::kHasSlipState) {
-      for (std::size_t i = 0; i < contact_count(); ++i) look_for_slip_reversal(i, last);
+      for (std::size_t i = 0; i < contact_count(); ++i) {
+        if constexpr (contact::Sticks<Law>) {
+          if (step_.contacts()[i].slip == 0.0) {
+            look_for_loosening(i, last);
+            continue;
+          }
+        }
+        look_for_slip_reversal(i, last);
+      }
     }
     if (step_.root_lost() && watched_of(0).ends_by_rounding())
       take_if_first(last, PhaseEvent::lift_off, blade(0));
@@ -312,13 +338,44 @@ class ContactPhase final : public observables::MotionPiece {
                   PhaseEvent::touch_down, k);
   }
 
+  /// The friction that holds a tip passes what it can be.
+  void look_for_loosening(std::size_t contact, double last) {
+    if constexpr (ContactStep<System, Law, Pair, Blades>::kSticks) {
+      const auto excess = [&](double part) {
+        return step_.system().excess(contact, step_.at_fraction(part));
+      };
+      double low = 0.0;
+      double at_low = excess(0.0);
+      if (at_low > 0.0) return take_if_first(0.0, PhaseEvent::comes_loose, blade(contact));
+      for (int look = 1; look <= kLooks; ++look) {
+        const double high = last * look / kLooks;
+        const double at_high = excess(high);
+        if (at_high > 0.0) {
+          return take_if_first(integrate::root_between(excess, low, high, at_low, at_high),
+                               PhaseEvent::comes_loose, blade(contact));
+        }
+        low = high;
+        at_low = at_high;
+      }
+    }
+  }
+
   void look_for_slip_reversal(std::size_t contact, double last) {
     const double before = watched_of(contact).slip_velocity;
     const double after = watched_of(contact).end_slip_velocity;
-    if (before == 0.0 || (before > 0.0) == (after > 0.0)) return;
     const auto velocity = [&](double part) {
       return step_.force(contact, step_.at_fraction(part)).slip_velocity;
     };
+    if constexpr (contact::Sticks<Law>) {
+      // From rest a tip slips the way it is pulled, and may be at rest again within the step.
+      const double slip = step_.contacts()[contact].slip;
+      if (before == 0.0 && slip * after < 0.0) {
+        const auto mean = [&](double part) { return velocity(part) / part; };
+        return take_if_first(integrate::root_between(mean, 0.0, last, -after / last, after / last),
+                             PhaseEvent::slip_reversal, blade(contact));
+      }
+    }
+    if (before == 0.0 || (before > 0.0) == (after > 0.0)) return;
     take_if_first(integrate::root_between(velocity, 0.0, last, before, after), PhaseEvent::slip_reversal,
                   blade(contact));
   }
@@ -327,6 +384,7 @@ class ContactPhase final : public observables::MotionPiece {
   double misalignment_;  ///< y0 [m]
   double ring_radius_;   ///< R [m]
   double tip_speed_;     ///< Ω R [m per unit τ]
+  const Law* law_;
   ContactStep<System, Law, Pair, Blades> step_;
   std::vector<Watched> watched_;  ///< one per blade
   bool pending_ = false;          ///< a step has been made and not been recorded to its end

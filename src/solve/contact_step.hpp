@@ -33,6 +33,8 @@ class ContactStep {
   static constexpr bool kCarried = requires(System system) { system.last(); };
   /// The blade stays on g = 0 under a share of its force.
   static constexpr bool kSkims = requires(System system, FullState state) { system.share(state); };
+  /// Tips stick: their slip velocities stay zero.
+  static constexpr bool kSticks = requires(System system, FullState state) { system.excess(0, state); };
   /// A contact ends where its force does, not where the undeformed tip leaves the ring.
   static constexpr bool kReleasesAtFold = Law::kReleasesAtFold && !kSkims;
 
@@ -75,7 +77,7 @@ class ContactStep {
           ++accepted_;
           control_.accept(error, size < proposed);
           if constexpr (kCarried) project();
-          if constexpr (kSkims) system_.project(step_.end());
+          if constexpr (kSkims || kSticks) system_.project(step_.end());
           return Outcome::accepted;
         }
         control_.halve(size / proposed);
@@ -101,7 +103,9 @@ class ContactStep {
     if (fraction == 0.0) return step_.start();
     if (fraction == 1.0) return step_.end();
     if (!make_dense()) return FullState::Constant(std::numeric_limits<double>::quiet_NaN());
-    return step_.interpolate(fraction);
+    FullState state = step_.interpolate(fraction);
+    if constexpr (kSticks) system_.project(state);
+    return state;
   }
 
   /// Fraction at a time strictly between the step's start and `last`, a fraction where time is `last_time`:
@@ -216,6 +220,7 @@ class ContactStep {
   /// What an open contact does in a state.
   [[nodiscard]] contact::TipForce force(std::size_t contact, const FullState& state) const {
     if constexpr (kSkims) return system_.force(state);
+    if constexpr (kSticks) return system_.force(contact, state);
     const OpenContact& open = contacts_[contact];
     const contact::Pose at = pose(open.blade, state);
     if constexpr (kCarried) {
@@ -333,7 +338,7 @@ class ContactStep {
   /// does not.
   [[nodiscard]] double scaled_error() const {
     const FullState& end = step_.end();
-    const Bodies& rate = system_.last_rate();
+    const Bodies rate = rate_of(end, system_.last_acceleration());
     const double fastest = rate.abs().maxCoeff();
     double bending_weight = 0.0;
     if constexpr (kCarried) {

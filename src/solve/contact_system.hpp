@@ -26,14 +26,17 @@
 
 namespace rubatlas::solve {
 
-/// A contact that is open: which blade, its slip direction s = ±1 and, for elastic blades, its bending
-/// parameter.
+/// A contact that is open: which blade, its slip direction s = ±1 (0 where it sticks) and, for elastic
+/// blades, its bending parameter.
 struct OpenContact {
   int blade;
   double slip;
   double bending;
   double amplitude = 0.0;  ///< second first guess of a law that has two unknowns a blade; 0: not known
 };
+
+/// Of Ω R: slip velocities below it are zero, as where a slip reversal has been located.
+constexpr double kSlipRounding = 1e-12;
 
 /// The force of an open contact where its blade stands; updates its guesses.
 template <class Law>
@@ -101,16 +104,40 @@ class CarriedContact {
     const double force_x = last_.force.radial * er.cosine - last_.force.tangential * er.sine;
     const double force_y = last_.force.radial * er.sine + last_.force.tangential * er.cosine;
     const std::complex<double> of_shaft = acceleration(*rotor_, *forcing_, state, force_x, force_y);
-    rate_ = rate_of(state, *forcing_, of_shaft, {-force_x, -force_y});
+    acceleration_ = acceleration_of_all(state, *forcing_, of_shaft, {-force_x, -force_y});
     const double time_rate = -scale_ * last_.bending_slope;
-    derivative = full_state(BodiesOf<Forcing>(time_rate * rate_), time_rate, scale_ * last_.time_slope);
+    derivative = full_state(BodiesOf<Forcing>(time_rate * rate_of(state, acceleration_)), time_rate,
+                            scale_ * last_.time_slope);
     return true;
   }
 
   /// Of the last evaluation.
   [[nodiscard]] const auto& last() const { return last_; }
-  [[nodiscard]] const BodiesOf<Forcing>& last_rate() const { return rate_; }
+  [[nodiscard]] const AccelerationOf<Forcing>& last_acceleration() const { return acceleration_; }
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
+
+  /// All that a right-hand side depends on besides the state, for those that evaluate several of them side by
+  /// side.
+  struct Parameters {
+    const RotorConstants* rotor;
+    const Blades* blades;
+    const typename Law::OfBlade* law;
+    const Forcing* forcing;
+    double slip;
+    double scale;
+    typename Blades::Anchor anchor;
+  };
+  [[nodiscard]] Parameters parameters() const {
+    return {rotor_, blades_, law_of_blade_, forcing_, contact_.slip, scale_, anchor_};
+  }
+  /// Takes over evaluations that were made elsewhere by the same operations, and what the last of them gave.
+  void adopt(const typename Law::OfBlade::Constraint& last, const AccelerationOf<Forcing>& acceleration,
+             std::uint64_t evaluations) {
+    last_ = last;
+    acceleration_ = acceleration;
+    evaluations_ += evaluations;
+    law_of_blade_->count_evaluations(evaluations);
+  }
 
  private:
   static constexpr double kRestingRate = 1e-15;  ///< of R²: rounding of the rates of h
@@ -124,7 +151,7 @@ class CarriedContact {
   typename Blades::Anchor anchor_{};
   double scale_ = 1.0;  ///< unit of σ against the rates of h [1/m²]
   typename Law::OfBlade::Constraint last_{};
-  BodiesOf<Forcing> rate_ = BodiesOf<Forcing>::Zero();  ///< d/dτ
+  AccelerationOf<Forcing> acceleration_{};
   std::uint64_t evaluations_ = 0;
 };
 
@@ -167,8 +194,8 @@ class SolvedContacts {
       force_y += force.radial * er.sine + force.tangential * er.cosine;
     }
     const std::complex<double> of_shaft = acceleration(*rotor_, *forcing_, state, force_x, force_y);
-    rate_ = rate_of(state, *forcing_, of_shaft, {-force_x, -force_y});
-    derivative = full_state(rate_, 1.0, 0.0);
+    acceleration_ = acceleration_of_all(state, *forcing_, of_shaft, {-force_x, -force_y});
+    derivative = full_state(rate_of(state, acceleration_), 1.0, 0.0);
     return true;
   }
 
@@ -177,7 +204,7 @@ class SolvedContacts {
   /// Of the last evaluation.
   [[nodiscard]] const std::vector<contact::TipForce>& forces() const { return forces_; }
   [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
-  [[nodiscard]] const BodiesOf<Forcing>& last_rate() const { return rate_; }
+  [[nodiscard]] const AccelerationOf<Forcing>& last_acceleration() const { return acceleration_; }
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
  private:
@@ -188,7 +215,7 @@ class SolvedContacts {
   std::vector<OpenContact> contacts_;
   std::vector<contact::TipForce> forces_;
   std::size_t without_force_ = 0;
-  BodiesOf<Forcing> rate_ = BodiesOf<Forcing>::Zero();  ///< d/dτ
+  AccelerationOf<Forcing> acceleration_{};
   std::uint64_t evaluations_ = 0;
 };
 

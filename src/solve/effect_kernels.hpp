@@ -64,9 +64,10 @@ std::unique_ptr<LineSolver> elastic_blades_in_any_ring(const LineRequest& reques
   return with_ring(contact::RigidRing{});
 }
 
-// The families: rigid blades; elastic blades that are released at the ring, or at the fold; elastic blades
-// under a load of any direction or a friction law of its own.
+// The families: rigid blades, whose tips always slip, or may stick; elastic blades that are released at the
+// ring, or at the fold; elastic blades under a load of any direction or a friction law of its own.
 std::unique_ptr<LineSolver> rigid_blades_with_effects(const LineRequest& request);
+std::unique_ptr<LineSolver> sticking_blades_with_effects(const LineRequest& request);
 std::unique_ptr<LineSolver> elastic_blades_with_effects(const LineRequest& request);
 std::unique_ptr<LineSolver> held_blades_with_effects(const LineRequest& request);
 std::unique_ptr<LineSolver> directed_blades_with_effects(const LineRequest& request);

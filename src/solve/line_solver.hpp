@@ -4,10 +4,14 @@
 /// to the end of a point nothing is looked up by name. One virtual call per point.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "observables/list.hpp"
@@ -18,6 +22,35 @@ namespace rubatlas::solve {
 
 /// x, y [m], dx/dτ, dy/dτ [m]: the shaft centre at phase 0, from its own equilibrium (MODEL 1).
 using SectionState = std::array<double, 4>;
+
+/// What effects remember from point to point besides the state, in the order of `observables::memories`.
+/// Small enough to go along in any message.
+class Memory {
+ public:
+  static constexpr std::size_t kMost = 64;  ///< numbers; fifty blades, and a ring
+
+  Memory() = default;
+  explicit Memory(std::span<const double> values) : count_(static_cast<std::uint32_t>(values.size())) {
+    if (values.size() > kMost) throw std::length_error("effects remember too much");
+    std::copy(values.begin(), values.end(), values_.begin());
+  }
+  [[nodiscard]] std::span<const double> view() const { return {values_.data(), count_}; }
+  /// Bytes at the end of a Memory that say nothing.
+  [[nodiscard]] std::size_t unused_bytes() const { return sizeof(double) * (kMost - count_); }
+
+ private:
+  std::uint32_t count_ = 0;
+  std::array<double, kMost> values_{};
+};
+
+/// What a point starts from.
+struct PointStart {
+  PointStart() = default;
+  // A state alone is a start. NOLINTNEXTLINE(google-explicit-constructor)
+  PointStart(const SectionState& from, const Memory& remembered = {}) : state(from), memory(remembered) {}
+  SectionState state{};
+  Memory memory;  ///< empty: as new
+};
 
 /// How a point ended (MODEL 5); the numbers are those of the atlas' `/status`.
 enum class PointStatus : std::uint8_t { pending = 0, done = 1, left_validity = 2, integrator_failed = 3 };
@@ -60,6 +93,7 @@ struct PointOutcome {
   PointStatus status = PointStatus::pending;
   std::int32_t failed_revolution = -1;  ///< counted from 0 through the transient; −1 when done
   SectionState final_state{};           ///< after the last revolution; NaN when not done
+  Memory final_memory;                  ///< beside it; empty where no effect has one
   observables::Rows rows;               ///< as `observables::descriptions(scene)`
   WorkCounts work;
 };
@@ -80,11 +114,11 @@ class LineSolver {
 
   /// Runs transient and sampled revolutions at one speed ratio from `start`. `between_revolutions` is called
   /// after each revolution (a rank answers its messages there); it must not throw.
-  virtual PointOutcome run(double speed_ratio, const SectionState& start,
+  virtual PointOutcome run(double speed_ratio, const PointStart& start,
                            const std::function<void()>& between_revolutions) = 0;
 
   /// The same motion, kept as `samples_per_revolution` samples over the sampled revolutions.
-  virtual Orbit orbit(double speed_ratio, const SectionState& start) = 0;
+  virtual Orbit orbit(double speed_ratio, const PointStart& start) = 0;
 };
 
 /// Blade tables, one per friction coefficient, made on first use and shared by all lines of a rank.

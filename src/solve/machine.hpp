@@ -22,6 +22,7 @@ namespace rubatlas::solve {
 
 /// Equal blades at constant speed, nothing but shaft and ring.
 struct PlainMachine {
+  static constexpr bool kMayChange = false;
   int blade_count;
   [[nodiscard]] effects::NoForcing forcing(double /*speed_ratio*/) const { return {}; }
   [[nodiscard]] BladeSet blades(double speed_ratio) const { return {blade_count, speed_ratio}; }
@@ -29,6 +30,7 @@ struct PlainMachine {
 
 /// The same with an unbalance.
 struct UnbalancedMachine {
+  static constexpr bool kMayChange = false;
   int blade_count;
   double specific_moment;  ///< me/m [m]
   double phase;            ///< γ [rad]
@@ -42,6 +44,8 @@ struct UnbalancedMachine {
 /// Whatever a scene's effects make of it, at constant speed.
 class MachineWithEffects {
  public:
+  /// Between revolutions (`changing_motion.hpp`).
+  static constexpr bool kMayChange = true;
   explicit MachineWithEffects(scene::Scene line) : line_(std::move(line)) {}
 
   [[nodiscard]] effects::Harmonics forcing(double speed_ratio) const {
@@ -121,6 +125,7 @@ class AnyMachine final : public MachineWithEffects {
 template <class Machine>
 class InRingBody {
  public:
+  static constexpr bool kMayChange = false;
   explicit InRingBody(const scene::Scene& line)
       : machine_(line),
         ring_(line.ring_body->mass, 1.0 / line.ring_body->compliance, line.ring_body->damping,

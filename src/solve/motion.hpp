@@ -5,27 +5,27 @@
 /// revolution, so that the last digits do not wear off in a long run.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
 #include "integrate/dormand_prince_853.hpp"
-#include "observables/largest_distance.hpp"
 #include "solve/blade_set.hpp"
 #include "solve/bodies.hpp"
 #include "solve/contact_phase.hpp"
-#include "solve/flight.hpp"
+#include "solve/flight_piece.hpp"
 #include "solve/line_solver.hpp"
 #include "solve/motion_listener.hpp"
 #include "solve/rotor.hpp"
 #include "solve/skimming_contact.hpp"
+#include "solve/sticking_contacts.hpp"
 
 namespace rubatlas::solve {
 
@@ -51,6 +51,11 @@ class Motion {
       skimming_.emplace(rotor_, blades_, law_, limits_,
                         SkimmingContact<Law, Forcing, Blades>(rotor_, blades_, law_, forcing_));
     }
+    if constexpr (contact::Sticks<Law>) {
+      judge_.emplace(rotor_, blades_, law_, forcing_);
+      sticking_.emplace(rotor_, blades_, law_, limits_,
+                        StickingContacts<Law, Forcing, Blades>(rotor_, blades_, law_, forcing_));
+    }
     contacts_.reserve(static_cast<std::size_t>(blades_.count()));
   }
   Motion(const Motion&) = delete;  // parts point at each other
@@ -68,16 +73,46 @@ class Motion {
           pose_of(rotor_, law_.of(k).geometry(), blades_.direction(k, first), from_ring(state_));
       if (at.gap > 0.0 && !open(k, at)) return PointStatus::left_validity;
     }
+    settle([](const OpenContact&) {});
     flight_.start(time_, state_);
     never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);
     return state_.isFinite().all() ? PointStatus::done : PointStatus::integrator_failed;
   }
 
-  /// The same with the ring at rest in its place.
-  PointStatus start(const State& shaft) requires kRingMoves<Forcing> {
-    Bodies bodies = Bodies::Zero();
-    bodies.template head<4>() = shaft;
-    return start(bodies);
+  /// A motion at the end of a revolution, for another to go on from.
+  struct Handover {
+    Bodies state;
+    std::vector<OpenContact> contacts;
+  };
+  [[nodiscard]] Handover hand_over() {
+    Handover handed{state_, contacts_};
+    const auto ask = [&](auto& phase) {
+      for (std::size_t i = 0; i < contacts_.size(); ++i) handed.contacts[i] = phase.contact_at(i, time_);
+    };
+    if (phase_ == Phase::solved) ask(solved_);
+    if constexpr (Law::kHasBending) {
+      if (phase_ == Phase::carried) ask(*carried_);
+      if (phase_ == Phase::skimming) ask(*skimming_);
+    }
+    return handed;
+  }
+  /// Goes on at phase 0 from where a motion with another speed or other blades has ended: contacts stay, with
+  /// their slip directions (MODEL 4.4), where the blade still reaches the ring.
+  PointStatus take_over(const Handover& handed) {
+    state_ = handed.state;
+    contacts_.clear();
+    const contact::BladeDirection first = blades_.first(0.0);
+    for (int k = 0; k < blades_.count(); ++k) {
+      const contact::Pose at =
+          pose_of(rotor_, law_.of(k).geometry(), blades_.direction(k, first), from_ring(state_));
+      const auto held = std::find_if(handed.contacts.begin(), handed.contacts.end(),
+                                     [&](const OpenContact& open) { return open.blade == k; });
+      const bool found = held == handed.contacts.end() ? at.gap <= 0.0 || open(k, at) : keep(*held, at);
+      if (!found) return PointStatus::left_validity;
+    }
+    flight_.start(time_, state_);
+    never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);
+    return PointStatus::done;
   }
 
   /// One revolution.
@@ -100,6 +135,9 @@ class Motion {
             end = phase_ == Phase::carried ? touch(*carried_, period, listener)
                                            : touch(*skimming_, period, listener);
           }
+          break;
+        case Phase::sticking:
+          if constexpr (contact::Sticks<Law>) end = touch(*sticking_, period, listener);
           break;
         default:
           end = touch(solved_, period, listener);
@@ -127,6 +165,7 @@ class Motion {
       result.rejected_steps += phase.rejected();
     };
     add(solved_);
+    if constexpr (contact::Sticks<Law>) add(*sticking_);
     if constexpr (Law::kHasBending) {
       add(*carried_);
       add(*skimming_);
@@ -137,33 +176,7 @@ class Motion {
   }
 
  private:
-  enum class Phase : std::uint8_t { undecided, flight, carried, skimming, solved };
-
-  /// A piece of flight, as listeners see it, or as seen from the ring.
-  template <bool kFromRing = false>
-  class FlightPiece final : public observables::MotionPiece {
-   public:
-    FlightPiece(const Flight<Forcing>& flight, double begin, double end, double bound)
-        : flight_(&flight), begin_(begin), end_(end), bound_(bound) {}
-    [[nodiscard]] double begin() const override { return begin_; }
-    [[nodiscard]] double end() const override { return end_; }
-    [[nodiscard]] observables::State state(double time) override {
-      const Bodies bodies = flight_->state(time);
-      return as_array(kFromRing ? from_ring(bodies) : shaft(bodies));
-    }
-    [[nodiscard]] double displacement_bound() const override { return bound_; }
-    [[nodiscard]] std::size_t contact_count() const override { return 0; }
-    [[nodiscard]] int blade(std::size_t /*contact*/) const override { return -1; }
-    [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return false; }
-    [[nodiscard]] double normal_force(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
-    [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
-
-   private:
-    const Flight<Forcing>* flight_;
-    double begin_;
-    double end_;
-    double bound_;  ///< of the displacement [m]
-  };
+  enum class Phase : std::uint8_t { undecided, flight, carried, skimming, sticking, solved };
 
   PhaseEnd fly(double period, MotionListener& listener) {
     flight_.start(time_, state_);
@@ -174,8 +187,9 @@ class Motion {
     }
     const double end = touchdown ? touchdown->time : period;
     if (end > time_) {
-      FlightPiece<> piece(flight_, time_, end, flight_.displacement_bound(time_, state_, end - time_));
-      if (passes_through_ring(piece)) return {PhaseEvent::left_validity};
+      FlightPiece<Forcing> piece(flight_, time_, end, flight_.displacement_bound(time_, state_, end - time_));
+      if (passes_through_ring(piece, flight_, state_, rotor_, law_.of(0).geometry().ring_radius))
+        return {PhaseEvent::left_validity};
       listener.piece(piece);
       state_ = flight_.state(end);
       time_ = end;
@@ -183,22 +197,6 @@ class Motion {
     }
     if (!touchdown) return {PhaseEvent::horizon};
     return {PhaseEvent::touch_down, touchdown->blade};
-  }
-
-  /// |c| may reach R in flight where no blade stands in the way (MODEL 5).
-  [[nodiscard]] bool passes_through_ring(FlightPiece<>& piece) const {
-    if constexpr (kRingMoves<Forcing>) {
-      const double bound = bound_from_ring(flight_, time_, state_, piece.end() - time_);
-      FlightPiece<true> seen(flight_, time_, piece.end(), bound);
-      return reaches_ring(seen, flight_.fastest());
-    } else {
-      return reaches_ring(piece, rotor_.speed_ratio);
-    }
-  }
-  [[nodiscard]] bool reaches_ring(observables::MotionPiece& piece, double fastest) const {
-    const double ring_radius = law_.of(0).geometry().ring_radius;
-    return piece.displacement_bound() + std::abs(rotor_.misalignment) >= ring_radius &&
-           observables::largest_distance(piece, -rotor_.misalignment, fastest) >= ring_radius;
   }
 
   template <class AnyPhase>
@@ -246,6 +244,12 @@ class Motion {
         if (carried_->start(time_, state_, contacts_)) return true;
       }
     }
+    if constexpr (contact::Sticks<Law>) {
+      if (stuck_count() > 0) {
+        phase_ = Phase::sticking;
+        return sticking_->start(time_, state_, contacts_);
+      }
+    }
     phase_ = Phase::solved;
     return solved_.start(time_, state_, contacts_);
   }
@@ -257,8 +261,7 @@ class Motion {
     // A blade released at the fold returns from a distance, and a column that is compressed starts from no
     // force: neither hops without end.
     if (Law::kReleasesAtFold || !law_.of(contacts_.front().blade).carried()) return false;
-    return skimming_->system().begins(full_state(state_, time_, 0.0), contacts_.front(),
-                                      kUnresolvedHop * limits_.tolerance);
+    return skimming_->system().begins(unbent(), contacts_.front(), kUnresolvedHop * limits_.tolerance);
   }
 
   [[nodiscard]] contact::Pose pose(int blade) const {
@@ -271,6 +274,10 @@ class Motion {
     const double velocity =
         contact::undeformed_slip_velocity(law_.of(blade).geometry(), at, blades_.speed(time_));
     OpenContact contact{blade, velocity >= 0.0 ? 1.0 : -1.0, 0.0};
+    if constexpr (contact::Sticks<Law>) {
+      const double tip_speed = std::abs(rotor_.speed_ratio) * law_.of(blade).geometry().ring_radius;
+      if (std::abs(velocity) <= kSlipRounding * tip_speed) contact.slip = 0.0;
+    }
     if constexpr (Law::kHasBending) {
       // On the approaching side the force starts from zero, on the receding side from a finite value
       // (MODEL 4.2).
@@ -285,6 +292,71 @@ class Motion {
     return true;
   }
 
+  /// Goes on with a contact where the tip stands now, or lets it go where that has left the ring. False where
+  /// no force exists (MODEL 5).
+  bool keep(OpenContact contact, const contact::Pose& at) {
+    bool leaves = at.gap <= 0.0;
+    if constexpr (Law::kHasBending) {
+      const auto& law = law_.of(contact.blade);
+      if (at.gap <= kGapRounding && law.starts_unloaded(at, contact.slip)) {
+        contact.bending = 0.0;
+      } else if (!leaves || Law::kReleasesAtFold) {
+        const auto root = contact.bending > 0.0 ? law.solve_near(at, contact.slip, contact.bending)
+                                                : law.solve(at, contact.slip);
+        if (!root && !leaves) return false;
+        leaves = !root;
+        contact.bending = root.value_or(0.0);
+      }
+    }
+    if (leaves) {
+      ++work_.liftoffs;
+    } else {
+      contacts_.push_back(contact);
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::ptrdiff_t stuck_count() const {
+    return std::ranges::count(contacts_, 0.0, &OpenContact::slip);
+  }
+
+  [[nodiscard]] FullStateOf<Forcing> unbent() const { return full_state(state_, time_, 0.0); }
+
+  /// Lets go of the tips at rest that friction cannot hold where the rotor stands, and tells it of each.
+  template <class Tell>
+  void settle(Tell let_go) {
+    if constexpr (contact::Sticks<Law>) {
+      if (stuck_count() > 0) judge_->settle(unbent(), contacts_, let_go);
+    }
+  }
+
+  /// The slip velocity of a tip has come to zero, or friction no longer holds it there.
+  void change_slip(OpenContact& contact, PhaseEvent event, MotionListener& listener) {
+    if (event == PhaseEvent::comes_loose) {
+      judge_->open(contacts_);
+      const auto place = static_cast<std::size_t>(&contact - contacts_.data());
+      contact.slip = std::copysign(1.0, judge_->coefficient(place, unbent()));
+    } else {
+      ++work_.slip_reversals;
+      // Where two tips stick already, a third passes through.
+      const bool passes = stuck_count() >= std::ptrdiff_t{Judge::kMostStuck};
+      contact.slip = passes ? -contact.slip : 0.0;
+    }
+    tell_of_others(contact.blade, listener);
+    tell(listener, event, contact.blade, contact.slip);
+  }
+
+  /// Settles after an event of one blade.
+  void tell_of_others(int blade, MotionListener& listener) {
+    settle([&](const OpenContact& other) {
+      if (other.blade != blade) tell(listener, PhaseEvent::comes_loose, other.blade, other.slip);
+    });
+  }
+
+  void tell(MotionListener& listener, PhaseEvent event, int blade, double slip) const {
+    listener.event(Event{event, blade, time_, slip, shaft(state_)});
+  }
+
   PointStatus change_contacts(const PhaseEnd& end, MotionListener& listener) {
     phase_ = Phase::undecided;
     const auto contact = std::find_if(contacts_.begin(), contacts_.end(),
@@ -292,18 +364,24 @@ class Motion {
     switch (end.event) {
       case PhaseEvent::lift_off:
         ++work_.liftoffs;
-        listener.event(Event{end.event, end.blade, time_, contact->slip, shaft(state_)});
+        tell(listener, end.event, end.blade, contact->slip);
         contacts_.erase(contact);
+        tell_of_others(end.blade, listener);
         return PointStatus::done;
       case PhaseEvent::touch_down:
         ++work_.touchdowns;
         if (!open(end.blade, pose(end.blade))) return PointStatus::left_validity;
         touched_down_ = true;
-        listener.event(Event{end.event, end.blade, time_, contacts_.back().slip, shaft(state_)});
+        tell_of_others(end.blade, listener);
+        tell(listener, end.event, end.blade, contacts_.back().slip);
         return PointStatus::done;
       case PhaseEvent::pressed_in:
         return PointStatus::done;
       default: {
+        if constexpr (contact::Sticks<Law>) {
+          change_slip(*contact, end.event, listener);
+          return PointStatus::done;
+        }
         ++work_.slip_reversals;
         contact->slip = -contact->slip;
         if constexpr (Law::kHasBending) {
@@ -311,16 +389,16 @@ class Motion {
           const auto root = law_.of(contact->blade).solve(at, contact->slip);
           // A tip that was held beyond the ring is free where friction turns to the other side.
           if (!root && Law::kReleasesAtFold && at.gap < 0.0) {
-            listener.event(Event{end.event, end.blade, time_, contact->slip, shaft(state_)});
+            tell(listener, end.event, end.blade, contact->slip);
             ++work_.liftoffs;
-            listener.event(Event{PhaseEvent::lift_off, end.blade, time_, contact->slip, shaft(state_)});
+            tell(listener, PhaseEvent::lift_off, end.blade, contact->slip);
             contacts_.erase(contact);
             return PointStatus::done;
           }
           if (!root) return PointStatus::left_validity;
           contact->bending = *root;
         }
-        listener.event(Event{end.event, end.blade, time_, contact->slip, shaft(state_)});
+        tell(listener, end.event, end.blade, contact->slip);
         return PointStatus::done;
       }
     }
@@ -337,6 +415,11 @@ class Motion {
       std::conditional_t<Law::kHasBending, ContactPhase<System, Law, Pair, Blades>, std::monostate>;
   using Carried = OfBending<CarriedContact<Law, Forcing, Blades>>;
   using Skimming = OfBending<SkimmingContact<Law, Forcing, Blades>>;
+  // Only tips that can stick have a right-hand side for it, and one that is asked whether they do.
+  using Judge =
+      std::conditional_t<contact::Sticks<Law>, StickingContacts<Law, Forcing, Blades>, std::monostate>;
+  using Sticking =
+      std::conditional_t<contact::Sticks<Law>, ContactPhase<Judge, Law, Pair, Blades>, std::monostate>;
 
   RotorConstants rotor_;
   rotor::FreeMotion free_;
@@ -349,6 +432,8 @@ class Motion {
   ContactPhase<SolvedContacts<Law, Forcing, Blades>, Law, Pair, Blades> solved_;
   std::optional<Carried> carried_;
   std::optional<Skimming> skimming_;
+  std::optional<Sticking> sticking_;
+  std::optional<Judge> judge_;
   std::vector<OpenContact> contacts_;
   Bodies state_ = Bodies::Zero();
   double time_ = 0.0;

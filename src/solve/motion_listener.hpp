@@ -13,17 +13,18 @@ enum class PhaseEvent : std::uint8_t {
   lift_off,
   touch_down,
   slip_reversal,
-  pressed_in,  ///< a tip that has skimmed the ring is held by its full force
+  comes_loose,  ///< a tip that has stuck slips
+  pressed_in,   ///< a tip that has skimmed the ring is held by its full force
   left_validity,
   failed
 };
 
-/// A touch-down, lift-off, slip reversal, or end of skimming.
+/// A touch-down, lift-off, slip reversal, or end of sticking or skimming.
 struct Event {
   PhaseEvent kind;
   int blade;    ///< from 0
   double time;  ///< τ of the revolution
-  double slip;  ///< s: after a touch-down or reversal, before a lift-off
+  double slip;  ///< s: after a touch-down or reversal, before a lift-off; 0 of a tip that sticks
   State state;
 };
 
@@ -33,6 +34,8 @@ class MotionListener {
   virtual ~MotionListener() = default;
   virtual void piece(observables::MotionPiece& /*piece*/) {}
   virtual void event(const Event& /*event*/) {}
+  /// The revolution that follows turns at this Ω. Never called where the speed does not ramp.
+  virtual void speed_changes(double /*speed_ratio*/) {}
 };
 
 }  // namespace rubatlas::solve

@@ -40,8 +40,9 @@ class SkimmingContact {
     if (!weigh(state, contacts_.front(), balance)) return false;
     forces_.front() = balance.force;
     const std::complex<double> pushed = balance.share * balance.pushed;
-    rate_ = rate_of(state, *forcing_, balance.free + pushed, -pushed / rotor_->force_unit);
-    derivative = full_state(rate_, 1.0, 0.0);
+    acceleration_ =
+        acceleration_of_all(state, *forcing_, balance.free + pushed, -pushed / rotor_->force_unit);
+    derivative = full_state(rate_of(state, acceleration_), 1.0, 0.0);
     return true;
   }
 
@@ -91,7 +92,7 @@ class SkimmingContact {
   /// Of the last evaluation.
   [[nodiscard]] const std::vector<contact::TipForce>& forces() const { return forces_; }
   [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
-  [[nodiscard]] const BodiesOf<Forcing>& last_rate() const { return rate_; }
+  [[nodiscard]] const AccelerationOf<Forcing>& last_acceleration() const { return acceleration_; }
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
  private:
@@ -163,7 +164,7 @@ class SkimmingContact {
   const Forcing* forcing_;
   std::vector<OpenContact> contacts_;
   std::vector<contact::TipForce> forces_;
-  BodiesOf<Forcing> rate_ = BodiesOf<Forcing>::Zero();  ///< d/dτ
+  AccelerationOf<Forcing> acceleration_{};
   std::uint64_t evaluations_ = 0;
 };
 

@@ -19,6 +19,7 @@
 #include "integrate/step_factor.hpp"
 #include "observables/motion_piece.hpp"
 #include "solve/blade_set.hpp"
+#include "solve/friction_power.hpp"
 #include "solve/line_solver.hpp"
 #include "solve/motion_listener.hpp"
 #include "solve/rotor.hpp"
@@ -36,10 +37,10 @@ struct SteppedLimits {
 template <class Law, class Forcing, class Scheme>
 class SteppedMotion final : public observables::MotionPiece {
  public:
-  SteppedMotion(const RotorConstants& rotor, const BladeSet& blades, Law law, Forcing forcing,
+  SteppedMotion(const RotorConstants& rotor, BladeSet blades, Law law, Forcing forcing,
                 typename Scheme::Search search, const SteppedLimits& limits)
       : rotor_(rotor),
-        directions_(blades),
+        directions_(std::move(blades)),
         law_(std::move(law)),
         forcing_(std::move(forcing)),
         limits_(limits),
@@ -107,6 +108,10 @@ class SteppedMotion final : public observables::MotionPiece {
   }
   [[nodiscard]] double root_strain(std::size_t contact, double time) override {
     return system_.force(open_[contact], state_at((time - begin()) / step_.size())).root_strain;
+  }
+  [[nodiscard]] double friction_power(std::size_t contact, double time) override {
+    return solve::friction_power(law_,
+                                 system_.force(open_[contact], state_at((time - begin()) / step_.size())));
   }
 
  private:

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include "observables/recorder.hpp"
 #include "solve/blade_tables.hpp"
 #include "solve/bodies.hpp"
+#include "solve/changing_motion.hpp"
 #include "solve/line_solver.hpp"
 #include "solve/machine.hpp"
 #include "solve/methods.hpp"
@@ -33,6 +35,7 @@ class RecordingListener final : public MotionListener {
   void event(const Event& event) override {
     if (event.kind == PhaseEvent::touch_down) recorder_->touch_down();
   }
+  void speed_changes(double speed_ratio) override { recorder_->speed_changes(speed_ratio); }
 
  private:
   observables::Recorder* recorder_;
@@ -47,44 +50,89 @@ class TypedLineSolver final : public LineSolver {
   TypedLineSolver(const scene::Scene& line, Law law, Machine machine)
       : scene_(line), law_(std::move(law)), machine_(std::move(machine)), recorder_(line) {}
 
-  PointOutcome run(double speed_ratio, const SectionState& start,
+  PointOutcome run(double speed_ratio, const PointStart& start,
                    const std::function<void()>& between_revolutions) override {
-    const auto motion = make_motion(speed_ratio);
-    RecordingListener recording(recorder_);
-    recorder_.begin({constants(speed_ratio).period(), speed_ratio, scene_.blades.count});
-    PointOutcome outcome;
-    const auto after_revolution = [&](bool sampled) {
-      if (sampled) recorder_.revolution_ends(as_array(shaft(motion->state())));
-      between_revolutions();
-    };
-    outcome.status = integrate(*motion, start, recording, after_revolution, outcome.failed_revolution);
-    const bool done = outcome.status == PointStatus::done;
-    outcome.final_state.fill(std::numeric_limits<double>::quiet_NaN());
-    if (done) outcome.final_state = as_array(shaft(motion->state()));
-    outcome.rows = recorder_.rows(done);
-    outcome.work = motion->work();
-    return outcome;
+    return with_motion(speed_ratio, start, [&](auto& motion) {
+      return run_motion(motion, speed_ratio, start, between_revolutions);
+    });
   }
 
-  Orbit orbit(double speed_ratio, const SectionState& start) override {
-    const auto motion = make_motion(speed_ratio);
-    OrbitListener listener(constants(speed_ratio).period(), scene_.protocol.samples_per_revolution,
-                           scene_.blades.count);
-    std::int32_t failed_revolution = -1;
-    const auto after_revolution = [&](bool sampled) {
-      if (sampled) listener.revolution_ends(as_array(shaft(motion->state())));
-    };
-    const PointStatus status = integrate(*motion, start, listener, after_revolution, failed_revolution);
-    Orbit orbit = listener.take();
-    orbit.status = status;
-    orbit.failed_revolution = failed_revolution;
-    return orbit;
+  Orbit orbit(double speed_ratio, const PointStart& start) override {
+    return with_motion(speed_ratio, start,
+                       [&](auto& motion) { return orbit_of(motion, speed_ratio, start); });
   }
 
  private:
   using Forcing = decltype(std::declval<Machine>().forcing(1.0));
   using Blades = decltype(std::declval<Machine>().blades(1.0));
   using PointMotion = typename Method::template Motion<Law, Forcing, Blades>;
+
+  /// Calls `use` with the motion of a point; a fresh one for each, so that nothing but its start crosses from
+  /// point to point.
+  template <class Use>
+  auto with_motion(double speed_ratio, const PointStart& start, Use use) const {
+    if constexpr (Machine::kMayChange) {
+      if (changes_between_revolutions(scene_)) {
+        const auto make = [this](double speed, std::span<const double> lost) {
+          return make_motion(speed, law_.shortened(lost));
+        };
+        ChangingMotion changing(scene_, speed_ratio, start.memory, make);
+        return use(changing);
+      }
+    }
+    const auto motion = make_motion(speed_ratio, law_);
+    return use(*motion);
+  }
+
+  template <class AnyMotion>
+  PointOutcome run_motion(AnyMotion& motion, double speed_ratio, const PointStart& start,
+                          const std::function<void()>& between_revolutions) {
+    RecordingListener recording(recorder_);
+    recorder_.begin({constants(speed_ratio).period(), speed_ratio, scene_.blades.count});
+    PointOutcome outcome;
+    const auto after_revolution = [&](bool sampled) {
+      if (sampled) recorder_.revolution_ends(as_array(shaft(motion.state())));
+      between_revolutions();
+    };
+    outcome.status = integrate(motion, start, recording, after_revolution, outcome.failed_revolution);
+    const bool done = outcome.status == PointStatus::done;
+    outcome.final_state.fill(std::numeric_limits<double>::quiet_NaN());
+    if (done) outcome.final_state = as_array(shaft(motion.state()));
+    if constexpr (kRingMoves<Forcing>) {
+      if (done) outcome.final_memory = Memory(as_array(ring(motion.state())));
+    } else if constexpr (requires { motion.memory(); }) {
+      if (done) outcome.final_memory = motion.memory();
+      recorder_.clearance_grows(motion.clearance_growth());
+    }
+    outcome.rows = recorder_.rows(done);
+    outcome.work = motion.work();
+    return outcome;
+  }
+
+  template <class AnyMotion>
+  Orbit orbit_of(AnyMotion& motion, double speed_ratio, const PointStart& start) const {
+    OrbitListener listener(constants(speed_ratio).period(), scene_.protocol.samples_per_revolution,
+                           scene_.blades.count);
+    std::int32_t failed_revolution = -1;
+    const auto after_revolution = [&](bool sampled) {
+      if (sampled) listener.revolution_ends(as_array(shaft(motion.state())));
+    };
+    const PointStatus status = integrate(motion, start, listener, after_revolution, failed_revolution);
+    Orbit orbit = listener.take();
+    orbit.status = status;
+    orbit.failed_revolution = failed_revolution;
+    return orbit;
+  }
+
+  /// What moves at the start of a point. A ring of which nothing is remembered is at rest in its place.
+  static BodiesOf<Forcing> bodies_at(const PointStart& start) {
+    BodiesOf<Forcing> bodies = ring_at_rest<Forcing>(as_state(start.state));
+    if constexpr (kRingMoves<Forcing>) {
+      const std::span<const double> ring = start.memory.view();
+      if (!ring.empty()) bodies.template tail<4>() = State(ring.data());
+    }
+    return bodies;
+  }
 
   [[nodiscard]] RotorConstants constants(double speed_ratio) const {
     const double clearance = scene_.clearance();
@@ -97,14 +145,13 @@ class TypedLineSolver final : public LineSolver {
   /// What tolerances are relative to [m].
   [[nodiscard]] double motion_scale() const { return constants(1.0).length_scale; }
 
-  /// A fresh motion for each point: nothing but the start state crosses from point to point.
-  [[nodiscard]] std::unique_ptr<PointMotion> make_motion(double speed_ratio) const {
-    return Method::make(constants(speed_ratio), machine_.blades(speed_ratio), law_,
+  [[nodiscard]] std::unique_ptr<PointMotion> make_motion(double speed_ratio, const Law& law) const {
+    return Method::make(constants(speed_ratio), machine_.blades(speed_ratio), law,
                         machine_.forcing(speed_ratio), scene_);
   }
 
-  template <class AfterRevolution>
-  PointStatus integrate(PointMotion& motion, const SectionState& start, MotionListener& sampling,
+  template <class AnyMotion, class AfterRevolution>
+  PointStatus integrate(AnyMotion& motion, const PointStart& start, MotionListener& sampling,
                         AfterRevolution after_revolution, std::int32_t& failed_revolution) const {
     MotionListener transient;
     const int first_sampled = scene_.protocol.transient_revolutions;
@@ -112,10 +159,17 @@ class TypedLineSolver final : public LineSolver {
     using Section = std::remove_cvref_t<decltype(motion.state())>;
     Settling<Section> settling(Settling<Section>::kCloseness * scene_.accuracy.tolerance * motion_scale());
     bool watched = scene_.protocol.stop_when_periodic;
-    PointStatus status = motion.start(as_state(start));
+    PointStatus status = motion.start(bodies_at(start));
     for (int revolution = 0; revolution < revolutions; ++revolution) {
       const bool sampled = revolution >= first_sampled;
-      if (status == PointStatus::done) status = motion.revolution(sampled ? sampling : transient);
+      MotionListener& listener = sampled ? sampling : transient;
+      if (status == PointStatus::done) {
+        if constexpr (requires { motion.revolution(listener, revolution); }) {
+          status = motion.revolution(listener, revolution);
+        } else {
+          status = motion.revolution(listener);
+        }
+      }
       if (status != PointStatus::done) {
         failed_revolution = revolution;
         return status;

@@ -17,9 +17,10 @@ MAY_INCLUDE = {
     "src/integrate": [],
     "src/observables": ["scene", "integrate", "analysis/spectrum.hpp"],
     "src/solve": ["scene", "plan", "blade", "contact", "rotor", "effects", "integrate", "observables"],
+    "src/batch": ["scene", "plan", "blade", "contact", "effects", "integrate", "solve"],
     "src/atlas": ["scene", "plan", "observables", "solve/line_solver.hpp"],
     "analysis": ["scene", "plan", "blade/elastica.hpp", "atlas"],
-    "mpi": ["scene", "plan", "observables", "solve", "atlas", "analysis"],
+    "mpi": ["scene", "plan", "observables", "solve", "batch", "atlas", "analysis"],
 }
 
 # Libraries that stay in their folders, so that they can be exchanged there.
@@ -30,6 +31,8 @@ STAYS_IN = {
     "fftw3.h": ["analysis/spectrum.cpp"],
     "nlohmann/json.hpp": ["src/scene"],
     "CLI/CLI.hpp": ["mpi"],
+    "boost/context/fiber.hpp": ["src/batch"],
+    "immintrin.h": ["src/batch"],
 }
 
 TOP_LEVEL = {"CMakeLists.txt", "README.md", "LICENSE", "src", "mpi", "analysis", "tests", "jobs", "tools"}

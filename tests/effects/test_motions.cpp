@@ -48,7 +48,7 @@ TEST(EveryEffect, ActsInItsSceneAndChangesTheMotion) {
       EXPECT_GT(outcome.work.touchdowns, 0U) << speed;
       largest = std::max(largest, largest_difference(outcome.final_state, plain.final_state));
     }
-    EXPECT_GT(largest, 1e-6) << "m: the motion is that without the effect";
+    EXPECT_GT(largest, 1e-8) << "m: the motion is that without the effect";
   });
 }
 

@@ -107,7 +107,7 @@ TEST(RingBody, FliesOnWithoutTheShaftAfterAContact) {
   // The rotor fits into the ring: it is kicked against it, and comes to rest without.
   const RingBody ring(1.0, 1e4, 2.0, kNaturalFrequency);
   auto motion = elastic_blades(ring_rotor(0.62, 0.1, 0.009), ring);
-  ASSERT_EQ(motion.start(State{1e-3, 0.0, 0.0, 8e-3}), PointStatus::done);
+  ASSERT_EQ(motion.start(solve::ring_at_rest<Forcing>({1e-3, 0.0, 0.0, 8e-3})), PointStatus::done);
   const double period = 2.0 * std::numbers::pi / 0.62;
   int flights = 0;
   for (int revolution = 0; revolution < 12; ++revolution) {
@@ -275,7 +275,7 @@ TEST(RingBody, CarriesAllBladesInContactTogether) {
   const auto displaced = [&](int count) {
     const contact::ElasticRingContact law(tight, 1e4, 0.0);
     RigidBlades motion(rotor, {count, rotor.speed_ratio}, law, Forcing{{}, ring}, {1e-15, 0.5});
-    EXPECT_EQ(motion.start(State(State::Zero())), PointStatus::done);
+    EXPECT_EQ(motion.start(ShaftAndRing::Zero()), PointStatus::done);
     RingWitness witness;
     EXPECT_EQ(motion.revolution(witness), PointStatus::done);
     EXPECT_EQ(witness.most, static_cast<std::size_t>(count));

@@ -143,9 +143,8 @@ TEST(RungeKutta, DenseOutputJoinsTheEndsOfTheStep) {
   EXPECT_LE(largest_difference(end_slope, method.end_derivative()), 1e-4);
   for (int k = 0; k < 4; ++k) {
     EXPECT_EQ(method.interpolate(0.37, k), method.interpolate(0.37)[k]);
-    EXPECT_NEAR(method.mean_convergence_order(0.37, k),
-                (method.interpolate(0.37, k) - method.start()[k]) / 0.37, 1e-15);
-    EXPECT_NEAR(method.mean_convergence_order(0.0, k), 0.3 * method.start_derivative()[k], 1e-15);
+    EXPECT_NEAR(method.mean_slope(0.37, k), (method.interpolate(0.37, k) - method.start()[k]) / 0.37, 1e-15);
+    EXPECT_NEAR(method.mean_slope(0.0, k), 0.3 * method.start_derivative()[k], 1e-15);
   }
 }
 

@@ -17,7 +17,8 @@ struct SyntheticContact {
   int blade = 0;
   std::function<double(double)> force;
   std::function<double(double)> strain;
-  bool peaks = true;  ///< the load rises and falls again within the piece
+  bool peaks = true;                              ///< the load rises and falls again within the piece
+  std::function<double(double)> power = nullptr;  ///< of friction; none: it does no work
 };
 
 class SyntheticPiece final : public MotionPiece {
@@ -42,6 +43,9 @@ class SyntheticPiece final : public MotionPiece {
   }
   [[nodiscard]] double root_strain(std::size_t contact, double time) override {
     return contacts_[contact].strain(time);
+  }
+  [[nodiscard]] double friction_power(std::size_t contact, double time) override {
+    return contacts_[contact].power ? contacts_[contact].power(time) : 0.0;
   }
 
   /// How often the motion was asked for.

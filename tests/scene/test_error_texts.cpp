@@ -212,7 +212,7 @@ TEST(SceneErrors, ObservablesComeFromTheirList) {
   const std::string list =
       "\"poincare\", \"poincare_blade_passing\", \"max_displacement\", \"spectrum\", "
       "\"touchdowns_per_revolution\", "
-      "\"max_contact_force\", \"contact_fraction\", \"max_root_strain\"";
+      "\"max_contact_force\", \"contact_fraction\", \"max_root_strain\", \"clearance_growth\"";
   EXPECT_EQ(refusal_with(R"("observables": ["poincare", "spectrm"])"),
             "/observables/1: \"spectrm\" is not one of " + list + "; nearest: \"spectrum\"");
   EXPECT_EQ(refusal_with(R"("observables": [3])"), "/observables/0: 3 is not one of " + list);

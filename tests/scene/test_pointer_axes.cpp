@@ -58,10 +58,12 @@ TEST(PointerAxes, EveryNumberOfTheMachineCanBeSweptAndNothingElse) {
     EXPECT_FALSE(is_allowed(pointer)) << pointer;
   }
   for (const auto* entry : allowed) {
-    const std::string chosen = entry->pointer == "/ring/stiffness" ? kRigid : "";
+    const bool rigid = entry->pointer == "/ring/stiffness" || entry->section() == "/stick";
+    const std::string chosen = rigid ? kRigid : "";
     // Blades must fit into the ring, and something must be left of each.
     const double value = entry->section() == "/blades"           ? 0.01
                          : entry->section() == "/unequal_blades" ? 1e-5
+                         : entry->section() == "/stick"          ? 2.0
                                                                  : 0.5;
     const Scene read =
         parse_scene(scene_with_axes(fmt::format(R"("{}": [{}])", entry->pointer, value), chosen));

@@ -73,11 +73,13 @@ TEST(SceneReader, EveryQuantityIsReadWhereItsPointerSays) {
         // A ring that the blades fit into, spreads that leave something of each blade.
         value = entry.pointer == "/ring/radius"        ? "0.5"
                 : entry.section() == "/unequal_blades" ? "0.0000152587890625"
+                : entry.section() == "/stick"          ? "2.5"
                                                        : "0.0078125";
         break;
     }
     nlohmann::json document = {{"grid", {{"speed_ratio", 0.5}}}};
     document[nlohmann::json::json_pointer(std::string(entry.pointer))] = nlohmann::json::parse(value);
+    if (entry.section() == "/stick") document["contact"]["law"] = "elastic_ring";
     // A quantity that only some words of a choice read needs one of them.
     if (!entry.chooser.empty())
       document[nlohmann::json::json_pointer(std::string(entry.chooser))] = entry.readers.front();

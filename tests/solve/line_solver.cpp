@@ -44,7 +44,7 @@ TEST(LineSolver, APointHasTheSameBitsWhateverRanBeforeIt) {
   const auto solver = solve::make_line_solver(scene, line_of(scene), solve::make_blade_tables());
   const auto fresh = solver->run(0.62, kRest, [] {});
   solver->run(0.75, kRest, [] {});
-  solver->run(0.31, {1e-3, 0.0, 0.0, 0.0}, [] {});
+  solver->run(0.31, solve::SectionState{1e-3, 0.0, 0.0, 0.0}, [] {});
   const auto again = solver->run(0.62, kRest, [] {});
   EXPECT_EQ(fresh.rows, again.rows);
   EXPECT_EQ(fresh.final_state, again.final_state);

@@ -1,0 +1,32 @@
+/// What points have left for the next ones: the state, and what effects remember beside it.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "atlas/atlas_reader.hpp"
+#include "scene/scene.hpp"
+#include "solve/line_solver.hpp"
+
+namespace rubatlas::atlas {
+
+/// `/final_state` and each `/final_state_<effect>` of a whole atlas.
+class FinalStates {
+ public:
+  FinalStates() = default;
+  /// `scene`: the atlas' own.
+  FinalStates(const AtlasReader& atlas, const scene::Scene& scene);
+
+  /// The end of a point whose status is done.
+  [[nodiscard]] solve::PointStart of(std::size_t point) const;
+
+ private:
+  struct Rows {
+    std::size_t size = 0;  ///< of one point
+    std::vector<double> values;
+  };
+  std::vector<double> states_;
+  std::vector<Rows> memories_;  ///< in the order of `observables::memories`
+};
+
+}  // namespace rubatlas::atlas

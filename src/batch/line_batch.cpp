@@ -1,0 +1,78 @@
+#include "batch/line_batch.hpp"
+
+#include <chrono>
+#include <type_traits>
+
+#include "batch/contact_lanes.hpp"
+#include "batch/line_fibers.hpp"
+#include "batch/shared_attempts.hpp"
+
+namespace rubatlas::batch {
+namespace {
+
+/// One line after the other, on the caller's stack.
+class OneByOne final : public LineBatch {
+ public:
+  void begin(int /*seat*/, solve::LineSolver& solver, double speed_ratio,
+             const solve::PointStart& start) override {
+    solver_ = &solver;
+    speed_ratio_ = speed_ratio;
+    start_ = start;
+  }
+  Finished advance(const std::function<void()>& between_revolutions) override {
+    const auto began = std::chrono::steady_clock::now();
+    Finished finished;
+    finished.outcome = solver_->run(speed_ratio_, start_, between_revolutions);
+    finished.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    return finished;
+  }
+  [[nodiscard]] LaneCounts counts() const override { return {}; }
+
+ private:
+  solve::LineSolver* solver_ = nullptr;
+  double speed_ratio_ = 0.0;
+  solve::PointStart start_;
+};
+
+/// The lanes know one carried contact under no forcing or an unbalance.
+std::string_view why_not(const scene::Scene& scene) {
+  if (scene.contact.law == scene::ContactLaw::elastic_ring) return "the elastic ring has nothing to carry";
+  if (scene.contact.law != scene::ContactLaw::elastica) return "the lanes know the elastica only";
+  if (scene.accuracy.method != scene::Method::hybrid) return "only the method `hybrid` is made for it";
+  bool more_acts = false;
+  effects::for_each_effect([&]<auto Effect>() {
+    using Settings = std::remove_cvref_t<decltype(*(scene.*Effect))>;
+    if constexpr (!std::is_same_v<Settings, effects::Unbalance>) {
+      more_acts = more_acts || (scene.*Effect).has_value();
+    }
+  });
+  if (more_acts) return "of effects the lanes know the unbalance only";
+  return {};
+}
+
+}  // namespace
+
+Width width_of(const scene::Scene& scene, int most) {
+#ifdef RUBATLAS_NO_FIBERS
+  return {1, "built with sanitizers, which do not follow stacks that change"};
+#endif
+  if (const auto reason = why_not(scene); !reason.empty()) return {1, reason};
+  const int lanes = lanes_of_processor();
+  if (lanes == 1) return {1, "the processor has no AVX2"};
+  if (most > 0 && most < lanes) return {most, "so many were asked for"};
+  return {lanes, lanes == 8 ? "AVX-512" : "AVX2"};
+}
+
+std::unique_ptr<solve::LineSolver> make_line_solver(const Width& width, const scene::Scene& scene,
+                                                    const plan::PointParameters& line,
+                                                    const std::shared_ptr<solve::BladeTables>& tables) {
+  if (width.seats == 1) return solve::make_line_solver(scene, line, tables);
+  return make_sharing_line_solver(scene, line, *tables);
+}
+
+std::unique_ptr<LineBatch> make_line_batch(const Width& width) {
+  if (width.seats == 1) return std::make_unique<OneByOne>();
+  return std::make_unique<LineFibers>(width.seats);
+}
+
+}  // namespace rubatlas::batch

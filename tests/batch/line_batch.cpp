@@ -1,0 +1,195 @@
+// Points in a batch against the same points alone.
+#include "batch/line_batch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "batch/contact_lanes.hpp"
+#include "scene/reader.hpp"
+
+namespace rubatlas::batch {
+namespace {
+
+/// Damping ratios of which the lowest leaves the model's validity at some speeds; with and without unbalance.
+scene::Scene eight_lines() {
+  return scene::parse_scene(R"({
+    "grid": {"damping_ratio": [0.02, 0.05, 0.1, 0.2], "unbalance": [0.0, 1e-4],
+             "speed_ratio": [0.3, 0.36, 0.5, 0.62, 0.9, 1.1]},
+    "protocol": {"transient_revolutions": 12, "sampled_revolutions": 6, "samples_per_revolution": 32},
+    "observables": ["poincare", "max_displacement", "spectrum", "max_contact_force", "max_root_strain"]
+  })");
+}
+
+bool batches_here() {
+  return width_of(eight_lines()).seats > 1;
+}
+
+void expect_same(const solve::PointOutcome& one, const solve::PointOutcome& other) {
+  EXPECT_EQ(one.status, other.status);
+  EXPECT_EQ(one.failed_revolution, other.failed_revolution);
+  EXPECT_EQ(std::memcmp(one.final_state.data(), other.final_state.data(), sizeof one.final_state), 0);
+  EXPECT_EQ(std::memcmp(&one.work, &other.work, sizeof one.work), 0) << "the same work too";
+  ASSERT_EQ(one.rows.size(), other.rows.size());
+  for (std::size_t row = 0; row < one.rows.size(); ++row) {
+    ASSERT_EQ(one.rows[row].size(), other.rows[row].size());
+    EXPECT_EQ(
+        std::memcmp(one.rows[row].data(), other.rows[row].data(), one.rows[row].size() * sizeof(double)), 0);
+  }
+}
+
+/// All points of a grid from rest, on so many seats; by index.
+class Played {
+ public:
+  Played(const scene::Scene& scene, const Width& width) : scene_(scene), grid_(scene_), width_(width) {
+    outcomes.resize(grid_.point_count());
+    solvers_.resize(static_cast<std::size_t>(width.seats));
+    point_on_.resize(solvers_.size());
+    batch = make_line_batch(width);
+  }
+
+  void play() {
+    std::size_t next = 0;
+    std::size_t ended = 0;
+    for (std::size_t seat = 0; seat < solvers_.size() && next < outcomes.size(); ++seat) begin(seat, next++);
+    while (ended < outcomes.size()) {
+      Finished finished = batch->advance([this] { ++revolutions; });
+      const auto seat = static_cast<std::size_t>(finished.seat);
+      EXPECT_GT(finished.seconds, 0.0);
+      outcomes[point_on_[seat]] = std::move(finished.outcome);
+      ++ended;
+      if (next < outcomes.size()) begin(seat, next++);
+    }
+  }
+
+  std::vector<solve::PointOutcome> outcomes;
+  std::size_t revolutions = 0;
+  std::unique_ptr<LineBatch> batch;
+
+ private:
+  void begin(std::size_t seat, std::size_t point) {
+    const auto parameters = grid_.parameters(point);
+    solvers_[seat] = make_line_solver(width_, scene_, parameters, tables_);
+    point_on_[seat] = point;
+    batch->begin(static_cast<int>(seat), *solvers_[seat], parameters.speed_ratio, {});
+  }
+
+  scene::Scene scene_;
+  plan::Grid grid_;
+  Width width_;
+  std::shared_ptr<solve::BladeTables> tables_ = solve::make_blade_tables();
+  std::vector<std::unique_ptr<solve::LineSolver>> solvers_;
+  std::vector<std::size_t> point_on_;
+};
+
+TEST(LineBatch, EveryPointHasTheBitsThatItHasAlone) {
+  if (!batches_here()) GTEST_SKIP() << width_of(eight_lines()).reason;
+  Played alone(eight_lines(), {1, "asked for"});
+  alone.play();
+  std::size_t failed = 0;
+  for (const auto& outcome : alone.outcomes) {
+    if (outcome.status != solve::PointStatus::done) ++failed;
+  }
+  EXPECT_GT(failed, 0U) << "some points leave the model, which hurts nobody else";
+  EXPECT_LT(failed, alone.outcomes.size());
+  for (int seats = 2; seats <= lanes_of_processor(); ++seats) {
+    SCOPED_TRACE(seats);
+    Played together(eight_lines(), {seats, "asked for"});
+    together.play();
+    for (std::size_t i = 0; i < alone.outcomes.size(); ++i) {
+      SCOPED_TRACE(i);
+      expect_same(alone.outcomes[i], together.outcomes[i]);
+    }
+    EXPECT_EQ(together.revolutions, alone.revolutions);
+    EXPECT_GT(together.batch->counts().in_lanes, together.batch->counts().batches);
+  }
+}
+
+TEST(LineBatch, AnElasticRingIsComputedLineByLine) {
+  scene::Scene scene = eight_lines();
+  scene.contact.law = scene::ContactLaw::elastic_ring;
+  EXPECT_EQ(width_of(scene).seats, 1);
+  EXPECT_FALSE(width_of(scene).reason.empty());
+}
+
+TEST(LineBatch, OtherLawsAndEffectsAreComputedLineByLine) {
+  for (const auto* const more :
+       {R"("contact": {"law": "beam_column"})", R"("gravity": {"acceleration": 0.01})",
+        R"("load_direction": {"along_normal": true})"}) {
+    const auto scene = scene::parse_scene(
+        std::string(R"({"grid": {"speed_ratio": 0.5, "damping_ratio": [0.1, 0.2]}, )") + more + "}");
+    EXPECT_EQ(width_of(scene).seats, 1) << more;
+  }
+}
+
+TEST(LineBatch, EffectsThatOnlyTheGridNamesAreComputedLineByLine) {
+  const auto scene =
+      scene::parse_scene(R"({"grid": {"speed_ratio": 0.5, "/gravity/acceleration": [0, 0.01]}})");
+  EXPECT_EQ(width_of(scene).seats, 1);
+}
+
+TEST(LineBatch, OtherMethodsAreComputedLineByLine) {
+  scene::Scene scene = eight_lines();
+  scene.accuracy.method = scene::Method::hybrid_54;
+  EXPECT_EQ(width_of(scene).seats, 1);
+}
+
+TEST(LineBatch, ABatchIsNoWiderThanAsked) {
+  EXPECT_LE(width_of(eight_lines(), 2).seats, 2);
+}
+
+/// A solver that fails after some revolutions, as one out of memory would.
+class Broken final : public solve::LineSolver {
+ public:
+  solve::PointOutcome run(double, const solve::PointStart&,
+                          const std::function<void()>& between_revolutions) override {
+    for (int i = 0; i < 3; ++i) between_revolutions();
+    throw std::runtime_error("out of order");
+  }
+  solve::Orbit orbit(double, const solve::PointStart&) override { return {}; }
+};
+
+TEST(LineBatch, WhatASolverThrowsReachesTheCallerWhileOthersAreUnderWay) {
+  if (!batches_here()) GTEST_SKIP() << width_of(eight_lines()).reason;
+  const scene::Scene scene = eight_lines();
+  const plan::Grid grid(scene);
+  const Width width = width_of(scene);
+  const auto sound = make_line_solver(width, scene, grid.parameters(0), solve::make_blade_tables());
+  const auto other = make_line_solver(width, scene, grid.parameters(6), solve::make_blade_tables());
+  Broken broken;
+  const auto batch = make_line_batch(width);
+  batch->begin(0, *sound, 0.36, {});
+  batch->begin(1, broken, 0.5, {});
+  batch->begin(2, *other, 0.36, {});
+  EXPECT_THROW(batch->advance([] {}), std::runtime_error);
+}
+
+TEST(LineBatch, APointMayBeginBetweenTheRevolutionsOfOthers) {
+  if (!batches_here()) GTEST_SKIP() << width_of(eight_lines()).reason;
+  const scene::Scene scene = eight_lines();
+  const plan::Grid grid(scene);
+  const Width width = width_of(scene);
+  const auto tables = solve::make_blade_tables();
+  const auto first = make_line_solver(width, scene, grid.parameters(0), tables);
+  const auto second = make_line_solver(width, scene, grid.parameters(6), tables);
+  const auto batch = make_line_batch(width);
+  batch->begin(0, *first, 0.36, {});
+  int revolutions = 0;
+  std::vector<Finished> ended;
+  while (ended.size() < 2) {
+    ended.push_back(batch->advance([&] {
+      if (++revolutions == 5) batch->begin(1, *second, 0.5, {});
+    }));
+  }
+  const auto alone = solve::make_line_solver(scene, grid.parameters(6), tables);
+  for (const auto& point : ended) {
+    if (point.seat == 1) expect_same(point.outcome, alone->run(0.5, {}, [] {}));
+  }
+}
+
+}  // namespace
+}  // namespace rubatlas::batch
