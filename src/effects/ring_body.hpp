@@ -7,7 +7,9 @@
 /// Blades meet the ring where it is: gaps, forces and slip follow from z − r and z' − r'. Under the laws
 /// `elastica` and `beam_column` the blade's own compliance is all that there is between shaft and ring; under
 /// `elastic_ring` the ring yields under each tip by /ring/stiffness as before, and moves as a whole besides.
-/// The ring moves in the plane and does not turn. Source: Newton; kr as in MODEL 4.7, for the whole ring.
+/// Without mass, m_r = 0, the spring balances the blades at every instant, kr r = −ΣFk: their forces depend
+/// on each other (law `elastic_ring` without damping only). The ring moves in the plane and does not turn.
+/// Source: Newton; kr as in MODEL 4.7, for the whole ring.
 #pragma once
 
 #include <tuple>
@@ -17,7 +19,7 @@
 namespace rubatlas::effects {
 
 struct RingBody {
-  double mass = 1.0;         ///< m_r [kg]
+  double mass = 1.0;         ///< m_r [kg]; 0: the ring stands where blades push it
   double compliance = 1e-4;  ///< 1/kr [m/N]; 0: fixed
   double damping = 0.0;      ///< c_r [N s/m]
 
@@ -41,7 +43,7 @@ struct RingBody {
                                              .unit = "kg",
                                              .meaning = "mass of the ring",
                                              .source = "the rotor's",
-                                             .range = scene::above_zero_up_to(scene::kHeaviestMass)},
+                                             .range = scene::between(0.0, scene::kHeaviestMass)},
                       Field<&RingBody::compliance>{.pointer = "/ring_body/compliance",
                                                    .symbol = "1/kr",
                                                    .unit = "m/N",

@@ -100,6 +100,17 @@ void check_ring_body(const Scene& scene) {
   refuse_beside(scene.wear.has_value(), "/wear");
   refuse_beside(scene.speed_ramp.has_value(), "/speed_ramp");
   refuse_beside(scene.stick.has_value(), "/stick");
+  if (std::ranges::min(values_in(scene, "/ring_body/mass")) > 0.0) return;
+  if (scene.contact.law != ContactLaw::elastic_ring) {
+    throw SceneError(
+        R"(/ring_body/mass: 0 goes with the contact law "elastic_ring" only; under elastic blades )"
+        "/yielding_ring is a ring without mass");
+  }
+  const double damping = std::ranges::max(values_in(scene, "/ring_body/damping"));
+  if (damping > 0.0) {
+    throw SceneError(fmt::format(
+        "/ring_body/damping: {} beside a mass of 0; a ring without mass has no damping here", damping));
+  }
 }
 
 /// Effects of elastic blades say nothing of rigid ones, and a load of its own direction has no table.

@@ -34,8 +34,23 @@ struct WithRingBody {
   rotor::RingBody ring;
 };
 
+/// The same of a ring without mass, which stands where blades push it, and in its place where none does.
+template <class ShaftForcing>
+struct WithFollowingRing {
+  static constexpr bool kPresent = true;
+  struct Ring {
+    double stiffness;  ///< kr [N/m]
+  };
+  ShaftForcing shaft;
+  Ring ring;
+};
+
 template <class Forcing>
-inline constexpr bool kRingMoves = false;
+inline constexpr bool kRingFollows = false;
+template <class ShaftForcing>
+inline constexpr bool kRingFollows<WithFollowingRing<ShaftForcing>> = true;
+template <class Forcing>
+inline constexpr bool kRingMoves = kRingFollows<Forcing>;
 template <class ShaftForcing>
 inline constexpr bool kRingMoves<WithRingBody<ShaftForcing>> = true;
 
@@ -127,7 +142,9 @@ AccelerationOf<Forcing> acceleration_of_all([[maybe_unused]] const FullStateOf<F
                                             [[maybe_unused]] const Forcing& forcing,
                                             const std::complex<double>& shaft,
                                             [[maybe_unused]] const std::complex<double>& on_ring) {
-  if constexpr (kRingMoves<Forcing>) {
+  if constexpr (kRingFollows<Forcing>) {
+    return {shaft, 0.0};  // its velocity follows from the shaft's
+  } else if constexpr (kRingMoves<Forcing>) {
     return {shaft, forcing.ring.acceleration(ring(full), on_ring)};
   } else {
     return shaft;

@@ -35,6 +35,8 @@ class ContactStep {
   static constexpr bool kSkims = requires(System system, FullState state) { system.share(state); };
   /// Tips stick: their slip velocities stay zero.
   static constexpr bool kSticks = requires(System system, FullState state) { system.excess(0, state); };
+  /// The ring has no motion of its own.
+  static constexpr bool kFollows = requires(System system, FullState state) { system.place_ring(state); };
   /// A contact ends where its force does, not where the undeformed tip leaves the ring.
   static constexpr bool kReleasesAtFold = Law::kReleasesAtFold && !kSkims;
 
@@ -78,6 +80,7 @@ class ContactStep {
           control_.accept(error, size < proposed);
           if constexpr (kCarried) project();
           if constexpr (kSkims || kSticks) system_.project(step_.end());
+          if constexpr (kFollows) system_.place_ring(step_.end());
           return Outcome::accepted;
         }
         control_.halve(size / proposed);
@@ -105,6 +108,7 @@ class ContactStep {
     if (!make_dense()) return FullState::Constant(std::numeric_limits<double>::quiet_NaN());
     FullState state = step_.interpolate(fraction);
     if constexpr (kSticks) system_.project(state);
+    if constexpr (kFollows) system_.place_ring(state);
     return state;
   }
 

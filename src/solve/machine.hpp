@@ -141,4 +141,23 @@ class InRingBody {
   rotor::RingBody ring_;
 };
 
+/// A machine whose ring has no mass and stands on a spring.
+template <class Machine>
+class InFollowingRing {
+ public:
+  static constexpr bool kMayChange = false;
+  explicit InFollowingRing(const scene::Scene& line)
+      : machine_(line), stiffness_(1.0 / line.ring_body->compliance) {}
+
+  [[nodiscard]] auto forcing(double speed_ratio) const {
+    return WithFollowingRing<decltype(machine_.forcing(speed_ratio))>{machine_.forcing(speed_ratio),
+                                                                      {stiffness_}};
+  }
+  [[nodiscard]] auto blades(double speed_ratio) const { return machine_.blades(speed_ratio); }
+
+ private:
+  Machine machine_;
+  double stiffness_;  ///< kr [N/m]
+};
+
 }  // namespace rubatlas::solve

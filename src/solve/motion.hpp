@@ -23,9 +23,8 @@
 #include "solve/flight_piece.hpp"
 #include "solve/line_solver.hpp"
 #include "solve/motion_listener.hpp"
+#include "solve/motion_phases.hpp"
 #include "solve/rotor.hpp"
-#include "solve/skimming_contact.hpp"
-#include "solve/sticking_contacts.hpp"
 
 namespace rubatlas::solve {
 
@@ -44,7 +43,7 @@ class Motion {
         flight_(rotor_, free_, forcing_),
         search_(rotor_, law_, blades_),
         solved_(rotor_, blades_, law_, limits_,
-                SolvedContacts<Law, Forcing, Blades>(rotor_, blades_, law_, forcing_)) {
+                typename Phases::SolvedSystem(rotor_, blades_, law_, forcing_)) {
     if constexpr (Law::kHasBending) {
       carried_.emplace(rotor_, blades_, law_, limits_,
                        CarriedContact<Law, Forcing, Blades>(rotor_, blades_, law_, forcing_));
@@ -56,6 +55,7 @@ class Motion {
       sticking_.emplace(rotor_, blades_, law_, limits_,
                         StickingContacts<Law, Forcing, Blades>(rotor_, blades_, law_, forcing_));
     }
+    if constexpr (kRingFollows<Forcing>) ring_placer_.emplace(rotor_, blades_, law_, forcing_);
     contacts_.reserve(static_cast<std::size_t>(blades_.count()));
   }
   Motion(const Motion&) = delete;  // parts point at each other
@@ -73,6 +73,7 @@ class Motion {
           pose_of(rotor_, law_.of(k).geometry(), blades_.direction(k, first), from_ring(state_));
       if (at.gap > 0.0 && !open(k, at)) return PointStatus::left_validity;
     }
+    if (!place_ring()) return PointStatus::left_validity;
     settle([](const OpenContact&) {});
     flight_.start(time_, state_);
     never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);
@@ -150,6 +151,7 @@ class Motion {
       if (end.event == PhaseEvent::left_validity) return PointStatus::left_validity;
       const PointStatus status = change_contacts(end, listener);
       if (status != PointStatus::done) return status;
+      if (!place_ring()) return PointStatus::left_validity;
     }
     return PointStatus::integrator_failed;  // chatter
   }
@@ -176,6 +178,7 @@ class Motion {
   }
 
  private:
+  using Phases = MotionPhases<Law, Forcing, Pair, Blades>;
   enum class Phase : std::uint8_t { undecided, flight, carried, skimming, sticking, solved };
 
   PhaseEnd fly(double period, MotionListener& listener) {
@@ -292,6 +295,15 @@ class Motion {
     return true;
   }
 
+  /// Puts a ring without mass where the blades in contact push it. False where that is nowhere (MODEL 5).
+  bool place_ring() {
+    if constexpr (kRingFollows<Forcing>) {
+      const auto touches = [this](int blade) { return open(blade, pose(blade)); };
+      return ring_placer_->settle(state_, time_, contacts_, touches);
+    }
+    return true;
+  }
+
   /// Goes on with a contact where the tip stands now, or lets it go where that has left the ring. False where
   /// no force exists (MODEL 5).
   bool keep(OpenContact contact, const contact::Pose& at) {
@@ -339,7 +351,7 @@ class Motion {
     } else {
       ++work_.slip_reversals;
       // Where two tips stick already, a third passes through.
-      const bool passes = stuck_count() >= std::ptrdiff_t{Judge::kMostStuck};
+      const bool passes = stuck_count() >= std::ptrdiff_t{Phases::Judge::kMostStuck};
       contact.slip = passes ? -contact.slip : 0.0;
     }
     tell_of_others(contact.blade, listener);
@@ -409,18 +421,6 @@ class Motion {
   static constexpr double kUnresolvedHop = 1.0;
   static constexpr double kGapRounding = 1e-17;  ///< [m²]: g where a touch-down has been located
 
-  // Only blades that bend carry a parameter, and start with a force.
-  template <class System>
-  using OfBending =
-      std::conditional_t<Law::kHasBending, ContactPhase<System, Law, Pair, Blades>, std::monostate>;
-  using Carried = OfBending<CarriedContact<Law, Forcing, Blades>>;
-  using Skimming = OfBending<SkimmingContact<Law, Forcing, Blades>>;
-  // Only tips that can stick have a right-hand side for it, and one that is asked whether they do.
-  using Judge =
-      std::conditional_t<contact::Sticks<Law>, StickingContacts<Law, Forcing, Blades>, std::monostate>;
-  using Sticking =
-      std::conditional_t<contact::Sticks<Law>, ContactPhase<Judge, Law, Pair, Blades>, std::monostate>;
-
   RotorConstants rotor_;
   rotor::FreeMotion free_;
   Forcing forcing_;
@@ -429,11 +429,12 @@ class Motion {
   Blades blades_;
   Flight<Forcing> flight_;
   TouchdownSearch<Law, Blades> search_;
-  ContactPhase<SolvedContacts<Law, Forcing, Blades>, Law, Pair, Blades> solved_;
-  std::optional<Carried> carried_;
-  std::optional<Skimming> skimming_;
-  std::optional<Sticking> sticking_;
-  std::optional<Judge> judge_;
+  typename Phases::Solved solved_;
+  std::optional<typename Phases::Carried> carried_;
+  std::optional<typename Phases::Skimming> skimming_;
+  std::optional<typename Phases::Sticking> sticking_;
+  std::optional<typename Phases::Judge> judge_;
+  std::optional<typename Phases::RingPlacer> ring_placer_;
   std::vector<OpenContact> contacts_;
   Bodies state_ = Bodies::Zero();
   double time_ = 0.0;

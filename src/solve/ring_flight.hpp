@@ -77,4 +77,49 @@ class Flight<WithRingBody<ShaftForcing>> {
   rotor::RingBody::State ring_start_ = rotor::RingBody::State::Zero();
 };
 
+/// Flight of a shaft whose ring stands in its place.
+template <class ShaftForcing>
+class Flight<WithFollowingRing<ShaftForcing>> {
+ public:
+  using OfShaft = Flight<ShaftForcing>;
+  static constexpr bool kAnySupport = OfShaft::kAnySupport;
+  using Complex = std::complex<double>;
+
+  Flight(const RotorConstants& rotor, const rotor::FreeMotion& free,
+         const WithFollowingRing<ShaftForcing>& forcing)
+      : shaft_(rotor, free, forcing.shaft), speed_(std::abs(rotor.speed_ratio)) {}
+
+  void start(double time, const ShaftAndRing& bodies) { shaft_.start(time, shaft(bodies)); }
+  [[nodiscard]] double start_time() const { return shaft_.start_time(); }
+  [[nodiscard]] ShaftAndRing state(double time) const {
+    return ring_at_rest<WithFollowingRing<ShaftForcing>>(shaft_.state(time));
+  }
+  [[nodiscard]] Complex acceleration(double time, const ShaftAndRing& bodies) const {
+    return shaft_.acceleration(time, shaft(bodies));
+  }
+  [[nodiscard]] auto amplitude_bound(double time, const ShaftAndRing& bodies, double horizon) const {
+    return shaft_.amplitude_bound(time, shaft(bodies), horizon);
+  }
+  [[nodiscard]] double displacement_bound(double time, const ShaftAndRing& bodies, double horizon) const {
+    return shaft_.displacement_bound(time, shaft(bodies), horizon);
+  }
+  [[nodiscard]] double bound_from_ring(double time, const ShaftAndRing& bodies, double horizon) const {
+    return displacement_bound(time, bodies, horizon);
+  }
+  template <class Bound>
+  [[nodiscard]] double second_bound(const Bound& bound) const {
+    return shaft_.second_bound(bound);
+  }
+  template <class Bound>
+  [[nodiscard]] double third_bound(const Bound& bound) const {
+    return shaft_.third_bound(bound);
+  }
+  [[nodiscard]] double forcing_bound() const { return shaft_.forcing_bound(); }
+  [[nodiscard]] double fastest() const { return speed_; }
+
+ private:
+  OfShaft shaft_;
+  double speed_;
+};
+
 }  // namespace rubatlas::solve

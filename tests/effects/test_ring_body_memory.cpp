@@ -18,6 +18,7 @@ using solve::PointStatus;
 json in_ring_body(double speed, int revolutions) {
   return {{"grid", {{"speed_ratio", speed}}},
           {"ring_body", {{"mass", 2.0}, {"compliance", 2e-4}, {"damping", 4.0}}},
+          {"accuracy", {{"tolerance", 1e-13}}},
           {"protocol", {{"transient_revolutions", 0}, {"sampled_revolutions", revolutions}}},
           {"observables", {"poincare", "max_displacement"}}};
 }
@@ -102,7 +103,14 @@ TEST(RingBody, SaysWhatItDoesNotStandBeside) {
   }
   json content = in_ring_body(0.62, 2);
   content["ring_body"]["mass"] = 0.0;
-  EXPECT_EQ(refusal(content), "/ring_body/mass: 0 is outside (0, 1e+09]; mass of the ring");
+  EXPECT_EQ(refusal(content),
+            "/ring_body/mass: 0 goes with the contact law \"elastic_ring\" only; under elastic blades "
+            "/yielding_ring is a ring without mass");
+  content["contact"]["law"] = "elastic_ring";
+  EXPECT_EQ(refusal(content),
+            "/ring_body/damping: 4 beside a mass of 0; a ring without mass has no damping here");
+  content["ring_body"]["damping"] = 0.0;
+  EXPECT_EQ(refusal(content), "");
 }
 
 }  // namespace
