@@ -12,6 +12,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "contact/pose.hpp"
@@ -65,13 +66,15 @@ class ContactsOnFollowingRing : public SolvedContacts<Law, Forcing, Blades> {
   /// once. False where a tip would stick, too, since its friction would have to be found (MODEL 5).
   template <class Touches>
   bool settle(ShaftAndRing& bodies, double time, std::vector<OpenContact>& contacts, Touches touches) {
+    const double radius = law_->of(0).geometry().ring_radius;
+    const double rounding = kGapRounding * radius * radius;
     for (int change = 0; change <= 2 * blades_->count(); ++change) {
       this->open(contacts);
       FullState full = full_state(bodies, time, 0.0);
       if (!place_ring(full)) return false;
       bodies = solve::bodies(full);
       int enters = -1;
-      double deepest = kGapRounding;
+      double deepest = rounding;
       auto leaves = contacts.end();
       for (int k = 0; k < blades_->count(); ++k) {
         const double gap = pose(full, k).gap;
@@ -80,7 +83,7 @@ class ContactsOnFollowingRing : public SolvedContacts<Law, Forcing, Blades> {
           deepest = gap;
           enters = k;
         }
-        if (open != contacts.end() && gap < -kGapRounding) leaves = open;
+        if (open != contacts.end() && gap < -rounding) leaves = open;
       }
       if (leaves != contacts.end()) {
         contacts.erase(leaves);
@@ -94,8 +97,8 @@ class ContactsOnFollowingRing : public SolvedContacts<Law, Forcing, Blades> {
   }
 
  private:
-  static constexpr double kGapRounding =
-      1e-17;                       ///< [m²]: g where a touch-down or a lift-off has been located
+  /// Of R²: rounding of g where a touch-down or a lift-off has been located.
+  static constexpr double kGapRounding = 32.0 * std::numeric_limits<double>::epsilon();
   static constexpr int kRing = 6;  ///< place of r in a state in contact
   static constexpr int kMostSteps = 30;
   /// Of R: the next step of Newton's method, which is quadratic, is below the rounding of r.
