@@ -1,7 +1,7 @@
 /// Right-hand sides of the rotor in contact, in the two forms that the integrator uses.
 ///
-/// Both have the state (x, y, x', y', τ, u), so that steps, events and dense output look the same; both are
-/// smooth across lift-off and between slip reversals.
+/// Both have the state (x, y, x', y', τ, u), and behind it that of a ring that moves (`bodies.hpp`), so that
+/// steps, events and dense output look the same; both are smooth across lift-off and between slip reversals.
 ///
 /// `CarriedContact`: one elastica blade. The bending parameter u is a state and the contact equation h = 0
 /// carries itself (no root is solved): with a new independent variable σ
