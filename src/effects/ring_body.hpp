@@ -25,12 +25,15 @@ struct RingBody {
 
   static constexpr Description kDescription{
       .section = "/ring_body",
-      .meaning = "a ring with mass on a spring and a damper, which the blades push as one body",
+      .meaning =
+          "a ring that all blades in contact push as one body, on a spring and a damper, with mass or "
+          "without",
       .equation = "m_r r'' + c_r r' + kr r = −ΣFk; z − r in place of z in each contact",
       .source = "Newton; MODEL 4.7 for kr",
       .flight = "closed form: a free oscillator beside the shaft",
       .breaks =
-          "a state alone no longer says how the ring moves; phase volume contracts by e^{-2 c_r T/m_r} more",
+          "a state alone no longer says how the ring moves; phase volume contracts by e^{-2 c_r T/(m_r ωn)} "
+          "more",
   };
   static constexpr Memory kMemory{
       .inner_axis = "component",
