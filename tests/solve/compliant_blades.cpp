@@ -278,10 +278,11 @@ TEST(ReleaseAtFold, LetsContactsLastLongerOnTheRecedingSide) {
     const auto ring = run(make<ElasticaContact>(0.1, 0.0), speed, 10, blades);
     const auto fold = run(make<ReleasedAtFold>(0.1, 0.0), speed, 10, blades);
     const auto& events = ring.witness.events;
-    const auto receding = std::find_if(events.begin(), events.end(), [&](const Event& event) {
+    const auto recedes = [speed = speed, blades = blades](const Event& event) {
       return event.kind == PhaseEvent::lift_off &&
              event.slip * pose_at(speed, blades, event).tangential < 0.0;
-    });
+    };
+    const auto receding = std::find_if(events.begin(), events.end(), recedes);
     ASSERT_NE(receding, events.end());
     const auto same = static_cast<std::size_t>(receding - events.begin());
     for (std::size_t i = 0; i < same; ++i)
