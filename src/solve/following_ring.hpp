@@ -118,13 +118,11 @@ class ContactsOnFollowingRing : public SolvedContacts<Law, Forcing, Blades> {
   /// All open contacts slip the way they are said to.
   [[nodiscard]] bool slides(const FullState& state) const {
     const double speed = blades_->speed(state[kTime]);
-    for (const OpenContact& contact : this->contacts()) {
+    return std::ranges::all_of(this->contacts(), [&](const OpenContact& contact) {
       const contact::Geometry& geometry = law_->of(contact.blade).geometry();
       const double velocity = contact::undeformed_slip_velocity(geometry, pose(state, contact.blade), speed);
-      if (contact.slip * velocity < -kSlipRounding * std::abs(rotor_->speed_ratio) * geometry.ring_radius)
-        return false;
-    }
-    return true;
+      return contact.slip * velocity >= -kSlipRounding * std::abs(rotor_->speed_ratio) * geometry.ring_radius;
+    });
   }
 
   [[nodiscard]] Balance weigh(const FullState& state) const {
