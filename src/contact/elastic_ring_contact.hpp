@@ -28,6 +28,7 @@ class RigidBladeContact {
   using OfBlade = RigidBladeContact;
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const FrictionLaw& friction() const { return friction_; }
+  [[nodiscard]] double stiffness() const { return stiffness_; }  ///< kr [N/m]
   /// The same blade, shorter at its tip by `lost` [m].
   [[nodiscard]] RigidBladeContact shortened(double lost) const {
     return {{geometry_.reach - lost, geometry_.ring_radius}, stiffness_, friction_};

@@ -10,6 +10,7 @@
 
 #include "effects/blade_and_ring.hpp"
 #include "effects/contact_load.hpp"
+#include "effects/ring_body.hpp"
 #include "effects/speed_ramp.hpp"
 #include "effects/speed_ripple.hpp"
 #include "effects/static_load.hpp"
@@ -38,6 +39,7 @@ struct Effects {
   std::optional<Wear> wear;
   std::optional<SpeedRamp> speed_ramp;
   std::optional<Stick> stick;
+  std::optional<RingBody> ring_body;
 };
 
 /// The settings of an effect of the list: `Gravity` for `&Effects::gravity`.
@@ -92,6 +94,7 @@ constexpr void for_each_effect(Visit given) {
   visit.template operator()<&Effects::wear>();
   visit.template operator()<&Effects::speed_ramp>();
   visit.template operator()<&Effects::stick>();
+  visit.template operator()<&Effects::ring_body>();
 }
 
 /// Present and of a strength that is not zero.

@@ -40,6 +40,9 @@ struct ContactLimits {
 template <class System, class Law, class Pair, class Blades = BladeSet>
 class ContactPhase final : public observables::MotionPiece {
  public:
+  using FullState = typename System::FullState;
+  using Bodies = typename ContactStep<System, Law, Pair, Blades>::Bodies;
+
   ContactPhase(const RotorConstants& rotor, const Blades& blades, const Law& law, const ContactLimits& limits,
                System system)
       : limits_(limits),
@@ -51,7 +54,7 @@ class ContactPhase final : public observables::MotionPiece {
         watched_(static_cast<std::size_t>(blades.count())) {}
 
   /// Starts at time τ of the revolution. False where the system cannot start there.
-  bool start(double time, const State& state, const std::vector<OpenContact>& contacts) {
+  bool start(double time, const Bodies& state, const std::vector<OpenContact>& contacts) {
     pending_ = false;
     if (!step_.start(time, state, contacts)) return false;
     const contact::BladeDirection first = step_.first_blade(step_.begin());
@@ -111,9 +114,9 @@ class ContactPhase final : public observables::MotionPiece {
   }
 
   /// State at a time of the piece that is being recorded.
-  [[nodiscard]] State state_at(double time) { return full_state(time).template head<4>(); }
+  [[nodiscard]] Bodies state_at(double time) { return bodies(full_state_at(time)); }
   /// Full state where the phase ended.
-  [[nodiscard]] ContactState end_state() { return step_.at_fraction(end_fraction_); }
+  [[nodiscard]] FullState end_state() { return step_.at_fraction(end_fraction_); }
   /// Bending parameter of an open contact there, as a first guess for the next phase.
   [[nodiscard]] double bending(std::size_t contact) { return step_.bending(contact, end_fraction_); }
 
@@ -121,7 +124,7 @@ class ContactPhase final : public observables::MotionPiece {
   [[nodiscard]] OpenContact contact_at(std::size_t contact, double time) {
     OpenContact open = step_.contacts()[contact];
     if constexpr (ContactStep<System, Law, Pair, Blades>::kCarried) {
-      open.bending = full_state(time)[kBending];
+      open.bending = full_state_at(time)[kBending];
     } else {
       open.bending = step_.system().contacts()[contact].bending;
       open.amplitude = step_.system().contacts()[contact].amplitude;
@@ -132,7 +135,7 @@ class ContactPhase final : public observables::MotionPiece {
   // The piece of motion that is being recorded.
   [[nodiscard]] double begin() const override { return segment_begin_; }
   [[nodiscard]] double end() const override { return segment_limit_; }
-  [[nodiscard]] observables::State state(double time) override { return as_array(state_at(time)); }
+  [[nodiscard]] observables::State state(double time) override { return as_array(shaft(state_at(time))); }
   [[nodiscard]] double displacement_bound() const override { return std::numeric_limits<double>::infinity(); }
   [[nodiscard]] std::size_t contact_count() const override { return step_.contacts().size(); }
   [[nodiscard]] int blade(std::size_t contact) const override { return step_.contacts()[contact].blade; }
@@ -141,13 +144,13 @@ class ContactPhase final : public observables::MotionPiece {
     return step_.load_may_peak(watched.at_begin.rate > 0.0 && watched.at_end.rate < 0.0);
   }
   [[nodiscard]] double normal_force(std::size_t contact, double time) override {
-    return step_.force(contact, full_state(time)).normal;
+    return step_.force(contact, full_state_at(time)).normal;
   }
   [[nodiscard]] double root_strain(std::size_t contact, double time) override {
-    return step_.force(contact, full_state(time)).root_strain;
+    return step_.force(contact, full_state_at(time)).root_strain;
   }
   [[nodiscard]] double friction_power(std::size_t contact, double time) override {
-    return solve::friction_power(law_->of(blade(contact)), step_.force(contact, full_state(time)));
+    return solve::friction_power(law_->of(blade(contact)), step_.force(contact, full_state_at(time)));
   }
 
   [[nodiscard]] const System& system() const { return step_.system(); }
@@ -181,7 +184,7 @@ class ContactPhase final : public observables::MotionPiece {
     }
   };
 
-  [[nodiscard]] ContactState full_state(double time) {
+  [[nodiscard]] FullState full_state_at(double time) {
     if (time >= segment_end_) return step_.at_fraction(end_fraction_);
     if (time <= step_.begin()[kTime]) return step_.begin();
     return step_.at_fraction(step_.fraction_at(time, end_fraction_, segment_end_));
@@ -210,7 +213,7 @@ class ContactPhase final : public observables::MotionPiece {
       end_ = {PhaseEvent::lift_off, blade(0)};
     }
     const double last = end_fraction_;
-    const ContactState end = step_.at_fraction(last);
+    const FullState end = step_.at_fraction(last);
     if (lifts_off) watched_of(0).end_slip_velocity = step_.force(0, end).slip_velocity;
 
     const contact::BladeDirection first = step_.first_blade(end);
@@ -252,9 +255,10 @@ class ContactPhase final : public observables::MotionPiece {
   }
 
   /// The shaft's centre has reached the ring (MODEL 5).
-  [[nodiscard]] bool outside(const ContactState& state) const {
-    const double y = state[1] + misalignment_;
-    return state[0] * state[0] + y * y >= ring_radius_ * ring_radius_;
+  [[nodiscard]] bool outside(const FullState& state) const {
+    const State seen = from_ring(state);
+    const double y = seen[1] + misalignment_;
+    return seen[0] * seen[0] + y * y >= ring_radius_ * ring_radius_;
   }
 
   [[nodiscard]] Watched& watched_of(std::size_t contact) {

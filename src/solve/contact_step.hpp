@@ -26,12 +26,17 @@ namespace rubatlas::solve {
 template <class System, class Law, class Pair, class Blades = BladeSet>
 class ContactStep {
  public:
+  using FullState = typename System::FullState;
+  using Bodies = decltype(bodies(std::declval<const FullState&>()));  ///< what moves, without time and u
+
   /// The bending parameter is a state of the system.
   static constexpr bool kCarried = requires(System system) { system.last(); };
   /// The blade stays on g = 0 under a share of its force.
-  static constexpr bool kSkims = requires(System system, ContactState state) { system.share(state); };
+  static constexpr bool kSkims = requires(System system, FullState state) { system.share(state); };
   /// Tips stick: their slip velocities stay zero.
-  static constexpr bool kSticks = requires(System system, ContactState state) { system.excess(0, state); };
+  static constexpr bool kSticks = requires(System system, FullState state) { system.excess(0, state); };
+  /// The ring has no motion of its own.
+  static constexpr bool kFollows = requires(System system, FullState state) { system.place_ring(state); };
   /// A contact ends where its force does, not where the undeformed tip leaves the ring.
   static constexpr bool kReleasesAtFold = Law::kReleasesAtFold && !kSkims;
 
@@ -46,10 +51,9 @@ class ContactStep {
         control_(Pair::kOrder, kFirstSize) {}
 
   /// Starts a phase at time τ of the revolution. False where the system cannot start there.
-  bool start(double time, const State& state, const std::vector<OpenContact>& contacts) {
+  bool start(double time, const Bodies& state, const std::vector<OpenContact>& contacts) {
     contacts_ = contacts;
-    ContactState full;
-    full << state, time, kCarried ? contacts_.front().bending : 0.0;
+    const FullState full = full_state(state, time, kCarried ? contacts_.front().bending : 0.0);
     if constexpr (kCarried) {
       if (!system_.open(contacts_.front(), full)) return false;
       system_.anchor(time);
@@ -76,6 +80,7 @@ class ContactStep {
           control_.accept(error, size < proposed);
           if constexpr (kCarried) project();
           if constexpr (kSkims || kSticks) system_.project(step_.end());
+          if constexpr (kFollows) system_.place_ring(step_.end());
           return Outcome::accepted;
         }
         control_.halve(size / proposed);
@@ -91,18 +96,19 @@ class ContactStep {
   /// Goes on from the end of the step.
   void accept() { step_.accept(); }
 
-  [[nodiscard]] const ContactState& begin() const { return step_.start(); }
-  [[nodiscard]] const ContactState& end() const { return step_.end(); }
+  [[nodiscard]] const FullState& begin() const { return step_.start(); }
+  [[nodiscard]] const FullState& end() const { return step_.end(); }
   [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
   [[nodiscard]] const System& system() const { return system_; }
 
   /// State at the fraction θ in [0, 1]; NaN where a stage of dense output finds no force.
-  [[nodiscard]] ContactState at_fraction(double fraction) {
+  [[nodiscard]] FullState at_fraction(double fraction) {
     if (fraction == 0.0) return step_.start();
     if (fraction == 1.0) return step_.end();
-    if (!make_dense()) return ContactState::Constant(std::numeric_limits<double>::quiet_NaN());
-    ContactState state = step_.interpolate(fraction);
+    if (!make_dense()) return FullState::Constant(std::numeric_limits<double>::quiet_NaN());
+    FullState state = step_.interpolate(fraction);
     if constexpr (kSticks) system_.project(state);
+    if constexpr (kFollows) system_.place_ring(state);
     return state;
   }
 
@@ -153,7 +159,7 @@ class ContactStep {
   [[nodiscard]] double release_fraction() {
     if constexpr (kCarried && kReleasesAtFold) {
       const auto measure = [&](double part) {
-        const ContactState state = at_fraction(part);
+        const FullState state = at_fraction(part);
         const OpenContact& open = contacts_.front();
         const auto there = law_->of(open.blade)
                                .constraint(pose(open.blade, state), open.slip, state[kBending],
@@ -178,7 +184,7 @@ class ContactStep {
     return -1;
   }
   /// Whether a blade's contact ends at g = 0 where it stands.
-  [[nodiscard]] bool ends_at_ring(int blade, const ContactState& state) const {
+  [[nodiscard]] bool ends_at_ring(int blade, const FullState& state) const {
     if constexpr (kReleasesAtFold) {
       if constexpr (kCarried) return false;
       for (const OpenContact& open : contacts_) {
@@ -189,7 +195,7 @@ class ContactStep {
   }
 
   /// Direction of blade 0 in a state.
-  [[nodiscard]] contact::BladeDirection first_blade(const ContactState& state) const {
+  [[nodiscard]] contact::BladeDirection first_blade(const FullState& state) const {
     return blades_->first(state[kTime]);
   }
   /// g and dg/dτ of a blade in a state.
@@ -197,11 +203,11 @@ class ContactStep {
     double value;
     double rate;
   };
-  [[nodiscard]] Gap gap(int blade, const ContactState& state) const {
+  [[nodiscard]] Gap gap(int blade, const FullState& state) const {
     return gap(blade, state, first_blade(state));
   }
   /// The same when blade 0 stands at `first`, for all blades in one state.
-  [[nodiscard]] Gap gap(int blade, const ContactState& state, const contact::BladeDirection& first) const {
+  [[nodiscard]] Gap gap(int blade, const FullState& state, const contact::BladeDirection& first) const {
     const contact::Pose at = pose(blade, state, first);
     return {at.gap, contact::gap_rate(law_->of(blade).geometry(), at, blades_->speed(state[kTime]))};
   }
@@ -216,7 +222,7 @@ class ContactStep {
   }
 
   /// What an open contact does in a state.
-  [[nodiscard]] contact::TipForce force(std::size_t contact, const ContactState& state) const {
+  [[nodiscard]] contact::TipForce force(std::size_t contact, const FullState& state) const {
     if constexpr (kSkims) return system_.force(state);
     if constexpr (kSticks) return system_.force(contact, state);
     const OpenContact& open = contacts_[contact];
@@ -312,12 +318,12 @@ class ContactStep {
     return size;
   }
 
-  [[nodiscard]] contact::Pose pose(int blade, const ContactState& state) const {
+  [[nodiscard]] contact::Pose pose(int blade, const FullState& state) const {
     return pose(blade, state, first_blade(state));
   }
-  [[nodiscard]] contact::Pose pose(int blade, const ContactState& state,
+  [[nodiscard]] contact::Pose pose(int blade, const FullState& state,
                                    const contact::BladeDirection& first) const {
-    return pose_of(*rotor_, law_->of(blade).geometry(), blades_->direction(blade, first), state.head<4>());
+    return pose_of(*rotor_, law_->of(blade).geometry(), blades_->direction(blade, first), from_ring(state));
   }
 
   bool make_dense() {
@@ -335,21 +341,20 @@ class ContactStep {
   /// path, and of the bending parameter on its own scale. Each of them passes through zero at places, the sum
   /// does not.
   [[nodiscard]] double scaled_error() const {
-    const ContactState& end = step_.end();
-    const std::complex<double> acceleration = system_.last_acceleration();
-    const State rate(end[2], end[3], acceleration.real(), acceleration.imag());
+    const FullState& end = step_.end();
+    const Bodies rate = rate_of(end, system_.last_acceleration());
     const double fastest = rate.abs().maxCoeff();
     double bending_weight = 0.0;
     if constexpr (kCarried) {
       bending_weight = kBendingWeight * rotor_->length_scale /
                        std::min(scale(step_.start()[kBending]), scale(end[kBending]));
     }
-    const double estimate = step_.error_estimate([&](const ContactState& difference) {
+    const double estimate = step_.error_estimate([&](const FullState& difference) {
       // An error of the time is an error of the state along its path.
       const double time = difference[kTime];
       const double along = fastest * time;
       const double bending = bending_weight * difference[kBending];
-      const State state = difference.template head<4>() - rate * time;
+      const Bodies state = bodies(difference) - rate * time;
       return std::sqrt(state.square().sum() + along * along + bending * bending);
     });
     return estimate / (Pair::kEstimateExcess * tolerance_);
@@ -401,7 +406,7 @@ class ContactStep {
   const Law* law_;
   double tolerance_;
   System system_;
-  integrate::RungeKutta<Pair, 6> step_;
+  integrate::RungeKutta<Pair, FullState::RowsAtCompileTime> step_;
   integrate::StepControl control_;
   std::vector<OpenContact> contacts_;
   std::vector<OpenContact> guesses_;

@@ -1,7 +1,7 @@
 /// Right-hand sides of the rotor in contact, in the two forms that the integrator uses.
 ///
-/// Both have the state (x, y, x', y', τ, u), so that steps, events and dense output look the same; both are
-/// smooth across lift-off and between slip reversals.
+/// Both have the state (x, y, x', y', τ, u), and behind it that of a ring that moves (`bodies.hpp`), so that
+/// steps, events and dense output look the same; both are smooth across lift-off and between slip reversals.
 ///
 /// `CarriedContact`: one elastica blade. The bending parameter u is a state and the contact equation h = 0
 /// carries itself (no root is solved): with a new independent variable σ
@@ -21,13 +21,10 @@
 #include "contact/pose.hpp"
 #include "effects/harmonic.hpp"
 #include "solve/blade_set.hpp"
+#include "solve/bodies.hpp"
 #include "solve/rotor.hpp"
 
 namespace rubatlas::solve {
-
-using ContactState = Eigen::Array<double, 6, 1>;
-constexpr int kTime = 4;
-constexpr int kBending = 5;
 
 /// A contact that is open: which blade, its slip direction s = ±1 (0 where it sticks) and, for elastic
 /// blades, its bending parameter.
@@ -57,8 +54,10 @@ bool respond(const Law& law, const contact::Pose& at, double speed_ratio, OpenCo
 /// x'' and y'' [m per unit τ²] from a force on the rotor in newtons.
 template <class Forcing>
 std::complex<double> acceleration(const RotorConstants& rotor, const Forcing& forcing,
-                                  const ContactState& state, double force_x, double force_y) {
-  if constexpr (requires { Forcing::kAnySupport; }) {
+                                  const FullStateOf<Forcing>& state, double force_x, double force_y) {
+  if constexpr (kRingMoves<Forcing>) {
+    return acceleration(rotor, forcing.shaft, ContactState(state.template head<6>()), force_x, force_y);
+  } else if constexpr (requires { Forcing::kAnySupport; }) {
     return forcing.support.acceleration(state[kTime], state.template head<4>().matrix()) +
            rotor.force_unit * std::complex<double>(force_x, force_y);
   } else {
@@ -73,17 +72,19 @@ std::complex<double> acceleration(const RotorConstants& rotor, const Forcing& fo
 template <class Law, class Forcing, class Blades = BladeSet>
 class CarriedContact {
  public:
+  using FullState = FullStateOf<Forcing>;
+
   CarriedContact(const RotorConstants& rotor, const Blades& blades, const Law& law, const Forcing& forcing)
       : rotor_(&rotor), blades_(&blades), law_(&law), forcing_(&forcing) {}
 
   /// Opens the contact in a state. The unit of σ is set so that it is the arc in the plane (τ, u) there: u
   /// where the blade touches, τ where it bends most.
   /// False where both rates vanish, a tip at rest on the ring, from which this form cannot start.
-  bool open(const OpenContact& contact, const ContactState& state) {
+  bool open(const OpenContact& contact, const FullState& state) {
     contact_ = contact;
     law_of_blade_ = &law_->of(contact.blade);
     const contact::BladeDirection er = blades_->direction(contact_.blade, blades_->first(state[kTime]));
-    const contact::Pose pose = pose_of(*rotor_, law_of_blade_->geometry(), er, state.head<4>());
+    const contact::Pose pose = pose_of(*rotor_, law_of_blade_->geometry(), er, from_ring(state));
     const auto there =
         law_of_blade_->constraint(pose, contact_.slip, state[kBending], blades_->speed(state[kTime]));
     const double rate = std::hypot(there.bending_slope, there.time_slope);
@@ -95,23 +96,24 @@ class CarriedContact {
   /// Takes the blade's direction at a time from which those of the stages near it are turned.
   void anchor(double time) { anchor_ = blades_->anchor(contact_.blade, time); }
 
-  bool operator()(const ContactState& state, ContactState& derivative) {
+  bool operator()(const FullState& state, FullState& derivative) {
     ++evaluations_;
     const contact::BladeDirection er = blades_->direction_near(anchor_, state[kTime]);
-    const contact::Pose pose = pose_of(*rotor_, law_of_blade_->geometry(), er, state.head<4>());
+    const contact::Pose pose = pose_of(*rotor_, law_of_blade_->geometry(), er, from_ring(state));
     last_ = law_of_blade_->constraint(pose, contact_.slip, state[kBending], blades_->speed(state[kTime]));
-    acceleration_ = acceleration(*rotor_, *forcing_, state,
-                                 last_.force.radial * er.cosine - last_.force.tangential * er.sine,
-                                 last_.force.radial * er.sine + last_.force.tangential * er.cosine);
+    const double force_x = last_.force.radial * er.cosine - last_.force.tangential * er.sine;
+    const double force_y = last_.force.radial * er.sine + last_.force.tangential * er.cosine;
+    const std::complex<double> of_shaft = acceleration(*rotor_, *forcing_, state, force_x, force_y);
+    acceleration_ = acceleration_of_all(state, *forcing_, of_shaft, {-force_x, -force_y});
     const double time_rate = -scale_ * last_.bending_slope;
-    derivative << time_rate * state[2], time_rate * state[3], time_rate * acceleration_.real(),
-        time_rate * acceleration_.imag(), time_rate, scale_ * last_.time_slope;
+    derivative = full_state(BodiesOf<Forcing>(time_rate * rate_of(state, acceleration_)), time_rate,
+                            scale_ * last_.time_slope);
     return true;
   }
 
   /// Of the last evaluation.
   [[nodiscard]] const auto& last() const { return last_; }
-  [[nodiscard]] std::complex<double> last_acceleration() const { return acceleration_; }
+  [[nodiscard]] const AccelerationOf<Forcing>& last_acceleration() const { return acceleration_; }
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
   /// All that a right-hand side depends on besides the state, for those that evaluate several of them side by
@@ -129,7 +131,7 @@ class CarriedContact {
     return {rotor_, blades_, law_of_blade_, forcing_, contact_.slip, scale_, anchor_};
   }
   /// Takes over evaluations that were made elsewhere by the same operations, and what the last of them gave.
-  void adopt(const typename Law::OfBlade::Constraint& last, std::complex<double> acceleration,
+  void adopt(const typename Law::OfBlade::Constraint& last, const AccelerationOf<Forcing>& acceleration,
              std::uint64_t evaluations) {
     last_ = last;
     acceleration_ = acceleration;
@@ -149,13 +151,15 @@ class CarriedContact {
   typename Blades::Anchor anchor_{};
   double scale_ = 1.0;  ///< unit of σ against the rates of h [1/m²]
   typename Law::OfBlade::Constraint last_{};
-  std::complex<double> acceleration_;
+  AccelerationOf<Forcing> acceleration_{};
   std::uint64_t evaluations_ = 0;
 };
 
 template <class Law, class Forcing, class Blades = BladeSet>
 class SolvedContacts {
  public:
+  using FullState = FullStateOf<Forcing>;
+
   SolvedContacts(const RotorConstants& rotor, const Blades& blades, const Law& law, const Forcing& forcing)
       : rotor_(&rotor), blades_(&blades), law_(&law), forcing_(&forcing) {
     contacts_.reserve(static_cast<std::size_t>(blades.count()));
@@ -170,7 +174,7 @@ class SolvedContacts {
   /// Sets the first guesses of the roots back to what `contacts` gave before.
   void restore(const std::vector<OpenContact>& contacts) { contacts_ = contacts; }
 
-  bool operator()(const ContactState& state, ContactState& derivative) {
+  bool operator()(const FullState& state, FullState& derivative) {
     ++evaluations_;
     const contact::BladeDirection first = blades_->first(state[kTime]);
     const double speed = blades_->speed(state[kTime]);
@@ -180,7 +184,7 @@ class SolvedContacts {
       OpenContact& contact = contacts_[i];
       const contact::BladeDirection er = blades_->direction(contact.blade, first);
       const auto& law = law_->of(contact.blade);
-      const contact::Pose pose = pose_of(*rotor_, law.geometry(), er, state.head<4>());
+      const contact::Pose pose = pose_of(*rotor_, law.geometry(), er, from_ring(state));
       contact::TipForce& force = forces_[i];
       if (!respond(law, pose, speed, contact, force)) {
         without_force_ = i;
@@ -189,8 +193,9 @@ class SolvedContacts {
       force_x += force.radial * er.cosine - force.tangential * er.sine;
       force_y += force.radial * er.sine + force.tangential * er.cosine;
     }
-    acceleration_ = acceleration(*rotor_, *forcing_, state, force_x, force_y);
-    derivative << state[2], state[3], acceleration_.real(), acceleration_.imag(), 1.0, 0.0;
+    const std::complex<double> of_shaft = acceleration(*rotor_, *forcing_, state, force_x, force_y);
+    acceleration_ = acceleration_of_all(state, *forcing_, of_shaft, {-force_x, -force_y});
+    derivative = full_state(rate_of(state, acceleration_), 1.0, 0.0);
     return true;
   }
 
@@ -199,7 +204,7 @@ class SolvedContacts {
   /// Of the last evaluation.
   [[nodiscard]] const std::vector<contact::TipForce>& forces() const { return forces_; }
   [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
-  [[nodiscard]] std::complex<double> last_acceleration() const { return acceleration_; }
+  [[nodiscard]] const AccelerationOf<Forcing>& last_acceleration() const { return acceleration_; }
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
  private:
@@ -210,7 +215,7 @@ class SolvedContacts {
   std::vector<OpenContact> contacts_;
   std::vector<contact::TipForce> forces_;
   std::size_t without_force_ = 0;
-  std::complex<double> acceleration_;
+  AccelerationOf<Forcing> acceleration_{};
   std::uint64_t evaluations_ = 0;
 };
 

@@ -13,6 +13,7 @@
 #include "integrate/conservative_step.hpp"
 #include "rotor/free_motion.hpp"
 #include "solve/blade_set.hpp"
+#include "solve/bodies.hpp"
 #include "solve/line_solver.hpp"
 #include "solve/rotor.hpp"
 
@@ -111,6 +112,24 @@ class Flight {
   Complex velocity_;
 };
 
+/// Of |z| and |z'| in a flight where one number bounds both.
+inline double position_bound(double bound) {
+  return bound;
+}
+inline double velocity_bound(double bound) {
+  return bound;
+}
+
+/// Bound of the shaft's distance from the ring's centre but for the misalignment, as `displacement_bound`.
+template <class Flight, class Bodies>
+double bound_from_ring(const Flight& flight, double time, const Bodies& bodies, double horizon) {
+  if constexpr (requires { flight.bound_from_ring(time, bodies, horizon); }) {
+    return flight.bound_from_ring(time, bodies, horizon);
+  } else {
+    return flight.displacement_bound(time, bodies, horizon);
+  }
+}
+
 /// Finds the first touch-down of a flight. Each blade carries the time up to which it is proven clear; the
 /// least of them is pushed on until it cannot be, which is a touch-down, or until all have passed the
 /// horizon.
@@ -132,7 +151,7 @@ class TouchdownSearch {
   template <class Flight>
   std::optional<Touchdown> find(const Flight& flight, double until) {
     const double from = flight.start_time();
-    State state = flight.state(from);
+    auto state = flight.state(from);
     // The shaft cannot leave the clearance circle: no blade can touch, and there is nothing to search.
     if (stays_clear(flight, from, state, until - from)) return std::nullopt;
 
@@ -157,8 +176,8 @@ class TouchdownSearch {
   }
 
   /// The rotor stays within the clearance circle for ever, so that no blade can touch.
-  template <class Flight>
-  [[nodiscard]] bool never_touches(const Flight& flight, const State& state) const {
+  template <class Flight, class Bodies>
+  [[nodiscard]] bool never_touches(const Flight& flight, const Bodies& state) const {
     return stays_clear(flight, flight.start_time(), state, std::numeric_limits<double>::infinity());
   }
 
@@ -186,10 +205,10 @@ class TouchdownSearch {
     return std::hypot(of_velocity, of_position);
   }
 
-  template <class Flight>
-  [[nodiscard]] bool stays_clear(const Flight& flight, double time, const State& state,
+  template <class Flight, class Bodies>
+  [[nodiscard]] bool stays_clear(const Flight& flight, double time, const Bodies& state,
                                  double horizon) const {
-    return flight.displacement_bound(time, state, horizon) + std::abs(rotor_->misalignment) <=
+    return bound_from_ring(flight, time, state, horizon) + std::abs(rotor_->misalignment) <=
            least_clearance();
   }
 
@@ -203,22 +222,23 @@ class TouchdownSearch {
     return least;
   }
 
-  template <class Flight>
-  double clear_step(const Flight& flight, int blade, double time, const State& state, double until) const {
+  template <class Flight, class Bodies>
+  double clear_step(const Flight& flight, int blade, double time, const Bodies& state, double until) const {
+    const State seen = from_ring(state);
     const double turning = blades_->speed(time);
     const contact::Geometry& geometry = law_->of(blade).geometry();
     const double reach = geometry.reach;
     const contact::BladeDirection er = blades_->direction(blade, blades_->first(time));
-    const contact::Pose pose = pose_of(*rotor_, geometry, er, state);
+    const contact::Pose pose = pose_of(*rotor_, geometry, er, seen);
     const double slope = contact::gap_rate(geometry, pose, turning);
     // Rounding may leave the gap of a blade that has just lifted off a little above zero.
     if (pose.gap >= 0.0 && slope > 0.0) return 0.0;
     const double value = std::min(pose.gap, 0.0);
 
     const std::complex<double> acceleration = flight.acceleration(time, state);
-    double curvature = contact::gap_curvature(geometry, er, pose, {state[0], state[1] + rotor_->misalignment},
-                                              {state[2], state[3]}, acceleration, turning);
-    const double bound = flight.amplitude_bound(time, state, until - time);  // of |z| and |c'|
+    double curvature = contact::gap_curvature(geometry, er, pose, {seen[0], seen[1] + rotor_->misalignment},
+                                              {seen[2], seen[3]}, acceleration, turning);
+    const auto bound = flight.amplitude_bound(time, state, until - time);  // of |z| and |c'|
     if constexpr (Blades::kRipples || Flight::kAnySupport) {
       if constexpr (Blades::kRipples) {
         curvature += 2.0 * reach * blades_->angular_acceleration(time) * pose.tangential;
@@ -248,8 +268,8 @@ class TouchdownSearch {
 
   /// The same for any support and any turning, term by term: with D = d/dτ + iφ',
   /// D³c = c''' + 3iφ'c'' + 3(iφ'' − φ'²)c' + (iφ''' − 3φ'φ'' − iφ'³)c.
-  template <class Flight>
-  double third_bound(const Flight& flight, double bound, double reach) const {
+  template <class Flight, class Bound>
+  double third_bound(const Flight& flight, const Bound& bound, double reach) const {
     double speed = std::abs(rotor_->speed_ratio);
     double of_velocity = speed * speed;
     double of_position = speed * speed * speed;
@@ -259,11 +279,12 @@ class TouchdownSearch {
       of_velocity = speed * speed + change;
       of_position = blades_->angular_jerk_bound() + 3.0 * speed * change + speed * speed * speed;
     }
-    const double centre = bound + std::abs(rotor_->misalignment);
+    const double centre = position_bound(bound) + std::abs(rotor_->misalignment);
+    const double velocity = velocity_bound(bound);
     const double second = flight.second_bound(bound);
     const double third = flight.third_bound(bound);
-    const double turned = third + 3.0 * speed * second + 3.0 * of_velocity * bound + of_position * centre;
-    return 6.0 * bound * second + 2.0 * centre * third + 2.0 * reach * turned;
+    const double turned = third + 3.0 * speed * second + 3.0 * of_velocity * velocity + of_position * centre;
+    return 6.0 * velocity * second + 2.0 * centre * third + 2.0 * reach * turned;
   }
 
   const RotorConstants* rotor_;

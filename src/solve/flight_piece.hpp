@@ -1,23 +1,29 @@
 /// Flight as those see it who record a motion.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
+#include "observables/largest_distance.hpp"
 #include "observables/motion_piece.hpp"
+#include "solve/bodies.hpp"
 #include "solve/flight.hpp"
 #include "solve/rotor.hpp"
 
 namespace rubatlas::solve {
 
-/// A piece of flight, as listeners see it.
-template <class Forcing>
+/// A piece of flight, as listeners see it, or as seen from the ring.
+template <class Forcing, bool kFromRing = false>
 class FlightPiece final : public observables::MotionPiece {
  public:
   FlightPiece(const Flight<Forcing>& flight, double begin, double end, double bound)
       : flight_(&flight), begin_(begin), end_(end), bound_(bound) {}
   [[nodiscard]] double begin() const override { return begin_; }
   [[nodiscard]] double end() const override { return end_; }
-  [[nodiscard]] observables::State state(double time) override { return as_array(flight_->state(time)); }
+  [[nodiscard]] observables::State state(double time) override {
+    const BodiesOf<Forcing> bodies = flight_->state(time);
+    return as_array(kFromRing ? from_ring(bodies) : shaft(bodies));
+  }
   [[nodiscard]] double displacement_bound() const override { return bound_; }
   [[nodiscard]] std::size_t contact_count() const override { return 0; }
   [[nodiscard]] int blade(std::size_t /*contact*/) const override { return -1; }
@@ -32,5 +38,24 @@ class FlightPiece final : public observables::MotionPiece {
   double end_;
   double bound_;  ///< of the displacement [m]
 };
+
+/// |c| may reach R in a piece of flight, which starts from `bodies`, where no blade stands in the way (MODEL
+/// 5).
+template <class Forcing>
+bool passes_through_ring(FlightPiece<Forcing>& piece, [[maybe_unused]] const Flight<Forcing>& flight,
+                         [[maybe_unused]] const BodiesOf<Forcing>& bodies, const RotorConstants& rotor,
+                         double ring_radius) {
+  const auto reaches_ring = [&](observables::MotionPiece& seen, double fastest) {
+    return seen.displacement_bound() + std::abs(rotor.misalignment) >= ring_radius &&
+           observables::largest_distance(seen, -rotor.misalignment, fastest) >= ring_radius;
+  };
+  if constexpr (kRingMoves<Forcing>) {
+    const double bound = flight.bound_from_ring(piece.begin(), bodies, piece.end() - piece.begin());
+    FlightPiece<Forcing, true> seen(flight, piece.begin(), piece.end(), bound);
+    return reaches_ring(seen, flight.fastest());
+  } else {
+    return reaches_ring(piece, rotor.speed_ratio);
+  }
+}
 
 }  // namespace rubatlas::solve

@@ -14,6 +14,7 @@
 #include "rotor/support_matrices.hpp"
 #include "scene/scene.hpp"
 #include "solve/blade_set.hpp"
+#include "solve/ring_flight.hpp"
 #include "solve/rippling_blades.hpp"
 #include "solve/supported_flight.hpp"
 
@@ -118,6 +119,45 @@ class AnyMachine final : public MachineWithEffects {
     }
     return SupportedShaft(rotor::LinearSupport(matrices.stiffness, matrices.damping, forcing));
   }
+};
+
+/// A machine whose ring is a body on a spring and a damper.
+template <class Machine>
+class InRingBody {
+ public:
+  static constexpr bool kMayChange = false;
+  explicit InRingBody(const scene::Scene& line)
+      : machine_(line),
+        ring_(line.ring_body->mass, 1.0 / line.ring_body->compliance, line.ring_body->damping,
+              line.rotor.natural_frequency) {}
+
+  [[nodiscard]] auto forcing(double speed_ratio) const {
+    return WithRingBody<decltype(machine_.forcing(speed_ratio))>{machine_.forcing(speed_ratio), ring_};
+  }
+  [[nodiscard]] auto blades(double speed_ratio) const { return machine_.blades(speed_ratio); }
+
+ private:
+  Machine machine_;
+  rotor::RingBody ring_;
+};
+
+/// A machine whose ring has no mass and stands on a spring.
+template <class Machine>
+class InFollowingRing {
+ public:
+  static constexpr bool kMayChange = false;
+  explicit InFollowingRing(const scene::Scene& line)
+      : machine_(line), stiffness_(1.0 / line.ring_body->compliance) {}
+
+  [[nodiscard]] auto forcing(double speed_ratio) const {
+    return WithFollowingRing<decltype(machine_.forcing(speed_ratio))>{machine_.forcing(speed_ratio),
+                                                                      {stiffness_}};
+  }
+  [[nodiscard]] auto blades(double speed_ratio) const { return machine_.blades(speed_ratio); }
+
+ private:
+  Machine machine_;
+  double stiffness_;  ///< kr [N/m]
 };
 
 }  // namespace rubatlas::solve

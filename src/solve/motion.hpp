@@ -17,21 +17,22 @@
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
 #include "integrate/dormand_prince_853.hpp"
-#include "observables/largest_distance.hpp"
 #include "solve/blade_set.hpp"
+#include "solve/bodies.hpp"
 #include "solve/contact_phase.hpp"
 #include "solve/flight_piece.hpp"
 #include "solve/line_solver.hpp"
 #include "solve/motion_listener.hpp"
+#include "solve/motion_phases.hpp"
 #include "solve/rotor.hpp"
-#include "solve/skimming_contact.hpp"
-#include "solve/sticking_contacts.hpp"
 
 namespace rubatlas::solve {
 
 template <class Law, class Forcing, class Pair = integrate::DormandPrince853, class Blades = BladeSet>
 class Motion {
  public:
+  using Bodies = BodiesOf<Forcing>;  ///< the shaft, and the ring where that is a body
+
   Motion(const RotorConstants& rotor, Blades blades, Law law, Forcing forcing, const ContactLimits& limits)
       : rotor_(rotor),
         free_(rotor.damping_ratio),
@@ -42,7 +43,7 @@ class Motion {
         flight_(rotor_, free_, forcing_),
         search_(rotor_, law_, blades_),
         solved_(rotor_, blades_, law_, limits_,
-                SolvedContacts<Law, Forcing, Blades>(rotor_, blades_, law_, forcing_)) {
+                typename Phases::SolvedSystem(rotor_, blades_, law_, forcing_)) {
     if constexpr (Law::kHasBending) {
       carried_.emplace(rotor_, blades_, law_, limits_,
                        CarriedContact<Law, Forcing, Blades>(rotor_, blades_, law_, forcing_));
@@ -54,22 +55,25 @@ class Motion {
       sticking_.emplace(rotor_, blades_, law_, limits_,
                         StickingContacts<Law, Forcing, Blades>(rotor_, blades_, law_, forcing_));
     }
+    if constexpr (kRingFollows<Forcing>) ring_placer_.emplace(rotor_, blades_, law_, forcing_);
     contacts_.reserve(static_cast<std::size_t>(blades_.count()));
   }
   Motion(const Motion&) = delete;  // parts point at each other
   Motion& operator=(const Motion&) = delete;
 
   /// Starts at phase 0; blades with g > 0 are in contact (MODEL 4.4).
-  PointStatus start(const State& state) {
+  PointStatus start(const Bodies& state) {
     state_ = state;
     time_ = 0.0;
     phase_ = Phase::undecided;
     contacts_.clear();
     const contact::BladeDirection first = blades_.first(0.0);
     for (int k = 0; k < blades_.count(); ++k) {
-      const contact::Pose at = pose_of(rotor_, law_.of(k).geometry(), blades_.direction(k, first), state_);
+      const contact::Pose at =
+          pose_of(rotor_, law_.of(k).geometry(), blades_.direction(k, first), from_ring(state_));
       if (at.gap > 0.0 && !open(k, at)) return PointStatus::left_validity;
     }
+    if (!place_ring()) return PointStatus::left_validity;
     settle([](const OpenContact&) {});
     flight_.start(time_, state_);
     never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);
@@ -78,7 +82,7 @@ class Motion {
 
   /// A motion at the end of a revolution, for another to go on from.
   struct Handover {
-    State state;
+    Bodies state;
     std::vector<OpenContact> contacts;
   };
   [[nodiscard]] Handover hand_over() {
@@ -100,7 +104,8 @@ class Motion {
     contacts_.clear();
     const contact::BladeDirection first = blades_.first(0.0);
     for (int k = 0; k < blades_.count(); ++k) {
-      const contact::Pose at = pose_of(rotor_, law_.of(k).geometry(), blades_.direction(k, first), state_);
+      const contact::Pose at =
+          pose_of(rotor_, law_.of(k).geometry(), blades_.direction(k, first), from_ring(state_));
       const auto held = std::find_if(handed.contacts.begin(), handed.contacts.end(),
                                      [&](const OpenContact& open) { return open.blade == k; });
       const bool found = held == handed.contacts.end() ? at.gap <= 0.0 || open(k, at) : keep(*held, at);
@@ -146,12 +151,13 @@ class Motion {
       if (end.event == PhaseEvent::left_validity) return PointStatus::left_validity;
       const PointStatus status = change_contacts(end, listener);
       if (status != PointStatus::done) return status;
+      if (!place_ring()) return PointStatus::left_validity;
     }
     return PointStatus::integrator_failed;  // chatter
   }
 
   /// At the end of the last revolution.
-  [[nodiscard]] const State& state() const { return state_; }
+  [[nodiscard]] const Bodies& state() const { return state_; }
 
   [[nodiscard]] WorkCounts work() const {
     WorkCounts result = work_;
@@ -172,6 +178,7 @@ class Motion {
   }
 
  private:
+  using Phases = MotionPhases<Law, Forcing, Pair, Blades>;
   enum class Phase : std::uint8_t { undecided, flight, carried, skimming, sticking, solved };
 
   PhaseEnd fly(double period, MotionListener& listener) {
@@ -184,12 +191,8 @@ class Motion {
     const double end = touchdown ? touchdown->time : period;
     if (end > time_) {
       FlightPiece<Forcing> piece(flight_, time_, end, flight_.displacement_bound(time_, state_, end - time_));
-      // |c| may reach R in flight where no blade stands in the way (MODEL 5).
-      const double ring_radius = law_.of(0).geometry().ring_radius;
-      if (piece.displacement_bound() + std::abs(rotor_.misalignment) >= ring_radius &&
-          observables::largest_distance(piece, -rotor_.misalignment, rotor_.speed_ratio) >= ring_radius) {
+      if (passes_through_ring(piece, flight_, state_, rotor_, law_.of(0).geometry().ring_radius))
         return {PhaseEvent::left_validity};
-      }
       listener.piece(piece);
       state_ = flight_.state(end);
       time_ = end;
@@ -207,8 +210,8 @@ class Motion {
       phase.shift_time(period);
       return end;
     }
-    const ContactState full = phase.end_state();
-    state_ = full.template head<4>();
+    const FullStateOf<Forcing> full = phase.end_state();
+    state_ = bodies(full);
     time_ = full[kTime];
     for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i].bending = phase.bending(i);
     if (!state_.isFinite().all()) return {PhaseEvent::failed};
@@ -261,13 +264,12 @@ class Motion {
     // A blade released at the fold returns from a distance, and a column that is compressed starts from no
     // force: neither hops without end.
     if (Law::kReleasesAtFold || !law_.of(contacts_.front().blade).carried()) return false;
-    ContactState full;
-    full << state_, time_, 0.0;
-    return skimming_->system().begins(full, contacts_.front(), kUnresolvedHop * limits_.tolerance);
+    return skimming_->system().begins(unbent(), contacts_.front(), kUnresolvedHop * limits_.tolerance);
   }
 
   [[nodiscard]] contact::Pose pose(int blade) const {
-    return pose_of(rotor_, law_.of(blade).geometry(), blades_.direction(blade, blades_.first(time_)), state_);
+    return pose_of(rotor_, law_.of(blade).geometry(), blades_.direction(blade, blades_.first(time_)),
+                   from_ring(state_));
   }
 
   /// Opens a contact where it stands. False where no force exists (MODEL 5).
@@ -290,6 +292,15 @@ class Motion {
       }
     }
     contacts_.push_back(contact);
+    return true;
+  }
+
+  /// Puts a ring without mass where the blades in contact push it. False where that is nowhere (MODEL 5).
+  bool place_ring() {
+    if constexpr (kRingFollows<Forcing>) {
+      const auto touches = [this](int blade) { return open(blade, pose(blade)); };
+      return ring_placer_->settle(state_, time_, contacts_, touches);
+    }
     return true;
   }
 
@@ -321,17 +332,13 @@ class Motion {
     return std::ranges::count(contacts_, 0.0, &OpenContact::slip);
   }
 
-  [[nodiscard]] ContactState full_state() const {
-    ContactState full;
-    full << state_, time_, 0.0;
-    return full;
-  }
+  [[nodiscard]] FullStateOf<Forcing> unbent() const { return full_state(state_, time_, 0.0); }
 
   /// Lets go of the tips at rest that friction cannot hold where the rotor stands, and tells it of each.
   template <class Tell>
   void settle(Tell let_go) {
     if constexpr (contact::Sticks<Law>) {
-      if (stuck_count() > 0) judge_->settle(full_state(), contacts_, let_go);
+      if (stuck_count() > 0) judge_->settle(unbent(), contacts_, let_go);
     }
   }
 
@@ -340,23 +347,26 @@ class Motion {
     if (event == PhaseEvent::comes_loose) {
       judge_->open(contacts_);
       const auto place = static_cast<std::size_t>(&contact - contacts_.data());
-      contact.slip = std::copysign(1.0, judge_->coefficient(place, full_state()));
+      contact.slip = std::copysign(1.0, judge_->coefficient(place, unbent()));
     } else {
       ++work_.slip_reversals;
       // Where two tips stick already, a third passes through.
-      const bool passes = stuck_count() >= std::ptrdiff_t{Judge::kMostStuck};
+      const bool passes = stuck_count() >= std::ptrdiff_t{Phases::Judge::kMostStuck};
       contact.slip = passes ? -contact.slip : 0.0;
     }
     tell_of_others(contact.blade, listener);
-    listener.event(Event{event, contact.blade, time_, contact.slip, state_});
+    tell(listener, event, contact.blade, contact.slip);
   }
 
   /// Settles after an event of one blade.
   void tell_of_others(int blade, MotionListener& listener) {
     settle([&](const OpenContact& other) {
-      if (other.blade != blade)
-        listener.event(Event{PhaseEvent::comes_loose, other.blade, time_, other.slip, state_});
+      if (other.blade != blade) tell(listener, PhaseEvent::comes_loose, other.blade, other.slip);
     });
+  }
+
+  void tell(MotionListener& listener, PhaseEvent event, int blade, double slip) const {
+    listener.event(Event{event, blade, time_, slip, shaft(state_)});
   }
 
   PointStatus change_contacts(const PhaseEnd& end, MotionListener& listener) {
@@ -366,7 +376,7 @@ class Motion {
     switch (end.event) {
       case PhaseEvent::lift_off:
         ++work_.liftoffs;
-        listener.event(Event{end.event, end.blade, time_, contact->slip, state_});
+        tell(listener, end.event, end.blade, contact->slip);
         contacts_.erase(contact);
         tell_of_others(end.blade, listener);
         return PointStatus::done;
@@ -375,7 +385,7 @@ class Motion {
         if (!open(end.blade, pose(end.blade))) return PointStatus::left_validity;
         touched_down_ = true;
         tell_of_others(end.blade, listener);
-        listener.event(Event{end.event, end.blade, time_, contacts_.back().slip, state_});
+        tell(listener, end.event, end.blade, contacts_.back().slip);
         return PointStatus::done;
       case PhaseEvent::pressed_in:
         return PointStatus::done;
@@ -391,16 +401,16 @@ class Motion {
           const auto root = law_.of(contact->blade).solve(at, contact->slip);
           // A tip that was held beyond the ring is free where friction turns to the other side.
           if (!root && Law::kReleasesAtFold && at.gap < 0.0) {
-            listener.event(Event{end.event, end.blade, time_, contact->slip, state_});
+            tell(listener, end.event, end.blade, contact->slip);
             ++work_.liftoffs;
-            listener.event(Event{PhaseEvent::lift_off, end.blade, time_, contact->slip, state_});
+            tell(listener, PhaseEvent::lift_off, end.blade, contact->slip);
             contacts_.erase(contact);
             return PointStatus::done;
           }
           if (!root) return PointStatus::left_validity;
           contact->bending = *root;
         }
-        listener.event(Event{end.event, end.blade, time_, contact->slip, state_});
+        tell(listener, end.event, end.blade, contact->slip);
         return PointStatus::done;
       }
     }
@@ -411,18 +421,6 @@ class Motion {
   static constexpr double kUnresolvedHop = 1.0;
   static constexpr double kGapRounding = 1e-17;  ///< [m²]: g where a touch-down has been located
 
-  // Only blades that bend carry a parameter, and start with a force.
-  template <class System>
-  using OfBending =
-      std::conditional_t<Law::kHasBending, ContactPhase<System, Law, Pair, Blades>, std::monostate>;
-  using Carried = OfBending<CarriedContact<Law, Forcing, Blades>>;
-  using Skimming = OfBending<SkimmingContact<Law, Forcing, Blades>>;
-  // Only tips that can stick have a right-hand side for it, and one that is asked whether they do.
-  using Judge =
-      std::conditional_t<contact::Sticks<Law>, StickingContacts<Law, Forcing, Blades>, std::monostate>;
-  using Sticking =
-      std::conditional_t<contact::Sticks<Law>, ContactPhase<Judge, Law, Pair, Blades>, std::monostate>;
-
   RotorConstants rotor_;
   rotor::FreeMotion free_;
   Forcing forcing_;
@@ -431,13 +429,14 @@ class Motion {
   Blades blades_;
   Flight<Forcing> flight_;
   TouchdownSearch<Law, Blades> search_;
-  ContactPhase<SolvedContacts<Law, Forcing, Blades>, Law, Pair, Blades> solved_;
-  std::optional<Carried> carried_;
-  std::optional<Skimming> skimming_;
-  std::optional<Sticking> sticking_;
-  std::optional<Judge> judge_;
+  typename Phases::Solved solved_;
+  std::optional<typename Phases::Carried> carried_;
+  std::optional<typename Phases::Skimming> skimming_;
+  std::optional<typename Phases::Sticking> sticking_;
+  std::optional<typename Phases::Judge> judge_;
+  std::optional<typename Phases::RingPlacer> ring_placer_;
   std::vector<OpenContact> contacts_;
-  State state_ = State::Zero();
+  Bodies state_ = Bodies::Zero();
   double time_ = 0.0;
   std::int64_t steps_left_ = 0;  ///< in this revolution
   WorkCounts work_;

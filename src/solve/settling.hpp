@@ -12,6 +12,8 @@
 
 namespace rubatlas::solve {
 
+/// `Section`: the state of all that moves.
+template <class Section = State>
 class Settling {
  public:
   static constexpr std::size_t kLongestPeriod = 16;  ///< in revolutions, as the classes of `analyse`
@@ -22,7 +24,7 @@ class Settling {
   explicit Settling(double distance) : distance_(distance) {}
 
   /// The section at the end of a revolution.
-  void add(const State& section) { sections_[count_++ % kKept] = section; }
+  void add(const Section& section) { sections_[count_++ % kKept] = section; }
 
   /// Smallest period in which the last sections repeat, 0 where they do not.
   [[nodiscard]] int period() const {
@@ -38,15 +40,15 @@ class Settling {
 
   [[nodiscard]] bool repeats(std::size_t period) const {
     for (std::size_t i = 1; i <= kRepeats * period; ++i) {
-      const State& section = sections_[(count_ - i) % kKept];
-      const State& earlier = sections_[(count_ - i - period) % kKept];
+      const Section& section = sections_[(count_ - i) % kKept];
+      const Section& earlier = sections_[(count_ - i - period) % kKept];
       if (!((section - earlier).abs().maxCoeff() <= distance_)) return false;
     }
     return true;
   }
 
   double distance_;
-  std::array<State, kKept> sections_{};
+  std::array<Section, kKept> sections_{};
   std::size_t count_ = 0;
 };
 

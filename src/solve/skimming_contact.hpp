@@ -26,30 +26,34 @@ namespace rubatlas::solve {
 template <class Law, class Forcing, class Blades = BladeSet>
 class SkimmingContact {
  public:
+  using FullState = FullStateOf<Forcing>;
+
   SkimmingContact(const RotorConstants& rotor, const Blades& blades, const Law& law, const Forcing& forcing)
       : rotor_(&rotor), blades_(&blades), law_(&law), forcing_(&forcing), contacts_(1), forces_(1) {}
 
   void open(const std::vector<OpenContact>& contacts) { contacts_ = contacts; }
   void restore(const std::vector<OpenContact>& contacts) { contacts_ = contacts; }
 
-  bool operator()(const ContactState& state, ContactState& derivative) {
+  bool operator()(const FullState& state, FullState& derivative) {
     ++evaluations_;
     Balance balance;
     if (!weigh(state, contacts_.front(), balance)) return false;
     forces_.front() = balance.force;
-    acceleration_ = balance.free + balance.share * balance.pushed;
-    derivative << state[2], state[3], acceleration_.real(), acceleration_.imag(), 1.0, 0.0;
+    const std::complex<double> pushed = balance.share * balance.pushed;
+    acceleration_ =
+        acceleration_of_all(state, *forcing_, balance.free + pushed, -pushed / rotor_->force_unit);
+    derivative = full_state(rate_of(state, acceleration_), 1.0, 0.0);
     return true;
   }
 
   /// λ in a state; NaN where the blade has no force.
-  [[nodiscard]] double share(const ContactState& state) const {
+  [[nodiscard]] double share(const FullState& state) const {
     OpenContact contact = contacts_.front();
     Balance balance;
     return weigh(state, contact, balance) ? balance.share : std::numeric_limits<double>::quiet_NaN();
   }
   /// λ times what the blade does in full.
-  [[nodiscard]] contact::TipForce force(const ContactState& state) const {
+  [[nodiscard]] contact::TipForce force(const FullState& state) const {
     OpenContact contact = contacts_.front();
     Balance balance;
     weigh(state, contact, balance);
@@ -58,7 +62,7 @@ class SkimmingContact {
 
   /// Whether a blade that touches down in a state begins to skim: it would be thrown back and return, at most
   /// `hop` [m] away from the ring.
-  [[nodiscard]] bool begins(const ContactState& state, OpenContact contact, double hop) const {
+  [[nodiscard]] bool begins(const FullState& state, OpenContact contact, double hop) const {
     // Hops are seldom that low: the force is asked for only where they are.
     const FreeMotion free = free_motion(state, contact.blade);
     const contact::Geometry& geometry = law_->of(contact.blade).geometry();
@@ -68,12 +72,13 @@ class SkimmingContact {
     return weigh(state, contact, balance) && balance.share > 0.0 && balance.share < 1.0;
   }
 
-  /// Puts a state back on g = 0, dg/dτ = 0, the shortest way.
-  void project(ContactState& state) const {
+  /// Puts a state back on g = 0, dg/dτ = 0, the shortest way for the shaft.
+  void project(FullState& state) const {
     const contact::Geometry& geometry = law_->of(contacts_.front().blade).geometry();
     const contact::BladeDirection er = direction(state, contacts_.front().blade);
-    const double outward_x = state[0] + geometry.reach * er.cosine;
-    const double outward_y = state[1] + rotor_->misalignment + geometry.reach * er.sine;
+    const State seen = from_ring(state);
+    const double outward_x = seen[0] + geometry.reach * er.cosine;
+    const double outward_y = seen[1] + rotor_->misalignment + geometry.reach * er.sine;
     const double inverse = 0.5 / (outward_x * outward_x + outward_y * outward_y);
     const double gap = pose(state, contacts_.front().blade).gap;
     state[0] -= gap * inverse * outward_x;
@@ -87,7 +92,7 @@ class SkimmingContact {
   /// Of the last evaluation.
   [[nodiscard]] const std::vector<contact::TipForce>& forces() const { return forces_; }
   [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
-  [[nodiscard]] std::complex<double> last_acceleration() const { return acceleration_; }
+  [[nodiscard]] const AccelerationOf<Forcing>& last_acceleration() const { return acceleration_; }
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
  private:
@@ -99,11 +104,11 @@ class SkimmingContact {
     contact::TipForce force;      ///< λ times the force
   };
 
-  [[nodiscard]] contact::BladeDirection direction(const ContactState& state, int blade) const {
+  [[nodiscard]] contact::BladeDirection direction(const FullState& state, int blade) const {
     return blades_->direction(blade, blades_->first(state[kTime]));
   }
-  [[nodiscard]] contact::Pose pose(const ContactState& state, int blade) const {
-    return pose_of(*rotor_, law_->of(blade).geometry(), direction(state, blade), state.head<4>());
+  [[nodiscard]] contact::Pose pose(const FullState& state, int blade) const {
+    return pose_of(*rotor_, law_->of(blade).geometry(), direction(state, blade), from_ring(state));
   }
 
   /// The motion without the blade, as that sees it.
@@ -113,15 +118,18 @@ class SkimmingContact {
     std::complex<double> acceleration;  ///< z''
     double curvature;                   ///< g'' [m²]
   };
-  [[nodiscard]] FreeMotion free_motion(const ContactState& state, int blade) const {
+  [[nodiscard]] FreeMotion free_motion(const FullState& state, int blade) const {
     const contact::Geometry& geometry = law_->of(blade).geometry();
     FreeMotion free;
     free.direction = direction(state, blade);
-    free.pose = pose_of(*rotor_, geometry, free.direction, state.head<4>());
+    const State seen = from_ring(state);
+    free.pose = pose_of(*rotor_, geometry, free.direction, seen);
     free.acceleration = acceleration(*rotor_, *forcing_, state, 0.0, 0.0);
-    free.curvature = contact::gap_curvature(geometry, free.direction, free.pose,
-                                            {state[0], state[1] + rotor_->misalignment}, {state[2], state[3]},
-                                            free.acceleration, blades_->speed(state[kTime]));
+    std::complex<double> closing = free.acceleration;
+    if constexpr (kRingMoves<Forcing>) closing -= forcing_->ring.acceleration(ring(state), 0.0);
+    free.curvature =
+        contact::gap_curvature(geometry, free.direction, free.pose, {seen[0], seen[1] + rotor_->misalignment},
+                               {seen[2], seen[3]}, closing, blades_->speed(state[kTime]));
     if constexpr (Blades::kRipples) {
       free.curvature +=
           2.0 * geometry.reach * blades_->angular_acceleration(state[kTime]) * free.pose.tangential;
@@ -129,7 +137,7 @@ class SkimmingContact {
     return free;
   }
 
-  bool weigh(const ContactState& state, OpenContact& contact, Balance& balance) const {
+  bool weigh(const FullState& state, OpenContact& contact, Balance& balance) const {
     const FreeMotion free = free_motion(state, contact.blade);
     const contact::BladeDirection& er = free.direction;
     const contact::Pose& at = free.pose;
@@ -140,7 +148,7 @@ class SkimmingContact {
     balance.pushed = rotor_->force_unit * std::complex<double>(force.radial, force.tangential) *
                      std::complex<double>(er.cosine, er.sine);
     const double pushed_curvature =
-        2.0 * rotor_->force_unit *
+        2.0 * closing_unit(*rotor_, *forcing_) *
         ((at.radial + law.geometry().reach) * force.radial + at.tangential * force.tangential);
     balance.share = -free.curvature / pushed_curvature;
     force.radial *= balance.share;
@@ -156,7 +164,7 @@ class SkimmingContact {
   const Forcing* forcing_;
   std::vector<OpenContact> contacts_;
   std::vector<contact::TipForce> forces_;
-  std::complex<double> acceleration_;
+  AccelerationOf<Forcing> acceleration_{};
   std::uint64_t evaluations_ = 0;
 };
 

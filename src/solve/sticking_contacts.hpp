@@ -28,6 +28,7 @@ namespace rubatlas::solve {
 template <class Law, class Forcing, class Blades = BladeSet>
 class StickingContacts {
  public:
+  using FullState = ContactState;
   static constexpr std::size_t kMostStuck = 2;
 
   StickingContacts(const RotorConstants& rotor, const Blades& blades, const Law& law, const Forcing& forcing)

@@ -15,6 +15,7 @@
 #include "contact/elastica_contact.hpp"
 #include "observables/recorder.hpp"
 #include "solve/blade_tables.hpp"
+#include "solve/bodies.hpp"
 #include "solve/changing_motion.hpp"
 #include "solve/line_solver.hpp"
 #include "solve/machine.hpp"
@@ -52,13 +53,13 @@ class TypedLineSolver final : public LineSolver {
   PointOutcome run(double speed_ratio, const PointStart& start,
                    const std::function<void()>& between_revolutions) override {
     return with_motion(speed_ratio, start, [&](auto& motion) {
-      return run_motion(motion, speed_ratio, start.state, between_revolutions);
+      return run_motion(motion, speed_ratio, start, between_revolutions);
     });
   }
 
   Orbit orbit(double speed_ratio, const PointStart& start) override {
     return with_motion(speed_ratio, start,
-                       [&](auto& motion) { return orbit_of(motion, speed_ratio, start.state); });
+                       [&](auto& motion) { return orbit_of(motion, speed_ratio, start); });
   }
 
  private:
@@ -84,20 +85,22 @@ class TypedLineSolver final : public LineSolver {
   }
 
   template <class AnyMotion>
-  PointOutcome run_motion(AnyMotion& motion, double speed_ratio, const SectionState& start,
+  PointOutcome run_motion(AnyMotion& motion, double speed_ratio, const PointStart& start,
                           const std::function<void()>& between_revolutions) {
     RecordingListener recording(recorder_);
     recorder_.begin({constants(speed_ratio).period(), speed_ratio, scene_.blades.count});
     PointOutcome outcome;
     const auto after_revolution = [&](bool sampled) {
-      if (sampled) recorder_.revolution_ends(as_array(motion.state()));
+      if (sampled) recorder_.revolution_ends(as_array(shaft(motion.state())));
       between_revolutions();
     };
     outcome.status = integrate(motion, start, recording, after_revolution, outcome.failed_revolution);
     const bool done = outcome.status == PointStatus::done;
     outcome.final_state.fill(std::numeric_limits<double>::quiet_NaN());
-    if (done) outcome.final_state = as_array(motion.state());
-    if constexpr (requires { motion.memory(); }) {
+    if (done) outcome.final_state = as_array(shaft(motion.state()));
+    if constexpr (kRingMoves<Forcing>) {
+      if (done) outcome.final_memory = Memory(as_array(ring(motion.state())));
+    } else if constexpr (requires { motion.memory(); }) {
       if (done) outcome.final_memory = motion.memory();
       recorder_.clearance_grows(motion.clearance_growth());
     }
@@ -107,18 +110,28 @@ class TypedLineSolver final : public LineSolver {
   }
 
   template <class AnyMotion>
-  Orbit orbit_of(AnyMotion& motion, double speed_ratio, const SectionState& start) const {
+  Orbit orbit_of(AnyMotion& motion, double speed_ratio, const PointStart& start) const {
     OrbitListener listener(constants(speed_ratio).period(), scene_.protocol.samples_per_revolution,
                            scene_.blades.count);
     std::int32_t failed_revolution = -1;
     const auto after_revolution = [&](bool sampled) {
-      if (sampled) listener.revolution_ends(as_array(motion.state()));
+      if (sampled) listener.revolution_ends(as_array(shaft(motion.state())));
     };
     const PointStatus status = integrate(motion, start, listener, after_revolution, failed_revolution);
     Orbit orbit = listener.take();
     orbit.status = status;
     orbit.failed_revolution = failed_revolution;
     return orbit;
+  }
+
+  /// What moves at the start of a point. A ring of which nothing is remembered is at rest in its place.
+  static BodiesOf<Forcing> bodies_at(const PointStart& start) {
+    BodiesOf<Forcing> bodies = ring_at_rest<Forcing>(as_state(start.state));
+    if constexpr (kRingMoves<Forcing>) {
+      const std::span<const double> ring = start.memory.view();
+      if (!ring.empty()) bodies.template tail<4>() = State(ring.data());
+    }
+    return bodies;
   }
 
   [[nodiscard]] RotorConstants constants(double speed_ratio) const {
@@ -138,14 +151,15 @@ class TypedLineSolver final : public LineSolver {
   }
 
   template <class AnyMotion, class AfterRevolution>
-  PointStatus integrate(AnyMotion& motion, const SectionState& start, MotionListener& sampling,
+  PointStatus integrate(AnyMotion& motion, const PointStart& start, MotionListener& sampling,
                         AfterRevolution after_revolution, std::int32_t& failed_revolution) const {
     MotionListener transient;
     const int first_sampled = scene_.protocol.transient_revolutions;
     const int revolutions = first_sampled + scene_.protocol.sampled_revolutions;
-    Settling settling(Settling::kCloseness * scene_.accuracy.tolerance * motion_scale());
+    using Section = std::remove_cvref_t<decltype(motion.state())>;
+    Settling<Section> settling(Settling<Section>::kCloseness * scene_.accuracy.tolerance * motion_scale());
     bool watched = scene_.protocol.stop_when_periodic;
-    PointStatus status = motion.start(as_state(start));
+    PointStatus status = motion.start(bodies_at(start));
     for (int revolution = 0; revolution < revolutions; ++revolution) {
       const bool sampled = revolution >= first_sampled;
       MotionListener& listener = sampled ? sampling : transient;

@@ -14,8 +14,10 @@ ALWAYS = {"status": ([], "|u1"), "restarted": ([], "|u1"), "failed_revolution": 
 IF_ASKED = {"poincare": ["section", "component"], "poincare_blade_passing": ["passing", "component"],
             "max_displacement": [], "spectrum": ["order"], "touchdowns_per_revolution": [], "max_contact_force": [],
             "contact_fraction": [], "max_root_strain": [], "clearance_growth": []}
-# What effects remember from point to point, where they act: dataset and inner axis of each.
-MEMORIES = {"wear": ("final_state_wear", "blade")}
+# What effects remember from point to point, where they act:
+# the quantity whose zero is its absence, dataset and inner axis of each.
+MEMORIES = {"wear": ("rate", "final_state_wear", "blade"),
+            "ring_body": ("compliance", "final_state_ring_body", "component")}
 PENDING, DONE, FAILED = 0, 1, (2, 3)
 
 
@@ -48,8 +50,8 @@ def departures(path):
         for name in IF_ASKED:
             need((name in atlas) == (name in asked), f"/{name} is there and not asked for, or the reverse")
         rows = {**ALWAYS, **{name: (IF_ASKED[name], "<f8") for name in asked}}
-        for effect, (name, axis) in MEMORIES.items():
-            acts = scene.get(effect, {}).get("rate", 0.0) != 0.0 or f"{effect}_rate" in swept
+        for effect, (strength, name, axis) in MEMORIES.items():
+            acts = scene.get(effect, {}).get(strength, 0.0) != 0.0 or any(key.startswith(f"{effect}_") for key in swept)
             need((name in atlas) == acts, f"/{name} is there without its effect, or the reverse")
             if acts:
                 rows[name] = ([axis], "<f8")

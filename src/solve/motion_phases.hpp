@@ -1,0 +1,37 @@
+/// Which phases a motion has, by its law of contact and by what moves: none is compiled that cannot occur.
+#pragma once
+
+#include <type_traits>
+#include <variant>
+
+#include "contact/friction_law.hpp"
+#include "solve/contact_phase.hpp"
+#include "solve/following_ring.hpp"
+#include "solve/skimming_contact.hpp"
+#include "solve/sticking_contacts.hpp"
+
+namespace rubatlas::solve {
+
+template <class Law, class Forcing, class Pair, class Blades>
+struct MotionPhases {
+  template <class System>
+  using Of = ContactPhase<System, Law, Pair, Blades>;
+  template <bool kOccurs, class Type>
+  using If = std::conditional_t<kOccurs, Type, std::monostate>;
+
+  // Only blades that bend carry a parameter, and start with a force.
+  using Carried = If<Law::kHasBending, Of<CarriedContact<Law, Forcing, Blades>>>;
+  using Skimming = If<Law::kHasBending, Of<SkimmingContact<Law, Forcing, Blades>>>;
+  // Only tips that can stick have a right-hand side for it, and one that is asked whether they do.
+  using Judge = If<contact::Sticks<Law>, StickingContacts<Law, Forcing, Blades>>;
+  using Sticking = If<contact::Sticks<Law>, Of<Judge>>;
+  // Only a ring without mass is to be put somewhere.
+  template <bool kFollows>
+  using SolvedOn = std::conditional_t<kFollows, ContactsOnFollowingRing<Law, Forcing, Blades>,
+                                      SolvedContacts<Law, Forcing, Blades>>;
+  using SolvedSystem = SolvedOn<kRingFollows<Forcing>>;
+  using Solved = Of<SolvedSystem>;
+  using RingPlacer = If<kRingFollows<Forcing>, SolvedSystem>;
+};
+
+}  // namespace rubatlas::solve

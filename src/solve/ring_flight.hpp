@@ -1,0 +1,125 @@
+/// Flight of a shaft and a ring body, both in closed form, with the interface of `Flight`: while no blade
+/// touches, neither knows of the other. What a search asks for is the shaft as seen from the ring.
+#pragma once
+
+#include <algorithm>
+#include <complex>
+
+#include "rotor/ring_body.hpp"
+#include "solve/bodies.hpp"
+#include "solve/flight.hpp"
+
+namespace rubatlas::solve {
+
+/// Bounds of shaft and ring while they fly.
+struct ShaftAndRingBound {
+  double shaft;          ///< of |z| and |z'|
+  double ring_position;  ///< of |r|
+  double ring_velocity;  ///< of |r'|, and of the ring's energy norm
+};
+inline double position_bound(const ShaftAndRingBound& bound) {
+  return bound.shaft + bound.ring_position;
+}
+inline double velocity_bound(const ShaftAndRingBound& bound) {
+  return bound.shaft + bound.ring_velocity;
+}
+
+template <class ShaftForcing>
+class Flight<WithRingBody<ShaftForcing>> {
+ public:
+  static constexpr bool kAnySupport = true;
+  using Complex = std::complex<double>;
+
+  Flight(const RotorConstants& rotor, const rotor::FreeMotion& free,
+         const WithRingBody<ShaftForcing>& forcing)
+      : shaft_(rotor, free, forcing.shaft), ring_(&forcing.ring), speed_(std::abs(rotor.speed_ratio)) {}
+
+  void start(double time, const ShaftAndRing& bodies) {
+    shaft_.start(time, shaft(bodies));
+    ring_start_ = ring(bodies);
+  }
+  [[nodiscard]] double start_time() const { return shaft_.start_time(); }
+  [[nodiscard]] ShaftAndRing state(double time) const {
+    ShaftAndRing bodies;
+    bodies << shaft_.state(time), ring_->free(ring_start_, time - start_time());
+    return bodies;
+  }
+  /// z'' − r'' [m per unit τ²].
+  [[nodiscard]] Complex acceleration(double time, const ShaftAndRing& bodies) const {
+    return shaft_.acceleration(time, shaft(bodies)) - ring_->acceleration(ring(bodies), 0.0);
+  }
+  [[nodiscard]] ShaftAndRingBound amplitude_bound(double time, const ShaftAndRing& bodies,
+                                                  double horizon) const {
+    const double norm = ring_->energy_norm(ring(bodies));
+    return {shaft_.amplitude_bound(time, shaft(bodies), horizon), norm / ring_->frequency(), norm};
+  }
+  /// Of |z|.
+  [[nodiscard]] double displacement_bound(double time, const ShaftAndRing& bodies, double horizon) const {
+    return shaft_.displacement_bound(time, shaft(bodies), horizon);
+  }
+  /// Of |z − r|.
+  [[nodiscard]] double bound_from_ring(double time, const ShaftAndRing& bodies, double horizon) const {
+    return displacement_bound(time, bodies, horizon) + ring_->energy_norm(ring(bodies)) / ring_->frequency();
+  }
+  [[nodiscard]] double second_bound(const ShaftAndRingBound& bound) const {
+    return shaft_.second_bound(bound.shaft) + ring_->second_bound(bound.ring_velocity);
+  }
+  [[nodiscard]] double third_bound(const ShaftAndRingBound& bound) const {
+    return shaft_.third_bound(bound.shaft) + ring_->third_bound(bound.ring_velocity);
+  }
+  /// The fastest of what moves [per unit τ].
+  [[nodiscard]] double fastest() const { return std::max(speed_, ring_->frequency()); }
+
+ private:
+  Flight<ShaftForcing> shaft_;
+  const rotor::RingBody* ring_;
+  double speed_;
+  rotor::RingBody::State ring_start_ = rotor::RingBody::State::Zero();
+};
+
+/// Flight of a shaft whose ring stands in its place.
+template <class ShaftForcing>
+class Flight<WithFollowingRing<ShaftForcing>> {
+ public:
+  using OfShaft = Flight<ShaftForcing>;
+  static constexpr bool kAnySupport = OfShaft::kAnySupport;
+  using Complex = std::complex<double>;
+
+  Flight(const RotorConstants& rotor, const rotor::FreeMotion& free,
+         const WithFollowingRing<ShaftForcing>& forcing)
+      : shaft_(rotor, free, forcing.shaft), speed_(std::abs(rotor.speed_ratio)) {}
+
+  void start(double time, const ShaftAndRing& bodies) { shaft_.start(time, shaft(bodies)); }
+  [[nodiscard]] double start_time() const { return shaft_.start_time(); }
+  [[nodiscard]] ShaftAndRing state(double time) const {
+    return ring_at_rest<WithFollowingRing<ShaftForcing>>(shaft_.state(time));
+  }
+  [[nodiscard]] Complex acceleration(double time, const ShaftAndRing& bodies) const {
+    return shaft_.acceleration(time, shaft(bodies));
+  }
+  [[nodiscard]] auto amplitude_bound(double time, const ShaftAndRing& bodies, double horizon) const {
+    return shaft_.amplitude_bound(time, shaft(bodies), horizon);
+  }
+  [[nodiscard]] double displacement_bound(double time, const ShaftAndRing& bodies, double horizon) const {
+    return shaft_.displacement_bound(time, shaft(bodies), horizon);
+  }
+  [[nodiscard]] double bound_from_ring(double time, const ShaftAndRing& bodies, double horizon) const {
+    return displacement_bound(time, bodies, horizon);
+  }
+  template <class Bound>
+  [[nodiscard]] double second_bound(const Bound& bound) const {
+    return shaft_.second_bound(bound);
+  }
+  template <class Bound>
+  [[nodiscard]] double third_bound(const Bound& bound) const {
+    return shaft_.third_bound(bound);
+  }
+  [[nodiscard]] double forcing_bound() const { return shaft_.forcing_bound(); }
+  [[nodiscard]] double fastest() const { return speed_; }
+
+ private:
+  OfShaft shaft_;
+  double speed_;
+};
+
+}  // namespace rubatlas::solve
