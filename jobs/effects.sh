@@ -1,14 +1,15 @@
 #!/bin/bash
-# What each effect does to the default rotor: runs its scene with and without it, and draws both side by side.
+# What each effect does to the default rotor: runs its scene with and without it, draws both side by side, and prints
+# regions and triggers of all in one table.
 #
 #   ./jobs/effects.sh                     every jobs/effect_<name>.json
 #   ./jobs/effects.sh gravity wear ...    these
 #   ./jobs/effects.sh --publish [...]     also renews tools/pictures/effect_<name>.png
 #
-# Atlases go to atlases/, pictures beside them. The scene without the effect is the same file without its section.
+# Atlases go to atlases/, pictures beside them, the table to atlases/effects.md. The scene without the effect is the same file without its section.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-[ "${1-}" != --help ] || { sed -n '2,9s/^# \{0,1\}//p' jobs/effects.sh; exit 0; }
+[ "${1-}" != --help ] || { sed -n '2,10s/^# \{0,1\}//p' jobs/effects.sh; exit 0; }
 publish=no
 [ "${1-}" != --publish ] || { publish=yes; shift; }
 program=${RUBATLAS:-build/rubatlas}
@@ -24,6 +25,15 @@ fi
 mkdir -p atlases
 # Some points without a motion (exit code 1) are a result.
 atlas() { "$program" run "$1" -o "$2" --resume || [ $? -eq 1 ]; }
+# regions ATLAS NAME: the row of regions and triggers that `analyse` finds, under a name; HEAD for what stands above it.
+regions() {
+  "$program" analyse "$1.h5" -o "$1_maps.h5" --table "$1.md" >/dev/null
+  awk -v name="$2" '/^## Regions/ { found = 1 }
+    found && /^\|/ && (++lines < 3) == (name == "HEAD") { if (lines == 3) sub(/^\|[^|]*/, "| " name " "); print }
+    lines == 3 { exit }' "$1.md"
+}
+table=atlases/effects.md
+: >"$table"
 for name in "${names[@]}"; do
   scene=jobs/effect_$name.json
   [ -e "$scene" ] || { echo "effects.sh: $scene is not there" >&2; exit 2; }
@@ -38,4 +48,10 @@ json.dump(content, open(plain, "w", encoding="utf-8"), indent=2)' "$name" "$scen
   atlas "$without.json" "$without.h5"
   tools/effect.py "$with.h5" --without "$without.h5" --dpi 60 -o "$with.png"
   [ "$publish" = no ] || cp "$with.png" tools/pictures/
+  [ -s "$table" ] || regions "$without" HEAD >>"$table"
+  # Most scenes are the default rotor without their effect: that row once.
+  row=$(regions "$without" "none (${name//_/ })")
+  cut -d'|' -f3- "$table" | grep -Fqx "$(cut -d'|' -f3- <<<"$row")" || echo "$row" >>"$table"
+  regions "$with" "${name//_/ }" >>"$table"
 done
+cat "$table"

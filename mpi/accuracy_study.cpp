@@ -77,24 +77,24 @@ class Points {
     return plan::scene_of_line(scene, grid_.parameters(point));
   }
 
-  /// All sections after the first `count` revolutions; none when the motion ends before.
-  [[nodiscard]] Sections first_sections(const AccuracySetting& setting, std::size_t point,
-                                        const solve::SectionState& start, int count) const {
+  /// The first `count` revolutions, all sampled.
+  [[nodiscard]] solve::PointOutcome first_revolutions(const AccuracySetting& setting, std::size_t point,
+                                                      const solve::PointStart& start, int count) const {
     scene::Scene scene = protocol_of(setting);
     scene.protocol.transient_revolutions = 0;
     scene.protocol.sampled_revolutions = count;
-    return sections_of(run(scene, point, start));
+    return run(scene, point, start);
   }
 
   [[nodiscard]] solve::PointOutcome run(const scene::Scene& scene, std::size_t point,
-                                        const solve::SectionState& start) const {
+                                        const solve::PointStart& start) const {
     const auto parameters = grid_.parameters(point);
     return solve::make_line_solver(scene, parameters, tables_)->run(parameters.speed_ratio, start, [] {});
   }
 
   /// The same outcome up to `repeats` times, and what it took.
   [[nodiscard]] solve::PointOutcome timed(const scene::Scene& scene, std::size_t point,
-                                          const solve::SectionState& start, int repeats,
+                                          const solve::PointStart& start, int repeats,
                                           AccuracyRun& run) const {
     const auto parameters = grid_.parameters(point);
     const auto solver = solve::make_line_solver(scene, parameters, tables_);
@@ -158,16 +158,16 @@ class Study {
   /// Follows the scene's sweep with the reference, point by point.
   void find_references() {
     const auto& initial = scene_.initial;
-    const solve::SectionState from_initial{initial.x, initial.y, initial.vx, initial.vy};
+    const solve::PointStart from_initial({initial.x, initial.y, initial.vx, initial.vy});
     const plan::Grid& grid = points_.grid();
     for (std::size_t line = 0; line < grid.line_count(); ++line) {
-      solve::SectionState start = from_initial;
+      solve::PointStart start = from_initial;
       for (std::size_t visit = 0; visit < grid.speed_count(); ++visit) {
         const std::size_t point = grid.point(line, visit);
         study_.points[point].start = start;
-        const Sections all = find_reference(point);
-        const bool go_on = grid.points_depend_on_each_other() && !all.empty();
-        start = go_on ? all.back() : from_initial;
+        const solve::PointOutcome end = find_reference(point);
+        const bool go_on = grid.points_depend_on_each_other() && end.status == solve::PointStatus::done;
+        start = go_on ? solve::PointStart(end.final_state, end.final_memory) : from_initial;
       }
     }
   }
@@ -187,7 +187,7 @@ class Study {
 
     const bool to_the_end = at.horizon == points_.revolutions();
     const int first = std::min(points_.revolutions(), std::max(kFirstSections, to_the_end ? 0 : at.horizon));
-    const Sections firsts = points_.first_sections(chosen, point, at.start, first);
+    const Sections firsts = sections_of(points_.first_revolutions(chosen, point, at.start, first));
     const Sections sampled = sections_of(outcome);
     const Reference& reference = references_[point];
     const double error = to_the_end ? largest_distance(sampled, reference.sampled, sampled.size())
@@ -209,20 +209,22 @@ class Study {
   }
 
  private:
-  Sections find_reference(std::size_t point) {
+  solve::PointOutcome find_reference(std::size_t point) {
     AccuracySetting tight = study_.settings.front();
     AccuracySetting looser = tight;
     looser.tolerance *= kLooser;
     AccuracyPoint& at = study_.points[point];
     Reference& reference = references_[point];
-    reference.all = points_.first_sections(tight, point, at.start, points_.revolutions());
+    solve::PointOutcome end = points_.first_revolutions(tight, point, at.start, points_.revolutions());
+    reference.all = sections_of(end);
     const auto sampled =
         std::min<std::ptrdiff_t>(std::ssize(reference.all), scene_.protocol.sampled_revolutions);
     reference.sampled.assign(reference.all.end() - sampled, reference.all.end());
-    at.horizon =
-        agreeing(reference.all, points_.first_sections(looser, point, at.start, points_.revolutions()),
-                 study_.horizon_tolerance * analysis::length_scale(points_.scene_of(scene_, point)));
-    return reference.all;
+    const Sections other =
+        sections_of(points_.first_revolutions(looser, point, at.start, points_.revolutions()));
+    at.horizon = agreeing(reference.all, other,
+                          study_.horizon_tolerance * analysis::length_scale(points_.scene_of(scene_, point)));
+    return end;
   }
 
   scene::Scene scene_;

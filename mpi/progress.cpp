@@ -28,11 +28,16 @@ std::size_t terminal_width() {
   return 80;
 }
 
+/// Points a second of this run, without a power of ten however many.
+std::string rate(const Standing& standing) {
+  const double value =
+      standing.seconds > 0.0 ? static_cast<double>(standing.computed) / standing.seconds : 0.0;
+  return value < 100.0 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
+}
+
 std::string counts(const Standing& standing) {
   std::string text = fmt::format("{}/{} points", standing.finished, standing.total);
-  if (standing.computed > 0 && standing.seconds > 0.0) {
-    text += fmt::format("  {:.3g}/s", static_cast<double>(standing.computed) / standing.seconds);
-  }
+  if (standing.computed > 0 && standing.seconds > 0.0) text += "  " + rate(standing) + "/s";
   if (standing.seconds_left >= 0.0) text += "  ETA " + readable_duration(standing.seconds_left);
   if (standing.failed > 0) text += fmt::format("  {} failed", standing.failed);
   return text;
@@ -72,11 +77,9 @@ std::string plain_line(const Standing& standing) {
 }
 
 std::string summary_line(const Standing& standing) {
-  const double rate =
-      standing.seconds > 0.0 ? static_cast<double>(standing.computed) / standing.seconds : 0.0;
-  return fmt::format("{} of {} points, {} failed; {} computed in {}, {:.3g} points/s", standing.finished,
+  return fmt::format("{} of {} points, {} failed; {} computed in {}, {} points/s", standing.finished,
                      standing.total, standing.failed, standing.computed, readable_duration(standing.seconds),
-                     rate);
+                     rate(standing));
 }
 
 Progress::Progress(ProgressStyle style)

@@ -91,7 +91,7 @@ class Writer {
   void starts() {
     std::vector<double> values;
     for (const auto& point : study_.points)
-      values.insert(values.end(), point.start.begin(), point.start.end());
+      values.insert(values.end(), point.start.state.begin(), point.start.state.end());
     write<double>("start", "m", "state from which all runs of a point start", values,
                   over_grid({}, {&component_}));
   }

@@ -47,7 +47,7 @@ struct AccuracyRun {
 
 /// What holds for all settings at a point.
 struct AccuracyPoint {
-  solve::SectionState start{};  ///< from which all runs start: where the reference run's sweep comes from
+  solve::PointStart start;  ///< from which all runs start: where the reference run's sweep comes from
   /// Leading sections over which the two tightest runs agree; all revolutions of the protocol: predictable.
   std::int32_t horizon = 0;
 };

@@ -17,7 +17,7 @@ class AccuracyFileLayout : public testing::Scratch {
   AccuracyFileLayout() : points_(plan::Grid(testing::small_scene()).point_count()) {
     study_.settings = {{.method = "hybrid", .tolerance = 1e-10}, {.method = "fixed", .step = 0.01}};
     study_.points.resize(points_);
-    study_.points[1].start = {1.0, 2.0, 3.0, 4.0};
+    study_.points[1].start.state = {1.0, 2.0, 3.0, 4.0};
     study_.points[1].horizon = 7;
     study_.changes.resize(2);
     study_.changes[1].any = 0.5;

@@ -35,7 +35,8 @@ SCENE
 run_without() {
   local tree=$build/$2 generator=()
   [ -e "$tree/CMakeCache.txt" ] || generator=(-G Ninja)
-  cmake -S . -B "$tree" "${generator[@]}" -DRUBATLAS_TESTS=OFF -DRUBATLAS_WITHOUT_EFFECTS="$1" >"$tree.log"
+  cmake -S . -B "$tree" "${generator[@]}" -DRUBATLAS_TESTS=OFF -DCMAKE_UNITY_BUILD=ON -DRUBATLAS_WITHOUT_EFFECTS="$1" \
+    >"$tree.log"
   cmake --build "$tree" --target rubatlas --parallel "${RUBATLAS_BENCH_JOBS:-$(nproc)}" >>"$tree.log"
   # The same name for both atlases, whatever is in the file.
   rm -rf "$tree.out" && mkdir "$tree.out"

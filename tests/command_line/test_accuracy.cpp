@@ -124,16 +124,21 @@ TEST_F(Accuracy, AMapIsTheOneThatRunAndAnalyseMake) {
             numbers(atlas::File::open_to_read(place.path("run.h5")), "/max_displacement"));
 }
 
-TEST_F(Accuracy, PointsStartWhereTheSweepOfTheReferenceHasCome) {
-  static_cast<void>(place.write("down.json", kScene + "down\"}"));
-  static_cast<void>(place.write("run.json", kScene + R"(down", "accuracy": {"tolerance": 1e-8}})"));
-  ASSERT_EQ(place.rubatlas("run run.json -o run.h5 --progress off").code, 0);
-  const auto start = numbers(study("--methods hybrid --tolerances 1e-7 --repeats 1", "down.json"), "/start");
-  const auto final = numbers(atlas::File::open_to_read(place.path("run.h5")), "/final_state");
-  for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(start[2 * 4 + i], 0.0) << "the highest speed begins at rest";
-    EXPECT_EQ(start[4 + i], final[2 * 4 + i]);
-    EXPECT_EQ(start[i], final[4 + i]);
+TEST_F(Accuracy, PointsStartWhereTheSweepOfTheReferenceHasComeWithBladesAsWorn) {
+  const std::string wear = R"(, "wear": {"rate": 1e-6, "carries_over": true})";
+  for (const std::string& effect : {std::string(), wear}) {
+    static_cast<void>(place.write("down.json", kScene + "down\"" + effect + "}"));
+    static_cast<void>(
+        place.write("run.json", kScene + R"(down", "accuracy": {"tolerance": 1e-8})" + effect + "}"));
+    ASSERT_EQ(place.rubatlas("run run.json -o run.h5 --overwrite --progress off").code, 0);
+    const auto start =
+        numbers(study("--methods hybrid --tolerances 1e-7 --repeats 1", "down.json"), "/start");
+    const auto final = numbers(atlas::File::open_to_read(place.path("run.h5")), "/final_state");
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ(start[2 * 4 + i], 0.0) << "the highest speed begins at rest";
+      EXPECT_EQ(start[4 + i], final[2 * 4 + i]);
+      EXPECT_EQ(start[i], final[4 + i]);
+    }
   }
 }
 

@@ -30,11 +30,11 @@ solve::PointOutcome run_on(const json& content, const PointStart& start) {
       ->run(parameters.speed_ratio, start, [] {});
 }
 
-double difference_of_rings(const solve::Memory& a, const solve::Memory& b) {
+double memory_difference(const solve::Memory& a, const solve::Memory& b) {
   EXPECT_EQ(a.view().size(), 4U);
   EXPECT_EQ(b.view().size(), 4U);
-  return largest_difference(std::vector(a.view().begin(), a.view().end()),
-                            std::vector(b.view().begin(), b.view().end()));
+  return test::largest_difference(std::vector(a.view().begin(), a.view().end()),
+                                  std::vector(b.view().begin(), b.view().end()));
 }
 
 TEST(RingBody, GoesOnMovingFromPointToPoint) {
@@ -49,12 +49,12 @@ TEST(RingBody, GoesOnMovingFromPointToPoint) {
   const auto whole = run_on(in_ring_body(0.62, 4), {});
   ASSERT_EQ(whole.work.touchdowns, touchdowns);
   EXPECT_GT(touchdowns, 4U);
-  EXPECT_LE(largest_difference(whole.final_state, at.state), 1e-12);
-  EXPECT_LE(difference_of_rings(whole.final_memory, at.memory), 1e-12);
+  EXPECT_LE(test::largest_difference(whole.final_state, at.state), 1e-12);
+  EXPECT_LE(memory_difference(whole.final_memory, at.memory), 1e-12);
   // Forgotten in between, the motion is another.
   const auto three = run_on(in_ring_body(0.62, 3), {});
   const auto forgotten = run_on(in_ring_body(0.62, 1), three.final_state);
-  EXPECT_GT(largest_difference(whole.final_state, forgotten.final_state), 1e-7);
+  EXPECT_GT(test::largest_difference(whole.final_state, forgotten.final_state), 1e-7);
 }
 
 TEST(RingBody, ThatNobodyTouchesComesFromMemoryAndReturnsThereInClosedForm) {
@@ -76,7 +76,7 @@ TEST(RingBody, OfWhichNothingIsRememberedStartsAtRest) {
   const auto fresh = run_on(in_ring_body(0.62, 2), {});
   const auto at_rest = run_on(in_ring_body(0.62, 2), {{}, solve::Memory(std::vector(4, 0.0))});
   EXPECT_EQ(fresh.final_state, at_rest.final_state);
-  EXPECT_EQ(difference_of_rings(fresh.final_memory, at_rest.final_memory), 0.0);
+  EXPECT_EQ(memory_difference(fresh.final_memory, at_rest.final_memory), 0.0);
   // A point that has left validity leaves nothing to remember: here the ring starts beyond the shaft.
   const auto left = run_on(in_ring_body(0.62, 2), {{}, solve::Memory(std::array{0.2, 0.0, 0.0, 0.0})});
   EXPECT_EQ(left.status, PointStatus::left_validity);

@@ -34,6 +34,11 @@ TEST(ProgressText, AResumedJobCountsWhatIsThereButNotInItsRate) {
   EXPECT_EQ(summary_line(standing), "150 of 200 points, 0 failed; 50 computed in 10.0 s, 5 points/s");
 }
 
+TEST(ProgressText, TheRateOfAFastJobIsReadAtAGlance) {
+  const Standing standing{.total = 5460, .finished = 5460, .failed = 0, .computed = 5460, .seconds = 5.0};
+  EXPECT_EQ(summary_line(standing), "5460 of 5460 points, 0 failed; 5460 computed in 5.0 s, 1092 points/s");
+}
+
 TEST(ProgressText, AJobIsNotCalledCompleteBeforeItsLastPoint) {
   EXPECT_EQ(plain_line({.total = 1000, .finished = 999}).substr(0, 5), " 99 %");
 }
