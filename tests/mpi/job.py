@@ -3,6 +3,7 @@ import json
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import tempfile
 import time
@@ -88,6 +89,24 @@ class JobTest(unittest.TestCase):
         for part in parts:
             self.assertIn(part, said[0])
         self.assertEqual(job.returncode, exit_code, job.stderr)
+
+    def assert_survives_kills(self, content, trials):
+        """A job of so many ranks, one of which is killed when so many points are there, goes on to the same bytes."""
+        whole = self.fill(None, content, "whole.h5")
+        interrupted = 0
+        for ranks, count in trials:
+            with self.subTest(ranks=ranks):
+                atlas = self.directory / f"killed{count}.h5"
+                job = self.start(ranks, content, atlas)
+                wait_for_points(job, atlas, count)
+                for victim in ranks_of(job)[:1]:
+                    os.kill(victim, signal.SIGKILL)
+                job.wait(timeout=60)
+                if atlas.exists():
+                    with h5py.File(atlas, "r") as file:
+                        interrupted += 0 < np.count_nonzero(file["status"][...]) < file["status"].size
+                self.assert_same_bytes(whole, self.fill(ranks, content, atlas.name, "--resume"))
+        self.assertGreater(interrupted, (len(trials) - 1) // 2, "most kills hit a job at work")
 
     def assert_same_bytes(self, one, other):
         # Compared as a whole first: a difference of megabytes is no message.

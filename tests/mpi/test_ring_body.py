@@ -1,13 +1,11 @@
 """How the ring moves goes from point to point like the shaft's state: by message, by file, and after a kill."""
-import os
-import signal
 import unittest
 
 import h5py
 import numpy as np
 
 from atlas_contract import departures
-from job import JobTest, long_scene, ranks_of, scene, wait_for_points
+from job import JobTest, long_scene, scene
 
 
 def in_ring_body(make, **changes):
@@ -49,21 +47,7 @@ class RingBody(JobTest):
     def test_a_killed_job_goes_on_with_the_ring_moving_to_the_same_bytes(self):
         content = in_ring_body(long_scene)
         content["protocol"]["transient_revolutions"] = 200
-        whole = self.fill(None, content, "whole.h5")
-        interrupted = 0
-        for ranks, count in ((2, 20), (3, 70)):
-            with self.subTest(ranks=ranks):
-                atlas = self.directory / f"killed{count}.h5"
-                job = self.start(ranks, content, atlas)
-                wait_for_points(job, atlas, count)
-                for victim in ranks_of(job)[:1]:
-                    os.kill(victim, signal.SIGKILL)
-                job.wait(timeout=60)
-                if atlas.exists():
-                    with h5py.File(atlas, "r") as file:
-                        interrupted += 0 < np.count_nonzero(file["status"][...]) < file["status"].size
-                self.assert_same_bytes(whole, self.fill(ranks, content, atlas.name, "--resume"))
-        self.assertGreater(interrupted, 0, "a kill hits a job at work")
+        self.assert_survives_kills(content, [(2, 20), (3, 70)])
 
 
 if __name__ == "__main__":

@@ -1,13 +1,11 @@
 """What blades have lost goes from point to point like the state: by message, by file, and after a kill."""
-import os
-import signal
 import unittest
 
 import h5py
 import numpy as np
 
 from atlas_contract import departures
-from job import JobTest, long_scene, ranks_of, scene, wait_for_points
+from job import JobTest, long_scene, scene
 
 
 def wearing(make, **changes):
@@ -56,22 +54,7 @@ class Wear(JobTest):
         self.assertGreater(lost[2].max(), lost[1].max())
 
     def test_a_killed_job_goes_on_with_worn_blades_to_the_same_bytes(self):
-        content = wearing(long_scene)
-        whole = self.fill(None, content, "whole.h5")
-        interrupted = 0
-        for ranks, count in ((2, 20), (3, 70), (1, 120)):
-            with self.subTest(ranks=ranks):
-                atlas = self.directory / f"killed{count}.h5"
-                job = self.start(ranks, content, atlas)
-                wait_for_points(job, atlas, count)
-                for victim in ranks_of(job)[:1]:
-                    os.kill(victim, signal.SIGKILL)
-                job.wait(timeout=60)
-                if atlas.exists():
-                    with h5py.File(atlas, "r") as file:
-                        interrupted += 0 < np.count_nonzero(file["status"][...]) < file["status"].size
-                self.assert_same_bytes(whole, self.fill(ranks, content, atlas.name, "--resume"))
-        self.assertGreater(interrupted, 1, "most kills hit a job at work")
+        self.assert_survives_kills(wearing(long_scene), [(2, 20), (3, 70), (1, 120)])
 
 
 if __name__ == "__main__":
