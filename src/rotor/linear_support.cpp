@@ -85,7 +85,7 @@ LinearSupport::LinearSupport(const Eigen::Matrix2d& stiffness, const Eigen::Matr
     }
   }
   if (terms_.size() > kMostTerms)
-    throw std::invalid_argument("linear support: more than 32 frequencies of forcing");
+    throw std::invalid_argument("linear support: more than 40 frequencies of forcing");
 
   system_.setZero();
   system_.topRightCorner<2, 2>().setIdentity();

@@ -35,7 +35,8 @@ class LinearSupport {
   using Complex = std::complex<double>;
   using State = Eigen::Vector4d;  ///< x, y, x', y' [m, m per unit τ]
 
-  static constexpr std::size_t kMostTerms = 32;  ///< different frequencies of the forcing
+  /// Different frequencies of the forcing: an unbalance has up to 35 under the deepest ripple of the speed.
+  static constexpr std::size_t kMostTerms = 40;
 
   /// `stiffness` K and `damping` C are those of the equation above [-]. Terms of equal frequency are added.
   /// Throws std::invalid_argument for more than kMostTerms frequencies and for values that are not finite.

@@ -7,6 +7,7 @@
 
 #include "contact/unequal_blades.hpp"
 #include "effect_scene.hpp"
+#include "rotor/linear_support.hpp"
 #include "solve/motion.hpp"
 #include "solve/rippling_blades.hpp"
 
@@ -54,6 +55,13 @@ TEST(SpeedRipple, TheUnbalancesSideBandsAreItsAccelerationAtEveryInstant) {
       EXPECT_LE(std::abs(forcing.acceleration(time) - exact), 2e-13 * scale)
           << "a " << ripple.amplitude << ", p " << ripple.order << ", Ω " << speed << ", τ " << time;
     }
+  }
+}
+
+TEST(SpeedRipple, TheDeepestHasNoMoreSideBandsThanAnySupportTakes) {
+  for (int order = 1; order <= 1000; ++order) {
+    const auto bands = effects::rippled_unbalance({0.9, order, 0.3}, 1e-4, 0.0, 0.5, 0.1);
+    EXPECT_LT(bands.size(), rotor::LinearSupport::kMostTerms) << "one is left for static loads; p " << order;
   }
 }
 

@@ -165,7 +165,7 @@ TEST(LinearSupport, EqualsTheMatrixExponentialForAnySupportAndForcing) {
   EXPECT_LE(worst, 1e-14);
 }
 
-TEST(LinearSupport, ThirtyTwoFrequenciesAreOneMotion) {
+TEST(LinearSupport, FortyFrequenciesAreOneMotion) {
   std::mt19937 random(7);
   const RandomSupport parts(random, LinearSupport::kMostTerms);
   const LinearSupport support(parts.stiffness, 2.0 * Matrix2d::Identity(), parts.forcing);
