@@ -144,7 +144,8 @@ class Machine {
   Forcing forcing_;
 };
 
-class Lanes : public testing::Test {
+/// By attempts side by side, as many as the processor has lanes.
+class Lanes : public testing::TestWithParam<int> {
  protected:
   Lanes() {
     for (const double friction : {0.1, 0.5, 0.0}) {
@@ -164,7 +165,6 @@ class Lanes : public testing::Test {
   }
 
   void expect_same_bits(std::size_t in_a_batch) {
-    if (lanes_of_processor() < static_cast<int>(in_a_batch)) GTEST_SKIP() << "needs wider lanes";
     ContactLanes lanes(lanes_of_processor());
     ASSERT_GT(order_.size(), 1000U);
     for (std::size_t first = 0; first + in_a_batch <= order_.size() && !HasFailure(); first += in_a_batch) {
@@ -183,18 +183,14 @@ class Lanes : public testing::Test {
   std::vector<Asked*> order_;
 };
 
-TEST_F(Lanes, TwoAttemptsHaveTheBitsOfTheScalarPath) {
-  expect_same_bits(2);
+TEST_P(Lanes, AttemptsHaveTheBitsOfTheScalarPath) {
+  expect_same_bits(static_cast<std::size_t>(GetParam()));
 }
-TEST_F(Lanes, FourAttemptsHaveTheBitsOfTheScalarPath) {
-  expect_same_bits(4);
-}
-TEST_F(Lanes, FiveAttemptsHaveTheBitsOfTheScalarPath) {
-  expect_same_bits(5);
-}
-TEST_F(Lanes, EightAttemptsHaveTheBitsOfTheScalarPath) {
-  expect_same_bits(8);
-}
+
+INSTANTIATE_TEST_SUITE_P(SideBySide, Lanes, testing::Range(2, lanes_of_processor() + 1),
+                         testing::PrintToStringParamName());
+// Where the processor has none no batch is made (`LineBatch`), and there is nothing to compare.
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Lanes);
 
 }  // namespace
 }  // namespace rubatlas::batch

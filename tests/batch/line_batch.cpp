@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstring>
 #include <memory>
 #include <stdexcept>
@@ -23,10 +24,6 @@ scene::Scene eight_lines() {
     "protocol": {"transient_revolutions": 12, "sampled_revolutions": 6, "samples_per_revolution": 32},
     "observables": ["poincare", "max_displacement", "spectrum", "max_contact_force", "max_root_strain"]
   })");
-}
-
-bool batches_here() {
-  return width_of(eight_lines()).seats > 1;
 }
 
 void expect_same(const solve::PointOutcome& one, const solve::PointOutcome& other) {
@@ -87,25 +84,32 @@ class Played {
 };
 
 TEST(LineBatch, EveryPointHasTheBitsThatItHasAlone) {
-  if (!batches_here()) GTEST_SKIP() << width_of(eight_lines()).reason;
-  Played alone(eight_lines(), {1, "asked for"});
-  alone.play();
+  const scene::Scene scene = eight_lines();
+  const plan::Grid grid(scene);
+  const auto tables = solve::make_blade_tables();
+  std::vector<solve::PointOutcome> alone;
   std::size_t failed = 0;
-  for (const auto& outcome : alone.outcomes) {
-    if (outcome.status != solve::PointStatus::done) ++failed;
+  std::size_t revolutions = 0;
+  for (std::size_t point = 0; point < grid.point_count(); ++point) {
+    const auto parameters = grid.parameters(point);
+    alone.push_back(solve::make_line_solver(scene, parameters, tables)->run(parameters.speed_ratio, {}, [&] {
+      ++revolutions;
+    }));
+    if (alone.back().status != solve::PointStatus::done) ++failed;
   }
   EXPECT_GT(failed, 0U) << "some points leave the model, which hurts nobody else";
-  EXPECT_LT(failed, alone.outcomes.size());
-  for (int seats = 2; seats <= lanes_of_processor(); ++seats) {
+  EXPECT_LT(failed, alone.size());
+  for (int seats = 1; seats <= width_of(scene).seats; ++seats) {
     SCOPED_TRACE(seats);
-    Played together(eight_lines(), {seats, "asked for"});
-    together.play();
-    for (std::size_t i = 0; i < alone.outcomes.size(); ++i) {
+    Played played(scene, {seats, "asked for"});
+    played.play();
+    for (std::size_t i = 0; i < alone.size(); ++i) {
       SCOPED_TRACE(i);
-      expect_same(alone.outcomes[i], together.outcomes[i]);
+      expect_same(alone[i], played.outcomes[i]);
     }
-    EXPECT_EQ(together.revolutions, alone.revolutions);
-    EXPECT_GT(together.batch->counts().in_lanes, together.batch->counts().batches);
+    EXPECT_EQ(played.revolutions, revolutions);
+    const LaneCounts counts = played.batch->counts();
+    EXPECT_EQ(counts.in_lanes > counts.batches, seats > 1) << "one seat has nobody to share with";
   }
 }
 
@@ -153,23 +157,27 @@ class Broken final : public solve::LineSolver {
   solve::Orbit orbit(double, const solve::PointStart&) override { return {}; }
 };
 
-TEST(LineBatch, WhatASolverThrowsReachesTheCallerWhileOthersAreUnderWay) {
-  if (!batches_here()) GTEST_SKIP() << width_of(eight_lines()).reason;
+TEST(LineBatch, WhatASolverThrowsReachesTheCallerWhoeverIsUnderWay) {
   const scene::Scene scene = eight_lines();
   const plan::Grid grid(scene);
-  const Width width = width_of(scene);
-  const auto sound = make_line_solver(width, scene, grid.parameters(0), solve::make_blade_tables());
-  const auto other = make_line_solver(width, scene, grid.parameters(6), solve::make_blade_tables());
-  Broken broken;
-  const auto batch = make_line_batch(width);
-  batch->begin(0, *sound, 0.36, {});
-  batch->begin(1, broken, 0.5, {});
-  batch->begin(2, *other, 0.36, {});
-  EXPECT_THROW(batch->advance([] {}), std::runtime_error);
+  const auto tables = solve::make_blade_tables();
+  for (int seats = 1; seats <= width_of(scene).seats; ++seats) {
+    SCOPED_TRACE(seats);
+    const Width width{seats, "asked for"};
+    std::vector<std::unique_ptr<solve::LineSolver>> sound;
+    Broken broken;
+    const auto batch = make_line_batch(width);
+    batch->begin(seats / 2, broken, 0.5, {});
+    for (int seat = 0; seat < seats; ++seat) {
+      if (seat == seats / 2) continue;
+      sound.push_back(make_line_solver(width, scene, grid.parameters(6U * sound.size()), tables));
+      batch->begin(seat, *sound.back(), 0.36, {});
+    }
+    EXPECT_THROW(batch->advance([] {}), std::runtime_error);
+  }
 }
 
-TEST(LineBatch, APointMayBeginBetweenTheRevolutionsOfOthers) {
-  if (!batches_here()) GTEST_SKIP() << width_of(eight_lines()).reason;
+TEST(LineBatch, APointMayBeginWhereverASeatIsFree) {
   const scene::Scene scene = eight_lines();
   const plan::Grid grid(scene);
   const Width width = width_of(scene);
@@ -179,16 +187,24 @@ TEST(LineBatch, APointMayBeginBetweenTheRevolutionsOfOthers) {
   const auto batch = make_line_batch(width);
   batch->begin(0, *first, 0.36, {});
   int revolutions = 0;
-  std::vector<Finished> ended;
-  while (ended.size() < 2) {
-    ended.push_back(batch->advance([&] {
-      if (++revolutions == 5) batch->begin(1, *second, 0.5, {});
-    }));
+  bool second_began = false;
+  const auto begin_second = [&](int seat) {
+    second_began = true;
+    batch->begin(seat, *second, 0.5, {});
+  };
+  std::array<solve::PointOutcome, 2> outcomes;
+  for (std::size_t ended = 0; ended < 2; ++ended) {
+    Finished finished = batch->advance([&] {
+      if (++revolutions == 5 && width.seats > 1) begin_second(1);
+    });
+    outcomes[width.seats > 1 ? static_cast<std::size_t>(finished.seat) : ended] = std::move(finished.outcome);
+    if (!second_began) begin_second(0);
   }
-  const auto alone = solve::make_line_solver(scene, grid.parameters(6), tables);
-  for (const auto& point : ended) {
-    if (point.seat == 1) expect_same(point.outcome, alone->run(0.5, {}, [] {}));
-  }
+  const auto alone = [&](std::size_t point, double speed_ratio) {
+    return solve::make_line_solver(scene, grid.parameters(point), tables)->run(speed_ratio, {}, [] {});
+  };
+  expect_same(outcomes[0], alone(0, 0.36));
+  expect_same(outcomes[1], alone(6, 0.5));
 }
 
 }  // namespace

@@ -90,6 +90,14 @@ class JobTest(unittest.TestCase):
             self.assertIn(part, said[0])
         self.assertEqual(job.returncode, exit_code, job.stderr)
 
+    def assert_says_nothing_of(self, **effect):
+        """An atlas whose effect has no strength holds what one without its section does."""
+        with h5py.File(self.fill(None, scene(**effect), "idle.h5"), "r") as idle, \
+                h5py.File(self.fill(None, scene(), "none.h5"), "r") as none:
+            self.assertEqual(set(idle), set(none))
+            for name in set(none) - {"scene", "scene_resolved"}:
+                self.assertEqual(idle[name][()].tobytes(), none[name][()].tobytes(), name)
+
     def assert_survives_kills(self, content, trials):
         """A job of so many ranks, one of which is killed when so many points are there, goes on to the same bytes."""
         whole = self.fill(None, content, "whole.h5")
