@@ -96,6 +96,7 @@ class ContactPhase final : public observables::MotionPiece {
           end_fraction_ = 0.0;
           if (const int released = step_.released_blade(); released >= 0)
             return {PhaseEvent::lift_off, released};
+          if (const int unheld = step_.unheld_blade(); unheld >= 0) return {PhaseEvent::comes_loose, unheld};
           return {PhaseEvent::left_validity};
         default:
           find_end();

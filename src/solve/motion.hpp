@@ -25,7 +25,7 @@
 #include "solve/motion_listener.hpp"
 #include "solve/rotor.hpp"
 #include "solve/skimming_contact.hpp"
-#include "solve/sticking_contacts.hpp"
+#include "solve/sticking_elastic_contacts.hpp"
 
 namespace rubatlas::solve {
 
@@ -51,8 +51,7 @@ class Motion {
     }
     if constexpr (contact::Sticks<Law>) {
       judge_.emplace(rotor_, blades_, law_, forcing_);
-      sticking_.emplace(rotor_, blades_, law_, limits_,
-                        StickingContacts<Law, Forcing, Blades>(rotor_, blades_, law_, forcing_));
+      sticking_.emplace(rotor_, blades_, law_, limits_, Judge(rotor_, blades_, law_, forcing_));
     }
     contacts_.reserve(static_cast<std::size_t>(blades_.count()));
   }
@@ -210,7 +209,10 @@ class Motion {
     const ContactState full = phase.end_state();
     state_ = full.template head<4>();
     time_ = full[kTime];
-    for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i].bending = phase.bending(i);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      contacts_[i].bending = phase.bending(i);
+      if constexpr (contact::Sticks<Law>) contacts_[i].amplitude = phase.contact_at(i, time_).amplitude;
+    }
     if (!state_.isFinite().all()) return {PhaseEvent::failed};
     return end;
   }
@@ -245,7 +247,7 @@ class Motion {
       }
     }
     if constexpr (contact::Sticks<Law>) {
-      if (stuck_count() > 0) {
+      if (std::ranges::count(contacts_, 0.0, &OpenContact::slip) > 0) {
         phase_ = Phase::sticking;
         return sticking_->start(time_, state_, contacts_);
       }
@@ -317,10 +319,6 @@ class Motion {
     return true;
   }
 
-  [[nodiscard]] std::ptrdiff_t stuck_count() const {
-    return std::ranges::count(contacts_, 0.0, &OpenContact::slip);
-  }
-
   [[nodiscard]] ContactState full_state() const {
     ContactState full;
     full << state_, time_, 0.0;
@@ -331,21 +329,18 @@ class Motion {
   template <class Tell>
   void settle(Tell let_go) {
     if constexpr (contact::Sticks<Law>) {
-      if (stuck_count() > 0) judge_->settle(full_state(), contacts_, let_go);
+      judge_->settle(full_state(), contacts_, let_go);
     }
   }
 
   /// The slip velocity of a tip has come to zero, or friction no longer holds it there.
   void change_slip(OpenContact& contact, PhaseEvent event, MotionListener& listener) {
+    const auto place = static_cast<std::size_t>(&contact - contacts_.data());
     if (event == PhaseEvent::comes_loose) {
-      judge_->open(contacts_);
-      const auto place = static_cast<std::size_t>(&contact - contacts_.data());
-      contact.slip = std::copysign(1.0, judge_->coefficient(place, full_state()));
+      judge_->let_go(contacts_, place, full_state());
     } else {
       ++work_.slip_reversals;
-      // Where two tips stick already, a third passes through.
-      const bool passes = stuck_count() >= std::ptrdiff_t{Judge::kMostStuck};
-      contact.slip = passes ? -contact.slip : 0.0;
+      judge_->arrest(contacts_, place, full_state());
     }
     tell_of_others(contact.blade, listener);
     listener.event(Event{event, contact.blade, time_, contact.slip, state_});
@@ -419,7 +414,7 @@ class Motion {
   using Skimming = OfBending<SkimmingContact<Law, Forcing, Blades>>;
   // Only tips that can stick have a right-hand side for it, and one that is asked whether they do.
   using Judge =
-      std::conditional_t<contact::Sticks<Law>, StickingContacts<Law, Forcing, Blades>, std::monostate>;
+      std::conditional_t<contact::Sticks<Law>, StickingSystem<Law, Forcing, Blades>, std::monostate>;
   using Sticking =
       std::conditional_t<contact::Sticks<Law>, ContactPhase<Judge, Law, Pair, Blades>, std::monostate>;
 
