@@ -341,7 +341,7 @@ auto DirectedElastica<Direction, FrictionLaw>::rest(const Pose& at, double speed
       bend = held->bend;
     }
   }
-  return Rest{*held, rests_firmly(*held, at, speed_ratio, *place)};
+  return Rest{*held, firmness(*held, geometry_, at, speed_ratio, *place)};
 }
 
 template <class Direction, class FrictionLaw>

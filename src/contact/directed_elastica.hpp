@@ -155,7 +155,7 @@ class DirectedElastica {
   /// What holds the tip at rest on the ring where `near` leads; none where nothing can.
   struct Rest {
     HeldBlade held;
-    bool firm;  ///< `rests_firmly`
+    double firmness;
   };
   [[nodiscard]] std::optional<Rest> rest(const Pose& at, double speed_ratio, const Bend& near) const;
 

@@ -17,7 +17,7 @@
 /// In the first reading Coulomb's inclusion c ∈ μ Sign(v) is algebraic: at a given pose v is a function of c
 /// along the blade's equilibria, of slope dv/dc ~ dv/dα ∂(δ, D)/∂(κ, φ). Where v falls as c grows, rest is
 /// the limit of friction that is ever steeper in v; where it rises, rest is unstable and two slipping states
-/// stand beside it (`rests_firmly`). The first is the rule while the blade unbends, the second while it is
+/// stand beside it (`firmness`). The first is the rule while the blade unbends, the second while it is
 /// pressed in: dv/dα = −A sin α − B cos α, in which B is about the speed at which the tip is pressed in.
 #pragma once
 
@@ -117,9 +117,12 @@ std::optional<HeldBlade> hold(const Geometry& geometry, double length, const Pos
   return std::nullopt;
 }
 
-/// Whether rest is the limit of friction that is ever steeper in the slip velocity.
-inline bool rests_firmly(const HeldBlade& held, const Pose& at, double speed_ratio, double normal_angle) {
-  return slip_by_normal_angle(at, speed_ratio, normal_angle) * held.determinant < 0.0;
+/// How firmly a tip rests: −dv/dα / (Ω R), signed so that it is positive where rest is the limit of friction
+/// that is ever steeper in the slip velocity.
+inline double firmness(const HeldBlade& held, const Geometry& geometry, const Pose& at, double speed_ratio,
+                       double normal_angle) {
+  return -std::copysign(1.0, held.determinant) * slip_by_normal_angle(at, speed_ratio, normal_angle) /
+         std::abs(speed_ratio * geometry.ring_radius);
 }
 
 }  // namespace rubatlas::contact

@@ -371,6 +371,11 @@ class ContactPhase final : public observables::MotionPiece {
         return take_if_first(integrate::root_between(mean, 0.0, last, -after / last, after / last),
                              PhaseEvent::slip_reversal, blade(contact));
       }
+      // An elastic blade's v may be against s where its contact begins; it is asked for anew.
+      if constexpr (requires { requires Law::OfBlade::kSticks; }) {
+        if (slip * before < 0.0 && slip * after < 0.0)
+          return take_if_first(last, PhaseEvent::slip_reversal, blade(contact));
+      }
     }
     if (before == 0.0 || (before > 0.0) == (after > 0.0)) return;
     take_if_first(integrate::root_between(velocity, 0.0, last, before, after), PhaseEvent::slip_reversal,

@@ -12,6 +12,7 @@
 /// and then slips the other way, as in MODEL 4.4.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -64,12 +65,17 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
     leave_rest(contacts[contact], state);
   }
 
-  /// |c| − μs [-]: a tip comes loose where it is positive. One that nothing can hold has lost it.
+  /// |c| − μs [-], or how far a tip is from being firm, and its blade from being bent: it comes loose where
+  /// that is positive. One that nothing can hold has come loose.
   [[nodiscard]] double excess(std::size_t contact, const ContactState& state) const {
     constexpr double kLost = 1.0;
     const OpenContact& open = this->contacts()[contact];
     const auto there = rest(open, state);
-    return there ? beyond_cone(open, there->held.coefficient) : kLost;
+    if (!there) return kLost;
+    const double least_modulus = kLeastModulus * law_->of(open.blade).friction().largest_holding;
+    return std::max({beyond_cone(open, there->held.coefficient),
+                     1.0 - std::abs(there->firmness) / kLeastFirmness,
+                     1.0 - std::abs(there->held.bend.modulus) / least_modulus});
   }
   /// What a contact does in a state; nothing where nothing can hold it.
   [[nodiscard]] contact::TipForce force(std::size_t contact, const ContactState& state) const {
@@ -85,6 +91,11 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
  private:
   /// Of μs, beyond which a tip comes loose: rounding does not lead it back.
   static constexpr double kShareBeyond = 1e-9;
+  /// Where dv/dα passes through zero, c changes within times that vanish with it.
+  static constexpr double kLeastFirmness = 1e-6;
+  /// κ, of μs, below which the blade is a straight strut between hub and ring, as stiff as 1/κ², and about to
+  /// leave the ring.
+  static constexpr double kLeastModulus = 2e-4;
 
   [[nodiscard]] contact::Pose pose(const OpenContact& open, const ContactState& state) const {
     return pose_of(*rotor_, law_->of(open.blade).geometry(),
@@ -101,7 +112,8 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
   /// Puts a tip to rest where friction can hold it near its bend; false, and nothing changed, where not.
   bool rests(OpenContact& contact, const ContactState& state) const {
     const auto there = rest(contact, state);
-    if (!there || !there->firm || beyond_cone(contact, there->held.coefficient) > 0.0) return false;
+    if (!there || !(there->firmness > kLeastFirmness) || beyond_cone(contact, there->held.coefficient) > 0.0)
+      return false;
     contact.slip = 0.0;
     contact.bending = there->held.bend.modulus;
     contact.amplitude = there->held.bend.amplitude;
@@ -124,9 +136,11 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
     OpenContact back = there;
     if (!rests(there, state)) {
       const double velocity = forward(back, -contact.slip, state);
-      there = back;
-      // Neither direction slips as it should: v is zero next to the other one.
-      if (velocity < 0.0) rests(there, state);
+      if (std::isfinite(velocity)) {
+        there = back;
+        // Neither direction slips as it should: v is zero next to the other one.
+        if (velocity < 0.0) rests(there, state);
+      }
     }
     contact = there;
   }
@@ -134,7 +148,7 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
   void leave_rest(OpenContact& contact, const ContactState& state) const {
     constexpr double kAtTheEdge = 1e-6;  // of the cone
     const auto there = rest(contact, state);
-    if (there && there->firm && beyond_cone(contact, (1.0 + kAtTheEdge) * there->held.coefficient) > 0.0) {
+    if (there && beyond_cone(contact, (1.0 + kAtTheEdge) * there->held.coefficient) > 0.0) {
       contact.slip = std::copysign(1.0, there->held.coefficient);
       return;
     }
