@@ -84,6 +84,35 @@ void check_speed_ramp(const Scene& scene) {
   }
 }
 
+/// A ring that moves is compiled for the plain laws, and for a machine that stays as it is.
+void check_ring_body(const Scene& scene) {
+  if (!scene.ring_body) return;
+  const auto refuse_beside = [](bool there, std::string_view section) {
+    if (!there) return;
+    throw SceneError(
+        fmt::format("/ring_body: stands beside {}; the ring moves as one body without it only", section));
+  };
+  refuse_beside(scene.yielding_ring.has_value(), "/yielding_ring");
+  refuse_beside(scene.release.has_value(), "/release");
+  refuse_beside(scene.load_direction.has_value(), "/load_direction");
+  refuse_beside(scene.regularised_friction.has_value(), "/regularised_friction");
+  refuse_beside(scene.stribeck.has_value(), "/stribeck");
+  refuse_beside(scene.wear.has_value(), "/wear");
+  refuse_beside(scene.speed_ramp.has_value(), "/speed_ramp");
+  refuse_beside(scene.stick.has_value(), "/stick");
+  if (std::ranges::min(values_in(scene, "/ring_body/mass")) > 0.0) return;
+  if (scene.contact.law != ContactLaw::elastic_ring) {
+    throw SceneError(
+        R"(/ring_body/mass: 0 goes with the contact law "elastic_ring" only; under elastic blades )"
+        "/yielding_ring is a ring without mass");
+  }
+  const double damping = std::ranges::max(values_in(scene, "/ring_body/damping"));
+  if (damping > 0.0) {
+    throw SceneError(fmt::format(
+        "/ring_body/damping: {} beside a mass of 0; a ring without mass has no damping here", damping));
+  }
+}
+
 /// Effects of elastic blades say nothing of rigid ones, and a load of its own direction has no table.
 void check_blades(const Scene& scene) {
   const auto refuse = [](std::string_view section, std::string_view why) {
@@ -100,23 +129,23 @@ void check_blades(const Scene& scene) {
   if (rigid && scene.load_direction) refuse("/load_direction", kRigid);
   if (scene.stribeck && scene.regularised_friction)
     refuse("/stribeck", "stands beside /regularised_friction; friction has one law");
+  if (scene.stick && !rigid)
+    refuse("/stick", R"(holds the tips of rigid blades only: the contact law "elastic_ring")");
   if (scene.stick && (scene.stribeck || scene.regularised_friction))
     refuse("/stick", fmt::format("stands beside {}; friction has one law",
                                  scene.stribeck ? "/stribeck" : "/regularised_friction"));
   if (scene.stick && (scene.wear || scene.speed_ramp))
     refuse("/stick", fmt::format("stands beside {}, whose changes between revolutions would tear tips loose",
                                  scene.wear ? "/wear" : "/speed_ramp"));
-  const bool directed =
-      !rigid && (scene.load_direction || scene.stribeck || scene.regularised_friction || scene.stick);
+  const bool directed = !rigid && (scene.load_direction || scene.stribeck || scene.regularised_friction);
   if (!directed) return;
   constexpr std::string_view kPlain =
       R"(combines with inextensible elastica in a rigid ring only: no axial_compliance, yielding_ring, release or law "beam_column")";
   if (scene.axial_compliance || scene.yielding_ring || scene.release ||
       scene.contact.law == ContactLaw::beam_column)
-    refuse(scene.load_direction         ? "/load_direction"
-           : scene.stribeck             ? "/stribeck"
-           : scene.regularised_friction ? "/regularised_friction"
-                                        : "/stick",
+    refuse(scene.load_direction ? "/load_direction"
+           : scene.stribeck     ? "/stribeck"
+                                : "/regularised_friction",
            kPlain);
 }
 
@@ -128,6 +157,7 @@ void check_effects(const Scene& scene) {
   check_unequal_blades(scene);
   check_wear(scene);
   check_speed_ramp(scene);
+  check_ring_body(scene);
 }
 
 }  // namespace rubatlas::scene

@@ -9,11 +9,11 @@ std::unique_ptr<LineSolver> make_hybrid_with_effects(const LineRequest& request)
   using effects::acts;
   using effects::Effects;
   const scene::Scene& line = request.line;
+  if (acts<&Effects::ring_body>(line)) return blades_in_ring_body(request);
   if (line.contact.law == scene::ContactLaw::elastic_ring) {
     return acts<&Effects::stick>(line) ? sticking_blades_with_effects(request)
                                        : rigid_blades_with_effects(request);
   }
-  if (acts<&Effects::stick>(line)) return sticking_elastic_blades_with_effects(request);
   if (acts<&Effects::load_direction>(line) || acts<&Effects::regularised_friction>(line) ||
       acts<&Effects::stribeck>(line)) {
     return directed_blades_with_effects(request);
