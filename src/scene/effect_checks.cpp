@@ -84,35 +84,6 @@ void check_speed_ramp(const Scene& scene) {
   }
 }
 
-/// A ring that moves is compiled for the plain laws, and for a machine that stays as it is.
-void check_ring_body(const Scene& scene) {
-  if (!scene.ring_body) return;
-  const auto refuse_beside = [](bool there, std::string_view section) {
-    if (!there) return;
-    throw SceneError(
-        fmt::format("/ring_body: stands beside {}; the ring moves as one body without it only", section));
-  };
-  refuse_beside(scene.yielding_ring.has_value(), "/yielding_ring");
-  refuse_beside(scene.release.has_value(), "/release");
-  refuse_beside(scene.load_direction.has_value(), "/load_direction");
-  refuse_beside(scene.regularised_friction.has_value(), "/regularised_friction");
-  refuse_beside(scene.stribeck.has_value(), "/stribeck");
-  refuse_beside(scene.wear.has_value(), "/wear");
-  refuse_beside(scene.speed_ramp.has_value(), "/speed_ramp");
-  refuse_beside(scene.stick.has_value(), "/stick");
-  if (std::ranges::min(values_in(scene, "/ring_body/mass")) > 0.0) return;
-  if (scene.contact.law != ContactLaw::elastic_ring) {
-    throw SceneError(
-        R"(/ring_body/mass: 0 goes with the contact law "elastic_ring" only; under elastic blades )"
-        "/yielding_ring is a ring without mass");
-  }
-  const double damping = std::ranges::max(values_in(scene, "/ring_body/damping"));
-  if (damping > 0.0) {
-    throw SceneError(fmt::format(
-        "/ring_body/damping: {} beside a mass of 0; a ring without mass has no damping here", damping));
-  }
-}
-
 /// Effects of elastic blades say nothing of rigid ones, and a load of its own direction has no table.
 void check_blades(const Scene& scene) {
   const auto refuse = [](std::string_view section, std::string_view why) {
@@ -157,7 +128,6 @@ void check_effects(const Scene& scene) {
   check_unequal_blades(scene);
   check_wear(scene);
   check_speed_ramp(scene);
-  check_ring_body(scene);
 }
 
 }  // namespace rubatlas::scene

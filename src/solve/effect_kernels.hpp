@@ -71,7 +71,5 @@ std::unique_ptr<LineSolver> sticking_blades_with_effects(const LineRequest& requ
 std::unique_ptr<LineSolver> elastic_blades_with_effects(const LineRequest& request);
 std::unique_ptr<LineSolver> held_blades_with_effects(const LineRequest& request);
 std::unique_ptr<LineSolver> directed_blades_with_effects(const LineRequest& request);
-/// Elastic or rigid blades in a ring that is a body.
-std::unique_ptr<LineSolver> blades_in_ring_body(const LineRequest& request);
 
 }  // namespace rubatlas::solve

@@ -9,7 +9,6 @@ std::unique_ptr<LineSolver> make_hybrid_with_effects(const LineRequest& request)
   using effects::acts;
   using effects::Effects;
   const scene::Scene& line = request.line;
-  if (acts<&Effects::ring_body>(line)) return blades_in_ring_body(request);
   if (line.contact.law == scene::ContactLaw::elastic_ring) {
     return acts<&Effects::stick>(line) ? sticking_blades_with_effects(request)
                                        : rigid_blades_with_effects(request);
