@@ -323,9 +323,48 @@ void DirectedElastica<Direction, FrictionLaw>::set_force(const Pose& at, double 
 }
 
 template <class Direction, class FrictionLaw>
+auto DirectedElastica<Direction, FrictionLaw>::rest(const Pose& at, double speed_ratio,
+                                                    const Bend& near) const -> std::optional<Rest> {
+  constexpr int kSteps = 8;  // on a way that Newton's method cannot leap
+  if (!(near.amplitude > 0.0)) return std::nullopt;
+  const blade::InclinedPoint point = blade::inclined_equilibrium(near.modulus, near.amplitude);
+  const double from = std::atan2(at.tangential - length_ * point.deflection.value,
+                                 at.radial + geometry_.reach - length_ * point.shortening.value);
+  const auto place = resting_normal_angle(geometry_, at, speed_ratio, from);
+  if (!place) return std::nullopt;
+  auto held = hold<Direction>(geometry_, length_, at, *place, near);
+  if (!held) {
+    Bend bend = near;
+    for (int i = 0; i <= kSteps; ++i) {
+      held = hold<Direction>(geometry_, length_, at, from + (*place - from) * i / kSteps, bend);
+      if (!held) return std::nullopt;
+      bend = held->bend;
+    }
+  }
+  return Rest{*held, firmness(*held, geometry_, at, speed_ratio, *place)};
+}
+
+template <class Direction, class FrictionLaw>
+bool DirectedElastica<Direction, FrictionLaw>::respond_at_rest(const Pose& at, double speed_ratio,
+                                                               double& bending, double& amplitude,
+                                                               TipForce& force) const {
+  const auto there = rest(at, speed_ratio, {bending, amplitude});
+  if (!there) return false;
+  bending = there->held.bend.modulus;
+  amplitude = there->held.bend.amplitude;
+  Constraint standing = constraint(at, 0.0, speed_ratio, there->held.bend);
+  standing.coefficient = there->held.coefficient;
+  set_force(at, speed_ratio, standing, force);
+  return true;
+}
+
+template <class Direction, class FrictionLaw>
 bool DirectedElastica<Direction, FrictionLaw>::respond(const Pose& at, double slip, double speed_ratio,
                                                        double& bending, double& amplitude,
                                                        TipForce& force) const {
+  if constexpr (kSticks) {
+    if (slip == 0.0) return respond_at_rest(at, speed_ratio, bending, amplitude, force);
+  }
   const double first = first_load_angle(at, slip, speed_ratio);
   double side = first != 0.0 ? std::copysign(1.0, first) : slip;
   bool known = bending != 0.0;
@@ -363,8 +402,10 @@ bool DirectedElastica<Direction, FrictionLaw>::respond(const Pose& at, double sl
 template class DirectedElastica<AxialLoad, CoulombFriction>;
 template class DirectedElastica<AxialLoad, RegularisedFriction>;
 template class DirectedElastica<AxialLoad, StribeckFriction>;
+template class DirectedElastica<AxialLoad, StickingFriction>;
 template class DirectedElastica<NormalLoad, CoulombFriction>;
 template class DirectedElastica<NormalLoad, RegularisedFriction>;
 template class DirectedElastica<NormalLoad, StribeckFriction>;
+template class DirectedElastica<NormalLoad, StickingFriction>;
 
 }  // namespace rubatlas::contact

@@ -17,7 +17,7 @@
 /// any column, the side is a discrete memory, here the sign of `bending`. A blade that has just touched has
 /// none (`bending` = 0) and bends as its load first points, b of the undeformed tip; at b = 0 exactly, to the
 /// side of s. With AxialLoad and CoulombFriction b never passes through zero, and the side is always that of
-/// s (MODEL 2).
+/// s (MODEL 2). Where tips stick, c of one at rest goes through zero, and the side is a memory, too.
 #pragma once
 
 #include <algorithm>
@@ -29,6 +29,7 @@
 #include "contact/elastica_contact.hpp"
 #include "contact/friction_law.hpp"
 #include "contact/pose.hpp"
+#include "contact/sticking_elastica.hpp"
 
 namespace rubatlas::contact {
 
@@ -51,8 +52,10 @@ class DirectedElastica {
   static constexpr bool kReleasesAtFold = false;
   static constexpr bool kHasSlipState = FrictionLaw::kHasSlipState;
   static constexpr bool kLoadFollowsGap = false;
+  /// Contacts with s = 0 stick.
+  static constexpr bool kSticks = requires(const FrictionLaw& friction) { friction.largest_holding; };
   /// Does a contact remember the side to which its blade is bent?
-  static constexpr bool kRemembersSide = Direction::kFollowsNormal || !FrictionLaw::kHasSlipState;
+  static constexpr bool kRemembersSide = Direction::kFollowsNormal || !FrictionLaw::kHasSlipState || kSticks;
 
   using Blade = ElasticaContact::Blade;
 
@@ -149,6 +152,13 @@ class DirectedElastica {
     return respond(at, slip, speed_ratio, bending, amplitude, force);
   }
 
+  /// What holds the tip at rest on the ring where `near` leads; none where nothing can.
+  struct Rest {
+    HeldBlade held;
+    double firmness;
+  };
+  [[nodiscard]] std::optional<Rest> rest(const Pose& at, double speed_ratio, const Bend& near) const;
+
   /// b of the undeformed blade, to which it bends when it is touched [rad].
   [[nodiscard]] double first_load_angle(const Pose& at, double slip, double speed_ratio) const {
     return direction(at, slip, speed_ratio, at.radial + geometry_.reach, at.tangential).angle;
@@ -187,6 +197,10 @@ class DirectedElastica {
         by_normal + friction_.slope(velocity, slip) * velocity_by_normal / (1.0 + coefficient * coefficient),
         coefficient};
   }
+
+  /// `respond` of a tip at rest.
+  bool respond_at_rest(const Pose& at, double speed_ratio, double& bending, double& amplitude,
+                       TipForce& force) const;
 
   /// Newton's method from a bend; none where it leaves the side, or ends on another branch than the one of
   /// `solve`.

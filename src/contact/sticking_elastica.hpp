@@ -13,10 +13,17 @@
 ///
 /// An inextensible blade can be held by pressure only where it is bent enough: δ >= D²/(2L) or so. Where the
 /// given place needs a pull there is no such blade, and `hold` says none.
+///
+/// In the first reading Coulomb's inclusion c ∈ μ Sign(v) is algebraic: at a given pose v is a function of c
+/// along the blade's equilibria, of slope dv/dc ~ dv/dα ∂(δ, D)/∂(κ, φ). Where v falls as c grows, rest is
+/// the limit of friction that is ever steeper in v; where it rises, rest is unstable and two slipping states
+/// stand beside it (`firmness`). The first is the rule while the blade unbends, the second while it is
+/// pressed in: dv/dα = −A sin α − B cos α, in which B is about the speed at which the tip is pressed in.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "blade/inclined_elastica.hpp"
@@ -43,11 +50,19 @@ inline std::optional<double> resting_normal_angle(const Geometry& geometry, cons
   return near + std::remainder((distance(one) < distance(other) ? one : other) - near, 2.0 * std::acos(-1.0));
 }
 
+/// dv/dα [m per unit τ] of a tip on the ring.
+inline double slip_by_normal_angle(const Pose& at, double speed_ratio, double normal_angle) {
+  const double across = at.tangential_velocity - speed_ratio * at.radial;
+  const double along = at.radial_velocity + speed_ratio * at.tangential;
+  return -across * std::sin(normal_angle) - along * std::cos(normal_angle);
+}
+
 /// A blade whose tip is held at a place on the ring.
 struct HeldBlade {
   blade::Bend bend;
   double load;         ///< P L² / EI [-]
   double coefficient;  ///< c that holds it [-]
+  double determinant;  ///< of the sign of ∂(δ, D)/∂(κ, φ): zero where the place can be held no further
 };
 
 /// Blade of length L [m] with its tip at the normal angle α on the ring, found by Newton's method from a
@@ -55,36 +70,59 @@ struct HeldBlade {
 template <class Direction>
 std::optional<HeldBlade> hold(const Geometry& geometry, double length, const Pose& at, double normal_angle,
                               const blade::Bend& near) {
+  constexpr double kLeast = 0.25;  // factors by which a step may change κ and φ
+  constexpr double kMost = 4.0;
   const double a = geometry.ring_radius * std::cos(normal_angle);
   const double b = geometry.ring_radius * std::sin(normal_angle);
   const double shortening = (at.radial + geometry.reach - a) / length;
   const double deflection = (at.tangential - b) / length;
   const double side = std::copysign(1.0, near.modulus);
+  if (!(shortening > 0.0) || !(side * deflection > 0.0)) return std::nullopt;
+  // Of a blade that is bent a little δ/D² depends on φ alone, and grows with it.
+  const double bow = std::log(shortening / (deflection * deflection));
+  const double aside = std::log(side * deflection);
   blade::Bend bend = near;
-  for (int iteration = 0; iteration < 30; ++iteration) {
+  double previous = std::numeric_limits<double>::infinity();
+  for (int iteration = 0; iteration < 40; ++iteration) {
     const blade::InclinedPoint point = blade::inclined_equilibrium(bend.modulus, bend.amplitude);
-    const double excess = shortening - point.shortening.value;
-    const double offset = deflection - point.deflection.value;
-    const double determinant = point.shortening.by_modulus * point.deflection.by_amplitude -
-                               point.shortening.by_amplitude * point.deflection.by_modulus;
-    const double by_modulus =
-        (excess * point.deflection.by_amplitude - offset * point.shortening.by_amplitude) / determinant;
-    const double by_amplitude =
-        (offset * point.shortening.by_modulus - excess * point.deflection.by_modulus) / determinant;
-    const double size =
-        std::max(std::abs(by_modulus / bend.modulus), std::abs(by_amplitude / bend.amplitude));
-    if (!(size < 1e3)) return std::nullopt;
-    bend.modulus = side * std::clamp(side * (bend.modulus + by_modulus), 0.25 * side * bend.modulus,
-                                     blade::kLargestModulus);
+    const blade::Inclined& delta = point.shortening;
+    const blade::Inclined& aside_now = point.deflection;
+    if (!(delta.value > 0.0) || !(side * aside_now.value > 0.0)) return std::nullopt;
+    // Derivatives of ln D and ln δ/D² by ln κ and ln φ.
+    const double aside_by_modulus = bend.modulus * aside_now.by_modulus / aside_now.value;
+    const double aside_by_amplitude = bend.amplitude * aside_now.by_amplitude / aside_now.value;
+    const double bow_by_modulus = bend.modulus * delta.by_modulus / delta.value - 2.0 * aside_by_modulus;
+    const double bow_by_amplitude =
+        bend.amplitude * delta.by_amplitude / delta.value - 2.0 * aside_by_amplitude;
+    const double of_bow = bow - std::log(delta.value / (aside_now.value * aside_now.value));
+    const double of_aside = aside - std::log(side * aside_now.value);
+    const double determinant = bow_by_modulus * aside_by_amplitude - bow_by_amplitude * aside_by_modulus;
+    const double by_modulus = (of_bow * aside_by_amplitude - of_aside * bow_by_amplitude) / determinant;
+    const double by_amplitude = (of_aside * bow_by_modulus - of_bow * aside_by_modulus) / determinant;
+    const double size = std::max(std::abs(by_modulus), std::abs(by_amplitude));
+    if (!(size < 1e6)) return std::nullopt;
+    bend.modulus = side * std::min(side * bend.modulus * std::clamp(1.0 + by_modulus, kLeast, kMost),
+                                   blade::kLargestModulus);
     bend.amplitude =
-        std::clamp(bend.amplitude + by_amplitude, 0.25 * bend.amplitude, blade::kLargestAmplitude);
-    if (size < 1e-9) {
+        std::min(bend.amplitude * std::clamp(1.0 + by_amplitude, kLeast, kMost), blade::kLargestAmplitude);
+    // δ of a light contact is known to its rounding only, at which the steps no longer shrink.
+    if (size < 1e-9 || (size < 1e-5 && size >= 0.5 * previous)) {
       const double load_angle = 2.0 * std::asin(bend.modulus * std::cos(bend.amplitude));
-      return HeldBlade{bend, point.load,
-                       std::tan(Direction::kFollowsNormal ? load_angle - normal_angle : load_angle)};
+      const double angle = Direction::kFollowsNormal ? load_angle - normal_angle : load_angle;
+      if (!(std::cos(angle) > 0.0)) return std::nullopt;  // the ring would have to pull
+      return HeldBlade{bend, point.load, std::tan(angle), determinant};
     }
+    previous = size;
   }
   return std::nullopt;
+}
+
+/// How firmly a tip rests: −dv/dα / (Ω R), signed so that it is positive where rest is the limit of friction
+/// that is ever steeper in the slip velocity.
+inline double firmness(const HeldBlade& held, const Geometry& geometry, const Pose& at, double speed_ratio,
+                       double normal_angle) {
+  return -std::copysign(1.0, held.determinant) * slip_by_normal_angle(at, speed_ratio, normal_angle) /
+         std::abs(speed_ratio * geometry.ring_radius);
 }
 
 }  // namespace rubatlas::contact

@@ -129,23 +129,23 @@ void check_blades(const Scene& scene) {
   if (rigid && scene.load_direction) refuse("/load_direction", kRigid);
   if (scene.stribeck && scene.regularised_friction)
     refuse("/stribeck", "stands beside /regularised_friction; friction has one law");
-  if (scene.stick && !rigid)
-    refuse("/stick", R"(holds the tips of rigid blades only: the contact law "elastic_ring")");
   if (scene.stick && (scene.stribeck || scene.regularised_friction))
     refuse("/stick", fmt::format("stands beside {}; friction has one law",
                                  scene.stribeck ? "/stribeck" : "/regularised_friction"));
   if (scene.stick && (scene.wear || scene.speed_ramp))
     refuse("/stick", fmt::format("stands beside {}, whose changes between revolutions would tear tips loose",
                                  scene.wear ? "/wear" : "/speed_ramp"));
-  const bool directed = !rigid && (scene.load_direction || scene.stribeck || scene.regularised_friction);
+  const bool directed =
+      !rigid && (scene.load_direction || scene.stribeck || scene.regularised_friction || scene.stick);
   if (!directed) return;
   constexpr std::string_view kPlain =
       R"(combines with inextensible elastica in a rigid ring only: no axial_compliance, yielding_ring, release or law "beam_column")";
   if (scene.axial_compliance || scene.yielding_ring || scene.release ||
       scene.contact.law == ContactLaw::beam_column)
-    refuse(scene.load_direction ? "/load_direction"
-           : scene.stribeck     ? "/stribeck"
-                                : "/regularised_friction",
+    refuse(scene.load_direction         ? "/load_direction"
+           : scene.stribeck             ? "/stribeck"
+           : scene.regularised_friction ? "/regularised_friction"
+                                        : "/stick",
            kPlain);
 }
 

@@ -99,6 +99,7 @@ class ContactPhase final : public observables::MotionPiece {
           end_fraction_ = 0.0;
           if (const int released = step_.released_blade(); released >= 0)
             return {PhaseEvent::lift_off, released};
+          if (const int unheld = step_.unheld_blade(); unheld >= 0) return {PhaseEvent::comes_loose, unheld};
           return {PhaseEvent::left_validity};
         default:
           find_end();
@@ -373,6 +374,11 @@ class ContactPhase final : public observables::MotionPiece {
         const auto mean = [&](double part) { return velocity(part) / part; };
         return take_if_first(integrate::root_between(mean, 0.0, last, -after / last, after / last),
                              PhaseEvent::slip_reversal, blade(contact));
+      }
+      // An elastic blade's v may be against s where its contact begins; it is asked for anew.
+      if constexpr (requires { requires Law::OfBlade::kSticks; }) {
+        if (slip * before < 0.0 && slip * after < 0.0)
+          return take_if_first(last, PhaseEvent::slip_reversal, blade(contact));
       }
     }
     if (before == 0.0 || (before > 0.0) == (after > 0.0)) return;

@@ -183,6 +183,14 @@ class ContactStep {
     }
     return -1;
   }
+  /// A tip at rest that nothing can hold beyond the start of the step; −1 where there is none.
+  [[nodiscard]] int unheld_blade() const {
+    if constexpr (kSticks && requires(System system) { system.without_force(); }) {
+      const OpenContact& lost = contacts_[system_.without_force()];
+      if (lost.slip == 0.0) return lost.blade;
+    }
+    return -1;
+  }
   /// Whether a blade's contact ends at g = 0 where it stands.
   [[nodiscard]] bool ends_at_ring(int blade, const FullState& state) const {
     if constexpr (kReleasesAtFold) {

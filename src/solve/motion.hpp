@@ -52,8 +52,7 @@ class Motion {
     }
     if constexpr (contact::Sticks<Law>) {
       judge_.emplace(rotor_, blades_, law_, forcing_);
-      sticking_.emplace(rotor_, blades_, law_, limits_,
-                        StickingContacts<Law, Forcing, Blades>(rotor_, blades_, law_, forcing_));
+      sticking_.emplace(rotor_, blades_, law_, limits_, Judge(rotor_, blades_, law_, forcing_));
     }
     if constexpr (kRingFollows<Forcing>) ring_placer_.emplace(rotor_, blades_, law_, forcing_);
     contacts_.reserve(static_cast<std::size_t>(blades_.count()));
@@ -213,7 +212,10 @@ class Motion {
     const FullStateOf<Forcing> full = phase.end_state();
     state_ = bodies(full);
     time_ = full[kTime];
-    for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i].bending = phase.bending(i);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      contacts_[i].bending = phase.bending(i);
+      if constexpr (contact::Sticks<Law>) contacts_[i].amplitude = phase.contact_at(i, time_).amplitude;
+    }
     if (!state_.isFinite().all()) return {PhaseEvent::failed};
     return end;
   }
@@ -248,7 +250,7 @@ class Motion {
       }
     }
     if constexpr (contact::Sticks<Law>) {
-      if (stuck_count() > 0) {
+      if (std::ranges::count(contacts_, 0.0, &OpenContact::slip) > 0) {
         phase_ = Phase::sticking;
         return sticking_->start(time_, state_, contacts_);
       }
@@ -328,31 +330,24 @@ class Motion {
     return true;
   }
 
-  [[nodiscard]] std::ptrdiff_t stuck_count() const {
-    return std::ranges::count(contacts_, 0.0, &OpenContact::slip);
-  }
-
   [[nodiscard]] FullStateOf<Forcing> unbent() const { return full_state(state_, time_, 0.0); }
 
   /// Lets go of the tips at rest that friction cannot hold where the rotor stands, and tells it of each.
   template <class Tell>
   void settle(Tell let_go) {
     if constexpr (contact::Sticks<Law>) {
-      if (stuck_count() > 0) judge_->settle(unbent(), contacts_, let_go);
+      judge_->settle(unbent(), contacts_, let_go);
     }
   }
 
   /// The slip velocity of a tip has come to zero, or friction no longer holds it there.
   void change_slip(OpenContact& contact, PhaseEvent event, MotionListener& listener) {
+    const auto place = static_cast<std::size_t>(&contact - contacts_.data());
     if (event == PhaseEvent::comes_loose) {
-      judge_->open(contacts_);
-      const auto place = static_cast<std::size_t>(&contact - contacts_.data());
-      contact.slip = std::copysign(1.0, judge_->coefficient(place, unbent()));
+      judge_->let_go(contacts_, place, unbent());
     } else {
       ++work_.slip_reversals;
-      // Where two tips stick already, a third passes through.
-      const bool passes = stuck_count() >= std::ptrdiff_t{Phases::Judge::kMostStuck};
-      contact.slip = passes ? -contact.slip : 0.0;
+      judge_->arrest(contacts_, place, unbent());
     }
     tell_of_others(contact.blade, listener);
     tell(listener, event, contact.blade, contact.slip);

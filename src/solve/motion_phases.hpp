@@ -8,7 +8,7 @@
 #include "solve/contact_phase.hpp"
 #include "solve/following_ring.hpp"
 #include "solve/skimming_contact.hpp"
-#include "solve/sticking_contacts.hpp"
+#include "solve/sticking_elastic_contacts.hpp"
 
 namespace rubatlas::solve {
 
@@ -23,7 +23,7 @@ struct MotionPhases {
   using Carried = If<Law::kHasBending, Of<CarriedContact<Law, Forcing, Blades>>>;
   using Skimming = If<Law::kHasBending, Of<SkimmingContact<Law, Forcing, Blades>>>;
   // Only tips that can stick have a right-hand side for it, and one that is asked whether they do.
-  using Judge = If<contact::Sticks<Law>, StickingContacts<Law, Forcing, Blades>>;
+  using Judge = If<contact::Sticks<Law>, StickingSystem<Law, Forcing, Blades>>;
   using Sticking = If<contact::Sticks<Law>, Of<Judge>>;
   // Only a ring without mass is to be put somewhere.
   template <bool kFollows>

@@ -8,6 +8,7 @@
 /// of them touch the ring where a tangent to it leads to p.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -58,6 +59,7 @@ class StickingContacts {
     for (OpenContact& contact : contacts) {
       if (contact.slip == 0.0 && ++stuck > kMostStuck) contact.slip = 1.0;
     }
+    if (stuck == 0) return;
     while (true) {
       open(contacts);
       const Balance now = balance(state, forces_);
@@ -72,6 +74,17 @@ class StickingContacts {
       freed.slip = loosest->pull >= 0.0 ? 1.0 : -1.0;
       let_go(freed);
     }
+  }
+
+  /// The slip velocity of a tip has come to zero. Where two tips stick already, a third passes through.
+  static void arrest(std::vector<OpenContact>& contacts, std::size_t contact, const ContactState& /*state*/) {
+    const auto stuck = std::ranges::count(contacts, 0.0, &OpenContact::slip);
+    contacts[contact].slip = stuck >= std::ptrdiff_t{kMostStuck} ? -contacts[contact].slip : 0.0;
+  }
+  /// A tip that friction no longer holds slips the way it is pulled.
+  void let_go(std::vector<OpenContact>& contacts, std::size_t contact, const ContactState& state) {
+    open(contacts);
+    contacts[contact].slip = std::copysign(1.0, coefficient(contact, state));
   }
 
   /// What friction has to give beyond what it can, |q| − μs F/(m ωn²) [m per unit τ²]: a stuck tip comes
