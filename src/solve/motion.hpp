@@ -52,7 +52,8 @@ class Motion {
     }
     if constexpr (contact::Sticks<Law>) {
       judge_.emplace(rotor_, blades_, law_, forcing_);
-      sticking_.emplace(rotor_, blades_, law_, limits_, Judge(rotor_, blades_, law_, forcing_));
+      sticking_.emplace(rotor_, blades_, law_, limits_,
+                        typename Phases::Judge(rotor_, blades_, law_, forcing_));
     }
     if constexpr (kRingFollows<Forcing>) ring_placer_.emplace(rotor_, blades_, law_, forcing_);
     contacts_.reserve(static_cast<std::size_t>(blades_.count()));
