@@ -341,17 +341,19 @@ class Motion {
     }
   }
 
-  /// The slip velocity of a tip has come to zero, or friction no longer holds it there.
-  void change_slip(OpenContact& contact, PhaseEvent event, MotionListener& listener) {
+  /// The slip velocity of a tip has come to zero, or friction no longer holds it there. False where Coulomb's
+  /// law leaves the tip nothing to do.
+  bool change_slip(OpenContact& contact, PhaseEvent event, MotionListener& listener) {
     const auto place = static_cast<std::size_t>(&contact - contacts_.data());
     if (event == PhaseEvent::comes_loose) {
       judge_->let_go(contacts_, place, unbent());
     } else {
       ++work_.slip_reversals;
-      judge_->arrest(contacts_, place, unbent());
+      if (!judge_->arrest(contacts_, place, unbent())) return false;
     }
     tell_of_others(contact.blade, listener);
     tell(listener, event, contact.blade, contact.slip);
+    return true;
   }
 
   /// Settles after an event of one blade.
@@ -387,8 +389,7 @@ class Motion {
         return PointStatus::done;
       default: {
         if constexpr (contact::Sticks<Law>) {
-          change_slip(*contact, end.event, listener);
-          return PointStatus::done;
+          return change_slip(*contact, end.event, listener) ? PointStatus::done : PointStatus::left_validity;
         }
         ++work_.slip_reversals;
         contact->slip = -contact->slip;

@@ -76,10 +76,12 @@ class StickingContacts {
     }
   }
 
-  /// The slip velocity of a tip has come to zero. Where two tips stick already, a third passes through.
-  static void arrest(std::vector<OpenContact>& contacts, std::size_t contact, const ContactState& /*state*/) {
+  /// The slip velocity of a tip has come to zero. Where two tips stick already, a third passes through. False
+  /// where the tip could do neither, which a rigid blade's always can.
+  static bool arrest(std::vector<OpenContact>& contacts, std::size_t contact, const ContactState& /*state*/) {
     const auto stuck = std::ranges::count(contacts, 0.0, &OpenContact::slip);
     contacts[contact].slip = stuck >= std::ptrdiff_t{kMostStuck} ? -contacts[contact].slip : 0.0;
+    return true;
   }
   /// A tip that friction no longer holds slips the way it is pulled.
   void let_go(std::vector<OpenContact>& contacts, std::size_t contact, const ContactState& state) {

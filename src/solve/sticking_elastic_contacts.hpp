@@ -56,9 +56,9 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
   }
 
   /// A slipping tip whose slip velocity has come to zero, or is against its direction: rests where it can,
-  /// and slips the other way where it cannot.
-  void arrest(std::vector<OpenContact>& contacts, std::size_t contact, const ContactState& state) const {
-    arrest(contacts[contact], state);
+  /// and slips the other way where it cannot. False where Coulomb's inclusion leaves it neither (MODEL 5).
+  bool arrest(std::vector<OpenContact>& contacts, std::size_t contact, const ContactState& state) const {
+    return arrest(contacts[contact], state);
   }
   /// A tip that rests no longer slips the way it is pulled.
   void let_go(std::vector<OpenContact>& contacts, std::size_t contact, const ContactState& state) const {
@@ -130,19 +130,16 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
     return stands ? slip * force.slip_velocity : -std::numeric_limits<double>::infinity();
   }
 
-  void arrest(OpenContact& contact, const ContactState& state) const {
+  bool arrest(OpenContact& contact, const ContactState& state) const {
     OpenContact there = contact;
     forward(there, contact.slip, state);
-    OpenContact back = there;
     if (!rests(there, state)) {
-      const double velocity = forward(back, -contact.slip, state);
-      if (std::isfinite(velocity)) {
-        there = back;
-        // Neither direction slips as it should: v is zero next to the other one.
-        if (velocity < 0.0) rests(there, state);
-      }
+      const bool slips = forward(there, -contact.slip, state) >= 0.0;
+      // Neither direction slips as it should: v may be zero next to the other one.
+      if (!slips && !rests(there, state)) return false;
     }
     contact = there;
+    return true;
   }
 
   void leave_rest(OpenContact& contact, const ContactState& state) const {
