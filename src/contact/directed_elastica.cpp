@@ -276,6 +276,48 @@ auto DirectedElastica<Direction, FrictionLaw>::solve_for_coefficient(const Pose&
 }
 
 template <class Direction, class FrictionLaw>
+auto DirectedElastica<Direction, FrictionLaw>::follow_coefficient(const Pose& at, double slip,
+                                                                  double speed_ratio, Bend bend) const
+    -> std::optional<Bend> {
+  constexpr double kFirstStep = 1e-3;  // of the largest c
+  const double largest = friction_.largest();
+  bool lost = false;
+  const auto excess = [&](double coefficient) {
+    const DirectedElastica<Direction, CoulombFriction> law(geometry_, {length_, 0.0, 1.0}, {coefficient});
+    const auto root = law.newton(at, slip, speed_ratio, bend);
+    lost = lost || !root;
+    if (root) bend = *root;
+    return coefficient - constraint(at, slip, speed_ratio, bend).coefficient;
+  };
+  const Constraint there = constraint(at, slip, speed_ratio, bend);
+  double low = std::clamp(std::tan(there.misdirection + std::atan(there.coefficient)), -largest, largest);
+  double at_low = excess(low);
+  double high = low;
+  double at_high = at_low;
+  for (double step = std::copysign(kFirstStep * largest, -at_low); !lost && at_low * at_high > 0.0;
+       step *= 2.0) {
+    if (std::abs(high) >= largest && high * step > 0.0) return std::nullopt;
+    low = high;
+    at_low = at_high;
+    high = std::clamp(low + step, -largest, largest);
+    at_high = excess(high);
+  }
+  if (lost) return std::nullopt;
+  if (at_low != 0.0 && at_high != 0.0) {
+    if (low > high) {
+      std::swap(low, high);
+      std::swap(at_low, at_high);
+    }
+    std::uintmax_t iterations = 100;
+    const auto bracket = boost::math::tools::toms748_solve(
+        excess, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(40), iterations);
+    excess(0.5 * (bracket.first + bracket.second));
+    if (lost) return std::nullopt;
+  }
+  return newton(at, slip, speed_ratio, bend);
+}
+
+template <class Direction, class FrictionLaw>
 auto DirectedElastica<Direction, FrictionLaw>::solve(const Pose& at, double slip, double speed_ratio,
                                                      double side) const -> std::optional<Bend> {
   if constexpr (FrictionLaw::kDependsOnVelocity) {
@@ -296,7 +338,10 @@ auto DirectedElastica<Direction, FrictionLaw>::solve_near(const Pose& at, double
     if (!amplitude) return solve(at, slip, speed_ratio, side);
     start.amplitude = *amplitude;
   }
-  const auto root = newton(at, slip, speed_ratio, start);
+  auto root = newton(at, slip, speed_ratio, start);
+  if constexpr (FrictionLaw::kDependsOnVelocity) {
+    if (!root) root = follow_coefficient(at, slip, speed_ratio, start);
+  }
   return root ? root : solve(at, slip, speed_ratio, side);
 }
 

@@ -165,6 +165,9 @@ class DirectedElastica {
   }
 
  private:
+  template <class, class>
+  friend class DirectedElastica;
+
   class Walk;
   struct LoadDirection {
     double angle;            ///< [α] + atan c [rad]
@@ -209,6 +212,10 @@ class DirectedElastica {
   /// c.
   [[nodiscard]] std::optional<Bend> solve_for_coefficient(const Pose& at, double slip, double speed_ratio,
                                                           double side) const;
+  /// The same from a neighbouring bend: along its equilibria from the c that holds it on. Newton's method on
+  /// c = c(v) itself leaves them where c(v) is steep and v changes its sign between the neighbours.
+  [[nodiscard]] std::optional<Bend> follow_coefficient(const Pose& at, double slip, double speed_ratio,
+                                                       Bend bend) const;
   /// The constraint, also of a blade without load (φ = 0).
   [[nodiscard]] Constraint constraint_or_unloaded(const Pose& at, double slip, double speed_ratio,
                                                   const Bend& bend) const {

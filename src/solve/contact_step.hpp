@@ -39,6 +39,9 @@ class ContactStep {
   static constexpr bool kFollows = requires(System system, FullState state) { system.place_ring(state); };
   /// A contact ends where its force does, not where the undeformed tip leaves the ring.
   static constexpr bool kReleasesAtFold = Law::kReleasesAtFold && !kSkims;
+  /// A guess holds the side to which a blade is bent: what a step that goes too far has made of it is no
+  /// guess for a shorter one.
+  static constexpr bool kRemembers = requires { requires Law::OfBlade::kRemembersSide; };
 
   /// `tolerance` bounds the local error of a step [m]: accuracy.tolerance × δc.
   ContactStep(const RotorConstants& rotor, const Blades& blades, const Law& law, double tolerance,
@@ -69,6 +72,7 @@ class ContactStep {
   /// Makes one step that keeps the tolerance.
   Outcome make() {
     if constexpr (kCarried) system_.anchor(step_.start()[kTime]);
+    if constexpr (kRemembers) guesses_ = system_.contacts();
     while (true) {
       const double proposed = proposed_size();
       const double size = aimed_at_lift_off(proposed);
@@ -88,6 +92,7 @@ class ContactStep {
         control_.reject(error, size / proposed);
       }
       ++rejected_;
+      if constexpr (kRemembers) system_.restore(guesses_);
       // Where no stage can find a force however short the step, the contact equation has lost its root.
       if (!(size > kSmallestSize)) return evaluated ? Outcome::failed : Outcome::no_force;
     }
