@@ -3,7 +3,9 @@
 /// Coulomb's law at zero slip is an inclusion, c ∈ [−μs, μs]. MODEL 4.4 turns the friction round whenever the
 /// slip velocity passes through zero, even where it then pushes the wrong way; here the tip rests on the ring
 /// as long as the friction that this takes is within the static cone (Filippov's sliding mode; Leine and
-/// Nijmeijer, Dynamics and Bifurcations of Non-Smooth Mechanical Systems, Springer 2004).
+/// Nijmeijer, Dynamics and Bifurcations of Non-Smooth Mechanical Systems, Springer 2004). Of
+/// a rigid blade this takes the c under which v' vanishes; of an elastic one, whose tip stands where its load
+/// bends it to, the c under which v itself does.
 #pragma once
 
 #include <tuple>
@@ -18,8 +20,8 @@ struct Stick {
 
   static constexpr Description kDescription{
       .section = "/stick",
-      .meaning = "tips of rigid blades that friction holds at rest on the ring",
-      .equation = "v = 0 under the c that makes v' = 0 while |c| <= μs, in place of c = s μ there",
+      .meaning = "tips that friction holds at rest on the ring",
+      .equation = "v = 0 under the c that this takes while |c| <= μs, in place of c = s μ there",
       .source = "Filippov 1988; Leine & Nijmeijer 2004",
       .flight = "closed form: nothing acts on the shaft in flight",
       .breaks = "phase volume: a tip that sticks takes a dimension away",

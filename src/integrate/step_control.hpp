@@ -23,6 +23,9 @@ class StepControl {
     accepted_ = 0;
   }
 
+  /// To a power of four: what follows hangs less on what was before.
+  void round_size() { relative_size_ = std::exp2(2.0 * std::round(0.5 * std::log2(relative_size_))); }
+
   [[nodiscard]] double relative_size() const { return relative_size_; }
 
   /// Errors in units of what is accepted: up to 1.

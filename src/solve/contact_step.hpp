@@ -42,6 +42,11 @@ class ContactStep {
   /// A guess holds the side to which a blade is bent: what a step that goes too far has made of it is no
   /// guess for a shorter one.
   static constexpr bool kRemembers = requires { requires Law::OfBlade::kRemembersSide; };
+  /// Near a force that starts or ends like a root of the gap many steps are rejected, and their sizes hang on
+  /// the last digits. Where no carried form takes that away sizes come from a coarse grid: a motion that
+  /// comes to the same place goes on by the same steps, and repeats itself to rounding instead of to the
+  /// tolerance.
+  static constexpr bool kCoarseSizes = !Law::kHasBending && !Law::kLoadFollowsGap;
 
   /// `tolerance` bounds the local error of a step [m]: accuracy.tolerance × δc.
   ContactStep(const RotorConstants& rotor, const Blades& blades, const Law& law, double tolerance,
@@ -64,6 +69,7 @@ class ContactStep {
       system_.open(contacts_);
     }
     control_.begin_phase();
+    if constexpr (kCoarseSizes) control_.round_size();
     return step_.begin(system_, full);
   }
 
@@ -92,7 +98,9 @@ class ContactStep {
         control_.reject(error, size / proposed);
       }
       ++rejected_;
-      if constexpr (kRemembers) system_.restore(guesses_);
+      if constexpr (kRemembers) {
+        if (changes_side()) system_.restore(guesses_);
+      }
       // Where no stage can find a force however short the step, the contact equation has lost its root.
       if (!(size > kSmallestSize)) return evaluated ? Outcome::failed : Outcome::no_force;
     }
@@ -297,6 +305,7 @@ class ContactStep {
  private:
   static constexpr double kFirstSize =
       0.1;  ///< of the scale; only the first contact of a point starts with it
+  static constexpr double kSizesPerOctave = 8.0;   ///< where they are coarse
   static constexpr double kSmallestSize = 1e-15;   ///< in σ
   static constexpr double kFoldResolution = 1e-6;  ///< of the scale
   static constexpr double kFractionResolution = 1e-14;
@@ -328,6 +337,8 @@ class ContactStep {
         size = control_.relative_size() * scale(std::max(0.0, bending + 0.5 * size * rate));
       }
     }
+    if constexpr (kCoarseSizes)
+      return std::exp2(std::floor(kSizesPerOctave * std::log2(size)) / kSizesPerOctave);
     return size;
   }
 
@@ -392,6 +403,13 @@ class ContactStep {
   [[nodiscard]] bool leaves_curve() const {
     if constexpr (kCarried) return step_.end()[kBending] > law_->of(contacts_.front().blade).curve().end();
     return false;
+  }
+
+  /// Has an attempt bent a blade to its other side?
+  [[nodiscard]] bool changes_side() const {
+    return !std::ranges::equal(
+        system_.contacts(), guesses_,
+        [](const OpenContact& one, const OpenContact& other) { return one.bending * other.bending >= 0.0; });
   }
 
   /// Lets the step that would pass lift-off end just behind it, and the two before share what is left evenly.

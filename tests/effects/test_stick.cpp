@@ -371,19 +371,25 @@ TEST(Stick, OfTheMirroredRotorIsTheMirrorImage) {
   EXPECT_GE(sticks, 2);
 }
 
-TEST(Stick, RefusesElasticBladesASecondLawOfFrictionAndAMachineThatChanges) {
+TEST(Stick, RefusesASecondLawOfFrictionAMachineThatChangesAndOtherBladesThanPlainOnes) {
   const auto refusal = [](const std::string& sections) {
     return scene::refusal(R"({"grid": {"speed_ratio": 0.5}, "stick": {}, )" + sections + "}");
   };
-  EXPECT_EQ(refusal(R"("contact": {"law": "elastica"})"),
-            "/stick: holds the tips of rigid blades only: the contact law \"elastic_ring\"");
+  for (const std::string blades : {R"("contact": {"law": "beam_column"})", R"("axial_compliance": {})",
+                                   R"("yielding_ring": {})", R"("release": {})"}) {
+    EXPECT_EQ(refusal(blades),
+              "/stick: combines with inextensible elastica in a rigid ring only: no axial_compliance, "
+              "yielding_ring, release or law \"beam_column\"");
+  }
   EXPECT_EQ(refusal(R"("contact": {"law": "elastic_ring"}, "stribeck": {"static_friction": 0.3})"),
             "/stick: stands beside /stribeck; friction has one law");
   EXPECT_EQ(refusal(R"("contact": {"law": "elastic_ring"}, "regularised_friction": {"velocity": 0.1})"),
             "/stick: stands beside /regularised_friction; friction has one law");
   EXPECT_EQ(refusal(R"("contact": {"law": "elastic_ring"}, "speed_ramp": {"rate": 0.001})"),
             "/stick: stands beside /speed_ramp, whose changes between revolutions would tear tips loose");
-  EXPECT_EQ(refusal(R"("contact": {"law": "elastic_ring"})"), "accepted");
+  for (const std::string law : {"elastic_ring", "elastica"}) {
+    EXPECT_EQ(refusal(R"("contact": {"law": ")" + law + R"("})"), "accepted");
+  }
 }
 
 }  // namespace

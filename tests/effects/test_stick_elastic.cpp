@@ -6,8 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "../hard/recorded_motion.hpp"
-#include "contact/directed_elastica.hpp"
+#include "directed_law.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -15,53 +14,77 @@ namespace {
 using solve::Event;
 using solve::PhaseEvent;
 
-template <class Friction, class Direction = contact::AxialLoad>
-contact::DirectedElastica<Direction, Friction> elastic_law(const HardRotor& rotor, const Friction& friction) {
-  return {rotor.geometry(), {rotor.length, rotor.thickness, rotor.bending_stiffness}, friction};
-}
 auto elastic_sticking_law(const HardRotor& rotor, double static_ratio) {
-  return elastic_law(rotor, contact::StickingFriction{rotor.friction, static_ratio * rotor.friction});
+  return directed_law(rotor, contact::StickingFriction{rotor.friction, static_ratio * rotor.friction});
 }
 
+/// A kicked rotor whose tips come to rest.
+struct Kicked {
+  HardRotor rotor;
+  solve::State start;
+};
 /// One long blade, kicked against its spin: its first contact slips, rests through most of the rebound, and
 /// slips again before it leaves the ring.
-HardRotor one_elastic_blade() {
-  HardRotor rotor;
-  rotor.speed_ratio = 0.05;
-  rotor.friction = 0.3;
-  rotor.misalignment = 0.0;
-  rotor.blades = 1;
-  return rotor;
+Kicked one_elastic_blade() {
+  Kicked kicked{{}, {0.005, 0.0, 0.0, -0.05}};
+  kicked.rotor.speed_ratio = 0.05;
+  kicked.rotor.friction = 0.3;
+  kicked.rotor.misalignment = 0.0;
+  kicked.rotor.blades = 1;
+  return kicked;
 }
-const solve::State kAgainstTheSpin{0.005, 0.0, 0.0, -0.05};
+/// The same with more friction: two of eight contacts rest, and trial steps ahead of them find no blade on
+/// its side.
+Kicked one_blade_near_its_fold() {
+  Kicked kicked{{}, {0.0012, -0.0065, -0.0123, -0.0085}};
+  kicked.rotor.speed_ratio = 0.083;
+  kicked.rotor.friction = 0.49;
+  kicked.rotor.misalignment = 0.0095;
+  kicked.rotor.damping_ratio = 0.071;
+  kicked.rotor.blades = 1;
+  return kicked;
+}
+/// Four of seven contacts rest; one slips both ways before.
+Kicked three_blades() {
+  Kicked kicked{{}, {0.0009, 0.0025, 0.0243, -0.0354}};
+  kicked.rotor.speed_ratio = 0.172;
+  kicked.rotor.friction = 0.43;
+  kicked.rotor.misalignment = 0.0055;
+  kicked.rotor.damping_ratio = 0.26;
+  return kicked;
+}
 
 bool comes_to_rest(const RecordedEvent& entry) {
   return entry.event.kind == PhaseEvent::slip_reversal && entry.event.slip == 0.0;
 }
 
 TEST(ElasticStick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
-  const HardRotor rotor = one_elastic_blade();
+  // A tip that turns round passes a fold of the steep law, which takes a time of order v0^(2/3).
   const auto nothing = [](observables::MotionPiece&) {};
-  const auto stuck =
-      follow(rotor, elastic_sticking_law(rotor, 1.0), effects::NoForcing{}, kAgainstTheSpin, 1, nothing);
-  ASSERT_EQ(stuck.status, solve::PointStatus::done);
-  ASSERT_EQ(std::ranges::count_if(stuck.events, comes_to_rest), 1);
-  const auto left = stuck.of_kind(PhaseEvent::lift_off);
-  ASSERT_FALSE(left.empty());
-  double before = 0.0;
-  for (const double velocity : {1e-3, 1e-4, 1e-5, 1e-6}) {
-    const auto law = elastic_law(rotor, contact::RegularisedFriction{rotor.friction, velocity});
-    const auto steep = follow(rotor, law, effects::NoForcing{}, kAgainstTheSpin, 1, nothing);
-    ASSERT_EQ(steep.status, solve::PointStatus::done);
-    const auto lifted = steep.of_kind(PhaseEvent::lift_off);
-    ASSERT_FALSE(lifted.empty());
-    const double apart = (lifted[0].state - left[0].state).abs().maxCoeff();
-    if (before > 0.0) {
-      EXPECT_LE(apart, 0.5 * before) << velocity;
+  for (const Kicked& kicked : {one_elastic_blade(), one_blade_near_its_fold(), three_blades()}) {
+    const HardRotor& rotor = kicked.rotor;
+    SCOPED_TRACE(rotor.friction);
+    const auto stuck =
+        follow(rotor, elastic_sticking_law(rotor, 1.0), effects::NoForcing{}, kicked.start, 1, nothing);
+    ASSERT_EQ(stuck.status, solve::PointStatus::done);
+    EXPECT_GE(std::ranges::count_if(stuck.events, comes_to_rest), 1);
+    const auto left = stuck.of_kind(PhaseEvent::lift_off);
+    ASSERT_FALSE(left.empty());
+    double before = 0.0;
+    for (const double velocity : {1e-3, 1e-4, 1e-5, 1e-6}) {
+      const auto law = directed_law(rotor, contact::RegularisedFriction{rotor.friction, velocity});
+      const auto steep = follow(rotor, law, effects::NoForcing{}, kicked.start, 1, nothing);
+      ASSERT_EQ(steep.status, solve::PointStatus::done);
+      const auto lifted = steep.of_kind(PhaseEvent::lift_off);
+      ASSERT_FALSE(lifted.empty());
+      const double apart = (lifted[0].state - left[0].state).abs().maxCoeff();
+      if (before > 0.0) {
+        EXPECT_LE(apart, 0.4 * before) << velocity;
+      }
+      before = apart;
     }
-    before = apart;
+    EXPECT_LE(before, 5e-5);
   }
-  EXPECT_LE(before, 1e-4);
 }
 
 /// What is looked at in every piece of a stick: the slip velocity through the friction's power, and the load
@@ -100,11 +123,11 @@ class RestWatch final : public solve::MotionListener {
 };
 
 TEST(ElasticStick, LoadIsContinuousWhereATipComesToRestAndWhereItComesLooseAndNoneOfItSlidesInBetween) {
-  const HardRotor rotor = one_elastic_blade();
+  const auto [rotor, start] = one_elastic_blade();
   using Law = decltype(elastic_sticking_law(rotor, 1.0));
   solve::Motion<Law, effects::NoForcing> motion(rotor.constants(), {rotor.blades, rotor.speed_ratio},
                                                 elastic_sticking_law(rotor, 1.0), {}, rotor.limits());
-  ASSERT_EQ(motion.start(kAgainstTheSpin), solve::PointStatus::done);
+  ASSERT_EQ(motion.start(start), solve::PointStatus::done);
   RestWatch watch;
   // The pieces of flight have no contact to ask.
   class ContactsOnly final : public solve::MotionListener {
@@ -125,13 +148,31 @@ TEST(ElasticStick, LoadIsContinuousWhereATipComesToRestAndWhereItComesLooseAndNo
   EXPECT_LE(watch.power, 1e-13) << "v is zero to rounding";
 }
 
+TEST(ElasticStick, LeavesValidityWhereATipCanNeitherRestNorSlip) {
+  // Its blade loses its place on one side, and slips against its direction on the other.
+  Kicked kicked = three_blades();
+  kicked.rotor.speed_ratio = 0.3;
+  kicked.rotor.friction = 0.5;
+  kicked.rotor.damping_ratio = 0.1;
+  kicked.start = {0.002, 0.0, 0.03, -0.05};
+  const auto nothing = [](observables::MotionPiece&) {};
+  const auto stuck = follow(kicked.rotor, elastic_sticking_law(kicked.rotor, 1.0), effects::NoForcing{},
+                            kicked.start, 1, nothing);
+  EXPECT_EQ(stuck.status, solve::PointStatus::left_validity);
+  const auto steep = follow(
+      kicked.rotor, directed_law(kicked.rotor, contact::RegularisedFriction{kicked.rotor.friction, 1e-6}),
+      effects::NoForcing{}, kicked.start, 1, nothing);
+  EXPECT_EQ(steep.status, solve::PointStatus::left_validity);
+  EXPECT_LE((stuck.sections[0] - steep.sections[0]).head<2>().abs().maxCoeff(), 1e-5);
+}
+
 TEST(ElasticStick, WhereNoSlipComesToRestIsTheMotionOfTipsThatOnlySlide) {
   HardRotor rotor;
   rotor.speed_ratio = 0.6;
   const auto nothing = [](observables::MotionPiece&) {};
   const auto with =
       follow(rotor, elastic_sticking_law(rotor, 1.0), effects::NoForcing{}, solve::State::Zero(), 3, nothing);
-  const auto without = follow(rotor, elastic_law(rotor, contact::CoulombFriction{rotor.friction}),
+  const auto without = follow(rotor, directed_law(rotor, contact::CoulombFriction{rotor.friction}),
                               effects::NoForcing{}, solve::State::Zero(), 3, nothing);
   ASSERT_EQ(with.status, solve::PointStatus::done);
   EXPECT_GT(with.work.touchdowns, 3U);

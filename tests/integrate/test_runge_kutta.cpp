@@ -306,6 +306,14 @@ TEST(StepControl, RejectedStepIsFollowedByAShorterOne) {
   }
 }
 
+TEST(StepControl, RoundedSizeIsTheNearestPowerOfFour) {
+  for (const auto& [size, nearest] : {std::pair{0.3, 0.25}, {0.12, 0.0625}, {0.13, 0.25}, {1e-3, 0x1p-10}}) {
+    StepControl control(8, size);
+    control.round_size();
+    EXPECT_EQ(control.relative_size(), nearest) << size;
+  }
+}
+
 TEST(StepControl, StepCutShortSaysNothingAboutTheNext) {
   StepControl control(8, 0.2);
   control.accept(1e-12, true);

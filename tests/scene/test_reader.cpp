@@ -79,7 +79,6 @@ TEST(SceneReader, EveryQuantityIsReadWhereItsPointerSays) {
     }
     nlohmann::json document = {{"grid", {{"speed_ratio", 0.5}}}};
     document[nlohmann::json::json_pointer(std::string(entry.pointer))] = nlohmann::json::parse(value);
-    if (entry.section() == "/stick") document["contact"]["law"] = "elastic_ring";
     // A quantity that only some words of a choice read needs one of them.
     if (!entry.chooser.empty())
       document[nlohmann::json::json_pointer(std::string(entry.chooser))] = entry.readers.front();
