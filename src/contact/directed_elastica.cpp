@@ -13,6 +13,17 @@ using blade::kLargestAmplitude;
 using blade::kLargestModulus;
 
 constexpr double kLargestShortening = 0.75;  ///< of L: where the table of `ElasticaContact` ends, too
+constexpr int kCoefficientBits = 40;         ///< of c, which Newton's method on both unknowns then polishes
+
+/// Where a function that has opposite signs at two places passes through zero between them.
+template <class Function>
+double root_between(Function function, double one, double other, double at_one, double at_other, int bits) {
+  if (one > other) return root_between(function, other, one, at_other, at_one, bits);
+  std::uintmax_t iterations = 100;
+  const auto bracket = boost::math::tools::toms748_solve(
+      function, one, other, at_one, at_other, boost::math::tools::eps_tolerance<double>(bits), iterations);
+  return 0.5 * (bracket.first + bracket.second);
+}
 
 }  // namespace
 
@@ -159,11 +170,7 @@ class DirectedElastica<Direction, FrictionLaw>::Walk {
       const auto there = state(angle);
       return there ? there->residual : at_low_;
     };
-    std::uintmax_t iterations = 100;
-    const auto bracket =
-        boost::math::tools::toms748_solve(residual, *low_, *high_, at_low_, at_high_,
-                                          boost::math::tools::eps_tolerance<double>(52), iterations);
-    const auto found = bend(0.5 * (bracket.first + bracket.second));
+    const auto found = bend(root_between(residual, *low_, *high_, at_low_, at_high_, 52));
     if (!found ||
         blade::inclined_equilibrium(found->modulus, found->amplitude).shortening.value > kLargestShortening)
       return std::nullopt;
@@ -257,20 +264,13 @@ auto DirectedElastica<Direction, FrictionLaw>::solve_for_coefficient(const Pose&
     (beyond ? at_high : at_low) = at_middle;
   }
   if (!(at_high * at_low <= 0.0)) return std::nullopt;
-  if (low > high) {
-    std::swap(low, high);
-    std::swap(at_low, at_high);
-  }
   bool lost = false;
   const auto excess_or_end = [&](double coefficient) {
     const double value = excess(coefficient);
     lost = lost || !bend;
     return bend ? value : at_high;
   };
-  std::uintmax_t iterations = 100;
-  const auto bracket = boost::math::tools::toms748_solve(
-      excess_or_end, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(40), iterations);
-  bend = at_coefficient(0.5 * (bracket.first + bracket.second));
+  bend = at_coefficient(root_between(excess_or_end, low, high, at_low, at_high, kCoefficientBits));
   if (!bend || lost) return std::nullopt;
   return newton(at, slip, speed_ratio, *bend);
 }
@@ -303,17 +303,8 @@ auto DirectedElastica<Direction, FrictionLaw>::follow_coefficient(const Pose& at
     at_high = excess(high);
   }
   if (lost) return std::nullopt;
-  if (at_low != 0.0 && at_high != 0.0) {
-    if (low > high) {
-      std::swap(low, high);
-      std::swap(at_low, at_high);
-    }
-    std::uintmax_t iterations = 100;
-    const auto bracket = boost::math::tools::toms748_solve(
-        excess, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(40), iterations);
-    excess(0.5 * (bracket.first + bracket.second));
-    if (lost) return std::nullopt;
-  }
+  if (at_low * at_high < 0.0) excess(root_between(excess, low, high, at_low, at_high, kCoefficientBits));
+  if (lost) return std::nullopt;
   return newton(at, slip, speed_ratio, bend);
 }
 

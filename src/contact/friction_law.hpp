@@ -44,6 +44,10 @@ concept Sticks = requires(const Law& law) {
   law.of(0).friction().largest_holding;
 };
 
+/// One that finds the force of a tip at rest itself (s = 0); other laws leave that to the caller.
+template <class Law>
+concept SticksByLaw = Sticks<Law> && Law::OfBlade::kSticks;
+
 /// Regularised Coulomb law, c = μ tanh(v/v0). Beyond |v| = 20 v0 it is Coulomb's law to the last bit; a tip
 /// that would stick creeps instead, at a speed below v0.
 /// Source: Andersson, Söderberg, Björklund, Tribology International 40 (2007) 580–587; Pennestrì

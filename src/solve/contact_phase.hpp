@@ -376,7 +376,7 @@ class ContactPhase final : public observables::MotionPiece {
                              PhaseEvent::slip_reversal, blade(contact));
       }
       // An elastic blade's v may be against s where its contact begins; it is asked for anew.
-      if constexpr (requires { requires Law::OfBlade::kSticks; }) {
+      if constexpr (contact::SticksByLaw<Law>) {
         if (slip * before < 0.0 && slip * after < 0.0)
           return take_if_first(last, PhaseEvent::slip_reversal, blade(contact));
       }

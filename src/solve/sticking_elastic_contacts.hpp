@@ -163,9 +163,8 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
 
 /// The right-hand side with stick that goes with a law of contact.
 template <class Law, class Forcing, class Blades>
-using StickingSystem = std::conditional_t < requires {
-  requires Law::OfBlade::kSticks;
-}
-, StickingElasticContacts<Law, Forcing, Blades>, StickingContacts < Law, Forcing, Blades >> ;
+using StickingSystem =
+    std::conditional_t<contact::SticksByLaw<Law>, StickingElasticContacts<Law, Forcing, Blades>,
+                       StickingContacts<Law, Forcing, Blades>>;
 
 }  // namespace rubatlas::solve
