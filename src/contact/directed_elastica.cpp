@@ -15,10 +15,12 @@ using blade::kLargestModulus;
 constexpr double kLargestShortening = 0.75;  ///< of L: where the table of `ElasticaContact` ends, too
 constexpr int kCoefficientBits = 40;         ///< of c, which Newton's method on both unknowns then polishes
 
-/// Where a function that has opposite signs at two places passes through zero between them.
+/// Where a function that has opposite signs at two places passes through zero between them; the better of the
+/// two where their signs are lost in underflow.
 template <class Function>
 double root_between(Function function, double one, double other, double at_one, double at_other, int bits) {
   if (one > other) return root_between(function, other, one, at_other, at_one, bits);
+  if (!(at_one * at_other < 0.0)) return std::abs(at_one) < std::abs(at_other) ? one : other;
   std::uintmax_t iterations = 100;
   const auto bracket = boost::math::tools::toms748_solve(
       function, one, other, at_one, at_other, boost::math::tools::eps_tolerance<double>(bits), iterations);
@@ -280,6 +282,7 @@ auto DirectedElastica<Direction, FrictionLaw>::follow_coefficient(const Pose& at
                                                                   double speed_ratio, Bend bend) const
     -> std::optional<Bend> {
   constexpr double kFirstStep = 1e-3;  // of the largest c
+  constexpr int kDoublings = 11;       // from one end of its range to the other
   const double largest = friction_.largest();
   bool lost = false;
   const auto excess = [&](double coefficient) {
@@ -294,16 +297,15 @@ auto DirectedElastica<Direction, FrictionLaw>::follow_coefficient(const Pose& at
   double at_low = excess(low);
   double high = low;
   double at_high = at_low;
-  for (double step = std::copysign(kFirstStep * largest, -at_low); !lost && at_low * at_high > 0.0;
-       step *= 2.0) {
-    if (std::abs(high) >= largest && high * step > 0.0) return std::nullopt;
+  double step = std::copysign(kFirstStep * largest, -at_low);
+  for (int i = 0; i < kDoublings && !lost && at_low * at_high > 0.0; ++i, step *= 2.0) {
     low = high;
     at_low = at_high;
     high = std::clamp(low + step, -largest, largest);
     at_high = excess(high);
   }
-  if (lost) return std::nullopt;
-  if (at_low * at_high < 0.0) excess(root_between(excess, low, high, at_low, at_high, kCoefficientBits));
+  if (lost || at_low * at_high > 0.0) return std::nullopt;
+  excess(root_between(excess, low, high, at_low, at_high, kCoefficientBits));
   if (lost) return std::nullopt;
   return newton(at, slip, speed_ratio, bend);
 }
