@@ -13,12 +13,13 @@ using blade::kLargestAmplitude;
 using blade::kLargestModulus;
 
 constexpr double kLargestShortening = 0.75;  ///< of L: where the table of `ElasticaContact` ends, too
-constexpr int kCoefficientBits = 40;         ///< of c, which Newton's method on both unknowns then polishes
+constexpr unsigned kCoefficientBits = 40;    ///< of c, which Newton's method on both unknowns then polishes
 
 /// Where a function that has opposite signs at two places passes through zero between them; the better of the
 /// two where their signs are lost in underflow.
 template <class Function>
-double root_between(Function function, double one, double other, double at_one, double at_other, int bits) {
+double root_between(Function function, double one, double other, double at_one, double at_other,
+                    unsigned bits) {
   if (one > other) return root_between(function, other, one, at_other, at_one, bits);
   if (!(at_one * at_other < 0.0)) return std::abs(at_one) < std::abs(at_other) ? one : other;
   std::uintmax_t iterations = 100;
@@ -172,7 +173,7 @@ class DirectedElastica<Direction, FrictionLaw>::Walk {
       const auto there = state(angle);
       return there ? there->residual : at_low_;
     };
-    const auto found = bend(root_between(residual, *low_, *high_, at_low_, at_high_, 52));
+    const auto found = bend(root_between(residual, *low_, *high_, at_low_, at_high_, 52U));
     if (!found ||
         blade::inclined_equilibrium(found->modulus, found->amplitude).shortening.value > kLargestShortening)
       return std::nullopt;

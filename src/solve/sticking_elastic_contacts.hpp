@@ -19,6 +19,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "contact/friction_law.hpp"
 #include "contact/pose.hpp"
 #include "solve/blade_set.hpp"
 #include "solve/contact_system.hpp"

@@ -76,7 +76,7 @@ TEST_P(RandomSearch, EveryLegalSceneEndsWithAStatus) {
   EXPECT_GT(touched, static_cast<int>(scenes) / 4);
 }
 
-INSTANTIATE_TEST_SUITE_P(First, RandomSearch, ::testing::ValuesIn(shards(4, 50)));
+INSTANTIATE_TEST_SUITE_P(First, RandomSearch, ::testing::ValuesIn(shards(8, 25)));
 INSTANTIATE_TEST_SUITE_P(Slow, RandomSearch, ::testing::ValuesIn(shards(20, 500)));
 
 }  // namespace
