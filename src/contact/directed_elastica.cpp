@@ -18,9 +18,9 @@ constexpr unsigned kCoefficientBits = 40;    ///< of c, which Newton's method on
 /// Where a function that has opposite signs at two places passes through zero between them; the better of the
 /// two where their signs are lost in underflow.
 template <class Function>
-double root_between(Function function, double one, double other, double at_one, double at_other,
-                    unsigned bits) {
-  if (one > other) return root_between(function, other, one, at_other, at_one, bits);
+double crossing_between(Function function, double one, double other, double at_one, double at_other,
+                        unsigned bits) {
+  if (one > other) return crossing_between(function, other, one, at_other, at_one, bits);
   if (!(at_one * at_other < 0.0)) return std::abs(at_one) < std::abs(at_other) ? one : other;
   std::uintmax_t iterations = 100;
   const auto bracket = boost::math::tools::toms748_solve(
@@ -173,7 +173,7 @@ class DirectedElastica<Direction, FrictionLaw>::Walk {
       const auto there = state(angle);
       return there ? there->residual : at_low_;
     };
-    const auto found = bend(root_between(residual, *low_, *high_, at_low_, at_high_, 52U));
+    const auto found = bend(crossing_between(residual, *low_, *high_, at_low_, at_high_, 52U));
     if (!found ||
         blade::inclined_equilibrium(found->modulus, found->amplitude).shortening.value > kLargestShortening)
       return std::nullopt;
@@ -273,7 +273,7 @@ auto DirectedElastica<Direction, FrictionLaw>::solve_for_coefficient(const Pose&
     lost = lost || !bend;
     return bend ? value : at_high;
   };
-  bend = at_coefficient(root_between(excess_or_end, low, high, at_low, at_high, kCoefficientBits));
+  bend = at_coefficient(crossing_between(excess_or_end, low, high, at_low, at_high, kCoefficientBits));
   if (!bend || lost) return std::nullopt;
   return newton(at, slip, speed_ratio, *bend);
 }
@@ -306,7 +306,7 @@ auto DirectedElastica<Direction, FrictionLaw>::follow_coefficient(const Pose& at
     at_high = excess(high);
   }
   if (lost || at_low * at_high > 0.0) return std::nullopt;
-  excess(root_between(excess, low, high, at_low, at_high, kCoefficientBits));
+  excess(crossing_between(excess, low, high, at_low, at_high, kCoefficientBits));
   if (lost) return std::nullopt;
   return newton(at, slip, speed_ratio, bend);
 }
@@ -445,6 +445,5 @@ template class DirectedElastica<AxialLoad, StickingFriction>;
 template class DirectedElastica<NormalLoad, CoulombFriction>;
 template class DirectedElastica<NormalLoad, RegularisedFriction>;
 template class DirectedElastica<NormalLoad, StribeckFriction>;
-template class DirectedElastica<NormalLoad, StickingFriction>;
 
 }  // namespace rubatlas::contact

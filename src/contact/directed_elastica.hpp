@@ -135,7 +135,7 @@ class DirectedElastica {
   /// carries nothing.
   [[nodiscard]] std::optional<Bend> solve(const Pose& at, double slip, double speed_ratio, double side) const;
 
-  /// The same found from a neighbouring one, to its side; falls back on `solve`.
+  /// The same found from a neighbouring one, to its side; falls back on `follow_coefficient` and `solve`.
   [[nodiscard]] std::optional<Bend> solve_near(const Pose& at, double slip, double speed_ratio,
                                                const Bend& near) const;
 

@@ -25,8 +25,8 @@ struct CoulombFriction {
   [[nodiscard]] double slope(double /*velocity*/, double /*slip*/) const { return 0.0; }
 };
 
-/// Coulomb's law with stick: s = 0 is a tip at rest, which the caller holds by whatever friction that takes
-/// (`sticking.hpp`), up to the static coefficient.
+/// Coulomb's law with stick: s = 0 is a tip at rest, held by whatever friction that takes up to the static
+/// coefficient: by the caller (`sticking.hpp`), or by the law itself (`SticksByLaw`).
 struct StickingFriction {
   double friction;         ///< μ of a tip that slips [-]
   double largest_holding;  ///< μs of a tip at rest [-]

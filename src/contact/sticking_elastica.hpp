@@ -60,7 +60,6 @@ inline double slip_by_normal_angle(const Pose& at, double speed_ratio, double no
 /// A blade whose tip is held at a place on the ring.
 struct HeldBlade {
   blade::Bend bend;
-  double load;         ///< P L² / EI [-]
   double coefficient;  ///< c that holds it [-]
   double determinant;  ///< of the sign of ∂(δ, D)/∂(κ, φ): zero where the place can be held no further
 };
@@ -110,7 +109,7 @@ std::optional<HeldBlade> hold(const Geometry& geometry, double length, const Pos
       const double load_angle = 2.0 * std::asin(bend.modulus * std::cos(bend.amplitude));
       const double angle = Direction::kFollowsNormal ? load_angle - normal_angle : load_angle;
       if (!(std::cos(angle) > 0.0)) return std::nullopt;  // the ring would have to pull
-      return HeldBlade{bend, point.load, std::tan(angle), determinant};
+      return HeldBlade{bend, std::tan(angle), determinant};
     }
     previous = size;
   }

@@ -135,6 +135,8 @@ void check_blades(const Scene& scene) {
   if (scene.stick && (scene.wear || scene.speed_ramp))
     refuse("/stick", fmt::format("stands beside {}, whose changes between revolutions would tear tips loose",
                                  scene.wear ? "/wear" : "/speed_ramp"));
+  if (scene.stick && scene.load_direction)
+    refuse("/stick", "holds tips under the axial load only, not beside /load_direction");
   const bool directed =
       !rigid && (scene.load_direction || scene.stribeck || scene.regularised_friction || scene.stick);
   if (!directed) return;

@@ -375,10 +375,12 @@ class ContactPhase final : public observables::MotionPiece {
         return take_if_first(integrate::root_between(mean, 0.0, last, -after / last, after / last),
                              PhaseEvent::slip_reversal, blade(contact));
       }
-      // An elastic blade's v may be against s where its contact begins; it is asked for anew.
+      // An elastic blade's v may be against s where its contact begins; it is asked for anew where it stays
+      // so.
       if constexpr (contact::SticksByLaw<Law>) {
         if (slip * before < 0.0 && slip * after < 0.0)
           return take_if_first(last, PhaseEvent::slip_reversal, blade(contact));
+        if (slip * before < 0.0) return;
       }
     }
     if (before == 0.0 || (before > 0.0) == (after > 0.0)) return;

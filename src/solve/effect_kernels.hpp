@@ -65,8 +65,8 @@ std::unique_ptr<LineSolver> elastic_blades_in_any_ring(const LineRequest& reques
 }
 
 // The families: rigid blades, whose tips always slip, or may stick; elastic blades that are released at the
-// ring, or at the fold; elastic blades under a load of any direction or a friction law of its own, or that
-// may stick.
+// ring, or at the fold; elastic blades under a load of any direction or a friction law of its own; those
+// that may stick.
 std::unique_ptr<LineSolver> rigid_blades_with_effects(const LineRequest& request);
 std::unique_ptr<LineSolver> sticking_blades_with_effects(const LineRequest& request);
 std::unique_ptr<LineSolver> sticking_elastic_blades_with_effects(const LineRequest& request);

@@ -4,8 +4,8 @@
 /// pose it is a function v(c) of the friction coefficient, through the blade's equilibrium, and Coulomb's
 /// inclusion c ∈ μ Sign(v) is algebraic: a tip slips forward where v(μ) > 0, back where v(−μ) < 0, and rests
 /// where v(c) = 0 in between. Its force is then a function of the pose alone (`DirectedElastica::rest`),
-/// which joins those of the slipping tip without a jump; there is no constraint to be put back on, and tips
-/// do not depend on each other.
+/// which joins those of the slipping tip without a jump where static and kinetic friction are equal; there is
+/// no constraint to be put back on, and tips do not depend on each other.
 ///
 /// A tip comes to rest only where v falls as c grows. Where it rises (the tip is pressed in) two slipping
 /// states stand beside each other where v(μ) > 0 > v(−μ): a tip keeps its direction to the end of that state,
@@ -74,8 +74,7 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
     const auto there = rest(open, state);
     if (!there) return kLost;
     const double least_modulus = kLeastModulus * law_->of(open.blade).friction().largest_holding;
-    return std::max({beyond_cone(open, there->held.coefficient),
-                     1.0 - std::abs(there->firmness) / kLeastFirmness,
+    return std::max({beyond_cone(open, there->held.coefficient), 1.0 - there->firmness / kLeastFirmness,
                      1.0 - std::abs(there->held.bend.modulus) / least_modulus});
   }
   /// What a contact does in a state; nothing where nothing can hold it.
@@ -106,6 +105,9 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
     return law_->of(open.blade)
         .rest(pose(open, state), blades_->speed(state[kTime]), {open.bending, open.amplitude});
   }
+  [[nodiscard]] double slip_rounding(int blade) const {
+    return kSlipRounding * std::abs(rotor_->speed_ratio) * law_->of(blade).geometry().ring_radius;
+  }
   [[nodiscard]] double beyond_cone(const OpenContact& open, double coefficient) const {
     return std::abs(coefficient) - (1.0 + kShareBeyond) * law_->of(open.blade).friction().largest_holding;
   }
@@ -135,7 +137,8 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
     OpenContact there = contact;
     forward(there, contact.slip, state);
     if (!rests(there, state)) {
-      const bool slips = forward(there, -contact.slip, state) >= 0.0;
+      // v that has been located as zero has any sign, the more so where friction hardly moves the tip.
+      const bool slips = forward(there, -contact.slip, state) >= -slip_rounding(contact.blade);
       // Neither direction slips as it should: v may be zero next to the other one.
       if (!slips && !rests(there, state)) return false;
     }

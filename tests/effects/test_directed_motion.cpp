@@ -30,6 +30,7 @@ TEST(DirectedMotion, RepeatsItselfToRoundingWhereItIsPeriodicOnTheOrbitOfTheCarr
     rotor.tolerance = 1e-9;
     const auto carried = from_rest(rotor, rotor.elastica());
     const auto solved = from_rest(rotor, directed_law(rotor, contact::CoulombFriction{rotor.friction}));
+    ASSERT_EQ(carried.status, solve::PointStatus::done);
     ASSERT_EQ(solved.status, solve::PointStatus::done);
     EXPECT_LE(closing_distance(carried), 1e-14);
     EXPECT_LE(closing_distance(solved), 1e-14);

@@ -23,11 +23,11 @@ Kicked kick(scene::Scene scene, double most_right_hand_sides) {
   Kicked result;
   for (const double friction : {0.0, 0.1, 0.5, 2.0}) {
     for (const double speed : {0.005, 0.05, 0.3}) {
-      for (int kick = -10; kick <= 10; ++kick) {
+      for (int size = -10; size <= 10; ++size) {
         SCOPED_TRACE(::testing::Message()
-                     << "friction " << friction << ", speed " << speed << ", kick " << kick);
+                     << "friction " << friction << ", speed " << speed << ", kick " << size);
         scene.contact.friction = friction;
-        const solve::SectionState start{0.005, 0.0, 0.0, 3e-4 * kick * std::abs(kick)};
+        const solve::SectionState start{0.005, 0.0, 0.0, 3e-4 * size * std::abs(size)};
         const auto outcome = run(scene, speed, start);
         expect_an_honest_end(scene, outcome);
         if (testing::Test::HasFatalFailure()) return result;
