@@ -38,13 +38,12 @@ for name in "${names[@]}"; do
   scene=jobs/effect_$name.json
   [ -e "$scene" ] || { echo "effects.sh: $scene is not there" >&2; exit 2; }
   with=atlases/effect_$name without=atlases/effect_${name}_without
-  # The effect is the section that the name begins with: effect_stick_elastica.json has /stick.
   /usr/bin/python3 -c '
 import json, sys
-name, scene, plain = sys.argv[1:]
+effect, scene, plain = sys.argv[1:]
 content = json.load(open(scene, encoding="utf-8"))
-del content[max((section for section in content if name.startswith(section)), key=len)]
-json.dump(content, open(plain, "w", encoding="utf-8"), indent=2)' "$name" "$scene" "$without.json"
+del content[effect]
+json.dump(content, open(plain, "w", encoding="utf-8"), indent=2)' "$(jobs/effect_of.py "$scene")" "$scene" "$without.json"
   atlas "$scene" "$with.h5"
   atlas "$without.json" "$without.h5"
   tools/effect.py "$with.h5" --without "$without.h5" --dpi 60 -o "$with.png"

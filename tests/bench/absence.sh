@@ -12,10 +12,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 [ "${1-}" != --help ] || { sed -n '2,9s/^# \{0,1\}//p' tests/bench/absence.sh; exit 0; }
 effects=("$@")
 if [ $# -eq 0 ]; then
-  for scene in jobs/effect_*.json; do
-    name=${scene#jobs/effect_}
-    effects+=("${name%.json}")
-  done
+  # Some effects have two scenes.
+  mapfile -t effects < <(for scene in jobs/effect_*.json; do jobs/effect_of.py "$scene"; done | uniq)
   effects+=(all)
 fi
 
