@@ -154,6 +154,18 @@ class Architecture(unittest.TestCase):
                       for line in (ROOT / path).read_text().splitlines() if note.search(line)]
         self.expect_none(departures, "comments cite the model or a publication")
 
+    def test_every_cited_section_of_the_model_is_on_the_model_page(self):
+        headings = re.findall(r"^##+ (\d+(?:\.\d+)?) ", (ROOT / "src/model.md").read_text(), re.MULTILINE)
+        self.assertGreater(len(headings), 20)
+        self.assertEqual(len(headings), len(set(headings)), "no section number stands twice")
+        citation = re.compile(r"\bMODEL (\d+(?:\.\d+)?(?:(?:, | and | to )\d+(?:\.\d+)?)*)")
+        cited = [(path, number) for path in files(".hpp", ".cpp", ".py", ".sh", ".md", ".txt", ".json")
+                 for sections in citation.findall(" ".join((ROOT / path).read_text().split()).replace(" /// ", " "))
+                 for number in re.findall(r"\d+(?:\.\d+)?", sections)]
+        self.assertGreater(len(cited), 100)
+        self.expect_none((f"{path} cites section {number}" for path, number in cited if number not in headings),
+                         "a cited section of the model is a heading of src/model.md")
+
 
 if __name__ == "__main__":
     unittest.main()
