@@ -1,0 +1,99 @@
+#!/usr/bin/python3
+"""Compares what two builds of the program compute for all scenes of jobs/, and prints a table.
+
+    /usr/bin/python3 tests/bench/compare_builds.py OLD NEW [--speeds 9] [SCENE.json...]
+
+OLD and NEW are two programs `rubatlas`. Each scene is thinned out: that many speed ratios of its range, the first and the
+last value of every other axis, 100 + 40 revolutions. Columns: points; points whose sections agree byte by byte; points whose
+status differs; points whose class of motion differs, as `analyse` of NEW has it; the largest difference of the sections of
+points that are periodic in both, in units of accuracy.tolerance times the clearance.
+"""
+import argparse
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import h5py
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LONGEST_PERIOD = 16  # classes 1 ... 16 are periods
+
+
+def values(axis):
+    """The values of a grid's axis: a number, a list, or from/to/count."""
+    if isinstance(axis, dict):
+        return np.linspace(axis["from"], axis["to"], axis["count"])
+    return np.atleast_1d(axis)
+
+
+def thinned(scene, speeds):
+    grid = {name: [float(value) for value in values(axis)] for name, axis in scene["grid"].items()}
+    for name, axis in grid.items():
+        kept = np.linspace(0, len(axis) - 1, min(len(axis), speeds if name == "speed_ratio" else 2))
+        chosen = [axis[round(index)] for index in kept]
+        grid[name] = [round(value, 6) for value in chosen] if name == "speed_ratio" else chosen
+    observables = ["poincare", "max_displacement"]
+    protocol = {**scene.get("protocol", {}), "transient_revolutions": 100, "sampled_revolutions": 40}
+    return {**scene, "grid": grid, "observables": observables, "protocol": protocol}
+
+
+def call(*command):
+    job = subprocess.run(command, capture_output=True, text=True, check=False)
+    if job.returncode not in (0, 1, 10):  # some points without a motion
+        sys.exit(f"{' '.join(map(str, command))} ended with {job.returncode}: {job.stderr.strip()}")
+
+
+def atlas_of(program, scene, atlas):
+    call(program, "run", scene, "-o", atlas, "--progress", "off")
+    with h5py.File(atlas) as file:
+        resolved = json.loads(file["scene_resolved"][()])
+        return file["status"][...], file["poincare"][...], resolved
+
+
+def classes_of(program, atlas, maps):
+    call(program, "analyse", atlas, "-o", maps)
+    with h5py.File(maps) as file:
+        return file["class"][...]
+
+
+def clearance_scale(scene):
+    ring, blades = scene["ring"], scene["blades"]
+    clearance = ring["radius"] - blades["hub_radius"] - blades["length"]
+    return clearance if clearance > 0 else 0.1 * blades["length"]
+
+
+def compare(old, new, path, speeds, folder):
+    scene = folder / "scene.json"
+    scene.write_text(json.dumps(thinned(json.loads(path.read_text()), speeds)))
+    atlases = [folder / "old.h5", folder / "new.h5"]
+    (status_old, sections_old, _), (status_new, sections_new, resolved) = (
+        atlas_of(program, scene, atlas) for program, atlas in zip((old, new), atlases))
+    class_old, class_new = (classes_of(new, atlas, atlas.with_suffix(".maps.h5")) for atlas in atlases)
+    equal = (sections_old.view(np.uint64) == sections_new.view(np.uint64)).all(axis=(-2, -1)) | (
+        np.isnan(sections_old) & np.isnan(sections_new)).all(axis=(-2, -1))
+    periodic = (class_old == class_new) & (class_new >= 1) & (class_new <= LONGEST_PERIOD)
+    unit = resolved["accuracy"]["tolerance"] * clearance_scale(resolved)
+    apart = np.abs(sections_old - sections_new).max(axis=(-2, -1))[periodic] / unit
+    largest = f"{apart.max():.2g}" if apart.size else "-"
+    print(f"| {path.stem} | {equal.size} | {int(equal.sum())} | {int((status_old != status_new).sum())} "
+          f"| {int((class_old != class_new).sum())} | {largest} |", flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("old", type=pathlib.Path)
+    parser.add_argument("new", type=pathlib.Path)
+    parser.add_argument("scenes", nargs="*", type=pathlib.Path)
+    parser.add_argument("--speeds", type=int, default=9)
+    options = parser.parse_intermixed_args()
+    print("| scene | points | same bytes | other status | other class | periodic: apart, tolerances |\n|---|--:|--:|--:|--:|--:|")
+    for path in options.scenes or sorted((ROOT / "jobs").glob("*.json")):
+        with tempfile.TemporaryDirectory() as folder:
+            compare(options.old.resolve(), options.new.resolve(), path, options.speeds, pathlib.Path(folder))
+
+
+if __name__ == "__main__":
+    main()
