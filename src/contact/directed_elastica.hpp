@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <optional>
 
@@ -129,6 +130,67 @@ class DirectedElastica {
     return result;
   }
 
+  /// The constraint, also of a blade without load (φ = 0). Even in φ: behind φ = 0 lies the same blade.
+  [[nodiscard]] Constraint constraint_or_unloaded(const Pose& at, double slip, double speed_ratio,
+                                                  const Bend& bend) const {
+    constexpr double kUnloaded = 1e-100;
+    const bool loaded = std::abs(bend.amplitude) > kUnloaded;
+    return constraint(at, slip, speed_ratio, {bend.modulus, loaded ? bend.amplitude : kUnloaded});
+  }
+  /// Whether there are blades that are bent so (φ < 0 is as good as φ > 0).
+  [[nodiscard]] static bool has_chart(const Bend& bend) {
+    return std::abs(bend.modulus) <= blade::kLargestModulus &&
+           std::abs(bend.amplitude) <= blade::kLargestAmplitude;
+  }
+  /// Newton's step from a bend towards h = 0 and d = 0.
+  [[nodiscard]] static Bend correction(const Constraint& there) {
+    const double determinant = there.determinant();
+    return {
+        (there.misdirection * there.residual_by_amplitude -
+         there.residual * there.misdirection_by_amplitude) /
+            determinant,
+        (there.residual * there.misdirection_by_modulus - there.misdirection * there.residual_by_modulus) /
+            determinant};
+  }
+  /// Force of a blade in equilibrium.
+  [[nodiscard]] TipForce force_of(const Pose& at, double speed_ratio, const Constraint& there) const {
+    TipForce force{};
+    set_force(at, speed_ratio, there, force);
+    return force;
+  }
+  /// dh/dτ [m²] and dd/dτ [rad] at a fixed bend.
+  struct Drift {
+    double residual;
+    double misdirection;
+  };
+  /// `acceleration`: that of the shaft's centre along (real part) and across the blade [m per unit τ²].
+  [[nodiscard]] Drift drift(const Pose& at, double slip, double speed_ratio, double angular_acceleration,
+                            const std::complex<double>& acceleration, const Constraint& there) const {
+    const double a = there.radial;
+    const double b = there.tangential;
+    // a' and b' at a fixed bend, as seen from the blade.
+    const double along = at.radial_velocity + speed_ratio * at.tangential;
+    const double across = at.tangential_velocity - speed_ratio * at.radial;
+    Drift result{2.0 * (a * along + b * across), 0.0};
+    const double inverse_square = 1.0 / (a * a + b * b);
+    const double moment = a * across - b * along;
+    if constexpr (Direction::kFollowsNormal) result.misdirection -= moment * inverse_square;
+    if constexpr (FrictionLaw::kDependsOnVelocity) {
+      const double along_rate = acceleration.real() + 2.0 * speed_ratio * at.tangential_velocity -
+                                speed_ratio * speed_ratio * at.radial + angular_acceleration * at.tangential;
+      const double across_rate = acceleration.imag() - 2.0 * speed_ratio * at.radial_velocity -
+                                 speed_ratio * speed_ratio * at.tangential - angular_acceleration * at.radial;
+      const double inverse_distance = std::sqrt(inverse_square);
+      const double velocity = inverse_distance * moment + speed_ratio * geometry_.ring_radius;
+      const double velocity_rate = inverse_distance * (a * across_rate - b * along_rate -
+                                                       moment * (a * along + b * across) * inverse_square) +
+                                   angular_acceleration * geometry_.ring_radius;
+      result.misdirection -=
+          friction_.slope(velocity, slip) * velocity_rate / (1.0 + there.coefficient * there.coefficient);
+    }
+    return result;
+  }
+
   /// The equilibrium to the given side (±1) that an increase of the bending from the unloaded blade on, or
   /// from the fold, reaches first; none where the blade cannot stand on that side. Slow: walks along the
   /// equilibria. A contact too light to bend the blade by a rounding error has κ = sin(b/2), φ = 0 and
@@ -216,12 +278,6 @@ class DirectedElastica {
   /// c = c(v) itself leaves them where c(v) is steep and v changes its sign between the neighbours.
   [[nodiscard]] std::optional<Bend> follow_coefficient(const Pose& at, double slip, double speed_ratio,
                                                        Bend bend) const;
-  /// The constraint, also of a blade without load (φ = 0).
-  [[nodiscard]] Constraint constraint_or_unloaded(const Pose& at, double slip, double speed_ratio,
-                                                  const Bend& bend) const {
-    return constraint(at, slip, speed_ratio,
-                      {bend.modulus, std::max(bend.amplitude, std::numeric_limits<double>::min())});
-  }
   /// φ with d = 0 at a fixed κ: the smallest, which has the smallest load.
   [[nodiscard]] std::optional<double> amplitude_of(const Pose& at, double slip, double speed_ratio,
                                                    double modulus, double guess) const;

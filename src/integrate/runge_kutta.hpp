@@ -14,10 +14,11 @@
 
 namespace rubatlas::integrate {
 
-template <class Table, int kSize>
+/// `kSize` components, or as many as the state has at run time, up to `kMostSize` (Eigen::Dynamic).
+template <class Table, int kSize, int kMostSize = kSize>
 class RungeKutta {
  public:
-  using Vector = Eigen::Array<double, kSize, 1>;
+  using Vector = Eigen::Array<double, kSize, 1, 0, kMostSize, 1>;
 
   /// Starts from a state; evaluates the first stage.
   template <class System>
@@ -128,6 +129,8 @@ class RungeKutta {
   }
 
  private:
+  [[nodiscard]] static Vector zero() { return Vector::Zero(kSize == Eigen::Dynamic ? 0 : kSize); }
+
   static constexpr std::size_t kCoefficients = 3 + Table::kDense.size();
 
   /// Between the coefficients i and i + 1 of dense output.
@@ -178,8 +181,8 @@ class RungeKutta {
     return system(state, stages_[kRow]);
   }
 
-  Vector start_ = Vector::Zero();
-  Vector end_ = Vector::Zero();
+  Vector start_ = zero();
+  Vector end_ = zero();
   double size_ = 0.0;
   bool dense_ready_ = false;
   std::array<Vector, Table::kDenseStages> stages_;

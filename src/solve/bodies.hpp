@@ -25,6 +25,10 @@ using ContactState = Eigen::Array<double, 6, 1>;
 using RingContactState = Eigen::Array<double, 10, 1>;
 constexpr int kTime = 4;
 constexpr int kBending = 5;
+/// x, y, x', y', τ, and κ, φ of each contact.
+constexpr int kFirstBend = 5;
+constexpr int kMostBlades = 50;
+using BendsState = Eigen::Array<double, Eigen::Dynamic, 1, 0, kFirstBend + 2 * kMostBlades, 1>;
 
 /// What acts on a shaft whose ring is a body: `ShaftForcing` on the shaft, and the ring itself.
 template <class ShaftForcing>
@@ -88,6 +92,9 @@ inline rotor::RingBody::State ring(const RingContactState& full) {
 inline State bodies(const ContactState& full) {
   return full.head<4>();
 }
+inline State bodies(const BendsState& full) {
+  return full.head<4>();
+}
 inline ShaftAndRing bodies(const RingContactState& full) {
   ShaftAndRing result;
   result << full.head<4>(), full.tail<4>();
@@ -102,6 +109,9 @@ inline State from_ring(const ShaftAndRing& bodies) {
   return bodies.head<4>() - bodies.tail<4>();
 }
 inline State from_ring(const ContactState& full) {
+  return full.head<4>();
+}
+inline State from_ring(const BendsState& full) {
   return full.head<4>();
 }
 inline State from_ring(const RingContactState& full) {
@@ -153,6 +163,9 @@ AccelerationOf<Forcing> acceleration_of_all([[maybe_unused]] const FullStateOf<F
 
 /// d/dτ of the bodies' state.
 inline State rate_of(const ContactState& full, const std::complex<double>& acceleration) {
+  return {full[2], full[3], acceleration.real(), acceleration.imag()};
+}
+inline State rate_of(const BendsState& full, const std::complex<double>& acceleration) {
   return {full[2], full[3], acceleration.real(), acceleration.imag()};
 }
 inline ShaftAndRing rate_of(const RingContactState& full, const ShaftAndRingAcceleration& acceleration) {

@@ -118,19 +118,13 @@ class ContactPhase final : public observables::MotionPiece {
   [[nodiscard]] Bodies state_at(double time) { return bodies(full_state_at(time)); }
   /// Full state where the phase ended.
   [[nodiscard]] FullState end_state() { return step_.at_fraction(end_fraction_); }
-  /// Bending parameter of an open contact there, as a first guess for the next phase.
-  [[nodiscard]] double bending(std::size_t contact) { return step_.bending(contact, end_fraction_); }
-
-  /// An open contact at a time of the piece that is being recorded, from where another motion goes on.
+  /// An open contact where the phase ended, from where the next one goes on.
+  [[nodiscard]] OpenContact contact_at_end(std::size_t contact) {
+    return step_.contact_in(contact, step_.at_fraction(end_fraction_));
+  }
+  /// The same at a time of the piece that is being recorded, for another motion.
   [[nodiscard]] OpenContact contact_at(std::size_t contact, double time) {
-    OpenContact open = step_.contacts()[contact];
-    if constexpr (ContactStep<System, Law, Pair, Blades>::kCarried) {
-      open.bending = full_state_at(time)[kBending];
-    } else {
-      open.bending = step_.system().contacts()[contact].bending;
-      open.amplitude = step_.system().contacts()[contact].amplitude;
-    }
-    return open;
+    return step_.contact_in(contact, full_state_at(time));
   }
 
   // The piece of motion that is being recorded.
@@ -213,9 +207,17 @@ class ContactPhase final : public observables::MotionPiece {
       if (!past_fold) end_fraction_ = step_.lift_off_fraction();
       end_ = {PhaseEvent::lift_off, blade(0)};
     }
+    const auto turning_point = step_.turning_point();
+    if (turning_point) {
+      end_fraction_ = turning_point->fraction;
+      end_ = {turning_point->is_fold ? PhaseEvent::snaps : PhaseEvent::lift_off,
+              blade(turning_point->contact)};
+    }
     const double last = end_fraction_;
     const FullState end = step_.at_fraction(last);
     if (lifts_off) watched_of(0).end_slip_velocity = step_.force(0, end).slip_velocity;
+    for (std::size_t i = 0; turning_point && i < contact_count(); ++i)
+      watched_of(i).end_slip_velocity = step_.force(i, end).slip_velocity;
 
     const contact::BladeDirection first = step_.first_blade(end);
     for (int k = 0; k < static_cast<int>(watched_.size()); ++k) {
@@ -225,6 +227,11 @@ class ContactPhase final : public observables::MotionPiece {
         look_for_touch_down(k, watched, last);
       } else if constexpr (ContactStep<System, Law, Pair, Blades>::kSkims) {
         look_for_end_of_skimming(k, last);
+      } else if (turning_point && !turning_point->is_fold && k == blade(turning_point->contact)) {
+        // A blade that comes to φ = 0 from outside the ring has left it before; g = 0 there to rounding.
+        Watched unloaded = watched;
+        unloaded.at_end.value = kGapRounding;
+        look_for_lift_off(k, unloaded, last);
       } else if (!lifts_off && step_.ends_at_ring(k, end)) {
         look_for_lift_off(k, watched, last);
       }

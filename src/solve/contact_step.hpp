@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,10 @@ class ContactStep {
 
   /// The bending parameter is a state of the system.
   static constexpr bool kCarried = requires(System system) { system.last(); };
+  /// The bends of all blades in contact are states of the system.
+  static constexpr bool kBends = requires { requires System::kCarriesBends; };
+  /// Time is a state, which turns back where a contact ends.
+  static constexpr bool kTimeTurns = kCarried || kBends;
   /// The blade stays on g = 0 under a share of its force.
   static constexpr bool kSkims = requires(System system, FullState state) { system.share(state); };
   /// Tips stick: their slip velocities stay zero.
@@ -41,12 +46,12 @@ class ContactStep {
   static constexpr bool kReleasesAtFold = Law::kReleasesAtFold && !kSkims;
   /// A guess holds the side to which a blade is bent: what a step that goes too far has made of it is no
   /// guess for a shorter one.
-  static constexpr bool kRemembers = requires { requires Law::OfBlade::kRemembersSide; };
+  static constexpr bool kRemembers = !kBends && requires { requires Law::OfBlade::kRemembersSide; };
   /// Near a force that starts or ends like a root of the gap many steps are rejected, and their sizes hang on
   /// the last digits. Where no carried form takes that away sizes come from a coarse grid: a motion that
   /// comes to the same place goes on by the same steps, and repeats itself to rounding instead of to the
   /// tolerance.
-  static constexpr bool kCoarseSizes = !Law::kHasBending && !Law::kLoadFollowsGap;
+  static constexpr bool kCoarseSizes = !Law::kHasBending && !Law::kLoadFollowsGap && !kBends;
 
   /// `tolerance` bounds the local error of a step [m]: accuracy.tolerance × δc.
   ContactStep(const RotorConstants& rotor, const Blades& blades, const Law& law, double tolerance,
@@ -61,11 +66,18 @@ class ContactStep {
   /// Starts a phase at time τ of the revolution. False where the system cannot start there.
   bool start(double time, const Bodies& state, const std::vector<OpenContact>& contacts) {
     contacts_ = contacts;
-    const FullState full = full_state(state, time, kCarried ? contacts_.front().bending : 0.0);
+    FullState full;
+    if constexpr (kBends) {
+      if (!system_.open(contacts_, state, time, full)) return false;
+      control_.begin_phase();
+      return step_.begin(system_, full);
+    } else {
+      full = full_state(state, time, kCarried ? contacts_.front().bending : 0.0);
+    }
     if constexpr (kCarried) {
       if (!system_.open(contacts_.front(), full)) return false;
       system_.anchor(time);
-    } else {
+    } else if constexpr (!kBends) {
       system_.open(contacts_);
     }
     control_.begin_phase();
@@ -89,7 +101,7 @@ class ContactStep {
           ++accepted_;
           control_.accept(error, size < proposed);
           if constexpr (kCarried) project();
-          if constexpr (kSkims || kSticks) system_.project(step_.end());
+          if constexpr (kSkims || kSticks || kBends) system_.project(step_.end());
           if constexpr (kFollows) system_.place_ring(step_.end());
           return Outcome::accepted;
         }
@@ -118,9 +130,12 @@ class ContactStep {
   [[nodiscard]] FullState at_fraction(double fraction) {
     if (fraction == 0.0) return step_.start();
     if (fraction == 1.0) return step_.end();
-    if (!make_dense()) return FullState::Constant(std::numeric_limits<double>::quiet_NaN());
+    if (!make_dense()) {
+      return FullState::Constant(step_.end().size(), std::numeric_limits<double>::quiet_NaN());
+    }
     FullState state = step_.interpolate(fraction);
     if constexpr (kSticks) system_.project(state);
+    if constexpr (kBends) system_.place(state);
     if constexpr (kFollows) system_.place_ring(state);
     return state;
   }
@@ -131,7 +146,7 @@ class ContactStep {
   [[nodiscard]] double fraction_at(double time, double last, double last_time) {
     const double from = step_.start()[kTime];
     double fraction = last * (time - from) / (last_time - from);
-    if (!kCarried || !make_dense()) return fraction;
+    if (!kTimeTurns || !make_dense()) return fraction;
     for (int i = 0; i < 8; ++i) {
       const auto at = step_.interpolate_with_slope(fraction, kTime);
       const double move = (time - at.value) / at.slope;
@@ -150,13 +165,25 @@ class ContactStep {
     return false;
   }
   /// Fraction where u = 0, in a step that has passed it.
-  [[nodiscard]] double lift_off_fraction() {
-    if (!make_dense()) return 1.0;
-    const bool unloaded = step_.start()[kBending] <= 0.0;  // the step of the touch-down starts at u = 0 too
-    const auto bending = [&](double part) {
-      return unloaded ? step_.mean_slope(part, kBending) : step_.interpolate(part, kBending);
-    };
-    return integrate::root_between(bending, 0.0, 1.0, bending(0.0), bending(1.0));
+  [[nodiscard]] double lift_off_fraction() { return zero_of(kBending); }
+
+  /// Where the path of one of several contacts turns back in time in the step, if one does: the first.
+  struct TurningPoint {
+    std::size_t contact = 0;
+    double fraction = 1.0;
+    bool is_fold = false;  ///< else the blade lifts off
+  };
+  [[nodiscard]] std::optional<TurningPoint> turning_point() {
+    std::optional<TurningPoint> first;
+    if constexpr (kBends) {
+      for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const bool unloaded = step_.end()[System::amplitude_of(i)] <= 0.0;
+        if (!unloaded && !system_.turns_back(i)) continue;
+        const double fraction = unloaded ? zero_of(System::amplitude_of(i)) : fold_fraction(i);
+        if (!first || fraction < first->fraction) first = TurningPoint{i, fraction, !unloaded};
+      }
+    }
+    return first;
   }
 
   /// True where the step has passed the fold of the contact equation and with it the end of the contact. Only
@@ -235,7 +262,9 @@ class ContactStep {
 
   /// Slip velocity of an open contact at the end of the step (or where the phase starts).
   [[nodiscard]] double slip_velocity(std::size_t contact) const {
-    if constexpr (kCarried) {
+    if constexpr (kBends) {
+      return system_.last_force(contact).slip_velocity;
+    } else if constexpr (kCarried) {
       return system_.last().force.slip_velocity;
     } else {
       return system_.forces()[contact].slip_velocity;
@@ -245,7 +274,7 @@ class ContactStep {
   /// What an open contact does in a state.
   [[nodiscard]] contact::TipForce force(std::size_t contact, const FullState& state) const {
     if constexpr (kSkims) return system_.force(state);
-    if constexpr (kSticks) return system_.force(contact, state);
+    if constexpr (kSticks || kBends) return system_.force(contact, state);
     const OpenContact& open = contacts_[contact];
     const contact::Pose at = pose(open.blade, state);
     if constexpr (kCarried) {
@@ -263,7 +292,10 @@ class ContactStep {
   /// Largest δ/L of the open contacts at the end of the step.
   [[nodiscard]] double shortening() const {
     double largest = 0.0;
-    if constexpr (kCarried) {
+    if constexpr (kBends) {
+      for (std::size_t i = 0; i < contacts_.size(); ++i)
+        largest = std::max(largest, system_.last_force(i).shortening);
+    } else if constexpr (kCarried) {
       largest = system_.last().force.shortening;
     } else {
       for (const contact::TipForce& force : system_.forces()) largest = std::max(largest, force.shortening);
@@ -285,13 +317,19 @@ class ContactStep {
     return !Law::kLoadFollowsGap || gap_peaks;
   }
 
-  /// Bending parameter of an open contact at a fraction, as a first guess for the phase that follows.
-  [[nodiscard]] double bending(std::size_t contact, double fraction) {
-    if constexpr (kCarried) {
-      return at_fraction(fraction)[kBending];
+  /// An open contact in a state, from where the next phase goes on.
+  [[nodiscard]] OpenContact contact_in(std::size_t contact, const FullState& state) const {
+    OpenContact open = contacts_[contact];
+    if constexpr (kBends) {
+      open.bending = state[System::modulus_of(contact)];
+      open.amplitude = state[System::amplitude_of(contact)];
+    } else if constexpr (kCarried) {
+      open.bending = state[kBending];
     } else {
-      return system_.contacts()[contact].bending;
+      open.bending = system_.contacts()[contact].bending;
+      open.amplitude = system_.contacts()[contact].amplitude;
     }
+    return open;
   }
 
   /// Sets the clock back.
@@ -351,7 +389,12 @@ class ContactStep {
   }
 
   bool make_dense() {
-    if constexpr (kCarried) {
+    if constexpr (kBends) {
+      system_.keep();
+      const bool made = step_.make_dense(system_);
+      system_.restore();
+      return made;
+    } else if constexpr (kCarried) {
       return step_.make_dense(system_);
     } else {
       guesses_ = system_.contacts();
@@ -361,6 +404,29 @@ class ContactStep {
     }
   }
 
+  /// Fraction where a component passes through zero, in a step at whose end it is not positive.
+  [[nodiscard]] double zero_of(Eigen::Index component) {
+    if (!make_dense()) return 1.0;
+    const auto place = static_cast<int>(component);
+    const bool unloaded = step_.start()[component] <= 0.0;  // the step of the touch-down starts at u = 0 too
+    const auto value = [&](double part) {
+      return unloaded ? step_.mean_slope(part, place) : step_.interpolate(part, place);
+    };
+    return integrate::root_between(value, 0.0, 1.0, value(0.0), value(1.0));
+  }
+  /// Fraction where a contact's equilibrium ends in a fold, in a step that has passed it.
+  [[nodiscard]] double fold_fraction(std::size_t contact) {
+    if (!make_dense()) return 1.0;
+    const auto determinant = [&](double part) {
+      return system_.determinant(contact, step_.interpolate(part));
+    };
+    const double at_end = determinant(1.0);
+    // D vanishes at the unloaded blade where a contact may start, too.
+    const double at_begin = step_.start()[System::amplitude_of(contact)] > 0.0 ? determinant(0.0) : -at_end;
+    if (!(at_begin > 0.0)) return 0.0;
+    return integrate::root_between(determinant, 0.0, 1.0, at_begin, at_end);
+  }
+
   /// Local error of the step in units of the tolerance: of the state at fixed time, of the time along the
   /// path, and of the bending parameter on its own scale. Each of them passes through zero at places, the sum
   /// does not.
@@ -368,7 +434,7 @@ class ContactStep {
     const FullState& end = step_.end();
     const Bodies rate = rate_of(end, system_.last_acceleration());
     const double fastest = rate.abs().maxCoeff();
-    double bending_weight = 0.0;
+    double bending_weight = kBends ? kBendingWeight * rotor_->length_scale : 0.0;
     if constexpr (kCarried) {
       bending_weight = kBendingWeight * rotor_->length_scale /
                        std::min(scale(step_.start()[kBending]), scale(end[kBending]));
@@ -377,9 +443,16 @@ class ContactStep {
       // An error of the time is an error of the state along its path.
       const double time = difference[kTime];
       const double along = fastest * time;
-      const double bending = bending_weight * difference[kBending];
       const Bodies state = bodies(difference) - rate * time;
-      return std::sqrt(state.square().sum() + along * along + bending * bending);
+      double of_bending = 0.0;
+      if constexpr (kBends) {
+        of_bending = difference.tail(difference.size() - kFirstBend).square().sum();
+        of_bending *= bending_weight * bending_weight;
+      } else {
+        const double bending = bending_weight * difference[kBending];
+        of_bending = bending * bending;
+      }
+      return std::sqrt(state.square().sum() + along * along + of_bending);
     });
     return estimate / (Pair::kEstimateExcess * tolerance_);
   }
@@ -387,6 +460,14 @@ class ContactStep {
   /// A step from rising load to beyond lift-off. Its error may be small at its end, but lift-off would be
   /// read from the middle of dense output, whose order is one less.
   [[nodiscard]] bool holds_whole_contact() const {
+    if constexpr (kBends) {
+      for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const auto amplitude = System::amplitude_of(i);
+        if (step_.end()[amplitude] <= 0.0 && step_.start_derivative()[amplitude] > 0.0 &&
+            step_.size() > kSmallestSize)
+          return true;
+      }
+    }
     return passes_lift_off() && step_.start_derivative()[kBending] > 0.0 && step_.size() > kSmallestSize;
   }
 
@@ -415,9 +496,16 @@ class ContactStep {
   /// Lets the step that would pass lift-off end just behind it, and the two before share what is left evenly.
   /// A step far past u = 0 is wasted, and dense output is at its best near the ends of a step.
   [[nodiscard]] double aimed_at_lift_off(double size) const {
-    if constexpr (!kCarried) return size;
-    const double bending = step_.start()[kBending];
-    const double rate = step_.start_derivative()[kBending];
+    if constexpr (kBends) {
+      for (std::size_t i = 0; i < contacts_.size(); ++i) size = aimed_at_zero(System::amplitude_of(i), size);
+    } else if constexpr (kCarried) {
+      return aimed_at_zero(kBending, size);
+    }
+    return size;
+  }
+  [[nodiscard]] double aimed_at_zero(Eigen::Index component, double size) const {
+    const double bending = step_.start()[component];
+    const double rate = step_.start_derivative()[component];
     if (!(rate < 0.0) || !(bending > 0.0)) return size;
     const double remaining = kAimBehind * bending / -rate;
     if (remaining <= size) return remaining;
@@ -437,7 +525,7 @@ class ContactStep {
   const Law* law_;
   double tolerance_;
   System system_;
-  integrate::RungeKutta<Pair, FullState::RowsAtCompileTime> step_;
+  integrate::RungeKutta<Pair, FullState::RowsAtCompileTime, FullState::MaxRowsAtCompileTime> step_;
   integrate::StepControl control_;
   std::vector<OpenContact> contacts_;
   std::vector<OpenContact> guesses_;

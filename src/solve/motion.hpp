@@ -210,12 +210,13 @@ class Motion {
       phase.shift_time(period);
       return end;
     }
-    const FullStateOf<Forcing> full = phase.end_state();
+    const auto full = phase.end_state();
     state_ = bodies(full);
     time_ = full[kTime];
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      contacts_[i].bending = phase.bending(i);
-      if constexpr (contact::Sticks<Law>) contacts_[i].amplitude = phase.contact_at(i, time_).amplitude;
+      const OpenContact there = phase.contact_at_end(i);
+      contacts_[i].bending = there.bending;
+      contacts_[i].amplitude = there.amplitude;
     }
     if (!state_.isFinite().all()) return {PhaseEvent::failed};
     return end;
@@ -367,6 +368,25 @@ class Motion {
     listener.event(Event{event, blade, time_, slip, shaft(state_)});
   }
 
+  /// The equilibrium of a bent blade has ended in a fold. False where it has no other one.
+  bool snap(OpenContact& contact) const {
+    if constexpr (Phases::kBends) {
+      constexpr double kSame = 1e-3;  // of κ: a root next to the fold is the one that ends there
+      const auto& law = law_.of(contact.blade);
+      const contact::Pose at = pose(contact.blade);
+      const double side = std::copysign(1.0, contact.bending);
+      auto root = law.solve(at, contact.slip, blades_.speed(time_), side);
+      if (root && std::abs(root->modulus - contact.bending) < kSame * std::abs(contact.bending))
+        root = std::nullopt;
+      if (!root) root = law.solve(at, contact.slip, blades_.speed(time_), -side);
+      if (!root) return false;
+      contact.bending = root->modulus;
+      contact.amplitude = root->amplitude;
+      return true;
+    }
+    return false;
+  }
+
   PointStatus change_contacts(const PhaseEnd& end, MotionListener& listener) {
     phase_ = Phase::undecided;
     const auto contact = std::find_if(contacts_.begin(), contacts_.end(),
@@ -387,6 +407,8 @@ class Motion {
         return PointStatus::done;
       case PhaseEvent::pressed_in:
         return PointStatus::done;
+      case PhaseEvent::snaps:
+        return snap(*contact) ? PointStatus::done : PointStatus::left_validity;
       default: {
         if constexpr (contact::Sticks<Law>) {
           return change_slip(*contact, end.event, listener) ? PointStatus::done : PointStatus::left_validity;

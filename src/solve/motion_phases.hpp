@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "contact/friction_law.hpp"
+#include "solve/carried_bends.hpp"
 #include "solve/contact_phase.hpp"
 #include "solve/following_ring.hpp"
 #include "solve/skimming_contact.hpp"
@@ -25,11 +26,12 @@ struct MotionPhases {
   // Only tips that can stick have a right-hand side for it, and one that is asked whether they do.
   using Judge = If<contact::Sticks<Law>, StickingSystem<Law, Forcing, Blades>>;
   using Sticking = If<contact::Sticks<Law>, Of<Judge>>;
-  // Only a ring without mass is to be put somewhere.
-  template <bool kFollows>
-  using SolvedOn = std::conditional_t<kFollows, ContactsOnFollowingRing<Law, Forcing, Blades>,
-                                      SolvedContacts<Law, Forcing, Blades>>;
-  using SolvedSystem = SolvedOn<kRingFollows<Forcing>>;
+  // Blades with two unknowns carry them; only a ring without mass is to be put somewhere.
+  static constexpr bool kBends = requires(typename Law::OfBlade::Drift drift) { drift.misdirection; };
+  using SolvedSystem = std::conditional_t<
+      kBends, CarriedBends<Law, Forcing, Blades>,
+      std::conditional_t<kRingFollows<Forcing>, ContactsOnFollowingRing<Law, Forcing, Blades>,
+                         SolvedContacts<Law, Forcing, Blades>>>;
   using Solved = Of<SolvedSystem>;
   using RingPlacer = If<kRingFollows<Forcing>, SolvedSystem>;
 };
