@@ -210,7 +210,7 @@ class ContactPhase final : public observables::MotionPiece {
     const auto turning_point = step_.turning_point();
     if (turning_point) {
       end_fraction_ = turning_point->fraction;
-      end_ = {turning_point->is_fold ? PhaseEvent::snaps : PhaseEvent::lift_off,
+      end_ = {turning_point->is_fold ? PhaseEvent::snap : PhaseEvent::lift_off,
               blade(turning_point->contact)};
     }
     const double last = end_fraction_;

@@ -407,7 +407,7 @@ class Motion {
         return PointStatus::done;
       case PhaseEvent::pressed_in:
         return PointStatus::done;
-      case PhaseEvent::snaps:
+      case PhaseEvent::snap:
         return snap(*contact) ? PointStatus::done : PointStatus::left_validity;
       default: {
         if constexpr (contact::Sticks<Law>) {

@@ -14,7 +14,7 @@ enum class PhaseEvent : std::uint8_t {
   touch_down,
   slip_reversal,
   comes_loose,  ///< a tip that has stuck slips
-  snaps,        ///< the equilibrium of a bent blade has ended in a fold
+  snap,         ///< the equilibrium of a bent blade has ended in a fold
   pressed_in,   ///< a tip that has skimmed the ring is held by its full force
   left_validity,
   failed
