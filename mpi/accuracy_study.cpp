@@ -89,7 +89,7 @@ class Points {
   [[nodiscard]] solve::PointOutcome run(const scene::Scene& scene, std::size_t point,
                                         const solve::PointStart& start) const {
     const auto parameters = grid_.parameters(point);
-    return solve::make_line_solver(scene, parameters, tables_)->run(parameters.speed_ratio, start, [] {});
+    return solve::make_line_solver(scene, parameters, tables_)->run(parameters.speed_ratio, start);
   }
 
   /// The same outcome up to `repeats` times, and what it took.
@@ -103,7 +103,7 @@ class Points {
     const double first_began = cpu_time();
     for (int repeat = 0; repeat < repeats; ++repeat) {
       const double began = cpu_time();
-      outcome = solver->run(parameters.speed_ratio, start, [] {});
+      outcome = solver->run(parameters.speed_ratio, start);
       times.push_back(cpu_time() - began);
       if (cpu_time() - first_began > kEnoughTime) break;
     }

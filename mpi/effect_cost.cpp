@@ -38,7 +38,7 @@ std::optional<double> seconds_per_right_hand_side(const scene::Scene& scene) {
     do {
       for (const double place : kPlacesOnTheLine) {
         const auto speed = static_cast<std::size_t>(place * static_cast<double>(grid.speed_count()));
-        work += solver->run(grid.parameters(first + speed).speed_ratio, start, [] {}).work;
+        work += solver->run(grid.parameters(first + speed).speed_ratio, start).work;
       }
       seconds = processor_seconds() - began;
     } while (seconds < kOneRepetition);

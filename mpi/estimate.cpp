@@ -45,7 +45,7 @@ int trial_revolutions(const scene::Scene& scene, double budget,
   const auto parameters = plan::Grid(probe).parameters(0);
   const auto solver = solve::make_line_solver(probe, parameters, tables);
   const double before = processor_seconds();
-  solver->run(parameters.speed_ratio, start_of(probe), [] {});
+  solver->run(parameters.speed_ratio, start_of(probe));
   const double per_revolution = std::max((processor_seconds() - before) / kFewestRevolutions, 1e-9);
   return static_cast<int>(
       std::clamp<double>(kShareOfOneTrial * budget / per_revolution, kFewestRevolutions, kMostRevolutions));
@@ -94,7 +94,7 @@ CostEstimate estimate_cost(const scene::Scene& scene, std::chrono::duration<doub
   for (std::size_t seat = 0; seat < solvers.size() && begun < most_trials; ++seat) begin_on(seat);
   while (result.trials < begun) {
     const double before = processor_seconds();
-    const auto finished = points->advance([&] { result.revolutions += 1.0; });
+    const auto finished = points->advance({});
     processor_time += processor_seconds() - before;
     const auto& outcome = finished.outcome;
     sum_of_shares += finished.seconds;
@@ -102,6 +102,7 @@ CostEstimate estimate_cost(const scene::Scene& scene, std::chrono::duration<doub
     if (outcome.status == solve::PointStatus::left_validity) ++result.left_validity;
     if (outcome.status == solve::PointStatus::integrator_failed) ++result.integrator_failed;
     result.work += outcome.work;
+    result.revolutions += static_cast<double>(outcome.work.revolutions);
     ++result.trials;
     if (begun < most_trials && seconds_since(begin) < budget.count()) {
       begin_on(static_cast<std::size_t>(finished.seat));

@@ -29,9 +29,10 @@ Master::Master(const Session& session, const Mailbox& mailbox, Schedule& schedul
 
 JobResult Master::run() {
   const PointRunner::Callbacks callbacks{
-      .between_revolutions =
+      .go_on =
           [this] {
             if (pace_.is_due()) serve();
+            return true;
           },
       .after_point = [this](const PointReport& report) { take(kSelf, report); },
       .piece_over =

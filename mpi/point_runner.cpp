@@ -51,13 +51,14 @@ void PointRunner::begin(const Piece& piece) {
 }
 
 void PointRunner::run(const Callbacks& callbacks) {
-  const auto between_revolutions = [&] {
-    callbacks.between_revolutions();
+  const auto go_on = [&] {
+    const bool goes_on = callbacks.go_on();
     begin_points(callbacks);
+    return goes_on;
   };
   begin_points(callbacks);
   while (pieces_ > 0) {
-    finish_point(batch_->advance(between_revolutions), callbacks);
+    finish_point(batch_->advance(go_on), callbacks);
     begin_points(callbacks);
   }
 }
@@ -92,6 +93,10 @@ void PointRunner::finish_point(const batch::Finished& finished, const Callbacks&
   Seat& seat = seats_[static_cast<std::size_t>(finished.seat)];
   Piece& left = seat.left;
   const solve::PointOutcome& outcome = finished.outcome;
+  if (outcome.status == solve::PointStatus::pending) {  // given up
+    end_piece(finished.seat, callbacks);
+    return;
+  }
   writer_.write_point(grid_.point(left.line, left.first_visit), left.from_initial != 0, outcome);
 
   PointReport report;

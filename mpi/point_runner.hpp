@@ -25,7 +25,7 @@ class PointRunner {
               const batch::Width& width);
 
   struct Callbacks {
-    std::function<void()> between_revolutions;
+    std::function<bool()> go_on;  ///< asked after each revolution and in long ones: false gives a point up
     std::function<void(const PointReport&)> after_point;
     std::function<void(int seat)> piece_over;  ///< ended or given up
     std::function<bool()> stop;  ///< asked before each point: true gives up the rest of its piece

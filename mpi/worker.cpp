@@ -49,10 +49,11 @@ void work(const Mailbox& mailbox, PointRunner& runner) {
   Ear ear(mailbox, runner);
   Pace pace(Mailbox::kLookPeriod);
   const PointRunner::Callbacks callbacks{
-      .between_revolutions =
+      .go_on =
           [&] {
             // A rank whose seats are all taken has nothing to hear before one of its points is done.
             if (runner.pieces() < runner.seats() && pace.is_due()) ear.listen();
+            return true;
           },
       .after_point =
           [&](const PointReport& report) {

@@ -19,10 +19,10 @@ class OneByOne final : public LineBatch {
     speed_ratio_ = speed_ratio;
     start_ = start;
   }
-  Finished advance(const std::function<void()>& between_revolutions) override {
+  Finished advance(const solve::GoOn& go_on) override {
     const auto began = std::chrono::steady_clock::now();
     Finished finished;
-    finished.outcome = solver_->run(speed_ratio_, start_, between_revolutions);
+    finished.outcome = solver_->run(speed_ratio_, start_, go_on);
     finished.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     return finished;
   }

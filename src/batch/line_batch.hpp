@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string_view>
 
@@ -49,10 +48,10 @@ class LineBatch {
   virtual void begin(int seat, solve::LineSolver& solver, double speed_ratio,
                      const solve::PointStart& start) = 0;
 
-  /// Goes on with all points until one has ended; at least one is under way. `between_revolutions` is called
-  /// after each revolution of any of them, and may begin points on free seats. What a solver throws is thrown
-  /// here; the batch is of no further use then.
-  virtual Finished advance(const std::function<void()>& between_revolutions) = 0;
+  /// Goes on with all points until one has ended; at least one is under way. `go_on` is asked for each of
+  /// them, after each revolution and within long ones, and may begin points on free seats; false gives up the
+  /// point for which it was asked. What a solver throws is thrown here; the batch is of no further use then.
+  virtual Finished advance(const solve::GoOn& go_on) = 0;
 
   [[nodiscard]] virtual LaneCounts counts() const = 0;
 };

@@ -34,6 +34,7 @@ void LineFibers::begin(int seat_number, solve::LineSolver& solver, double speed_
   seat.speed_ratio = speed_ratio;
   seat.start = start;
   seat.ended = false;
+  seat.goes_on = true;
   seat.began_at = shared_clock();
   ++under_way_;
   ready_.push_back(&seat);
@@ -49,8 +50,9 @@ void LineFibers::begin(int seat_number, solve::LineSolver& solver, double speed_
 void LineFibers::run_point(Seat& seat) {
   try {
     seat.outcome = seat.solver->run(seat.speed_ratio, seat.start, [this, &seat] {
-      seat.revolution_ended = true;
+      seat.asks = true;
       caller_ = std::move(caller_).resume();
+      return seat.goes_on;
     });
   } catch (const boost::context::detail::forced_unwind&) {
     throw;  // the batch goes, and with it the stacks of points that have not ended
@@ -60,7 +62,7 @@ void LineFibers::run_point(Seat& seat) {
   seat.ended = true;
 }
 
-Finished LineFibers::advance(const std::function<void()>& between_revolutions) {
+Finished LineFibers::advance(const solve::GoOn& go_on) {
   while (true) {
     if (ready_.empty()) make_attempts();
     Seat& seat = *ready_.front();
@@ -72,9 +74,9 @@ Finished LineFibers::advance(const std::function<void()>& between_revolutions) {
       --under_way_;
       return {static_cast<int>(&seat - seats_.data()), std::move(seat.outcome), seconds};
     }
-    if (std::exchange(seat.revolution_ended, false)) {
+    if (std::exchange(seat.asks, false)) {
       ready_.push_back(&seat);
-      between_revolutions();
+      seat.goes_on = !go_on || go_on();
     }
   }
 }

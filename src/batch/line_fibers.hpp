@@ -25,7 +25,7 @@ class LineFibers final : public LineBatch {
 
   void begin(int seat, solve::LineSolver& solver, double speed_ratio,
              const solve::PointStart& start) override;
-  Finished advance(const std::function<void()>& between_revolutions) override;
+  Finished advance(const solve::GoOn& go_on) override;
   [[nodiscard]] LaneCounts counts() const override { return counts_; }
 
   /// The one whose point this thread runs; none outside of points.
@@ -43,7 +43,8 @@ class LineFibers final : public LineBatch {
     solve::PointOutcome outcome;
     std::exception_ptr failure;
     bool ended = false;
-    bool revolution_ended = false;
+    bool asks = false;       ///< whether it is to go on
+    bool goes_on = true;     ///< the answer
     bool attempted = false;  ///< its last request was granted
     double began_at = 0.0;   ///< on the clock of shares
   };

@@ -234,7 +234,9 @@ auto DirectedElastica<Direction, FrictionLaw>::solve_for_coefficient(const Pose&
   constexpr int kSteps = 8;  // from the coefficient of the undeformed tip to the largest
   const auto at_coefficient = [&](double coefficient) {
     const DirectedElastica<Direction, CoulombFriction> law(geometry_, {length_, 0.0, 1.0}, {coefficient});
-    return law.solve(at, 1.0, speed_ratio, side);
+    const auto found = law.solve(at, 1.0, speed_ratio, side);
+    evaluations_ += law.evaluations();
+    return found;
   };
   // c − c(v) where the tip stands under c: negative at the least c, positive at the largest. Not a number
   // where the blade cannot stand on this side.
@@ -289,6 +291,7 @@ auto DirectedElastica<Direction, FrictionLaw>::follow_coefficient(const Pose& at
   const auto excess = [&](double coefficient) {
     const DirectedElastica<Direction, CoulombFriction> law(geometry_, {length_, 0.0, 1.0}, {coefficient});
     const auto root = law.newton(at, slip, speed_ratio, bend);
+    evaluations_ += law.evaluations();
     lost = lost || !root;
     if (root) bend = *root;
     return coefficient - constraint(at, slip, speed_ratio, bend).coefficient;
@@ -364,17 +367,20 @@ void DirectedElastica<Direction, FrictionLaw>::set_force(const Pose& at, double 
 template <class Direction, class FrictionLaw>
 auto DirectedElastica<Direction, FrictionLaw>::rest(const Pose& at, double speed_ratio,
                                                     const Bend& near) const -> std::optional<Rest> {
-  constexpr int kSteps = 8;  // on a way that Newton's method cannot leap
+  constexpr int kSteps = 8;                        // on a way that Newton's method cannot leap
+  constexpr std::uint64_t kEvaluationsOfHold = 8;  // Newton's method on both unknowns, as a rule
   if (!(near.amplitude > 0.0)) return std::nullopt;
   const blade::InclinedPoint point = blade::inclined_equilibrium(near.modulus, near.amplitude);
   const double from = std::atan2(at.tangential - length_ * point.deflection.value,
                                  at.radial + geometry_.reach - length_ * point.shortening.value);
   const auto place = resting_normal_angle(geometry_, at, speed_ratio, from);
   if (!place) return std::nullopt;
+  evaluations_ += kEvaluationsOfHold;
   auto held = hold<Direction>(geometry_, length_, at, *place, near);
   if (!held) {
     Bend bend = near;
     for (int i = 0; i <= kSteps; ++i) {
+      evaluations_ += kEvaluationsOfHold;
       held = hold<Direction>(geometry_, length_, at, from + (*place - from) * i / kSteps, bend);
       if (!held) return std::nullopt;
       bend = held->bend;

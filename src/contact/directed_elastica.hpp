@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -72,6 +73,8 @@ class DirectedElastica {
   using OfBlade = DirectedElastica;
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const FrictionLaw& friction() const { return friction_; }
+  /// How often equilibria have been evaluated.
+  [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
   /// The same blade, shorter at its tip by `lost` [m].
   [[nodiscard]] DirectedElastica shortened(double lost) const {
     return {{geometry_.reach - lost, geometry_.ring_radius},
@@ -101,6 +104,7 @@ class DirectedElastica {
 
   [[nodiscard]] Constraint constraint(const Pose& at, double slip, double speed_ratio,
                                       const Bend& bend) const {
+    ++evaluations_;
     Constraint result;
     result.blade = blade::inclined_equilibrium(bend.modulus, bend.amplitude);
     const blade::InclinedPoint& point = result.blade;
@@ -288,6 +292,7 @@ class DirectedElastica {
   double load_unit_;    ///< EI / L² [N]
   double strain_unit_;  ///< h / (2 L) [-]
   FrictionLaw friction_;
+  mutable std::uint64_t evaluations_ = 0;  ///< what a motion cost, not what it is
 };
 
 }  // namespace rubatlas::contact

@@ -34,11 +34,10 @@ class UnequalBlades {
   }
 
   /// How often the curves of all blades have been evaluated.
-  [[nodiscard]] std::uint64_t evaluations() const {
+  [[nodiscard]] std::uint64_t evaluations() const requires requires(const Law& law) { law.evaluations(); }
+  {
     std::uint64_t sum = 0;
-    if constexpr (kHasBending) {
-      for (const Law& blade : blades_) sum += blade.evaluations();
-    }
+    for (const Law& blade : blades_) sum += blade.evaluations();
     return sum;
   }
 

@@ -48,7 +48,7 @@ class ChangingMotion {
       lost_.assign(blades, 0.0);
       std::copy_n(before.begin(), std::min(before.size(), blades), lost_.begin());
       lost_before_ = lost_;
-      work_meter_.emplace(line.blades.count);
+      friction_work_.emplace(line.blades.count);
     }
     if (effects::acts<&effects::Effects::speed_ramp>(line)) ramp_ = *line.speed_ramp;
     motion_ = make_(speed_, lost_);
@@ -57,13 +57,17 @@ class ChangingMotion {
   PointStatus start(const State& state) { return motion_->start(state); }
 
   /// The revolution of this number, counted from 0 through the transient.
-  PointStatus revolution(MotionListener& listener, int number) {
+  PointStatus revolution(MotionListener& listener, const GoOn& go_on, int number) {
     const PointStatus status = change(listener, number);
     if (status != PointStatus::done) return status;
-    if (!wear_) return motion_->revolution(listener);
-    work_meter_->begin(listener);
-    const PointStatus end = motion_->revolution(*work_meter_);
+    if (!wear_) return motion_->revolution(listener, go_on);
+    friction_work_->begin(listener);
+    const PointStatus end = motion_->revolution(*friction_work_, go_on);
     return end == PointStatus::done ? wear_off() : end;
+  }
+  /// What ended the motion, where that is not done.
+  [[nodiscard]] StatusDetail status_detail() const {
+    return worn_out_ != StatusDetail::none ? worn_out_ : motion_->status_detail();
   }
 
   [[nodiscard]] State state() const { return motion_->state(); }
@@ -99,15 +103,16 @@ class ChangingMotion {
 
   /// What the revolution's friction has worn off is missing from now on.
   PointStatus wear_off() {
-    const std::span<const double> work = work_meter_->of_blades();
+    const std::span<const double> work = friction_work_->of_blades();
     for (std::size_t k = 0; k < lost_.size(); ++k) {
       const double loss = wear_->rate * work[k];
-      if (!std::isfinite(loss)) return PointStatus::integrator_failed;
       if (loss > 0.0) shorter_ = true;
       lost_[k] += loss;
-      if (lost_[k] > longest_loss_) return PointStatus::left_validity;
+      if (!std::isfinite(loss)) worn_out_ = StatusDetail::not_finite;
+      if (lost_[k] > longest_loss_) worn_out_ = StatusDetail::worn_out;
+      if (worn_out_ != StatusDetail::none) break;
     }
-    return PointStatus::done;
+    return status_of(worn_out_);
   }
 
   Make make_;
@@ -116,11 +121,12 @@ class ChangingMotion {
   double speed_;        ///< Ω now
   std::optional<effects::SpeedRamp> ramp_;
   std::optional<effects::Wear> wear_;
-  std::vector<double> lost_;         ///< of each blade [m]; empty where no blade wears
-  std::vector<double> lost_before_;  ///< when the point started
-  double longest_loss_ = 0.0;        ///< [m]
-  bool shorter_ = false;             ///< a blade has lost length in the last revolution
-  std::optional<FrictionWork> work_meter_;
+  std::vector<double> lost_;                    ///< of each blade [m]; empty where no blade wears
+  std::vector<double> lost_before_;             ///< when the point started
+  double longest_loss_ = 0.0;                   ///< [m]
+  bool shorter_ = false;                        ///< a blade has lost length in the last revolution
+  StatusDetail worn_out_ = StatusDetail::none;  ///< what wear ends the point with
+  std::optional<FrictionWork> friction_work_;
   decltype(std::declval<Make>()(1.0, std::span<const double>{})) motion_;
   WorkCounts work_;  ///< of the motions before
 };

@@ -29,6 +29,7 @@ namespace rubatlas::solve {
 struct PhaseEnd {
   PhaseEvent event;
   int blade = -1;
+  StatusDetail why = StatusDetail::none;  ///< where the motion ends
 };
 
 /// What bounds a phase and how accurate it is.
@@ -73,9 +74,9 @@ class ContactPhase final : public observables::MotionPiece {
     return true;
   }
 
-  /// Goes on until something ends the phase, time reaches `until` or no steps are left; hands every piece of
-  /// motion to the listener. `steps_left` counts steps down, rejected ones too.
-  PhaseEnd advance(double until, std::int64_t& steps_left, MotionListener& listener) {
+  /// Goes on until something ends the phase, time reaches `until` or the meter ends the revolution; hands
+  /// every piece of motion to the listener.
+  PhaseEnd advance(double until, WorkMeter& meter, MotionListener& listener) {
     while (true) {
       if (pending_) {
         const bool beyond = segment_end_ > until;
@@ -88,19 +89,17 @@ class ContactPhase final : public observables::MotionPiece {
         step_.accept();
         for (Watched& blade : watched_) blade.take_end();
       }
-      if (steps_left <= 0) return {PhaseEvent::failed};
-      const std::uint64_t before = step_.attempts();
-      const auto outcome = step_.make();
-      steps_left -= static_cast<std::int64_t>(step_.attempts() - before);
-      switch (outcome) {
-        case ContactStep<System, Law, Pair, Blades>::Outcome::failed:
-          return {PhaseEvent::failed};
+      switch (step_.make(meter)) {
+        case ContactStep<System, Law, Pair, Blades>::Outcome::stopped:
+          return {PhaseEvent::failed, -1, meter.why()};
+        case ContactStep<System, Law, Pair, Blades>::Outcome::too_short:
+          return {PhaseEvent::failed, -1, StatusDetail::step_too_short};
         case ContactStep<System, Law, Pair, Blades>::Outcome::no_force:
           end_fraction_ = 0.0;
           if (const int released = step_.released_blade(); released >= 0)
             return {PhaseEvent::lift_off, released};
           if (const int unheld = step_.unheld_blade(); unheld >= 0) return {PhaseEvent::comes_loose, unheld};
-          return {PhaseEvent::left_validity};
+          return {PhaseEvent::left_validity, -1, StatusDetail::no_equilibrium};
         default:
           find_end();
       }
@@ -201,8 +200,8 @@ class ContactPhase final : public observables::MotionPiece {
     // Where the undeformed tip is still in the ring at the fold, it could not be free.
     const bool caught = past_fold && step_.gap(blade(0), step_.at_fraction(end_fraction_)).value >= 0.0;
     const bool lifts_off = past_fold ? !caught : step_.passes_lift_off();
-    const bool left_validity =
-        !lifts_off && (caught || step_.root_lost() || step_.shortening() > limits_.max_shortening);
+    const bool lost = !lifts_off && (caught || step_.root_lost());
+    const bool left_validity = lost || (!lifts_off && step_.shortening() > limits_.max_shortening);
     if (lifts_off) {
       if (!past_fold) end_fraction_ = step_.lift_off_fraction();
       end_ = {PhaseEvent::lift_off, blade(0)};
@@ -254,10 +253,11 @@ class ContactPhase final : public observables::MotionPiece {
     segment_end_ = step_.at_fraction(end_fraction_)[kTime];
     pending_ = true;
     if (!std::isfinite(segment_end_)) {
-      end_ = {PhaseEvent::failed};
+      end_ = {PhaseEvent::failed, -1, StatusDetail::not_finite};
       segment_end_ = segment_begin_;
     } else if ((end_.event == PhaseEvent::horizon && left_validity) || outside(end)) {
-      end_ = {PhaseEvent::left_validity};
+      const StatusDetail within = lost ? StatusDetail::no_equilibrium : StatusDetail::shortening_limit;
+      end_ = {PhaseEvent::left_validity, -1, outside(end) ? StatusDetail::shaft_at_ring : within};
       segment_end_ = segment_begin_;
     }
   }

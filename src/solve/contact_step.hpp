@@ -21,6 +21,7 @@
 #include "solve/blade_set.hpp"
 #include "solve/contact_system.hpp"
 #include "solve/rotor.hpp"
+#include "solve/work_meter.hpp"
 
 namespace rubatlas::solve {
 
@@ -66,6 +67,7 @@ class ContactStep {
   /// Starts a phase at time τ of the revolution. False where the system cannot start there.
   bool start(double time, const Bodies& state, const std::vector<OpenContact>& contacts) {
     contacts_ = contacts;
+    paid_evaluations_ = curve_evaluations(*law_);
     FullState full;
     if constexpr (kBends) {
       if (!system_.open(contacts_, state, time, full)) return false;
@@ -85,15 +87,16 @@ class ContactStep {
     return step_.begin(system_, full);
   }
 
-  enum class Outcome : std::uint8_t { accepted, no_force, failed };
+  enum class Outcome : std::uint8_t { accepted, no_force, too_short, stopped };
 
-  /// Makes one step that keeps the tolerance.
-  Outcome make() {
+  /// Makes one step that keeps the tolerance, unless the meter ends the revolution.
+  Outcome make(WorkMeter& meter) {
     if constexpr (kCarried) system_.anchor(step_.start()[kTime]);
     if constexpr (kRemembers) guesses_ = system_.contacts();
     while (true) {
       const double proposed = proposed_size();
       const double size = aimed_at_lift_off(proposed);
+      if (!meter.spend(Work::contact, price_of_last_attempt())) return Outcome::stopped;
       const bool evaluated = step_.attempt(system_, size);
       const double error = evaluated ? scaled_error() : std::numeric_limits<double>::infinity();
       if (integrate::StepControl::acceptable(error)) {
@@ -114,7 +117,7 @@ class ContactStep {
         if (changes_side()) system_.restore(guesses_);
       }
       // Where no stage can find a force however short the step, the contact equation has lost its root.
-      if (!(size > kSmallestSize)) return evaluated ? Outcome::failed : Outcome::no_force;
+      if (!(size > kSmallestSize)) return evaluated ? Outcome::too_short : Outcome::no_force;
     }
   }
 
@@ -352,6 +355,19 @@ class ContactStep {
   static constexpr double kWellDetermined =
       1e-2;  ///< of |∂h/∂u| against |dh/dτ|; near lift-off u carries the clock
 
+  /// What the attempt before has cost, and all that was asked of its step. Attempts of a carried contact all
+  /// have one price: whether they are made in lanes must not show.
+  [[nodiscard]] std::int64_t price_of_last_attempt() {
+    const auto contacts = static_cast<std::int64_t>(contacts_.size());
+    std::int64_t price = WorkPrice::kAttempt + contacts * WorkPrice::kForce;
+    if constexpr (!kCarried) {
+      const std::uint64_t evaluations = curve_evaluations(*law_);
+      price += static_cast<std::int64_t>(evaluations - paid_evaluations_) * price_of_curve<Law>();
+      paid_evaluations_ = evaluations;
+    }
+    return price;
+  }
+
   /// Scale on which the motion varies where the blade is bent by u [in σ]: the distance of u to the curve's
   /// singularities ±iβ. Where forces are solved for, σ = τ has no scale of its own.
   [[nodiscard]] double scale(double bending) const {
@@ -531,6 +547,7 @@ class ContactStep {
   std::vector<OpenContact> guesses_;
   std::uint64_t accepted_ = 0;
   std::uint64_t rejected_ = 0;
+  std::uint64_t paid_evaluations_ = 0;  ///< of curves, whose price the meter knows
 };
 
 }  // namespace rubatlas::solve

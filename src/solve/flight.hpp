@@ -14,8 +14,8 @@
 #include "rotor/free_motion.hpp"
 #include "solve/blade_set.hpp"
 #include "solve/bodies.hpp"
-#include "solve/line_solver.hpp"
 #include "solve/rotor.hpp"
+#include "solve/work_meter.hpp"
 
 namespace rubatlas::solve {
 
@@ -148,8 +148,9 @@ class TouchdownSearch {
     double time;  ///< τ of the revolution
   };
 
+  /// Nothing also where the meter ends the revolution.
   template <class Flight>
-  std::optional<Touchdown> find(const Flight& flight, double until) {
+  std::optional<Touchdown> find(const Flight& flight, double until, WorkMeter& meter) {
     const double from = flight.start_time();
     auto state = flight.state(from);
     // The shaft cannot leave the clearance circle: no blade can touch, and there is nothing to search.
@@ -167,7 +168,7 @@ class TouchdownSearch {
         time = clear_until_[blade];
         state = flight.state(time);
       }
-      if (gave_up()) return std::nullopt;
+      if (!meter.spend(Work::flight, WorkPrice::kGap)) return std::nullopt;
       ++evaluations_;
       const double step = clear_step(flight, static_cast<int>(blade), time, state, until);
       if (step <= kTimeResolution * std::max(1.0, time)) return Touchdown{static_cast<int>(blade), time};
@@ -180,11 +181,6 @@ class TouchdownSearch {
   [[nodiscard]] bool never_touches(const Flight& flight, const Bodies& state) const {
     return stays_clear(flight, flight.start_time(), state, std::numeric_limits<double>::infinity());
   }
-
-  /// Starts to count what a revolution may cost.
-  void begin_revolution() { most_evaluations_ = evaluations_ + WorkBounds::kGapEvaluations; }
-  /// The last search ended for that bound.
-  [[nodiscard]] bool gave_up() const { return evaluations_ >= most_evaluations_; }
 
   /// Gaps evaluated, one for each blade and time.
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
@@ -293,7 +289,6 @@ class TouchdownSearch {
   double turning_weight_;
   std::vector<double> clear_until_;
   std::uint64_t evaluations_ = 0;
-  std::uint64_t most_evaluations_ = std::numeric_limits<std::uint64_t>::max();
 };
 
 }  // namespace rubatlas::solve

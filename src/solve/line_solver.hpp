@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -17,6 +16,8 @@
 #include "observables/list.hpp"
 #include "plan/grid.hpp"
 #include "scene/scene.hpp"
+#include "solve/point_status.hpp"
+#include "solve/work_meter.hpp"
 
 namespace rubatlas::solve {
 
@@ -52,11 +53,9 @@ struct PointStart {
   Memory memory;  ///< empty: as new
 };
 
-/// How a point ended (MODEL 5); the numbers are those of the atlas' `/status`.
-enum class PointStatus : std::uint8_t { pending = 0, done = 1, left_validity = 2, integrator_failed = 3 };
-
 /// Counts that tell what a point cost; never part of the atlas.
 struct WorkCounts {
+  std::uint64_t revolutions = 0;  ///< that came to their end
   std::uint64_t right_hand_sides = 0;
   std::uint64_t steps = 0;
   std::uint64_t rejected_steps = 0;
@@ -65,8 +64,10 @@ struct WorkCounts {
   std::uint64_t slip_reversals = 0;
   std::uint64_t gap_evaluations = 0;       ///< in flight
   std::uint64_t elastica_evaluations = 0;  ///< of the blade's curve, wherever a force is asked for
+  std::int64_t price = 0;                  ///< of all of it, as the bound of a revolution counts it [ns]
 
   WorkCounts& operator+=(const WorkCounts& more) {
+    revolutions += more.revolutions;
     right_hand_sides += more.right_hand_sides;
     steps += more.steps;
     rejected_steps += more.rejected_steps;
@@ -75,32 +76,25 @@ struct WorkCounts {
     slip_reversals += more.slip_reversals;
     gap_evaluations += more.gap_evaluations;
     elastica_evaluations += more.elastica_evaluations;
+    price += more.price;
     return *this;
   }
 };
 
-/// Bounds of the work in one revolution, far beyond what any motion needs that comes to an end: fifty blades
-/// in chaos make some thousand steps. A revolution that passes one ends its point as `integrator_failed`: a
-/// contact that opens and closes without end (the model's own, MODEL 4.2 and 4.4), or a scene beyond double
-/// precision.
-struct WorkBounds {
-  static constexpr std::int64_t kSteps = 100000;  ///< in contact, rejected ones included
-  static constexpr std::uint64_t kGapEvaluations = 1000000;
-  static constexpr int kEvents = 100000;  ///< touch-downs, lift-offs and slip reversals
-};
-
 struct PointOutcome {
   PointStatus status = PointStatus::pending;
-  std::int32_t failed_revolution = -1;  ///< counted from 0 through the transient; −1 when done
-  SectionState final_state{};           ///< after the last revolution; NaN when not done
-  Memory final_memory;                  ///< beside it; empty where no effect has one
-  observables::Rows rows;               ///< as `observables::descriptions(scene)`
+  StatusDetail detail = StatusDetail::none;  ///< what ended the point, where it is not done
+  std::int32_t failed_revolution = -1;       ///< counted from 0 through the transient; −1 when done
+  SectionState final_state{};                ///< after the last revolution; NaN when not done
+  Memory final_memory;                       ///< beside it; empty where no effect has one
+  observables::Rows rows;                    ///< as `observables::descriptions(scene)`
   WorkCounts work;
 };
 
 /// One point's motion on a uniform grid of time over the sampled revolutions.
 struct Orbit {
   PointStatus status = PointStatus::pending;
+  StatusDetail detail = StatusDetail::none;
   std::int32_t failed_revolution = -1;
   std::vector<double> time;            ///< τ [-] from the start of the sampled revolutions
   std::vector<SectionState> state;     ///< one per time
@@ -112,10 +106,10 @@ class LineSolver {
  public:
   virtual ~LineSolver() = default;
 
-  /// Runs transient and sampled revolutions at one speed ratio from `start`. `between_revolutions` is called
-  /// after each revolution (a rank answers its messages there); it must not throw.
-  virtual PointOutcome run(double speed_ratio, const PointStart& start,
-                           const std::function<void()>& between_revolutions) = 0;
+  /// Runs transient and sampled revolutions at one speed ratio from `start`. `go_on` is asked after each
+  /// revolution and every few milliseconds within (a rank answers its messages there): false gives the point
+  /// up, which is then pending. Empty: nobody asks.
+  virtual PointOutcome run(double speed_ratio, const PointStart& start, const GoOn& go_on = {}) = 0;
 
   /// The same motion, kept as `samples_per_revolution` samples over the sampled revolutions.
   virtual Orbit orbit(double speed_ratio, const PointStart& start) = 0;

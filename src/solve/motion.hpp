@@ -71,13 +71,13 @@ class Motion {
     for (int k = 0; k < blades_.count(); ++k) {
       const contact::Pose at =
           pose_of(rotor_, law_.of(k).geometry(), blades_.direction(k, first), from_ring(state_));
-      if (at.gap > 0.0 && !open(k, at)) return PointStatus::left_validity;
+      if (at.gap > 0.0 && !open(k, at)) return ends(StatusDetail::no_equilibrium);
     }
-    if (!place_ring()) return PointStatus::left_validity;
+    if (!place_ring()) return ends(StatusDetail::ring_unbalanced);
     settle([](const OpenContact&) {});
     flight_.start(time_, state_);
     never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);
-    return state_.isFinite().all() ? PointStatus::done : PointStatus::integrator_failed;
+    return ends(state_.isFinite().all() ? StatusDetail::none : StatusDetail::not_finite);
   }
 
   /// A motion at the end of a revolution, for another to go on from.
@@ -109,7 +109,7 @@ class Motion {
       const auto held = std::find_if(handed.contacts.begin(), handed.contacts.end(),
                                      [&](const OpenContact& open) { return open.blade == k; });
       const bool found = held == handed.contacts.end() ? at.gap <= 0.0 || open(k, at) : keep(*held, at);
-      if (!found) return PointStatus::left_validity;
+      if (!found) return ends(StatusDetail::no_equilibrium);
     }
     flight_.start(time_, state_);
     never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);
@@ -117,14 +117,13 @@ class Motion {
   }
 
   /// One revolution.
-  PointStatus revolution(MotionListener& listener) {
+  PointStatus revolution(MotionListener& listener, const GoOn& go_on = {}) {
     const double period = rotor_.period();
-    steps_left_ = WorkBounds::kSteps;
-    search_.begin_revolution();
-    for (int events = 0; events < WorkBounds::kEvents; ++events) {
+    meter_.begin_revolution(go_on);
+    while (meter_.spend(Work::events, price_of_last_event())) {
       PhaseEnd end{};
       if (phase_ == Phase::undecided) {
-        if (!begin_phase()) return PointStatus::left_validity;
+        if (!begin_phase()) return ends(StatusDetail::no_equilibrium);
       }
       switch (phase_) {
         case Phase::flight:
@@ -147,14 +146,19 @@ class Motion {
         if (phase_ != Phase::flight) time_ = period;
         return finish_revolution(period);
       }
-      if (end.event == PhaseEvent::failed) return PointStatus::integrator_failed;
-      if (end.event == PhaseEvent::left_validity) return PointStatus::left_validity;
+      if (end.event == PhaseEvent::failed || end.event == PhaseEvent::left_validity) {
+        const auto unsaid =
+            end.event == PhaseEvent::failed ? StatusDetail::not_finite : StatusDetail::no_equilibrium;
+        return ends(end.why == StatusDetail::none ? unsaid : end.why);
+      }
       const PointStatus status = change_contacts(end, listener);
       if (status != PointStatus::done) return status;
-      if (!place_ring()) return PointStatus::left_validity;
+      if (!place_ring()) return ends(StatusDetail::ring_unbalanced);
     }
-    return PointStatus::integrator_failed;  // chatter
+    return ends(meter_.why());
   }
+  /// What ended the motion, where that is not done.
+  [[nodiscard]] StatusDetail status_detail() const { return detail_; }
 
   /// At the end of the last revolution.
   [[nodiscard]] const Bodies& state() const { return state_; }
@@ -171,8 +175,9 @@ class Motion {
     if constexpr (Law::kHasBending) {
       add(*carried_);
       add(*skimming_);
-      result.elastica_evaluations = law_.evaluations();
     }
+    result.elastica_evaluations = curve_evaluations(law_);
+    result.price = meter_.total();
     result.gap_evaluations = search_.evaluations();
     return result;
   }
@@ -181,22 +186,40 @@ class Motion {
   using Phases = MotionPhases<Law, Forcing, Pair, Blades>;
   enum class Phase : std::uint8_t { undecided, flight, carried, skimming, sticking, solved };
 
+  PointStatus ends(StatusDetail why) {
+    detail_ = why;
+    return status_of(why);
+  }
+
+  /// Of the search for new equilibria in it, too, where that is long.
+  [[nodiscard]] std::int64_t price_of_last_event() {
+    std::int64_t price = WorkPrice::kEvent;
+    if constexpr (!Law::kHasBending) {
+      const std::uint64_t evaluations = curve_evaluations(law_);
+      if (!contacts_.empty()) {
+        price += static_cast<std::int64_t>(evaluations - paid_evaluations_) * price_of_curve<Law>();
+      }
+      paid_evaluations_ = evaluations;
+    }
+    return price;
+  }
+
   PhaseEnd fly(double period, MotionListener& listener) {
     flight_.start(time_, state_);
     std::optional<typename TouchdownSearch<Law, Blades>::Touchdown> touchdown;
     if (!never_touches_) {
-      touchdown = search_.find(flight_, period);
-      if (search_.gave_up()) return {PhaseEvent::failed};
+      touchdown = search_.find(flight_, period, meter_);
+      if (meter_.ended()) return {PhaseEvent::failed, -1, meter_.why()};
     }
     const double end = touchdown ? touchdown->time : period;
     if (end > time_) {
       FlightPiece<Forcing> piece(flight_, time_, end, flight_.displacement_bound(time_, state_, end - time_));
       if (passes_through_ring(piece, flight_, state_, rotor_, law_.of(0).geometry().ring_radius))
-        return {PhaseEvent::left_validity};
+        return {PhaseEvent::left_validity, -1, StatusDetail::shaft_at_ring};
       listener.piece(piece);
       state_ = flight_.state(end);
       time_ = end;
-      if (!state_.isFinite().all()) return {PhaseEvent::failed};
+      if (!state_.isFinite().all()) return {PhaseEvent::failed, -1, StatusDetail::not_finite};
     }
     if (!touchdown) return {PhaseEvent::horizon};
     return {PhaseEvent::touch_down, touchdown->blade};
@@ -204,7 +227,7 @@ class Motion {
 
   template <class AnyPhase>
   PhaseEnd touch(AnyPhase& phase, double period, MotionListener& listener) {
-    const PhaseEnd end = phase.advance(period, steps_left_, listener);
+    const PhaseEnd end = phase.advance(period, meter_, listener);
     if (end.event == PhaseEvent::horizon) {
       state_ = phase.state_at(period);
       phase.shift_time(period);
@@ -218,14 +241,15 @@ class Motion {
       contacts_[i].bending = there.bending;
       contacts_[i].amplitude = there.amplitude;
     }
-    if (!state_.isFinite().all()) return {PhaseEvent::failed};
+    if (!state_.isFinite().all()) return {PhaseEvent::failed, -1, StatusDetail::not_finite};
     return end;
   }
 
   PointStatus finish_revolution(double period) {
     if (phase_ == Phase::flight) phase_ = Phase::undecided;
+    ++work_.revolutions;
     time_ -= period;  // exactly 0
-    return state_.isFinite().all() ? PointStatus::done : PointStatus::integrator_failed;
+    return ends(state_.isFinite().all() ? StatusDetail::none : StatusDetail::not_finite);
   }
 
   bool begin_phase() {
@@ -400,7 +424,7 @@ class Motion {
         return PointStatus::done;
       case PhaseEvent::touch_down:
         ++work_.touchdowns;
-        if (!open(end.blade, pose(end.blade))) return PointStatus::left_validity;
+        if (!open(end.blade, pose(end.blade))) return ends(StatusDetail::no_equilibrium);
         touched_down_ = true;
         tell_of_others(end.blade, listener);
         tell(listener, end.event, end.blade, contacts_.back().slip);
@@ -411,7 +435,8 @@ class Motion {
         return snap(*contact) ? PointStatus::done : PointStatus::left_validity;
       default: {
         if constexpr (contact::Sticks<Law>) {
-          return change_slip(*contact, end.event, listener) ? PointStatus::done : PointStatus::left_validity;
+          const bool decided = change_slip(*contact, end.event, listener);
+          return ends(decided ? StatusDetail::none : StatusDetail::slip_undecided);
         }
         ++work_.slip_reversals;
         contact->slip = -contact->slip;
@@ -426,7 +451,7 @@ class Motion {
             contacts_.erase(contact);
             return PointStatus::done;
           }
-          if (!root) return PointStatus::left_validity;
+          if (!root) return ends(StatusDetail::no_equilibrium);
           contact->bending = *root;
         }
         tell(listener, end.event, end.blade, contact->slip);
@@ -457,7 +482,9 @@ class Motion {
   std::vector<OpenContact> contacts_;
   Bodies state_ = Bodies::Zero();
   double time_ = 0.0;
-  std::int64_t steps_left_ = 0;  ///< in this revolution
+  WorkMeter meter_;
+  std::uint64_t paid_evaluations_ = 0;  ///< of curves, whose price the meter knows
+  StatusDetail detail_ = StatusDetail::none;
   WorkCounts work_;
   Phase phase_ = Phase::undecided;
   bool touched_down_ = false;   ///< the present contacts began with a touch-down

@@ -54,19 +54,19 @@ class SteppedMotion final : public observables::MotionPiece {
   PointStatus start(const State& state) {
     SteppedState full;
     full << state, 0.0;
-    if (!full.isFinite().all()) return PointStatus::integrator_failed;
+    if (!full.isFinite().all()) return ends(StatusDetail::not_finite);
     for (std::size_t k = 0; k < system_.blades().size(); ++k) {
       const contact::Pose at = system_.pose(k, full);
       system_.blades()[k] = {at.gap > 0.0, system_.opening_slip(at)};
     }
-    return begin(full) ? PointStatus::done : PointStatus::left_validity;
+    return ends(begin(full) ? StatusDetail::none : StatusDetail::no_equilibrium);
   }
 
   /// One revolution.
-  PointStatus revolution(MotionListener& listener) {
+  PointStatus revolution(MotionListener& listener, const GoOn& go_on = {}) {
     const double period = rotor_.period();
-    const auto most_steps = static_cast<std::int64_t>(kMostRefinement * steps_in_revolution_ + kMostSteps);
-    for (std::int64_t step = 1; step <= most_steps; ++step) {
+    meter_.begin_revolution(go_on);
+    for (std::int64_t step = 1;; ++step) {
       if (const PointStatus status = make_step(static_cast<double>(step), period);
           status != PointStatus::done) {
         return status;
@@ -75,11 +75,13 @@ class SteppedMotion final : public observables::MotionPiece {
       if (status != PointStatus::done) return status;
       if (step_.start()[kSteppedTime] >= period) {
         step_.shift(kSteppedTime, -period);
+        ++work_.revolutions;
         return PointStatus::done;
       }
     }
-    return PointStatus::integrator_failed;
   }
+  /// What ended the motion, where that is not done.
+  [[nodiscard]] StatusDetail status_detail() const { return detail_; }
 
   /// At the end of the last revolution.
   [[nodiscard]] State state() const { return step_.start().template head<4>(); }
@@ -87,7 +89,8 @@ class SteppedMotion final : public observables::MotionPiece {
   [[nodiscard]] WorkCounts work() const {
     WorkCounts result = work_;
     result.right_hand_sides = system_.evaluations();
-    if constexpr (Law::kHasBending) result.elastica_evaluations = law_.evaluations();
+    result.elastica_evaluations = curve_evaluations(law_);
+    result.price = meter_.total();
     return result;
   }
 
@@ -117,10 +120,24 @@ class SteppedMotion final : public observables::MotionPiece {
  private:
   using System = SteppedSystem<Law, Forcing, typename Scheme::Search, Scheme::kLocated>;
 
-  static constexpr double kMostRefinement = 10.0;  ///< steps a revolution against the longest ones, and so
-  static constexpr double kMostSteps = 1e5;        ///< many more: bounds the work
-  static constexpr double kSmallestSize = 1e-15;   ///< in τ
-  static constexpr double kSlipRounding = 1e-12;   ///< of Ω R: v where a slip reversal has been located
+  static constexpr double kSmallestSize = 1e-15;  ///< in τ
+  static constexpr double kSlipRounding = 1e-12;  ///< of Ω R: v where a slip reversal has been located
+
+  PointStatus ends(StatusDetail why) {
+    detail_ = why;
+    return status_of(why);
+  }
+
+  /// Counts what the attempt before has cost; false where the revolution is to end here.
+  bool spend() {
+    const std::uint64_t evaluations = curve_evaluations(law_);
+    const auto blades = static_cast<std::int64_t>(system_.blades().size());
+    const std::int64_t price =
+        WorkPrice::kAttempt + blades * WorkPrice::kGap +
+        static_cast<std::int64_t>(evaluations - paid_evaluations_) * price_of_curve<Law>();
+    paid_evaluations_ = evaluations;
+    return meter_.spend(Work::contact, price);
+  }
 
   /// Goes on from a state whose right-hand side has not been evaluated yet.
   bool begin(const SteppedState& state) {
@@ -144,6 +161,7 @@ class SteppedMotion final : public observables::MotionPiece {
   /// The `number`-th step of a revolution, counted from 1.
   PointStatus make_step(double number, double period) {
     if constexpr (!Scheme::kAdaptive) {
+      if (!spend()) return ends(meter_.why());
       if (!step_.attempt(system_, size_)) return why_not();
       step_.end()[kSteppedTime] = number == steps_in_revolution_ ? period : size_ * number;
       return PointStatus::done;
@@ -159,6 +177,7 @@ class SteppedMotion final : public observables::MotionPiece {
         } else if (remaining < 2.0 * size) {
           size = 0.5 * remaining;
         }
+        if (!spend()) return ends(meter_.why());
         const bool evaluated = step_.attempt(system_, size);
         const double error = evaluated ? scaled_error() : std::numeric_limits<double>::infinity();
         const double proposed = size * integrate::step_factor(error, Scheme::Table::kEstimatePower);
@@ -171,14 +190,14 @@ class SteppedMotion final : public observables::MotionPiece {
         ++work_.rejected_steps;
         system_.blades() = before_;
         size_ = proposed;
-        if (!(size_ > kSmallestSize)) return evaluated ? PointStatus::integrator_failed : why_not();
+        if (!(size_ > kSmallestSize)) return evaluated ? ends(StatusDetail::step_too_short) : why_not();
       }
     }
   }
 
   /// Why the last step could not be made.
-  [[nodiscard]] PointStatus why_not() const {
-    return step_.start().isFinite().all() ? PointStatus::left_validity : PointStatus::integrator_failed;
+  PointStatus why_not() {
+    return ends(step_.start().isFinite().all() ? StatusDetail::no_equilibrium : StatusDetail::not_finite);
   }
 
   [[nodiscard]] double scaled_error() const {
@@ -202,26 +221,23 @@ class SteppedMotion final : public observables::MotionPiece {
       event = first_event(system_, before_, [this](double part) { return state_at(part); });
     const bool cut = event.fraction < 1.0;
     const SteppedState end = state_at(event.fraction);
-    if (!end.isFinite().all()) return PointStatus::integrator_failed;
-    if (std::hypot(end[0], end[1] + rotor_.misalignment) >= law_.geometry().ring_radius ||
-        (!cut && system_.shortening() > limits_.max_shortening)) {
-      return PointStatus::left_validity;
-    }
+    if (!end.isFinite().all()) return ends(StatusDetail::not_finite);
+    if (std::hypot(end[0], end[1] + rotor_.misalignment) >= law_.geometry().ring_radius)
+      return ends(StatusDetail::shaft_at_ring);
+    if (!cut && system_.shortening() > limits_.max_shortening) return ends(StatusDetail::shortening_limit);
     end_time_ = end[kSteppedTime];
     if (end_time_ > begin()) listener.piece(*this);
     bool changed = cut;
     if constexpr (Scheme::kLocated) {
       if (event.kind != PhaseEvent::horizon) {
-        if (++events_without_progress_ > kMostEventsAtOnce) return PointStatus::integrator_failed;
+        if (!meter_.spend(Work::events, WorkPrice::kEvent)) return ends(meter_.why());
         change(event.kind, event.blade, end, listener);
         changed = true;
-      } else {
-        events_without_progress_ = 0;
       }
     } else {
       changed = change_at_end(end, listener);
     }
-    if (changed) return begin(end) ? PointStatus::done : PointStatus::left_validity;
+    if (changed) return ends(begin(end) ? StatusDetail::none : StatusDetail::no_equilibrium);
     step_.accept();
     look_around();
     return PointStatus::done;
@@ -262,8 +278,6 @@ class SteppedMotion final : public observables::MotionPiece {
                          kind == PhaseEvent::lift_off ? slip_before : blade.slip, at.template head<4>()});
   }
 
-  static constexpr int kMostEventsAtOnce = 20000;  ///< without a step between them: chatter
-
   RotorConstants rotor_;
   BladeSet directions_;
   Law law_;
@@ -276,7 +290,9 @@ class SteppedMotion final : public observables::MotionPiece {
   double end_time_ = 0.0;             ///< of the piece
   std::vector<SteppedBlade> before_;  ///< at the start of the step
   std::vector<std::size_t> open_;     ///< blades in contact there
-  int events_without_progress_ = 0;
+  WorkMeter meter_{WorkPrice::kSteppedRevolution};
+  std::uint64_t paid_evaluations_ = 0;  ///< of curves, whose price the meter knows
+  StatusDetail detail_ = StatusDetail::none;
   WorkCounts work_;
 };
 

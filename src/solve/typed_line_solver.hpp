@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
@@ -50,11 +49,9 @@ class TypedLineSolver final : public LineSolver {
   TypedLineSolver(const scene::Scene& line, Law law, Machine machine)
       : scene_(line), law_(std::move(law)), machine_(std::move(machine)), recorder_(line) {}
 
-  PointOutcome run(double speed_ratio, const PointStart& start,
-                   const std::function<void()>& between_revolutions) override {
-    return with_motion(speed_ratio, start, [&](auto& motion) {
-      return run_motion(motion, speed_ratio, start, between_revolutions);
-    });
+  PointOutcome run(double speed_ratio, const PointStart& start, const GoOn& go_on) override {
+    return with_motion(speed_ratio, start,
+                       [&](auto& motion) { return run_motion(motion, speed_ratio, start, go_on); });
   }
 
   Orbit orbit(double speed_ratio, const PointStart& start) override {
@@ -85,16 +82,17 @@ class TypedLineSolver final : public LineSolver {
   }
 
   template <class AnyMotion>
-  PointOutcome run_motion(AnyMotion& motion, double speed_ratio, const PointStart& start,
-                          const std::function<void()>& between_revolutions) {
+  PointOutcome run_motion(AnyMotion& motion, double speed_ratio, const PointStart& start, const GoOn& go_on) {
     RecordingListener recording(recorder_);
     recorder_.begin({constants(speed_ratio).period(), speed_ratio, scene_.blades.count});
     PointOutcome outcome;
     const auto after_revolution = [&](bool sampled) {
       if (sampled) recorder_.revolution_ends(as_array(shaft(motion.state())));
-      between_revolutions();
     };
-    outcome.status = integrate(motion, start, recording, after_revolution, outcome.failed_revolution);
+    const Ending ending = integrate(motion, start, recording, after_revolution, go_on);
+    outcome.status = ending.status;
+    outcome.detail = ending.detail;
+    outcome.failed_revolution = ending.failed_revolution;
     const bool done = outcome.status == PointStatus::done;
     outcome.final_state.fill(std::numeric_limits<double>::quiet_NaN());
     if (done) outcome.final_state = as_array(shaft(motion.state()));
@@ -113,14 +111,14 @@ class TypedLineSolver final : public LineSolver {
   Orbit orbit_of(AnyMotion& motion, double speed_ratio, const PointStart& start) const {
     OrbitListener listener(constants(speed_ratio).period(), scene_.protocol.samples_per_revolution,
                            scene_.blades.count);
-    std::int32_t failed_revolution = -1;
     const auto after_revolution = [&](bool sampled) {
       if (sampled) listener.revolution_ends(as_array(shaft(motion.state())));
     };
-    const PointStatus status = integrate(motion, start, listener, after_revolution, failed_revolution);
+    const Ending ending = integrate(motion, start, listener, after_revolution, {});
     Orbit orbit = listener.take();
-    orbit.status = status;
-    orbit.failed_revolution = failed_revolution;
+    orbit.status = ending.status;
+    orbit.detail = ending.detail;
+    orbit.failed_revolution = ending.failed_revolution;
     return orbit;
   }
 
@@ -150,9 +148,15 @@ class TypedLineSolver final : public LineSolver {
                         machine_.forcing(speed_ratio), scene_);
   }
 
+  struct Ending {
+    PointStatus status;
+    StatusDetail detail = StatusDetail::none;
+    std::int32_t failed_revolution = -1;
+  };
+
   template <class AnyMotion, class AfterRevolution>
-  PointStatus integrate(AnyMotion& motion, const PointStart& start, MotionListener& sampling,
-                        AfterRevolution after_revolution, std::int32_t& failed_revolution) const {
+  Ending integrate(AnyMotion& motion, const PointStart& start, MotionListener& sampling,
+                   AfterRevolution after_revolution, const GoOn& go_on) const {
     MotionListener transient;
     const int first_sampled = scene_.protocol.transient_revolutions;
     const int revolutions = first_sampled + scene_.protocol.sampled_revolutions;
@@ -164,17 +168,16 @@ class TypedLineSolver final : public LineSolver {
       const bool sampled = revolution >= first_sampled;
       MotionListener& listener = sampled ? sampling : transient;
       if (status == PointStatus::done) {
-        if constexpr (requires { motion.revolution(listener, revolution); }) {
-          status = motion.revolution(listener, revolution);
+        if constexpr (requires { motion.revolution(listener, go_on, revolution); }) {
+          status = motion.revolution(listener, go_on, revolution);
         } else {
-          status = motion.revolution(listener);
+          status = motion.revolution(listener, go_on);
         }
       }
-      if (status != PointStatus::done) {
-        failed_revolution = revolution;
-        return status;
-      }
+      if (status == PointStatus::pending) return {status, motion.status_detail()};
+      if (status != PointStatus::done) return {status, motion.status_detail(), revolution};
       after_revolution(sampled);
+      if (go_on && !go_on()) return {PointStatus::pending, StatusDetail::given_up};
       if (!watched || sampled) continue;
       settling.add(motion.state());
       if (const int period = settling.period()) {
@@ -183,7 +186,7 @@ class TypedLineSolver final : public LineSolver {
         watched = false;
       }
     }
-    return status;
+    return {status};
   }
 
   scene::Scene scene_;

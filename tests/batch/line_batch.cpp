@@ -54,9 +54,10 @@ class Played {
     std::size_t ended = 0;
     for (std::size_t seat = 0; seat < solvers_.size() && next < outcomes.size(); ++seat) begin(seat, next++);
     while (ended < outcomes.size()) {
-      Finished finished = batch->advance([this] { ++revolutions; });
+      Finished finished = batch->advance({});
       const auto seat = static_cast<std::size_t>(finished.seat);
       EXPECT_GT(finished.seconds, 0.0);
+      revolutions += finished.outcome.work.revolutions;
       outcomes[point_on_[seat]] = std::move(finished.outcome);
       ++ended;
       if (next < outcomes.size()) begin(seat, next++);
@@ -92,9 +93,8 @@ TEST(LineBatch, EveryPointHasTheBitsThatItHasAlone) {
   std::size_t revolutions = 0;
   for (std::size_t point = 0; point < grid.point_count(); ++point) {
     const auto parameters = grid.parameters(point);
-    alone.push_back(solve::make_line_solver(scene, parameters, tables)->run(parameters.speed_ratio, {}, [&] {
-      ++revolutions;
-    }));
+    alone.push_back(solve::make_line_solver(scene, parameters, tables)->run(parameters.speed_ratio, {}));
+    revolutions += alone.back().work.revolutions;
     if (alone.back().status != solve::PointStatus::done) ++failed;
   }
   EXPECT_GT(failed, 0U) << "some points leave the model, which hurts nobody else";
@@ -149,9 +149,8 @@ TEST(LineBatch, ABatchIsNoWiderThanAsked) {
 /// A solver that fails after some revolutions, as one out of memory would.
 class Broken final : public solve::LineSolver {
  public:
-  solve::PointOutcome run(double, const solve::PointStart&,
-                          const std::function<void()>& between_revolutions) override {
-    for (int i = 0; i < 3; ++i) between_revolutions();
+  solve::PointOutcome run(double, const solve::PointStart&, const solve::GoOn& go_on) override {
+    for (int i = 0; i < 3 && go_on; ++i) go_on();
     throw std::runtime_error("out of order");
   }
   solve::Orbit orbit(double, const solve::PointStart&) override { return {}; }
@@ -173,7 +172,7 @@ TEST(LineBatch, WhatASolverThrowsReachesTheCallerWhoeverIsUnderWay) {
       sound.push_back(make_line_solver(width, scene, grid.parameters(6U * sound.size()), tables));
       batch->begin(seat, *sound.back(), 0.36, {});
     }
-    EXPECT_THROW(batch->advance([] {}), std::runtime_error);
+    EXPECT_THROW(batch->advance({}), std::runtime_error);
   }
 }
 
@@ -196,15 +195,37 @@ TEST(LineBatch, APointMayBeginWhereverASeatIsFree) {
   for (std::size_t ended = 0; ended < 2; ++ended) {
     Finished finished = batch->advance([&] {
       if (++revolutions == 5 && width.seats > 1) begin_second(1);
+      return true;
     });
     outcomes[width.seats > 1 ? static_cast<std::size_t>(finished.seat) : ended] = std::move(finished.outcome);
     if (!second_began) begin_second(0);
   }
   const auto alone = [&](std::size_t point, double speed_ratio) {
-    return solve::make_line_solver(scene, grid.parameters(point), tables)->run(speed_ratio, {}, [] {});
+    return solve::make_line_solver(scene, grid.parameters(point), tables)->run(speed_ratio, {});
   };
   expect_same(outcomes[0], alone(0, 0.36));
   expect_same(outcomes[1], alone(6, 0.5));
+}
+
+TEST(LineBatch, APointThatIsGivenUpIsPendingAndTheOthersGoOn) {
+  const scene::Scene scene = eight_lines();
+  const plan::Grid grid(scene);
+  const Width width = width_of(scene);
+  const auto tables = solve::make_blade_tables();
+  const auto first = make_line_solver(width, scene, grid.parameters(0), tables);
+  const auto second = make_line_solver(width, scene, grid.parameters(6), tables);
+  const auto batch = make_line_batch(width);
+  batch->begin(0, *first, 0.36, {});
+  if (width.seats > 1) batch->begin(1, *second, 0.5, {});
+  int asked = 0;
+  const Finished given_up = batch->advance([&] { return ++asked != 3; });
+  EXPECT_EQ(given_up.outcome.status, solve::PointStatus::pending);
+  EXPECT_EQ(given_up.outcome.failed_revolution, -1);
+  EXPECT_EQ(asked, 3);
+  if (width.seats == 1) return;
+  expect_same(batch->advance({}).outcome,
+              solve::make_line_solver(scene, grid.parameters(given_up.seat == 0 ? 6 : 0), tables)
+                  ->run(given_up.seat == 0 ? 0.5 : 0.36, {}));
 }
 
 }  // namespace

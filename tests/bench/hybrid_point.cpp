@@ -16,7 +16,7 @@
 /// What profile.sh counts: a name of its own, so that the making of tables stays outside.
 __attribute__((noinline)) rubatlas::solve::PointOutcome run_point(rubatlas::solve::LineSolver& solver,
                                                                   double speed_ratio) {
-  return solver.run(speed_ratio, rubatlas::solve::SectionState{}, [] {});
+  return solver.run(speed_ratio, rubatlas::solve::SectionState{});
 }
 
 namespace {

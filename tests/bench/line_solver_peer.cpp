@@ -28,7 +28,7 @@ class LineSolverPeer final : public Peer {
     scene.accuracy.force_increment = force_increment_;
     scene.accuracy.max_step = settings.max_step;
     const auto solver = solve::make_line_solver(scene, line_of(scene, speed_ratio), shared_tables().blades);
-    const solve::PointOutcome outcome = solver->run(speed_ratio, solve::SectionState{}, [] {});
+    const solve::PointOutcome outcome = solver->run(speed_ratio, solve::SectionState{});
     return {outcome.status == solve::PointStatus::done, sections_of(outcome.rows.front()), outcome.work};
   }
 

@@ -61,7 +61,7 @@ inline scene::Scene parsed(const nlohmann::json& scene) {
 inline solve::PointOutcome run(const scene::Scene& scene, const solve::SectionState& start = {}) {
   const auto parameters = plan::Grid(scene).parameters(0);
   return solve::make_line_solver(scene, parameters, solve::make_blade_tables())
-      ->run(parameters.speed_ratio, start, [] {});
+      ->run(parameters.speed_ratio, start);
 }
 
 /// Largest difference of two rows, from an entry of either on.

@@ -159,7 +159,8 @@ TEST(RingBody, NoTouchdownIsMissedWhereShaftAndRingMoveTowardsEachOther) {
       return largest;
     };
     if (largest_gap(0.0) >= 0.0) continue;
-    const auto touchdown = search.find(flight, until);
+    solve::WorkMeter meter;
+    const auto touchdown = search.find(flight, until, meter);
     const double end = touchdown ? touchdown->time : until;
     for (int i = 0; i < 4000; ++i) EXPECT_LT(largest_gap(end * i / 4000), 1e-16) << trial;
     if (!touchdown) continue;

@@ -28,7 +28,7 @@ solve::PointOutcome run_on(const json& content, const PointStart& start) {
   const scene::Scene scene = parsed(content);
   const auto parameters = plan::Grid(scene).parameters(0);
   return solve::make_line_solver(scene, parameters, solve::make_blade_tables())
-      ->run(parameters.speed_ratio, start, [] {});
+      ->run(parameters.speed_ratio, start);
 }
 
 double memory_difference(const solve::Memory& a, const solve::Memory& b) {

@@ -29,7 +29,7 @@ json worn(double rate, double speed, int revolutions) {
 solve::PointOutcome run_from(const scene::Scene& scene, const PointStart& start) {
   const auto parameters = plan::Grid(scene).parameters(0);
   return solve::make_line_solver(scene, parameters, solve::make_blade_tables())
-      ->run(parameters.speed_ratio, start, [] {});
+      ->run(parameters.speed_ratio, start);
 }
 
 double total(const solve::Memory& memory) {
@@ -63,7 +63,7 @@ TEST(Wear, FrictionTakesTheEnergyThatTheMotorGivesAndTheRotorLoses) {
   const auto parameters = plan::Grid(scene).parameters(0);
   const auto solver = solve::make_line_solver(scene, parameters, solve::make_blade_tables());
   const solve::SectionState start{2e-3, 1e-3, -1e-3, 2e-3};
-  const auto outcome = solver->run(0.45, start, [] {});
+  const auto outcome = solver->run(0.45, start);
   const auto orbit = solver->orbit(0.45, start);
   ASSERT_EQ(outcome.status, PointStatus::done);
   ASSERT_GT(outcome.work.touchdowns, 0U);

@@ -44,7 +44,8 @@ class FreeWhirl {
     const double x = amplitude * std::cos(angle);
     const double y = amplitude * std::sin(angle);
     flight_.start(from, {x, y, -y, x});
-    return search_.find(flight_, until);
+    meter_.begin_revolution(nobody_);
+    return search_.find(flight_, until, meter_);
   }
   [[nodiscard]] std::uint64_t evaluations() const { return search_.evaluations(); }
 
@@ -56,6 +57,8 @@ class FreeWhirl {
   solve::Flight<effects::NoForcing> flight_;
   contact::ElasticRingContact law_{{kReach, kRadius}, 1.0, 0.0};
   Search search_;
+  solve::GoOn nobody_;
+  solve::WorkMeter meter_;
 };
 
 TEST(Grazing, NoTouchdownOfASweptWhirlIsMissedAndNoneIsInvented) {

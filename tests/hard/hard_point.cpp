@@ -35,7 +35,7 @@ const std::shared_ptr<solve::BladeTables>& shared_tables() {
 
 solve::PointOutcome run(const scene::Scene& scene, double speed_ratio, const solve::SectionState& start,
                         const std::shared_ptr<solve::BladeTables>& tables) {
-  return solve::make_line_solver(scene, line_of(scene), tables)->run(speed_ratio, start, [] {});
+  return solve::make_line_solver(scene, line_of(scene), tables)->run(speed_ratio, start);
 }
 
 double largest_difference(const solve::SectionState& a, const solve::SectionState& b) {

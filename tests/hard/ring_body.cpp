@@ -49,7 +49,7 @@ TEST(RingBodyOfAnyWeight, ConvergesWithBoundedWork) {
           const auto parameters = line_of(scene);
           const auto run_at = [&](double tolerance, const PointStart& start) {
             scene.accuracy.tolerance = tolerance;
-            return solve::make_line_solver(scene, parameters, shared_tables())->run(kSpeed, start, [] {});
+            return solve::make_line_solver(scene, parameters, shared_tables())->run(kSpeed, start);
           };
           const auto loose = run_at(kTolerance, {});
           const auto tight = run_at(0.1 * kTolerance, {});

@@ -25,7 +25,7 @@ scene::Scene default_scene(scene::ContactLaw law) {
 solve::PointOutcome run(const scene::Scene& scene, double speed_ratio, const SectionState& start) {
   const plan::PointParameters line{speed_ratio, scene.rotor.damping_ratio, scene.contact.friction,
                                    scene.unbalance ? scene.unbalance->moment : 0.0, scene.blades.thickness};
-  return solve::make_line_solver(scene, line, solve::make_blade_tables())->run(speed_ratio, start, [] {});
+  return solve::make_line_solver(scene, line, solve::make_blade_tables())->run(speed_ratio, start);
 }
 
 SectionState section(const std::vector<double>& row, std::size_t index) {

@@ -77,8 +77,7 @@ TEST(PlainRotor, AgreesOnRigidBladesInAnElasticRing) {
     scene.accuracy.tolerance = 1e-12;
     const double speed = 0.45;
     const plan::PointParameters line{speed, 0.1, 0.1, 1e-4, 0.001};
-    const auto outcome =
-        solve::make_line_solver(scene, line, solve::make_blade_tables())->run(speed, {}, [] {});
+    const auto outcome = solve::make_line_solver(scene, line, solve::make_blade_tables())->run(speed, {});
     ASSERT_EQ(outcome.status, solve::PointStatus::done);
     ASSERT_GT(outcome.work.touchdowns, 3U);
     ASSERT_EQ(outcome.work.slip_reversals, 0U);

@@ -51,7 +51,7 @@ PointOutcome run(scene::Scene scene, const ReferenceCase& c, const scene::Accura
   scene.observables = {"poincare"};
   scene.protocol = {0, revolutions, 64};
   const auto solver = solve::make_line_solver(scene, c.line(), solve::make_blade_tables());
-  return solver->run(c.speed_ratio, c.start, [] {});
+  return solver->run(c.speed_ratio, c.start);
 }
 
 solve::SectionState section(const PointOutcome& outcome, std::size_t number) {
@@ -325,7 +325,7 @@ TEST_P(EveryMethod, ObservablesOfContactAgreeWithThoseOfHybrid) {
     scene.observables = {observable};
     scene.protocol = {5, 5, 64};
     const auto solver = solve::make_line_solver(scene, c.line(), solve::make_blade_tables());
-    return solver->run(c.speed_ratio, c.start, [] {}).rows.at(0).at(0);
+    return solver->run(c.speed_ratio, c.start).rows.at(0).at(0);
   };
   for (const char* observable :
        {"max_displacement", "touchdowns_per_revolution", "max_contact_force", "max_root_strain"}) {

@@ -155,9 +155,9 @@ Ended follow(const Law& law, double speed_ratio, int blades, const Event& touch_
   const contact::Pose at = pose_at(speed_ratio, blades, touch_down);
   if (!law.starts_unloaded(at, contact.slip)) contact.bending = law.solve(at, contact.slip).value();
   EXPECT_TRUE(phase.start(touch_down.time, touch_down.state, {contact}));
-  std::int64_t steps = 100000;
+  WorkMeter meter;
   MotionListener nobody;
-  const PhaseEnd end = phase.advance(1e3, steps, nobody);
+  const PhaseEnd end = phase.advance(1e3, meter, nobody);
   return {end, phase.end_state()};
 }
 

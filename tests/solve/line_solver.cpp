@@ -35,17 +35,16 @@ plan::PointParameters line_of(const scene::Scene& scene) {
 
 solve::PointOutcome run(const scene::Scene& scene, double speed_ratio,
                         const solve::SectionState& start = kRest) {
-  return solve::make_line_solver(scene, line_of(scene), solve::make_blade_tables())
-      ->run(speed_ratio, start, [] {});
+  return solve::make_line_solver(scene, line_of(scene), solve::make_blade_tables())->run(speed_ratio, start);
 }
 
 TEST(LineSolver, APointHasTheSameBitsWhateverRanBeforeIt) {
   const scene::Scene scene = default_scene();
   const auto solver = solve::make_line_solver(scene, line_of(scene), solve::make_blade_tables());
-  const auto fresh = solver->run(0.62, kRest, [] {});
-  solver->run(0.75, kRest, [] {});
-  solver->run(0.31, solve::SectionState{1e-3, 0.0, 0.0, 0.0}, [] {});
-  const auto again = solver->run(0.62, kRest, [] {});
+  const auto fresh = solver->run(0.62, kRest);
+  solver->run(0.75, kRest);
+  solver->run(0.31, solve::SectionState{1e-3, 0.0, 0.0, 0.0});
+  const auto again = solver->run(0.62, kRest);
   EXPECT_EQ(fresh.rows, again.rows);
   EXPECT_EQ(fresh.final_state, again.final_state);
   EXPECT_EQ(fresh.work.right_hand_sides, again.work.right_hand_sides);
@@ -126,7 +125,7 @@ TEST(LineSolver, LimitOfVanishingFrictionIsTheFrictionlessRotor) {
 TEST(LineSolver, TheOrbitPassesThroughThePoincareSections) {
   const scene::Scene scene = default_scene();
   const auto solver = solve::make_line_solver(scene, line_of(scene), solve::make_blade_tables());
-  const auto outcome = solver->run(0.62, kRest, [] {});
+  const auto outcome = solver->run(0.62, kRest);
   const auto orbit = solver->orbit(0.62, kRest);
   ASSERT_EQ(orbit.time.size(), 10U * 64U);
   ASSERT_EQ(orbit.force.size(), 3U * orbit.time.size());
@@ -148,7 +147,7 @@ TEST(LineSolver, TheLargestForceIsThatOfADenseScan) {
     scene.protocol = {20, 10, 20000};
     scene.observables = {"max_contact_force"};
     const auto solver = solve::make_line_solver(scene, line_of(scene), solve::make_blade_tables());
-    const double largest = solver->run(speed, kRest, [] {}).rows[0][0];
+    const double largest = solver->run(speed, kRest).rows[0][0];
     const auto orbit = solver->orbit(speed, kRest);
     const double scanned = *std::max_element(orbit.force.begin(), orbit.force.end());
     EXPECT_GE(largest, scanned * (1.0 - 1e-12));

@@ -22,7 +22,7 @@ Figures run(scene::Method method, double tolerance) {
   scene.observables = {"poincare"};
   scene.protocol = {0, 10, 64};
   const auto solver = solve::make_line_solver(scene, c.line(), solve::make_blade_tables());
-  const auto outcome = solver->run(c.speed_ratio, c.start, [] {});
+  const auto outcome = solver->run(c.speed_ratio, c.start);
   const auto& row = outcome.rows.at(0);
   Figures result{0.0, static_cast<double>(outcome.work.steps)};
   for (std::size_t i = 0; i < c.first_sections.size(); ++i) {

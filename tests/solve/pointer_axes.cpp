@@ -34,7 +34,7 @@ scene::Scene scene_with(const std::string& axis, const std::string& law) {
 solve::PointOutcome last_line(const scene::Scene& scene) {
   const plan::Grid grid(scene);
   const auto line = grid.parameters(grid.point(grid.line_count() - 1, 0));
-  return solve::make_line_solver(scene, line, solve::make_blade_tables())->run(kSpeed, kAtRest, [] {});
+  return solve::make_line_solver(scene, line, solve::make_blade_tables())->run(kSpeed, kAtRest);
 }
 
 TEST_P(PointerAxis, GivesTheMotionOfASceneWithThatValue) {

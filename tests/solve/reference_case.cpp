@@ -95,7 +95,7 @@ std::vector<solve::SectionState> sections_of(const ReferenceCase& c, double tole
   scene.observables = {"poincare"};
   scene.protocol = {0, revolutions, 64};
   const auto solver = solve::make_line_solver(scene, c.line(), solve::make_blade_tables());
-  const auto outcome = solver->run(c.speed_ratio, c.start, [] {});
+  const auto outcome = solver->run(c.speed_ratio, c.start);
   if (outcome.status != solve::PointStatus::done) throw std::runtime_error(c.name + " did not end as done");
   std::vector<solve::SectionState> sections;
   for (std::size_t i = 0; i + 3 < outcome.rows[0].size(); i += 4) {

@@ -46,7 +46,7 @@ TEST_P(ReferenceOrbit, LargestDisplacementOfPeriodicMotionsAgrees) {
   scene::Scene scene = c.scene;
   scene.accuracy.tolerance = 1e-12;
   const auto solver = solve::make_line_solver(scene, c.line(), solve::make_blade_tables());
-  const auto outcome = solver->run(c.speed_ratio, c.start, [] {});
+  const auto outcome = solver->run(c.speed_ratio, c.start);
   ASSERT_EQ(outcome.status, solve::PointStatus::done);
   EXPECT_NEAR(outcome.rows[1][0], c.max_displacement, 1e-9 * c.max_displacement);
 }

@@ -19,7 +19,7 @@ solve::PointOutcome outcome_of(double speed_ratio, bool stop_when_periodic) {
   scene.protocol.stop_when_periodic = stop_when_periodic;
   const plan::PointParameters line{0.0, scene.rotor.damping_ratio, scene.contact.friction, 0.0,
                                    scene.blades.thickness};
-  return solve::make_line_solver(scene, line, solve::make_blade_tables())->run(speed_ratio, kFromRest, [] {});
+  return solve::make_line_solver(scene, line, solve::make_blade_tables())->run(speed_ratio, kFromRest);
 }
 
 TEST(Settling, ACycleIsSettledOnceItHasRepeatedThreeTimes) {
