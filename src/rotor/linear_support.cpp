@@ -98,14 +98,23 @@ LinearSupport::LinearSupport(const Eigen::Matrix2d& stiffness, const Eigen::Matr
   for (const HarmonicForcing& term : terms_) rate = std::max(rate, std::abs(term.frequency));
   step_ = power_of_two_below(0.125 / rate);
   steps_per_time_ = 1.0 / step_;
+  // So stiff a support resolves no flight.
+  if (!resolves(0.0)) return;
+  const double levels = std::ceil(std::log2(kLongestPiece * steps_per_time_) / kBitsOfDigit);
+  levels_ = std::max(kFewestLevels, static_cast<std::size_t>(levels));
   build_propagators();
 }
 
+bool LinearSupport::resolves(double time) const {
+  constexpr double kMostSteps = 0x1p34;  // of 2^64: ten digits are left
+  return steps_per_time_ * std::max(time, 1.0) <= kMostSteps;
+}
+
 void LinearSupport::build_propagators() {
-  propagators_.reserve(kLevels * kDigits);
-  responses_.reserve(kLevels * kDigits * terms_.size());
+  propagators_.reserve(levels_ * kDigits);
+  responses_.reserve(levels_ * kDigits * terms_.size());
   Flow step = exponential(system_.cast<Real>(), terms_, step_);
-  for (std::size_t level = 0; level < kLevels; ++level) {
+  for (std::size_t level = 0; level < levels_; ++level) {
     Flow flow = identity(terms_.size());
     for (std::size_t digit = 0; digit < kDigits; ++digit) {
       propagators_.emplace_back(flow.support.cast<double>());
@@ -136,15 +145,19 @@ LinearSupport::State LinearSupport::state(double start_time, const State& start,
   // The nearest number of steps; what is left is exact, since h is a power of two.
   const std::size_t steps = (static_cast<std::size_t>(elapsed * (2.0 * steps_per_time_)) + 1) / 2;
   const double rest = elapsed - static_cast<double>(steps) * step_;
+  const std::size_t last = levels_ - 1;
+  std::size_t size = std::size_t{1} << (kBitsOfDigit * last);  // of a step of the level, in h
   // Flights beyond the last level repeat its longest propagator.
-  for (std::size_t left = steps / (kDigits * kDigits); left > 0;) {
+  for (std::size_t left = steps / size; left > 0;) {
     const std::size_t digit = std::min(left, kDigits - 1);
-    advance(2 * kDigits + digit, state, phasors);
+    advance(last * kDigits + digit, state, phasors);
     left -= digit;
   }
-  if (const std::size_t digit = steps / kDigits % kDigits; digit > 0)
-    advance(kDigits + digit, state, phasors);
-  if (const std::size_t digit = steps % kDigits; digit > 0) advance(digit, state, phasors);
+  for (std::size_t level = last; level-- > 0;) {
+    size /= kDigits;
+    if (const std::size_t digit = steps / size % kDigits; digit > 0)
+      advance(level * kDigits + digit, state, phasors);
+  }
   advance_within_step(rest, state, phasors);
   return state;
 }

@@ -7,11 +7,13 @@
 /// and resonance is no special case. The exponential is neither diagonalised (defective at critical damping
 /// and at isotropy's neighbours) nor worked out per call (Padé: microseconds); instead
 ///
-///     elapsed = (d0 + 32 d1 + 32² d2) h + r,   h a power of two, 0 <= d < 32, |r| <= h/2, ‖A‖ h <= 1/8:
+///     elapsed = (d0 + 32 d1 + 32² d2 + ...) h + r,   h a power of two, 0 <= d < 32, |r| <= h/2, ‖A‖ h <=
+///     1/8:
 ///
 /// one product with a stored propagator for each d that is not zero, and nine terms of the Taylor series over
-/// r. The splitting is exact in binary, so no phase is lost however long the flight; propagators are built in
-/// extended precision and rounded once. Assumes elapsed >= 0. Source: MODEL 1, 4.5; Moler & Van Loan, SIAM
+/// r. There are three levels of d, and more where the support is stiff and h short. The splitting is exact in
+/// binary, so no phase is lost however long the flight; propagators are built in extended precision and
+/// rounded once. Assumes elapsed >= 0. Source: MODEL 1, 4.5; Moler & Van Loan, SIAM
 /// Rev. 45, 3-49 (2003), methods 1 and 3.
 #pragma once
 
@@ -58,6 +60,10 @@ class LinearSupport {
   [[nodiscard]] std::span<const HarmonicForcing> terms() const { return terms_; }  ///< frequencies all differ
   [[nodiscard]] const Eigen::Matrix4d& system_matrix() const { return system_; }   ///< A of s' = A s + (0, f)
 
+  /// Propagators over `time` keep the slow part of the motion beside the fastest: a long double has 64 bits,
+  /// and each of the doublings from h to `time` takes one.
+  [[nodiscard]] bool resolves(double time) const;
+
   /// d/dτ of the logarithm of phase volume, in flight and in contact with forces that depend on position
   /// only: tr A = −tr C.
   [[nodiscard]] double phase_volume_rate() const { return -damping_.trace(); }
@@ -69,9 +75,12 @@ class LinearSupport {
   [[nodiscard]] bool is_stable_in_flight() const;
 
  private:
-  static constexpr std::size_t kDigits = 32;  ///< base of the splitting of `elapsed`
-  static constexpr std::size_t kLevels = 3;
-  static constexpr int kOrder = 9;  ///< (1/16)^10/9! is below 1e-17
+  static constexpr std::size_t kBitsOfDigit = 5;
+  static constexpr std::size_t kDigits = std::size_t{1}
+                                         << kBitsOfDigit;  ///< base of the splitting of `elapsed`
+  static constexpr std::size_t kFewestLevels = 3;
+  static constexpr double kLongestPiece = 256.0;  ///< τ: a propagator of the last level leads at least so far
+  static constexpr int kOrder = 9;                ///< (1/16)^10/9! is below 1e-17
 
   /// Response of s to a forcing u e^{iντ} from rest over a stored time, and the factor of u over it.
   struct Response {
@@ -95,6 +104,7 @@ class LinearSupport {
   std::vector<HarmonicForcing> terms_;
   Eigen::Matrix4d system_;
   double growth_rate_;
+  std::size_t levels_ = kFewestLevels;
   double step_;                               ///< h
   double steps_per_time_;                     ///< 1/h, exact
   std::vector<Eigen::Matrix4d> propagators_;  ///< e^{A d h 32^level} at level·32 + d

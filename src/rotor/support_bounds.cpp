@@ -78,6 +78,8 @@ SupportBounds::SupportBounds(const LinearSupport& support)
   if (stiffness_ != Matrix2d::Identity()) add_norm(Matrix4d::Identity(), false);  // else they are one
   add_modal_norm();
   find_steady_response();
+  const double growth = logarithmic_norm();
+  growth_time_ = growth > 0.0 ? 1.0 / growth : std::numeric_limits<double>::infinity();
 
   second_ = {spectral_norm(beside(stiffness_, damping_)), forcing_};
   // z''' = C K z + (C² − K) z' − C f + f'.

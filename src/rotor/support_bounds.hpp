@@ -58,6 +58,9 @@ class SupportBounds {
 
   /// Smallest μ of the three norms [1 per unit τ]: no motion grows faster than e^{μτ} in that norm.
   [[nodiscard]] double logarithmic_norm() const;
+  /// Over which a bound of a motion that may grow does so by a factor of e at most [τ]; infinite where none
+  /// grows.
+  [[nodiscard]] double growth_time() const { return growth_time_; }
 
  private:
   /// ‖s‖ = |root · s|, rootᵀ root = P.
@@ -83,6 +86,7 @@ class SupportBounds {
   bool has_steady_ = false;
   std::vector<Eigen::Matrix<double, 4, 2>> steady_;  ///< on (cos ντ, sin ντ)
   double steady_bound_ = 0.0;                        ///< of (|z|² + |z'|²)^½ of the steady response
+  double growth_time_ = 0.0;
   LinearBound second_{};
   LinearBound third_{};
 };

@@ -74,6 +74,7 @@ class ChangingMotion {
   [[nodiscard]] WorkCounts work() const {
     WorkCounts sum = work_;
     sum += motion_->work();
+    sum.price = motion_->work().price;  // its meter has gone on with that of the motions before
     return sum;
   }
   /// What the next point is to know: the length that each blade has lost [m].
@@ -108,7 +109,7 @@ class ChangingMotion {
       const double loss = wear_->rate * work[k];
       if (loss > 0.0) shorter_ = true;
       lost_[k] += loss;
-      if (!std::isfinite(loss)) worn_out_ = StatusDetail::not_finite;
+      if (!std::isfinite(loss)) worn_out_ = StatusDetail::beyond_precision;
       if (lost_[k] > longest_loss_) worn_out_ = StatusDetail::worn_out;
       if (worn_out_ != StatusDetail::none) break;
     }

@@ -253,7 +253,7 @@ class ContactPhase final : public observables::MotionPiece {
     segment_end_ = step_.at_fraction(end_fraction_)[kTime];
     pending_ = true;
     if (!std::isfinite(segment_end_)) {
-      end_ = {PhaseEvent::failed, -1, StatusDetail::not_finite};
+      end_ = {PhaseEvent::failed, -1, StatusDetail::beyond_precision};
       segment_end_ = segment_begin_;
     } else if ((end_.event == PhaseEvent::horizon && left_validity) || outside(end)) {
       const StatusDetail within = lost ? StatusDetail::no_equilibrium : StatusDetail::shortening_limit;

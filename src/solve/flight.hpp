@@ -130,6 +130,21 @@ double bound_from_ring(const Flight& flight, double time, const Bodies& bodies, 
   }
 }
 
+/// What a state costs in a flight [ns].
+template <class Flight>
+std::int64_t price_of_state(const Flight& flight) {
+  if constexpr (requires { flight.price_of_state(); }) return flight.price_of_state();
+  return WorkPrice::kState;
+}
+
+/// The time over which a bound of a flight's motion is asked for; where free motion may grow it is renewed
+/// after so long, else never.
+template <class Flight>
+double time_of_bound(const Flight& flight) {
+  if constexpr (requires { flight.time_of_bound(); }) return flight.time_of_bound();
+  return std::numeric_limits<double>::infinity();
+}
+
 /// Finds the first touch-down of a flight. Each blade carries the time up to which it is proven clear; the
 /// least of them is pushed on until it cannot be, which is a touch-down, or until all have passed the
 /// horizon.
@@ -168,7 +183,7 @@ class TouchdownSearch {
         time = clear_until_[blade];
         state = flight.state(time);
       }
-      if (!meter.spend(Work::flight, WorkPrice::kGap)) return std::nullopt;
+      if (!meter.spend(Work::flight, WorkPrice::kGap + price_of_state(flight))) return std::nullopt;
       ++evaluations_;
       const double step = clear_step(flight, static_cast<int>(blade), time, state, until);
       if (step <= kTimeResolution * std::max(1.0, time)) return Touchdown{static_cast<int>(blade), time};
@@ -234,12 +249,18 @@ class TouchdownSearch {
     const std::complex<double> acceleration = flight.acceleration(time, state);
     double curvature = contact::gap_curvature(geometry, er, pose, {seen[0], seen[1] + rotor_->misalignment},
                                               {seen[2], seen[3]}, acceleration, turning);
-    const auto bound = flight.amplitude_bound(time, state, until - time);  // of |z| and |c'|
+    // A bound over all that is left would be that of the end, where free motion grows.
+    const double remaining = until - time;
+    const double renewed = time_of_bound(flight);
+    const bool in_pieces = renewed < remaining;
+    const auto bound = flight.amplitude_bound(time, state, in_pieces ? renewed : remaining);  // of |z|, |c'|
     if constexpr (Blades::kRipples || Flight::kAnySupport) {
       if constexpr (Blades::kRipples) {
         curvature += 2.0 * reach * blades_->angular_acceleration(time) * pose.tangential;
       }
-      return integrate::conservative_step(value, slope, curvature, third_bound(flight, bound, reach));
+      const double step =
+          integrate::conservative_step(value, slope, curvature, third_bound(flight, bound, reach));
+      return in_pieces ? std::min(step, renewed) : step;
     } else {
       return integrate::conservative_step(value, slope, curvature, close_third_bound(flight, bound, reach));
     }

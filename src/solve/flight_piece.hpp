@@ -1,8 +1,10 @@
 /// Flight as those see it who record a motion.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "observables/largest_distance.hpp"
 #include "observables/motion_piece.hpp"
@@ -40,13 +42,17 @@ class FlightPiece final : public observables::MotionPiece {
 };
 
 /// |c| may reach R in a piece of flight, which starts from `bodies`, where no blade stands in the way (MODEL
-/// 5).
+/// 5). True also where the meter ends the revolution.
 template <class Forcing>
 bool passes_through_ring(FlightPiece<Forcing>& piece, [[maybe_unused]] const Flight<Forcing>& flight,
                          [[maybe_unused]] const BodiesOf<Forcing>& bodies, const RotorConstants& rotor,
-                         double ring_radius) {
+                         double ring_radius, WorkMeter& meter) {
   const auto reaches_ring = [&](observables::MotionPiece& seen, double fastest) {
-    return seen.displacement_bound() + std::abs(rotor.misalignment) >= ring_radius &&
+    constexpr double kSamples = 4.0;  // a unit of time, on which the fastest motion turns by one radian
+    if (seen.displacement_bound() + std::abs(rotor.misalignment) < ring_radius) return false;
+    const double samples = kSamples * std::max(1.0, fastest) * (seen.end() - seen.begin());
+    const double price = samples * static_cast<double>(price_of_state(flight));
+    return !meter.spend(Work::flight, static_cast<std::int64_t>(std::min(price, 1e15))) ||
            observables::largest_distance(seen, -rotor.misalignment, fastest) >= ring_radius;
   };
   if constexpr (kRingMoves<Forcing>) {

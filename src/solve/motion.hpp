@@ -74,19 +74,23 @@ class Motion {
       if (at.gap > 0.0 && !open(k, at)) return ends(StatusDetail::no_equilibrium);
     }
     if (!place_ring()) return ends(StatusDetail::ring_unbalanced);
+    if constexpr (requires { flight_.resolves(0.0); }) {
+      if (!flight_.resolves(rotor_.period())) return ends(StatusDetail::beyond_precision);
+    }
     settle([](const OpenContact&) {});
     flight_.start(time_, state_);
     never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);
-    return ends(state_.isFinite().all() ? StatusDetail::none : StatusDetail::not_finite);
+    return ends(state_.isFinite().all() ? StatusDetail::none : StatusDetail::beyond_precision);
   }
 
   /// A motion at the end of a revolution, for another to go on from.
   struct Handover {
     Bodies state;
     std::vector<OpenContact> contacts;
+    WorkMeter meter;
   };
   [[nodiscard]] Handover hand_over() {
-    Handover handed{state_, contacts_};
+    Handover handed{state_, contacts_, meter_};
     const auto ask = [&](auto& phase) {
       for (std::size_t i = 0; i < contacts_.size(); ++i) handed.contacts[i] = phase.contact_at(i, time_);
     };
@@ -101,6 +105,7 @@ class Motion {
   /// their slip directions (MODEL 4.4), where the blade still reaches the ring.
   PointStatus take_over(const Handover& handed) {
     state_ = handed.state;
+    meter_ = handed.meter;
     contacts_.clear();
     const contact::BladeDirection first = blades_.first(0.0);
     for (int k = 0; k < blades_.count(); ++k) {
@@ -148,7 +153,7 @@ class Motion {
       }
       if (end.event == PhaseEvent::failed || end.event == PhaseEvent::left_validity) {
         const auto unsaid =
-            end.event == PhaseEvent::failed ? StatusDetail::not_finite : StatusDetail::no_equilibrium;
+            end.event == PhaseEvent::failed ? StatusDetail::beyond_precision : StatusDetail::no_equilibrium;
         return ends(end.why == StatusDetail::none ? unsaid : end.why);
       }
       const PointStatus status = change_contacts(end, listener);
@@ -214,12 +219,13 @@ class Motion {
     const double end = touchdown ? touchdown->time : period;
     if (end > time_) {
       FlightPiece<Forcing> piece(flight_, time_, end, flight_.displacement_bound(time_, state_, end - time_));
-      if (passes_through_ring(piece, flight_, state_, rotor_, law_.of(0).geometry().ring_radius))
-        return {PhaseEvent::left_validity, -1, StatusDetail::shaft_at_ring};
+      if (passes_through_ring(piece, flight_, state_, rotor_, law_.of(0).geometry().ring_radius, meter_)) {
+        return {PhaseEvent::left_validity, -1, meter_.ended() ? meter_.why() : StatusDetail::shaft_at_ring};
+      }
       listener.piece(piece);
       state_ = flight_.state(end);
       time_ = end;
-      if (!state_.isFinite().all()) return {PhaseEvent::failed, -1, StatusDetail::not_finite};
+      if (!state_.isFinite().all()) return {PhaseEvent::failed, -1, StatusDetail::beyond_precision};
     }
     if (!touchdown) return {PhaseEvent::horizon};
     return {PhaseEvent::touch_down, touchdown->blade};
@@ -241,7 +247,7 @@ class Motion {
       contacts_[i].bending = there.bending;
       contacts_[i].amplitude = there.amplitude;
     }
-    if (!state_.isFinite().all()) return {PhaseEvent::failed, -1, StatusDetail::not_finite};
+    if (!state_.isFinite().all()) return {PhaseEvent::failed, -1, StatusDetail::beyond_precision};
     return end;
   }
 
@@ -249,7 +255,7 @@ class Motion {
     if (phase_ == Phase::flight) phase_ = Phase::undecided;
     ++work_.revolutions;
     time_ -= period;  // exactly 0
-    return ends(state_.isFinite().all() ? StatusDetail::none : StatusDetail::not_finite);
+    return ends(state_.isFinite().all() ? StatusDetail::none : StatusDetail::beyond_precision);
   }
 
   bool begin_phase() {

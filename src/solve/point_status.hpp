@@ -23,7 +23,7 @@ enum class StatusDetail : std::uint8_t {
   contact_work = 16,
   flight_work = 17,
   event_work = 18,
-  not_finite = 19,
+  beyond_precision = 19,
   step_too_short = 20,
   given_up = 255  ///< asked to stop: the point is pending, and never written
 };
@@ -58,8 +58,8 @@ inline constexpr std::array kStatusDetails{
     StatusDetailText{
         StatusDetail::event_work, PointStatus::integrator_failed, "event_work",
         "the revolution needs more work than is allowed, most of it contacts that open, close and reverse"},
-    StatusDetailText{StatusDetail::not_finite, PointStatus::integrator_failed, "not_finite",
-                     "the motion leaves the range of double precision"},
+    StatusDetailText{StatusDetail::beyond_precision, PointStatus::integrator_failed, "beyond_precision",
+                     "double precision does not hold the motion"},
     StatusDetailText{StatusDetail::step_too_short, PointStatus::integrator_failed, "step_too_short",
                      "no step, however short, keeps the tolerance"},
 };

@@ -27,6 +27,7 @@ inline double velocity_bound(const ShaftAndRingBound& bound) {
 template <class ShaftForcing>
 class Flight<WithRingBody<ShaftForcing>> {
  public:
+  using OfShaft = Flight<ShaftForcing>;
   static constexpr bool kAnySupport = true;
   using Complex = std::complex<double>;
 
@@ -67,11 +68,18 @@ class Flight<WithRingBody<ShaftForcing>> {
   [[nodiscard]] double third_bound(const ShaftAndRingBound& bound) const {
     return shaft_.third_bound(bound.shaft) + ring_->third_bound(bound.ring_velocity);
   }
+  // As of the shaft.
+  [[nodiscard]] double time_of_bound() const { return solve::time_of_bound(shaft_); }
+  [[nodiscard]] std::int64_t price_of_state() const { return solve::price_of_state(shaft_); }
+  [[nodiscard]] bool resolves(double time) const requires requires(const OfShaft& shaft) {
+    shaft.resolves(time);
+  }
+  { return shaft_.resolves(time); }
   /// The fastest of what moves [per unit τ].
   [[nodiscard]] double fastest() const { return std::max(speed_, ring_->frequency()); }
 
  private:
-  Flight<ShaftForcing> shaft_;
+  OfShaft shaft_;
   const rotor::RingBody* ring_;
   double speed_;
   rotor::RingBody::State ring_start_ = rotor::RingBody::State::Zero();
@@ -115,6 +123,12 @@ class Flight<WithFollowingRing<ShaftForcing>> {
     return shaft_.third_bound(bound);
   }
   [[nodiscard]] double forcing_bound() const { return shaft_.forcing_bound(); }
+  [[nodiscard]] double time_of_bound() const { return solve::time_of_bound(shaft_); }
+  [[nodiscard]] std::int64_t price_of_state() const { return solve::price_of_state(shaft_); }
+  [[nodiscard]] bool resolves(double time) const requires requires(const OfShaft& shaft) {
+    shaft.resolves(time);
+  }
+  { return shaft_.resolves(time); }
   [[nodiscard]] double fastest() const { return speed_; }
 
  private:

@@ -54,7 +54,7 @@ class SteppedMotion final : public observables::MotionPiece {
   PointStatus start(const State& state) {
     SteppedState full;
     full << state, 0.0;
-    if (!full.isFinite().all()) return ends(StatusDetail::not_finite);
+    if (!full.isFinite().all()) return ends(StatusDetail::beyond_precision);
     for (std::size_t k = 0; k < system_.blades().size(); ++k) {
       const contact::Pose at = system_.pose(k, full);
       system_.blades()[k] = {at.gap > 0.0, system_.opening_slip(at)};
@@ -197,7 +197,8 @@ class SteppedMotion final : public observables::MotionPiece {
 
   /// Why the last step could not be made.
   PointStatus why_not() {
-    return ends(step_.start().isFinite().all() ? StatusDetail::no_equilibrium : StatusDetail::not_finite);
+    return ends(step_.start().isFinite().all() ? StatusDetail::no_equilibrium
+                                               : StatusDetail::beyond_precision);
   }
 
   [[nodiscard]] double scaled_error() const {
@@ -221,7 +222,7 @@ class SteppedMotion final : public observables::MotionPiece {
       event = first_event(system_, before_, [this](double part) { return state_at(part); });
     const bool cut = event.fraction < 1.0;
     const SteppedState end = state_at(event.fraction);
-    if (!end.isFinite().all()) return ends(StatusDetail::not_finite);
+    if (!end.isFinite().all()) return ends(StatusDetail::beyond_precision);
     if (std::hypot(end[0], end[1] + rotor_.misalignment) >= law_.geometry().ring_radius)
       return ends(StatusDetail::shaft_at_ring);
     if (!cut && system_.shortening() > limits_.max_shortening) return ends(StatusDetail::shortening_limit);
@@ -290,7 +291,7 @@ class SteppedMotion final : public observables::MotionPiece {
   double end_time_ = 0.0;             ///< of the piece
   std::vector<SteppedBlade> before_;  ///< at the start of the step
   std::vector<std::size_t> open_;     ///< blades in contact there
-  WorkMeter meter_{WorkPrice::kSteppedRevolution};
+  WorkMeter meter_{WorkBound::kStepped};
   std::uint64_t paid_evaluations_ = 0;  ///< of curves, whose price the meter knows
   StatusDetail detail_ = StatusDetail::none;
   WorkCounts work_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <complex>
+#include <cstdint>
 
 #include "rotor/linear_support.hpp"
 #include "rotor/support_bounds.hpp"
@@ -45,6 +46,16 @@ class Flight<SupportedShaft> {
   }
   [[nodiscard]] double displacement_bound(double time, const State& state, double horizon) const {
     return amplitude_bound(time, state, horizon);
+  }
+  /// In which bounds of a motion that grows do so by a factor of e.
+  [[nodiscard]] double time_of_bound() const { return shaft_->bounds.growth_time(); }
+  /// Double precision holds free motion over so long a time.
+  [[nodiscard]] bool resolves(double time) const { return shaft_->support.resolves(time); }
+  /// What a state costs [ns].
+  [[nodiscard]] std::int64_t price_of_state() const {
+    constexpr std::int64_t kMatrix = 300;
+    constexpr std::int64_t kTerm = 150;
+    return kMatrix + kTerm * static_cast<std::int64_t>(shaft_->support.terms().size());
   }
   [[nodiscard]] double second_bound(double bound) const { return shaft_->bounds.second_bound(bound); }
   [[nodiscard]] double third_bound(double bound) const { return shaft_->bounds.third_bound(bound); }

@@ -11,18 +11,24 @@ constexpr std::int64_t kBetweenLooks = 2'000'000;
 
 }  // namespace
 
+// Measured over 10 000 random scenes, at -O3.
 const std::int64_t WorkPrice::kAttempt = 1'500;
-const std::int64_t WorkPrice::kForce = 1'500;
-const std::int64_t WorkPrice::kCurve = 80;
+const std::int64_t WorkPrice::kForce = 1'000;
+const std::int64_t WorkPrice::kCurve = 60;
 const std::int64_t WorkPrice::kInclinedCurve = 500;
-const std::int64_t WorkPrice::kGap = 400;
-const std::int64_t WorkPrice::kEvent = 2'000;
-const std::int64_t WorkPrice::kRevolution = 100'000'000;
-const std::int64_t WorkPrice::kSteppedRevolution = 10'000'000'000;
+const std::int64_t WorkPrice::kGap = 300;
+const std::int64_t WorkPrice::kState = 50;
+const std::int64_t WorkPrice::kEvent = 1'200;
+
+const WorkBound WorkBound::kHybrid{500'000'000, 2'000'000'000, 100'000'000};
+const WorkBound WorkBound::kStepped{10'000'000'000, 40'000'000'000, 2'000'000'000};
 
 void WorkMeter::begin_revolution(const GoOn& go_on) {
   spent_before_ = total();
   spent_.fill(0);
+  ++revolutions_;
+  const std::int64_t of_point = std::max(bound_->point, revolutions_ * bound_->of_each_revolution);
+  allowed_ = std::min(bound_->revolution, of_point - spent_before_);
   until_look_ = kBetweenLooks;
   go_on_ = &go_on;
   why_ = StatusDetail::none;

@@ -26,16 +26,24 @@ struct WorkPrice {
   static const std::int64_t kForce;          ///< of a contact in it, but for evaluations of a curve
   static const std::int64_t kCurve;          ///< of a blade under an axial load, from its table
   static const std::int64_t kInclinedCurve;  ///< the same under an inclined load, by quadrature
-  static const std::int64_t kGap;            ///< of a blade in flight
-  static const std::int64_t kEvent;       ///< touch-down, lift-off, slip reversal, or another change of phase
-  static const std::int64_t kRevolution;  ///< what a revolution may cost
-  static const std::int64_t
-      kSteppedRevolution;  ///< the same under the methods that `hybrid` is compared with
+  static const std::int64_t kGap;            ///< of a blade in flight, but for the shaft's state
+  static const std::int64_t kState;          ///< of an isotropic shaft in flight
+  static const std::int64_t kEvent;          ///< touch-down, lift-off, slip reversal: a change of phase
+};
+
+/// How much of it is allowed [ns].
+struct WorkBound {
+  std::int64_t revolution;          ///< one revolution
+  std::int64_t point;               ///< a point, or, if that is more,
+  std::int64_t of_each_revolution;  ///< so much for each revolution that it has begun
+
+  static const WorkBound kHybrid;
+  static const WorkBound kStepped;  ///< of the methods that `hybrid` is compared with
 };
 
 class WorkMeter {
  public:
-  explicit WorkMeter(std::int64_t allowed = WorkPrice::kRevolution) : allowed_(allowed) {}
+  explicit WorkMeter(const WorkBound& bound = WorkBound::kHybrid) : bound_(&bound) {}
 
   void begin_revolution(const GoOn& go_on);
 
@@ -54,9 +62,11 @@ class WorkMeter {
  private:
   bool look();
 
-  std::int64_t allowed_;
+  const WorkBound* bound_;
+  std::int64_t revolutions_ = 0;  ///< begun
+  std::int64_t allowed_ = 0;      ///< in this one
   std::int64_t until_look_ = 0;
-  std::array<std::int64_t, 3> spent_{};  ///< in this revolution
+  std::array<std::int64_t, 3> spent_{};  ///< in this one
   std::int64_t spent_before_ = 0;        ///< in those before
   const GoOn* go_on_ = nullptr;
   StatusDetail why_ = StatusDetail::none;

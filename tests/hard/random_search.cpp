@@ -33,14 +33,14 @@ std::vector<Shard> shards(std::uint64_t count, std::uint64_t scenes) {
   return all;
 }
 
-/// The solver's own bound, for each revolution that was started: 0.1 s of a processor core at full
-/// optimisation, and what the last attempt of a step takes beyond that.
-void expect_bounded_work(const scene::Scene& scene, const solve::PointOutcome& outcome) {
+/// The solver's own bound: half a second of a processor core for a revolution, two for a point of up to
+/// twenty revolutions; the last attempt of a step may pass it.
+void expect_bounded_work(const solve::PointOutcome& outcome) {
   constexpr std::int64_t kBeyond = 50'000'000;
-  const int started = outcome.status == solve::PointStatus::done
-                          ? scene.protocol.transient_revolutions + scene.protocol.sampled_revolutions
-                          : outcome.failed_revolution + 1;
-  ASSERT_LE(outcome.work.price, started * solve::WorkPrice::kRevolution + kBeyond);
+  ASSERT_LE(outcome.work.price, solve::WorkBound::kHybrid.point + kBeyond);
+  if (outcome.status == solve::PointStatus::done) return;
+  const auto started = static_cast<std::int64_t>(outcome.work.revolutions) + 1;
+  ASSERT_LE(outcome.work.price, started * solve::WorkBound::kHybrid.revolution + kBeyond);
 }
 
 class RandomSearch : public ::testing::TestWithParam<Shard> {};
@@ -56,7 +56,7 @@ TEST_P(RandomSearch, EveryLegalSceneEndsWithAStatus) {
     const solve::SectionState start{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
     const auto outcome = run(scene, speed, start, solve::make_blade_tables());
     ASSERT_NO_FATAL_FAILURE(expect_an_honest_end(scene, outcome));
-    ASSERT_NO_FATAL_FAILURE(expect_bounded_work(scene, outcome));
+    ASSERT_NO_FATAL_FAILURE(expect_bounded_work(outcome));
     if (outcome.status == solve::PointStatus::done) ++done;
     if (outcome.work.touchdowns > 0) ++touched;
   }
