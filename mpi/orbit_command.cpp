@@ -178,9 +178,10 @@ solve::PointStart stored_end(const scene::Scene& scene, const std::filesystem::p
   if (!point) throw UsageError(no_such_point(atlas, path, place.parameters));
   const auto status = static_cast<solve::PointStatus>(atlas.status()[*point]);
   if (status != solve::PointStatus::done) {
+    const auto detail = static_cast<solve::StatusDetail>(atlas.row("/status_detail", *point).front());
     throw UsageError(fmt::format(
         "{} has no final state at this point: its status is {} ({})", path.string(), static_cast<int>(status),
-        status == solve::PointStatus::pending ? "not computed yet" : "it did not end as done"));
+        status == solve::PointStatus::pending ? "not computed yet" : solve::text_of(detail)));
   }
   return atlas::FinalStates(atlas, scene).of(*point);
 }
@@ -219,10 +220,10 @@ int compute_orbit(const OrbitCommand& command) {
   atlas::write_orbit(command.output, scene, text, place.parameters, start.state, orbit, software());
 
   if (orbit.status == solve::PointStatus::done) return exit_code::kDone;
-  fmt::print(stderr, "rubatlas: the motion {} in revolution {}; {} holds what came before\n",
+  fmt::print(stderr, "rubatlas: the motion {} in revolution {}: {}; {} holds what came before\n",
              orbit.status == solve::PointStatus::left_validity ? "left the model's validity"
                                                                : "could not be integrated",
-             orbit.failed_revolution, command.output.string());
+             orbit.failed_revolution, solve::text_of(orbit.detail), command.output.string());
   return exit_code::kSomePointsFailed;
 }
 

@@ -81,6 +81,7 @@ void AtlasWriter::write_rows(std::size_t point, bool restarted, const solve::Poi
   write_row<std::uint8_t>(schema_.restarted, point, one<std::uint8_t>(restarted ? 1 : 0));
   write_row<std::int32_t>(schema_.failed_revolution, point,
                           one<std::int32_t>(done ? -1 : outcome.failed_revolution));
+  write_row<std::uint8_t>(schema_.status_detail, point, one(static_cast<std::uint8_t>(outcome.detail)));
   // Last: a reader, and the run that resumes after a kill, believe a row as soon as its status says so.
   write_row<std::uint8_t>(schema_.status, point, one(static_cast<std::uint8_t>(outcome.status)));
 }

@@ -3,12 +3,16 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "atlas/hdf5.hpp"
 #include "atlas/inner_scale.hpp"
 #include "atlas/publish.hpp"
 #include "atlas/schema.hpp"
 #include "scene/reader.hpp"
+#include "solve/point_status.hpp"
 
 namespace rubatlas::atlas {
 namespace {
@@ -52,13 +56,23 @@ void create_row_dataset(File& file, const Schema& schema, const RowDataset& rows
   for (const auto& axis : schema.axes) dataset.attach_scale(position++, scales.at(axis.name));
   for (const auto& name : rows.inner_axes) dataset.attach_scale(position++, scales.at(name));
 
-  const auto set_flags = [&](std::size_t count, const char* meanings) {
-    constexpr std::array<std::uint8_t, 4> kValues{0, 1, 2, 3};
-    dataset.set_numbers<std::uint8_t>("flag_values", std::span(kValues).first(count));
+  const auto set_flags = [&](std::span<const std::uint8_t> values, const std::string& meanings) {
+    dataset.set_numbers<std::uint8_t>("flag_values", values);
     dataset.set_text("flag_meanings", meanings);
   };
-  if (rows.name == "status") set_flags(4, "pending done left_validity integrator_failed");
-  if (rows.name == "restarted") set_flags(2, "continued_from_neighbour started_from_initial");
+  constexpr std::array<std::uint8_t, 4> kValues{0, 1, 2, 3};
+  if (rows.name == "status") set_flags(kValues, "pending done left_validity integrator_failed");
+  if (rows.name == "restarted")
+    set_flags(std::span(kValues).first(2), "continued_from_neighbour started_from_initial");
+  if (rows.name == "status_detail") {
+    std::vector<std::uint8_t> values;
+    std::string meanings;
+    for (const auto& entry : solve::kStatusDetails) {
+      values.push_back(static_cast<std::uint8_t>(entry.detail));
+      meanings += (meanings.empty() ? "" : " ") + std::string(entry.name);
+    }
+    set_flags(values, meanings);
+  }
 }
 
 }  // namespace

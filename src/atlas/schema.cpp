@@ -29,7 +29,7 @@ std::uint64_t bytes_of(const RowDataset& dataset) {
 }  // namespace
 
 std::vector<const RowDataset*> Schema::row_datasets() const {
-  std::vector<const RowDataset*> all{&status, &restarted, &failed_revolution, &final_state};
+  std::vector<const RowDataset*> all{&status, &status_detail, &restarted, &failed_revolution, &final_state};
   for (const auto& remembered : memories) all.push_back(&remembered);
   for (const auto& kept : observables) all.push_back(&kept);
   return all;
@@ -72,6 +72,7 @@ Schema schema_of(const scene::Scene& scene) {
                       std::move(long_name)};
   };
   schema.status = rows_of("status", NumberType::uint8, {}, "", "how the point ended");
+  schema.status_detail = rows_of("status_detail", NumberType::uint8, {}, "", "what ended the point's motion");
   schema.restarted = rows_of("restarted", NumberType::uint8, {}, "", "what the point started from");
   schema.failed_revolution =
       rows_of("failed_revolution", NumberType::int32, {}, "",

@@ -29,12 +29,13 @@ struct Schema {
   std::vector<plan::Axis> axes;
   std::vector<observables::InnerAxis> inner_axes;
   RowDataset status;
+  RowDataset status_detail;
   RowDataset restarted;
   RowDataset failed_revolution;
   RowDataset final_state;
   std::vector<RowDataset> memories;  ///< `/final_state_<effect>`, in the order of `observables::memories`
   std::vector<RowDataset>
-      observables;  ///< in the order of `observables::descriptions`; the four above are always there
+      observables;  ///< in the order of `observables::descriptions`; the five above are always there
 
   /// All datasets with a row per point, in the order in which they are created.
   [[nodiscard]] std::vector<const RowDataset*> row_datasets() const;

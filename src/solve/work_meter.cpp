@@ -20,7 +20,7 @@ const std::int64_t WorkPrice::kGap = 300;
 const std::int64_t WorkPrice::kState = 50;
 const std::int64_t WorkPrice::kEvent = 1'200;
 
-const WorkBound WorkBound::kHybrid{500'000'000, 2'000'000'000, 100'000'000};
+const WorkBound WorkBound::kHybrid{2'000'000'000, 2'000'000'000, 100'000'000};
 const WorkBound WorkBound::kStepped{10'000'000'000, 40'000'000'000, 2'000'000'000};
 
 void WorkMeter::begin_revolution(const GoOn& go_on) {

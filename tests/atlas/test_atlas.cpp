@@ -53,6 +53,19 @@ TEST_F(Atlas, AFreshOneHasEveryAxisAndNoPointDone) {
   EXPECT_FALSE(atlas.has("max_contact_force")) << "the scene does not ask for it";
 }
 
+TEST_F(Atlas, NamesAllThatMayEndAMotion) {
+  const AtlasReader atlas(path());
+  const Dataset details = atlas.file().dataset("/status_detail");
+  const std::string meanings = details.text("flag_meanings");
+  std::size_t named = 1;
+  for (const char c : meanings) named += c == ' ' ? 1U : 0U;
+  EXPECT_EQ(named, solve::kStatusDetails.size());
+  for (const auto& entry : solve::kStatusDetails) {
+    EXPECT_NE(meanings.find(entry.name), std::string::npos) << entry.name;
+    EXPECT_NE(entry.status, solve::PointStatus::pending) << entry.name;
+  }
+}
+
 TEST_F(Atlas, KeepsTheSceneAsItWasGivenAndAsItWasUnderstood) {
   const AtlasReader atlas(path());
   EXPECT_EQ(atlas.scene(), testing::kSmallScene);
@@ -109,11 +122,13 @@ TEST_F(Atlas, APointThatFailedHasNoNumbersWhateverItReached) {
   AtlasWriter writer(path(), scene_);
   auto outcome = numbered_outcome(scene_, 3);
   outcome.status = solve::PointStatus::left_validity;
+  outcome.detail = solve::StatusDetail::shaft_at_ring;
   outcome.failed_revolution = 4;
   writer.write_point(3, false, outcome);
   writer.close();
   const AtlasReader atlas(path());
   EXPECT_EQ(atlas.status()[3], 2);
+  EXPECT_EQ(atlas.rows("status_detail")[3], 3.0);
   EXPECT_EQ(atlas.rows("failed_revolution")[3], 4.0);
   for (const auto& kept : observables::descriptions(scene_)) {
     for (const double value : atlas.row(kept.name, 3)) EXPECT_TRUE(std::isnan(value)) << kept.name;

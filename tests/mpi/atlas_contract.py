@@ -9,7 +9,7 @@ import numpy as np
 
 GRID_AXES = ["thickness", "unbalance", "friction", "damping_ratio", "speed_ratio"]
 ROOT_ATTRIBUTES = ["Conventions", "schema_version", "software", "software_version", "git_commit", "compiler"]
-ALWAYS = {"status": ([], "|u1"), "restarted": ([], "|u1"), "failed_revolution": ([], "<i4"),
+ALWAYS = {"status": ([], "|u1"), "status_detail": ([], "|u1"), "restarted": ([], "|u1"), "failed_revolution": ([], "<i4"),
           "final_state": (["component"], "<f8")}
 IF_ASKED = {"poincare": ["section", "component"], "poincare_blade_passing": ["passing", "component"],
             "max_displacement": [], "spectrum": ["order"], "touchdowns_per_revolution": [], "max_contact_force": [],
@@ -90,6 +90,11 @@ def departures(path):
         failure = atlas["failed_revolution"][...]
         need((failure[~np.isin(status, FAILED)] == -1).all(), "/failed_revolution counts where nothing failed")
         need((failure[np.isin(status, FAILED)] >= 0).all(), "/failed_revolution does not count where a point failed")
+        detail = atlas["status_detail"]
+        named = detail.attrs.get("flag_values")
+        need(len(named) == len(detail.attrs.get("flag_meanings", "").split()), "the meanings of /status_detail are not declared")
+        need(np.isin(detail[...], named).all(), "/status_detail has an unknown code")
+        need((np.asarray(detail[...] != 0) == np.isin(status, FAILED)).all(), "/status_detail does not go with /status")
         finished = status != PENDING
         need(np.isin(atlas["restarted"][...][finished], (0, 1)).all(), "/restarted is neither 0 nor 1")
     return found
