@@ -438,7 +438,7 @@ class Motion {
       case PhaseEvent::pressed_in:
         return PointStatus::done;
       case PhaseEvent::snap:
-        return snap(*contact) ? PointStatus::done : PointStatus::left_validity;
+        return ends(snap(*contact) ? StatusDetail::none : StatusDetail::no_equilibrium);
       default: {
         if constexpr (contact::Sticks<Law>) {
           const bool decided = change_slip(*contact, end.event, listener);
