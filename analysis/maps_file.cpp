@@ -127,7 +127,7 @@ void create_statements(File& file, const Findings& found) {
   group.set_text("long_name", "the paper's statements, judged on this atlas");
   const Dataset scale =
       create_number_scale(file, "statements/statement", "statement", names.size(), "number of the statement");
-  create_texts(file, "statements/name", scale, "name of the statement (MODEL 6.3)", names);
+  create_texts(file, "statements/name", scale, "name of the statement", names);
   create_texts(file, "statements/claim", scale, "the statement, in short", claims);
   create_texts(file, "statements/setting", scale, "values of what is open, at which it was judged", settings);
   create_texts(file, "statements/evidence", scale, "what the verdict rests on", evidence);

@@ -88,8 +88,7 @@ void describe_kernel(const scene::Scene& scene, Text& text) {
   const bool bending = scene.contact.law != scene::ContactLaw::elastic_ring;
   const double scale = scene.clearance() > 0.0 ? scene.clearance() : 0.1 * scene.blades.length;
   text.heading("Kernel");
-  text.line("flight",
-            "closed form: every effect here has one. Steps that cannot jump over a touch-down (MODEL 4.5)");
+  text.line("flight", "closed form: every effect here has one. Steps that cannot jump over a touch-down");
   text.line("contact",
             bending ? "Dormand-Prince 8(5,3); one blade: its bending is carried along as a state, no root is "
                       "solved; several: a root each"
@@ -152,17 +151,24 @@ std::string duration(double seconds) {
   return seconds < 10.0 ? fmt::format("{:.3g} ms", 1e3 * seconds) : readable_duration(seconds);
 }
 
+/// What several ranks make of the time. Points of a line come one after the other, on one rank.
+std::string on_more_ranks(const plan::Grid& grid, const CostEstimate& cost) {
+  const bool one_by_one = grid.points_depend_on_each_other();
+  const std::size_t most = one_by_one ? grid.line_count() : grid.point_count();
+  if (most == 1) return fmt::format("; more ranks do not help with one {}", one_by_one ? "line" : "point");
+  return fmt::format(
+      ", divided by the number of ranks, of which {} at most have work{}", most,
+      cost.side_by_side > 1 ? fmt::format(", while each has {} lines", cost.side_by_side) : "");
+}
+
 void describe_time(const plan::Grid& grid, const CostEstimate& cost, Text& text) {
   const double seconds = static_cast<double>(grid.point_count()) * cost.seconds_per_point;
   const bool all_tried = cost.trials == grid.point_count();
   const double uncertainty = std::min(100.0, 100.0 * cost.standard_error / cost.seconds_per_point);
   text.heading("Time (an estimate, on this machine)");
-  text.line(
-      "on one rank",
-      fmt::format("{} of CPU time{}, divided by the number of ranks{}",
-                  seconds < 0.1 ? "under 0.1 s" : readable_duration(seconds),
-                  all_tried ? "" : fmt::format(" ± {:.0f} %", uncertainty),
-                  cost.side_by_side > 1 ? fmt::format(" while each has {} lines", cost.side_by_side) : ""));
+  text.line("on one rank",
+            fmt::format("{} of CPU time{}{}", seconds < 0.1 ? "under 0.1 s" : readable_duration(seconds),
+                        all_tried ? "" : fmt::format(" ± {:.0f} %", uncertainty), on_more_ranks(grid, cost)));
   text.line("from", fmt::format("{} point{} tried from `initial`: {} each, {} to {}", cost.trials,
                                 cost.trials == 1 ? "" : "s", duration(cost.seconds_per_point),
                                 duration(cost.fastest), duration(cost.slowest)));

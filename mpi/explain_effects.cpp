@@ -134,7 +134,7 @@ namespace {
 std::string blades_text(scene::ContactLaw law) {
   switch (law) {
     case scene::ContactLaw::elastica:
-      return "contact.law is elastica: large deflection, closed form (MODEL 3)";
+      return "contact.law is elastica: large deflection, closed form";
     case scene::ContactLaw::beam_column:
       return "contact.law is beam_column: small deflection, closed form";
     default:
@@ -148,10 +148,10 @@ std::string friction_text(const scene::Scene& scene) {
   if (friction.back() == 0.0) {
     return scene.contact.law == scene::ContactLaw::elastic_ring
                ? "μ = 0: the force is normal to the ring"
-               : "μ = 0: a blade is a column, its force jumps to the Euler load (MODEL 4.6)";
+               : "μ = 0: a blade is a column, its force jumps to the Euler load";
   }
-  return fmt::format("Coulomb, μ = {}; its direction turns with the slip (MODEL 4.4){}",
-                     values_text(friction), friction.front() == 0.0 ? "; none on the lines with μ = 0" : "");
+  return fmt::format("Coulomb, μ = {}; its direction turns with the slip{}", values_text(friction),
+                     friction.front() == 0.0 ? "; none on the lines with μ = 0" : "");
 }
 
 }  // namespace
@@ -161,7 +161,7 @@ void describe_effects(const scene::Scene& scene, Text& text) {
   text.heading("Effects");
   effect(text, "elastic blades", !rigid, blades_text(scene.contact.law));
   effect(text, "elastic ring", rigid,
-         rigid ? fmt::format("contact.law is elastic_ring: {} (MODEL 4.7)", ring_text(scene))
+         rigid ? fmt::format("contact.law is elastic_ring: {}", ring_text(scene))
                : fmt::format("contact.law is {}: rigid but for what is on below",
                              std::get<std::string>(*scene::quantity("/contact/law").read(scene))));
   effect(text, "friction", scene.grid.friction.back() > 0.0, friction_text(scene));

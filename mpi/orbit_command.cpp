@@ -18,6 +18,7 @@
 #include "scene/nearest.hpp"
 #include "scene/quantity.hpp"
 #include "scene/reader.hpp"
+#include "scene/symbol.hpp"
 #include "solve/line_solver.hpp"
 
 namespace rubatlas::mpi {
@@ -61,8 +62,10 @@ Choice parse_choice(const std::string& text, const std::vector<scene::Axis>& axe
   });
   if (axis != axes.end()) choice.name = axis->name;
   if (std::find(names.begin(), names.end(), choice.name) == names.end()) {
-    throw UsageError(fmt::format("--at {}: unknown name {}; names are {}; nearest: {}", text, choice.name,
-                                 fmt::join(names, ", "), scene::nearest(choice.name, names)));
+    const auto symbol = scene::meaning_of_symbol(choice.name);
+    throw UsageError(fmt::format(
+        "--at {}: unknown name {}; names are {}; {}", text, choice.name, fmt::join(names, ", "),
+        symbol.empty() ? fmt::format("nearest: {}", scene::nearest(choice.name, names)) : symbol));
   }
   if (choice.name == kDirection) {
     if (word != "up" && word != "down")

@@ -343,6 +343,7 @@ Dataset File::create_texts(const std::string& path, const std::vector<std::strin
   const Handle type = text_type(length);
   Dataset dataset = create(path, type.get(), {texts.size()}, dataset_properties().get());
   RUBATLAS_HDF5(H5Dwrite(dataset.identifier(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()));
+  dataset.set_text("_Encoding", "utf-8");  // netCDF's word for bytes that are text: xarray gives them as str
   return dataset;
 }
 

@@ -28,11 +28,37 @@ void write_array(File& file, const std::string& name, const std::vector<double>&
   dataset.set_text("long_name", long_name);
 }
 
-/// 1, 2, ... as the values of a scale.
+/// The numbers from `first` on, as the values of a scale.
 std::vector<std::int32_t> counted(std::size_t count, std::int32_t first) {
   std::vector<std::int32_t> values(count);
   std::iota(values.begin(), values.end(), first);
   return values;
+}
+
+template <Number T>
+void write_column(File& file, const std::string& name, const std::vector<T>& values, const Dataset& axis,
+                  const std::string& units, const std::string& long_name) {
+  Dataset dataset = file.create_dataset<T>(name, {axis.size()});
+  dataset.template write<T>(values);
+  dataset.attach_scale(0, axis);
+  dataset.set_text("units", units);
+  dataset.set_text("long_name", long_name);
+}
+
+/// Contact after contact, each from its touch-down to its lift-off.
+void write_contacts(File& file, const solve::ContactSamples& contacts, const Dataset& component) {
+  const Dataset sample = create_inner_scale(
+      file, {"contact_sample", counted(contacts.time.size(), 0), "1", "number of a sample within a contact"});
+  std::vector<std::int32_t> blade = contacts.blade;
+  for (auto& number : blade) ++number;  // as in `/blade`
+  write_column(file, "contact_number", contacts.number, sample, "1",
+               "which contact, counted from 0 in the order in which they begin");
+  write_column(file, "contact_blade", blade, sample, "1", "number of the blade in contact");
+  write_column(file, "contact_time", contacts.time, sample, "1",
+               "dimensionless time tau as in /time; each contact has its start, its peaks and its end");
+  write_column(file, "contact_force", contacts.force, sample, "N", "normal contact force on that blade");
+  write_array(file, "contact_state", flat(contacts.state), sample, component, "m",
+              "state of the shaft centre: x, y [m], dx/dtau, dy/dtau [m per unit tau]");
 }
 
 void write_point(Object root, const scene::Scene& scene, const plan::PointParameters& parameters,
@@ -77,6 +103,7 @@ void write_orbit(const std::filesystem::path& path, const scene::Scene& scene, c
     write_array(file, "force", orbit.force, time, blade, "N", "normal contact force on each blade");
     write_array(file, "sections", flat(orbit.sections), section, component, "m",
                 "Poincare sections, once per revolution at phase 0");
+    write_contacts(file, orbit.contacts, component);
   }
   file.close();
   publish(path);

@@ -12,9 +12,9 @@
 namespace rubatlas::atlas {
 
 /// Writes `/time`, `/state` (time × component), `/force` (time × blade), `/sections` (section × component),
-/// their scales, `/scene` and `/scene_resolved`; parameters, start and status are root attributes (this
-/// folder's README). What stood at `path` is replaced at once, when the new file is complete. Throws
-/// EnvironmentError.
+/// the contacts sampled closely (`/contact_…`), their scales, `/scene` and `/scene_resolved`; parameters,
+/// start and status are root attributes (this folder's README). What stood at `path` is replaced at once,
+/// when the new file is complete. Throws EnvironmentError.
 void write_orbit(const std::filesystem::path& path, const scene::Scene& scene, const std::string& scene_text,
                  const plan::PointParameters& parameters, const solve::SectionState& start,
                  const solve::Orbit& orbit, const Software& software);

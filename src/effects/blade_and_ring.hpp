@@ -16,7 +16,7 @@ struct AxialCompliance {
   static constexpr Description kDescription{
       .section = "/axial_compliance",
       .meaning = "blades that shorten under their axial load",
-      .equation = "δ/L + share · (h²/12L²) F L²/EI in place of δ/L (MODEL 3)",
+      .equation = "δ/L + share · (h²/12L²) F L²/EI in place of δ/L, with h and L of each blade",
       .source = "Timoshenko & Gere, Theory of Elastic Stability",
       .flight = "closed form: nothing acts on the shaft in flight",
       .breaks = "",
@@ -39,8 +39,8 @@ struct YieldingRing {
   static constexpr Description kDescription{
       .section = "/yielding_ring",
       .meaning = "a massless ring that yields under each tip, in series with elastic blades",
-      .equation = "h = a² + b² − (R + F/kr)² in place of (MODEL 4) h",
-      .source = "MODEL 4.7 and 3 in series",
+      .equation = "the ring keeps a tip at R + F/kr from its centre, in place of R",
+      .source = "the elastic blade and the elastic ring of the two contact laws, in series",
       .flight = "closed form: nothing acts on the shaft in flight",
       .breaks = "",
   };
@@ -63,8 +63,12 @@ struct Release {
   static constexpr Description kDescription{
       .section = "/release",
       .meaning = "contacts that last until the force ends, beyond where the undeformed tip leaves the ring",
-      .equation = "a contact ends at u = 0 or ∂h/∂u = 0, not at g = 0 (MODEL 4.1)",
-      .source = "path-following; MODEL 4.2",
+      .equation =
+          "a contact ends where F = 0 or where no balance of F is left (a fold), not where the undeformed "
+          "tip leaves the ring",
+      .source =
+          "path-following: the force with which a contact goes on, not the first that a search from zero "
+          "meets",
       .flight = "closed form: nothing acts on the shaft in flight",
       .breaks = "a state alone no longer says whether a blade is in contact",
   };

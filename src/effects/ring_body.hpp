@@ -29,7 +29,7 @@ struct RingBody {
           "a ring that all blades in contact push as one body, on a spring and a damper, with mass or "
           "without",
       .equation = "m_r r'' + c_r r' + kr r = −ΣFk; z − r in place of z in each contact",
-      .source = "Newton; MODEL 4.7 for kr",
+      .source = "Newton; kr as under the contact law elastic_ring, for the whole ring",
       .flight = "closed form: a free oscillator beside the shaft",
       .breaks =
           "a state alone no longer says how the ring moves; phase volume contracts by e^{-2 c_r T/(m_r ωn)} "

@@ -4,7 +4,7 @@
 ///     φ' = Ω (1 + a cos(pΩτ + ψ)),   φ = Ωτ + (a/p) (sin(pΩτ + ψ) − sin ψ)
 ///
 /// The order p is whole, so that a revolution still takes 2π/Ω and ends where it began. The rig of the paper
-/// varied by ±3 to ±167 rpm (section 4). An unbalance then acts with −(me/m) d²/dτ² e^{iφ}: by Jacobi and
+/// varied by ±3 to ±167 rpm (section 4). An unbalance then acts with −(me/m) d²/dτ² e^{i(φ+γ)}: by Jacobi and
 /// Anger a sum of harmonics Ω (1 + kp) with Bessel functions for weights (Abramowitz & Stegun 9.1.42), so
 /// that flight stays in closed form.
 #pragma once
@@ -25,7 +25,9 @@ struct SpeedRipple {
   static constexpr Description kDescription{
       .section = "/speed_ripple",
       .meaning = "a spin speed that varies within each revolution",
-      .equation = "φ' = Ω (1 + a cos(pΩτ + ψ)) in place of Ω",
+      .equation =
+          "φ' = Ω (1 + a cos(pΩτ + ψ)) in place of Ω; an unbalance acts with −(me/m) d²/dτ² e^{i(φ+γ)}; "
+          "rotating damping keeps the mean Ω",
       .source = "Jacobi-Anger: Abramowitz & Stegun 9.1.42",
       .flight = "closed form: an unbalance acts with side bands Ω (1 + kp)",
       .breaks = "blade passing, but for p a multiple of n",

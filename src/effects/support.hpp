@@ -28,7 +28,9 @@ struct Support {
   static constexpr Description kDescription{
       .section = "/support",
       .meaning = "stiffness and damping besides the shaft's own: anisotropy, seals, rotating damping",
-      .equation = "z'' + (2ζ I + ΔC/(m ωn) + 2ζr I) z' + (I + ΔK/k + 2ζr Ω J) z = f",
+      .equation =
+          "z'' + (2ζ I + ΔC/(m ωn) + 2ζr I) z' + (I + ΔK/k + 2ζr Ω J) z = f, 2ζr = cr/(m ωn), "
+          "J = ((0, 1), (−1, 0))",
       .source = "Ehrich, Handbook of Rotordynamics; Yamamoto & Ishida, Linear and Nonlinear Rotordynamics",
       .flight = "closed form: the exponential of the system's matrix",
       .breaks = "mirror symmetry; phase volume contracts by e^{-tr(C) T}",

@@ -15,8 +15,8 @@ struct Unbalance {
       .section = "/unbalance",
       .meaning = "a mass eccentricity that turns with the rotor",
       .equation = "z'' + 2ζ z' + z = (me/m) Ω² e^{i(Ωτ+γ)}",
-      .source = "MODEL 1",
-      .flight = "closed form (MODEL 4.5), at resonance too",
+      .source = "the paper, equation of motion",
+      .flight = "closed form, at resonance too",
       .breaks = "blade passing",
   };
   static constexpr auto quantities() {
@@ -25,13 +25,13 @@ struct Unbalance {
                                   .symbol = "me",
                                   .unit = "kg m",
                                   .meaning = "unbalance, mass times eccentricity",
-                                  .source = "MODEL 1",
+                                  .source = "the paper, equation of motion",
                                   .range = scene::between(0.0, 1e6)},
         Field<&Unbalance::phase>{.pointer = "/unbalance/phase",
                                  .symbol = "γ",
                                  .unit = "rad",
                                  .meaning = "angle of the unbalance from blade 1, positive with the rotation",
-                                 .source = "MODEL 1",
+                                 .source = "the paper, equation of motion",
                                  .range = scene::between(-1e3, 1e3)}};
   }
   [[nodiscard]] bool acts() const { return moment != 0.0; }

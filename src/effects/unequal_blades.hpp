@@ -30,7 +30,8 @@ struct UnequalBlades {
   static constexpr Description kDescription{
       .section = "/unequal_blades",
       .meaning = "errors of length, thickness and angle of each blade",
-      .equation = "L, h and φ of each blade in MODEL 2 to 4",
+      .equation =
+          "L, h and φ of each blade, in its gap, its bending and its compliance, in place of those of all",
       .source = "the paper, section 3.2: blades set by hand",
       .flight = "closed form: nothing acts on the shaft in flight",
       .breaks = "blade passing, independence of blade numbering",

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <memory>
 
+#include "observables/load_peak.hpp"
 #include "observables/observable.hpp"
 #include "scene/scene.hpp"
 
@@ -72,16 +72,12 @@ class ContactPeak final : public Observable {
       peak_ = std::max(
           {peak_, (piece.*kQuantity)(contact, piece.begin()), (piece.*kQuantity)(contact, piece.end())});
       if (!piece.load_peaks(contact)) continue;
-      const auto negative = [&](double time) { return -(piece.*kQuantity)(contact, time); };
-      const double top =
-          -boost::math::tools::brent_find_minima(negative, piece.begin(), piece.end(), kPeakBits).second;
-      peak_ = std::max(peak_, top);
+      peak_ = std::max(peak_, load_peak<kQuantity>(piece, contact).value);
     }
   }
   void write(std::span<double> row) override { row[0] = peak_; }
 
  private:
-  static constexpr int kPeakBits = 20;  ///< of the time; a maximum is flat, so its value has twice as many
   double peak_ = 0.0;
 };
 

@@ -2,9 +2,10 @@
 ///
 ///     m_r r'' ωn² + c_r r' ωn + kr r = F        r = (rx, ry) from the ring's place of rest; primes d/dτ
 ///
-/// divided by m_r ωn²: r'' + 2ζr ν r' + ν² r = F/(m_r ωn²), ν = sqrt(kr/m_r)/ωn, ζr = c_r/(2 sqrt(kr m_r)).
-/// Left to itself it is the free motion of the rotor in the time ντ. The ring does not turn: it is held
-/// against rotation, and a force on it has no lever. Source: textbooks on vibration, any; MODEL 4.7 for kr.
+/// divided by m_r ωn²: r'' + 2ζ_ring ν r' + ν² r = F/(m_r ωn²), ν = sqrt(kr/m_r)/ωn, ζ_ring = c_r/(2 sqrt(kr
+/// m_r)). Left to itself it is the free motion of the rotor in the time ντ. The ring does not turn: it is
+/// held against rotation, and a force on it has no lever. Source: textbooks on vibration, any; MODEL 4.7 for
+/// kr.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,10 +28,10 @@ class RingBody {
         force_unit_(1.0 / (mass * natural_frequency * natural_frequency)) {}
 
   [[nodiscard]] double frequency() const { return frequency_; }                 ///< ν [-]
-  [[nodiscard]] double damping_ratio() const { return free_.damping_ratio(); }  ///< ζr [-]
+  [[nodiscard]] double damping_ratio() const { return free_.damping_ratio(); }  ///< ζ_ring [-]
   /// 1/(m_r ωn²) [m/N]: acceleration per unit τ² of one newton.
   [[nodiscard]] double force_unit() const { return force_unit_; }
-  /// d/dτ of the logarithm of the ring's phase volume, −4 ζr ν.
+  /// d/dτ of the logarithm of the ring's phase volume, −4 ζ_ring ν.
   [[nodiscard]] double phase_volume_rate() const { return -4.0 * damping_ratio() * frequency_; }
 
   /// Free motion a time `elapsed` >= 0 (τ) after `start`.

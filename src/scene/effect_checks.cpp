@@ -39,6 +39,18 @@ void check_unequal_blades(const Scene& scene) {
   check("/unequal_blades/length_errors", scene.unequal_blades->length_errors);
   check("/unequal_blades/thickness_errors", scene.unequal_blades->thickness_errors);
   check("/unequal_blades/angle_errors", scene.unequal_blades->angle_errors);
+  if (scene.contact.law == ContactLaw::elastic_ring) {
+    const auto refuse_thickness = [](std::string_view pointer, bool given) {
+      if (!given) return;
+      throw SceneError(fmt::format(
+          R"({}: has no effect under the contact law "elastic_ring", whose blades are rigid)", pointer));
+    };
+    const auto& errors = scene.unequal_blades->thickness_errors;
+    refuse_thickness("/unequal_blades/thickness_errors",
+                     std::ranges::any_of(errors, [](double error) { return error != 0.0; }));
+    refuse_thickness("/unequal_blades/thickness_spread",
+                     std::ranges::max(values_in(scene, "/unequal_blades/thickness_spread")) > 0.0);
+  }
   const auto smallest = [&](std::string_view pointer) { return std::ranges::min(values_in(scene, pointer)); };
   const double length = smallest("/blades/length");
   const double thickness = smallest("/blades/thickness");

@@ -25,7 +25,7 @@ constexpr double kMostRevolutions = 1e8;
 constexpr double kMostSamples = 65536;
 constexpr double kHighestOrder = 32768;
 
-constexpr std::string_view kDefaultRotor = "MODEL 6.1";
+constexpr std::string_view kDefaultRotor = "the paper's default rotor";
 
 /// The table but for the quantities of the effects, which describe themselves.
 const auto& own_table() {
@@ -129,7 +129,7 @@ const auto& own_table() {
           .symbol = "kr",
           .unit = "N/m",
           .meaning = "stiffness of the massless ring under a tip, law elastic_ring only",
-          .source = "MODEL 4.7: not in the paper, 100 shaft stiffnesses of the default rotor",
+          .source = "not in the paper: 100 shaft stiffnesses of the default rotor",
           .range = above_zero_up_to(1e15),
           .chooser = "/contact/law"},
          UnderLaw<&Ring::stiffness, ContactLaw::elastic_ring>{}),
@@ -140,7 +140,7 @@ const auto& own_table() {
           .meaning =
               "elastica: elastic blades in a rigid ring; elastic_ring: rigid blades in an elastic ring; "
               "beam_column: as elastica with small slopes",
-          .source = "MODEL 4, MODEL 4.7",
+          .source = "the paper, and the authors' earlier model",
           .kind = Kind::choice,
           .choices = kContactLaws},
          At<&Scene::contact, &Contact::law>{}),
@@ -156,7 +156,7 @@ const auto& own_table() {
                .symbol = "Ω",
                .unit = "1",
                .meaning = "speed ratio, spin speed over natural frequency",
-               .source = "MODEL 1",
+               .source = "the paper, equation of motion",
                .range = between(1e-4, 1e3),
                .default_rule = "none: every scene says it"},
 
@@ -165,7 +165,7 @@ const auto& own_table() {
           .unit = "",
           .meaning = "where a point starts: from its lower neighbour in speed, its upper one, both, or from "
                      "`initial`",
-          .source = "MODEL 6",
+          .source = "the paper's protocol",
           .kind = Kind::choice,
           .choices = kSweeps},
          At<&Scene::sweep>{}),
@@ -174,28 +174,28 @@ const auto& own_table() {
           .symbol = "x",
           .unit = "m",
           .meaning = "horizontal displacement at the start",
-          .source = "MODEL 6",
+          .source = "the paper's protocol",
           .range = between(-kLongestLength, kLongestLength)},
          At<&Scene::initial, &Initial::x>{}),
       in({.pointer = "/initial/y",
           .symbol = "y",
           .unit = "m",
           .meaning = "vertical displacement at the start",
-          .source = "MODEL 6",
+          .source = "the paper's protocol",
           .range = between(-kLongestLength, kLongestLength)},
          At<&Scene::initial, &Initial::y>{}),
       in({.pointer = "/initial/vx",
           .symbol = "x'",
           .unit = "m",
           .meaning = "horizontal velocity at the start, per unit of dimensionless time",
-          .source = "MODEL 6",
+          .source = "the paper's protocol",
           .range = between(-kLongestLength, kLongestLength)},
          At<&Scene::initial, &Initial::vx>{}),
       in({.pointer = "/initial/vy",
           .symbol = "y'",
           .unit = "m",
           .meaning = "vertical velocity at the start, per unit of dimensionless time",
-          .source = "MODEL 6",
+          .source = "the paper's protocol",
           .range = between(-kLongestLength, kLongestLength)},
          At<&Scene::initial, &Initial::vy>{}),
 
@@ -203,7 +203,7 @@ const auto& own_table() {
           .symbol = "",
           .unit = "1",
           .meaning = "revolutions run before anything is kept",
-          .source = "MODEL 6",
+          .source = "the paper's protocol",
           .kind = Kind::whole_number,
           .range = between(0, kMostRevolutions)},
          At<&Scene::protocol, &Protocol::transient_revolutions>{}),
@@ -211,7 +211,7 @@ const auto& own_table() {
           .symbol = "S",
           .unit = "1",
           .meaning = "revolutions of which sections, spectrum and extremes are kept",
-          .source = "MODEL 6",
+          .source = "the paper's protocol",
           .kind = Kind::whole_number,
           .range = between(1, 1e6)},
          At<&Scene::protocol, &Protocol::sampled_revolutions>{}),
@@ -245,14 +245,14 @@ const auto& own_table() {
           .symbol = "δ/L",
           .unit = "1",
           .meaning = "largest axial shortening of a blade, share of its length",
-          .source = "MODEL 5",
+          .source = "where the equations of the model stop to hold",
           .range = above_zero_up_to(0.6)},
          At<&Scene::validity, &Validity::max_shortening>{}),
       in({.pointer = "/validity/yield_strain",
           .symbol = "",
           .unit = "1",
           .meaning = "bending strain at a blade's root above which a point is flagged",
-          .source = "MODEL 5",
+          .source = "where the equations of the model stop to hold",
           .range = above_zero_up_to(1.0),
           .default_rule = "absent: no flag"},
          At<&Scene::validity, &Validity::yield_strain>{}),

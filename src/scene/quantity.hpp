@@ -25,7 +25,7 @@ using Value = std::variant<double, int, bool, std::string, std::vector<double>>;
 
 struct Quantity {
   std::string_view pointer{};  ///< where it stands in the scene file, as a JSON pointer
-  std::string_view symbol{};   ///< as in MODEL; empty where it has none
+  std::string_view symbol{};   ///< as in MODEL, unique within a section; empty where it has none
   std::string_view unit{};     ///< "1" where dimensionless, empty for texts and choices
   std::string_view meaning{};  ///< one phrase, ASCII, used in error texts and as `long_name`
   std::string_view source{};   ///< where range or default come from

@@ -8,15 +8,18 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "scene/document.hpp"
 #include "scene/effect_checks.hpp"
+#include "scene/evenly_spaced.hpp"
 #include "scene/nearest.hpp"
 #include "scene/observable_names.hpp"
 #include "scene/quantity.hpp"
+#include "scene/symbol.hpp"
 
 namespace rubatlas::scene {
 namespace {
@@ -59,13 +62,15 @@ std::vector<std::string_view> known_keys(std::string_view section) {
   return keys;
 }
 
-/// The nearest known key as a pointer: a key that is right but stands in the wrong section is named first.
-std::string nearest_pointer(std::string_view section, std::string_view key) {
+/// Which key may have been meant: one that is right but stands in the wrong section, then the one that has
+/// this symbol, then the nearest one of the section by its spelling.
+std::string what_was_meant(std::string_view section, std::string_view key) {
   for (const auto& entry : quantities()) {
-    if (entry.key() == key) return std::string(entry.pointer);
+    if (entry.key() == key) return fmt::format("nearest known key: {}", entry.pointer);
   }
+  if (auto symbol = meaning_of_symbol(key, section); !symbol.empty()) return symbol;
   const auto keys = known_keys(section);
-  return child(section, nearest(key, keys));
+  return fmt::format("nearest known key: {}", child(section, nearest(key, keys)));
 }
 
 bool is_pointer(std::string_view key) {
@@ -86,12 +91,14 @@ void check_pointer_axis(const std::string& key, const json& value) {
     }
     near.push_back(axis.quantity);
   }
-  const auto best = nearest(key, near);
-  const auto named = std::ranges::find(grid_axes(), best, &GridAxis::quantity);
-  fail(here,
-       fmt::format("no quantity that can be swept, with the value {}; by their pointers can be: {}; "
-                   "nearest: {}",
-                   shown(value), fmt::join(allowed, ", "), named == grid_axes().end() ? best : named->name));
+  auto meant = meaning_of_symbol(last_key(key), "/grid");
+  if (meant.empty()) {
+    const auto best = nearest(key, near);
+    const auto named = std::ranges::find(grid_axes(), best, &GridAxis::quantity);
+    meant = fmt::format("nearest: {}", named == grid_axes().end() ? best : named->name);
+  }
+  fail(here, fmt::format("no quantity that can be swept, with the value {}; by their pointers can be: {}; {}",
+                         shown(value), fmt::join(allowed, ", "), meant));
 }
 
 void check_keys(const json& object, std::string_view section) {
@@ -103,10 +110,10 @@ void check_keys(const json& object, std::string_view section) {
       continue;
     }
     fail(child(section, key),
-         fmt::format("unknown key, with the value {}; known {}: {}{}; nearest known key: {}", shown(value),
+         fmt::format("unknown key, with the value {}; known {}: {}{}; {}", shown(value),
                      section.empty() ? "in a scene" : fmt::format("in {}", section), fmt::join(keys, ", "),
                      section == "/grid" ? ", and pointers of other quantities" : "",
-                     nearest_pointer(section, key)));
+                     what_was_meant(section, key)));
   }
 }
 
@@ -247,13 +254,10 @@ std::vector<double> read_span(const json& span, std::string_view pointer, const 
          fmt::format("{} is not above from, {}; values are ascending without duplicates", shown(span["to"]),
                      shown(span["from"])));
   }
-  std::vector<double> values;
-  for (int i = 0; i < count; ++i) {
-    values.push_back(i == count - 1 ? to : from + i * (to - from) / (count - 1));
-    if (i > 0 && !(values[values.size() - 1] > values[values.size() - 2])) {
-      fail(child(pointer, "count"), fmt::format("{} values from {} to {} are closer than numbers can be",
-                                                count, shown(span["from"]), shown(span["to"])));
-    }
+  auto values = evenly_spaced(from, to, count);
+  if (std::ranges::adjacent_find(values, std::ranges::greater_equal{}) != values.end()) {
+    fail(child(pointer, "count"), fmt::format("{} values from {} to {} are closer than numbers can be", count,
+                                              shown(span["from"]), shown(span["to"])));
   }
   return values;
 }

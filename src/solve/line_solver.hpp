@@ -91,7 +91,17 @@ struct PointOutcome {
   WorkCounts work;
 };
 
-/// One point's motion on a uniform grid of time over the sampled revolutions.
+/// The forces of contacts over their times, closer than a uniform grid of time can have them: contact after
+/// contact in the order in which they begin, of each both ends, every peak, and what lies between.
+struct ContactSamples {
+  std::vector<std::int32_t> number;  ///< of the contact, from 0
+  std::vector<std::int32_t> blade;   ///< from 0
+  std::vector<double> time;   ///< τ [-] as in the orbit; ascends within a contact, twice the same at a jump
+  std::vector<double> force;  ///< normal force F [N]
+  std::vector<SectionState> state;
+};
+
+/// One point's motion on a uniform grid of time over the sampled revolutions, and its contacts.
 struct Orbit {
   PointStatus status = PointStatus::pending;
   StatusDetail detail = StatusDetail::none;
@@ -100,6 +110,7 @@ struct Orbit {
   std::vector<SectionState> state;     ///< one per time
   std::vector<double> force;           ///< [time][blade], normal force F on each blade [N]
   std::vector<SectionState> sections;  ///< Poincaré sections, one per sampled revolution
+  ContactSamples contacts;
 };
 
 class LineSolver {

@@ -1,10 +1,8 @@
-/// Keeps a motion as uniform samples: what the command `orbit` shows.
+/// Keeps a motion as uniform samples, and its contacts more closely: what the command `orbit` shows.
 #pragma once
 
-#include <cmath>
-#include <cstddef>
-#include <numbers>
-#include <utility>
+#include <optional>
+#include <vector>
 
 #include "solve/line_solver.hpp"
 #include "solve/motion_listener.hpp"
@@ -13,47 +11,40 @@ namespace rubatlas::solve {
 
 class OrbitListener final : public MotionListener {
  public:
-  OrbitListener(double period, int samples_per_revolution, int blade_count)
-      : period_(period), samples_per_revolution_(samples_per_revolution), blade_count_(blade_count) {}
+  OrbitListener(double period, int samples_per_revolution, int blade_count);
 
-  void piece(observables::MotionPiece& piece) override {
-    for (; sample_ < samples_per_revolution_; ++sample_) {
-      const double time = period_ * sample_ / samples_per_revolution_;
-      if (time >= piece.end()) return;
-      orbit_.time.push_back(begin_ + (period_ * (revolution_ - since_) + time));
-      orbit_.state.push_back(piece.state(time));
-      const std::size_t first = orbit_.force.size();
-      orbit_.force.resize(first + static_cast<std::size_t>(blade_count_), 0.0);
-      for (std::size_t contact = 0; contact < piece.contact_count(); ++contact) {
-        orbit_.force[first + static_cast<std::size_t>(piece.blade(contact))] =
-            piece.normal_force(contact, time);
-      }
-    }
-  }
+  void piece(observables::MotionPiece& piece) override;
+  void event(const Event& event) override;
+  void speed_changes(double speed_ratio) override;
+  void revolution_ends(const SectionState& section);
 
-  void speed_changes(double speed_ratio) override {
-    begin_ += period_ * (revolution_ - since_);
-    since_ = revolution_;
-    period_ = 2.0 * std::numbers::pi / std::abs(speed_ratio);
-  }
-
-  void revolution_ends(const SectionState& section) {
-    orbit_.sections.push_back(section);
-    sample_ = 0;
-    ++revolution_;
-  }
-
-  [[nodiscard]] Orbit take() { return std::move(orbit_); }
+  [[nodiscard]] Orbit take();
 
  private:
+  struct Sample {
+    double time;
+    double force;
+    SectionState state;
+  };
+  struct Contact {
+    int blade = 0;
+    std::vector<Sample> samples;
+  };
+
+  [[nodiscard]] double since_start(double time) const;
+  void sample_orbit(observables::MotionPiece& piece);
+  void sample_contact(observables::MotionPiece& piece, std::size_t contact);
+
   double period_;
   int samples_per_revolution_;
-  int blade_count_;
   int sample_ = 0;  ///< next one within the revolution
   int revolution_ = 0;
   double begin_ = 0.0;  ///< τ when the revolution `since_` began, the first at the present speed
   int since_ = 0;
   Orbit orbit_;
+  std::vector<Contact> contacts_;                 ///< in the order in which they begin
+  std::vector<std::optional<std::size_t>> open_;  ///< of each blade, which of them
+  bool may_jump_ = false;                         ///< an event has come since the last piece
 };
 
 }  // namespace rubatlas::solve
