@@ -10,10 +10,7 @@
 namespace rubatlas::analysis {
 
 Statement judge_blade_count(const Evidence& evidence) {
-  Statement statement{"P12",
-                      "another number of blades: the same picture with the speed scaled by it, triggers at "
-                      "1/n and 2/n",
-                      {}};
+  Statement statement{"P12", {}};
   const int count = evidence.scene().blades.count;
   const auto* line = evidence.own_line();
   if (!evidence.other_rotor().empty()) {

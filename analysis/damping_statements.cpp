@@ -48,8 +48,9 @@ Finding compared(const Evidence& evidence, std::string_view name, const Lines& c
       comparison.claim, fmt::format("{} / {}", number(here), number(there))};
 }
 
-/// Extent of the chaos in a region: width times share [-]; 0 where the region is absent, NaN where not known.
-double chaos(const Region& region) {
+/// Extent of the aperiodic motion in a region: width times share [-]; 0 where the region is absent, NaN where
+/// not known.
+double aperiodic_extent(const Region& region) {
   return region.present() ? region.width() * region.aperiodic_share : region.width();
 }
 
@@ -90,8 +91,8 @@ std::vector<Finding> low_damping_findings(const Evidence& evidence) {
   findings.push_back(compared(evidence, name, lower, *reference,
                               {"width of region 3", "low ζ shortens region 3", width(2), -1.0, step}));
   findings.push_back(compared(evidence, name, lower, *reference,
-                              {"aperiodic share of region 1", "low ζ: small chaotic areas in region 1", share,
-                               1.0, kSmallArea, true}));
+                              {"aperiodic share of region 1", "low ζ: small aperiodic areas in region 1",
+                               share, 1.0, kSmallArea, true}));
   return findings;
 }
 
@@ -106,9 +107,9 @@ std::vector<Finding> high_damping_findings(const Evidence& evidence) {
   }
   std::vector<Finding> findings;
   for (const std::size_t which : {1U, 3U}) {
-    const auto extent = [which](const LineSummary& line) { return chaos(line.regions[which]); };
+    const auto extent = [which](const LineSummary& line) { return aperiodic_extent(line.regions[which]); };
     findings.push_back(compared(evidence, name, {&high}, *reference,
-                                {fmt::format("chaos of region {} (width × share)", which + 1),
+                                {fmt::format("aperiodic part of region {} (width × share)", which + 1),
                                  fmt::format("high ζ attenuates region {}", which + 1), extent, -1.0,
                                  evidence.scale().speed_ratio(kNoticeableWidth)}));
     // What disappears has been there: on the line that high damping is compared with.

@@ -57,7 +57,7 @@ std::vector<Finding> region_2_findings(const LineSummary& line, SpeedScale scale
                       "region 2 has periodic windows"});
   if (line.triggers[0].presence == Presence::present) {
     const double gap = scale.scaled(region.from - line.triggers[0].speed_ratio);
-    findings.push_back({gap <= kNextTo, fmt::format("chaos begins {:.3f} above trigger 1", gap),
+    findings.push_back({gap <= kNextTo, fmt::format("aperiodic motion begins {:.3f} above trigger 1", gap),
                         "region 2 begins at trigger 1", fmt::format("{:+.3f}", gap)});
   }
   return findings;
@@ -98,8 +98,8 @@ std::vector<Finding> region_4_findings(const LineSummary& line, SpeedScale scale
   if (region.present()) {
     const double gap = scale.scaled(region.from - nearest->speed_ratio);
     findings.push_back({gap >= -kSamePlace && gap <= kNextTo,
-                        fmt::format("chaos begins {:.3f} above it", gap), "chaos follows the doubling",
-                        fmt::format("{:+.3f}", gap)});
+                        fmt::format("aperiodic motion begins {:.3f} above it", gap),
+                        "aperiodic motion follows the doubling", fmt::format("{:+.3f}", gap)});
   }
   return findings;
 }
@@ -107,11 +107,7 @@ std::vector<Finding> region_4_findings(const LineSummary& line, SpeedScale scale
 }  // namespace
 
 std::vector<Statement> judge_default_rotor(const Evidence& evidence) {
-  std::vector<Statement> statements{
-      {"P1", "region 1, periodic with small displacement, up to Ω = 1/3, where the displacement rises", {}},
-      {"P2", "then region 2, chaotic with periodic windows", {}},
-      {"P3", "then region 3, periodic", {}},
-      {"P4", "region 4, chaotic, entered by a period doubling at Ω = 2/3", {}}};
+  std::vector<Statement> statements{{"P1", {}}, {"P2", {}}, {"P3", {}}, {"P4", {}}};
   const auto* line = evidence.own_line();
   if (line == nullptr) {
     const auto reason = evidence.other_rotor().empty() ? "the grid has no line of " + evidence.rotor().name

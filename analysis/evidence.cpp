@@ -54,7 +54,9 @@ bool Evidence::fits(const Parameter& parameter, double value) const {
   const bool in_every_atlas =
       std::ranges::count(scene::grid_axes(), parameter.name, &scene::GridAxis::name) > 0;
   const bool own_value = !in_every_atlas && parameter.name != "direction" && parameter.values.size() == 1;
-  return own_value || same_decimal(value, rotor_.usual(parameter.name));
+  const auto* quantity = scene::quantity_of_axis(parameter.name);
+  const std::string_view pointer = quantity == nullptr ? std::string_view{} : quantity->pointer;
+  return own_value || rotor_.agrees(pointer, value, rotor_.usual(parameter.name));
 }
 
 std::vector<const LineSummary*> Evidence::lines_over(std::initializer_list<std::string_view> names) const {

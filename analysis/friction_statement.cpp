@@ -50,13 +50,13 @@ std::vector<Finding> friction_findings(const Evidence& evidence) {
       holds = holds && (share > 0.0) == expected;
       shares.push_back(fmt::format("{:.1f} % at {}", 100.0 * share, evidence.value_text(*line, name)));
     }
-    const auto claim = fmt::format("{}chaos in region 1 {}", expected ? "" : "no ", where);
+    const auto claim = fmt::format("{}aperiodic points in region 1 {}", expected ? "" : "no ", where);
     if (!known) {
-      findings.push_back(
-          not_covered(fmt::format("chaos in region 1 {}: no region 1 on every line", where), claim));
+      findings.push_back(not_covered(
+          fmt::format("aperiodic points in region 1 {}: no region 1 on every line", where), claim));
     } else {
       findings.push_back(
-          {holds, fmt::format("chaos in region 1 {}: {}", where, fmt::join(shares, ", ")), claim});
+          {holds, fmt::format("aperiodic points in region 1 {}: {}", where, fmt::join(shares, ", ")), claim});
     }
   };
   const auto inside = within(evidence, lines, name, kLeastChaoticFriction, kGreatestChaoticFriction);

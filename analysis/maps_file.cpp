@@ -113,7 +113,7 @@ void create_statements(File& file, const Findings& found) {
   std::vector<std::uint8_t> verdicts;
   for (const auto& statement : found.statements) {
     names.emplace_back(statement.name);
-    claims.emplace_back(statement.claim);
+    claims.emplace_back(statement.claim());
     settings.push_back(statement.setting.text);
     verdicts.push_back(static_cast<std::uint8_t>(statement.verdict()));
     std::vector<std::string> texts;

@@ -9,6 +9,12 @@
 
 namespace rubatlas::analysis {
 
+/// A quantity that the paper gives rounded, and half a unit of its last digit.
+struct Rounded {
+  std::string_view pointer;
+  double half_digit;
+};
+
 /// A rotor of the paper, as a scene, and how much of that scene a statement needs.
 struct ReferenceRotor {
   std::string name;    ///< "the paper's default rotor"
@@ -18,10 +24,15 @@ struct ReferenceRotor {
   /// Axes whose value the paper does not give, or gives without meaning it: a statement is judged once for
   /// each of their values.
   std::vector<std::string_view> open;
+  /// Quantities that agree within the digits of the paper. All others agree as decimals do: the clearance is
+  /// the difference of three lengths, and a hundredth of a millimetre is the whole reach of the rig's blades.
+  std::vector<Rounded> rounded{};
 
   /// Why a scene is another rotor; empty when it is this one. Effects that the rotor has not (a side load)
   /// make it another one.
   [[nodiscard]] std::string difference(const scene::Scene& other) const;
+  /// Whether a quantity has this rotor's value, within the digits in which the paper gives it.
+  [[nodiscard]] bool agrees(std::string_view pointer, double value, double own) const;
   /// Value of an axis in this rotor; 0 for an absent effect and for the direction (up).
   [[nodiscard]] double usual(std::string_view axis) const;
 };

@@ -80,18 +80,19 @@ Region region_1(const Line& line, Points points, SpeedScale scale, const Trigger
   return region_over(line, scale, points, first, count - 1);
 }
 
-/// The periodic stretch, between chaos and on one side of a gap, that covers most of (1/2, 2/3).
-std::optional<Stretch> periodic_between_triggers(Points points, const std::vector<Stretch>& chaos) {
-  std::vector<bool> chaotic(points.size(), false);
-  for (const auto& stretch : chaos) {
-    for (std::size_t i = stretch.first; i <= stretch.last; ++i) chaotic[i] = true;
+/// The periodic stretch, between aperiodic stretches and on one side of a gap, that covers most of (1/2,
+/// 2/3).
+std::optional<Stretch> periodic_between_triggers(Points points, const std::vector<Stretch>& aperiodic) {
+  std::vector<bool> inside(points.size(), false);
+  for (const auto& stretch : aperiodic) {
+    for (std::size_t i = stretch.first; i <= stretch.last; ++i) inside[i] = true;
   }
   std::optional<Stretch> best;
   double most = 0.0;
   for (std::size_t first = 0; first < points.size(); ++first) {
-    if (chaotic[first]) continue;
+    if (inside[first]) continue;
     std::size_t last = first;
-    const auto goes_on = [&](std::size_t i) { return !chaotic[i] && points[i].piece == points[first].piece; };
+    const auto goes_on = [&](std::size_t i) { return !inside[i] && points[i].piece == points[first].piece; };
     while (last + 1 < points.size() && goes_on(last + 1)) ++last;
     const double covers = std::min(points[last].scaled_speed, kNominalTrigger[1]) -
                           std::max(points[first].scaled_speed, kBetweenTriggers);
@@ -148,8 +149,8 @@ std::array<Region, 4> find_regions(const Line& line, SpeedScale scale,
   std::array<Region, 4> regions;
   regions[0] = region_1(line, all, scale, triggers[0]);
 
-  // Chaos below the first trigger belongs to region 1; without a trigger, the search for it ends the same
-  // way.
+  // Aperiodic motion below the first trigger belongs to region 1; without a trigger, the search for it ends
+  // the same way.
   const double start = triggers[0].presence == Presence::present ? scale.scaled(triggers[0].speed_ratio)
                                                                  : kNominalTrigger[0] - kTriggerSearch;
   const auto first_above = std::ranges::find_if(all, [=](const auto& p) { return p.scaled_speed > start; });
@@ -160,7 +161,7 @@ std::array<Region, 4> find_regions(const Line& line, SpeedScale scale,
   const double beyond = kNominalTrigger[1] + kTriggerSearch;
   const bool covered_4 = covered(points, kNominalTrigger[1], beyond);
 
-  const auto stretches = chaotic_stretches(points, kShareWindow, kChaoticShare);
+  const auto stretches = aperiodic_stretches(points, kShareWindow, kAperiodicMajority);
   const auto third = periodic_between_triggers(points, stretches);
   const double border =
       third ? 0.5 * (points[third->first].scaled_speed + points[third->last].scaled_speed) : kBetweenTriggers;

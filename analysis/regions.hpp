@@ -1,4 +1,5 @@
-/// Regions 1 to 4 along a line: small motion, chaos after the first trigger, periodic motion, chaos again.
+/// Regions 1 to 4 along a line: small motion, aperiodic motion after the first trigger, periodic motion, and
+/// aperiodic motion again.
 ///
 /// The rules, in words and with their reasons, are in the README of this folder, "Regions".
 #pragma once
@@ -10,11 +11,11 @@
 
 namespace rubatlas::analysis {
 
-/// Scaled width of the running share of aperiodic points. A periodic window, or a burst of chaos, that is
+/// Scaled width of the running share of aperiodic points. A periodic window, or an aperiodic burst, that is
 /// shorter than half of it does not end a region.
 constexpr double kShareWindow = 1.0 / 20.0;
-/// A stretch is chaotic where at least this share of its running window is aperiodic.
-constexpr double kChaoticShare = 0.5;
+/// A stretch is aperiodic where at least this share of its running window is aperiodic.
+constexpr double kAperiodicMajority = 0.5;
 /// The scaled speed midway between the triggers. Region 3 is the periodic stretch that covers most of
 /// the range from here to the second trigger.
 constexpr double kBetweenTriggers = 0.5;

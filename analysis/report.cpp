@@ -104,7 +104,7 @@ std::string plain_report(const Findings& found) {
       text += fmt::format("\n  at {}\n", setting);
     }
     text += paragraph(fmt::format("  {:<3} {}", statement.name, text_of(statement.verdict())),
-                      statement.claim, 19, kColumns);
+                      statement.claim(), 19, kColumns);
     for (const auto& finding : statement.findings) {
       text += paragraph(fmt::format("                   {}", mark(finding)), finding.evidence, 22, kColumns);
     }
@@ -142,7 +142,7 @@ std::string markdown_report(const Findings& found) {
     for (const auto& finding : statement.findings) {
       evidence.push_back(fmt::format("{} {}", mark(finding), finding.evidence));
     }
-    text += fmt::format("| {} | {} | {} | {} | {} |\n", statement.name, statement.claim,
+    text += fmt::format("| {} | {} | {} | {} | {} |\n", statement.name, statement.claim(),
                         statement.setting.text, text_of(statement.verdict()), fmt::join(evidence, "<br>"));
   }
   return text;

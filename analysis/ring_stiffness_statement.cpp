@@ -9,10 +9,7 @@ namespace rubatlas::analysis {
 
 Statement judge_ring_stiffness(const Evidence& evidence) {
   const std::string_view name = "ring_stiffness";
-  Statement statement{
-      "P13",
-      "rigid blades on a massless elastic ring give the same global picture, whatever its stiffness",
-      {}};
+  Statement statement{"P13", {}};
   const auto lines = evidence.lines_along(name);
   if (!evidence.other_rotor().empty()) {
     statement.findings.push_back(not_covered(evidence.other_rotor()));

@@ -46,18 +46,10 @@ Verdict Statement::verdict() const {
 }
 
 std::vector<Statement> judge_parameters(const Evidence& evidence) {
-  return {
-      {"P5",
-       "the global picture holds for ζ ≤ 0.15; low damping widens region 2, shortens region 3 and opens "
-       "small chaotic areas in region 1",
-       low_damping_findings(evidence)},
-      {"P6", "high damping attenuates regions 2 and 4 until they disappear", high_damping_findings(evidence)},
-      {"P7", "friction changes things only locally; chaos appears in region 1 for 0.01 ≤ μ ≤ 0.2",
-       friction_findings(evidence)},
-      {"P8",
-       "small unbalance keeps the four regions; growing it (up to 1e-4 kg m) removes the trigger at 2/3, "
-       "makes region 3 chaotic and merges 2, 3 and 4; the trigger at 1/3 always stays",
-       unbalance_findings(evidence)}};
+  return {{"P5", low_damping_findings(evidence)},
+          {"P6", high_damping_findings(evidence)},
+          {"P7", friction_findings(evidence)},
+          {"P8", unbalance_findings(evidence)}};
 }
 
 std::vector<Statement> judge_statements(const scene::Scene& scene, std::span<const Parameter> parameters,

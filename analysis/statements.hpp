@@ -1,4 +1,4 @@
-/// The paper's statements (MODEL 6.3), each judged on what an atlas shows.
+/// The paper's statements (paper_statements.hpp), each judged on what an atlas shows.
 ///
 /// A statement is a list of findings, each true, false, or not covered by the atlas, and each with the
 /// numbers it rests on. It agrees when all findings that are covered are true, disagrees when all are false,
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "analysis/evidence.hpp"
+#include "analysis/paper_statements.hpp"
 
 namespace rubatlas::analysis {
 
@@ -38,11 +39,11 @@ struct Finding {
 };
 
 struct Statement {
-  std::string_view name;   ///< P1 … P16
-  std::string_view claim;  ///< the statement, in short
+  std::string_view name;  ///< P1 … P16
   std::vector<Finding> findings;
   Setting setting{};  ///< the values of the open axes that it was judged at
 
+  [[nodiscard]] std::string_view claim() const { return claim_of(name); }
   [[nodiscard]] Verdict verdict() const;
 };
 

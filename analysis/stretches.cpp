@@ -30,8 +30,8 @@ double running_share(std::span<const ClassifiedPoint> points, std::size_t i, dou
 }
 
 /// The furthest aperiodic point, half a window at most outwards (by `step`) from `end`, up to which the share
-/// holds for the points from `end` on. Where chaos with windows borders on periodic motion, the running
-/// window that straddles the border has less than the share already.
+/// holds for the points from `end` on. Where aperiodic motion with windows borders on periodic motion, the
+/// running window that straddles the border has less than the share already.
 std::size_t grown(std::span<const ClassifiedPoint> points, std::size_t end, std::ptrdiff_t step,
                   double window, double share) {
   std::size_t reached = end;
@@ -63,7 +63,8 @@ std::vector<ClassifiedPoint> classified_points(const Line& line, SpeedScale scal
   return points;
 }
 
-std::vector<Stretch> chaotic_stretches(std::span<const ClassifiedPoint> points, double window, double share) {
+std::vector<Stretch> aperiodic_stretches(std::span<const ClassifiedPoint> points, double window,
+                                         double share) {
   std::vector<Stretch> stretches;
   std::size_t i = 0;
   while (i < points.size()) {

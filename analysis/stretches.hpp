@@ -29,9 +29,10 @@ struct Stretch {
 /// Maximal stretches in which the share of aperiodic points, over a window of scaled width `window` centred
 /// on each point (and at least its two neighbours), is `share` or more; grown outwards by up to half a window
 /// as far as that share holds from its end on; trimmed to begin and end with an aperiodic point. A burst of
-/// chaos shorter than `share` of a window, a single point above all, makes no stretch. Windows and stretches
-/// end at the gaps of a line.
-std::vector<Stretch> chaotic_stretches(std::span<const ClassifiedPoint> points, double window, double share);
+/// aperiodic motion shorter than `share` of a window, a single point above all, makes no stretch. Windows and
+/// stretches end at the gaps of a line.
+std::vector<Stretch> aperiodic_stretches(std::span<const ClassifiedPoint> points, double window,
+                                         double share);
 
 /// Joins neighbours where what is between them, a periodic window or points that are not done, is shorter
 /// than both of them, shortest gap first, until no such gap is left.

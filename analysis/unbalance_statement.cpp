@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kSmallUnbalance = 1e-5;     ///< [kg m] of the paper's five values the small ones
 constexpr double kGreatestUnbalance = 1e-4;  ///< [kg m] the paper's largest value
-constexpr const char* kChaos = "growing me makes region 3 chaotic";
+constexpr const char* kAperiodic = "growing me makes region 3 aperiodic";
 constexpr const char* kStays = "trigger 1 stays at every me";
 
-/// A region that is known not to be there cannot become chaotic.
+/// A region that is known not to be there cannot become aperiodic.
 std::optional<bool> if_known(const Region& region) {
   if (region.presence == Presence::not_covered) return std::nullopt;
   return false;
@@ -59,15 +59,15 @@ std::vector<Finding> unbalance_findings(const Evidence& evidence) {
   });
   const auto& place = lines.front()->regions[2];
   if (place.present()) {
-    const auto where = fmt::format("chaos in most of {}, region 3 at {}", extent_text(place),
+    const auto where = fmt::format("aperiodic in most of {}, region 3 at {}", extent_text(place),
                                    evidence.value_text(*lines.front(), name));
-    growth(where, kChaos, [&](const LineSummary& line) -> Known {
+    growth(where, kAperiodic, [&](const LineSummary& line) -> Known {
       const double share = aperiodic_share(line.line, place.from, place.to);
       if (std::isnan(share)) return std::nullopt;
-      return share >= kChaoticShare;
+      return share >= kAperiodicMajority;
     });
   } else {
-    findings.push_back({if_known(place), region_text(3, place), kChaos});
+    findings.push_back({if_known(place), region_text(3, place), kAperiodic});
   }
   growth("regions 2, 3 and 4 merged", "growing me merges 2, 3 and 4", [](const LineSummary& line) -> Known {
     if (line.regions[3].presence == Presence::not_covered) return std::nullopt;

@@ -9,13 +9,14 @@ map; reference data are those of tests/reference. With --page the table replaces
 """
 import argparse
 import pathlib
-import sys
 
 import numpy as np
 
+import command_line
 import style
 from accuracy_file import AccuracyFile
 from atlas_file import AtlasError
+from same_scene import require_same_machine
 
 # A colour and a mark for each method, so that lines are told apart by either.
 LOOKS = {"hybrid": (style.BLUE, "o"), "hybrid_54": (style.SKY, "s"), "hybrid_32": (style.GREEN, "^"),
@@ -34,11 +35,16 @@ def draw_lines(axes, study, cost, error, floor, width=1.4, **look):
                       lw=2.0 * width if method == "hybrid" else width, label=method if number == 0 else None, **look)
 
 
+def as_output(options, name):
+    """The options of one picture in the folder."""
+    return argparse.Namespace(**{**vars(options), "output": options.output / name})
+
+
 def draw_trajectories(study, options):
     """Error against CPU time and right-hand sides: above for predictable points, below within the horizon of the others."""
     known = "predictable to the end:\nlargest error / clearance"
     groups = [(study.predictable(), known),
-              (~study.predictable(), "chaotic, within the horizon:\nlargest error / clearance")]
+              (~study.predictable(), "not predictable, within the horizon:\nlargest error / clearance")]
     groups = [(points, words) for points, words in groups if points.any()]
     figure, panels = style.plt.subplots(len(groups), 2, figsize=(11.5, 1.3 + 3.1 * len(groups)), sharey="row",
                                         squeeze=False)
@@ -62,7 +68,7 @@ def draw_trajectories(study, options):
         labels.append("against the\nreference data")
     panels[0][1].legend(handles, labels, loc="upper left", bbox_to_anchor=(1.0, 1.0))
     style.title(figure, study, f"Work and precision: {study.describe()}")
-    style.save(figure, argparse.Namespace(output=options.output / "accuracy.png", dpi=options.dpi))
+    style.save(figure, as_output(options, "accuracy.png"))
 
 
 def draw_map(study, options):
@@ -76,7 +82,7 @@ def draw_map(study, options):
         draw_lines(axes, study, cost, study["map_error_beyond_chaos"], zero)
         hybrid = study.of("hybrid")
         axes.plot(cost[hybrid], np.maximum(study["map_error"][hybrid], zero), color=style.GREY, ls=(0, (4, 3)),
-                  label="hybrid, with the maxima\nof chaotic points")
+                  label="hybrid, with the maxima of\nunpredictable points")
         axes.axhline(1.0 / count, color=style.GREY, lw=0.7)
         axes.set_xscale("log")
         axes.set_yscale("log")
@@ -90,7 +96,7 @@ def draw_map(study, options):
     panels[1].set_xlabel("Right-hand sides of a point [-]")
     panels[1].legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     style.title(figure, study, f"Error of the map: {study.describe()}")
-    style.save(figure, argparse.Namespace(output=options.output / "accuracy_map.png", dpi=options.dpi))
+    style.save(figure, as_output(options, "accuracy_map.png"))
 
 
 def trusted(study):
@@ -132,7 +138,7 @@ def ladder_table(study, maps, reference):
     time, calls = 1e3 * maps.mean("cpu_time_min", everywhere), maps.mean("right_hand_sides", everywhere)
     touchdowns = maps.mean("touchdowns", everywhere)
     head = ["tolerance", "trajectory error / δc", *(["against the reference data"] if reference else []), "map error",
-            "and maxima of chaotic points", "ms a point", "right-hand sides per touch-down"]
+            "and maxima of unpredictable points", "ms a point", "right-hand sides per touch-down"]
     rows = []
     for setting in maps.of("hybrid"):
         tolerance = maps["tolerance"][setting]
@@ -187,9 +193,10 @@ def put_into_page(path, text):
 
 
 def draw(options):
-    options.output.mkdir(parents=True, exist_ok=True)
     study = AccuracyFile(options.source)
     maps = AccuracyFile(options.map) if options.map else study
+    require_same_machine(study.path, study.scene, maps.path, maps.scene)
+    options.output.mkdir(parents=True, exist_ok=True)
     if options.reference:
         study.require_reference(options.reference)
     draw_trajectories(study, options)
@@ -215,8 +222,5 @@ def parser():
 
 
 if __name__ == "__main__":
-    try:
-        draw(parser().parse_args())
-    except AtlasError as mistake:
-        print(f"accuracy.py: {mistake}", file=sys.stderr)
-        sys.exit(2)
+    chosen = parser().parse_args()
+    command_line.end_on_mistakes(lambda: draw(chosen))

@@ -138,7 +138,7 @@ class AccuracyFile:
     def error_against(self, path, points):
         """Largest distance from the reference data over the clearance, one number per setting.
 
-        Periodic cases: the last sections, where the study's are those of the same revolutions. Chaotic ones: the first
+        Periodic cases: the last sections, where the study's are those of the same revolutions. Others: the first
         sections, within the horizon. NaN where no case is among the points.
         """
         distances = np.full((len(self.words), self.point_count()), np.nan)

@@ -3,7 +3,8 @@
 
   tools/displacement.py ATLAS.h5 -o PICTURE.png [--along damping_ratio] [--friction 0.1 ...]
 
-One curve per value of the swept parameter; above 1 the rotor moves further than the gap between blade and ring.
+One curve per value of the swept parameter; above 1 the rotor moves further than the gap between blade and ring. Speeds
+without a motion are shaded, the fainter the fewer lines have none there.
 """
 import command_line
 import style
@@ -29,16 +30,18 @@ def draw(options):
         for line, colour in zip(lines, colours):
             name = line.describe(without=[axis for axis in atlas.axes[:-1] if axis != along]) if along else None
             panel.plot(speed, line.rows("max_displacement") / line.clearance, color=colour, lw=0.9, label=name)
+        gaps = style.mark_missing(panel, speed, [line.status() for line in lines])
         panel.axhline(1.0, color=style.GREY, lw=0.8, ls=(0, (4, 3)))
         panel.set_xlabel(style.label(atlas, "speed_ratio"))
         panel.set_ylabel("Maximum displacement / clearance [-]")
         panel.set_xlim(speed[0], speed[-1])
         panel.set_ylim(bottom=0)
-        if along:
-            panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        named = panel.get_legend_handles_labels()[0] if along else []
+        if named or gaps:
+            panel.legend(handles=[*named, *gaps], loc="upper left", bbox_to_anchor=(1.0, 1.0))
         fixed = lines[0].describe(without=[along] if along else [])
-        gaps = " to ".join(dict.fromkeys(f"{1e3 * gap:g}" for gap in (min(clearances), max(clearances))))
-        style.title(figure, atlas, f"{fixed}; clearance {gaps} mm")
+        widths = " to ".join(dict.fromkeys(f"{1e3 * width:g}" for width in (min(clearances), max(clearances))))
+        style.title(figure, atlas, f"{fixed}; clearance {widths} mm")
         style.save(figure, options)
 
 

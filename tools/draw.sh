@@ -2,27 +2,53 @@
 # Draws everything that an atlas has to show; each picture is one command of this folder, here on its defaults:
 #
 #   tools/draw.sh ATLAS.h5 MAPS.h5 FOLDER
+#
+# With several swept parameters displacement.png and sensitivity.png are along the first of them, and
+# displacement_AXIS.png, sensitivity_AXIS.png along each of the others.
 set -euo pipefail
 if [ $# -ne 3 ]; then
-  sed -n '2,4s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+  sed -n '2,7s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
   exit 2
 fi
 atlas=$1 maps=$2 folder=$3
 tools=$(dirname "${BASH_SOURCE[0]}")
+
+# What there is to draw: "has NAME" for a dataset of the atlas or of its maps, "along AXIS" for a swept parameter.
+found=$(/usr/bin/python3 - "$tools" "$atlas" "$maps" <<'CONTENTS'
+import sys
+sys.path.insert(0, sys.argv[1])
+sys.argv[0] = "draw.sh"
+import command_line
+from atlas_file import AtlasFile
+from same_scene import require_same
+
+def contents():
+    with AtlasFile(sys.argv[2]) as atlas, AtlasFile(sys.argv[3]) as maps:
+        require_same(atlas.path, atlas.scene, maps.path, maps.scene)
+        print(*(f"has {name}" for file in (atlas, maps) for name in file.file), sep="\n")
+        print(*(f"along {axis}" for axis in atlas.swept_axes()), sep="\n")
+        if atlas.scene["contact"]["law"] == "elastica":  # rigid blades have no curve of force over displacement
+            print("has blade_curve")
+
+command_line.end_on_mistakes(contents)
+CONTENTS
+)
+has() { grep -qFx "has $1" <<<"$found"; }
 mkdir -p "$folder"
 
-has() { /usr/bin/python3 -c 'import h5py, sys; sys.exit(sys.argv[2] not in h5py.File(sys.argv[1], "r"))' "$@"; }
-law() {
-  /usr/bin/python3 -c 'import h5py, json, sys
-print(json.loads(h5py.File(sys.argv[1], "r")["scene_resolved"][()])["contact"]["law"])' "$1"
-}
-
-"$tools/bifurcation.py" "$atlas" -o "$folder/bifurcation.png"
-if has "$atlas" spectrum; then "$tools/waterfall.py" "$atlas" -o "$folder/waterfall.png"; fi
-"$tools/displacement.py" "$atlas" -o "$folder/displacement.png"
-"$tools/sensitivity.py" "$atlas" --maps "$maps" -o "$folder/sensitivity.png"
-if has "$maps" class_blade_passing; then
-  "$tools/sensitivity.py" "$atlas" --maps "$maps" --passing -o "$folder/sensitivity_blade_passing.png"
+if has poincare; then "$tools/bifurcation.py" "$atlas" -o "$folder/bifurcation.png"; fi
+if has spectrum; then "$tools/waterfall.py" "$atlas" -o "$folder/waterfall.png"; fi
+if has max_displacement; then
+  mapfile -t axes < <(sed -n 's/^along //p' <<<"$found")
+  for axis in "${axes[@]:-}"; do  # at least once: without a swept parameter there is one line to draw
+    along=() name=
+    if [ -n "$axis" ]; then along=(--along "$axis"); fi
+    if [ "$axis" != "${axes[0]-}" ]; then name=_$axis; fi
+    "$tools/displacement.py" "$atlas" "${along[@]}" -o "$folder/displacement$name.png"
+    "$tools/sensitivity.py" "$atlas" --maps "$maps" "${along[@]}" -o "$folder/sensitivity$name.png"
+    if has class_blade_passing; then
+      "$tools/sensitivity.py" "$atlas" --maps "$maps" --passing "${along[@]}" -o "$folder/sensitivity_blade_passing$name.png"
+    fi
+  done
 fi
-# Rigid blades have no force-displacement curve of their own.
-if [ "$(law "$atlas")" = elastica ]; then "$tools/blade.py" "$atlas" -o "$folder/blade.png"; fi
+if has blade_curve; then "$tools/blade.py" "$atlas" -o "$folder/blade.png"; fi

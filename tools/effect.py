@@ -11,10 +11,12 @@ import numpy as np
 import command_line
 import style
 from atlas_file import AtlasFile
+from same_scene import require_without_effect
 
 
 def draw(options):
     with AtlasFile(options.source) as atlas, AtlasFile(options.without) as plain:
+        require_without_effect(atlas.path, atlas.scene, plain.path, plain.scene)
         figure, panels = style.plt.subplots(2, 2, sharex=True, sharey="row", figsize=(9.5, 4.6),
                                             gridspec_kw={"height_ratios": [3, 2]})
         units, factor = style.drawn(atlas.units("max_displacement"))

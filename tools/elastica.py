@@ -1,4 +1,4 @@
-"""The blade as a large-deflection cantilever, in closed form (MODEL 3.2), with numpy alone.
+"""The blade as a large-deflection cantilever, in closed form, with numpy alone.
 
 The program has its own elastica, in C++; this one is for drawing the curves from an atlas without it, and is tested
 against the same reference data.
@@ -8,7 +8,7 @@ hub, sin χ0 = sin(β/2)/κ, to π/2 at the tip, and θ = ψ − β is the slope
 
     q = ∫ dχ / sqrt(1 − κ² sin²χ),   F L²/EI = q² cos β,   δ/L = 1 − mean cos θ,   Δ/L = mean sin θ
 
-which are the differences of Legendre's integrals in MODEL 3.2, written as one integral each: nothing cancels near zero load.
+which are the differences of Legendre's integrals (src/model.md, 3.2), written as one integral each: nothing cancels near zero load.
 At μ = 0 the same formulas describe a column that stands straight up to the Euler load.
 """
 import numpy as np

@@ -4,7 +4,7 @@
   tools/orbit.py ORBIT.h5 -o PICTURE.png [--revolutions 3]
 
 The circle is the clearance: as long as the shaft centre stays inside, no blade can touch, wherever it points. The
-forces are those of the last revolutions.
+forces are those of the last revolutions, contact by contact from touch-down to lift-off.
 """
 import json
 
@@ -16,6 +16,9 @@ import style
 from atlas_file import DONE, AtlasError, clearance_of, swept_pointers, text, with_values
 
 
+DATASETS = ("time", "state", "force", "sections", "contact_number", "contact_blade", "contact_time", "contact_force")
+
+
 class OrbitFile:
     """An orbit as `rubatlas orbit` writes it, read whole, with what `style` asks of an atlas."""
 
@@ -23,7 +26,7 @@ class OrbitFile:
         self.path = path
         try:
             with h5py.File(path, "r") as file:
-                self.data = {name: file[name][...] for name in ("time", "state", "force", "sections")}
+                self.data = {name: file[name][...] for name in DATASETS}
                 self.units = {name: text(file[name].attrs["units"]) for name in self.data}
                 self.attributes = dict(file.attrs)
                 self.scene = json.loads(file["scene_resolved"][()])
@@ -38,6 +41,20 @@ class OrbitFile:
 
     def attribute(self, name):
         return text(self.attributes.get(name, ""))
+
+    def contacts(self, blade, since):
+        """Time and force over all contacts of a blade that end after `since`: each from 0 to 0, NaN in between."""
+        mine = self.data["contact_blade"] == blade
+        time, force = self.data["contact_time"][mine], self.data["contact_force"][mine]
+        begins = np.flatnonzero(np.diff(self.data["contact_number"][mine], prepend=-1))
+        pieces = [(np.empty(0), np.empty(0))]
+        for first, last in zip(begins, [*begins[1:], len(time)]):
+            if time[last - 1] < since:
+                continue
+            own = time[first:last]
+            pieces.append((np.concatenate([own[:1], own, own[-1:], [np.nan]]),
+                           np.concatenate([[0.0], force[first:last], [0.0, np.nan]])))
+        return np.concatenate([one for one, _ in pieces]), np.concatenate([one for _, one in pieces])
 
     def describe(self):
         names = ("speed_ratio", "damping_ratio", "friction", "unbalance", "thickness", *self.further_axes)
@@ -66,17 +83,20 @@ def draw(options):
     plane.set_ylabel(f"y [{units}]")
     plane.legend(loc="upper left", bbox_to_anchor=(0.0, -0.12), ncol=3, columnspacing=1.0, handlelength=1.6)
 
-    revolution = orbit.data["time"] * float(orbit.attributes["speed_ratio"]) / (2.0 * np.pi)
+    period = 2.0 * np.pi / float(orbit.attributes["speed_ratio"])
+    revolution = orbit.data["time"] / period
     last = revolution >= revolution[-1] - options.revolutions
     for blade in range(orbit.data["force"].shape[1]):
-        forces.plot(revolution[last], orbit.data["force"][last, blade], lw=1.0, color=style.CYCLE[blade % len(style.CYCLE)],
-                    label=f"blade {blade + 1}")
+        time, force = orbit.contacts(blade + 1, orbit.data["time"][last][0])
+        peak = f", up to {np.nanmax(force):.4g} {orbit.units['contact_force']}" if len(force) else ", no contact"
+        forces.plot(time / period, force, lw=1.0, color=style.CYCLE[blade % len(style.CYCLE)],
+                    label=f"blade {blade + 1}{peak}")
     forces.set_xlabel("Time [revolutions]")
-    forces.set_ylabel(f"Normal force on a blade [{orbit.units['force']}]")
+    forces.set_ylabel(f"Normal force on a blade [{orbit.units['contact_force']}]")
     forces.set_ylim(bottom=0)
     forces.set_xlim(revolution[last][0], revolution[-1])
     if orbit.data["force"].shape[1] <= 8:
-        forces.legend(loc="upper left", bbox_to_anchor=(0.0, -0.12), ncol=4)
+        forces.legend(loc="upper left", bbox_to_anchor=(0.0, -0.12), ncol=3, columnspacing=1.0, handlelength=1.6)
     style.title(figure, orbit, orbit.describe())
     style.save(figure, options)
 

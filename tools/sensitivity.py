@@ -11,6 +11,7 @@ import numpy as np
 import command_line
 import style
 from atlas_file import AtlasError, AtlasFile
+from same_scene import require_same
 
 
 def draw(options):
@@ -27,6 +28,7 @@ def draw(options):
         classes = None
         if options.maps:
             with AtlasFile(options.maps) as maps:
+                require_same(atlas.path, atlas.scene, maps.path, maps.scene)
                 name = "class_blade_passing" if options.passing else "class"
                 classes = np.array([line.raw(name) for line in maps.lines(along, **wanted)])
 

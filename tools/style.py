@@ -10,6 +10,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from matplotlib.patches import Patch  # noqa: E402
 
+import command_line  # noqa: E402
 from atlas_file import INTEGRATOR_FAILED, LEFT_VALIDITY, PENDING, SYMBOL  # noqa: E402
 
 INK = "#1a1a2e"
@@ -41,7 +42,7 @@ plt.rcParams.update({
     "axes.edgecolor": "#55556a", "xtick.color": "#55556a", "ytick.color": "#55556a",
     "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.8,
     "axes.grid": True, "grid.color": "#e4e4ea", "grid.linewidth": 0.6, "axes.axisbelow": True,
-    "axes.prop_cycle": plt.cycler(color=CYCLE), "lines.linewidth": 1.1, "legend.frameon": False,
+    "svg.hashsalt": "rubatlas", "axes.prop_cycle": plt.cycler(color=CYCLE), "lines.linewidth": 1.1, "legend.frameon": False,
 })
 
 # Metres make poor tick labels here: lengths are drawn in millimetres, times are not touched.
@@ -68,18 +69,33 @@ def title(figure, atlas, what):
                      fontsize=6.5, color=GREY, x=0.01, ha="left")
 
 
+def edges_of(values):
+    """Where each value's share of an axis ends: halfway to its neighbours; one more edge than values."""
+    values = np.asarray(values, dtype=float)
+    if len(values) == 1:
+        return np.array([values[0] - 0.01, values[0] + 0.01])
+    middle = 0.5 * (values[1:] + values[:-1])
+    return np.concatenate([[2.0 * values[0] - middle[0]], middle, [2.0 * values[-1] - middle[-1]]])
+
+
 def mark_missing(axes, speed, status):
-    """Shades the speeds at which there is no motion to show: left the model's validity, failed, or still pending."""
-    half = 0.5 * (speed[1] - speed[0]) if len(speed) > 1 else 0.01
+    """Shades the speeds at which there is no motion to show: left the model's validity, failed, or still pending.
+
+    With the statuses of several lines, (lines, speeds), the shade is the fainter the fewer lines have no motion there.
+    """
+    status = np.atleast_2d(status)
+    border = edges_of(speed)
     handles = []
     for codes, colour, text in MISSING:
-        missing = np.isin(status, codes)
-        edges = np.flatnonzero(np.diff(np.concatenate([[False], missing, [False]])))
-        for first, last in edges.reshape(-1, 2):
+        share = np.isin(status, codes).mean(axis=0)
+        steps = np.flatnonzero(np.diff(np.concatenate([[0.0], share, [0.0]])))
+        for first, last in zip(steps[:-1], steps[1:]):
+            if share[first] == 0.0:
+                continue
             for one in np.atleast_1d(axes):
-                one.axvspan(speed[first] - half, speed[last - 1] + half, color=colour, lw=0, zorder=0)
-        if missing.any():
-            handles.append(Patch(color=colour, label=text))
+                one.axvspan(border[first], border[last], color=colour, alpha=0.25 + 0.75 * share[first], lw=0, zorder=0)
+        if share.any():
+            handles.append(Patch(color=colour, label=text + ("\n(fainter: some lines only)" if len(status) > 1 else "")))
     return handles
 
 
@@ -104,6 +120,6 @@ def missing_image(status):
 
 
 def save(figure, options):
-    """Writes the PNG that the options name; the same data give the same bytes."""
-    figure.savefig(options.output, dpi=options.dpi, metadata={"Software": None})
+    """Writes the picture that the options name."""
+    command_line.write_picture(figure, options)
     plt.close(figure)

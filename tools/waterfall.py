@@ -1,10 +1,11 @@
 #!/usr/bin/python3
-"""Waterfall: the spectrum of x over the speed ratio, with the 1x, 2x and 3x lines.
+"""Waterfall: the spectrum of x over the speed ratio, with the places of the orders 1 to 3, n and 2n.
 
   tools/waterfall.py ATLAS.h5 -o PICTURE.png [--damping_ratio 0.1 ...] [--max_frequency 4]
 
 Orders become frequencies, order times speed ratio, in units of the rotor's natural frequency: a motion that is tied to
-the rotation lies on the oblique lines, one that is tied to the rotor stands upright.
+the rotation lies on oblique lines, one that is tied to the rotor stands upright. Marks on the borders, which leave the data
+free, say where the lines of the orders 1, 2, 3 and of the blade passings (n blades: n and 2n) enter and leave.
 """
 import numpy as np
 
@@ -31,6 +32,33 @@ def by_frequency(speed, order, amplitude, edges):
     return result
 
 
+def order_names(blades):
+    """Orders that are marked, with what the marks say: 1x, 2x, 3x, and those of the blade passings."""
+    names = {order: f"{order}×" for order in (1, 2, 3)}
+    for times, order in ((1, blades), (2, 2 * blades)):
+        names[order] = f"{order}× = {'' if times == 1 else times}n"
+    return dict(sorted(names.items()))
+
+
+def mark_orders(panel, top, blades):
+    """Ticks outside the panel where the lines of the orders enter below and leave above or on the right."""
+    low, high = panel.get_ylim()
+    for order, name in order_names(blades).items():
+        blade_passing = order in (blades, 2 * blades)
+        look = dict(color=style.VERMILION if blade_passing else style.INK, clip_on=False, ms=7.0, mew=1.3, ls="none")
+        if order * low < top:
+            panel.plot([max(order * low, 0.0)], [low], marker=style.matplotlib.markers.TICKDOWN, **{**look, "ms": 5.0})
+        above = order * high <= top
+        place = (order * high, high) if above else (top, top / order)
+        if place[1] < low:
+            continue
+        marker = style.matplotlib.markers.TICKUP if above else style.matplotlib.markers.TICKRIGHT
+        panel.plot([place[0]], [place[1]], marker=marker, **look)
+        panel.annotate(name, place, xytext=(0, 9) if above else (9, 0), textcoords="offset points", fontsize=8.5,
+                       ha="center" if above else "left", va="bottom" if above else "center", color=look["color"],
+                       annotation_clip=False)
+
+
 def draw(options):
     with AtlasFile(options.source) as atlas:
         line = atlas.line(**command_line.wanted(options, atlas.axes))
@@ -52,18 +80,14 @@ def draw(options):
                              norm=style.matplotlib.colors.LogNorm(floor, max(largest, 10 * floor)),
                              interpolation="nearest")
         panel.grid(False)
-        for multiple in (1, 2, 3):
-            end = min(speed[-1], top / multiple)
-            panel.plot([multiple * speed[0], multiple * end], [speed[0], end], color=style.SKY, lw=0.8,
-                       ls=(0, (2, 4)))
-            panel.annotate(f"{multiple}×", (multiple * end, end), xytext=(0, 4), textcoords="offset points", ha="center",
-                           fontsize=9, annotation_clip=False)
         panel.set_xlim(0.0, top)
         panel.set_ylim(speed[0] - half, speed[-1] + half)
+        panel.tick_params(axis="x", pad=7.0)  # the marks stand between
+        mark_orders(panel, top, line.scene["blades"]["count"])
         panel.set_xlabel("Frequency / natural frequency [-]")
         panel.set_ylabel(style.label(atlas, "speed_ratio"))
         figure.colorbar(image, ax=panel, pad=0.02, label=f"{atlas.long_name('spectrum')} [{units}]")
-        style.title(figure, atlas, line.describe() + "\n")
+        style.title(figure, atlas, line.describe() + "\n\n")
         style.save(figure, options)
 
 

@@ -243,7 +243,7 @@ TEST(Regions, AreFoundOnACoarseGrid) {
 TEST(Stretches, NeedHalfOfTheWindowToBeAperiodic) {
   const auto stretches_of = [](std::vector<std::uint8_t> motion) {
     const auto points = classified_points(line_of(0.3, 201, {{0.5, std::move(motion), 1e-3}}), kThreeBlades);
-    return chaotic_stretches(points, kShareWindow, kChaoticShare).size();
+    return aperiodic_stretches(points, kShareWindow, kAperiodicMajority).size();
   };
   EXPECT_EQ(stretches_of({255, 1, 255}), 1U);
   EXPECT_EQ(stretches_of({255, 1, 1}), 0U);
@@ -255,7 +255,8 @@ TEST(Stretches, AreNotMadeByOnePointBetweenGaps) {
   const auto nothing = motion_class::kNone;
   const auto line = line_of(
       0.3, 201, {{0.38, {nothing}, kNotANumber}, {0.381, {255}, 1e-2}, {0.5, {nothing}, kNotANumber}});
-  EXPECT_TRUE(chaotic_stretches(classified_points(line, kThreeBlades), kShareWindow, kChaoticShare).empty());
+  EXPECT_TRUE(
+      aperiodic_stretches(classified_points(line, kThreeBlades), kShareWindow, kAperiodicMajority).empty());
 }
 
 TEST(PeriodDoublings, AreFoundWhereAPeriodBecomesTwiceItself) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -83,6 +84,24 @@ TEST_F(RotorStatements, FourteenAgreesWithWhatTheRigShowed) {
   EXPECT_EQ(statement.findings.size(), 10U);
   for (const auto& finding : statement.findings)
     EXPECT_EQ(finding.holds, true) << finding.claim << finding.evidence;
+}
+
+TEST_F(RotorStatements, TheRigIsThatOfTheScenesThatRoundItsNumbersAsThePaperDoes) {
+  // 30.23 Hz are 189.9407 rad/s, and 1814 rpm 189.9616 rad/s.
+  for (const double frequency : {189.94, 1814.0 * 2.0 * std::numbers::pi / 60.0, 189.9407}) {
+    auto scene = test_rig().scene;
+    scene.rotor.natural_frequency = frequency;
+    scene.blades.youngs_modulus = 2.06e11;
+    EXPECT_EQ(test_rig().difference(scene), "") << frequency;
+  }
+  for (const double frequency : {189.9, 190.0, 10.0}) {
+    auto scene = test_rig().scene;
+    scene.rotor.natural_frequency = frequency;
+    EXPECT_NE(test_rig().difference(scene).find("/rotor/natural_frequency"), std::string::npos) << frequency;
+  }
+  auto scene = test_rig().scene;
+  scene.rotor.misalignment = 0.362e-3;  // a fifth more of the blades in the ring
+  EXPECT_NE(test_rig().difference(scene), "");
 }
 
 TEST_F(RotorStatements, FourteenSaysWhichBorderLiesElsewhere) {

@@ -154,6 +154,19 @@ class Architecture(unittest.TestCase):
                       for line in (ROOT / path).read_text().splitlines() if note.search(line)]
         self.expect_none(departures, "comments cite the model or a publication")
 
+    def test_texts_that_users_see_cite_no_section_of_a_page(self):
+        # Comments may: a text says what it means, since its reader has not the page at hand.
+        cited = re.compile(r"\bMODEL \d")
+        departures = []
+        for path in files(".hpp", ".cpp", ".py", ".sh", ".json"):
+            if path.parts[0] == "tests":
+                continue
+            for line in (ROOT / path).read_text().splitlines():
+                comment = "//" if path.suffix in (".hpp", ".cpp") else "#" if path.suffix in (".py", ".sh") else None
+                if cited.search(line.split(comment)[0] if comment else line):
+                    departures.append(f"{path}: {line.strip()}")
+        self.expect_none(departures, "a message, a help text, a title says what it means")
+
     def test_every_cited_section_of_the_model_is_on_the_model_page(self):
         headings = re.findall(r"^##+ (\d+(?:\.\d+)?) ", (ROOT / "src/model.md").read_text(), re.MULTILINE)
         self.assertGreater(len(headings), 20)

@@ -22,6 +22,7 @@ TEST_F(OrbitFile, HoldsTimeStateForceAndSections) {
   orbit.state = {{1.0, 2.0, 3.0, 4.0}, {5.0, 6.0, 7.0, 8.0}};
   orbit.force = {0.0, 10.0, 0.0, 0.0, 0.0, 20.0};
   orbit.sections = {{9.0, 10.0, 11.0, 12.0}};
+  orbit.contacts = {{0, 0, 1}, {2, 2, 0}, {0.1, 0.2, 0.3}, {5.0, 6.0, 7.0}, {{1.0}, {2.0}, {3.0}}};
   write(orbit);
   const File read = File::open_to_read(file("orbit.h5"));
   EXPECT_EQ(read.dataset("/time").read<double>(), orbit.time);
@@ -33,6 +34,13 @@ TEST_F(OrbitFile, HoldsTimeStateForceAndSections) {
   EXPECT_EQ(read.dataset("/sections").shape(), (Shape{1, 4}));
   EXPECT_EQ(read.dataset("/section").read<std::int32_t>(), (std::vector<std::int32_t>{3}))
       << "after two of transient";
+  EXPECT_EQ(read.dataset("/contact_number").read<std::int32_t>(), orbit.contacts.number);
+  EXPECT_EQ(read.dataset("/contact_blade").read<std::int32_t>(), (std::vector<std::int32_t>{3, 3, 1}))
+      << "numbers as in /blade";
+  EXPECT_EQ(read.dataset("/contact_time").read<double>(), orbit.contacts.time);
+  EXPECT_EQ(read.dataset("/contact_force").read<double>(), orbit.contacts.force);
+  EXPECT_EQ(read.dataset("/contact_force").scale_name(0), "contact_sample");
+  EXPECT_EQ(read.dataset("/contact_state").shape(), (Shape{3, 4}));
   EXPECT_EQ(read.root().number("speed_ratio"), 0.3);
   EXPECT_EQ(read.root().number("status"), 1.0);
   EXPECT_EQ(read.read_text("/scene"), testing::kSmallScene);

@@ -119,6 +119,18 @@ TEST(Explain, EstimatesTheTimeFromPointsOfTheScene) {
   EXPECT_TRUE(holds(line_of(text, "they had"), "touch-downs a revolution"));
 }
 
+TEST(Explain, SaysHowManyRanksHaveWork) {
+  const std::string protocol = R"("protocol": {"transient_revolutions": 2, "sampled_revolutions": 2})";
+  const auto time_of = [&](const std::string& rest) {
+    return line_of(explained("{" + rest + ", " + protocol + "}"), "on one rank");
+  };
+  EXPECT_TRUE(holds(time_of(R"("grid": {"speed_ratio": [0.3, 0.5]})"), "; more ranks do not help with one line"));
+  EXPECT_TRUE(holds(time_of(R"("grid": {"speed_ratio": [0.3, 0.5], "damping_ratio": [0.1, 0.2, 0.3]})"),
+                    ", divided by the number of ranks, of which 3 at most have work"));
+  EXPECT_TRUE(holds(time_of(R"("grid": {"speed_ratio": [0.3, 0.5]}, "sweep": "independent")"),
+                    ", divided by the number of ranks, of which 2 at most have work"));
+}
+
 TEST(Explain, NamesWhatAUserShouldKnowBeforehand) {
   EXPECT_TRUE(holds(explained(R"({"grid": {"speed_ratio": 1.2}, "protocol": {"sampled_revolutions": 1}})"),
                     "reach the border of the model"));

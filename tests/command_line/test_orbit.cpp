@@ -43,6 +43,10 @@ TEST_F(Orbit, MistypedPlacesAreNamed) {
             "rubatlas: --at speed=0.3: unknown name speed; names are speed_ratio, damping_ratio, friction, "
             "unbalance, "
             "thickness, direction; nearest: speed_ratio\n");
+  EXPECT_EQ(refused("--at zeta=0.1 -o o.h5"),
+            "rubatlas: --at zeta=0.1: unknown name zeta; names are speed_ratio, damping_ratio, friction, "
+            "unbalance, "
+            "thickness, direction; the symbol ζ is that of /rotor/damping_ratio\n");
   EXPECT_EQ(refused("--at speed_ratio=fast -o o.h5"),
             "rubatlas: --at speed_ratio=fast: fast is not a number in [0.0001, 1000]; speed ratio, spin "
             "speed over natural "

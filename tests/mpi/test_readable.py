@@ -25,6 +25,8 @@ class Readable(JobTest):
                 self.assertIn(axis, dataset.coords)
             self.assertEqual(dataset["max_displacement"].sel(damping_ratio=0.1).dims[-1], "speed_ratio")
             self.assertEqual(dataset["max_displacement"].attrs["units"], "m")
+            self.assertEqual(list(dataset["component"].values), ["x", "y", "vx", "vy"])
+            self.assertNotIn("component", dataset["poincare"].sel(component="x").dims)
         header = subprocess.run(["ncdump", "-h", str(atlas)], text=True, capture_output=True, check=True).stdout
         self.assertIn("double poincare(thickness, unbalance, friction, damping_ratio, speed_ratio, section, component)",
                       header)

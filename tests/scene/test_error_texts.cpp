@@ -86,6 +86,23 @@ TEST(SceneErrors, AKeyInTheWrongSectionIsSentToItsOwn) {
             "misalignment; nearest known key: /contact/friction");
 }
 
+TEST(SceneErrors, ErrorsOfThicknessAreRefusedWhereBladesAreRigid) {
+  const std::string rigid = R"("contact": {"law": "elastic_ring"}, "unequal_blades": )";
+  EXPECT_EQ(refusal_with(rigid + R"({"thickness_errors": [1e-4, 0, 0]})"),
+            "/unequal_blades/thickness_errors: has no effect under the contact law \"elastic_ring\", whose "
+            "blades are rigid");
+  EXPECT_EQ(refusal_with(rigid + R"({"thickness_spread": 1e-5})"),
+            "/unequal_blades/thickness_spread: has no effect under the contact law \"elastic_ring\", whose "
+            "blades are rigid");
+  EXPECT_EQ(refusal(R"({"grid": {"speed_ratio": 0.5, "/unequal_blades/thickness_spread": [0, 1e-5]},
+                        "contact": {"law": "elastic_ring"}})"),
+            "/unequal_blades/thickness_spread: has no effect under the contact law \"elastic_ring\", whose "
+            "blades are rigid");
+  EXPECT_EQ(refusal_with(rigid + R"({"length_errors": [1e-4, 0, 0], "thickness_errors": [0, 0, 0]})"),
+            "accepted");
+  EXPECT_EQ(refusal_with(R"("unequal_blades": {"thickness_errors": [1e-4, 0, 0]})"), "accepted");
+}
+
 TEST(SceneErrors, PointersEscapeSlashAndTilde) {
   EXPECT_TRUE(refusal_with(R"("a/b~c": 1)").starts_with("/a~1b~0c: unknown key"));
 }

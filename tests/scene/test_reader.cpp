@@ -1,4 +1,5 @@
 // What the reader makes of a legal scene.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -128,7 +129,21 @@ TEST(SceneReader, ARangeIsEvenlySpacedAndEndsExactly) {
   EXPECT_EQ(speeds.front(), 0.05);
   EXPECT_EQ(speeds.back(), 0.95);
   for (int i = 0; i < 999; ++i) {
-    EXPECT_EQ(speeds[static_cast<std::size_t>(i)], 0.05 + i * (0.95 - 0.05) / 999);
+    EXPECT_DOUBLE_EQ(speeds[static_cast<std::size_t>(i)], 0.05 + i * (0.95 - 0.05) / 999);
+  }
+}
+
+TEST(SceneReader, ValuesOfARangeAreTheNumbersThatAUserWouldWrite) {
+  const Scene scene = parse_scene(R"({"grid": {"speed_ratio": {"from": 0.05, "to": 0.95, "count": 901},
+    "damping_ratio": {"from": 0.05, "to": 0.3, "count": 6},
+    "unbalance": {"from": 1e-6, "to": 1e-4, "count": 100}}})");
+  EXPECT_EQ(scene.grid.damping_ratio, (std::vector{0.05, 0.1, 0.15, 0.2, 0.25, 0.3}));
+  ASSERT_EQ(scene.grid.speed_ratio.size(), 901U);
+  for (int i = 0; i < 901; ++i) {
+    EXPECT_EQ(scene.grid.speed_ratio[static_cast<std::size_t>(i)], std::stod(fmt::format("{}e-3", 50 + i)));
+  }
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_EQ(scene.grid.unbalance[static_cast<std::size_t>(i)], std::stod(fmt::format("{}e-6", 1 + i)));
   }
 }
 

@@ -7,14 +7,16 @@ import sys
 import tempfile
 import unittest
 
+import h5py
 import numpy as np
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
 sys.path.insert(0, str(ROOT / "tools"))
 import command_line  # noqa: E402
+import same_scene  # noqa: E402
 import style  # noqa: E402
-from atlas_file import AtlasFile  # noqa: E402
+from atlas_file import AtlasError, AtlasFile  # noqa: E402
 
 
 def run(tool, *arguments):
@@ -86,7 +88,57 @@ class ToolsPictures(unittest.TestCase):
         self.expect_picture("blade.py", TINY / "atlas.h5")
 
     def test_an_effect_is_drawn_beside_its_absence(self):
-        self.expect_picture("effect.py", TINY / "atlas.h5", "--without", TINY / "atlas.h5", "--dpi", 100)
+        self.expect_picture("effect.py", TINY / "gravity.h5", "--without", TINY / "atlas.h5", "--dpi", 100)
+
+    def test_forces_of_an_orbit_are_drawn_up_to_their_peaks(self):
+        forces = Figure("orbit", TINY / "orbit.h5", "--revolutions", 16).figure.axes[1]
+        with h5py.File(TINY / "orbit.h5") as orbit:
+            blade, force = orbit["contact_blade"][:], orbit["contact_force"][:]
+            sampled = orbit["force"][:].max(axis=0)
+        self.assertEqual(len(forces.lines), 3)
+        for number, curve in enumerate(forces.lines):
+            drawn = curve.get_ydata()
+            self.assertEqual(np.nanmax(drawn), force[blade == number + 1].max())
+            self.assertGreaterEqual(np.nanmax(drawn), sampled[number])
+            gaps = np.flatnonzero(np.isnan(drawn))  # each contact rises from zero and returns to it
+            np.testing.assert_array_equal(drawn[gaps - 1], 0.0)
+            np.testing.assert_array_equal(drawn[np.concatenate([[0], gaps[:-1] + 1])], 0.0)
+        self.assertGreater(max(np.diff(line.get_ydata()[~np.isnan(line.get_ydata())]).size for line in forces.lines), 50)
+
+    def test_the_waterfall_marks_the_orders_of_the_blade_passings_beside_the_data(self):
+        panel = Figure("waterfall", TINY / "atlas.h5").figure.axes[0]
+        names = [text.get_text() for text in panel.texts]
+        self.assertEqual(names, ["1×", "2×", "3× = n", "6× = 2n"])
+        self.assertTrue(all(len(line.get_xdata()) == 1 for line in panel.lines), "no line runs across the data")
+        (right, top), low = (panel.get_xlim()[1], panel.get_ylim()[1]), panel.get_ylim()[0]
+        for text, order in zip(panel.texts, (1, 2, 3, 6)):
+            frequency, speed = text.xy
+            self.assertAlmostEqual(frequency, order * speed)
+            self.assertTrue(speed == top or frequency == right, "on the border")
+        for line in panel.lines:
+            self.assertTrue(line.get_ydata()[0] in (low, top) or line.get_xdata()[0] == right)
+
+    def test_orders_of_any_number_of_blades_have_one_mark_each(self):
+        waterfall = importlib.import_module("waterfall")
+        self.assertEqual(waterfall.order_names(1), {1: "1× = n", 2: "2× = 2n", 3: "3×"})
+        self.assertEqual(waterfall.order_names(5), {1: "1×", 2: "2×", 3: "3×", 5: "5× = n", 10: "10× = 2n"})
+
+    def test_speeds_without_a_motion_are_shaded_behind_the_displacement(self):
+        figure = Figure("displacement", TINY / "atlas.h5")
+        self.assertIn("left the model's validity", figure.texts())
+        with AtlasFile(TINY / "atlas.h5") as atlas:
+            speed = atlas.axis("speed_ratio")
+            missing = np.mean([line.status() == 2 for line in atlas.lines("damping_ratio")], axis=0)
+        shade = np.zeros(len(speed))
+        for patch in figure.figure.axes[0].patches:
+            left, right = patch.get_extents().transformed(figure.figure.axes[0].transData.inverted()).intervalx
+            shade[(speed > left) & (speed < right)] = patch.get_alpha()
+        np.testing.assert_allclose(shade, np.where(missing > 0, 0.25 + 0.75 * missing, 0.0), rtol=1e-12)
+        self.assertTrue(0.0 < missing.max() < 1.0)
+
+    def test_speeds_that_are_not_evenly_spaced_are_shaded_up_to_halfway(self):
+        np.testing.assert_allclose(style.edges_of([0.1, 0.2, 0.4]), [0.05, 0.15, 0.3, 0.5])
+        self.assertEqual(len(style.edges_of([0.3])), 2)
 
     def test_the_map_of_statements_is_drawn(self):
         self.expect_picture("statement_map.py", TINY / "maps.h5", TINY / "rings_maps.h5", colours=10)
@@ -110,7 +162,8 @@ class ToolsPictures(unittest.TestCase):
             ended = run("draw.sh", TINY / "rings.h5", TINY / "rings_maps.h5", folder)
             self.assertEqual((ended.returncode, ended.stderr), (0, ""))
             names = sorted(path.stem for path in pathlib.Path(folder).glob("*.png"))
-        self.assertEqual(names, ["bifurcation", "blade", "displacement", "sensitivity", "waterfall"])
+        self.assertEqual(names, ["bifurcation", "blade", "displacement", "displacement_damping_ratio", "sensitivity",
+                                 "sensitivity_damping_ratio", "waterfall"])
         self.assertIn("Ring radius [mm]", Figure("sensitivity", TINY / "rings.h5").texts())
         self.assertIn("ring radius 0.11 m", Figure("bifurcation", TINY / "rings.h5", "--at", "ring_radius=0.11").texts())
 
@@ -192,6 +245,114 @@ class ToolsPictures(unittest.TestCase):
         ended = run("bifurcation.py", TINY / "atlas.h5", "-o", "none.png", "--damping_ratio", "0.7")
         self.assertEqual(ended.returncode, 2)
         self.assertRegex(ended.stderr, r"^bifurcation.py: .*damping_ratio 0.7 is not in this atlas, which has 0.05, 0.1, 0.2\n$")
+
+
+class ToolsOutputs(unittest.TestCase):
+    """What a picture may be called, and what it may replace."""
+
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.temporary.name)
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def expect_refusal(self, output, sentence, tool="displacement.py", source=TINY / "atlas.h5", arguments=()):
+        ended = run(tool, source, *arguments, "-o", output)
+        self.assertEqual((ended.returncode, ended.stdout), (2, ""), ended.stderr)
+        self.assertRegex(ended.stderr, rf"^{tool}: .*{sentence}.*\n$")
+        self.assertEqual(ended.stderr.count("\n"), 1, ended.stderr)
+
+    def test_an_unknown_ending_is_refused(self):
+        for name in ("a.jpeg", "a", "a.h5"):
+            self.expect_refusal(self.folder / name, "a picture ends in .png, .pdf, .svg")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_a_missing_folder_is_refused(self):
+        self.expect_refusal(self.folder / "none/a.png", "there is no folder")
+
+    def test_pictures_of_all_kinds_replace_pictures_with_the_same_bytes(self):
+        for kind in ("png", "svg", "pdf"):
+            path = self.folder / f"a.{kind}"
+            contents = []
+            for _ in range(2):
+                self.assertEqual(run("displacement.py", TINY / "atlas.h5", "--dpi", 50, "-o", path).returncode, 0)
+                contents.append(path.read_bytes())
+            self.assertEqual(contents[0], contents[1], kind)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["a.pdf", "a.png", "a.svg"])
+
+    def test_a_file_that_is_no_picture_is_kept_whatever_its_name(self):
+        for name, content in (("notes.png", b"my notes"), ("empty.svg", b""), ("data.svg", b"<?xml version='1.0'?><data/>")):
+            path = self.folder / name
+            path.write_bytes(content)
+            self.expect_refusal(path, "is no picture; a picture replaces pictures only")
+            self.assertEqual(path.read_bytes(), content)
+        (self.folder / "folder.png").mkdir()
+        self.expect_refusal(self.folder / "folder.png", "no file that a picture could replace")
+
+    def test_the_input_is_never_replaced(self):
+        own = self.folder / "atlas.png"
+        own.write_bytes((TINY / "atlas.h5").read_bytes())
+        self.expect_refusal(own, "would replace .*, which it is made from", source=own)
+        link = self.folder / "link.png"
+        link.hardlink_to(own)
+        self.expect_refusal(link, "would replace .*, which it is made from", source=own)
+        self.assertEqual(own.read_bytes(), (TINY / "atlas.h5").read_bytes())
+
+    def test_a_study_of_accuracy_keeps_other_files_too(self):
+        (self.folder / "accuracy.png").write_text("my notes")
+        ended = run("accuracy.py", TINY / "accuracy.h5", "-o", self.folder)
+        self.assertEqual(ended.returncode, 2)
+        self.assertRegex(ended.stderr, r"^accuracy.py: .*is no picture.*\n$")
+        (self.folder / "file").write_text("")
+        ended = run("accuracy.py", TINY / "accuracy.h5", "-o", self.folder / "file")
+        self.assertEqual((ended.returncode, ended.stderr.count("\n")), (3, 1), ended.stderr)
+
+
+class ToolsSameScene(unittest.TestCase):
+    """Two files are drawn together only where they belong together."""
+
+    def expect_refusal(self, tool, sentence, *arguments):
+        with tempfile.TemporaryDirectory() as folder:
+            ended = run(tool, *arguments, *(["-o", pathlib.Path(folder) / "a.png"] if tool.endswith(".py") else [folder]))
+            self.assertEqual(list(pathlib.Path(folder).iterdir()), [])
+        self.assertEqual((ended.returncode, ended.stdout), (2, ""), ended.stderr)
+        self.assertRegex(ended.stderr, rf"^{tool}: .*{sentence}\n$")
+
+    def test_maps_of_another_atlas_are_refused(self):
+        sentence = "rings_maps.h5 was not made from the scene of .*atlas.h5: /grid/.* is .* here and .* there"
+        self.expect_refusal("sensitivity.py", sentence, TINY / "atlas.h5", "--maps", TINY / "rings_maps.h5")
+        self.expect_refusal("draw.sh", sentence, TINY / "atlas.h5", TINY / "rings_maps.h5")
+
+    def test_maps_of_the_same_grid_but_another_rotor_are_refused(self):
+        self.expect_refusal("sensitivity.py", "/gravity is there here and absent there", TINY / "gravity.h5", "--maps",
+                            TINY / "maps.h5")
+
+    def test_an_effect_is_compared_with_its_own_absence_only(self):
+        self.expect_refusal("effect.py", "nothing is left out", TINY / "atlas.h5", "--without", TINY / "atlas.h5")
+        self.expect_refusal("effect.py", "nothing is left out", TINY / "atlas.h5", "--without", TINY / "gravity.h5")
+        self.expect_refusal("effect.py", "/grid/~1ring~1radius is absent here and .* there", TINY / "gravity.h5",
+                            "--without", TINY / "rings.h5")
+
+    def test_the_title_is_no_part_of_what_must_agree(self):
+        one = {"title": "a", "reference": "b", "rotor": {"mass": 1}, "grid": {"speed_ratio": [0.5]}}
+        same_scene.require_same("a.h5", one, "b.h5", {**one, "title": "c"})
+        with self.assertRaisesRegex(AtlasError, "/rotor/mass is 1 here and 2 there"):
+            same_scene.require_same("a.h5", one, "b.h5", {**one, "rotor": {"mass": 2}})
+
+    def test_two_studies_may_have_other_points_of_the_same_rotor(self):
+        one = {"rotor": {"mass": 1}, "grid": {"speed_ratio": [0.5]}}
+        same_scene.require_same_machine("a.h5", one, "b.h5", {**one, "grid": {"speed_ratio": [0.5, 0.6]}})
+        with self.assertRaisesRegex(AtlasError, "/rotor/mass is 1 here and 2 there"):
+            same_scene.require_same_machine("a.h5", one, "b.h5", {**one, "rotor": {"mass": 2}})
+
+    def test_an_effect_may_bring_its_axis_and_its_observables(self):
+        plain = {"rotor": {"mass": 1}, "grid": {"speed_ratio": [0.5]}, "observables": ["poincare"]}
+        worn = {**plain, "wear": {"rate": 1e-7}, "observables": ["poincare", "clearance_growth"],
+                "grid": {"speed_ratio": [0.5], "/wear/rate": [1e-7, 1e-6]}}
+        same_scene.require_without_effect("a.h5", worn, "b.h5", plain)
+        with self.assertRaisesRegex(AtlasError, "/grid/speed_ratio"):
+            same_scene.require_without_effect("a.h5", worn, "b.h5", {**plain, "grid": {"speed_ratio": [0.6]}})
 
 
 if __name__ == "__main__":
