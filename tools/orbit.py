@@ -59,7 +59,8 @@ class OrbitFile:
     def describe(self):
         names = ("speed_ratio", "damping_ratio", "friction", "unbalance", "thickness", *self.further_axes)
         units = {"unbalance": " kg m", "thickness": " m"}
-        return ", ".join(f"{name.replace('_', ' ')} {self.attributes[name]:g}{units.get(name, '')}" for name in names)
+        words = [f"{name.replace('_', ' ')} {self.attributes[name]:g}{units.get(name, '')}" for name in names]
+        return ",\n".join(", ".join(words[first:first + 3]) for first in range(0, len(words), 3))  # half a picture wide
 
 
 def draw(options):
@@ -96,7 +97,7 @@ def draw(options):
     forces.set_ylim(bottom=0)
     forces.set_xlim(revolution[last][0], revolution[-1])
     if orbit.data["force"].shape[1] <= 8:
-        forces.legend(loc="upper left", bbox_to_anchor=(0.0, -0.12), ncol=3, columnspacing=1.0, handlelength=1.6)
+        forces.legend(loc="upper left", bbox_to_anchor=(0.0, -0.12), ncol=2)
     style.title(figure, orbit, orbit.describe())
     style.save(figure, options)
 
