@@ -36,7 +36,7 @@ class Statements : public ::testing::Test {
     for (auto& statement : judge_statements(scene_, parameters_, lines_, per_passing)) {
       if (statement.name == name) return statement;
     }
-    return {"none", "", {}};
+    return {"none", {}};
   }
   Verdict verdict(std::string_view name, bool per_passing = false) {
     return judge(name, per_passing).verdict();
@@ -230,7 +230,7 @@ TEST_F(Statements, EightSaysWhenTheRegionsMergeOnlyBeyondThePapersRange) {
 
 TEST(Statement, AgreesDisagreesOrHoldsPartlyByItsFindings) {
   const auto verdict_of = [](std::vector<Finding> findings) {
-    return Statement{"P", "", std::move(findings)}.verdict();
+    return Statement{"P", std::move(findings)}.verdict();
   };
   EXPECT_EQ(verdict_of({}), Verdict::not_covered);
   EXPECT_EQ(verdict_of({{std::nullopt, ""}}), Verdict::not_covered);

@@ -13,7 +13,7 @@ namespace rubatlas::test {
 namespace {
 
 constexpr double kPeriodicSpeed = 0.62;
-constexpr solve::SectionState kRest{};
+constexpr solve::SectionState kFromRest{};
 
 struct Contact {
   int blade = 0;
@@ -40,7 +40,7 @@ std::map<int, Contact> contacts_of(const solve::Orbit& orbit) {
   return contacts;
 }
 
-scene::Scene default_scene() {
+scene::Scene five_revolutions() {
   scene::Scene scene;
   scene.observables = {"max_contact_force", "touchdowns_per_revolution", "contact_fraction"};
   scene.protocol = {200, 5, 256};
@@ -48,7 +48,7 @@ scene::Scene default_scene() {
 }
 
 TEST(OrbitContacts, ThreeEqualBladesPeakAlikeInAPeriodicMotion) {
-  const auto orbit = orbit_of(default_scene(), kPeriodicSpeed, kRest);
+  const auto orbit = orbit_of(five_revolutions(), kPeriodicSpeed, kFromRest);
   ASSERT_EQ(orbit.status, solve::PointStatus::done);
   const auto contacts = contacts_of(orbit);
   ASSERT_EQ(contacts.size(), 15U) << "three a revolution";
@@ -70,12 +70,12 @@ TEST(OrbitContacts, ThreeEqualBladesPeakAlikeInAPeriodicMotion) {
 TEST(OrbitContacts, AgreeWithTheObservablesOfTheSamePoint) {
   for (const double speed_ratio : {0.36, 0.5, kPeriodicSpeed, 0.75}) {
     SCOPED_TRACE(speed_ratio);
-    auto scene = default_scene();
+    auto scene = five_revolutions();
     scene.protocol.transient_revolutions = 20;
-    const auto orbit = orbit_of(scene, speed_ratio, kRest);
+    const auto orbit = orbit_of(scene, speed_ratio, kFromRest);
     const plan::PointParameters line{speed_ratio, 0.1, 0.1, 0.0, scene.blades.thickness};
-    const auto point = solve::make_line_solver(scene, line, solve::make_blade_tables())
-                           ->run(speed_ratio, kRest, [] {});
+    const auto point =
+        solve::make_line_solver(scene, line, solve::make_blade_tables())->run(speed_ratio, kFromRest);
     ASSERT_EQ(point.status, solve::PointStatus::done);
     const auto row = [&](std::size_t i) { return point.rows.at(i).at(0); };
     const auto contacts = contacts_of(orbit);
@@ -99,7 +99,7 @@ TEST(OrbitContacts, AgreeWithTheObservablesOfTheSamePoint) {
 }
 
 TEST(OrbitContacts, StatesAreThoseOfTheOrbitBetweenItsSamples) {
-  const auto orbit = orbit_of(default_scene(), kPeriodicSpeed, kRest);
+  const auto orbit = orbit_of(five_revolutions(), kPeriodicSpeed, kFromRest);
   const auto& samples = orbit.contacts;
   ASSERT_EQ(samples.state.size(), samples.time.size());
   std::size_t near = 0;
@@ -120,9 +120,9 @@ TEST(OrbitContacts, StatesAreThoseOfTheOrbitBetweenItsSamples) {
 }
 
 TEST(OrbitContacts, OfAMotionWithoutAny) {
-  auto scene = default_scene();
+  auto scene = five_revolutions();
   scene.rotor.misalignment = 0.0;
-  const auto orbit = orbit_of(scene, kPeriodicSpeed, kRest);
+  const auto orbit = orbit_of(scene, kPeriodicSpeed, kFromRest);
   EXPECT_EQ(orbit.contacts.time.size(), 0U);
   EXPECT_EQ(orbit.time.size(), 5U * 256U);
 }
