@@ -122,6 +122,24 @@ class ElasticBladeContact {
     return friction_ > 0.0 ? bending_slope / bending : bending_slope;
   }
 
+  /// g/Δ [m] of a blade bent by u, as h = 0 has it. At the unloaded blade it is finite, and has the sign of
+  /// `starts_unloaded`: it is zero where g is, but for u = 0.
+  [[nodiscard]] double gap_per_deflection(const Pose& at, double slip, double bending) const {
+    const blade::CurvePoint point = curve_at(bending);
+    const double shortening = length_ * point.shortening;
+    const double deflection = length_ * point.deflection;
+    if (deflection == 0.0) {
+      return 2.0 * (slip * at.tangential + axial_relief_ * (at.radial + geometry_.reach) + ring_relief_);
+    }
+    double result = 2.0 * slip * at.tangential - deflection +
+                    shortening / deflection * (2.0 * (at.radial + geometry_.reach) - shortening);
+    if constexpr (Ring::kYields) {
+      const double yielding = yield_unit_ * point.load;  // F/kr
+      result += yielding / deflection * (2.0 * geometry_.ring_radius + yielding);
+    }
+    return result;
+  }
+
   /// Root of h = 0 that an increase of the load from zero reaches first (MODEL 4.2), or none (MODEL 5).
   [[nodiscard]] std::optional<double> solve(const Pose& at, double slip) const;
 

@@ -143,9 +143,17 @@ std::optional<double> first_crossing(const Guard& guard, double low, double high
                                      double at_high, double rounding = 0.0) {
   if (at_low > 0.0) return low;
   if (!(low < high)) return std::nullopt;
-  const typename CrossingSearch<Guard>::Interval whole{low, high, at_low, at_high};
-  const auto found = CrossingSearch<Guard>(guard, whole, rounding).find(whole);
-  if (!found) return std::nullopt;
+  using Search = CrossingSearch<Guard>;
+  std::optional<double> root;
+  typename Search::Interval before{low, high, at_low, at_high};
+  if (at_high > 0.0) {
+    // The signs tell of one root; what remains to be seen is whether it is the first.
+    root = root_between(guard, low, high, at_low, at_high);
+    before = {low, *root, at_low, 0.0};
+    if (!(low < *root)) return root;
+  }
+  const auto found = Search(guard, before, rounding).find(before);
+  if (!found) return root;
   return root_between(guard, found->low, found->high, found->at_low, found->at_high);
 }
 

@@ -51,6 +51,8 @@ class BladeSet : public BladePlaces {
 
   /// dφ/dτ at time τ of the revolution.
   [[nodiscard]] double speed(double /*time*/) const { return speed_ratio_; }
+  /// Least |dφ/dτ|.
+  [[nodiscard]] double slowest() const { return std::abs(speed_ratio_); }
 
   /// Direction of blade 0 at time τ of the revolution.
   [[nodiscard]] contact::BladeDirection first(double time) const {

@@ -1,19 +1,23 @@
 /// One contact phase: the motion while a fixed set of blades touches with fixed slip directions.
 ///
-/// Advances in accepted Runge–Kutta steps; in each it looks for what ends the phase (lift-off, touch-down of
-/// another blade, slip reversal, loss of validity) on the step's dense output, so that no step is repeated to
-/// find an event. The phase survives the end of a revolution: the section is read from dense output and the
-/// clock set back.
+/// Advances in accepted Runge–Kutta steps; in each it looks for the first of the guards that end the phase
+/// (lift-off, touch-down of another blade, slip reversal, loss of validity) on the step's dense output, so
+/// that no step is repeated to find an event. A guard is asked for by a bound from the ends of the step
+/// first, which mostly says that it cannot be met; only then is dense output made and searched (README). The
+/// phase survives the end of a revolution: the section is read from dense output and the clock set back.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "contact/friction_law.hpp"
+#include "integrate/cubic_range.hpp"
+#include "integrate/first_crossing.hpp"
 #include "integrate/root_between.hpp"
 #include "observables/motion_piece.hpp"
 #include "solve/blade_set.hpp"
@@ -52,12 +56,24 @@ class ContactPhase final : public observables::MotionPiece {
         tip_speed_(std::abs(rotor.speed_ratio) * ring_radius_),
         law_(&law),
         step_(rotor, blades, law, limits.tolerance, std::move(system)),
-        watched_(static_cast<std::size_t>(blades.count())) {}
+        watched_(static_cast<std::size_t>(blades.count())) {
+    if constexpr (kCarried) {
+      for (int k = 0; k < blades.count(); ++k) {
+        watched_[static_cast<std::size_t>(k)].valid_bending = valid_bending(law.of(k).curve());
+      }
+    }
+  }
 
-  /// Starts at time τ of the revolution. False where the system cannot start there.
+  /// Starts at time τ of the revolution. False where the system cannot start there, or outside of the model's
+  /// validity: contacts that have just changed may bend a blade too far at once.
   bool start(double time, const Bodies& state, const std::vector<OpenContact>& contacts) {
     pending_ = false;
+    refusal_ = StatusDetail::no_equilibrium;
     if (!step_.start(time, state, contacts)) return false;
+    refusal_ = StatusDetail::none;
+    if (step_.shortening() > limits_.max_shortening) refusal_ = StatusDetail::shortening_limit;
+    if (beyond_ring(step_.begin()) > 0.0) refusal_ = StatusDetail::shaft_at_ring;
+    if (refusal_ != StatusDetail::none) return false;
     const contact::BladeDirection first = step_.first_blade(step_.begin());
     for (std::size_t k = 0; k < watched_.size(); ++k) {
       watched_[k].open = false;
@@ -73,6 +89,9 @@ class ContactPhase final : public observables::MotionPiece {
     }
     return true;
   }
+
+  /// Why it could not start.
+  [[nodiscard]] StatusDetail refusal() const { return refusal_; }
 
   /// Goes on until something ends the phase, time reaches `until` or the meter ends the revolution; hands
   /// every piece of motion to the listener.
@@ -157,7 +176,10 @@ class ContactPhase final : public observables::MotionPiece {
 
   static constexpr double kShareBeyond = 1e-9;  ///< of λ past 0 or 1 where a tip ceases to skim
 
-  static constexpr int kLooks = 4;  ///< in a step, for a tip that comes loose
+  /// Of the limit of δ/L: what no stage of a step has met is not met between them.
+  static constexpr double kFarFromLimit = 0.75;
+
+  static constexpr bool kCarried = ContactStep<System, Law, Pair, Blades>::kCarried;
 
   using Gap = typename ContactStep<System, Law, Pair, Blades>::Gap;
 
@@ -168,6 +190,7 @@ class ContactPhase final : public observables::MotionPiece {
     Gap at_end{};                ///< of what is looked at of the step
     double slip_velocity = 0.0;  ///< v at its begin, open contacts only
     double end_slip_velocity = 0.0;
+    double valid_bending = 0.0;  ///< u up to which δ/L is within its limit, carried contacts only
 
     /// So lightly in contact, and leaving, that rounding decides whether there is a force.
     [[nodiscard]] bool ends_by_rounding() const { return at_end.value <= kGapRounding && at_end.rate < 0.0; }
@@ -201,10 +224,11 @@ class ContactPhase final : public observables::MotionPiece {
     const bool caught = past_fold && step_.gap(blade(0), step_.at_fraction(end_fraction_)).value >= 0.0;
     const bool lifts_off = past_fold ? !caught : step_.passes_lift_off();
     const bool lost = !lifts_off && (caught || step_.root_lost());
-    const bool left_validity = lost || (!lifts_off && step_.shortening() > limits_.max_shortening);
     if (lifts_off) {
       if (!past_fold) end_fraction_ = step_.lift_off_fraction();
       end_ = {PhaseEvent::lift_off, blade(0)};
+      // Where the force ends from a finite value it does so before its fold, and that before u = 0.
+      if constexpr (kCarried && !Law::kReleasesAtFold) look_for_lift_off_under_load(end_fraction_);
     }
     const auto turning_point = step_.turning_point();
     if (turning_point) {
@@ -219,22 +243,24 @@ class ContactPhase final : public observables::MotionPiece {
       watched_of(i).end_slip_velocity = step_.force(i, end).slip_velocity;
 
     const contact::BladeDirection first = step_.first_blade(end);
+    const TimeSlopes slopes{last * step_.time_slope(0.0), last * step_.time_slope(last)};
     for (int k = 0; k < static_cast<int>(watched_.size()); ++k) {
       Watched& watched = watched_[static_cast<std::size_t>(k)];
       watched.at_end = step_.gap(k, end, first);
       if (!watched.open) {
-        look_for_touch_down(k, watched, last);
+        look_for_touch_down(k, watched, last, slopes);
       } else if constexpr (ContactStep<System, Law, Pair, Blades>::kSkims) {
         look_for_end_of_skimming(k, last);
       } else if (turning_point && !turning_point->is_fold && k == blade(turning_point->contact)) {
         // A blade that comes to φ = 0 from outside the ring has left it before; g = 0 there to rounding.
         Watched unloaded = watched;
         unloaded.at_end.value = kGapRounding;
-        look_for_lift_off(k, unloaded, last);
+        look_for_lift_off(k, unloaded, last, slopes);
       } else if (!lifts_off && step_.ends_at_ring(k, end)) {
-        look_for_lift_off(k, watched, last);
+        look_for_lift_off(k, watched, last, slopes);
       }
     }
+    const auto bounds = step_.bounds();
     if constexpr (Law::kHasSlipState) {
       for (std::size_t i = 0; i < contact_count(); ++i) {
         if constexpr (contact::Sticks<Law>) {
@@ -243,9 +269,10 @@ class ContactPhase final : public observables::MotionPiece {
             continue;
           }
         }
-        look_for_slip_reversal(i, last);
+        look_for_slip_reversal(i, last, bounds);
       }
     }
+    look_for_loss_of_validity(last, bounds);
     if (step_.root_lost() && watched_of(0).ends_by_rounding())
       take_if_first(last, PhaseEvent::lift_off, blade(0));
 
@@ -255,132 +282,151 @@ class ContactPhase final : public observables::MotionPiece {
     if (!std::isfinite(segment_end_)) {
       end_ = {PhaseEvent::failed, -1, StatusDetail::beyond_precision};
       segment_end_ = segment_begin_;
-    } else if ((end_.event == PhaseEvent::horizon && left_validity) || outside(end)) {
-      const StatusDetail within = lost ? StatusDetail::no_equilibrium : StatusDetail::shortening_limit;
-      end_ = {PhaseEvent::left_validity, -1, outside(end) ? StatusDetail::shaft_at_ring : within};
+    } else if (end_.event == PhaseEvent::horizon && lost) {
+      end_ = {PhaseEvent::left_validity, -1, StatusDetail::no_equilibrium};
       segment_end_ = segment_begin_;
     }
   }
 
-  /// The shaft's centre has reached the ring (MODEL 5).
-  [[nodiscard]] bool outside(const FullState& state) const {
+  /// |c|² − R² [m²]: the shaft's centre reaches the ring where it is positive (MODEL 5).
+  [[nodiscard]] double beyond_ring(const FullState& state) const {
     const State seen = from_ring(state);
     const double y = seen[1] + misalignment_;
-    return seen[0] * seen[0] + y * y >= ring_radius_ * ring_radius_;
+    return seen[0] * seen[0] + y * y - ring_radius_ * ring_radius_;
   }
+
+  /// A bending parameter up to which δ/L, which grows with it, is within its limit.
+  [[nodiscard]] double valid_bending(const blade::ElasticaCurve& curve) const {
+    const auto& knots = curve.knots();
+    const auto beyond = std::find_if(knots.begin(), knots.end(), [&](const auto& knot) {
+      return knot.shortening > limits_.max_shortening;
+    });
+    return beyond == knots.begin() ? 0.0 : std::prev(beyond)->bending;
+  }
+
+  /// dτ/dθ at both ends of what is looked at of a step.
+  struct TimeSlopes {
+    double begin;
+    double end;
+  };
 
   [[nodiscard]] Watched& watched_of(std::size_t contact) {
     return watched_[static_cast<std::size_t>(blade(contact))];
   }
 
-  void take_if_first(double fraction, PhaseEvent event, int blade) {
+  void take_if_first(double fraction, const PhaseEnd& end) {
     if (fraction < end_fraction_ || (fraction == end_fraction_ && end_.event == PhaseEvent::horizon)) {
       end_fraction_ = fraction;
-      end_ = {event, blade};
+      end_ = end;
     }
   }
+  void take_if_first(double fraction, PhaseEvent event, int blade) {
+    take_if_first(fraction, PhaseEnd{event, blade});
+  }
 
-  void look_for_lift_off(int k, const Watched& watched, double last) {
-    const auto rate = [&](double part) { return step_.gap(k, step_.at_fraction(part)).rate; };
-    const auto gap = [&](double part) { return step_.gap(k, step_.at_fraction(part)).value; };
-    double high = last;
-    double at_high = watched.at_end.value;
-    if (at_high > 0.0) {
-      // The gap may close and open again within the step: then it has a minimum there.
-      if (!(watched.at_begin.rate < 0.0 && watched.at_end.rate > 0.0)) return;
-      high = integrate::root_between(rate, 0.0, last, watched.at_begin.rate, watched.at_end.rate);
-      at_high = gap(high);
-      if (at_high > 0.0) return;
-    }
+  /// The first crossing of a guard, which is asked for at both ends too, ends the phase.
+  template <class Guard>
+  void look_for(const Guard& guard, double last, const PhaseEnd& end) {
+    look_between(guard, last, {guard(0.0), guard(last)}, end);
+  }
+  struct GuardEnds {
+    double begin;
+    double end;
+  };
+  template <class Guard>
+  void look_between(const Guard& guard, double last, const GuardEnds& ends, const PhaseEnd& end,
+                    double rounding = 0.0) {
+    const auto found = integrate::first_crossing(guard, 0.0, last, ends.begin, ends.end, rounding);
+    if (found) take_if_first(*found, end);
+  }
+
+  /// g = 0 of a carried contact in a step where it is unloaded, u = 0, at one end.
+  void look_for_lift_off_under_load(double last) {
+    if (step_.ends_unloaded_only()) return;
+    look_for([&](double part) { return -step_.gap_per_deflection(part); }, last,
+             {PhaseEvent::lift_off, blade(0)});
+  }
+
+  void look_for_lift_off(int k, const Watched& watched, double last, const TimeSlopes& slopes) {
+    const Gap& begin = watched.at_begin;
+    const Gap& end = watched.at_end;
     // A contact that has just opened starts at g = 0 to rounding; divided by the fraction it starts positive.
-    const double origin = std::min(watched.at_begin.value, 0.0);
-    const bool fresh = watched.at_begin.value <= kGapRounding;
-    const auto function = [&](double part) {
-      const double excess = gap(part) - origin;
-      return fresh ? excess / part : excess;
-    };
-    at_high = fresh ? (at_high - origin) / high : at_high;
-    const double at_low = fresh ? std::abs(at_high) : watched.at_begin.value;
-    take_if_first(integrate::root_between(function, 0.0, high, at_low, at_high), PhaseEvent::lift_off, k);
+    const bool fresh = begin.value <= kGapRounding;
+    const double origin = std::min(begin.value, 0.0);
+    if (end.value > 0.0) {
+      const integrate::Range range =
+          fresh ? integrate::cubic_range_of_mean_slope(begin.rate * slopes.begin, end.value - origin,
+                                                       end.rate * slopes.end)
+                : integrate::cubic_range(begin.value, begin.rate * slopes.begin, end.value,
+                                         end.rate * slopes.end);
+      if (range.least > 0.0) return;
+      if constexpr (kCarried) {
+        if (step_.begin()[kBending] == 0.0) return look_for_lift_off_under_load(last);
+      }
+    }
+    const auto excess = [&](double part) { return origin - step_.gap(k, step_.at_fraction(part)).value; };
+    if (fresh) {
+      const double at_end = (origin - end.value) / last;
+      look_between([&](double part) { return excess(part) / part; }, last, {-std::abs(at_end), at_end},
+                   {PhaseEvent::lift_off, k});
+    } else {
+      look_between(excess, last, {-begin.value, -end.value}, {PhaseEvent::lift_off, k}, kGapRounding);
+    }
   }
 
   /// λ has left [0, 1], by so much that rounding does not lead it back.
   void look_for_end_of_skimming(int k, double last) {
     const auto share = [&](double part) { return step_.system().share(step_.at_fraction(part)); };
-    const double before = share(0.0);
-    const double after = share(last);
-    const auto end_at = [&](double bound, PhaseEvent event) {
-      take_if_first(integrate::root_between([&](double part) { return share(part) - bound; }, 0.0, last,
-                                            before - bound, after - bound),
-                    event, k);
-    };
-    if (after < -kShareBeyond) end_at(-kShareBeyond, PhaseEvent::lift_off);
-    if (after > 1.0 + kShareBeyond) end_at(1.0 + kShareBeyond, PhaseEvent::pressed_in);
+    look_for([&](double part) { return -kShareBeyond - share(part); }, last, {PhaseEvent::lift_off, k});
+    look_for([&](double part) { return share(part) - (1.0 + kShareBeyond); }, last,
+             {PhaseEvent::pressed_in, k});
   }
 
-  void look_for_touch_down(int k, const Watched& watched, double last) {
-    const auto rate = [&](double part) { return step_.gap(k, step_.at_fraction(part)).rate; };
+  void look_for_touch_down(int k, const Watched& watched, double last, const TimeSlopes& slopes) {
+    const Gap& begin = watched.at_begin;
+    const Gap& end = watched.at_end;
     const auto gap = [&](double part) { return step_.gap(k, step_.at_fraction(part)).value; };
-    if (watched.at_begin.value >= 0.0) {
+    if (begin.value >= 0.0) {
       // Just lifted off, or about to touch: rounding decides the sign of g, its slope what happens.
-      if (watched.at_begin.rate > 0.0) return take_if_first(0.0, PhaseEvent::touch_down, k);
-      if (!(watched.at_end.value > 0.0 && watched.at_end.rate > 0.0)) return;
-      const double lowest =
-          integrate::root_between(rate, 0.0, last, watched.at_begin.rate, watched.at_end.rate);
-      const double at_lowest = gap(lowest);
-      if (at_lowest < 0.0) {
-        take_if_first(integrate::root_between(gap, lowest, last, at_lowest, watched.at_end.value),
-                      PhaseEvent::touch_down, k);
-      }
-      return;
+      if (begin.rate > 0.0) return take_if_first(0.0, PhaseEvent::touch_down, k);
+      // It leaves the ring, and may return. Divided by the fraction g starts negative.
+      const double more = end.value - begin.value;
+      const auto range =
+          integrate::cubic_range_of_mean_slope(begin.rate * slopes.begin, more, end.rate * slopes.end);
+      if (range.greatest < 0.0) return;
+      return look_between([&](double part) { return (gap(part) - begin.value) / part; }, last,
+                          {-std::abs(more / last), more / last}, {PhaseEvent::touch_down, k});
     }
-    double high = last;
-    double at_high = watched.at_end.value;
-    if (at_high <= 0.0) {
-      if (!(watched.at_begin.rate > 0.0 && watched.at_end.rate < 0.0)) return;
-      high = integrate::root_between(rate, 0.0, last, watched.at_begin.rate, watched.at_end.rate);
-      at_high = gap(high);
-      if (at_high <= 0.0) return;
-    }
-    take_if_first(integrate::root_between(gap, 0.0, high, watched.at_begin.value, at_high),
-                  PhaseEvent::touch_down, k);
+    const auto range =
+        integrate::cubic_range(begin.value, begin.rate * slopes.begin, end.value, end.rate * slopes.end);
+    if (range.greatest < 0.0) return;
+    look_between(gap, last, {begin.value, end.value}, {PhaseEvent::touch_down, k}, kGapRounding);
   }
 
   /// The friction that holds a tip passes what it can be.
   void look_for_loosening(std::size_t contact, double last) {
     if constexpr (ContactStep<System, Law, Pair, Blades>::kSticks) {
-      const auto excess = [&](double part) {
-        return step_.system().excess(contact, step_.at_fraction(part));
-      };
-      double low = 0.0;
-      double at_low = excess(0.0);
-      if (at_low > 0.0) return take_if_first(0.0, PhaseEvent::comes_loose, blade(contact));
-      for (int look = 1; look <= kLooks; ++look) {
-        const double high = last * look / kLooks;
-        const double at_high = excess(high);
-        if (at_high > 0.0) {
-          return take_if_first(integrate::root_between(excess, low, high, at_low, at_high),
-                               PhaseEvent::comes_loose, blade(contact));
-        }
-        low = high;
-        at_low = at_high;
-      }
+      look_for([&](double part) { return step_.system().excess(contact, step_.at_fraction(part)); }, last,
+               {PhaseEvent::comes_loose, blade(contact)});
     }
   }
 
-  void look_for_slip_reversal(std::size_t contact, double last) {
+  void look_for_slip_reversal(std::size_t contact, double last,
+                              const typename ContactStep<System, Law, Pair, Blades>::Bounds& bounds) {
     const double before = watched_of(contact).slip_velocity;
     const double after = watched_of(contact).end_slip_velocity;
+    if (before * after > 0.0 && step_.slip_lasts(bounds)) return;
     const auto velocity = [&](double part) {
       return step_.force(contact, step_.at_fraction(part)).slip_velocity;
     };
+    const auto mean = [&](double part) { return velocity(part) / part; };
     if constexpr (contact::Sticks<Law>) {
       // From rest a tip slips the way it is pulled, and may be at rest again within the step.
       const double slip = step_.contacts()[contact].slip;
-      if (before == 0.0 && slip * after < 0.0) {
-        const auto mean = [&](double part) { return velocity(part) / part; };
-        return take_if_first(integrate::root_between(mean, 0.0, last, -after / last, after / last),
-                             PhaseEvent::slip_reversal, blade(contact));
+      if (before == 0.0) {
+        return look_between([&](double part) { return -slip * mean(part); }, last,
+                            {-std::abs(after / last), -slip * after / last},
+                            {PhaseEvent::slip_reversal, blade(contact)});
       }
       // An elastic blade's v may be against s where its contact begins; it is asked for anew where it stays
       // so.
@@ -390,9 +436,41 @@ class ContactPhase final : public observables::MotionPiece {
         if (slip * before < 0.0) return;
       }
     }
-    if (before == 0.0 || (before > 0.0) == (after > 0.0)) return;
-    take_if_first(integrate::root_between(velocity, 0.0, last, before, after), PhaseEvent::slip_reversal,
-                  blade(contact));
+    if (before == 0.0) {
+      const auto next = integrate::first_sign_change(mean, 0.0, last, after / last);
+      if (next) take_if_first(*next, PhaseEvent::slip_reversal, blade(contact));
+      return;
+    }
+    const double against = before > 0.0 ? -1.0 : 1.0;
+    look_between([&](double part) { return against * velocity(part); }, last,
+                 {-std::abs(before), against * after}, {PhaseEvent::slip_reversal, blade(contact)});
+  }
+
+  /// δ/L passes its limit, or the shaft's centre the ring (MODEL 5).
+  void look_for_loss_of_validity(double last,
+                                 const typename ContactStep<System, Law, Pair, Blades>::Bounds& bounds) {
+    if (!(bounds.distance < ring_radius_)) {
+      look_for([&](double part) { return beyond_ring(step_.at_fraction(part)); }, last,
+               {PhaseEvent::left_validity, -1, StatusDetail::shaft_at_ring});
+    }
+    if (shortening_is_valid()) return;
+    for (std::size_t i = 0; i < contact_count(); ++i) {
+      look_for(
+          [&](double part) {
+            return step_.force(i, step_.at_fraction(part)).shortening - limits_.max_shortening;
+          },
+          last, {PhaseEvent::left_validity, blade(i), StatusDetail::shortening_limit});
+    }
+  }
+  /// Of all blades all through the step, as far as its ends and stages tell.
+  [[nodiscard]] bool shortening_is_valid() {
+    if constexpr (Law::kLoadFollowsGap) {
+      return true;
+    } else if constexpr (kCarried) {
+      return step_.bending_range().greatest < watched_of(0).valid_bending;
+    } else {
+      return step_.stage_shortening() < kFarFromLimit * limits_.max_shortening;
+    }
   }
 
   ContactLimits limits_;
@@ -404,8 +482,9 @@ class ContactPhase final : public observables::MotionPiece {
   std::vector<Watched> watched_;  ///< one per blade
   bool pending_ = false;          ///< a step has been made and not been recorded to its end
   PhaseEnd end_{};                ///< what happens at the end of that step's segment
-  double end_fraction_ = 1.0;     ///< of the step, where the segment ends
-  double segment_begin_ = 0.0;    ///< recorded up to here
+  StatusDetail refusal_ = StatusDetail::none;
+  double end_fraction_ = 1.0;   ///< of the step, where the segment ends
+  double segment_begin_ = 0.0;  ///< recorded up to here
   double segment_end_ = 0.0;
   double segment_limit_ = 0.0;
 };

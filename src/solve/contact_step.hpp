@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "contact/pose.hpp"
+#include "integrate/cubic_range.hpp"
 #include "integrate/root_between.hpp"
 #include "integrate/runge_kutta.hpp"
 #include "integrate/step_control.hpp"
@@ -72,7 +73,9 @@ class ContactStep {
     if constexpr (kBends) {
       if (!system_.open(contacts_, state, time, full)) return false;
       control_.begin_phase();
-      return step_.begin(system_, full);
+      if (!step_.begin(system_, full)) return false;
+      stage_shortening_ = shortening();
+      return true;
     } else {
       full = full_state(state, time, kCarried ? contacts_.front().bending : 0.0);
     }
@@ -84,7 +87,9 @@ class ContactStep {
     }
     control_.begin_phase();
     if constexpr (kCoarseSizes) control_.round_size();
-    return step_.begin(system_, full);
+    if (!step_.begin(system_, full)) return false;
+    stage_shortening_ = shortening();
+    return true;
   }
 
   enum class Outcome : std::uint8_t { accepted, no_force, too_short, stopped };
@@ -97,11 +102,12 @@ class ContactStep {
       const double proposed = proposed_size();
       const double size = aimed_at_lift_off(proposed);
       if (!meter.spend(Work::contact, price_of_last_attempt())) return Outcome::stopped;
-      const bool evaluated = step_.attempt(system_, size);
+      const bool evaluated = attempt(size);
       const double error = evaluated ? scaled_error() : std::numeric_limits<double>::infinity();
       if (integrate::StepControl::acceptable(error)) {
-        if (!holds_whole_contact() && !passes_fold() && !leaves_curve()) {
+        if (!holds_whole_contact() && !passes_fold() && !time_turns() && !leaves_curve()) {
           ++accepted_;
+          end_shortening_ = shortening();
           control_.accept(error, size < proposed);
           if constexpr (kCarried) project();
           if constexpr (kSkims || kSticks || kBends) system_.project(step_.end());
@@ -122,7 +128,10 @@ class ContactStep {
   }
 
   /// Goes on from the end of the step.
-  void accept() { step_.accept(); }
+  void accept() {
+    step_.accept();
+    stage_shortening_ = end_shortening_;
+  }
 
   [[nodiscard]] const FullState& begin() const { return step_.start(); }
   [[nodiscard]] const FullState& end() const { return step_.end(); }
@@ -263,6 +272,74 @@ class ContactStep {
     return {at.gap, contact::gap_rate(law_->of(blade).geometry(), at, blades_->speed(state[kTime]))};
   }
 
+  /// dτ/dθ.
+  [[nodiscard]] double time_slope(double fraction) {
+    if (fraction == 0.0) return step_.size() * step_.start_derivative()[kTime];
+    if (fraction == 1.0) return step_.size() * step_.end_derivative()[kTime];
+    return make_dense() ? step_.interpolate_with_slope(fraction, kTime).slope
+                        : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// How far from the ring's centre the shaft gets in the step, and how fast, as seen from the ring: bounds
+  /// from the ends of the step, as `integrate::cubic_range` has them.
+  struct Bounds {
+    double distance;  ///< of |c| [m]
+    double speed;     ///< of |c'| [m per unit τ]
+  };
+  [[nodiscard]] Bounds bounds() const {
+    if constexpr (kFollows) {  // what the ring does next does not follow from its rate
+      constexpr double kUnknown = std::numeric_limits<double>::infinity();
+      return {kUnknown, kUnknown};
+    }
+    const State begin = from_ring(step_.start());
+    const State end = from_ring(step_.end());
+    const State second = begin + step_.size() / 3.0 * from_ring(step_.start_derivative());
+    const State third = end - step_.size() / 3.0 * from_ring(step_.end_derivative());
+    const State margin = 0.1 * ((third - 2.0 * second + begin).abs() + (end - 2.0 * third + second).abs());
+    const State least = begin.min(end).min(second.min(third)) - margin;
+    const State greatest = begin.max(end).max(second.max(third)) + margin;
+    State farthest = least.abs().max(greatest.abs());
+    farthest[1] =
+        std::max(std::abs(least[1] + rotor_->misalignment), std::abs(greatest[1] + rotor_->misalignment));
+    return {std::sqrt(farthest[0] * farthest[0] + farthest[1] * farthest[1]),
+            std::sqrt(farthest[2] * farthest[2] + farthest[3] * farthest[3])};
+  }
+
+  /// No tip's slip can turn round within such bounds: v = c'·t + Ω (rk − c)·n, and |rk| >= R in contact.
+  [[nodiscard]] bool slip_lasts(const Bounds& bounds) const {
+    return blades_->slowest() * (law_->of(0).geometry().ring_radius - bounds.distance) > bounds.speed;
+  }
+
+  /// Range of a carried contact's bending parameter in the step.
+  [[nodiscard]] integrate::Range bending_range() const {
+    return integrate::cubic_range(step_.start()[kBending], step_.size() * step_.start_derivative()[kBending],
+                                  step_.end()[kBending], step_.size() * step_.end_derivative()[kBending]);
+  }
+  /// Largest δ/L that the stages of a step have met where forces are solved for.
+  [[nodiscard]] double stage_shortening() const { return stage_shortening_; }
+
+  /// The tip of a carried contact stays on the side where its force ends with u, g/Δ = 2 s ct − Δ + (terms
+  /// that are not negative) > 0, so that its gap closes nowhere else.
+  [[nodiscard]] bool ends_unloaded_only() const {
+    const OpenContact& open = contacts_.front();
+    const auto& law = law_->of(open.blade);
+    const auto approach = [&](const FullState& state, const FullState& derivative) {
+      const contact::Pose at = pose(open.blade, state);
+      const double rate = at.tangential_velocity - blades_->speed(state[kTime]) * at.radial;
+      return Gap{open.slip * at.tangential, open.slip * rate * step_.size() * derivative[kTime]};
+    };
+    const Gap begin = approach(step_.start(), step_.start_derivative());
+    const Gap end = approach(step_.end(), step_.end_derivative());
+    const double least = integrate::cubic_range(begin.value, begin.rate, end.value, end.rate).least;
+    return 2.0 * least > law.length() * law.curve().at(bending_range().greatest).deflection;
+  }
+  /// g/Δ [m] of a carried contact by h = 0, which has no rounding down to u = 0, where both vanish.
+  [[nodiscard]] double gap_per_deflection(double fraction) {
+    const OpenContact& open = contacts_.front();
+    const FullState state = at_fraction(fraction);
+    return law_->of(open.blade).gap_per_deflection(pose(open.blade, state), open.slip, state[kBending]);
+  }
+
   /// Slip velocity of an open contact at the end of the step (or where the phase starts).
   [[nodiscard]] double slip_velocity(std::size_t contact) const {
     if constexpr (kBends) {
@@ -307,7 +384,7 @@ class ContactStep {
   }
   /// True where the root of the contact equation has been lost within the step: past it time runs backwards.
   [[nodiscard]] bool root_lost() const {
-    if constexpr (kCarried) return system_.last().bending_slope >= 0.0;
+    if constexpr (kCarried) return step_.end_derivative()[kTime] <= 0.0;
     return false;
   }
 
@@ -443,6 +520,19 @@ class ContactStep {
     return integrate::root_between(determinant, 0.0, 1.0, at_begin, at_end);
   }
 
+  bool attempt(double size) {
+    if constexpr (kCarried || Law::kLoadFollowsGap) {
+      return step_.attempt(system_, size);
+    } else {
+      auto watched = [this](const FullState& state, FullState& derivative) {
+        if (!system_(state, derivative)) return false;
+        stage_shortening_ = std::max(stage_shortening_, shortening());
+        return true;
+      };
+      return step_.attempt(watched, size);
+    }
+  }
+
   /// Local error of the step in units of the tolerance: of the state at fixed time, of the time along the
   /// path, and of the bending parameter on its own scale. Each of them passes through zero at places, the sum
   /// does not.
@@ -495,6 +585,18 @@ class ContactStep {
            step_.size() > kFoldResolution * scale(step_.start()[kBending]);
   }
 
+  /// A step in which time may turn round twice, as the cubic through its ends has it.
+  [[nodiscard]] bool time_turns() const {
+    if constexpr (kTimeTurns) {
+      if (passes_lift_off() || !(step_.end_derivative()[kTime] > 0.0)) return false;
+      const double begin = step_.size() * step_.start_derivative()[kTime];
+      const double end = step_.size() * step_.end_derivative()[kTime];
+      return !(3.0 * (step_.end()[kTime] - step_.start()[kTime]) > begin + end) &&
+             step_.size() > kFoldResolution * scale(step_.start()[kBending]);
+    }
+    return false;
+  }
+
   /// A step beyond the end of the blade's table, far outside of the model's validity: what is continued there
   /// says nothing.
   [[nodiscard]] bool leaves_curve() const {
@@ -545,6 +647,8 @@ class ContactStep {
   integrate::StepControl control_;
   std::vector<OpenContact> contacts_;
   std::vector<OpenContact> guesses_;
+  double end_shortening_ = 0.0;    ///< δ/L at the end of the step
+  double stage_shortening_ = 0.0;  ///< and the largest of its stages
   std::uint64_t accepted_ = 0;
   std::uint64_t rejected_ = 0;
   std::uint64_t paid_evaluations_ = 0;  ///< of curves, whose price the meter knows

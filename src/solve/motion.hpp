@@ -128,7 +128,7 @@ class Motion {
     while (meter_.spend(Work::events, price_of_last_event())) {
       PhaseEnd end{};
       if (phase_ == Phase::undecided) {
-        if (!begin_phase()) return ends(StatusDetail::no_equilibrium);
+        if (!begin_phase()) return ends(refusal_);
       }
       switch (phase_) {
         case Phase::flight:
@@ -258,7 +258,15 @@ class Motion {
     return ends(state_.isFinite().all() ? StatusDetail::none : StatusDetail::beyond_precision);
   }
 
+  template <class AnyPhase>
+  bool start(AnyPhase& phase) {
+    const bool started = phase.start(time_, state_, contacts_);
+    refusal_ = phase.refusal();
+    return started;
+  }
+  /// Begins the phase that goes with the contacts; false where `refusal_` says why there is none.
   bool begin_phase() {
+    refusal_ = StatusDetail::no_equilibrium;
     if (contacts_.empty()) {
       phase_ = Phase::flight;
       return true;
@@ -266,7 +274,7 @@ class Motion {
     if constexpr (Law::kHasBending) {
       if (begins_to_skim()) {
         phase_ = Phase::skimming;
-        return skimming_->start(time_, state_, contacts_);
+        return start(*skimming_);
       }
       phase_ = Phase::carried;
       if (contacts_.size() == 1 && law_.of(contacts_.front().blade).carried()) {
@@ -278,17 +286,17 @@ class Motion {
           if (!root) return false;
           contact.bending = *root;
         }
-        if (carried_->start(time_, state_, contacts_)) return true;
+        if (start(*carried_)) return true;
       }
     }
     if constexpr (contact::Sticks<Law>) {
       if (std::ranges::count(contacts_, 0.0, &OpenContact::slip) > 0) {
         phase_ = Phase::sticking;
-        return sticking_->start(time_, state_, contacts_);
+        return start(*sticking_);
       }
     }
     phase_ = Phase::solved;
-    return solved_.start(time_, state_, contacts_);
+    return start(solved_);
   }
 
   /// The one blade in contact has just touched down, hops less far than a step may err, and would return.
@@ -491,6 +499,7 @@ class Motion {
   WorkMeter meter_;
   std::uint64_t paid_evaluations_ = 0;  ///< of curves, whose price the meter knows
   StatusDetail detail_ = StatusDetail::none;
+  StatusDetail refusal_ = StatusDetail::none;  ///< why the last phase could not begin
   WorkCounts work_;
   Phase phase_ = Phase::undecided;
   bool touched_down_ = false;   ///< the present contacts began with a touch-down

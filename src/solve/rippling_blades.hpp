@@ -34,6 +34,8 @@ class RipplingBlades : public BladePlaces {
   [[nodiscard]] double angular_acceleration(double time) const {
     return -speed_ratio_ * amplitude_ * frequency_ * std::sin(frequency_ * time + phase_);
   }
+  /// Least |φ'|.
+  [[nodiscard]] double slowest() const { return std::abs(speed_ratio_) * (1.0 - amplitude_); }
   /// Bounds of |φ'|, |φ''| and |φ'''|.
   [[nodiscard]] double speed_bound() const { return std::abs(speed_ratio_) * (1.0 + amplitude_); }
   [[nodiscard]] double angular_acceleration_bound() const {
