@@ -259,7 +259,7 @@ class Motion {
   }
 
   template <class AnyPhase>
-  bool start(AnyPhase& phase) {
+  bool begin_in(AnyPhase& phase) {
     const bool started = phase.start(time_, state_, contacts_);
     refusal_ = phase.refusal();
     return started;
@@ -274,7 +274,7 @@ class Motion {
     if constexpr (Law::kHasBending) {
       if (begins_to_skim()) {
         phase_ = Phase::skimming;
-        return start(*skimming_);
+        return begin_in(*skimming_);
       }
       phase_ = Phase::carried;
       if (contacts_.size() == 1 && law_.of(contacts_.front().blade).carried()) {
@@ -286,17 +286,17 @@ class Motion {
           if (!root) return false;
           contact.bending = *root;
         }
-        if (start(*carried_)) return true;
+        if (begin_in(*carried_)) return true;
       }
     }
     if constexpr (contact::Sticks<Law>) {
       if (std::ranges::count(contacts_, 0.0, &OpenContact::slip) > 0) {
         phase_ = Phase::sticking;
-        return start(*sticking_);
+        return begin_in(*sticking_);
       }
     }
     phase_ = Phase::solved;
-    return start(solved_);
+    return begin_in(solved_);
   }
 
   /// The one blade in contact has just touched down, hops less far than a step may err, and would return.

@@ -16,22 +16,25 @@ struct HardRotor {
   double misalignment = 0.01001;  ///< y0 [m]
   int blades = 3;
   double ring_radius = 0.11;                              ///< R [m]
-  double length = 0.1;                                    ///< L [m]; rh = 0
+  double hub_radius = 0.0;                                ///< rh [m]
+  double length = 0.1;                                    ///< L [m]
   double thickness = 1e-3;                                ///< h [m]
   double bending_stiffness = 206e9 * 0.01 * 1e-9 / 12.0;  ///< EI [N m²]
   double ring_stiffness = 1e4;                            ///< kr [N/m]
   double friction = 0.1;                                  ///< μ [-]
+  double force_unit = 0.01;                               ///< 1/(m ωn²) [m/N]
   double tolerance = 1e-12;                               ///< of the clearance
+  double max_shortening = 0.5;                            ///< of δ/L [-]
 
-  [[nodiscard]] double clearance() const { return ring_radius - length; }
-  [[nodiscard]] contact::Geometry geometry() const { return {length, ring_radius}; }
+  [[nodiscard]] double clearance() const { return ring_radius - hub_radius - length; }
+  [[nodiscard]] contact::Geometry geometry() const { return {hub_radius + length, ring_radius}; }
   [[nodiscard]] double euler_load() const {  ///< [N]
     return 0.25 * 9.869604401089358 * bending_stiffness / (length * length);
   }
   [[nodiscard]] solve::RotorConstants constants() const {
-    return {speed_ratio, damping_ratio, misalignment, 0.01, clearance()};
+    return {speed_ratio, damping_ratio, misalignment, force_unit, clearance()};
   }
-  [[nodiscard]] solve::ContactLimits limits() const { return {tolerance * clearance(), 0.5}; }
+  [[nodiscard]] solve::ContactLimits limits() const { return {tolerance * clearance(), max_shortening}; }
   [[nodiscard]] contact::ElasticaContact elastica() const {
     return {
         geometry(), {length, thickness, bending_stiffness}, std::make_shared<blade::ElasticaCurve>(friction)};
