@@ -59,7 +59,7 @@ class SteppedMotion final : public observables::MotionPiece {
       const contact::Pose at = system_.pose(k, full);
       system_.blades()[k] = {at.gap > 0.0, system_.opening_slip(at)};
     }
-    return ends(begin(full) ? StatusDetail::none : StatusDetail::no_equilibrium);
+    return ends(begin(full));
   }
 
   /// One revolution.
@@ -139,11 +139,13 @@ class SteppedMotion final : public observables::MotionPiece {
     return meter_.spend(Work::contact, price);
   }
 
-  /// Goes on from a state whose right-hand side has not been evaluated yet.
-  bool begin(const SteppedState& state) {
-    if (!step_.begin(system_, state)) return false;
+  /// Goes on from a state whose right-hand side has not been evaluated yet, unless something stands against
+  /// it: contacts that have just changed may bend a blade too far at once.
+  StatusDetail begin(const SteppedState& state) {
+    if (!step_.begin(system_, state)) return StatusDetail::no_equilibrium;
+    if (system_.shortening() > limits_.max_shortening) return StatusDetail::shortening_limit;
     look_around();
-    return true;
+    return StatusDetail::none;
   }
 
   /// Takes down how the blades stand at the start of a step.
@@ -238,7 +240,7 @@ class SteppedMotion final : public observables::MotionPiece {
     } else {
       changed = change_at_end(end, listener);
     }
-    if (changed) return ends(begin(end) ? StatusDetail::none : StatusDetail::no_equilibrium);
+    if (changed) return ends(begin(end));
     step_.accept();
     look_around();
     return PointStatus::done;
