@@ -141,10 +141,12 @@ class DirectedElastica {
     const bool loaded = std::abs(bend.amplitude) > kUnloaded;
     return constraint(at, slip, speed_ratio, {bend.modulus, loaded ? bend.amplitude : kUnloaded});
   }
-  /// Whether there are blades that are bent so (φ < 0 is as good as φ > 0).
+  /// Whether a blade can be bent so, or hardly further than any blade is (φ < 0 is as good as φ > 0). Trial
+  /// steps may go beyond the end of a branch at the largest amplitude, by as much as keeps its digits.
   [[nodiscard]] static bool has_chart(const Bend& bend) {
+    constexpr double kBeyond = 0.1;  // [rad]
     return std::abs(bend.modulus) <= blade::kLargestModulus &&
-           std::abs(bend.amplitude) <= blade::kLargestAmplitude;
+           std::abs(bend.amplitude) <= blade::kLargestAmplitude + kBeyond;
   }
   /// Newton's step from a bend towards h = 0 and d = 0.
   [[nodiscard]] static Bend correction(const Constraint& there) {

@@ -230,16 +230,15 @@ class ContactPhase final : public observables::MotionPiece {
       // Where the force ends from a finite value it does so before its fold, and that before u = 0.
       if constexpr (kCarried && !Law::kReleasesAtFold) look_for_lift_off_under_load(end_fraction_);
     }
-    const auto turning_point = step_.turning_point();
-    if (turning_point) {
-      end_fraction_ = turning_point->fraction;
-      end_ = {turning_point->is_fold ? PhaseEvent::snap : PhaseEvent::lift_off,
-              blade(turning_point->contact)};
+    const auto branch_end = step_.branch_end();
+    if (branch_end) {
+      end_fraction_ = branch_end->fraction;
+      end_ = {branch_end->lifts_off ? PhaseEvent::lift_off : PhaseEvent::snap, blade(branch_end->contact)};
     }
     const double last = end_fraction_;
     const FullState end = step_.at_fraction(last);
     if (lifts_off) watched_of(0).end_slip_velocity = step_.force(0, end).slip_velocity;
-    for (std::size_t i = 0; turning_point && i < contact_count(); ++i)
+    for (std::size_t i = 0; branch_end && i < contact_count(); ++i)
       watched_of(i).end_slip_velocity = step_.force(i, end).slip_velocity;
 
     const contact::BladeDirection first = step_.first_blade(end);
@@ -251,7 +250,7 @@ class ContactPhase final : public observables::MotionPiece {
         look_for_touch_down(k, watched, last, slopes);
       } else if constexpr (ContactStep<System, Law, Pair, Blades>::kSkims) {
         look_for_end_of_skimming(k, last);
-      } else if (turning_point && !turning_point->is_fold && k == blade(turning_point->contact)) {
+      } else if (branch_end && branch_end->lifts_off && k == blade(branch_end->contact)) {
         // A blade that comes to φ = 0 from outside the ring has left it before; g = 0 there to rounding.
         Watched unloaded = watched;
         unloaded.at_end.value = kGapRounding;

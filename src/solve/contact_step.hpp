@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "blade/inclined_elastica.hpp"
 #include "contact/pose.hpp"
 #include "integrate/cubic_range.hpp"
 #include "integrate/root_between.hpp"
@@ -177,22 +178,30 @@ class ContactStep {
     return false;
   }
   /// Fraction where u = 0, in a step that has passed it.
-  [[nodiscard]] double lift_off_fraction() { return zero_of(kBending); }
+  [[nodiscard]] double lift_off_fraction() { return crossing_of(kBending, 0.0); }
 
-  /// Where the path of one of several contacts turns back in time in the step, if one does: the first.
-  struct TurningPoint {
+  /// Where the branch of one of several bent blades ends in the step, if one does: the first.
+  struct BranchEnd {
     std::size_t contact = 0;
     double fraction = 1.0;
-    bool is_fold = false;  ///< else the blade lifts off
+    bool lifts_off = false;  ///< else the blade snaps
   };
-  [[nodiscard]] std::optional<TurningPoint> turning_point() {
-    std::optional<TurningPoint> first;
+  [[nodiscard]] std::optional<BranchEnd> branch_end() {
+    std::optional<BranchEnd> first;
+    const auto take = [&](const BranchEnd& end) {
+      if (!first || end.fraction < first->fraction) first = end;
+    };
     if constexpr (kBends) {
       for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        const bool unloaded = step_.end()[System::amplitude_of(i)] <= 0.0;
-        if (!unloaded && !system_.turns_back(i)) continue;
-        const double fraction = unloaded ? zero_of(System::amplitude_of(i)) : fold_fraction(i);
-        if (!first || fraction < first->fraction) first = TurningPoint{i, fraction, !unloaded};
+        const auto amplitude = System::amplitude_of(i);
+        const double at_end = step_.end()[amplitude];
+        if (at_end <= 0.0) {
+          take({i, crossing_of(amplitude, 0.0), true});
+        } else if (system_.turns_back(i)) {
+          take({i, fold_fraction(i), false});
+        }
+        if (at_end > blade::kLargestAmplitude)
+          take({i, crossing_of(amplitude, blade::kLargestAmplitude), false});
       }
     }
     return first;
@@ -423,9 +432,9 @@ class ContactStep {
  private:
   static constexpr double kFirstSize =
       0.1;  ///< of the scale; only the first contact of a point starts with it
-  static constexpr double kSizesPerOctave = 8.0;   ///< where they are coarse
-  static constexpr double kSmallestSize = 1e-15;   ///< in σ
-  static constexpr double kFoldResolution = 1e-6;  ///< of the scale
+  static constexpr double kSizesPerOctave = 8.0;                   ///< where they are coarse
+  static constexpr double kSmallestSize = kBends ? 1e-12 : 1e-15;  ///< in σ
+  static constexpr double kFoldResolution = 1e-6;                  ///< of the scale
   static constexpr double kFractionResolution = 1e-14;
   static constexpr double kAimBehind = 1.05;     ///< of the way to lift-off
   static constexpr double kBendingWeight = 0.3;  ///< of the relative error of u against that of the state
@@ -497,15 +506,16 @@ class ContactStep {
     }
   }
 
-  /// Fraction where a component passes through zero, in a step at whose end it is not positive.
-  [[nodiscard]] double zero_of(Eigen::Index component) {
+  /// Fraction where a component passes through a value, in a step at whose end it has come to it.
+  [[nodiscard]] double crossing_of(Eigen::Index component, double value) {
     if (!make_dense()) return 1.0;
     const auto place = static_cast<int>(component);
-    const bool unloaded = step_.start()[component] <= 0.0;  // the step of the touch-down starts at u = 0 too
-    const auto value = [&](double part) {
-      return unloaded ? step_.mean_slope(part, place) : step_.interpolate(part, place);
+    // The step of the touch-down starts at u = 0, too.
+    const bool unloaded = value == 0.0 && step_.start()[component] <= 0.0;
+    const auto excess = [&](double part) {
+      return unloaded ? step_.mean_slope(part, place) : step_.interpolate(part, place) - value;
     };
-    return integrate::root_between(value, 0.0, 1.0, value(0.0), value(1.0));
+    return integrate::root_between(excess, 0.0, 1.0, excess(0.0), excess(1.0));
   }
   /// Fraction where a contact's equilibrium ends in a fold, in a step that has passed it.
   [[nodiscard]] double fold_fraction(std::size_t contact) {
