@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <span>
 #include <string>
 #include <utility>
@@ -12,6 +11,9 @@
 #include "analysis/report.hpp"
 #include "analysis/scene_tolerances.hpp"
 #include "atlas/environment_error.hpp"
+#include "atlas/output.hpp"
+#include "atlas/publish.hpp"
+#include "atlas/verify.hpp"
 #include "plan/scene_of_line.hpp"
 #include "scene/reader.hpp"
 
@@ -60,20 +62,6 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-void refuse_to_replace_the_atlas(const std::filesystem::path& atlas, const std::filesystem::path& written) {
-  std::error_code ignored;
-  if (std::filesystem::equivalent(atlas, written, ignored)) {
-    throw scene::SceneError(written.string() + ": this is the atlas itself; give the result another name");
-  }
-}
-
-void write_text(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file(path);
-  file << text;
-  file.close();
-  if (!file) throw atlas::EnvironmentError(path.string() + ": the table cannot be written");
-}
-
 }  // namespace
 
 Findings examine(const atlas::AtlasReader& atlas) {
@@ -117,13 +105,18 @@ Findings examine(const atlas::AtlasReader& atlas) {
 }
 
 void analyse(const std::filesystem::path& atlas, const std::filesystem::path& maps,
-             const std::optional<std::filesystem::path>& table) {
-  refuse_to_replace_the_atlas(atlas, maps);
-  if (table) refuse_to_replace_the_atlas(atlas, *table);
+             const std::optional<std::filesystem::path>& table, bool overwrite) {
+  const auto existing = atlas::existing(overwrite);
+  const auto maps_output = atlas::permitted({maps, atlas::FileKind::maps, existing}, {atlas});
+  std::optional<atlas::Output> table_output;
+  if (table) {
+    table_output = atlas::permitted({*table, atlas::FileKind::table, existing}, {atlas, maps_output.path});
+  }
   const atlas::AtlasReader reader(atlas);
+  atlas::require_sound_rows(reader);
   const auto found = examine(reader);
-  write_maps(maps, found, reader, atlas.filename().string());
-  if (table) write_text(*table, markdown_report(found));
+  write_maps(maps_output, found, reader, atlas.filename().string());
+  if (table_output) atlas::publish_text(*table_output, markdown_report(found));
   const auto text = plain_report(found);
   const bool printed = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (!printed || std::fflush(stdout) != 0) {

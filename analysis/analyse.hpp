@@ -14,10 +14,11 @@ namespace rubatlas::analysis {
 /// count as not being there.
 Findings examine(const atlas::AtlasReader& atlas);
 
-/// Prints the result on the standard output, writes MAPS.h5 (replaced as a whole, or not at all) and, where
-/// asked, the Markdown table. Throws atlas::EnvironmentError when a file cannot be read or written,
-/// scene::SceneError when the maps or the table would replace the atlas.
+/// Prints the result on the standard output, writes MAPS.h5 and, where asked, the Markdown table, each as a
+/// whole or not at all; `overwrite`: in place of older ones. Throws atlas::EnvironmentError when a file
+/// cannot be read or written, or a row of the atlas does not have its checksum; atlas::OutputRefusal when
+/// something stands where the outputs are to go.
 void analyse(const std::filesystem::path& atlas, const std::filesystem::path& maps,
-             const std::optional<std::filesystem::path>& table);
+             const std::optional<std::filesystem::path>& table, bool overwrite);
 
 }  // namespace rubatlas::analysis

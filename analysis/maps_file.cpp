@@ -187,12 +187,14 @@ void create_displacement(File& file, const Findings& found, const Shape& shape,
 
 }  // namespace
 
-void write_maps(const std::filesystem::path& path, const Findings& found, const atlas::AtlasReader& atlas,
+void write_maps(const atlas::Output& output, const Findings& found, const atlas::AtlasReader& atlas,
                 const std::string& atlas_name) {
-  File file = File::create(atlas::unpublished_name(path));
+  atlas::Publication publication(output);
+  File file = File::create(publication.name());
   {
     auto root = file.root();
-    atlas::write_provenance(std::move(root), software_of(atlas.file()), found.scene.title);
+    atlas::write_provenance(std::move(root), software_of(atlas.file()), atlas::FileKind::maps,
+                            found.scene.title);
     auto again = file.root();
     again.set_text("atlas", atlas_name);
     file.create_text("scene_resolved", atlas.scene_resolved())
@@ -211,7 +213,7 @@ void write_maps(const std::filesystem::path& path, const Findings& found, const 
     create_findings(file, found);
   }
   file.close();
-  atlas::publish(path);
+  publication.publish();
 }
 
 }  // namespace rubatlas::analysis

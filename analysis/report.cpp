@@ -11,6 +11,8 @@
 
 #include "analysis/report_parts.hpp"
 #include "analysis/text_layout.hpp"
+#include "atlas/output.hpp"
+#include "scene/printable.hpp"
 
 namespace rubatlas::analysis {
 namespace {
@@ -82,7 +84,7 @@ std::vector<std::pair<std::string, std::vector<std::string_view>>> shared_reason
 }  // namespace
 
 std::string plain_report(const Findings& found) {
-  std::string text = found.scene.title.empty() ? std::string{} : found.scene.title + "\n\n";
+  std::string text = found.scene.title.empty() ? std::string{} : scene::printable(found.scene.title) + "\n\n";
   for (const auto& fact : facts(found)) text += paragraph("", fact, 2, kColumns);
   text += "\nREGIONS AND TRIGGERS\n" + paragraph("", kTableKey, 2, kColumns) + "\n" + plain_table(found);
   for (const auto& sensitivity : found.sensitivities) {
@@ -114,7 +116,8 @@ std::string plain_report(const Findings& found) {
 
 std::string markdown_report(const Findings& found) {
   std::string text =
-      fmt::format("# {}\n\n", found.scene.title.empty() ? "Regions and triggers" : found.scene.title);
+      fmt::format("{}\n# {}\n\n", atlas::kTableMark,
+                  found.scene.title.empty() ? "Regions and triggers" : scene::printable(found.scene.title));
   for (const auto& fact : facts(found)) text += fmt::format("- {}\n", fact);
   text += fmt::format("\n## Regions and triggers\n\n{}\n\n", kTableKey);
   const auto header = table_header(found);

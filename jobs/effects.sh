@@ -27,7 +27,7 @@ mkdir -p atlases
 atlas() { "$program" run "$1" -o "$2" --resume || [ $? -eq 1 ]; }
 # regions ATLAS NAME: the row of regions and triggers that `analyse` finds, under a name; HEAD for what stands above it.
 regions() {
-  "$program" analyse "$1.h5" -o "$1_maps.h5" --table "$1.md" >/dev/null
+  "$program" analyse "$1.h5" -o "$1_maps.h5" --table "$1.md" --overwrite >/dev/null
   awk -v name="$2" '/^## Regions/ { found = 1 }
     found && /^\|/ && (++lines < 3) == (name == "HEAD") { if (lines == 3) sub(/^\|[^|]*/, "| " name " "); print }
     lines == 3 { exit }' "$1.md"

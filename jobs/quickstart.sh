@@ -49,7 +49,7 @@ esac
 
 say "4/5 Analyse"
 # Its text is for the terminal, at the very end; the same as Markdown goes to a file.
-summary=$(build/rubatlas analyse "$atlas" -o "$maps" --table "$table")
+summary=$(build/rubatlas analyse "$atlas" -o "$maps" --table "$table" --overwrite)
 
 say "5/5 Draw"
 tools/draw.sh "$atlas" "$maps" "$pictures"

@@ -24,7 +24,7 @@ for name in fig4_elastica fig4_elastic_ring fig4_stiffness fig4_phase_elastica f
   # Exit code 1: some points have no motion to show, which is a result.
   mpirun --oversubscribe --bind-to none -n "$(nproc)" build/rubatlas run "jobs/$name.json" -o "atlases/$name.h5" --resume ||
     [ $? = 1 ]
-  build/rubatlas analyse "atlases/$name.h5" -o "atlases/${name}_maps.h5" --table "atlases/$name.md" >/dev/null
+  build/rubatlas analyse "atlases/$name.h5" -o "atlases/${name}_maps.h5" --table "atlases/$name.md" --overwrite >/dev/null
 done
 tools/statement_map.py atlases/fig4_{elastica,elastic_ring,stiffness}_maps.h5 -o pictures/statement_map.png --counts --dpi 75
 tools/statement_map.py atlases/fig4_phase_{elastica,elastic_ring}_maps.h5 -o pictures/statement_map_phase.png --counts \

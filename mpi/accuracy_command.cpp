@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "atlas/accuracy_file.hpp"
+#include "atlas/output.hpp"
 #include "mpi/accuracy_settings.hpp"
 #include "mpi/accuracy_study.hpp"
 #include "mpi/exit_code.hpp"
@@ -24,13 +25,6 @@ void require_possible(const AccuracyCommand& command) {
     throw UsageError(fmt::format("--repeats {}: outside [1, {}]; timed runs of each point", command.repeats,
                                  kMostRepeats));
   }
-  std::error_code ignored;  // a file that does not exist is nobody's
-  if (std::filesystem::equivalent(command.output, command.scene, ignored)) {
-    throw UsageError(fmt::format("-o {}: the study would replace the scene", command.output.string()));
-  }
-  if (std::filesystem::exists(command.output) && !command.overwrite) {
-    throw UsageError(fmt::format("{} exists; --overwrite replaces it", command.output.string()));
-  }
 }
 
 }  // namespace
@@ -40,6 +34,8 @@ int compute_accuracy(const AccuracyCommand& command) {
   const scene::Scene scene = scene::parse_scene(text, command.scene.string());
   const auto settings = accuracy_settings(command.ladders, scene);
   require_possible(command);
+  const atlas::Output output = atlas::permitted(
+      {command.output, atlas::FileKind::accuracy, atlas::existing(command.overwrite)}, {command.scene});
 
   Progress progress(command.progress);
   Standing standing;
@@ -53,7 +49,7 @@ int compute_accuracy(const AccuracyCommand& command) {
     if (progress.is_due()) progress.show(standing);
   };
   const auto study = study_accuracy(scene, settings, command.repeats, after_run);
-  atlas::write_accuracy(command.output, scene, text, study, software());
+  atlas::write_accuracy(output, scene, text, study, software());
   progress.finish(standing);
   return standing.failed == 0 ? exit_code::kDone : exit_code::kSomePointsFailed;
 }

@@ -27,12 +27,14 @@ Examples:
   rubatlas orbit jobs/damping.json --at speed_ratio=0.5,damping_ratio=0.1 --from damping.h5 -o orbit.h5
   rubatlas analyse damping.h5 -o maps.h5 --table table.md        regions, triggers and sensitivities
   rubatlas accuracy jobs/accuracy.json -o accuracy.h5            error against time, method by method
+  rubatlas verify damping.h5 --recompute 50                      checksums of all rows, 50 rows once more
 
 Exit codes: 0 done; 1 done, but some points left the model or could not be integrated; 2 wrong call or scene;
 3 disk, files or MPI refused; 75 stopped on request, --resume goes on.
 )";
 
-constexpr std::array<std::string_view, 5> kCommands{"run", "explain", "orbit", "analyse", "accuracy"};
+constexpr std::array<std::string_view, 6> kCommands{"run",     "explain",  "orbit",
+                                                    "analyse", "accuracy", "verify"};
 /// In the order of the enumeration ProgressStyle.
 constexpr std::array<std::string_view, 4> kProgressStyles{"auto", "bar", "plain", "off"};
 
@@ -81,7 +83,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   run->add_option("-o,--output", run_options.atlas, "Atlas to write (HDF5)")->required();
   auto* resume =
       run->add_flag("--resume", run_options.resume, "Complete an atlas, or begin it where there is none");
-  run->add_flag("--overwrite", run_options.overwrite, "Replace an existing atlas")->excludes(resume);
+  run->add_flag("--overwrite", run_options.overwrite, "Replace an existing atlas; no other file")
+      ->excludes(resume);
   std::string progress = "auto";
   const auto add_progress = [&](CLI::App* command) {
     command->add_option("--progress", progress, "auto, bar, plain or off; auto is a bar on a terminal")
@@ -90,6 +93,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   add_progress(run);
   // For comparisons: the atlas has the same bytes. In no group, so that --help does not show it.
   run->add_option("--lanes", run_options.most_lanes)->envname("RUBATLAS_LANES")->group("");
+  // For tests that kill runs: how long finished rows wait for their statuses.
+  run->add_option("--batch-milliseconds", run_options.batch_milliseconds)->group("");
   run->add_flag("--dry-run", run_options.dry_run, "Check scene, disk and output, explain, and stop");
 
   ExplainCommand explain_command;
@@ -115,7 +120,7 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   orbit->add_option("-o,--output", orbit_command.output, "Orbit to write (HDF5)")->required();
   orbit->add_option("--from", orbit_command.from,
                     "Atlas of the scene: start from its final state at this point");
-  orbit->add_flag("--overwrite", orbit_command.overwrite, "Replace an existing file");
+  orbit->add_flag("--overwrite", orbit_command.overwrite, "Replace an existing orbit; no other file");
 
   AnalyseCommand analyse_command;
   auto* analyse =
@@ -123,6 +128,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   analyse->add_option("ATLAS", analyse_command.atlas, "Atlas (HDF5)")->required();
   analyse->add_option("-o,--output", analyse_command.maps, "Maps to write (HDF5)")->required();
   analyse->add_option("--table", analyse_command.table, "Write the table to this file too (Markdown)");
+  analyse->add_flag("--overwrite", analyse_command.overwrite,
+                    "Replace existing maps and table; no other files");
 
   AccuracyCommand accuracy_command;
   auto* accuracy =
@@ -146,7 +153,16 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   accuracy->add_option("--repeats", accuracy_command.repeats,
                        "Timed runs of each point, fewer where they are slow; default: 3");
   add_progress(accuracy);
-  accuracy->add_flag("--overwrite", accuracy_command.overwrite, "Replace an existing file");
+  accuracy->add_flag("--overwrite", accuracy_command.overwrite, "Replace an existing study; no other file");
+
+  VerifyCommand verify_command;
+  auto* verify = program.add_subcommand("verify", "Check that the rows of an atlas are what was computed");
+  verify->add_option("ATLAS", verify_command.atlas, "Atlas (HDF5)")->required();
+  verify
+      ->add_option(
+          "--recompute", verify_command.recompute,
+          "Compute so many rows again, spread over the grid; the build that made them has the same bits")
+      ->type_name("ROWS");
 
   program.footer(kExamples);
 
@@ -166,10 +182,15 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
           fmt::format("--lanes {}: how many lines of a rank side by side, at most; 0 sets no bound",
                       run_options.most_lanes));
     }
+    if (run_options.batch_milliseconds < 0) {
+      throw UsageError(
+          fmt::format("--batch-milliseconds {}: a time, 0 at least", run_options.batch_milliseconds));
+    }
     return run_options;
   }
   if (explain->parsed()) return explain_command;
   if (orbit->parsed()) return orbit_command;
+  if (verify->parsed()) return verify_command;
   if (accuracy->parsed()) {
     accuracy_command.progress = progress_style(progress);
     return accuracy_command;

@@ -35,6 +35,7 @@ struct AnalyseCommand {
   std::filesystem::path atlas;
   std::filesystem::path maps;
   std::optional<std::filesystem::path> table;
+  bool overwrite = false;
 };
 
 struct AccuracyCommand {
@@ -46,8 +47,13 @@ struct AccuracyCommand {
   ProgressStyle progress = ProgressStyle::automatic;
 };
 
-using Command =
-    std::variant<PrintCommand, RunOptions, ExplainCommand, OrbitCommand, AnalyseCommand, AccuracyCommand>;
+struct VerifyCommand {
+  std::filesystem::path atlas;
+  std::size_t recompute = 0;  ///< rows that are computed again
+};
+
+using Command = std::variant<PrintCommand, RunOptions, ExplainCommand, OrbitCommand, AnalyseCommand,
+                             AccuracyCommand, VerifyCommand>;
 
 /// Throws UsageError with one sentence.
 Command parse_command_line(int argument_count, const char* const* arguments);

@@ -19,6 +19,7 @@
 #include "mpi/notes.hpp"
 #include "mpi/progress.hpp"
 #include "plan/grid.hpp"
+#include "scene/printable.hpp"
 #include "scene/quantity.hpp"
 
 namespace rubatlas::mpi {
@@ -200,8 +201,9 @@ std::string explain(const scene::Scene& scene, double measured_for) {
   if (!remarks.empty()) text.heading("Notes");
   for (const auto& remark : remarks) text.note(remark);
 
-  const std::string title = scene.title.empty() ? "(a scene without a title)" : scene.title;
-  return fmt::format("{}\n{}{}", title, scene.reference.empty() ? "" : scene.reference + "\n", text.take());
+  const std::string title = scene.title.empty() ? "(a scene without a title)" : scene::printable(scene.title);
+  return fmt::format("{}\n{}{}", title,
+                     scene.reference.empty() ? "" : scene::printable(scene.reference) + "\n", text.take());
 }
 
 }  // namespace rubatlas::mpi

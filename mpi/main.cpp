@@ -5,11 +5,16 @@
 //      explain  scene → plan → what it would be                        (explain)
 //      orbit    scene → one point in full                              (orbit_command)
 //      analyse  atlas → classes, regions, triggers, sensitivities      (analysis)
+//      verify   atlas → are its rows what was computed?                (verify_command)
 //      accuracy scene → every method and tolerance → error and time    (accuracy_command)
 //   3. whatever goes wrong becomes one message and an exit code        (failure)
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <optional>
 #include <string>
@@ -25,6 +30,7 @@
 #include "mpi/orbit_command.hpp"
 #include "mpi/run.hpp"
 #include "mpi/session.hpp"
+#include "mpi/verify_command.hpp"
 #include "scene/reader.hpp"
 
 namespace rubatlas::mpi {
@@ -56,12 +62,31 @@ int carry_out(const OrbitCommand& command) {
 }
 
 int carry_out(const AnalyseCommand& command) {
-  analysis::analyse(command.atlas, command.maps, command.table);
+  analysis::analyse(command.atlas, command.maps, command.table, command.overwrite);
   return exit_code::kDone;
 }
 
 int carry_out(const AccuracyCommand& command) {
   return compute_accuracy(command);
+}
+
+int carry_out(const VerifyCommand& command) {
+  return verify(command);
+}
+
+/// Whoever starts a program with standard input, output or error closed lets its next file become one of
+/// them, and messages be written into it.
+void open_standard_descriptors() {
+  for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
+    // The lowest number that is free is the one that is looked at: those below are open.
+    if (::fcntl(descriptor, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != descriptor)
+      std::_Exit(exit_code::kEnvironment);
+  }
+}
+
+/// A file beyond the limit (ulimit -f) is a write that fails and has its sentence, not a signal.
+void take_file_limits_as_errors() {
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 /// What one process does: under mpirun the first rank does it, and all end together with its exit code, since
@@ -102,6 +127,8 @@ int carry_out_command_line(int argument_count, const char* const* arguments) {
 }  // namespace rubatlas::mpi
 
 int main(int argument_count, char** arguments) {
+  rubatlas::mpi::open_standard_descriptors();
+  rubatlas::mpi::take_file_limits_as_errors();
   try {
     return rubatlas::mpi::carry_out_command_line(argument_count, arguments);
   } catch (...) {

@@ -52,6 +52,7 @@ JobResult Master::run() {
       continue;
     }
     if (workers_ == 0) break;
+    runner_.idle();
     nap.take();
   }
   result_.stopped = stopping_ && result_.standing.finished < result_.standing.total;

@@ -11,6 +11,8 @@
 #include "atlas/atlas_reader.hpp"
 #include "atlas/final_states.hpp"
 #include "atlas/orbit_file.hpp"
+#include "atlas/output.hpp"
+#include "atlas/verify.hpp"
 #include "mpi/exit_code.hpp"
 #include "mpi/version.hpp"
 #include "plan/grid.hpp"
@@ -186,18 +188,16 @@ solve::PointStart stored_end(const scene::Scene& scene, const std::filesystem::p
         "{} has no final state at this point: its status is {} ({})", path.string(), static_cast<int>(status),
         status == solve::PointStatus::pending ? "not computed yet" : solve::text_of(detail)));
   }
+  atlas::require_sound_row(atlas, *point);
   return atlas::FinalStates(atlas, scene).of(*point);
 }
 
-/// The orbit must not replace what it is made from.
-void require_own_file(const OrbitCommand& command) {
-  std::error_code ignored;  // a file that does not exist is nobody's
-  for (const auto& source : {command.scene, command.from.value_or(command.scene)}) {
-    if (std::filesystem::equivalent(command.output, source, ignored)) {
-      throw UsageError(
-          fmt::format("-o {}: the orbit would replace {}", command.output.string(), source.string()));
-    }
-  }
+/// Where the orbit goes: not over what it is made from.
+atlas::Output output_of(const OrbitCommand& command) {
+  std::vector<std::filesystem::path> sources{command.scene};
+  if (command.from) sources.push_back(*command.from);
+  return atlas::permitted({command.output, atlas::FileKind::orbit, atlas::existing(command.overwrite)},
+                          sources);
 }
 
 }  // namespace
@@ -209,10 +209,7 @@ int compute_orbit(const OrbitCommand& command) {
   if (place.direction && !command.from) {
     throw UsageError("--at direction means a line of an atlas; it needs --from ATLAS");
   }
-  require_own_file(command);
-  if (std::filesystem::exists(command.output) && !command.overwrite) {
-    throw UsageError(fmt::format("{} exists; --overwrite replaces it", command.output.string()));
-  }
+  const atlas::Output output = output_of(command);
   const auto& initial = scene.initial;
   const solve::PointStart start = command.from
                                       ? stored_end(scene, *command.from, place)
@@ -220,7 +217,7 @@ int compute_orbit(const OrbitCommand& command) {
 
   const auto solver = solve::make_line_solver(scene, place.parameters, solve::make_blade_tables());
   const solve::Orbit orbit = solver->orbit(place.parameters.speed_ratio, start);
-  atlas::write_orbit(command.output, scene, text, place.parameters, start.state, orbit, software());
+  atlas::write_orbit(output, scene, text, place.parameters, start.state, orbit, software());
 
   if (orbit.status == solve::PointStatus::done) return exit_code::kDone;
   fmt::print(stderr, "rubatlas: the motion {} in revolution {}: {}; {} holds what came before\n",

@@ -53,6 +53,7 @@ void PointRunner::begin(const Piece& piece) {
 void PointRunner::run(const Callbacks& callbacks) {
   const auto go_on = [&] {
     const bool goes_on = callbacks.go_on();
+    writer_.settle_if_due();
     begin_points(callbacks);
     return goes_on;
   };

@@ -43,6 +43,9 @@ class PointRunner {
   /// `initial`.
   void run(const Callbacks& callbacks);
 
+  /// What is written is made to last, now and then: to be called while there is nothing to compute.
+  void idle() { writer_.settle_if_due(); }
+
   [[nodiscard]] batch::LaneCounts lane_counts() const { return batch_->counts(); }
 
  private:

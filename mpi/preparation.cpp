@@ -7,41 +7,65 @@
 
 #include "atlas/atlas_reader.hpp"
 #include "atlas/create.hpp"
+#include "atlas/environment_error.hpp"
 #include "atlas/free_space.hpp"
+#include "atlas/header_checksum.hpp"
+#include "atlas/output.hpp"
 #include "atlas/schema.hpp"
+#include "atlas/verify.hpp"
 #include "mpi/exit_code.hpp"
 #include "mpi/explain.hpp"
+#include "mpi/run_record.hpp"
 #include "plan/grid.hpp"
 #include "scene/reader.hpp"
 
 namespace rubatlas::mpi {
 namespace {
 
-/// Nothing that exists is overwritten, or added to, unasked.
-void require_permission(const RunOptions& options) {
-  if (std::filesystem::exists(options.atlas) && !options.resume && !options.overwrite) {
-    throw UsageError(
-        fmt::format("{} exists; --resume completes it, --overwrite replaces it", options.atlas.string()));
-  }
-}
-
 /// A run may go on with what an equal scene has begun, and with nothing else.
-void require_same_scene(const RunOptions& options, const scene::Scene& scene) {
-  const atlas::AtlasReader existing(options.atlas);
+void require_same_scene(const RunOptions& options, const atlas::AtlasReader& existing,
+                        const scene::Scene& scene) {
   const std::string difference = scene::difference(existing.scene_resolved(), scene::resolved_json(scene));
   if (!difference.empty()) {
     throw UsageError(fmt::format("{} was made from another scene: {}", options.atlas.string(), difference));
   }
 }
 
-/// All that can be refused without touching the disk.
-void require_possible(const RunOptions& options, const scene::Scene& scene) {
+/// Nor with anything that is not as it was written.
+void require_sound_header(const atlas::AtlasReader& existing) {
+  if (!existing.has_checksums()) {
+    throw atlas::EnvironmentError(fmt::format(
+        "{} was begun by a version whose rows have no checksums, and no run goes on with it; it can "
+        "be read, or begun anew with --overwrite",
+        existing.path().string()));
+  }
+  if (const std::string damage = atlas::header_damage(existing.path()); !damage.empty()) {
+    throw atlas::EnvironmentError(damage);
+  }
+}
+
+bool goes_on(const RunOptions& options) {
+  return options.resume && std::filesystem::exists(options.atlas);
+}
+
+/// All that can be refused without touching the disk. Where the atlas is to be.
+atlas::Output require_possible(const RunOptions& options, const scene::Scene& scene) {
   if (options.resume && options.overwrite) {
     throw UsageError("--resume completes an atlas and --overwrite replaces it: one of the two");
   }
-  require_permission(options);
-  if (options.resume && std::filesystem::exists(options.atlas)) require_same_scene(options, scene);
-  atlas::require_space(options.atlas, atlas::schema_of(scene).byte_count());
+  const auto output =
+      atlas::permitted({options.atlas, atlas::FileKind::atlas,
+                        options.resume ? atlas::Existing::keep : atlas::existing(options.overwrite)},
+                       {options.scene});
+  static_cast<void>(record_output(output.path, options.scene));
+  if (goes_on(options)) {
+    const atlas::AtlasReader existing(output.path);
+    require_sound_header(existing);
+    require_same_scene(options, existing, scene);
+    atlas::require_sound_rows(existing);
+  }
+  atlas::require_space(output.path, atlas::schema_of(scene).byte_count());
+  return output;
 }
 
 }  // namespace
@@ -50,17 +74,26 @@ Preparation prepare(const RunOptions& options, const atlas::Software& software) 
   Preparation preparation;
   preparation.scene_text = scene::read_text(options.scene);
   const scene::Scene scene = scene::parse_scene(preparation.scene_text, options.scene.string());
-  require_possible(options, scene);
+  const atlas::Output output = require_possible(options, scene);
+  preparation.atlas = output.path;
 
-  preparation.run_lock.emplace(atlas::FileLock::beside(options.atlas));
-  require_permission(options);  // again: another run may have made the file before the lock was ours
-  if (options.resume && std::filesystem::exists(options.atlas)) {
-    require_same_scene(options, scene);
-  } else {
-    atlas::create_atlas(options.atlas, scene, preparation.scene_text, software);
+  // What is there is locked before it is resumed or replaced, a new file before it gets its name: there is no
+  // moment in which another run could have it.
+  std::optional<atlas::AtlasLock>& lock = preparation.lock;
+  if (std::filesystem::exists(output.path)) lock.emplace(output.path);
+  if (!goes_on(options)) {
+    atlas::create_atlas(output, scene, preparation.scene_text, software, [&](const auto& unpublished) {
+      if (lock) {
+        lock->move_to(unpublished);
+      } else {
+        lock.emplace(unpublished, output.path);
+      }
+    });
   }
-  preparation.atlas_lock.emplace(atlas::FileLock::shared_on(options.atlas));
-  const atlas::AtlasReader atlas(options.atlas);
+  if (const std::string remark = lock->remark(); !remark.empty()) {
+    fmt::print(stderr, "rubatlas: {}\n", remark);
+  }
+  const atlas::AtlasReader atlas(output.path);
   if (const std::string commit = atlas.file().root().text("git_commit"); commit != software.git_commit) {
     fmt::print(stderr,
                "rubatlas: {} was begun by commit {}, this is {}: its points may differ in the last digits\n",
@@ -73,9 +106,9 @@ Preparation prepare(const RunOptions& options, const atlas::Software& software) 
 
 std::string rehearse(const RunOptions& options) {
   const scene::Scene scene = scene::parse_scene(scene::read_text(options.scene), options.scene.string());
-  require_possible(options, scene);
+  static_cast<void>(require_possible(options, scene));
   std::size_t pending = plan::Grid(scene).point_count();
-  if (options.resume && std::filesystem::exists(options.atlas)) {
+  if (goes_on(options)) {
     const auto status = atlas::AtlasReader(options.atlas).status();
     pending = static_cast<std::size_t>(std::count(status.begin(), status.end(), 0));
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,14 +18,14 @@ namespace rubatlas::mpi {
 
 struct Preparation {
   std::string scene_text;
-  std::vector<std::uint8_t> status;           ///< per point, as the atlas has it
-  atlas::FinalStates ends;                    ///< of all points, where status is done
-  std::optional<atlas::FileLock> run_lock;    ///< no second run
-  std::optional<atlas::FileLock> atlas_lock;  ///< no other writer
+  std::vector<std::uint8_t> status;      ///< per point, as the atlas has it
+  atlas::FinalStates ends;               ///< of all points, where status is done
+  std::filesystem::path atlas;           ///< where it is, links followed
+  std::optional<atlas::AtlasLock> lock;  ///< no second run, no other writer
 };
 
-/// Throws scene::SceneError, UsageError or atlas::EnvironmentError; then nothing has been changed on the
-/// disk.
+/// Throws scene::SceneError, UsageError, atlas::OutputRefusal or atlas::EnvironmentError; then nothing has
+/// been changed on the disk.
 Preparation prepare(const RunOptions& options, const atlas::Software& software);
 
 /// What `--dry-run` prints. All that `prepare` would refuse is refused, and nothing is written.

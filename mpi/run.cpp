@@ -61,6 +61,17 @@ JobResult lead(const Session& session, const Preparation& preparation, const pla
   return master.run();
 }
 
+/// The exit code of the job; rank 0 looks whether what it has filled is still where it was.
+int ending(const Preparation& preparation, const JobResult& result) {
+  if (preparation.lock->is_in_place()) return exit_code_of(result);
+  fmt::print(stderr,
+             "rubatlas: {} was removed, moved or replaced while it was being filled; what has been computed "
+             "is in the "
+             "file that stood there before\n",
+             preparation.atlas.string());
+  return exit_code::kEnvironment;
+}
+
 int fill_atlas(const RunOptions& options, const Session& session, const Preparation& preparation) {
   const auto started = std::chrono::system_clock::now();
   const bool leading = session.rank() == 0;
@@ -69,7 +80,8 @@ int fill_atlas(const RunOptions& options, const Session& session, const Preparat
   const std::string scene_text = session.broadcast(preparation.scene_text);
   const scene::Scene scene = scene::parse_scene(scene_text, options.scene.string());
   const plan::Grid grid(scene);
-  atlas::AtlasWriter writer(options.atlas, scene);
+  const std::filesystem::path atlas = session.broadcast(preparation.atlas.string());
+  atlas::AtlasWriter writer(atlas, scene, std::chrono::milliseconds(options.batch_milliseconds));
 
   const batch::Width width = batch::width_of(scene, options.most_lanes);
 
@@ -95,14 +107,14 @@ int fill_atlas(const RunOptions& options, const Session& session, const Preparat
   // 5. Whoever comes early sleeps; then all close the atlas together.
   session.wait_for_all();
   writer.close();
-  const int code = session.broadcast(exit_code_of(result));
+  const int code = session.broadcast(leading ? ending(preparation, result) : exit_code::kDone);
   const std::vector<std::string> hosts = session.gather(host_name());
   const std::vector<std::string> lanes = session.gather(fmt::to_string(width.seats));
   const std::vector<std::string> in_lanes = session.gather(fmt::to_string(lane_counts.in_lanes));
   if (leading) {
     progress.finish(result.standing);
-    write_run_record(options.atlas, {started, hosts, lanes, in_lanes, options.resume, code, result},
-                     software());
+    write_run_record(record_output(atlas, options.scene),
+                     {started, hosts, lanes, in_lanes, options.resume, code, result}, software());
   }
   // A rank that ends with a code other than 0 makes mpirun kill the others, which may still have something to
   // write.

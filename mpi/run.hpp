@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "atlas/atlas_writer.hpp"
+
 namespace rubatlas::mpi {
 
 enum class ProgressStyle : std::uint8_t { automatic, bar, plain, off };
@@ -15,6 +17,7 @@ struct RunOptions {
   bool overwrite = false;
   bool dry_run = false;
   int most_lanes = 0;  ///< lines of a rank side by side, at most; 0: as many as the processor has lanes
+  int batch_milliseconds = atlas::AtlasWriter::kBatchPeriod.count();  ///< from rows to their statuses
   ProgressStyle progress = ProgressStyle::automatic;
 };
 

@@ -7,13 +7,13 @@
 #include <fstream>
 #include <iterator>
 
-#include "atlas/environment_error.hpp"
+#include "atlas/publish.hpp"
 
 namespace rubatlas::mpi {
 namespace {
 
 /// How the file begins and ends; between the two, one run per paragraph.
-constexpr const char* kOpening = "{\"runs\": [\n";
+const std::string kOpening = std::string(atlas::kRecordMark) + "\n";
 constexpr const char* kClosing = "\n]}\n";
 
 std::string utc(std::chrono::system_clock::time_point time) {
@@ -79,10 +79,9 @@ std::string paragraph(const RunRecord& record, const atlas::Software& software) 
 std::string earlier_paragraphs(const std::filesystem::path& path) {
   std::ifstream file(path);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  const std::string opening = kOpening;
   const std::string closing = kClosing;
-  if (!text.starts_with(opening) || !text.ends_with(closing)) return {};
-  return text.substr(opening.size(), text.size() - opening.size() - closing.size());
+  if (!text.starts_with(kOpening) || !text.ends_with(closing)) return {};
+  return text.substr(kOpening.size(), text.size() - kOpening.size() - closing.size());
 }
 
 }  // namespace
@@ -102,15 +101,16 @@ std::string json_text(const std::string& text) {
   return quoted + '"';
 }
 
-void write_run_record(const std::filesystem::path& atlas, const RunRecord& record,
-                      const atlas::Software& software) {
-  const std::filesystem::path path = atlas.string() + ".run.json";
-  std::string runs = record.resumed ? earlier_paragraphs(path) : std::string();
+atlas::Output record_output(const std::filesystem::path& atlas, const std::filesystem::path& scene) {
+  return atlas::permitted({atlas.string() + ".run.json", atlas::FileKind::record, atlas::Existing::replace},
+                          {scene});
+}
+
+void write_run_record(const atlas::Output& output, const RunRecord& record, const atlas::Software& software) {
+  std::string runs = record.resumed ? earlier_paragraphs(output.path) : std::string();
   if (!runs.empty()) runs += ",\n";
   runs += paragraph(record, software);
-  std::ofstream file(path);
-  file << kOpening << runs << kClosing;
-  if (!file.flush()) throw atlas::EnvironmentError(fmt::format("cannot write {}", path.string()));
+  atlas::publish_text({output.path, true}, kOpening + runs + kClosing);
 }
 
 }  // namespace rubatlas::mpi

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "atlas/output.hpp"
 #include "atlas/software.hpp"
 #include "mpi/master.hpp"
 
@@ -21,10 +22,13 @@ struct RunRecord {
   JobResult result;
 };
 
+/// Where the record of an atlas is: never over the scene, and over nothing but a record. Throws
+/// atlas::OutputRefusal.
+atlas::Output record_output(const std::filesystem::path& atlas, const std::filesystem::path& scene);
+
 /// Adds a run to the record beside an atlas; `resumed` runs join those before them, others start it anew.
 /// Throws EnvironmentError.
-void write_run_record(const std::filesystem::path& atlas, const RunRecord& record,
-                      const atlas::Software& software);
+void write_run_record(const atlas::Output& output, const RunRecord& record, const atlas::Software& software);
 
 /// A text between quotation marks, as JSON wants it.
 std::string json_text(const std::string& text);

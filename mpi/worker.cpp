@@ -75,6 +75,7 @@ void work(const Mailbox& mailbox, PointRunner& runner) {
       runner.run(callbacks);
       nap.reset();
     } else {
+      runner.idle();
       nap.take();
     }
   }

@@ -7,7 +7,7 @@ import json
 import h5py
 import numpy as np
 
-from atlas_file import DONE, AtlasError, clearance_of, swept_pointers, text, with_values
+from atlas_file import DONE, UNREADABLE, AtlasError, clearance_of, printable, swept_pointers, text, with_values
 
 # Parameters of a reference case, and where a resolved scene states them.
 PARAMETERS = {"R": "/ring/radius", "L": "/blades/length", "rh": "/blades/hub_radius", "m": "/rotor/mass",
@@ -29,8 +29,8 @@ class AccuracyFile:
                 self.scene = json.loads(file["scene_resolved"][()])
                 self.axes = [next(iter(dimension.values())).name.strip("/") for dimension in file["status"].dims][1:]
                 self.repeats = int(file.attrs["repeats"])
-        except (OSError, KeyError) as error:
-            raise AtlasError(f"{path}: not a study that `rubatlas accuracy` has written ({error})") from None
+        except UNREADABLE:
+            raise AtlasError(f"{path}: not a study that `rubatlas accuracy` has written, or damaged") from None
         self.done = self._flat("status") == DONE
 
     def __getitem__(self, name):
@@ -38,7 +38,7 @@ class AccuracyFile:
         return self.data[name]
 
     def attribute(self, name):
-        return text(self.attributes.get(name, ""))
+        return printable(self.attributes.get(name, ""))
 
     def _flat(self, name):
         """(settings, points), or (points) for what does not depend on the setting."""

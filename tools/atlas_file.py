@@ -9,7 +9,10 @@ status is not "done" means nothing, so everything is read through `/status` here
         line = atlas.line(damping_ratio=0.1)
         speed, displacement = atlas.axis("speed_ratio"), line.rows("max_displacement")
 """
+import contextlib
 import json
+import os
+import re
 
 import h5py
 import numpy as np
@@ -56,32 +59,133 @@ def text(value):
     return value.decode() if isinstance(value, bytes) else str(value)
 
 
+def printable(value):
+    """A text without the control characters that would steer a terminal."""
+    return re.sub("[\x00-\x1f\x7f-\x9f]", "", text(value))
+
+
+# What h5py raises where something is missing, of another kind, or damaged.
+UNREADABLE = (OSError, KeyError, ValueError, RuntimeError, TypeError, IndexError, AttributeError, StopIteration)
+
+
+@contextlib.contextmanager
+def reading(path, what):
+    """The HDF5 file at `path`, open within the block; whatever cannot be read there is one AtlasError: not `what`."""
+    if not os.path.exists(path):
+        raise AtlasError(f"{path}: no such file")
+    if not os.path.isfile(path):
+        raise AtlasError(f"{path}: not a file")
+    try:
+        with h5py.File(path, "r") as file:
+            yield file
+    except UNREADABLE:
+        raise AtlasError(f"{path}: not {what}, or damaged") from None
+
+
+class _Examination:
+    """Compares the datasets of a file that lies on the axes of an atlas with these axes, once."""
+
+    KINDS = {"status": "u", "restarted": "u", "failed_revolution": "i", "class": "u", "class_blade_passing": "u"}
+
+    def __init__(self, path, file):
+        self.path, self.file = path, file
+
+    def refuse(self, fact):
+        raise AtlasError(f"{self.path}: {fact}; the file is damaged, or not one of rubatlas")
+
+    def dataset(self, name):
+        link = self.file.get(name, getlink=True)
+        if link is None:
+            self.refuse(f"/{name} is missing")
+        if not isinstance(link, h5py.HardLink) or not isinstance(self.file[name], h5py.Dataset):
+            self.refuse(f"/{name} is no dataset of this file")
+        dataset = self.file[name]
+        if dataset.external or dataset.is_virtual:
+            self.refuse(f"/{name} keeps its numbers in another file")
+        return dataset
+
+    def scale(self, dataset, dimension):
+        """Name of the scale that an axis of a dataset runs along, of the axis' length."""
+        name = dataset.name.strip("/")
+        scales = dataset.dims[dimension].values()
+        if not scales:
+            self.refuse(f"axis {dimension} of /{name} has no scale")
+        scale = self.dataset(scales[0].name.strip("/"))
+        if scale.shape != (dataset.shape[dimension],):
+            self.refuse(f"/{name} is {dataset.shape[dimension]} long where its scale {scale.name} is {scale.shape}")
+        return scale.name.strip("/")
+
+    def numbers(self, name, axes):
+        """A dataset with a row per point: its kind, and its axes."""
+        dataset = self.dataset(name)
+        if dataset.dtype.kind != self.KINDS.get(name, "f"):
+            self.refuse(f"/{name} does not hold the numbers that it should")
+        if dataset.ndim < len(axes):
+            self.refuse(f"/{name} has the shape {dataset.shape}, with fewer axes than its grid")
+        found = [self.scale(dataset, dimension) for dimension in range(dataset.ndim)]
+        if found[:len(axes)] != axes:
+            self.refuse(f"/{name} runs along {', '.join(found)}, not along {', '.join(axes)}")
+        return dataset
+
+    def scene(self):
+        dataset = self.dataset("scene_resolved")
+        try:
+            scene = json.loads(text(dataset[()]))
+            # What pictures ask of it.
+            for part, key in (("rotor", "damping_ratio"), ("blades", "length"), ("ring", "radius"), ("contact", "friction"),
+                              ("protocol", "transient_revolutions"), ("grid", "speed_ratio")):
+                scene[part][key]
+            return scene
+        except (ValueError, KeyError, TypeError):
+            self.refuse("/scene_resolved is not a scene")
+
+    def axes(self):
+        grid = next((name for name in ("status", "class") if name in self.file), None)
+        if grid is None:
+            raise AtlasError(f"{self.path}: neither /status nor /class is there; this is no atlas")
+        dataset = self.dataset(grid)
+        if dataset.ndim == 0:
+            self.refuse(f"/{grid} is one number, not one per point")
+        axes = [self.scale(dataset, dimension) for dimension in range(dataset.ndim)]
+        for name in axes:
+            values = self.file[name]
+            if values.dtype.kind != "f" or not (np.isfinite(values[...]).all() and (np.diff(values[...]) > 0).all()):
+                self.refuse(f"/{name} does not hold ascending numbers")
+        return axes
+
+    def rows(self, axes, scene):
+        names = [name for name in ("class", "class_blade_passing") if name in self.file]
+        if "status" in self.file:
+            names = ["status", "restarted", "failed_revolution", "final_state", *scene.get("observables", [])]
+        for name in names:
+            self.numbers(name, axes)
+        if "status" not in self.file:
+            return
+        status = self.file["status"][...]
+        if status.max() > INTEGRATOR_FAILED:
+            self.refuse(f"/status has a {status.max()}, and no status is above {INTEGRATOR_FAILED}")
+        if not np.isfinite(self.file["final_state"][...][status == DONE]).all():
+            self.refuse("/final_state of a point that is done is not finite")
+
+
 class AtlasFile:
     """An atlas (or a file on the same axes, such as the maps that `rubatlas analyse` writes), open for reading."""
 
     def __init__(self, path):
         self.path = str(path)
-        try:
-            self.file = h5py.File(path, "r")
-        except OSError as error:
-            raise AtlasError(f"{path}: not a readable HDF5 file ({error})") from None
-        grid = self.file.get("status", self.file.get("class"))
-        if grid is None:
-            self.file.close()
-            raise AtlasError(f"{path}: neither /status nor /class is there; this is no atlas")
-        self.axes = [self._scale(grid, dimension) for dimension in range(grid.ndim)]
-        scene = self.file.get("scene_resolved")
-        self.scene = json.loads(text(scene[()])) if scene is not None else {}
+        with contextlib.ExitStack() as stack:
+            self.file = stack.enter_context(reading(self.path, "a readable HDF5 file of rubatlas"))
+            examination = _Examination(self.path, self.file)
+            self.axes = examination.axes()
+            self.scene = examination.scene()
+            examination.rows(self.axes, self.scene)
+            self._stack = stack.pop_all()  # stays open
 
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
-        self.file.close()
-
-    @staticmethod
-    def _scale(dataset, dimension):
-        return next(iter(dataset.dims[dimension].values())).name.strip("/")
+        self._stack.pop_all().__exit__(None, None, None)
 
     def __contains__(self, name):
         return name in self.file
@@ -114,7 +218,7 @@ class AtlasFile:
 
     def attribute(self, name):
         """Root attribute as text, empty where it is not there."""
-        return text(self.file.attrs.get(name, ""))
+        return printable(self.file.attrs.get(name, ""))
 
     @property
     def clearance(self):

@@ -13,7 +13,7 @@ import numpy as np
 
 import command_line
 import style
-from atlas_file import DONE, AtlasError, clearance_of, swept_pointers, text, with_values
+from atlas_file import DONE, UNREADABLE, AtlasError, clearance_of, printable, swept_pointers, text, with_values
 
 
 DATASETS = ("time", "state", "force", "sections", "contact_number", "contact_blade", "contact_time", "contact_force")
@@ -30,8 +30,8 @@ class OrbitFile:
                 self.units = {name: text(file[name].attrs["units"]) for name in self.data}
                 self.attributes = dict(file.attrs)
                 self.scene = json.loads(file["scene_resolved"][()])
-        except (OSError, KeyError) as error:
-            raise AtlasError(f"{path}: not an orbit that `rubatlas orbit` has written ({error})") from None
+        except UNREADABLE:
+            raise AtlasError(f"{path}: not an orbit that `rubatlas orbit` has written, or damaged") from None
         self.further_axes = sorted(swept_pointers(self.scene))
         self.scene = with_values(self.scene, self.attributes)
         if self.attributes["status"] != DONE:
@@ -40,7 +40,7 @@ class OrbitFile:
                              f"({text(self.attributes['status_meanings'])})")
 
     def attribute(self, name):
-        return text(self.attributes.get(name, ""))
+        return printable(self.attributes.get(name, ""))
 
     def contacts(self, blade, since):
         """Time and force over all contacts of a blade that end after `since`: each from 0 to 0, NaN in between."""

@@ -11,12 +11,11 @@ worth of detail: the statements, and the sum.
 import json
 import re
 
-import h5py
 import numpy as np
 
 import command_line
 import style
-from atlas_file import AtlasError, text
+from atlas_file import AtlasError, reading, text
 
 NOT_COVERED, YES, NO = 0, 1, 2
 COLOURS = {YES: "#8fd1b8", NO: "#eba27a", NOT_COVERED: "#ececf1", None: "#ffffff"}
@@ -36,11 +35,7 @@ class Column:
 
 def columns_of(path, statements):
     """The columns of one file, in the order of its settings; AtlasError where it has no statements."""
-    try:
-        file = h5py.File(path, "r")
-    except OSError as error:
-        raise AtlasError(f"{path}: not a readable HDF5 file ({error})") from None
-    with file:
+    with reading(path, "a readable HDF5 file of rubatlas") as file:
         if "findings" not in file:
             raise AtlasError(f"{path}: no /findings; it is not a file that `rubatlas analyse` writes")
         scene = json.loads(text(file["scene_resolved"][()]))

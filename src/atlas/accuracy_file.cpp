@@ -238,10 +238,11 @@ void write_trajectories(Writer& writer, const scene::Scene& scene, const Accurac
 
 }  // namespace
 
-void write_accuracy(const std::filesystem::path& path, const scene::Scene& scene,
-                    const std::string& scene_text, const AccuracyStudy& study, const Software& software) {
-  File file = File::create(unpublished_name(path));
-  write_provenance(file.root(), software, scene.title);
+void write_accuracy(const Output& output, const scene::Scene& scene, const std::string& scene_text,
+                    const AccuracyStudy& study, const Software& software) {
+  Publication publication(output);
+  File file = File::create(publication.name());
+  write_provenance(file.root(), software, FileKind::accuracy, scene.title);
   Object root = file.root();
   root.set_number<std::int32_t>("reference_setting", 0);
   root.set_number<std::int32_t>("repeats", study.repeats);
@@ -263,7 +264,7 @@ void write_accuracy(const std::filesystem::path& path, const scene::Scene& scene
     write_trajectories(writer, scene, study);
   }
   file.close();
-  publish(path);
+  publication.publish();
 }
 
 }  // namespace rubatlas::atlas

@@ -6,11 +6,11 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "atlas/output.hpp"
 #include "atlas/software.hpp"
 #include "scene/scene.hpp"
 #include "solve/line_solver.hpp"
@@ -77,8 +77,8 @@ struct AccuracyStudy {
   }
 };
 
-/// What stood at `path` is replaced at once, when the new file is complete. Throws EnvironmentError.
-void write_accuracy(const std::filesystem::path& path, const scene::Scene& scene,
-                    const std::string& scene_text, const AccuracyStudy& study, const Software& software);
+/// The file appears when it is complete. Throws EnvironmentError.
+void write_accuracy(const Output& output, const scene::Scene& scene, const std::string& scene_text,
+                    const AccuracyStudy& study, const Software& software);
 
 }  // namespace rubatlas::atlas

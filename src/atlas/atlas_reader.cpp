@@ -1,36 +1,16 @@
 #include "atlas/atlas_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "atlas/environment_error.hpp"
 #include "atlas/point_index.hpp"
-#include "atlas/software.hpp"
+#include "atlas/structure.hpp"
 
 namespace rubatlas::atlas {
 namespace {
-
-File open_atlas(const std::filesystem::path& path) {
-  try {
-    return File::open_to_read(path);
-  } catch (const EnvironmentError& error) {
-    throw EnvironmentError(fmt::format("{} cannot be opened as an atlas: {}", path.string(), error.what()));
-  }
-}
-
-/// The axes are the scales of `/status`: whatever axes another version adds, they are found.
-std::vector<plan::Axis> read_axes(const File& file) {
-  const Dataset status = file.dataset("/status");
-  std::vector<plan::Axis> axes;
-  for (std::size_t i = 0; i < status.shape().size(); ++i) {
-    const std::string name = status.scale_name(i);
-    const Dataset scale = file.dataset(name);
-    axes.push_back({name, scale.read<double>(), scale.text("units"), scale.text("long_name")});
-  }
-  return axes;
-}
 
 /// Axis values are copied from scenes, but a caller's may have been typed with fewer digits than were stored.
 constexpr double kSameParameter = 1e-9;
@@ -45,17 +25,8 @@ std::optional<std::size_t> index_of(const std::vector<double>& values, double va
 
 }  // namespace
 
-AtlasReader::AtlasReader(const std::filesystem::path& path) : file_(open_atlas(path)) {
-  if (!file_.has("/status") || !file_.has("/scene_resolved") ||
-      !file_.root().has_attribute("schema_version")) {
-    throw EnvironmentError(fmt::format("{} is not an atlas of rubatlas", path.string()));
-  }
-  if (const std::string version = file_.root().text("schema_version"); version != kSchemaVersion) {
-    throw EnvironmentError(fmt::format("{} has the layout of version {}; this program reads version {}",
-                                       path.string(), version, kSchemaVersion));
-  }
-  axes_ = read_axes(file_);
-}
+AtlasReader::AtlasReader(const std::filesystem::path& path)
+    : path_(path), file_(open_with_care(path)), axes_(require_atlas(file_, path.string())) {}
 
 Shape AtlasReader::shape() const {
   Shape extents;
@@ -97,6 +68,21 @@ std::vector<double> AtlasReader::read_from(const std::string& name, Shape start,
   start.resize(count.size(), 0);
   std::fill_n(count.begin(), axes_fixed, std::size_t{1});
   return dataset.read_block<double>(start, count);
+}
+
+bool AtlasReader::has_checksums() const {
+  return !lacks_checksums(file_);
+}
+
+std::string AtlasReader::place_of(std::size_t point) const {
+  const Shape index = point_index(shape(), point);
+  std::vector<std::string> places;
+  for (std::size_t i = axes_.size(); i-- > 0;) {
+    const auto& axis = axes_[i];
+    if (axis.values.size() == 1 && i + 1 < axes_.size()) continue;
+    places.push_back(fmt::format("{}={}", axis.name, axis.values[index[i]]));
+  }
+  return fmt::format("{}", fmt::join(places, ", "));
 }
 
 std::vector<double> AtlasReader::inner_axis(const std::string& name) const {

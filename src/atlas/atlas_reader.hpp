@@ -20,7 +20,8 @@ namespace rubatlas::atlas {
 
 class AtlasReader {
  public:
-  /// Throws EnvironmentError when the file cannot be opened, is no atlas, or has another schema version.
+  /// Throws EnvironmentError when the file cannot be opened or is not the atlas that its scene asks for
+  /// (`structure.hpp`).
   explicit AtlasReader(const std::filesystem::path& path);
 
   /// `[direction,] [axes swept by pointer,] thickness, unbalance, friction, damping_ratio, speed_ratio`, as
@@ -59,6 +60,12 @@ class AtlasReader {
   /// The scene with every default written out; `scene::parse_scene` reads it.
   [[nodiscard]] std::string scene_resolved() const { return file_.read_text("/scene_resolved"); }
 
+  /// False of atlases that were begun before rows had checksums.
+  [[nodiscard]] bool has_checksums() const;
+  /// A point in words: "speed_ratio=0.3, damping_ratio=0.1"; axes with one value are left out.
+  [[nodiscard]] std::string place_of(std::size_t point) const;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// The file itself, for attributes.
   [[nodiscard]] const File& file() const { return file_; }
 
@@ -66,6 +73,7 @@ class AtlasReader {
   [[nodiscard]] std::vector<double> read_from(const std::string& name, Shape start,
                                               std::size_t axes_fixed) const;
 
+  std::filesystem::path path_;
   File file_;
   std::vector<plan::Axis> axes_;
 };

@@ -1,14 +1,23 @@
 /// An atlas that is being filled: by one process, or by all ranks of a job at once.
+///
+/// A status promises its row, after a power cut too, when pages come to the disk in any order or not at all.
+/// So a row and its checksum are written at once, and its status with a batch: every few seconds what has
+/// been written is brought to the disk, then the statuses of these rows are written.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "atlas/hdf5.hpp"
+#include "atlas/row_checksum.hpp"
 #include "atlas/schema.hpp"
+#include "atlas/synchronise.hpp"
 #include "scene/scene.hpp"
 #include "solve/line_solver.hpp"
 
@@ -16,28 +25,43 @@ namespace rubatlas::atlas {
 
 class AtlasWriter {
  public:
-  /// Opens an atlas that `create_atlas` made from the same scene; under MPI all ranks together, each of which
-  /// then writes whenever it likes. Throws EnvironmentError.
-  AtlasWriter(const std::filesystem::path& path, const scene::Scene& scene);
+  /// A run that is killed loses the points of so long a time: little beside what it has computed, and enough
+  /// that the disk is not kept busy.
+  static constexpr std::chrono::milliseconds kBatchPeriod{2000};
 
-  /// Writes a point's rows, and its status last: whoever finds the status finds the row. A point that did not
-  /// end as done gets NaN throughout. `restarted`: it started from the scene's `initial`.
+  /// Opens an atlas that `create_atlas` made from the same scene; under MPI all ranks together, each of which
+  /// then writes whenever it likes. A `batch_period` of 0 has no batches: each status follows its row. Throws
+  /// EnvironmentError.
+  AtlasWriter(const std::filesystem::path& path, const scene::Scene& scene,
+              std::chrono::milliseconds batch_period = kBatchPeriod);
+
+  /// Writes a point's row; its status follows when the row is on the disk. A point that did not end as done
+  /// gets NaN throughout. `restarted`: it started from the scene's `initial`.
   void write_point(std::size_t point, bool restarted, const solve::PointOutcome& outcome);
 
-  /// All ranks together.
+  /// Writes the statuses that are due; to be called now and then by a rank that writes no points. Asking
+  /// costs a look at the clock.
+  void settle_if_due();
+  /// Writes all of them.
+  void settle();
+
+  /// All ranks together. Everything is on the disk then.
   void close();
 
  private:
-  void write_rows(std::size_t point, bool restarted, const solve::PointOutcome& outcome);
+  void write_row(std::size_t point, const Row& row);
   template <Number T>
-  void write_row(const RowDataset& rows, std::size_t point, std::span<const T> values);
+  void write_part(const RowDataset& rows, std::size_t point, std::span<const T> values);
 
   std::filesystem::path path_;
   Schema schema_;
   Shape grid_shape_;
   File file_;
+  Synchroniser disk_;
   std::map<std::string, Dataset> datasets_;
-  std::vector<double> absent_;  ///< NaN, as long as the longest row
+  std::vector<std::pair<std::size_t, std::uint8_t>> unsettled_;  ///< point and status
+  std::chrono::milliseconds batch_period_;
+  std::chrono::steady_clock::time_point next_batch_;
 };
 
 }  // namespace rubatlas::atlas

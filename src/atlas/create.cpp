@@ -1,5 +1,8 @@
 #include "atlas/create.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <array>
 #include <cstdint>
 #include <map>
@@ -8,11 +11,12 @@
 #include <vector>
 
 #include "atlas/hdf5.hpp"
+#include "atlas/header_checksum.hpp"
 #include "atlas/inner_scale.hpp"
 #include "atlas/publish.hpp"
 #include "atlas/schema.hpp"
 #include "scene/reader.hpp"
-#include "solve/point_status.hpp"
+#include "solve/line_solver.hpp"
 
 namespace rubatlas::atlas {
 namespace {
@@ -40,6 +44,8 @@ Dataset create_rows(File& file, const RowDataset& rows) {
   switch (rows.type) {
     case NumberType::uint8:
       return file.create_sparse_dataset<std::uint8_t>(rows.name, rows.shape);
+    case NumberType::uint32:
+      return file.create_sparse_dataset<std::uint32_t>(rows.name, rows.shape);
     case NumberType::int32:
       return file.create_filled_dataset<std::int32_t>(rows.name, rows.shape, -1);
     case NumberType::float64:
@@ -77,11 +83,14 @@ void create_row_dataset(File& file, const Schema& schema, const RowDataset& rows
 
 }  // namespace
 
-void create_atlas(const std::filesystem::path& path, const scene::Scene& scene, const std::string& scene_text,
-                  const Software& software) {
+void create_atlas(const Output& output, const scene::Scene& scene, const std::string& scene_text,
+                  const Software& software,
+                  const std::function<void(const std::filesystem::path&)>& before_it_appears) {
   const Schema schema = schema_of(scene);
-  File file = File::create(unpublished_name(path));
-  write_provenance(file.root(), software, scene.title);
+  Publication publication(output);
+  File file = File::create(publication.name());
+  create_header_checksum(file.root(), schema.row_datasets().size());
+  write_provenance(file.root(), software, FileKind::atlas, scene.title);
   file.create_text("/scene", scene_text).set_text("long_name", "the scene file, as it was given");
   file.create_text("/scene_resolved", scene::resolved_json(scene))
       .set_text("long_name", "the scene with every default and every axis value written out");
@@ -90,9 +99,14 @@ void create_atlas(const std::filesystem::path& path, const scene::Scene& scene, 
     create_grid_scales(file, schema, scales);
     for (const auto& axis : schema.inner_axes) scales.emplace(axis.name, create_inner_scale(file, axis));
     for (const auto* rows : schema.row_datasets()) create_row_dataset(file, schema, *rows, scales);
+    std::vector<std::string> order;
+    for (const auto* rows : schema.summed_datasets()) order.push_back(rows->name);
+    file.dataset(schema.row_checksum.name).set_text("order", fmt::format("{}", fmt::join(order, " ")));
   }
   file.close();
-  publish(path);
+  seal_header(publication.name());
+  if (before_it_appears) before_it_appears(publication.name());
+  publication.publish();
 }
 
 }  // namespace rubatlas::atlas

@@ -2,17 +2,21 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
+#include "atlas/output.hpp"
 #include "atlas/software.hpp"
 #include "scene/scene.hpp"
 
 namespace rubatlas::atlas {
 
 /// Creates the atlas of a scene with the serial driver under a temporary name and renames it when it is
-/// complete and on the disk: one rank does this before the others open it. What stood at `path` is replaced.
-/// `scene_text` is the scene file as it was read. Throws EnvironmentError.
-void create_atlas(const std::filesystem::path& path, const scene::Scene& scene, const std::string& scene_text,
-                  const Software& software);
+/// complete and on the disk: one rank does this before the others open it. `scene_text` is the scene file as
+/// it was read. `before_it_appears` gets the temporary name when the file is complete: to lock it. Throws
+/// EnvironmentError, and OutputRefusal where there is a file that must stay.
+void create_atlas(const Output& output, const scene::Scene& scene, const std::string& scene_text,
+                  const Software& software,
+                  const std::function<void(const std::filesystem::path&)>& before_it_appears = {});
 
 }  // namespace rubatlas::atlas

@@ -23,6 +23,7 @@ Identifier memory_type() {
   if constexpr (std::same_as<T, double>) return H5T_NATIVE_DOUBLE;
   if constexpr (std::same_as<T, std::uint8_t>) return H5T_NATIVE_UINT8;
   if constexpr (std::same_as<T, std::int32_t>) return H5T_NATIVE_INT32;
+  if constexpr (std::same_as<T, std::uint32_t>) return H5T_NATIVE_UINT32;
   if constexpr (std::same_as<T, std::int64_t>) return H5T_NATIVE_INT64;
 }
 
@@ -31,6 +32,7 @@ Identifier file_type() {
   if constexpr (std::same_as<T, double>) return H5T_IEEE_F64LE;
   if constexpr (std::same_as<T, std::uint8_t>) return H5T_STD_U8LE;
   if constexpr (std::same_as<T, std::int32_t>) return H5T_STD_I32LE;
+  if constexpr (std::same_as<T, std::uint32_t>) return H5T_STD_U32LE;
   if constexpr (std::same_as<T, std::int64_t>) return H5T_STD_I64LE;
 }
 
@@ -65,7 +67,7 @@ Handle text_type(std::size_t size) {
 
 /// A text of variable or fixed length, read through `read(memory type, buffer)`.
 std::string read_one_text(Identifier stored_type, const std::function<void(Identifier, void*)>& read) {
-  if (RUBATLAS_HDF5(H5Tget_class(stored_type)) != H5T_STRING) throw EnvironmentError("HDF5: not a text");
+  if (RUBATLAS_HDF5(H5Tget_class(stored_type)) != H5T_STRING) throw Hdf5Failure("it is not a text");
   if (RUBATLAS_HDF5(H5Tis_variable_str(stored_type)) > 0) {
     const Handle type = text_type(H5T_VARIABLE);
     char* raw = nullptr;
@@ -76,6 +78,11 @@ std::string read_one_text(Identifier stored_type, const std::function<void(Ident
   std::string text(H5Tget_size(stored_type), '\0');
   read(text_type(text.size()).get(), text.data());
   return text.substr(0, text.find('\0'));
+}
+
+/// A text or a number, and no array of them: the buffer that is read into holds one.
+void require_one_value(const Handle& space) {
+  if (H5Sget_simple_extent_npoints(space.get()) != 1) throw Hdf5Failure("it is not one value");
 }
 
 /// Serial access without HDF5's own lock: an exclusive lock would shut readers out while an atlas is written.
@@ -101,7 +108,13 @@ std::size_t product(const Shape& shape) {
 
 void Handle::close() {
   if (!is_open()) return;
-  RUBATLAS_HDF5(close_(std::exchange(identifier_, kNone)));
+  const std::string what = described(identifier_);
+  if (close_(std::exchange(identifier_, kNone)) >= 0) return;
+  try {
+    throw_hdf5_failure();
+  } catch (const Hdf5Failure& failure) {
+    throw EnvironmentError(fmt::format("{} cannot be closed: {}", what, failure.what()));
+  }
 }
 
 // Attributes
@@ -136,37 +149,79 @@ void Object::set_numbers(const std::string& name, std::span<const T> values) {
 }
 
 bool Object::has_attribute(const std::string& name) const {
-  return RUBATLAS_HDF5(H5Aexists(identifier(), name.c_str())) > 0;
+  return about(identifier(), ("asked for " + name).c_str(),
+               [&] { return RUBATLAS_HDF5(H5Aexists(identifier(), name.c_str())) > 0; });
 }
 
 std::string Object::text(const std::string& name) const {
-  const Handle attribute{RUBATLAS_HDF5(H5Aopen(identifier(), name.c_str(), H5P_DEFAULT)), H5Aclose};
-  const Handle type{RUBATLAS_HDF5(H5Aget_type(attribute.get())), H5Tclose};
-  return read_one_text(type.get(), [&](Identifier memory, void* buffer) {
-    RUBATLAS_HDF5(H5Aread(attribute.get(), memory, buffer));
+  return about(identifier(), ("asked for its text " + name).c_str(), [&] {
+    const Handle attribute{RUBATLAS_HDF5(H5Aopen(identifier(), name.c_str(), H5P_DEFAULT)), H5Aclose};
+    const Handle type{RUBATLAS_HDF5(H5Aget_type(attribute.get())), H5Tclose};
+    require_one_value({RUBATLAS_HDF5(H5Aget_space(attribute.get())), H5Sclose});
+    return read_one_text(type.get(), [&](Identifier memory, void* buffer) {
+      RUBATLAS_HDF5(H5Aread(attribute.get(), memory, buffer));
+    });
   });
 }
 
 double Object::number(const std::string& name) const {
-  const Handle attribute{RUBATLAS_HDF5(H5Aopen(identifier(), name.c_str(), H5P_DEFAULT)), H5Aclose};
-  const Handle space{RUBATLAS_HDF5(H5Aget_space(attribute.get())), H5Sclose};
-  if (H5Sget_simple_extent_npoints(space.get()) != 1) {
-    throw EnvironmentError("HDF5: attribute " + name + " is not one number");
-  }
-  double value = 0.0;
-  RUBATLAS_HDF5(H5Aread(attribute.get(), H5T_NATIVE_DOUBLE, &value));
-  return value;
+  return about(identifier(), ("asked for its number " + name).c_str(), [&] {
+    const Handle attribute{RUBATLAS_HDF5(H5Aopen(identifier(), name.c_str(), H5P_DEFAULT)), H5Aclose};
+    require_one_value({RUBATLAS_HDF5(H5Aget_space(attribute.get())), H5Sclose});
+    double value = 0.0;
+    RUBATLAS_HDF5(H5Aread(attribute.get(), H5T_NATIVE_DOUBLE, &value));
+    return value;
+  });
 }
 
 // Datasets
 // ------------------------------------------------------------------------------------------------------
 
 Shape Dataset::shape() const {
-  const Handle space{RUBATLAS_HDF5(H5Dget_space(identifier())), H5Sclose};
-  std::vector<hsize_t> sizes(
-      static_cast<std::size_t>(RUBATLAS_HDF5(H5Sget_simple_extent_ndims(space.get()))));
-  RUBATLAS_HDF5(H5Sget_simple_extent_dims(space.get(), sizes.data(), nullptr));
-  return {sizes.begin(), sizes.end()};
+  return about(identifier(), "measured", [&] {
+    const Handle space{RUBATLAS_HDF5(H5Dget_space(identifier())), H5Sclose};
+    std::vector<hsize_t> sizes(
+        static_cast<std::size_t>(RUBATLAS_HDF5(H5Sget_simple_extent_ndims(space.get()))));
+    RUBATLAS_HDF5(H5Sget_simple_extent_dims(space.get(), sizes.data(), nullptr));
+    return Shape(sizes.begin(), sizes.end());
+  });
+}
+
+template <Number T>
+bool Dataset::holds() const {
+  return about(identifier(), "read", [&] {
+    const Handle type{RUBATLAS_HDF5(H5Dget_type(identifier())), H5Tclose};
+    return RUBATLAS_HDF5(H5Tequal(type.get(), file_type<T>())) > 0;
+  });
+}
+
+bool Dataset::holds_texts() const {
+  return about(identifier(), "read", [&] {
+    const Handle type{RUBATLAS_HDF5(H5Dget_type(identifier())), H5Tclose};
+    return RUBATLAS_HDF5(H5Tget_class(type.get())) == H5T_STRING;
+  });
+}
+
+std::size_t Dataset::number_size() const {
+  return about(identifier(), "read", [&] {
+    const Handle type{RUBATLAS_HDF5(H5Dget_type(identifier())), H5Tclose};
+    return H5Tget_size(type.get());
+  });
+}
+
+bool Dataset::is_elsewhere() const {
+  return about(identifier(), "read", [&] {
+    const Handle properties{RUBATLAS_HDF5(H5Dget_create_plist(identifier())), H5Pclose};
+    return RUBATLAS_HDF5(H5Pget_layout(properties.get())) == H5D_VIRTUAL ||
+           RUBATLAS_HDF5(H5Pget_external_count(properties.get())) > 0;
+  });
+}
+
+std::optional<std::uint64_t> Dataset::offset() const {
+  const haddr_t place = H5Dget_offset(identifier());
+  H5Eclear2(H5E_DEFAULT);
+  if (place == HADDR_UNDEF) return std::nullopt;
+  return place;
 }
 
 std::size_t Dataset::size() const {
@@ -175,16 +230,19 @@ std::size_t Dataset::size() const {
 
 template <Number T>
 void Dataset::write(std::span<const T> values) {
-  if (values.size() != size())
-    throw EnvironmentError("HDF5: a dataset is written with another number of values");
-  RUBATLAS_HDF5(H5Dwrite(identifier(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+  about(identifier(), "written", [&] {
+    if (values.size() != size()) throw Hdf5Failure("it has another number of values");
+    RUBATLAS_HDF5(H5Dwrite(identifier(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+  });
 }
 
 template <Number T>
 std::vector<T> Dataset::read() const {
-  std::vector<T> values(size());
-  RUBATLAS_HDF5(H5Dread(identifier(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
-  return values;
+  return about(identifier(), "read", [&] {
+    std::vector<T> values(size());
+    RUBATLAS_HDF5(H5Dread(identifier(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+    return values;
+  });
 }
 
 namespace {
@@ -195,7 +253,7 @@ Handle block_of(Identifier dataset, const Shape& start, const Shape& count) {
   const auto first = extents(start);
   const auto sizes = extents(count);
   const auto axes = static_cast<std::size_t>(RUBATLAS_HDF5(H5Sget_simple_extent_ndims(space.get())));
-  if (first.size() != axes || sizes.size() != axes) throw EnvironmentError("HDF5: a block of another rank");
+  if (first.size() != axes || sizes.size() != axes) throw Hdf5Failure("it has another number of axes");
   RUBATLAS_HDF5(
       H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, first.data(), nullptr, sizes.data(), nullptr));
   return space;
@@ -205,21 +263,25 @@ Handle block_of(Identifier dataset, const Shape& start, const Shape& count) {
 
 template <Number T>
 void Dataset::write_block(const Shape& start, const Shape& count, std::span<const T> values) {
-  if (values.size() != product(count)) throw EnvironmentError("HDF5: a block of another number of values");
-  const Handle where = block_of(identifier(), start, count);
-  const Handle memory = simple_space({values.size()});
-  RUBATLAS_HDF5(
-      H5Dwrite(identifier(), memory_type<T>(), memory.get(), where.get(), H5P_DEFAULT, values.data()));
+  about(identifier(), "written", [&] {
+    if (values.size() != product(count)) throw Hdf5Failure("its rows have another number of values");
+    const Handle where = block_of(identifier(), start, count);
+    const Handle memory = simple_space({values.size()});
+    RUBATLAS_HDF5(
+        H5Dwrite(identifier(), memory_type<T>(), memory.get(), where.get(), H5P_DEFAULT, values.data()));
+  });
 }
 
 template <Number T>
 std::vector<T> Dataset::read_block(const Shape& start, const Shape& count) const {
-  std::vector<T> values(product(count));
-  const Handle where = block_of(identifier(), start, count);
-  const Handle memory = simple_space({values.size()});
-  RUBATLAS_HDF5(
-      H5Dread(identifier(), memory_type<T>(), memory.get(), where.get(), H5P_DEFAULT, values.data()));
-  return values;
+  return about(identifier(), "read", [&] {
+    std::vector<T> values(product(count));
+    const Handle where = block_of(identifier(), start, count);
+    const Handle memory = simple_space({values.size()});
+    RUBATLAS_HDF5(
+        H5Dread(identifier(), memory_type<T>(), memory.get(), where.get(), H5P_DEFAULT, values.data()));
+    return values;
+  });
 }
 
 void Dataset::make_scale(const std::string& name) {
@@ -230,8 +292,15 @@ void Dataset::attach_scale(std::size_t axis, const Dataset& scale) {
   RUBATLAS_HDF5(H5DSattach_scale(identifier(), scale.identifier(), static_cast<unsigned>(axis)));
 }
 
+bool Dataset::is_scale() const {
+  return about(identifier(), "read", [&] { return RUBATLAS_HDF5(H5DSis_scale(identifier())) > 0; });
+}
+
 std::string Dataset::scale_name(std::size_t axis) const {
-  if (RUBATLAS_HDF5(H5DSget_num_scales(identifier(), static_cast<unsigned>(axis))) == 0) return {};
+  const int scales = about(identifier(), "asked for its scales", [&] {
+    return RUBATLAS_HDF5(H5DSget_num_scales(identifier(), static_cast<unsigned>(axis)));
+  });
+  if (scales == 0) return {};
   std::string path;
   const auto take_name = [](hid_t, unsigned, hid_t scale, void* result) -> herr_t {
     std::string buffer(256, '\0');
@@ -240,38 +309,63 @@ std::string Dataset::scale_name(std::size_t axis) const {
       static_cast<std::string*>(result)->assign(buffer, 1, static_cast<std::size_t>(length) - 1);
     return 1;  // the first is enough
   };
-  RUBATLAS_HDF5(H5DSiterate_scales(identifier(), static_cast<unsigned>(axis), nullptr, take_name, &path));
+  about(identifier(), "asked for its scales", [&] {
+    RUBATLAS_HDF5(H5DSiterate_scales(identifier(), static_cast<unsigned>(axis), nullptr, take_name, &path));
+  });
   return path;
 }
 
 // Files
 // ---------------------------------------------------------------------------------------------------------
 
-File File::create(const std::filesystem::path& path) {
+namespace {
+
+/// Makes HDF5 calls on a file that is not open yet.
+template <typename Calls>
+Handle opened(const std::filesystem::path& path, const char* deed, const Calls& calls) {
   prepare_hdf5();
-  const Handle creation = property_list(H5P_FILE_CREATE);
-  RUBATLAS_HDF5(H5Pset_obj_track_times(creation.get(), false));
-  const Handle access = access_without_lock();
-  return File(
-      {RUBATLAS_HDF5(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get())), H5Fclose});
+  try {
+    return {calls(), H5Fclose};
+  } catch (const Hdf5Failure& failure) {
+    throw EnvironmentError(fmt::format("{} cannot be {}: {}", path.string(), deed, failure.what()));
+  }
+}
+
+}  // namespace
+
+File File::create(const std::filesystem::path& path) {
+  return File(opened(path, "created", [&] {
+    const Handle creation = property_list(H5P_FILE_CREATE);
+    RUBATLAS_HDF5(H5Pset_obj_track_times(creation.get(), false));
+    const Handle access = access_without_lock();
+    return RUBATLAS_HDF5(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()));
+  }));
 }
 
 File File::open_to_read(const std::filesystem::path& path) {
-  prepare_hdf5();
-  const Handle access = access_without_lock();
-  return File({RUBATLAS_HDF5(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get())), H5Fclose});
+  std::error_code unknown;
+  const auto kind = std::filesystem::status(path, unknown);
+  // Opening a pipe would wait for somebody at its other end.
+  if (std::filesystem::exists(kind) && !std::filesystem::is_regular_file(kind)) {
+    throw EnvironmentError(path.string() + " cannot be opened: it is not a file");
+  }
+  return File(opened(path, "opened", [&] {
+    const Handle access = access_without_lock();
+    return RUBATLAS_HDF5(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()));
+  }));
 }
 
 File File::open_to_write(const std::filesystem::path& path) {
-  prepare_hdf5();
-  const Handle access = access_without_lock();
-  if (mpi_is_running()) {
-    RUBATLAS_HDF5(H5Pset_fapl_mpio(access.get(), MPI_COMM_WORLD, MPI_INFO_NULL));
-  } else {
-    // The sieve buffer would hold rows back and write them in another order than they were given.
-    RUBATLAS_HDF5(H5Pset_sieve_buf_size(access.get(), 0));
-  }
-  return File({RUBATLAS_HDF5(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get())), H5Fclose});
+  return File(opened(path, "opened to write", [&] {
+    const Handle access = access_without_lock();
+    if (mpi_is_running()) {
+      RUBATLAS_HDF5(H5Pset_fapl_mpio(access.get(), MPI_COMM_WORLD, MPI_INFO_NULL));
+    } else {
+      // The sieve buffer would hold rows back and write them in another order than they were given.
+      RUBATLAS_HDF5(H5Pset_sieve_buf_size(access.get(), 0));
+    }
+    return RUBATLAS_HDF5(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()));
+  }));
 }
 
 Object File::root() const {
@@ -279,7 +373,9 @@ Object File::root() const {
 }
 
 Object File::group(const std::string& path) const {
-  return Object({RUBATLAS_HDF5(H5Gopen2(handle_.get(), path.c_str(), H5P_DEFAULT)), H5Gclose});
+  return about(handle_.get(), ("asked for the group " + path).c_str(), [&] {
+    return Object({RUBATLAS_HDF5(H5Gopen2(handle_.get(), path.c_str(), H5P_DEFAULT)), H5Gclose});
+  });
 }
 
 Object File::create_group(const std::string& path) {
@@ -351,34 +447,57 @@ bool File::has(const std::string& path) const {
   // HDF5 wants every group on the way to be there before it answers for the last name.
   for (auto end = path.find('/', 1);; end = path.find('/', end + 1)) {
     const std::string part = path.substr(0, end);
-    if (part != "/" && RUBATLAS_HDF5(H5Lexists(handle_.get(), part.c_str(), H5P_DEFAULT)) == 0) return false;
+    const auto exists = [&] {
+      return RUBATLAS_HDF5(H5Lexists(handle_.get(), part.c_str(), H5P_DEFAULT)) > 0;
+    };
+    if (part != "/" && !about(handle_.get(), ("asked for " + part).c_str(), exists)) return false;
     if (end == std::string::npos) return true;
   }
 }
 
+bool File::has_dataset(const std::string& path) const {
+  return about(handle_.get(), "listed", [&] {
+    if (!has(path)) return false;
+    H5L_info_t link{};
+    RUBATLAS_HDF5(H5Lget_info(handle_.get(), path.c_str(), &link, H5P_DEFAULT));
+    if (link.type != H5L_TYPE_HARD) return false;
+    const Handle object{RUBATLAS_HDF5(H5Oopen(handle_.get(), path.c_str(), H5P_DEFAULT)), H5Oclose};
+    return H5Iget_type(object.get()) == H5I_DATASET;
+  });
+}
+
 Dataset File::dataset(const std::string& path) const {
-  Handle opened{RUBATLAS_HDF5(H5Dopen2(handle_.get(), path.c_str(), H5P_DEFAULT)), H5Dclose};
-  return Dataset(std::move(opened));
+  return about(handle_.get(), ("asked for " + path).c_str(), [&] {
+    Handle found{RUBATLAS_HDF5(H5Dopen2(handle_.get(), path.c_str(), H5P_DEFAULT)), H5Dclose};
+    return Dataset(std::move(found));
+  });
 }
 
 std::string File::read_text(const std::string& path) const {
   const Dataset stored = dataset(path);
-  const Handle type{RUBATLAS_HDF5(H5Dget_type(stored.identifier())), H5Tclose};
-  return read_one_text(type.get(), [&](Identifier memory, void* buffer) {
-    RUBATLAS_HDF5(H5Dread(stored.identifier(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer));
+  return about(stored.identifier(), "read", [&] {
+    const Handle type{RUBATLAS_HDF5(H5Dget_type(stored.identifier())), H5Tclose};
+    require_one_value({RUBATLAS_HDF5(H5Dget_space(stored.identifier())), H5Sclose});
+    return read_one_text(type.get(), [&](Identifier memory, void* buffer) {
+      RUBATLAS_HDF5(H5Dread(stored.identifier(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer));
+    });
   });
 }
 
 std::vector<std::string> File::read_texts(const std::string& path) const {
   const Dataset stored = dataset(path);
-  const Handle type{RUBATLAS_HDF5(H5Dget_type(stored.identifier())), H5Tclose};
-  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0) {
-    throw EnvironmentError("HDF5: " + path + " does not hold fixed-length texts");
-  }
-  const std::size_t length = H5Tget_size(type.get());
-  std::string raw(length * stored.size(), '\0');
-  RUBATLAS_HDF5(
-      H5Dread(stored.identifier(), text_type(length).get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, raw.data()));
+  std::size_t length = 0;
+  const std::string raw = about(stored.identifier(), "read", [&] {
+    const Handle type{RUBATLAS_HDF5(H5Dget_type(stored.identifier())), H5Tclose};
+    if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0) {
+      throw Hdf5Failure("it does not hold texts of one length");
+    }
+    length = H5Tget_size(type.get());
+    std::string bytes(length * stored.size(), '\0');
+    RUBATLAS_HDF5(
+        H5Dread(stored.identifier(), text_type(length).get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()));
+    return bytes;
+  });
   std::vector<std::string> texts;
   for (std::size_t at = 0; at < raw.size(); at += length) {
     const std::string text = raw.substr(at, length);
@@ -388,23 +507,26 @@ std::vector<std::string> File::read_texts(const std::string& path) const {
 }
 
 std::vector<std::string> File::names(const std::string& group) const {
-  const Handle owner{RUBATLAS_HDF5(H5Gopen2(handle_.get(), group.c_str(), H5P_DEFAULT)), H5Gclose};
   std::vector<std::string> found;
   const auto keep = [](hid_t, const char* name, const H5L_info_t*, void* result) -> herr_t {
     static_cast<std::vector<std::string>*>(result)->emplace_back(name);
     return 0;
   };
-  RUBATLAS_HDF5(H5Literate(owner.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, keep, &found));
+  about(handle_.get(), "listed", [&] {
+    const Handle owner{RUBATLAS_HDF5(H5Gopen2(handle_.get(), group.c_str(), H5P_DEFAULT)), H5Gclose};
+    RUBATLAS_HDF5(H5Literate(owner.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, keep, &found));
+  });
   return found;
 }
 
-// The four number types
+// The number types
 // -----------------------------------------------------------------------------------------
 
 #define RUBATLAS_FOR_NUMBER(T)                                                           \
   template void Object::set_number<T>(const std::string&, T);                            \
   template void Object::set_numbers<T>(const std::string&, std::span<const T>);          \
   template void Dataset::write<T>(std::span<const T>);                                   \
+  template bool Dataset::holds<T>() const;                                               \
   template std::vector<T> Dataset::read<T>() const;                                      \
   template void Dataset::write_block<T>(const Shape&, const Shape&, std::span<const T>); \
   template std::vector<T> Dataset::read_block<T>(const Shape&, const Shape&) const;      \
@@ -414,6 +536,7 @@ std::vector<std::string> File::names(const std::string& group) const {
 RUBATLAS_FOR_NUMBER(double)
 RUBATLAS_FOR_NUMBER(std::uint8_t)
 RUBATLAS_FOR_NUMBER(std::int32_t)
+RUBATLAS_FOR_NUMBER(std::uint32_t)
 RUBATLAS_FOR_NUMBER(std::int64_t)
 #undef RUBATLAS_FOR_NUMBER
 

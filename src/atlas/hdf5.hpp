@@ -1,7 +1,7 @@
 /// A thin layer over the C interface of HDF5 1.10: handles that close themselves, calls that throw.
 ///
 /// What the rest of the project may rely on:
-///  - every failing call throws `EnvironmentError` with the call, its place and HDF5's own reason;
+///  - every failing call throws `EnvironmentError` with the file, the dataset and the system's reason;
 ///  - no dataset and no group keeps a time stamp, so equal contents give equal bytes;
 ///  - numbers are little-endian in the file, whatever the machine; texts are UTF-8;
 ///  - files are created and read with the serial driver; `File::open_to_write` goes through MPI-IO when MPI
@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -29,10 +30,10 @@ using Shape = std::vector<std::size_t>;
 /// Number of elements.
 std::size_t product(const Shape& shape);
 
-/// What a dataset or an attribute may hold: f8, u1, i4 and i8 in h5py's words.
+/// What a dataset or an attribute may hold: f8, u1, i4, u4 and i8 in h5py's words.
 template <typename T>
 concept Number = std::same_as<T, double> || std::same_as<T, std::uint8_t> || std::same_as<T, std::int32_t> ||
-    std::same_as<T, std::int64_t>;
+    std::same_as<T, std::uint32_t> || std::same_as<T, std::int64_t>;
 
 /// Owns one identifier and closes it.
 class Handle {
@@ -95,6 +96,16 @@ class Dataset : public Object {
   explicit Dataset(Handle handle) : Object(std::move(handle)) {}
 
   [[nodiscard]] Shape shape() const;
+  /// True when it holds numbers of this type, or texts; HDF5 would convert without a word.
+  template <Number T>
+  [[nodiscard]] bool holds() const;
+  [[nodiscard]] bool holds_texts() const;
+  /// Bytes of one element in the file.
+  [[nodiscard]] std::size_t number_size() const;
+  /// True when its numbers stand in another file than the dataset itself.
+  [[nodiscard]] bool is_elsewhere() const;
+  /// Where its numbers begin in the file [B]; nothing where they are in pieces, or compressed.
+  [[nodiscard]] std::optional<std::uint64_t> offset() const;
   /// Product of the extents.
   [[nodiscard]] std::size_t size() const;
 
@@ -116,12 +127,14 @@ class Dataset : public Object {
   void attach_scale(std::size_t axis, const Dataset& scale);
   /// Path of the first scale of an axis, without its leading slash; empty when it has none.
   [[nodiscard]] std::string scale_name(std::size_t axis) const;
+  /// A dimension scale itself.
+  [[nodiscard]] bool is_scale() const;
 };
 
 /// A file. Paths are absolute or relative to the root; missing groups on the way are created.
 class File {
  public:
-  /// A new file with the serial driver; what stood there is gone.
+  /// A new file with the serial driver; what stood there is gone (`publish.hpp` has names for new files).
   static File create(const std::filesystem::path& path);
   static File open_to_read(const std::filesystem::path& path);
   /// Open with MPI-IO when MPI is initialised, else with the serial driver, unbuffered: a block is in the
@@ -148,6 +161,8 @@ class File {
 
   /// True when there is a dataset or group of that path.
   [[nodiscard]] bool has(const std::string& path) const;
+  /// True when that is a dataset and stands in this very file: no group, no link to elsewhere.
+  [[nodiscard]] bool has_dataset(const std::string& path) const;
   [[nodiscard]] Dataset dataset(const std::string& path) const;
   [[nodiscard]] std::string read_text(const std::string& path) const;
   [[nodiscard]] std::vector<std::string> read_texts(const std::string& path) const;

@@ -1,38 +1,51 @@
 #include "atlas/hdf5_check.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <string_view>
-
-#include "atlas/environment_error.hpp"
 
 namespace rubatlas::atlas {
 namespace {
 
-/// Walking upward ends at the outermost frame; the first frame with a text is the reason.
-herr_t keep_innermost(unsigned /*depth*/, const H5E_error2_t* error, void* reason) {
+/// HDF5's words for a failing system call: "..., errno = 28, error message = 'No space left on device', ...".
+constexpr std::string_view kSystemReason = "error message = '";
+constexpr std::string_view kTruncated = "truncated file";
+
+herr_t find_reason(unsigned /*depth*/, const H5E_error2_t* error, void* reason) {
   auto& text = *static_cast<std::string*>(reason);
-  if (text.empty() && error->desc != nullptr) text = error->desc;
+  const std::string_view frame = error->desc == nullptr ? "" : error->desc;
+  if (!text.empty()) return 0;
+  if (const auto at = frame.find(kSystemReason); at != std::string_view::npos) {
+    const auto rest = frame.substr(at + kSystemReason.size());
+    text = rest.substr(0, rest.find('\''));
+  } else if (frame.find(kTruncated) != std::string_view::npos) {
+    text = "the file is cut short";
+  }
   return 0;
 }
 
-/// The path below the source tree: a message does not depend on where the program was built.
-std::string_view below_source_tree(std::string_view file) {
-  const auto at = file.rfind("src/");
-  return at == std::string_view::npos ? file : file.substr(at);
+/// What HDF5 calls something, through one of its two-step functions that tell names.
+template <typename Name>
+std::string name_of(hid_t identifier, const Name& ask) {
+  std::string name(1024, '\0');
+  const auto length = ask(identifier, name.data(), name.size());
+  name.resize(length > 0 ? std::min(name.size() - 1, static_cast<std::size_t>(length)) : 0);
+  return name;
 }
 
 }  // namespace
 
-void throw_hdf5_error(const char* expression, const char* file, int line) {
+void throw_hdf5_failure() {
   std::string reason;
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &reason);
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, find_reason, &reason);
   H5Eclear2(H5E_DEFAULT);
-  if (reason.empty()) reason = "no reason given";
-  std::replace(reason.begin(), reason.end(), '\n', ' ');  // some of its texts hold a date with a line's end
-  throw EnvironmentError(
-      fmt::format("HDF5: {} ({} at {}:{})", reason, expression, below_source_tree(file), line));
+  throw Hdf5Failure(reason.empty() ? "it is damaged, or not as this program writes it" : reason);
+}
+
+std::string described(hid_t identifier) {
+  const std::string file = name_of(identifier, H5Fget_name);
+  const std::string object = name_of(identifier, H5Iget_name);
+  H5Eclear2(H5E_DEFAULT);
+  return file + ": " + (object.empty() || object == "/" ? "its root" : object);
 }
 
 void prepare_hdf5() {

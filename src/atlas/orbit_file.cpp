@@ -76,11 +76,12 @@ void write_point(Object root, const scene::Scene& scene, const plan::PointParame
 
 }  // namespace
 
-void write_orbit(const std::filesystem::path& path, const scene::Scene& scene, const std::string& scene_text,
+void write_orbit(const Output& output, const scene::Scene& scene, const std::string& scene_text,
                  const plan::PointParameters& parameters, const solve::SectionState& start,
                  const solve::Orbit& orbit, const Software& software) {
-  File file = File::create(unpublished_name(path));
-  write_provenance(file.root(), software, scene.title);
+  Publication publication(output);
+  File file = File::create(publication.name());
+  write_provenance(file.root(), software, FileKind::orbit, scene.title);
   write_point(file.root(), scene, parameters, start, orbit);
   file.create_text("/scene", scene_text).set_text("long_name", "the scene file, as it was given");
   file.create_text("/scene_resolved", scene::resolved_json(scene))
@@ -106,7 +107,7 @@ void write_orbit(const std::filesystem::path& path, const scene::Scene& scene, c
     write_contacts(file, orbit.contacts, component);
   }
   file.close();
-  publish(path);
+  publication.publish();
 }
 
 }  // namespace rubatlas::atlas

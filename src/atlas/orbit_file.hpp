@@ -1,9 +1,9 @@
 /// ORBIT.h5: one point's motion over the sampled revolutions, self-describing in the manner of an atlas.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
+#include "atlas/output.hpp"
 #include "atlas/software.hpp"
 #include "plan/grid.hpp"
 #include "scene/scene.hpp"
@@ -13,9 +13,9 @@ namespace rubatlas::atlas {
 
 /// Writes `/time`, `/state` (time × component), `/force` (time × blade), `/sections` (section × component),
 /// the contacts sampled closely (`/contact_…`), their scales, `/scene` and `/scene_resolved`; parameters,
-/// start and status are root attributes (this folder's README). What stood at `path` is replaced at once,
-/// when the new file is complete. Throws EnvironmentError.
-void write_orbit(const std::filesystem::path& path, const scene::Scene& scene, const std::string& scene_text,
+/// start and status are root attributes (this folder's README). The file appears when it is complete. Throws
+/// EnvironmentError.
+void write_orbit(const Output& output, const scene::Scene& scene, const std::string& scene_text,
                  const plan::PointParameters& parameters, const solve::SectionState& start,
                  const solve::Orbit& orbit, const Software& software);
 

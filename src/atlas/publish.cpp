@@ -2,43 +2,107 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
+#include <random>
+#include <utility>
 
 #include "atlas/environment_error.hpp"
+#include "atlas/synchronise.hpp"
 
 namespace rubatlas::atlas {
 namespace {
 
-void synchronise(const std::filesystem::path& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool synchronised = file >= 0 && ::fsync(file) == 0;
-  const int reason = errno;
-  if (file >= 0) ::close(file);
-  if (!synchronised) {
-    throw EnvironmentError(
-        fmt::format("{} does not reach the disk: {}", path.string(), std::strerror(reason)));
-  }
+std::filesystem::path directory_of(const std::filesystem::path& path) {
+  return path.has_parent_path() ? path.parent_path() : ".";
+}
+
+/// Short, whatever the length of the file's own name.
+std::filesystem::path random_name(const std::filesystem::path& directory) {
+  std::random_device chance;
+  return directory / fmt::format(".rubatlas-{:08x}{:08x}.part", chance(), chance());
+}
+
+bool is_same_file(int descriptor, const std::filesystem::path& path) {
+  struct stat opened {};
+  struct stat named {};
+  return ::fstat(descriptor, &opened) == 0 && ::lstat(path.c_str(), &named) == 0 &&
+         opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
 }  // namespace
 
-std::filesystem::path unpublished_name(const std::filesystem::path& path) {
-  return path.string() + ".part";
+Publication::Publication(Output output) : output_(std::move(output)) {
+  const auto directory = directory_of(output_.path);
+  do {
+    name_ = random_name(directory);
+    descriptor_ = ::open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+  } while (descriptor_ < 0 && errno == EEXIST);
+  if (descriptor_ < 0) {
+    throw EnvironmentError(fmt::format("cannot write {}: {}", output_.path.string(), std::strerror(errno)));
+  }
 }
 
-void publish(const std::filesystem::path& path) {
-  const auto part = unpublished_name(path);
-  synchronise(part);
-  if (std::rename(part.c_str(), path.c_str()) != 0) {
-    throw EnvironmentError(
-        fmt::format("cannot rename {} to {}: {}", part.string(), path.string(), std::strerror(errno)));
+Publication::~Publication() {
+  if (!name_.empty()) ::unlink(name_.c_str());
+  ::close(descriptor_);
+}
+
+void Publication::rename_over() const {
+  if (std::rename(name_.c_str(), output_.path.c_str()) == 0) return;
+  throw EnvironmentError(fmt::format("cannot write {}: {}", output_.path.string(), std::strerror(errno)));
+}
+
+void Publication::rename_to_free_name() const {
+  if (::renameat2(AT_FDCWD, name_.c_str(), AT_FDCWD, output_.path.c_str(), RENAME_NOREPLACE) == 0) return;
+  int reason = errno;
+  if (reason == EINVAL ||
+      reason == ENOSYS) {  // a file system without that call: a second name, then not the first
+    if (::link(name_.c_str(), output_.path.c_str()) == 0) {
+      ::unlink(name_.c_str());
+      return;
+    }
+    reason = errno;
+    // One without links too: the moment between look and rename is left open.
+    if (reason != EEXIST && !std::filesystem::exists(output_.path)) return rename_over();
   }
+  if (reason == EEXIST) {
+    throw OutputRefusal(
+        fmt::format("{} has been made by another program in the meantime and stays", output_.path.string()));
+  }
+  throw EnvironmentError(fmt::format("cannot write {}: {}", output_.path.string(), std::strerror(reason)));
+}
+
+void Publication::publish() {
+  if (!is_same_file(descriptor_, name_)) {
+    throw EnvironmentError(fmt::format("cannot write {}: its temporary file {} has been replaced",
+                                       output_.path.string(), name_.string()));
+  }
+  Synchroniser(name_).synchronise();
+  if (output_.overwrite) {
+    rename_over();
+  } else {
+    rename_to_free_name();
+  }
+  name_.clear();
   // The name itself is on the disk only when the directory is.
-  synchronise(path.has_parent_path() ? path.parent_path() : ".");
+  synchronise_directory(directory_of(output_.path));
+}
+
+void publish_text(const Output& output, const std::string& text) {
+  Publication publication(output);
+  std::ofstream file(publication.name(), std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) {
+    throw EnvironmentError(fmt::format("cannot write {}: {}", output.path.string(), std::strerror(errno)));
+  }
+  publication.publish();
 }
 
 }  // namespace rubatlas::atlas

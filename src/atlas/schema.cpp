@@ -15,6 +15,8 @@ std::uint64_t number_size(NumberType type) {
       return sizeof(double);
     case NumberType::int32:
       return sizeof(std::int32_t);
+    case NumberType::uint32:
+      return sizeof(std::uint32_t);
     case NumberType::uint8:
       return sizeof(std::uint8_t);
   }
@@ -28,7 +30,13 @@ std::uint64_t bytes_of(const RowDataset& dataset) {
 
 }  // namespace
 
-std::vector<const RowDataset*> Schema::row_datasets() const {
+std::vector<const RowDataset*> Schema::row_datasets() const& {
+  std::vector<const RowDataset*> all = summed_datasets();
+  all.push_back(&row_checksum);
+  return all;
+}
+
+std::vector<const RowDataset*> Schema::summed_datasets() const& {
   std::vector<const RowDataset*> all{&status, &status_detail, &restarted, &failed_revolution, &final_state};
   for (const auto& remembered : memories) all.push_back(&remembered);
   for (const auto& kept : observables) all.push_back(&kept);
@@ -87,6 +95,10 @@ Schema schema_of(const scene::Scene& scene) {
     schema.observables.push_back(
         rows_of(kept.name, NumberType::float64, kept.inner_axes, kept.units, kept.long_name));
   }
+  schema.row_checksum =
+      rows_of("row_checksum", NumberType::uint32, {}, "",
+              "CRC-32 of the point's row in the datasets of the attribute `order`, one after "
+              "the other, as their bytes stand in the file");
   return schema;
 }
 

@@ -13,7 +13,7 @@
 
 namespace rubatlas::atlas {
 
-enum class NumberType : std::uint8_t { float64, uint8, int32 };
+enum class NumberType : std::uint8_t { float64, uint8, int32, uint32 };
 
 /// One dataset with a row per point.
 struct RowDataset {
@@ -36,9 +36,14 @@ struct Schema {
   std::vector<RowDataset> memories;  ///< `/final_state_<effect>`, in the order of `observables::memories`
   std::vector<RowDataset>
       observables;  ///< in the order of `observables::descriptions`; the five above are always there
+  RowDataset row_checksum;
 
-  /// All datasets with a row per point, in the order in which they are created.
-  [[nodiscard]] std::vector<const RowDataset*> row_datasets() const;
+  /// All datasets with a row per point, in the order in which they are created; `status` first,
+  /// `row_checksum` last.
+  [[nodiscard]] std::vector<const RowDataset*> row_datasets() const&;
+  std::vector<const RowDataset*> row_datasets() && = delete;  // they point into the schema
+  /// Those that a row's checksum is made of, in its order: all but itself.
+  [[nodiscard]] std::vector<const RowDataset*> summed_datasets() const&;
 
   /// Bytes of all rows when every point is done; the axes and texts besides are small.
   [[nodiscard]] std::uint64_t byte_count() const;

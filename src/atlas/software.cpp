@@ -2,9 +2,10 @@
 
 namespace rubatlas::atlas {
 
-void write_provenance(Object root, const Software& software, const std::string& title) {
+void write_provenance(Object root, const Software& software, FileKind kind, const std::string& title) {
   root.set_text("Conventions", "CF-1.8");
   root.set_text("schema_version", kSchemaVersion);
+  root.set_text("kind", word_of(kind));
   root.set_text("title", title);
   root.set_text("software", software.software);
   root.set_text("software_version", software.software_version);

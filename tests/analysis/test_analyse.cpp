@@ -37,7 +37,7 @@ class Analyse : public atlas::testing::Scratch {
   std::string run(const std::string& name, const std::optional<std::filesystem::path>& table = std::nullopt) {
     ::testing::internal::CaptureStdout();
     try {
-      analyse(file(name), file("maps.h5"), table);
+      analyse(file(name), file("maps.h5"), table, true);
     } catch (...) {
       ::testing::internal::GetCapturedStdout();
       throw;
@@ -248,16 +248,16 @@ TEST_F(Analyse, RefusesToReplaceTheAtlas) {
   write_atlas(file("atlas.h5"), kScene, papers_point);
   const auto before = bytes(file("atlas.h5"));
   std::filesystem::create_symlink(file("atlas.h5"), file("link.h5"));
-  EXPECT_THROW(analyse(file("atlas.h5"), file("atlas.h5"), std::nullopt), scene::SceneError);
-  EXPECT_THROW(analyse(file("atlas.h5"), file("link.h5"), std::nullopt), scene::SceneError);
-  EXPECT_THROW(analyse(file("atlas.h5"), file("maps.h5"), file("atlas.h5")), scene::SceneError);
+  EXPECT_THROW(analyse(file("atlas.h5"), file("atlas.h5"), std::nullopt, true), atlas::OutputRefusal);
+  EXPECT_THROW(analyse(file("atlas.h5"), file("link.h5"), std::nullopt, true), atlas::OutputRefusal);
+  EXPECT_THROW(analyse(file("atlas.h5"), file("maps.h5"), file("atlas.h5"), true), atlas::OutputRefusal);
   EXPECT_EQ(bytes(file("atlas.h5")), before);
 }
 
 TEST_F(Analyse, SaysWhatCannotBeReadOrWritten) {
   EXPECT_THROW(run("missing.h5"), atlas::EnvironmentError);
   write_atlas(file("atlas.h5"), kScene, papers_point);
-  EXPECT_THROW(analyse(file("atlas.h5"), file("no/such/directory/maps.h5"), std::nullopt),
+  EXPECT_THROW(analyse(file("atlas.h5"), file("no/such/directory/maps.h5"), std::nullopt, false),
                atlas::EnvironmentError);
   EXPECT_THROW(run("atlas.h5", file("no/such/directory/table.md")), atlas::EnvironmentError);
 }

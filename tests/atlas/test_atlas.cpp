@@ -1,14 +1,22 @@
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <fstream>
 #include <limits>
+#include <random>
+#include <span>
+#include <utility>
 
 #include "atlas/atlas_reader.hpp"
 #include "atlas/atlas_writer.hpp"
 #include "atlas/create.hpp"
 #include "atlas/environment_error.hpp"
-#include "atlas/publish.hpp"
+#include "atlas/header_checksum.hpp"
 #include "atlas/schema.hpp"
+#include "atlas/verify.hpp"
 #include "scratch.hpp"
 
 namespace rubatlas::atlas {
@@ -87,9 +95,12 @@ TEST_F(Atlas, EveryAxisOfEveryRowRunsAlongItsScale) {
   }
 }
 
-TEST_F(Atlas, ARowIsThereForReadersAsSoonAsItIsWritten) {
+TEST_F(Atlas, ARowIsThereForReadersAsSoonAsItsStatusIsWritten) {
   AtlasWriter writer(path(), scene_);
   writer.write_point(7, true, numbered_outcome(scene_, 7));
+  EXPECT_EQ(AtlasReader(path()).status(), std::vector<std::uint8_t>(10, 0))
+      << "it waits for its row to be on the disk";
+  writer.settle();
   // The writer is still open.
   const AtlasReader atlas(path());
   auto expected_status = std::vector<std::uint8_t>(10, 0);
@@ -178,7 +189,7 @@ TEST_F(Atlas, OfBothDirectionsTheOneAskedForIsFound) {
 TEST_F(Atlas, ItsSizeIsKnownBeforehand) {
   const Schema schema = schema_of(scene_);
   const std::uint64_t spectrum = 12 * 3 + 1;
-  EXPECT_EQ(schema.bytes_per_point(), 1 + 1 + 4 + 8 * (4 + 3 * 4 + 9 * 4 + 1 + spectrum));
+  EXPECT_EQ(schema.bytes_per_point(), 1 + 1 + 1 + 4 + 4 + 8 * (4 + 3 * 4 + 9 * 4 + 1 + spectrum));
   EXPECT_EQ(schema.byte_count(), 10 * schema.bytes_per_point());
 }
 
@@ -199,11 +210,127 @@ TEST_F(Atlas, SomeOtherFileIsNotReadAsOne) {
 }
 
 TEST_F(Atlas, AppearsUnderItsNameOnlyWhenItIsComplete) {
-  // Creation fails, here because its temporary name is taken by a directory: the old atlas stays as it was.
+  // What is to be done before it appears fails: the old atlas stays as it was, and nothing lies beside it.
   const std::string before = bytes(path());
-  std::filesystem::create_directory(unpublished_name(path()));
-  EXPECT_THROW(create_atlas(path(), scene_, testing::kSmallScene, testing::kSoftware), EnvironmentError);
+  const auto fail = [&](const std::filesystem::path& unpublished) {
+    EXPECT_EQ(bytes(path()), before);
+    EXPECT_NO_THROW(AtlasReader{unpublished}) << "it is complete already";
+    throw EnvironmentError("no lock");
+  };
+  EXPECT_THROW(create_atlas({path(), true}, scene_, testing::kSmallScene, testing::kSoftware, fail),
+               EnvironmentError);
   EXPECT_EQ(bytes(path()), before);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory_), {}), 1);
+}
+
+TEST_F(Atlas, ANewOneDoesNotTakeANameThatHasBeenTakenMeanwhile) {
+  const auto take_the_name = [&](const std::filesystem::path&) { std::ofstream(file("late.h5")) << "mine"; };
+  EXPECT_THROW(create_atlas(file("late.h5"), scene_, testing::kSmallScene, testing::kSoftware, take_the_name),
+               OutputRefusal);
+  EXPECT_EQ(bytes(file("late.h5")), "mine");
+}
+
+// Checksums
+// ------------------------------------------------------------------------------------------------------
+
+/// The atlas with all its rows.
+class FullAtlas : public Atlas {
+ protected:
+  void SetUp() override {
+    Atlas::SetUp();
+    AtlasWriter writer(path(), scene_);
+    for (std::size_t point = 0; point < 10; ++point) {
+      auto outcome = numbered_outcome(scene_, point);
+      if (point == 4) outcome.status = solve::PointStatus::left_validity;
+      writer.write_point(point, point == 0, outcome);
+    }
+    writer.close();
+  }
+  /// Where a point's first number stands in the file.
+  [[nodiscard]] std::uint64_t place(const std::string& dataset, std::size_t point) const {
+    const File read = File::open_to_read(path());
+    const Dataset rows = read.dataset(dataset);
+    return *rows.offset() + point * rows.size() / 10 * rows.number_size();
+  }
+  void flip(std::uint64_t at) const {
+    std::fstream stream(path(), std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekg(static_cast<std::streamoff>(at));
+    const char byte = static_cast<char>(stream.get() ^ 1);
+    stream.seekp(static_cast<std::streamoff>(at));
+    stream.put(byte);
+  }
+};
+
+TEST_F(FullAtlas, EveryRowHasItsChecksumAndTheHeaderHasOne) {
+  EXPECT_TRUE(damaged_rows(AtlasReader(path())).empty());
+  EXPECT_EQ(header_damage(path()), "");
+}
+
+TEST_F(FullAtlas, TheChecksumIsTheOneOfZlibOverTheRowsBytes) {
+  // crc32 of zlib, bit by bit.
+  const AtlasReader atlas(path());
+  std::uint32_t sum = 0xFFFFFFFF;
+  const auto add = [&](const auto& values) {
+    for (const std::byte byte : std::as_bytes(std::span(values))) {
+      sum ^= static_cast<std::uint32_t>(byte);
+      for (int bit = 0; bit < 8; ++bit) sum = (sum >> 1) ^ ((sum & 1U) != 0 ? 0xEDB88320U : 0U);
+    }
+  };
+  add(std::array<std::uint8_t, 3>{1, 0, 0});  // done, nothing in detail, not restarted
+  add(std::array<std::int32_t, 1>{-1});
+  add(atlas.row("final_state", 6));
+  for (const char* name : {"poincare", "poincare_blade_passing", "max_displacement", "spectrum"}) {
+    add(atlas.row(name, 6));
+  }
+  EXPECT_EQ(atlas.file().dataset("row_checksum").read<std::uint32_t>()[6], ~sum);
+  EXPECT_EQ(atlas.file().dataset("row_checksum").text("order"),
+            "status status_detail restarted failed_revolution final_state poincare poincare_blade_passing max_displacement "
+            "spectrum");
+}
+
+TEST_F(Atlas, IsSoundWhileItIsWrittenAndWhenARunWasKilled) {
+  AtlasWriter writer(path(), scene_);
+  writer.write_point(3, true, numbered_outcome(scene_, 3));
+  writer.settle();
+  std::filesystem::copy(path(), file("killed.h5"));
+  for (const auto& atlas : {path(), file("killed.h5")}) {
+    EXPECT_EQ(header_damage(atlas), "");
+    EXPECT_TRUE(damaged_rows(AtlasReader(atlas)).empty());
+  }
+}
+
+TEST_F(FullAtlas, OneBitAnywhereInARowIsFound) {
+  const Schema schema = schema_of(scene_);
+  for (const auto* rows : schema.row_datasets()) {
+    if (rows->name == "status") continue;  // one bit makes it pending, and then it has no row
+    const std::uint64_t at = place(rows->name, 7);
+    flip(at);
+    EXPECT_EQ(damaged_rows(AtlasReader(path())), std::vector<std::size_t>{7}) << rows->name;
+    flip(at);
+  }
+  flip(place("status", 4));  // left validity, now integrator failed
+  EXPECT_EQ(damaged_rows(AtlasReader(path())), std::vector<std::size_t>{4});
+}
+
+TEST_F(FullAtlas, OneBitAnywhereBesidesTheRowsIsFound) {
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> rows{{20, 24}};  // and HDF5's flags of open files
+  const Schema schema = schema_of(scene_);
+  for (const auto* dataset : schema.row_datasets()) {
+    rows.emplace_back(place(dataset->name, 0), place(dataset->name, 10));
+  }
+  std::mt19937_64 chance(7);  // any: bits all over the file
+  int tried = 0;
+  while (tried < 40) {
+    const std::uint64_t at = chance() % std::filesystem::file_size(path());
+    if (std::ranges::any_of(rows, [&](const auto& range) { return at >= range.first && at < range.second; }))
+      continue;
+    ++tried;
+    flip(at);
+    const std::string found = header_damage(path());
+    EXPECT_TRUE(found.starts_with(path().string())) << "byte " << at << ": " << found;
+    flip(at);
+  }
+  EXPECT_EQ(header_damage(path()), "");
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <fcntl.h>
 
+#include <cerrno>
+#include <chrono>
 #include <string>
 
 #include "atlas/environment_error.hpp"
@@ -69,20 +71,24 @@ TEST_F(Disk, BytesAreWrittenWithThreeDigits) {
 
 TEST_F(Lock, ASecondRunIsRefusedUntilTheFirstIsThrough) {
   {
-    const FileLock first = FileLock::beside(file("atlas.h5"));
-    EXPECT_THROW(FileLock::beside(file("atlas.h5")), EnvironmentError);
+    const AtlasLock first(file("atlas.h5"));
+    EXPECT_THROW(AtlasLock(file("atlas.h5")), EnvironmentError);
   }
-  EXPECT_NO_THROW(FileLock::beside(file("atlas.h5")));
-  EXPECT_FALSE(std::filesystem::exists(file("atlas.h5.lock"))) << "nothing is left behind";
+  EXPECT_NO_THROW(AtlasLock(file("atlas.h5")));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory_), {}), 1)
+      << "nothing lies beside it";
 }
 
-TEST_F(Lock, ALockFileThatAKilledRunLeftBehindDoesNotMatter) {
-  std::ofstream(file("atlas.h5.lock")) << "";
-  EXPECT_NO_THROW(FileLock::beside(file("atlas.h5")));
+TEST_F(Lock, AnotherPathToTheAtlasDoesNotLetASecondRunIn) {
+  std::filesystem::create_hard_link(file("atlas.h5"), file("hard.h5"));
+  std::filesystem::create_symlink(file("atlas.h5"), file("soft.h5"));
+  const AtlasLock first(file("atlas.h5"));
+  EXPECT_THROW(AtlasLock(file("hard.h5")), EnvironmentError);
+  EXPECT_THROW(AtlasLock(file("soft.h5")), EnvironmentError);
 }
 
 TEST_F(Lock, ReadersAreWelcomeAndWritersAreKeptOut) {
-  const FileLock run = FileLock::shared_on(file("atlas.h5"));
+  const AtlasLock run(file("atlas.h5"));
   const int other = ::open(file("atlas.h5").c_str(), O_RDONLY);
   ASSERT_GE(other, 0);
   EXPECT_NE(::flock(other, LOCK_EX | LOCK_NB), 0) << "what h5py does for r+";
@@ -90,12 +96,79 @@ TEST_F(Lock, ReadersAreWelcomeAndWritersAreKeptOut) {
   ::close(other);
 }
 
+TEST_F(Lock, AReaderThatClosesTheAtlasTakesNoLockAway) {
+  const AtlasLock run(file("atlas.h5"));
+  ::close(::open(file("atlas.h5").c_str(), O_RDONLY));  // as each AtlasReader of the same process
+  EXPECT_THROW(AtlasLock(file("atlas.h5")), EnvironmentError);
+}
+
 TEST_F(Lock, AnAtlasThatIsBeingWrittenByOthersIsRefused) {
   const int other = ::open(file("atlas.h5").c_str(), O_RDONLY);
   ASSERT_GE(other, 0);
   ASSERT_EQ(::flock(other, LOCK_EX | LOCK_NB), 0);
-  EXPECT_THROW(FileLock::shared_on(file("atlas.h5")), EnvironmentError);
+  EXPECT_THROW(AtlasLock(file("atlas.h5")), EnvironmentError);
   ::close(other);
+}
+
+TEST_F(Lock, AnAtlasThatIsMovedOrReplacedIsNotInItsPlaceAnyMore) {
+  const AtlasLock run(file("atlas.h5"));
+  EXPECT_TRUE(run.is_in_place());
+  std::filesystem::rename(file("atlas.h5"), file("moved.h5"));
+  EXPECT_FALSE(run.is_in_place());
+  std::ofstream(file("atlas.h5")) << "another";
+  EXPECT_FALSE(run.is_in_place());
+}
+
+// Without locks
+// ------------------------------------------------------------------------------------------------------
+
+int no_locks(int /*descriptor*/) {
+  return ENOLCK;
+}
+
+class NoLocks : public Lock {
+ protected:
+  [[nodiscard]] AtlasLock taken() const { return {file("atlas.h5"), file("atlas.h5"), no_locks}; }
+  [[nodiscard]] std::string refusal() const {
+    try {
+      static_cast<void>(taken());
+    } catch (const EnvironmentError& error) {
+      return error.what();
+    }
+    return "";
+  }
+  [[nodiscard]] std::filesystem::path side() const { return file("atlas.h5.lock"); }
+};
+
+TEST_F(NoLocks, ASideFileWithHostAndProcessKeepsASecondRunOut) {
+  {
+    const AtlasLock first = taken();
+    EXPECT_NE(first.remark().find("takes no lock (No locks available); " + side().string()),
+              std::string::npos)
+        << first.remark();
+    EXPECT_NE(bytes(side()).find("process " + std::to_string(::getpid())), std::string::npos);
+    const std::string message = refusal();
+    EXPECT_NE(message.find("another run is filling"), std::string::npos) << message;
+    EXPECT_NE(message.find("process " + std::to_string(::getpid()) + ", renewed "), std::string::npos)
+        << message;
+  }
+  EXPECT_FALSE(std::filesystem::exists(side())) << "nothing is left behind";
+  EXPECT_EQ(refusal(), "");
+}
+
+TEST_F(NoLocks, ASideFileThatNobodyRenewsIsTakenOver) {
+  std::ofstream(side()) << "host elsewhere, process 1\n";
+  EXPECT_NE(refusal().find("host elsewhere, process 1, renewed 0 s ago"), std::string::npos);
+  std::filesystem::last_write_time(
+      side(), std::filesystem::file_time_type::clock::now() - 2 * AtlasLock::kLeftBehind);
+  EXPECT_EQ(refusal(), "");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory_), {}), 1);
+}
+
+TEST_F(NoLocks, WhereThereAreLocksThereIsNoSideFile) {
+  const AtlasLock locked(file("atlas.h5"));
+  EXPECT_EQ(locked.remark(), "");
+  EXPECT_FALSE(std::filesystem::exists(side()));
 }
 
 }  // namespace

@@ -24,18 +24,24 @@ std::string message_of(const auto& action) {
   return "nothing was thrown";
 }
 
-TEST_F(Hdf5, AFailingCallSaysWhatWhereAndWhy) {
+TEST_F(Hdf5, AFailureNamesTheFileAndTheSystemsReasonAndNothingOfHdf5) {
   const std::string message = message_of([&] { File::open_to_read(file("missing.h5")); });
-  EXPECT_NE(message.find("No such file or directory"), std::string::npos) << message;
-  EXPECT_NE(message.find("H5Fopen("), std::string::npos) << message;
-  EXPECT_NE(message.find("src/atlas/hdf5.cpp:"), std::string::npos) << message;
-  EXPECT_EQ(message.find(RUBATLAS_SOURCE_DIR), std::string::npos) << "a machine's path in " << message;
+  EXPECT_EQ(message, file("missing.h5").string() + " cannot be opened: No such file or directory");
 }
 
-TEST_F(Hdf5, AMissingDatasetIsAnError) {
+TEST_F(Hdf5, AMissingDatasetIsNamedWithItsFile) {
   const File created = File::create(file("empty.h5"));
   const std::string message = message_of([&] { static_cast<void>(created.dataset("/nothing")); });
-  EXPECT_NE(message.find("'nothing' doesn't exist"), std::string::npos) << message;
+  EXPECT_EQ(message,
+            file("empty.h5").string() +
+                ": its root cannot be asked for /nothing: it is damaged, or not as this program writes it");
+}
+
+TEST_F(Hdf5, AFileThatIsCutShortSaysSo) {
+  { File::create(file("short.h5")).create_filled_dataset<double>("/array", {1000}, 1.0); }
+  std::filesystem::resize_file(file("short.h5"), 3000);
+  EXPECT_EQ(message_of([&] { File::open_to_read(file("short.h5")); }),
+            file("short.h5").string() + " cannot be opened: the file is cut short");
 }
 
 TEST_F(Hdf5, TextsComeBackAsTheyWere) {

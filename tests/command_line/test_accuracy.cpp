@@ -168,7 +168,7 @@ TEST_F(Accuracy, WhatCannotBeStudiedIsRefusedInOneSentenceBeforeAnyFile) {
   EXPECT_EQ(refused("s.json -o a.h5 --repeats 0"),
             "rubatlas: --repeats 0: outside [1, 1000]; timed runs of each point\n");
   EXPECT_EQ(refused("s.json -o s.json --overwrite"),
-            "rubatlas: -o s.json: the study would replace the scene\n");
+            "rubatlas: s.json and s.json are the same file, and a study of accuracy would replace it\n");
   EXPECT_NE(refused("s.json -o a.h5 --progress barr").find("nearest: bar"), std::string::npos);
   EXPECT_FALSE(place.has("a.h5"));
   static_cast<void>(place.write("a.h5", "mine"));

@@ -122,11 +122,19 @@ TEST_F(Orbit, NeverReplacesAFileUnasked) {
   const std::string at = "--at speed_ratio=0.3,damping_ratio=0.1 -o o.h5";
   static_cast<void>(place.write("o.h5", "mine"));
   EXPECT_EQ(refused(at), "rubatlas: o.h5 exists; --overwrite replaces it\n");
+  EXPECT_EQ(
+      refused(at + " --overwrite"),
+      "rubatlas: o.h5 is no file of rubatlas that can be read, and --overwrite replaces an orbit by another "
+      "only\n");
   EXPECT_EQ(place.read("o.h5"), "mine");
-  EXPECT_EQ(place.rubatlas("orbit s.json " + at + " --overwrite").code, 0);
-  EXPECT_NE(place.read("o.h5"), "mine");
+  std::filesystem::remove(place.path("o.h5"));
+  EXPECT_EQ(place.rubatlas("orbit s.json " + at).code, 0);
+  const std::string first = place.read("o.h5");
+  EXPECT_EQ(place.rubatlas("orbit s.json --at speed_ratio=0.5,damping_ratio=0.1 -o o.h5 --overwrite").code,
+            0);
+  EXPECT_NE(place.read("o.h5"), first);
   EXPECT_EQ(refused("--at speed_ratio=0.3,damping_ratio=0.1 --overwrite -o s.json"),
-            "rubatlas: -o s.json: the orbit would replace s.json\n");
+            "rubatlas: s.json and s.json are the same file, and an orbit would replace it\n");
   EXPECT_EQ(place.read("s.json"), kSmallScene);
 }
 
@@ -156,7 +164,7 @@ TEST_F(Orbit, FromAnAtlasRefusesPointsAndScenesThatItDoesNotHave) {
   EXPECT_EQ(refused("--at speed_ratio=0.4,damping_ratio=0.2,direction=up --from a.h5 -o o.h5"),
             "rubatlas: a.h5 was swept one way; it has no direction to choose\n");
   EXPECT_EQ(refused("--at speed_ratio=0.4,damping_ratio=0.2 --from a.h5 --overwrite -o a.h5"),
-            "rubatlas: -o a.h5: the orbit would replace a.h5\n");
+            "rubatlas: a.h5 and a.h5 are the same file, and an orbit would replace it\n");
   static_cast<void>(
       place.write("other.json", R"({"rotor": {"mass": 2}, "grid": {"speed_ratio": [0.3, 0.4, 0.5],
     "damping_ratio": [0.1, 0.2]}, "protocol": {"transient_revolutions": 4, "sampled_revolutions": 3}})"));

@@ -3,6 +3,7 @@
     departures(path) -> one sentence for each departure, none when the atlas is as it should be
 """
 import json
+import zlib
 
 import h5py
 import numpy as np
@@ -10,6 +11,7 @@ import numpy as np
 GRID_AXES = ["thickness", "unbalance", "friction", "damping_ratio", "speed_ratio"]
 ROOT_ATTRIBUTES = ["Conventions", "schema_version", "software", "software_version", "git_commit", "compiler"]
 ALWAYS = {"status": ([], "|u1"), "status_detail": ([], "|u1"), "restarted": ([], "|u1"), "failed_revolution": ([], "<i4"),
+          "row_checksum": ([], "<u4"),
           "final_state": (["component"], "<f8")}
 IF_ASKED = {"poincare": ["section", "component"], "poincare_blade_passing": ["passing", "component"],
             "max_displacement": [], "spectrum": ["order"], "touchdowns_per_revolution": [], "max_contact_force": [],
@@ -97,4 +99,9 @@ def departures(path):
         need((np.asarray(detail[...] != 0) == np.isin(status, FAILED)).all(), "/status_detail does not go with /status")
         finished = status != PENDING
         need(np.isin(atlas["restarted"][...][finished], (0, 1)).all(), "/restarted is neither 0 nor 1")
+        checksums = atlas["row_checksum"]
+        summed = [atlas[name][...] for name in checksums.attrs["order"].split()]
+        for place in zip(*np.nonzero(finished)):
+            computed = zlib.crc32(b"".join(values[place].tobytes() for values in summed))
+            need(checksums[place] == computed, f"the row at {place} does not have its checksum")
     return found

@@ -76,8 +76,9 @@ class JobTest(unittest.TestCase):
         return atlas
 
     def start(self, ranks, content, atlas, *options):
-        """Starts a job and returns at once."""
-        job = subprocess.Popen(command(ranks, "run", self.write_scene(content), "-o", atlas, "--progress", "off", *options),
+        """Starts a job and returns at once. Its statuses follow their rows at once: whoever waits for one sees it come."""
+        job = subprocess.Popen(command(ranks, "run", self.write_scene(content), "-o", atlas, "--progress", "off",
+                                       "--batch-milliseconds", "0", *options),
                                env=ENVIRONMENT, cwd=self.directory, stderr=subprocess.PIPE, text=True)
         self.addCleanup(lambda: (job.poll() is None and job.kill(), job.wait(), job.stderr.close()))
         return job

@@ -85,7 +85,7 @@ class Refusals(JobTest):
 
     def test_a_file_that_is_no_atlas_is_not_resumed(self):
         (self.directory / "atlas.h5").write_text("a letter")
-        self.assert_refused(self.run_job(2, self.write_scene(scene()), "--resume"), 3, "atlas.h5", "cannot be opened as an atlas")
+        self.assert_refused(self.run_job(2, self.write_scene(scene()), "--resume"), 3, "atlas.h5", "cannot be opened: it is damaged")
         self.assertEqual((self.directory / "atlas.h5").read_text(), "a letter")
 
     def test_a_second_run_on_the_same_atlas_is_kept_out(self):

@@ -65,6 +65,64 @@ class ToolsAtlasFile(unittest.TestCase):
         with self.assertRaisesRegex(AtlasError, "not a readable HDF5 file"):
             AtlasFile(__file__)
 
+    def refusal(self, change, name="atlas.h5"):
+        """What is said of a copy that `change` has had open."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "bad.h5"
+            shutil.copy(TINY / name, path)
+            with h5py.File(path, "r+") as file:
+                change(file)
+            with self.assertRaises(AtlasError) as caught:
+                AtlasFile(path)
+            self.assertTrue(str(caught.exception).startswith(f"{path}: "))
+            return str(caught.exception).removeprefix(f"{path}: ")
+
+    def test_a_dataset_that_does_not_lie_on_the_axes_is_refused_when_the_file_is_opened(self):
+        def replace(name, **kind):
+            def change(file):
+                del file[name]
+                file.create_dataset(name, **kind)
+            return change
+
+        def external(file):
+            del file["poincare"]
+            file["poincare"] = h5py.ExternalLink("elsewhere.h5", "/poincare")
+
+        def set_to(name, value):
+            def change(file):
+                file[name][0, 0, 0, 1, 3] = value
+            return change
+
+        cases = [(replace("status", data=np.uint8(1)), "/status is one number"),
+                 (replace("status", data=b"text"), "/status is one number"),
+                 (set_to("status", 4), "/status has a 4, and no status is above 3"),
+                 (lambda file: file["status"].dims[3].detach_scale(file["damping_ratio"]), "axis 3 of /status has no scale"),
+                 (replace("poincare", data=b"a text"), "/poincare does not hold the numbers"),
+                 (replace("poincare", data=np.zeros((2, 2))), "/poincare has the shape"),
+                 (lambda file: file.__delitem__("poincare"), "/poincare is missing"),
+                 (external, "/poincare is no dataset of this file"),
+                 (set_to("final_state", np.nan), "/final_state of a point that is done is not finite"),
+                 (replace("speed_ratio", data=np.zeros(3)), "/status"),
+                 (replace("scene_resolved", data=b"{}"), "/scene_resolved is not a scene"),
+                 (replace("scene_resolved", data=b"no JSON"), "/scene_resolved is not a scene")]
+        for number, (change, sentence) in enumerate(cases):
+            with self.subTest(number=number):
+                self.assertIn(sentence, self.refusal(change))
+
+    def test_maps_that_do_not_lie_on_their_axes_are_refused(self):
+        def change(file):
+            file["class"].dims[4].detach_scale(file["speed_ratio"])
+        self.assertIn("axis 4 of /class has no scale", self.refusal(change, "maps.h5"))
+
+    def test_a_title_has_no_control_characters(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "atlas.h5"
+            shutil.copy(TINY / "atlas.h5", path)
+            with h5py.File(path, "r+") as file:
+                file.attrs["title"] = "red \x1b[31m bell \x07 end"
+            with AtlasFile(path) as atlas:
+                self.assertEqual(atlas.attribute("title"), "red [31m bell  end")
+
     def test_the_clearance_is_that_of_the_scene(self):
         with AtlasFile(TINY / "atlas.h5") as atlas:
             self.assertAlmostEqual(atlas.clearance, 0.01, delta=1e-15)

@@ -1,0 +1,148 @@
+#include "atlas/output.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <string_view>
+
+#include "atlas/environment_error.hpp"
+#include "atlas/hdf5.hpp"
+#include "atlas/header_checksum.hpp"
+
+namespace rubatlas::atlas {
+namespace {
+
+struct Kind {
+  FileKind kind;
+  const char* word;
+  const char* words;
+  const char* dataset;  ///< that only this kind has: of files whose root does not say its kind
+};
+
+constexpr std::array kKinds{Kind{FileKind::accuracy, "accuracy", "a study of accuracy", "/setting"},
+                            Kind{FileKind::atlas, "atlas", "an atlas", "/final_state"},
+                            Kind{FileKind::maps, "maps", "maps", "/class"},
+                            Kind{FileKind::orbit, "orbit", "an orbit", "/sections"},
+                            Kind{FileKind::table, "table", "a table", nullptr},
+                            Kind{FileKind::record, "record", "a record of runs", nullptr}};
+
+const Kind& entry(FileKind kind) {
+  for (const auto& known : kKinds) {
+    if (known.kind == kind) return known;
+  }
+  return kKinds.front();
+}
+
+std::optional<FileKind> kind_of_hdf5(const std::filesystem::path& path) {
+  if (header_of(path) == Header::damaged) return std::nullopt;
+  try {
+    const File file = File::open_to_read(path);
+    const Object root = file.root();
+    if (!root.has_attribute("software") || root.text("software") != "rubatlas") return std::nullopt;
+    const std::string word = root.has_attribute("kind") ? root.text("kind") : "";
+    for (const auto& known : kKinds) {
+      if (word.empty() ? known.dataset != nullptr && file.has(known.dataset) : word == known.word) {
+        return known.kind;
+      }
+    }
+  } catch (const EnvironmentError&) {  // whatever it is, it is none of ours
+  }
+  return std::nullopt;
+}
+
+std::string first_line(const std::filesystem::path& path) {
+  std::string line(64, '\0');  // longer than the marks, and no more of a file that has no lines
+  std::ifstream file(path, std::ios::binary);
+  file.read(line.data(), static_cast<std::streamsize>(line.size()));
+  line.resize(static_cast<std::size_t>(file.gcount()));
+  return line.substr(0, line.find('\n'));
+}
+
+/// Where the links of a path lead.
+std::filesystem::path followed(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_symlink(path, error)) return path;
+  auto target = std::filesystem::canonical(path, error);
+  if (error) {
+    throw OutputRefusal(
+        fmt::format("{} is a link that leads to no file: {}", path.string(), error.message()));
+  }
+  return target;
+}
+
+/// The same file, or the same place for one that is not there yet.
+bool is_same(const std::filesystem::path& one, const std::filesystem::path& other) {
+  std::error_code error;
+  if (std::filesystem::exists(one, error) || std::filesystem::exists(other, error)) {
+    return std::filesystem::equivalent(one, other, error);  // device and inode, links followed
+  }
+  return std::filesystem::weakly_canonical(one, error) == std::filesystem::weakly_canonical(other, error);
+}
+
+const char* what_else(std::filesystem::file_type type) {
+  switch (type) {
+    case std::filesystem::file_type::directory:
+      return "a directory";
+    case std::filesystem::file_type::block:
+    case std::filesystem::file_type::character:
+      return "a device";
+    case std::filesystem::file_type::fifo:
+      return "a pipe";
+    case std::filesystem::file_type::socket:
+      return "a socket";
+    default:
+      return "no file";
+  }
+}
+
+void require_replaceable(const Wish& wish) {
+  const auto found = kind_of(wish.path);
+  if (found == wish.kind) return;
+  throw OutputRefusal(fmt::format("{} is {}, and --overwrite replaces {} by {} only", wish.path.string(),
+                                  found ? words_of(*found) : "no file of rubatlas that can be read",
+                                  words_of(wish.kind), wish.kind == FileKind::maps ? "maps" : "another"));
+}
+
+}  // namespace
+
+const char* words_of(FileKind kind) {
+  return entry(kind).words;
+}
+
+const char* word_of(FileKind kind) {
+  return entry(kind).word;
+}
+
+std::optional<FileKind> kind_of(const std::filesystem::path& path) {
+  if (!std::filesystem::is_regular_file(path)) return std::nullopt;
+  const std::string line = first_line(path);
+  if (line.starts_with(kTableMark)) return FileKind::table;
+  if (line.starts_with(kRecordMark)) return FileKind::record;
+  return kind_of_hdf5(path);
+}
+
+Output permitted(const Wish& wish, const std::vector<std::filesystem::path>& others) {
+  const auto place = followed(wish.path);
+  for (const auto& other : others) {
+    if (is_same(place, other)) {
+      throw OutputRefusal(fmt::format("{} and {} are the same file, and {} would replace it",
+                                      wish.path.string(), other.string(), words_of(wish.kind)));
+    }
+  }
+  std::error_code error;
+  const auto status = std::filesystem::status(place, error);
+  if (!std::filesystem::exists(status)) return {place, false};
+  if (!std::filesystem::is_regular_file(status)) {
+    throw OutputRefusal(
+        fmt::format("{} is {}; the output must be a file", wish.path.string(), what_else(status.type())));
+  }
+  if (wish.if_there == Existing::refuse) {
+    throw OutputRefusal(fmt::format("{} exists; {}--overwrite replaces it", wish.path.string(),
+                                    wish.kind == FileKind::atlas ? "--resume completes it, " : ""));
+  }
+  if (wish.if_there == Existing::replace) require_replaceable(wish);
+  return {place, wish.if_there == Existing::replace};
+}
+
+}  // namespace rubatlas::atlas

@@ -1,0 +1,65 @@
+#include "atlas/row_checksum.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace rubatlas::atlas {
+namespace {
+
+template <typename T>
+std::span<const T> numbers(const T& value) {
+  return {&value, 1};
+}
+
+std::span<const double> numbers(const std::span<const double>& values) {
+  return values;
+}
+
+void add(const RowPart& part, RowChecksum& sum) {
+  std::visit([&](const auto& values) { sum.add(numbers(values)); }, part);
+}
+
+/// What an effect remembers on a line on which it has no strength.
+constexpr std::array<double, solve::Memory::kMost> kUnchanged{};
+
+}  // namespace
+
+Row::Row(const Schema& schema, bool restarted, const solve::PointOutcome& outcome) {
+  const bool done = outcome.status == solve::PointStatus::done;
+  if (!done) {
+    std::size_t longest = std::max(outcome.final_state.size(), solve::Memory::kMost);
+    for (const auto& row : outcome.rows) longest = std::max(longest, row.size());
+    absent_.assign(longest, std::numeric_limits<double>::quiet_NaN());
+  }
+  const auto add = [&](std::span<const double> values) {
+    parts_.emplace_back(done ? values : std::span<const double>(absent_).first(values.size()));
+  };
+  parts_.emplace_back(static_cast<std::uint8_t>(outcome.status));
+  parts_.emplace_back(static_cast<std::uint8_t>(outcome.detail));
+  parts_.emplace_back(static_cast<std::uint8_t>(restarted ? 1 : 0));
+  parts_.emplace_back(static_cast<std::int32_t>(done ? -1 : outcome.failed_revolution));
+  add(outcome.final_state);
+  std::span<const double> remembered = outcome.final_memory.view();
+  for (const RowDataset& memory : schema.memories) {
+    const std::size_t size = memory.shape.back();
+    const bool there = remembered.size() >= size;
+    add(there ? remembered.first(size) : std::span<const double>(kUnchanged).first(size));
+    if (there) remembered = remembered.subspan(size);
+  }
+  for (const auto& row : outcome.rows) add(row);
+}
+
+std::uint32_t Row::checksum() const {
+  RowChecksum sum;
+  for (const auto& part : parts_) add(part, sum);
+  return sum.value();
+}
+
+std::uint32_t Row::checksum(std::size_t part) const {
+  RowChecksum sum;
+  add(parts_.at(part), sum);
+  return sum.value();
+}
+
+}  // namespace rubatlas::atlas

@@ -1,0 +1,51 @@
+/// The checksum of a row: CRC-32 (as of zlib, gzip, Python's `zlib.crc32`) over all that the row stores,
+/// bytes as in the file, dataset by dataset in the order of `Schema::summed_datasets`.
+#pragma once
+
+#include <bit>
+#include <boost/crc.hpp>
+#include <cstdint>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "atlas/schema.hpp"
+#include "solve/line_solver.hpp"
+
+namespace rubatlas::atlas {
+
+/// What a point stores in one dataset.
+using RowPart = std::variant<std::span<const double>, std::uint8_t, std::int32_t>;
+
+/// A point's row, one part per dataset of `Schema::summed_datasets`, in their order: the status first.
+class Row {
+ public:
+  /// `outcome` outlives the row. `restarted`: it started from the scene's `initial`. A point that did not end
+  /// as done has NaN throughout.
+  Row(const Schema& schema, bool restarted, const solve::PointOutcome& outcome);
+
+  [[nodiscard]] const std::vector<RowPart>& parts() const { return parts_; }
+  [[nodiscard]] std::uint32_t checksum() const;
+  /// Of one part alone.
+  [[nodiscard]] std::uint32_t checksum(std::size_t part) const;
+
+ private:
+  std::vector<double> absent_;  ///< NaN, as long as the longest part
+  std::vector<RowPart> parts_;
+};
+
+/// Adds up parts of one row.
+class RowChecksum {
+ public:
+  template <typename T>
+  void add(std::span<const T> values) {
+    static_assert(std::endian::native == std::endian::little, "the file's bytes are the memory's");
+    sum_.process_bytes(values.data(), values.size_bytes());
+  }
+  [[nodiscard]] std::uint32_t value() const { return sum_.checksum(); }
+
+ private:
+  boost::crc_32_type sum_;
+};
+
+}  // namespace rubatlas::atlas
