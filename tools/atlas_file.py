@@ -107,7 +107,10 @@ class _Examination:
     def scale(self, dataset, dimension):
         """Name of the scale that an axis of a dataset runs along, of the axis' length."""
         name = dataset.name.strip("/")
-        scales = dataset.dims[dimension].values()
+        try:
+            scales = [scale for scale in dataset.dims[dimension].values() if scale.name]
+        except UNREADABLE:  # it was taken out of the file
+            scales = []
         if not scales:
             self.refuse(f"axis {dimension} of /{name} has no scale")
         scale = self.dataset(scales[0].name.strip("/"))
