@@ -232,6 +232,7 @@ auto DirectedElastica<Direction, FrictionLaw>::solve_for_coefficient(const Pose&
                                                                      double speed_ratio, double side) const
     -> std::optional<Bend> {
   constexpr int kSteps = 8;  // from the coefficient of the undeformed tip to the largest
+  constexpr int kHalvings = 40;
   const auto at_coefficient = [&](double coefficient) {
     const DirectedElastica<Direction, CoulombFriction> law(geometry_, {length_, 0.0, 1.0}, {coefficient});
     const auto found = law.solve(at, 1.0, speed_ratio, side);
@@ -255,16 +256,18 @@ auto DirectedElastica<Direction, FrictionLaw>::solve_for_coefficient(const Pose&
   const double end = std::copysign(friction_.largest(), bend ? -at_low : side);
   double high = low;
   double at_high = at_low;
-  for (int i = 1; i <= kSteps && !(at_high * end >= 0.0); ++i) {
+  const auto leaves = [&] { return std::isnan(at_high) && !std::isnan(at_low); };
+  for (int i = 1; i <= kSteps && !(at_high * end >= 0.0) && !leaves(); ++i) {
     low = high;
     at_low = at_high;
     high = i < kSteps ? start + (end - start) * i / kSteps : end;
     at_high = excess(high);
   }
-  for (int halving = 0; std::isnan(at_low) && halving < 40; ++halving) {
+  // The equilibria to this side begin or end between the two: the crossing lies before.
+  for (int halving = 0; (std::isnan(at_low) || std::isnan(at_high)) && halving < kHalvings; ++halving) {
     const double middle = 0.5 * (low + high);
     const double at_middle = excess(middle);
-    const bool beyond = at_middle * end >= 0.0;
+    const bool beyond = std::isnan(at_middle) ? std::isnan(at_high) : at_middle * end >= 0.0;
     (beyond ? high : low) = middle;
     (beyond ? at_high : at_low) = at_middle;
   }

@@ -2,6 +2,7 @@
 /// through, friction that goes through zero, and how far the axial assumption is from the normal.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -201,6 +202,53 @@ TEST(DirectedSides, RegularisedFrictionBecomesCoulombs) {
     ++compared;
   }
   EXPECT_GT(compared, 250);
+}
+
+/// How often c − c(v) changes its sign along the equilibria to one side, under c from one end of its range to
+/// the other.
+template <class Direction, class FrictionLaw>
+int equilibria(const DirectedElastica<Direction, FrictionLaw>& law, const Pose& at, double speed,
+               double side) {
+  constexpr int kLooks = 200;
+  int found = 0;
+  double before = NAN;
+  for (int i = -kLooks; i <= kLooks; ++i) {
+    const double c = law.friction().largest() * i / kLooks;
+    const auto bend = directed<Direction>(kDefaultRotor, CoulombFriction{c}).solve(at, 1.0, speed, side);
+    const double excess =
+        bend ? c - law.constraint(at, 1.0, speed, {bend->modulus, std::max(bend->amplitude, 1e-300)})
+                       .coefficient
+             : NAN;
+    if (before * excess < 0.0) ++found;
+    before = excess;
+  }
+  return found;
+}
+
+TEST(DirectedSides, EquilibriumUnderVelocityDependentFrictionIsFoundAlsoNextToTheEndOfItsSide) {
+  // Without a load along t a blade stands on neither side for long: at ct ~ 0 and at light contacts the
+  // equilibria to a side begin near c = 0.
+  constexpr double kSpeed = 0.5;
+  const auto law = directed<AxialLoad>(kDefaultRotor, StribeckFriction{0.8, 0.1, 0.01, 0.002});
+  RandomContacts random(kDefaultRotor, 0.1, 64);
+  int odd = 0;
+  for (int i = 0; i < 16; ++i) {
+    const double lateral = (i % 2 == 0 ? 1e-3 : 1e-2) * (2 * random.uniform() - 1);
+    const double overlap = i % 3 == 0 ? 0.0 : 1e-3 * std::pow(10.0, -4 * random.uniform());
+    const Pose at = pressed(kDefaultRotor, overlap, lateral, 0.06 * (2 * random.uniform() - 1), kSpeed);
+    for (const double side : {1.0, -1.0}) {
+      // Pairs, one of them unstable, need not be met by a load that grows from zero.
+      if (equilibria(law, at, kSpeed, side) % 2 == 0) continue;
+      ++odd;
+      const auto bend = law.solve(at, 1.0, kSpeed, side);
+      ASSERT_TRUE(bend.has_value()) << i << ", side " << side;
+      const auto there = law.constraint(
+          at, 1.0, kSpeed, {bend->modulus, std::max(bend->amplitude, 1e-300)});  // 0: without load
+      EXPECT_NEAR(there.misdirection, 0.0, 1e-10);
+      EXPECT_NEAR(there.residual, 0.0, 1e-12 * kDefaultRotor.ring_radius * kDefaultRotor.ring_radius);
+    }
+  }
+  EXPECT_GT(odd, 8);
 }
 
 TEST(StickingElastica, HeldBladeNeedsTheFrictionUnderWhichASlidingOneStandsThere) {

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
 
 #include "directed_law.hpp"
 
@@ -36,6 +39,92 @@ TEST(DirectedMotion, RepeatsItselfToRoundingWhereItIsPeriodicOnTheOrbitOfTheCarr
     EXPECT_LE(closing_distance(solved), 1e-14);
     // A step may err by 1e-11 m, and these orbits forget an error only in some ten to a hundred revolutions.
     EXPECT_LE((carried.sections.back() - solved.sections.back()).abs().maxCoeff(), 1e-8);
+  }
+}
+
+/// Where a motion is after some revolutions, or how far it came.
+struct Course {
+  solve::PointStatus status;
+  std::size_t revolutions;
+  solve::State state;
+};
+Course course(HardRotor rotor, const auto& law, const solve::State& start, double tolerance) {
+  rotor.tolerance = tolerance;
+  const auto motion = follow(rotor, law, effects::NoForcing{}, start, 5, [](observables::MotionPiece&) {});
+  const bool done = motion.status == solve::PointStatus::done;
+  return {motion.status, motion.sections.size(), done ? motion.sections.back() : start};
+}
+
+/// Two tolerances and a start a little aside. True where the motion is predictable: nothing but the tolerance
+/// could change its outcome.
+bool ends_alike(const HardRotor& rotor, const auto& law, const solve::State& start) {
+  constexpr double kAside = 1e-11;
+  const Course rough = course(rotor, law, start, 1e-9);
+  const Course fine = course(rotor, law, start, 1e-10);
+  if (rough.status == fine.status && rough.revolutions == fine.revolutions) return true;
+  solve::State aside = start;
+  aside[0] += kAside;
+  const Course finest = course(rotor, law, start, 1e-12);
+  const Course moved = course(rotor, law, aside, 1e-12);
+  const bool predictable = finest.status == moved.status && finest.revolutions == moved.revolutions &&
+                           (finest.state - moved.state).abs().maxCoeff() < 1e4 * kAside;
+  EXPECT_FALSE(predictable) << "after " << rough.revolutions << " and " << fine.revolutions << " revolutions";
+  return false;
+}
+
+TEST(DirectedMotion, StatusOfAPredictableMotionDoesNotHangOnTheTolerance) {
+  int alike = 0;
+  constexpr int kScenes = 24;
+  for (int i = 0; i < kScenes; ++i) {
+    SCOPED_TRACE(i);
+    std::mt19937_64 random(static_cast<std::uint64_t>(1048 + i));
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    const auto between = [&](double least, double most) {
+      return least * std::pow(most / least, uniform(random));
+    };
+    HardRotor rotor;
+    rotor.speed_ratio = between(0.08, 0.8);
+    rotor.damping_ratio = between(0.02, 0.3);
+    rotor.friction = between(0.03, 0.5);
+    solve::State start;
+    for (int k = 0; k < 4; ++k) start[k] = (k < 2 ? 0.005 : 0.03) * (2 * uniform(random) - 1);
+    if (i % 3 == 0) start.setZero();
+    const double v0 = between(1e-5, 0.1);
+    const contact::RegularisedFriction regularised{rotor.friction, v0};
+    const contact::StribeckFriction stribeck{uniform(random), rotor.friction, between(1e-4, 0.1), 0.3 * v0};
+    bool same = false;
+    if (i % 4 == 0) same = ends_alike(rotor, directed_law(rotor, regularised), start);
+    if (i % 4 == 1) same = ends_alike(rotor, directed_law(rotor, stribeck), start);
+    if (i % 4 == 2) {
+      same = ends_alike(
+          rotor, directed_law<contact::RegularisedFriction, contact::NormalLoad>(rotor, regularised), start);
+    }
+    if (i % 4 == 3) {
+      same = ends_alike(rotor, directed_law<contact::StribeckFriction, contact::NormalLoad>(rotor, stribeck),
+                        start);
+    }
+    alike += same ? 1 : 0;
+  }
+  EXPECT_GE(alike, kScenes - 3);
+}
+
+TEST(DirectedMotion, NoForceIsMissedAtAnOrdinaryTouchDownNorShortlyBeforeALiftOff) {
+  HardRotor fast;
+  fast.speed_ratio = 0.5;
+  HardRotor kicked;
+  kicked.speed_ratio = 0.1579;
+  kicked.damping_ratio = 0.02245;
+  kicked.friction = 0.3975;
+  solve::State kick;
+  kick << 3.519e-3, 3.498e-3, 0.0142, -0.01473;
+  for (const double tolerance : {1e-9, 1e-10}) {
+    const Course from_rest =
+        course(fast, directed_law(fast, contact::StribeckFriction{0.8, 0.1, 0.01, 0.002}),
+               solve::State::Zero(), tolerance);
+    EXPECT_EQ(from_rest.status, solve::PointStatus::done);
+    const Course from_kick =
+        course(kicked, directed_law(kicked, contact::RegularisedFriction{0.3975, 0.06257}), kick, tolerance);
+    EXPECT_EQ(from_kick.status, solve::PointStatus::done);
   }
 }
 
