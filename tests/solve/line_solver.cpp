@@ -209,13 +209,17 @@ TEST(LineSolver, TheLastBladePassingOfARevolutionIsItsSection) {
   }
 }
 
-TEST(LineSolver, BetweenRevolutionsIsCalledOncePerRevolution) {
+TEST(LineSolver, AsksAfterEachRevolutionWhetherToGoOn) {
   const scene::Scene scene = default_scene();
+  const auto solver = solve::make_line_solver(scene, line_of(scene), solve::make_blade_tables());
   int calls = 0;
-  solve::make_line_solver(scene, line_of(scene), solve::make_blade_tables())->run(0.4, kRest, [&] {
-    ++calls;
-  });
-  EXPECT_EQ(calls, 30);
+  const auto whole = solver->run(0.4, kRest, [&] { return ++calls > 0; });
+  EXPECT_GE(calls, 30) << "and every few milliseconds within one";
+  EXPECT_EQ(whole.status, solve::PointStatus::done);
+  calls = 0;
+  const auto given_up = solver->run(0.4, kRest, [&] { return ++calls < 5; });
+  EXPECT_EQ(calls, 5);
+  EXPECT_EQ(given_up.status, solve::PointStatus::pending);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace rubatlas::test {
 namespace {
 
 constexpr double kPeriodicSpeed = 0.62;
-constexpr solve::SectionState kFromRest{};
+constexpr solve::SectionState kStandingStill{};
 
 struct Contact {
   int blade = 0;
@@ -48,7 +48,7 @@ scene::Scene five_revolutions() {
 }
 
 TEST(OrbitContacts, ThreeEqualBladesPeakAlikeInAPeriodicMotion) {
-  const auto orbit = orbit_of(five_revolutions(), kPeriodicSpeed, kFromRest);
+  const auto orbit = orbit_of(five_revolutions(), kPeriodicSpeed, kStandingStill);
   ASSERT_EQ(orbit.status, solve::PointStatus::done);
   const auto contacts = contacts_of(orbit);
   ASSERT_EQ(contacts.size(), 15U) << "three a revolution";
@@ -72,10 +72,10 @@ TEST(OrbitContacts, AgreeWithTheObservablesOfTheSamePoint) {
     SCOPED_TRACE(speed_ratio);
     auto scene = five_revolutions();
     scene.protocol.transient_revolutions = 20;
-    const auto orbit = orbit_of(scene, speed_ratio, kFromRest);
+    const auto orbit = orbit_of(scene, speed_ratio, kStandingStill);
     const plan::PointParameters line{speed_ratio, 0.1, 0.1, 0.0, scene.blades.thickness};
     const auto point =
-        solve::make_line_solver(scene, line, solve::make_blade_tables())->run(speed_ratio, kFromRest);
+        solve::make_line_solver(scene, line, solve::make_blade_tables())->run(speed_ratio, kStandingStill);
     ASSERT_EQ(point.status, solve::PointStatus::done);
     const auto row = [&](std::size_t i) { return point.rows.at(i).at(0); };
     const auto contacts = contacts_of(orbit);
@@ -99,7 +99,7 @@ TEST(OrbitContacts, AgreeWithTheObservablesOfTheSamePoint) {
 }
 
 TEST(OrbitContacts, StatesAreThoseOfTheOrbitBetweenItsSamples) {
-  const auto orbit = orbit_of(five_revolutions(), kPeriodicSpeed, kFromRest);
+  const auto orbit = orbit_of(five_revolutions(), kPeriodicSpeed, kStandingStill);
   const auto& samples = orbit.contacts;
   ASSERT_EQ(samples.state.size(), samples.time.size());
   std::size_t near = 0;
@@ -122,7 +122,7 @@ TEST(OrbitContacts, StatesAreThoseOfTheOrbitBetweenItsSamples) {
 TEST(OrbitContacts, OfAMotionWithoutAny) {
   auto scene = five_revolutions();
   scene.rotor.misalignment = 0.0;
-  const auto orbit = orbit_of(scene, kPeriodicSpeed, kFromRest);
+  const auto orbit = orbit_of(scene, kPeriodicSpeed, kStandingStill);
   EXPECT_EQ(orbit.contacts.time.size(), 0U);
   EXPECT_EQ(orbit.time.size(), 5U * 256U);
 }
