@@ -570,7 +570,9 @@ class ContactStep {
       }
       return std::sqrt(state.square().sum() + along * along + of_bending);
     });
-    return estimate / (Pair::kEstimateExcess * tolerance_);
+    // A force that is solved for starts and ends like a root of the time: the estimate is no safe one there.
+    constexpr double kExcess = kTimeTurns || kSkims || Law::kLoadFollowsGap ? Pair::kEstimateExcess : 1.0;
+    return estimate / (kExcess * tolerance_);
   }
 
   /// A step from rising load to beyond lift-off. Its error may be small at its end, but lift-off would be
