@@ -130,6 +130,7 @@ void LinearSupport::build_propagators() {
 }
 
 LinearSupport::State LinearSupport::state(double start_time, const State& start, double elapsed) const {
+  if (propagators_.empty()) return State::Constant(std::numeric_limits<double>::quiet_NaN());
   State state = start;
   Phasors phasors;
   phasors.count = terms_.size();

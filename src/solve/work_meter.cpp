@@ -42,7 +42,8 @@ bool WorkMeter::look() {
   constexpr std::array kDetails{StatusDetail::contact_work, StatusDetail::flight_work,
                                 StatusDetail::event_work};
   if (ended()) return false;
-  if (total() - spent_before_ > allowed_) {
+  const std::int64_t allowed = revolutions_ > 0 ? allowed_ : bound_->revolution;
+  if (total() - spent_before_ > allowed) {
     const auto most = std::max_element(spent_.begin(), spent_.end()) - spent_.begin();
     why_ = kDetails[static_cast<std::size_t>(most)];
   } else if (go_on_ != nullptr && *go_on_ && !(*go_on_)()) {

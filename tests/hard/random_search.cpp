@@ -5,7 +5,10 @@
 /// be run again.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <iostream>
+#include <map>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -44,7 +47,9 @@ class RandomSearch : public ::testing::TestWithParam<Shard> {};
 
 TEST_P(RandomSearch, EveryLegalSceneEndsWithAStatus) {
   const auto [first, scenes] = GetParam();
-  int done = 0;
+  std::map<solve::StatusDetail, int> ended_by;
+  std::int64_t dearest = 0;
+  std::uint64_t dearest_scene = first;
   int touched = 0;
   for (std::uint64_t index = first; index < first + scenes; ++index) {
     SCOPED_TRACE("random scene " + std::to_string(index) + ": " + random_scene_text(index));
@@ -54,9 +59,18 @@ TEST_P(RandomSearch, EveryLegalSceneEndsWithAStatus) {
     const auto outcome = run(scene, speed, start, solve::make_blade_tables());
     ASSERT_NO_FATAL_FAILURE(expect_an_honest_end(scene, outcome));
     ASSERT_NO_FATAL_FAILURE(expect_bounded_work(outcome));
-    if (outcome.status == solve::PointStatus::done) ++done;
+    ++ended_by[outcome.detail];
+    if (outcome.work.price > dearest) dearest_scene = index;
+    dearest = std::max(dearest, outcome.work.price);
     if (outcome.work.touchdowns > 0) ++touched;
   }
+  const int done = ended_by[solve::StatusDetail::none];
+  std::cout << "scenes " << first << " to " << first + scenes - 1 << ": " << done << " done";
+  for (const auto& entry : solve::kStatusDetails) {
+    if (entry.detail != solve::StatusDetail::none && ended_by[entry.detail] > 0)
+      std::cout << ", " << ended_by[entry.detail] << ' ' << entry.name;
+  }
+  std::cout << "; most work " << 1e-9 * static_cast<double>(dearest) << " s, scene " << dearest_scene << '\n';
   // A generator whose scenes never touch, or never end as done, would search nothing.
   EXPECT_GT(done, static_cast<int>(scenes) / 4);
   EXPECT_GT(touched, static_cast<int>(scenes) / 4);
