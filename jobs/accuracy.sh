@@ -13,8 +13,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 folder=atlases/accuracy
 mkdir -p "$folder"
 
-# Exit code 1: some runs have no motion to show, which is what the study is there to tell.
-study() { "${RUBATLAS:-build/rubatlas}" accuracy "$@" --overwrite || [ $? = 1 ]; }
+# Exit code 10: some runs could not be integrated, which is what the study is there to tell.
+study() { "${RUBATLAS:-build/rubatlas}" accuracy "$@" --overwrite || [ $? = 10 ]; }
 study jobs/accuracy.json -o "$folder/trajectories.h5"
 study jobs/accuracy_map.json -o "$folder/map.h5" --methods hybrid,fixed --steps 2e-2,1e-2 --repeats 1
 

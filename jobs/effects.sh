@@ -23,8 +23,16 @@ if [ $# -eq 0 ]; then
   done
 fi
 mkdir -p atlases
-# Some points without a motion (exit code 1) are a result.
-atlas() { "$program" run "$1" -o "$2" --resume || [ $? -eq 1 ]; }
+. jobs/complete_atlas.sh
+atlas() {
+  local code=0
+  complete_atlas "$1" "$2" auto || code=$?
+  # Exit code 10: some points could not be integrated; the others are drawn.
+  if [ "$code" != 0 ] && [ "$code" != 10 ]; then
+    echo "effects.sh: $2 is not complete; the same command goes on" >&2
+    exit "$code"
+  fi
+}
 # regions ATLAS NAME: the row of regions and triggers that `analyse` finds, under a name; HEAD for what stands above it.
 regions() {
   "$program" analyse "$1.h5" -o "$1_maps.h5" --table "$1.md" --overwrite >/dev/null

@@ -4,10 +4,11 @@
 #   ./jobs/quickstart.sh                  runs jobs/quick.json
 #   ./jobs/quickstart.sh jobs/rig.json    runs another scene
 #
-# A second call completes what an interrupted one left out, and is quick where nothing is missing.
+# A second call completes what an interrupted one left out, and is quick where nothing is missing. Ctrl-C stops the run in
+# good order (exit code 130), a second one at once.
 set -euo pipefail
 
-usage() { sed -n '2,7s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; }
+usage() { sed -n '2,8s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; }
 case "$#,${1-}" in
   1,-h | 1,--help) usage && exit 0 ;;
   0,* | 1,[!-]*) ;;
@@ -37,14 +38,15 @@ mkdir -p "$pictures"
 progress=plain
 if [ -t 2 ]; then progress=bar; fi
 . jobs/mpi_environment.sh
-code=0
-mpirun -q -n "$(nproc)" --oversubscribe --bind-to none \
-  build/rubatlas run "$scene" -o "$atlas" --resume --progress "$progress" || code=$?
-case $code in
+. jobs/complete_atlas.sh
+program=build/rubatlas
+run_code=0
+complete_atlas "$scene" "$atlas" "$progress" mpirun -q -n "$(nproc)" --oversubscribe --bind-to none || run_code=$?
+case $run_code in
   0) ;;
-  1) echo "Some points ended without a motion to show; the atlas says which and why, in /status." ;;
-  75) echo "Stopped; the same command goes on from here." && exit 75 ;;
-  *) echo "quickstart.sh: the run ended with exit code $code" >&2 && exit "$code" ;;
+  10) echo "Some points could not be integrated; the atlas says which, in /status." ;;
+  75 | 129 | 130 | 143) echo "Stopped; to go on from here: ./jobs/quickstart.sh $scene" && exit "$run_code" ;;
+  *) echo "quickstart.sh: the run ended with exit code $run_code; to go on: ./jobs/quickstart.sh $scene" >&2 && exit "$run_code" ;;
 esac
 
 say "4/5 Analyse"
@@ -61,3 +63,4 @@ echo "Maps:     $maps"
 echo "Table 1:  $table"
 echo "Pictures:"
 ls -1 "$pictures"/*.png
+exit "$run_code"

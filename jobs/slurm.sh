@@ -10,7 +10,7 @@
 #SBATCH --cpus-per-task=1
 #SBATCH --hint=nomultithread
 #SBATCH --open-mode=append
-# Two minutes before the time is up: the program finishes what it is writing and ends with exit code 75.
+# Two minutes before the time is up: the program gives up the points it is at and ends with exit code 75.
 #SBATCH --signal=B:USR1@120
 set -euo pipefail
 
@@ -18,6 +18,7 @@ if [ $# -lt 1 ] || [ $# -gt 2 ]; then
   sed -n '2,7s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
   exit 2
 fi
+here=$(realpath "$(dirname "${BASH_SOURCE[0]}")")
 # Slurm runs a copy of this script from its spool: the place to work in is where sbatch was called.
 cd "${SLURM_SUBMIT_DIR:-$PWD}"
 scene=$1
@@ -25,26 +26,22 @@ atlas=${2:-atlases/$(basename "$scene" .json).h5}
 program=${RUBATLAS:-build/rubatlas}
 mkdir -p "$(dirname "$atlas")"
 
-# In the background, so that this shell can hear the signal and hand it on; mpirun forwards USR1 to the ranks.
-mpirun -n "${SLURM_NTASKS:-1}" "$program" run "$scene" -o "$atlas" --resume --progress plain &
-run=$!
-# `wait` returns when the signal arrives, while the run is still ending: then wait again.
-heard=0
-trap 'heard=1; kill -USR1 "$run" || true' USR1
-while :; do
-  heard=0 code=0
-  wait "$run" || code=$?
-  [ "$heard" = 1 ] || break
-done
+[ -e "$here/complete_atlas.sh" ] || here=jobs
+[ -e "$here/complete_atlas.sh" ] || here=$(dirname "$program")/../jobs
+. "$here/complete_atlas.sh"
+again="sbatch -n ${SLURM_NTASKS:-1} jobs/slurm.sh $scene $atlas"
+code=0
+complete_atlas "$scene" "$atlas" plain mpirun -n "${SLURM_NTASKS:-1}" || code=$?
 
 case $code in
   0) echo "done: $atlas" ;;
-  1) echo "done, some points without a motion (see /status): $atlas" && code=0 ;;
+  10) echo "done, but some points could not be integrated (see /status): $atlas" ;;
   75)
-    echo "stopped at the time limit and resumable; to go on: sbatch -n ${SLURM_NTASKS:-1} jobs/slurm.sh $scene $atlas"
+    echo "stopped and resumable; to go on: $again"
     # With RUBATLAS_RESUBMIT=1 it does so itself.
     if [ "${RUBATLAS_RESUBMIT:-0}" = 1 ]; then sbatch -n "${SLURM_NTASKS:-1}" jobs/slurm.sh "$scene" "$atlas"; fi
     ;;
-  *) echo "slurm.sh: the run ended with exit code $code" >&2 ;;
+  2 | 3) echo "slurm.sh: the run ended with exit code $code" >&2 ;;
+  *) echo "slurm.sh: the run ended with exit code $code before it was done; to go on: $again" >&2 ;;
 esac
 exit "$code"

@@ -18,12 +18,18 @@ case "${1-}" in
     ;;
 esac
 . jobs/mpi_environment.sh
+. jobs/complete_atlas.sh
+program=build/rubatlas
 
 mkdir -p atlases pictures
 for name in fig4_elastica fig4_elastic_ring fig4_stiffness fig4_phase_elastica fig4_phase_elastic_ring; do
-  # Exit code 1: some points have no motion to show, which is a result.
-  mpirun --oversubscribe --bind-to none -n "$(nproc)" build/rubatlas run "jobs/$name.json" -o "atlases/$name.h5" --resume ||
-    [ $? = 1 ]
+  code=0
+  complete_atlas "jobs/$name.json" "atlases/$name.h5" auto mpirun -q --oversubscribe --bind-to none -n "$(nproc)" || code=$?
+  # Exit code 10: some points could not be integrated; the others are judged.
+  if [ "$code" != 0 ] && [ "$code" != 10 ]; then
+    echo "statements.sh: atlases/$name.h5 is not complete; to go on: jobs/statements.sh $*" >&2
+    exit "$code"
+  fi
   build/rubatlas analyse "atlases/$name.h5" -o "atlases/${name}_maps.h5" --table "atlases/$name.md" --overwrite >/dev/null
 done
 tools/statement_map.py atlases/fig4_{elastica,elastic_ring,stiffness}_maps.h5 -o pictures/statement_map.png --counts --dpi 75

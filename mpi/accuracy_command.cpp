@@ -42,9 +42,8 @@ int compute_accuracy(const AccuracyCommand& command) {
   standing.total = settings.size() * plan::Grid(scene).point_count();
   const auto began = std::chrono::steady_clock::now();
   const auto after_run = [&](const atlas::AccuracyRun& run) {
-    ++standing.finished;
+    standing.count(run.status);
     ++standing.computed;
-    if (run.status != solve::PointStatus::done) ++standing.failed;
     standing.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     if (progress.is_due()) progress.show(standing);
   };

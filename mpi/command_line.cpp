@@ -22,6 +22,7 @@ Examples:
   rubatlas run jobs/quick.json -o quick.h5                       the same bytes without mpirun, on one
   mpirun -n 4 rubatlas run jobs/damping.json -o damping.h5 --resume
                                                                  what a stopped run has left open
+  rubatlas status damping.h5                                     is it complete? exit code 75 where it is not
   rubatlas explain jobs/damping.json                             effects, grid, bytes and time beforehand
   rubatlas orbit jobs/rig.json --at speed_ratio=0.304 -o orbit.h5
   rubatlas orbit jobs/damping.json --at speed_ratio=0.5,damping_ratio=0.1 --from damping.h5 -o orbit.h5
@@ -29,11 +30,12 @@ Examples:
   rubatlas accuracy jobs/accuracy.json -o accuracy.h5            error against time, method by method
   rubatlas verify damping.h5 --recompute 50                      checksums of all rows, 50 rows once more
 
-Exit codes: 0 done; 1 done, but some points left the model or could not be integrated; 2 wrong call or scene;
-3 disk, files or MPI refused; 75 stopped on request, --resume goes on.
+Exit codes: 0 done, every point was computed (some may have left the model: counted in the last line); 10 done,
+but some points could not be integrated; 2 wrong call or scene; 3 disk, files or MPI refused; 75 stopped on
+request, --resume goes on. Any other code is not ours: mpirun ends a job that is terminated with codes of its own.
 )";
 
-constexpr std::array<std::string_view, 6> kCommands{"run",     "explain",  "orbit",
+constexpr std::array<std::string_view, 7> kCommands{"run",     "status",   "explain", "orbit",
                                                     "analyse", "accuracy", "verify"};
 /// In the order of the enumeration ProgressStyle.
 constexpr std::array<std::string_view, 4> kProgressStyles{"auto", "bar", "plain", "off"};
@@ -96,6 +98,11 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   // For tests that kill runs: how long finished rows wait for their statuses.
   run->add_option("--batch-milliseconds", run_options.batch_milliseconds)->group("");
   run->add_flag("--dry-run", run_options.dry_run, "Check scene, disk and output, explain, and stop");
+
+  StatusCommand status_command;
+  auto* status =
+      program.add_subcommand("status", "Say how far an atlas is; exit code 0, 10 or 75, as of its run");
+  status->add_option("ATLAS", status_command.atlas, "Atlas (HDF5)")->required();
 
   ExplainCommand explain_command;
   auto* explain = program.add_subcommand("explain", "Say what a scene would compute, and what it would cost");
@@ -186,8 +193,10 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
       throw UsageError(
           fmt::format("--batch-milliseconds {}: a time, 0 at least", run_options.batch_milliseconds));
     }
+    run_options.words.assign(arguments, arguments + argument_count);
     return run_options;
   }
+  if (status->parsed()) return status_command;
   if (explain->parsed()) return explain_command;
   if (orbit->parsed()) return orbit_command;
   if (verify->parsed()) return verify_command;

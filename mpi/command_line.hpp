@@ -38,6 +38,10 @@ struct AnalyseCommand {
   bool overwrite = false;
 };
 
+struct StatusCommand {
+  std::filesystem::path atlas;
+};
+
 struct AccuracyCommand {
   std::filesystem::path scene;
   std::filesystem::path output;
@@ -52,8 +56,8 @@ struct VerifyCommand {
   std::size_t recompute = 0;  ///< rows that are computed again
 };
 
-using Command = std::variant<PrintCommand, RunOptions, ExplainCommand, OrbitCommand, AnalyseCommand,
-                             AccuracyCommand, VerifyCommand>;
+using Command = std::variant<PrintCommand, RunOptions, ExplainCommand, OrbitCommand, StatusCommand,
+                             AnalyseCommand, AccuracyCommand, VerifyCommand>;
 
 /// Throws UsageError with one sentence.
 Command parse_command_line(int argument_count, const char* const* arguments);

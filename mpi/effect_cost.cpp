@@ -20,7 +20,7 @@ constexpr std::array kPlacesOnTheLine{0.3, 0.5, 0.7};
 
 }  // namespace
 
-std::optional<double> seconds_per_right_hand_side(const scene::Scene& scene) {
+std::optional<double> seconds_per_right_hand_side(const scene::Scene& scene, const solve::GoOn& go_on) {
   scene::Scene trial = scene;
   trial.protocol.transient_revolutions = 0;
   trial.protocol.sampled_revolutions =
@@ -38,7 +38,8 @@ std::optional<double> seconds_per_right_hand_side(const scene::Scene& scene) {
     do {
       for (const double place : kPlacesOnTheLine) {
         const auto speed = static_cast<std::size_t>(place * static_cast<double>(grid.speed_count()));
-        work += solver->run(grid.parameters(first + speed).speed_ratio, start).work;
+        work += solver->run(grid.parameters(first + speed).speed_ratio, start, go_on).work;
+        if (!go_on()) return std::nullopt;
       }
       seconds = processor_seconds() - began;
     } while (seconds < kOneRepetition);

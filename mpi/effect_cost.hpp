@@ -4,12 +4,15 @@
 #include <optional>
 
 #include "scene/scene.hpp"
+#include "solve/line_solver.hpp"
 
 namespace rubatlas::mpi {
 
 /// CPU seconds per right-hand side, with all that belongs to it in a run (flight, search for events), from a
 /// few milliseconds of motion on the last line of the scene's grid: the one with the largest values of all
 /// that is swept. None where no blade comes into contact there.
-std::optional<double> seconds_per_right_hand_side(const scene::Scene& scene);
+///
+/// `go_on` is asked between and within points; where it says no, there is none either.
+std::optional<double> seconds_per_right_hand_side(const scene::Scene& scene, const solve::GoOn& go_on);
 
 }  // namespace rubatlas::mpi

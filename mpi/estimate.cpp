@@ -18,6 +18,8 @@ constexpr int kFewestRevolutions = 5;
 constexpr int kMostRevolutions = 300;
 constexpr double kShareOfOneTrial = 0.1;
 constexpr std::size_t kMostTrials = 400;
+/// Budgets after which a point that is still under way is given up.
+constexpr double kLastMoment = 1.25;
 
 int total_revolutions(const scene::Scene& scene) {
   return scene.protocol.transient_revolutions + scene.protocol.sampled_revolutions;
@@ -40,12 +42,12 @@ solve::SectionState start_of(const scene::Scene& scene) {
 
 /// How many revolutions a trial may have, from a few at the first point.
 int trial_revolutions(const scene::Scene& scene, double budget,
-                      const std::shared_ptr<solve::BladeTables>& tables) {
+                      const std::shared_ptr<solve::BladeTables>& tables, const solve::GoOn& go_on) {
   const scene::Scene probe = shortened(scene, kFewestRevolutions);
   const auto parameters = plan::Grid(probe).parameters(0);
   const auto solver = solve::make_line_solver(probe, parameters, tables);
   const double before = processor_seconds();
-  solver->run(parameters.speed_ratio, start_of(probe));
+  solver->run(parameters.speed_ratio, start_of(probe), go_on);
   const double per_revolution = std::max((processor_seconds() - before) / kFewestRevolutions, 1e-9);
   return static_cast<int>(
       std::clamp<double>(kShareOfOneTrial * budget / per_revolution, kFewestRevolutions, kMostRevolutions));
@@ -53,10 +55,15 @@ int trial_revolutions(const scene::Scene& scene, double budget,
 
 }  // namespace
 
-CostEstimate estimate_cost(const scene::Scene& scene, std::chrono::duration<double> budget) {
-  const auto begin = std::chrono::steady_clock::now();
+double seconds_on_the_wall() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+CostEstimate estimate_cost(const scene::Scene& scene, double budget, const Clock& clock) {
+  const double begin = clock();
+  const solve::GoOn go_on = [&] { return clock() - begin < kLastMoment * budget; };
   const auto tables = solve::make_blade_tables();
-  const scene::Scene trial = shortened(scene, trial_revolutions(scene, budget.count(), tables));
+  const scene::Scene trial = shortened(scene, trial_revolutions(scene, budget, tables, go_on));
   const double scale = static_cast<double>(total_revolutions(scene)) / total_revolutions(trial);
   const plan::Grid grid(trial);
   const solve::SectionState start = start_of(scene);
@@ -92,21 +99,31 @@ CostEstimate estimate_cost(const scene::Scene& scene, std::chrono::duration<doub
   double sum_of_shares = 0.0;
   double processor_time = 0.0;
   for (std::size_t seat = 0; seat < solvers.size() && begun < most_trials; ++seat) begin_on(seat);
-  while (result.trials < begun) {
+  while (result.trials + result.given_up < begun) {
     const double before = processor_seconds();
-    const auto finished = points->advance({});
+    const auto finished = points->advance(go_on);
     processor_time += processor_seconds() - before;
     const auto& outcome = finished.outcome;
     sum_of_shares += finished.seconds;
+    result.work += outcome.work;
+    result.revolutions += static_cast<double>(outcome.work.revolutions);
+    if (outcome.status == solve::PointStatus::pending) {
+      ++result.given_up;
+      continue;
+    }
     seconds.push_back((outcome.status == solve::PointStatus::done ? scale : 1.0) * finished.seconds);
     if (outcome.status == solve::PointStatus::left_validity) ++result.left_validity;
     if (outcome.status == solve::PointStatus::integrator_failed) ++result.integrator_failed;
-    result.work += outcome.work;
-    result.revolutions += static_cast<double>(outcome.work.revolutions);
     ++result.trials;
-    if (begun < most_trials && seconds_since(begin) < budget.count()) {
-      begin_on(static_cast<std::size_t>(finished.seat));
+    if (begun < most_trials && clock() - begin < budget) begin_on(static_cast<std::size_t>(finished.seat));
+  }
+  if (seconds.empty()) {
+    // No point has come to its end: what its revolutions have taken so far has to do.
+    if (result.revolutions > 0.0) {
+      result.seconds_per_point = processor_time / result.revolutions * total_revolutions(scene);
+      result.standard_error = result.fastest = result.slowest = result.seconds_per_point;
     }
+    return result;
   }
 
   // Shares are of time on the wall, in which others may have run too.

@@ -16,7 +16,9 @@
 #include "mpi/estimate.hpp"
 #include "mpi/explain_effects.hpp"
 #include "mpi/explain_text.hpp"
+#include "mpi/memory_need.hpp"
 #include "mpi/notes.hpp"
+#include "mpi/point_runner.hpp"
 #include "mpi/progress.hpp"
 #include "plan/grid.hpp"
 #include "scene/printable.hpp"
@@ -142,7 +144,18 @@ void describe_file(const scene::Scene& scene, Text& text) {
     text.line(fmt::format("{}{}", dataset->name.starts_with('/') ? "" : "/", dataset->name),
               fmt::format("{:>9}  {}", atlas::readable_bytes(bytes), fmt::join(dataset->shape, " × ")));
   }
-  text.line("together", fmt::format("{:>9}", atlas::readable_bytes(schema.byte_count())));
+  text.line("together",
+            fmt::format("{:>9}  {} points × {} a row", atlas::readable_bytes(schema.byte_count()),
+                        plan::Grid(scene).point_count(), atlas::readable_bytes(schema.bytes_per_point())));
+  const MemoryNeed need = memory_need(scene, PointRunner::kSolversKept);
+  const auto memory = memory_of_process();
+  text.line(
+      "memory",
+      fmt::format("{:>9}  {}{}", atlas::readable_bytes(static_cast<std::uint64_t>(need.together())),
+                  memory_text(need),
+                  need.together() > static_cast<double>(memory)
+                      ? fmt::format(": TOO LARGE for the {} that there are", atlas::readable_bytes(memory))
+                      : ""));
 }
 
 // --- time ---
@@ -162,7 +175,31 @@ std::string on_more_ranks(const plan::Grid& grid, const CostEstimate& cost) {
       cost.side_by_side > 1 ? fmt::format(", while each has {} lines", cost.side_by_side) : "");
 }
 
+/// What was tried, and what of it came to its end.
+std::string trials_text(const CostEstimate& cost) {
+  if (cost.trials == 0) {
+    return fmt::format(
+        "{:.0f} revolution{} of {} point{}, none of which came to its end in the time; {} a point",
+        cost.revolutions, cost.revolutions == 1.0 ? "" : "s", cost.given_up, cost.given_up == 1 ? "" : "s",
+        duration(cost.seconds_per_point));
+  }
+  std::string text = fmt::format("{} point{} tried from `initial`: {} each, {} to {}", cost.trials,
+                                 cost.trials == 1 ? "" : "s", duration(cost.seconds_per_point),
+                                 duration(cost.fastest), duration(cost.slowest));
+  if (cost.given_up > 0) {
+    text += fmt::format("; {} more did not come to {} end in the time, and would cost more", cost.given_up,
+                        cost.given_up == 1 ? "its" : "their");
+  }
+  return text;
+}
+
 void describe_time(const plan::Grid& grid, const CostEstimate& cost, Text& text) {
+  if (cost.seconds_per_point <= 0.0) {
+    text.heading("Time");
+    text.line("on one rank",
+              "not one revolution was completed while it was tried; --measure SECONDS tries for longer");
+    return;
+  }
   const double seconds = static_cast<double>(grid.point_count()) * cost.seconds_per_point;
   const bool all_tried = cost.trials == grid.point_count();
   const double uncertainty = std::min(100.0, 100.0 * cost.standard_error / cost.seconds_per_point);
@@ -170,9 +207,7 @@ void describe_time(const plan::Grid& grid, const CostEstimate& cost, Text& text)
   text.line("on one rank",
             fmt::format("{} of CPU time{}{}", seconds < 0.1 ? "under 0.1 s" : readable_duration(seconds),
                         all_tried ? "" : fmt::format(" ± {:.0f} %", uncertainty), on_more_ranks(grid, cost)));
-  text.line("from", fmt::format("{} point{} tried from `initial`: {} each, {} to {}", cost.trials,
-                                cost.trials == 1 ? "" : "s", duration(cost.seconds_per_point),
-                                duration(cost.fastest), duration(cost.slowest)));
+  text.line("from", trials_text(cost));
   const auto touchdowns = static_cast<double>(cost.work.touchdowns);
   if (touchdowns > 0.0) {
     text.line("they had", fmt::format("{:.3g} touch-downs a revolution, {:.0f} right-hand sides each",
@@ -187,12 +222,14 @@ void describe_time(const plan::Grid& grid, const CostEstimate& cost, Text& text)
 }  // namespace
 
 std::string explain(const scene::Scene& scene, double measured_for) {
+  // Of the time for points, so long effects are measured besides.
+  constexpr double kEffectShare = 0.3;
   const plan::Grid grid(scene);
-  const CostEstimate cost = estimate_cost(scene, std::chrono::duration<double>(measured_for));
+  const CostEstimate cost = estimate_cost(scene, measured_for);
 
   Text text;
   describe_machine(scene, text);
-  describe_effects(scene, text);
+  describe_effects(scene, kEffectShare * measured_for, text);
   describe_kernel(scene, text);
   describe_grid(scene, grid, text);
   describe_file(scene, text);

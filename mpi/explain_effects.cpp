@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "mpi/effect_cost.hpp"
+#include "mpi/estimate.hpp"
 #include "plan/grid.hpp"
-#include "plan/scene_of_line.hpp"
 #include "scene/quantity.hpp"
 
 namespace rubatlas::mpi {
@@ -35,14 +35,40 @@ std::string ring_text(const scene::Scene& scene) {
 // --- effects of the list ---
 
 /// On how many lines of the grid an effect acts.
-template <auto Effect>
-std::size_t lines_where_it_acts(const scene::Scene& scene, const plan::Grid& grid) {
+struct ActingLines {
   std::size_t count = 0;
-  for (std::size_t line = 0; line < grid.line_count(); ++line) {
-    const auto own = plan::scene_of_line(scene, grid.parameters(grid.point(line, 0)));
-    if (effects::acts<Effect>(own)) ++count;
+  bool counted =
+      true;  ///< false: its own axes have too many values to look at all; `count` is then 1 or more
+};
+
+/// Whether an effect acts is a matter of its own quantities: only their axes are walked along.
+template <auto Effect>
+ActingLines lines_where_it_acts(const scene::Scene& scene, const plan::Grid& grid) {
+  constexpr std::size_t kMostLooks = 200'000;
+  constexpr std::string_view kSection = effects::Settings<Effect>::kDescription.section;
+  std::vector<scene::Axis> own;
+  for (auto& axis : scene::axes_of(scene)) {
+    if (axis.quantity->section() == kSection) own.push_back(std::move(axis));
   }
-  return count;
+  scene::Scene trial = scene;
+  trial.grid = {};
+  std::size_t looks = 1;
+  for (const auto& axis : own) looks *= axis.values.size();
+  const std::size_t lines_of_look = grid.line_count() / looks;
+  ActingLines result;
+  result.counted = looks <= kMostLooks;
+  for (std::size_t look = 0; look < std::min(looks, kMostLooks); ++look) {
+    std::size_t rest = look;
+    for (const auto& axis : own) {
+      const double value = axis.values[rest % axis.values.size()];
+      rest /= axis.values.size();
+      // The axis of an effect that is absent has the value 0: naming it would switch the effect on.
+      if ((scene.*Effect) || value != 0.0) axis.quantity->write(trial, value);
+    }
+    if (effects::acts<Effect>(trial)) result.count += lines_of_look;
+  }
+  if (!result.counted && scene.*Effect) result.count = std::max<std::size_t>(result.count, 1);
+  return result;
 }
 
 /// The scene as if nobody had named the effect.
@@ -90,7 +116,8 @@ bool has_axis_of_its_own(std::string_view section) {
   });
 }
 
-std::string cost_text(std::optional<double> with, std::optional<double> without) {
+std::string cost_text(std::optional<double> with, std::optional<double> without, bool in_time) {
+  if (!in_time) return "not measured: its motions take too long for that here";
   if (!with || !without) return "no blade comes into contact where it was to be measured";
   return fmt::format(
       "measured: {:.0f} ns a right-hand side with its share of flight, {:.0f} without it ({:+.0f} %)",
@@ -98,32 +125,34 @@ std::string cost_text(std::optional<double> with, std::optional<double> without)
 }
 
 template <auto Effect>
-void describe(const scene::Scene& scene, const plan::Grid& grid, Text& text) {
+void describe(const scene::Scene& scene, const plan::Grid& grid, const solve::GoOn& go_on, Text& text) {
   using Settings = effects::Settings<Effect>;
   constexpr auto& kDescription = Settings::kDescription;
   const std::string name = scene::axis_name(kDescription.section);
   const bool present = (scene.*Effect).has_value();
-  const std::size_t acting = lines_where_it_acts<Effect>(scene, grid);
-  if (!present && acting == 0) {
+  const ActingLines acting = lines_where_it_acts<Effect>(scene, grid);
+  if (!present && acting.count == 0) {
     effect(text, name, false,
            fmt::format("no section `{}`{}: no term in the equations", name,
                        has_axis_of_its_own(kDescription.section) ? " and no grid axis of that name" : ""));
     return;
   }
   const std::string quantities = quantities_text(scene, kDescription.section);
-  if (acting == 0) {
+  if (acting.count == 0) {
     effect(text, name, false, fmt::format("{}: of zero strength, no term in the equations", quantities));
     return;
   }
-  effect(
-      text, name, true,
-      fmt::format("{}{}", quantities,
-                  acting == grid.line_count() ? ""
-                                              : fmt::format("; no term on {} of {} lines",
-                                                            grid.line_count() - acting, grid.line_count())));
+  std::string where;
+  if (!acting.counted) {
+    where = fmt::format("; on how many of the {} lines was not counted", grid.line_count());
+  } else if (acting.count < grid.line_count()) {
+    where = fmt::format("; no term on {} of {} lines", grid.line_count() - acting.count, grid.line_count());
+  }
+  effect(text, name, true, quantities + where);
   more(text, fmt::format("{} ({})", kDescription.equation, kDescription.source));
-  more(text, cost_text(seconds_per_right_hand_side(scene),
-                       seconds_per_right_hand_side(without<Effect>(scene, kDescription.section))));
+  const auto with = seconds_per_right_hand_side(scene, go_on);
+  const auto plain = seconds_per_right_hand_side(without<Effect>(scene, kDescription.section), go_on);
+  more(text, cost_text(with, plain, go_on()));
   more(text, fmt::format("flight: {}", kDescription.flight));
 }
 
@@ -156,7 +185,7 @@ std::string friction_text(const scene::Scene& scene) {
 
 }  // namespace
 
-void describe_effects(const scene::Scene& scene, Text& text) {
+void describe_effects(const scene::Scene& scene, double measured_for, Text& text) {
   const bool rigid = scene.contact.law == scene::ContactLaw::elastic_ring;
   text.heading("Effects");
   effect(text, "elastic blades", !rigid, blades_text(scene.contact.law));
@@ -169,7 +198,9 @@ void describe_effects(const scene::Scene& scene, Text& text) {
          scene.validity.yield_strain ? fmt::format("root strain above {}", *scene.validity.yield_strain)
                                      : std::string("no `validity.yield_strain`"));
   const plan::Grid grid(scene);
-  effects::for_each_effect([&]<auto Effect>() { describe<Effect>(scene, grid, text); });
+  const double begin = seconds_on_the_wall();
+  const solve::GoOn go_on = [&] { return seconds_on_the_wall() - begin < measured_for; };
+  effects::for_each_effect([&]<auto Effect>() { describe<Effect>(scene, grid, go_on, text); });
 }
 
 }  // namespace rubatlas::mpi

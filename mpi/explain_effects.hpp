@@ -6,6 +6,6 @@
 
 namespace rubatlas::mpi {
 
-void describe_effects(const scene::Scene& scene, Text& text);
+void describe_effects(const scene::Scene& scene, double measured_for, Text& text);
 
 }  // namespace rubatlas::mpi

@@ -2,6 +2,7 @@
 //
 //   1. the command line becomes one typed command                      (command_line)
 //   2. run      scene → plan → master ⇄ workers → solve → atlas        (run)
+//      status   atlas → how far it is                                  (status_command)
 //      explain  scene → plan → what it would be                        (explain)
 //      orbit    scene → one point in full                              (orbit_command)
 //      analyse  atlas → classes, regions, triggers, sensitivities      (analysis)
@@ -30,6 +31,7 @@
 #include "mpi/orbit_command.hpp"
 #include "mpi/run.hpp"
 #include "mpi/session.hpp"
+#include "mpi/status_command.hpp"
 #include "mpi/verify_command.hpp"
 #include "scene/reader.hpp"
 
@@ -49,6 +51,12 @@ int carry_out(const PrintCommand& command) {
 
 int carry_out(const RunOptions& options) {
   return run(options);
+}
+
+int carry_out(const StatusCommand& command) {
+  const Standing standing = standing_of_atlas(command.atlas);
+  print(status_sentence(command.atlas, standing) + "\n");
+  return exit_code_of(standing);
 }
 
 int carry_out(const ExplainCommand& command) {

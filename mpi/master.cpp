@@ -1,5 +1,7 @@
 #include "mpi/master.hpp"
 
+#include <utility>
+
 #include "mpi/clock.hpp"
 #include "mpi/signals.hpp"
 
@@ -11,11 +13,11 @@ constexpr int kSelf = 0;
 }  // namespace
 
 Master::Master(const Session& session, const Mailbox& mailbox, Schedule& schedule, PointRunner& runner,
-               Progress& progress, const Standing& standing)
+               Reports reports, const Standing& standing)
     : mailbox_(mailbox),
       schedule_(schedule),
       runner_(runner),
-      progress_(progress),
+      reports_(std::move(reports)),
       workers_(session.size() - 1),
       start_(std::chrono::steady_clock::now()) {
   result_.standing = standing;
@@ -32,7 +34,7 @@ JobResult Master::run() {
       .go_on =
           [this] {
             if (pace_.is_due()) serve();
-            return true;
+            return !stopping_;
           },
       .after_point = [this](const PointReport& report) { take(kSelf, report); },
       .piece_over =
@@ -55,9 +57,7 @@ JobResult Master::run() {
     runner_.idle();
     nap.take();
   }
-  result_.stopped = stopping_ && result_.standing.finished < result_.standing.total;
-  result_.standing = standing();
-  return result_;
+  return so_far();
 }
 
 void Master::serve() {
@@ -72,31 +72,34 @@ void Master::serve() {
       rank.seats = ready.seats;
       if (!greets) --rank.pieces;
       seat_is_free(envelope->source, ready.seat);
-      if (ready.stop_requested != 0 && !stopping_) stop_workers();
+      if (ready.stop_requested != 0 && !stopping_) stop();
     }
   }
-  if (stop_requested() && !stopping_) stop_workers();
+  if (stop_requested() && !stopping_) stop();
   hand_out();
-  if (progress_.is_due()) progress_.show(standing());
+  if (reports_.progress.is_due()) reports_.progress.show(standing());
+  if (record_pace_.is_due()) reports_.keep_record(so_far());
 }
 
 void Master::take(int rank, const PointReport& report) {
   schedule_.record(report);
-  ++result_.standing.finished;
+  result_.standing.count(report.status);
   ++result_.standing.computed;
-  if (report.status != solve::PointStatus::done) ++result_.standing.failed;
   ++result_.points_of_rank[static_cast<std::size_t>(rank)];
   result_.busy_seconds_of_rank[static_cast<std::size_t>(rank)] += report.seconds;
   result_.work += report.work;
-  if (report.stop_requested != 0 && !stopping_) stop_workers();
+  if (report.detail != solve::StatusDetail::none) ++result_.ended_by[report.detail];
+  if (report.stop_requested != 0 && !stopping_) stop();
 }
 
 void Master::seat_is_free(int rank, int seat) {
   ranks_[static_cast<std::size_t>(rank)].free_seats.push_back(seat);
 }
 
-void Master::stop_workers() {
+void Master::stop() {
   stopping_ = true;
+  reports_.progress.announce(reports_.how_to_go_on);
+  reports_.keep_record(so_far());
   for (std::size_t rank = 1; rank < ranks_.size(); ++rank) {
     if (!ranks_[rank].has_left) mailbox_.send(static_cast<int>(rank), Tag::stop);
   }
@@ -155,6 +158,12 @@ void Master::dismiss_workers() {
     rank.has_left = true;
     --workers_;
   }
+}
+
+JobResult Master::so_far() const {
+  JobResult result = result_;
+  result.standing = standing();
+  return result;
 }
 
 Standing Master::standing() const {

@@ -7,6 +7,9 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "mpi/mailbox.hpp"
@@ -20,17 +23,23 @@ namespace rubatlas::mpi {
 /// What a job has done when it ends.
 struct JobResult {
   Standing standing;
-  bool stopped = false;                       ///< on request, with points still pending
   std::vector<std::uint64_t> points_of_rank;  ///< computed in this run
   std::vector<double> busy_seconds_of_rank;   ///< spent in points
   solve::WorkCounts work;
+  std::map<solve::StatusDetail, std::size_t> ended_by;  ///< points of this run that are not done
 };
 
 class Master {
  public:
+  /// What it tells others while the job runs.
+  struct Reports {
+    Progress& progress;
+    std::function<void(const JobResult&)> keep_record;  ///< now and then, and when the job is asked to stop
+    std::string how_to_go_on;                           ///< a sentence for who has stopped the job
+  };
   /// `standing`: where the atlas stands before the run.
   Master(const Session& session, const Mailbox& mailbox, Schedule& schedule, PointRunner& runner,
-         Progress& progress, const Standing& standing);
+         Reports reports, const Standing& standing);
 
   /// Until every point is computed and every worker has left, or the job is asked to stop.
   JobResult run();
@@ -39,16 +48,19 @@ class Master {
   void serve();
   void take(int rank, const PointReport& report);
   void seat_is_free(int rank, int seat);
-  void stop_workers();
+  void stop();
   void hand_out();
   [[nodiscard]] int next_to_serve() const;
   void dismiss_workers();
   [[nodiscard]] Standing standing() const;
+  [[nodiscard]] JobResult so_far() const;
+
+  static constexpr std::chrono::seconds kRecordPeriod{10};
 
   const Mailbox& mailbox_;
   Schedule& schedule_;
   PointRunner& runner_;
-  Progress& progress_;
+  Reports reports_;
   JobResult result_;
   /// What a rank does, as far as its messages have come.
   struct Rank {
@@ -62,6 +74,7 @@ class Master {
   bool stopping_ = false;
   std::chrono::steady_clock::time_point start_;
   Pace pace_{Mailbox::kLookPeriod};
+  Pace record_pace_{kRecordPeriod};
 };
 
 }  // namespace rubatlas::mpi

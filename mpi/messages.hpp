@@ -4,7 +4,7 @@
 ///     worker -> master   ready        nothing to do on one of my seats: send me a piece
 ///                        report       one point is computed and written
 ///     master -> worker   piece        compute these points, in order
-///                        stop         finish the points you are at, report them, then say that you are ready
+///                        stop         give up the points you are at, then say that you are ready
 ///                        leave        there is nothing left to do for you
 #pragma once
 
@@ -34,6 +34,7 @@ struct PointReport {
   std::uint64_t line = 0;
   std::uint64_t visit = 0;
   solve::PointStatus status = solve::PointStatus::pending;
+  solve::StatusDetail detail = solve::StatusDetail::none;
   std::uint8_t stop_requested = 0;  ///< the rank got a signal
   solve::SectionState final_state{};
   double seconds = 0.0;

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "mpi/explain_text.hpp"
+#include "scene/quantity.hpp"
 
 namespace rubatlas::mpi {
 namespace {
@@ -22,10 +25,122 @@ double largest_free_amplitude(const scene::Scene& scene) {
   return largest;
 }
 
+/// E of anything that a blade could be made of [Pa]: soft rubber, and beyond diamond.
+constexpr double kSoftest = 1e6;
+constexpr double kHardest = 1.5e12;
+/// A blade thicker than this share of its length is no slender beam.
+constexpr double kSlender = 0.2;
+/// Damping ratios above are more likely per cent.
+constexpr double kPerCent = 2.0;
+
+/// By which power of a thousand a Young's modulus in another unit has to be multiplied to be that of a metal.
+std::string other_unit(double modulus) {
+  for (const auto& [factor, unit] : {std::pair{1e9, "GPa"}, std::pair{1e6, "MPa"}}) {
+    if (modulus * factor >= 1e9 && modulus * factor <= kHardest) {
+      return fmt::format("; is it {:g} {}, that is {:g} Pa?", modulus, unit, modulus * factor);
+    }
+  }
+  return {};
+}
+
+void doubt_modulus(const scene::Scene& scene, std::vector<std::string>& doubts) {
+  if (scene.contact.law == scene::ContactLaw::elastic_ring) return;
+  const auto moduli = scene::values_in(scene, "/blades/youngs_modulus");
+  const auto [lowest, highest] = std::ranges::minmax(moduli);
+  if (lowest < kSoftest) {
+    doubts.push_back(fmt::format("E = {:g} Pa is far below any solid{}", lowest, other_unit(lowest)));
+  } else if (highest > kHardest) {
+    doubts.push_back(fmt::format("E = {:g} Pa is above any solid; youngs_modulus is in Pa", highest));
+  }
+}
+
+void doubt_slenderness(const scene::Scene& scene, std::vector<std::string>& doubts) {
+  if (scene.contact.law == scene::ContactLaw::elastic_ring) return;
+  const double thickness = scene.grid.thickness.back();
+  const double blade = std::ranges::min(scene::values_in(scene, "/blades/length"));
+  if (thickness <= kSlender * blade) return;
+  doubts.push_back(fmt::format(
+      "h = {} is more than a fifth of L = {}: such a blade is no slender beam, as which it is computed",
+      length(thickness), length(blade)));
+}
+
+void doubt_damping(const scene::Scene& scene, std::vector<std::string>& doubts) {
+  const double damping = scene.grid.damping_ratio.back();
+  if (damping <= kPerCent) return;
+  doubts.push_back(fmt::format(
+      "ζ = {:g} is a share of critical damping, beyond 1 the shaft creeps back without vibrating; "
+      "{:g} % is {:g}",
+      damping, damping, damping / 100.0));
+}
+
+/// Of the shaft under its weight and a constant load, each at its largest [m].
+double largest_sag(const scene::Scene& scene) {
+  const auto most = [&](std::string_view pointer) {
+    return std::ranges::max(scene::values_in(scene, pointer));
+  };
+  const double frequency = std::ranges::min(scene::values_in(scene, "/rotor/natural_frequency"));
+  const double stiffness = std::ranges::min(scene::values_in(scene, "/rotor/mass")) * frequency * frequency;
+  double sag = 0.0;
+  if (scene.gravity) sag += most("/gravity/acceleration") / (frequency * frequency);
+  if (scene.side_load) sag += most("/side_load/force") / stiffness;
+  return sag;
+}
+
+void doubt_sag(const scene::Scene& scene, std::vector<std::string>& doubts) {
+  const double sag = largest_sag(scene);
+  if (sag <= 0.0 || sag <= scene.clearance()) return;
+  doubts.push_back(fmt::format("the static load alone moves the shaft by {}, more than the clearance of {}",
+                               length(sag), length(scene.clearance())));
+}
+
+/// By how much a blade that passes the ring's nearest point overlaps it at equilibrium, at its most over the
+/// grid [m].
+double largest_overlap(const scene::Scene& scene) {
+  double farthest = 0.0;
+  for (const double misalignment : scene::values_in(scene, "/rotor/misalignment")) {
+    farthest = std::max(farthest, std::abs(misalignment));
+  }
+  return farthest - scene.clearance();
+}
+
 }  // namespace
 
+std::vector<std::string> doubts_about(const scene::Scene& scene) {
+  std::vector<std::string> doubts;
+  doubt_modulus(scene, doubts);
+  doubt_slenderness(scene, doubts);
+  doubt_damping(scene, doubts);
+  doubt_sag(scene, doubts);
+  return doubts;
+}
+
+std::string likely_reason_to_leave(const scene::Scene& scene) {
+  const auto& initial = scene.initial;
+  const double start = std::hypot(initial.x, initial.y + scene.rotor.misalignment);
+  if (start >= scene.ring.radius) {
+    return fmt::format("`initial` puts the shaft {} from the ring's centre, and the ring has a radius of {}",
+                       length(start), length(scene.ring.radius));
+  }
+  const double overlap = largest_overlap(scene);
+  const double limit = scene.validity.max_shortening * scene.blades.length;
+  if (scene.contact.law != scene::ContactLaw::elastic_ring && overlap > limit) {
+    return fmt::format(
+        "a blade that passes overlaps the ring by {}, and may be shortened by {} (max_shortening {:g} of L)",
+        length(overlap), length(limit), scene.validity.max_shortening);
+  }
+  if (const double amplitude = largest_free_amplitude(scene); amplitude > 10.0 * scene.clearance()) {
+    return fmt::format("the unbalance alone moves the shaft by up to {}, with a clearance of {}",
+                       length(amplitude), length(scene.clearance()));
+  }
+  if (const auto doubts = doubts_about(scene); !doubts.empty()) return doubts.front();
+  if (scene.grid.speed_ratio.front() > 1.0) {
+    return "all speeds are beyond Ω = 1, where blades can no longer push a rotor back that leaves";
+  }
+  return {};
+}
+
 std::vector<std::string> notes_on(const scene::Scene& scene, const CostEstimate& cost) {
-  std::vector<std::string> result;
+  std::vector<std::string> result = doubts_about(scene);
   const auto& initial = scene.initial;
   const bool at_rest = initial.x == 0.0 && initial.y == 0.0 && initial.vx == 0.0 && initial.vy == 0.0;
   if (cost.left_validity > 0) {

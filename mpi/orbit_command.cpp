@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
 #include "atlas/atlas_reader.hpp"
 #include "atlas/final_states.hpp"
@@ -14,6 +13,7 @@
 #include "atlas/output.hpp"
 #include "atlas/verify.hpp"
 #include "mpi/exit_code.hpp"
+#include "mpi/say.hpp"
 #include "mpi/version.hpp"
 #include "plan/grid.hpp"
 #include "plan/scene_of_line.hpp"
@@ -220,11 +220,11 @@ int compute_orbit(const OrbitCommand& command) {
   atlas::write_orbit(output, scene, text, place.parameters, start.state, orbit, software());
 
   if (orbit.status == solve::PointStatus::done) return exit_code::kDone;
-  fmt::print(stderr, "rubatlas: the motion {} in revolution {}: {}; {} holds what came before\n",
-             orbit.status == solve::PointStatus::left_validity ? "left the model's validity"
-                                                               : "could not be integrated",
-             orbit.failed_revolution, solve::text_of(orbit.detail), command.output.string());
-  return exit_code::kSomePointsFailed;
+  const bool left = orbit.status == solve::PointStatus::left_validity;
+  say_sentence(fmt::format("the motion {} in revolution {}: {}; {} holds what came before",
+                           left ? "left the model's validity" : "could not be integrated",
+                           orbit.failed_revolution, solve::text_of(orbit.detail), command.output.string()));
+  return left ? exit_code::kDone : exit_code::kSomePointsFailed;
 }
 
 }  // namespace rubatlas::mpi

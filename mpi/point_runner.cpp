@@ -4,13 +4,6 @@
 #include <iterator>
 
 namespace rubatlas::mpi {
-namespace {
-
-/// Solvers kept per rank, more than it has seats. A rank changes lines when a job comes to its end; the lines
-/// then under way are few.
-constexpr std::size_t kSolversKept = 16;
-
-}  // namespace
 
 PointRunner::PointRunner(const scene::Scene& scene, const plan::Grid& grid, atlas::AtlasWriter& writer,
                          const batch::Width& width)
@@ -104,6 +97,7 @@ void PointRunner::finish_point(const batch::Finished& finished, const Callbacks&
   report.line = left.line;
   report.visit = left.first_visit;
   report.status = outcome.status;
+  report.detail = outcome.detail;
   report.final_state = outcome.final_state;
   report.final_memory = outcome.final_memory;
   report.work = outcome.work;

@@ -31,6 +31,10 @@ class PointRunner {
     std::function<bool()> stop;  ///< asked before each point: true gives up the rest of its piece
   };
 
+  /// Solvers kept per rank, more than it has seats. A rank changes lines when a job comes to its end; the
+  /// lines then under way are few.
+  static constexpr std::size_t kSolversKept = 16;
+
   [[nodiscard]] int seats() const { return static_cast<int>(seats_.size()); }
   /// How many of them have a piece.
   [[nodiscard]] int pieces() const { return pieces_; }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "atlas/atlas_reader.hpp"
 #include "atlas/create.hpp"
@@ -15,7 +14,11 @@
 #include "atlas/verify.hpp"
 #include "mpi/exit_code.hpp"
 #include "mpi/explain.hpp"
+#include "mpi/memory_need.hpp"
+#include "mpi/notes.hpp"
+#include "mpi/point_runner.hpp"
 #include "mpi/run_record.hpp"
+#include "mpi/say.hpp"
 #include "plan/grid.hpp"
 #include "scene/reader.hpp"
 
@@ -64,7 +67,16 @@ atlas::Output require_possible(const RunOptions& options, const scene::Scene& sc
     require_same_scene(options, existing, scene);
     atlas::require_sound_rows(existing);
   }
-  atlas::require_space(output.path, atlas::schema_of(scene).byte_count());
+  const atlas::Schema schema = atlas::schema_of(scene);
+  atlas::require_space(output.path, schema.byte_count(),
+                       fmt::format("{} points × {} a row", plan::Grid(scene).point_count(),
+                                   atlas::readable_bytes(schema.bytes_per_point())));
+  const MemoryNeed need = memory_need(scene, PointRunner::kSolversKept);
+  if (const std::uint64_t memory = memory_of_process(); need.together() > static_cast<double>(memory)) {
+    throw atlas::EnvironmentError(
+        fmt::format("the scene is too large for the memory of {} that this process may have: {}",
+                    atlas::readable_bytes(memory), memory_text(need)));
+  }
   return output;
 }
 
@@ -76,6 +88,7 @@ Preparation prepare(const RunOptions& options, const atlas::Software& software) 
   const scene::Scene scene = scene::parse_scene(preparation.scene_text, options.scene.string());
   const atlas::Output output = require_possible(options, scene);
   preparation.atlas = output.path;
+  for (const auto& doubt : doubts_about(scene)) say_sentence("note: " + doubt);
 
   // What is there is locked before it is resumed or replaced, a new file before it gets its name: there is no
   // moment in which another run could have it.
@@ -91,13 +104,13 @@ Preparation prepare(const RunOptions& options, const atlas::Software& software) 
     });
   }
   if (const std::string remark = lock->remark(); !remark.empty()) {
-    fmt::print(stderr, "rubatlas: {}\n", remark);
+    say_sentence(remark);
   }
   const atlas::AtlasReader atlas(output.path);
   if (const std::string commit = atlas.file().root().text("git_commit"); commit != software.git_commit) {
-    fmt::print(stderr,
-               "rubatlas: {} was begun by commit {}, this is {}: its points may differ in the last digits\n",
-               options.atlas.string(), commit, software.git_commit);
+    say_sentence(
+        fmt::format("{} was begun by commit {}, this is {}: its points may differ in the last digits",
+                    options.atlas.string(), commit, software.git_commit));
   }
   preparation.status = atlas.status();
   preparation.ends = atlas::FinalStates(atlas, scene);

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
+
+#include "mpi/exit_code.hpp"
+#include "mpi/say.hpp"
 
 namespace rubatlas::mpi {
 namespace {
@@ -39,17 +41,19 @@ std::string counts(const Standing& standing) {
   std::string text = fmt::format("{}/{} points", standing.finished, standing.total);
   if (standing.computed > 0 && standing.seconds > 0.0) text += "  " + rate(standing) + "/s";
   if (standing.seconds_left >= 0.0) text += "  ETA " + readable_duration(standing.seconds_left);
+  if (standing.outside > 0) text += fmt::format("  {} outside", standing.outside);
   if (standing.failed > 0) text += fmt::format("  {} failed", standing.failed);
   return text;
 }
 
-void say(const std::string& text) {
-  // A terminal that has gone is no reason to stop.
-  static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
-  static_cast<void>(std::fflush(stderr));
-}
-
 }  // namespace
+
+void Standing::count(solve::PointStatus status) {
+  if (status == solve::PointStatus::pending) return;
+  ++finished;
+  if (status == solve::PointStatus::left_validity) ++outside;
+  if (status == solve::PointStatus::integrator_failed) ++failed;
+}
 
 std::string readable_duration(double seconds) {
   if (seconds < 59.95) return fmt::format("{:.1f} s", seconds);
@@ -76,10 +80,28 @@ std::string plain_line(const Standing& standing) {
   return fmt::format("{:3.0f} %  {}", std::floor(100.0 * share), counts(standing));
 }
 
+std::string outcomes(const Standing& standing) {
+  return fmt::format("{} done, {} outside the model, {} failed",
+                     standing.finished - standing.outside - standing.failed, standing.outside,
+                     standing.failed);
+}
+
 std::string summary_line(const Standing& standing) {
-  return fmt::format("{} of {} points, {} failed; {} computed in {}, {} points/s", standing.finished,
-                     standing.total, standing.failed, standing.computed, readable_duration(standing.seconds),
+  return fmt::format("{} of {} points: {}; {} computed in {}, {} points/s", standing.finished, standing.total,
+                     outcomes(standing), standing.computed, readable_duration(standing.seconds),
                      rate(standing));
+}
+
+Standing standing_of(std::span<const std::uint8_t> status) {
+  Standing standing;
+  standing.total = status.size();
+  for (const auto code : status) standing.count(static_cast<solve::PointStatus>(code));
+  return standing;
+}
+
+int exit_code_of(const Standing& standing) {
+  if (standing.finished < standing.total) return exit_code::kInterrupted;
+  return standing.failed > 0 ? exit_code::kSomePointsFailed : exit_code::kDone;
 }
 
 Progress::Progress(ProgressStyle style)
@@ -95,12 +117,18 @@ bool Progress::is_due() const {
 void Progress::show(const Standing& standing) {
   if (style_ == ProgressStyle::off) return;
   next_ = std::chrono::steady_clock::now() + (style_ == ProgressStyle::plain ? kLinePeriod : kBarPeriod);
-  if (style_ == ProgressStyle::plain) return say("rubatlas: " + plain_line(standing) + "\n");
+  if (style_ == ProgressStyle::plain) return say_sentence(plain_line(standing));
   // The last column stays free: some terminals wrap when it is written.
   const std::string line = bar_line(standing, terminal_width() - 1);
   const std::size_t erased = shown_columns_ > line.size() ? shown_columns_ - line.size() : 0;
   say("\r" + line + std::string(erased, ' '));
   shown_columns_ = line.size();
+}
+
+void Progress::announce(std::string_view sentence) {
+  if (shown_columns_ > 0) say("\n");
+  shown_columns_ = 0;
+  say_sentence(sentence);
 }
 
 void Progress::finish(const Standing& standing) {
@@ -109,7 +137,7 @@ void Progress::finish(const Standing& standing) {
     show(standing);
     say("\n");
   }
-  say("rubatlas: " + summary_line(standing) + "\n");
+  say_sentence(summary_line(standing));
 }
 
 }  // namespace rubatlas::mpi

@@ -3,9 +3,13 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "mpi/run.hpp"
+#include "solve/line_solver.hpp"
 
 namespace rubatlas::mpi {
 
@@ -13,10 +17,14 @@ namespace rubatlas::mpi {
 struct Standing {
   std::size_t total = 0;       ///< points of the atlas
   std::size_t finished = 0;    ///< of any status but pending, those of earlier runs included
-  std::size_t failed = 0;      ///< of them, those that did not end as done
+  std::size_t outside = 0;     ///< of them, those that left the model's validity: a result
+  std::size_t failed = 0;      ///< of them, those that could not be integrated
   std::size_t computed = 0;    ///< in this run
   double seconds = 0.0;        ///< of this run
   double seconds_left = -1.0;  ///< negative: not known yet
+
+  /// One more point has ended so; those that are pending do not count.
+  void count(solve::PointStatus status);
 };
 
 /// "1 h 02 min", "3 min 05 s", "12.3 s".
@@ -25,8 +33,15 @@ std::string readable_duration(double seconds);
 std::string bar_line(const Standing& standing, std::size_t width);
 /// The same without the bar.
 std::string plain_line(const Standing& standing);
+/// "5845 done, 1355 outside the model, 0 failed".
+std::string outcomes(const Standing& standing);
 /// How the job ended.
 std::string summary_line(const Standing& standing);
+
+/// Of an atlas with this `/status`.
+Standing standing_of(std::span<const std::uint8_t> status);
+/// What a program ends with that leaves an atlas so (`exit_code.hpp`).
+int exit_code_of(const Standing& standing);
 
 class Progress {
  public:
@@ -35,6 +50,8 @@ class Progress {
   /// True when it is time to show again; asking costs a look at the clock.
   [[nodiscard]] bool is_due() const;
   void show(const Standing& standing);
+  /// A sentence in between, in any style.
+  void announce(std::string_view sentence);
   /// The last state and the summary. In the style `off` nothing is said.
   void finish(const Standing& standing);
 

@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
 #include <exception>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "atlas/atlas_writer.hpp"
 #include "batch/line_batch.hpp"
@@ -15,10 +19,12 @@
 #include "mpi/failure.hpp"
 #include "mpi/mailbox.hpp"
 #include "mpi/master.hpp"
+#include "mpi/notes.hpp"
 #include "mpi/point_runner.hpp"
 #include "mpi/preparation.hpp"
 #include "mpi/progress.hpp"
 #include "mpi/run_record.hpp"
+#include "mpi/say.hpp"
 #include "mpi/schedule.hpp"
 #include "mpi/session.hpp"
 #include "mpi/signals.hpp"
@@ -35,41 +41,58 @@ std::string host_name() {
   return name.data();
 }
 
-Standing standing_before(const std::vector<std::uint8_t>& status) {
-  Standing standing;
-  standing.total = status.size();
-  for (const auto code : status) {
-    const auto point = static_cast<solve::PointStatus>(code);
-    if (point != solve::PointStatus::pending) ++standing.finished;
-    if (point != solve::PointStatus::pending && point != solve::PointStatus::done) ++standing.failed;
-  }
-  return standing;
+/// As a shell wants it.
+std::string quoted(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,/:@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char letter : word) text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return text + "'";
 }
 
-int exit_code_of(const JobResult& result) {
-  if (result.stopped) return exit_code::kInterrupted;
-  return result.standing.failed > 0 ? exit_code::kSomePointsFailed : exit_code::kDone;
+/// The command that goes on with this run when it has been stopped.
+std::string command_to_go_on(const RunOptions& options, const Session& session) {
+  std::string text =
+      session.is_parallel() ? fmt::format("{} -n {} ", session.launcher(), session.size()) : "";
+  for (const auto& word : options.words) {
+    if (word != "--overwrite" && word != "--resume") text += quoted(word) + ' ';
+  }
+  return text + "--resume";
 }
 
 /// Rank 0's part of the job between opening and closing the atlas.
 JobResult lead(const Session& session, const Preparation& preparation, const plan::Grid& grid,
-               PointRunner& runner, Progress& progress) {
+               PointRunner& runner, Master::Reports reports) {
   const auto stored = [&](std::size_t point) { return preparation.ends.of(point); };
   Schedule schedule(grid, preparation.status, stored, session.size());
   const Mailbox mailbox(session);
-  Master master(session, mailbox, schedule, runner, progress, standing_before(preparation.status));
+  Master master(session, mailbox, schedule, runner, std::move(reports), standing_of(preparation.status));
   return master.run();
 }
 
 /// The exit code of the job; rank 0 looks whether what it has filled is still where it was.
 int ending(const Preparation& preparation, const JobResult& result) {
-  if (preparation.lock->is_in_place()) return exit_code_of(result);
-  fmt::print(stderr,
-             "rubatlas: {} was removed, moved or replaced while it was being filled; what has been computed "
-             "is in the "
-             "file that stood there before\n",
-             preparation.atlas.string());
+  if (preparation.lock->is_in_place()) return exit_code_of(result.standing);
+  say_sentence(fmt::format(
+      "{} was removed, moved or replaced while it was being filled; what has been computed is in the "
+      "file that stood there before",
+      preparation.atlas.string()));
   return exit_code::kEnvironment;
+}
+
+/// What most points of this run have ended with, and what in the scene makes them.
+void say_why_all_have_left(const scene::Scene& scene, const JobResult& result) {
+  if (result.standing.outside < result.standing.total) return;
+  std::string text = "every point left the model";
+  const auto most =
+      std::ranges::max_element(result.ended_by, {}, [](const auto& entry) { return entry.second; });
+  if (most != result.ended_by.end()) {
+    text += fmt::format(", {} of {} since {}", most->second, result.standing.computed,
+                        solve::text_of(most->first));
+  }
+  const std::string reason = likely_reason_to_leave(scene);
+  say_sentence(reason.empty() ? text : text + "; the likely reason: " + reason);
 }
 
 int fill_atlas(const RunOptions& options, const Session& session, const Preparation& preparation) {
@@ -85,6 +108,13 @@ int fill_atlas(const RunOptions& options, const Session& session, const Preparat
 
   const batch::Width width = batch::width_of(scene, options.most_lanes);
 
+  std::optional<RunRecord> record;
+  const std::vector<std::string> hosts = session.gather(host_name());
+  const std::vector<std::string> lanes = session.gather(fmt::to_string(width.seats));
+  if (leading)
+    record.emplace(record_output(atlas, options.scene), RunBeginning{started, hosts, lanes, options.resume},
+                   software());
+
   // 4. Rank 0 hands out pieces of lines, and computes like the others.
   Progress progress(leading ? options.progress : ProgressStyle::off);
   JobResult result;
@@ -92,7 +122,10 @@ int fill_atlas(const RunOptions& options, const Session& session, const Preparat
   try {
     PointRunner runner(scene, grid, writer, width);
     if (leading) {
-      result = lead(session, preparation, grid, runner, progress);
+      const std::string stopping = fmt::format("stopping; a second signal ends it at once; to go on: {}",
+                                               command_to_go_on(options, session));
+      result = lead(session, preparation, grid, runner,
+                    {progress, [&](const JobResult& so_far) { record->update(so_far); }, stopping});
     } else {
       work(Mailbox(session), runner);
     }
@@ -108,13 +141,11 @@ int fill_atlas(const RunOptions& options, const Session& session, const Preparat
   session.wait_for_all();
   writer.close();
   const int code = session.broadcast(leading ? ending(preparation, result) : exit_code::kDone);
-  const std::vector<std::string> hosts = session.gather(host_name());
-  const std::vector<std::string> lanes = session.gather(fmt::to_string(width.seats));
   const std::vector<std::string> in_lanes = session.gather(fmt::to_string(lane_counts.in_lanes));
   if (leading) {
     progress.finish(result.standing);
-    write_run_record(record_output(atlas, options.scene),
-                     {started, hosts, lanes, in_lanes, options.resume, code, result}, software());
+    say_why_all_have_left(scene, result);
+    record->finish(result, {in_lanes, code});
   }
   // A rank that ends with a code other than 0 makes mpirun kill the others, which may still have something to
   // write.
@@ -136,6 +167,7 @@ int run(const RunOptions& options) {
   int verdict = exit_code::kDone;
   if (session.rank() == 0) {
     try {
+      session.require_one_job();
       if (options.dry_run) {
         fmt::print("{}", rehearse(options));
       } else {

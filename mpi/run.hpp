@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "atlas/atlas_writer.hpp"
 
@@ -19,6 +21,7 @@ struct RunOptions {
   int most_lanes = 0;  ///< lines of a rank side by side, at most; 0: as many as the processor has lanes
   int batch_milliseconds = atlas::AtlasWriter::kBatchPeriod.count();  ///< from rows to their statuses
   ProgressStyle progress = ProgressStyle::automatic;
+  std::vector<std::string> words;  ///< the command line as it was given, the program's name first
 };
 
 /// Runs the job on all ranks and returns the exit code of this rank (`exit_code.hpp`). Initialises MPI only

@@ -6,6 +6,8 @@
 
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
+#include <utility>
 
 #include "atlas/publish.hpp"
 
@@ -36,31 +38,38 @@ std::string json_texts(const std::vector<std::string>& texts) {
   return fmt::format("[{}]", fmt::join(quoted, ", "));
 }
 
-std::string paragraph(const RunRecord& record, const atlas::Software& software) {
-  const Standing& standing = record.result.standing;
-  const solve::WorkCounts& work = record.result.work;
+/// `ending`: none while the run goes on.
+std::string paragraph(const RunBeginning& beginning, const JobResult& result, const RunEnding* ending,
+                      const atlas::Software& software) {
+  const Standing& standing = result.standing;
+  const solve::WorkCounts& work = result.work;
   const double rate =
       standing.seconds > 0.0 ? static_cast<double>(standing.computed) / standing.seconds : 0.0;
   std::string text = "  {\n";
   const auto put = [&](const char* key, const std::string& value) {
     text += fmt::format("{}    \"{}\": {}", text.size() > 4 ? ",\n" : "", key, value);
   };
-  put("started", json_text(utc(record.started)));
-  put("finished", json_text(utc(std::chrono::system_clock::now())));
-  put("resumed", record.resumed ? "true" : "false");
-  put("exit_code", fmt::to_string(record.exit_code));
+  const std::string now = json_text(utc(std::chrono::system_clock::now()));
+  put("started", json_text(utc(beginning.started)));
+  put("updated", now);
+  put("finished", ending != nullptr ? now : "null");
+  put("resumed", beginning.resumed ? "true" : "false");
+  put("exit_code", ending != nullptr ? fmt::to_string(ending->exit_code) : "null");
   put("version", json_text(software.software_version));
   put("git_commit", json_text(software.git_commit));
   put("compiler", json_text(software.compiler));
   put("processor", json_text(processor()));
-  put("ranks", fmt::to_string(record.hosts.size()));
-  put("host_of_rank", json_texts(record.hosts));
-  put("lanes_of_rank", fmt::format("[{}]", fmt::join(record.lanes, ", ")));
-  put("attempts_in_lanes_of_rank", fmt::format("[{}]", fmt::join(record.in_lanes, ", ")));
-  put("points_of_rank", fmt::format("[{}]", fmt::join(record.result.points_of_rank, ", ")));
-  put("busy_seconds_of_rank", fmt::format("[{:.3f}]", fmt::join(record.result.busy_seconds_of_rank, ", ")));
+  put("ranks", fmt::to_string(beginning.hosts.size()));
+  put("host_of_rank", json_texts(beginning.hosts));
+  put("lanes_of_rank", fmt::format("[{}]", fmt::join(beginning.lanes, ", ")));
+  if (ending != nullptr) {
+    put("attempts_in_lanes_of_rank", fmt::format("[{}]", fmt::join(ending->in_lanes, ", ")));
+  }
+  put("points_of_rank", fmt::format("[{}]", fmt::join(result.points_of_rank, ", ")));
+  put("busy_seconds_of_rank", fmt::format("[{:.3f}]", fmt::join(result.busy_seconds_of_rank, ", ")));
   put("points_total", fmt::to_string(standing.total));
   put("points_finished", fmt::to_string(standing.finished));
+  put("points_outside_the_model", fmt::to_string(standing.outside));
   put("points_failed", fmt::to_string(standing.failed));
   put("points_computed", fmt::to_string(standing.computed));
   put("wall_seconds", fmt::format("{:.3f}", standing.seconds));
@@ -106,11 +115,27 @@ atlas::Output record_output(const std::filesystem::path& atlas, const std::files
                           {scene});
 }
 
-void write_run_record(const atlas::Output& output, const RunRecord& record, const atlas::Software& software) {
-  std::string runs = record.resumed ? earlier_paragraphs(output.path) : std::string();
-  if (!runs.empty()) runs += ",\n";
-  runs += paragraph(record, software);
-  atlas::publish_text({output.path, true}, kOpening + runs + kClosing);
+RunRecord::RunRecord(atlas::Output output, RunBeginning beginning, atlas::Software software)
+    : output_(std::move(output)),
+      beginning_(std::move(beginning)),
+      software_(std::move(software)),
+      earlier_(beginning_.resumed ? earlier_paragraphs(output_.path) : std::string()) {}
+
+void RunRecord::update(const JobResult& so_far) const {
+  try {
+    write(paragraph(beginning_, so_far, nullptr, software_));
+  } catch (const std::runtime_error&) {
+    return;
+  }
+}
+
+void RunRecord::finish(const JobResult& result, const RunEnding& ending) const {
+  write(paragraph(beginning_, result, &ending, software_));
+}
+
+void RunRecord::write(const std::string& paragraph) const {
+  atlas::publish_text({output_.path, true},
+                      kOpening + earlier_ + (earlier_.empty() ? "" : ",\n") + paragraph + kClosing);
 }
 
 }  // namespace rubatlas::mpi

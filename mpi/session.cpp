@@ -3,18 +3,32 @@
 #define OMPI_SKIP_MPICXX 1  // the C interface only: MPI's own C++ one is gone from the standard
 #include <mpi.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <thread>
 
+#include "atlas/environment_error.hpp"
+
 namespace rubatlas::mpi {
+namespace {
+
+/// What Open MPI's mpirun tells each rank.
+constexpr const char* kOpenMpi = "OMPI_COMM_WORLD_SIZE";
+
+}  // namespace
 
 bool Session::started_by_launcher() {
   // Open MPI's mpirun; srun and prun (PMIx); srun --mpi=pmi2 and MPICH's mpiexec.
-  constexpr std::array kMarks{"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"};
+  constexpr std::array kMarks{kOpenMpi, "PMIX_RANK", "PMI_RANK"};
   return std::any_of(kMarks.begin(), kMarks.end(),
                      [](const char* name) { return std::getenv(name) != nullptr; });
+}
+
+std::string_view Session::launcher() {
+  return std::getenv(kOpenMpi) != nullptr || std::getenv("SLURM_PROCID") == nullptr ? "mpirun" : "srun";
 }
 
 Session::Session() : parallel_(started_by_launcher()) {
@@ -24,6 +38,20 @@ Session::Session() : parallel_(started_by_launcher()) {
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SINGLE, &provided);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &size_);
+}
+
+void Session::require_one_job() const {
+  if (size_ > 1 || std::getenv(kOpenMpi) != nullptr) return;
+  const char* const task = std::getenv("SLURM_PROCID");
+  const char* tasks = std::getenv("SLURM_STEP_NUM_TASKS");
+  if (tasks == nullptr) tasks = std::getenv("SLURM_NTASKS");
+  if (task == nullptr || tasks == nullptr || std::strtol(tasks, nullptr, 10) <= 1) return;
+  throw atlas::EnvironmentError(fmt::format(
+      "this is task {} of the {} of a Slurm job, and none of them knows of the others: srun has started them "
+      "without MPI; start the ranks with mpirun -n {}, or with srun --mpi=pmix where Slurm has it, and a "
+      "single "
+      "one with mpirun -n 1",
+      task, tasks, tasks));
 }
 
 Session::~Session() {

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rubatlas::mpi {
@@ -20,9 +21,15 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
+  /// Throws EnvironmentError where this is one of several tasks that srun has started without MPI: each would
+  /// be a job of its own, and all would fill the same atlas.
+  void require_one_job() const;
+
   [[nodiscard]] int rank() const { return rank_; }
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] bool is_parallel() const { return parallel_; }
+  /// The command that starts ranks here: "mpirun" or "srun".
+  [[nodiscard]] static std::string_view launcher();
 
   /// Rank 0's value and text, on every rank.
   [[nodiscard]] int broadcast(int value) const;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +18,7 @@
 #include "atlas/schema.hpp"
 #include "atlas/verify.hpp"
 #include "mpi/exit_code.hpp"
+#include "mpi/say.hpp"
 #include "mpi/version.hpp"
 #include "plan/grid.hpp"
 #include "scene/reader.hpp"
@@ -30,14 +30,10 @@ namespace {
 /// Sentences about rows; beyond these they are counted.
 constexpr std::size_t kMostSentences = 10;
 
-void say(const std::string& sentence) {
-  fmt::print(stderr, "rubatlas: {}\n", sentence);
-}
-
 void say_of_rows(const std::vector<std::string>& sentences) {
-  for (std::size_t i = 0; i < std::min(sentences.size(), kMostSentences); ++i) say(sentences[i]);
+  for (std::size_t i = 0; i < std::min(sentences.size(), kMostSentences); ++i) say_sentence(sentences[i]);
   if (sentences.size() > kMostSentences) {
-    say(fmt::format("... and {} more rows", sentences.size() - kMostSentences));
+    say_sentence(fmt::format("... and {} more rows", sentences.size() - kMostSentences));
   }
 }
 
@@ -124,7 +120,7 @@ std::vector<std::string> recompute(const atlas::AtlasReader& atlas, const std::v
 void say_of_builds(const atlas::AtlasReader& atlas) {
   const std::string commit = atlas.file().root().text("git_commit");
   if (commit == software().git_commit) return;
-  say(fmt::format(
+  say_sentence(fmt::format(
       "{} was begun by commit {}, this is {}: rows that differ in their last digits are no damage",
       atlas.path().string(), commit, software().git_commit));
 }
@@ -140,7 +136,7 @@ int verify(const VerifyCommand& command) {
   }
   bool sound = true;
   if (const std::string damage = atlas::header_damage(command.atlas); !damage.empty()) {
-    say(damage);
+    say_sentence(damage);
     sound = false;
   }
   std::vector<std::string> damaged;

@@ -48,12 +48,13 @@ class Ear {
 void work(const Mailbox& mailbox, PointRunner& runner) {
   Ear ear(mailbox, runner);
   Pace pace(Mailbox::kLookPeriod);
+  Pace slow_pace(std::chrono::milliseconds(10));
   const PointRunner::Callbacks callbacks{
       .go_on =
           [&] {
-            // A rank whose seats are all taken has nothing to hear before one of its points is done.
-            if (runner.pieces() < runner.seats() && pace.is_due()) ear.listen();
-            return true;
+            // A rank whose seats are all taken has nothing to hear but that the job is to stop.
+            if (runner.pieces() < runner.seats() ? pace.is_due() : slow_pace.is_due()) ear.listen();
+            return !ear.stopping();
           },
       .after_point =
           [&](const PointReport& report) {

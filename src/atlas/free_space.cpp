@@ -24,26 +24,28 @@ std::string readable_bytes(std::uint64_t bytes) {
   return fmt::format("{:.3g} {}", value, kUnits[unit]);
 }
 
-void require_space(const std::filesystem::path& path, std::uint64_t bytes) {
+void require_space(const std::filesystem::path& path, std::uint64_t bytes, std::string_view made_of) {
   const std::filesystem::path directory = path.has_parent_path() ? path.parent_path() : ".";
   struct statvfs file_system {};
   if (::statvfs(directory.c_str(), &file_system) != 0) {
     throw EnvironmentError(fmt::format("cannot write in {}: {}", directory.string(), std::strerror(errno)));
   }
+  const std::string size =
+      fmt::format("{}{}", readable_bytes(bytes), made_of.empty() ? "" : fmt::format(" ({})", made_of));
   std::uint64_t room = std::uint64_t{file_system.f_bavail} * file_system.f_frsize;
   struct stat existing {};
   constexpr std::uint64_t kBlock = 512;  // the unit of st_blocks, whatever the file system's own is
   if (::stat(path.c_str(), &existing) == 0) room += static_cast<std::uint64_t>(existing.st_blocks) * kBlock;
   if (bytes > room) {
-    throw EnvironmentError(fmt::format("{} will take {}, and {} has room for {}", path.string(),
-                                       readable_bytes(bytes), directory.string(), readable_bytes(room)));
+    throw EnvironmentError(fmt::format("{} will take {}, and {} has room for {}", path.string(), size,
+                                       directory.string(), readable_bytes(room)));
   }
   rlimit limit{};
   // Writing beyond it is a signal, not an error.
   if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY && bytes > limit.rlim_cur) {
     throw EnvironmentError(
         fmt::format("{} will take {}, and this process may write files of up to {} (ulimit -f)",
-                    path.string(), readable_bytes(bytes), readable_bytes(limit.rlim_cur)));
+                    path.string(), size, readable_bytes(limit.rlim_cur)));
   }
 }
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <numeric>
+#include <span>
 
-#include "atlas/environment_error.hpp"
+#include "observables/inner_axis_size.hpp"
 
 namespace rubatlas::atlas {
 namespace {
@@ -23,9 +25,19 @@ std::uint64_t number_size(NumberType type) {
   return 0;
 }
 
+constexpr auto kMost = std::numeric_limits<std::uint64_t>::max();
+
+std::uint64_t sum_or_most(std::uint64_t a, std::uint64_t b) {
+  return a > kMost - b ? kMost : a + b;
+}
+
+std::uint64_t product_or_most(std::uint64_t a, std::uint64_t b) {
+  return b != 0 && a > kMost / b ? kMost : a * b;
+}
+
 std::uint64_t bytes_of(const RowDataset& dataset) {
   return std::accumulate(dataset.shape.begin(), dataset.shape.end(), number_size(dataset.type),
-                         std::multiplies<>());
+                         product_or_most);
 }
 
 }  // namespace
@@ -45,31 +57,27 @@ std::vector<const RowDataset*> Schema::summed_datasets() const& {
 
 std::uint64_t Schema::byte_count() const {
   std::uint64_t sum = 0;
-  for (const auto* rows : row_datasets()) sum += bytes_of(*rows);
+  for (const auto* rows : row_datasets()) sum = sum_or_most(sum, bytes_of(*rows));
   return sum;
 }
 
 std::uint64_t Schema::bytes_per_point() const {
-  const auto points =
-      std::accumulate(axes.begin(), axes.end(), std::uint64_t{1},
-                      [](auto count, const auto& axis) { return count * axis.values.size(); });
-  return byte_count() / points;
+  std::uint64_t sum = 0;
+  for (const auto* rows : row_datasets()) {
+    const auto inner = std::span(rows->shape).subspan(axes.size());
+    sum += std::accumulate(inner.begin(), inner.end(), number_size(rows->type), std::multiplies<>());
+  }
+  return sum;
 }
 
 Schema schema_of(const scene::Scene& scene) {
   Schema schema;
   schema.axes = plan::Grid(scene).axes();
-  schema.inner_axes = observables::inner_axes(scene);
 
   const auto shape_over = [&](const std::vector<std::string>& inner) {
     Shape shape;
     for (const auto& axis : schema.axes) shape.push_back(axis.values.size());
-    for (const auto& name : inner) {
-      const auto axis = std::find_if(schema.inner_axes.begin(), schema.inner_axes.end(),
-                                     [&](const auto& candidate) { return candidate.name == name; });
-      if (axis == schema.inner_axes.end()) throw EnvironmentError("no inner axis is called " + name);
-      shape.push_back(axis->size());
-    }
+    for (const auto& name : inner) shape.push_back(observables::inner_axis_size(name, scene));
     return shape;
   };
 

@@ -27,7 +27,6 @@ struct RowDataset {
 
 struct Schema {
   std::vector<plan::Axis> axes;
-  std::vector<observables::InnerAxis> inner_axes;
   RowDataset status;
   RowDataset status_detail;
   RowDataset restarted;
@@ -45,7 +44,8 @@ struct Schema {
   /// Those that a row's checksum is made of, in its order: all but itself.
   [[nodiscard]] std::vector<const RowDataset*> summed_datasets() const&;
 
-  /// Bytes of all rows when every point is done; the axes and texts besides are small.
+  /// Bytes of all rows when every point is done, or the largest number there is where they are more; the axes
+  /// and texts besides are small.
   [[nodiscard]] std::uint64_t byte_count() const;
   /// Bytes of one point's rows.
   [[nodiscard]] std::uint64_t bytes_per_point() const;

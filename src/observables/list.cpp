@@ -4,6 +4,7 @@
 #include <array>
 
 #include "observables/contact_figures.hpp"
+#include "observables/inner_axis_size.hpp"
 #include "observables/max_displacement.hpp"
 #include "observables/poincare.hpp"
 #include "observables/poincare_blade_passing.hpp"
@@ -72,9 +73,7 @@ InnerAxis make_axis(const std::string& name, const scene::Scene& scene) {
             "1", "blade passings since the point started"};
   }
   if (name == "blade") return {name, numbers(scene.blades.count, 1), "1", "blade, counted from 1"};
-  std::vector<double> orders(static_cast<std::size_t>(scene.spectrum.max_order) *
-                                 static_cast<std::size_t>(protocol.sampled_revolutions) +
-                             1);
+  std::vector<double> orders(inner_axis_size(name, scene));
   for (std::size_t i = 0; i < orders.size(); ++i)
     orders[i] = static_cast<double>(i) / protocol.sampled_revolutions;
   return {name, orders, "1", "order: multiple of the speed of rotation"};
@@ -88,12 +87,22 @@ bool asked_for(const Entry& entry, const scene::Scene& scene) {
 
 }  // namespace
 
+std::size_t inner_axis_size(std::string_view name, const scene::Scene& scene) {
+  const auto sections = static_cast<std::size_t>(scene.protocol.sampled_revolutions);
+  const auto blades = static_cast<std::size_t>(scene.blades.count);
+  if (name == "component") return std::tuple_size_v<State>;
+  if (name == "section") return sections;
+  if (name == "passing") return sections * blades;
+  if (name == "blade") return blades;
+  return static_cast<std::size_t>(scene.spectrum.max_order) * sections + 1;
+}
+
 std::vector<Description> descriptions(const scene::Scene& scene) {
   std::vector<Description> result;
   for (const Entry& entry : entries()) {
     if (!asked_for(entry, scene)) continue;
     std::size_t row_size = 1;
-    for (const std::string& axis : entry.inner_axes) row_size *= make_axis(axis, scene).size();
+    for (const std::string& axis : entry.inner_axes) row_size *= inner_axis_size(axis, scene);
     result.push_back({entry.name, entry.inner_axes, entry.units, entry.long_name, row_size});
   }
   return result;
@@ -116,7 +125,7 @@ std::vector<Description> memories(const scene::Scene& scene) {
                         {axis},
                         std::string(Settings::kMemory.units),
                         std::string(Settings::kMemory.long_name),
-                        make_axis(axis, scene).size()});
+                        inner_axis_size(axis, scene)});
     }
   });
   return result;

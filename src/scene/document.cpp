@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -48,14 +49,19 @@ class TreeBuilder final : public nlohmann::json_sax<json> {
   bool key(string_t& value) override {
     key_ = value;
     if (open_.back()->contains(value)) {
-      throw SceneError(
-          fmt::format("{}: the key stands twice in its section; once is allowed", child(pointer(), value)));
+      throw SceneError(fmt::format("{}: the key stands twice in its section; once is allowed",
+                                   in_short(child(pointer(), value))));
     }
     return true;
   }
 
-  bool parse_error(std::size_t position, const std::string& /*token*/,
-                   const json::exception& error) override {
+  bool parse_error(std::size_t position, const std::string& token, const json::exception& error) override {
+    constexpr int kNumberOverflow = 406;  // as the library numbers its errors
+    if (error.id == kNumberOverflow) {
+      throw SceneError(fmt::format("{}: {} is more than a number of double precision can be; up to {:.2g}",
+                                   here().empty() ? "/" : here(), in_short(token),
+                                   std::numeric_limits<double>::max()));
+    }
     // The library's text is "[json.exception...] parse error at line 1, column 2: what is wrong".
     std::string_view what = error.what();
     if (const auto tag = what.find("] "); tag != std::string_view::npos) what.remove_prefix(tag + 2);
@@ -64,7 +70,7 @@ class TreeBuilder final : public nlohmann::json_sax<json> {
       if (const auto end = what.find(": ", column); end != std::string_view::npos)
         what.remove_prefix(end + 2);
     }
-    throw SceneError(fmt::format("{}: not JSON: {}", place(text_, name_, position), what));
+    throw SceneError(fmt::format("{}: not JSON: {}", place(text_, name_, position), in_short(what)));
   }
 
  private:
@@ -72,6 +78,13 @@ class TreeBuilder final : public nlohmann::json_sax<json> {
     std::string result;
     for (const auto& part : path_) result += part;
     return result;
+  }
+
+  /// Of the value that comes next.
+  [[nodiscard]] std::string here() const {
+    if (open_.empty()) return {};
+    return pointer() +
+           (open_.back()->is_array() ? fmt::format("/{}", open_.back()->size()) : child("", key_));
   }
 
   json* insert(json&& value) {
@@ -92,7 +105,7 @@ class TreeBuilder final : public nlohmann::json_sax<json> {
   bool open(json&& value) {
     if (open_.size() == kDeepest) {
       throw SceneError(
-          fmt::format("{}: nested {} levels deep; a scene has at most 3", pointer(), kDeepest + 1));
+          fmt::format("{}: nested {} levels deep; a scene has at most 3", in_short(pointer()), kDeepest + 1));
     }
     std::string part;
     if (!open_.empty()) {
@@ -116,6 +129,16 @@ class TreeBuilder final : public nlohmann::json_sax<json> {
   std::vector<std::string> path_;  // their reference tokens
   std::string key_;
 };
+
+constexpr std::size_t kLongestShown = 60;  // [bytes]
+
+std::string cut(std::string_view text) {
+  if (text.size() <= kLongestShown) return std::string(text);
+  std::size_t end = kLongestShown;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
+    --end;  // not inside a UTF-8 letter
+  return std::string(text.substr(0, end)) + "...";
+}
 
 }  // namespace
 
@@ -149,13 +172,19 @@ std::string shortest(double value) {
 }
 
 std::string shown(const json& value) {
-  constexpr std::size_t kLongest = 60;
-  std::string text = value.is_number_float() ? shortest(value.get<double>()) : value.dump();
-  if (text.size() <= kLongest) return text;
-  std::size_t end = kLongest;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
-    --end;  // not inside a UTF-8 letter
-  return text.substr(0, end) + "...";
+  return cut(value.is_number_float() ? shortest(value.get<double>()) : value.dump());
+}
+
+std::string in_short(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const auto end = std::min(text.find(' '), text.size() - 1) + 1;  // a word with the blank behind it
+    const auto word = text.substr(0, end);
+    result += word.size() <= 2 * kLongestShown ? std::string(word) : cut(word);
+    if (word.size() > 2 * kLongestShown && word.back() == ' ') result += ' ';
+    text.remove_prefix(end);
+  }
+  return result;
 }
 
 }  // namespace rubatlas::scene

@@ -17,6 +17,10 @@ std::string child(std::string_view pointer, std::string_view key);
 /// A value as short JSON text, for messages: cut after some 60 characters.
 std::string shown(const nlohmann::json& value);
 
+/// A sentence in which no word is longer than a line: those that are, numbers of thousands of digits among
+/// them, are cut after some 60 characters.
+std::string in_short(std::string_view text);
+
 /// Shortest decimal text that reads back as the same double.
 std::string shortest(double value);
 

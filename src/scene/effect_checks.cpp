@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -12,6 +14,38 @@
 
 namespace rubatlas::scene {
 namespace {
+
+/// What quantities of a unit are divided by in the dimensionless equations of motion (MODEL 1), at its least
+/// over the grid; none for other units.
+struct Scale {
+  double size = 0.0;
+  std::string_view text;
+};
+std::optional<Scale> scale_of(std::string_view unit, double mass, double frequency) {
+  if (unit == "N/m" || unit == "N") return Scale{mass * frequency * frequency, "mass × natural_frequency²"};
+  if (unit == "N s/m") return Scale{mass * frequency, "mass × natural_frequency"};
+  if (unit == "kg m") return Scale{mass, "mass"};
+  if (unit == "m/s2") return Scale{frequency * frequency, "natural_frequency²"};
+  return std::nullopt;
+}
+
+/// Each quantity is in its range; together with mass and frequency it must leave numbers, too, with squares
+/// that are numbers.
+void check_scaled(const Scene& scene) {
+  constexpr double kLargest = 1e150;
+  const double mass = std::ranges::min(values_in(scene, "/rotor/mass"));
+  const double frequency = std::ranges::min(values_in(scene, "/rotor/natural_frequency"));
+  for (const auto& entry : quantities()) {
+    const auto scale = scale_of(entry.unit, mass, frequency);
+    if (!scale || entry.kind != Kind::number || entry.read == nullptr) continue;
+    for (const double value : values_in(scene, entry.pointer)) {
+      if (value == 0.0 || std::abs(value) / scale->size <= kLargest) continue;
+      throw SceneError(fmt::format(
+          "{}: {} {}, divided by {} = {:.3g}, is more than {:g}, with which nothing can be computed",
+          entry.pointer, value, entry.unit, scale->text, scale->size, kLargest));
+    }
+  }
+}
 
 /// Only the program's own method knows effects; the others are there to be compared on the paper's rotor.
 void check_method(const Scene& scene) {
@@ -166,6 +200,7 @@ void check_blades(const Scene& scene) {
 }  // namespace
 
 void check_effects(const Scene& scene) {
+  check_scaled(scene);
   check_method(scene);
   check_blades(scene);
   check_unequal_blades(scene);

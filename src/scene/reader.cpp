@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -31,7 +32,7 @@ constexpr std::size_t kMostAxisValues = 1'000'000;
 constexpr double kMostPoints = 1e9;
 
 [[noreturn]] void fail(std::string_view pointer, const std::string& text) {
-  throw SceneError(fmt::format("{}: {}", pointer.empty() ? "/" : pointer, text));
+  throw SceneError(in_short(fmt::format("{}: {}", pointer.empty() ? "/" : pointer, text)));
 }
 
 std::string quoted(std::span<const std::string_view> words) {
@@ -380,10 +381,25 @@ void check_clearance(const Scene& scene) {
                    place == "/ring/radius" ? "" : " at every point of the grid"));
 }
 
+/// The record of a spectrum is transformed as a whole.
+void check_spectrum(const Scene& scene) {
+  if (std::ranges::count(scene.observables, "spectrum") == 0) return;
+  constexpr std::int64_t kMostSamples = std::numeric_limits<std::int32_t>::max();
+  const auto& protocol = scene.protocol;
+  const std::int64_t samples = std::int64_t{protocol.sampled_revolutions} * protocol.samples_per_revolution;
+  if (samples <= kMostSamples) return;
+  fail("/protocol/sampled_revolutions",
+       fmt::format(
+           "{} with {} samples_per_revolution are {} samples of a spectrum; at most {} are allowed, more "
+           "without the observable \"spectrum\"",
+           protocol.sampled_revolutions, protocol.samples_per_revolution, samples, kMostSamples));
+}
+
 void check_together(const json& document, Scene& scene) {
   check_choosers(document, scene);
   check_clearance(scene);
   check_effects(scene);
+  check_spectrum(scene);
   const int highest = scene.protocol.samples_per_revolution / 2;
   if (!document.contains("/spectrum/max_order"_json_pointer)) {
     scene.spectrum.max_order = std::min(std::max(12, 4 * scene.blades.count), highest);

@@ -26,7 +26,7 @@ def seconds(program, ranks, scene, atlas, environment):
     job = subprocess.run([*launcher, program, "run", scene, "-o", atlas, "--overwrite", "--progress", "off"],
                          env={**ENVIRONMENT, **environment}, check=False)
     elapsed = time.monotonic() - began
-    if job.returncode not in (0, 1):  # 1: some points left the model
+    if job.returncode not in (0, 10):  # 10: some points could not be integrated
         sys.exit(f"{scene}: the program ended with {job.returncode}")
     record = json.loads(pathlib.Path(f"{atlas}.run.json").read_text())
     return sum(record["runs"][-1]["busy_seconds_of_rank"]), elapsed

@@ -19,15 +19,15 @@ TEST(CommandLine, HelpNamesEveryCommandAndEndsWellOnStandardOutput) {
   const auto ending = Workplace().rubatlas("--help");
   EXPECT_EQ(ending.code, 0);
   EXPECT_EQ(ending.messages, "");
-  for (const std::string command : {"run", "explain", "orbit", "analyse", "accuracy"}) {
+  for (const std::string command : {"run", "status", "explain", "orbit", "analyse", "accuracy", "verify"}) {
     EXPECT_NE(ending.output.find("\n  " + command + " "), std::string::npos) << command;
   }
-  EXPECT_NE(ending.output.find("Exit codes: 0 done;"), std::string::npos);
+  EXPECT_NE(ending.output.find("Exit codes: 0 done,"), std::string::npos);
 }
 
 TEST(CommandLine, EveryCommandHasItsOwnHelp) {
   const Workplace place;
-  for (const std::string command : {"run", "explain", "orbit", "analyse", "accuracy"}) {
+  for (const std::string command : {"run", "status", "explain", "orbit", "analyse", "accuracy", "verify"}) {
     const auto ending = place.rubatlas(command + " --help");
     EXPECT_EQ(ending.code, 0) << command;
     EXPECT_NE(ending.output.find("Usage: rubatlas " + command), std::string::npos) << ending.output;
@@ -52,12 +52,14 @@ TEST(CommandLine, AWrongCallIsOneSentenceAndExitCodeTwo) {
     return ending.messages;
   };
   EXPECT_EQ(says(""),
-            "rubatlas: no command; commands are run, explain, orbit, analyse, accuracy; rubatlas --help "
+            "rubatlas: no command; commands are run, status, explain, orbit, analyse, accuracy, verify; "
+            "rubatlas --help "
             "shows what is "
             "possible\n");
   EXPECT_EQ(
       says("rnu s.json"),
-      "rubatlas: unknown command rnu; commands are run, explain, orbit, analyse, accuracy; nearest: run\n");
+      "rubatlas: unknown command rnu; commands are run, status, explain, orbit, analyse, accuracy, verify; "
+      "nearest: run\n");
   EXPECT_EQ(says("run s.json"),
             "rubatlas: --output is required; rubatlas run --help shows what is possible\n");
   EXPECT_EQ(says("run -o a.h5"), "rubatlas: SCENE is required; rubatlas run --help shows what is possible\n");

@@ -1,4 +1,5 @@
 """The scripts that run scenes, called as their users call them."""
+import json
 import os
 import pathlib
 import signal
@@ -27,6 +28,12 @@ def run(*command, cwd=ROOT):
                           capture_output=True, text=True, check=False)
 
 
+def child_of(parent):
+    """The process that another has started and waits for."""
+    found, = pathlib.Path(f"/proc/{parent}/task/{parent}/children").read_text().split()
+    return int(found)
+
+
 class Jobs(unittest.TestCase):
     def setUp(self):
         self.temporary = tempfile.TemporaryDirectory()
@@ -51,9 +58,7 @@ class Jobs(unittest.TestCase):
         self.assertEqual(run(ROOT / "jobs/quickstart.sh", "--fast").returncode, 2)
 
     def test_quickstart_ends_with_the_table_and_the_paths_of_atlas_and_pictures(self):
-        for name in ("jobs", "tools", "tests"):
-            (self.folder / name).symlink_to(ROOT / name)
-        (self.folder / "build").symlink_to(PROGRAM.parent)
+        self.clone()
         first = run("jobs/quickstart.sh", TINY, cwd=self.folder)
         self.assertEqual(first.returncode, 0, first.stdout + first.stderr)
         self.assertIn("REGIONS AND TRIGGERS", first.stdout)
@@ -68,25 +73,66 @@ class Jobs(unittest.TestCase):
         self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
         self.assertIn("0 computed", again.stderr)
 
-    def test_the_slurm_script_runs_a_scene_and_accepts_points_without_a_motion(self):
+    def interrupt(self, command, atlas, send, **more):
+        """Starts a script in a session of its own, waits for the atlas, lets `send` disturb the script's process,
+        and returns its exit code and what it has said."""
+        with subprocess.Popen([*map(str, command)], cwd=self.folder, env=environment(**more), stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True) as job:
+            until = time.monotonic() + PATIENCE
+            while not (self.folder / atlas).exists() and time.monotonic() < until and job.poll() is None:
+                time.sleep(0.05)
+            time.sleep(0.5)  # let it compute
+            send(job)
+            said = job.communicate(timeout=PATIENCE)[0]
+        return job.returncode, said
+
+    def interrupt_slurm(self, send):
+        return self.interrupt(["bash", ROOT / "jobs/slurm.sh", ROOT / "jobs/damping.json", "atlas.h5"], "atlas.h5", send)
+
+    def points_computed(self, atlas):
+        with h5py.File(self.folder / atlas) as file:
+            return int((file["status"][:] != 0).sum()), file["status"].size
+
+    def test_the_slurm_script_runs_a_scene_and_takes_points_outside_the_model_for_a_result(self):
         ended = run("bash", ROOT / "jobs/slurm.sh", TINY, "atlas.h5", cwd=self.folder)
         self.assertEqual(ended.returncode, 0, ended.stdout + ended.stderr)
-        self.assertIn("done, some points without a motion (see /status): atlas.h5", ended.stdout)
-        with h5py.File(self.folder / "atlas.h5") as atlas:
-            self.assertTrue((atlas["status"][:] != 0).all())
+        self.assertIn("done: atlas.h5", ended.stdout)
+        self.assertRegex(ended.stdout, r"points: \d+ done, [1-9]\d* outside the model, 0 failed\n")
+        computed, all_points = self.points_computed("atlas.h5")
+        self.assertEqual(computed, all_points)
 
     def test_the_slurm_script_stops_on_the_signal_and_says_how_to_go_on(self):
-        with subprocess.Popen(["bash", ROOT / "jobs/slurm.sh", ROOT / "jobs/damping.json", "atlas.h5"], cwd=self.folder,
-                              env=environment(SLURM_NTASKS="2"), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, text=True) as job:
-            until = time.monotonic() + PATIENCE
-            while not (self.folder / "atlas.h5").exists() and time.monotonic() < until and job.poll() is None:
-                time.sleep(0.05)
-            time.sleep(1.0)  # let it compute
-            job.send_signal(signal.SIGUSR1)
-            said = job.communicate(timeout=PATIENCE)[0]
-        self.assertEqual(job.returncode, 75, said)
-        self.assertIn("stopped at the time limit and resumable; to go on: sbatch -n 2 jobs/slurm.sh", said)
+        code, said = self.interrupt_slurm(lambda job: job.send_signal(signal.SIGUSR1))
+        self.assertEqual(code, 75, said)
+        self.assertIn("stopped and resumable; to go on: sbatch -n 2 jobs/slurm.sh", said)
+
+    def test_the_slurm_script_does_not_take_a_terminated_run_for_done(self):
+        for which in (signal.SIGTERM, signal.SIGINT):
+            with self.subTest(signal=which):
+                code, said = self.interrupt_slurm(lambda job: os.kill(child_of(job.pid), which))
+                self.assertNotIn(code, (0, 10), said)
+                self.assertNotIn("done: ", said)
+                self.assertIn("; to go on: sbatch -n 2 jobs/slurm.sh", said)
+                computed, all_points = self.points_computed("atlas.h5")
+                self.assertLess(computed, all_points)
+
+    def clone(self):
+        for name in ("jobs", "tools", "tests"):
+            (self.folder / name).symlink_to(ROOT / name)
+        (self.folder / "build").symlink_to(PROGRAM.parent)
+
+    def test_interrupting_quickstart_stops_it_and_says_how_to_go_on(self):
+        self.clone()
+        # As a terminal does at Ctrl-C: to all processes in the foreground.
+        code, said = self.interrupt(["jobs/quickstart.sh", "jobs/damping.json"], "atlases/damping.h5",
+                                    lambda job: os.killpg(job.pid, signal.SIGINT))
+        self.assertEqual(code, 130, said)
+        self.assertIn("Stopped; to go on from here: ./jobs/quickstart.sh", said)
+        self.assertNotIn("4/5 Analyse", said)
+        computed, all_points = self.points_computed("atlases/damping.h5")
+        self.assertLess(computed, all_points)
+        record, = json.loads((self.folder / "atlases/damping.h5.run.json").read_text())["runs"]
+        self.assertEqual((record["exit_code"], record["points_finished"]), (75, computed))
 
     def test_the_slurm_script_refuses_a_call_without_a_scene(self):
         ended = run("bash", ROOT / "jobs/slurm.sh")

@@ -6,7 +6,7 @@ import unittest
 
 import h5py
 
-from job import DONE, FAILING, JobTest, long_scene, scene
+from job import FAILING, LEFT_VALIDITY, JobTest, long_scene, scene
 
 
 class Outcomes(JobTest):
@@ -20,23 +20,27 @@ class Outcomes(JobTest):
             job = self.execute(ranks, "run", self.write_scene(scene()), "-o", f"atlas{ranks}.h5")
             self.assertEqual(job.returncode, 0, job.stderr)
 
-    def test_a_job_with_points_that_failed_goes_on_and_ends_with_1(self):
+    def test_points_outside_the_model_are_a_result_that_is_counted(self):
         for ranks in (None, 2):
             name = f"atlas{ranks}.h5"
             job = self.execute(ranks, "run", self.write_scene(self.failing_scene()), "-o", name)
-            self.assertEqual(job.returncode, 1, job.stderr)
+            self.assertEqual(job.returncode, 0, job.stderr)
             with h5py.File(self.directory / name, "r") as atlas:
                 status = atlas["status"][...].ravel()
-            failed = int((status != DONE).sum())
-            self.assertTrue(0 < failed < status.size and (status != 0).all())
-            self.assertIn(f"36 of 36 points, {failed} failed", job.stderr)
+            outside = int((status == LEFT_VALIDITY).sum())
+            self.assertTrue(0 < outside < status.size and (status != 0).all())
+            counts = f"36 of 36 points: {36 - outside} done, {outside} outside the model, 0 failed"
+            self.assertIn(counts, job.stderr)
+            self.assertNotIn("aborted", job.stderr, "mpirun has nothing to complain of")
+            state = self.execute(None, "status", name)
+            self.assertEqual((state.returncode, state.stdout, state.stderr), (0, f"{name}: {counts}\n", ""))
 
-    def test_resuming_a_complete_atlas_with_failed_points_computes_nothing_and_ends_with_1(self):
+    def test_resuming_a_complete_atlas_with_points_outside_the_model_computes_nothing(self):
         path = self.write_scene(self.failing_scene())
-        self.assertEqual(self.execute(None, "run", path, "-o", "atlas.h5").returncode, 1)
+        self.assertEqual(self.execute(None, "run", path, "-o", "atlas.h5").returncode, 0)
         before = (self.directory / "atlas.h5").read_bytes()
         job = self.execute(2, "run", path, "-o", "atlas.h5", "--resume")
-        self.assertEqual(job.returncode, 1, job.stderr)
+        self.assertEqual(job.returncode, 0, job.stderr)
         self.assertIn("; 0 computed in", job.stderr)
         self.assertEqual((self.directory / "atlas.h5").read_bytes(), before)
 

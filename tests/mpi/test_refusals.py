@@ -73,6 +73,16 @@ class Refusals(JobTest):
                 self.assert_refused(self.run_job(ranks, path), 3, "atlas.h5", "TB", "has room for")
         self.assertEqual(self.left_behind(), [])
 
+    def test_a_scene_larger_than_the_memory_says_what_is_too_large(self):
+        path = self.write_scene(scene(
+            grid={"speed_ratio": 0.5},
+            protocol={"transient_revolutions": 0, "sampled_revolutions": 1000000, "samples_per_revolution": 2000},
+            spectrum={"max_order": 1}, observables=["spectrum"]))
+        launcher = ["bash", "-c", f'ulimit -v 20000000; exec "{PROGRAM}" run "{path}" -o atlas.h5']
+        job = subprocess.run(launcher, cwd=self.directory, text=True, capture_output=True, check=False)
+        self.assert_refused(job, 3, "too large for the memory of ", "32 GB for records and rows of the lines")
+        self.assertEqual(self.left_behind(), [])
+
     def test_an_atlas_beyond_the_processs_own_limit_ends_with_3(self):
         path = self.write_scene(scene())
         launcher = ["bash", "-c", f'ulimit -f 8; exec "{PROGRAM}" run "{path}" -o atlas.h5']
@@ -94,7 +104,20 @@ class Refusals(JobTest):
         wait_for_points(first, atlas, 1)
         second = self.execute(None, "run", self.write_scene(long_scene()), "-o", atlas, "--resume")
         self.assert_refused(second, 3, "another run is filling")
-        self.assertIn(first.wait(timeout=60), (0, 1))
+        self.assertEqual(first.wait(timeout=60), 0)
+
+    def test_tasks_of_srun_that_do_not_know_of_each_other_are_refused(self):
+        path = self.write_scene(scene())
+        slurm = {"SLURM_PROCID": "1", "SLURM_NTASKS": "4"}
+        arguments = ("run", path, "-o", "atlas.h5")
+        self.assert_refused(self.execute(None, *arguments, **slurm), 3, "task 1 of the 4", "mpirun -n 4", "srun --mpi=pmix")
+        # Singletons of an MPI that does not speak with this Slurm.
+        self.assert_refused(self.execute(None, *arguments, **slurm, PMI_RANK="1"), 3, "task 1 of the 4")
+        self.assertEqual(self.left_behind(), [])
+        self.assertEqual(self.execute(2, *arguments, **slurm).returncode, 0, "mpirun knows its ranks")
+        self.assertEqual(self.execute(None, "status", "atlas.h5", **slurm).returncode, 0, "nothing is filled")
+        alone = self.execute(None, *arguments, "--resume", SLURM_PROCID="0", SLURM_NTASKS="4", SLURM_STEP_NUM_TASKS="1")
+        self.assertEqual(alone.returncode, 0, alone.stderr)
 
     def test_a_dry_run_refuses_the_same_and_writes_nothing(self):
         path = self.write_scene(scene())

@@ -1,9 +1,39 @@
-"""A job that is asked to stop finishes its points, says 75, and goes on later to the same bytes."""
+"""A job that is asked to stop gives up its points, says 75 and how to go on, and goes on later to the same bytes."""
 import json
+import os
+import re
 import signal
+import subprocess
+import time
 import unittest
 
-from job import JobTest, long_scene, wait_for_points
+import h5py
+
+from job import ENVIRONMENT, JobTest, PENDING, long_scene, ranks_of, scene, wait_for_points
+
+
+def endless_scene():
+    """Two points of hours each."""
+    content = scene(protocol={"transient_revolutions": 100000000, "sampled_revolutions": 1, "samples_per_revolution": 32},
+                    sweep="independent")
+    content["grid"] = {"speed_ratio": [0.3, 0.62]}
+    return content
+
+
+def wait_for(condition, seconds=20):
+    end = time.monotonic() + seconds
+    while not condition() and time.monotonic() < end:
+        time.sleep(0.01)
+    return condition()
+
+
+def has_ended(process):
+    """Gone, or a zombie that nobody has asked for."""
+    try:
+        with open(f"/proc/{process}/stat") as file:
+            return file.read().rsplit(")", 1)[1].split()[0] == "Z"
+    except FileNotFoundError:
+        return True
 
 
 class Stop(JobTest):
@@ -15,6 +45,7 @@ class Stop(JobTest):
         code = job.wait(timeout=60)
         if expected is not None:
             self.assertEqual(code, expected)
+        self.said = job.stderr.read()
         return atlas
 
     def runs(self, atlas):
@@ -35,16 +66,74 @@ class Stop(JobTest):
     def test_usr1_to_five_ranks_ends_with_75(self):
         self.check_resumable(self.stop(5, signal.SIGUSR1, "stopped.h5"))
 
-    def test_usr1_without_mpirun_ends_with_75(self):
-        self.check_resumable(self.stop(None, signal.SIGUSR1, "stopped.h5"))
-
-    def test_terminate_and_interrupt_without_mpirun_end_with_75(self):
+    def test_terminate_interrupt_and_hang_up_without_mpirun_end_with_75(self):
         self.stop(None, signal.SIGTERM, "terminated.h5")
+        self.stop(None, signal.SIGHUP, "hung_up.h5")
         self.check_resumable(self.stop(None, signal.SIGINT, "interrupted.h5"))
 
-    def test_terminate_to_mpirun_leaves_a_resumable_atlas(self):
-        # The exit code is mpirun's own.
-        self.check_resumable(self.stop(2, signal.SIGTERM, "terminated.h5", expected=None))
+    def test_terminate_to_mpirun_leaves_a_resumable_atlas_and_a_record(self):
+        # The exit code is mpirun's own, and none of ours that means an end.
+        atlas = self.stop(2, signal.SIGTERM, "terminated.h5", expected=None)
+        state = self.execute(None, "status", atlas)
+        self.assertEqual(state.returncode, 75, state.stdout)
+        self.assertRegex(state.stdout, r"terminated\.h5: \d+ of 180 points: .* 0 failed; \d+ pending")
+        run, = self.runs(atlas)
+        self.assertEqual((run["ranks"], run["points_total"]), (2, 180))
+        self.assertIn("; to go on: ", self.said)
+        self.check_resumable(atlas)
+
+    def test_the_command_that_a_stopped_job_names_goes_on_with_it(self):
+        for ranks in (None, 2):
+            with self.subTest(ranks=ranks):
+                self.stop(ranks, signal.SIGUSR1, "stopped here.h5")
+                named, = re.findall(r"^rubatlas: stopping.*; to go on: (.*)$", self.said, re.MULTILINE)
+                self.assertEqual(named.startswith("mpirun -n 2 "), ranks == 2)
+                again = subprocess.run(named.replace("mpirun ", "mpirun --oversubscribe ", 1), shell=True, cwd=self.directory,
+                                       env=ENVIRONMENT, capture_output=True, text=True, timeout=60, check=False)
+                self.assertEqual(again.returncode, 0, again.stderr)
+                with h5py.File(self.directory / "stopped here.h5") as file:
+                    self.assertTrue((file["status"][...] != PENDING).all())
+                (self.directory / "stopped here.h5").unlink()
+
+    def test_a_point_of_hours_is_given_up_and_stays_pending(self):
+        for ranks in (None, 2):
+            with self.subTest(ranks=ranks):
+                atlas = self.directory / f"endless{ranks}.h5"
+                job = self.start(ranks, endless_scene(), atlas)
+                self.assertTrue(wait_for(lambda: atlas.with_name(atlas.name + ".run.json").exists()))
+                time.sleep(0.3)  # let it compute
+                began = time.monotonic()
+                job.send_signal(signal.SIGUSR1)
+                self.assertEqual(job.wait(timeout=60), 75, job.stderr.read())
+                self.assertLess(time.monotonic() - began, 5.0, "s; on a machine that is busy with other tests")
+                with h5py.File(atlas) as file:
+                    self.assertTrue((file["status"][...] == PENDING).all())
+                self.assertEqual([run["exit_code"] for run in self.runs(atlas)], [75])
+
+    def test_a_second_signal_ends_a_rank_that_waits_for_another_at_once(self):
+        atlas = self.directory / "atlas.h5"
+        job = self.start(2, endless_scene(), atlas)
+        self.assertTrue(wait_for(lambda: atlas.with_name(atlas.name + ".run.json").exists()))
+        still, stubborn = ranks_of(job)
+        os.kill(still, signal.SIGSTOP)
+        os.kill(stubborn, signal.SIGTERM)
+        time.sleep(0.5)
+        self.assertFalse(has_ended(stubborn), "the first signal is a request")
+        os.kill(stubborn, signal.SIGTERM)
+        self.assertTrue(wait_for(lambda: has_ended(stubborn), 5))
+        os.kill(still, signal.SIGKILL)
+        self.assertNotIn(job.wait(timeout=60), (0, 10, 75))
+        run, = self.runs(atlas)
+        self.assertEqual((run["exit_code"], run["finished"], run["points_computed"]), (None, None, 0))
+
+    def test_a_closed_pipe_on_stderr_does_not_stop_a_run(self):
+        # Without mpirun: some versions of mpirun themselves do not survive it.
+        atlas = self.directory / "unread.h5"
+        job = self.start(None, long_scene(), atlas, "--progress", "bar")
+        wait_for_points(job, atlas, 1)
+        job.stderr.close()
+        self.assertEqual(job.wait(timeout=60), 0)
+        self.assertEqual(self.execute(None, "status", atlas).returncode, 0)
 
 
 if __name__ == "__main__":

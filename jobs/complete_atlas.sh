@@ -1,0 +1,41 @@
+# Sourced by the scripts that fill an atlas (bash).
+#
+#   complete_atlas SCENE ATLAS STYLE [LAUNCHER...]
+#
+# runs the program at $program with --resume, alone or under a launcher, and returns
+#   0 or 10         the atlas is complete; 10: some points could not be integrated
+#   75 130 143 129  stopped by SIGUSR1, Ctrl-C, SIGTERM, SIGHUP, or by somebody who asked the run itself to stop (75)
+#   another code    what the run ended with: points are missing
+# Whether an atlas is complete only the atlas knows: a launcher that is terminated ends with codes of its own.
+# The first signal asks the run to stop in good order, the second ends it.
+complete_atlas() {
+  local scene=$1 atlas=$2 style=$3 run code heard asked=0 state=0
+  shift 3
+  # A process group of its own, so that Ctrl-C comes to this shell only: mpirun would kill its ranks.
+  set -m
+  "$@" "$program" run "$scene" -o "$atlas" --resume --progress "$style" </dev/null &
+  run=$!
+  set +m
+  hand_on() {
+    heard=1
+    if [ "$asked" = 0 ]; then kill -USR1 "$run" || true; else kill -TERM "$run" || true; fi 2>/dev/null
+    asked=$1
+  }
+  trap 'hand_on 75' USR1
+  trap 'hand_on 129' HUP
+  trap 'hand_on 130' INT
+  trap 'hand_on 143' TERM
+  # `wait` returns when a signal arrives, while the run is still ending: then wait again.
+  while :; do
+    heard=0 code=0
+    wait "$run" || code=$?
+    [ "$heard" = 1 ] || break
+  done
+  trap - USR1 HUP INT TERM
+  if [ -e "$atlas" ] && [ "$code" != 2 ] && [ "$code" != 3 ]; then
+    "$program" status "$atlas" || state=$?
+    case $code in 0 | 10) code=$state ;; esac
+  fi
+  [ "$asked" = 0 ] || code=$asked
+  return "$code"
+}

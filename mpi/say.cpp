@@ -1,0 +1,21 @@
+#include "mpi/say.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+
+#include "scene/printable.hpp"
+
+namespace rubatlas::mpi {
+
+void say(std::string_view text) {
+  static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
+  static_cast<void>(std::fflush(stderr));
+}
+
+void say_sentence(std::string_view sentence) {
+  say(fmt::format("rubatlas: {}\n", scene::printable(sentence)));
+}
+
+}  // namespace rubatlas::mpi

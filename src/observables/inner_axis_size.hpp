@@ -1,0 +1,14 @@
+/// The extents of the inner axes, without their values: of those there may be more than memory holds.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "scene/scene.hpp"
+
+namespace rubatlas::observables {
+
+/// How many values the inner axis of this name has (`list.hpp`).
+std::size_t inner_axis_size(std::string_view name, const scene::Scene& scene);
+
+}  // namespace rubatlas::observables
