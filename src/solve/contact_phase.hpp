@@ -342,8 +342,12 @@ class ContactPhase final : public observables::MotionPiece {
   /// g = 0 of a carried contact in a step where it is unloaded, u = 0, at one end.
   void look_for_lift_off_under_load(double last) {
     if (step_.ends_unloaded_only()) return;
-    look_for([&](double part) { return -step_.gap_per_deflection(part); }, last,
-             {PhaseEvent::lift_off, blade(0)});
+    const auto guard = [&](double part) { return -step_.gap_per_deflection(part); };
+    const double begin = guard(0.0);
+    // A tip that touches head-on, ct = 0 to rounding, is pressed in.
+    const bool touches = step_.begin()[kBending] == 0.0;
+    look_between(guard, last, {touches ? -std::abs(begin) : begin, guard(last)},
+                 {PhaseEvent::lift_off, blade(0)});
   }
 
   void look_for_lift_off(int k, const Watched& watched, double last, const TimeSlopes& slopes) {
