@@ -436,8 +436,9 @@ class ContactStep {
   static constexpr double kSmallestSize = kBends ? 1e-12 : 1e-15;  ///< in σ
   static constexpr double kFoldResolution = 1e-6;                  ///< of the scale
   static constexpr double kFractionResolution = 1e-14;
-  static constexpr double kAimBehind = 1.05;     ///< of the way to lift-off
-  static constexpr double kBendingWeight = 0.3;  ///< of the relative error of u against that of the state
+  static constexpr double kFromTouchDown = 0.01;  ///< of dτ/dσ at the end of a step, that at its start
+  static constexpr double kAimBehind = 1.05;      ///< of the way to lift-off
+  static constexpr double kBendingWeight = 0.3;   ///< of the relative error of u against that of the state
   static constexpr double kWellDetermined =
       1e-2;  ///< of |∂h/∂u| against |dh/dτ|; near lift-off u carries the clock
 
@@ -603,6 +604,8 @@ class ContactStep {
       if (passes_lift_off() || !(step_.end_derivative()[kTime] > 0.0)) return false;
       const double begin = step_.size() * step_.start_derivative()[kTime];
       const double end = step_.size() * step_.end_derivative()[kTime];
+      // From a touch-down time starts as a power of σ up to the fourth, which is no cubic.
+      if (begin < kFromTouchDown * end) return false;
       return !(3.0 * (step_.end()[kTime] - step_.start()[kTime]) > begin + end) &&
              step_.size() > kFoldResolution * scale(step_.start()[kBending]);
     }
