@@ -80,6 +80,7 @@ std::string paragraph(const RunBeginning& beginning, const JobResult& result, co
   put("touchdowns", fmt::to_string(work.touchdowns));
   put("liftoffs", fmt::to_string(work.liftoffs));
   put("slip_reversals", fmt::to_string(work.slip_reversals));
+  put("slip_accumulations", fmt::to_string(work.slip_accumulations));
   put("gap_evaluations", fmt::to_string(work.gap_evaluations));
   return text + "\n  }";
 }

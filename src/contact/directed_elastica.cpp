@@ -452,6 +452,7 @@ template class DirectedElastica<AxialLoad, RegularisedFriction>;
 template class DirectedElastica<AxialLoad, StribeckFriction>;
 template class DirectedElastica<AxialLoad, StickingFriction>;
 template class DirectedElastica<NormalLoad, CoulombFriction>;
+template class DirectedElastica<NormalLoad, StickingFriction>;
 template class DirectedElastica<NormalLoad, RegularisedFriction>;
 template class DirectedElastica<NormalLoad, StribeckFriction>;
 

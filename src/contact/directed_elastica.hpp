@@ -82,6 +82,12 @@ class DirectedElastica {
             friction_};
   }
 
+  /// The same blade under another friction law.
+  template <class OtherFriction>
+  [[nodiscard]] DirectedElastica<Direction, OtherFriction> with_friction(OtherFriction friction) const {
+    return {geometry_, {length_, 2.0 * strain_unit_ * length_, load_unit_ * length_ * length_}, friction};
+  }
+
   using Bend = blade::Bend;
 
   /// A contact at one bend, in equilibrium where `residual` and `misdirection` are zero.

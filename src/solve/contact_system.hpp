@@ -16,6 +16,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "contact/pose.hpp"
@@ -33,6 +34,9 @@ struct OpenContact {
   double slip;
   double bending;
   double amplitude = 0.0;  ///< second first guess of a law that has two unknowns a blade; 0: not known
+  /// τ of the last slip reversal, and of the one before.
+  double reversed = -std::numeric_limits<double>::infinity();
+  double reversed_before = -std::numeric_limits<double>::infinity();
 };
 
 /// Of Ω R: slip velocities below it are zero, as where a slip reversal has been located.

@@ -12,6 +12,7 @@
 #include <optional>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "contact/elastic_ring_contact.hpp"
@@ -54,6 +55,14 @@ class Motion {
       judge_.emplace(rotor_, blades_, law_, forcing_);
       sticking_.emplace(rotor_, blades_, law_, limits_,
                         typename Phases::Judge(rotor_, blades_, law_, forcing_));
+    }
+    if constexpr (Phases::kRests) {
+      if (auto resting_law = contact::resting_law(law_, blades_.count())) {
+        resting_law_.emplace(std::move(*resting_law));
+        resting_judge_.emplace(rotor_, blades_, *resting_law_, forcing_);
+        resting_.emplace(rotor_, blades_, *resting_law_, limits_,
+                         typename Phases::RestingSystem(rotor_, blades_, *resting_law_, forcing_));
+      }
     }
     if constexpr (kRingFollows<Forcing>) ring_placer_.emplace(rotor_, blades_, law_, forcing_);
     contacts_.reserve(static_cast<std::size_t>(blades_.count()));
@@ -98,6 +107,16 @@ class Motion {
     if constexpr (Law::kHasBending) {
       if (phase_ == Phase::carried) ask(*carried_);
       if (phase_ == Phase::skimming) ask(*skimming_);
+    }
+    if constexpr (Phases::kRests) {
+      // Another machine tears a tip at rest loose: it slips to the side to which its blade is bent.
+      if (phase_ == Phase::resting) {
+        ask(*resting_);
+        for (OpenContact& open : handed.contacts) {
+          if (open.slip == 0.0) open.slip = std::copysign(1.0, open.bending);
+          if (Law::kHasBending) open.bending = 0.0;
+        }
+      }
     }
     return handed;
   }
@@ -144,6 +163,9 @@ class Motion {
         case Phase::sticking:
           if constexpr (contact::Sticks<Law>) end = touch(*sticking_, period, listener);
           break;
+        case Phase::resting:
+          if constexpr (Phases::kRests) end = touch(*resting_, period, listener);
+          break;
         default:
           end = touch(solved_, period, listener);
       }
@@ -177,6 +199,9 @@ class Motion {
     };
     add(solved_);
     if constexpr (contact::Sticks<Law>) add(*sticking_);
+    if constexpr (Phases::kRests) {
+      if (resting_) add(*resting_);
+    }
     if constexpr (Law::kHasBending) {
       add(*carried_);
       add(*skimming_);
@@ -189,7 +214,7 @@ class Motion {
 
  private:
   using Phases = MotionPhases<Law, Forcing, Pair, Blades>;
-  enum class Phase : std::uint8_t { undecided, flight, carried, skimming, sticking, solved };
+  enum class Phase : std::uint8_t { undecided, flight, carried, skimming, sticking, resting, solved };
 
   PointStatus ends(StatusDetail why) {
     detail_ = why;
@@ -247,6 +272,13 @@ class Motion {
       contacts_[i].bending = there.bending;
       contacts_[i].amplitude = there.amplitude;
     }
+    // Tips that slip beside one at rest go on under their own law; the blade of the event does so there.
+    if constexpr (Phases::kRests && Law::kHasBending && std::is_same_v<AnyPhase, typename Phases::Resting>) {
+      for (OpenContact& open : contacts_) {
+        if (open.slip != 0.0 && open.blade != end.blade && !bend_anew(open))
+          return {PhaseEvent::left_validity, -1, StatusDetail::no_equilibrium};
+      }
+    }
     if (!state_.isFinite().all()) return {PhaseEvent::failed, -1, StatusDetail::beyond_precision};
     return end;
   }
@@ -255,6 +287,10 @@ class Motion {
     if (phase_ == Phase::flight) phase_ = Phase::undecided;
     ++work_.revolutions;
     time_ -= period;  // exactly 0
+    for (OpenContact& open : contacts_) {
+      open.reversed -= period;
+      open.reversed_before -= period;
+    }
     return ends(state_.isFinite().all() ? StatusDetail::none : StatusDetail::beyond_precision);
   }
 
@@ -270,6 +306,12 @@ class Motion {
     if (contacts_.empty()) {
       phase_ = Phase::flight;
       return true;
+    }
+    if constexpr (Phases::kRests) {
+      if (std::ranges::count(contacts_, 0.0, &OpenContact::slip) > 0) {
+        phase_ = Phase::resting;
+        return resting_->start(time_, state_, of_resting_law());
+      }
     }
     if constexpr (Law::kHasBending) {
       if (begins_to_skim()) {
@@ -425,6 +467,55 @@ class Motion {
     return false;
   }
 
+  /// Whether the last reversals of a tip follow each other so fast that they have no end.
+  [[nodiscard]] bool accumulates(OpenContact& contact) const {
+    const double cycle = time_ - contact.reversed_before;
+    contact.reversed_before = std::exchange(contact.reversed, time_);
+    return cycle < kShortestCycle;
+  }
+  /// A contact as the law of tips at rest knows it: found anew where that has another parameter.
+  [[nodiscard]] static OpenContact of_resting_law(OpenContact contact) {
+    if (Law::kHasBending && contact.slip != 0.0) contact.bending = contact.amplitude = 0.0;
+    return contact;
+  }
+  [[nodiscard]] std::vector<OpenContact> of_resting_law() const {
+    std::vector<OpenContact> contacts;
+    for (const OpenContact& open : contacts_) contacts.push_back(of_resting_law(open));
+    return contacts;
+  }
+  /// The limit of slip reversals that accumulate: the tip comes to rest where friction can hold it, and
+  /// slips on, reversed, where not yet.
+  [[nodiscard]] bool comes_to_rest(OpenContact& contact) {
+    if constexpr (Phases::kRests) {
+      if (!resting_) return false;
+      OpenContact there = of_resting_law(contact);
+      if (!resting_judge_->come_to_rest(there, unbent())) return false;
+      contact = there;
+      return true;
+    }
+    return false;
+  }
+  /// A tip at rest is no longer held, and slips the way it is pulled. False where it has no force then.
+  [[nodiscard]] bool leave_rest(OpenContact& contact) {
+    if constexpr (Phases::kRests) {
+      std::vector<OpenContact> contacts = of_resting_law();
+      const auto place = static_cast<std::size_t>(&contact - contacts_.data());
+      resting_judge_->let_go(contacts, place, unbent());
+      const OpenContact freed{contact.blade, contacts[place].slip, contact.bending, contact.amplitude};
+      contact = freed;
+    }
+    return bend_anew(contact);
+  }
+  /// Finds the bending of a contact whose slip direction has changed. False where it has no force.
+  [[nodiscard]] bool bend_anew(OpenContact& contact) const {
+    if constexpr (Law::kHasBending) {
+      const auto root = law_.of(contact.blade).solve(pose(contact.blade), contact.slip);
+      contact.bending = root.value_or(0.0);
+      return root.has_value();
+    }
+    return true;
+  }
+
   PointStatus change_contacts(const PhaseEnd& end, MotionListener& listener) {
     phase_ = Phase::undecided;
     const auto contact = std::find_if(contacts_.begin(), contacts_.end(),
@@ -452,21 +543,28 @@ class Motion {
           const bool decided = change_slip(*contact, end.event, listener);
           return ends(decided ? StatusDetail::none : StatusDetail::slip_undecided);
         }
+        if (end.event == PhaseEvent::comes_loose) {
+          if (!leave_rest(*contact)) return ends(StatusDetail::no_equilibrium);
+          tell(listener, end.event, end.blade, contact->slip);
+          return PointStatus::done;
+        }
         ++work_.slip_reversals;
+        if (accumulates(*contact) && comes_to_rest(*contact)) {
+          ++work_.slip_accumulations;
+          tell(listener, end.event, end.blade, contact->slip);
+          return PointStatus::done;
+        }
         contact->slip = -contact->slip;
-        if constexpr (Law::kHasBending) {
-          const contact::Pose at = pose(contact->blade);
-          const auto root = law_.of(contact->blade).solve(at, contact->slip);
+        if (!bend_anew(*contact)) {
           // A tip that was held beyond the ring is free where friction turns to the other side.
-          if (!root && Law::kReleasesAtFold && at.gap < 0.0) {
+          if (Law::kReleasesAtFold && pose(contact->blade).gap < 0.0) {
             tell(listener, end.event, end.blade, contact->slip);
             ++work_.liftoffs;
             tell(listener, PhaseEvent::lift_off, end.blade, contact->slip);
             contacts_.erase(contact);
             return PointStatus::done;
           }
-          if (!root) return ends(StatusDetail::no_equilibrium);
-          contact->bending = *root;
+          return ends(StatusDetail::no_equilibrium);
         }
         tell(listener, end.event, end.blade, contact->slip);
         return PointStatus::done;
@@ -478,6 +576,10 @@ class Motion {
   /// changes along the ring.
   static constexpr double kUnresolvedHop = 1.0;
   static constexpr double kGapRounding = 1e-17;  ///< [m²]: g where a touch-down has been located
+
+  /// τ: a tip that reverses its slip and reverses it again within this time does so without end. Each cycle
+  /// of what accumulates is a fixed share of the last, and no other one is a millionth of this long.
+  static constexpr double kShortestCycle = 1e-9;
 
   RotorConstants rotor_;
   rotor::FreeMotion free_;
@@ -493,6 +595,9 @@ class Motion {
   std::optional<typename Phases::Sticking> sticking_;
   std::optional<typename Phases::Judge> judge_;
   std::optional<typename Phases::RingPlacer> ring_placer_;
+  std::optional<std::conditional_t<Phases::kRests, typename Phases::RestingLaw, std::monostate>> resting_law_;
+  std::optional<typename Phases::RestingSystem> resting_judge_;
+  std::optional<typename Phases::Resting> resting_;
   std::vector<OpenContact> contacts_;
   Bodies state_ = Bodies::Zero();
   double time_ = 0.0;

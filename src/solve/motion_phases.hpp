@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "contact/friction_law.hpp"
+#include "contact/resting_law.hpp"
 #include "solve/carried_bends.hpp"
 #include "solve/contact_phase.hpp"
 #include "solve/following_ring.hpp"
@@ -12,6 +13,18 @@
 #include "solve/sticking_elastic_contacts.hpp"
 
 namespace rubatlas::solve {
+
+/// Tips that always slip, but come to rest where their slip reversals accumulate: that of no law, and of one.
+template <class RestingLaw, class Forcing, class Pair, class Blades>
+struct RestingPhases {
+  using System = StickingElasticContacts<RestingLaw, Forcing, Blades>;
+  using Phase = ContactPhase<System, RestingLaw, Pair, Blades>;
+};
+template <class Forcing, class Pair, class Blades>
+struct RestingPhases<void, Forcing, Pair, Blades> {
+  using System = std::monostate;
+  using Phase = std::monostate;
+};
 
 template <class Law, class Forcing, class Pair, class Blades>
 struct MotionPhases {
@@ -26,6 +39,11 @@ struct MotionPhases {
   // Only tips that can stick have a right-hand side for it, and one that is asked whether they do.
   using Judge = If<contact::Sticks<Law>, StickingSystem<Law, Forcing, Blades>>;
   using Sticking = If<contact::Sticks<Law>, Of<Judge>>;
+  // Where slip reversals accumulate a tip comes to rest.
+  using RestingLaw = typename contact::RestingLawOf<Law>::Type;
+  static constexpr bool kRests = !std::is_void_v<RestingLaw>;
+  using RestingSystem = typename RestingPhases<RestingLaw, Forcing, Pair, Blades>::System;
+  using Resting = typename RestingPhases<RestingLaw, Forcing, Pair, Blades>::Phase;
   // Blades with two unknowns carry them; only a ring without mass is to be put somewhere.
   static constexpr bool kBends = requires(typename Law::OfBlade::Drift drift) { drift.misdirection; };
   using SolvedSystem = std::conditional_t<

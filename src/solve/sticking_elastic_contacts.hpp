@@ -33,6 +33,8 @@ namespace rubatlas::solve {
 template <class Law, class Forcing, class Blades = BladeSet>
 class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
  public:
+  using FullState = FullStateOf<Forcing>;
+
   StickingElasticContacts(const RotorConstants& rotor, const Blades& blades, const Law& law,
                           const Forcing& forcing)
       : SolvedContacts<Law, Forcing, Blades>(rotor, blades, law, forcing),
@@ -43,7 +45,7 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
   /// The tips at rest that friction cannot hold in a state get the direction in which they slip, and are told
   /// of to `let_go`. A contact that is new slips, or rests, as Coulomb's inclusion has it there.
   template <class Tell>
-  void settle(const ContactState& state, std::vector<OpenContact>& contacts, Tell let_go) {
+  void settle(const FullState& state, std::vector<OpenContact>& contacts, Tell let_go) {
     for (OpenContact& contact : contacts) {
       if (contact.slip == 0.0) {
         if (rests(contact, state)) continue;
@@ -58,17 +60,26 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
 
   /// A slipping tip whose slip velocity has come to zero, or is against its direction: rests where it can,
   /// and slips the other way where it cannot. False where Coulomb's inclusion leaves it neither (MODEL 5).
-  bool arrest(std::vector<OpenContact>& contacts, std::size_t contact, const ContactState& state) const {
+  bool arrest(std::vector<OpenContact>& contacts, std::size_t contact, const FullState& state) const {
     return arrest(contacts[contact], state);
   }
+  /// Puts a slipping tip to rest where friction can hold it next to where it slips; false, and nothing
+  /// changed, where not.
+  bool come_to_rest(OpenContact& contact, const FullState& state) const {
+    OpenContact there = contact;
+    forward(there, contact.slip, state);
+    if (!rests(there, state)) return false;
+    contact = there;
+    return true;
+  }
   /// A tip that rests no longer slips the way it is pulled.
-  void let_go(std::vector<OpenContact>& contacts, std::size_t contact, const ContactState& state) const {
+  void let_go(std::vector<OpenContact>& contacts, std::size_t contact, const FullState& state) const {
     leave_rest(contacts[contact], state);
   }
 
   /// |c| − μs [-], or how far a tip is from being firm, and its blade from being bent: it comes loose where
   /// that is positive. One that nothing can hold has come loose.
-  [[nodiscard]] double excess(std::size_t contact, const ContactState& state) const {
+  [[nodiscard]] double excess(std::size_t contact, const FullState& state) const {
     constexpr double kLost = 1.0;
     const OpenContact& open = this->contacts()[contact];
     const auto there = rest(open, state);
@@ -78,7 +89,7 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
                      1.0 - std::abs(there->held.bend.modulus) / least_modulus});
   }
   /// What a contact does in a state; nothing where nothing can hold it.
-  [[nodiscard]] contact::TipForce force(std::size_t contact, const ContactState& state) const {
+  [[nodiscard]] contact::TipForce force(std::size_t contact, const FullState& state) const {
     contact::TipForce result{};
     OpenContact open = this->contacts()[contact];
     respond(law_->of(open.blade), pose(open, state), blades_->speed(state[kTime]), open, result);
@@ -86,7 +97,7 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
   }
 
   /// No state needs to be put back: rest is part of the force.
-  void project(ContactState& /*state*/) const {}
+  void project(FullState& /*state*/) const {}
 
  private:
   /// Of μs, beyond which a tip comes loose: rounding does not lead it back.
@@ -97,11 +108,11 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
   /// leave the ring.
   static constexpr double kLeastModulus = 2e-4;
 
-  [[nodiscard]] contact::Pose pose(const OpenContact& open, const ContactState& state) const {
+  [[nodiscard]] contact::Pose pose(const OpenContact& open, const FullState& state) const {
     return pose_of(*rotor_, law_->of(open.blade).geometry(),
-                   blades_->direction(open.blade, blades_->first(state[kTime])), state.head<4>());
+                   blades_->direction(open.blade, blades_->first(state[kTime])), from_ring(state));
   }
-  [[nodiscard]] auto rest(const OpenContact& open, const ContactState& state) const {
+  [[nodiscard]] auto rest(const OpenContact& open, const FullState& state) const {
     return law_->of(open.blade)
         .rest(pose(open, state), blades_->speed(state[kTime]), {open.bending, open.amplitude});
   }
@@ -113,7 +124,7 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
   }
 
   /// Puts a tip to rest where friction can hold it near its bend; false, and nothing changed, where not.
-  bool rests(OpenContact& contact, const ContactState& state) const {
+  bool rests(OpenContact& contact, const FullState& state) const {
     const auto there = rest(contact, state);
     if (!there || !(there->firmness > kLeastFirmness) || beyond_cone(contact, there->held.coefficient) > 0.0)
       return false;
@@ -125,7 +136,7 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
 
   /// s v [m per unit τ] of a contact that slips in the direction s, whose bend is updated; −∞ where it has no
   /// equilibrium.
-  double forward(OpenContact& contact, double slip, const ContactState& state) const {
+  double forward(OpenContact& contact, double slip, const FullState& state) const {
     contact::TipForce force{};
     contact.slip = slip;
     const bool stands =
@@ -133,7 +144,7 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
     return stands ? slip * force.slip_velocity : -std::numeric_limits<double>::infinity();
   }
 
-  bool arrest(OpenContact& contact, const ContactState& state) const {
+  bool arrest(OpenContact& contact, const FullState& state) const {
     OpenContact there = contact;
     forward(there, contact.slip, state);
     if (!rests(there, state)) {
@@ -146,7 +157,7 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
     return true;
   }
 
-  void leave_rest(OpenContact& contact, const ContactState& state) const {
+  void leave_rest(OpenContact& contact, const FullState& state) const {
     constexpr double kAtTheEdge = 1e-6;  // of the cone
     const auto there = rest(contact, state);
     if (there && beyond_cone(contact, (1.0 + kAtTheEdge) * there->held.coefficient) > 0.0) {

@@ -78,5 +78,30 @@ TEST(Slip, TipsThatMayStickComeToRestABoundedNumberOfTimes) {
   }
 }
 
+TEST(Slip, ReversalsThatAccumulateEndInRestWhateverTheToleranceAndTheLastDigits) {
+  // In revolution 1 the tip of blade 3 reverses its slip at intervals that shrink by a factor of 20 each
+  // cycle. Without a limit their number is a matter of rounding, and with it s.
+  scene::Scene scene = default_rotor(1);
+  scene.contact.friction = 0.356;
+  const auto moved = [&](double tolerance, double aside) {
+    scene.accuracy.tolerance = tolerance;
+    return run(scene, 0.1233, {1.999e-3 + aside, 3.643e-3, 0.01703, -0.003606});
+  };
+  const auto finest = moved(1e-12, 0.0);
+  ASSERT_EQ(finest.status, PointStatus::done);
+  EXPECT_EQ(finest.work.slip_accumulations, 1U);
+  for (const double tolerance : {1e-9, 1e-10, 1e-11, 1e-12}) {
+    for (const double aside : {0.0, 1e-17, -1e-17, 1e-16}) {
+      SCOPED_TRACE(::testing::Message() << "tolerance " << tolerance << ", aside " << aside);
+      const auto outcome = moved(tolerance, aside);
+      ASSERT_EQ(outcome.status, PointStatus::done);
+      EXPECT_EQ(outcome.work.slip_accumulations, 1U);
+      EXPECT_EQ(outcome.work.slip_reversals, finest.work.slip_reversals);
+      EXPECT_LE(largest_difference(outcome.final_state, finest.final_state),
+                100.0 * tolerance * scene.clearance() + 1e-13);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rubatlas::test
