@@ -246,7 +246,7 @@ std::vector<plan::Axis> require_atlas(const File& file, const std::string& path)
   examination.require_kind();
   const Schema schema = schema_of(examination.scene());
   for (const auto& axis : schema.axes) examination.require_axis(axis);
-  for (const auto& axis : schema.inner_axes) examination.require_inner_axis(axis);
+  for (const auto& axis : observables::inner_axes(examination.scene())) examination.require_inner_axis(axis);
   const bool old = lacks_checksums(file);
   for (const auto* rows : schema.row_datasets()) {
     if (old && !examination.has(rows->name)) continue;  // it came with a later version
