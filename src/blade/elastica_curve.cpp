@@ -60,6 +60,24 @@ ElasticaCurve::ElasticaCurve(double friction, Theory theory, double axial_compli
   }
   last_piece_ = static_cast<std::int64_t>(pieces_.size()) - 1;
   end_ = knots_.back().bending;
+  add_slopes();
+}
+
+void ElasticaCurve::add_slopes() {
+  for (Knot& knot : knots_) {
+    const CurvePoint there = at(knot.bending);
+    if (friction_ == 0.0) {
+      knot.load_slope = there.load_slope;
+      knot.shortening_slope = there.shortening_slope;
+      knot.deflection_slope = there.deflection_slope;
+    } else if (knot.bending == 0.0) {
+      knot.shortening_slope = axial_compliance_;
+      knot.deflection_slope = friction_ / 3.0;
+    } else {
+      knot.shortening_slope = there.shortening_slope / there.load_slope;
+      knot.deflection_slope = there.deflection_slope / there.load_slope;
+    }
+  }
 }
 
 Equilibrium<long double> ElasticaCurve::exact(long double bending) const {

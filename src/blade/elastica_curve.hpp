@@ -100,12 +100,17 @@ class ElasticaCurve {
   /// Parity of the deflection: −1 for μ = 0, else 1.
   [[nodiscard]] double mirror() const { return mirror_; }
 
-  /// Boundaries of the pieces from 0 to `end()`, with the curve there: for bracketing roots along the curve.
+  /// Boundaries of the pieces from 0 to `end()`, with the curve there: for bracketing roots and folds along
+  /// the curve. Slopes are by the load, finite at the unloaded blade too; for μ = 0, where the load hardly
+  /// rises, by u.
   struct Knot {
     double bending;
     double load;
     double shortening;
     double deflection;
+    double load_slope = 1.0;
+    double shortening_slope = 0.0;
+    double deflection_slope = 0.0;
   };
   [[nodiscard]] const std::vector<Knot>& knots() const { return knots_; }
 
@@ -126,6 +131,7 @@ class ElasticaCurve {
   /// Without axial compliance.
   [[nodiscard]] Equilibrium<long double> exact(long double bending) const;
   void add_knot(double bending);
+  void add_slopes();
 
   double friction_;
   Theory theory_;

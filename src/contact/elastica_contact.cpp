@@ -1,6 +1,7 @@
 #include "contact/elastica_contact.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
@@ -11,11 +12,20 @@ namespace {
 
 constexpr double kGapRounding = 1e-17;  ///< [m²]: g where a touch-down has been located
 
+/// Root of a function between two points where it has opposite signs, to the last bit.
+template <class Function>
+double root_between(const Function& function, double low, double high, double at_low, double at_high) {
+  std::uintmax_t iterations = 100;
+  const auto bracket = boost::math::tools::toms748_solve(
+      function, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(52), iterations);
+  return 0.5 * (bracket.first + bracket.second);
+}
+
 }  // namespace
 
 template <class Ring, Release kRelease>
 std::optional<double> ElasticBladeContact<Ring, kRelease>::solve(const Pose& at, double slip) const {
-  if (!carried_ && straight_load(at) <= blade::kEulerLoad) return 0.0;
+  if (has_branches_) return solve_on_branches(at, slip);
   if constexpr (kReleasesAtFold) {
     if (at.gap < -kGapRounding) return solve_held(at, slip);
   }
@@ -41,11 +51,7 @@ std::optional<double> ElasticBladeContact<Ring, kRelease>::solve(const Pose& at,
     low = step;
     if (function(2.0 * step) < 0.0) high = 2.0 * step;
   }
-  const double at_high = function(high);
-  std::uintmax_t iterations = 100;
-  const auto bracket = boost::math::tools::toms748_solve(
-      function, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(52), iterations);
-  return 0.5 * (bracket.first + bracket.second);
+  return root_between(function, low, high, at_low, function(high));
 }
 
 template <class Ring, Release kRelease>
@@ -67,25 +73,190 @@ std::optional<double> ElasticBladeContact<Ring, kRelease>::solve_held(const Pose
     if (++knot == knots.end()) return std::nullopt;
     at_knot = measure(knot->bending);
   }
-  const auto solved = [](const auto& function, double low, double high, double at_low, double at_high) {
-    std::uintmax_t iterations = 100;
-    const auto bracket = boost::math::tools::toms748_solve(
-        function, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(52), iterations);
-    return 0.5 * (bracket.first + bracket.second);
-  };
   const auto function = [&](double bending) { return residual(at, slip, curve_at(bending)); };
   const double fold =
-      at_knot < 0.0 ? solved(measure, before, knot->bending, at_before, at_knot) : knot->bending;
+      at_knot < 0.0 ? root_between(measure, before, knot->bending, at_before, at_knot) : knot->bending;
   const double at_fold = function(fold);
   if (!(at_fold > 0.0)) return std::nullopt;
   knot = std::find_if(knot, knots.end(), [&](const auto& after) { return residual(at, slip, after) < 0.0; });
   if (knot == knots.end()) return std::nullopt;
-  return solved(function, fold, knot->bending, at_fold, function(knot->bending));
+  return root_between(function, fold, knot->bending, at_fold, function(knot->bending));
+}
+
+template <class Ring, Release kRelease>
+auto ElasticBladeContact<Ring, kRelease>::branches(const Pose& at, double slip) const -> Branches {
+  const auto& knots = curve_->knots();
+  const auto rise_at = [&](double bending) { return rise(at, slip, curve_at(bending)); };
+  Branches found;
+  double before = 0.0;
+  double at_before = slope(at, slip, knots.front());
+  bool falls = at_before < 0.0;
+  double begin = 0.0;  // of the branch that is open
+  double crest = 0.0;
+  double at_crest = 0.0;
+  const auto close = [&](double end) {
+    found.list[found.count] = {begin, end};
+    found.crest[found.count++] = crest;
+    at_crest = 0.0;
+  };
+  const auto pass = [&](double bending, double value) {
+    if ((value < 0.0) != falls) {
+      const double fold = root_between(rise_at, before, bending, at_before, value);
+      if (falls) close(fold);
+      begin = fold;
+      falls = !falls;
+    }
+    if (!falls && value >= at_crest) {
+      crest = bending;
+      at_crest = value;
+    }
+    before = bending;
+    at_before = value;
+  };
+  double at_knot = slope(at, slip, knots[1]);
+  for (std::size_t i = 1; i < knots.size() && found.count < found.list.size(); ++i) {
+    const double at_next = i + 1 < knots.size() ? slope(at, slip, knots[i + 1]) : at_knot;
+    // Between two knots where h falls it may rise: near a highest value that is close to zero.
+    const double drop = at_knot - std::min(at_before, at_next);
+    if (at_knot < 0.0 && at_knot > at_before && at_knot >= at_next && at_knot + drop > 0.0) {
+      constexpr int kBits = 24;
+      std::uintmax_t iterations = 60;
+      const auto top = boost::math::tools::brent_find_minima(
+          [&](double bending) { return -rise_at(bending); }, knots[i - 1].bending, knots[i + 1].bending,
+          kBits, iterations);
+      if (top.second < 0.0 && top.first < knots[i].bending) pass(top.first, -top.second);
+      pass(knots[i].bending, at_knot);
+      if (top.second < 0.0 && top.first > knots[i].bending) pass(top.first, -top.second);
+    } else {
+      pass(knots[i].bending, at_knot);
+    }
+    at_knot = at_next;
+  }
+  if (falls && found.count < found.list.size()) close(curve_->end());
+  return found;
+}
+
+template <class Ring, Release kRelease>
+std::optional<double> ElasticBladeContact<Ring, kRelease>::root_on(const Pose& at, double slip,
+                                                                   const Branch& branch) const {
+  const auto function = [&](double bending) { return residual(at, slip, curve_at(bending)); };
+  const auto& knots = curve_->knots();
+  const double at_begin = function(branch.begin);
+  if (!(at_begin > 0.0)) {
+    // Too light to load the blade, or to bend the column; else h has no root up here.
+    const bool unloaded = branch.begin == 0.0 && (!carried_ || at.gap >= -kGapRounding);
+    return unloaded ? std::optional(0.0) : std::nullopt;
+  }
+  auto knot = std::upper_bound(knots.begin(), knots.end(), branch.begin,
+                               [](double bending, const auto& other) { return bending < other.bending; });
+  double low = branch.begin;
+  while (knot != knots.end() && knot->bending < branch.end && !(residual(at, slip, *knot) < 0.0)) {
+    low = knot->bending;
+    ++knot;
+  }
+  const double high = knot != knots.end() ? std::min(knot->bending, branch.end) : branch.end;
+  const double at_high = function(high);
+  if (!(at_high < 0.0)) return std::nullopt;
+  return root_between(function, low, high, function(low), at_high);
+}
+
+template <class Ring, Release kRelease>
+std::optional<double> ElasticBladeContact<Ring, kRelease>::solve_on_branches(const Pose& at,
+                                                                             double slip) const {
+  // A tip outside the ring is held on the bent branch, or not at all.
+  const bool held = at.gap < -kGapRounding;
+  if (!carried_ && !held && straight_load(at) <= blade::kEulerLoad) return 0.0;
+  const Branches all = branches(at, slip);
+  for (std::size_t i = 0; i < all.count; ++i) {
+    if (held && all.list[i].begin == 0.0) continue;
+    if (const auto root = root_on(at, slip, all.list[i])) return root;
+  }
+  return std::nullopt;
+}
+
+template <class Ring, Release kRelease>
+bool ElasticBladeContact<Ring, kRelease>::stands_beyond_fold(const Pose& at, double slip,
+                                                             double bending) const {
+  if (bending == 0.0) return false;
+  if (!carried_) return true;
+  const Branches all = branches(at, slip);
+  return all.count > 0 && all.list[all.of(bending)].begin > 0.0;
+}
+
+template <class Ring, Release kRelease>
+auto ElasticBladeContact<Ring, kRelease>::incline(const Pose& at, double slip,
+                                                  const blade::CurvePoint& point) const -> Incline {
+  const double along = at.radial + geometry_.reach - length_ * point.shortening;
+  const double across = slip * (at.tangential - slip * length_ * point.deflection);
+  double parts =
+      2.0 * length_ * (std::abs(along * point.shortening_slope) + std::abs(across * point.deflection_slope));
+  if constexpr (Ring::kYields) {
+    parts += 2.0 * yield_unit_ * (geometry_.ring_radius + yield_unit_ * point.load) * point.load_slope;
+  }
+  const double unit = friction_ > 0.0 ? 1.0 / point.load_slope : 1.0;
+  return {unit * slope(at, slip, point), unit * parts};
+}
+
+template <class Ring, Release kRelease>
+std::optional<double> ElasticBladeContact<Ring, kRelease>::solve_near_on_branch(const Pose& at, double slip,
+                                                                                double bending) const {
+  if (bending == 0.0) {
+    if (!carried_ && straight_load(at) <= blade::kEulerLoad) return 0.0;
+    // What starts from the unloaded blade, or the column where it buckles without a jump.
+    const Branches all = branches(at, slip);
+    if (all.count > 0 && all.list[0].begin == 0.0) return root_on(at, slip, all.list[0]);
+    return carried_ ? solve(at, slip) : std::nullopt;
+  }
+  // Newton, as long as no fold can lie between the root and where the blade comes from: between two places
+  // where h falls it can rise only where its slope is small against what it bends by in between.
+  constexpr double kBend = 10.0;
+  const double from = bending;
+  Incline first{};
+  double previous = std::numeric_limits<double>::infinity();
+  for (int iteration = 0; iteration < 12; ++iteration) {
+    const blade::CurvePoint point = curve_at(bending);
+    const Incline here = incline(at, slip, point);
+    if (!(here.rise < 0.0)) break;
+    if (iteration == 0) first = here;
+    const double step = -residual(at, slip, point) / slope(at, slip, point);
+    const double size = std::abs(step);
+    bending += step;
+    if (!(bending > 0.0) || bending > curve_->end()) break;
+    if (size <= 4e-16 * bending || (size < 1e-9 * bending && size >= 0.5 * previous)) {
+      const double moved = (bending - from) / std::min(bending, from);
+      const double least = std::min(-first.rise, -here.rise);
+      if (kBend * moved * moved * std::max(first.parts, here.parts) < least) return bending;
+      break;
+    }
+    previous = size;
+  }
+  const Branches all = branches(at, slip);
+  return all.count > 0 ? root_on(at, slip, all.list[all.of(from)]) : std::nullopt;
+}
+
+template <class Ring, Release kRelease>
+std::optional<double> ElasticBladeContact<Ring, kRelease>::snap(const Pose& at, double slip, double bending,
+                                                                double speed_ratio) const {
+  const Branches all = branches(at, slip);
+  std::size_t next = all.of(bending);
+  if (!carried_ && bending == 0.0) {
+    // Straight before, and bent is what comes next.
+  } else if (closes_in(at, slip, bending, speed_ratio)) {
+    ++next;
+  } else if (!carried_) {
+    return at.gap > 0.0 ? std::optional(0.0) : std::nullopt;
+  } else if (next == 0 || !(at.gap > 0.0)) {
+    return std::nullopt;
+  } else {
+    --next;
+  }
+  return next < all.count ? root_on(at, slip, all.list[next]) : std::nullopt;
 }
 
 template <class Ring, Release kRelease>
 std::optional<double> ElasticBladeContact<Ring, kRelease>::solve_near(const Pose& at, double slip,
                                                                       double bending) const {
+  if (has_branches_) return solve_near_on_branch(at, slip, bending);
   // Newton on the falling branch. Its floor is the rounding of g against the slope, so it ends when a step no
   // longer shrinks; a step that leaves the branch hands over to the bracketing solver.
   double previous = std::numeric_limits<double>::infinity();
@@ -110,18 +281,17 @@ bool ElasticBladeContact<Ring, kRelease>::respond(const Pose& at, double slip, d
   // Beyond a lift-off on the approaching side the gap is negative and no positive load exists. There the load
   // is continued as an odd function of the gap (at μ = 0, where it does not vanish at lift-off, as an even
   // one).
-  if (!carried_) {
-    // Straight, and linearly so beyond lift-off.
-    if (const double load = straight_load(at); load <= blade::kEulerLoad) {
-      bending = 0.0;
-      force = constraint_at(at, slip, straight(load), speed_ratio).force;
-      return true;
-    }
-  }
-  const bool beyond_end = at.gap < 0.0 && starts_unloaded(at, slip);
+  const bool beyond_end = carried_ && at.gap < 0.0 && ends_unloaded(at, slip, bending);
   Pose mirrored = at;
   if (beyond_end) mirrored.gap = -at.gap;
   const auto root = solve_near(mirrored, slip, bending);
+  const bool straightened = !carried_ && (root ? *root == 0.0 : bending == 0.0);
+  if (straightened) {
+    // Linearly so beyond lift-off, and beyond the Euler load where the column is to snap there.
+    bending = 0.0;
+    force = constraint_at(at, slip, straight(straight_load(at)), speed_ratio).force;
+    return true;
+  }
   if (!root) return false;
   bending = *root;
   force = constraint(mirrored, slip, bending, speed_ratio).force;

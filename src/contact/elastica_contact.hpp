@@ -10,11 +10,21 @@
 ///     h = a² + b² − (R + F/kr)²
 /// and where a contact ends (`Release`).
 ///
-/// The column (μ = 0) with axial compliance or in a yielding ring is compressed straight up to its Euler load
-/// before it bends. Its equilibria are two branches, not one curve in u: it is solved for, not carried.
+/// Branches. Where something gives way in series with the bending (axial compliance, a ring that yields) h
+/// may fall with the load, rise and fall again on the receding side: the blade stands compressed, or bent,
+/// and what lies between is unstable. A contact opens on the branch that load increased from zero meets
+/// first, and stays on its branch until that ends in a fold, ∂h/∂u = 0, where the blade snaps to the next one
+/// (MODEL 4.2). The bending parameter from which a root is asked for (`solve_near`, `respond`) says which
+/// branch is meant.
+///
+/// The column (μ = 0) of such a blade or in such a ring is compressed straight up to its Euler load before it
+/// bends: straight, `bending` = 0, and bent are its two branches. It is solved for, and carried around the
+/// fold of the bent branch only.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -56,6 +66,10 @@ class ElasticBladeContact {
   static constexpr bool kHasSlipState = true;
   /// The load is largest where the gap is.
   static constexpr bool kLoadFollowsGap = false;
+  /// Whether a motion is to be ready for branches that end. Axial compliance comes with the curve: the
+  /// paper's blades may have it only as one of `UnequalBlades`, so that without it nothing of this is
+  /// compiled.
+  static constexpr bool kMayHaveBranches = Ring::kYields || kReleasesAtFold;
 
   using Blade = ElasticBlade;
 
@@ -69,7 +83,8 @@ class ElasticBladeContact {
         axial_unit_(blade.length * curve->axial_compliance()),
         curve_(std::move(curve)) {
     if constexpr (Ring::kYields) yield_unit_ = load_unit_ / ring.stiffness;
-    carried_ = friction_ > 0.0 || (axial_unit_ == 0.0 && !Ring::kYields);
+    has_branches_ = axial_unit_ > 0.0 || Ring::kYields;
+    carried_ = friction_ > 0.0 || !has_branches_;
     if (friction_ > 0.0) {
       const double per_lateral = 3.0 / (friction_ * length_);
       axial_relief_ = per_lateral * axial_unit_;
@@ -94,14 +109,22 @@ class ElasticBladeContact {
     return {{geometry_.reach - lost, geometry_.ring_radius}, blade, curve_, ring};
   }
 
-  /// An open contact can be carried along h = 0 by its bending parameter; else it is to be solved for.
+  /// A contact can be carried along h = 0 by its bending parameter from its touch-down on; else it is to be
+  /// solved for.
   [[nodiscard]] bool carried() const { return carried_; }
+  /// Whether h = 0 may have more than one root where a blade can stand.
+  [[nodiscard]] bool has_branches() const { return has_branches_; }
 
   /// Whether the force vanishes with the gap where the blade stands: h falls with the load from the unloaded
   /// blade on, −dh/dF = 2 (rh + L + cr) dδ/dF + 2 s ct dΔ/dF + 2R/kr >= 0 with Δ = μ F L³/(3 EI) there.
   /// Without compliance: the approaching side (MODEL 4.2).
   [[nodiscard]] bool starts_unloaded(const Pose& at, double slip) const {
+    if (!carried_) return true;
     return slip * at.tangential + (axial_relief_ * (at.radial + geometry_.reach) + ring_relief_) >= 0.0;
+  }
+  /// The same for an open contact, which may stand on another branch.
+  [[nodiscard]] bool ends_unloaded(const Pose& at, double slip, double bending) const {
+    return starts_unloaded(at, slip) && !(has_branches_ && stands_beyond_fold(at, slip, bending));
   }
 
   /// A contact at one bending parameter, with the rates that carry it along h = 0.
@@ -143,12 +166,29 @@ class ElasticBladeContact {
   /// Root of h = 0 that an increase of the load from zero reaches first (MODEL 4.2), or none (MODEL 5).
   [[nodiscard]] std::optional<double> solve(const Pose& at, double slip) const;
 
-  /// The same root found from a neighbouring one; falls back on `solve`.
+  /// The root on the branch of a neighbouring one; none where that branch has ended.
   [[nodiscard]] std::optional<double> solve_near(const Pose& at, double slip, double bending) const;
 
-  /// Force at a root found near `bending`, which is updated; false where there is none. Smooth a little
-  /// beyond the end of the contact (g < 0), where Runge–Kutta stages may land: the force is continued as an
-  /// odd function.
+  /// The root to which a blade snaps that has come to the end of its branch at `bending`: the next one in the
+  /// direction in which it moves, more load where the ring closes in on the tip, dh/dτ > 0 at fixed u, less
+  /// where it opens. None: the load goes to zero, or there is nothing to stand on (`closes_in`).
+  [[nodiscard]] std::optional<double> snap(const Pose& at, double slip, double bending,
+                                           double speed_ratio) const;
+  /// Whether the ring closes in on the tip of a blade bent by u.
+  [[nodiscard]] bool closes_in(const Pose& at, double slip, double bending, double speed_ratio) const {
+    return constraint(at, slip, bending, speed_ratio).time_slope > 0.0;
+  }
+  /// What the straight branch of the column is short of its end on the receding side, in Euler loads. The
+  /// force goes on smoothly past it (`respond`), so that the end can be located. 1 where there is no such
+  /// end.
+  [[nodiscard]] double straight_reserve(const Pose& at, double slip, double bending) const {
+    const bool ends = !carried_ && bending == 0.0 && slip * at.tangential < 0.0;
+    return ends ? 1.0 - straight_load(at) / blade::kEulerLoad : 1.0;
+  }
+
+  /// Force at the root on the branch of `bending`, which is updated; false where there is none. Smooth a
+  /// little beyond the end of the contact (g < 0), where Runge–Kutta stages may land: the force is continued
+  /// as an odd function. Smooth beyond the Euler load of a straight column that will snap there, too.
   bool respond(const Pose& at, double slip, double speed_ratio, double& bending, TipForce& force) const;
 
   /// Force by the published scheme (MODEL 4.2): F ← F + dF from 0 until h changes sign; `increment` dF [N].
@@ -218,7 +258,8 @@ class ElasticBladeContact {
     }
     return h;
   }
-  [[nodiscard]] double slope(const Pose& at, double slip, const blade::CurvePoint& point) const {
+  template <class Point>
+  [[nodiscard]] double slope(const Pose& at, double slip, const Point& point) const {
     const double a = at.radial + geometry_.reach - length_ * point.shortening;
     const double b = at.tangential - slip * length_ * point.deflection;
     double slope = -2.0 * length_ * (a * point.shortening_slope + slip * b * point.deflection_slope);
@@ -241,6 +282,40 @@ class ElasticBladeContact {
   /// Root beyond the fold where the undeformed tip has left the ring, g < 0; none where the fold has too.
   [[nodiscard]] std::optional<double> solve_held(const Pose& at, double slip) const;
 
+  /// A stretch of the curve on which h falls, where a blade can stand.
+  struct Branch {
+    double begin;  ///< u of a fold; 0: the unloaded blade
+    double end;    ///< u of a fold, or the end of the table
+  };
+  /// In the order of the load. In 24 000 random poses there were never more than two.
+  struct Branches {
+    std::array<Branch, 3> list;
+    std::array<double, 3> crest;  ///< u before each branch where h rises most steeply; 0: nowhere
+    std::size_t count = 0;
+
+    /// Place of the branch of a blade bent by u, or whose end it has just passed.
+    [[nodiscard]] std::size_t of(double bending) const {
+      std::size_t place = 0;
+      while (place + 1 < count && bending >= crest[place + 1]) ++place;
+      return place;
+    }
+  };
+  [[nodiscard]] Branches branches(const Pose& at, double slip) const;
+  /// dh/dF (dh/du for the column) as `Knot` has its slopes [m²].
+  [[nodiscard]] double rise(const Pose& at, double slip, const blade::CurvePoint& point) const {
+    return friction_ > 0.0 ? slope(at, slip, point) / point.load_slope : slope(at, slip, point);
+  }
+  [[nodiscard]] std::optional<double> root_on(const Pose& at, double slip, const Branch& branch) const;
+  [[nodiscard]] std::optional<double> solve_on_branches(const Pose& at, double slip) const;
+  [[nodiscard]] std::optional<double> solve_near_on_branch(const Pose& at, double slip, double bending) const;
+  /// Whether a blade stands on another branch than the one that starts from the unloaded blade.
+  [[nodiscard]] bool stands_beyond_fold(const Pose& at, double slip, double bending) const;
+  struct Incline {
+    double rise;   ///< `rise`
+    double parts;  ///< sum of the magnitudes of which it is made
+  };
+  [[nodiscard]] Incline incline(const Pose& at, double slip, const blade::CurvePoint& point) const;
+
   Geometry geometry_;
   double length_;
   double load_unit_;
@@ -250,6 +325,7 @@ class ElasticBladeContact {
   double yield_unit_ = 0.0;    ///< EI/(L² kr) [m]: yielding of the ring under F = EI/L²
   double axial_relief_ = 0.0;  ///< 3ε/μ [-]
   double ring_relief_ = 0.0;   ///< 3 EI R / (μ L³ kr) [m]
+  bool has_branches_ = false;
   bool carried_ = true;
   std::shared_ptr<const blade::ElasticaCurve> curve_;
   mutable std::uint64_t evaluations_ = 0;  ///< what a motion cost, not what it is

@@ -17,6 +17,7 @@ class UnequalBlades {
   static constexpr bool kReleasesAtFold = Law::kReleasesAtFold;
   static constexpr bool kHasSlipState = Law::kHasSlipState;
   static constexpr bool kLoadFollowsGap = Law::kLoadFollowsGap;
+  static constexpr bool kMayHaveBranches = Law::kHasBending;
   using OfBlade = Law;
 
   /// One law a blade.

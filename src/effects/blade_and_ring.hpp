@@ -19,7 +19,7 @@ struct AxialCompliance {
       .equation = "δ/L + share · (h²/12L²) F L²/EI in place of δ/L, with h and L of each blade",
       .source = "Timoshenko & Gere, Theory of Elastic Stability",
       .flight = "closed form: nothing acts on the shaft in flight",
-      .breaks = "",
+      .breaks = "a state alone no longer says on which branch a blade stands, compressed or bent",
   };
   static constexpr auto quantities() {
     return std::tuple{Field<&AxialCompliance::share>{.pointer = "/axial_compliance/share",
@@ -42,7 +42,7 @@ struct YieldingRing {
       .equation = "the ring keeps a tip at R + F/kr from its centre, in place of R",
       .source = "the elastic blade and the elastic ring of the two contact laws, in series",
       .flight = "closed form: nothing acts on the shaft in flight",
-      .breaks = "",
+      .breaks = "a state alone no longer says on which branch a blade stands, compressed or bent",
   };
   static constexpr auto quantities() {
     return std::tuple{Field<&YieldingRing::compliance>{.pointer = "/yielding_ring/compliance",

@@ -115,8 +115,7 @@ class ContactPhase final : public observables::MotionPiece {
           return {PhaseEvent::failed, -1, StatusDetail::step_too_short};
         case ContactStep<System, Law, Pair, Blades>::Outcome::no_force:
           end_fraction_ = 0.0;
-          if (const int released = step_.released_blade(); released >= 0)
-            return {PhaseEvent::lift_off, released};
+          if (const int blade = step_.blade_at_fold(); blade >= 0) return {PhaseEvent::nears_fold, blade};
           if (const int unheld = step_.unheld_blade(); unheld >= 0) return {PhaseEvent::comes_loose, unheld};
           return {PhaseEvent::left_validity, -1, StatusDetail::no_equilibrium};
         default:
@@ -154,7 +153,7 @@ class ContactPhase final : public observables::MotionPiece {
   [[nodiscard]] int blade(std::size_t contact) const override { return step_.contacts()[contact].blade; }
   [[nodiscard]] bool load_peaks(std::size_t contact) const override {
     const Watched& watched = watched_[static_cast<std::size_t>(blade(contact))];
-    return step_.load_may_peak(watched.at_begin.rate > 0.0 && watched.at_end.rate < 0.0);
+    return step_.load_may_peak(contact, watched.at_begin.rate > 0.0 && watched.at_end.rate < 0.0);
   }
   [[nodiscard]] double normal_force(std::size_t contact, double time) override {
     return step_.force(contact, full_state_at(time)).normal;
@@ -215,18 +214,22 @@ class ContactPhase final : public observables::MotionPiece {
       watched_of(i).end_slip_velocity = step_.slip_velocity(i);
     // Nothing beyond lift-off is looked at: there time runs backwards.
     bool past_fold = step_.passes_release();
+    // A fold where another branch may follow; what does is for the motion to find.
+    const bool snaps = past_fold && step_.may_snap(0);
     if (past_fold) {
       end_fraction_ = step_.release_fraction();
       // A column has a fold on the other side of u = 0 too.
       if (step_.passes_lift_off()) past_fold = end_fraction_ < step_.lift_off_fraction();
     }
     // Where the undeformed tip is still in the ring at the fold, it could not be free.
-    const bool caught = past_fold && step_.gap(blade(0), step_.at_fraction(end_fraction_)).value >= 0.0;
-    const bool lifts_off = past_fold ? !caught : step_.passes_lift_off();
-    const bool lost = !lifts_off && (caught || step_.root_lost());
-    if (lifts_off) {
+    const bool caught =
+        past_fold && !snaps && step_.gap(blade(0), step_.at_fraction(end_fraction_)).value >= 0.0;
+    const bool ends = past_fold ? !caught : step_.passes_lift_off();
+    const bool lifts_off = ends && !(snaps && past_fold);
+    const bool lost = !ends && (caught || step_.root_lost());
+    if (ends) {
       if (!past_fold) end_fraction_ = step_.lift_off_fraction();
-      end_ = {PhaseEvent::lift_off, blade(0)};
+      end_ = {lifts_off ? PhaseEvent::lift_off : PhaseEvent::snap, blade(0)};
       // Where the force ends from a finite value it does so before its fold, and that before u = 0.
       if constexpr (kCarried && !Law::kReleasesAtFold) look_for_lift_off_under_load(end_fraction_);
     }
@@ -237,7 +240,7 @@ class ContactPhase final : public observables::MotionPiece {
     }
     const double last = end_fraction_;
     const FullState end = step_.at_fraction(last);
-    if (lifts_off) watched_of(0).end_slip_velocity = step_.force(0, end).slip_velocity;
+    if (ends) watched_of(0).end_slip_velocity = step_.force(0, end).slip_velocity;
     for (std::size_t i = 0; branch_end && i < contact_count(); ++i)
       watched_of(i).end_slip_velocity = step_.force(i, end).slip_velocity;
 
@@ -272,6 +275,11 @@ class ContactPhase final : public observables::MotionPiece {
       }
     }
     look_for_loss_of_validity(last, bounds);
+    if constexpr (ContactStep<System, Law, Pair, Blades>::kMaySnap) {
+      for (std::size_t i = 0; i < contact_count(); ++i) {
+        if (step_.may_snap(i)) look_for_buckling(i, last);
+      }
+    }
     if (step_.root_lost() && watched_of(0).ends_by_rounding())
       take_if_first(last, PhaseEvent::lift_off, blade(0));
 
@@ -364,7 +372,7 @@ class ContactPhase final : public observables::MotionPiece {
                                          end.rate * slopes.end);
       if (range.least > 0.0) return;
       if constexpr (kCarried) {
-        if (step_.begin()[kBending] == 0.0) return look_for_lift_off_under_load(last);
+        if (k == blade(0) && step_.begin()[kBending] == 0.0) return look_for_lift_off_under_load(last);
       }
     }
     const auto excess = [&](double part) { return origin - step_.gap(k, step_.at_fraction(part)).value; };
@@ -412,6 +420,17 @@ class ContactPhase final : public observables::MotionPiece {
       look_for([&](double part) { return step_.system().excess(contact, step_.at_fraction(part)); }, last,
                {PhaseEvent::comes_loose, blade(contact)});
     }
+  }
+
+  /// A straight column reaches its Euler load on the receding side, from where it snaps.
+  void look_for_buckling(std::size_t contact, double last) {
+    const auto beyond = [&](double part) { return step_.beyond_straight(contact, step_.at_fraction(part)); };
+    const double at_begin = beyond(0.0);
+    const double at_end = beyond(last);
+    // Where it does not stand straight, there is nothing to look for.
+    if (at_begin == -1.0 && at_end == -1.0) return;
+    if (const auto part = integrate::first_crossing(beyond, 0.0, last, at_begin, at_end))
+      take_if_first(*part, PhaseEvent::snap, blade(contact));
   }
 
   void look_for_slip_reversal(std::size_t contact, double last,
@@ -470,7 +489,7 @@ class ContactPhase final : public observables::MotionPiece {
     if constexpr (Law::kLoadFollowsGap) {
       return true;
     } else if constexpr (kCarried) {
-      return step_.bending_range().greatest < watched_of(0).valid_bending;
+      return contact_count() == 1 && step_.bending_range().greatest < watched_of(0).valid_bending;
     } else {
       return step_.stage_shortening() < kFarFromLimit * limits_.max_shortening;
     }

@@ -47,9 +47,14 @@ class ContactStep {
   static constexpr bool kFollows = requires(System system, FullState state) { system.place_ring(state); };
   /// A contact ends where its force does, not where the undeformed tip leaves the ring.
   static constexpr bool kReleasesAtFold = Law::kReleasesAtFold && !kSkims;
-  /// A guess holds the side to which a blade is bent: what a step that goes too far has made of it is no
-  /// guess for a shorter one.
-  static constexpr bool kRemembers = !kBends && requires { requires Law::OfBlade::kRemembersSide; };
+  /// A blade may come to the end of the branch on which it stands.
+  static constexpr bool kMaySnap = kMayHaveBranches<Law> && !kSkims && !kSticks;
+  /// Other blades may touch besides the one that is carried.
+  static constexpr bool kBesideOthers = kCarried && kMayHaveBranches<Law>;
+  /// A guess holds the side to which a blade is bent, or the branch on which it stands: what a step that goes
+  /// too far has made of it is no guess for a shorter one.
+  static constexpr bool kRemembers =
+      !kBends && (kMayHaveBranches<Law> || requires { requires Law::OfBlade::kRemembersSide; });
   /// Near a force that starts or ends like a root of the gap many steps are rejected, and their sizes hang on
   /// the last digits. Where no carried form takes that away sizes come from a coarse grid: a motion that
   /// comes to the same place goes on by the same steps, and repeats itself to rounding instead of to the
@@ -82,10 +87,12 @@ class ContactStep {
     }
     if constexpr (kCarried) {
       if (!system_.open(contacts_.front(), full)) return false;
+      if constexpr (kBesideOthers) system_.stand_beside(contacts_);
       system_.anchor(time);
     } else if constexpr (!kBends) {
       system_.open(contacts_);
     }
+    began_ = accepted_;
     control_.begin_phase();
     if constexpr (kCoarseSizes) control_.round_size();
     if (!step_.begin(system_, full)) return false;
@@ -103,10 +110,12 @@ class ContactStep {
       const double proposed = proposed_size();
       const double size = aimed_at_lift_off(proposed);
       if (!meter.spend(Work::contact, price_of_last_attempt())) return Outcome::stopped;
+      if constexpr (kBesideOthers) system_.forget_folds();
       const bool evaluated = attempt(size);
       const double error = evaluated ? scaled_error() : std::numeric_limits<double>::infinity();
       if (integrate::StepControl::acceptable(error)) {
-        if (!holds_whole_contact() && !passes_fold() && !time_turns() && !leaves_curve()) {
+        if (!holds_whole_contact() && !passes_fold() && !passes_two_folds() && !time_turns() &&
+            !leaves_curve()) {
           ++accepted_;
           end_shortening_ = shortening();
           control_.accept(error, size < proposed);
@@ -120,9 +129,8 @@ class ContactStep {
         control_.reject(error, size / proposed);
       }
       ++rejected_;
-      if constexpr (kRemembers) {
-        if (changes_side()) system_.restore(guesses_);
-      }
+      if constexpr (kRemembers) system_.restore(guesses_);
+      if (!evaluated && blade_at_fold() >= 0 && (!kCarried || accepted_ > began_)) return Outcome::no_force;
       // Where no stage can find a force however short the step, the contact equation has lost its root.
       if (!(size > kSmallestSize)) return evaluated ? Outcome::too_short : Outcome::no_force;
     }
@@ -207,10 +215,17 @@ class ContactStep {
     return first;
   }
 
-  /// True where the step has passed the fold of the contact equation and with it the end of the contact. Only
-  /// for a carried contact that is released there: σ goes on smoothly where time turns round.
+  /// Whether an open contact may stand on another branch at the end of its own.
+  [[nodiscard]] bool may_snap(std::size_t contact) const {
+    if constexpr (kMaySnap) return law_->of(contacts_[contact].blade).has_branches();
+    return false;
+  }
+  /// True where the step has passed the fold of the contact equation and with it the end of the contact, or
+  /// of the branch on which its blade stands. Only for a carried contact that ends there: σ goes on smoothly
+  /// where time turns round.
   [[nodiscard]] bool passes_release() const {
-    if constexpr (kCarried && kReleasesAtFold) {
+    if constexpr (kCarried && kMaySnap) {
+      if (!kReleasesAtFold && !may_snap(0)) return false;
       return law_->of(contacts_.front().blade)
                  .fold_measure(step_.end()[kBending], system_.last().bending_slope) > 0.0;
     }
@@ -218,7 +233,7 @@ class ContactStep {
   }
   /// Fraction where the fold is, in a step that has passed it.
   [[nodiscard]] double release_fraction() {
-    if constexpr (kCarried && kReleasesAtFold) {
+    if constexpr (kCarried && kMaySnap) {
       const auto measure = [&](double part) {
         const FullState state = at_fraction(part);
         const OpenContact& open = contacts_.front();
@@ -235,14 +250,28 @@ class ContactStep {
     }
     return 1.0;
   }
-  /// The same where forces are solved for: a blade that finds none beyond the start of the step, however
-  /// short that is, while its undeformed tip is outside the ring. −1 where there is no such blade.
-  [[nodiscard]] int released_blade() const {
-    if constexpr (!kCarried && kReleasesAtFold) {
-      const int blade = contacts_[system_.without_force()].blade;
-      if (gap(blade, step_.start()).value < 0.0) return blade;
+  /// The same where forces are solved for: a blade whose branch has ended somewhere within the step that
+  /// could not be made. It is to be carried, since there its force ends like a square root of the time. −1
+  /// where there is no such blade.
+  [[nodiscard]] int blade_at_fold() const {
+    if constexpr (kMaySnap) {
+      if (kCarried && system_.without_force() == 0) return -1;
+      const OpenContact& lost = system_.contacts()[system_.without_force()];
+      const auto& law = law_->of(lost.blade);
+      // A column that stands straight has no bending to carry along.
+      const bool carries = law.carried() || lost.bending > 0.0;
+      if (carries && (kReleasesAtFold || law.has_branches())) return lost.blade;
     }
     return -1;
+  }
+  /// How far a straight column is past the end of its branch, in Euler loads; negative before.
+  [[nodiscard]] double beyond_straight(std::size_t contact, const FullState& state) const {
+    if constexpr (kMaySnap) {
+      const OpenContact& open = contacts_[contact];
+      return -law_->of(open.blade)
+                  .straight_reserve(pose(open.blade, state), open.slip, system_.contacts()[contact].bending);
+    }
+    return -1.0;
   }
   /// A tip at rest that nothing can hold beyond the start of the step; −1 where there is none.
   [[nodiscard]] int unheld_blade() const {
@@ -255,9 +284,10 @@ class ContactStep {
   /// Whether a blade's contact ends at g = 0 where it stands.
   [[nodiscard]] bool ends_at_ring(int blade, const FullState& state) const {
     if constexpr (kReleasesAtFold) {
-      if constexpr (kCarried) return false;
-      for (const OpenContact& open : contacts_) {
-        if (open.blade == blade) return law_->of(blade).starts_unloaded(pose(blade, state), open.slip);
+      if (kCarried && contacts_.front().blade == blade) return false;
+      for (const OpenContact& open : system_.contacts()) {
+        if (open.blade == blade)
+          return law_->of(blade).ends_unloaded(pose(blade, state), open.slip, open.bending);
       }
     }
     return true;
@@ -353,9 +383,10 @@ class ContactStep {
   [[nodiscard]] double slip_velocity(std::size_t contact) const {
     if constexpr (kBends) {
       return system_.last_force(contact).slip_velocity;
-    } else if constexpr (kCarried) {
-      return system_.last().force.slip_velocity;
     } else {
+      if constexpr (kCarried) {
+        if (!kBesideOthers || contact == 0) return system_.last().force.slip_velocity;
+      }
       return system_.forces()[contact].slip_velocity;
     }
   }
@@ -367,15 +398,16 @@ class ContactStep {
     const OpenContact& open = contacts_[contact];
     const contact::Pose at = pose(open.blade, state);
     if constexpr (kCarried) {
-      return law_->of(open.blade)
-          .constraint(at, open.slip, state[kBending], blades_->speed(state[kTime]))
-          .force;
-    } else {
-      contact::TipForce force{};
-      OpenContact guess = system_.contacts()[contact];
-      respond(law_->of(open.blade), at, blades_->speed(state[kTime]), guess, force);
-      return force;
+      if (!kBesideOthers || contact == 0) {
+        return law_->of(open.blade)
+            .constraint(at, open.slip, state[kBending], blades_->speed(state[kTime]))
+            .force;
+      }
     }
+    contact::TipForce force{};
+    OpenContact guess = system_.contacts()[contact];
+    respond(law_->of(open.blade), at, blades_->speed(state[kTime]), guess, force);
+    return force;
   }
 
   /// Largest δ/L of the open contacts at the end of the step.
@@ -384,10 +416,14 @@ class ContactStep {
     if constexpr (kBends) {
       for (std::size_t i = 0; i < contacts_.size(); ++i)
         largest = std::max(largest, system_.last_force(i).shortening);
-    } else if constexpr (kCarried) {
-      largest = system_.last().force.shortening;
     } else {
-      for (const contact::TipForce& force : system_.forces()) largest = std::max(largest, force.shortening);
+      std::size_t solved = 0;
+      if constexpr (kCarried) {
+        largest = system_.last().force.shortening;
+        solved = 1;
+      }
+      for (std::size_t i = solved; i < system_.forces().size(); ++i)
+        largest = std::max(largest, system_.forces()[i].shortening);
     }
     return largest;
   }
@@ -399,10 +435,9 @@ class ContactStep {
 
   /// Whether a load may rise and fall again within the step: it follows the bending parameter where that is a
   /// state, the gap where the ring yields, and is to be looked at where it has been solved for.
-  [[nodiscard]] bool load_may_peak(bool gap_peaks) const {
-    if constexpr (kCarried) {
+  [[nodiscard]] bool load_may_peak(std::size_t contact, bool gap_peaks) const {
+    if (kCarried && contact == 0)
       return step_.start_derivative()[kBending] > 0.0 && step_.end_derivative()[kBending] < 0.0;
-    }
     return !Law::kLoadFollowsGap || gap_peaks;
   }
 
@@ -412,9 +447,13 @@ class ContactStep {
     if constexpr (kBends) {
       open.bending = state[System::modulus_of(contact)];
       open.amplitude = state[System::amplitude_of(contact)];
-    } else if constexpr (kCarried) {
-      open.bending = state[kBending];
     } else {
+      if constexpr (kCarried) {
+        if (!kBesideOthers || contact == 0) {
+          open.bending = state[kBending];
+          return open;
+        }
+      }
       open.bending = system_.contacts()[contact].bending;
       open.amplitude = system_.contacts()[contact].amplitude;
     }
@@ -497,7 +536,7 @@ class ContactStep {
       const bool made = step_.make_dense(system_);
       system_.restore();
       return made;
-    } else if constexpr (kCarried) {
+    } else if constexpr (kCarried && !kBesideOthers) {
       return step_.make_dense(system_);
     } else {
       guesses_ = system_.contacts();
@@ -594,8 +633,18 @@ class ContactStep {
   /// would be looked for on a path that leads there and back. Only a fold that short steps reach too has lost
   /// the root.
   [[nodiscard]] bool passes_fold() const {
-    return !kReleasesAtFold && root_lost() && !passes_lift_off() &&
+    return !kReleasesAtFold && !may_snap(0) && root_lost() && !passes_lift_off() &&
            step_.size() > kFoldResolution * scale(step_.start()[kBending]);
+  }
+
+  /// A step that has passed the fold at which a branch ends, and the one where the next begins: its end does
+  /// not tell.
+  [[nodiscard]] bool passes_two_folds() const {
+    if constexpr (kBesideOthers) {
+      return system_.has_met_fold() && !passes_release() && !passes_lift_off() &&
+             step_.size() > kSmallestSize;
+    }
+    return false;
   }
 
   /// A step in which time may turn round twice, as the cubic through its ends has it.
@@ -617,13 +666,6 @@ class ContactStep {
   [[nodiscard]] bool leaves_curve() const {
     if constexpr (kCarried) return step_.end()[kBending] > law_->of(contacts_.front().blade).curve().end();
     return false;
-  }
-
-  /// Has an attempt bent a blade to its other side?
-  [[nodiscard]] bool changes_side() const {
-    return !std::ranges::equal(
-        system_.contacts(), guesses_,
-        [](const OpenContact& one, const OpenContact& other) { return one.bending * other.bending >= 0.0; });
   }
 
   /// Lets the step that would pass lift-off end just behind it, and the two before share what is left evenly.
@@ -665,6 +707,7 @@ class ContactStep {
   double end_shortening_ = 0.0;    ///< δ/L at the end of the step
   double stage_shortening_ = 0.0;  ///< and the largest of its stages
   std::uint64_t accepted_ = 0;
+  std::uint64_t began_ = 0;  ///< accepted before the present phase
   std::uint64_t rejected_ = 0;
   std::uint64_t paid_evaluations_ = 0;  ///< of curves, whose price the meter knows
 };

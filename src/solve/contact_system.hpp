@@ -9,6 +9,8 @@
 /// which is regular at a head-on touch-down and at lift-off, where ∂h/∂u = 0 and the force is not Lipschitz
 /// in τ. All rates are times one constant, which gives σ a sensible unit.
 ///
+/// Other blades may touch besides the one that is carried: their forces are found where they stand.
+///
 /// `SolvedContacts`: any law, any number of blades; σ = τ, and each blade's force is found where it stands.
 #pragma once
 
@@ -39,6 +41,12 @@ struct OpenContact {
   double reversed_before = -std::numeric_limits<double>::infinity();
 };
 
+/// A law under which h = 0 may have several roots, or lose the one that it has.
+template <class Law>
+inline constexpr bool kMayHaveBranches = requires {
+  requires Law::kMayHaveBranches;
+};
+
 /// Of Ω R: slip velocities below it are zero, as where a slip reversal has been located.
 constexpr double kSlipRounding = 1e-12;
 
@@ -53,6 +61,21 @@ bool respond(const Law& law, const contact::Pose& at, double speed_ratio, OpenCo
   } else {
     return law.respond(at, contact.slip, speed_ratio, contact.bending, force);
   }
+}
+
+/// Finds the force of an open contact in a state and adds it to that on the rotor [N]; blade 0 stands at
+/// `first`. False where there is none.
+template <class Law, class Blades, class FullState>
+bool add_force(const RotorConstants& rotor, const Blades& blades, const Law& law, const FullState& state,
+               const contact::BladeDirection& first, OpenContact& contact, contact::TipForce& force,
+               double& force_x, double& force_y) {
+  const contact::BladeDirection er = blades.direction(contact.blade, first);
+  const auto& law_of_blade = law.of(contact.blade);
+  const contact::Pose pose = pose_of(rotor, law_of_blade.geometry(), er, from_ring(state));
+  if (!respond(law_of_blade, pose, blades.speed(state[kTime]), contact, force)) return false;
+  force_x += force.radial * er.cosine - force.tangential * er.sine;
+  force_y += force.radial * er.sine + force.tangential * er.cosine;
+  return true;
 }
 
 /// x'' and y'' [m per unit τ²] from a force on the rotor in newtons.
@@ -97,6 +120,23 @@ class CarriedContact {
     return rate > kRestingRate * radius * radius;
   }
 
+  /// Takes all contacts, the carried one first. Only where that may be not the only one.
+  void stand_beside(const std::vector<OpenContact>& contacts) {
+    contacts_ = contacts;
+    forces_.resize(contacts.size());
+    without_force_ = 0;
+  }
+  /// Sets the first guesses of the roots back to what `contacts` gave before.
+  void restore(const std::vector<OpenContact>& contacts) { contacts_ = contacts; }
+  [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
+  /// Of the last evaluation; not of the carried contact.
+  [[nodiscard]] const std::vector<contact::TipForce>& forces() const { return forces_; }
+  /// The contact that has found no force in the last evaluation that failed.
+  [[nodiscard]] std::size_t without_force() const { return without_force_; }
+  /// Whether an evaluation since `forget_folds` has been past a fold of the carried contact.
+  [[nodiscard]] bool has_met_fold() const { return met_fold_; }
+  void forget_folds() { met_fold_ = false; }
+
   /// Takes the blade's direction at a time from which those of the stages near it are turned.
   void anchor(double time) { anchor_ = blades_->anchor(contact_.blade, time); }
 
@@ -105,8 +145,21 @@ class CarriedContact {
     const contact::BladeDirection er = blades_->direction_near(anchor_, state[kTime]);
     const contact::Pose pose = pose_of(*rotor_, law_of_blade_->geometry(), er, from_ring(state));
     last_ = law_of_blade_->constraint(pose, contact_.slip, state[kBending], blades_->speed(state[kTime]));
-    const double force_x = last_.force.radial * er.cosine - last_.force.tangential * er.sine;
-    const double force_y = last_.force.radial * er.sine + last_.force.tangential * er.cosine;
+    double force_x = last_.force.radial * er.cosine - last_.force.tangential * er.sine;
+    double force_y = last_.force.radial * er.sine + last_.force.tangential * er.cosine;
+    if constexpr (kMayHaveBranches<Law>) {
+      if (law_of_blade_->fold_measure(state[kBending], last_.bending_slope) > 0.0) met_fold_ = true;
+      if (contacts_.size() > 1) {
+        const contact::BladeDirection first = blades_->first(state[kTime]);
+        for (std::size_t i = 1; i < contacts_.size(); ++i) {
+          if (!add_force(*rotor_, *blades_, *law_, state, first, contacts_[i], forces_[i], force_x,
+                         force_y)) {
+            without_force_ = i;
+            return false;
+          }
+        }
+      }
+    }
     const std::complex<double> of_shaft = acceleration(*rotor_, *forcing_, state, force_x, force_y);
     acceleration_ = acceleration_of_all(state, *forcing_, of_shaft, {-force_x, -force_y});
     const double time_rate = -scale_ * last_.bending_slope;
@@ -152,6 +205,10 @@ class CarriedContact {
   const Forcing* forcing_;
   const typename Law::OfBlade* law_of_blade_ = nullptr;
   OpenContact contact_{};
+  std::vector<OpenContact> contacts_;  ///< all, where others may stand beside the carried one
+  std::vector<contact::TipForce> forces_;
+  std::size_t without_force_ = 0;
+  bool met_fold_ = false;
   typename Blades::Anchor anchor_{};
   double scale_ = 1.0;  ///< unit of σ against the rates of h [1/m²]
   typename Law::OfBlade::Constraint last_{};
@@ -173,6 +230,7 @@ class SolvedContacts {
   void open(const std::vector<OpenContact>& contacts) {
     contacts_ = contacts;
     forces_.resize(contacts.size());
+    without_force_ = 0;
   }
 
   /// Sets the first guesses of the roots back to what `contacts` gave before.
@@ -181,21 +239,13 @@ class SolvedContacts {
   bool operator()(const FullState& state, FullState& derivative) {
     ++evaluations_;
     const contact::BladeDirection first = blades_->first(state[kTime]);
-    const double speed = blades_->speed(state[kTime]);
     double force_x = 0.0;
     double force_y = 0.0;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      OpenContact& contact = contacts_[i];
-      const contact::BladeDirection er = blades_->direction(contact.blade, first);
-      const auto& law = law_->of(contact.blade);
-      const contact::Pose pose = pose_of(*rotor_, law.geometry(), er, from_ring(state));
-      contact::TipForce& force = forces_[i];
-      if (!respond(law, pose, speed, contact, force)) {
+      if (!add_force(*rotor_, *blades_, *law_, state, first, contacts_[i], forces_[i], force_x, force_y)) {
         without_force_ = i;
         return false;
       }
-      force_x += force.radial * er.cosine - force.tangential * er.sine;
-      force_y += force.radial * er.sine + force.tangential * er.cosine;
     }
     const std::complex<double> of_shaft = acceleration(*rotor_, *forcing_, state, force_x, force_y);
     acceleration_ = acceleration_of_all(state, *forcing_, of_shaft, {-force_x, -force_y});

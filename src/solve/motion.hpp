@@ -319,16 +319,18 @@ class Motion {
         return begin_in(*skimming_);
       }
       phase_ = Phase::carried;
-      if (contacts_.size() == 1 && law_.of(contacts_.front().blade).carried()) {
+      const bool near_fold = std::exchange(near_fold_, false);
+      if (near_fold || (contacts_.size() == 1 && law_.of(contacts_.front().blade).carried())) {
         OpenContact& contact = contacts_.front();
         // What other phases leave is a first guess; an unloaded blade starts at u = 0 exactly.
         if (contact.bending > 0.0) {
-          const auto root =
-              law_.of(contact.blade).solve_near(pose(contact.blade), contact.slip, contact.bending);
+          const auto root = follow(contact, pose(contact.blade));
           if (!root) return false;
           contact.bending = *root;
         }
-        if (begin_in(*carried_)) return true;
+        // A column that stands straight by now is solved for.
+        const bool bends = law_.of(contact.blade).carried() || contact.bending > 0.0;
+        if (bends && begin_in(*carried_)) return true;
       }
     }
     if constexpr (contact::Sticks<Law>) {
@@ -339,6 +341,16 @@ class Motion {
     }
     phase_ = Phase::solved;
     return begin_in(solved_);
+  }
+
+  /// The bending of a contact where its tip stands now: on its branch, or on the next one where a change of
+  /// the blade or of its speed, or rounding next to a fold, has taken it past the end.
+  [[nodiscard]] std::optional<double> follow(const OpenContact& contact,
+                                             const contact::Pose& at) const requires Law::kHasBending {
+    const auto& law = law_.of(contact.blade);
+    const auto root = law.solve_near(at, contact.slip, contact.bending);
+    if (root || !law.has_branches()) return root;
+    return law.snap(at, contact.slip, contact.bending, blades_.speed(time_));
   }
 
   /// The one blade in contact has just touched down, hops less far than a step may err, and would return.
@@ -394,11 +406,10 @@ class Motion {
     bool leaves = at.gap <= 0.0;
     if constexpr (Law::kHasBending) {
       const auto& law = law_.of(contact.blade);
-      if (at.gap <= kGapRounding && law.starts_unloaded(at, contact.slip)) {
+      if (at.gap <= kGapRounding && law.ends_unloaded(at, contact.slip, contact.bending)) {
         contact.bending = 0.0;
       } else if (!leaves || Law::kReleasesAtFold) {
-        const auto root = contact.bending > 0.0 ? law.solve_near(at, contact.slip, contact.bending)
-                                                : law.solve(at, contact.slip);
+        const auto root = contact.bending > 0.0 ? follow(contact, at) : law.solve(at, contact.slip);
         if (!root && !leaves) return false;
         leaves = !root;
         contact.bending = root.value_or(0.0);
@@ -448,8 +459,26 @@ class Motion {
     listener.event(Event{event, blade, time_, slip, shaft(state_)});
   }
 
-  /// The equilibrium of a bent blade has ended in a fold. False where it has no other one.
-  bool snap(OpenContact& contact) const {
+  /// A column that has been carried to u = 0 while its tip is in the ring stands straight from there on.
+  bool straightens([[maybe_unused]] OpenContact& contact) {
+    if constexpr (Law::kHasBending) {
+      if (law_.of(contact.blade).carried() || pose(contact.blade).gap <= kGapRounding) return false;
+      contact.bending = 0.0;
+      return true;
+    }
+    return false;
+  }
+
+  /// A blade has come to the end of its branch: on to the next equilibrium in the direction in which it
+  /// moves, for a blade bent to one of two sides the other one on its side, or that on the other side. False
+  /// where there is none.
+  bool snap([[maybe_unused]] OpenContact& contact) const {
+    if constexpr (Law::kHasBending) {
+      const auto root = law_.of(contact.blade)
+                            .snap(pose(contact.blade), contact.slip, contact.bending, blades_.speed(time_));
+      contact.bending = root.value_or(contact.bending);
+      return root.has_value();
+    }
     if constexpr (Phases::kBends) {
       constexpr double kSame = 1e-3;  // of κ: a root next to the fold is the one that ends there
       const auto& law = law_.of(contact.blade);
@@ -463,6 +492,15 @@ class Motion {
       contact.bending = root->modulus;
       contact.amplitude = root->amplitude;
       return true;
+    }
+    return false;
+  }
+  /// Whether what comes next there is no load at all: the ring opens, and the undeformed tip is outside it.
+  [[nodiscard]] bool is_free([[maybe_unused]] const OpenContact& contact) const {
+    if constexpr (Law::kHasBending) {
+      const contact::Pose at = pose(contact.blade);
+      return at.gap <= 0.0 &&
+             !law_.of(contact.blade).closes_in(at, contact.slip, contact.bending, blades_.speed(time_));
     }
     return false;
   }
@@ -522,10 +560,25 @@ class Motion {
                                       [&](const OpenContact& open) { return open.blade == end.blade; });
     switch (end.event) {
       case PhaseEvent::lift_off:
+        if (straightens(*contact)) return PointStatus::done;
         ++work_.liftoffs;
         tell(listener, end.event, end.blade, contact->slip);
         contacts_.erase(contact);
         tell_of_others(end.blade, listener);
+        return PointStatus::done;
+      case PhaseEvent::snap:
+        if (snap(*contact)) {
+          tell(listener, end.event, end.blade, contact->slip);
+          return PointStatus::done;
+        }
+        if (!is_free(*contact)) return ends(StatusDetail::no_equilibrium);
+        ++work_.liftoffs;
+        tell(listener, PhaseEvent::lift_off, end.blade, contact->slip);
+        contacts_.erase(contact);
+        return PointStatus::done;
+      case PhaseEvent::nears_fold:
+        std::iter_swap(contacts_.begin(), contact);
+        near_fold_ = true;
         return PointStatus::done;
       case PhaseEvent::touch_down:
         ++work_.touchdowns;
@@ -536,8 +589,6 @@ class Motion {
         return PointStatus::done;
       case PhaseEvent::pressed_in:
         return PointStatus::done;
-      case PhaseEvent::snap:
-        return ends(snap(*contact) ? StatusDetail::none : StatusDetail::no_equilibrium);
       default: {
         if constexpr (contact::Sticks<Law>) {
           const bool decided = change_slip(*contact, end.event, listener);
@@ -607,6 +658,7 @@ class Motion {
   StatusDetail refusal_ = StatusDetail::none;  ///< why the last phase could not begin
   WorkCounts work_;
   Phase phase_ = Phase::undecided;
+  bool near_fold_ = false;      ///< the first contact is about to come to the end of its branch
   bool touched_down_ = false;   ///< the present contacts began with a touch-down
   bool never_touches_ = false;  ///< proven at the start of the point
 };

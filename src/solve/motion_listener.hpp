@@ -14,13 +14,14 @@ enum class PhaseEvent : std::uint8_t {
   touch_down,
   slip_reversal,
   comes_loose,  ///< a tip that has stuck slips
-  snap,         ///< the equilibrium of a bent blade has ended in a fold
   pressed_in,   ///< a tip that has skimmed the ring is held by its full force
+  snap,         ///< a blade has come to the end of its branch of equilibria and goes over to the next
+  nears_fold,   ///< a force that is solved for is about to end: its blade is to be carried there
   left_validity,
   failed
 };
 
-/// A touch-down, lift-off, slip reversal, or end of sticking or skimming.
+/// A touch-down, lift-off, slip reversal, snap, or end of sticking or skimming.
 struct Event {
   PhaseEvent kind;
   int blade;    ///< from 0

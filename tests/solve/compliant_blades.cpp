@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/unequal_blades.hpp"
 #include "effects/harmonic.hpp"
 #include "solve/blade_tables.hpp"
 #include "solve/motion.hpp"
@@ -54,6 +55,8 @@ class Witness final : public MotionListener {
       largest_force = std::max(largest_force, piece.normal_force(i, piece.end()));
       forces_[static_cast<std::size_t>(piece.blade(i))] = piece.normal_force(i, piece.end());
     }
+    if (first_forces.empty() && piece.contact_count() > 0)
+      first_forces.push_back(piece.normal_force(0, piece.begin()));
     const State begin = as_state(piece.state(piece.begin()));
     if (begin_known_) largest_jump = std::max(largest_jump, (begin - last_).abs().maxCoeff());
     last_ = as_state(piece.state(piece.end()));
@@ -64,7 +67,8 @@ class Witness final : public MotionListener {
     last_forces.push_back(forces_[static_cast<std::size_t>(event.blade)]);
   }
   std::vector<Event> events;
-  std::vector<double> last_forces;  ///< F at the end of the piece before each event [N]
+  std::vector<double> last_forces;   ///< F at the end of the piece before each event [N]
+  std::vector<double> first_forces;  ///< F where the first contact is first seen [N]
   double largest_force = 0.0;
   double largest_jump = 0.0;  ///< of a state's component from piece to piece
   std::size_t in_contact = 0;
@@ -84,8 +88,11 @@ struct Run {
 template <class Law>
 Run<Law> run(const Law& law, double speed_ratio, int revolutions, int blades = 3, double tolerance = 1e-12,
              const State& start = State::Zero()) {
-  Motion<Law, effects::NoForcing> motion(rotor_at(speed_ratio), {blades, speed_ratio}, law, {},
-                                         {tolerance, 0.5});
+  // As scenes have them: blades with numbers of their own, all alike.
+  using Blades = contact::UnequalBlades<Law>;
+  const Blades alike(std::vector<Law>(static_cast<std::size_t>(blades), law));
+  Motion<Blades, effects::NoForcing> motion(rotor_at(speed_ratio), {blades, speed_ratio}, alike, {},
+                                            {tolerance, 0.5});
   Run<Law> result{};
   result.status = motion.start(start);
   for (int i = 0; i < revolutions && result.status == PointStatus::done; ++i)
@@ -138,27 +145,27 @@ TEST(CompliantBlades, InAStiffRingMoveLikeInARigidOneToFirstOrder) {
   }
 }
 
-/// How one contact ends, from its touch-down on.
+/// How one contact ends, from a state on.
 struct Ended {
   PhaseEnd end;
   ContactState state;
+  OpenContact contact;
 };
 template <class System, class Law>
-Ended follow(const Law& law, double speed_ratio, int blades, const Event& touch_down, System make_system) {
+Ended follow(const Law& law, double speed_ratio, int blades, const ContactState& state,
+             const OpenContact& contact) {
   const RotorConstants rotor = rotor_at(speed_ratio);
   const BladeSet set(blades, speed_ratio);
   const effects::NoForcing none;
-  auto system = make_system(rotor, set, none);
-  ContactPhase<decltype(system), Law, integrate::DormandPrince853> phase(rotor, set, law, {1e-13, 0.5},
-                                                                         std::move(system));
-  OpenContact contact{touch_down.blade, touch_down.slip, 0.0};
-  const contact::Pose at = pose_at(speed_ratio, blades, touch_down);
-  if (!law.starts_unloaded(at, contact.slip)) contact.bending = law.solve(at, contact.slip).value();
-  EXPECT_TRUE(phase.start(touch_down.time, touch_down.state, {contact}));
+  ContactPhase<System, Law, integrate::DormandPrince853> phase(rotor, set, law, {1e-13, 0.5},
+                                                               System(rotor, set, law, none));
+  EXPECT_TRUE(phase.start(state[kTime], state.template head<4>(), {contact}));
   WorkMeter meter;
+  const GoOn always;
+  meter.begin_revolution(always);
   MotionListener nobody;
   const PhaseEnd end = phase.advance(1e3, meter, nobody);
-  return {end, phase.end_state()};
+  return {end, phase.end_state(), phase.contact_at_end(0)};
 }
 
 /// Every touch-down of a motion, followed to its end with the bending parameter as a state and with forces
@@ -166,19 +173,21 @@ Ended follow(const Law& law, double speed_ratio, int blades, const Event& touch_
 template <class Law>
 int expect_both_forms_agree(const Law& law, double speed_ratio, int blades, double allowed) {
   constexpr double kFastest = 0.5;  // m per unit τ²: what 50 N do to the rotor
-  const effects::NoForcing none;
   const auto motion = run(law, speed_ratio, 4, blades);
   int compared = 0;
   for (const Event& event : motion.witness.events) {
     if (event.kind != PhaseEvent::touch_down) continue;
     using Solved = SolvedContacts<Law, effects::NoForcing>;
     using Carried = CarriedContact<Law, effects::NoForcing>;
-    const auto solved = follow(
-        law, speed_ratio, blades, event,
-        [&](const auto& rotor, const auto& set, const auto&) { return Solved(rotor, set, law, none); });
-    const auto carried = follow(
-        law, speed_ratio, blades, event,
-        [&](const auto& rotor, const auto& set, const auto&) { return Carried(rotor, set, law, none); });
+    OpenContact contact{event.blade, event.slip, 0.0};
+    const contact::Pose at = pose_at(speed_ratio, blades, event);
+    if (!law.starts_unloaded(at, contact.slip)) contact.bending = law.solve(at, contact.slip).value();
+    const ContactState start = full_state(event.state, event.time, contact.bending);
+    Ended solved = follow<Solved>(law, speed_ratio, blades, start, contact);
+    // Up to its fold a force is carried, which both forms then agree in.
+    if (solved.end.event == PhaseEvent::nears_fold)
+      solved = follow<Carried>(law, speed_ratio, blades, solved.state, solved.contact);
+    const Ended carried = follow<Carried>(law, speed_ratio, blades, start, contact);
     EXPECT_EQ(solved.end.event, carried.end.event);
     EXPECT_EQ(solved.end.blade, carried.end.blade);
     const double time = std::abs(solved.state[kTime] - carried.state[kTime]);
@@ -291,6 +300,99 @@ TEST(ReleaseAtFold, LetsContactsLastLongerOnTheRecedingSide) {
     EXPECT_EQ(fold.witness.events[same].blade, receding->blade);
     EXPECT_GT(fold.witness.events[same].time, receding->time + 1e-6);
   }
+}
+
+/// Events of one kind, with the blade and the time.
+template <class Law>
+std::vector<Event> snaps_of(const Run<Law>& motion) {
+  std::vector<Event> snaps;
+  for (const Event& event : motion.witness.events) {
+    if (event.kind == PhaseEvent::snap) snaps.push_back(event);
+  }
+  return snaps;
+}
+
+TEST(Branches, AMotionGoesOnThroughTheFoldOfABladeInAYieldingRing) {
+  const auto law = make<InYieldingRing>(0.1, 0.0, Theory::elastica, YieldingRing{1e5});
+  const auto motion = run(law, 0.45, 3);
+  EXPECT_EQ(motion.status, PointStatus::done);
+  const auto snaps = snaps_of(motion);
+  ASSERT_FALSE(snaps.empty());
+  for (const Event& snap : snaps) {
+    // There the branch from which it came ends: past it, along the way it moves, h has no root there.
+    contact::Pose at = pose_at(0.45, 3, snap);
+    EXPECT_GT(at.gap, 0.0);
+    EXPECT_LT(snap.slip * at.tangential, 0.0) << "on the receding side";
+  }
+  EXPECT_LT(motion.witness.largest_jump, 1e-15) << "the state is continuous";
+  // The time of the snap follows the tolerance.
+  for (const double tolerance : {1e-11, 1e-10, 1e-9}) {
+    const auto coarser = snaps_of(run(law, 0.45, 3, 3, tolerance));
+    ASSERT_EQ(coarser.size(), snaps.size());
+    for (std::size_t i = 0; i < snaps.size(); ++i)
+      EXPECT_NEAR(coarser[i].time, snaps[i].time, 2e4 * tolerance) << tolerance;
+  }
+}
+
+TEST(Branches, ABladeSnapsAtItsFoldBesideAnotherOneWhateverTheTolerance) {
+  const auto law = make<InYieldingRing>(0.1, 0.0, Theory::elastica, YieldingRing{1e4});
+  State start;
+  start << 2e-3, -1e-3, 0.02, 0.03;
+  const auto fine = snaps_of(run(law, 0.315, 1, 3, 1e-15, start));
+  ASSERT_FALSE(fine.empty());
+  EXPECT_EQ(fine[0].blade, 1);
+  EXPECT_NEAR(fine[0].time, 0.32266046, 1e-8) << "the fold";
+  for (const double tolerance : {1e-14, 1e-13, 1e-12, 1e-11, 1e-10}) {
+    const auto snaps = snaps_of(run(law, 0.315, 1, 3, tolerance, start));
+    ASSERT_EQ(snaps.size(), fine.size());
+    EXPECT_NEAR(snaps[0].time, fine[0].time, 1e3 * tolerance + 1e-12) << tolerance;
+  }
+}
+
+TEST(Branches, NoMotionIsLostAtAFold) {
+  int snaps = 0;
+  for (const double share : {100.0, 300.0, 1000.0}) {
+    const auto law = make<ElasticaContact>(0.1, share);
+    for (int i = 0; i < 20; ++i) {
+      const auto motion = run(law, 0.1 + 0.03 * i, 5, 3, 1e-11);
+      EXPECT_EQ(motion.status, PointStatus::done) << share << ", " << i;
+      snaps += static_cast<int>(snaps_of(motion).size());
+    }
+  }
+  EXPECT_GT(snaps, 2);
+}
+
+TEST(Branches, AColumnBucklesAndStraightensAtTheSameTimesWhateverTheTolerance) {
+  const auto law = make<InYieldingRing>(0.0, 0.0, Theory::elastica, YieldingRing{1e5});
+  State start;
+  start << -0.0010026794376224251, -0.0039731201235519171, 0.020789851758929081, 0.02654179434526615;
+  const auto fine = snaps_of(run(law, 0.208, 1, 10, 1e-15, start));
+  ASSERT_FALSE(fine.empty());
+  const contact::Pose at = pose_at(0.208, 10, fine[0]);
+  EXPECT_LT(fine[0].slip * at.tangential, 0.0);
+  for (const double tolerance : {1e-13, 1e-11}) {
+    const auto snaps = snaps_of(run(law, 0.208, 1, 10, tolerance, start));
+    ASSERT_FALSE(snaps.empty());
+    EXPECT_NEAR(snaps[0].time, fine[0].time, 1e4 * tolerance) << tolerance;
+  }
+}
+
+TEST(Branches, AContactThatIsOpenAtTheStartStandsOnTheRootThatLoadFromZeroMeetsFirst) {
+  // Receding, lightly in, where the blade could be compressed or bent.
+  const auto law = make<InYieldingRing>(0.02, 1.0, Theory::elastica, YieldingRing{1e5});
+  const double tangential = -0.0142;
+  const double penetration = 2e-5;
+  const double radius = kGeometry.ring_radius + penetration;
+  const double radial = std::sqrt(radius * radius - tangential * tangential) - kGeometry.reach;
+  // Blade 0 points along x at the start; c = (x, y + y0).
+  State start;
+  start << radial, tangential - 0.01001, 0.0, 0.0;
+  const auto motion = run(law, 0.3, 1, 1, 1e-13, start);
+  ASSERT_FALSE(motion.witness.first_forces.empty());
+  contact::Pose at{radial, tangential, 0.0, 0.0, penetration * (2 * kGeometry.ring_radius + penetration)};
+  const double bending = law.solve(at, 1.0).value();
+  EXPECT_LT(bending, 0.1) << "compressed";
+  EXPECT_NEAR(motion.witness.first_forces[0], law.constraint(at, 1.0, bending, 0.3).force.normal, 1e-9);
 }
 
 }  // namespace
