@@ -46,11 +46,10 @@ Kicked kicked(int index) {
   return result;
 }
 
-/// `end(rotor, start)` gives status and last state at the rotor's tolerance.
+/// `end(rotor, start)` gives status and last state at the rotor's tolerance; `most`: error in tolerances.
 template <class End>
-void expect_that_error_follows_tolerance(Kicked point, End end) {
+void expect_that_error_follows_tolerance(Kicked point, End end, double most = 100.0) {
   constexpr double kAside = 1e-10;  // [m], [m per unit τ]
-  constexpr double kMost = 200.0;   // tolerances; the largest is 145, of a ring at 1e-12
   point.rotor.tolerance = kReference;
   const auto reference = end(point.rotor, point.start);
   double growth = 1.0;
@@ -69,7 +68,7 @@ void expect_that_error_follows_tolerance(Kicked point, End end) {
     EXPECT_EQ(motion.status, reference.status);
     if (reference.status != PointStatus::done) continue;
     EXPECT_LE((motion.state - reference.state).abs().maxCoeff(),
-              kMost * tolerance * point.rotor.clearance() * growth);
+              most * tolerance * point.rotor.clearance() * growth);
   }
 }
 
@@ -110,20 +109,25 @@ TEST(KickedMotion, OfBladesUnderFrictionThatDependsOnTheSlipErrsByItsTolerance) 
 
 TEST(KickedMotion, OfElasticBladesInARingThatMovesErrsByItsTolerance) {
   using Forcing = solve::WithRingBody<effects::NoForcing>;
+  // Lift-offs in the middle of a step are read from dense output, whose order is one less: 145 at 1e-12.
+  constexpr double kMost = 200.0;
   for (int index = 0; index < kKicks; ++index) {
     SCOPED_TRACE(index);
     const contact::ElasticaContact law = kicked(index).rotor.elastica();
-    expect_that_error_follows_tolerance(kicked(index), [&](const HardRotor& rotor, const State& start) {
-      const rotor::RingBody ring(1.0, 1e4, 40.0, 10.0);
-      solve::Motion<contact::ElasticaContact, Forcing> motion(
-          rotor.constants(), {rotor.blades, rotor.speed_ratio}, law, Forcing{{}, ring}, rotor.limits());
-      solve::ShaftAndRing bodies = solve::ShaftAndRing::Zero();
-      bodies.head<4>() = start;
-      PointStatus status = motion.start(bodies);
-      solve::MotionListener nobody;
-      if (status == PointStatus::done) status = motion.revolution(nobody);
-      return End{status, solve::shaft(motion.state())};
-    });
+    expect_that_error_follows_tolerance(
+        kicked(index),
+        [&](const HardRotor& rotor, const State& start) {
+          const rotor::RingBody ring(1.0, 1e4, 40.0, 10.0);
+          solve::Motion<contact::ElasticaContact, Forcing> motion(
+              rotor.constants(), {rotor.blades, rotor.speed_ratio}, law, Forcing{{}, ring}, rotor.limits());
+          solve::ShaftAndRing bodies = solve::ShaftAndRing::Zero();
+          bodies.head<4>() = start;
+          PointStatus status = motion.start(bodies);
+          solve::MotionListener nobody;
+          if (status == PointStatus::done) status = motion.revolution(nobody);
+          return End{status, solve::shaft(motion.state())};
+        },
+        kMost);
   }
 }
 
