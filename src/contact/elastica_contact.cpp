@@ -287,9 +287,13 @@ bool ElasticBladeContact<Ring, kRelease>::respond(const Pose& at, double slip, d
   const auto root = solve_near(mirrored, slip, bending);
   const bool straightened = !carried_ && (root ? *root == 0.0 : bending == 0.0);
   if (straightened) {
-    // Linearly so beyond lift-off, and beyond the Euler load where the column is to snap there.
+    // Linearly so beyond lift-off, and as far beyond the Euler load as it takes to see that the column snaps
+    // there.
+    constexpr double kFarthest = 2.0;  // Euler loads
+    const double load = straight_load(at);
+    if (!(load <= kFarthest * blade::kEulerLoad)) return false;
     bending = 0.0;
-    force = constraint_at(at, slip, straight(straight_load(at)), speed_ratio).force;
+    force = constraint_at(at, slip, straight(load), speed_ratio).force;
     return true;
   }
   if (!root) return false;
