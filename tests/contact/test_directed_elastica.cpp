@@ -39,7 +39,9 @@ TEST(DirectedElastica, AxialLoadWithCoulombFrictionIsTheLawOfTheModel) {
           met = meet(law, at, slip, 0.5, met.bending, met.amplitude);
           ASSERT_EQ(met.found, has_force) << friction << ", " << i;
         }
-        ASSERT_LE(difference(met.force, expected), 1e-12 * std::abs(expected.normal))
+        // A contact too light to bend the blade has no load under one law and that of the smallest bend under
+        // the other.
+        ASSERT_LE(difference(met.force, expected), 1e-12 * std::abs(expected.normal) + 1e-30)
             << friction << ", " << i;
         ASSERT_NEAR(met.force.shortening, expected.shortening, 1e-12 * expected.shortening + 1e-30);
         ASSERT_NEAR(met.force.root_strain, expected.root_strain, 1e-12 * expected.root_strain + 1e-18);
