@@ -8,6 +8,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "atlas/hdf5.hpp"
@@ -72,12 +73,12 @@ void create_row_dataset(File& file, const Schema& schema, const RowDataset& rows
     set_flags(std::span(kValues).first(2), "continued_from_neighbour started_from_initial");
   if (rows.name == "status_detail") {
     std::vector<std::uint8_t> values;
-    std::string meanings;
+    std::vector<std::string_view> meanings;
     for (const auto& entry : solve::kStatusDetails) {
       values.push_back(static_cast<std::uint8_t>(entry.detail));
-      meanings += (meanings.empty() ? "" : " ") + std::string(entry.name);
+      meanings.emplace_back(entry.name);
     }
-    set_flags(values, meanings);
+    set_flags(values, fmt::format("{}", fmt::join(meanings, " ")));
   }
 }
 
