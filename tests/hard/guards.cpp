@@ -18,9 +18,6 @@ using solve::PhaseEvent;
 using solve::PointStatus;
 using solve::State;
 
-constexpr effects::NoForcing kNoForcing;
-const auto kNoPiece = [](observables::MotionPiece&) {};
-
 /// Largest difference of the states after a revolution, relative to the clearance.
 double difference(const HardRotor& rotor, const RecordedMotion& a, const RecordedMotion& b,
                   std::size_t revolution) {

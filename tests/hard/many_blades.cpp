@@ -15,8 +15,6 @@ using solve::PhaseEvent;
 using solve::PointStatus;
 using solve::State;
 
-const auto kNoPiece = [](observables::MotionPiece&) {};
-
 /// Runs a test with both laws.
 template <class Test>
 void with_each_law(const HardRotor& rotor, Test test) {

@@ -9,6 +9,11 @@
 
 namespace rubatlas::test {
 
+/// Nothing but shaft and ring acts.
+inline constexpr effects::NoForcing kNoForcing;
+/// For those who look at the sections of a motion alone.
+inline constexpr auto kNoPiece = [](observables::MotionPiece&) {};
+
 /// Rotor, blades and ring of MODEL 6.1 where nothing else is said.
 struct HardRotor {
   double speed_ratio = 0.3;       ///< Ω, may be negative [-]

@@ -12,8 +12,6 @@ using solve::PhaseEvent;
 using solve::PointStatus;
 using solve::State;
 
-constexpr effects::NoForcing kNoForcing;
-
 /// One blade in a ring around the shaft's own centre, lengths without rounding: a tip placed on the ring is
 /// on it.
 HardRotor one_blade() {

@@ -8,6 +8,7 @@ import unittest
 import h5py
 import numpy as np
 
+from atlas_contract import computed_checksum
 from job import DONE, JobTest, PENDING, long_scene, ranks_of, wait_for_points
 
 
@@ -75,10 +76,12 @@ class KillAndResume(JobTest):
             file["final_state"][hole] = 0.0
             value = file["max_displacement"][kept]
             file["max_displacement"][kept] = -1.0
+            file["row_checksum"][kept] = computed_checksum(file, kept)
         self.fill(2, long_scene(), marked.name, "--resume")
         with h5py.File(marked, "r+") as file:
             self.assertEqual(file["max_displacement"][kept], -1.0)
             file["max_displacement"][kept] = value
+            file["row_checksum"][kept] = computed_checksum(file, kept)
         self.assertEqual(h5py.File(marked, "r")["poincare"][...].tobytes(), h5py.File(whole, "r")["poincare"][...].tobytes())
         self.check_rows_so_far(marked, whole)
 
