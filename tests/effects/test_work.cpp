@@ -46,7 +46,7 @@ std::vector<UnstableSupport> unstable_supports() {
   const auto stiffness = [](double xy, double yx, double yy) {
     return (Eigen::Matrix2d() << 1.0, xy, yx, yy).finished();
   };
-  const auto feeding = Eigen::Vector2d(-2.8, -2.3).asDiagonal();
+  const Eigen::Matrix2d feeding = (Eigen::Matrix2d() << -2.8, 0.0, 0.0, -2.3).finished();
   return {{{{"stiffness_xy", 60.0}, {"stiffness_yx", -60.0}}, stiffness(0.6, -0.6, 1.0), damping, 0.05},
           {{{"stiffness_yy", -120.0}}, stiffness(0.0, 0.0, -0.2), damping, 0.12},
           {{{"stiffness_yy", -120.0}}, stiffness(0.0, 0.0, -0.2), damping, 0.02},
