@@ -68,7 +68,7 @@ inline void write_atlas(const std::filesystem::path& path, const std::string& te
 inline PrescribedPoint papers_point(const plan::PointParameters& at) {
   if (at.speed_ratio < 1.0 / 3.0) return {1, 1e-4};
   if (at.speed_ratio < 0.545) return {motion_class::kAperiodic, 1e-2};
-  if (at.speed_ratio < 0.65) return {1, 5e-3};
+  if (at.speed_ratio < 0.655) return {1, 5e-3};
   if (at.speed_ratio < 2.0 / 3.0) return {2, 5e-3};
   return {motion_class::kAperiodic, 2e-2};
 }

@@ -14,10 +14,10 @@
 namespace rubatlas::mpi {
 namespace {
 
-std::string explained(const std::string& scene) {
+std::string explained(const std::string& scene, const std::string& seconds = "0.1") {
   const Workplace place;
   static_cast<void>(place.write("s.json", scene));
-  const auto ending = place.rubatlas("explain s.json --measure 0.1");
+  const auto ending = place.rubatlas("explain s.json --measure " + seconds);
   EXPECT_EQ(ending.code, 0) << ending.messages;
   EXPECT_EQ(ending.messages, "");
   return ending.output;
@@ -72,11 +72,13 @@ TEST(Explain, ListsEveryEffectWithWhatItCostsAndWhetherFlightStaysExact) {
     EXPECT_EQ(below(plain, name), "") << "nothing to say of an effect that is off";
 
     const std::string with =
-        explained(scene::read_text(RUBATLAS_SOURCE_DIR "/jobs/effect_" + name + ".json"));
+        explained(scene::read_text(RUBATLAS_SOURCE_DIR "/jobs/effect_" + name + ".json"), "0.4");
     EXPECT_TRUE(holds(line_of(with, name), " on   ")) << line_of(with, name);
     const std::string more = below(with, name);
     EXPECT_TRUE(holds(more, std::string(kDescription.equation))) << more;
     EXPECT_TRUE(holds(more, "flight: " + std::string(kDescription.flight))) << more;
+    // Whether there is time for it is a matter of the clock.
+    if (holds(more, "not measured: its motions take too long for that here")) return;
     const auto at = more.find("measured: ");
     ASSERT_NE(at, std::string::npos) << more;
     double cost = 0.0;
@@ -109,9 +111,9 @@ TEST(Explain, GivesGridShapesAndBytesOfTheAtlas) {
   EXPECT_TRUE(holds(line_of(text, "points"), " 6  on 2 lines along speed_ratio; sweep up"));
   EXPECT_TRUE(holds(line_of(text, "/poincare"), "1 × 1 × 1 × 2 × 3 × 3 × 4"));
   EXPECT_TRUE(holds(line_of(text, "/spectrum"), "1 × 1 × 1 × 2 × 3 × 37"));
-  // 6 points: status, its detail and restarted 1 byte, failed revolution 4, final state 32, sections 96,
-  // displacement 8, spectrum 296
-  EXPECT_TRUE(holds(line_of(text, "together"), "2.63 kB")) << text;
+  // 6 points: status, its detail and restarted 1 byte, checksum and failed revolution 4, final state 32,
+  // sections 96, displacement 8, spectrum 296
+  EXPECT_TRUE(holds(line_of(text, "together"), "2.66 kB")) << text;
 }
 
 TEST(Explain, EstimatesTheTimeFromPointsOfTheScene) {
