@@ -352,6 +352,12 @@ class ContactPhase final : public observables::MotionPiece {
     if (step_.ends_unloaded_only()) return;
     const auto guard = [&](double part) { return -step_.gap_per_deflection(part); };
     const double begin = guard(0.0);
+    if (step_.begin()[kBending] > 0.0 && watched_of(0).at_begin.value <= kGapRounding) {
+      // A contact that has just opened under load starts at g = 0 to rounding, and is pressed in.
+      const double at_end = (guard(last) - begin) / last;
+      return look_between([&](double part) { return (guard(part) - begin) / part; }, last,
+                          {-std::abs(at_end), at_end}, {PhaseEvent::lift_off, blade(0)});
+    }
     // A tip that touches head-on, ct = 0 to rounding, is pressed in.
     const bool touches = step_.begin()[kBending] == 0.0;
     look_between(guard, last, {touches ? -std::abs(begin) : begin, guard(last)},
