@@ -14,8 +14,10 @@ std::unique_ptr<LineSolver> make_hybrid_with_effects(const LineRequest& request)
     return acts<&Effects::stick>(line) ? sticking_blades_with_effects(request)
                                        : rigid_blades_with_effects(request);
   }
-  if (acts<&Effects::stick>(line)) return sticking_elastic_blades_with_effects(request);
-  if (acts<&Effects::load_direction>(line) || acts<&Effects::regularised_friction>(line) ||
+  // Without friction no tip is held, and none is turned round: the blade is the column of the plain law.
+  const bool rubs = line.contact.friction > 0.0;
+  if (rubs && acts<&Effects::stick>(line)) return sticking_elastic_blades_with_effects(request);
+  if (acts<&Effects::load_direction>(line) || (rubs && acts<&Effects::regularised_friction>(line)) ||
       acts<&Effects::stribeck>(line)) {
     return directed_blades_with_effects(request);
   }
