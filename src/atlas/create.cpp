@@ -98,7 +98,8 @@ void create_atlas(const Output& output, const scene::Scene& scene, const std::st
   {
     Scales scales;
     create_grid_scales(file, schema, scales);
-    for (const auto& axis : observables::inner_axes(scene)) scales.emplace(axis.name, create_inner_scale(file, axis));
+    for (const auto& axis : observables::inner_axes(scene))
+      scales.emplace(axis.name, create_inner_scale(file, axis));
     for (const auto* rows : schema.row_datasets()) create_row_dataset(file, schema, *rows, scales);
     std::vector<std::string> order;
     for (const auto* rows : schema.summed_datasets()) order.push_back(rows->name);

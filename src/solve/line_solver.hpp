@@ -62,7 +62,7 @@ struct WorkCounts {
   std::uint64_t touchdowns = 0;
   std::uint64_t liftoffs = 0;
   std::uint64_t slip_reversals = 0;
-  std::uint64_t slip_accumulations = 0;  ///< of reversals, in whose limit a tip comes to rest
+  std::uint64_t slip_accumulations = 0;    ///< of reversals, in whose limit a tip comes to rest
   std::uint64_t gap_evaluations = 0;       ///< in flight
   std::uint64_t elastica_evaluations = 0;  ///< of the blade's curve, wherever a force is asked for
   std::int64_t price = 0;                  ///< of all of it, as the bound of a revolution counts it [ns]

@@ -284,7 +284,8 @@ TEST_F(FullAtlas, TheChecksumIsTheOneOfZlibOverTheRowsBytes) {
   }
   EXPECT_EQ(atlas.file().dataset("row_checksum").read<std::uint32_t>()[6], ~sum);
   EXPECT_EQ(atlas.file().dataset("row_checksum").text("order"),
-            "status status_detail restarted failed_revolution final_state poincare poincare_blade_passing max_displacement "
+            "status status_detail restarted failed_revolution final_state poincare poincare_blade_passing "
+            "max_displacement "
             "spectrum");
 }
 

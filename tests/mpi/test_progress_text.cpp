@@ -15,10 +15,16 @@ TEST(ProgressText, DurationsAreReadAtAGlance) {
 }
 
 TEST(ProgressText, TheBarShowsPointsRateTimeLeftAndFailures) {
-  const Standing standing{
-      .total = 200, .finished = 50, .outside = 2, .failed = 3, .computed = 50, .seconds = 10.0, .seconds_left = 90.0};
-  EXPECT_EQ(bar_line(standing, 100),
-            "[##########..............................]  50/200 points  5/s  ETA 1 min 30 s  2 outside  3 failed");
+  const Standing standing{.total = 200,
+                          .finished = 50,
+                          .outside = 2,
+                          .failed = 3,
+                          .computed = 50,
+                          .seconds = 10.0,
+                          .seconds_left = 90.0};
+  EXPECT_EQ(
+      bar_line(standing, 100),
+      "[##########..............................]  50/200 points  5/s  ETA 1 min 30 s  2 outside  3 failed");
 }
 
 TEST(ProgressText, TheBarGivesWayToTheNumbersAndTheNumbersToTheWidth) {
@@ -29,14 +35,18 @@ TEST(ProgressText, TheBarGivesWayToTheNumbersAndTheNumbersToTheWidth) {
 }
 
 TEST(ProgressText, AResumedJobCountsWhatIsThereButNotInItsRate) {
-  const Standing standing{.total = 200, .finished = 150, .outside = 30, .failed = 2, .computed = 50, .seconds = 10.0};
+  const Standing standing{
+      .total = 200, .finished = 150, .outside = 30, .failed = 2, .computed = 50, .seconds = 10.0};
   EXPECT_EQ(plain_line(standing), " 75 %  150/200 points  5/s  30 outside  2 failed");
-  EXPECT_EQ(summary_line(standing), "150 of 200 points: 118 done, 30 outside the model, 2 failed; 50 computed in 10.0 s, 5 points/s");
+  EXPECT_EQ(summary_line(standing),
+            "150 of 200 points: 118 done, 30 outside the model, 2 failed; 50 computed in 10.0 s, 5 points/s");
 }
 
 TEST(ProgressText, TheRateOfAFastJobIsReadAtAGlance) {
   const Standing standing{.total = 5460, .finished = 5460, .failed = 0, .computed = 5460, .seconds = 5.0};
-  EXPECT_EQ(summary_line(standing), "5460 of 5460 points: 5460 done, 0 outside the model, 0 failed; 5460 computed in 5.0 s, 1092 points/s");
+  EXPECT_EQ(
+      summary_line(standing),
+      "5460 of 5460 points: 5460 done, 0 outside the model, 0 failed; 5460 computed in 5.0 s, 1092 points/s");
 }
 
 TEST(ProgressText, AJobIsNotCalledCompleteBeforeItsLastPoint) {

@@ -13,9 +13,9 @@ namespace {
 /// What the refusal of a key ends with.
 std::string answer_to(const std::string& key, const std::string& section = {}) {
   const std::string entry = "\"" + key + "\": 0.1";
-  const auto text = section == "grid"   ? refusal_of_grid(entry + ", \"speed_ratio\": 0.5")
-                    : section.empty()   ? refusal_with(entry)
-                                        : refusal_with("\"" + section + "\": {" + entry + "}");
+  const auto text = section == "grid" ? refusal_of_grid(entry + ", \"speed_ratio\": 0.5")
+                    : section.empty() ? refusal_with(entry)
+                                      : refusal_with("\"" + section + "\": {" + entry + "}");
   return text.substr(text.rfind("; ") + 2);
 }
 

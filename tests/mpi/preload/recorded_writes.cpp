@@ -1,5 +1,5 @@
-// Preloaded into the program: keeps what it writes into one file, and when it brings that to the disk, in a log
-// of each process, so that a test can say what a power cut would have left.
+// Preloaded into the program: keeps what it writes into one file, and when it brings that to the disk, in a
+// log of each process, so that a test can say what a power cut would have left.
 //
 //   RECORDED_FILE  the file's name (its last part)       RECORDED_LOG  the log is <this>.<process>
 //
