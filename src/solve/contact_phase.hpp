@@ -383,9 +383,10 @@ class ContactPhase final : public observables::MotionPiece {
     }
     const auto excess = [&](double part) { return origin - step_.gap(k, step_.at_fraction(part)).value; };
     if (fresh) {
-      const double at_end = (origin - end.value) / last;
-      look_between([&](double part) { return excess(part) / part; }, last, {-std::abs(at_end), at_end},
-                   {PhaseEvent::lift_off, k});
+      // Divided by a small fraction the rounding of g is large: g is zero down to it.
+      const double at_end = (origin - end.value - kGapRounding) / last;
+      look_between([&](double part) { return (excess(part) - kGapRounding) / part; }, last,
+                   {-std::abs(at_end), at_end}, {PhaseEvent::lift_off, k});
     } else {
       look_between(excess, last, {-begin.value, -end.value}, {PhaseEvent::lift_off, k}, kGapRounding);
     }
@@ -411,7 +412,7 @@ class ContactPhase final : public observables::MotionPiece {
       const auto range =
           integrate::cubic_range_of_mean_slope(begin.rate * slopes.begin, more, end.rate * slopes.end);
       if (range.greatest < 0.0) return;
-      return look_between([&](double part) { return (gap(part) - begin.value) / part; }, last,
+      return look_between([&](double part) { return (gap(part) - begin.value - kGapRounding) / part; }, last,
                           {-std::abs(more / last), more / last}, {PhaseEvent::touch_down, k});
     }
     const auto range =
