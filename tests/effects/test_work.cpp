@@ -107,7 +107,7 @@ TEST(WorkOfAPoint, ASupportThatDoublePrecisionDoesNotHoldEndsAtOnce) {
   EXPECT_EQ(outcome.failed_revolution, 0);
 }
 
-TEST(WorkOfAPoint, ALightRingThatBouncesIsFollowedUntilItsWorkMeetsTheBoundThatThePointNames) {
+TEST(WorkOfAPoint, ALightRingThatBouncesIsFollowedAtEveryTolerance) {
   nlohmann::json scene = {{"ring_body", {{"mass", 1.718e-3}, {"compliance", 1.72e-3}, {"damping", 3.822}}},
                           {"contact", {{"friction", 0.1297}}},
                           {"grid", {{"speed_ratio", 0.3016}}},
@@ -118,10 +118,7 @@ TEST(WorkOfAPoint, ALightRingThatBouncesIsFollowedUntilItsWorkMeetsTheBoundThatT
     const scene::Scene parsed_scene = parsed(scene);
     const auto& at = parsed_scene.initial;
     const auto outcome = run(parsed_scene, {at.x, at.y, at.vx, at.vy});
-    // It bounces 19 000 times at the looser tolerance; at the tighter one more bounces than the bound allows.
-    const bool in_time = tolerance >= 1e-9;
-    EXPECT_EQ(outcome.status, in_time ? PointStatus::done : PointStatus::integrator_failed) << tolerance;
-    EXPECT_EQ(outcome.detail, in_time ? StatusDetail::none : StatusDetail::contact_work) << tolerance;
+    EXPECT_EQ(outcome.status, PointStatus::done) << tolerance << ": " << solve::text_of(outcome.detail);
   }
 }
 
