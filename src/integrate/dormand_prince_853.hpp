@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace rubatlas::integrate {
 
@@ -60,13 +61,14 @@ struct DormandPrince853 {
       {0.01312004499419488, 0, 0, 0, 0, -1.2251564463762044, -0.4957589496572502, 1.6643771824549864,
        -0.35032884874997366, 0.3341791187130175, 0.08192320648511571, -0.022355307863886294, 0}};
   /// The combination of the two that DOP853 uses: it falls with size^8. `norm_of` gives the norm of the
-  /// difference with the given weights.
+  /// difference with the given weights. Infinite where the square of a difference is no finite number.
   template <class NormOf>
   static double estimate(NormOf norm_of) {
     const double third = norm_of([] { return kError3; });
     const double fifth = norm_of([] { return kError5; });
     const double denominator = std::sqrt(fifth * fifth + 0.01 * third * third);
-    return denominator > 0.0 ? fifth * fifth / denominator : 0.0;
+    if (denominator == 0.0) return 0.0;
+    return std::isfinite(denominator) ? fifth * fifth / denominator : std::numeric_limits<double>::infinity();
   }
   /// How much the estimate exceeds the local error of the solution, whose order is one higher (README).
   static constexpr double kEstimateExcess = 12.0;

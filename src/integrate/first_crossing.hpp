@@ -107,7 +107,9 @@ class CrossingSearch {
   /// The first part of an interval, which starts below zero, from whose start to whose end the guard crosses.
   std::optional<Interval> find(const Interval& interval) {
     const auto [low, high, at_low, at_high] = interval;
-    const auto by_its_ends = [&] { return at_high > 0.0 ? std::optional(interval) : std::nullopt; };
+    const auto by_its_ends = [&interval] {
+      return interval.at_high > 0.0 ? std::optional(interval) : std::nullopt;
+    };
     if (high - low <= shortest_ || ++count_ > kMostIntervals) return by_its_ends();
     const SampledFunction sampled(*guard_, low, high);
     if (sampled.count() == 0) return std::nullopt;

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "blade/elastica_curve.hpp"
 #include "contact/friction_law.hpp"
 #include "integrate/cubic_range.hpp"
 #include "integrate/first_crossing.hpp"
@@ -206,7 +207,7 @@ class ContactPhase final : public observables::MotionPiece {
     return step_.at_fraction(step_.fraction_at(time, end_fraction_, segment_end_));
   }
 
-  /// Finds what ends the phase in the step just made, if anything, and where.
+  /// Finds what ends the phase in the step just made, if anything, and where; or takes the step back.
   void find_end() {
     end_ = {PhaseEvent::horizon};
     end_fraction_ = 1.0;
@@ -285,6 +286,7 @@ class ContactPhase final : public observables::MotionPiece {
 
     segment_begin_ = step_.begin()[kTime];
     segment_end_ = step_.at_fraction(end_fraction_)[kTime];
+    if (!std::isfinite(segment_end_) && step_.take_back()) return;
     pending_ = true;
     if (!std::isfinite(segment_end_)) {
       end_ = {PhaseEvent::failed, -1, StatusDetail::beyond_precision};
@@ -347,6 +349,21 @@ class ContactPhase final : public observables::MotionPiece {
     if (found) take_if_first(*found, end);
   }
 
+  /// A gap that starts at zero, to rounding, and becomes negative crosses zero again. Divided by the fraction
+  /// it starts negative; so that its rounding, divided by a small fraction, is no crossing, what is looked
+  /// for is more than that, and the crossing is just before.
+  template <class Value>
+  void look_from_zero(const Value& gap, double last, double at_last, const PhaseEnd& end) {
+    constexpr double kJustBefore = 1.0 / 1024;
+    const auto beyond = [&](double part) { return (gap(part) - kGapRounding) / part; };
+    const double at_end = (at_last - kGapRounding) / last;
+    const auto found = integrate::first_crossing(beyond, 0.0, last, -std::abs(at_end), at_end);
+    if (!found) return;
+    const double rise = gap(*found) - gap((1.0 - kJustBefore) * *found);
+    const double back = kJustBefore * *found * kGapRounding / rise;
+    take_if_first(back > 0.0 && back < *found ? *found - back : *found, end);
+  }
+
   /// g = 0 of a carried contact in a step where it is unloaded, u = 0, at one end.
   void look_for_lift_off_under_load(double last) {
     if (step_.ends_unloaded_only()) return;
@@ -383,10 +400,7 @@ class ContactPhase final : public observables::MotionPiece {
     }
     const auto excess = [&](double part) { return origin - step_.gap(k, step_.at_fraction(part)).value; };
     if (fresh) {
-      // Divided by a small fraction the rounding of g is large: g is zero down to it.
-      const double at_end = (origin - end.value - kGapRounding) / last;
-      look_between([&](double part) { return (excess(part) - kGapRounding) / part; }, last,
-                   {-std::abs(at_end), at_end}, {PhaseEvent::lift_off, k});
+      look_from_zero(excess, last, origin - end.value, {PhaseEvent::lift_off, k});
     } else {
       look_between(excess, last, {-begin.value, -end.value}, {PhaseEvent::lift_off, k}, kGapRounding);
     }
@@ -412,8 +426,8 @@ class ContactPhase final : public observables::MotionPiece {
       const auto range =
           integrate::cubic_range_of_mean_slope(begin.rate * slopes.begin, more, end.rate * slopes.end);
       if (range.greatest < 0.0) return;
-      return look_between([&](double part) { return (gap(part) - begin.value - kGapRounding) / part; }, last,
-                          {-std::abs(more / last), more / last}, {PhaseEvent::touch_down, k});
+      return look_from_zero([&](double part) { return gap(part) - begin.value; }, last, more,
+                            {PhaseEvent::touch_down, k});
     }
     const auto range =
         integrate::cubic_range(begin.value, begin.rate * slopes.begin, end.value, end.rate * slopes.end);

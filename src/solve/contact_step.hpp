@@ -136,6 +136,17 @@ class ContactStep {
     }
   }
 
+  /// Takes back the step just made, within which no force can be found: the next attempt is half as long.
+  /// False where that would be too short.
+  bool take_back() {
+    if (!(step_.size() > kSmallestSize)) return false;
+    --accepted_;
+    ++rejected_;
+    control_.halve(1.0);
+    if constexpr (kRemembers) system_.restore(guesses_);
+    return true;
+  }
+
   /// Goes on from the end of the step.
   void accept() {
     step_.accept();
@@ -610,9 +621,16 @@ class ContactStep {
       }
       return std::sqrt(state.square().sum() + along * along + of_bending);
     });
-    // A force that is solved for starts and ends like a root of the time: the estimate is no safe one there.
-    constexpr double kExcess = kTimeTurns || kSkims || Law::kLoadFollowsGap ? Pair::kEstimateExcess : 1.0;
-    return estimate / (kExcess * tolerance_);
+    return estimate / ((force_is_smooth() ? Pair::kEstimateExcess : 1.0) * tolerance_);
+  }
+
+  /// Whether no force starts or ends like a root of the time. One that does, as those that are solved for,
+  /// has errors as large as their estimate; those of a smooth one are `kEstimateExcess` times smaller.
+  [[nodiscard]] bool force_is_smooth() const {
+    if constexpr (kSticks) {
+      return std::ranges::all_of(contacts_, [](const OpenContact& open) { return open.slip == 0.0; });
+    }
+    return kTimeTurns || kSkims || Law::kLoadFollowsGap;
   }
 
   /// A step from rising load to beyond lift-off. Its error may be small at its end, but lift-off would be

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -80,13 +81,8 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
   /// |c| − μs [-], or how far a tip is from being firm, and its blade from being bent: it comes loose where
   /// that is positive. One that nothing can hold has come loose.
   [[nodiscard]] double excess(std::size_t contact, const FullState& state) const {
-    constexpr double kLost = 1.0;
     const OpenContact& open = this->contacts()[contact];
-    const auto there = rest(open, state);
-    if (!there) return kLost;
-    const double least_modulus = kLeastModulus * law_->of(open.blade).friction().largest_holding;
-    return std::max({beyond_cone(open, there->held.coefficient), 1.0 - there->firmness / kLeastFirmness,
-                     1.0 - std::abs(there->held.bend.modulus) / least_modulus});
+    return looseness(open, rest(open, state));
   }
   /// What a contact does in a state; nothing where nothing can hold it.
   [[nodiscard]] contact::TipForce force(std::size_t contact, const FullState& state) const {
@@ -116,6 +112,15 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
     return law_->of(open.blade)
         .rest(pose(open, state), blades_->speed(state[kTime]), {open.bending, open.amplitude});
   }
+  /// `excess` of a contact at what `rest` has found for it.
+  template <class Rest>
+  [[nodiscard]] double looseness(const OpenContact& open, const std::optional<Rest>& there) const {
+    constexpr double kLost = 1.0;
+    if (!there) return kLost;
+    const double least_modulus = kLeastModulus * law_->of(open.blade).friction().largest_holding;
+    return std::max({beyond_cone(open, there->held.coefficient), 1.0 - there->firmness / kLeastFirmness,
+                     1.0 - std::abs(there->held.bend.modulus) / least_modulus});
+  }
   [[nodiscard]] double slip_rounding(int blade) const {
     return kSlipRounding * std::abs(rotor_->speed_ratio) * law_->of(blade).geometry().ring_radius;
   }
@@ -126,8 +131,7 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
   /// Puts a tip to rest where friction can hold it near its bend; false, and nothing changed, where not.
   bool rests(OpenContact& contact, const FullState& state) const {
     const auto there = rest(contact, state);
-    if (!there || !(there->firmness > kLeastFirmness) || beyond_cone(contact, there->held.coefficient) > 0.0)
-      return false;
+    if (looseness(contact, there) > 0.0) return false;
     contact.slip = 0.0;
     contact.bending = there->held.bend.modulus;
     contact.amplitude = there->held.bend.amplitude;

@@ -78,6 +78,24 @@ TEST(Slip, TipsThatMayStickComeToRestABoundedNumberOfTimes) {
   }
 }
 
+TEST(Slip, OfAFlexibleTipThatChattersIntoRestIsFollowedAtEveryTolerance) {
+  // In the contact of blade 3 each two reversals take 0.87 of the time of the last two, since both slipping
+  // states stand close together, until the tip holds. Later on blade 1 is left neither rest nor slip.
+  scene::Scene scene = default_rotor(1);
+  scene.rotor.misalignment = 0.004;
+  scene.stick.emplace();
+  for (const double tolerance : {1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) {
+    SCOPED_TRACE(tolerance);
+    scene.accuracy.tolerance = tolerance;
+    const auto outcome = run(scene, 0.02, {0.005, 0.0, 0.0, 0.02917});
+    EXPECT_EQ(outcome.status, PointStatus::left_validity);
+    EXPECT_EQ(outcome.detail, solve::StatusDetail::slip_undecided);
+    EXPECT_EQ(outcome.work.touchdowns, 5U);
+    EXPECT_GT(outcome.work.slip_reversals, 60U);
+    EXPECT_LT(outcome.work.slip_reversals, 200U);
+  }
+}
+
 TEST(Slip, ReversalsThatAccumulateEndInRestWhateverTheToleranceAndTheLastDigits) {
   // In revolution 1 the tip of blade 3 reverses its slip at intervals that shrink by a factor of 20 each
   // cycle. Without a limit their number is a matter of rounding, and with it s.

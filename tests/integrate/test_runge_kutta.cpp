@@ -276,6 +276,19 @@ TEST(DormandPrince853, CombinesItsTwoEstimatesAsDop853Does) {
   EXPECT_NEAR(combined(40.0, 3.0), 9.0 / 5.0, 1e-15);
 }
 
+TEST(DormandPrince853, AStepWhoseErrorsAreTooLargeToBeSquaredIsRejected) {
+  constexpr double kHuge = 1e200;
+  constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+  for (const double third : {1.0, kHuge, kNoNumber}) {
+    for (const double fifth : {1.0, kHuge, kNoNumber}) {
+      if (third == 1.0 && fifth == 1.0) continue;
+      const double estimate = DormandPrince853::estimate(
+          [&](auto weights) { return weights() == DormandPrince853::kError3 ? third : fifth; });
+      EXPECT_FALSE(StepControl::acceptable(estimate)) << third << ", " << fifth;
+    }
+  }
+}
+
 TEST(StepFactor, NextStepAimsAtTheToleranceWithinBounds) {
   EXPECT_EQ(step_factor(0.0, 5), 5.0);
   EXPECT_EQ(step_factor(1e-30, 5), 5.0);
