@@ -185,10 +185,32 @@ class TouchdownSearch {
       }
       if (!meter.spend(Work::flight, WorkPrice::kGap + price_of_state(flight))) return std::nullopt;
       ++evaluations_;
-      const double step = clear_step(flight, static_cast<int>(blade), time, state, until);
+      const int number = static_cast<int>(blade);
+      const double step = clear_step(flight, law_->of(number).geometry(), number, time, state, until);
       if (step <= kTimeResolution * std::max(1.0, time)) return Touchdown{static_cast<int>(blade), time};
       clear_until_[blade] = time + step;
     }
+  }
+
+  /// When the shaft's centre reaches the ring before `until`, |c| = R, where no blade stands in the way
+  /// (MODEL 5): the gap of a blade without length. Nothing also where the meter ends the revolution.
+  template <class Flight>
+  std::optional<double> shaft_at_ring(const Flight& flight, double until, WorkMeter& meter) const {
+    const contact::Geometry shaft{0.0, law_->of(0).geometry().ring_radius};
+    double time = flight.start_time();
+    auto state = flight.state(time);
+    const double bound = bound_from_ring(flight, time, state, until - time);
+    if (bound + std::abs(rotor_->misalignment) < shaft.ring_radius) return std::nullopt;
+    const State seen = from_ring(state);
+    if (std::hypot(seen[0], seen[1] + rotor_->misalignment) >= shaft.ring_radius) return time;
+    while (meter.spend(Work::flight, WorkPrice::kGap + price_of_state(flight))) {
+      const double step = clear_step(flight, shaft, 0, time, state, until);
+      if (step <= kTimeResolution * std::max(1.0, time)) return time;
+      time += step;
+      if (time >= until) return std::nullopt;
+      state = flight.state(time);
+    }
+    return std::nullopt;
   }
 
   /// The rotor stays within the clearance circle for ever, so that no blade can touch.
@@ -233,11 +255,12 @@ class TouchdownSearch {
     return least;
   }
 
+  /// A time from `time` on for which a tip of that geometry in the direction of a blade cannot touch.
   template <class Flight, class Bodies>
-  double clear_step(const Flight& flight, int blade, double time, const Bodies& state, double until) const {
+  double clear_step(const Flight& flight, const contact::Geometry& geometry, int blade, double time,
+                    const Bodies& state, double until) const {
     const State seen = from_ring(state);
     const double turning = blades_->speed(time);
-    const contact::Geometry& geometry = law_->of(blade).geometry();
     const double reach = geometry.reach;
     const contact::BladeDirection er = blades_->direction(blade, blades_->first(time));
     const contact::Pose pose = pose_of(*rotor_, geometry, er, seen);

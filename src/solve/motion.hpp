@@ -242,11 +242,11 @@ class Motion {
       if (meter_.ended()) return {PhaseEvent::failed, -1, meter_.why()};
     }
     const double end = touchdown ? touchdown->time : period;
+    if (search_.shaft_at_ring(flight_, end, meter_))
+      return {PhaseEvent::left_validity, -1, StatusDetail::shaft_at_ring};
+    if (meter_.ended()) return {PhaseEvent::failed, -1, meter_.why()};
     if (end > time_) {
       FlightPiece<Forcing> piece(flight_, time_, end, flight_.displacement_bound(time_, state_, end - time_));
-      if (passes_through_ring(piece, flight_, state_, rotor_, law_.of(0).geometry().ring_radius, meter_)) {
-        return {PhaseEvent::left_validity, -1, meter_.ended() ? meter_.why() : StatusDetail::shaft_at_ring};
-      }
       listener.piece(piece);
       state_ = flight_.state(end);
       time_ = end;
@@ -295,8 +295,8 @@ class Motion {
   }
 
   template <class AnyPhase>
-  bool begin_in(AnyPhase& phase) {
-    const bool started = phase.start(time_, state_, contacts_);
+  bool begin_in(AnyPhase& phase, const std::vector<OpenContact>& contacts) {
+    const bool started = phase.start(time_, state_, contacts);
     refusal_ = phase.refusal();
     return started;
   }
@@ -310,13 +310,13 @@ class Motion {
     if constexpr (Phases::kRests) {
       if (std::ranges::count(contacts_, 0.0, &OpenContact::slip) > 0) {
         phase_ = Phase::resting;
-        return resting_->start(time_, state_, of_resting_law());
+        return begin_in(*resting_, of_resting_law());
       }
     }
     if constexpr (Law::kHasBending) {
       if (begins_to_skim()) {
         phase_ = Phase::skimming;
-        return begin_in(*skimming_);
+        return begin_in(*skimming_, contacts_);
       }
       phase_ = Phase::carried;
       const bool near_fold = std::exchange(near_fold_, false);
@@ -330,17 +330,17 @@ class Motion {
         }
         // A column that stands straight by now is solved for.
         const bool bends = law_.of(contact.blade).carried() || contact.bending > 0.0;
-        if (bends && begin_in(*carried_)) return true;
+        if (bends && begin_in(*carried_, contacts_)) return true;
       }
     }
     if constexpr (contact::Sticks<Law>) {
       if (std::ranges::count(contacts_, 0.0, &OpenContact::slip) > 0) {
         phase_ = Phase::sticking;
-        return begin_in(*sticking_);
+        return begin_in(*sticking_, contacts_);
       }
     }
     phase_ = Phase::solved;
-    return begin_in(solved_);
+    return begin_in(solved_, contacts_);
   }
 
   /// The bending of a contact where its tip stands now: on its branch, or on the next one where a change of
@@ -511,6 +511,12 @@ class Motion {
     contact.reversed_before = std::exchange(contact.reversed, time_);
     return cycle < kShortestCycle;
   }
+  /// False of elastic blades whose tips have no law for what follows slip reversals without end. The slip
+  /// velocity of rigid ones passes zero smoothly: their reversals do not accumulate.
+  [[nodiscard]] bool has_law_of_rest() const {
+    if constexpr (Phases::kRests) return resting_.has_value();
+    return !(Law::kHasBending || Phases::kBends);
+  }
   /// A contact as the law of tips at rest knows it: found anew where that has another parameter.
   [[nodiscard]] static OpenContact of_resting_law(OpenContact contact) {
     if (Law::kHasBending && contact.slip != 0.0) contact.bending = contact.amplitude = 0.0;
@@ -600,10 +606,13 @@ class Motion {
           return PointStatus::done;
         }
         ++work_.slip_reversals;
-        if (accumulates(*contact) && comes_to_rest(*contact)) {
-          ++work_.slip_accumulations;
-          tell(listener, end.event, end.blade, contact->slip);
-          return PointStatus::done;
+        if (accumulates(*contact)) {
+          if (!has_law_of_rest()) return ends(StatusDetail::slip_undecided);
+          if (comes_to_rest(*contact)) {
+            ++work_.slip_accumulations;
+            tell(listener, end.event, end.blade, contact->slip);
+            return PointStatus::done;
+          }
         }
         contact->slip = -contact->slip;
         if (!bend_anew(*contact)) {

@@ -33,7 +33,7 @@ class Flight<WithRingBody<ShaftForcing>> {
 
   Flight(const RotorConstants& rotor, const rotor::FreeMotion& free,
          const WithRingBody<ShaftForcing>& forcing)
-      : shaft_(rotor, free, forcing.shaft), ring_(&forcing.ring), speed_(std::abs(rotor.speed_ratio)) {}
+      : shaft_(rotor, free, forcing.shaft), ring_(&forcing.ring) {}
 
   void start(double time, const ShaftAndRing& bodies) {
     shaft_.start(time, shaft(bodies));
@@ -75,13 +75,10 @@ class Flight<WithRingBody<ShaftForcing>> {
     shaft.resolves(time);
   }
   { return shaft_.resolves(time); }
-  /// The fastest of what moves [per unit τ].
-  [[nodiscard]] double fastest() const { return std::max(speed_, ring_->frequency()); }
 
  private:
   OfShaft shaft_;
   const rotor::RingBody* ring_;
-  double speed_;
   rotor::RingBody::State ring_start_ = rotor::RingBody::State::Zero();
 };
 
@@ -95,7 +92,7 @@ class Flight<WithFollowingRing<ShaftForcing>> {
 
   Flight(const RotorConstants& rotor, const rotor::FreeMotion& free,
          const WithFollowingRing<ShaftForcing>& forcing)
-      : shaft_(rotor, free, forcing.shaft), speed_(std::abs(rotor.speed_ratio)) {}
+      : shaft_(rotor, free, forcing.shaft) {}
 
   void start(double time, const ShaftAndRing& bodies) { shaft_.start(time, shaft(bodies)); }
   [[nodiscard]] double start_time() const { return shaft_.start_time(); }
@@ -129,11 +126,9 @@ class Flight<WithFollowingRing<ShaftForcing>> {
     shaft.resolves(time);
   }
   { return shaft_.resolves(time); }
-  [[nodiscard]] double fastest() const { return speed_; }
 
  private:
   OfShaft shaft_;
-  double speed_;
 };
 
 }  // namespace rubatlas::solve
