@@ -9,6 +9,7 @@
 #include <optional>
 #include <random>
 
+#include "hard_point.hpp"
 #include "recorded_motion.hpp"
 
 namespace rubatlas::test {
@@ -205,6 +206,25 @@ TEST(Guards, ABladeThatIsBentTooFarWhereItTouchesDownLeavesValidityAtOnce) {
     EXPECT_EQ(motion.status, PointStatus::left_validity) << tolerance;
     EXPECT_EQ(motion.sections.size(), 1U) << tolerance;
     EXPECT_EQ(motion.work.touchdowns, 3U) << tolerance;
+  }
+}
+
+TEST(Guards, AShaftThatFliesToTheRingLeavesValidityHoweverShortlyItIsThere) {
+  // On a support a hundred times as fast as the rotor turns, to the side where no blade stands.
+  scene::Scene scene = default_rotor(1);
+  scene.blades.count = 1;
+  scene.rotor.damping_ratio = 0.0;
+  scene.rotor.misalignment = 0.0;
+  scene.support.emplace().stiffness_xx = 1e6;  // N/m
+  const double frequency = std::sqrt(1.0 + 1e6 / 100.0);
+  const double begin = -0.1;
+  for (const double beyond : {-1e-3, -1e-6, -1e-9, 1e-9, 1e-6, 1e-3}) {
+    SCOPED_TRACE(beyond);
+    const double amplitude = (1.0 + beyond) * scene.ring.radius;
+    const double velocity = -frequency * std::sqrt(amplitude * amplitude - begin * begin);
+    const auto outcome = run(scene, 0.05, {begin, 0.0, velocity, 0.0});
+    EXPECT_EQ(outcome.detail == solve::StatusDetail::shaft_at_ring, beyond > 0.0);
+    EXPECT_EQ(outcome.work.touchdowns == 0U, beyond > 0.0) << "it would come back and touch";
   }
 }
 

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <string>
 
 #include "hard_point.hpp"
 
@@ -96,14 +98,12 @@ TEST(Slip, OfAFlexibleTipThatChattersIntoRestIsFollowedAtEveryTolerance) {
   }
 }
 
-TEST(Slip, ReversalsThatAccumulateEndInRestWhateverTheToleranceAndTheLastDigits) {
-  // In revolution 1 the tip of blade 3 reverses its slip at intervals that shrink by a factor of 20 each
-  // cycle. Without a limit their number is a matter of rounding, and with it s.
-  scene::Scene scene = default_rotor(1);
-  scene.contact.friction = 0.356;
+/// At the end of the revolution a contact reverses its slip at intervals of which each cycle is a fixed share
+/// of the one before. Without a limit their number is a matter of rounding, and with it s.
+void expect_rest_in_the_limit(scene::Scene scene, double speed_ratio, const solve::SectionState& start) {
   const auto moved = [&](double tolerance, double aside) {
     scene.accuracy.tolerance = tolerance;
-    return run(scene, 0.1233, {1.999e-3 + aside, 3.643e-3, 0.01703, -0.003606});
+    return run(scene, speed_ratio, {start[0] + aside, start[1], start[2], start[3]});
   };
   const auto finest = moved(1e-12, 0.0);
   ASSERT_EQ(finest.status, PointStatus::done);
@@ -117,6 +117,60 @@ TEST(Slip, ReversalsThatAccumulateEndInRestWhateverTheToleranceAndTheLastDigits)
       EXPECT_EQ(outcome.work.slip_reversals, finest.work.slip_reversals);
       EXPECT_LE(largest_difference(outcome.final_state, finest.final_state),
                 100.0 * tolerance * scene.clearance() + 1e-13);
+    }
+  }
+}
+
+scene::Scene default_rotor_with_friction(double friction) {
+  scene::Scene scene = default_rotor(1);
+  scene.contact.friction = friction;
+  return scene;
+}
+
+TEST(Slip, ReversalsThatAccumulateEndInRestWhateverTheToleranceAndTheLastDigits) {
+  expect_rest_in_the_limit(default_rotor_with_friction(0.356), 0.1233,
+                           {1.999e-3, 3.643e-3, 0.01703, -0.003606});
+}
+
+TEST(Slip, ReversalsThatAccumulateUnderTheNormalLoadEndInRestToo) {
+  scene::Scene scene = default_rotor_with_friction(0.580342);
+  scene.load_direction = effects::LoadDirection{true};
+  expect_rest_in_the_limit(scene, 0.152107, {-0.002073743, -0.0009391492, 0.01479563, 0.02589101});
+}
+
+TEST(Slip, ReversalsThatAccumulateInARingThatMovesEndInRestToo) {
+  scene::Scene scene = default_rotor_with_friction(0.524977);
+  scene.ring_body = effects::RingBody{1.0, 1e-4, 40.0};
+  expect_rest_in_the_limit(scene, 0.133429, {0.00389085, 0.004146671, -0.01551225, -0.01780531});
+  scene.contact.friction = 0.481596;
+  expect_rest_in_the_limit(scene, 0.122366, {-0.0009037914, 0.0024058, 0.02773649, -0.0154589});
+}
+
+TEST(Slip, ReversalsThatAccumulateWhereNoLawOfRestIsKnownLeaveValidityAtEveryTolerance) {
+  for (const char* effect : {"axial compliance", "yielding ring"}) {
+    scene::Scene scene = default_rotor(1);
+    solve::SectionState start{};
+    double speed_ratio = 0.0;
+    if (effect == std::string("axial compliance")) {
+      scene.axial_compliance = effects::AxialCompliance{1.0};
+      scene.contact.friction = 0.480132;
+      speed_ratio = 0.144118;
+      start = {-0.003121118, 0.002431327, 0.01909368, -0.01034802};
+    } else {
+      scene.yielding_ring = effects::YieldingRing{1e-5};
+      scene.contact.friction = 0.555494;
+      speed_ratio = 0.047507;
+      start = {-0.002311158, 0.003550517, 0.01015702, 0.0238619};
+    }
+    std::uint64_t reversals = 0;
+    for (const double tolerance : {1e-9, 1e-10, 1e-11}) {
+      SCOPED_TRACE(::testing::Message() << effect << ", tolerance " << tolerance);
+      scene.accuracy.tolerance = tolerance;
+      const auto outcome = run(scene, speed_ratio, start);
+      EXPECT_EQ(outcome.status, PointStatus::left_validity);
+      EXPECT_EQ(outcome.detail, solve::StatusDetail::slip_undecided);
+      if (reversals == 0) reversals = outcome.work.slip_reversals;
+      EXPECT_EQ(outcome.work.slip_reversals, reversals);
     }
   }
 }
