@@ -128,7 +128,7 @@ def differing_datasets(one, other):
     with h5py.File(one, "r") as a, h5py.File(other, "r") as b:
         names = sorted(set(a) | set(b))
         return [name for name in names if name not in a or name not in b or
-                a[name][()].tobytes() != b[name][()].tobytes()] or ["no dataset, but the file"]
+                np.asarray(a[name]).tobytes() != np.asarray(b[name]).tobytes()] or ["no dataset, but the file"]
 
 
 def wait_for_points(job, atlas, count):
