@@ -109,7 +109,7 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   explain->add_option("SCENE", explain_command.scene, "Scene file (JSON)")->required();
   explain
       ->add_option("--measure", explain_command.measured_for,
-                   fmt::format("How long points are tried for the estimate; default: {}", kEstimateSeconds))
+                   fmt::format("How long points are tried and effects timed; default: {}", kMeasuredSeconds))
       ->check(CLI::Range(0.0, 3600.0))
       ->type_name("SECONDS");
 

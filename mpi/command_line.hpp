@@ -20,7 +20,7 @@ struct PrintCommand {
 
 struct ExplainCommand {
   std::filesystem::path scene;
-  double measured_for = kEstimateSeconds;  ///< [s]: how long points are tried for the estimate of the time
+  double measured_for = kMeasuredSeconds;  ///< [s]: how long points are tried and effects are timed
 };
 
 struct OrbitCommand {

@@ -21,6 +21,7 @@ constexpr std::array kPlacesOnTheLine{0.3, 0.5, 0.7};
 }  // namespace
 
 std::optional<double> seconds_per_right_hand_side(const scene::Scene& scene, const solve::GoOn& go_on) {
+  if (!go_on()) return std::nullopt;
   scene::Scene trial = scene;
   trial.protocol.transient_revolutions = 0;
   trial.protocol.sampled_revolutions =

@@ -7,6 +7,7 @@
 
 #include "batch/line_batch.hpp"
 #include "mpi/clock.hpp"
+#include "mpi/reach.hpp"
 #include "plan/grid.hpp"
 
 namespace rubatlas::mpi {
@@ -88,11 +89,14 @@ CostEstimate estimate_cost(const scene::Scene& scene, double budget, const Clock
 
   CostEstimate result;
   result.side_by_side = width.seats;
+  result.most_revolutions = total_revolutions(trial);
+  std::vector<double> speed_of_seat(solvers.size(), 0.0);
   std::vector<double> seconds;
   std::size_t begun = 0;
   const auto begin_on = [&](std::size_t seat) {
     const auto parameters = grid.parameters(point_of(begun));
     solvers[seat] = batch::make_line_solver(width, trial, parameters, tables);
+    speed_of_seat[seat] = parameters.speed_ratio;
     points->begin(static_cast<int>(seat), *solvers[seat], parameters.speed_ratio, start);
     ++begun;
   };
@@ -107,6 +111,8 @@ CostEstimate estimate_cost(const scene::Scene& scene, double budget, const Clock
     sum_of_shares += finished.seconds;
     result.work += outcome.work;
     result.revolutions += static_cast<double>(outcome.work.revolutions);
+    result.points.push_back(
+        {speed_of_seat[static_cast<std::size_t>(finished.seat)], has_touched(scene, outcome.work)});
     if (outcome.status == solve::PointStatus::pending) {
       ++result.given_up;
       continue;

@@ -3,11 +3,18 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 #include "scene/scene.hpp"
 #include "solve/line_solver.hpp"
 
 namespace rubatlas::mpi {
+
+/// A point that was tried, to its end or not.
+struct TriedPoint {
+  double speed_ratio = 0.0;  ///< Ω [-]
+  bool touched = false;      ///< a blade was in contact
+};
 
 struct CostEstimate {
   std::size_t trials = 0;             ///< points tried to their end
@@ -20,7 +27,9 @@ struct CostEstimate {
   double slowest = 0.0;            ///< [s]
   double revolutions = 0.0;        ///< of all points tried together
   int side_by_side = 1;            ///< lines in a batch, as one rank would have them
+  int most_revolutions = 0;        ///< of one point that was tried
   solve::WorkCounts work;          ///< of all points tried together
+  std::vector<TriedPoint> points;  ///< in the order in which they ended
 };
 
 /// Time on the wall [s] from any zero.

@@ -221,15 +221,17 @@ void describe_time(const plan::Grid& grid, const CostEstimate& cost, Text& text)
 
 }  // namespace
 
-std::string explain(const scene::Scene& scene, double measured_for) {
-  // Of the time for points, so long effects are measured besides.
-  constexpr double kEffectShare = 0.3;
+std::string explain(const scene::Scene& scene, double measured_for, const Clock& clock) {
+  // Points end within three quarters of the time; effects have what is left of it.
+  constexpr double kShareOfPoints = 0.6;
+  const double begin = clock();
+  const solve::GoOn go_on = [&] { return clock() - begin < measured_for; };
   const plan::Grid grid(scene);
-  const CostEstimate cost = estimate_cost(scene, measured_for);
+  const CostEstimate cost = estimate_cost(scene, kShareOfPoints * measured_for, clock);
 
   Text text;
   describe_machine(scene, text);
-  describe_effects(scene, kEffectShare * measured_for, text);
+  describe_effects(scene, go_on, text);
   describe_kernel(scene, text);
   describe_grid(scene, grid, text);
   describe_file(scene, text);

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "mpi/effect_cost.hpp"
-#include "mpi/estimate.hpp"
 #include "plan/grid.hpp"
 #include "scene/quantity.hpp"
 
@@ -185,7 +184,7 @@ std::string friction_text(const scene::Scene& scene) {
 
 }  // namespace
 
-void describe_effects(const scene::Scene& scene, double measured_for, Text& text) {
+void describe_effects(const scene::Scene& scene, const solve::GoOn& go_on, Text& text) {
   const bool rigid = scene.contact.law == scene::ContactLaw::elastic_ring;
   text.heading("Effects");
   effect(text, "elastic blades", !rigid, blades_text(scene.contact.law));
@@ -198,8 +197,6 @@ void describe_effects(const scene::Scene& scene, double measured_for, Text& text
          scene.validity.yield_strain ? fmt::format("root strain above {}", *scene.validity.yield_strain)
                                      : std::string("no `validity.yield_strain`"));
   const plan::Grid grid(scene);
-  const double begin = seconds_on_the_wall();
-  const solve::GoOn go_on = [&] { return seconds_on_the_wall() - begin < measured_for; };
   effects::for_each_effect([&]<auto Effect>() { describe<Effect>(scene, grid, go_on, text); });
 }
 

@@ -3,9 +3,11 @@
 
 #include "mpi/explain_text.hpp"
 #include "scene/scene.hpp"
+#include "solve/line_solver.hpp"
 
 namespace rubatlas::mpi {
 
-void describe_effects(const scene::Scene& scene, double measured_for, Text& text);
+/// Costs are measured as long as `go_on` says so.
+void describe_effects(const scene::Scene& scene, const solve::GoOn& go_on, Text& text);
 
 }  // namespace rubatlas::mpi

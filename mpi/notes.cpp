@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mpi/explain_text.hpp"
+#include "mpi/reach.hpp"
 #include "scene/quantity.hpp"
 
 namespace rubatlas::mpi {
@@ -93,6 +94,59 @@ void doubt_sag(const scene::Scene& scene, std::vector<std::string>& doubts) {
                                length(sag), length(scene.clearance())));
 }
 
+void doubt_contact(const scene::Scene& scene, std::vector<std::string>& doubts) {
+  const auto reach = reach_without_contact(scene);
+  if (!reach) return;
+  if (reach->displacement == 0.0) {
+    doubts.emplace_back("the blades never reach the ring: nothing moves, every row is zero");
+    return;
+  }
+  doubts.push_back(fmt::format(
+      "the blades never reach the ring: the shaft moves by no more than {}, and at equilibrium they pass the "
+      "ring at a distance of {}{}",
+      length(reach->displacement), length(reach->distance),
+      scene::values_in(scene, "/rotor/misalignment").size() > 1 ? " or more" : ""));
+}
+
+// --- contact at the points that were tried ---
+
+/// "none of the 40 points tried ... touched the ring, in 60 revolutions or fewer each from `initial`"
+std::string none_touched(std::ptrdiff_t count, std::string_view where, const CostEstimate& cost) {
+  return fmt::format(
+      "none of the {} point{} tried{} touched the ring, in {} revolution{} each from `initial`", count,
+      count == 1 ? "" : "s", where, cost.most_revolutions, cost.most_revolutions == 1 ? "" : "s or fewer");
+}
+
+/// Points in the order of the speeds, from one end of their range to the other: those before the first speed
+/// at which any has touched.
+void note_end_without_contact(const std::vector<TriedPoint>& points, std::string_view end,
+                              const CostEstimate& cost, std::vector<std::string>& notes) {
+  // Of fewer, spread over all axes, the next might as well touch.
+  constexpr std::ptrdiff_t kFewest = 10;
+  const auto touching = std::ranges::find_if(points, &TriedPoint::touched);
+  const auto limit = std::ranges::find(points, touching->speed_ratio, &TriedPoint::speed_ratio);
+  const auto count = limit - points.begin();
+  if (count < kFewest) return;
+  const auto [low, high] = std::minmax(points.front().speed_ratio, std::prev(limit)->speed_ratio);
+  notes.push_back(
+      fmt::format("the {} speeds may be without any contact: {}", end,
+                  none_touched(count, fmt::format(" from Ω = {:.4g} to {:.4g}", low, high), cost)));
+}
+
+void note_contacts(const scene::Scene& scene, const CostEstimate& cost, std::vector<std::string>& notes) {
+  if (cost.points.empty() || reach_without_contact(scene)) return;
+  if (std::ranges::none_of(cost.points, &TriedPoint::touched)) {
+    notes.push_back(none_touched(std::ssize(cost.points), "", cost) +
+                    ": are misalignment, clearance and loads as intended?");
+    return;
+  }
+  auto points = cost.points;
+  std::ranges::sort(points, {}, &TriedPoint::speed_ratio);
+  note_end_without_contact(points, "lower", cost, notes);
+  std::ranges::reverse(points);
+  note_end_without_contact(points, "upper", cost, notes);
+}
+
 /// By how much a blade that passes the ring's nearest point overlaps it at equilibrium, at its most over the
 /// grid [m].
 double largest_overlap(const scene::Scene& scene) {
@@ -111,6 +165,7 @@ std::vector<std::string> doubts_about(const scene::Scene& scene) {
   doubt_slenderness(scene, doubts);
   doubt_damping(scene, doubts);
   doubt_sag(scene, doubts);
+  doubt_contact(scene, doubts);
   return doubts;
 }
 
@@ -141,8 +196,7 @@ std::string likely_reason_to_leave(const scene::Scene& scene) {
 
 std::vector<std::string> notes_on(const scene::Scene& scene, const CostEstimate& cost) {
   std::vector<std::string> result = doubts_about(scene);
-  const auto& initial = scene.initial;
-  const bool at_rest = initial.x == 0.0 && initial.y == 0.0 && initial.vx == 0.0 && initial.vy == 0.0;
+  note_contacts(scene, cost, result);
   if (cost.left_validity > 0) {
     result.push_back(
         fmt::format("{} of the {} points tried left the model: their rows will be NaN, with status 2",
@@ -160,11 +214,6 @@ std::vector<std::string> notes_on(const scene::Scene& scene, const CostEstimate&
         "speeds beyond Ω = 1 reach the border of the model: the default rotor leaves it at 1.03 and "
         "always from 1.05 to 1.24. Near the border the very revolution of escape depends on the last "
         "digits");
-  }
-  // With quantities that are swept by pointers this may be so on some lines and not on others.
-  if (at_rest && scene.grid.swept.empty() && std::abs(scene.rotor.misalignment) <= scene.clearance() &&
-      largest_free_amplitude(scene) == 0.0) {
-    result.emplace_back("the blades never reach the ring: nothing moves, every row is zero");
   }
   if (const double amplitude = largest_free_amplitude(scene); std::isinf(amplitude)) {
     result.emplace_back("Ω = 1 without damping: under its unbalance the free shaft moves out without bound");

@@ -23,6 +23,7 @@
 #include "mpi/point_runner.hpp"
 #include "mpi/preparation.hpp"
 #include "mpi/progress.hpp"
+#include "mpi/reach.hpp"
 #include "mpi/run_record.hpp"
 #include "mpi/say.hpp"
 #include "mpi/schedule.hpp"
@@ -95,6 +96,14 @@ void say_why_all_have_left(const scene::Scene& scene, const JobResult& result) {
   say_sentence(reason.empty() ? text : text + "; the likely reason: " + reason);
 }
 
+/// Of a run that has computed its whole atlas; `prepare` has said it where the scene alone tells.
+void say_that_nothing_touched(const scene::Scene& scene, const JobResult& result) {
+  const Standing& standing = result.standing;
+  if (standing.computed < standing.total || has_touched(scene, result.work)) return;
+  if (reach_without_contact(scene)) return;
+  say_sentence(fmt::format("no blade touched the ring at any of the {} points", standing.total));
+}
+
 int fill_atlas(const RunOptions& options, const Session& session, const Preparation& preparation) {
   const auto started = std::chrono::system_clock::now();
   const bool leading = session.rank() == 0;
@@ -145,6 +154,7 @@ int fill_atlas(const RunOptions& options, const Session& session, const Preparat
   if (leading) {
     progress.finish(result.standing);
     say_why_all_have_left(scene, result);
+    say_that_nothing_touched(scene, result);
     record->finish(result, {in_lanes, code});
   }
   // A rank that ends with a code other than 0 makes mpirun kill the others, which may still have something to

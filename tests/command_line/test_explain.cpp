@@ -7,6 +7,8 @@
 
 #include "effects/list.hpp"
 #include "mpi/estimate.hpp"
+#include "mpi/explain.hpp"
+#include "mpi/notes.hpp"
 #include "program.hpp"
 #include "scene/quantity.hpp"
 #include "scene/reader.hpp"
@@ -154,6 +156,21 @@ TEST(Explain, GivesPointsUpThatHaveNotEndedWhenTheTimeIsOver) {
   EXPECT_GT(cost.seconds_per_point, 0.0) << "from the revolutions that were completed";
 }
 
+TEST(Explain, MeasuresPointsAndEffectsTogetherNoLongerThanItMay) {
+  // A look at the clock takes a hundredth of the time; motions that would take hours look at it within.
+  const auto scene =
+      scene::parse_scene(R"({"grid": {"speed_ratio": {"from": 0.0001, "to": 0.001, "count": 1000},
+    "friction": {"from": 0.1, "to": 0.9, "count": 1000}, "/gravity/acceleration": {"from": 0.1, "to": 0.9, "count": 1000}},
+    "side_load": {"force": 0.1}, "support": {"stiffness_xy": 1}, "load_direction": {}, "speed_ripple": {"amplitude": 0.01},
+    "unequal_blades": {"length_spread": 1e-5}, "wear": {"rate": 1e-9}, "blades": {"count": 50},
+    "protocol": {"transient_revolutions": 1000000}})");
+  int looks = 0;
+  const std::string text = explain(scene, 1.0, [&] { return 0.01 * looks++; });
+  EXPECT_TRUE(holds(text, "not measured: its motions take too long for that here")) << text;
+  EXPECT_GE(looks, 100) << "the time was used";
+  EXPECT_LT(looks, 150) << "points that are given up, and effects that are not begun, look once more each";
+}
+
 /// Explains with the time that a user waits, and returns the text.
 std::string explained_in_time(const std::string& scene) {
   const auto began = std::chrono::steady_clock::now();
@@ -210,6 +227,37 @@ TEST(Explain, NamesWhatAUserShouldKnowBeforehand) {
                     "reach the border of the model"));
   EXPECT_TRUE(holds(explained(R"({"grid": {"speed_ratio": 0.5}, "rotor": {"misalignment": 0.009}})"),
                     "the blades never reach the ring"));
+}
+
+/// What is noted of contacts, all points being tried.
+std::string contacts_noted(const std::string& sections) {
+  const auto scene = scene::parse_scene(
+      R"({"protocol": {"transient_revolutions": 8, "sampled_revolutions": 4}, "sweep": "independent", )" +
+      sections + "}");
+  std::string text;
+  for (const auto& note : notes_on(scene, estimate_cost(scene, 1.0, [] { return 0.0; }))) {
+    if (holds(note, "the ring")) text += note + "\n";
+  }
+  return text;
+}
+
+TEST(Explain, SaysOfWhichPointsNoneHasTouchedTheRing) {
+  // Blades pass at a distance of 5 mm; the unbalance moves the shaft by 15 mm at resonance, by a tenth of
+  // that away from it.
+  const std::string unbalanced =
+      R"("rotor": {"misalignment": 0.005, "damping_ratio": 0.02}, "unbalance": {"moment": 0.0006}, )";
+  EXPECT_EQ(
+      contacts_noted(unbalanced + R"("grid": {"speed_ratio": {"from": 0.1, "to": 0.9, "count": 40}})"),
+      "none of the 40 points tried touched the ring, in 12 revolutions or fewer each from `initial`: are "
+      "misalignment, clearance and loads as intended?\n");
+  const std::string partly =
+      contacts_noted(unbalanced + R"("grid": {"speed_ratio": {"from": 0.1, "to": 2.5, "count": 49}})");
+  EXPECT_TRUE(partly.starts_with("the lower speeds may be without any contact: none of the ")) << partly;
+  EXPECT_TRUE(holds(partly, " points tried from Ω = 0.1 to 0.")) << partly;
+  EXPECT_TRUE(holds(partly, "\nthe upper speeds may be without any contact: none of the ")) << partly;
+  EXPECT_TRUE(holds(partly, " to 2.5 touched the ring")) << partly;
+  EXPECT_EQ(contacts_noted(R"("grid": {"speed_ratio": {"from": 0.1, "to": 0.85, "count": 40}})"), "")
+      << "the default rotor rubs at every speed";
 }
 
 }  // namespace

@@ -1,11 +1,18 @@
 // What a scene is doubted for, without being stopped.
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <random>
 #include <string>
 
 #include "mpi/notes.hpp"
+#include "mpi/reach.hpp"
+#include "plan/grid.hpp"
 #include "program.hpp"
 #include "scene/reader.hpp"
+#include "solve/line_solver.hpp"
 
 namespace rubatlas::mpi {
 namespace {
@@ -50,6 +57,82 @@ TEST(Notes, AStaticLoadThatPushesTheShaftThroughTheClearanceIsNamed) {
   EXPECT_EQ(doubts(R"("gravity": {})"),
             "the static load alone moves the shaft by 98.1 mm, more than the clearance of 10 mm\n");
   EXPECT_EQ(doubts(R"("side_load": {"force": 0.9})"), "") << "9 mm";
+}
+
+TEST(Notes, BladesThatNeverReachTheRingAreNamed) {
+  EXPECT_EQ(doubts(R"("rotor": {"misalignment": 0.009})"),
+            "the blades never reach the ring: nothing moves, every row is zero\n");
+  EXPECT_EQ(
+      doubts(R"("rotor": {"misalignment": 0.009}, "side_load": {"force": 0.04})"),
+      "the blades never reach the ring: the shaft moves by no more than 0.8 mm, and at equilibrium they "
+      "pass the ring at a distance of 1 mm\n")
+      << "0.4 mm of static deflection, and as much of vibration about it";
+  for (const std::string reaching :
+       {R"("rotor": {"misalignment": 0.0099}, "side_load": {"force": 0.04})",
+        R"("rotor": {"misalignment": 0.009}, "unequal_blades": {"length_errors": [0.002, 0, 0]})",
+        R"("rotor": {"misalignment": 0.009}, "initial": {"vx": 0.0011})",
+        R"("rotor": {"misalignment": 0.009}, "support": {"stiffness_yy": -200}, "initial": {"y": 1e-6})"}) {
+    EXPECT_EQ(doubts(reaching), "") << reaching;
+  }
+}
+
+TEST(Notes, NoBladeTouchesWhereItIsSaidThatNoneDoes) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  int said = 0;
+  int touched = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const std::string text = fmt::format(
+        R"({{"rotor": {{"misalignment": {}, "damping_ratio": {}}}, "unbalance": {{"moment": {}, "phase": {}}},
+        "side_load": {{"force": {}, "direction": {}}}, "initial": {{"x": {}, "vy": {}}}, "sweep": "{}",
+        "protocol": {{"transient_revolutions": 0, "sampled_revolutions": 4}}, "observables": ["max_displacement"],
+        "grid": {{"speed_ratio": {{"from": 0.2, "to": 1.4, "count": 5}}}}}})",
+        0.009 * any(random), 0.3 * any(random), 0.002 * any(random), 6.0 * any(random), 0.2 * any(random),
+        6.0 * any(random), 0.002 * any(random), 0.002 * any(random),
+        trial % 3 == 0   ? "up"
+        : trial % 3 == 1 ? "down"
+                         : "independent");
+    SCOPED_TRACE(text);
+    const auto scene = scene::parse_scene(text);
+    const auto reach = reach_without_contact(scene);
+    const plan::Grid grid(scene);
+    const auto solver = solve::make_line_solver(scene, grid.parameters(0), solve::make_blade_tables());
+    const solve::SectionState initial{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
+    solve::SectionState start = initial;
+    solve::WorkCounts work;
+    double farthest = 0.0;
+    for (std::size_t visit = 0; visit < grid.speed_count(); ++visit) {
+      const auto outcome = solver->run(grid.parameters(grid.point(0, visit)).speed_ratio, start);
+      work += outcome.work;
+      const bool goes_on = grid.points_depend_on_each_other() && outcome.status == solve::PointStatus::done;
+      start = goes_on ? outcome.final_state : initial;
+      if (reach) farthest = std::max(farthest, outcome.rows.front().front());
+    }
+    if (reach) {
+      ++said;
+      EXPECT_FALSE(has_touched(scene, work));
+      EXPECT_LE(farthest, reach->displacement * (1.0 + 1e-12));
+    }
+    touched += has_touched(scene, work) ? 1 : 0;
+  }
+  EXPECT_GT(said, 3);
+  EXPECT_GT(touched, 10);
+}
+
+TEST(Notes, ARunSaysThatNothingHasTouched) {
+  const Workplace place;
+  const auto said = [&](double moment) {
+    static_cast<void>(place.write(
+        "s.json", fmt::format(R"({{"grid": {{"speed_ratio": [0.5, 0.9]}}, "sweep": "independent", "rotor":
+        {{"misalignment": 0.005}}, "unbalance": {{"moment": {}}}, "protocol": {{"transient_revolutions": 2,
+        "sampled_revolutions": 6}}}})",
+                              moment)));
+    return place.rubatlas("run s.json -o a.h5 --overwrite --progress off").messages;
+  };
+  EXPECT_EQ(said(0.002), "rubatlas: no blade touched the ring at any of the 2 points\n");
+  EXPECT_EQ(said(0.004), "") << "at Ω = 0.9";
+  EXPECT_TRUE(
+      said(0.0002).starts_with("rubatlas: note: the blades never reach the ring: the shaft moves by "));
 }
 
 TEST(Notes, WhyEveryPointLeavesTheModelIsSaidWhereItCanBeSeen) {
