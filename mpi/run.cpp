@@ -96,10 +96,12 @@ void say_why_all_have_left(const scene::Scene& scene, const JobResult& result) {
   say_sentence(reason.empty() ? text : text + "; the likely reason: " + reason);
 }
 
-/// Of a run that has computed its whole atlas; `prepare` has said it where the scene alone tells.
+/// Of a run whose atlas is whole and its own, since a point that ended early might have touched; `prepare`
+/// has said it where the scene alone tells.
 void say_that_nothing_touched(const scene::Scene& scene, const JobResult& result) {
   const Standing& standing = result.standing;
-  if (standing.computed < standing.total || has_touched(scene, result.work)) return;
+  if (standing.computed < standing.total || standing.outside + standing.failed > 0) return;
+  if (has_touched(scene, result.work)) return;
   if (reach_without_contact(scene)) return;
   say_sentence(fmt::format("no blade touched the ring at any of the {} points", standing.total));
 }

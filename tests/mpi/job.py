@@ -13,7 +13,7 @@ import h5py
 import numpy as np
 
 PROGRAM = os.environ["RUBATLAS_PROGRAM"]
-PENDING, DONE, LEFT_VALIDITY = 0, 1, 2
+PENDING, DONE, LEFT_VALIDITY, INTEGRATOR_FAILED = 0, 1, 2, 3
 TIME_LIMIT = 120  # s; a job that hangs fails its test instead of the whole suite
 
 # As in jobs/mpi_environment.sh.

@@ -5,8 +5,9 @@ import resource
 import unittest
 
 import h5py
+import numpy as np
 
-from job import FAILING, LEFT_VALIDITY, JobTest, long_scene, scene
+from job import FAILING, INTEGRATOR_FAILED, LEFT_VALIDITY, JobTest, long_scene, scene
 
 
 class Outcomes(JobTest):
@@ -34,6 +35,37 @@ class Outcomes(JobTest):
             self.assertNotIn("aborted", job.stderr, "mpirun has nothing to complain of")
             state = self.execute(None, "status", name)
             self.assertEqual((state.returncode, state.stdout, state.stderr), (0, f"{name}: {counts}\n", ""))
+
+    def test_a_point_that_cannot_be_integrated_ends_the_job_with_10_and_says_which_and_why(self):
+        # A damping that no double can add to the shaft's on one half of the lines; on the other a low damping ratio at
+        # high speed leaves the model.
+        content = scene(grid={"speed_ratio": [0.3, 0.5, 1.1], "damping_ratio": [0.02, 0.1], "/support/damping_xx": [0, 1e15]},
+                        protocol={"transient_revolutions": 2, "sampled_revolutions": 12, "samples_per_revolution": 32})
+        files = []
+        for ranks in (None, 2):
+            name = f"atlas{ranks}.h5"
+            job = self.execute(ranks, "run", self.write_scene(content), "-o", name)
+            self.assertEqual(job.returncode, 10, job.stderr)
+            with h5py.File(self.directory / name, "r") as atlas:
+                status, detail, revolution = (atlas[of][...].reshape(2, 6) for of in ("status", "status_detail", "failed_revolution"))
+                names = dict(zip(atlas["status_detail"].attrs["flag_values"], atlas["status_detail"].attrs["flag_meanings"].split()))
+                displacement = atlas["max_displacement"][...].reshape(2, 6)
+            self.assertEqual(status[1].tolist(), [INTEGRATOR_FAILED] * 6)
+            self.assertEqual([names[number] for number in detail[1]], ["beyond_precision"] * 6)
+            self.assertEqual(revolution[1].tolist(), [0] * 6, "of the first revolution")
+            self.assertTrue(np.isnan(displacement[1]).all(), "a failed point has no numbers that look like results")
+            outside = int((status[0] == LEFT_VALIDITY).sum())
+            self.assertTrue(0 < outside < 6 and (status[0] != INTEGRATOR_FAILED).all(), status)
+            counts = f"12 of 12 points: {6 - outside} done, {outside} outside the model, 6 failed"
+            self.assertIn(counts, job.stderr)
+            state = self.execute(None, "status", name)
+            self.assertEqual((state.returncode, state.stdout, state.stderr), (10, f"{name}: {counts}\n", ""))
+            self.assertEqual(json.loads((self.directory / f"{name}.run.json").read_text())["runs"][0]["exit_code"], 10)
+            again = self.execute(ranks, "run", self.write_scene(content), "-o", name, "--resume")
+            self.assertEqual(again.returncode, 10, "the atlas is as it was, and so is the code")
+            self.assertIn("; 0 computed in", again.stderr)
+            files.append(self.directory / name)
+        self.assert_same_bytes(*files)
 
     def test_resuming_a_complete_atlas_with_points_outside_the_model_computes_nothing(self):
         path = self.write_scene(self.failing_scene())

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <vector>
+
 #include "mpi/progress.hpp"
 #include "mpi/run_record.hpp"
 
@@ -47,6 +50,22 @@ TEST(ProgressText, TheRateOfAFastJobIsReadAtAGlance) {
   EXPECT_EQ(
       summary_line(standing),
       "5460 of 5460 points: 5460 done, 0 outside the model, 0 failed; 5460 computed in 5.0 s, 1092 points/s");
+}
+
+TEST(ExitCode, PointsOutsideTheModelAreAResultAndFailedOnesAreNot) {
+  constexpr std::uint8_t kPending = 0;
+  constexpr std::uint8_t kDone = 1;
+  constexpr std::uint8_t kOutside = 2;
+  constexpr std::uint8_t kFailed = 3;
+  const auto ends_with = [](const std::vector<std::uint8_t>& status) {
+    return exit_code_of(standing_of(status));
+  };
+  EXPECT_EQ(ends_with({kDone, kDone}), 0);
+  EXPECT_EQ(ends_with({kDone, kOutside}), 0);
+  EXPECT_EQ(ends_with({kOutside, kOutside}), 0);
+  EXPECT_EQ(ends_with({kDone, kFailed, kOutside}), 10);
+  EXPECT_EQ(ends_with({kFailed}), 10);
+  EXPECT_EQ(ends_with({kFailed, kPending}), 75) << "an atlas that is not complete is to be resumed";
 }
 
 TEST(ProgressText, AJobIsNotCalledCompleteBeforeItsLastPoint) {
