@@ -11,7 +11,7 @@ import zlib
 import h5py
 import numpy as np
 
-from job import ENVIRONMENT, JobTest, command, long_scene, scene, wait_for_points
+from job import AT_ITS_END, ENVIRONMENT, JobTest, command, long_scene, scene, wait_for_points
 
 POINT = "speed_ratio=0.2,damping_ratio=0.1"
 
@@ -94,9 +94,9 @@ class Outputs(FileTest):
         first.kill()
 
     def test_an_atlas_that_is_taken_away_under_a_run_is_not_reported_as_done(self):
-        for change in (os.unlink, lambda path: os.rename(path, self.directory / "elsewhere.h5")):
+        for ranks, change in ((None, os.unlink), (2, lambda path: os.rename(path, self.directory / "elsewhere.h5"))):
             atlas = self.directory / "atlas.h5"
-            job = self.start(2, {**long_scene(), "grid": scene()["grid"]}, atlas)
+            job = self.start(ranks, {**long_scene(), "grid": scene()["grid"]}, atlas, **AT_ITS_END)
             wait_for_points(job, atlas, 1)
             change(atlas)
             message = job.communicate(timeout=120)[1]
@@ -199,7 +199,8 @@ class Damage(FileTest):
             # A point may become pending, which is no damage; and nobody looks at HDF5's flags of open files.
             begin = file["status"].id.get_offset()
             harmless = {*range(20, 24), *range(begin, begin + file["status"].size)}
-        for trial in range(60):
+        # A few through the program itself; the suite command_line has a hundred within one process.
+        for trial in range(12):
             bytes_ = bytearray(whole)
             for _ in range(chance.choice((1, 1, 8))):
                 place = chance.randrange(len(whole))
@@ -208,7 +209,8 @@ class Damage(FileTest):
                 bytes_[place] ^= chance.randrange(1, 256)
             (self.directory / "bad.h5").write_bytes(bytes_)
             (self.directory / "maps.h5").unlink(missing_ok=True)
-            resume, analyse, _, verify = (self.execute(None, *arguments) for arguments in self.readers("bad.h5"))
+            resume, analyse, verify = (self.execute(None, *arguments) for arguments in self.readers("bad.h5")
+                                       if arguments[0] != "orbit")
             with self.subTest(trial=trial):
                 self.assert_one_sentence(resume, "bad.h5")
                 self.assertEqual(verify.returncode, 3, verify.stderr)
@@ -217,7 +219,7 @@ class Damage(FileTest):
                     self.assert_one_sentence(analyse, "bad.h5")
                 else:
                     accepted.append(trial)
-        self.assertLess(len(accepted), 60, "rows at least are looked at")
+        self.assertLess(len(accepted), 12, "rows at least are looked at")
 
     def test_resuming_refuses_rows_that_are_not_what_was_computed(self):
         def change(file):
