@@ -55,7 +55,7 @@ std::string quoted(const std::string& word) {
 /// The command that goes on with this run when it has been stopped.
 std::string command_to_go_on(const RunOptions& options, const Session& session) {
   std::string text =
-      session.is_parallel() ? fmt::format("{} -n {} ", session.launcher(), session.size()) : "";
+      session.is_parallel() ? fmt::format("{} -n {} ", Session::launcher(), session.size()) : "";
   for (const auto& word : options.words) {
     if (word != "--overwrite" && word != "--resume") text += quoted(word) + ' ';
   }

@@ -24,8 +24,8 @@ bool knows_no_such_call(int reason) {
 
 }  // namespace
 
-Synchroniser::Synchroniser(std::filesystem::path path) : path_(std::move(path)) {
-  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CLOEXEC);
+Synchroniser::Synchroniser(std::filesystem::path path)
+    : path_(std::move(path)), descriptor_(::open(path_.c_str(), O_RDWR | O_CLOEXEC)) {
   if (descriptor_ < 0) refuse(path_, errno);
 }
 

@@ -26,6 +26,12 @@ struct RestingPhases<void, Forcing, Pair, Blades> {
   using Phase = std::monostate;
 };
 
+/// Blades of which κ and φ are unknown, not the bending parameter alone.
+template <class Blade>
+concept HasTwoUnknowns = requires {
+  &Blade::Drift::misdirection;
+};
+
 template <class Law, class Forcing, class Pair, class Blades>
 struct MotionPhases {
   template <class System>
@@ -45,7 +51,7 @@ struct MotionPhases {
   using RestingSystem = typename RestingPhases<RestingLaw, Forcing, Pair, Blades>::System;
   using Resting = typename RestingPhases<RestingLaw, Forcing, Pair, Blades>::Phase;
   // Blades with two unknowns carry them; only a ring without mass is to be put somewhere.
-  static constexpr bool kBends = requires(typename Law::OfBlade::Drift drift) { drift.misdirection; };
+  static constexpr bool kBends = HasTwoUnknowns<typename Law::OfBlade>;
   using SolvedSystem = std::conditional_t<
       kBends, CarriedBends<Law, Forcing, Blades>,
       std::conditional_t<kRingFollows<Forcing>, ContactsOnFollowingRing<Law, Forcing, Blades>,
