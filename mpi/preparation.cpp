@@ -56,7 +56,7 @@ atlas::Output require_possible(const RunOptions& options, const scene::Scene& sc
   if (options.resume && options.overwrite) {
     throw UsageError("--resume completes an atlas and --overwrite replaces it: one of the two");
   }
-  const auto output =
+  auto output =
       atlas::permitted({options.atlas, atlas::FileKind::atlas,
                         options.resume ? atlas::Existing::keep : atlas::existing(options.overwrite)},
                        {options.scene});
