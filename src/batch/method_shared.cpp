@@ -3,7 +3,7 @@
 #include "batch/shared_attempts.hpp"
 #include "plan/scene_of_line.hpp"
 #include "solve/hybrid_method.hpp"
-#include "solve/typed_line_solver.hpp"
+#include "solve/typed_motions.hpp"
 
 namespace rubatlas::batch {
 

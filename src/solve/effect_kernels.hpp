@@ -15,7 +15,7 @@
 #include "contact/unequal_blades.hpp"
 #include "integrate/dormand_prince_853.hpp"
 #include "solve/hybrid_method.hpp"
-#include "solve/typed_line_solver.hpp"
+#include "solve/typed_motions.hpp"
 
 namespace rubatlas::solve {
 
@@ -40,12 +40,10 @@ std::unique_ptr<LineSolver> with_law(const scene::Scene& line, MakeLaw make_law)
   using effects::Effects;
   using Hybrid = HybridMethod<integrate::DormandPrince853>;
   auto law = blade_by_blade(line, make_law);
-  using Law = decltype(law);
   if (effects::acts<&Effects::support>(line) || effects::acts<&Effects::speed_ripple>(line)) {
-    return std::make_unique<TypedLineSolver<Hybrid, Law, AnyMachine>>(line, std::move(law), AnyMachine(line));
+    return make_point_solver<Hybrid>(line, std::move(law), AnyMachine(line));
   }
-  return std::make_unique<TypedLineSolver<Hybrid, Law, MachineWithEffects>>(line, std::move(law),
-                                                                            MachineWithEffects(line));
+  return make_point_solver<Hybrid>(line, std::move(law), MachineWithEffects(line));
 }
 
 /// Elastic blades in a rigid ring or in one that yields.

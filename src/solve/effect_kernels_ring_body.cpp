@@ -13,8 +13,7 @@ std::unique_ptr<LineSolver> in_ring_body(const scene::Scene& line, MakeLaw make_
   using Hybrid = HybridMethod<integrate::DormandPrince853>;
   auto law = blade_by_blade(line, make_law);
   const auto on_machine = [&]<class Machine>() -> std::unique_ptr<LineSolver> {
-    using Solver = TypedLineSolver<Hybrid, decltype(law), InRing<Machine>>;
-    return std::make_unique<Solver>(line, std::move(law), InRing<Machine>(line));
+    return make_point_solver<Hybrid>(line, std::move(law), InRing<Machine>(line));
   };
   if (effects::acts<&Effects::support>(line) || effects::acts<&Effects::speed_ripple>(line)) {
     return on_machine.template operator()<AnyMachine>();

@@ -9,6 +9,7 @@
 #include "scene/scene.hpp"
 #include "solve/blade_set.hpp"
 #include "solve/motion.hpp"
+#include "solve/point_motion.hpp"
 #include "solve/rotor.hpp"
 
 namespace rubatlas::solve {
@@ -16,18 +17,16 @@ namespace rubatlas::solve {
 /// `Pair`: the Runge–Kutta coefficients in contact.
 template <class Pair>
 struct HybridMethod {
-  template <class Law, class Forcing, class Blades>
-  using Motion = solve::Motion<Law, Forcing, Pair, Blades>;
-
-  template <class Law, class Forcing, class Blades>
-  static std::unique_ptr<Motion<Law, Forcing, Blades>> make(const RotorConstants& rotor, Blades blades,
-                                                            const Law& law, const Forcing& forcing,
-                                                            const scene::Scene& scene) {
+  /// `kMayChange`: the machine may change between revolutions.
+  template <bool kMayChange, class Law, class Forcing, class Blades>
+  static std::unique_ptr<PointMotion> make(const RotorConstants& rotor, Blades blades, const Law& law,
+                                           const Forcing& forcing, const scene::Scene& scene) {
     // No step can be closer than positions are rounded: a clearance of nanometres asks for more.
     const double rounding = std::numeric_limits<double>::epsilon() * scene.ring.radius;
     const ContactLimits limits{std::max(scene.accuracy.tolerance * rotor.length_scale, rounding),
                                scene.validity.max_shortening};
-    return std::make_unique<Motion<Law, Forcing, Blades>>(rotor, std::move(blades), law, forcing, limits);
+    return std::make_unique<TypedMotion<Motion<Law, Forcing, Pair, Blades>, kMayChange>>(
+        rotor, std::move(blades), law, forcing, limits);
   }
 };
 

@@ -3,7 +3,7 @@
 
 #include "integrate/classical_runge_kutta.hpp"
 #include "solve/stepped_motion.hpp"
-#include "solve/typed_line_solver.hpp"
+#include "solve/typed_motions.hpp"
 
 namespace rubatlas::solve {
 namespace {
@@ -14,22 +14,21 @@ struct Fixed {
   static constexpr bool kAdaptive = false;
   static constexpr bool kLocated = false;
 
-  template <class Law, class Forcing, class Blades>
-  using Motion = SteppedMotion<Law, Forcing, Fixed>;
-
-  template <class Law, class Forcing>
-  static auto make(const RotorConstants& rotor, const BladeSet& blades, const Law& law,
-                   const Forcing& forcing, const scene::Scene& scene) {
+  template <bool kMayChange, class Law, class Forcing>
+  static std::unique_ptr<PointMotion> make(const RotorConstants& rotor, const BladeSet& blades,
+                                           const Law& law, const Forcing& forcing,
+                                           const scene::Scene& scene) {
     const SteppedLimits limits{scene.accuracy.tolerance * rotor.length_scale, scene.accuracy.step,
                                scene.validity.max_shortening};
-    return std::make_unique<Motion<Law, Forcing, BladeSet>>(rotor, blades, law, forcing, Search{}, limits);
+    return std::make_unique<TypedMotion<SteppedMotion<Law, Forcing, Fixed>, kMayChange>>(
+        rotor, blades, law, forcing, Search{}, limits);
   }
 };
 
 }  // namespace
 
 std::unique_ptr<LineSolver> make_fixed(const LineRequest& request) {
-  return make_typed_line_solver<Fixed>(request);
+  return make_paper_s_rotor<Fixed>(request);
 }
 
 }  // namespace rubatlas::solve

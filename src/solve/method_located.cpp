@@ -4,7 +4,7 @@
 
 #include "integrate/dormand_prince_54.hpp"
 #include "solve/stepped_motion.hpp"
-#include "solve/typed_line_solver.hpp"
+#include "solve/typed_motions.hpp"
 
 namespace rubatlas::solve {
 namespace {
@@ -15,22 +15,21 @@ struct Located {
   static constexpr bool kAdaptive = true;
   static constexpr bool kLocated = true;
 
-  template <class Law, class Forcing, class Blades>
-  using Motion = SteppedMotion<Law, Forcing, Located>;
-
-  template <class Law, class Forcing>
-  static auto make(const RotorConstants& rotor, const BladeSet& blades, const Law& law,
-                   const Forcing& forcing, const scene::Scene& scene) {
+  template <bool kMayChange, class Law, class Forcing>
+  static std::unique_ptr<PointMotion> make(const RotorConstants& rotor, const BladeSet& blades,
+                                           const Law& law, const Forcing& forcing,
+                                           const scene::Scene& scene) {
     const SteppedLimits limits{scene.accuracy.tolerance * rotor.length_scale, scene.accuracy.max_step,
                                scene.validity.max_shortening};
-    return std::make_unique<Motion<Law, Forcing, BladeSet>>(rotor, blades, law, forcing, Search{}, limits);
+    return std::make_unique<TypedMotion<SteppedMotion<Law, Forcing, Located>, kMayChange>>(
+        rotor, blades, law, forcing, Search{}, limits);
   }
 };
 
 }  // namespace
 
 std::unique_ptr<LineSolver> make_located(const LineRequest& request) {
-  return make_typed_line_solver<Located>(request);
+  return make_paper_s_rotor<Located>(request);
 }
 
 }  // namespace rubatlas::solve

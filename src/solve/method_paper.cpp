@@ -5,7 +5,7 @@
 
 #include "integrate/fehlberg_45.hpp"
 #include "solve/stepped_motion.hpp"
-#include "solve/typed_line_solver.hpp"
+#include "solve/typed_motions.hpp"
 
 namespace rubatlas::solve {
 namespace {
@@ -23,23 +23,21 @@ struct Paper {
   static constexpr bool kAdaptive = true;
   static constexpr bool kLocated = false;
 
-  template <class Law, class Forcing, class Blades>
-  using Motion = SteppedMotion<Law, Forcing, Paper>;
-
-  template <class Law, class Forcing>
-  static auto make(const RotorConstants& rotor, const BladeSet& blades, const Law& law,
-                   const Forcing& forcing, const scene::Scene& scene) {
+  template <bool kMayChange, class Law, class Forcing>
+  static std::unique_ptr<PointMotion> make(const RotorConstants& rotor, const BladeSet& blades,
+                                           const Law& law, const Forcing& forcing,
+                                           const scene::Scene& scene) {
     const SteppedLimits limits{scene.accuracy.tolerance * rotor.length_scale, scene.accuracy.max_step,
                                scene.validity.max_shortening};
-    return std::make_unique<Motion<Law, Forcing, BladeSet>>(rotor, blades, law, forcing,
-                                                            Search{scene.accuracy.force_increment}, limits);
+    return std::make_unique<TypedMotion<SteppedMotion<Law, Forcing, Paper>, kMayChange>>(
+        rotor, blades, law, forcing, Search{scene.accuracy.force_increment}, limits);
   }
 };
 
 }  // namespace
 
 std::unique_ptr<LineSolver> make_paper(const LineRequest& request) {
-  return make_typed_line_solver<Paper>(request);
+  return make_paper_s_rotor<Paper>(request);
 }
 
 }  // namespace rubatlas::solve

@@ -1,6 +1,7 @@
 /// What follows a motion: receives its pieces and events in order of time.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "observables/motion_piece.hpp"
@@ -38,6 +39,8 @@ class MotionListener {
   virtual void event(const Event& /*event*/) {}
   /// The revolution that follows turns at this Ω. Never called where the speed does not ramp.
   virtual void speed_changes(double /*speed_ratio*/) {}
+  /// After a sampled revolution: the shaft's state there. Called by the protocol of a point, not by a motion.
+  virtual void revolution_ends(const std::array<double, 4>& /*section*/) {}
 };
 
 }  // namespace rubatlas::solve

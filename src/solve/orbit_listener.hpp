@@ -16,7 +16,7 @@ class OrbitListener final : public MotionListener {
   void piece(observables::MotionPiece& piece) override;
   void event(const Event& event) override;
   void speed_changes(double speed_ratio) override;
-  void revolution_ends(const SectionState& section);
+  void revolution_ends(const SectionState& section) override;
 
   [[nodiscard]] Orbit take();
 

@@ -8,14 +8,13 @@
 #include <array>
 #include <cstddef>
 
-#include "solve/rotor.hpp"
+#include "solve/bodies.hpp"
 
 namespace rubatlas::solve {
 
-/// `Section`: the state of all that moves.
-template <class Section = State>
 class Settling {
  public:
+  using Section = ShaftAndRing;                      ///< the state of all that moves
   static constexpr std::size_t kLongestPeriod = 16;  ///< in revolutions, as the classes of `analyse`
   static constexpr std::size_t kRepeats = 3;         ///< periods in succession that repeat the one before
   static constexpr double kCloseness = 0.1;          ///< of accuracy.tolerance × δc

@@ -36,11 +36,10 @@ run_without() {
   cmake -S . -B "$tree" "${generator[@]}" -DRUBATLAS_TESTS=OFF -DCMAKE_UNITY_BUILD=ON -DRUBATLAS_WITHOUT_EFFECTS="$1" \
     >"$tree.log"
   cmake --build "$tree" --target rubatlas --parallel "${RUBATLAS_BENCH_JOBS:-$(nproc)}" >>"$tree.log"
-  # The same name for both atlases, whatever is in the file. Counted from `run` on, and not from the lambdas in it, whose
-  # names begin like its own.
+  # The same name for both atlases, whatever is in the file. Counted from the start of a point on.
   rm -rf "$tree.out" && mkdir "$tree.out"
   valgrind --quiet --tool=callgrind --callgrind-out-file="$tree.callgrind" \
-    --toggle-collect='rubatlas::solve::TypedLineSolver*::run(double, rubatlas::solve::PointStart const&, std::function<void ()> const&)' \
+    --toggle-collect='rubatlas::solve::PointSolver::run(*' \
     "$tree/rubatlas" run "$scene" -o "$tree.out/atlas.h5" --lanes 1 --progress off >>"$tree.log" 2>&1
 }
 

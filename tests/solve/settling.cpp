@@ -27,7 +27,7 @@ TEST(Settling, ACycleIsSettledOnceItHasRepeatedThreeTimes) {
     solve::Settling settling(1e-12);
     for (int i = 0; i < 4 * period; ++i) {
       EXPECT_EQ(settling.period(), 0) << "period " << period << " after " << i << " sections";
-      settling.add(solve::State::Constant(std::sin(2.0 * (i % period))));
+      settling.add(solve::Settling::Section::Constant(std::sin(2.0 * (i % period))));
     }
     EXPECT_EQ(settling.period(), period);
   }
@@ -37,7 +37,9 @@ TEST(Settling, ASpiralIsNotSettledBeforeItsTurnsAreWithinTheDistance) {
   solve::Settling settling(1e-12);
   for (int i = 0; i < 200; ++i) {
     const double radius = std::pow(0.8, i);
-    settling.add(solve::State(radius, -radius, radius, 0.0));
+    solve::Settling::Section section = solve::Settling::Section::Zero();
+    section.head<3>() << radius, -radius, radius;
+    settling.add(section);
     if (0.2 * std::pow(0.8, i - 3) > 1e-12) {
       EXPECT_EQ(settling.period(), 0) << i;
     }
