@@ -121,8 +121,11 @@ TEST(Explain, GivesGridShapesAndBytesOfTheAtlas) {
 TEST(Explain, EstimatesTheTimeFromPointsOfTheScene) {
   const std::string text = explained(kSmallScene);
   EXPECT_TRUE(holds(text, "\nTime (an estimate"));
-  // How many points there is time for is a matter of the clock.
-  EXPECT_TRUE(holds(line_of(text, "from"), " tried from `initial`: ")) << text;
+  // How many points there is time for, and whether one ends, is a matter of the clock.
+  const std::string from = line_of(text, "from");
+  EXPECT_TRUE(holds(from, " tried from `initial`: ") ||
+              holds(from, "none of which came to its end in the time"))
+      << text;
   EXPECT_TRUE(holds(line_of(text, "they had"), "touch-downs a revolution")) << text;
 }
 

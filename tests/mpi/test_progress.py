@@ -53,7 +53,8 @@ class Progress(JobTest):
         drawn = text.split("\r")
         self.assertGreater(len(drawn), 2)
         self.assertRegex(drawn[-1], r"^\[#{40}\]  180/180 points  [\d.]+/s  ETA 0\.0 s *\n")
-        self.assertRegex(drawn[1], r"^\[#*\.+\]  \d+/180 points  [\d.]+/s  ETA ")
+        for bar in drawn[1:-1]:  # a rate is told once a point is there
+            self.assertRegex(bar, r"^\[#*\.*\]  ((0|180)/180 points|\d+/180 points  [\d.]+/s  ETA )")
 
     def test_a_terminal_gets_a_bar_that_fits_its_width(self):
         for columns in (60, 100, 20):
