@@ -349,9 +349,10 @@ class ContactPhase final : public observables::MotionPiece {
     if (found) take_if_first(*found, end);
   }
 
-  /// A gap that starts at zero, to rounding, and becomes negative crosses zero again. Divided by the fraction
-  /// it starts negative; so that its rounding, divided by a small fraction, is no crossing, what is looked
-  /// for is more than that, and the crossing is just before.
+  /// Looks where a gap comes back to zero that starts there, but for rounding, and is negative at first. It
+  /// is divided by the fraction of the step, so that the start is no root. Near the start that makes rounding
+  /// large: only a gap of more than kGapRounding is taken for a crossing, and one secant step leads from
+  /// there back to where the gap is zero.
   template <class Value>
   void look_from_zero(const Value& gap, double last, double at_last, const PhaseEnd& end) {
     constexpr double kJustBefore = 1.0 / 1024;

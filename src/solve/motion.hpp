@@ -511,8 +511,8 @@ class Motion {
     contact.reversed_before = std::exchange(contact.reversed, time_);
     return cycle < kShortestCycle;
   }
-  /// False of elastic blades whose tips have no law for what follows slip reversals without end. The slip
-  /// velocity of rigid ones passes zero smoothly: their reversals do not accumulate.
+  /// Whether the model says what follows where slip reversals of a tip accumulate. For some elastic blades it
+  /// does not. The slip velocity of a rigid tip does not jump at a reversal, so that none accumulate.
   [[nodiscard]] bool has_law_of_rest() const {
     if constexpr (Phases::kRests) return resting_.has_value();
     return !(Law::kHasBending || Phases::kBends);
