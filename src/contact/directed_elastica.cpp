@@ -1,10 +1,11 @@
 #include "contact/directed_elastica.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include "integrate/root_between.hpp"
 
 namespace rubatlas::contact {
 namespace {
@@ -14,19 +15,6 @@ using blade::kLargestModulus;
 
 constexpr double kLargestShortening = 0.75;  ///< of L: where the table of `ElasticaContact` ends, too
 constexpr unsigned kCoefficientBits = 40;    ///< of c, which Newton's method on both unknowns then polishes
-
-/// Where a function that has opposite signs at two places passes through zero between them; the better of the
-/// two where their signs are lost in underflow.
-template <class Function>
-double crossing_between(Function function, double one, double other, double at_one, double at_other,
-                        unsigned bits) {
-  if (one > other) return crossing_between(function, other, one, at_other, at_one, bits);
-  if (!(at_one * at_other < 0.0)) return std::abs(at_one) < std::abs(at_other) ? one : other;
-  std::uintmax_t iterations = 100;
-  const auto bracket = boost::math::tools::toms748_solve(
-      function, one, other, at_one, at_other, boost::math::tools::eps_tolerance<double>(bits), iterations);
-  return 0.5 * (bracket.first + bracket.second);
-}
 
 }  // namespace
 
@@ -173,7 +161,7 @@ class DirectedElastica<Direction, FrictionLaw>::Walk {
       const auto there = state(angle);
       return there ? there->residual : at_low_;
     };
-    const auto found = bend(crossing_between(residual, *low_, *high_, at_low_, at_high_, 52U));
+    const auto found = bend(integrate::root_between(residual, *low_, *high_, at_low_, at_high_));
     if (!found ||
         blade::inclined_equilibrium(found->modulus, found->amplitude).shortening.value > kLargestShortening)
       return std::nullopt;
@@ -278,7 +266,7 @@ auto DirectedElastica<Direction, FrictionLaw>::solve_for_coefficient(const Pose&
     lost = lost || !bend;
     return bend ? value : at_high;
   };
-  bend = at_coefficient(crossing_between(excess_or_end, low, high, at_low, at_high, kCoefficientBits));
+  bend = at_coefficient(integrate::root_between(excess_or_end, low, high, at_low, at_high, kCoefficientBits));
   if (!bend || lost) return std::nullopt;
   return newton(at, slip, speed_ratio, *bend);
 }
@@ -312,7 +300,7 @@ auto DirectedElastica<Direction, FrictionLaw>::follow_coefficient(const Pose& at
     at_high = excess(high);
   }
   if (lost || at_low * at_high > 0.0) return std::nullopt;
-  excess(crossing_between(excess, low, high, at_low, at_high, kCoefficientBits));
+  excess(integrate::root_between(excess, low, high, at_low, at_high, kCoefficientBits));
   if (lost) return std::nullopt;
   return newton(at, slip, speed_ratio, bend);
 }

@@ -2,24 +2,16 @@
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include "integrate/root_between.hpp"
 
 namespace rubatlas::contact {
 namespace {
 
 constexpr double kGapRounding = 1e-17;  ///< [m²]: g where a touch-down has been located
-
-/// Root of a function between two points where it has opposite signs, to the last bit.
-template <class Function>
-double root_between(const Function& function, double low, double high, double at_low, double at_high) {
-  std::uintmax_t iterations = 100;
-  const auto bracket = boost::math::tools::toms748_solve(
-      function, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(52), iterations);
-  return 0.5 * (bracket.first + bracket.second);
-}
 
 }  // namespace
 
@@ -51,7 +43,7 @@ std::optional<double> ElasticBladeContact<Ring, kRelease>::solve(const Pose& at,
     low = step;
     if (function(2.0 * step) < 0.0) high = 2.0 * step;
   }
-  return root_between(function, low, high, at_low, function(high));
+  return integrate::root_between(function, low, high, at_low, function(high));
 }
 
 template <class Ring, Release kRelease>
@@ -74,13 +66,14 @@ std::optional<double> ElasticBladeContact<Ring, kRelease>::solve_held(const Pose
     at_knot = measure(knot->bending);
   }
   const auto function = [&](double bending) { return residual(at, slip, curve_at(bending)); };
-  const double fold =
-      at_knot < 0.0 ? root_between(measure, before, knot->bending, at_before, at_knot) : knot->bending;
+  const double fold = at_knot < 0.0
+                          ? integrate::root_between(measure, before, knot->bending, at_before, at_knot)
+                          : knot->bending;
   const double at_fold = function(fold);
   if (!(at_fold > 0.0)) return std::nullopt;
   knot = std::find_if(knot, knots.end(), [&](const auto& after) { return residual(at, slip, after) < 0.0; });
   if (knot == knots.end()) return std::nullopt;
-  return root_between(function, fold, knot->bending, at_fold, function(knot->bending));
+  return integrate::root_between(function, fold, knot->bending, at_fold, function(knot->bending));
 }
 
 template <class Ring, Release kRelease>
@@ -100,8 +93,9 @@ auto ElasticBladeContact<Ring, kRelease>::branches(const Pose& at, double slip) 
     at_crest = 0.0;
   };
   const auto pass = [&](double bending, double value) {
+    if (!(bending > before)) return;  // a highest value that was found from the knot before, too
     if ((value < 0.0) != falls) {
-      const double fold = root_between(rise_at, before, bending, at_before, value);
+      const double fold = integrate::root_between(rise_at, before, bending, at_before, value);
       if (falls) close(fold);
       begin = fold;
       falls = !falls;
@@ -157,7 +151,7 @@ std::optional<double> ElasticBladeContact<Ring, kRelease>::root_on(const Pose& a
   const double high = knot != knots.end() ? std::min(knot->bending, branch.end) : branch.end;
   const double at_high = function(high);
   if (!(at_high < 0.0)) return std::nullopt;
-  return root_between(function, low, high, function(low), at_high);
+  return integrate::root_between(function, low, high, function(low), at_high);
 }
 
 template <class Ring, Release kRelease>

@@ -7,19 +7,22 @@
 
 namespace rubatlas::integrate {
 
-/// Located to the last bits of the argument (TOMS 748; the bracket never gives way to rounding). Where
-/// rounding has left both ends with one sign, the end nearer to the root; where a value is not a number,
-/// `high`.
+/// Located to `bits` of the argument, the last ones by default (TOMS 748; the bracket never gives way to
+/// rounding). Where both ends have one sign, or are one place, by rounding: the end nearer to the root; where
+/// a value is not a number, `high`. The ends may be given in either order.
 template <class Function>
-double root_between(Function function, double low, double high, double at_low, double at_high) {
+double root_between(Function function, double low, double high, double at_low, double at_high,
+                    unsigned bits = 52) {
   if (at_high == 0.0) return high;
   if (at_low == 0.0) return low;
   const bool bracketed = (at_low < 0.0 && at_high > 0.0) || (at_low > 0.0 && at_high < 0.0);
-  if (!bracketed) return std::abs(at_low) < std::abs(at_high) ? low : high;
+  if (!bracketed || low == high) return std::abs(at_low) < std::abs(at_high) ? low : high;
   // Counted in evaluations: a dozen where the function is simple, far more at a root of higher multiplicity.
   std::uintmax_t iterations = 300;
-  const auto bracket = boost::math::tools::toms748_solve(
-      function, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(52), iterations);
+  const boost::math::tools::eps_tolerance<double> close(bits);
+  const auto bracket =
+      low < high ? boost::math::tools::toms748_solve(function, low, high, at_low, at_high, close, iterations)
+                 : boost::math::tools::toms748_solve(function, high, low, at_high, at_low, close, iterations);
   return 0.5 * (bracket.first + bracket.second);
 }
 

@@ -111,7 +111,8 @@ class ContactStep {
       const double size = aimed_at_lift_off(proposed);
       if (!meter.spend(Work::contact, price_of_last_attempt())) return Outcome::stopped;
       if constexpr (kBesideOthers) system_.forget_folds();
-      const bool evaluated = attempt(size);
+      const bool evaluated = attempt(size, meter);
+      if (meter.ended()) return Outcome::stopped;
       const double error = evaluated ? scaled_error() : std::numeric_limits<double>::infinity();
       if (integrate::StepControl::acceptable(error)) {
         if (!holds_whole_contact() && !passes_fold() && !passes_two_folds() && !time_turns() &&
@@ -496,13 +497,15 @@ class ContactStep {
   /// have one price: whether they are made in lanes must not show.
   [[nodiscard]] std::int64_t price_of_last_attempt() {
     const auto contacts = static_cast<std::int64_t>(contacts_.size());
-    std::int64_t price = WorkPrice::kAttempt + contacts * WorkPrice::kForce;
-    if constexpr (!kCarried) {
-      const std::uint64_t evaluations = curve_evaluations(*law_);
-      price += static_cast<std::int64_t>(evaluations - paid_evaluations_) * price_of_curve<Law>();
-      paid_evaluations_ = evaluations;
-    }
-    return price;
+    const std::int64_t price = WorkPrice::kAttempt + contacts * WorkPrice::kForce;
+    return kCarried ? price : price + price_of_curves();
+  }
+  /// Of the evaluations of curves that are not paid yet.
+  [[nodiscard]] std::int64_t price_of_curves() {
+    const std::uint64_t evaluations = curve_evaluations(*law_);
+    const auto unpaid = static_cast<std::int64_t>(evaluations - paid_evaluations_);
+    paid_evaluations_ = evaluations;
+    return unpaid * price_of_curve<Law>();
   }
 
   /// Scale on which the motion varies where the blade is bent by u [in σ]: the distance of u to the curve's
@@ -581,12 +584,14 @@ class ContactStep {
     return integrate::root_between(determinant, 0.0, 1.0, at_begin, at_end);
   }
 
-  bool attempt(double size) {
+  /// False where a stage finds no force, or where the meter ends the revolution: one stage of many blades
+  /// whose forces are searched for can take milliseconds.
+  bool attempt(double size, WorkMeter& meter) {
     if constexpr (kCarried || Law::kLoadFollowsGap) {
       return step_.attempt(system_, size);
     } else {
-      auto watched = [this](const FullState& state, FullState& derivative) {
-        if (!system_(state, derivative)) return false;
+      auto watched = [&, this](const FullState& state, FullState& derivative) {
+        if (!meter.spend(Work::contact, price_of_curves()) || !system_(state, derivative)) return false;
         stage_shortening_ = std::max(stage_shortening_, shortening());
         return true;
       };

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -43,6 +44,27 @@ void expect_bounded_work(const solve::PointOutcome& outcome) {
   ASSERT_LE(outcome.work.price, solve::WorkBound::kHybrid.point + kBeyond);
 }
 
+/// Runs a random scene; none where its end is not an honest one, or its work not bounded.
+std::optional<solve::PointOutcome> search(std::uint64_t index) {
+  SCOPED_TRACE("random scene " + std::to_string(index) + ": " + random_scene_text(index));
+  std::optional<solve::PointOutcome> outcome;
+  const auto run_scene = [&] {
+    const scene::Scene scene = random_scene(index);
+    const solve::SectionState start{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
+    outcome = run(scene, scene.grid.speed_ratio.front(), start, solve::make_blade_tables());
+    expect_an_honest_end(scene, *outcome);
+    expect_bounded_work(*outcome);
+  };
+  EXPECT_NO_THROW(run_scene());
+  return ::testing::Test::HasFailure() ? std::nullopt : outcome;
+}
+
+TEST(RandomScenes, ThatHaveOnceFailedEndWithAStatus) {
+  // 425: one attempt of a step of thirty blades under an inclined load passed the bound of the work by far.
+  // 7079: two knots of a blade's table found the same fold.
+  for (const std::uint64_t index : {425U, 7079U}) EXPECT_TRUE(search(index));
+}
+
 class RandomSearch : public ::testing::TestWithParam<Shard> {};
 
 TEST_P(RandomSearch, EveryLegalSceneEndsWithAStatus) {
@@ -52,13 +74,9 @@ TEST_P(RandomSearch, EveryLegalSceneEndsWithAStatus) {
   std::uint64_t dearest_scene = first;
   int touched = 0;
   for (std::uint64_t index = first; index < first + scenes; ++index) {
-    SCOPED_TRACE("random scene " + std::to_string(index) + ": " + random_scene_text(index));
-    const scene::Scene scene = random_scene(index);
-    const double speed = scene.grid.speed_ratio.front();
-    const solve::SectionState start{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
-    const auto outcome = run(scene, speed, start, solve::make_blade_tables());
-    ASSERT_NO_FATAL_FAILURE(expect_an_honest_end(scene, outcome));
-    ASSERT_NO_FATAL_FAILURE(expect_bounded_work(outcome));
+    const auto found = search(index);
+    ASSERT_TRUE(found);
+    const solve::PointOutcome& outcome = *found;
     ++ended_by[outcome.detail];
     if (outcome.work.price > dearest) dearest_scene = index;
     dearest = std::max(dearest, outcome.work.price);
