@@ -9,13 +9,13 @@
 
 #include "analysis/maps_file.hpp"
 #include "analysis/report.hpp"
-#include "analysis/scene_tolerances.hpp"
+#include "analysis/rules/scene_tolerances.hpp"
 #include "atlas/environment_error.hpp"
 #include "atlas/output.hpp"
 #include "atlas/publish.hpp"
 #include "atlas/verify.hpp"
 #include "plan/scene_of_line.hpp"
-#include "scene/reader.hpp"
+#include "settings/reader.hpp"
 
 namespace rubatlas::analysis {
 namespace {
@@ -66,7 +66,7 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
 
 Findings examine(const atlas::AtlasReader& atlas) {
   Findings found;
-  found.scene = scene::parse_scene(atlas.scene_resolved(), "scene_resolved");
+  found.scene = settings::parse_scene(atlas.scene_resolved(), "scene_resolved");
   found.axes = atlas.axes();
   found.parameters = parameters_of(found.axes);
   found.has_sections = atlas.has("poincare");

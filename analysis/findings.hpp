@@ -7,18 +7,18 @@
 #include <string>
 #include <vector>
 
-#include "analysis/class.hpp"
-#include "analysis/line_summary.hpp"
-#include "analysis/parameter.hpp"
-#include "analysis/sensitivity.hpp"
-#include "analysis/statements.hpp"
+#include "analysis/paper/statements.hpp"
+#include "analysis/rules/class.hpp"
+#include "analysis/rules/line_summary.hpp"
+#include "analysis/rules/parameter.hpp"
+#include "analysis/rules/sensitivity.hpp"
 #include "plan/grid.hpp"
-#include "scene/scene.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::analysis {
 
 struct Findings {
-  scene::Scene scene;
+  settings::Scene scene;
   std::vector<plan::Axis> axes;  ///< of the atlas, `speed_ratio` last
   std::vector<Parameter> parameters;
   std::vector<ClosingTolerance> tolerance;    ///< one per line: lengths may be swept

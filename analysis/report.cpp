@@ -12,7 +12,7 @@
 #include "analysis/report_parts.hpp"
 #include "analysis/text_layout.hpp"
 #include "atlas/output.hpp"
-#include "scene/printable.hpp"
+#include "settings/printable.hpp"
 
 namespace rubatlas::analysis {
 namespace {
@@ -84,7 +84,8 @@ std::vector<std::pair<std::string, std::vector<std::string_view>>> shared_reason
 }  // namespace
 
 std::string plain_report(const Findings& found) {
-  std::string text = found.scene.title.empty() ? std::string{} : scene::printable(found.scene.title) + "\n\n";
+  std::string text =
+      found.scene.title.empty() ? std::string{} : settings::printable(found.scene.title) + "\n\n";
   for (const auto& fact : facts(found)) text += paragraph("", fact, 2, kColumns);
   text += "\nREGIONS AND TRIGGERS\n" + paragraph("", kTableKey, 2, kColumns) + "\n" + plain_table(found);
   for (const auto& sensitivity : found.sensitivities) {
@@ -115,9 +116,9 @@ std::string plain_report(const Findings& found) {
 }
 
 std::string markdown_report(const Findings& found) {
-  std::string text =
-      fmt::format("{}\n# {}\n\n", atlas::kTableMark,
-                  found.scene.title.empty() ? "Regions and triggers" : scene::printable(found.scene.title));
+  std::string text = fmt::format(
+      "{}\n# {}\n\n", atlas::kTableMark,
+      found.scene.title.empty() ? "Regions and triggers" : settings::printable(found.scene.title));
   for (const auto& fact : facts(found)) text += fmt::format("- {}\n", fact);
   text += fmt::format("\n## Regions and triggers\n\n{}\n\n", kTableKey);
   const auto header = table_header(found);

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <map>
 
-#include "analysis/evidence_text.hpp"
-#include "scene/quantity.hpp"
+#include "analysis/rules/evidence_text.hpp"
+#include "settings/quantity.hpp"
 
 namespace rubatlas::analysis {
 namespace {
@@ -103,16 +103,16 @@ std::vector<std::size_t> swept(const Findings& found) {
 
 }  // namespace
 
-std::string contact_law(const scene::Scene& scene) {
-  if (scene.contact.law == scene::ContactLaw::elastica) return "elastica";
-  const auto stiffness = scene::values_in(scene, "/ring/stiffness");
+std::string contact_law(const settings::Scene& scene) {
+  if (scene.contact.law == settings::ContactLaw::elastica) return "elastica";
+  const auto stiffness = settings::values_in(scene, "/ring/stiffness");
   if (stiffness.size() == 1) return fmt::format("elastic_ring, {:g} N/m", stiffness.front());
   return fmt::format("elastic_ring, {:g} to {:g} N/m", stiffness.front(), stiffness.back());
 }
 
 std::vector<std::string> facts(const Findings& found) {
   std::vector<std::string> sentences;
-  const bool elastica = found.scene.contact.law == scene::ContactLaw::elastica;
+  const bool elastica = found.scene.contact.law == settings::ContactLaw::elastica;
   sentences.push_back(fmt::format("Contact law: {} ({}); {} blades.", contact_law(found.scene),
                                   elastica ? "elastic blades, stiff ring" : "rigid blades, yielding ring",
                                   found.scene.blades.count));

@@ -29,6 +29,6 @@ std::string heading(const Findings& found, const Sensitivity& sensitivity);
 std::string_view mark(const Finding& finding);
 
 /// "elastica" or "elastic_ring, 10000 N/m".
-std::string contact_law(const scene::Scene& scene);
+std::string contact_law(const settings::Scene& scene);
 
 }  // namespace rubatlas::analysis

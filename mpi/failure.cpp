@@ -5,14 +5,14 @@
 #include "atlas/output.hpp"
 #include "mpi/exit_code.hpp"
 #include "mpi/say.hpp"
-#include "scene/reader.hpp"
+#include "settings/reader.hpp"
 
 namespace rubatlas::mpi {
 
 int report_failure(const std::exception_ptr& failure) {
   try {
     std::rethrow_exception(failure);
-  } catch (const scene::SceneError& error) {
+  } catch (const settings::SceneError& error) {
     say_sentence(error.what());
     return exit_code::kUsage;
   } catch (const UsageError& error) {

@@ -24,17 +24,17 @@
 
 #include "analysis/analyse.hpp"
 #include "atlas/environment_error.hpp"
-#include "mpi/accuracy_command.hpp"
-#include "mpi/command_line.hpp"
+#include "mpi/commands/accuracy_command.hpp"
+#include "mpi/commands/command_line.hpp"
+#include "mpi/commands/explain.hpp"
+#include "mpi/commands/orbit_command.hpp"
+#include "mpi/commands/run.hpp"
+#include "mpi/commands/status_command.hpp"
+#include "mpi/commands/verify_command.hpp"
 #include "mpi/exit_code.hpp"
-#include "mpi/explain.hpp"
 #include "mpi/failure.hpp"
-#include "mpi/orbit_command.hpp"
-#include "mpi/run.hpp"
-#include "mpi/session.hpp"
-#include "mpi/status_command.hpp"
-#include "mpi/verify_command.hpp"
-#include "scene/reader.hpp"
+#include "mpi/job/session.hpp"
+#include "settings/reader.hpp"
 
 namespace rubatlas::mpi {
 namespace {
@@ -63,7 +63,7 @@ int carry_out(const StatusCommand& command) {
 /// A long scene takes its time to be read, too.
 int carry_out(const ExplainCommand& command) {
   const double begin = seconds_on_the_wall();
-  const auto scene = scene::parse_scene(scene::read_text(command.scene), command.scene.string());
+  const auto scene = settings::parse_scene(settings::read_text(command.scene), command.scene.string());
   const double measured_for = command.measured_for - (seconds_on_the_wall() - begin);
   print(explain(scene, std::max(measured_for, 0.25 * command.measured_for)));
   return exit_code::kDone;

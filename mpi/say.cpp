@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "scene/printable.hpp"
+#include "settings/printable.hpp"
 
 namespace rubatlas::mpi {
 
@@ -15,7 +15,7 @@ void say(std::string_view text) {
 }
 
 void say_sentence(std::string_view sentence) {
-  say(fmt::format("rubatlas: {}\n", scene::printable(sentence)));
+  say(fmt::format("rubatlas: {}\n", settings::printable(sentence)));
 }
 
 }  // namespace rubatlas::mpi

@@ -12,8 +12,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 # Folders whose tests see the same under sanitizers, in the same minutes, as without.
-lower=(scene plan blade contact rotor integrate observables atlas analysis)
-upper=(solve batch physics hard)
+lower=(settings plan blade contact rotor integrate observables atlas analysis)
+upper=(point batch physics hard)
 plain=yes
 sanitized=yes
 leave_out='slow'

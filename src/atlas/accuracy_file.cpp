@@ -9,7 +9,7 @@
 #include "atlas/inner_scale.hpp"
 #include "atlas/publish.hpp"
 #include "plan/grid.hpp"
-#include "scene/reader.hpp"
+#include "settings/reader.hpp"
 
 namespace rubatlas::atlas {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 /// Axes of the file, and the datasets along them.
 class Writer {
  public:
-  Writer(File& file, const scene::Scene& scene, const AccuracyStudy& study)
+  Writer(File& file, const settings::Scene& scene, const AccuracyStudy& study)
       : file_(file),
         study_(study),
         setting_(scale({"setting", counted(study.settings.size(), 0), "1",
@@ -74,7 +74,7 @@ class Writer {
   }
 
   void sections(const std::string& name, const std::string& long_name, const Dataset& along,
-                std::vector<solve::SectionState> AccuracyRun::*member) {
+                std::vector<point::SectionState> AccuracyRun::*member) {
     std::vector<double> values;
     for (const auto& run : study_.runs) {
       // A run that ended early has fewer sections, or none.
@@ -168,17 +168,18 @@ void write_times(Writer& writer) {
 
 void write_work(Writer& writer) {
   const auto count = [&](const std::string& name, const std::string& long_name,
-                         std::uint64_t solve::WorkCounts::*member) {
+                         std::uint64_t motion::WorkCounts::*member) {
     writer.per_run<std::int64_t>(
         name, "1", long_name + " in all revolutions of a point",
         [member](const AccuracyRun& run) { return static_cast<std::int64_t>(run.work.*member); });
   };
-  count("right_hand_sides", "evaluations of the equations of motion", &solve::WorkCounts::right_hand_sides);
-  count("elastica_evaluations", "evaluations of the blade's curve", &solve::WorkCounts::elastica_evaluations);
-  count("gap_evaluations", "evaluations of the gap in flight", &solve::WorkCounts::gap_evaluations);
-  count("steps", "accepted steps", &solve::WorkCounts::steps);
-  count("rejected_steps", "rejected steps", &solve::WorkCounts::rejected_steps);
-  count("touchdowns", "touch-downs", &solve::WorkCounts::touchdowns);
+  count("right_hand_sides", "evaluations of the equations of motion", &motion::WorkCounts::right_hand_sides);
+  count("elastica_evaluations", "evaluations of the blade's curve",
+        &motion::WorkCounts::elastica_evaluations);
+  count("gap_evaluations", "evaluations of the gap in flight", &motion::WorkCounts::gap_evaluations);
+  count("steps", "accepted steps", &motion::WorkCounts::steps);
+  count("rejected_steps", "rejected steps", &motion::WorkCounts::rejected_steps);
+  count("touchdowns", "touch-downs", &motion::WorkCounts::touchdowns);
 }
 
 void write_motions(Writer& writer) {
@@ -202,8 +203,8 @@ void write_motions(Writer& writer) {
                          [](Run run) { return run.max_displacement; });
 }
 
-void write_trajectories(Writer& writer, const scene::Scene& scene, const AccuracyStudy& study) {
-  const auto longest = [&](std::vector<solve::SectionState> AccuracyRun::*member) {
+void write_trajectories(Writer& writer, const settings::Scene& scene, const AccuracyStudy& study) {
+  const auto longest = [&](std::vector<point::SectionState> AccuracyRun::*member) {
     std::size_t count = 0;
     for (const auto& run : study.runs) count = std::max(count, (run.*member).size());
     return count;
@@ -238,7 +239,7 @@ void write_trajectories(Writer& writer, const scene::Scene& scene, const Accurac
 
 }  // namespace
 
-void write_accuracy(const Output& output, const scene::Scene& scene, const std::string& scene_text,
+void write_accuracy(const Output& output, const settings::Scene& scene, const std::string& scene_text,
                     const AccuracyStudy& study, const Software& software) {
   Publication publication(output);
   File file = File::create(publication.name());
@@ -252,7 +253,7 @@ void write_accuracy(const Output& output, const scene::Scene& scene, const std::
                 "cpu_time_median, which are measured");
   root.close();
   file.create_text("/scene", scene_text).set_text("long_name", "the scene file, as it was given");
-  file.create_text("/scene_resolved", scene::resolved_json(scene))
+  file.create_text("/scene_resolved", settings::resolved_json(scene))
       .set_text("long_name", "the scene with every default and every axis value written out");
   {
     Writer writer(file, scene, study);

@@ -12,8 +12,8 @@
 
 #include "atlas/output.hpp"
 #include "atlas/software.hpp"
-#include "scene/scene.hpp"
-#include "solve/line_solver.hpp"
+#include "point/line_solver.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::atlas {
 
@@ -30,24 +30,24 @@ struct AccuracySetting {
 
 /// One setting at one point.
 struct AccuracyRun {
-  solve::PointStatus status = solve::PointStatus::pending;
+  point::PointStatus status = point::PointStatus::pending;
   std::int32_t failed_revolution = -1;  ///< of a run that did not end as done
   /// Largest distance of the compared sections from those of the reference run, over the clearance [-]; NaN
   /// where either run did not end as done.
   double trajectory_error = std::numeric_limits<double>::quiet_NaN();
   double cpu_time_min = 0.0;     ///< [s] over the repeats
   double cpu_time_median = 0.0;  ///< [s]
-  solve::WorkCounts work;
+  motion::WorkCounts work;
   std::uint8_t motion = 0;  ///< class per revolution, as in MAPS.h5
   std::uint8_t region = 0;  ///< 1 to 4; 0 in none of them
   double max_displacement = std::numeric_limits<double>::quiet_NaN();  ///< [m]
-  std::vector<solve::SectionState> first_sections;                     ///< after revolutions 1, 2, ...
-  std::vector<solve::SectionState> last_sections;                      ///< the last of the sampled ones
+  std::vector<point::SectionState> first_sections;                     ///< after revolutions 1, 2, ...
+  std::vector<point::SectionState> last_sections;                      ///< the last of the sampled ones
 };
 
 /// What holds for all settings at a point.
 struct AccuracyPoint {
-  solve::PointStart start;  ///< from which all runs start: where the reference run's sweep comes from
+  point::PointStart start;  ///< from which all runs start: where the reference run's sweep comes from
   /// Leading sections over which the two tightest runs agree; all revolutions of the protocol: predictable.
   std::int32_t horizon = 0;
 };
@@ -78,7 +78,7 @@ struct AccuracyStudy {
 };
 
 /// The file appears when it is complete. Throws EnvironmentError.
-void write_accuracy(const Output& output, const scene::Scene& scene, const std::string& scene_text,
+void write_accuracy(const Output& output, const settings::Scene& scene, const std::string& scene_text,
                     const AccuracyStudy& study, const Software& software);
 
 }  // namespace rubatlas::atlas

@@ -57,7 +57,7 @@ class AtlasReader {
 
   /// The scene file's own text.
   [[nodiscard]] std::string scene() const { return file_.read_text("/scene"); }
-  /// The scene with every default written out; `scene::parse_scene` reads it.
+  /// The scene with every default written out; `settings::parse_scene` reads it.
   [[nodiscard]] std::string scene_resolved() const { return file_.read_text("/scene_resolved"); }
 
   /// False of atlases that were begun before rows had checksums.

@@ -23,7 +23,7 @@ std::span<const T> one(const T& value) {
 
 }  // namespace
 
-AtlasWriter::AtlasWriter(const std::filesystem::path& path, const scene::Scene& scene,
+AtlasWriter::AtlasWriter(const std::filesystem::path& path, const settings::Scene& scene,
                          std::chrono::milliseconds batch_period)
     : path_(path),
       schema_(schema_of(scene)),
@@ -57,7 +57,7 @@ void AtlasWriter::write_part(const RowDataset& rows, std::size_t point, std::spa
   }
 }
 
-void AtlasWriter::write_point(std::size_t point, bool restarted, const solve::PointOutcome& outcome) {
+void AtlasWriter::write_point(std::size_t point, bool restarted, const point::PointOutcome& outcome) {
   write_row(point, Row(schema_, restarted, outcome));
   // A reader, and the run that resumes, believe a row as soon as its status says so.
   unsettled_.emplace_back(point, static_cast<std::uint8_t>(outcome.status));

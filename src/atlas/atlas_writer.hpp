@@ -18,8 +18,8 @@
 #include "atlas/row_checksum.hpp"
 #include "atlas/schema.hpp"
 #include "atlas/synchronise.hpp"
-#include "scene/scene.hpp"
-#include "solve/line_solver.hpp"
+#include "point/line_solver.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::atlas {
 
@@ -32,12 +32,12 @@ class AtlasWriter {
   /// Opens an atlas that `create_atlas` made from the same scene; under MPI all ranks together, each of which
   /// then writes whenever it likes. A `batch_period` of 0 has no batches: each status follows its row. Throws
   /// EnvironmentError.
-  AtlasWriter(const std::filesystem::path& path, const scene::Scene& scene,
+  AtlasWriter(const std::filesystem::path& path, const settings::Scene& scene,
               std::chrono::milliseconds batch_period = kBatchPeriod);
 
   /// Writes a point's row; its status follows when the row is on the disk. A point that did not end as done
   /// gets NaN throughout. `restarted`: it started from the scene's `initial`.
-  void write_point(std::size_t point, bool restarted, const solve::PointOutcome& outcome);
+  void write_point(std::size_t point, bool restarted, const point::PointOutcome& outcome);
 
   /// Writes the statuses that are due; to be called now and then by a rank that writes no points. Asking
   /// costs a look at the clock.

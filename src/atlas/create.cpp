@@ -16,8 +16,8 @@
 #include "atlas/inner_scale.hpp"
 #include "atlas/publish.hpp"
 #include "atlas/schema.hpp"
-#include "scene/reader.hpp"
-#include "solve/line_solver.hpp"
+#include "point/line_solver.hpp"
+#include "settings/reader.hpp"
 
 namespace rubatlas::atlas {
 namespace {
@@ -74,7 +74,7 @@ void create_row_dataset(File& file, const Schema& schema, const RowDataset& rows
   if (rows.name == "status_detail") {
     std::vector<std::uint8_t> values;
     std::vector<std::string_view> meanings;
-    for (const auto& entry : solve::kStatusDetails) {
+    for (const auto& entry : point::kStatusDetails) {
       values.push_back(static_cast<std::uint8_t>(entry.detail));
       meanings.emplace_back(entry.name);
     }
@@ -84,7 +84,7 @@ void create_row_dataset(File& file, const Schema& schema, const RowDataset& rows
 
 }  // namespace
 
-void create_atlas(const Output& output, const scene::Scene& scene, const std::string& scene_text,
+void create_atlas(const Output& output, const settings::Scene& scene, const std::string& scene_text,
                   const Software& software,
                   const std::function<void(const std::filesystem::path&)>& before_it_appears) {
   const Schema schema = schema_of(scene);
@@ -93,7 +93,7 @@ void create_atlas(const Output& output, const scene::Scene& scene, const std::st
   create_header_checksum(file.root(), schema.row_datasets().size());
   write_provenance(file.root(), software, FileKind::atlas, scene.title);
   file.create_text("/scene", scene_text).set_text("long_name", "the scene file, as it was given");
-  file.create_text("/scene_resolved", scene::resolved_json(scene))
+  file.create_text("/scene_resolved", settings::resolved_json(scene))
       .set_text("long_name", "the scene with every default and every axis value written out");
   {
     Scales scales;

@@ -7,7 +7,7 @@
 
 #include "atlas/output.hpp"
 #include "atlas/software.hpp"
-#include "scene/scene.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::atlas {
 
@@ -15,7 +15,7 @@ namespace rubatlas::atlas {
 /// complete and on the disk: one rank does this before the others open it. `scene_text` is the scene file as
 /// it was read. `before_it_appears` gets the temporary name when the file is complete: to lock it. Throws
 /// EnvironmentError, and OutputRefusal where there is a file that must stay.
-void create_atlas(const Output& output, const scene::Scene& scene, const std::string& scene_text,
+void create_atlas(const Output& output, const settings::Scene& scene, const std::string& scene_text,
                   const Software& software,
                   const std::function<void(const std::filesystem::path&)>& before_it_appears = {});
 

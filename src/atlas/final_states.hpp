@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "atlas/atlas_reader.hpp"
-#include "scene/scene.hpp"
-#include "solve/line_solver.hpp"
+#include "point/line_solver.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::atlas {
 
@@ -15,10 +15,10 @@ class FinalStates {
  public:
   FinalStates() = default;
   /// `scene`: the atlas' own.
-  FinalStates(const AtlasReader& atlas, const scene::Scene& scene);
+  FinalStates(const AtlasReader& atlas, const settings::Scene& scene);
 
   /// The end of a point whose status is done.
-  [[nodiscard]] solve::PointStart of(std::size_t point) const;
+  [[nodiscard]] point::PointStart of(std::size_t point) const;
 
  private:
   struct Rows {

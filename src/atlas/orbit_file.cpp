@@ -6,13 +6,13 @@
 #include "atlas/hdf5.hpp"
 #include "atlas/inner_scale.hpp"
 #include "atlas/publish.hpp"
-#include "scene/quantity.hpp"
-#include "scene/reader.hpp"
+#include "settings/quantity.hpp"
+#include "settings/reader.hpp"
 
 namespace rubatlas::atlas {
 namespace {
 
-std::vector<double> flat(const std::vector<solve::SectionState>& states) {
+std::vector<double> flat(const std::vector<point::SectionState>& states) {
   std::vector<double> values;
   for (const auto& state : states) values.insert(values.end(), state.begin(), state.end());
   return values;
@@ -46,7 +46,7 @@ void write_column(File& file, const std::string& name, const std::vector<T>& val
 }
 
 /// Contact after contact, each from its touch-down to its lift-off.
-void write_contacts(File& file, const solve::ContactSamples& contacts, const Dataset& component) {
+void write_contacts(File& file, const point::ContactSamples& contacts, const Dataset& component) {
   const Dataset sample = create_inner_scale(
       file, {"contact_sample", counted(contacts.time.size(), 0), "1", "number of a sample within a contact"});
   std::vector<std::int32_t> blade = contacts.blade;
@@ -61,30 +61,30 @@ void write_contacts(File& file, const solve::ContactSamples& contacts, const Dat
               "state of the shaft centre: x, y [m], dx/dtau, dy/dtau [m per unit tau]");
 }
 
-void write_point(Object root, const scene::Scene& scene, const plan::PointParameters& parameters,
-                 const solve::SectionState& start, const solve::Orbit& orbit) {
-  const auto axes = scene::axes_of(scene);
+void write_point(Object root, const settings::Scene& scene, const plan::PointParameters& parameters,
+                 const point::SectionState& start, const point::Orbit& orbit) {
+  const auto axes = settings::axes_of(scene);
   const auto values = plan::values_of(parameters);
   for (std::size_t i = axes.size(); i-- > 0;) root.set_number<double>(axes[i].name, values[i]);
   root.set_numbers<double>("start", start);
   root.set_number<std::int32_t>("status", static_cast<std::int32_t>(orbit.status));
   root.set_text("status_meanings", "0 pending, 1 done, 2 left_validity, 3 integrator_failed");
   root.set_number<std::int32_t>("status_detail", static_cast<std::int32_t>(orbit.detail));
-  root.set_text("status_detail_meaning", std::string(solve::text_of(orbit.detail)));
+  root.set_text("status_detail_meaning", std::string(point::text_of(orbit.detail)));
   root.set_number<std::int32_t>("failed_revolution", orbit.failed_revolution);
 }
 
 }  // namespace
 
-void write_orbit(const Output& output, const scene::Scene& scene, const std::string& scene_text,
-                 const plan::PointParameters& parameters, const solve::SectionState& start,
-                 const solve::Orbit& orbit, const Software& software) {
+void write_orbit(const Output& output, const settings::Scene& scene, const std::string& scene_text,
+                 const plan::PointParameters& parameters, const point::SectionState& start,
+                 const point::Orbit& orbit, const Software& software) {
   Publication publication(output);
   File file = File::create(publication.name());
   write_provenance(file.root(), software, FileKind::orbit, scene.title);
   write_point(file.root(), scene, parameters, start, orbit);
   file.create_text("/scene", scene_text).set_text("long_name", "the scene file, as it was given");
-  file.create_text("/scene_resolved", scene::resolved_json(scene))
+  file.create_text("/scene_resolved", settings::resolved_json(scene))
       .set_text("long_name", "the scene with every default and every axis value written out");
 
   const auto blades = static_cast<std::size_t>(scene.blades.count);

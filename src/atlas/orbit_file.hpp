@@ -6,8 +6,8 @@
 #include "atlas/output.hpp"
 #include "atlas/software.hpp"
 #include "plan/grid.hpp"
-#include "scene/scene.hpp"
-#include "solve/line_solver.hpp"
+#include "point/line_solver.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::atlas {
 
@@ -15,8 +15,8 @@ namespace rubatlas::atlas {
 /// the contacts sampled closely (`/contact_…`), their scales, `/scene` and `/scene_resolved`; parameters,
 /// start and status are root attributes (this folder's README). The file appears when it is complete. Throws
 /// EnvironmentError.
-void write_orbit(const Output& output, const scene::Scene& scene, const std::string& scene_text,
-                 const plan::PointParameters& parameters, const solve::SectionState& start,
-                 const solve::Orbit& orbit, const Software& software);
+void write_orbit(const Output& output, const settings::Scene& scene, const std::string& scene_text,
+                 const plan::PointParameters& parameters, const point::SectionState& start,
+                 const point::Orbit& orbit, const Software& software);
 
 }  // namespace rubatlas::atlas

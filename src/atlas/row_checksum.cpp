@@ -21,14 +21,14 @@ void add(const RowPart& part, RowChecksum& sum) {
 }
 
 /// What an effect remembers on a line on which it has no strength.
-constexpr std::array<double, solve::Memory::kMost> kUnchanged{};
+constexpr std::array<double, motion::Memory::kMost> kUnchanged{};
 
 }  // namespace
 
-Row::Row(const Schema& schema, bool restarted, const solve::PointOutcome& outcome) {
-  const bool done = outcome.status == solve::PointStatus::done;
+Row::Row(const Schema& schema, bool restarted, const point::PointOutcome& outcome) {
+  const bool done = outcome.status == point::PointStatus::done;
   if (!done) {
-    std::size_t longest = std::max(outcome.final_state.size(), solve::Memory::kMost);
+    std::size_t longest = std::max(outcome.final_state.size(), motion::Memory::kMost);
     for (const auto& row : outcome.rows) longest = std::max(longest, row.size());
     absent_.assign(longest, std::numeric_limits<double>::quiet_NaN());
   }

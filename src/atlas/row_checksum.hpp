@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "atlas/schema.hpp"
-#include "solve/line_solver.hpp"
+#include "point/line_solver.hpp"
 
 namespace rubatlas::atlas {
 
@@ -22,7 +22,7 @@ class Row {
  public:
   /// `outcome` outlives the row. `restarted`: it started from the scene's `initial`. A point that did not end
   /// as done has NaN throughout.
-  Row(const Schema& schema, bool restarted, const solve::PointOutcome& outcome);
+  Row(const Schema& schema, bool restarted, const point::PointOutcome& outcome);
 
   [[nodiscard]] const std::vector<RowPart>& parts() const { return parts_; }
   [[nodiscard]] std::uint32_t checksum() const;

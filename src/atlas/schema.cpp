@@ -70,7 +70,7 @@ std::uint64_t Schema::bytes_per_point() const {
   return sum;
 }
 
-Schema schema_of(const scene::Scene& scene) {
+Schema schema_of(const settings::Scene& scene) {
   Schema schema;
   schema.axes = plan::Grid(scene).axes();
 

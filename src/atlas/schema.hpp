@@ -9,7 +9,7 @@
 #include "atlas/hdf5.hpp"
 #include "observables/list.hpp"
 #include "plan/grid.hpp"
-#include "scene/scene.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::atlas {
 
@@ -51,6 +51,6 @@ struct Schema {
   [[nodiscard]] std::uint64_t bytes_per_point() const;
 };
 
-Schema schema_of(const scene::Scene& scene);
+Schema schema_of(const settings::Scene& scene);
 
 }  // namespace rubatlas::atlas

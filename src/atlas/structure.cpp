@@ -18,14 +18,14 @@
 #include "atlas/header_checksum.hpp"
 #include "atlas/schema.hpp"
 #include "atlas/software.hpp"
-#include "scene/reader.hpp"
-#include "solve/line_solver.hpp"
+#include "point/line_solver.hpp"
+#include "settings/reader.hpp"
 
 namespace rubatlas::atlas {
 namespace {
 
-constexpr auto kDone = static_cast<std::uint8_t>(solve::PointStatus::done);
-constexpr auto kLastStatus = static_cast<std::uint8_t>(solve::PointStatus::integrator_failed);
+constexpr auto kDone = static_cast<std::uint8_t>(point::PointStatus::done);
+constexpr auto kLastStatus = static_cast<std::uint8_t>(point::PointStatus::integrator_failed);
 
 const char* words_of(NumberType type) {
   switch (type) {
@@ -77,13 +77,13 @@ class Examination {
     }
   }
 
-  [[nodiscard]] scene::Scene scene() const {
+  [[nodiscard]] settings::Scene scene() const {
     for (const char* name : {"/scene", "/scene_resolved"}) {
       if (!dataset(name).holds_texts()) refuse(fmt::format("{} is not a text", name));
     }
     try {
-      return scene::parse_scene(file_.read_text("/scene_resolved"), "/scene_resolved");
-    } catch (const scene::SceneError& error) {
+      return settings::parse_scene(file_.read_text("/scene_resolved"), "/scene_resolved");
+    } catch (const settings::SceneError& error) {
       refuse(fmt::format("/scene_resolved is not a scene of this version: {}", error.what()));
     }
   }

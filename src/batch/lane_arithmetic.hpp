@@ -44,7 +44,7 @@ struct LaneArithmetic {
     cosine = b.anchor_cosine + (b.anchor_cosine * cosine_less_one - b.anchor_sine * sine_of_angle);
     sine = b.anchor_sine + (b.anchor_sine * cosine_less_one + b.anchor_cosine * sine_of_angle);
     for (std::size_t i = 0; i < kLanes; ++i) {
-      if (!(square[i] < solve::BladeSet::kFarTurned)) [[unlikely]] {
+      if (!(square[i] < rotor::BladeSet::kFarTurned)) [[unlikely]] {
         const LaneRequest& request = *b.request[i];
         const auto er = request.blades->direction_near(request.anchor, time[i]);
         cosine[i] = er.cosine;

@@ -4,11 +4,11 @@
 #include <complex>
 
 #include "contact/elastica_contact.hpp"
-#include "effects/harmonic.hpp"
 #include "integrate/dormand_prince_853.hpp"
 #include "integrate/runge_kutta.hpp"
-#include "solve/blade_set.hpp"
-#include "solve/contact_system.hpp"
+#include "modes/contact_system.hpp"
+#include "rotor/blade_set.hpp"
+#include "rotor/harmonic.hpp"
 
 namespace rubatlas::batch {
 
@@ -21,10 +21,10 @@ constexpr int kEvaluationsOfAttempt = integrate::DormandPrince853::kStages;
 template <class System>
 inline constexpr bool kFitsLanes = false;
 template <>
-inline constexpr bool kFitsLanes<solve::CarriedContact<contact::ElasticaContact, effects::NoForcing>> = true;
+inline constexpr bool kFitsLanes<modes::CarriedContact<contact::ElasticaContact, rotor::NoForcing>> = true;
 template <>
-inline constexpr bool
-    kFitsLanes<solve::CarriedContact<contact::ElasticaContact, effects::RotatingUnbalance>> = true;
+inline constexpr bool kFitsLanes<modes::CarriedContact<contact::ElasticaContact, rotor::RotatingUnbalance>> =
+    true;
 
 struct LaneRequest {
   /// Of a system that is open and anchored at the start of a step that has begun.
@@ -43,13 +43,13 @@ struct LaneRequest {
 
   LaneStep* step;
   double size;
-  const solve::RotorConstants* rotor;
-  const solve::BladeSet* blades;
+  const rotor::RotorConstants* rotor;
+  const rotor::BladeSet* blades;
   const contact::ElasticaContact* law;
-  const effects::RotatingUnbalance* unbalance;  ///< none: no forcing
+  const rotor::RotatingUnbalance* unbalance;  ///< none: no forcing
   double slip;
   double scale;
-  solve::BladeSet::Anchor anchor;
+  rotor::BladeSet::Anchor anchor;
 
   // What the attempt gave, besides the stages and the end of the step.
   bool finite = false;  ///< what the step's own attempt would have returned
@@ -57,10 +57,8 @@ struct LaneRequest {
   std::complex<double> acceleration;
 
  private:
-  static const effects::RotatingUnbalance* unbalance_of(const effects::NoForcing& /*none*/) {
-    return nullptr;
-  }
-  static const effects::RotatingUnbalance* unbalance_of(const effects::RotatingUnbalance& forcing) {
+  static const rotor::RotatingUnbalance* unbalance_of(const rotor::NoForcing& /*none*/) { return nullptr; }
+  static const rotor::RotatingUnbalance* unbalance_of(const rotor::RotatingUnbalance& forcing) {
     return &forcing;
   }
 };

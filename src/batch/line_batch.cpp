@@ -3,6 +3,7 @@
 #include <chrono>
 #include <type_traits>
 
+#include "assembly/make_line_solver.hpp"
 #include "batch/contact_lanes.hpp"
 #include "batch/line_fibers.hpp"
 #include "batch/shared_attempts.hpp"
@@ -13,13 +14,13 @@ namespace {
 /// One line after the other, on the caller's stack.
 class OneByOne final : public LineBatch {
  public:
-  void begin(int /*seat*/, solve::LineSolver& solver, double speed_ratio,
-             const solve::PointStart& start) override {
+  void begin(int /*seat*/, point::LineSolver& solver, double speed_ratio,
+             const point::PointStart& start) override {
     solver_ = &solver;
     speed_ratio_ = speed_ratio;
     start_ = start;
   }
-  Finished advance(const solve::GoOn& go_on) override {
+  Finished advance(const modes::GoOn& go_on) override {
     const auto began = std::chrono::steady_clock::now();
     Finished finished;
     finished.outcome = solver_->run(speed_ratio_, start_, go_on);
@@ -29,16 +30,16 @@ class OneByOne final : public LineBatch {
   [[nodiscard]] LaneCounts counts() const override { return {}; }
 
  private:
-  solve::LineSolver* solver_ = nullptr;
+  point::LineSolver* solver_ = nullptr;
   double speed_ratio_ = 0.0;
-  solve::PointStart start_;
+  point::PointStart start_;
 };
 
 /// The lanes know one carried contact under no forcing or an unbalance.
-std::string_view why_not(const scene::Scene& scene) {
-  if (scene.contact.law == scene::ContactLaw::elastic_ring) return "the elastic ring has nothing to carry";
-  if (scene.contact.law != scene::ContactLaw::elastica) return "the lanes know the elastica only";
-  if (scene.accuracy.method != scene::Method::hybrid) return "only the method `hybrid` is made for it";
+std::string_view why_not(const settings::Scene& scene) {
+  if (scene.contact.law == settings::ContactLaw::elastic_ring) return "the elastic ring has nothing to carry";
+  if (scene.contact.law != settings::ContactLaw::elastica) return "the lanes know the elastica only";
+  if (scene.accuracy.method != settings::Method::hybrid) return "only the method `hybrid` is made for it";
   bool more_acts = false;
   effects::for_each_effect([&]<auto Effect>() {
     using Settings = std::remove_cvref_t<decltype(*(scene.*Effect))>;
@@ -52,7 +53,7 @@ std::string_view why_not(const scene::Scene& scene) {
 
 }  // namespace
 
-Width width_of(const scene::Scene& scene, int most) {
+Width width_of(const settings::Scene& scene, int most) {
 #ifdef RUBATLAS_NO_FIBERS
   return {1, "built with sanitizers, which do not follow stacks that change"};
 #endif
@@ -63,10 +64,10 @@ Width width_of(const scene::Scene& scene, int most) {
   return {lanes, lanes == 8 ? "AVX-512" : "AVX2"};
 }
 
-std::unique_ptr<solve::LineSolver> make_line_solver(const Width& width, const scene::Scene& scene,
+std::unique_ptr<point::LineSolver> make_line_solver(const Width& width, const settings::Scene& scene,
                                                     const plan::PointParameters& line,
-                                                    const std::shared_ptr<solve::BladeTables>& tables) {
-  if (width.seats == 1) return solve::make_line_solver(scene, line, tables);
+                                                    const std::shared_ptr<assembly::BladeTables>& tables) {
+  if (width.seats == 1) return assembly::make_line_solver(scene, line, tables);
   return make_sharing_line_solver(scene, line, *tables);
 }
 

@@ -6,9 +6,10 @@
 #include <memory>
 #include <string_view>
 
+#include "assembly/make_line_solver.hpp"
 #include "plan/grid.hpp"
-#include "scene/scene.hpp"
-#include "solve/line_solver.hpp"
+#include "point/line_solver.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::batch {
 
@@ -19,12 +20,12 @@ struct Width {
 };
 
 /// `most`: the caller's own bound; 0 sets none.
-Width width_of(const scene::Scene& scene, int most = 0);
+Width width_of(const settings::Scene& scene, int most = 0);
 
 /// As `solve::make_line_solver`, for a line that is to run in a batch of this width.
-std::unique_ptr<solve::LineSolver> make_line_solver(const Width& width, const scene::Scene& scene,
+std::unique_ptr<point::LineSolver> make_line_solver(const Width& width, const settings::Scene& scene,
                                                     const plan::PointParameters& line,
-                                                    const std::shared_ptr<solve::BladeTables>& tables);
+                                                    const std::shared_ptr<assembly::BladeTables>& tables);
 
 /// How the attempts of contact steps were made; never part of the atlas.
 struct LaneCounts {
@@ -35,7 +36,7 @@ struct LaneCounts {
 /// A point that has ended.
 struct Finished {
   int seat = 0;
-  solve::PointOutcome outcome;
+  point::PointOutcome outcome;
   double seconds = 0.0;  ///< its share of the time: while n points are under way each is charged with an n-th
 };
 
@@ -45,13 +46,13 @@ class LineBatch {
 
   /// Puts a point on a free seat, from 0 to `Width::seats` − 1. Solver and start outlive it; a solver sits on
   /// one seat at a time.
-  virtual void begin(int seat, solve::LineSolver& solver, double speed_ratio,
-                     const solve::PointStart& start) = 0;
+  virtual void begin(int seat, point::LineSolver& solver, double speed_ratio,
+                     const point::PointStart& start) = 0;
 
   /// Goes on with all points until one has ended; at least one is under way. `go_on` is asked for each of
   /// them, after each revolution and within long ones, and may begin points on free seats; false gives up the
   /// point for which it was asked. What a solver throws is thrown here; the batch is of no further use then.
-  virtual Finished advance(const solve::GoOn& go_on) = 0;
+  virtual Finished advance(const modes::GoOn& go_on) = 0;
 
   [[nodiscard]] virtual LaneCounts counts() const = 0;
 };

@@ -27,8 +27,8 @@ LineFibers* LineFibers::running() {
   return running_batch;
 }
 
-void LineFibers::begin(int seat_number, solve::LineSolver& solver, double speed_ratio,
-                       const solve::PointStart& start) {
+void LineFibers::begin(int seat_number, point::LineSolver& solver, double speed_ratio,
+                       const point::PointStart& start) {
   Seat& seat = seats_[static_cast<std::size_t>(seat_number)];
   seat.solver = &solver;
   seat.speed_ratio = speed_ratio;
@@ -62,7 +62,7 @@ void LineFibers::run_point(Seat& seat) {
   seat.ended = true;
 }
 
-Finished LineFibers::advance(const solve::GoOn& go_on) {
+Finished LineFibers::advance(const modes::GoOn& go_on) {
   while (true) {
     if (ready_.empty()) make_attempts();
     Seat& seat = *ready_.front();

@@ -23,9 +23,9 @@ class LineFibers final : public LineBatch {
   /// `seats`: lanes of the processor, or fewer.
   explicit LineFibers(int seats);
 
-  void begin(int seat, solve::LineSolver& solver, double speed_ratio,
-             const solve::PointStart& start) override;
-  Finished advance(const solve::GoOn& go_on) override;
+  void begin(int seat, point::LineSolver& solver, double speed_ratio,
+             const point::PointStart& start) override;
+  Finished advance(const modes::GoOn& go_on) override;
   [[nodiscard]] LaneCounts counts() const override { return counts_; }
 
   /// The one whose point this thread runs; none outside of points.
@@ -37,10 +37,10 @@ class LineFibers final : public LineBatch {
  private:
   struct Seat {
     boost::context::fiber fiber;  ///< of the point under way
-    solve::LineSolver* solver = nullptr;
+    point::LineSolver* solver = nullptr;
     double speed_ratio = 0.0;
-    solve::PointStart start;
-    solve::PointOutcome outcome;
+    point::PointStart start;
+    point::PointOutcome outcome;
     std::exception_ptr failure;
     bool ended = false;
     bool asks = false;       ///< whether it is to go on

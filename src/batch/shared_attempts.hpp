@@ -3,9 +3,10 @@
 
 #include <memory>
 
+#include "assembly/make_line_solver.hpp"
 #include "batch/lane_request.hpp"
 #include "batch/line_fibers.hpp"
-#include "solve/line_solver.hpp"
+#include "point/line_solver.hpp"
 
 namespace rubatlas::batch {
 
@@ -13,9 +14,9 @@ namespace rubatlas::batch {
 struct SharedDormandPrince853 : integrate::DormandPrince853 {};
 
 /// The line solver of a scene of `width_of(scene).seats` > 1. Alone, or out of a batch, it computes the same.
-std::unique_ptr<solve::LineSolver> make_sharing_line_solver(const scene::Scene& scene,
+std::unique_ptr<point::LineSolver> make_sharing_line_solver(const settings::Scene& scene,
                                                             const plan::PointParameters& line,
-                                                            solve::BladeTables& tables);
+                                                            assembly::BladeTables& tables);
 
 }  // namespace rubatlas::batch
 

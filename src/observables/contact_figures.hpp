@@ -7,16 +7,16 @@
 
 #include "observables/load_peak.hpp"
 #include "observables/observable.hpp"
-#include "scene/scene.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::observables {
 
 /// Touch-downs within the sampled revolutions, per revolution; a contact open at their start is not one.
 class TouchdownsPerRevolution final : public Observable {
  public:
-  explicit TouchdownsPerRevolution(const scene::Scene& scene)
+  explicit TouchdownsPerRevolution(const settings::Scene& scene)
       : revolutions_(scene.protocol.sampled_revolutions) {}
-  static std::unique_ptr<Observable> make(const scene::Scene& scene) {
+  static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<TouchdownsPerRevolution>(scene);
   }
   void begin(const PointConstants& /*point*/) override { count_ = 0; }
@@ -31,8 +31,8 @@ class TouchdownsPerRevolution final : public Observable {
 /// Share of the time with any blade in contact [-].
 class ContactFraction final : public Observable {
  public:
-  explicit ContactFraction(const scene::Scene& scene) : revolutions_(scene.protocol.sampled_revolutions) {}
-  static std::unique_ptr<Observable> make(const scene::Scene& scene) {
+  explicit ContactFraction(const settings::Scene& scene) : revolutions_(scene.protocol.sampled_revolutions) {}
+  static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<ContactFraction>(scene);
   }
   void begin(const PointConstants& point) override {
@@ -63,7 +63,7 @@ class ContactFraction final : public Observable {
 template <double (MotionPiece::*kQuantity)(std::size_t, double)>
 class ContactPeak final : public Observable {
  public:
-  static std::unique_ptr<Observable> make(const scene::Scene& /*scene*/) {
+  static std::unique_ptr<Observable> make(const settings::Scene& /*scene*/) {
     return std::make_unique<ContactPeak>();
   }
   void begin(const PointConstants& /*point*/) override { peak_ = 0.0; }
@@ -88,7 +88,7 @@ using MaxRootStrain = ContactPeak<&MotionPiece::root_strain>;
 class Yielded final : public Observable {
  public:
   explicit Yielded(double yield_strain) : yield_strain_(yield_strain) {}
-  static std::unique_ptr<Observable> make(const scene::Scene& scene) {
+  static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<Yielded>(*scene.validity.yield_strain);
   }
   void begin(const PointConstants& point) override { strain_.begin(point); }
@@ -107,7 +107,7 @@ class Yielded final : public Observable {
 /// included.
 class ClearanceGrowth final : public Observable {
  public:
-  static std::unique_ptr<Observable> make(const scene::Scene& /*scene*/) {
+  static std::unique_ptr<Observable> make(const settings::Scene& /*scene*/) {
     return std::make_unique<ClearanceGrowth>();
   }
   void begin(const PointConstants& /*point*/) override { growth_ = 0.0; }

@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <string_view>
 
-#include "scene/scene.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::observables {
 
 /// How many values the inner axis of this name has (`list.hpp`).
-std::size_t inner_axis_size(std::string_view name, const scene::Scene& scene);
+std::size_t inner_axis_size(std::string_view name, const settings::Scene& scene);
 
 }  // namespace rubatlas::observables

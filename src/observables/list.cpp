@@ -19,7 +19,7 @@ struct Entry {
   std::vector<std::string> inner_axes;
   const char* units;
   const char* long_name;
-  std::unique_ptr<Observable> (*make)(const scene::Scene&);
+  std::unique_ptr<Observable> (*make)(const settings::Scene&);
 };
 
 /// The registration list, in the order in which datasets and rows stand.
@@ -54,13 +54,13 @@ const std::vector<Entry>& entries() {
   return kEntries;
 }
 
-InnerAxis make_axis(const std::string& name, const scene::Scene& scene) {
+InnerAxis make_axis(const std::string& name, const settings::Scene& scene) {
   const auto numbers = [](int count, int first) {
     std::vector<std::int32_t> values(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = first + static_cast<std::int32_t>(i);
     return values;
   };
-  const scene::Protocol& protocol = scene.protocol;
+  const settings::Protocol& protocol = scene.protocol;
   if (name == "component")
     return {name, std::vector<std::string>{"x", "y", "vx", "vy"}, "", "component of the state"};
   if (name == "section") {
@@ -80,14 +80,14 @@ InnerAxis make_axis(const std::string& name, const scene::Scene& scene) {
 }
 
 /// The flag comes with its limit; everything else is named by the scene.
-bool asked_for(const Entry& entry, const scene::Scene& scene) {
+bool asked_for(const Entry& entry, const settings::Scene& scene) {
   if (entry.make == Yielded::make) return scene.validity.yield_strain.has_value();
   return std::find(scene.observables.begin(), scene.observables.end(), entry.name) != scene.observables.end();
 }
 
 }  // namespace
 
-std::size_t inner_axis_size(std::string_view name, const scene::Scene& scene) {
+std::size_t inner_axis_size(std::string_view name, const settings::Scene& scene) {
   const auto sections = static_cast<std::size_t>(scene.protocol.sampled_revolutions);
   const auto blades = static_cast<std::size_t>(scene.blades.count);
   if (name == "component") return std::tuple_size_v<State>;
@@ -97,7 +97,7 @@ std::size_t inner_axis_size(std::string_view name, const scene::Scene& scene) {
   return static_cast<std::size_t>(scene.spectrum.max_order) * sections + 1;
 }
 
-std::vector<Description> descriptions(const scene::Scene& scene) {
+std::vector<Description> descriptions(const settings::Scene& scene) {
   std::vector<Description> result;
   for (const Entry& entry : entries()) {
     if (!asked_for(entry, scene)) continue;
@@ -108,13 +108,13 @@ std::vector<Description> descriptions(const scene::Scene& scene) {
   return result;
 }
 
-std::vector<Description> memories(const scene::Scene& scene) {
+std::vector<Description> memories(const settings::Scene& scene) {
   std::vector<Description> result;
   effects::for_each_effect([&]<auto Effect>() {
     using Settings = effects::Settings<Effect>;
     if constexpr (requires { Settings::kMemory; }) {
       constexpr std::string_view kSection = Settings::kDescription.section;
-      const bool swept = std::ranges::any_of(scene.grid.swept, [&](const scene::PointerAxis& axis) {
+      const bool swept = std::ranges::any_of(scene.grid.swept, [&](const settings::PointerAxis& axis) {
         return axis.pointer.starts_with(std::string(kSection) + '/');
       });
       if (!swept && !effects::acts<Effect>(scene)) return;
@@ -131,7 +131,7 @@ std::vector<Description> memories(const scene::Scene& scene) {
   return result;
 }
 
-std::vector<InnerAxis> inner_axes(const scene::Scene& scene) {
+std::vector<InnerAxis> inner_axes(const settings::Scene& scene) {
   std::vector<std::string> names = {"component"};
   const auto add = [&](const std::vector<Description>& kept) {
     for (const Description& description : kept) {
@@ -148,7 +148,7 @@ std::vector<InnerAxis> inner_axes(const scene::Scene& scene) {
   return result;
 }
 
-Recorder::Recorder(const scene::Scene& scene) : descriptions_(descriptions(scene)) {
+Recorder::Recorder(const settings::Scene& scene) : descriptions_(descriptions(scene)) {
   for (const Entry& entry : entries()) {
     if (asked_for(entry, scene)) observables_.push_back(entry.make(scene));
   }

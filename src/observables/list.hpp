@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::observables {
 
@@ -37,15 +37,15 @@ struct Description {
 };
 
 /// The observables that the scene asks for, in the order of the list.
-std::vector<Description> descriptions(const scene::Scene& scene);
+std::vector<Description> descriptions(const settings::Scene& scene);
 
 /// What the scene's effects remember from point to point besides the state, one dataset
 /// `final_state_<effect>` each; a point's numbers stand one after the other in this order (`solve::Memory`).
 /// Empty for most scenes.
-std::vector<Description> memories(const scene::Scene& scene);
+std::vector<Description> memories(const settings::Scene& scene);
 
 /// The inner axes that observables, memories and `final_state` (component) need, each once.
-std::vector<InnerAxis> inner_axes(const scene::Scene& scene);
+std::vector<InnerAxis> inner_axes(const settings::Scene& scene);
 
 /// One row per description, in the same order; NaN throughout when the point did not end as done.
 using Rows = std::vector<std::vector<double>>;

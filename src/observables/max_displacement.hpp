@@ -6,13 +6,15 @@
 
 #include "observables/largest_distance.hpp"
 #include "observables/observable.hpp"
-#include "scene/scene.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::observables {
 
 class MaxDisplacement final : public Observable {
  public:
-  static std::unique_ptr<Observable> make(const scene::Scene&) { return std::make_unique<MaxDisplacement>(); }
+  static std::unique_ptr<Observable> make(const settings::Scene&) {
+    return std::make_unique<MaxDisplacement>();
+  }
 
   void begin(const PointConstants& point) override {
     speed_ratio_ = point.speed_ratio;

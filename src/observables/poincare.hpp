@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "observables/observable.hpp"
-#include "scene/scene.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::observables {
 
 class Poincare final : public Observable {
  public:
-  static std::unique_ptr<Observable> make(const scene::Scene&) { return std::make_unique<Poincare>(); }
+  static std::unique_ptr<Observable> make(const settings::Scene&) { return std::make_unique<Poincare>(); }
 
   void begin(const PointConstants& /*point*/) override { values_.clear(); }
   void revolution_ends(const State& section) override {

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "observables/observable.hpp"
-#include "scene/scene.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::observables {
 
 class PoincareBladePassing final : public Observable {
  public:
-  static std::unique_ptr<Observable> make(const scene::Scene&) {
+  static std::unique_ptr<Observable> make(const settings::Scene&) {
     return std::make_unique<PoincareBladePassing>();
   }
 

@@ -14,7 +14,7 @@ namespace rubatlas::observables {
 
 class Recorder {
  public:
-  explicit Recorder(const scene::Scene& scene);
+  explicit Recorder(const settings::Scene& scene);
 
   void begin(const PointConstants& point) {
     blade_count_ = point.blade_count;

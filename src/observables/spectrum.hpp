@@ -5,16 +5,16 @@
 
 #include "analysis/spectrum.hpp"
 #include "observables/observable.hpp"
-#include "scene/scene.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::observables {
 
 class SpectrumOfDisplacement final : public Observable {
  public:
-  explicit SpectrumOfDisplacement(const scene::Scene& scene)
+  explicit SpectrumOfDisplacement(const settings::Scene& scene)
       : samples_per_revolution_(scene.protocol.samples_per_revolution),
         spectrum_(scene.protocol.sampled_revolutions, samples_per_revolution_, scene.spectrum.max_order) {}
-  static std::unique_ptr<Observable> make(const scene::Scene& scene) {
+  static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<SpectrumOfDisplacement>(scene);
   }
 

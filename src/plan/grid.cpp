@@ -2,12 +2,12 @@
 
 #include <array>
 
-#include "scene/quantity.hpp"
+#include "settings/quantity.hpp"
 
 namespace rubatlas::plan {
 namespace {
 
-/// Which members of a point's parameters the axes of `scene::grid_axes` set, in their order.
+/// Which members of a point's parameters the axes of `settings::grid_axes` set, in their order.
 constexpr std::array kParameters{&PointParameters::thickness, &PointParameters::unbalance,
                                  &PointParameters::friction, &PointParameters::damping_ratio,
                                  &PointParameters::speed_ratio};
@@ -29,13 +29,13 @@ PointParameters parameters_at(std::span<const double> values) {
   return result;
 }
 
-Grid::Grid(const scene::Scene& scene)
-    : sweep_(scene.sweep), chained_(scene.sweep != scene::Sweep::independent) {
-  if (sweep_ == scene::Sweep::both) {
+Grid::Grid(const settings::Scene& scene)
+    : sweep_(scene.sweep), chained_(scene.sweep != settings::Sweep::independent) {
+  if (sweep_ == settings::Sweep::both) {
     axes_.push_back(
         {"direction", {0.0, 1.0}, "1", "direction of the sweep along the speed ratio: 0 up, 1 down"});
   }
-  for (auto& axis : scene::axes_of(scene)) {
+  for (auto& axis : settings::axes_of(scene)) {
     axes_.push_back({std::move(axis.name), std::move(axis.values), std::string(axis.quantity->unit),
                      std::string(axis.quantity->meaning)});
   }
@@ -68,18 +68,18 @@ PointParameters Grid::parameters(std::size_t point) const {
     values[i] = along[point % along.size()];
     point /= along.size();
   }
-  const std::size_t first = sweep_ == scene::Sweep::both ? 1 : 0;  // the direction is no parameter
+  const std::size_t first = sweep_ == settings::Sweep::both ? 1 : 0;  // the direction is no parameter
   return parameters_at(std::span<const double>(values).subspan(first));
 }
 
 Direction Grid::direction(std::size_t line) const {
   switch (sweep_) {
-    case scene::Sweep::down:
+    case settings::Sweep::down:
       return Direction::down;
-    case scene::Sweep::both:  // `direction` is the slowest axis: the first half of the lines goes up
+    case settings::Sweep::both:  // `direction` is the slowest axis: the first half of the lines goes up
       return line < line_count() / 2 ? Direction::up : Direction::down;
-    case scene::Sweep::up:
-    case scene::Sweep::independent:
+    case settings::Sweep::up:
+    case settings::Sweep::independent:
       break;
   }
   return Direction::up;

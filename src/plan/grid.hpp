@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::plan {
 
@@ -23,10 +23,11 @@ struct PointParameters {
   double friction = 0.0;           ///< μ [-]
   double unbalance = 0.0;          ///< me [kg m]
   double thickness = 0.0;          ///< h [m]
-  std::vector<double> swept = {};  ///< on the axes of `scene::Grid::swept`, in their order
+  std::vector<double> swept = {};  ///< on the axes of `settings::Grid::swept`, in their order
 };
 
-/// The parameters as one value per axis, in the order of `scene::axes_of` (slowest first, speed ratio last).
+/// The parameters as one value per axis, in the order of `settings::axes_of` (slowest first, speed ratio
+/// last).
 std::vector<double> values_of(const PointParameters& parameters);
 /// The reverse: the last five values are those of the axes with names of their own.
 PointParameters parameters_at(std::span<const double> values);
@@ -43,7 +44,7 @@ struct Axis {
 
 class Grid {
  public:
-  explicit Grid(const scene::Scene& scene);
+  explicit Grid(const settings::Scene& scene);
 
   [[nodiscard]] const std::vector<Axis>& axes() const { return axes_; }
   /// One extent per axis.
@@ -63,7 +64,7 @@ class Grid {
 
  private:
   std::vector<Axis> axes_;
-  scene::Sweep sweep_;
+  settings::Sweep sweep_;
   bool chained_;
 };
 

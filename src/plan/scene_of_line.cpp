@@ -4,18 +4,18 @@
 
 #include <stdexcept>
 
-#include "scene/quantity.hpp"
+#include "settings/quantity.hpp"
 
 namespace rubatlas::plan {
 
-scene::Scene scene_of_line(const scene::Scene& scene, const PointParameters& line) {
-  const auto axes = scene::axes_of(scene);
+settings::Scene scene_of_line(const settings::Scene& scene, const PointParameters& line) {
+  const auto axes = settings::axes_of(scene);
   const auto values = values_of(line);
   if (axes.size() != values.size()) {
     throw std::invalid_argument(
         fmt::format("a line with {} swept values, of a scene with {} axes", values.size(), axes.size()));
   }
-  scene::Scene own = scene;
+  settings::Scene own = scene;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (axes[i].quantity->write != nullptr) axes[i].quantity->write(own, values[i]);
   }

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "plan/grid.hpp"
-#include "scene/scene.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::plan {
 
 /// `scene` with the line's value of every swept quantity (all axes but the speed ratio, which varies along
 /// the line) written into its place; the grid stays. An unbalance of zero is the absent effect. Throws
 /// std::invalid_argument where `line.swept` has not one value for each axis of `scene.grid.swept`.
-scene::Scene scene_of_line(const scene::Scene& scene, const PointParameters& line);
+settings::Scene scene_of_line(const settings::Scene& scene, const PointParameters& line);
 
 }  // namespace rubatlas::plan

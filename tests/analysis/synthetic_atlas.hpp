@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "analysis/class.hpp"
+#include "analysis/rules/class.hpp"
 #include "atlas/atlas_writer.hpp"
 #include "atlas/create.hpp"
 #include "observables/list.hpp"
 #include "plan/grid.hpp"
-#include "scene/reader.hpp"
-#include "solve/line_solver.hpp"
+#include "point/line_solver.hpp"
+#include "settings/reader.hpp"
 
 namespace rubatlas::analysis {
 
@@ -22,7 +22,7 @@ namespace rubatlas::analysis {
 struct PrescribedPoint {
   std::uint8_t motion = 1;
   double displacement = 1e-3;  ///< [m]
-  solve::PointStatus status = solve::PointStatus::done;
+  point::PointStatus status = point::PointStatus::done;
 };
 
 /// Sections of a motion of the given class, as large as the displacement.
@@ -42,16 +42,16 @@ inline std::vector<double> sections_of(const PrescribedPoint& point, std::size_t
 /// Writes an atlas of the scene (JSON text), each point as `prescribe` says.
 inline void write_atlas(const std::filesystem::path& path, const std::string& text,
                         const std::function<PrescribedPoint(const plan::PointParameters&)>& prescribe) {
-  const auto scene = scene::parse_scene(text);
+  const auto scene = settings::parse_scene(text);
   const plan::Grid grid(scene);
   atlas::create_atlas(path, scene, text, {"rubatlas", "1.0", "none", "none"});
   atlas::AtlasWriter writer(path, scene);
   for (std::size_t point = 0; point < grid.point_count(); ++point) {
     const auto prescribed = prescribe(grid.parameters(point));
     if (prescribed.motion == motion_class::kNone) continue;
-    solve::PointOutcome outcome;
+    point::PointOutcome outcome;
     outcome.status = prescribed.status;
-    outcome.failed_revolution = prescribed.status == solve::PointStatus::done ? -1 : 7;
+    outcome.failed_revolution = prescribed.status == point::PointStatus::done ? -1 : 7;
     for (const auto& description : observables::descriptions(scene)) {
       if (description.name.starts_with("poincare")) {
         outcome.rows.push_back(sections_of(prescribed, description.row_size / kStateSize));

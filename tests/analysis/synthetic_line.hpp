@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "analysis/line.hpp"
+#include "analysis/rules/line.hpp"
 
 namespace rubatlas::analysis {
 

@@ -12,7 +12,7 @@
 #include "analysis/text_layout.hpp"
 #include "atlas/environment_error.hpp"
 #include "atlas/hdf5.hpp"
-#include "scene/reader.hpp"
+#include "settings/reader.hpp"
 #include "synthetic_atlas.hpp"
 #include "tests/atlas/scratch.hpp"
 
@@ -173,8 +173,8 @@ TEST_F(Analyse, CopesWithPendingAndFailedPoints) {
   write_atlas(file("atlas.h5"), kScene, [](const plan::PointParameters& at) {
     auto point = papers_point(at);
     if (at.damping_ratio > 0.2) point.motion = motion_class::kNone;                // pending
-    if (at.speed_ratio > 0.805) point.status = solve::PointStatus::left_validity;  // 15 speeds
-    if (std::abs(at.speed_ratio - 0.2) < 1e-9) point.status = solve::PointStatus::integrator_failed;
+    if (at.speed_ratio > 0.805) point.status = point::PointStatus::left_validity;  // 15 speeds
+    if (std::abs(at.speed_ratio - 0.2) < 1e-9) point.status = point::PointStatus::integrator_failed;
     return point;
   });
   const auto text = run("atlas.h5");

@@ -1,5 +1,5 @@
 // Classes of motions whose period is known by construction.
-#include "analysis/class.hpp"
+#include "analysis/rules/class.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // Regions of lines whose classes are prescribed.
-#include "analysis/regions.hpp"
+#include "analysis/rules/regions.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "analysis/doublings.hpp"
-#include "analysis/stretches.hpp"
+#include "analysis/rules/doublings.hpp"
+#include "analysis/rules/stretches.hpp"
 #include "synthetic_line.hpp"
 
 namespace rubatlas::analysis {

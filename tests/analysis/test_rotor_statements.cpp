@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/reference_rotor.hpp"
-#include "analysis/statements.hpp"
+#include "analysis/paper/reference_rotor.hpp"
+#include "analysis/paper/statements.hpp"
 #include "synthetic_line.hpp"
 
 namespace rubatlas::analysis {
@@ -49,7 +49,7 @@ class RotorStatements : public ::testing::Test {
   }
   void on_the_rig() { scene_ = test_rig().scene; }
 
-  scene::Scene scene_;
+  settings::Scene scene_;
   double first_speed_ = 0.05;
 
  private:
@@ -176,7 +176,7 @@ TEST_F(RotorStatements, NineDoesNotCountBladesOfExactlyTheLimitAsThin) {
 
 TEST_F(RotorStatements, NineIsNotCoveredByRigidBlades) {
   on_the_rig();
-  scene_.contact.law = scene::ContactLaw::elastic_ring;
+  scene_.contact.law = settings::ContactLaw::elastic_ring;
   axes({"thickness", "friction", "damping_ratio"});
   add(rises_without_chaos(), {0.2e-3, 0.1, 0.05});
   add(four_regions(), {0.5e-3, 0.1, 0.05});
@@ -266,14 +266,14 @@ TEST_F(RotorStatements, TwelveIsNotCoveredByThreeBlades) {
 }
 
 TEST_F(RotorStatements, ThirteenAgreesWhenEveryStiffnessShowsThePicture) {
-  scene_.contact.law = scene::ContactLaw::elastic_ring;
+  scene_.contact.law = settings::ContactLaw::elastic_ring;
   axes({"ring_stiffness", "friction", "damping_ratio"});
   for (const double stiffness : {1e3, 1e4}) add(four_regions(), {stiffness, 0.1, 0.1});
   EXPECT_EQ(verdict("P13"), Verdict::agrees);
 }
 
 TEST_F(RotorStatements, ThirteenHoldsPartlyWhenASoftRingDoesNot) {
-  scene_.contact.law = scene::ContactLaw::elastic_ring;
+  scene_.contact.law = settings::ContactLaw::elastic_ring;
   axes({"ring_stiffness", "friction", "damping_ratio"});
   add(nothing_happens(), {1e3, 0.1, 0.1});
   add(four_regions(), {1e4, 0.1, 0.1});
@@ -283,7 +283,7 @@ TEST_F(RotorStatements, ThirteenHoldsPartlyWhenASoftRingDoesNot) {
 }
 
 TEST_F(RotorStatements, ThirteenDisagreesWhenNoStiffnessDoes) {
-  scene_.contact.law = scene::ContactLaw::elastic_ring;
+  scene_.contact.law = settings::ContactLaw::elastic_ring;
   axes({"ring_stiffness", "friction", "damping_ratio"});
   for (const double stiffness : {1e3, 1e4}) add(nothing_happens(), {stiffness, 0.1, 0.1});
   EXPECT_EQ(verdict("P13"), Verdict::disagrees);

@@ -1,11 +1,11 @@
 // What happens along a parameter, in words.
-#include "analysis/sensitivity.hpp"
+#include "analysis/rules/sensitivity.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "analysis/course.hpp"
+#include "analysis/rules/course.hpp"
 #include "synthetic_line.hpp"
 
 namespace rubatlas::analysis {

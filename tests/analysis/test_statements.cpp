@@ -1,12 +1,12 @@
 // Verdicts on P1 to P8, on atlases that show what the paper says, and on such that do not.
-#include "analysis/statements.hpp"
+#include "analysis/paper/statements.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 
-#include "scene/scene.hpp"
+#include "settings/scene.hpp"
 #include "synthetic_line.hpp"
 
 namespace rubatlas::analysis {
@@ -42,7 +42,7 @@ class Statements : public ::testing::Test {
     return judge(name, per_passing).verdict();
   }
 
-  scene::Scene scene_;
+  settings::Scene scene_;
 
  private:
   std::vector<plan::Axis> axes_{{"unbalance", {}, "kg m", ""},

@@ -1,5 +1,5 @@
 // Triggers of lines whose steps are prescribed.
-#include "analysis/triggers.hpp"
+#include "analysis/rules/triggers.hpp"
 
 #include <gtest/gtest.h>
 

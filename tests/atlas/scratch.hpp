@@ -10,8 +10,8 @@
 #include <string>
 
 #include "atlas/software.hpp"
-#include "scene/reader.hpp"
-#include "scene/scene.hpp"
+#include "settings/reader.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::atlas::testing {
 
@@ -44,8 +44,8 @@ inline const std::string kSmallScene = R"({
   "protocol": {"transient_revolutions": 2, "sampled_revolutions": 3, "samples_per_revolution": 32},
   "observables": ["poincare", "poincare_blade_passing", "max_displacement", "spectrum"]})";
 
-inline scene::Scene small_scene() {
-  return scene::parse_scene(kSmallScene);
+inline settings::Scene small_scene() {
+  return settings::parse_scene(kSmallScene);
 }
 
 }  // namespace rubatlas::atlas::testing

@@ -23,9 +23,9 @@ namespace rubatlas::atlas {
 namespace {
 
 /// A row whose numbers tell which point and which place they belong to.
-solve::PointOutcome numbered_outcome(const scene::Scene& scene, std::size_t point) {
-  solve::PointOutcome outcome;
-  outcome.status = solve::PointStatus::done;
+point::PointOutcome numbered_outcome(const settings::Scene& scene, std::size_t point) {
+  point::PointOutcome outcome;
+  outcome.status = point::PointStatus::done;
   const double base = 1000.0 * static_cast<double>(point + 1);
   for (std::size_t i = 0; i < outcome.final_state.size(); ++i)
     outcome.final_state[i] = base + static_cast<double>(i);
@@ -44,7 +44,7 @@ class Atlas : public testing::Scratch {
   }
   [[nodiscard]] std::filesystem::path path() const { return file("atlas.h5"); }
 
-  scene::Scene scene_ = testing::small_scene();
+  settings::Scene scene_ = testing::small_scene();
 };
 
 TEST_F(Atlas, AFreshOneHasEveryAxisAndNoPointDone) {
@@ -67,17 +67,17 @@ TEST_F(Atlas, NamesAllThatMayEndAMotion) {
   const std::string meanings = details.text("flag_meanings");
   std::size_t named = 1;
   for (const char c : meanings) named += c == ' ' ? 1U : 0U;
-  EXPECT_EQ(named, solve::kStatusDetails.size());
-  for (const auto& entry : solve::kStatusDetails) {
+  EXPECT_EQ(named, point::kStatusDetails.size());
+  for (const auto& entry : point::kStatusDetails) {
     EXPECT_NE(meanings.find(entry.name), std::string::npos) << entry.name;
-    EXPECT_NE(entry.status, solve::PointStatus::pending) << entry.name;
+    EXPECT_NE(entry.status, point::PointStatus::pending) << entry.name;
   }
 }
 
 TEST_F(Atlas, KeepsTheSceneAsItWasGivenAndAsItWasUnderstood) {
   const AtlasReader atlas(path());
   EXPECT_EQ(atlas.scene(), testing::kSmallScene);
-  EXPECT_EQ(atlas.scene_resolved(), scene::resolved_json(scene_));
+  EXPECT_EQ(atlas.scene_resolved(), settings::resolved_json(scene_));
   EXPECT_EQ(atlas.file().root().text("title"), "small");
 }
 
@@ -132,8 +132,8 @@ TEST_F(Atlas, ALineIsReadAsOnePiece) {
 TEST_F(Atlas, APointThatFailedHasNoNumbersWhateverItReached) {
   AtlasWriter writer(path(), scene_);
   auto outcome = numbered_outcome(scene_, 3);
-  outcome.status = solve::PointStatus::left_validity;
-  outcome.detail = solve::StatusDetail::shaft_at_ring;
+  outcome.status = point::PointStatus::left_validity;
+  outcome.detail = point::StatusDetail::shaft_at_ring;
   outcome.failed_revolution = 4;
   writer.write_point(3, false, outcome);
   writer.close();
@@ -177,7 +177,7 @@ TEST_F(Atlas, PointsAreFoundByTheirParameters) {
 TEST_F(Atlas, OfBothDirectionsTheOneAskedForIsFound) {
   auto text = testing::kSmallScene;
   text.insert(1, R"("sweep": "both",)");
-  const auto both = scene::parse_scene(text);
+  const auto both = settings::parse_scene(text);
   create_atlas(file("both.h5"), both, text, testing::kSoftware);
   const AtlasReader atlas(file("both.h5"));
   EXPECT_EQ(atlas.shape(), (Shape{2, 1, 1, 1, 2, 5}));
@@ -241,7 +241,7 @@ class FullAtlas : public Atlas {
     AtlasWriter writer(path(), scene_);
     for (std::size_t point = 0; point < 10; ++point) {
       auto outcome = numbered_outcome(scene_, point);
-      if (point == 4) outcome.status = solve::PointStatus::left_validity;
+      if (point == 4) outcome.status = point::PointStatus::left_validity;
       writer.write_point(point, point == 0, outcome);
     }
     writer.close();

@@ -9,15 +9,15 @@ const plan::PointParameters kParameters{0.3, 0.1, 0.1, 0.0, 0.001};
 
 class OrbitFile : public testing::Scratch {
  protected:
-  void write(const solve::Orbit& orbit) const {
+  void write(const point::Orbit& orbit) const {
     write_orbit(file("orbit.h5"), testing::small_scene(), testing::kSmallScene, kParameters,
                 {1.0, 2.0, 3.0, 4.0}, orbit, testing::kSoftware);
   }
 };
 
 TEST_F(OrbitFile, HoldsTimeStateForceAndSections) {
-  solve::Orbit orbit;
-  orbit.status = solve::PointStatus::done;
+  point::Orbit orbit;
+  orbit.status = point::PointStatus::done;
   orbit.time = {0.0, 0.5};
   orbit.state = {{1.0, 2.0, 3.0, 4.0}, {5.0, 6.0, 7.0, 8.0}};
   orbit.force = {0.0, 10.0, 0.0, 0.0, 0.0, 20.0};
@@ -47,8 +47,8 @@ TEST_F(OrbitFile, HoldsTimeStateForceAndSections) {
 }
 
 TEST_F(OrbitFile, OfAMotionThatFailedSaysSoAndMayBeEmpty) {
-  solve::Orbit orbit;
-  orbit.status = solve::PointStatus::left_validity;
+  point::Orbit orbit;
+  orbit.status = point::PointStatus::left_validity;
   orbit.failed_revolution = 1;
   write(orbit);
   const File read = File::open_to_read(file("orbit.h5"));

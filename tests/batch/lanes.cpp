@@ -12,7 +12,7 @@
 
 #include "batch/contact_lanes.hpp"
 #include "batch/lane_request.hpp"
-#include "solve/motion.hpp"
+#include "motion/motion.hpp"
 
 namespace rubatlas::batch {
 namespace {
@@ -35,8 +35,8 @@ void expect_same(double one, double other) {
 template <class Forcing>
 class AskedUnder final : public Asked {
  public:
-  using System = solve::CarriedContact<contact::ElasticaContact, Forcing>;
-  AskedUnder(const System& system, const solve::ContactState& state, double size)
+  using System = modes::CarriedContact<contact::ElasticaContact, Forcing>;
+  AskedUnder(const System& system, const rotor::ContactState& state, double size)
       : system_(system), state_(state), size_(size), in_lane_(system) {}
 
   LaneRequest& begin_in_lane() override {
@@ -81,19 +81,19 @@ class AskedUnder final : public Asked {
 
  private:
   System system_;  ///< opened, and anchored at the start of the step
-  solve::ContactState state_;
+  rotor::ContactState state_;
   double size_;
   System in_lane_;
   LaneStep step_in_lane_;
   std::optional<LaneRequest> request_;
 };
 
-class TouchDowns final : public solve::MotionListener {
+class TouchDowns final : public modes::MotionListener {
  public:
-  void event(const solve::Event& event) override {
-    if (event.kind == solve::PhaseEvent::touch_down) events.push_back(event);
+  void event(const modes::Event& event) override {
+    if (event.kind == modes::PhaseEvent::touch_down) events.push_back(event);
   }
-  std::vector<solve::Event> events;
+  std::vector<modes::Event> events;
 };
 
 /// A rotor, its blades, and what its contacts ask for.
@@ -109,20 +109,20 @@ class Machine {
 
   /// Attempts at sizes that keep the tolerance and at some that do not, up to past lift-off.
   void ask(std::vector<std::unique_ptr<Asked>>& asked) {
-    solve::Motion<contact::ElasticaContact, Forcing> motion(rotor_, blades_, law_, forcing_,
-                                                            {kTolerance, 0.5});
+    motion::Motion<contact::ElasticaContact, Forcing> motion(rotor_, blades_, law_, forcing_,
+                                                             {kTolerance, 0.5});
     TouchDowns seen;
-    ASSERT_EQ(motion.start(solve::State::Zero()), solve::PointStatus::done);
+    ASSERT_EQ(motion.start(rotor::State::Zero()), point::PointStatus::done);
     for (int i = 0; i < 6; ++i) motion.revolution(seen);
     ASSERT_FALSE(seen.events.empty());
-    for (const solve::Event& event : seen.events) {
-      solve::CarriedContact<contact::ElasticaContact, Forcing> system(rotor_, blades_, law_, forcing_);
-      solve::ContactState state;
+    for (const modes::Event& event : seen.events) {
+      modes::CarriedContact<contact::ElasticaContact, Forcing> system(rotor_, blades_, law_, forcing_);
+      rotor::ContactState state;
       state << event.state, event.time, 0.0;
       if (!system.open({event.blade, event.slip, 0.0}, state)) continue;
       double size = 0.1;
-      for (int i = 0; i < 20 && state[solve::kBending] >= 0.0; ++i) {
-        system.anchor(state[solve::kTime]);
+      for (int i = 0; i < 20 && state[rotor::kBending] >= 0.0; ++i) {
+        system.anchor(state[rotor::kTime]);
         LaneStep step;
         step.begin(system, state);
         for (const double factor : {1.0, 3.0, 30.0, 1e6, 1e200}) {
@@ -138,8 +138,8 @@ class Machine {
   }
 
  private:
-  solve::RotorConstants rotor_;
-  solve::BladeSet blades_;
+  rotor::RotorConstants rotor_;
+  rotor::BladeSet blades_;
   contact::ElasticaContact law_;
   Forcing forcing_;
 };
@@ -151,9 +151,9 @@ class Lanes : public testing::TestWithParam<int> {
     for (const double friction : {0.1, 0.5, 0.0}) {
       for (const double speed_ratio : {0.15, 0.36, 0.62}) {
         const double thickness = speed_ratio < 0.5 ? 0.001 : 0.0007;
-        steady_.emplace_back(speed_ratio, 0.1, friction, thickness, effects::NoForcing{});
+        steady_.emplace_back(speed_ratio, 0.1, friction, thickness, rotor::NoForcing{});
         unbalanced_.emplace_back(speed_ratio, 0.05, friction, thickness,
-                                 effects::RotatingUnbalance(1e-4, 0.3, speed_ratio, 0.05));
+                                 rotor::RotatingUnbalance(1e-4, 0.3, speed_ratio, 0.05));
       }
     }
     for (auto& machine : steady_) machine.ask(asked_);
@@ -177,8 +177,8 @@ class Lanes : public testing::TestWithParam<int> {
 
  private:
   static constexpr std::size_t kStride = 173;
-  std::list<Machine<effects::NoForcing>> steady_;  // requests point at them
-  std::list<Machine<effects::RotatingUnbalance>> unbalanced_;
+  std::list<Machine<rotor::NoForcing>> steady_;  // requests point at them
+  std::list<Machine<rotor::RotatingUnbalance>> unbalanced_;
   std::vector<std::unique_ptr<Asked>> asked_;
   std::vector<Asked*> order_;
 };

@@ -10,15 +10,16 @@
 #include <string>
 #include <vector>
 
+#include "assembly/make_line_solver.hpp"
 #include "batch/contact_lanes.hpp"
-#include "scene/reader.hpp"
+#include "settings/reader.hpp"
 
 namespace rubatlas::batch {
 namespace {
 
 /// Damping ratios of which the lowest leaves the model's validity at some speeds; with and without unbalance.
-scene::Scene eight_lines() {
-  return scene::parse_scene(R"({
+settings::Scene eight_lines() {
+  return settings::parse_scene(R"({
     "grid": {"damping_ratio": [0.02, 0.05, 0.1, 0.2], "unbalance": [0.0, 1e-4],
              "speed_ratio": [0.3, 0.36, 0.5, 0.62, 0.9, 1.1]},
     "protocol": {"transient_revolutions": 12, "sampled_revolutions": 6, "samples_per_revolution": 32},
@@ -26,7 +27,7 @@ scene::Scene eight_lines() {
   })");
 }
 
-void expect_same(const solve::PointOutcome& one, const solve::PointOutcome& other) {
+void expect_same(const point::PointOutcome& one, const point::PointOutcome& other) {
   EXPECT_EQ(one.status, other.status);
   EXPECT_EQ(one.failed_revolution, other.failed_revolution);
   EXPECT_EQ(std::memcmp(one.final_state.data(), other.final_state.data(), sizeof one.final_state), 0);
@@ -42,7 +43,7 @@ void expect_same(const solve::PointOutcome& one, const solve::PointOutcome& othe
 /// All points of a grid from rest, on so many seats; by index.
 class Played {
  public:
-  Played(const scene::Scene& scene, const Width& width) : scene_(scene), grid_(scene_), width_(width) {
+  Played(const settings::Scene& scene, const Width& width) : scene_(scene), grid_(scene_), width_(width) {
     outcomes.resize(grid_.point_count());
     solvers_.resize(static_cast<std::size_t>(width.seats));
     point_on_.resize(solvers_.size());
@@ -64,7 +65,7 @@ class Played {
     }
   }
 
-  std::vector<solve::PointOutcome> outcomes;
+  std::vector<point::PointOutcome> outcomes;
   std::size_t revolutions = 0;
   std::unique_ptr<LineBatch> batch;
 
@@ -76,26 +77,26 @@ class Played {
     batch->begin(static_cast<int>(seat), *solvers_[seat], parameters.speed_ratio, {});
   }
 
-  scene::Scene scene_;
+  settings::Scene scene_;
   plan::Grid grid_;
   Width width_;
-  std::shared_ptr<solve::BladeTables> tables_ = solve::make_blade_tables();
-  std::vector<std::unique_ptr<solve::LineSolver>> solvers_;
+  std::shared_ptr<assembly::BladeTables> tables_ = assembly::make_blade_tables();
+  std::vector<std::unique_ptr<point::LineSolver>> solvers_;
   std::vector<std::size_t> point_on_;
 };
 
 TEST(LineBatch, EveryPointHasTheBitsThatItHasAlone) {
-  const scene::Scene scene = eight_lines();
+  const settings::Scene scene = eight_lines();
   const plan::Grid grid(scene);
-  const auto tables = solve::make_blade_tables();
-  std::vector<solve::PointOutcome> alone;
+  const auto tables = assembly::make_blade_tables();
+  std::vector<point::PointOutcome> alone;
   std::size_t failed = 0;
   std::size_t revolutions = 0;
   for (std::size_t point = 0; point < grid.point_count(); ++point) {
     const auto parameters = grid.parameters(point);
-    alone.push_back(solve::make_line_solver(scene, parameters, tables)->run(parameters.speed_ratio, {}));
+    alone.push_back(assembly::make_line_solver(scene, parameters, tables)->run(parameters.speed_ratio, {}));
     revolutions += alone.back().work.revolutions;
-    if (alone.back().status != solve::PointStatus::done) ++failed;
+    if (alone.back().status != point::PointStatus::done) ++failed;
   }
   EXPECT_GT(failed, 0U) << "some points leave the model, which hurts nobody else";
   EXPECT_LT(failed, alone.size());
@@ -114,8 +115,8 @@ TEST(LineBatch, EveryPointHasTheBitsThatItHasAlone) {
 }
 
 TEST(LineBatch, AnElasticRingIsComputedLineByLine) {
-  scene::Scene scene = eight_lines();
-  scene.contact.law = scene::ContactLaw::elastic_ring;
+  settings::Scene scene = eight_lines();
+  scene.contact.law = settings::ContactLaw::elastic_ring;
   EXPECT_EQ(width_of(scene).seats, 1);
   EXPECT_FALSE(width_of(scene).reason.empty());
 }
@@ -124,7 +125,7 @@ TEST(LineBatch, OtherLawsAndEffectsAreComputedLineByLine) {
   for (const auto* const more :
        {R"("contact": {"law": "beam_column"})", R"("gravity": {"acceleration": 0.01})",
         R"("load_direction": {"along_normal": true})"}) {
-    const auto scene = scene::parse_scene(
+    const auto scene = settings::parse_scene(
         std::string(R"({"grid": {"speed_ratio": 0.5, "damping_ratio": [0.1, 0.2]}, )") + more + "}");
     EXPECT_EQ(width_of(scene).seats, 1) << more;
   }
@@ -132,13 +133,13 @@ TEST(LineBatch, OtherLawsAndEffectsAreComputedLineByLine) {
 
 TEST(LineBatch, EffectsThatOnlyTheGridNamesAreComputedLineByLine) {
   const auto scene =
-      scene::parse_scene(R"({"grid": {"speed_ratio": 0.5, "/gravity/acceleration": [0, 0.01]}})");
+      settings::parse_scene(R"({"grid": {"speed_ratio": 0.5, "/gravity/acceleration": [0, 0.01]}})");
   EXPECT_EQ(width_of(scene).seats, 1);
 }
 
 TEST(LineBatch, OtherMethodsAreComputedLineByLine) {
-  scene::Scene scene = eight_lines();
-  scene.accuracy.method = scene::Method::hybrid_54;
+  settings::Scene scene = eight_lines();
+  scene.accuracy.method = settings::Method::hybrid_54;
   EXPECT_EQ(width_of(scene).seats, 1);
 }
 
@@ -147,23 +148,23 @@ TEST(LineBatch, ABatchIsNoWiderThanAsked) {
 }
 
 /// A solver that fails after some revolutions, as one out of memory would.
-class Broken final : public solve::LineSolver {
+class Broken final : public point::LineSolver {
  public:
-  solve::PointOutcome run(double, const solve::PointStart&, const solve::GoOn& go_on) override {
+  point::PointOutcome run(double, const point::PointStart&, const modes::GoOn& go_on) override {
     for (int i = 0; i < 3 && go_on; ++i) go_on();
     throw std::runtime_error("out of order");
   }
-  solve::Orbit orbit(double, const solve::PointStart&) override { return {}; }
+  point::Orbit orbit(double, const point::PointStart&) override { return {}; }
 };
 
 TEST(LineBatch, WhatASolverThrowsReachesTheCallerWhoeverIsUnderWay) {
-  const scene::Scene scene = eight_lines();
+  const settings::Scene scene = eight_lines();
   const plan::Grid grid(scene);
-  const auto tables = solve::make_blade_tables();
+  const auto tables = assembly::make_blade_tables();
   for (int seats = 1; seats <= width_of(scene).seats; ++seats) {
     SCOPED_TRACE(seats);
     const Width width{seats, "asked for"};
-    std::vector<std::unique_ptr<solve::LineSolver>> sound;
+    std::vector<std::unique_ptr<point::LineSolver>> sound;
     Broken broken;
     const auto batch = make_line_batch(width);
     batch->begin(seats / 2, broken, 0.5, {});
@@ -177,10 +178,10 @@ TEST(LineBatch, WhatASolverThrowsReachesTheCallerWhoeverIsUnderWay) {
 }
 
 TEST(LineBatch, APointMayBeginWhereverASeatIsFree) {
-  const scene::Scene scene = eight_lines();
+  const settings::Scene scene = eight_lines();
   const plan::Grid grid(scene);
   const Width width = width_of(scene);
-  const auto tables = solve::make_blade_tables();
+  const auto tables = assembly::make_blade_tables();
   const auto first = make_line_solver(width, scene, grid.parameters(0), tables);
   const auto second = make_line_solver(width, scene, grid.parameters(6), tables);
   const auto batch = make_line_batch(width);
@@ -191,7 +192,7 @@ TEST(LineBatch, APointMayBeginWhereverASeatIsFree) {
     second_began = true;
     batch->begin(seat, *second, 0.5, {});
   };
-  std::array<solve::PointOutcome, 2> outcomes;
+  std::array<point::PointOutcome, 2> outcomes;
   for (std::size_t ended = 0; ended < 2; ++ended) {
     Finished finished = batch->advance([&] {
       if (++revolutions == 5 && width.seats > 1) begin_second(1);
@@ -201,17 +202,17 @@ TEST(LineBatch, APointMayBeginWhereverASeatIsFree) {
     if (!second_began) begin_second(0);
   }
   const auto alone = [&](std::size_t point, double speed_ratio) {
-    return solve::make_line_solver(scene, grid.parameters(point), tables)->run(speed_ratio, {});
+    return assembly::make_line_solver(scene, grid.parameters(point), tables)->run(speed_ratio, {});
   };
   expect_same(outcomes[0], alone(0, 0.36));
   expect_same(outcomes[1], alone(6, 0.5));
 }
 
 TEST(LineBatch, APointThatIsGivenUpIsPendingAndTheOthersGoOn) {
-  const scene::Scene scene = eight_lines();
+  const settings::Scene scene = eight_lines();
   const plan::Grid grid(scene);
   const Width width = width_of(scene);
-  const auto tables = solve::make_blade_tables();
+  const auto tables = assembly::make_blade_tables();
   const auto first = make_line_solver(width, scene, grid.parameters(0), tables);
   const auto second = make_line_solver(width, scene, grid.parameters(6), tables);
   const auto batch = make_line_batch(width);
@@ -219,12 +220,12 @@ TEST(LineBatch, APointThatIsGivenUpIsPendingAndTheOthersGoOn) {
   if (width.seats > 1) batch->begin(1, *second, 0.5, {});
   int asked = 0;
   const Finished given_up = batch->advance([&] { return ++asked != 3; });
-  EXPECT_EQ(given_up.outcome.status, solve::PointStatus::pending);
+  EXPECT_EQ(given_up.outcome.status, point::PointStatus::pending);
   EXPECT_EQ(given_up.outcome.failed_revolution, -1);
   EXPECT_EQ(asked, 3);
   if (width.seats == 1) return;
   expect_same(batch->advance({}).outcome,
-              solve::make_line_solver(scene, grid.parameters(given_up.seat == 0 ? 6 : 0), tables)
+              assembly::make_line_solver(scene, grid.parameters(given_up.seat == 0 ? 6 : 0), tables)
                   ->run(given_up.seat == 0 ? 0.5 : 0.36, {}));
 }
 

@@ -34,7 +34,7 @@ Accuracy accuracy_of(const Peer& peer, const PeerSettings& settings) {
     result.right_hand_sides += run.work.right_hand_sides;
     double error = 0.0;
     for (std::size_t i = 0; i < run.sections.size(); ++i) {
-      const solve::SectionState& section = run.sections[i];
+      const point::SectionState& section = run.sections[i];
       error = std::max(error, test::distance(section, point->first_sections[i]) / point->scene.clearance());
       result.largest_displacement = std::max(result.largest_displacement, std::hypot(section[0], section[1]));
     }
@@ -54,7 +54,7 @@ std::vector<double> reference_speed_ratios() {
 double reference_displacement() {
   double largest = 0.0;
   for (const test::ReferenceCase* point : reference_points()) {
-    for (const solve::SectionState& section : point->first_sections)
+    for (const point::SectionState& section : point->first_sections)
       largest = std::max(largest, std::hypot(section[0], section[1]));
   }
   return largest;

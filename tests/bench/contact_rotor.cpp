@@ -4,7 +4,7 @@
 
 namespace rubatlas::bench {
 
-ContactRotor::ContactRotor(const solve::RotorConstants& rotor, int blade_count,
+ContactRotor::ContactRotor(const rotor::RotorConstants& rotor, int blade_count,
                            const contact::ElasticaContact& law)
     : rotor_(rotor),
       blades_(blade_count, rotor.speed_ratio),
@@ -16,22 +16,22 @@ ContactRotor::ContactRotor(const solve::RotorConstants& rotor, int blade_count,
 }
 
 bool ContactRotor::evaluate(double time, const double* state, double* rates) {
-  solve::ContactState full;
+  rotor::ContactState full;
   full << state[0], state[1], state[2], state[3], time, 0.0;
-  solve::ContactState derivative;
+  rotor::ContactState derivative;
   if (!system_(full, derivative)) return false;
   std::copy_n(derivative.data(), 4, rates);
   return true;
 }
 
 bool ContactRotor::evaluate_by_gap(double time, const double* state, double* rates) {
-  for (const solve::OpenContact& contact : system_.contacts())
+  for (const modes::OpenContact& contact : system_.contacts())
     bending_[static_cast<std::size_t>(contact.blade)] = contact.bending;
   contacts_.clear();
   const contact::BladeDirection first = blades_.first(time);
-  const solve::State at(state[0], state[1], state[2], state[3]);
+  const rotor::State at(state[0], state[1], state[2], state[3]);
   for (int k = 0; k < blade_count(); ++k) {
-    const contact::Pose there = solve::pose_of(rotor_, law_.geometry(), blades_.direction(k, first), at);
+    const contact::Pose there = rotor::pose_of(rotor_, law_.geometry(), blades_.direction(k, first), at);
     if (there.gap > 0.0) contacts_.push_back({k, slip(there), bending_[static_cast<std::size_t>(k)]});
   }
   system_.open(contacts_);
@@ -57,7 +57,7 @@ void ContactRotor::touch_down(int blade, double time, const double* state) {
 void ContactRotor::lift_off(int blade) {
   open_[static_cast<std::size_t>(blade)] = false;
   contacts_ = system_.contacts();
-  std::erase_if(contacts_, [blade](const solve::OpenContact& contact) { return contact.blade == blade; });
+  std::erase_if(contacts_, [blade](const modes::OpenContact& contact) { return contact.blade == blade; });
   system_.open(contacts_);
 }
 
@@ -70,7 +70,7 @@ void ContactRotor::count_touchdowns(double time, const double* state) {
 }
 
 contact::Pose ContactRotor::pose(int blade, double time, const double* state) const {
-  return solve::pose_of(rotor_, law_.geometry(), blades_.direction(blade, blades_.first(time)),
+  return rotor::pose_of(rotor_, law_.geometry(), blades_.direction(blade, blades_.first(time)),
                         {state[0], state[1], state[2], state[3]});
 }
 

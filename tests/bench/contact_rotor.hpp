@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "contact/elastica_contact.hpp"
-#include "effects/harmonic.hpp"
-#include "solve/blade_set.hpp"
-#include "solve/contact_system.hpp"
-#include "solve/rotor.hpp"
+#include "modes/contact_system.hpp"
+#include "rotor/blade_set.hpp"
+#include "rotor/constants.hpp"
+#include "rotor/harmonic.hpp"
 
 namespace rubatlas::bench {
 
@@ -23,7 +23,7 @@ using PeerState = std::array<double, 4>;
 /// to each evaluation.
 class ContactRotor {
  public:
-  ContactRotor(const solve::RotorConstants& rotor, int blade_count, const contact::ElasticaContact& law);
+  ContactRotor(const rotor::RotorConstants& rotor, int blade_count, const contact::ElasticaContact& law);
   ContactRotor(const ContactRotor&) = delete;  // parts point at each other
   ContactRotor& operator=(const ContactRotor&) = delete;
 
@@ -56,15 +56,15 @@ class ContactRotor {
   [[nodiscard]] contact::Pose pose(int blade, double time, const double* state) const;
   [[nodiscard]] double slip(const contact::Pose& at) const;
 
-  solve::RotorConstants rotor_;
-  solve::BladeSet blades_;
+  rotor::RotorConstants rotor_;
+  rotor::BladeSet blades_;
   contact::ElasticaContact law_;
-  effects::NoForcing forcing_;
-  solve::SolvedContacts<contact::ElasticaContact, effects::NoForcing> system_;
+  rotor::NoForcing forcing_;
+  modes::SolvedContacts<contact::ElasticaContact, rotor::NoForcing> system_;
   std::vector<bool> open_;
   std::vector<double>
       bending_;  ///< of each blade when it was last loaded: where the search for its force starts
-  std::vector<solve::OpenContact> contacts_;
+  std::vector<modes::OpenContact> contacts_;
   std::uint64_t touchdowns_ = 0;
 };
 

@@ -60,7 +60,7 @@ std::string ratio_to_paper(const Comparison& comparison) {
 }  // namespace
 
 std::string goals(const Comparison& comparison) {
-  solve::WorkCounts work;
+  motion::WorkCounts work;
   for (const PeerRun& run : comparison.whole_points.runs) work += run.work;
   const auto touchdowns = static_cast<double>(work.touchdowns);
   const double right_hand_sides = static_cast<double>(work.right_hand_sides) / touchdowns;

@@ -11,12 +11,13 @@
 #include <cstring>
 #include <exception>
 
+#include "assembly/make_line_solver.hpp"
 #include "problem.hpp"
 
 /// What profile.sh counts: a name of its own, so that the making of tables stays outside.
-__attribute__((noinline)) rubatlas::solve::PointOutcome run_point(rubatlas::solve::LineSolver& solver,
+__attribute__((noinline)) rubatlas::point::PointOutcome run_point(rubatlas::point::LineSolver& solver,
                                                                   double speed_ratio) {
-  return solver.run(speed_ratio, rubatlas::solve::SectionState{});
+  return solver.run(speed_ratio, rubatlas::point::SectionState{});
 }
 
 namespace {
@@ -35,18 +36,18 @@ std::uint64_t hash_of(const std::vector<double>& values) {
 int run(int argc, char** argv) {
   using namespace rubatlas;
   const double speed_ratio = std::atof(argv[1]);
-  scene::Scene scene = bench::default_scene(std::atoi(argv[2]), std::atof(argv[3]));
+  settings::Scene scene = bench::default_scene(std::atoi(argv[2]), std::atof(argv[3]));
   if (argc > 4) scene.observables.assign(argv + 4, argv + argc);
   const auto solver =
-      solve::make_line_solver(scene, bench::line_of(scene, speed_ratio), solve::make_blade_tables());
-  const solve::PointOutcome outcome = run_point(*solver, speed_ratio);
-  const solve::WorkCounts& work = outcome.work;
+      assembly::make_line_solver(scene, bench::line_of(scene, speed_ratio), assembly::make_blade_tables());
+  const point::PointOutcome outcome = run_point(*solver, speed_ratio);
+  const motion::WorkCounts& work = outcome.work;
   fmt::print("status {}\nright_hand_sides {}\nsteps {}\nrejected_steps {}\ntouchdowns {}\nliftoffs {}\n",
              static_cast<int>(outcome.status), work.right_hand_sides, work.steps, work.rejected_steps,
              work.touchdowns, work.liftoffs);
   fmt::print("slip_reversals {}\ngap_evaluations {}\nfirst_observable_hash {:016x}\n", work.slip_reversals,
              work.gap_evaluations, hash_of(outcome.rows.front()));
-  return outcome.status == solve::PointStatus::done ? 0 : 1;
+  return outcome.status == point::PointStatus::done ? 0 : 1;
 }
 
 }  // namespace

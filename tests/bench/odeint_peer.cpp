@@ -26,8 +26,8 @@ struct NoForce {};
 /// The rotor of a point, and its right-hand side as odeint calls it.
 struct PointRotor {
   explicit PointRotor(double speed_ratio)
-      : rotor(rotor_of(scene::Scene(), speed_ratio), scene::Scene().blades.count,
-              contact_of(scene::Scene(), shared_tables().curve)) {}
+      : rotor(rotor_of(settings::Scene(), speed_ratio), settings::Scene().blades.count,
+              contact_of(settings::Scene(), shared_tables().curve)) {}
   ContactRotor rotor;
 
   auto by_gap() {

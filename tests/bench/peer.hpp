@@ -7,16 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "assembly/make_line_solver.hpp"
 #include "blade/elastica_curve.hpp"
-#include "solve/line_solver.hpp"
+#include "point/line_solver.hpp"
 
 namespace rubatlas::bench {
 
 /// What a peer made of one point.
 struct PeerRun {
   bool completed = true;                      ///< to the last revolution
-  std::vector<solve::SectionState> sections;  ///< after revolutions 1, 2, …
-  solve::WorkCounts work;  ///< of others than this program right-hand sides and touch-downs only
+  std::vector<point::SectionState> sections;  ///< after revolutions 1, 2, …
+  motion::WorkCounts work;  ///< of others than this program right-hand sides and touch-downs only
 };
 
 /// How a peer is asked to run.
@@ -28,7 +29,7 @@ struct PeerSettings {
 /// Blade tables are shared by all peers and made before any of them is timed.
 struct SharedTables {
   std::shared_ptr<const blade::ElasticaCurve> curve;
-  std::shared_ptr<solve::BladeTables> blades;
+  std::shared_ptr<assembly::BladeTables> blades;
 };
 const SharedTables& shared_tables();
 

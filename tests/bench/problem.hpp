@@ -6,25 +6,25 @@
 #include <vector>
 
 #include "contact/elastica_contact.hpp"
-#include "scene/scene.hpp"
-#include "solve/line_solver.hpp"
-#include "solve/rotor.hpp"
+#include "point/line_solver.hpp"
+#include "rotor/constants.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::bench {
 
 /// The default rotor at a tolerance; its protocol splits `revolutions` as the paper's does, two thirds of
 /// them transient.
-scene::Scene default_scene(int revolutions, double tolerance);
+settings::Scene default_scene(int revolutions, double tolerance);
 
 /// Parameters of the scene at one speed ratio.
-plan::PointParameters line_of(const scene::Scene& scene, double speed_ratio);
+plan::PointParameters line_of(const settings::Scene& scene, double speed_ratio);
 
 /// The same rotor as the equations of motion see it.
-solve::RotorConstants rotor_of(const scene::Scene& scene, double speed_ratio);
-contact::ElasticaContact contact_of(const scene::Scene& scene,
+rotor::RotorConstants rotor_of(const settings::Scene& scene, double speed_ratio);
+contact::ElasticaContact contact_of(const settings::Scene& scene,
                                     const std::shared_ptr<const blade::ElasticaCurve>& curve);
 
 /// Rows of the observable `poincare` as sections.
-std::vector<solve::SectionState> sections_of(const std::vector<double>& row);
+std::vector<point::SectionState> sections_of(const std::vector<double>& row);
 
 }  // namespace rubatlas::bench

@@ -169,7 +169,7 @@ class SundialsPeer final : public Peer {
 
   [[nodiscard]] PeerRun run(double speed_ratio, int revolutions,
                             const PeerSettings& settings) const override {
-    const scene::Scene scene;
+    const settings::Scene scene;
     ContactRotor rotor(rotor_of(scene, speed_ratio), scene.blades.count,
                        contact_of(scene, shared_tables().curve));
     SundialsState state;

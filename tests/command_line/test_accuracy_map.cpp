@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/class.hpp"
-#include "mpi/accuracy_map.hpp"
+#include "analysis/rules/class.hpp"
+#include "mpi/accuracy/accuracy_map.hpp"
 #include "plan/grid.hpp"
 
 namespace rubatlas::mpi {
@@ -26,7 +26,7 @@ class AccuracyMap : public testing::Test {
       for (std::size_t i = 0; i < study.points.size(); ++i) {
         const double speed = scene.grid.speed_ratio[i];
         auto& run = of(setting, i);
-        run.status = solve::PointStatus::done;
+        run.status = point::PointStatus::done;
         run.motion = speed > 0.395 && speed < 0.605 ? analysis::motion_class::kAperiodic : 1;
         run.max_displacement = speed < 0.395 ? 1e-4 : 1e-2;
       }
@@ -44,7 +44,7 @@ class AccuracyMap : public testing::Test {
   }
   [[nodiscard]] double points(double count) const { return count / static_cast<double>(study.points.size()); }
 
-  scene::Scene scene;
+  settings::Scene scene;
   atlas::AccuracyStudy study;
 };
 
@@ -70,7 +70,7 @@ TEST_F(AccuracyMap, NegligibleDisplacementsAreEqual) {
 
 TEST_F(AccuracyMap, AMotionOfAnotherClassOrStatusHasChanged) {
   of(1, 3).motion = 2;
-  of(1, 4).status = solve::PointStatus::left_validity;
+  of(1, 4).status = point::PointStatus::left_validity;
   EXPECT_DOUBLE_EQ(changes().motion, points(2));
   EXPECT_EQ(changes().max_displacement, 0.0);
 }

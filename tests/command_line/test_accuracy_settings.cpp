@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "mpi/accuracy_settings.hpp"
+#include "mpi/accuracy/accuracy_settings.hpp"
 #include "mpi/exit_code.hpp"
 
 namespace rubatlas::mpi {
@@ -66,16 +66,16 @@ TEST(AccuracySettings, TheTwoKnobsOfThePublishedSchemeAreRefinedTogether) {
 }
 
 TEST(AccuracySettings, AreAppliedToTheSceneThatIsRun) {
-  scene::Scene scene;
+  settings::Scene scene;
   scene.accuracy.tolerance = 1e-7;
   const auto paper =
       scene_with({.method = "paper", .tolerance = 1e-5, .force_increment = 0.3, .max_step = 0.1}, scene);
-  EXPECT_EQ(paper.accuracy.method, scene::Method::paper);
+  EXPECT_EQ(paper.accuracy.method, settings::Method::paper);
   EXPECT_EQ(paper.accuracy.tolerance, 1e-5);
   EXPECT_EQ(paper.accuracy.force_increment, 0.3);
   EXPECT_EQ(paper.accuracy.max_step, 0.1);
   const auto fixed = scene_with({.method = "fixed", .step = 0.004}, scene);
-  EXPECT_EQ(fixed.accuracy.method, scene::Method::fixed);
+  EXPECT_EQ(fixed.accuracy.method, settings::Method::fixed);
   EXPECT_EQ(fixed.accuracy.step, 0.004);
   EXPECT_EQ(fixed.accuracy.tolerance, 1e-7) << "the scene's own, by which its sections are judged";
 }

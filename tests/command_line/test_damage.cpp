@@ -10,12 +10,12 @@
 #include <string_view>
 
 #include "analysis/analyse.hpp"
-#include "mpi/command_line.hpp"
+#include "mpi/commands/command_line.hpp"
+#include "mpi/commands/preparation.hpp"
+#include "mpi/commands/run.hpp"
+#include "mpi/commands/verify_command.hpp"
 #include "mpi/exit_code.hpp"
 #include "mpi/failure.hpp"
-#include "mpi/preparation.hpp"
-#include "mpi/run.hpp"
-#include "mpi/verify_command.hpp"
 #include "mpi/version.hpp"
 #include "program.hpp"
 

@@ -5,13 +5,13 @@
 #include <cstdio>
 #include <string>
 
-#include "effects/list.hpp"
-#include "mpi/estimate.hpp"
-#include "mpi/explain.hpp"
-#include "mpi/notes.hpp"
+#include "mpi/commands/estimate.hpp"
+#include "mpi/commands/explain.hpp"
+#include "mpi/commands/notes.hpp"
 #include "program.hpp"
-#include "scene/quantity.hpp"
-#include "scene/reader.hpp"
+#include "settings/effects/list.hpp"
+#include "settings/quantity.hpp"
+#include "settings/reader.hpp"
 
 namespace rubatlas::mpi {
 namespace {
@@ -68,13 +68,13 @@ TEST(Explain, ListsEveryEffectWithWhatItCostsAndWhetherFlightStaysExact) {
   const std::string plain = explained(kSmallScene);
   effects::for_each_effect([&]<auto Effect>() {
     constexpr auto& kDescription = effects::Settings<Effect>::kDescription;
-    const std::string name = scene::axis_name(kDescription.section);
+    const std::string name = settings::axis_name(kDescription.section);
     SCOPED_TRACE(name);
     EXPECT_TRUE(holds(line_of(plain, name), " off  no section `" + name + "`")) << line_of(plain, name);
     EXPECT_EQ(below(plain, name), "") << "nothing to say of an effect that is off";
 
     const std::string with =
-        explained(scene::read_text(RUBATLAS_SOURCE_DIR "/jobs/effect_" + name + ".json"), "0.4");
+        explained(settings::read_text(RUBATLAS_SOURCE_DIR "/jobs/effect_" + name + ".json"), "0.4");
     EXPECT_TRUE(holds(line_of(with, name), " on   ")) << line_of(with, name);
     const std::string more = below(with, name);
     EXPECT_TRUE(holds(more, std::string(kDescription.equation))) << more;
@@ -129,8 +129,8 @@ TEST(Explain, EstimatesTheTimeFromPointsOfTheScene) {
   EXPECT_TRUE(holds(line_of(text, "they had"), "touch-downs a revolution")) << text;
 }
 
-scene::Scene small_scene() {
-  return scene::parse_scene(kSmallScene);
+settings::Scene small_scene() {
+  return settings::parse_scene(kSmallScene);
 }
 
 TEST(Explain, TriesAllPointsOfASmallGridWhereTheClockLeavesTimeForThem) {
@@ -162,7 +162,7 @@ TEST(Explain, GivesPointsUpThatHaveNotEndedWhenTheTimeIsOver) {
 TEST(Explain, MeasuresPointsAndEffectsTogetherNoLongerThanItMay) {
   // A look at the clock takes a hundredth of the time; motions that would take hours look at it within.
   const auto scene =
-      scene::parse_scene(R"({"grid": {"speed_ratio": {"from": 0.0001, "to": 0.001, "count": 1000},
+      settings::parse_scene(R"({"grid": {"speed_ratio": {"from": 0.0001, "to": 0.001, "count": 1000},
     "friction": {"from": 0.1, "to": 0.9, "count": 1000}, "/gravity/acceleration": {"from": 0.1, "to": 0.9, "count": 1000}},
     "side_load": {"force": 0.1}, "support": {"stiffness_xy": 1}, "load_direction": {}, "speed_ripple": {"amplitude": 0.01},
     "unequal_blades": {"length_spread": 1e-5}, "wear": {"rate": 1e-9}, "blades": {"count": 50},
@@ -234,7 +234,7 @@ TEST(Explain, NamesWhatAUserShouldKnowBeforehand) {
 
 /// What is noted of contacts, all points being tried.
 std::string contacts_noted(const std::string& sections) {
-  const auto scene = scene::parse_scene(
+  const auto scene = settings::parse_scene(
       R"({"protocol": {"transient_revolutions": 8, "sampled_revolutions": 4}, "sweep": "independent", )" +
       sections + "}");
   std::string text;

@@ -7,12 +7,13 @@
 #include <random>
 #include <string>
 
-#include "mpi/notes.hpp"
-#include "mpi/reach.hpp"
+#include "assembly/make_line_solver.hpp"
+#include "mpi/commands/notes.hpp"
+#include "mpi/commands/reach.hpp"
 #include "plan/grid.hpp"
+#include "point/line_solver.hpp"
 #include "program.hpp"
-#include "scene/reader.hpp"
-#include "solve/line_solver.hpp"
+#include "settings/reader.hpp"
 
 namespace rubatlas::mpi {
 namespace {
@@ -21,7 +22,7 @@ namespace {
 std::string doubts(const std::string& sections) {
   std::string text;
   for (const auto& doubt :
-       doubts_about(scene::parse_scene(R"({"grid": {"speed_ratio": 0.5}, )" + sections + "}"))) {
+       doubts_about(settings::parse_scene(R"({"grid": {"speed_ratio": 0.5}, )" + sections + "}"))) {
     text += doubt + "\n";
   }
   return text;
@@ -93,18 +94,18 @@ TEST(Notes, NoBladeTouchesWhereItIsSaidThatNoneDoes) {
         : trial % 3 == 1 ? "down"
                          : "independent");
     SCOPED_TRACE(text);
-    const auto scene = scene::parse_scene(text);
+    const auto scene = settings::parse_scene(text);
     const auto reach = reach_without_contact(scene);
     const plan::Grid grid(scene);
-    const auto solver = solve::make_line_solver(scene, grid.parameters(0), solve::make_blade_tables());
-    const solve::SectionState initial{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
-    solve::SectionState start = initial;
-    solve::WorkCounts work;
+    const auto solver = assembly::make_line_solver(scene, grid.parameters(0), assembly::make_blade_tables());
+    const point::SectionState initial{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
+    point::SectionState start = initial;
+    motion::WorkCounts work;
     double farthest = 0.0;
     for (std::size_t visit = 0; visit < grid.speed_count(); ++visit) {
       const auto outcome = solver->run(grid.parameters(grid.point(0, visit)).speed_ratio, start);
       work += outcome.work;
-      const bool goes_on = grid.points_depend_on_each_other() && outcome.status == solve::PointStatus::done;
+      const bool goes_on = grid.points_depend_on_each_other() && outcome.status == point::PointStatus::done;
       start = goes_on ? outcome.final_state : initial;
       if (reach) farthest = std::max(farthest, outcome.rows.front().front());
     }
@@ -137,7 +138,8 @@ TEST(Notes, ARunSaysThatNothingHasTouched) {
 
 TEST(Notes, WhyEveryPointLeavesTheModelIsSaidWhereItCanBeSeen) {
   const auto reason = [](const std::string& sections) {
-    return likely_reason_to_leave(scene::parse_scene(R"({"grid": {"speed_ratio": 0.5}, )" + sections + "}"));
+    return likely_reason_to_leave(
+        settings::parse_scene(R"({"grid": {"speed_ratio": 0.5}, )" + sections + "}"));
   };
   EXPECT_EQ(
       reason(R"("rotor": {"misalignment": 0.07})"),

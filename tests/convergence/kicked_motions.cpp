@@ -13,13 +13,13 @@
 #include <vector>
 
 #include "../effects/directed_law.hpp"
-#include "solve/ring_flight.hpp"
+#include "modes/ring_flight.hpp"
 
 namespace rubatlas::test {
 namespace {
 
-using solve::PointStatus;
-using solve::State;
+using point::PointStatus;
+using rotor::State;
 
 constexpr double kTolerances[] = {1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12};
 constexpr double kReference = 1e-14;
@@ -85,7 +85,7 @@ void expect_that_error_follows_tolerance(Kicked point, EndOf end_of) {
 
 template <class Law>
 End one_revolution(const HardRotor& rotor, const Law& law, const State& start) {
-  const auto motion = follow(rotor, law, effects::NoForcing{}, start, 1, [](observables::MotionPiece&) {});
+  const auto motion = follow(rotor, law, rotor::NoForcing{}, start, 1, [](observables::MotionPiece&) {});
   return {motion.status, motion.sections.back()};
 }
 
@@ -116,7 +116,7 @@ TEST(KickedMotion, OfBladesUnderFrictionThatDependsOnTheSlipErrsByItsTolerance) 
 /// What an error of position within a contact becomes in velocity at its end, since the force F ends earlier
 /// or later: of the saltation matrix 1 + (f+ − f−) ∇gᵀ/ġ at g = 0 the largest entry.
 template <class Motion>
-class SaltationOfLiftOffs final : public solve::MotionListener {
+class SaltationOfLiftOffs final : public modes::MotionListener {
  public:
   /// `force_unit`: acceleration of the shaft from the ring per newton.
   SaltationOfLiftOffs(const HardRotor& rotor, const Motion& motion, double force_unit)
@@ -126,9 +126,9 @@ class SaltationOfLiftOffs final : public solve::MotionListener {
     for (std::size_t i = 0; i < piece.contact_count(); ++i)
       forces_[static_cast<std::size_t>(piece.blade(i))] = piece.normal_force(i, piece.end());
   }
-  void event(const solve::Event& event) override {
-    if (event.kind != solve::PhaseEvent::lift_off) return;
-    const contact::Pose at = pose_at(*rotor_, event.blade, event.time, solve::from_ring(motion_->state()));
+  void event(const modes::Event& event) override {
+    if (event.kind != modes::PhaseEvent::lift_off) return;
+    const contact::Pose at = pose_at(*rotor_, event.blade, event.time, rotor::from_ring(motion_->state()));
     const double gap_rate = contact::gap_rate(rotor_->geometry(), at, rotor_->speed_ratio);
     const double approach = std::abs(gap_rate) / (2.0 * rotor_->ring_radius);
     const double force = forces_[static_cast<std::size_t>(event.blade)];
@@ -145,8 +145,8 @@ class SaltationOfLiftOffs final : public solve::MotionListener {
 };
 
 TEST(KickedMotion, OfElasticBladesInARingThatMovesErrsByItsTolerance) {
-  using Forcing = solve::WithRingBody<effects::NoForcing>;
-  using Motion = solve::Motion<contact::ElasticaContact, Forcing>;
+  using Forcing = rotor::WithRingBody<rotor::NoForcing>;
+  using Motion = motion::Motion<contact::ElasticaContact, Forcing>;
   for (int index = 0; index < kKicks; ++index) {
     SCOPED_TRACE(index);
     const contact::ElasticaContact law = kicked(index).rotor.elastica();
@@ -154,12 +154,12 @@ TEST(KickedMotion, OfElasticBladesInARingThatMovesErrsByItsTolerance) {
       const rotor::RingBody ring(1.0, 1e4, 40.0, 10.0);
       Motion motion(rotor.constants(), {rotor.blades, rotor.speed_ratio}, law, Forcing{{}, ring},
                     rotor.limits());
-      solve::ShaftAndRing bodies = solve::ShaftAndRing::Zero();
+      rotor::ShaftAndRing bodies = rotor::ShaftAndRing::Zero();
       bodies.head<4>() = start;
       SaltationOfLiftOffs<Motion> listener(rotor, motion, rotor.force_unit + ring.force_unit());
       PointStatus status = motion.start(bodies);
       if (status == PointStatus::done) status = motion.revolution(listener);
-      return End{status, solve::shaft(motion.state()), listener.largest()};
+      return End{status, rotor::shaft(motion.state()), listener.largest()};
     });
   }
 }

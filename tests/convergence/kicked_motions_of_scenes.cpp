@@ -19,10 +19,10 @@ namespace rubatlas::test {
 namespace {
 
 using Json = nlohmann::json;
-using solve::PointOutcome;
-using solve::PointStatus;
-using solve::SectionState;
-using solve::StatusDetail;
+using point::PointOutcome;
+using point::PointStatus;
+using point::SectionState;
+using point::StatusDetail;
 
 struct NamedScene {
   std::string name;
@@ -117,7 +117,7 @@ TEST_P(KickedMotionOfScene, ErrsByItsToleranceTimesItsOwnGrowthOfErrors) {
       SCOPED_TRACE(::testing::Message() << "speed ratio " << kick.speed_ratio << ", tolerance " << tolerance
                                         << ", growth " << growth);
       const PointOutcome motion = end_of(tolerance, kick.start);
-      EXPECT_EQ(motion.status, reference.status) << solve::text_of(motion.detail);
+      EXPECT_EQ(motion.status, reference.status) << point::text_of(motion.detail);
       if (motion.status != PointStatus::done || reference.status != PointStatus::done) continue;
       EXPECT_LE(largest_difference(motion.final_state, reference.final_state),
                 kMost * tolerance * parsed(scene).clearance() * growth);

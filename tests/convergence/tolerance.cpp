@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "../solve/reference_case.hpp"
+#include "../point/reference_case.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -30,7 +30,7 @@ std::vector<ReferenceCase> periodic_cases() {
 }
 
 /// The largest difference of the last sections, these taken `shift` revolutions earlier.
-double difference(const ReferenceCase& c, const std::vector<solve::SectionState>& sections,
+double difference(const ReferenceCase& c, const std::vector<point::SectionState>& sections,
                   std::size_t shift) {
   const std::size_t first = sections.size() - c.last_sections.size() - shift;
   double largest = 0.0;

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "effects/list.hpp"
 #include "page.hpp"
+#include "settings/effects/list.hpp"
 
 namespace rubatlas::effects {
 namespace {

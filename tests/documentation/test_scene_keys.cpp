@@ -9,10 +9,10 @@
 #include <variant>
 
 #include "page.hpp"
-#include "scene/observable_names.hpp"
-#include "scene/quantity.hpp"
+#include "settings/observable_names.hpp"
+#include "settings/quantity.hpp"
 
-namespace rubatlas::scene {
+namespace rubatlas::settings {
 namespace {
 
 std::string text(const Value& value) {
@@ -82,4 +82,4 @@ TEST(SceneKeys, TheReadmeShowsTheTableOfTheReader) {
 }
 
 }  // namespace
-}  // namespace rubatlas::scene
+}  // namespace rubatlas::settings

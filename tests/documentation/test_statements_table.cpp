@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/paper_statements.hpp"
+#include "analysis/paper/paper_statements.hpp"
 #include "page.hpp"
 
 namespace rubatlas::analysis {

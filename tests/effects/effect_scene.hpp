@@ -9,9 +9,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "scene/quantity.hpp"
-#include "scene/reader.hpp"
-#include "solve/line_solver.hpp"
+#include "assembly/make_line_solver.hpp"
+#include "point/line_solver.hpp"
+#include "settings/quantity.hpp"
+#include "settings/reader.hpp"
 
 namespace rubatlas::test {
 
@@ -21,13 +22,13 @@ using SettingsOf = effects::Settings<Effect>;
 /// "speed_ripple" for the section "/speed_ripple".
 template <auto Effect>
 std::string name_of() {
-  return scene::axis_name(SettingsOf<Effect>::kDescription.section);
+  return settings::axis_name(SettingsOf<Effect>::kDescription.section);
 }
 
 /// Quantities of a section, in the reader's table.
-inline std::vector<const scene::Quantity*> quantities_of(std::string_view section) {
-  std::vector<const scene::Quantity*> found;
-  for (const auto& entry : scene::quantities()) {
+inline std::vector<const settings::Quantity*> quantities_of(std::string_view section) {
+  std::vector<const settings::Quantity*> found;
+  for (const auto& entry : settings::quantities()) {
     if (entry.section() == section) found.push_back(&entry);
   }
   return found;
@@ -38,7 +39,7 @@ inline std::vector<const scene::Quantity*> quantities_of(std::string_view sectio
 template <auto Effect>
 nlohmann::json effect_scene(double speed_ratio, int revolutions) {
   auto scene = nlohmann::json::parse(
-      scene::read_text(std::string(RUBATLAS_SOURCE_DIR "/jobs/effect_") + name_of<Effect>() + ".json"));
+      settings::read_text(std::string(RUBATLAS_SOURCE_DIR "/jobs/effect_") + name_of<Effect>() + ".json"));
   scene["grid"]["speed_ratio"] = speed_ratio;
   scene["protocol"] = {{"transient_revolutions", 0}, {"sampled_revolutions", revolutions}};
   scene["observables"] = {"poincare", "max_displacement", "max_contact_force"};
@@ -53,14 +54,14 @@ nlohmann::json without(nlohmann::json scene) {
   return scene;
 }
 
-inline scene::Scene parsed(const nlohmann::json& scene) {
-  return scene::parse_scene(scene.dump());
+inline settings::Scene parsed(const nlohmann::json& scene) {
+  return settings::parse_scene(scene.dump());
 }
 
 /// The scene's first point.
-inline solve::PointOutcome run(const scene::Scene& scene, const solve::SectionState& start = {}) {
+inline point::PointOutcome run(const settings::Scene& scene, const point::SectionState& start = {}) {
   const auto parameters = plan::Grid(scene).parameters(0);
-  return solve::make_line_solver(scene, parameters, solve::make_blade_tables())
+  return assembly::make_line_solver(scene, parameters, assembly::make_blade_tables())
       ->run(parameters.speed_ratio, start);
 }
 
@@ -74,7 +75,7 @@ inline double largest_difference(const std::vector<double>& a, const std::vector
   return largest;
 }
 
-inline double largest_difference(const solve::SectionState& a, const solve::SectionState& b) {
+inline double largest_difference(const point::SectionState& a, const point::SectionState& b) {
   double largest = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
   return largest;
@@ -82,12 +83,12 @@ inline double largest_difference(const solve::SectionState& a, const solve::Sect
 
 /// By how much an error made at the start is larger at the end, from starts a little aside; 1 where errors
 /// shrink. What a tolerance bounds is the error of a step: the rest is the motion's own.
-inline double growth_of_errors(const scene::Scene& scene) {
+inline double growth_of_errors(const settings::Scene& scene) {
   const double shift = 1e-6 * scene.clearance();
   const auto end = run(scene).final_state;
   double growth = 1.0;
   for (std::size_t i = 0; i < end.size(); ++i) {
-    solve::SectionState start{};
+    point::SectionState start{};
     start[i] = shift;
     growth = std::max(growth, largest_difference(run(scene, start).final_state, end) / shift);
   }

@@ -6,28 +6,28 @@
 #include <set>
 #include <string>
 
-#include "../scene/scene_error_text.hpp"
+#include "../settings/scene_error_text.hpp"
 #include "effect_scene.hpp"
 
 namespace rubatlas::test {
 namespace {
 
 using nlohmann::json;
-using scene::Kind;
-using scene::Quantity;
+using settings::Kind;
+using settings::Quantity;
 
 /// A scene that says one thing more.
 std::string refusal_of(std::string_view pointer, const json& value) {
   json scene = json::parse(R"({"grid": {"speed_ratio": 0.5}})");
   scene[json::json_pointer(std::string(pointer))] = value;
-  return scene::refusal(scene.dump());
+  return settings::refusal(scene.dump());
 }
 
 bool is_number(const Quantity& entry) {
   return entry.kind == Kind::number || entry.kind == Kind::whole_number;
 }
 
-double number(const scene::Value& value) {
+double number(const settings::Value& value) {
   if (std::holds_alternative<int>(value)) return std::get<int>(value);
   return std::get<double>(value);
 }
@@ -54,13 +54,13 @@ TEST(EveryEffect, HasItsQuantitiesInItsSectionDescribedAndWithDefaultsInRange) {
     const auto entries = quantities_of(kSection);
     EXPECT_EQ(entries.size(), std::tuple_size_v<decltype(SettingsOf<Effect>::quantities())>)
         << "a quantity outside of the effect's section";
-    scene::Scene present;
+    settings::Scene present;
     (present.*Effect).emplace();
     for (const Quantity* entry : entries) {
       SCOPED_TRACE(entry->pointer);
       EXPECT_NE(entry->meaning, "");
       EXPECT_NE(entry->source, "");
-      EXPECT_FALSE(entry->read(scene::Scene{}).has_value()) << "there without the section";
+      EXPECT_FALSE(entry->read(settings::Scene{}).has_value()) << "there without the section";
       const auto value = entry->read(present);
       if (!is_number(*entry)) continue;
       EXPECT_NE(entry->unit, "") << R"("1" for a number without)";
@@ -72,7 +72,7 @@ TEST(EveryEffect, HasItsQuantitiesInItsSectionDescribedAndWithDefaultsInRange) {
 }
 
 TEST(EveryEffect, IsOffWithoutItsSection) {
-  const auto plain = scene::parse_scene(R"({"grid": {"speed_ratio": 0.5}})");
+  const auto plain = settings::parse_scene(R"({"grid": {"speed_ratio": 0.5}})");
   effects::for_each_effect([&]<auto Effect>() {
     EXPECT_FALSE((plain.*Effect).has_value()) << name_of<Effect>();
     EXPECT_FALSE(effects::acts<Effect>(plain)) << name_of<Effect>();

@@ -12,8 +12,7 @@ namespace rubatlas::test {
 namespace {
 
 RecordedMotion from_rest(const HardRotor& rotor, const auto& law) {
-  return follow(rotor, law, effects::NoForcing{}, solve::State::Zero(), 200,
-                [](observables::MotionPiece&) {});
+  return follow(rotor, law, rotor::NoForcing{}, rotor::State::Zero(), 200, [](observables::MotionPiece&) {});
 }
 
 /// Of the last sections, from one to the next [m].
@@ -33,8 +32,8 @@ TEST(DirectedMotion, RepeatsItselfToRoundingWhereItIsPeriodicOnTheOrbitOfTheCarr
     rotor.tolerance = 1e-9;
     const auto carried = from_rest(rotor, rotor.elastica());
     const auto solved = from_rest(rotor, directed_law(rotor, contact::CoulombFriction{rotor.friction}));
-    ASSERT_EQ(carried.status, solve::PointStatus::done);
-    ASSERT_EQ(solved.status, solve::PointStatus::done);
+    ASSERT_EQ(carried.status, point::PointStatus::done);
+    ASSERT_EQ(solved.status, point::PointStatus::done);
     EXPECT_LE(closing_distance(carried), 1e-14);
     EXPECT_LE(closing_distance(solved), 1e-14);
     // A step may err by 1e-11 m, and these orbits forget an error only in some ten to a hundred revolutions.
@@ -44,25 +43,25 @@ TEST(DirectedMotion, RepeatsItselfToRoundingWhereItIsPeriodicOnTheOrbitOfTheCarr
 
 /// Where a motion is after some revolutions, or how far it came.
 struct Course {
-  solve::PointStatus status;
+  point::PointStatus status;
   std::size_t revolutions;
-  solve::State state;
+  rotor::State state;
 };
-Course course(HardRotor rotor, const auto& law, const solve::State& start, double tolerance) {
+Course course(HardRotor rotor, const auto& law, const rotor::State& start, double tolerance) {
   rotor.tolerance = tolerance;
-  const auto motion = follow(rotor, law, effects::NoForcing{}, start, 5, [](observables::MotionPiece&) {});
-  const bool done = motion.status == solve::PointStatus::done;
+  const auto motion = follow(rotor, law, rotor::NoForcing{}, start, 5, [](observables::MotionPiece&) {});
+  const bool done = motion.status == point::PointStatus::done;
   return {motion.status, motion.sections.size(), done ? motion.sections.back() : start};
 }
 
 /// Two tolerances and a start a little aside. True where the motion is predictable: nothing but the tolerance
 /// could change its outcome.
-bool ends_alike(const HardRotor& rotor, const auto& law, const solve::State& start) {
+bool ends_alike(const HardRotor& rotor, const auto& law, const rotor::State& start) {
   constexpr double kAside = 1e-11;
   const Course rough = course(rotor, law, start, 1e-9);
   const Course fine = course(rotor, law, start, 1e-10);
   if (rough.status == fine.status && rough.revolutions == fine.revolutions) return true;
-  solve::State aside = start;
+  rotor::State aside = start;
   aside[0] += kAside;
   const Course finest = course(rotor, law, start, 1e-12);
   const Course moved = course(rotor, law, aside, 1e-12);
@@ -86,7 +85,7 @@ TEST(DirectedMotion, StatusOfAPredictableMotionDoesNotHangOnTheTolerance) {
     rotor.speed_ratio = between(0.08, 0.8);
     rotor.damping_ratio = between(0.02, 0.3);
     rotor.friction = between(0.03, 0.5);
-    solve::State start;
+    rotor::State start;
     for (int k = 0; k < 4; ++k) start[k] = (k < 2 ? 0.005 : 0.03) * (2 * uniform(random) - 1);
     if (i % 3 == 0) start.setZero();
     const double v0 = between(1e-5, 0.1);
@@ -115,16 +114,16 @@ TEST(DirectedMotion, NoForceIsMissedAtAnOrdinaryTouchDownNorShortlyBeforeALiftOf
   kicked.speed_ratio = 0.1579;
   kicked.damping_ratio = 0.02245;
   kicked.friction = 0.3975;
-  solve::State kick;
+  rotor::State kick;
   kick << 3.519e-3, 3.498e-3, 0.0142, -0.01473;
   for (const double tolerance : {1e-9, 1e-10}) {
     const Course from_rest =
         course(fast, directed_law(fast, contact::StribeckFriction{0.8, 0.1, 0.01, 0.002}),
-               solve::State::Zero(), tolerance);
-    EXPECT_EQ(from_rest.status, solve::PointStatus::done);
+               rotor::State::Zero(), tolerance);
+    EXPECT_EQ(from_rest.status, point::PointStatus::done);
     const Course from_kick =
         course(kicked, directed_law(kicked, contact::RegularisedFriction{0.3975, 0.06257}), kick, tolerance);
-    EXPECT_EQ(from_kick.status, solve::PointStatus::done);
+    EXPECT_EQ(from_kick.status, point::PointStatus::done);
   }
 }
 

@@ -9,23 +9,23 @@
 
 #include "contact/elastic_ring_contact.hpp"
 #include "effect_scene.hpp"
-#include "solve/motion.hpp"
-#include "solve/ring_flight.hpp"
+#include "modes/ring_flight.hpp"
+#include "motion/motion.hpp"
 
 namespace rubatlas::test {
 namespace {
 
-using Following = solve::WithFollowingRing<effects::NoForcing>;
-using InFollowingRing = solve::Motion<contact::ElasticRingContact, Following>;
+using Following = rotor::WithFollowingRing<rotor::NoForcing>;
+using InFollowingRing = motion::Motion<contact::ElasticRingContact, Following>;
 
 constexpr contact::Geometry kFollowedGeometry{0.1, 0.11};
 
-solve::RotorConstants rotor_in_following_ring(double damping, double misalignment) {
+rotor::RotorConstants rotor_in_following_ring(double damping, double misalignment) {
   return {0.62, damping, misalignment, 0.01, 0.01};  // m = 1 kg, ωn = 10/s
 }
 
 /// Most blades in contact at once.
-class CountOfBlades final : public solve::MotionListener {
+class CountOfBlades final : public modes::MotionListener {
  public:
   void piece(observables::MotionPiece& piece) override { most = std::max(most, piece.contact_count()); }
   std::size_t most = 0;
@@ -34,19 +34,19 @@ class CountOfBlades final : public solve::MotionListener {
 TEST(FollowingRing, UnderOneBladeWithoutFrictionIsASpringInSeriesWithThatUnderTheTip) {
   const auto after = [](double tip, const auto& forcing) {
     using Forcing = std::remove_cvref_t<decltype(forcing)>;
-    const solve::RotorConstants rotor = rotor_in_following_ring(0.1, 0.01001);
-    solve::Motion<contact::ElasticRingContact, Forcing> motion(
+    const rotor::RotorConstants rotor = rotor_in_following_ring(0.1, 0.01001);
+    motion::Motion<contact::ElasticRingContact, Forcing> motion(
         rotor, {1, rotor.speed_ratio}, {kFollowedGeometry, tip, 0.0}, forcing, {1e-15, 0.5});
-    EXPECT_EQ(motion.start(solve::ring_at_rest<Forcing>(solve::State::Zero())), solve::PointStatus::done);
-    solve::MotionListener nobody;
+    EXPECT_EQ(motion.start(rotor::ring_at_rest<Forcing>(rotor::State::Zero())), point::PointStatus::done);
+    modes::MotionListener nobody;
     for (int revolution = 0; revolution < 5; ++revolution) {
-      EXPECT_EQ(motion.revolution(nobody), solve::PointStatus::done);
+      EXPECT_EQ(motion.revolution(nobody), point::PointStatus::done);
     }
     EXPECT_EQ(motion.work().touchdowns, 5U);
-    return solve::shaft(motion.state());
+    return rotor::shaft(motion.state());
   };
-  const solve::State together = after(3e4, Following{{}, {6e4}});
-  EXPECT_LE((together - after(2e4, effects::NoForcing{})).abs().maxCoeff(), 1e-13);
+  const rotor::State together = after(3e4, Following{{}, {6e4}});
+  EXPECT_LE((together - after(2e4, rotor::NoForcing{})).abs().maxCoeff(), 1e-13);
 }
 
 /// Forces of all blades in contact balance the ring's spring, and no blade that is not in contact reaches
@@ -56,17 +56,17 @@ TEST(FollowingRing, BalancesAllBladesWhereverItIsAskedFor) {
   constexpr double kSpring = 2e3;
   constexpr double kFriction = 0.1;
   constexpr int kBlades = 24;
-  const solve::RotorConstants rotor = rotor_in_following_ring(0.1, 0.012);
-  const solve::BladeSet blades(kBlades, rotor.speed_ratio);
+  const rotor::RotorConstants rotor = rotor_in_following_ring(0.1, 0.012);
+  const rotor::BladeSet blades(kBlades, rotor.speed_ratio);
   InFollowingRing motion(rotor, blades, {kFollowedGeometry, kTip, kFriction}, Following{{}, {kSpring}},
                          {1e-14, 0.5});
-  ASSERT_EQ(motion.start(solve::ShaftAndRing::Zero()), solve::PointStatus::done);
+  ASSERT_EQ(motion.start(rotor::ShaftAndRing::Zero()), point::PointStatus::done);
   CountOfBlades count;
   int pushed = 0;
   for (int revolution = 0; revolution < 40; ++revolution) {
-    ASSERT_EQ(motion.revolution(count), solve::PointStatus::done) << revolution;
-    const solve::ShaftAndRing at = motion.state();
-    const solve::State seen = solve::from_ring(at);
+    ASSERT_EQ(motion.revolution(count), point::PointStatus::done) << revolution;
+    const rotor::ShaftAndRing at = motion.state();
+    const rotor::State seen = rotor::from_ring(at);
     std::complex<double> push;
     for (int k = 0; k < kBlades; ++k) {
       const auto er = blades.direction(k, blades.first(0.0));
@@ -87,13 +87,13 @@ TEST(FollowingRing, WithoutDampingAndFrictionKeepsTheJacobiIntegral) {
   constexpr double kTip = 1e4;
   constexpr double kSpring = 3000.0;
   constexpr int kBlades = 24;
-  const solve::RotorConstants rotor = rotor_in_following_ring(0.0, 0.0);
-  const solve::BladeSet blades(kBlades, rotor.speed_ratio);
-  const auto integral = [&](const solve::ShaftAndRing& s) {
+  const rotor::RotorConstants rotor = rotor_in_following_ring(0.0, 0.0);
+  const rotor::BladeSet blades(kBlades, rotor.speed_ratio);
+  const auto integral = [&](const rotor::ShaftAndRing& s) {
     constexpr double kPerTime = 100.0;  // from per τ² to per s²
     double energy = 0.5 * kPerTime * (s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + s[3] * s[3]) +
                     0.5 * kSpring * (s[4] * s[4] + s[5] * s[5]);
-    const solve::State seen = solve::from_ring(s);
+    const rotor::State seen = rotor::from_ring(s);
     for (int k = 0; k < kBlades; ++k) {
       const auto at = pose_of(rotor, kFollowedGeometry, blades.direction(k, blades.first(0.0)), seen);
       const double depth = std::hypot(at.radial + kFollowedGeometry.reach, at.tangential) - 0.11;
@@ -103,13 +103,13 @@ TEST(FollowingRing, WithoutDampingAndFrictionKeepsTheJacobiIntegral) {
   };
   InFollowingRing motion(rotor, blades, {kFollowedGeometry, kTip, 0.0}, Following{{}, {kSpring}},
                          {1e-15, 0.5});
-  solve::ShaftAndRing start = solve::ShaftAndRing::Zero();
+  rotor::ShaftAndRing start = rotor::ShaftAndRing::Zero();
   start.head<4>() << 0.008, 0.002, 0.004, 0.009;
-  ASSERT_EQ(motion.start(start), solve::PointStatus::done);
+  ASSERT_EQ(motion.start(start), point::PointStatus::done);
   const double before = integral(motion.state());
   CountOfBlades count;
   for (int revolution = 0; revolution < 30; ++revolution) {
-    ASSERT_EQ(motion.revolution(count), solve::PointStatus::done);
+    ASSERT_EQ(motion.revolution(count), point::PointStatus::done);
     EXPECT_NEAR(integral(motion.state()), before, 1e-10 * std::abs(before)) << revolution;
   }
   EXPECT_GT(motion.work().touchdowns, 20U);
@@ -120,21 +120,21 @@ TEST(FollowingRing, AddsNoFreedom) {
   // Volume in the shaft's four dimensions contracts by e^{−4ζT}: without friction the ring's force is a
   // function of position.
   constexpr double kDamping = 0.05;
-  const auto map = [&](const solve::State& from) {
-    const solve::RotorConstants rotor = rotor_in_following_ring(kDamping, 0.012);
+  const auto map = [&](const rotor::State& from) {
+    const rotor::RotorConstants rotor = rotor_in_following_ring(kDamping, 0.012);
     InFollowingRing motion(rotor, {24, rotor.speed_ratio}, {kFollowedGeometry, 1e3, 0.0},
                            Following{{}, {5e3}}, {1e-15, 0.5});
-    EXPECT_EQ(motion.start(solve::ring_at_rest<Following>(from)), solve::PointStatus::done);
+    EXPECT_EQ(motion.start(rotor::ring_at_rest<Following>(from)), point::PointStatus::done);
     CountOfBlades count;
-    EXPECT_EQ(motion.revolution(count), solve::PointStatus::done);
+    EXPECT_EQ(motion.revolution(count), point::PointStatus::done);
     EXPECT_GE(count.most, 2U);
-    return solve::shaft(motion.state());
+    return rotor::shaft(motion.state());
   };
   const auto jacobian = [&](double step) {
     Eigen::Matrix4d matrix;
     for (int j = 0; j < 4; ++j) {
-      solve::State ahead(2e-3, -1e-3, 1e-3, 2e-3);
-      solve::State behind = ahead;
+      rotor::State ahead(2e-3, -1e-3, 1e-3, 2e-3);
+      rotor::State behind = ahead;
       ahead[j] += step;
       behind[j] -= step;
       matrix.col(j) = ((map(ahead) - map(behind)) / (2.0 * step)).matrix();
@@ -149,18 +149,18 @@ TEST(FollowingRing, AddsNoFreedom) {
 TEST(FollowingRing, IsWhatACriticallyDampedRingComesToAsItsMassFalls) {
   const auto after = [](const auto& forcing) {
     using Forcing = std::remove_cvref_t<decltype(forcing)>;
-    const solve::RotorConstants rotor = rotor_in_following_ring(0.1, 0.0105);
-    solve::Motion<contact::ElasticRingContact, Forcing> motion(
+    const rotor::RotorConstants rotor = rotor_in_following_ring(0.1, 0.0105);
+    motion::Motion<contact::ElasticRingContact, Forcing> motion(
         rotor, {24, rotor.speed_ratio}, {kFollowedGeometry, 1e3, 0.1}, forcing, {1e-15, 0.5});
-    EXPECT_EQ(motion.start(solve::ring_at_rest<Forcing>({0.0, -1e-3, 0.0, 0.0})), solve::PointStatus::done);
+    EXPECT_EQ(motion.start(rotor::ring_at_rest<Forcing>({0.0, -1e-3, 0.0, 0.0})), point::PointStatus::done);
     CountOfBlades count;  // no blade touches at the start, where a light ring would be thrown away
-    EXPECT_EQ(motion.revolution(count), solve::PointStatus::done);
+    EXPECT_EQ(motion.revolution(count), point::PointStatus::done);
     EXPECT_GE(count.most, 2U);
-    return solve::shaft(motion.state());
+    return rotor::shaft(motion.state());
   };
-  const solve::State limit = after(Following{{}, {1e4}});
+  const rotor::State limit = after(Following{{}, {1e4}});
   const auto distance = [&](double mass) {
-    using Moving = solve::WithRingBody<effects::NoForcing>;
+    using Moving = rotor::WithRingBody<rotor::NoForcing>;
     return (after(Moving{{}, {mass, 1e4, 2.0 * std::sqrt(1e4 * mass), 10.0}}) - limit).abs().maxCoeff();
   };
   const double light = distance(1e-5);
@@ -169,12 +169,12 @@ TEST(FollowingRing, IsWhatACriticallyDampedRingComesToAsItsMassFalls) {
 }
 
 TEST(FollowingRing, StaysWhereOppositeBladesCancel) {
-  const solve::RotorConstants rotor = rotor_in_following_ring(0.1, 0.0);
+  const rotor::RotorConstants rotor = rotor_in_following_ring(0.1, 0.0);
   const contact::Geometry tight{0.1101, 0.11};
   for (const int count : {2, 4, 1}) {
     InFollowingRing motion(rotor, {count, rotor.speed_ratio}, {tight, 1e4, 0.0}, Following{{}, {1e3}},
                            {1e-15, 0.5});
-    ASSERT_EQ(motion.start(solve::ShaftAndRing::Zero()), solve::PointStatus::done);
+    ASSERT_EQ(motion.start(rotor::ShaftAndRing::Zero()), point::PointStatus::done);
     const double pushed = motion.state().segment<2>(4).matrix().norm();
     // One blade alone: both springs share 0.1 mm.
     EXPECT_NEAR(pushed, count == 1 ? 1e-4 * 10.0 / 11.0 : 0.0, 1e-16) << count;
@@ -191,7 +191,7 @@ TEST(FollowingRing, IsThatOfASceneWithAMassOfZero) {
                             {"protocol", {{"transient_revolutions", 0}, {"sampled_revolutions", 4}}},
                             {"observables", {"poincare", "max_displacement"}}};
   const auto together = run(parsed(content));
-  ASSERT_EQ(together.status, solve::PointStatus::done);
+  ASSERT_EQ(together.status, point::PointStatus::done);
   EXPECT_EQ(together.work.touchdowns, 4U);
   EXPECT_EQ(together.final_memory.view().size(), 4U);
   content.erase("ring_body");

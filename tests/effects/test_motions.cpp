@@ -10,7 +10,7 @@ namespace rubatlas::test {
 namespace {
 
 using nlohmann::json;
-using solve::PointStatus;
+using point::PointStatus;
 
 constexpr double kSpeeds[] = {0.3, 0.45, 0.62};
 constexpr int kRevolutions = 4;
@@ -19,14 +19,14 @@ constexpr int kRevolutions = 4;
 /// one of its flags down.
 template <auto Effect>
 std::optional<json> zero_strength() {
-  scene::Scene scene;
+  settings::Scene scene;
   (scene.*Effect).emplace();
   if (!effects::acts<Effect>(scene)) return json::object();
-  for (const scene::Quantity* entry : quantities_of(SettingsOf<Effect>::kDescription.section)) {
-    const bool number = entry->kind == scene::Kind::number && entry->range.contains(0.0);
-    if (!number && entry->kind != scene::Kind::flag) continue;
+  for (const settings::Quantity* entry : quantities_of(SettingsOf<Effect>::kDescription.section)) {
+    const bool number = entry->kind == settings::Kind::number && entry->range.contains(0.0);
+    if (!number && entry->kind != settings::Kind::flag) continue;
     (scene.*Effect).emplace();
-    entry->write(scene, number ? scene::Value{0.0} : scene::Value{false});
+    entry->write(scene, number ? settings::Value{0.0} : settings::Value{false});
     if (effects::acts<Effect>(scene)) continue;
     return json{{std::string(entry->key()), number ? json(0.0) : json(false)}};
   }
@@ -39,7 +39,7 @@ TEST(EveryEffect, ActsInItsSceneAndChangesTheMotion) {
     double largest = 0.0;
     for (const double speed : kSpeeds) {
       const json with = effect_scene<Effect>(speed, kRevolutions);
-      const scene::Scene scene = parsed(with);
+      const settings::Scene scene = parsed(with);
       EXPECT_TRUE(effects::acts<Effect>(scene));
       const auto outcome = run(scene);
       const auto plain = run(parsed(without<Effect>(with)));
@@ -101,7 +101,7 @@ TEST(EveryEffect, BreaksTheSymmetryOfBladePassingsIfAndOnlyIfItSaysSo) {
     json scene = effect_scene<Effect>(0.45, kRevolutions);
     scene["observables"] = {"poincare_blade_passing"};
     scene["accuracy"]["tolerance"] = 1e-12;
-    const scene::Scene checked = parsed(scene);
+    const settings::Scene checked = parsed(scene);
     const auto motion = run(checked, {1e-3, 0.0, 0.0, 1e-3});
     ASSERT_EQ(motion.status, PointStatus::done);
     const auto& passings = motion.rows[0];
@@ -121,7 +121,7 @@ TEST(EveryEffect, IsTheSameMotionWhereverItsLineResumes) {
     if (!kStateIsAll<Effect>) return;
     SCOPED_TRACE(name_of<Effect>());
     const auto whole = run(parsed(effect_scene<Effect>(0.45, 4)));
-    const scene::Scene half = parsed(effect_scene<Effect>(0.45, 2));
+    const settings::Scene half = parsed(effect_scene<Effect>(0.45, 2));
     const auto second = run(half, run(half).final_state);
     const double scale = growth_of_errors(half) * half.clearance();
     EXPECT_LE(largest_difference(second.final_state, whole.final_state), 100.0 * 1e-9 * scale);

@@ -9,42 +9,43 @@
 #include <numbers>
 #include <vector>
 
+#include "assembly/blade_tables.hpp"
+#include "assembly/make_line_solver.hpp"
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
-#include "solve/blade_tables.hpp"
-#include "solve/motion.hpp"
-#include "solve/ring_flight.hpp"
+#include "modes/ring_flight.hpp"
+#include "motion/motion.hpp"
 
 namespace rubatlas::test {
 namespace {
 
+using point::PointStatus;
 using rotor::RingBody;
-using solve::PointStatus;
-using solve::ShaftAndRing;
-using solve::State;
-using Forcing = solve::WithRingBody<effects::NoForcing>;
-using ElasticBlades = solve::Motion<contact::ElasticaContact, Forcing>;
-using RigidBlades = solve::Motion<contact::ElasticRingContact, Forcing>;
+using rotor::ShaftAndRing;
+using rotor::State;
+using Forcing = rotor::WithRingBody<rotor::NoForcing>;
+using ElasticBlades = motion::Motion<contact::ElasticaContact, Forcing>;
+using RigidBlades = motion::Motion<contact::ElasticRingContact, Forcing>;
 
 constexpr double kNaturalFrequency = 10.0;
 constexpr contact::Geometry kBladeAndRing{0.1, 0.11};
 
-solve::RotorConstants ring_rotor(double speed, double damping, double misalignment = 0.01001) {
+rotor::RotorConstants ring_rotor(double speed, double damping, double misalignment = 0.01001) {
   return {speed, damping, misalignment, 0.01, 0.01};  // m = 1 kg
 }
 
 /// Keeps what happens.
-class RingWitness final : public solve::MotionListener {
+class RingWitness final : public modes::MotionListener {
  public:
   void piece(observables::MotionPiece& piece) override { most = std::max(most, piece.contact_count()); }
-  void event(const solve::Event& event) override { events.push_back(event); }
-  std::vector<solve::Event> events;
+  void event(const modes::Event& event) override { events.push_back(event); }
+  std::vector<modes::Event> events;
   std::size_t most = 0;  ///< blades in contact at once
 };
 
-ElasticBlades elastic_blades(const solve::RotorConstants& rotor, const RingBody& ring, double friction = 0.1,
+ElasticBlades elastic_blades(const rotor::RotorConstants& rotor, const RingBody& ring, double friction = 0.1,
                              int count = 3, double tolerance = 1e-16) {
-  static solve::BladeTables tables;
+  static assembly::BladeTables tables;
   const contact::ElasticaContact law(kBladeAndRing, {0.1, 1e-3, 206e9 * 0.01 * 1e-9 / 12.0},
                                      tables.curve(friction));
   return {rotor, {count, rotor.speed_ratio}, law, Forcing{{}, ring}, {tolerance, 0.5}};
@@ -107,7 +108,7 @@ TEST(RingBody, FliesOnWithoutTheShaftAfterAContact) {
   // The rotor fits into the ring: it is kicked against it, and comes to rest without.
   const RingBody ring(1.0, 1e4, 2.0, kNaturalFrequency);
   auto motion = elastic_blades(ring_rotor(0.62, 0.1, 0.009), ring);
-  ASSERT_EQ(motion.start(solve::ring_at_rest<Forcing>({1e-3, 0.0, 0.0, 8e-3})), PointStatus::done);
+  ASSERT_EQ(motion.start(rotor::ring_at_rest<Forcing>({1e-3, 0.0, 0.0, 8e-3})), PointStatus::done);
   const double period = 2.0 * std::numbers::pi / 0.62;
   int flights = 0;
   for (int revolution = 0; revolution < 12; ++revolution) {
@@ -132,9 +133,9 @@ TEST(RingBody, FliesOnWithoutTheShaftAfterAContact) {
 
 TEST(RingBody, NoTouchdownIsMissedWhereShaftAndRingMoveTowardsEachOther) {
   // The search against a scan of the gaps; the ring is fast, slow, damped and not.
-  const solve::RotorConstants rotor = ring_rotor(0.5, 0.05, 0.007);
+  const rotor::RotorConstants rotor = ring_rotor(0.5, 0.05, 0.007);
   const contact::ElasticRingContact law(kBladeAndRing, 1e4, 0.1);
-  const solve::BladeSet blades(3, rotor.speed_ratio);
+  const rotor::BladeSet blades(3, rotor.speed_ratio);
   const rotor::FreeMotion free(rotor.damping_ratio);
   int found = 0;
   for (int trial = 0; trial < 300; ++trial) {
@@ -142,16 +143,16 @@ TEST(RingBody, NoTouchdownIsMissedWhereShaftAndRingMoveTowardsEachOther) {
     const RingBody ring(1.0, 100.0 * std::pow(30.0, 1.0 + part(3)), trial % 2 != 0 ? 0.0 : 20.0,
                         kNaturalFrequency);
     const Forcing forcing{{}, ring};
-    solve::Flight<Forcing> flight(rotor, free, forcing);
+    modes::Flight<Forcing> flight(rotor, free, forcing);
     ShaftAndRing start;
     start << 3e-3 * part(5), 3e-3 * part(7), 4e-3 * part(11), 4e-3 * part(13), 2e-3 * part(17),
         2e-3 * part(19), 2e-3 * ring.frequency() * part(23), 2e-3 * ring.frequency() * part(29);
     flight.start(0.0, start);
     const double until = 2.0 * std::numbers::pi / rotor.speed_ratio;
-    solve::TouchdownSearch<contact::ElasticRingContact> search(rotor, law, blades);
+    modes::TouchdownSearch<contact::ElasticRingContact> search(rotor, law, blades);
     const auto largest_gap = [&](double time) {
       double largest = -1.0;
-      const State seen = solve::from_ring(flight.state(time));
+      const State seen = rotor::from_ring(flight.state(time));
       for (int k = 0; k < 3; ++k) {
         largest = std::max(largest,
                            pose_of(rotor, kBladeAndRing, blades.direction(k, blades.first(time)), seen).gap);
@@ -159,7 +160,7 @@ TEST(RingBody, NoTouchdownIsMissedWhereShaftAndRingMoveTowardsEachOther) {
       return largest;
     };
     if (largest_gap(0.0) >= 0.0) continue;
-    solve::WorkMeter meter;
+    modes::WorkMeter meter;
     const auto touchdown = search.find(flight, until, meter);
     const double end = touchdown ? touchdown->time : until;
     for (int i = 0; i < 4000; ++i) EXPECT_LT(largest_gap(end * i / 4000), 1e-16) << trial;
@@ -181,15 +182,15 @@ TEST(RingBody, WithoutDampingAndFrictionKeepsTheJacobiIntegral) {
   constexpr double kMass = 0.7;
   constexpr double kSpring = 3000.0;
   const RingBody ring(kMass, kSpring, 0.0, kNaturalFrequency);
-  const solve::RotorConstants rotor = ring_rotor(0.45, 0.0, 0.0);
+  const rotor::RotorConstants rotor = ring_rotor(0.45, 0.0, 0.0);
   const contact::ElasticRingContact law(kBladeAndRing, kTip, 0.0);
-  const solve::BladeSet blades(3, rotor.speed_ratio);
+  const rotor::BladeSet blades(3, rotor.speed_ratio);
   const auto integral = [&](const ShaftAndRing& s) {
     const double per_time = kNaturalFrequency * kNaturalFrequency;  // from per τ² to per s²
     double energy = 0.5 * per_time * (s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + s[3] * s[3]) +
                     0.5 * kSpring * (s[4] * s[4] + s[5] * s[5]) +
                     0.5 * kMass * per_time * (s[6] * s[6] + s[7] * s[7]);
-    const State seen = solve::from_ring(s);
+    const State seen = rotor::from_ring(s);
     for (int k = 0; k < 3; ++k) {
       const auto at = pose_of(rotor, kBladeAndRing, blades.direction(k, blades.first(0.0)), seen);
       const double depth = std::hypot(at.radial + kBladeAndRing.reach, at.tangential) - 0.11;
@@ -270,7 +271,7 @@ TEST(RingBody, MirroredWithTheRotorMovesTheMirroredWay) {
 TEST(RingBody, CarriesAllBladesInContactTogether) {
   // Two opposite blades press with equal forces: they cancel on the ring, which stays, as the fixed one
   // would. One blade alone pushes it away.
-  const solve::RotorConstants rotor = ring_rotor(0.3, 0.1, 0.0);
+  const rotor::RotorConstants rotor = ring_rotor(0.3, 0.1, 0.0);
   const contact::Geometry tight{0.1101, 0.11};
   const RingBody ring(1.0, 1e3, 5.0, kNaturalFrequency);
   const auto displaced = [&](int count) {

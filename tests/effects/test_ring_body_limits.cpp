@@ -4,40 +4,41 @@
 
 #include <cmath>
 
+#include "assembly/blade_tables.hpp"
+#include "assembly/make_line_solver.hpp"
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
-#include "solve/blade_tables.hpp"
-#include "solve/motion.hpp"
-#include "solve/ring_flight.hpp"
+#include "modes/ring_flight.hpp"
+#include "motion/motion.hpp"
 
 namespace rubatlas::test {
 namespace {
 
-using solve::PointStatus;
-using solve::State;
-using FixedRing = effects::NoForcing;
-using MovingRing = solve::WithRingBody<effects::NoForcing>;
+using point::PointStatus;
+using rotor::State;
+using FixedRing = rotor::NoForcing;
+using MovingRing = rotor::WithRingBody<rotor::NoForcing>;
 
 constexpr double kSpeedOfLimits = 0.62;
 constexpr contact::Geometry kLimitGeometry{0.1, 0.11};
 
 contact::ElasticaContact elastic_blade() {
-  static solve::BladeTables tables;
+  static assembly::BladeTables tables;
   return {kLimitGeometry, {0.1, 1e-3, 206e9 * 0.01 * 1e-9 / 12.0}, tables.curve(0.1)};
 }
 
 /// Where the default rotor is after two revolutions from rest (the ring's mass, stiffness and damping in SI).
 template <class Law, class Forcing>
 State after_two_revolutions(const Law& law, const Forcing& forcing, int blades = 3) {
-  const solve::RotorConstants rotor{kSpeedOfLimits, 0.1, 0.01001, 0.01, 0.01};
-  solve::Motion<Law, Forcing> motion(rotor, {blades, rotor.speed_ratio}, law, forcing, {1e-15, 0.5});
-  EXPECT_EQ(motion.start(solve::ring_at_rest<Forcing>(State::Zero())), PointStatus::done);
-  solve::MotionListener nobody;
+  const rotor::RotorConstants rotor{kSpeedOfLimits, 0.1, 0.01001, 0.01, 0.01};
+  motion::Motion<Law, Forcing> motion(rotor, {blades, rotor.speed_ratio}, law, forcing, {1e-15, 0.5});
+  EXPECT_EQ(motion.start(rotor::ring_at_rest<Forcing>(State::Zero())), PointStatus::done);
+  modes::MotionListener nobody;
   for (int revolution = 0; revolution < 2; ++revolution) {
     EXPECT_EQ(motion.revolution(nobody), PointStatus::done);
   }
   EXPECT_GE(motion.work().touchdowns, 2U);
-  return solve::shaft(motion.state());
+  return rotor::shaft(motion.state());
 }
 template <class Law>
 State in_moving_ring(const Law& law, double mass, double stiffness, double damping, int blades = 3) {

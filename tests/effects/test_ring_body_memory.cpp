@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "../scene/scene_error_text.hpp"
+#include "../settings/scene_error_text.hpp"
+#include "assembly/make_line_solver.hpp"
 #include "effect_scene.hpp"
 #include "rotor/ring_body.hpp"
 
@@ -13,8 +14,8 @@ namespace rubatlas::test {
 namespace {
 
 using nlohmann::json;
-using solve::PointStart;
-using solve::PointStatus;
+using point::PointStart;
+using point::PointStatus;
 
 json in_ring_body(double speed, int revolutions) {
   return {{"grid", {{"speed_ratio", speed}}},
@@ -24,14 +25,14 @@ json in_ring_body(double speed, int revolutions) {
           {"observables", {"poincare", "max_displacement"}}};
 }
 
-solve::PointOutcome run_on(const json& content, const PointStart& start) {
-  const scene::Scene scene = parsed(content);
+point::PointOutcome run_on(const json& content, const PointStart& start) {
+  const settings::Scene scene = parsed(content);
   const auto parameters = plan::Grid(scene).parameters(0);
-  return solve::make_line_solver(scene, parameters, solve::make_blade_tables())
+  return assembly::make_line_solver(scene, parameters, assembly::make_blade_tables())
       ->run(parameters.speed_ratio, start);
 }
 
-double memory_difference(const solve::Memory& a, const solve::Memory& b) {
+double memory_difference(const motion::Memory& a, const motion::Memory& b) {
   EXPECT_EQ(a.view().size(), 4U);
   EXPECT_EQ(b.view().size(), 4U);
   return test::largest_difference(std::vector(a.view().begin(), a.view().end()),
@@ -62,7 +63,7 @@ TEST(RingBody, ThatNobodyTouchesComesFromMemoryAndReturnsThereInClosedForm) {
   json content = in_ring_body(0.5, 1);
   content["rotor"]["misalignment"] = 0.002;  // the blades stay clear
   const std::array<double, 4> start{1e-3, -2e-4, 3e-3, 1e-3};
-  const auto outcome = run_on(content, {{}, solve::Memory(start)});
+  const auto outcome = run_on(content, {{}, motion::Memory(start)});
   ASSERT_EQ(outcome.status, PointStatus::done);
   EXPECT_EQ(outcome.work.touchdowns, 0U);
   const rotor::RingBody ring(2.0, 5000.0, 4.0, 10.0);
@@ -75,17 +76,17 @@ TEST(RingBody, ThatNobodyTouchesComesFromMemoryAndReturnsThereInClosedForm) {
 
 TEST(RingBody, OfWhichNothingIsRememberedStartsAtRest) {
   const auto fresh = run_on(in_ring_body(0.62, 2), {});
-  const auto at_rest = run_on(in_ring_body(0.62, 2), {{}, solve::Memory(std::vector(4, 0.0))});
+  const auto at_rest = run_on(in_ring_body(0.62, 2), {{}, motion::Memory(std::vector(4, 0.0))});
   EXPECT_EQ(fresh.final_state, at_rest.final_state);
   EXPECT_EQ(memory_difference(fresh.final_memory, at_rest.final_memory), 0.0);
   // A point that has left validity leaves nothing to remember: here the ring starts beyond the shaft.
-  const auto left = run_on(in_ring_body(0.62, 2), {{}, solve::Memory(std::array{0.2, 0.0, 0.0, 0.0})});
+  const auto left = run_on(in_ring_body(0.62, 2), {{}, motion::Memory(std::array{0.2, 0.0, 0.0, 0.0})});
   EXPECT_EQ(left.status, PointStatus::left_validity);
   EXPECT_TRUE(left.final_memory.view().empty());
 }
 
 TEST(RingBody, SaysWhatItDoesNotStandBeside) {
-  const auto refusal = [](const json& content) { return scene::refusal(content.dump()); };
+  const auto refusal = [](const json& content) { return settings::refusal(content.dump()); };
   EXPECT_EQ(refusal(in_ring_body(0.62, 2)), "accepted");
   for (const std::string section : {"yielding_ring", "release", "load_direction", "regularised_friction",
                                     "stribeck", "wear", "speed_ramp", "stick"}) {

@@ -7,14 +7,15 @@
 #include <numbers>
 #include <string>
 
-#include "../scene/scene_error_text.hpp"
+#include "../settings/scene_error_text.hpp"
+#include "assembly/make_line_solver.hpp"
 #include "effect_scene.hpp"
 
 namespace rubatlas::test {
 namespace {
 
 using nlohmann::json;
-using solve::PointStatus;
+using point::PointStatus;
 using Complex = std::complex<double>;
 
 json ramped(double rate, double speed, int transient, int sampled) {
@@ -74,7 +75,7 @@ TEST(SpeedRamp, ARunUpIsItsRevolutionsOneByOne) {
 
   content.erase("speed_ramp");
   content["protocol"] = {{"transient_revolutions", 0}, {"sampled_revolutions", 1}};
-  solve::SectionState state{};
+  point::SectionState state{};
   double time = 0.0;
   double in_contact = 0.0;
   double touchdowns = 0.0;
@@ -127,7 +128,7 @@ TEST(SpeedRamp, ABladeInContactStaysSoWhileSpeedOrLengthChanges) {
     const json content = touching_at_sections(law);
     const auto plain = run(parsed(content));
     ASSERT_EQ(plain.status, PointStatus::done);
-    const scene::Scene scene = parsed(content);
+    const settings::Scene scene = parsed(content);
     int touching = 0;
     for (std::size_t at = 0; at < plain.rows[0].size(); at += 4) {
       const double top = plain.rows[0][at + 1] + scene.rotor.misalignment + scene.blades.length;
@@ -149,10 +150,10 @@ TEST(SpeedRamp, ABladeInContactStaysSoWhileSpeedOrLengthChanges) {
 TEST(SpeedRamp, AnOrbitHasTheSectionsOfTheRunAndItsOwnClock) {
   json content = ramped(0.01, 0.44, 1, 3);
   content["protocol"]["samples_per_revolution"] = 16;
-  const scene::Scene scene = parsed(content);
+  const settings::Scene scene = parsed(content);
   const auto parameters = plan::Grid(scene).parameters(0);
-  const auto orbit = solve::make_line_solver(scene, parameters, solve::make_blade_tables())
-                         ->orbit(parameters.speed_ratio, solve::SectionState{});
+  const auto orbit = assembly::make_line_solver(scene, parameters, assembly::make_blade_tables())
+                         ->orbit(parameters.speed_ratio, point::SectionState{});
   const auto outcome = run(scene);
   ASSERT_EQ(orbit.sections.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -168,7 +169,7 @@ TEST(SpeedRamp, AnOrbitHasTheSectionsOfTheRunAndItsOwnClock) {
 }
 
 TEST(SpeedRamp, MustNotLeadOutOfTheLegalSpeeds) {
-  const auto refusal = [](double rate) { return scene::refusal(ramped(rate, 0.5, 0, 11).dump()); };
+  const auto refusal = [](double rate) { return settings::refusal(ramped(rate, 0.5, 0, 11).dump()); };
   EXPECT_EQ(refusal(-0.04), "accepted");
   EXPECT_EQ(refusal(-0.05).rfind("/speed_ramp/rate: from speed ratio 0.5 on -0.05 leads to ", 0), 0U)
       << refusal(-0.05);

@@ -7,17 +7,17 @@
 
 #include "contact/unequal_blades.hpp"
 #include "effect_scene.hpp"
+#include "motion/motion.hpp"
 #include "rotor/linear_support.hpp"
-#include "solve/motion.hpp"
-#include "solve/rippling_blades.hpp"
+#include "rotor/rippling_blades.hpp"
 
 namespace rubatlas::test {
 namespace {
 
 using Complex = std::complex<double>;
 using effects::SpeedRipple;
-using solve::PointStatus;
-using solve::RipplingBlades;
+using point::PointStatus;
+using rotor::RipplingBlades;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
@@ -44,8 +44,8 @@ TEST(SpeedRipple, TheUnbalancesSideBandsAreItsAccelerationAtEveryInstant) {
     const double speed = draw(0.05, 2.0);
     const double phase = draw(-3.0, 3.0);
     const double moment = draw(1e-6, 1e-3);
-    const effects::Harmonics forcing(effects::rippled_unbalance(ripple, moment, phase, speed, 0.1));
-    const RipplingBlades blades(solve::equal_angles(1), speed, ripple);
+    const rotor::Harmonics forcing(rotor::rippled_unbalance(ripple, moment, phase, speed, 0.1));
+    const RipplingBlades blades(rotor::equal_angles(1), speed, ripple);
     for (int sample = 0; sample < 10; ++sample) {
       const double time = draw(0.0, kTurn / speed);
       const double rate = blades.speed(time);
@@ -60,15 +60,15 @@ TEST(SpeedRipple, TheUnbalancesSideBandsAreItsAccelerationAtEveryInstant) {
 
 TEST(SpeedRipple, TheDeepestHasNoMoreSideBandsThanAnySupportTakes) {
   for (int order = 1; order <= 1000; ++order) {
-    const auto bands = effects::rippled_unbalance({0.9, order, 0.3}, 1e-4, 0.0, 0.5, 0.1);
+    const auto bands = rotor::rippled_unbalance({0.9, order, 0.3}, 1e-4, 0.0, 0.5, 0.1);
     EXPECT_LT(bands.size(), rotor::LinearSupport::kMostTerms) << "one is left for static loads; p " << order;
   }
 }
 
 TEST(SpeedRipple, OfNoAmplitudeLeavesTheUnbalanceAsItIs) {
   const SpeedRipple none{0.0, 3, 0.7};
-  const effects::Harmonics rippled(effects::rippled_unbalance(none, 1e-4, 0.4, 0.62, 0.1));
-  const effects::RotatingUnbalance plain(1e-4, 0.4, 0.62, 0.1);
+  const rotor::Harmonics rippled(rotor::rippled_unbalance(none, 1e-4, 0.4, 0.62, 0.1));
+  const rotor::RotatingUnbalance plain(1e-4, 0.4, 0.62, 0.1);
   EXPECT_EQ(rippled.amplitude(), plain.amplitude());
   for (const double time : {0.0, 0.3, 2.0, 9.0}) {
     EXPECT_EQ(rippled.acceleration(time), plain.acceleration(time));
@@ -79,7 +79,7 @@ TEST(SpeedRipple, ARevolutionTakesTheSameTimeAndEndsWhereItBegan) {
   Draw draw;
   for (int trial = 0; trial < 100; ++trial) {
     const double speed = draw(0.05, 2.0);
-    const RipplingBlades blades(solve::equal_angles(3), speed, random_ripple(draw));
+    const RipplingBlades blades(rotor::equal_angles(3), speed, random_ripple(draw));
     EXPECT_EQ(blades.angle(0.0), 0.0);
     EXPECT_NEAR(blades.angle(kTurn / speed), kTurn, 1e-13);
   }
@@ -90,7 +90,7 @@ TEST(SpeedRipple, SpeedAndAccelerationAreDerivativesOfTheAngleAndWithinTheirBoun
   for (int trial = 0; trial < 100; ++trial) {
     const SpeedRipple ripple = random_ripple(draw);
     const double speed = draw(0.05, 2.0);
-    const RipplingBlades blades(solve::equal_angles(3), speed, ripple);
+    const RipplingBlades blades(rotor::equal_angles(3), speed, ripple);
     const double step = 1e-4 / (speed * ripple.order);
     const auto slope = [&](auto&& function, double time) {  // of order 4
       return (8.0 * (function(time + step) - function(time - step)) -
@@ -126,9 +126,9 @@ TEST(SpeedRipple, SpeedAndAccelerationAreDerivativesOfTheAngleAndWithinTheirBoun
 
 /// Looks at every piece of flight 500 times, and keeps the largest gap that a blade has there [m²].
 template <class Blades>
-class GapWatch final : public solve::MotionListener {
+class GapWatch final : public modes::MotionListener {
  public:
-  GapWatch(const solve::RotorConstants& rotor, const contact::Geometry& geometry, const Blades& blades)
+  GapWatch(const rotor::RotorConstants& rotor, const contact::Geometry& geometry, const Blades& blades)
       : rotor_(rotor), geometry_(geometry), blades_(blades) {}
 
   void piece(observables::MotionPiece& piece) override {
@@ -138,14 +138,14 @@ class GapWatch final : public solve::MotionListener {
       const auto state = piece.state(time);
       const auto first = blades_.first(time);
       for (int k = 0; k < blades_.count(); ++k) {
-        largest = std::max(largest, solve::pose_of(rotor_, geometry_, blades_.direction(k, first),
+        largest = std::max(largest, rotor::pose_of(rotor_, geometry_, blades_.direction(k, first),
                                                    {state[0], state[1], state[2], state[3]})
                                         .gap);
       }
     }
   }
-  void event(const solve::Event& event) override {
-    if (event.kind == solve::PhaseEvent::touch_down) ++touchdowns;
+  void event(const modes::Event& event) override {
+    if (event.kind == modes::PhaseEvent::touch_down) ++touchdowns;
   }
 
   double largest = -1.0;
@@ -153,24 +153,24 @@ class GapWatch final : public solve::MotionListener {
 
  private:
   static constexpr int kSamples = 500;
-  solve::RotorConstants rotor_;
+  rotor::RotorConstants rotor_;
   contact::Geometry geometry_;
   Blades blades_;
 };
 
 TEST(SpeedRipple, NoTouchdownIsMissed) {
   using Law = contact::UnequalBlades<contact::ElasticRingContact>;
-  using Rotor = solve::Motion<Law, effects::Harmonics, integrate::DormandPrince853, RipplingBlades>;
+  using Rotor = motion::Motion<Law, rotor::Harmonics, integrate::DormandPrince853, RipplingBlades>;
   const contact::Geometry geometry{0.1, 0.11};
   const contact::ElasticRingContact blade(geometry, 1e4, 0.1);
   Draw draw;
   int touchdowns = 0;
   for (int trial = 0; trial < 60; ++trial) {
     const SpeedRipple ripple = random_ripple(draw);
-    const solve::RotorConstants rotor{draw(0.05, 0.9), draw(0.02, 0.3), draw(0.0098, 0.0103), 0.01, 0.01};
-    const RipplingBlades blades(solve::equal_angles(3), rotor.speed_ratio, ripple);
-    const effects::Harmonics forcing(
-        effects::rippled_unbalance(ripple, 1e-4, 0.0, rotor.speed_ratio, rotor.damping_ratio));
+    const rotor::RotorConstants rotor{draw(0.05, 0.9), draw(0.02, 0.3), draw(0.0098, 0.0103), 0.01, 0.01};
+    const RipplingBlades blades(rotor::equal_angles(3), rotor.speed_ratio, ripple);
+    const rotor::Harmonics forcing(
+        rotor::rippled_unbalance(ripple, 1e-4, 0.0, rotor.speed_ratio, rotor.damping_ratio));
     Rotor motion(rotor, blades, Law({blade, blade, blade}), forcing, {1e-11, 0.5});
     GapWatch<RipplingBlades> watch(rotor, geometry, blades);
     PointStatus status = motion.start({draw(-1e-3, 1e-3), draw(-1e-3, 1e-3), 0.0, 0.0});
@@ -184,19 +184,19 @@ TEST(SpeedRipple, NoTouchdownIsMissed) {
   EXPECT_GT(touchdowns, 300);
 }
 
-class Rippling : public ::testing::TestWithParam<scene::ContactLaw> {
+class Rippling : public ::testing::TestWithParam<settings::ContactLaw> {
  protected:
-  static scene::Scene rotor(int order) {
+  static settings::Scene rotor(int order) {
     nlohmann::json scene = effect_scene<&effects::Effects::speed_ripple>(0.4, 6);
     scene["speed_ripple"] = {{"amplitude", 0.1}, {"order", order}, {"phase", 0.6}};
     scene["observables"] = {"poincare", "poincare_blade_passing"};
     scene["accuracy"]["tolerance"] = 1e-13;
-    scene["contact"]["law"] = GetParam() == scene::ContactLaw::elastica ? "elastica" : "elastic_ring";
+    scene["contact"]["law"] = GetParam() == settings::ContactLaw::elastica ? "elastica" : "elastic_ring";
     return parsed(scene);
   }
   /// How far a motion that starts one blade passing later is from the motion itself [m].
   static double departure(int order) {
-    const scene::Scene scene = rotor(order);
+    const settings::Scene scene = rotor(order);
     const auto motion = run(scene, {1e-3, 0.0, 0.0, 1e-3});
     EXPECT_EQ(motion.status, PointStatus::done);
     const auto& passings = motion.rows[1];
@@ -213,7 +213,7 @@ TEST_P(Rippling, AsOftenAsBladesPassKeepsBladePassingsAlike) {
 }
 
 TEST_P(Rippling, TooLittleToMatterGivesTheMotionAtConstantSpeed) {
-  scene::Scene scene = rotor(2);
+  settings::Scene scene = rotor(2);
   scene.speed_ripple->amplitude = 1e-300;
   const auto rippling = run(scene);
   scene.speed_ripple.reset();
@@ -225,16 +225,18 @@ TEST_P(Rippling, TooLittleToMatterGivesTheMotionAtConstantSpeed) {
 }
 
 TEST_P(Rippling, IsTheSameForPhasesAFullTurnApart) {
-  scene::Scene scene = rotor(2);
+  settings::Scene scene = rotor(2);
   const auto motion = run(scene);
   scene.speed_ripple->phase += kTurn;
   EXPECT_LE(largest_difference(run(scene).rows[0], motion.rows[0]), 1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, Rippling,
-                         ::testing::Values(scene::ContactLaw::elastica, scene::ContactLaw::elastic_ring),
+                         ::testing::Values(settings::ContactLaw::elastica,
+                                           settings::ContactLaw::elastic_ring),
                          [](const auto& instance) {
-                           return instance.param == scene::ContactLaw::elastica ? "elastica" : "elastic_ring";
+                           return instance.param == settings::ContactLaw::elastica ? "elastica"
+                                                                                   : "elastic_ring";
                          });
 
 }  // namespace

@@ -8,13 +8,13 @@
 namespace rubatlas::test {
 namespace {
 
-using solve::PointStatus;
-using solve::SectionState;
+using point::PointStatus;
+using point::SectionState;
 
 constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
 
-scene::Scene default_rotor(scene::ContactLaw law, double speed_ratio) {
-  scene::Scene scene;
+settings::Scene default_rotor(settings::ContactLaw law, double speed_ratio) {
+  settings::Scene scene;
   scene.contact.law = law;
   scene.grid.speed_ratio = {speed_ratio};
   scene.grid.damping_ratio = {scene.rotor.damping_ratio};
@@ -27,18 +27,18 @@ scene::Scene default_rotor(scene::ContactLaw law, double speed_ratio) {
   return scene;
 }
 
-double shaft_stiffness(const scene::Scene& scene) {
+double shaft_stiffness(const settings::Scene& scene) {
   return scene.rotor.mass * scene.rotor.natural_frequency * scene.rotor.natural_frequency;
 }
 
-class StaticLoad : public ::testing::TestWithParam<scene::ContactLaw> {};
+class StaticLoad : public ::testing::TestWithParam<settings::ContactLaw> {};
 
 TEST_P(StaticLoad, AlongTheMisalignmentIsAMisalignmentWithTheOriginMoved) {
   for (const double deflection : {1e-3, 3e-4}) {
     for (const double speed : {0.3, 0.62}) {
-      scene::Scene loaded = default_rotor(GetParam(), speed);
+      settings::Scene loaded = default_rotor(GetParam(), speed);
       loaded.side_load = effects::SideLoad{deflection * shaft_stiffness(loaded), kQuarterTurn};
-      scene::Scene moved = default_rotor(GetParam(), speed);
+      settings::Scene moved = default_rotor(GetParam(), speed);
       moved.rotor.misalignment += deflection;
       const SectionState start{1e-3, 5e-4, 0.0, 1e-3};
       const auto with_load = run(loaded, start);
@@ -56,10 +56,10 @@ TEST_P(StaticLoad, AlongTheMisalignmentIsAMisalignmentWithTheOriginMoved) {
 
 TEST_P(StaticLoad, OfTheRotorsWeightIsGravity) {
   // Powers of two: mass and stiffness scale without rounding.
-  scene::Scene heavy = default_rotor(GetParam(), 0.45);
+  settings::Scene heavy = default_rotor(GetParam(), 0.45);
   heavy.rotor.mass = 2.0;
   heavy.rotor.natural_frequency = 8.0;
-  scene::Scene loaded = heavy;
+  settings::Scene loaded = heavy;
   heavy.gravity = effects::Gravity{0.1, 0.3};
   loaded.side_load = effects::SideLoad{2.0 * 0.1, 0.3};
   const auto weight = run(heavy);
@@ -69,8 +69,8 @@ TEST_P(StaticLoad, OfTheRotorsWeightIsGravity) {
 }
 
 TEST_P(StaticLoad, TwoLoadsAreTheirSum) {
-  scene::Scene two = default_rotor(GetParam(), 0.45);
-  scene::Scene one = two;
+  settings::Scene two = default_rotor(GetParam(), 0.45);
+  settings::Scene one = two;
   two.gravity = effects::Gravity{0.05, kQuarterTurn};  // 0.05 N along y
   two.side_load = effects::SideLoad{0.1, 0.0};
   one.side_load = effects::SideLoad{std::hypot(0.05, 0.1), std::atan2(0.05, 0.1)};
@@ -83,7 +83,7 @@ TEST_P(StaticLoad, TurnedTogetherWithTheBladesTurnsTheMotion) {
   // A centred ring is round: the load is all that tells one direction from another.
   constexpr double kAngle = 0.7;
   const std::complex<double> turn = std::polar(1.0, kAngle);
-  scene::Scene scene = default_rotor(GetParam(), 0.62);
+  settings::Scene scene = default_rotor(GetParam(), 0.62);
   scene.rotor.misalignment = 0.0;
   scene.side_load = effects::SideLoad{0.0105 * shaft_stiffness(scene), 0.2};
   const auto motion = run(scene);
@@ -101,7 +101,7 @@ TEST_P(StaticLoad, TurnedTogetherWithTheBladesTurnsTheMotion) {
 }
 
 TEST_P(StaticLoad, TooSmallToMatterGivesTheMotionWithoutThroughTheOtherKernel) {
-  scene::Scene scene = default_rotor(GetParam(), 0.62);
+  settings::Scene scene = default_rotor(GetParam(), 0.62);
   const auto plain = run(scene);
   scene.side_load = effects::SideLoad{1e-300, 0.0};
   const auto loaded = run(scene);
@@ -111,7 +111,7 @@ TEST_P(StaticLoad, TooSmallToMatterGivesTheMotionWithoutThroughTheOtherKernel) {
 }
 
 TEST_P(StaticLoad, WithoutContactBringsTheRotorToRestWhereStaticsSays) {
-  scene::Scene scene = default_rotor(GetParam(), 0.5);
+  settings::Scene scene = default_rotor(GetParam(), 0.5);
   scene.rotor.misalignment = 0.0;
   scene.rotor.damping_ratio = 0.5;
   scene.grid.damping_ratio = {0.5};
@@ -125,9 +125,11 @@ TEST_P(StaticLoad, WithoutContactBringsTheRotorToRestWhereStaticsSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, StaticLoad,
-                         ::testing::Values(scene::ContactLaw::elastica, scene::ContactLaw::elastic_ring),
+                         ::testing::Values(settings::ContactLaw::elastica,
+                                           settings::ContactLaw::elastic_ring),
                          [](const auto& instance) {
-                           return instance.param == scene::ContactLaw::elastica ? "elastica" : "elastic_ring";
+                           return instance.param == settings::ContactLaw::elastica ? "elastica"
+                                                                                   : "elastic_ring";
                          });
 
 }  // namespace

@@ -9,19 +9,19 @@
 #include <vector>
 
 #include "../hard/recorded_motion.hpp"
-#include "../scene/scene_error_text.hpp"
+#include "../settings/scene_error_text.hpp"
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/unequal_blades.hpp"
-#include "solve/rippling_blades.hpp"
-#include "solve/sticking_contacts.hpp"
+#include "modes/sticking_contacts.hpp"
+#include "rotor/rippling_blades.hpp"
 
 namespace rubatlas::test {
 namespace {
 
-using solve::ContactState;
-using solve::Event;
-using solve::OpenContact;
-using solve::PhaseEvent;
+using modes::Event;
+using modes::OpenContact;
+using modes::PhaseEvent;
+using rotor::ContactState;
 using StickingLaw = contact::RigidBladeContact<contact::StickingFriction>;
 using Point = std::complex<double>;
 
@@ -38,7 +38,7 @@ HardRotor rolling_rotor(double speed_ratio, double friction) {
   rotor.misalignment = 0.0;
   return rotor;
 }
-solve::State kick(double speed_ratio, double excess) {
+rotor::State kick(double speed_ratio, double excess) {
   return {0.0099, 0.0, 0.0, -excess * 0.1 * speed_ratio};
 }
 
@@ -46,7 +46,7 @@ bool begins_to_stick(const Event& event) {
   return event.kind == PhaseEvent::slip_reversal && event.slip == 0.0;
 }
 
-double slip_of(const HardRotor& rotor, int blade, double time, const solve::State& state) {
+double slip_of(const HardRotor& rotor, int blade, double time, const rotor::State& state) {
   return contact::undeformed_slip_velocity(rotor.geometry(), pose_at(rotor, blade, time, state),
                                            rotor.speed_ratio);
 }
@@ -56,7 +56,7 @@ double slip_of(const HardRotor& rotor, int blade, double time, const solve::Stat
 /// with the friction q = t·[...]: a driven oscillator, in closed form.
 class HeldTip {
  public:
-  HeldTip(const HardRotor& rotor, double time, const solve::State& state) : rotor_(rotor), start_(time) {
+  HeldTip(const HardRotor& rotor, double time, const rotor::State& state) : rotor_(rotor), start_(time) {
     const double speed = rotor.speed_ratio;
     const Point arm = std::polar(rotor.length, speed * time);
     const Point tip = Point(state[0], state[1] + rotor.misalignment) + arm;
@@ -121,7 +121,7 @@ class HeldTip {
 };
 
 /// Compares each stick with the closed form, from its first instant to the last.
-class HeldTipWatch final : public solve::MotionListener {
+class HeldTipWatch final : public modes::MotionListener {
  public:
   HeldTipWatch(const HardRotor& rotor, double static_friction)
       : rotor_(rotor), static_friction_(static_friction) {}
@@ -130,7 +130,7 @@ class HeldTipWatch final : public solve::MotionListener {
     if (!held_) return;
     for (int i = 0; i <= 20; ++i) {
       const double time = piece.begin() + (piece.end() - piece.begin()) * i / 20;
-      const solve::State state = solve::as_state(piece.state(time));
+      const rotor::State state = rotor::as_state(piece.state(time));
       const double total = time + turned;
       EXPECT_LE(std::abs(held_->position(total) - Point(state[0], state[1])), 1e-13);
       EXPECT_NEAR(piece.normal_force(0, time),
@@ -182,15 +182,15 @@ TEST(Stick, RollsOnTheHeldTipAsTheClosedFormSaysUntilTheConeEnds) {
           HardRotor rotor = rolling_rotor(speed, friction);
           rotor.blades = 1;
           rotor.misalignment = 1e-3;
-          solve::Motion<StickingLaw, effects::NoForcing> motion(
+          motion::Motion<StickingLaw, rotor::NoForcing> motion(
               rotor.constants(), {1, speed}, sticking_law(rotor, ratio), {}, rotor.limits());
           HeldTipWatch watch(rotor, ratio * friction);
-          solve::PointStatus status = motion.start(kick(speed, excess));
-          for (int revolution = 0; revolution < 3 && status == solve::PointStatus::done; ++revolution) {
+          point::PointStatus status = motion.start(kick(speed, excess));
+          for (int revolution = 0; revolution < 3 && status == point::PointStatus::done; ++revolution) {
             status = motion.revolution(watch);
             watch.turned += rotor.constants().period();
           }
-          EXPECT_NE(status, solve::PointStatus::integrator_failed);
+          EXPECT_NE(status, point::PointStatus::integrator_failed);
           loosened += watch.loosened;
           looks += watch.looks;
           longest = std::max(longest, watch.longest);
@@ -207,12 +207,12 @@ TEST(Stick, RollsOnTheHeldTipAsTheClosedFormSaysUntilTheConeEnds) {
 /// tip with s = 0.
 struct FrictionAtWork {
   double largest;
-  solve::WorkCounts work;
+  motion::WorkCounts work;
 };
 
 template <class Law>
-FrictionAtWork friction_at_work(const HardRotor& rotor, const Law& law, const solve::State& start) {
-  class Watch final : public solve::MotionListener {
+FrictionAtWork friction_at_work(const HardRotor& rotor, const Law& law, const rotor::State& start) {
+  class Watch final : public modes::MotionListener {
    public:
     explicit Watch(const HardRotor& of) : rotor(of), slips(static_cast<std::size_t>(of.blades), 0.0) {}
     void piece(observables::MotionPiece& piece) override {
@@ -220,7 +220,7 @@ FrictionAtWork friction_at_work(const HardRotor& rotor, const Law& law, const so
         const int blade = piece.blade(i);
         for (int part = 1; part < 8; ++part) {
           const double time = piece.begin() + (piece.end() - piece.begin()) * part / 8;
-          const double slip = slip_of(rotor, blade, time, solve::as_state(piece.state(time)));
+          const double slip = slip_of(rotor, blade, time, rotor::as_state(piece.state(time)));
           const double load = std::max(0.0, piece.normal_force(i, time));
           largest = std::max(largest, -slips[static_cast<std::size_t>(blade)] * rotor.friction * load * slip);
         }
@@ -232,13 +232,13 @@ FrictionAtWork friction_at_work(const HardRotor& rotor, const Law& law, const so
     double largest = 0.0;
   };
   Watch watch(rotor);
-  solve::Motion<Law, effects::NoForcing> motion(rotor.constants(), {rotor.blades, rotor.speed_ratio}, law, {},
-                                                rotor.limits());
-  solve::PointStatus status = motion.start(start);
-  for (int revolution = 0; revolution < 3 && status == solve::PointStatus::done; ++revolution) {
+  motion::Motion<Law, rotor::NoForcing> motion(rotor.constants(), {rotor.blades, rotor.speed_ratio}, law, {},
+                                               rotor.limits());
+  point::PointStatus status = motion.start(start);
+  for (int revolution = 0; revolution < 3 && status == point::PointStatus::done; ++revolution) {
     status = motion.revolution(watch);
   }
-  EXPECT_NE(status, solve::PointStatus::integrator_failed);
+  EXPECT_NE(status, point::PointStatus::integrator_failed);
   return {watch.largest, motion.work()};
 }
 
@@ -268,17 +268,17 @@ TEST(Stick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
   // A few contacts with five sticks: no whirl in which errors grow.
   const HardRotor rotor = rolling_rotor(0.05, 0.3);
   const auto nothing = [](observables::MotionPiece&) {};
-  const solve::State start{0.005, 0.0, 0.0, -0.05};
-  const auto stuck = follow(rotor, sticking_law(rotor, 1.0), effects::NoForcing{}, start, 1, nothing);
-  ASSERT_EQ(stuck.status, solve::PointStatus::done);
+  const rotor::State start{0.005, 0.0, 0.0, -0.05};
+  const auto stuck = follow(rotor, sticking_law(rotor, 1.0), rotor::NoForcing{}, start, 1, nothing);
+  ASSERT_EQ(stuck.status, point::PointStatus::done);
   ASSERT_GE(
       std::ranges::count_if(stuck.events, [](const auto& entry) { return begins_to_stick(entry.event); }), 1);
   std::vector<double> distances;
   for (const double velocity : {1e-4, 1e-5, 1e-6}) {
     const contact::RigidBladeContact law(rotor.geometry(), rotor.ring_stiffness,
                                          contact::RegularisedFriction{rotor.friction, velocity});
-    const auto steep = follow(rotor, law, effects::NoForcing{}, start, 1, nothing);
-    ASSERT_EQ(steep.status, solve::PointStatus::done);
+    const auto steep = follow(rotor, law, rotor::NoForcing{}, start, 1, nothing);
+    ASSERT_EQ(steep.status, point::PointStatus::done);
     distances.push_back((steep.sections[0] - stuck.sections[0]).abs().maxCoeff());
   }
   EXPECT_LE(distances[1], 0.2 * distances[0]);
@@ -296,10 +296,10 @@ double slip_rate(System& system, const HardRotor& rotor, const Blades& blades, i
     // Positions to second order: velocities enter the slip directly.
     ContactState there = state + step * rate;
     there.head<2>() += 0.5 * step * step * rate.segment<2>(2);
-    const auto er = blades.direction(blade, blades.first(there[solve::kTime]));
+    const auto er = blades.direction(blade, blades.first(there[rotor::kTime]));
     return contact::undeformed_slip_velocity(
-        rotor.geometry(), solve::pose_of(rotor.constants(), rotor.geometry(), er, there.head<4>()),
-        blades.speed(there[solve::kTime]));
+        rotor.geometry(), rotor::pose_of(rotor.constants(), rotor.geometry(), er, there.head<4>()),
+        blades.speed(there[rotor::kTime]));
   };
   const double step = 1e-4;
   return (slip(step) - slip(-step)) / (2.0 * step);
@@ -308,27 +308,26 @@ double slip_rate(System& system, const HardRotor& rotor, const Blades& blades, i
 template <class Blades>
 void expect_two_tips_at_rest(const HardRotor& rotor, const Blades& blades) {
   const StickingLaw law = sticking_law(rotor, 1e3);
-  const effects::NoForcing forcing;
-  const solve::RotorConstants constants = rotor.constants();
-  solve::StickingContacts<StickingLaw, effects::NoForcing, Blades> system(constants, blades, law, forcing);
+  const rotor::NoForcing forcing;
+  const rotor::RotorConstants constants = rotor.constants();
+  modes::StickingContacts<StickingLaw, rotor::NoForcing, Blades> system(constants, blades, law, forcing);
   const std::vector<OpenContact> contacts{{0, 0.0, 0.0}, {1, 0.0, 0.0}};
   system.open(contacts);
   ContactState state;
   state << 0.006, 0.0045, 0.01, -0.02, 0.11, 0.0;
-  EXPECT_GT(std::abs(slip_of(rotor, 0, state[solve::kTime], state.head<4>())), 1e-3);
+  EXPECT_GT(std::abs(slip_of(rotor, 0, state[rotor::kTime], state.head<4>())), 1e-3);
   system.project(state);
   for (const int blade : {0, 1}) {
-    const auto er = blades.direction(blade, blades.first(state[solve::kTime]));
-    const auto at = solve::pose_of(rotor.constants(), rotor.geometry(), er, state.head<4>());
-    EXPECT_NEAR(contact::undeformed_slip_velocity(rotor.geometry(), at, blades.speed(state[solve::kTime])),
+    const auto er = blades.direction(blade, blades.first(state[rotor::kTime]));
+    const auto at = rotor::pose_of(rotor.constants(), rotor.geometry(), er, state.head<4>());
+    EXPECT_NEAR(contact::undeformed_slip_velocity(rotor.geometry(), at, blades.speed(state[rotor::kTime])),
                 0.0, 1e-16);
     EXPECT_NEAR(slip_rate(system, rotor, blades, blade, state), 0.0, 1e-7);
   }
   // Beyond the cone of both, one after the other is let go.
   std::vector<OpenContact> settled = contacts;
   const StickingLaw slippery = sticking_law(rotor, 1e-9);
-  solve::StickingContacts<StickingLaw, effects::NoForcing, Blades> judge(constants, blades, slippery,
-                                                                         forcing);
+  modes::StickingContacts<StickingLaw, rotor::NoForcing, Blades> judge(constants, blades, slippery, forcing);
   int told = 0;
   judge.settle(state, settled, [&](const OpenContact&) { ++told; });
   EXPECT_EQ(told, 2);
@@ -339,9 +338,9 @@ TEST(Stick, TwoTipsCanBeHeldAtOnceAtASteadyAndAtARipplingSpeed) {
   HardRotor rotor;
   rotor.misalignment = 0.005;
   rotor.blades = 5;
-  expect_two_tips_at_rest(rotor, solve::BladeSet(rotor.blades, rotor.speed_ratio));
-  const auto angles = solve::equal_angles(rotor.blades);
-  expect_two_tips_at_rest(rotor, solve::RipplingBlades(angles, rotor.speed_ratio, {0.3, 2, 0.4}));
+  expect_two_tips_at_rest(rotor, rotor::BladeSet(rotor.blades, rotor.speed_ratio));
+  const auto angles = rotor::equal_angles(rotor.blades);
+  expect_two_tips_at_rest(rotor, rotor::RipplingBlades(angles, rotor.speed_ratio, {0.3, 2, 0.4}));
 }
 
 TEST(Stick, OfTheMirroredRotorIsTheMirrorImage) {
@@ -353,9 +352,9 @@ TEST(Stick, OfTheMirroredRotorIsTheMirrorImage) {
     HardRotor image = rotor;
     image.speed_ratio = -image.speed_ratio;
     image.misalignment = -image.misalignment;
-    const solve::State start = kick(0.3, excess);
-    const auto motion = follow(rotor, sticking_law(rotor, 1.2), effects::NoForcing{}, start, 2, nothing);
-    const auto mirrored = follow(image, sticking_law(image, 1.2), effects::NoForcing{},
+    const rotor::State start = kick(0.3, excess);
+    const auto motion = follow(rotor, sticking_law(rotor, 1.2), rotor::NoForcing{}, start, 2, nothing);
+    const auto mirrored = follow(image, sticking_law(image, 1.2), rotor::NoForcing{},
                                  {start[0], -start[1], start[2], -start[3]}, 2, nothing);
     ASSERT_EQ(motion.events.size(), mirrored.events.size());
     for (std::size_t i = 0; i < motion.events.size(); ++i) {
@@ -373,7 +372,7 @@ TEST(Stick, OfTheMirroredRotorIsTheMirrorImage) {
 
 TEST(Stick, RefusesASecondLawOfFrictionAMachineThatChangesAndOtherBladesThanPlainOnes) {
   const auto refusal = [](const std::string& sections) {
-    return scene::refusal(R"({"grid": {"speed_ratio": 0.5}, "stick": {}, )" + sections + "}");
+    return settings::refusal(R"({"grid": {"speed_ratio": 0.5}, "stick": {}, )" + sections + "}");
   };
   for (const std::string blades : {R"("contact": {"law": "beam_column"})", R"("axial_compliance": {})",
                                    R"("yielding_ring": {})", R"("release": {})"}) {

@@ -11,8 +11,8 @@
 namespace rubatlas::test {
 namespace {
 
-using solve::Event;
-using solve::PhaseEvent;
+using modes::Event;
+using modes::PhaseEvent;
 
 auto elastic_sticking_law(const HardRotor& rotor, double static_ratio) {
   return directed_law(rotor, contact::StickingFriction{rotor.friction, static_ratio * rotor.friction});
@@ -21,7 +21,7 @@ auto elastic_sticking_law(const HardRotor& rotor, double static_ratio) {
 /// A kicked rotor whose tips come to rest.
 struct Kicked {
   HardRotor rotor;
-  solve::State start;
+  rotor::State start;
 };
 /// One long blade, kicked against its spin: its first contact slips, rests through most of the rebound, and
 /// slips again before it leaves the ring.
@@ -52,8 +52,8 @@ TEST(ElasticStick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
     const HardRotor& rotor = kicked.rotor;
     SCOPED_TRACE(rotor.friction);
     const auto stuck =
-        follow(rotor, elastic_sticking_law(rotor, 1.0), effects::NoForcing{}, kicked.start, 1, nothing);
-    ASSERT_EQ(stuck.status, solve::PointStatus::done);
+        follow(rotor, elastic_sticking_law(rotor, 1.0), rotor::NoForcing{}, kicked.start, 1, nothing);
+    ASSERT_EQ(stuck.status, point::PointStatus::done);
     const auto rest = std::ranges::find_if(stuck.events, comes_to_rest);
     ASSERT_NE(rest, stuck.events.end());
     const auto left = stuck.of_kind(PhaseEvent::lift_off);
@@ -62,8 +62,8 @@ TEST(ElasticStick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
     double before = 0.0;
     for (const double velocity : {1e-3, 1e-4, 1e-5, 1e-6}) {
       const auto law = directed_law(rotor, contact::RegularisedFriction{rotor.friction, velocity});
-      const auto steep = follow(rotor, law, effects::NoForcing{}, kicked.start, 1, nothing);
-      ASSERT_EQ(steep.status, solve::PointStatus::done);
+      const auto steep = follow(rotor, law, rotor::NoForcing{}, kicked.start, 1, nothing);
+      ASSERT_EQ(steep.status, point::PointStatus::done);
       const auto lifted = steep.of_kind(PhaseEvent::lift_off);
       ASSERT_FALSE(lifted.empty());
       const double apart = (lifted[0].state - left[0].state).abs().maxCoeff();
@@ -78,7 +78,7 @@ TEST(ElasticStick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
 
 /// What is looked at in every piece of a stick: the slip velocity through the friction's power, and the load
 /// on both sides of each change.
-class RestWatch final : public solve::MotionListener {
+class RestWatch final : public modes::MotionListener {
  public:
   void piece(observables::MotionPiece& piece) override {
     if (piece.contact_count() == 0) return;
@@ -115,11 +115,11 @@ class RestWatch final : public solve::MotionListener {
 TEST(ElasticStick, LoadIsContinuousWhereATipComesToRestAndWhereItComesLooseAndNoneOfItSlidesInBetween) {
   const auto [rotor, start] = one_elastic_blade();
   using Law = decltype(elastic_sticking_law(rotor, 1.0));
-  solve::Motion<Law, effects::NoForcing> motion(rotor.constants(), {rotor.blades, rotor.speed_ratio},
-                                                elastic_sticking_law(rotor, 1.0), {}, rotor.limits());
-  ASSERT_EQ(motion.start(start), solve::PointStatus::done);
+  motion::Motion<Law, rotor::NoForcing> motion(rotor.constants(), {rotor.blades, rotor.speed_ratio},
+                                               elastic_sticking_law(rotor, 1.0), {}, rotor.limits());
+  ASSERT_EQ(motion.start(start), point::PointStatus::done);
   RestWatch watch;
-  ASSERT_EQ(motion.revolution(watch), solve::PointStatus::done);
+  ASSERT_EQ(motion.revolution(watch), point::PointStatus::done);
   EXPECT_GT(watch.looks, 100);
   EXPECT_GE(watch.loosened, 1);
   EXPECT_LE(watch.jump, 1e-6);
@@ -134,13 +134,13 @@ TEST(ElasticStick, LeavesValidityWhereATipCanNeitherRestNorSlip) {
   kicked.rotor.damping_ratio = 0.1;
   kicked.start = {0.002, 0.0, 0.03, -0.05};
   const auto nothing = [](observables::MotionPiece&) {};
-  const auto stuck = follow(kicked.rotor, elastic_sticking_law(kicked.rotor, 1.0), effects::NoForcing{},
+  const auto stuck = follow(kicked.rotor, elastic_sticking_law(kicked.rotor, 1.0), rotor::NoForcing{},
                             kicked.start, 1, nothing);
-  EXPECT_EQ(stuck.status, solve::PointStatus::left_validity);
+  EXPECT_EQ(stuck.status, point::PointStatus::left_validity);
   const auto steep = follow(
       kicked.rotor, directed_law(kicked.rotor, contact::RegularisedFriction{kicked.rotor.friction, 1e-6}),
-      effects::NoForcing{}, kicked.start, 1, nothing);
-  EXPECT_EQ(steep.status, solve::PointStatus::left_validity);
+      rotor::NoForcing{}, kicked.start, 1, nothing);
+  EXPECT_EQ(steep.status, point::PointStatus::left_validity);
   // The tip turns round once more, for 1e-4 in time, before it is found that it can do neither.
   EXPECT_LE((stuck.sections[0] - steep.sections[0]).head<2>().abs().maxCoeff(), 1e-5);
 }
@@ -150,10 +150,10 @@ TEST(ElasticStick, WhereNoSlipComesToRestIsTheMotionOfTipsThatOnlySlide) {
   rotor.speed_ratio = 0.6;
   const auto nothing = [](observables::MotionPiece&) {};
   const auto with =
-      follow(rotor, elastic_sticking_law(rotor, 1.0), effects::NoForcing{}, solve::State::Zero(), 3, nothing);
+      follow(rotor, elastic_sticking_law(rotor, 1.0), rotor::NoForcing{}, rotor::State::Zero(), 3, nothing);
   const auto without = follow(rotor, directed_law(rotor, contact::CoulombFriction{rotor.friction}),
-                              effects::NoForcing{}, solve::State::Zero(), 3, nothing);
-  ASSERT_EQ(with.status, solve::PointStatus::done);
+                              rotor::NoForcing{}, rotor::State::Zero(), 3, nothing);
+  ASSERT_EQ(with.status, point::PointStatus::done);
   EXPECT_GT(with.work.touchdowns, 3U);
   EXPECT_EQ(with.work.slip_reversals, 0U);
   for (std::size_t i = 0; i < with.sections.size(); ++i) {

@@ -3,29 +3,30 @@
 
 #include <cmath>
 
+#include "assembly/make_line_solver.hpp"
 #include "effect_scene.hpp"
 
 namespace rubatlas::test {
 namespace {
 
 using effects::BladeError;
-using solve::PointStatus;
-using solve::SectionState;
+using point::PointStatus;
+using point::SectionState;
 
-scene::Scene equal_blades(scene::ContactLaw law, double speed_ratio) {
+settings::Scene equal_blades(settings::ContactLaw law, double speed_ratio) {
   nlohmann::json scene = effect_scene<&effects::Effects::unequal_blades>(speed_ratio, 4);
   scene.erase("unequal_blades");
-  scene["contact"]["law"] = law == scene::ContactLaw::elastica ? "elastica" : "elastic_ring";
+  scene["contact"]["law"] = law == settings::ContactLaw::elastica ? "elastica" : "elastic_ring";
   scene["observables"] = {"poincare", "poincare_blade_passing"};
   scene["accuracy"]["tolerance"] = 1e-13;
   return parsed(scene);
 }
 
-class UnequalBlades : public ::testing::TestWithParam<scene::ContactLaw> {};
+class UnequalBlades : public ::testing::TestWithParam<settings::ContactLaw> {};
 
 TEST_P(UnequalBlades, AllLongerByTheSameAreLongerBlades) {
-  scene::Scene errors = equal_blades(GetParam(), 0.45);
-  scene::Scene length = errors;
+  settings::Scene errors = equal_blades(GetParam(), 0.45);
+  settings::Scene length = errors;
   errors.unequal_blades.emplace().length_errors = {2e-4, 2e-4, 2e-4};
   length.blades.length += 2e-4;
   const auto with_errors = run(errors);
@@ -36,8 +37,8 @@ TEST_P(UnequalBlades, AllLongerByTheSameAreLongerBlades) {
 }
 
 TEST_P(UnequalBlades, AllThickerByTheSameAreThickerBlades) {
-  scene::Scene errors = equal_blades(GetParam(), 0.45);
-  scene::Scene thickness = errors;
+  settings::Scene errors = equal_blades(GetParam(), 0.45);
+  settings::Scene thickness = errors;
   errors.unequal_blades.emplace().thickness_errors = {1e-4, 1e-4, 1e-4};
   thickness.blades.thickness += 1e-4;
   thickness.grid.thickness = {thickness.blades.thickness};
@@ -48,7 +49,7 @@ TEST_P(UnequalBlades, AllThickerByTheSameAreThickerBlades) {
 }
 
 TEST_P(UnequalBlades, RenumberedAndABladeLaterMoveTheSameWay) {
-  scene::Scene scene = equal_blades(GetParam(), 0.45);
+  settings::Scene scene = equal_blades(GetParam(), 0.45);
   auto& errors = scene.unequal_blades.emplace();
   errors.length_errors = {1e-4, 0.0, -3e-4};
   errors.thickness_errors = {0.0, 1e-4, -1e-4};
@@ -70,13 +71,13 @@ TEST_P(UnequalBlades, RenumberedAndABladeLaterMoveTheSameWay) {
 
 TEST_P(UnequalBlades, OneThatIsLongerTouchesAlone) {
   // Two blades pass the ring at 50 µm, the third overlaps it by 1 µm.
-  scene::Scene scene = equal_blades(GetParam(), 0.2);
+  settings::Scene scene = equal_blades(GetParam(), 0.2);
   scene.rotor.misalignment = 0.00995;
   scene.protocol.sampled_revolutions = 3;
   scene.protocol.samples_per_revolution = 4096;
   scene.unequal_blades.emplace().length_errors = {0.0, 5.1e-5, 0.0};
   const auto parameters = plan::Grid(scene).parameters(0);
-  const auto orbit = solve::make_line_solver(scene, parameters, solve::make_blade_tables())
+  const auto orbit = assembly::make_line_solver(scene, parameters, assembly::make_blade_tables())
                          ->orbit(parameters.speed_ratio, {});
   ASSERT_EQ(orbit.status, PointStatus::done);
   double of_longer = 0.0;
@@ -93,9 +94,11 @@ TEST_P(UnequalBlades, OneThatIsLongerTouchesAlone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, UnequalBlades,
-                         ::testing::Values(scene::ContactLaw::elastica, scene::ContactLaw::elastic_ring),
+                         ::testing::Values(settings::ContactLaw::elastica,
+                                           settings::ContactLaw::elastic_ring),
                          [](const auto& instance) {
-                           return instance.param == scene::ContactLaw::elastica ? "elastica" : "elastic_ring";
+                           return instance.param == settings::ContactLaw::elastica ? "elastica"
+                                                                                   : "elastic_ring";
                          });
 
 // --- the random spread ---

@@ -8,16 +8,17 @@
 #include <vector>
 
 #include "../observables/synthetic_motion.hpp"
-#include "../scene/scene_error_text.hpp"
+#include "../settings/scene_error_text.hpp"
+#include "assembly/make_line_solver.hpp"
 #include "effect_scene.hpp"
-#include "solve/friction_work.hpp"
+#include "motion/friction_work.hpp"
 
 namespace rubatlas::test {
 namespace {
 
 using nlohmann::json;
-using solve::PointStart;
-using solve::PointStatus;
+using point::PointStart;
+using point::PointStatus;
 
 json worn(double rate, double speed, int revolutions) {
   return {{"grid", {{"speed_ratio", speed}}},
@@ -26,13 +27,13 @@ json worn(double rate, double speed, int revolutions) {
           {"observables", {"poincare", "max_displacement", "clearance_growth"}}};
 }
 
-solve::PointOutcome run_from(const scene::Scene& scene, const PointStart& start) {
+point::PointOutcome run_from(const settings::Scene& scene, const PointStart& start) {
   const auto parameters = plan::Grid(scene).parameters(0);
-  return solve::make_line_solver(scene, parameters, solve::make_blade_tables())
+  return assembly::make_line_solver(scene, parameters, assembly::make_blade_tables())
       ->run(parameters.speed_ratio, start);
 }
 
-double total(const solve::Memory& memory) {
+double total(const motion::Memory& memory) {
   const auto lost = memory.view();
   return std::accumulate(lost.begin(), lost.end(), 0.0);
 }
@@ -44,8 +45,8 @@ TEST(Wear, WorkOfATipThatTouchesAndLeavesLikeASquareRootIsSummedToTenDigits) {
       {{.blade = 1, .force = {}, .strain = {}, .peaks = true, .power = [](double time) {
           return std::sqrt(time * (kEnd - time));
         }}});
-  solve::FrictionWork meter(3);
-  solve::MotionListener nobody;
+  motion::FrictionWork meter(3);
+  modes::MotionListener nobody;
   meter.begin(nobody);
   meter.piece(piece);
   EXPECT_EQ(meter.of_blades()[0], 0.0);
@@ -59,10 +60,10 @@ TEST(Wear, FrictionTakesTheEnergyThatTheMotorGivesAndTheRotorLoses) {
   content["rotor"]["damping_ratio"] = 0.0;
   content["contact"] = {{"law", "elastic_ring"}, {"friction", 0.2}};
   content["protocol"]["samples_per_revolution"] = 65536;
-  const scene::Scene scene = parsed(content);
+  const settings::Scene scene = parsed(content);
   const auto parameters = plan::Grid(scene).parameters(0);
-  const auto solver = solve::make_line_solver(scene, parameters, solve::make_blade_tables());
-  const solve::SectionState start{2e-3, 1e-3, -1e-3, 2e-3};
+  const auto solver = assembly::make_line_solver(scene, parameters, assembly::make_blade_tables());
+  const point::SectionState start{2e-3, 1e-3, -1e-3, 2e-3};
   const auto outcome = solver->run(0.45, start);
   const auto orbit = solver->orbit(0.45, start);
   ASSERT_EQ(outcome.status, PointStatus::done);
@@ -71,12 +72,12 @@ TEST(Wear, FrictionTakesTheEnergyThatTheMotorGivesAndTheRotorLoses) {
 
   const double stiffness = scene.rotor.mass * scene.rotor.natural_frequency * scene.rotor.natural_frequency;
   const double reach = scene.blades.length;
-  const auto tip = [&](const solve::SectionState& state, int blade, double angle) {
+  const auto tip = [&](const point::SectionState& state, int blade, double angle) {
     const double phi = angle + 2.0 * std::numbers::pi * blade / 3.0;
     return std::array{state[0] + reach * std::cos(phi),
                       state[1] + scene.rotor.misalignment + reach * std::sin(phi), phi};
   };
-  const auto energy = [&](const solve::SectionState& state) {
+  const auto energy = [&](const point::SectionState& state) {
     double sum = 0.0;
     for (const double component : state) sum += 0.5 * stiffness * component * component;
     for (int blade = 0; blade < 3; ++blade) {
@@ -121,8 +122,8 @@ TEST(Wear, LossOfARunIsRateTimesWorkToFirstOrder) {
 }
 
 TEST(Wear, BladesOnlyGetShorterAndALineGoesOnWithThem) {
-  const scene::Scene one = parsed(worn(1e-4, 0.45, 1));
-  const scene::Scene four = parsed(worn(1e-4, 0.45, 4));
+  const settings::Scene one = parsed(worn(1e-4, 0.45, 1));
+  const settings::Scene four = parsed(worn(1e-4, 0.45, 4));
   PointStart at;
   for (int revolution = 0; revolution < 4; ++revolution) {
     const auto outcome = run_from(one, at);
@@ -145,7 +146,7 @@ TEST(Wear, BladesOnlyGetShorterAndALineGoesOnWithThem) {
 TEST(Wear, AWornRotorIsThatOfShorterBlades) {
   const std::vector<double> lost{1e-5, 0.0, 3e-5};
   // So slowly that nothing more is worn.
-  const auto shorter = run_from(parsed(worn(1e-15, 0.62, 3)), {{}, solve::Memory(lost)});
+  const auto shorter = run_from(parsed(worn(1e-15, 0.62, 3)), {{}, motion::Memory(lost)});
   json content = worn(1.0, 0.62, 3);
   content.erase("wear");
   content["observables"] = {"poincare", "max_displacement"};
@@ -158,7 +159,7 @@ TEST(Wear, AWornRotorIsThatOfShorterBlades) {
 
 TEST(Wear, StartsAfreshAtEachPointUnlessItCarriesOver) {
   json content = worn(1e-4, 0.62, 2);
-  const PointStart start({}, solve::Memory(std::vector{1e-4, 2e-4, 0.0}));
+  const PointStart start({}, motion::Memory(std::vector{1e-4, 2e-4, 0.0}));
   const auto carried = run_from(parsed(content), start);
   content["wear"]["carries_over"] = false;
   const auto fresh = run_from(parsed(content), start);
@@ -167,7 +168,7 @@ TEST(Wear, StartsAfreshAtEachPointUnlessItCarriesOver) {
   EXPECT_EQ(fresh.final_state, of_new.final_state);
   EXPECT_GE(carried.final_memory.view()[1], 2e-4);
   EXPECT_LT(fresh.final_memory.view()[1], 2e-4);
-  const auto growth = [](const solve::PointOutcome& outcome, const std::vector<double>& before) {
+  const auto growth = [](const point::PointOutcome& outcome, const std::vector<double>& before) {
     double largest = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
       largest = std::max(largest, outcome.final_memory.view()[k] - before[k]);
@@ -198,7 +199,7 @@ TEST(Wear, FrictionlessTipsKeepTheirBlades) {
 }
 
 TEST(Wear, SaysWhatItDoesNotGoWith) {
-  const auto refusal = [](const json& content) { return scene::refusal(content.dump()); };
+  const auto refusal = [](const json& content) { return settings::refusal(content.dump()); };
   json content = worn(1e-4, 0.62, 2);
   EXPECT_EQ(refusal(content), "accepted");
   content["sweep"] = "independent";

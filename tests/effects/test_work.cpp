@@ -11,19 +11,20 @@
 #include <utility>
 #include <vector>
 
+#include "assembly/make_line_solver.hpp"
 #include "contact/elastic_ring_contact.hpp"
 #include "effect_scene.hpp"
-#include "solve/blade_set.hpp"
-#include "solve/supported_flight.hpp"
-#include "solve/work_meter.hpp"
+#include "modes/supported_flight.hpp"
+#include "modes/work_meter.hpp"
+#include "rotor/blade_set.hpp"
 
 namespace rubatlas::test {
 namespace {
 
-using solve::PointStatus;
-using solve::StatusDetail;
-using solve::Work;
-using solve::WorkMeter;
+using modes::Work;
+using modes::WorkMeter;
+using point::PointStatus;
+using point::StatusDetail;
 
 /// The default rotor on a support, from rest; `added` is the section /support.
 nlohmann::json on_support(const nlohmann::json& added, double speed_ratio, int revolutions) {
@@ -59,13 +60,13 @@ TEST(FlightThatGrows, ItsTouchDownIsFoundInFewSteps) {
   int found = 0;
   for (const UnstableSupport& support : unstable_supports()) {
     SCOPED_TRACE(support.added.dump());
-    const solve::RotorConstants rotor{support.speed_ratio, 0.1, 0.0, 0.01, 0.01};
+    const rotor::RotorConstants rotor{support.speed_ratio, 0.1, 0.0, 0.01, 0.01};
     const contact::Geometry geometry{0.19, 0.2};
     const contact::ElasticRingContact law(geometry, 1e4, 0.1);
-    const solve::BladeSet blades(3, rotor.speed_ratio);
+    const rotor::BladeSet blades(3, rotor.speed_ratio);
     const rotor::FreeMotion free(rotor.damping_ratio);
-    const solve::SupportedShaft shaft(rotor::LinearSupport(support.stiffness, support.damping, {}));
-    solve::Flight<solve::SupportedShaft> flight(rotor, free, shaft);
+    const modes::SupportedShaft shaft(rotor::LinearSupport(support.stiffness, support.damping, {}));
+    modes::Flight<modes::SupportedShaft> flight(rotor, free, shaft);
     const auto largest_gap = [&](double time) {
       double largest = -std::numeric_limits<double>::infinity();
       for (int k = 0; k < 3; ++k) {
@@ -75,8 +76,8 @@ TEST(FlightThatGrows, ItsTouchDownIsFoundInFewSteps) {
       return largest;
     };
     for (const double size : {1e-9, 1e-5, 1e-3}) {
-      flight.start(0.0, solve::State{0.6 * size, 0.8 * size, 0.3 * size, -0.5 * size});
-      solve::TouchdownSearch<contact::ElasticRingContact> search(rotor, law, blades);
+      flight.start(0.0, rotor::State{0.6 * size, 0.8 * size, 0.3 * size, -0.5 * size});
+      modes::TouchdownSearch<contact::ElasticRingContact> search(rotor, law, blades);
       WorkMeter meter;
       const double period = rotor.period();
       const auto touchdown = search.find(flight, period, meter);
@@ -97,7 +98,7 @@ TEST(FlightThatGrows, EndsAtTheRingAndNotForItsWork) {
     // Pressed into the ring, a rotor as slow as 0.02 hops along it 1e5 times a revolution.
     const int revolutions = support.speed_ratio == 0.02 ? 2 : 6;
     const auto outcome = run(parsed(on_support(support.added, support.speed_ratio, revolutions)));
-    EXPECT_NE(outcome.status, PointStatus::integrator_failed) << solve::text_of(outcome.detail);
+    EXPECT_NE(outcome.status, PointStatus::integrator_failed) << point::text_of(outcome.detail);
     EXPECT_GT(outcome.work.touchdowns, 0U);
   }
 }
@@ -108,7 +109,7 @@ TEST(WorkOfAPoint, HopsWithoutNumberEndItAfterTheRevolutionsThatTheBoundAllows) 
   EXPECT_EQ(outcome.detail, StatusDetail::contact_work);
   EXPECT_GE(outcome.failed_revolution, 2);
   EXPECT_GT(outcome.work.touchdowns, 100'000U);
-  EXPECT_LT(outcome.work.price, 1.01 * static_cast<double>(solve::WorkBound::kHybrid.point));
+  EXPECT_LT(outcome.work.price, 1.01 * static_cast<double>(modes::WorkBound::kHybrid.point));
 }
 
 TEST(WorkOfAPoint, ASupportThatDoublePrecisionDoesNotHoldEndsAtOnce) {
@@ -127,22 +128,22 @@ TEST(WorkOfAPoint, ALightRingThatBouncesIsFollowedAtEveryTolerance) {
                           {"protocol", {{"transient_revolutions", 0}, {"sampled_revolutions", 1}}}};
   for (const double tolerance : {1e-9, 1e-10}) {
     scene["accuracy"]["tolerance"] = tolerance;
-    const scene::Scene parsed_scene = parsed(scene);
+    const settings::Scene parsed_scene = parsed(scene);
     const auto& at = parsed_scene.initial;
     const auto outcome = run(parsed_scene, {at.x, at.y, at.vx, at.vy});
-    EXPECT_EQ(outcome.status, PointStatus::done) << tolerance << ": " << solve::text_of(outcome.detail);
+    EXPECT_EQ(outcome.status, PointStatus::done) << tolerance << ": " << point::text_of(outcome.detail);
   }
 }
 
 TEST(WorkOfAPoint, ALongRevolutionIsGivenUpWhenAsked) {
   // 6e10 steps in a revolution.
-  const scene::Scene scene =
+  const settings::Scene scene =
       parsed({{"accuracy", {{"method", "fixed"}, {"step", 1e-6}}},
               {"grid", {{"speed_ratio", 1e-4}}},
               {"protocol", {{"transient_revolutions", 0}, {"sampled_revolutions", 1}}}});
   const auto parameters = plan::Grid(scene).parameters(0);
   int asked = 0;
-  const auto outcome = solve::make_line_solver(scene, parameters, solve::make_blade_tables())
+  const auto outcome = assembly::make_line_solver(scene, parameters, assembly::make_blade_tables())
                            ->run(parameters.speed_ratio, {}, [&] { return ++asked < 3; });
   EXPECT_EQ(outcome.status, PointStatus::pending);
   EXPECT_EQ(outcome.failed_revolution, -1);
@@ -152,8 +153,8 @@ TEST(WorkOfAPoint, ALongRevolutionIsGivenUpWhenAsked) {
 }
 
 TEST(WorkMeter, SaysOnWhatTheRevolutionWasSpent) {
-  const solve::WorkBound bound{1'000'000'000, 3'000'000'000, 100'000'000};
-  const solve::GoOn nobody;
+  const modes::WorkBound bound{1'000'000'000, 3'000'000'000, 100'000'000};
+  const modes::GoOn nobody;
   for (const auto& [kind, detail] : {std::pair{Work::contact, StatusDetail::contact_work},
                                      std::pair{Work::flight, StatusDetail::flight_work},
                                      std::pair{Work::events, StatusDetail::event_work}}) {
@@ -170,8 +171,8 @@ TEST(WorkMeter, SaysOnWhatTheRevolutionWasSpent) {
 }
 
 TEST(WorkMeter, APointOfManyRevolutionsMayTakeSoMuchForEach) {
-  const solve::WorkBound bound{1'000'000'000, 3'000'000'000, 100'000'000};
-  const solve::GoOn nobody;
+  const modes::WorkBound bound{1'000'000'000, 3'000'000'000, 100'000'000};
+  const modes::GoOn nobody;
   WorkMeter meter(bound);
   int revolutions = 0;
   for (bool goes_on = true; goes_on && revolutions < 100; ++revolutions) {

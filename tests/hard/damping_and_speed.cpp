@@ -13,12 +13,12 @@
 namespace rubatlas::test {
 namespace {
 
-using solve::PointStatus;
+using point::PointStatus;
 
 constexpr std::array<double, 7> kDampings = {0.0, 1e-4, 0.1, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 5.0};
 constexpr std::array<double, 9> kSpeeds = {0.005, 0.02, 0.1, 1.0 / 3.0, 0.62, 1.0, 1.5, 3.0, 5.0};
 
-const std::array kLaws = {scene::ContactLaw::elastica, scene::ContactLaw::elastic_ring};
+const std::array kLaws = {settings::ContactLaw::elastica, settings::ContactLaw::elastic_ring};
 
 TEST(DampingAndSpeed, EveryDampingAtEverySpeedConverges) {
   // Undamped, nearly undamped, critical to within a rounding, creeping; two hundred natural periods in a
@@ -33,17 +33,17 @@ TEST(DampingAndSpeed, EveryDampingAtEverySpeedConverges) {
       for (const double speed : kSpeeds) {
         SCOPED_TRACE(::testing::Message() << "law " << static_cast<int>(law) << ", damping 1 + "
                                           << damping - 1.0 << ", speed " << speed);
-        scene::Scene scene = default_rotor(1);
+        settings::Scene scene = default_rotor(1);
         scene.contact.law = law;
         scene.rotor.damping_ratio = damping;
-        scene.unbalance = scene::Unbalance{1e-4, 0.3};
+        scene.unbalance = settings::Unbalance{1e-4, 0.3};
         scene.accuracy.tolerance = kTolerance;
         const auto loose = run(scene, speed);
         scene.accuracy.tolerance = 0.1 * kTolerance;
         const auto tight = run(scene, speed);
         double growth = 1.0;
         for (std::size_t component = 0; component < 4; ++component) {
-          solve::SectionState start{};
+          point::SectionState start{};
           start[component] = kShift;
           const auto shifted = run(scene, speed, start);
           if (shifted.status != PointStatus::done) continue;
@@ -67,9 +67,9 @@ TEST(DampingAndSpeed, EveryDampingAtEverySpeedConverges) {
 
 TEST(DampingAndSpeed, AMotionFullOfContactsPassesThroughCriticalDampingWithoutAJump) {
   for (const auto law : kLaws) {
-    scene::Scene scene = default_rotor(5);
+    settings::Scene scene = default_rotor(5);
     scene.contact.law = law;
-    scene.unbalance = scene::Unbalance{1e-4, 0.0};
+    scene.unbalance = settings::Unbalance{1e-4, 0.0};
     scene.accuracy.tolerance = 1e-13;
     scene.rotor.damping_ratio = 1.0;
     const auto critical = run(scene, 0.3);
@@ -87,10 +87,10 @@ TEST(DampingAndSpeed, AMotionFullOfContactsPassesThroughCriticalDampingWithoutAJ
 TEST(DampingAndSpeed, AnUndampedResonantRotorGrowsWithTimeUntilItMeetsTheRing) {
   // Ω = 1, ζ = 0 with unbalance, from rest: z = (me/m) (i/2) (sin τ − τ e^{iτ}), which after N revolutions is
   // (me/m) πN (−i, 1) in (z, z'). Then the ring holds it, or the point says that it has left the model.
-  scene::Scene scene = default_rotor(200);
+  settings::Scene scene = default_rotor(200);
   scene.rotor.damping_ratio = 0.0;
   scene.rotor.misalignment = 0.0;
-  scene.unbalance = scene::Unbalance{1e-5, 0.0};
+  scene.unbalance = settings::Unbalance{1e-5, 0.0};
   const auto growing = run(scene, 1.0);
   ASSERT_EQ(growing.status, PointStatus::done);
   EXPECT_EQ(growing.work.touchdowns, 0U);
@@ -112,7 +112,7 @@ TEST(DampingAndSpeed, AnUndampedResonantRotorGrowsWithTimeUntilItMeetsTheRing) {
 TEST(DampingAndSpeed, ADeeplyMisalignedRotorIsInContactForEver) {
   // Soft blades under a shaft far off the ring's centre: one or two of eight always touch, there is no flight
   // to search, and each blade comes and goes once in a revolution.
-  scene::Scene scene = default_rotor(20);
+  settings::Scene scene = default_rotor(20);
   scene.blades.count = 8;
   scene.blades.thickness = 1e-4;
   scene.rotor.misalignment = 0.018;

@@ -8,8 +8,8 @@
 
 #include "contact/elastic_ring_contact.hpp"
 #include "hard_point.hpp"
+#include "modes/flight.hpp"
 #include "rotor/free_motion.hpp"
-#include "solve/flight.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -29,7 +29,7 @@ double swept_depth(int i) {
 /// 2πk/n).
 class FreeWhirl {
  public:
-  using Search = solve::TouchdownSearch<contact::ElasticRingContact>;
+  using Search = modes::TouchdownSearch<contact::ElasticRingContact>;
 
   FreeWhirl(int blades, double speed_ratio)
       : rotor_{speed_ratio, 0.0, 0.0, 1.0, kClearance},
@@ -50,15 +50,15 @@ class FreeWhirl {
   [[nodiscard]] std::uint64_t evaluations() const { return search_.evaluations(); }
 
  private:
-  solve::RotorConstants rotor_;
+  rotor::RotorConstants rotor_;
   rotor::FreeMotion free_{0.0};
-  effects::NoForcing forcing_;
-  solve::BladeSet blades_;
-  solve::Flight<effects::NoForcing> flight_;
+  rotor::NoForcing forcing_;
+  rotor::BladeSet blades_;
+  modes::Flight<rotor::NoForcing> flight_;
   contact::ElasticRingContact law_{{kReach, kRadius}, 1.0, 0.0};
   Search search_;
-  solve::GoOn nobody_;
-  solve::WorkMeter meter_;
+  modes::GoOn nobody_;
+  modes::WorkMeter meter_;
 };
 
 TEST(Grazing, NoTouchdownOfASweptWhirlIsMissedAndNoneIsInvented) {
@@ -96,8 +96,8 @@ TEST(Grazing, NoTouchdownOfASweptWhirlIsMissedAndNoneIsInvented) {
 
 /// A scene with the lengths above, blades (or a ring) so soft that a contact moves the shaft by less than
 /// 1e-9 of how deep it is, and a rotor at rest `depth` beyond the clearance.
-scene::Scene resting_rotor(scene::ContactLaw law, double depth, int revolutions) {
-  scene::Scene scene = default_rotor(revolutions);
+settings::Scene resting_rotor(settings::ContactLaw law, double depth, int revolutions) {
+  settings::Scene scene = default_rotor(revolutions);
   scene.contact.law = law;
   scene.blades.length = kReach;
   scene.blades.youngs_modulus = 1e-3;
@@ -109,18 +109,18 @@ scene::Scene resting_rotor(scene::ContactLaw law, double depth, int revolutions)
 }
 
 TEST(Grazing, EachBladeTouchesOncePerRevolutionHoweverShallow) {
-  for (const auto law : {scene::ContactLaw::elastica, scene::ContactLaw::elastic_ring}) {
+  for (const auto law : {settings::ContactLaw::elastica, settings::ContactLaw::elastic_ring}) {
     for (int decade = 3; decade <= 12; ++decade) {
       const double depth = std::pow(10.0, -decade);
       for (const int blades : {1, 3, 50}) {
-        scene::Scene scene = resting_rotor(law, depth, 10);
+        settings::Scene scene = resting_rotor(law, depth, 10);
         scene.blades.count = blades;
         const auto touching = run(scene, 0.3);
-        ASSERT_EQ(touching.status, solve::PointStatus::done) << "depth 1e-" << decade;
+        ASSERT_EQ(touching.status, point::PointStatus::done) << "depth 1e-" << decade;
         EXPECT_EQ(touching.rows[0][0], blades) << "depth 1e-" << decade << ", law " << static_cast<int>(law);
         scene.rotor.misalignment = kClearance * (1.0 - depth);
         const auto clear = run(scene, 0.3);
-        ASSERT_EQ(clear.status, solve::PointStatus::done);
+        ASSERT_EQ(clear.status, point::PointStatus::done);
         EXPECT_EQ(clear.work.touchdowns, 0U);
         EXPECT_EQ(clear.work.right_hand_sides, 0U);
       }
@@ -130,14 +130,15 @@ TEST(Grazing, EachBladeTouchesOncePerRevolutionHoweverShallow) {
 
 /// Unbalance turns the shaft with the rotor, from the start in its steady whirl: blade 1 stays at the same
 /// gap for ever, `depth` of the clearance beyond the ring (negative: below it).
-solve::PointOutcome locked_whirl(double depth) {
+point::PointOutcome locked_whirl(double depth) {
   const double speed = 0.8;
-  scene::Scene scene = resting_rotor(scene::ContactLaw::elastica, 0.0, 5);
+  settings::Scene scene = resting_rotor(settings::ContactLaw::elastica, 0.0, 5);
   scene.observables = {"touchdowns_per_revolution", "contact_fraction"};
   scene.rotor.misalignment = 0.0;
   const double amplitude = kClearance * (1.0 + depth);
   const std::complex<double> stiffness(1.0 - speed * speed, 2.0 * scene.rotor.damping_ratio * speed);
-  scene.unbalance = scene::Unbalance{amplitude * std::abs(stiffness) / (speed * speed), std::arg(stiffness)};
+  scene.unbalance =
+      settings::Unbalance{amplitude * std::abs(stiffness) / (speed * speed), std::arg(stiffness)};
   const auto outcome = run(scene, speed, {amplitude, 0.0, 0.0, speed * amplitude});
   expect_an_honest_end(scene, outcome);
   return outcome;
@@ -149,7 +150,7 @@ TEST(Grazing, ABladeThatStaysJustBelowTheRingNeverTouchesAtLittleCost) {
   for (int decade = 3; decade <= 12; ++decade) {
     SCOPED_TRACE(::testing::Message() << "depth 1e-" << decade);
     const auto outcome = locked_whirl(-std::pow(10.0, -decade));
-    ASSERT_EQ(outcome.status, solve::PointStatus::done);
+    ASSERT_EQ(outcome.status, point::PointStatus::done);
     EXPECT_EQ(outcome.work.touchdowns, 0U);
     EXPECT_EQ(outcome.work.right_hand_sides, 0U);
     EXPECT_LE(outcome.work.gap_evaluations, 5U * 12U);
@@ -162,7 +163,7 @@ TEST(Grazing, ABladeThatStaysJustInsideTheRingStaysInContact) {
   for (int decade = 3; decade <= 12; ++decade) {
     SCOPED_TRACE(::testing::Message() << "depth 1e-" << decade);
     const auto outcome = locked_whirl(std::pow(10.0, -decade));
-    ASSERT_EQ(outcome.status, solve::PointStatus::done);
+    ASSERT_EQ(outcome.status, point::PointStatus::done);
     EXPECT_EQ(outcome.rows[0][0], 0.0);
     EXPECT_NEAR(outcome.rows[1][0], 1.0, 1e-12);
   }

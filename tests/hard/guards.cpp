@@ -15,9 +15,9 @@
 namespace rubatlas::test {
 namespace {
 
-using solve::PhaseEvent;
-using solve::PointStatus;
-using solve::State;
+using modes::PhaseEvent;
+using point::PointStatus;
+using rotor::State;
 
 /// Largest difference of the states after a revolution, relative to the clearance.
 double difference(const HardRotor& rotor, const RecordedMotion& a, const RecordedMotion& b,
@@ -211,7 +211,7 @@ TEST(Guards, ABladeThatIsBentTooFarWhereItTouchesDownLeavesValidityAtOnce) {
 
 TEST(Guards, AShaftThatFliesToTheRingLeavesValidityHoweverShortlyItIsThere) {
   // On a support a hundred times as fast as the rotor turns, to the side where no blade stands.
-  scene::Scene scene = default_rotor(1);
+  settings::Scene scene = default_rotor(1);
   scene.blades.count = 1;
   scene.rotor.damping_ratio = 0.0;
   scene.rotor.misalignment = 0.0;
@@ -223,7 +223,7 @@ TEST(Guards, AShaftThatFliesToTheRingLeavesValidityHoweverShortlyItIsThere) {
     const double amplitude = (1.0 + beyond) * scene.ring.radius;
     const double velocity = -frequency * std::sqrt(amplitude * amplitude - begin * begin);
     const auto outcome = run(scene, 0.05, {begin, 0.0, velocity, 0.0});
-    EXPECT_EQ(outcome.detail == solve::StatusDetail::shaft_at_ring, beyond > 0.0);
+    EXPECT_EQ(outcome.detail == point::StatusDetail::shaft_at_ring, beyond > 0.0);
     EXPECT_EQ(outcome.work.touchdowns == 0U, beyond > 0.0) << "it would come back and touch";
   }
 }

@@ -12,15 +12,15 @@
 namespace rubatlas::test {
 namespace {
 
-using solve::PointStatus;
+using point::PointStatus;
 
 constexpr std::array kThicknesses = {1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 2e-2};  // h [m]
 constexpr std::array kFrictions = {0.0, 1e-4, 0.01, 0.1, 0.5, 1.0, 2.0};
 constexpr double kSteel = 206e9;  // E [Pa]
 constexpr double kRubber = 5e6;
 
-double euler_load(const scene::Scene& scene) {
-  const scene::Blades& blades = scene.blades;
+double euler_load(const settings::Scene& scene) {
+  const settings::Blades& blades = scene.blades;
   const double stiffness = blades.youngs_modulus * blades.width * std::pow(blades.thickness, 3) / 12.0;
   return 0.25 * std::numbers::pi * std::numbers::pi * stiffness / (blades.length * blades.length);
 }
@@ -31,11 +31,11 @@ TEST(Loads, EveryBladeMaterialAndFrictionKeepsTheTolerance) {
   for (const double modulus : {kSteel, kRubber}) {
     for (const double thickness : kThicknesses) {
       for (const double friction : kFrictions) {
-        for (const auto law : {scene::ContactLaw::elastica, scene::ContactLaw::elastic_ring}) {
+        for (const auto law : {settings::ContactLaw::elastica, settings::ContactLaw::elastic_ring}) {
           SCOPED_TRACE(::testing::Message()
                        << "modulus " << modulus << ", thickness " << thickness << ", friction " << friction
                        << ", law " << static_cast<int>(law));
-          scene::Scene scene = default_rotor(1);
+          settings::Scene scene = default_rotor(1);
           scene.contact = {law, friction};
           scene.blades.youngs_modulus = modulus;
           scene.blades.thickness = thickness;
@@ -67,7 +67,7 @@ TEST(Loads, TheForceGoesThroughTheEulerLoadAndFarBeyond) {
     double smallest = 1e300;
     for (int i = 0; i <= 36; ++i) {
       SCOPED_TRACE(::testing::Message() << "friction " << friction << ", " << i);
-      scene::Scene scene = default_rotor(1);
+      settings::Scene scene = default_rotor(1);
       scene.contact.friction = friction;
       scene.observables = {"max_contact_force"};
       scene.rotor.mass = 100.0;  // a shaft of 1e4 N/m

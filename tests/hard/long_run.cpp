@@ -10,8 +10,8 @@
 namespace rubatlas::test {
 namespace {
 
-using solve::PointStatus;
-using solve::SectionState;
+using point::PointStatus;
+using point::SectionState;
 
 /// The free rotor after a number of revolutions, ζ = 0: turned in the plane (z, z') by 2π N/Ω. The angle is
 /// reduced in whole numbers of turns before it is rounded: Ω is a quotient of small whole numbers.
@@ -30,7 +30,7 @@ double energy(const SectionState& state) {
 
 void fly(int revolutions) {
   // An undamped rotor that swings within the clearance: period and energy are known exactly.
-  scene::Scene scene = default_rotor(1);
+  settings::Scene scene = default_rotor(1);
   scene.rotor.damping_ratio = 0.0;
   scene.rotor.misalignment = 0.002;
   scene.protocol.transient_revolutions = revolutions - 1;
@@ -58,8 +58,8 @@ void fly(int revolutions) {
 void rub(int revolutions) {
   // Orbits with three contacts in a revolution that repeat after each: once settled, every section is the
   // same to the last digits, and stays so.
-  for (const auto law : {scene::ContactLaw::elastica, scene::ContactLaw::elastic_ring}) {
-    scene::Scene scene = default_rotor(100);
+  for (const auto law : {settings::ContactLaw::elastica, settings::ContactLaw::elastic_ring}) {
+    settings::Scene scene = default_rotor(100);
     scene.contact.law = law;
     scene.protocol.transient_revolutions = 1000;
     const double speed = 0.4;

@@ -11,9 +11,9 @@
 namespace rubatlas::test {
 namespace {
 
-using solve::PhaseEvent;
-using solve::PointStatus;
-using solve::State;
+using modes::PhaseEvent;
+using point::PointStatus;
+using rotor::State;
 
 /// Runs a test with both laws.
 template <class Test>
@@ -38,10 +38,10 @@ State turned(const State& state, double angle) {
 TEST(ManyBlades, ToleranceHoldsHoweverManyTouchAtOnce) {
   // Two to fifty blades, deep enough that several touch together: two tolerances agree, and the work stays in
   // proportion to the touch-downs.
-  for (const auto law : {scene::ContactLaw::elastica, scene::ContactLaw::elastic_ring}) {
+  for (const auto law : {settings::ContactLaw::elastica, settings::ContactLaw::elastic_ring}) {
     for (const int blades : {2, 4, 5, 12, 50}) {
       SCOPED_TRACE(::testing::Message() << blades << " blades, law " << static_cast<int>(law));
-      scene::Scene scene = default_rotor(2);
+      settings::Scene scene = default_rotor(2);
       scene.contact.law = law;
       scene.blades.count = blades;
       scene.blades.thickness = 2e-4;
@@ -76,12 +76,12 @@ TEST(ManyBlades, BladesThatTouchAtTheSameInstantAllTouch) {
                             rotor.length * std::cos(bisector);
     const State start = turned({distance - 1e-15, 0.0, 0.2, 0.0}, bisector);
     with_each_law(rotor, [&](const auto& law) {
-      solve::Motion<std::decay_t<decltype(law)>, effects::NoForcing> motion(
+      motion::Motion<std::decay_t<decltype(law)>, rotor::NoForcing> motion(
           rotor.constants(), {blades, rotor.speed_ratio}, law, {}, rotor.limits());
       auto recording = Recording(kNoPiece);
       ASSERT_EQ(motion.start(start), PointStatus::done);
       motion.revolution(recording);
-      std::vector<solve::Event> touchdowns;
+      std::vector<modes::Event> touchdowns;
       for (const auto& entry : recording.events) {
         if (entry.event.kind == PhaseEvent::touch_down) touchdowns.push_back(entry.event);
       }
@@ -105,7 +105,7 @@ TEST(ManyBlades, NoBladeCountsMoreThanAnother) {
     SCOPED_TRACE(blades);
     rotor.blades = blades;
     with_each_law(rotor, [&](const auto& law) {
-      const effects::NoForcing none;
+      const rotor::NoForcing none;
       const auto motion = follow(rotor, law, none, start, 3, kNoPiece);
       ASSERT_EQ(motion.status, PointStatus::done);
       ASSERT_GE(motion.work.touchdowns, 2U);

@@ -11,13 +11,13 @@
 
 #include "contact/unequal_blades.hpp"
 #include "recorded_motion.hpp"
-#include "solve/rippling_blades.hpp"
+#include "rotor/rippling_blades.hpp"
 
 namespace rubatlas::test {
 namespace {
 
-using solve::PointStatus;
-using solve::State;
+using point::PointStatus;
+using rotor::State;
 
 State mirrored(const State& state) {
   return {state[0], -state[1], state[2], -state[3]};
@@ -30,7 +30,7 @@ HardRotor mirrored(HardRotor rotor) {
 }
 
 const auto kEqualBlades = [](const HardRotor& rotor, double) {
-  return solve::BladeSet(rotor.blades, rotor.speed_ratio);
+  return rotor::BladeSet(rotor.blades, rotor.speed_ratio);
 };
 
 /// What is made for a rotor and a side, 1 or −1, is made for the mirror image where that is −1.
@@ -48,8 +48,8 @@ void expect_mirror_images(const HardRotor& rotor, MakeLaw make_law, MakeForcing 
   ASSERT_GE(motion.work.touchdowns, 2U);
   ASSERT_EQ(motion.events.size(), image.events.size());
   for (std::size_t i = 0; i < motion.events.size(); ++i) {
-    const solve::Event& event = motion.events[i].event;
-    const solve::Event& mirror_event = image.events[i].event;
+    const modes::Event& event = motion.events[i].event;
+    const modes::Event& mirror_event = image.events[i].event;
     EXPECT_EQ(event.kind, mirror_event.kind) << i;
     EXPECT_EQ((event.blade + mirror_event.blade) % rotor.blades, 0) << i;
     EXPECT_EQ(event.slip, -mirror_event.slip) << i;
@@ -63,9 +63,9 @@ void expect_mirror_images(const HardRotor& rotor, MakeLaw make_law, MakeForcing 
 
 const auto kElastica = [](const HardRotor& rotor, double) { return rotor.elastica(); };
 const auto kElasticRing = [](const HardRotor& rotor, double) { return rotor.elastic_ring(); };
-const auto kUnforced = [](const HardRotor&, double) { return effects::NoForcing{}; };
+const auto kUnforced = [](const HardRotor&, double) { return rotor::NoForcing{}; };
 const auto kUnbalanced = [](const HardRotor& rotor, double side) {
-  return effects::RotatingUnbalance(1e-4, side * 0.7, rotor.speed_ratio, rotor.damping_ratio);
+  return rotor::RotatingUnbalance(1e-4, side * 0.7, rotor.speed_ratio, rotor.damping_ratio);
 };
 
 TEST(Mirror, ARotorThatSpinsTheOtherWayMovesTheMirroredWay) {
@@ -88,9 +88,9 @@ TEST(Mirror, ARotorThatSpinsTheOtherWayMovesTheMirroredWay) {
 // behind.
 
 const auto kLoaded = [](const HardRotor& rotor, double side) {
-  return effects::Harmonics(
-      {effects::Harmonic(8e-4, side * 0.9, 0.0, rotor.damping_ratio),
-       effects::RotatingUnbalance(5e-5, side * 0.7, rotor.speed_ratio, rotor.damping_ratio)});
+  return rotor::Harmonics(
+      {rotor::Harmonic(8e-4, side * 0.9, 0.0, rotor.damping_ratio),
+       rotor::RotatingUnbalance(5e-5, side * 0.7, rotor.speed_ratio, rotor.damping_ratio)});
 };
 
 /// Blade k of the image is blade n − k.
@@ -112,7 +112,7 @@ auto unequal(MakeLaw make_law) {
 }
 
 std::vector<double> unequal_angles(const HardRotor& rotor, double side) {
-  auto angles = solve::equal_angles(rotor.blades);
+  auto angles = rotor::equal_angles(rotor.blades);
   for (int k = 0; k < rotor.blades; ++k) {
     angles[static_cast<std::size_t>(k)] += side * 0.02 * image_of(k, rotor.blades, side);
   }
@@ -121,10 +121,10 @@ std::vector<double> unequal_angles(const HardRotor& rotor, double side) {
 
 TEST(Mirror, LoadsUnequalBladesAndARipplingSpeedAreMirroredToo) {
   const auto steady = [](const HardRotor& rotor, double side) {
-    return solve::BladeSet(unequal_angles(rotor, side), rotor.speed_ratio);
+    return rotor::BladeSet(unequal_angles(rotor, side), rotor.speed_ratio);
   };
   const auto rippling = [](const HardRotor& rotor, double side) {
-    return solve::RipplingBlades(unequal_angles(rotor, side), rotor.speed_ratio, {0.2, 2, side * 0.8});
+    return rotor::RipplingBlades(unequal_angles(rotor, side), rotor.speed_ratio, {0.2, 2, side * 0.8});
   };
   for (const double speed : {0.3, 0.62}) {
     for (const int blades : {1, 3, 4}) {

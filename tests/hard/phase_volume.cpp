@@ -13,19 +13,19 @@
 namespace rubatlas::test {
 namespace {
 
-using solve::PointStatus;
-using solve::SectionState;
+using point::PointStatus;
+using point::SectionState;
 
 struct VolumeCase {
   const char* name;
-  scene::ContactLaw law;
+  settings::ContactLaw law;
   int blades;
   double speed;
   double damping;
   double friction;
   double unbalance;
   SectionState start;
-  void (*effects)(scene::Scene&) = [](scene::Scene&) {};
+  void (*effects)(settings::Scene&) = [](settings::Scene&) {};
 };
 
 /// gtest: the name of a case in the list of tests.
@@ -37,11 +37,11 @@ class PhaseVolume : public ::testing::TestWithParam<VolumeCase> {};
 
 TEST_P(PhaseVolume, ContractsByTheDampingAlone) {
   const VolumeCase& c = GetParam();
-  scene::Scene scene = default_rotor(1);
+  settings::Scene scene = default_rotor(1);
   scene.contact = {c.law, c.friction};
   scene.blades.count = c.blades;
   scene.rotor.damping_ratio = c.damping;
-  if (c.unbalance > 0.0) scene.unbalance = scene::Unbalance{c.unbalance, 0.4};
+  if (c.unbalance > 0.0) scene.unbalance = settings::Unbalance{c.unbalance, 0.4};
   c.effects(scene);
   scene.accuracy.tolerance = 1e-14;
   std::uint64_t touchdowns = 0;
@@ -75,28 +75,28 @@ TEST_P(PhaseVolume, ContractsByTheDampingAlone) {
   EXPECT_GT(touchdowns, 0U);
 }
 
-constexpr auto kOfTheBlades = scene::ContactLaw::elastica;
-constexpr auto kOfTheRing = scene::ContactLaw::elastic_ring;
+constexpr auto kOfTheBlades = settings::ContactLaw::elastica;
+constexpr auto kOfTheRing = settings::ContactLaw::elastic_ring;
 
 // Loads that are fixed or prescribed in time, and blades of any shape, leave the forces a function of
 // position.
 
-void lean(scene::Scene& scene) {
+void lean(settings::Scene& scene) {
   scene.gravity = effects::Gravity{0.1, 0.3};
 }
-void push(scene::Scene& scene) {
+void push(settings::Scene& scene) {
   scene.side_load = effects::SideLoad{0.1, 1.2};
 }
-void ripple(scene::Scene& scene) {
+void ripple(settings::Scene& scene) {
   scene.speed_ripple = effects::SpeedRipple{0.1, 2, 0.5};
 }
-void spread(scene::Scene& scene) {
+void spread(settings::Scene& scene) {
   auto& blades = scene.unequal_blades.emplace();
   blades.length_spread = 1e-4;
   blades.thickness_spread = 5e-5;
   blades.angle_spread = 0.02;
 }
-void all_at_once(scene::Scene& scene) {
+void all_at_once(settings::Scene& scene) {
   for (const auto effect : {lean, push, ripple, spread}) effect(scene);
 }
 

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/quantity.hpp"
-#include "scene/reader.hpp"
+#include "settings/quantity.hpp"
+#include "settings/reader.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -43,7 +43,7 @@ class Draw {
 /// Upper bounds of the reader are far away; what lies this far below them is as good as zero.
 constexpr double kDecades = 1e-15;
 
-double anywhere(Draw& draw, const scene::Range& range) {
+double anywhere(Draw& draw, const settings::Range& range) {
   if (draw.one_in(12)) return range.high;
   if (draw.one_in(12) && !range.low_excluded) return range.low;
   if (range.low < 0.0) {
@@ -70,15 +70,16 @@ bool is_in(const std::vector<std::string_view>& sections, std::string_view secti
 /// kept of it.
 json draw_anywhere(Draw& draw) {
   json scene;
-  for (const scene::Quantity& quantity : scene::quantities()) {
-    const bool number = quantity.kind == scene::Kind::number || quantity.kind == scene::Kind::whole_number;
+  for (const settings::Quantity& quantity : settings::quantities()) {
+    const bool number =
+        quantity.kind == settings::Kind::number || quantity.kind == settings::Kind::whole_number;
     const bool skipped = is_in(effect_sections(), quantity.section()) || quantity.section() == "/protocol" ||
                          quantity.section() == "/spectrum" ||
                          (quantity.section() == "/accuracy" && quantity.key() != "tolerance");
     if (!number || skipped) continue;
     const double value = anywhere(draw, quantity.range);
     const json::json_pointer pointer{std::string(quantity.pointer)};
-    if (quantity.kind == scene::Kind::whole_number) {
+    if (quantity.kind == settings::Kind::whole_number) {
       scene[pointer] = static_cast<int>(value);
     } else {
       scene[pointer] = value;
@@ -154,7 +155,7 @@ void make_it_rub(Draw& draw, json& scene) {
 }
 
 /// A number of an effect: over its legal range, or in proportion to the machine by its unit.
-double strength(Draw& draw, const scene::Quantity& quantity, const json& scene, bool in_proportion) {
+double strength(Draw& draw, const settings::Quantity& quantity, const json& scene, bool in_proportion) {
   if (!in_proportion) return anywhere(draw, quantity.range);
   const double mass = scene["rotor"]["mass"];
   const double square = std::pow(scene["rotor"]["natural_frequency"].get<double>(), 2);
@@ -179,19 +180,19 @@ void draw_effects(Draw& draw, json& scene, bool in_proportion) {
   for (const std::string_view section : effect_sections()) {
     if (!draw.one_in(8)) continue;
     json& drawn = scene[json::json_pointer(std::string(section))] = json::object();
-    for (const scene::Quantity& quantity : scene::quantities()) {
+    for (const settings::Quantity& quantity : settings::quantities()) {
       if (quantity.section() != section || draw.one_in(4)) continue;
       json& value = drawn[std::string(quantity.key())];
       const auto number = [&] { return strength(draw, quantity, scene, in_proportion); };
-      if (quantity.kind == scene::Kind::number) {
+      if (quantity.kind == settings::Kind::number) {
         value = number();
-      } else if (quantity.kind == scene::Kind::whole_number) {
+      } else if (quantity.kind == settings::Kind::whole_number) {
         value = static_cast<int>(std::ceil(number()));
-      } else if (quantity.kind == scene::Kind::flag) {
+      } else if (quantity.kind == settings::Kind::flag) {
         value = draw.one_in(2);
-      } else if (quantity.kind == scene::Kind::choice) {
+      } else if (quantity.kind == settings::Kind::choice) {
         value = quantity.choices[draw.below(quantity.choices.size())];
-      } else if (quantity.kind == scene::Kind::numbers) {
+      } else if (quantity.kind == settings::Kind::numbers) {
         value = json::array();
         for (int k = 0; k < scene["blades"]["count"].get<int>(); ++k) value.push_back(number());
       }
@@ -205,9 +206,9 @@ std::string without_what_does_not_fit(json scene) {
   while (true) {
     std::string text = scene.dump();
     try {
-      scene::parse_scene(text);
+      settings::parse_scene(text);
       return text;
-    } catch (const scene::SceneError& error) {
+    } catch (const settings::SceneError& error) {
       const std::string said = error.what();
       const auto sections = effect_sections();
       const auto blamed = std::ranges::find_if(sections, [&](std::string_view section) {
@@ -238,8 +239,8 @@ std::string random_scene_text(std::uint64_t index) {
   }
 }
 
-scene::Scene random_scene(std::uint64_t index) {
-  return scene::parse_scene(random_scene_text(index));
+settings::Scene random_scene(std::uint64_t index) {
+  return settings::parse_scene(random_scene_text(index));
 }
 
 }  // namespace rubatlas::test

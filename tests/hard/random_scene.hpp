@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <string>
 
-#include "scene/scene.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::test {
 
@@ -18,6 +18,6 @@ namespace rubatlas::test {
 std::string random_scene_text(std::uint64_t index);
 
 /// Read by the reader itself, which must accept it.
-scene::Scene random_scene(std::uint64_t index);
+settings::Scene random_scene(std::uint64_t index);
 
 }  // namespace rubatlas::test

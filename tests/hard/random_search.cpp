@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "assembly/make_line_solver.hpp"
 #include "hard_point.hpp"
 #include "random_scene.hpp"
 
@@ -39,19 +40,19 @@ std::vector<Shard> shards(std::uint64_t count, std::uint64_t scenes) {
 
 /// The solver's own bound: two seconds of a processor core for a point of up to twenty revolutions; the last
 /// attempt of a step may pass it.
-void expect_bounded_work(const solve::PointOutcome& outcome) {
+void expect_bounded_work(const point::PointOutcome& outcome) {
   constexpr std::int64_t kBeyond = 50'000'000;
-  ASSERT_LE(outcome.work.price, solve::WorkBound::kHybrid.point + kBeyond);
+  ASSERT_LE(outcome.work.price, modes::WorkBound::kHybrid.point + kBeyond);
 }
 
 /// Runs a random scene; none where its end is not an honest one, or its work not bounded.
-std::optional<solve::PointOutcome> search(std::uint64_t index) {
+std::optional<point::PointOutcome> search(std::uint64_t index) {
   SCOPED_TRACE("random scene " + std::to_string(index) + ": " + random_scene_text(index));
-  std::optional<solve::PointOutcome> outcome;
+  std::optional<point::PointOutcome> outcome;
   const auto run_scene = [&] {
-    const scene::Scene scene = random_scene(index);
-    const solve::SectionState start{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
-    outcome = run(scene, scene.grid.speed_ratio.front(), start, solve::make_blade_tables());
+    const settings::Scene scene = random_scene(index);
+    const point::SectionState start{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
+    outcome = run(scene, scene.grid.speed_ratio.front(), start, assembly::make_blade_tables());
     expect_an_honest_end(scene, *outcome);
     expect_bounded_work(*outcome);
   };
@@ -69,23 +70,23 @@ class RandomSearch : public ::testing::TestWithParam<Shard> {};
 
 TEST_P(RandomSearch, EveryLegalSceneEndsWithAStatus) {
   const auto [first, scenes] = GetParam();
-  std::map<solve::StatusDetail, int> ended_by;
+  std::map<point::StatusDetail, int> ended_by;
   std::int64_t dearest = 0;
   std::uint64_t dearest_scene = first;
   int touched = 0;
   for (std::uint64_t index = first; index < first + scenes; ++index) {
     const auto found = search(index);
     ASSERT_TRUE(found);
-    const solve::PointOutcome& outcome = *found;
+    const point::PointOutcome& outcome = *found;
     ++ended_by[outcome.detail];
     if (outcome.work.price > dearest) dearest_scene = index;
     dearest = std::max(dearest, outcome.work.price);
     if (outcome.work.touchdowns > 0) ++touched;
   }
-  const int done = ended_by[solve::StatusDetail::none];
+  const int done = ended_by[point::StatusDetail::none];
   std::cout << "scenes " << first << " to " << first + scenes - 1 << ": " << done << " done";
-  for (const auto& entry : solve::kStatusDetails) {
-    if (entry.detail != solve::StatusDetail::none && ended_by[entry.detail] > 0)
+  for (const auto& entry : point::kStatusDetails) {
+    if (entry.detail != point::StatusDetail::none && ended_by[entry.detail] > 0)
       std::cout << ", " << ended_by[entry.detail] << ' ' << entry.name;
   }
   std::cout << "; most work " << 1e-9 * static_cast<double>(dearest) << " s, scene " << dearest_scene << '\n';

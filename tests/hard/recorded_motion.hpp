@@ -5,12 +5,12 @@
 #include <memory>
 #include <vector>
 
-#include "solve/motion.hpp"
+#include "motion/motion.hpp"
 
 namespace rubatlas::test {
 
 /// Nothing but shaft and ring acts.
-inline constexpr effects::NoForcing kNoForcing;
+inline constexpr rotor::NoForcing kNoForcing;
 /// For those who look at the sections of a motion alone.
 inline constexpr auto kNoPiece = [](observables::MotionPiece&) {};
 
@@ -36,10 +36,10 @@ struct HardRotor {
   [[nodiscard]] double euler_load() const {  ///< [N]
     return 0.25 * 9.869604401089358 * bending_stiffness / (length * length);
   }
-  [[nodiscard]] solve::RotorConstants constants() const {
+  [[nodiscard]] rotor::RotorConstants constants() const {
     return {speed_ratio, damping_ratio, misalignment, force_unit, clearance()};
   }
-  [[nodiscard]] solve::ContactLimits limits() const { return {tolerance * clearance(), max_shortening}; }
+  [[nodiscard]] modes::ContactLimits limits() const { return {tolerance * clearance(), max_shortening}; }
   [[nodiscard]] contact::ElasticaContact elastica() const {
     return {
         geometry(), {length, thickness, bending_stiffness}, std::make_shared<blade::ElasticaCurve>(friction)};
@@ -50,25 +50,25 @@ struct HardRotor {
 };
 
 /// Pose of a blade at time τ of the revolution.
-inline contact::Pose pose_at(const HardRotor& rotor, int blade, double time, const solve::State& state) {
-  const solve::BladeSet blades(rotor.blades, rotor.speed_ratio);
-  return solve::pose_of(rotor.constants(), rotor.geometry(), blades.direction(blade, blades.first(time)),
+inline contact::Pose pose_at(const HardRotor& rotor, int blade, double time, const rotor::State& state) {
+  const rotor::BladeSet blades(rotor.blades, rotor.speed_ratio);
+  return rotor::pose_of(rotor.constants(), rotor.geometry(), blades.direction(blade, blades.first(time)),
                         state);
 }
 
 struct RecordedEvent {
   int revolution;
-  solve::Event event;
+  modes::Event event;
 };
 
 struct RecordedMotion {
-  solve::PointStatus status = solve::PointStatus::pending;
+  point::PointStatus status = point::PointStatus::pending;
   std::vector<RecordedEvent> events;
-  std::vector<solve::State> sections;  ///< after each revolution
-  solve::WorkCounts work;
+  std::vector<rotor::State> sections;  ///< after each revolution
+  motion::WorkCounts work;
 
-  [[nodiscard]] std::vector<solve::Event> of_kind(solve::PhaseEvent kind) const {
-    std::vector<solve::Event> found;
+  [[nodiscard]] std::vector<modes::Event> of_kind(modes::PhaseEvent kind) const {
+    std::vector<modes::Event> found;
     for (const RecordedEvent& entry : events) {
       if (entry.event.kind == kind) found.push_back(entry.event);
     }
@@ -78,11 +78,11 @@ struct RecordedMotion {
 
 /// Hands every piece of motion to a function, and keeps the events.
 template <class OnPiece>
-class Recording final : public solve::MotionListener {
+class Recording final : public modes::MotionListener {
  public:
   explicit Recording(OnPiece on_piece) : on_piece_(on_piece) {}
   void piece(observables::MotionPiece& piece) override { on_piece_(piece); }
-  void event(const solve::Event& event) override { events.push_back({revolution, event}); }
+  void event(const modes::Event& event) override { events.push_back({revolution, event}); }
   int revolution = 0;
   std::vector<RecordedEvent> events;
 
@@ -92,13 +92,13 @@ class Recording final : public solve::MotionListener {
 
 template <class Blades, class Law, class Forcing, class OnPiece>
 RecordedMotion follow(const HardRotor& rotor, const Blades& blades, const Law& law, const Forcing& forcing,
-                      const solve::State& start, int revolutions, OnPiece on_piece) {
-  solve::Motion<Law, Forcing, integrate::DormandPrince853, Blades> motion(rotor.constants(), blades, law,
-                                                                          forcing, rotor.limits());
+                      const rotor::State& start, int revolutions, OnPiece on_piece) {
+  motion::Motion<Law, Forcing, integrate::DormandPrince853, Blades> motion(rotor.constants(), blades, law,
+                                                                           forcing, rotor.limits());
   Recording<OnPiece> recording(on_piece);
   RecordedMotion result;
   result.status = motion.start(start);
-  for (; recording.revolution < revolutions && result.status == solve::PointStatus::done;
+  for (; recording.revolution < revolutions && result.status == point::PointStatus::done;
        ++recording.revolution) {
     result.status = motion.revolution(recording);
     result.sections.push_back(motion.state());
@@ -111,8 +111,8 @@ RecordedMotion follow(const HardRotor& rotor, const Blades& blades, const Law& l
 /// The same with equally spaced blades at constant speed.
 template <class Law, class Forcing, class OnPiece>
 RecordedMotion follow(const HardRotor& rotor, const Law& law, const Forcing& forcing,
-                      const solve::State& start, int revolutions, OnPiece on_piece) {
-  return follow(rotor, solve::BladeSet(rotor.blades, rotor.speed_ratio), law, forcing, start, revolutions,
+                      const rotor::State& start, int revolutions, OnPiece on_piece) {
+  return follow(rotor, rotor::BladeSet(rotor.blades, rotor.speed_ratio), law, forcing, start, revolutions,
                 on_piece);
 }
 

@@ -7,16 +7,17 @@
 #include <span>
 #include <vector>
 
+#include "assembly/make_line_solver.hpp"
 #include "hard_point.hpp"
 
 namespace rubatlas::test {
 namespace {
 
-using solve::PointStart;
-using solve::PointStatus;
+using point::PointStart;
+using point::PointStatus;
 
 /// Of shaft and ring [m].
-double largest_difference_of_bodies(const solve::PointOutcome& a, const solve::PointOutcome& b) {
+double largest_difference_of_bodies(const point::PointOutcome& a, const point::PointOutcome& b) {
   double largest = largest_difference(a.final_state, b.final_state);
   const std::span<const double> ring = a.final_memory.view();
   const std::span<const double> other = b.final_memory.view();
@@ -35,21 +36,21 @@ TEST(RingBodyOfAnyWeight, ConvergesWithBoundedWork) {
   constexpr double kSpeed = 0.62;
   int done = 0;
   int tried = 0;
-  for (const auto law : {scene::ContactLaw::elastica, scene::ContactLaw::elastic_ring}) {
+  for (const auto law : {settings::ContactLaw::elastica, settings::ContactLaw::elastic_ring}) {
     for (const double mass : {1e-4, 1e-2, 1.0, 1e4}) {
       for (const double stiffness : {1.0, 1e3, 1e6}) {
         for (const double damping_ratio : {0.0, 1.0, 10.0}) {
           SCOPED_TRACE(::testing::Message()
                        << "law " << static_cast<int>(law) << ", ring of " << mass << " kg on " << stiffness
                        << " N/m, damping ratio " << damping_ratio);
-          scene::Scene scene = default_rotor(1);
+          settings::Scene scene = default_rotor(1);
           scene.contact.law = law;
           scene.ring_body =
               effects::RingBody{mass, 1.0 / stiffness, 2.0 * damping_ratio * std::sqrt(mass * stiffness)};
           const auto parameters = line_of(scene);
           const auto run_at = [&](double tolerance, const PointStart& start) {
             scene.accuracy.tolerance = tolerance;
-            return solve::make_line_solver(scene, parameters, shared_tables())->run(kSpeed, start);
+            return assembly::make_line_solver(scene, parameters, shared_tables())->run(kSpeed, start);
           };
           const auto loose = run_at(kTolerance, {});
           const auto tight = run_at(0.1 * kTolerance, {});
@@ -66,7 +67,7 @@ TEST(RingBodyOfAnyWeight, ConvergesWithBoundedWork) {
             PointStart start;
             std::vector<double> ring(4, 0.0);
             (component < 4 ? start.state[component] : ring[component - 4]) = kShift;
-            start.memory = solve::Memory(ring);
+            start.memory = motion::Memory(ring);
             const auto shifted = run_at(0.1 * kTolerance, start);
             if (shifted.status != PointStatus::done) continue;
             growth = std::max(growth, largest_difference_of_bodies(shifted, tight) / kShift);

@@ -10,7 +10,7 @@
 namespace rubatlas::test {
 namespace {
 
-using solve::PointStatus;
+using point::PointStatus;
 
 struct Kicked {
   int reversals = 0;  ///< a tip that comes to rest counts as one
@@ -20,7 +20,7 @@ struct Kicked {
 /// A shaft that whirls against the spin faster than the tips run reverses the slip of every contact; where
 /// both nearly cancel, the tip sticks and the model flips to and fro. Kicks of all sizes against slow and
 /// fast rotors, friction from none to twice the load.
-Kicked kick(scene::Scene scene, double most_right_hand_sides) {
+Kicked kick(settings::Scene scene, double most_right_hand_sides) {
   scene.rotor.misalignment = 0.0;
   Kicked result;
   for (const double friction : {0.0, 0.1, 0.5, 2.0}) {
@@ -29,7 +29,7 @@ Kicked kick(scene::Scene scene, double most_right_hand_sides) {
         SCOPED_TRACE(::testing::Message()
                      << "friction " << friction << ", speed " << speed << ", kick " << size);
         scene.contact.friction = friction;
-        const solve::SectionState start{0.005, 0.0, 0.0, 3e-4 * size * std::abs(size)};
+        const point::SectionState start{0.005, 0.0, 0.0, 3e-4 * size * std::abs(size)};
         const auto outcome = run(scene, speed, start);
         expect_an_honest_end(scene, outcome);
         if (testing::Test::HasFatalFailure()) return result;
@@ -48,9 +48,9 @@ Kicked kick(scene::Scene scene, double most_right_hand_sides) {
 TEST(Slip, KickedRotorsReverseTheirSlipABoundedNumberOfTimes) {
   int reversals = 0;
   int done = 0;
-  for (const auto law : {scene::ContactLaw::elastica, scene::ContactLaw::elastic_ring}) {
+  for (const auto law : {settings::ContactLaw::elastica, settings::ContactLaw::elastic_ring}) {
     SCOPED_TRACE(::testing::Message() << "law " << static_cast<int>(law));
-    scene::Scene scene = default_rotor(2);
+    settings::Scene scene = default_rotor(2);
     scene.contact.law = law;
     const Kicked kicked = kick(scene, 400.0);
     reversals += kicked.reversals;
@@ -62,16 +62,16 @@ TEST(Slip, KickedRotorsReverseTheirSlipABoundedNumberOfTimes) {
 
 TEST(Slip, TipsThatMayStickComeToRestABoundedNumberOfTimes) {
   // A tip comes loose at the very edge of the cone, and may be at rest again at once.
-  for (const auto law : {scene::ContactLaw::elastica, scene::ContactLaw::elastic_ring}) {
+  for (const auto law : {settings::ContactLaw::elastica, settings::ContactLaw::elastic_ring}) {
     int rests = 0;
     int done = 0;
     for (const double static_ratio : {1.0, 1.0 + 1e-9, 2.0}) {
       SCOPED_TRACE(::testing::Message() << "law " << static_cast<int>(law) << ", ratio " << static_ratio);
-      scene::Scene scene = default_rotor(2);
+      settings::Scene scene = default_rotor(2);
       scene.contact.law = law;
       scene.stick.emplace().static_ratio = static_ratio;
       // An elastic blade at rest is a stiff strut between hub and ring.
-      const Kicked kicked = kick(scene, law == scene::ContactLaw::elastica ? 1000.0 : 400.0);
+      const Kicked kicked = kick(scene, law == settings::ContactLaw::elastica ? 1000.0 : 400.0);
       rests += kicked.reversals;
       done += kicked.done;
     }
@@ -83,7 +83,7 @@ TEST(Slip, TipsThatMayStickComeToRestABoundedNumberOfTimes) {
 TEST(Slip, OfAFlexibleTipThatChattersIntoRestIsFollowedAtEveryTolerance) {
   // In the contact of blade 3 each two reversals take 0.87 of the time of the last two, since both slipping
   // states stand close together, until the tip holds. Later on blade 1 is left neither rest nor slip.
-  scene::Scene scene = default_rotor(1);
+  settings::Scene scene = default_rotor(1);
   scene.rotor.misalignment = 0.004;
   scene.stick.emplace();
   for (const double tolerance : {1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) {
@@ -91,7 +91,7 @@ TEST(Slip, OfAFlexibleTipThatChattersIntoRestIsFollowedAtEveryTolerance) {
     scene.accuracy.tolerance = tolerance;
     const auto outcome = run(scene, 0.02, {0.005, 0.0, 0.0, 0.02917});
     EXPECT_EQ(outcome.status, PointStatus::left_validity);
-    EXPECT_EQ(outcome.detail, solve::StatusDetail::slip_undecided);
+    EXPECT_EQ(outcome.detail, point::StatusDetail::slip_undecided);
     EXPECT_EQ(outcome.work.touchdowns, 5U);
     EXPECT_GT(outcome.work.slip_reversals, 60U);
     EXPECT_LT(outcome.work.slip_reversals, 200U);
@@ -100,7 +100,7 @@ TEST(Slip, OfAFlexibleTipThatChattersIntoRestIsFollowedAtEveryTolerance) {
 
 /// At the end of the revolution a contact reverses its slip at intervals of which each cycle is a fixed share
 /// of the one before. Without a limit their number is a matter of rounding, and with it s.
-void expect_rest_in_the_limit(scene::Scene scene, double speed_ratio, const solve::SectionState& start) {
+void expect_rest_in_the_limit(settings::Scene scene, double speed_ratio, const point::SectionState& start) {
   const auto moved = [&](double tolerance, double aside) {
     scene.accuracy.tolerance = tolerance;
     return run(scene, speed_ratio, {start[0] + aside, start[1], start[2], start[3]});
@@ -121,8 +121,8 @@ void expect_rest_in_the_limit(scene::Scene scene, double speed_ratio, const solv
   }
 }
 
-scene::Scene default_rotor_with_friction(double friction) {
-  scene::Scene scene = default_rotor(1);
+settings::Scene default_rotor_with_friction(double friction) {
+  settings::Scene scene = default_rotor(1);
   scene.contact.friction = friction;
   return scene;
 }
@@ -133,13 +133,13 @@ TEST(Slip, ReversalsThatAccumulateEndInRestWhateverTheToleranceAndTheLastDigits)
 }
 
 TEST(Slip, ReversalsThatAccumulateUnderTheNormalLoadEndInRestToo) {
-  scene::Scene scene = default_rotor_with_friction(0.580342);
+  settings::Scene scene = default_rotor_with_friction(0.580342);
   scene.load_direction = effects::LoadDirection{true};
   expect_rest_in_the_limit(scene, 0.152107, {-0.002073743, -0.0009391492, 0.01479563, 0.02589101});
 }
 
 TEST(Slip, ReversalsThatAccumulateInARingThatMovesEndInRestToo) {
-  scene::Scene scene = default_rotor_with_friction(0.524977);
+  settings::Scene scene = default_rotor_with_friction(0.524977);
   scene.ring_body = effects::RingBody{1.0, 1e-4, 40.0};
   expect_rest_in_the_limit(scene, 0.133429, {0.00389085, 0.004146671, -0.01551225, -0.01780531});
   scene.contact.friction = 0.481596;
@@ -148,8 +148,8 @@ TEST(Slip, ReversalsThatAccumulateInARingThatMovesEndInRestToo) {
 
 TEST(Slip, ReversalsThatAccumulateWhereNoLawOfRestIsKnownLeaveValidityAtEveryTolerance) {
   for (const char* effect : {"axial compliance", "yielding ring"}) {
-    scene::Scene scene = default_rotor(1);
-    solve::SectionState start{};
+    settings::Scene scene = default_rotor(1);
+    point::SectionState start{};
     double speed_ratio = 0.0;
     if (effect == std::string("axial compliance")) {
       scene.axial_compliance = effects::AxialCompliance{1.0};
@@ -168,7 +168,7 @@ TEST(Slip, ReversalsThatAccumulateWhereNoLawOfRestIsKnownLeaveValidityAtEveryTol
       scene.accuracy.tolerance = tolerance;
       const auto outcome = run(scene, speed_ratio, start);
       EXPECT_EQ(outcome.status, PointStatus::left_validity);
-      EXPECT_EQ(outcome.detail, solve::StatusDetail::slip_undecided);
+      EXPECT_EQ(outcome.detail, point::StatusDetail::slip_undecided);
       if (reversals == 0) reversals = outcome.work.slip_reversals;
       EXPECT_EQ(outcome.work.slip_reversals, reversals);
     }

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "analysis/class.hpp"
-#include "analysis/scene_tolerances.hpp"
+#include "analysis/rules/class.hpp"
+#include "analysis/rules/scene_tolerances.hpp"
 #include "hard_point.hpp"
 
 namespace rubatlas::test {
@@ -15,20 +15,20 @@ namespace {
 using analysis::is_periodic;
 using analysis::motion_class::kAperiodic;
 using analysis::motion_class::kUnresolved;
-using solve::PointStatus;
+using point::PointStatus;
 
 struct Verdict {
   std::uint8_t motion;
   double displacement;  ///< largest [m]
 };
 
-Verdict verdict(const scene::Scene& scene, double speed, const solve::SectionState& start) {
+Verdict verdict(const settings::Scene& scene, double speed, const point::SectionState& start) {
   const auto outcome = run(scene, speed, start);
   EXPECT_EQ(outcome.status, PointStatus::done) << speed;
   return {analysis::classify(outcome.rows[0], analysis::closing_tolerance(scene)), outcome.rows[1][0]};
 }
 
-void expect_stable(scene::Scene scene, const char* name) {
+void expect_stable(settings::Scene scene, const char* name) {
   scene.protocol = {200, 100, 64};
   int periodic = 0;
   int other = 0;
@@ -36,10 +36,10 @@ void expect_stable(scene::Scene scene, const char* name) {
     const double speed = 0.1 + 0.025 * i;
     SCOPED_TRACE(::testing::Message() << name << ", speed " << speed);
     const Verdict base = verdict(scene, speed, {});
-    scene::Scene tighter = scene;
+    settings::Scene tighter = scene;
     tighter.accuracy.tolerance *= 0.1;
     // The error of a step of order eight falls with 2⁻⁸.
-    scene::Scene half_steps = scene;
+    settings::Scene half_steps = scene;
     half_steps.accuracy.tolerance /= 256.0;
     const Verdict variants[] = {verdict(tighter, speed, {}), verdict(half_steps, speed, {}),
                                 verdict(scene, speed, {1e-10, 0.0, 0.0, 0.0}),
@@ -64,8 +64,8 @@ TEST(StableClass, OfTheDefaultRotorDoesNotHangOnDigitsThatNobodyChose) {
 }
 
 TEST(StableClass, OfBladesInAnElasticRingDoesNotHangOnDigitsThatNobodyChose) {
-  scene::Scene scene = default_rotor(1);
-  scene.contact.law = scene::ContactLaw::elastic_ring;
+  settings::Scene scene = default_rotor(1);
+  scene.contact.law = settings::ContactLaw::elastic_ring;
   expect_stable(scene, "elastic ring");
 }
 

@@ -8,9 +8,9 @@
 namespace rubatlas::test {
 namespace {
 
-using solve::PhaseEvent;
-using solve::PointStatus;
-using solve::State;
+using modes::PhaseEvent;
+using point::PointStatus;
+using rotor::State;
 
 /// One blade in a ring around the shaft's own centre, lengths without rounding: a tip placed on the ring is
 /// on it.

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "mpi/progress.hpp"
-#include "mpi/run_record.hpp"
+#include "mpi/job/progress.hpp"
+#include "mpi/job/run_record.hpp"
 
 namespace rubatlas::mpi {
 namespace {

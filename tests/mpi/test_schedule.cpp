@@ -10,15 +10,15 @@
 #include <utility>
 #include <vector>
 
-#include "mpi/schedule.hpp"
+#include "mpi/job/schedule.hpp"
 #include "plan/grid.hpp"
-#include "scene/scene.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::mpi {
 namespace {
 
-scene::Scene lines_of_points(std::size_t lines, std::size_t points, scene::Sweep sweep) {
-  scene::Scene scene;
+settings::Scene lines_of_points(std::size_t lines, std::size_t points, settings::Sweep sweep) {
+  settings::Scene scene;
   scene.grid = {
       .thickness = {0.001}, .unbalance = {0.0}, .friction = {0.1}, .damping_ratio = {}, .speed_ratio = {}};
   for (std::size_t i = 0; i < lines; ++i)
@@ -30,11 +30,11 @@ scene::Scene lines_of_points(std::size_t lines, std::size_t points, scene::Sweep
 }
 
 /// The end of a point, made so that it tells which point it is.
-solve::SectionState end_of(std::size_t line, std::uint64_t visit) {
+point::SectionState end_of(std::size_t line, std::uint64_t visit) {
   return {static_cast<double>(line), static_cast<double>(visit), 0.0, 0.0};
 }
 
-solve::SectionState never(std::size_t point) {
+point::SectionState never(std::size_t point) {
   ADD_FAILURE() << "point " << point << " was looked up";
   return {};
 }
@@ -43,7 +43,7 @@ PointReport report(std::size_t line, std::uint64_t visit, double seconds = 1.0) 
   PointReport result;
   result.line = line;
   result.visit = visit;
-  result.status = solve::PointStatus::done;
+  result.status = point::PointStatus::done;
   result.final_state = end_of(line, visit);
   result.seconds = seconds;
   return result;
@@ -53,7 +53,8 @@ PointReport report(std::size_t line, std::uint64_t visit, double seconds = 1.0) 
 /// Checks on the way that each point is computed once and that a sweep's states go from point to point.
 class PlayedJob {
  public:
-  PlayedJob(const scene::Scene& scene, int ranks) : grid_(scene), ranks_(static_cast<std::size_t>(ranks)) {}
+  PlayedJob(const settings::Scene& scene, int ranks)
+      : grid_(scene), ranks_(static_cast<std::size_t>(ranks)) {}
 
   /// Time when the last point is done; `cost` gives a point's seconds.
   double play(const std::function<double(std::size_t line, std::uint64_t visit)>& cost) {
@@ -117,12 +118,12 @@ double equal_cost(std::size_t, std::uint64_t) {
 }
 
 TEST(Schedule, SevenEqualLinesKeepTwoRanksBusyToTheEnd) {
-  PlayedJob job(lines_of_points(7, 200, scene::Sweep::up), 2);
+  PlayedJob job(lines_of_points(7, 200, settings::Sweep::up), 2);
   EXPECT_LE(job.play(equal_cost), 700.0 + 2.0);
 }
 
 TEST(Schedule, ThreeLinesKeepTwoRanksBusyToTheEnd) {
-  PlayedJob job(lines_of_points(3, 1000, scene::Sweep::down), 2);
+  PlayedJob job(lines_of_points(3, 1000, settings::Sweep::down), 2);
   EXPECT_LE(job.play(equal_cost), 1500.0 + 2.0);
 }
 
@@ -140,7 +141,7 @@ TEST(Schedule, LinesOfUnequalCostKeepRanksBusyToTheEnd) {
     longest_line = std::max(longest_line, sum);
   }
   for (const int ranks : {2, 3}) {
-    PlayedJob job(lines_of_points(7, 200, scene::Sweep::up), ranks);
+    PlayedJob job(lines_of_points(7, 200, settings::Sweep::up), ranks);
     // No schedule can be shorter than this.
     EXPECT_LE(job.play(cost), 1.02 * std::max(total / ranks, longest_line));
   }
@@ -148,24 +149,24 @@ TEST(Schedule, LinesOfUnequalCostKeepRanksBusyToTheEnd) {
 
 TEST(Schedule, ALineThatTurnsOutToBeLongIsNotLeftToTheEnd) {
   const auto cost = [](std::size_t line, std::uint64_t) { return line == 5 ? 5.0 : 1.0; };
-  PlayedJob job(lines_of_points(6, 200, scene::Sweep::up), 2);
+  PlayedJob job(lines_of_points(6, 200, settings::Sweep::up), 2);
   // Five lines of 200 beside one of 1000, whose cost nobody knows beforehand: whole lines in their order
   // would take 1400, and with all costs known two ranks could be through at 1000.
   EXPECT_LE(job.play(cost), 1100.0);
 }
 
 TEST(Schedule, IndependentPointsOfOneLineAreSharedByAllRanks) {
-  PlayedJob job(lines_of_points(1, 1000, scene::Sweep::independent), 4);
+  PlayedJob job(lines_of_points(1, 1000, settings::Sweep::independent), 4);
   EXPECT_LE(job.play(equal_cost), 250.0 + 2.0);
 }
 
 TEST(Schedule, BothDirectionsAreLinesOfTheirOwn) {
-  PlayedJob job(lines_of_points(2, 100, scene::Sweep::both), 3);
+  PlayedJob job(lines_of_points(2, 100, settings::Sweep::both), 3);
   EXPECT_LE(job.play(equal_cost), 400.0 / 3.0 + 3.0);
 }
 
 TEST(Schedule, ALineRunsOnOneRankAtATime) {
-  const plan::Grid grid(lines_of_points(1, 50, scene::Sweep::up));
+  const plan::Grid grid(lines_of_points(1, 50, settings::Sweep::up));
   Schedule schedule(grid, std::vector<std::uint8_t>(50, 0), never, 2);
   EXPECT_TRUE(schedule.next(0).has_value());
   EXPECT_FALSE(schedule.next(1).has_value()) << "its next point needs the state that rank 0 is computing";
@@ -173,13 +174,13 @@ TEST(Schedule, ALineRunsOnOneRankAtATime) {
 }
 
 TEST(Schedule, APieceBehindAFailedPointStartsFromInitial) {
-  const plan::Grid grid(lines_of_points(1, 50, scene::Sweep::up));
+  const plan::Grid grid(lines_of_points(1, 50, settings::Sweep::up));
   Schedule schedule(grid, std::vector<std::uint8_t>(50, 0), never, 1);
   const auto first = schedule.next(0);
   ASSERT_TRUE(first);
   for (std::uint64_t visit = 0; visit < first->count; ++visit) {
     auto ended = report(0, visit);
-    if (visit + 1 == first->count) ended.status = solve::PointStatus::left_validity;
+    if (visit + 1 == first->count) ended.status = point::PointStatus::left_validity;
     schedule.record(ended);
   }
   const auto second = schedule.next(0);
@@ -189,7 +190,7 @@ TEST(Schedule, APieceBehindAFailedPointStartsFromInitial) {
 }
 
 TEST(Schedule, AResumedLineGoesOnFromTheStoredStateOfADonePoint) {
-  const plan::Grid grid(lines_of_points(1, 6, scene::Sweep::down));
+  const plan::Grid grid(lines_of_points(1, 6, settings::Sweep::down));
   // Points in order of speed; the sweep comes from above: done, failed, pending, pending, done, pending.
   const std::vector<std::uint8_t> status{0, 1, 0, 0, 2, 1};
   Schedule schedule(
@@ -213,14 +214,14 @@ TEST(Schedule, AResumedLineGoesOnFromTheStoredStateOfADonePoint) {
 }
 
 TEST(Schedule, NothingIsHandedOutWhereNothingIsPending) {
-  const plan::Grid grid(lines_of_points(2, 3, scene::Sweep::up));
+  const plan::Grid grid(lines_of_points(2, 3, settings::Sweep::up));
   Schedule schedule(grid, std::vector<std::uint8_t>{1, 1, 2, 3, 1, 1}, never, 2);
   EXPECT_EQ(schedule.unassigned(), 0U);
   EXPECT_FALSE(schedule.next(0).has_value());
 }
 
 TEST(Schedule, WithManyLinesARankStaysWithItsOwn) {
-  const plan::Grid grid(lines_of_points(50, 100, scene::Sweep::up));
+  const plan::Grid grid(lines_of_points(50, 100, settings::Sweep::up));
   Schedule schedule(grid, std::vector<std::uint8_t>(5000, 0), never, 2);
   const auto first = schedule.next(0);
   for (std::uint64_t visit = 0; visit < first->count; ++visit) schedule.record(report(first->line, visit));
@@ -228,7 +229,7 @@ TEST(Schedule, WithManyLinesARankStaysWithItsOwn) {
 }
 
 TEST(Schedule, TheTimeLeftIsExpectedFromWhatOtherLinesTook) {
-  const plan::Grid grid(lines_of_points(2, 4, scene::Sweep::up));
+  const plan::Grid grid(lines_of_points(2, 4, settings::Sweep::up));
   Schedule schedule(grid, std::vector<std::uint8_t>(8, 0), never, 1);
   // The first line took 1, 1, 1, 9 seconds; the second is expected to take the same.
   for (std::uint64_t visit = 0; visit < 4; ++visit) schedule.record(report(0, visit, visit == 3 ? 9.0 : 1.0));

@@ -20,8 +20,8 @@ double value_of(Observable& observable) {
   return row[0];
 }
 
-scene::Scene scene_of(int revolutions) {
-  scene::Scene scene;
+settings::Scene scene_of(int revolutions) {
+  settings::Scene scene;
   scene.protocol.sampled_revolutions = revolutions;
   return scene;
 }

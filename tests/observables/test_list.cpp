@@ -8,14 +8,14 @@
 
 #include "observables/list.hpp"
 #include "observables/recorder.hpp"
-#include "scene/observable_names.hpp"
+#include "settings/observable_names.hpp"
 #include "synthetic_motion.hpp"
 
 namespace rubatlas::observables {
 namespace {
 
-scene::Scene scene_with(const std::vector<std::string>& observables) {
-  scene::Scene scene;
+settings::Scene scene_with(const std::vector<std::string>& observables) {
+  settings::Scene scene;
   scene.blades.count = 4;
   scene.protocol.transient_revolutions = 20;
   scene.protocol.sampled_revolutions = 5;
@@ -26,7 +26,7 @@ scene::Scene scene_with(const std::vector<std::string>& observables) {
 }
 
 std::vector<std::string> all_names() {
-  const auto names = scene::observable_names();
+  const auto names = settings::observable_names();
   return {names.begin(), names.end()};
 }
 
@@ -48,7 +48,7 @@ TEST(List, HoldsOnlyWhatTheSceneAsksForInTheListsOrder) {
 }
 
 TEST(List, RowSizesAreTheProductsOfTheirAxes) {
-  const scene::Scene scene = scene_with(all_names());
+  const settings::Scene scene = scene_with(all_names());
   const auto axes = inner_axes(scene);
   for (const Description& description : descriptions(scene)) {
     std::size_t product = 1;
@@ -92,7 +92,7 @@ TEST(List, ComponentsAreAlwaysThereForTheFinalState) {
 }
 
 TEST(Recorder, RowsAreThoseOfTheDescriptionsAndFilledByTheMotion) {
-  const scene::Scene scene = scene_with(all_names());
+  const settings::Scene scene = scene_with(all_names());
   const PointConstants point = point_at(0.5, scene.blades.count);
   Recorder recorder(scene);
   recorder.begin(point);
@@ -129,7 +129,7 @@ TEST(Recorder, RowsAreThoseOfTheDescriptionsAndFilledByTheMotion) {
 }
 
 TEST(Recorder, RowsOfAPointThatDidNotEndAreNotNumbers) {
-  const scene::Scene scene = scene_with(all_names());
+  const settings::Scene scene = scene_with(all_names());
   Recorder recorder(scene);
   recorder.begin(point_at(0.5, scene.blades.count));
   recorder.touch_down();

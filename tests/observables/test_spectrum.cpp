@@ -12,15 +12,15 @@ namespace {
 
 constexpr int kRevolutions = 10;
 
-scene::Scene scene_of(int samples_per_revolution, int max_order) {
-  scene::Scene scene;
+settings::Scene scene_of(int samples_per_revolution, int max_order) {
+  settings::Scene scene;
   scene.protocol.sampled_revolutions = kRevolutions;
   scene.protocol.samples_per_revolution = samples_per_revolution;
   scene.spectrum.max_order = max_order;
   return scene;
 }
 
-std::vector<double> spectrum_of(const scene::Scene& scene, double speed_ratio,
+std::vector<double> spectrum_of(const settings::Scene& scene, double speed_ratio,
                                 const std::function<State(double)>& motion) {
   SpectrumOfDisplacement spectrum(scene);
   feed(spectrum, point_at(speed_ratio, 3), kRevolutions, motion);
@@ -55,7 +55,7 @@ TEST(SpectrumOfDisplacement, ReachesTheNyquistOrder) {
 }
 
 TEST(SpectrumOfDisplacement, ForgetsThePointBefore) {
-  const scene::Scene scene = scene_of(64, 4);
+  const settings::Scene scene = scene_of(64, 4);
   SpectrumOfDisplacement spectrum(scene);
   std::vector<double> row(41);
   for (const double size : {5.0, 1e-3}) {

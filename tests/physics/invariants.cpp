@@ -5,16 +5,17 @@
 #include <cmath>
 #include <numbers>
 
-#include "solve/line_solver.hpp"
+#include "assembly/make_line_solver.hpp"
+#include "point/line_solver.hpp"
 
 namespace rubatlas::test {
 namespace {
 
-using solve::PointStatus;
-using solve::SectionState;
+using point::PointStatus;
+using point::SectionState;
 
-scene::Scene default_scene(scene::ContactLaw law) {
-  scene::Scene scene;
+settings::Scene default_scene(settings::ContactLaw law) {
+  settings::Scene scene;
   scene.contact.law = law;
   scene.observables = {"poincare", "poincare_blade_passing", "max_displacement"};
   scene.protocol = {0, 6, 64};
@@ -22,22 +23,22 @@ scene::Scene default_scene(scene::ContactLaw law) {
   return scene;
 }
 
-solve::PointOutcome run(const scene::Scene& scene, double speed_ratio, const SectionState& start) {
+point::PointOutcome run(const settings::Scene& scene, double speed_ratio, const SectionState& start) {
   const plan::PointParameters line{speed_ratio, scene.rotor.damping_ratio, scene.contact.friction,
                                    scene.unbalance ? scene.unbalance->moment : 0.0, scene.blades.thickness};
-  return solve::make_line_solver(scene, line, solve::make_blade_tables())->run(speed_ratio, start);
+  return assembly::make_line_solver(scene, line, assembly::make_blade_tables())->run(speed_ratio, start);
 }
 
 SectionState section(const std::vector<double>& row, std::size_t index) {
   return {row[4 * index], row[4 * index + 1], row[4 * index + 2], row[4 * index + 3]};
 }
 
-class Invariants : public ::testing::TestWithParam<scene::ContactLaw> {};
+class Invariants : public ::testing::TestWithParam<settings::ContactLaw> {};
 
 TEST_P(Invariants, PhaseVolumeContractsByTheDampingAlone) {
   // det of the section map's Jacobian = e^{−4ζT}: forces depend on position only. Central differences with
   // two step sizes and Richardson's extrapolation; no slip reverses here.
-  scene::Scene scene = default_scene(GetParam());
+  settings::Scene scene = default_scene(GetParam());
   scene.rotor.damping_ratio = 0.05;
   scene.protocol.sampled_revolutions = 1;
   const double speed = 0.62;
@@ -72,8 +73,8 @@ TEST_P(Invariants, PhaseVolumeContractsByTheDampingAlone) {
 }
 
 TEST_P(Invariants, TwiceTheMassStiffnessAndUnbalanceMovesTheSame) {
-  scene::Scene scene = default_scene(GetParam());
-  scene.unbalance = scene::Unbalance{1e-4, 0.3};
+  settings::Scene scene = default_scene(GetParam());
+  scene.unbalance = settings::Unbalance{1e-4, 0.3};
   const auto once = run(scene, 0.62, {});
   scene.rotor.mass *= 2.0;
   scene.blades.youngs_modulus *= 2.0;
@@ -86,8 +87,8 @@ TEST_P(Invariants, TwiceTheMassStiffnessAndUnbalanceMovesTheSame) {
 }
 
 TEST_P(Invariants, TwiceTheLengthsAreTwiceTheMotion) {
-  scene::Scene scene = default_scene(GetParam());
-  scene.unbalance = scene::Unbalance{1e-4, 0.3};
+  settings::Scene scene = default_scene(GetParam());
+  scene.unbalance = settings::Unbalance{1e-4, 0.3};
   const auto once = run(scene, 0.62, {});
   // EI × 2³ with L × 2 keeps F/L: E b h³/12 with b, h doubled is 2⁴ EI.
   scene.blades.length *= 2.0;
@@ -107,7 +108,7 @@ TEST_P(Invariants, TwiceTheLengthsAreTwiceTheMotion) {
 
 TEST_P(Invariants, WithoutUnbalanceEveryBladePassingIsASection) {
   // Blades are equal: starting blade 1 where blade 3 stood gives the same motion one passing later.
-  const scene::Scene scene = default_scene(GetParam());
+  const settings::Scene scene = default_scene(GetParam());
   const auto outcome = run(scene, 0.4, {1e-3, 0.0, 0.0, 1e-3});
   ASSERT_EQ(outcome.status, PointStatus::done);
   const auto shifted = run(scene, 0.4, section(outcome.rows[1], 0));
@@ -120,7 +121,7 @@ TEST_P(Invariants, WithoutUnbalanceEveryBladePassingIsASection) {
 }
 
 TEST_P(Invariants, AMotionContinuedFromItsSectionIsTheSameMotion) {
-  scene::Scene scene = default_scene(GetParam());
+  settings::Scene scene = default_scene(GetParam());
   const auto whole = run(scene, 0.62, {});
   scene.protocol.sampled_revolutions = 3;
   const auto first = run(scene, 0.62, {});
@@ -132,9 +133,11 @@ TEST_P(Invariants, AMotionContinuedFromItsSectionIsTheSameMotion) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, Invariants,
-                         ::testing::Values(scene::ContactLaw::elastica, scene::ContactLaw::elastic_ring),
+                         ::testing::Values(settings::ContactLaw::elastica,
+                                           settings::ContactLaw::elastic_ring),
                          [](const auto& instance) {
-                           return instance.param == scene::ContactLaw::elastica ? "elastica" : "elastic_ring";
+                           return instance.param == settings::ContactLaw::elastica ? "elastica"
+                                                                                   : "elastic_ring";
                          });
 
 }  // namespace

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "solve/line_solver.hpp"
+#include "assembly/make_line_solver.hpp"
+#include "point/line_solver.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -16,7 +17,7 @@ using State = std::array<double, 4>;
 /// MODEL 1, 2, 4.3 and 4.7 literally; no part of the solver is used.
 class PlainRotor {
  public:
-  PlainRotor(const scene::Scene& scene, double speed_ratio) : scene_(scene), speed_(speed_ratio) {}
+  PlainRotor(const settings::Scene& scene, double speed_ratio) : scene_(scene), speed_(speed_ratio) {}
 
   State after(int revolutions, int steps_per_revolution) const {
     State z{};
@@ -38,7 +39,7 @@ class PlainRotor {
   }
 
   [[nodiscard]] State rate(const State& z, double time) const {
-    const scene::Rotor& rotor = scene_.rotor;
+    const settings::Rotor& rotor = scene_.rotor;
     double fx = 0.0;
     double fy = 0.0;
     for (int k = 0; k < scene_.blades.count; ++k) {
@@ -62,23 +63,24 @@ class PlainRotor {
             fy * unit - 2.0 * rotor.damping_ratio * z[3] - z[1] + forcing * std::sin(phase)};
   }
 
-  scene::Scene scene_;
+  settings::Scene scene_;
   double speed_;
 };
 
 TEST(PlainRotor, AgreesOnRigidBladesInAnElasticRing) {
   for (const int blades : {3, 4, 7}) {
-    scene::Scene scene;
-    scene.contact.law = scene::ContactLaw::elastic_ring;
+    settings::Scene scene;
+    scene.contact.law = settings::ContactLaw::elastic_ring;
     scene.blades.count = blades;
-    scene.unbalance = scene::Unbalance{1e-4, 0.7};
+    scene.unbalance = settings::Unbalance{1e-4, 0.7};
     scene.observables = {"poincare"};
     scene.protocol = {0, 3, 64};
     scene.accuracy.tolerance = 1e-12;
     const double speed = 0.45;
     const plan::PointParameters line{speed, 0.1, 0.1, 1e-4, 0.001};
-    const auto outcome = solve::make_line_solver(scene, line, solve::make_blade_tables())->run(speed, {});
-    ASSERT_EQ(outcome.status, solve::PointStatus::done);
+    const auto outcome =
+        assembly::make_line_solver(scene, line, assembly::make_blade_tables())->run(speed, {});
+    ASSERT_EQ(outcome.status, point::PointStatus::done);
     ASSERT_GT(outcome.work.touchdowns, 3U);
     ASSERT_EQ(outcome.work.slip_reversals, 0U);
     const State plain = PlainRotor(scene, speed).after(3, 800000);

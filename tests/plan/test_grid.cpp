@@ -5,16 +5,16 @@
 #include <string>
 
 #include "plan/grid.hpp"
-#include "scene/reader.hpp"
+#include "settings/reader.hpp"
 
 namespace rubatlas::plan {
 namespace {
 
 Grid grid_of(const std::string& sweep) {
   return Grid(
-      scene::parse_scene(R"({"grid": {"speed_ratio": [0.1, 0.2, 0.3, 0.4], "damping_ratio": [0.05, 0.1],
+      settings::parse_scene(R"({"grid": {"speed_ratio": [0.1, 0.2, 0.3, 0.4], "damping_ratio": [0.05, 0.1],
                                      "friction": [0, 0.1, 0.2], "thickness": [0.001, 0.002]}, "sweep": ")" +
-                         sweep + "\"}"));
+                            sweep + "\"}"));
 }
 
 const std::vector<std::string> kSweeps{"up", "down", "both", "independent"};

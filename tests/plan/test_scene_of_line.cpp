@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "scene/quantity.hpp"
-#include "scene/reader.hpp"
+#include "settings/quantity.hpp"
+#include "settings/reader.hpp"
 
 namespace rubatlas::plan {
 namespace {
@@ -16,9 +16,9 @@ const std::string kAxes =
     R"("speed_ratio": [0.1, 0.2], "damping_ratio": [0.05, 0.1], "thickness": [0.001, 0.002],
   "/rotor/mass": [1, 2, 3], "/ring/stiffness": [1e3, 1e4])";
 
-scene::Scene scene_with(const std::string& more_axes, const std::string& sweep = "up") {
-  return scene::parse_scene(R"({"contact": {"law": "elastic_ring"}, "grid": {)" + kAxes + more_axes +
-                            R"(}, "sweep": ")" + sweep + "\"}");
+settings::Scene scene_with(const std::string& more_axes, const std::string& sweep = "up") {
+  return settings::parse_scene(R"({"contact": {"law": "elastic_ring"}, "grid": {)" + kAxes + more_axes +
+                               R"(}, "sweep": ")" + sweep + "\"}");
 }
 
 TEST(PointerAxesOnTheGrid, StandBetweenDirectionAndThickness) {
@@ -29,7 +29,7 @@ TEST(PointerAxesOnTheGrid, StandBetweenDirectionAndThickness) {
                                              "unbalance", "friction", "damping_ratio", "speed_ratio"}));
   EXPECT_EQ(grid.shape(), (std::vector<std::size_t>{2, 2, 3, 2, 1, 1, 2, 2}));
   EXPECT_EQ(grid.axes()[1].units, "N/m");
-  EXPECT_EQ(grid.axes()[1].long_name, scene::quantity("/ring/stiffness").meaning);
+  EXPECT_EQ(grid.axes()[1].long_name, settings::quantity("/ring/stiffness").meaning);
   EXPECT_EQ(grid.line_count(), 48U);
 }
 
@@ -64,12 +64,12 @@ TEST(PointerAxesOnTheGrid, ParametersAndTheirValuesAreTheSame) {
 }
 
 TEST(SceneOfLine, HasEveryValueOfTheLine) {
-  const scene::Scene scene =
+  const settings::Scene scene =
       scene_with(R"(, "friction": [0, 0.3], "unbalance": [0, 1e-5], "/unbalance/phase": [1, 2])");
   const Grid grid(scene);
   for (std::size_t line = 0; line < grid.line_count(); ++line) {
     const auto parameters = grid.parameters(grid.point(line, 0));
-    const scene::Scene own = scene_of_line(scene, parameters);
+    const settings::Scene own = scene_of_line(scene, parameters);
     EXPECT_EQ(own.ring.stiffness, parameters.swept[0]);
     EXPECT_EQ(own.rotor.mass, parameters.swept[1]);
     EXPECT_EQ(own.blades.thickness, parameters.thickness);
@@ -85,9 +85,9 @@ TEST(SceneOfLine, HasEveryValueOfTheLine) {
 
 TEST(SceneOfLine, LeavesASceneWithoutSweptQuantitiesAsItIs) {
   const auto scene =
-      scene::parse_scene(R"({"grid": {"speed_ratio": [0.1, 0.2]}, "unbalance": {"moment": 1e-5}})");
+      settings::parse_scene(R"({"grid": {"speed_ratio": [0.1, 0.2]}, "unbalance": {"moment": 1e-5}})");
   const auto own = scene_of_line(scene, Grid(scene).parameters(1));
-  EXPECT_EQ(scene::resolved_json(own), scene::resolved_json(scene));
+  EXPECT_EQ(settings::resolved_json(own), settings::resolved_json(scene));
 }
 
 TEST(SceneOfLine, RefusesALineOfAnotherGrid) {

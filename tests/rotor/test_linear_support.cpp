@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "effects/harmonic.hpp"
 #include "random_support.hpp"
 #include "rotor/free_motion.hpp"
+#include "rotor/harmonic.hpp"
 #include "rotor/linear_support.hpp"
 #include "rotor/support_matrices.hpp"
 
@@ -56,7 +56,7 @@ TEST(LinearSupport, UnbalancedIsotropicSupportIsTheJeffcottRotorAtResonanceToo) 
     for (const double speed : {0.05, 0.62, 1 - 1e-9, 1.0, 1 + 1e-12, 3.0}) {
       const LinearSupport support = isotropic(damping, {{std::polar(moment * speed * speed, phase), speed}});
       const FreeMotion free(damping);
-      const effects::RotatingUnbalance unbalance(moment, phase, speed, damping);
+      const rotor::RotatingUnbalance unbalance(moment, phase, speed, damping);
       for (const double start : {0.0, 1.3, 5.0}) {
         for (const double elapsed : {1e-3, 0.3, 2.0, 10.0, 60.0, 300.0}) {
           const auto response = unbalance.from_rest(start, elapsed, free, free.kernel(elapsed));

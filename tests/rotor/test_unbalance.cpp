@@ -6,11 +6,11 @@
 #include <complex>
 #include <numbers>
 
-#include "effects/harmonic.hpp"
 #include "exact_motion.hpp"
 #include "rotor/free_motion.hpp"
+#include "rotor/harmonic.hpp"
 
-namespace rubatlas::effects {
+namespace rubatlas::test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -22,7 +22,7 @@ constexpr double kPhase = 0.7;            ///< γ [rad]
 
 Motion from_rest(double speed_ratio, double damping_ratio, double start, double elapsed) {
   const FreeMotion free(damping_ratio);
-  const RotatingUnbalance unbalance(kSpecificMoment, kPhase, speed_ratio, damping_ratio);
+  const rotor::RotatingUnbalance unbalance(kSpecificMoment, kPhase, speed_ratio, damping_ratio);
   const auto response = unbalance.from_rest(start, elapsed, free, free.kernel(elapsed));
   return {response.position, response.velocity};
 }
@@ -145,7 +145,7 @@ TEST(Unbalance, AccelerationIsTheForcingOfTheResponse) {
   // Second difference of the response: z'' + 2ζ z' + z is the acceleration that the effect states.
   const double speed = 0.62;
   const double damping = 0.1;
-  const RotatingUnbalance unbalance(kSpecificMoment, kPhase, speed, damping);
+  const rotor::RotatingUnbalance unbalance(kSpecificMoment, kPhase, speed, damping);
   EXPECT_EQ(unbalance.amplitude(), kSpecificMoment * speed * speed);
   for (const double elapsed : {0.5, 2.0, 9.0}) {
     const double step = 1e-3;
@@ -161,4 +161,4 @@ TEST(Unbalance, AccelerationIsTheForcingOfTheResponse) {
 }
 
 }  // namespace
-}  // namespace rubatlas::effects
+}  // namespace rubatlas::test

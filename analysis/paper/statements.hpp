@@ -1,0 +1,70 @@
+/// The paper's statements (paper_statements.hpp), each judged on what an atlas shows.
+///
+/// A statement is a list of findings, each true, false, or not covered by the atlas, and each with the
+/// numbers it rests on. It agrees when all findings that are covered are true, disagrees when all are false,
+/// else it holds partly. The thresholds are below, their reasons in the README of this folder, "Statements".
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/paper/evidence.hpp"
+#include "analysis/paper/paper_statements.hpp"
+
+namespace rubatlas::analysis {
+
+/// "At 1/3", "at 2/3", "right after": within this of it, in scaled speed.
+constexpr double kSamePlace = 0.02;
+/// Regions follow on each other, and "locally" is, within this scaled speed: one running window
+/// (regions.hpp).
+constexpr double kNextTo = 0.05;
+/// A region is periodic up to this share of aperiodic points.
+constexpr double kPeriodicShare = 0.05;
+/// A displacement is small next to another below this ratio.
+constexpr double kSmall = 0.1;
+
+enum class Verdict : std::uint8_t { not_covered, agrees, partly, disagrees };
+[[nodiscard]] std::string_view text_of(Verdict verdict);
+
+/// One claim of a statement; no value: the atlas does not cover it.
+struct Finding {
+  std::optional<bool> holds;
+  std::string evidence;
+  std::string claim{};  ///< what is found or not, the same for every atlas: a row of the statement map
+  std::string brief{};  ///< the number that it rests on, for a cell of that map; may be empty
+};
+
+struct Statement {
+  std::string_view name;  ///< P1 … P16
+  std::vector<Finding> findings;
+  Setting setting{};  ///< the values of the open axes that it was judged at
+
+  [[nodiscard]] std::string_view claim() const { return claim_of(name); }
+  [[nodiscard]] Verdict verdict() const;
+};
+
+/// P1 to P4: one line, that of the default rotor.
+std::vector<Statement> judge_default_rotor(const Evidence& evidence);
+/// P5 to P8: along damping, friction and unbalance, all else as in the default rotor.
+std::vector<Statement> judge_parameters(const Evidence& evidence);
+/// P12: the default rotor with another number of blades.
+Statement judge_blade_count(const Evidence& evidence);
+/// P13: the default rotor along the ring's stiffness.
+Statement judge_ring_stiffness(const Evidence& evidence);
+/// P10 and P14: one line, that of the test rig.
+std::vector<Statement> judge_test_rig(const Evidence& evidence);
+/// P9 and P15: the test rig along thickness, clearance and misalignment.
+std::vector<Statement> judge_thin_blades(const Evidence& evidence);
+/// P16: the rig's blade alone, from its closed form (MODEL 3.2).
+Statement judge_blade_curve(const Evidence& evidence);
+
+/// P1 to P10 and P12 to P16, each once per setting of what is open in its rotor; those that need no setting
+/// first, then setting by setting, in the order of their numbers.
+std::vector<Statement> judge_statements(const settings::Scene& scene, std::span<const Parameter> parameters,
+                                        std::span<const LineSummary> lines, bool per_passing);
+
+}  // namespace rubatlas::analysis

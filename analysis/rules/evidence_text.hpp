@@ -1,0 +1,18 @@
+/// How the findings of the statements speak of regions and triggers.
+#pragma once
+
+#include <string>
+
+#include "analysis/rules/regions.hpp"
+#include "analysis/rules/triggers.hpp"
+
+namespace rubatlas::analysis {
+
+/// "0.352-0.598"; an end at a gap of the line, where the region may go on, in parentheses: "0.352-(0.454)".
+std::string extent_text(const Region& region);
+/// "region 2: 0.352-0.598, 87 % aperiodic, peak 15.4 mm", or "region 2: absent".
+std::string region_text(int number, const Region& region);
+/// "trigger 1: at 0.331, 0.1 mm to 3.2 mm (×32)", or "trigger 1: absent".
+std::string trigger_text(int number, const Trigger& trigger);
+
+}  // namespace rubatlas::analysis

@@ -1,0 +1,44 @@
+/// One line of an atlas as the rules see it: what the motion is, and how large, along the speed ratio.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "analysis/rules/class.hpp"
+
+namespace rubatlas::analysis {
+
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+
+/// All vectors have one entry per speed, ascending in Ω.
+struct Line {
+  std::vector<double> speed_ratio;               ///< Ω [-]
+  std::vector<std::uint8_t> motion;              ///< class per revolution
+  std::vector<std::uint8_t> motion_per_passing;  ///< class per blade passing; empty where the atlas has none
+  std::vector<double> max_displacement;          ///< [m]; NaN where the point is not done
+
+  [[nodiscard]] std::size_t size() const { return speed_ratio.size(); }
+};
+
+/// The rules speak of the scaled speed Ω n/3, at which the two triggers of n blades lie at 1/3 and 2/3.
+class SpeedScale {
+ public:
+  explicit SpeedScale(int blade_count) : blades_(blade_count) {}
+  [[nodiscard]] double scaled(double speed_ratio) const { return speed_ratio * blades_ / 3.0; }
+  [[nodiscard]] double speed_ratio(double scaled) const { return scaled * 3.0 / blades_; }
+
+ private:
+  double blades_;
+};
+
+/// Whether a region or a trigger is there. The numbers are those of the flags in MAPS.h5.
+enum class Presence : std::uint8_t {
+  not_covered = 0,  ///< the line has no points where it would have to be
+  absent = 1,
+  present = 2,
+  merged = 3,  ///< region 4 only: region 2 goes on through it
+};
+
+}  // namespace rubatlas::analysis

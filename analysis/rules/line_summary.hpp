@@ -1,0 +1,30 @@
+/// What the rules find on one line of an atlas, with the parameters that the line has.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "analysis/rules/doublings.hpp"
+#include "analysis/rules/line.hpp"
+#include "analysis/rules/regions.hpp"
+#include "analysis/rules/triggers.hpp"
+
+namespace rubatlas::analysis {
+
+struct LineSummary {
+  Line line;                       ///< what the rules were applied to
+  std::vector<double> parameters;  ///< one per axis of the atlas without `speed_ratio`, in their order
+  std::array<Trigger, 2> triggers;
+  std::array<Region, 4> regions;
+  /// On the map over a blade passing where the atlas has it, else over a revolution.
+  std::vector<PeriodDoubling> doublings;
+  double first_speed = kNotANumber;  ///< Ω [-] of the first point that has a class
+  double last_speed = kNotANumber;
+  double speed_step = kNotANumber;  ///< mean distance of points that have a class
+};
+
+/// Applies all rules to a line. `floor` as in `find_triggers`.
+LineSummary summarise(Line line, std::vector<double> parameters, SpeedScale scale, double floor);
+
+}  // namespace rubatlas::analysis

@@ -1,0 +1,144 @@
+#include "mpi/accuracy/accuracy_settings.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mpi/exit_code.hpp"
+#include "settings/nearest.hpp"
+#include "settings/quantity.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+using atlas::AccuracySetting;
+
+/// The reference is this much tighter than the tightest run that is compared with it.
+constexpr double kReferenceFactor = 10.0;
+constexpr std::string_view kReferenceMethod = "hybrid";
+/// The one method without error control.
+constexpr std::string_view kFixedStep = "fixed";
+
+/// A tolerance finer than the jumps of a force in steps rejects most of them, and an increment finer than the
+/// tolerance needs is wasted: the two are refined together.
+struct ToleranceAndIncrement {
+  double tolerance;
+  double force_increment;  ///< dF [N]
+};
+constexpr std::array kUsualWithIncrement{ToleranceAndIncrement{1e-4, 1.0}, ToleranceAndIncrement{1e-5, 1.0},
+                                         ToleranceAndIncrement{1e-5, 0.1}, ToleranceAndIncrement{1e-6, 0.1}};
+
+/// True when the scene's own table says that a method reads this knob.
+bool reads(std::string_view method, std::string_view pointer) {
+  const auto& quantity = settings::quantity(pointer);
+  return quantity.chooser.empty() ||
+         std::find(quantity.readers.begin(), quantity.readers.end(), method) != quantity.readers.end();
+}
+
+void require_known(const std::string& method) {
+  const auto known = accuracy_methods();
+  if (std::find(known.begin(), known.end(), method) != known.end()) return;
+  throw UsageError(fmt::format("--methods {}: not one of {}; nearest: {}", method, fmt::join(known, ", "),
+                               settings::nearest(method, known)));
+}
+
+/// The values, or the usual ones where none are given; each within the range of its key in a scene.
+const std::vector<double>& ladder(const std::vector<double>& values, const std::vector<double>& usual,
+                                  std::string_view option, std::string_view pointer) {
+  const settings::Quantity& quantity = settings::quantity(pointer);
+  for (const double value : values) {
+    if (!quantity.range.contains(value)) {
+      throw UsageError(
+          fmt::format("{} {}: outside {}; {}", option, value, quantity.range.text(), quantity.meaning));
+    }
+  }
+  return values.empty() ? usual : values;
+}
+
+/// The reference has to be possible too.
+void require_room_for_the_reference(const std::vector<double>& tolerances) {
+  const double least = settings::quantity("/accuracy/tolerance").range.low * kReferenceFactor;
+  for (const double tolerance : tolerances) {
+    if (tolerance < least) {
+      throw UsageError(fmt::format("--tolerances {}: below {}; the reference run is {} times tighter",
+                                   tolerance, least, kReferenceFactor));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string_view> accuracy_methods() {
+  const auto words = settings::quantity("/accuracy/method").choices;
+  return {words.begin(), words.end()};
+}
+
+std::vector<AccuracySetting> accuracy_settings(const AccuracyLadders& ladders, const settings::Scene& scene) {
+  static const AccuracyLadders kUsual{.methods = {},
+                                      .tolerances = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12},
+                                      .force_increments = {1.0, 0.1, 0.01},
+                                      .steps = {2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4}};
+  const auto& tolerances =
+      ladder(ladders.tolerances, kUsual.tolerances, "--tolerances", "/accuracy/tolerance");
+  const auto& increments = ladder(ladders.force_increments, kUsual.force_increments, "--force-increments",
+                                  "/accuracy/force_increment");
+  const auto& steps = ladder(ladders.steps, kUsual.steps, "--steps", "/accuracy/step");
+  require_room_for_the_reference(tolerances);
+  std::vector<std::string> methods = ladders.methods;
+  for (const auto& method : methods) require_known(method);
+  if (methods.empty()) {
+    for (const auto name : accuracy_methods()) methods.emplace_back(name);
+  }
+
+  const double tightest = *std::min_element(tolerances.begin(), tolerances.end());
+  std::vector<AccuracySetting> settings{
+      {.method = std::string(kReferenceMethod), .tolerance = tightest / kReferenceFactor}};
+  for (const auto& method : methods) {
+    AccuracySetting setting{.method = method};
+    if (reads(method, "/accuracy/max_step")) setting.max_step = scene.accuracy.max_step;
+    if (method == kFixedStep) {
+      for (const double step : steps) {
+        setting.step = step;
+        settings.push_back(setting);
+      }
+      continue;
+    }
+    const bool stepped_force = reads(method, "/accuracy/force_increment");
+    if (stepped_force && ladders.tolerances.empty() && ladders.force_increments.empty()) {
+      for (const auto& [tolerance, increment] : kUsualWithIncrement) {
+        setting.tolerance = tolerance;
+        setting.force_increment = increment;
+        settings.push_back(setting);
+      }
+      continue;
+    }
+    const std::vector<double> not_read{AccuracySetting::kNotRead};
+    for (const double increment : stepped_force ? increments : not_read) {
+      setting.force_increment = increment;
+      for (const double tolerance : tolerances) {
+        setting.tolerance = tolerance;
+        settings.push_back(setting);
+      }
+    }
+  }
+  return settings;
+}
+
+settings::Scene scene_with(const AccuracySetting& setting, settings::Scene scene) {
+  settings::quantity("/accuracy/method").write(scene, setting.method);
+  const auto set = [](double& knob, double value) {
+    if (std::isfinite(value)) knob = value;
+  };
+  set(scene.accuracy.tolerance, setting.tolerance);
+  set(scene.accuracy.force_increment, setting.force_increment);
+  set(scene.accuracy.max_step, setting.max_step);
+  set(scene.accuracy.step, setting.step);
+  scene.observables = {"poincare", "max_displacement"};
+  scene.validity.yield_strain.reset();
+  return scene;
+}
+
+}  // namespace rubatlas::mpi

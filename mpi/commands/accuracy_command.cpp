@@ -1,0 +1,56 @@
+#include "mpi/commands/accuracy_command.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "atlas/accuracy_file.hpp"
+#include "atlas/output.hpp"
+#include "mpi/accuracy/accuracy_settings.hpp"
+#include "mpi/accuracy/accuracy_study.hpp"
+#include "mpi/exit_code.hpp"
+#include "mpi/job/progress.hpp"
+#include "mpi/version.hpp"
+#include "plan/grid.hpp"
+#include "settings/reader.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+constexpr int kMostRepeats = 1000;
+
+void require_possible(const AccuracyCommand& command) {
+  if (command.repeats < 1 || command.repeats > kMostRepeats) {
+    throw UsageError(fmt::format("--repeats {}: outside [1, {}]; timed runs of each point", command.repeats,
+                                 kMostRepeats));
+  }
+}
+
+}  // namespace
+
+int compute_accuracy(const AccuracyCommand& command) {
+  const std::string text = settings::read_text(command.scene);
+  const settings::Scene scene = settings::parse_scene(text, command.scene.string());
+  const auto settings = accuracy_settings(command.ladders, scene);
+  require_possible(command);
+  const atlas::Output output = atlas::permitted(
+      {command.output, atlas::FileKind::accuracy, atlas::existing(command.overwrite)}, {command.scene});
+
+  Progress progress(command.progress);
+  Standing standing;
+  standing.total = settings.size() * plan::Grid(scene).point_count();
+  const auto began = std::chrono::steady_clock::now();
+  const auto after_run = [&](const atlas::AccuracyRun& run) {
+    standing.count(run.status);
+    ++standing.computed;
+    standing.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    if (progress.is_due()) progress.show(standing);
+  };
+  const auto study = study_accuracy(scene, settings, command.repeats, after_run);
+  atlas::write_accuracy(output, scene, text, study, software());
+  progress.finish(standing);
+  return standing.failed == 0 ? exit_code::kDone : exit_code::kSomePointsFailed;
+}
+
+}  // namespace rubatlas::mpi

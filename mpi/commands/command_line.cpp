@@ -1,0 +1,210 @@
+#include "mpi/commands/command_line.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "mpi/exit_code.hpp"
+#include "mpi/version.hpp"
+#include "settings/nearest.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+constexpr const char* kExamples = R"(
+Examples:
+  mpirun -n 4 rubatlas run jobs/damping.json -o damping.h5       an atlas on four cores
+  rubatlas run jobs/quick.json -o quick.h5                       the same bytes without mpirun, on one
+  mpirun -n 4 rubatlas run jobs/damping.json -o damping.h5 --resume
+                                                                 what a stopped run has left open
+  rubatlas status damping.h5                                     is it complete? exit code 75 where it is not
+  rubatlas explain jobs/damping.json                             effects, grid, bytes and time beforehand
+  rubatlas orbit jobs/rig.json --at speed_ratio=0.304 -o orbit.h5
+  rubatlas orbit jobs/damping.json --at speed_ratio=0.5,damping_ratio=0.1 --from damping.h5 -o orbit.h5
+  rubatlas analyse damping.h5 -o maps.h5 --table table.md        regions, triggers and sensitivities
+  rubatlas accuracy jobs/accuracy.json -o accuracy.h5            error against time, method by method
+  rubatlas verify damping.h5 --recompute 50                      checksums of all rows, 50 rows once more
+
+Exit codes: 0 done, every point was computed (some may have left the model: counted in the last line); 10 done,
+but some points could not be integrated; 2 wrong call or scene; 3 disk, files or MPI refused; 75 stopped on
+request, --resume goes on. Any other code is not ours: mpirun ends a job that is terminated with codes of its own.
+)";
+
+constexpr std::array<std::string_view, 7> kCommands{"run",     "status",   "explain", "orbit",
+                                                    "analyse", "accuracy", "verify"};
+/// In the order of the enumeration ProgressStyle.
+constexpr std::array<std::string_view, 4> kProgressStyles{"auto", "bar", "plain", "off"};
+
+ProgressStyle progress_style(const std::string& word) {
+  const auto found = std::find(kProgressStyles.begin(), kProgressStyles.end(), word);
+  if (found == kProgressStyles.end()) {
+    throw UsageError(fmt::format("--progress {}: not one of {}; nearest: {}", word,
+                                 fmt::join(kProgressStyles, ", "), settings::nearest(word, kProgressStyles)));
+  }
+  return static_cast<ProgressStyle>(found - kProgressStyles.begin());
+}
+
+/// A mistyped command gets a better sentence than "a subcommand is required".
+void check_command(int argument_count, const char* const* arguments) {
+  if (argument_count < 2) {
+    throw UsageError(fmt::format("no command; commands are {}; rubatlas --help shows what is possible",
+                                 fmt::join(kCommands, ", ")));
+  }
+  const std::string_view word = arguments[1];
+  if (word.starts_with('-') || std::find(kCommands.begin(), kCommands.end(), word) != kCommands.end()) return;
+  throw UsageError(fmt::format("unknown command {}; commands are {}; nearest: {}", word,
+                               fmt::join(kCommands, ", "), settings::nearest(word, kCommands)));
+}
+
+/// The library's sentence without its line breaks, and where to read on.
+std::string sentence_of(const CLI::App& program, const CLI::ParseError& error) {
+  std::string text = error.what();
+  while (!text.empty() && (text.back() == '\n' || text.back() == '.')) text.pop_back();
+  const auto chosen = program.get_subcommands();
+  const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
+  return fmt::format("{}; rubatlas{} --help shows what is possible", text, command);
+}
+
+}  // namespace
+
+Command parse_command_line(int argument_count, const char* const* arguments) {
+  check_command(argument_count, arguments);
+  CLI::App program("Atlas of the nonlinear vibrations of a misaligned rotor with rubbing blades.",
+                   "rubatlas");
+  program.set_version_flag("--version", version_text(), "Print version, commit, compiler and libraries");
+  program.require_subcommand(1);
+
+  RunOptions run_options;
+  auto* run = program.add_subcommand("run", "Compute the atlas of a scene; alone or under mpirun");
+  run->add_option("SCENE", run_options.scene, "Scene file (JSON)")->required();
+  run->add_option("-o,--output", run_options.atlas, "Atlas to write (HDF5)")->required();
+  auto* resume =
+      run->add_flag("--resume", run_options.resume, "Complete an atlas, or begin it where there is none");
+  run->add_flag("--overwrite", run_options.overwrite, "Replace an existing atlas; no other file")
+      ->excludes(resume);
+  std::string progress = "auto";
+  const auto add_progress = [&](CLI::App* command) {
+    command->add_option("--progress", progress, "auto, bar, plain or off; auto is a bar on a terminal")
+        ->type_name("STYLE");
+  };
+  add_progress(run);
+  // For comparisons: the atlas has the same bytes. In no group, so that --help does not show it.
+  run->add_option("--lanes", run_options.most_lanes)->envname("RUBATLAS_LANES")->group("");
+  // For tests that kill runs: how long finished rows wait for their statuses.
+  run->add_option("--batch-milliseconds", run_options.batch_milliseconds)->group("");
+  run->add_flag("--dry-run", run_options.dry_run, "Check scene, disk and output, explain, and stop");
+
+  StatusCommand status_command;
+  auto* status =
+      program.add_subcommand("status", "Say how far an atlas is; exit code 0, 10 or 75, as of its run");
+  status->add_option("ATLAS", status_command.atlas, "Atlas (HDF5)")->required();
+
+  ExplainCommand explain_command;
+  auto* explain = program.add_subcommand("explain", "Say what a scene would compute, and what it would cost");
+  explain->add_option("SCENE", explain_command.scene, "Scene file (JSON)")->required();
+  explain
+      ->add_option("--measure", explain_command.measured_for,
+                   fmt::format("How long points are tried and effects timed; default: {}", kMeasuredSeconds))
+      ->check(CLI::Range(0.0, 3600.0))
+      ->type_name("SECONDS");
+
+  OrbitCommand orbit_command;
+  auto* orbit =
+      program.add_subcommand("orbit", "Compute one point in full: time, state, force on each blade");
+  orbit->add_option("SCENE", orbit_command.scene, "Scene file (JSON)")->required();
+  orbit
+      ->add_option(
+          "--at", orbit_command.at,
+          "Where: name=value[,name=value]; speed_ratio, damping_ratio, friction, unbalance, thickness, "
+          "further axes of the scene's grid, direction (up or down, with --from)")
+      ->delimiter(',')
+      ->type_name("NAME=VALUE");
+  orbit->add_option("-o,--output", orbit_command.output, "Orbit to write (HDF5)")->required();
+  orbit->add_option("--from", orbit_command.from,
+                    "Atlas of the scene: start from its final state at this point");
+  orbit->add_flag("--overwrite", orbit_command.overwrite, "Replace an existing orbit; no other file");
+
+  AnalyseCommand analyse_command;
+  auto* analyse =
+      program.add_subcommand("analyse", "Classes, regions, triggers and sensitivities of an atlas");
+  analyse->add_option("ATLAS", analyse_command.atlas, "Atlas (HDF5)")->required();
+  analyse->add_option("-o,--output", analyse_command.maps, "Maps to write (HDF5)")->required();
+  analyse->add_option("--table", analyse_command.table, "Write the table to this file too (Markdown)");
+  analyse->add_flag("--overwrite", analyse_command.overwrite,
+                    "Replace existing maps and table; no other files");
+
+  AccuracyCommand accuracy_command;
+  auto* accuracy =
+      program.add_subcommand("accuracy", "Run a scene with every method and tolerance: what accuracy costs");
+  accuracy->add_option("SCENE", accuracy_command.scene, "Scene file (JSON)")->required();
+  accuracy->add_option("-o,--output", accuracy_command.output, "Study to write (HDF5)")->required();
+  AccuracyLadders& ladders = accuracy_command.ladders;
+  accuracy
+      ->add_option("--methods", ladders.methods,
+                   fmt::format("Of {}; default: all", fmt::join(accuracy_methods(), ", ")))
+      ->delimiter(',')
+      ->type_name("NAME,...");
+  const auto add_ladder = [&](const char* name, std::vector<double>& values, const char* meaning) {
+    accuracy->add_option(name, values, meaning)->delimiter(',')->type_name("VALUE,...");
+  };
+  add_ladder(
+      "--tolerances", ladders.tolerances,
+      "Default: 1e-4, 1e-5 ... 1e-12; of paper four pairs of tolerance and increment; fixed reads none");
+  add_ladder("--force-increments", ladders.force_increments, "In N, of paper, each with every tolerance");
+  add_ladder("--steps", ladders.steps, "In dimensionless time, of fixed; default: 2e-2 ... 1e-3");
+  accuracy->add_option("--repeats", accuracy_command.repeats,
+                       "Timed runs of each point, fewer where they are slow; default: 3");
+  add_progress(accuracy);
+  accuracy->add_flag("--overwrite", accuracy_command.overwrite, "Replace an existing study; no other file");
+
+  VerifyCommand verify_command;
+  auto* verify = program.add_subcommand("verify", "Check that the rows of an atlas are what was computed");
+  verify->add_option("ATLAS", verify_command.atlas, "Atlas (HDF5)")->required();
+  verify
+      ->add_option(
+          "--recompute", verify_command.recompute,
+          "Compute so many rows again, spread over the grid; the build that made them has the same bits")
+      ->type_name("ROWS");
+
+  program.footer(kExamples);
+
+  try {
+    program.parse(argument_count, arguments);
+  } catch (const CLI::CallForHelp&) {
+    return PrintCommand{program.help()};
+  } catch (const CLI::CallForVersion&) {
+    return PrintCommand{version_text()};
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(sentence_of(program, error));
+  }
+  if (run->parsed()) {
+    run_options.progress = progress_style(progress);
+    if (run_options.most_lanes < 0) {
+      throw UsageError(
+          fmt::format("--lanes {}: how many lines of a rank side by side, at most; 0 sets no bound",
+                      run_options.most_lanes));
+    }
+    if (run_options.batch_milliseconds < 0) {
+      throw UsageError(
+          fmt::format("--batch-milliseconds {}: a time, 0 at least", run_options.batch_milliseconds));
+    }
+    run_options.words.assign(arguments, arguments + argument_count);
+    return run_options;
+  }
+  if (status->parsed()) return status_command;
+  if (explain->parsed()) return explain_command;
+  if (orbit->parsed()) return orbit_command;
+  if (verify->parsed()) return verify_command;
+  if (accuracy->parsed()) {
+    accuracy_command.progress = progress_style(progress);
+    return accuracy_command;
+  }
+  return analyse_command;
+}
+
+}  // namespace rubatlas::mpi

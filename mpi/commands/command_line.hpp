@@ -1,0 +1,65 @@
+/// What the user has asked for, as typed values: the only place that knows the names of commands and flags.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "mpi/accuracy/accuracy_settings.hpp"
+#include "mpi/commands/explain.hpp"
+#include "mpi/commands/run.hpp"
+
+namespace rubatlas::mpi {
+
+/// `--help` and `--version`: a text for standard output.
+struct PrintCommand {
+  std::string text;
+};
+
+struct ExplainCommand {
+  std::filesystem::path scene;
+  double measured_for = kMeasuredSeconds;  ///< [s]: how long points are tried and effects are timed
+};
+
+struct OrbitCommand {
+  std::filesystem::path scene;
+  std::vector<std::string> at;  ///< "name=value", one per parameter
+  std::filesystem::path output;
+  std::optional<std::filesystem::path> from;  ///< an atlas whose final state is the start
+  bool overwrite = false;
+};
+
+struct AnalyseCommand {
+  std::filesystem::path atlas;
+  std::filesystem::path maps;
+  std::optional<std::filesystem::path> table;
+  bool overwrite = false;
+};
+
+struct StatusCommand {
+  std::filesystem::path atlas;
+};
+
+struct AccuracyCommand {
+  std::filesystem::path scene;
+  std::filesystem::path output;
+  AccuracyLadders ladders;
+  int repeats = 3;  ///< timed runs of each setting at each point
+  bool overwrite = false;
+  ProgressStyle progress = ProgressStyle::automatic;
+};
+
+struct VerifyCommand {
+  std::filesystem::path atlas;
+  std::size_t recompute = 0;  ///< rows that are computed again
+};
+
+using Command = std::variant<PrintCommand, RunOptions, ExplainCommand, OrbitCommand, StatusCommand,
+                             AnalyseCommand, AccuracyCommand, VerifyCommand>;
+
+/// Throws UsageError with one sentence.
+Command parse_command_line(int argument_count, const char* const* arguments);
+
+}  // namespace rubatlas::mpi

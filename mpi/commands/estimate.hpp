@@ -1,0 +1,46 @@
+/// What a scene's points cost, measured on a few of them.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "point/line_solver.hpp"
+#include "settings/scene.hpp"
+
+namespace rubatlas::mpi {
+
+/// A point that was tried, to its end or not.
+struct TriedPoint {
+  double speed_ratio = 0.0;  ///< Ω [-]
+  bool touched = false;      ///< a blade was in contact
+};
+
+struct CostEstimate {
+  std::size_t trials = 0;             ///< points tried to their end
+  std::size_t given_up = 0;           ///< and points that had not ended when the time was up
+  std::size_t left_validity = 0;      ///< of the trials, how many left the model
+  std::size_t integrator_failed = 0;  ///< and how many could not be integrated
+  double seconds_per_point = 0.0;  ///< mean, CPU time of one rank; 0 where not one revolution was completed
+  double standard_error = 0.0;     ///< of that mean [s]
+  double fastest = 0.0;            ///< [s]
+  double slowest = 0.0;            ///< [s]
+  double revolutions = 0.0;        ///< of all points tried together
+  int side_by_side = 1;            ///< lines in a batch, as one rank would have them
+  int most_revolutions = 0;        ///< of one point that was tried
+  motion::WorkCounts work;         ///< of all points tried together
+  std::vector<TriedPoint> points;  ///< in the order in which they ended
+};
+
+/// Time on the wall [s] from any zero.
+using Clock = std::function<double()>;
+double seconds_on_the_wall();
+
+/// Runs points spread over the whole grid, each from the scene's `initial`: new ones are begun for `budget`
+/// [s], and those that are still under way are given up a quarter of that later, within a revolution if it
+/// is long. Long protocols are shortened and their time scaled. Points are tried in batches where the atlas
+/// is computed so.
+CostEstimate estimate_cost(const settings::Scene& scene, double budget,
+                           const Clock& clock = seconds_on_the_wall);
+
+}  // namespace rubatlas::mpi

@@ -1,0 +1,64 @@
+#include "mpi/commands/memory_need.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "atlas/free_space.hpp"
+#include "atlas/schema.hpp"
+#include "plan/grid.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+/// Samples of a spectrum and their transform, each of half as many complex numbers [bytes].
+std::uint64_t record_bytes(const settings::Scene& scene) {
+  const auto& observables = scene.observables;
+  if (std::find(observables.begin(), observables.end(), "spectrum") == observables.end()) return 0;
+  const auto samples = static_cast<std::uint64_t>(scene.protocol.sampled_revolutions) *
+                       static_cast<std::uint64_t>(scene.protocol.samples_per_revolution);
+  return 2 * sizeof(double) * samples;
+}
+
+}  // namespace
+
+MemoryNeed memory_need(const settings::Scene& scene, std::uint64_t lines_at_hand) {
+  const plan::Grid grid(scene);
+  const atlas::Schema schema = atlas::schema_of(scene);
+  const std::uint64_t lines =
+      std::min<std::uint64_t>(lines_at_hand, grid.points_depend_on_each_other() ? grid.line_count() : 1);
+  // A point's rows are gathered, handed over and written: two copies of them at a time.
+  MemoryNeed need;
+  need.of_lines = lines * (record_bytes(scene) + 2 * schema.bytes_per_point());
+  // Its status, its end and what its effects remember, and its place in the schedule.
+  std::uint64_t of_point = sizeof(std::uint8_t) + 4 * sizeof(double) + sizeof(std::uint64_t);
+  for (const auto& memory : observables::memories(scene)) of_point += memory.row_size * sizeof(double);
+  need.of_grid = grid.point_count() * of_point;
+  return need;
+}
+
+std::uint64_t memory_of_process() {
+  auto bytes =
+      static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  for (const char* const limit :
+       {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
+    std::uint64_t allowed = 0;
+    if (std::ifstream(limit) >> allowed) bytes = std::min(bytes, allowed);  // the word "max" is no number
+  }
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
+    bytes = std::min<std::uint64_t>(bytes, limit.rlim_cur);
+  }
+  return bytes;
+}
+
+std::string memory_text(const MemoryNeed& need) {
+  return fmt::format(
+      "{} for records and rows of the lines that a rank has at hand, {} for the points of the grid",
+      atlas::readable_bytes(need.of_lines), atlas::readable_bytes(need.of_grid));
+}
+
+}  // namespace rubatlas::mpi

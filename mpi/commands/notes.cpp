@@ -1,0 +1,245 @@
+#include "mpi/commands/notes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "mpi/commands/explain_text.hpp"
+#include "mpi/commands/reach.hpp"
+#include "settings/quantity.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+/// Largest amplitude of the rotor without contact under the scene's unbalance [m] (MODEL 4.5), over the grid.
+double largest_free_amplitude(const settings::Scene& scene) {
+  double largest = 0.0;
+  const double eccentricity = scene.grid.unbalance.back() / scene.rotor.mass;
+  const double damping = scene.grid.damping_ratio.front();
+  for (const double speed : scene.grid.speed_ratio) {
+    const double detuning = std::hypot(1.0 - speed * speed, 2.0 * damping * speed);
+    if (eccentricity > 0.0) largest = std::max(largest, eccentricity * speed * speed / detuning);
+  }
+  return largest;
+}
+
+/// E of anything that a blade could be made of [Pa]: soft rubber, and beyond diamond.
+constexpr double kSoftest = 1e6;
+constexpr double kHardest = 1.5e12;
+/// A blade thicker than this share of its length is no slender beam.
+constexpr double kSlender = 0.2;
+/// Damping ratios above are more likely per cent.
+constexpr double kPerCent = 2.0;
+
+/// By which power of a thousand a Young's modulus in another unit has to be multiplied to be that of a metal.
+std::string other_unit(double modulus) {
+  for (const auto& [factor, unit] : {std::pair{1e9, "GPa"}, std::pair{1e6, "MPa"}}) {
+    if (modulus * factor >= 1e9 && modulus * factor <= kHardest) {
+      return fmt::format("; is it {:g} {}, that is {:g} Pa?", modulus, unit, modulus * factor);
+    }
+  }
+  return {};
+}
+
+void doubt_modulus(const settings::Scene& scene, std::vector<std::string>& doubts) {
+  if (scene.contact.law == settings::ContactLaw::elastic_ring) return;
+  const auto moduli = settings::values_in(scene, "/blades/youngs_modulus");
+  const auto [lowest, highest] = std::ranges::minmax(moduli);
+  if (lowest < kSoftest) {
+    doubts.push_back(fmt::format("E = {:g} Pa is far below any solid{}", lowest, other_unit(lowest)));
+  } else if (highest > kHardest) {
+    doubts.push_back(fmt::format("E = {:g} Pa is above any solid; youngs_modulus is in Pa", highest));
+  }
+}
+
+void doubt_slenderness(const settings::Scene& scene, std::vector<std::string>& doubts) {
+  if (scene.contact.law == settings::ContactLaw::elastic_ring) return;
+  const double thickness = scene.grid.thickness.back();
+  const double blade = std::ranges::min(settings::values_in(scene, "/blades/length"));
+  if (thickness <= kSlender * blade) return;
+  doubts.push_back(fmt::format(
+      "h = {} is more than a fifth of L = {}: such a blade is no slender beam, as which it is computed",
+      length(thickness), length(blade)));
+}
+
+void doubt_damping(const settings::Scene& scene, std::vector<std::string>& doubts) {
+  const double damping = scene.grid.damping_ratio.back();
+  if (damping <= kPerCent) return;
+  doubts.push_back(fmt::format(
+      "ζ = {:g} is a share of critical damping, beyond 1 the shaft creeps back without vibrating; "
+      "{:g} % is {:g}",
+      damping, damping, damping / 100.0));
+}
+
+/// Of the shaft under its weight and a constant load, each at its largest [m].
+double largest_sag(const settings::Scene& scene) {
+  const auto most = [&](std::string_view pointer) {
+    return std::ranges::max(settings::values_in(scene, pointer));
+  };
+  const double frequency = std::ranges::min(settings::values_in(scene, "/rotor/natural_frequency"));
+  const double stiffness =
+      std::ranges::min(settings::values_in(scene, "/rotor/mass")) * frequency * frequency;
+  double sag = 0.0;
+  if (scene.gravity) sag += most("/gravity/acceleration") / (frequency * frequency);
+  if (scene.side_load) sag += most("/side_load/force") / stiffness;
+  return sag;
+}
+
+void doubt_sag(const settings::Scene& scene, std::vector<std::string>& doubts) {
+  const double sag = largest_sag(scene);
+  if (sag <= 0.0 || sag <= scene.clearance()) return;
+  doubts.push_back(fmt::format("the static load alone moves the shaft by {}, more than the clearance of {}",
+                               length(sag), length(scene.clearance())));
+}
+
+void doubt_contact(const settings::Scene& scene, std::vector<std::string>& doubts) {
+  const auto reach = reach_without_contact(scene);
+  if (!reach) return;
+  if (reach->displacement == 0.0) {
+    doubts.emplace_back("the blades never reach the ring: nothing moves, every row is zero");
+    return;
+  }
+  doubts.push_back(fmt::format(
+      "the blades never reach the ring: the shaft moves by no more than {}, and at equilibrium they pass the "
+      "ring at a distance of {}{}",
+      length(reach->displacement), length(reach->distance),
+      settings::values_in(scene, "/rotor/misalignment").size() > 1 ? " or more" : ""));
+}
+
+// --- contact at the points that were tried ---
+
+/// "none of the 40 points tried ... touched the ring, in 60 revolutions or fewer each from `initial`"
+std::string none_touched(std::ptrdiff_t count, std::string_view where, const CostEstimate& cost) {
+  return fmt::format(
+      "none of the {} point{} tried{} touched the ring, in {} revolution{} each from `initial`", count,
+      count == 1 ? "" : "s", where, cost.most_revolutions, cost.most_revolutions == 1 ? "" : "s or fewer");
+}
+
+/// Points in the order of the speeds, from one end of their range to the other: those before the first speed
+/// at which any has touched.
+void note_end_without_contact(const std::vector<TriedPoint>& points, std::string_view end,
+                              const CostEstimate& cost, std::vector<std::string>& notes) {
+  // Of fewer, spread over all axes, the next might as well touch.
+  constexpr std::ptrdiff_t kFewest = 10;
+  const auto touching = std::ranges::find_if(points, &TriedPoint::touched);
+  const auto limit = std::ranges::find(points, touching->speed_ratio, &TriedPoint::speed_ratio);
+  const auto count = limit - points.begin();
+  if (count < kFewest) return;
+  const auto [low, high] = std::minmax(points.front().speed_ratio, std::prev(limit)->speed_ratio);
+  notes.push_back(
+      fmt::format("the {} speeds may be without any contact: {}", end,
+                  none_touched(count, fmt::format(" from Ω = {:.4g} to {:.4g}", low, high), cost)));
+}
+
+void note_contacts(const settings::Scene& scene, const CostEstimate& cost, std::vector<std::string>& notes) {
+  if (cost.points.empty() || reach_without_contact(scene)) return;
+  if (std::ranges::none_of(cost.points, &TriedPoint::touched)) {
+    notes.push_back(none_touched(std::ssize(cost.points), "", cost) +
+                    ": are misalignment, clearance and loads as intended?");
+    return;
+  }
+  auto points = cost.points;
+  std::ranges::sort(points, {}, &TriedPoint::speed_ratio);
+  note_end_without_contact(points, "lower", cost, notes);
+  std::ranges::reverse(points);
+  note_end_without_contact(points, "upper", cost, notes);
+}
+
+/// By how much a blade that passes the ring's nearest point overlaps it at equilibrium, at its most over the
+/// grid [m].
+double largest_overlap(const settings::Scene& scene) {
+  double farthest = 0.0;
+  for (const double misalignment : settings::values_in(scene, "/rotor/misalignment")) {
+    farthest = std::max(farthest, std::abs(misalignment));
+  }
+  return farthest - scene.clearance();
+}
+
+}  // namespace
+
+std::vector<std::string> doubts_about(const settings::Scene& scene) {
+  std::vector<std::string> doubts;
+  doubt_modulus(scene, doubts);
+  doubt_slenderness(scene, doubts);
+  doubt_damping(scene, doubts);
+  doubt_sag(scene, doubts);
+  doubt_contact(scene, doubts);
+  return doubts;
+}
+
+std::string likely_reason_to_leave(const settings::Scene& scene) {
+  const auto& initial = scene.initial;
+  const double start = std::hypot(initial.x, initial.y + scene.rotor.misalignment);
+  if (start >= scene.ring.radius) {
+    return fmt::format("`initial` puts the shaft {} from the ring's centre, and the ring has a radius of {}",
+                       length(start), length(scene.ring.radius));
+  }
+  const double overlap = largest_overlap(scene);
+  const double limit = scene.validity.max_shortening * scene.blades.length;
+  if (scene.contact.law != settings::ContactLaw::elastic_ring && overlap > limit) {
+    return fmt::format(
+        "a blade that passes overlaps the ring by {}, and may be shortened by {} (max_shortening {:g} of L)",
+        length(overlap), length(limit), scene.validity.max_shortening);
+  }
+  if (const double amplitude = largest_free_amplitude(scene); amplitude > 10.0 * scene.clearance()) {
+    return fmt::format("the unbalance alone moves the shaft by up to {}, with a clearance of {}",
+                       length(amplitude), length(scene.clearance()));
+  }
+  if (const auto doubts = doubts_about(scene); !doubts.empty()) return doubts.front();
+  if (scene.grid.speed_ratio.front() > 1.0) {
+    return "all speeds are beyond Ω = 1, where blades can no longer push a rotor back that leaves";
+  }
+  return {};
+}
+
+std::vector<std::string> notes_on(const settings::Scene& scene, const CostEstimate& cost) {
+  std::vector<std::string> result = doubts_about(scene);
+  note_contacts(scene, cost, result);
+  if (cost.left_validity > 0) {
+    result.push_back(
+        fmt::format("{} of the {} points tried left the model: their rows will be NaN, with status 2",
+                    cost.left_validity, cost.trials));
+  }
+  if (cost.integrator_failed > 0) {
+    result.push_back(fmt::format(
+        "{} of the {} points tried could not be integrated: their rows will be NaN, with status 3",
+        cost.integrator_failed, cost.trials));
+  }
+  // MODEL 5: from rest the default rotor stays inside up to 1.02, leaves at 1.03 and always between 1.05
+  // and 1.24.
+  if (scene.grid.speed_ratio.back() > 1.0) {
+    result.emplace_back(
+        "speeds beyond Ω = 1 reach the border of the model: the default rotor leaves it at 1.03 and "
+        "always from 1.05 to 1.24. Near the border the very revolution of escape depends on the last "
+        "digits");
+  }
+  if (const double amplitude = largest_free_amplitude(scene); std::isinf(amplitude)) {
+    result.emplace_back("Ω = 1 without damping: under its unbalance the free shaft moves out without bound");
+  } else if (amplitude > 0.0) {
+    result.push_back(
+        fmt::format("without contact the unbalance alone would move the shaft by up to {}, {} clearances",
+                    length(amplitude),
+                    scene.clearance() > 0.0 ? fmt::format("{:.3g}", amplitude / scene.clearance()) : "many"));
+  }
+  if (scene.grid.damping_ratio.front() == 0.0) {
+    result.emplace_back("ζ = 0: free motion never decays, a transient of any length leaves it as it is");
+  }
+  if (scene.protocol.transient_revolutions == 0) {
+    result.emplace_back("no transient: the sections begin with the very first revolution");
+  }
+  const bool has_passing = std::find(scene.observables.begin(), scene.observables.end(),
+                                     "poincare_blade_passing") != scene.observables.end();
+  if (!has_passing && scene.unbalance == std::nullopt && scene.blades.count > 1) {
+    result.push_back(
+        fmt::format("without unbalance the natural period is a blade passing, T/{}: the observable "
+                    "`poincare_blade_passing` would show period doublings that once-per-revolution "
+                    "sections hide",
+                    scene.blades.count));
+  }
+  return result;
+}
+
+}  // namespace rubatlas::mpi

@@ -1,0 +1,117 @@
+#include "mpi/commands/reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <string_view>
+
+#include "plan/grid.hpp"
+#include "plan/scene_of_line.hpp"
+#include "settings/quantity.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+using Complex = std::complex<double>;
+
+double least(const settings::Scene& scene, std::string_view pointer) {
+  return std::ranges::min(settings::values_in(scene, pointer));
+}
+double most(const settings::Scene& scene, std::string_view pointer) {
+  return std::ranges::max(settings::values_in(scene, pointer));
+}
+
+/// The smallest clearance of all points less their largest misalignment [m]; below zero where blades have
+/// lengths of their own, which are not looked at.
+double least_distance(const settings::Scene& scene) {
+  if (scene.unequal_blades) return -std::numeric_limits<double>::infinity();
+  settings::Scene tightest = scene;
+  tightest.ring.radius = least(scene, "/ring/radius");
+  tightest.blades.hub_radius = most(scene, "/blades/hub_radius");
+  tightest.blades.length = most(scene, "/blades/length");
+  const double misalignment =
+      std::max(std::abs(least(scene, "/rotor/misalignment")), std::abs(most(scene, "/rotor/misalignment")));
+  return tightest.clearance() - misalignment;
+}
+
+/// Where a constant load holds the shaft [m].
+Complex deflection(const settings::Scene& line) {
+  const double frequency = line.rotor.natural_frequency;
+  const double stiffness = line.rotor.mass * frequency * frequency;
+  Complex sum = 0.0;
+  if (line.gravity) sum += line.gravity->deflection(stiffness, frequency);
+  if (line.side_load) sum += line.side_load->deflection(stiffness, frequency);
+  return sum;
+}
+
+/// Z [m]: the circle on which an unbalance drives the shaft, where it is at phase 0.
+Complex unbalance_response(const settings::Scene& line, double speed) {
+  if (!line.unbalance) return 0.0;
+  const Complex detuning(1.0 - speed * speed, 2.0 * line.rotor.damping_ratio * speed);
+  return std::polar(line.unbalance->moment / line.rotor.mass, line.unbalance->phase) * speed * speed /
+         detuning;
+}
+
+/// A bound of |z| over all points of a line [m]. With f the static deflection, D = z − f − Z e^{iΩτ} is a
+/// free vibration, of which |D|² + |D'|² never grows. Where a point starts from the end of the one before, D
+/// changes by the difference of the two Z.
+double bound_of_line(const settings::Scene& line, const plan::Grid& grid, std::size_t number) {
+  const auto& initial = line.initial;
+  const Complex load = deflection(line);
+  Complex position = Complex(initial.x, initial.y) - load;
+  Complex velocity(initial.vx, initial.vy);
+  double vibration = 0.0;  // square root of that sum
+  double farthest = 0.0;
+  for (std::size_t visit = 0; visit < grid.speed_count(); ++visit) {
+    const double speed = grid.parameters(grid.point(number, visit)).speed_ratio;
+    const Complex circle = unbalance_response(line, speed);
+    const Complex circle_velocity = Complex(0.0, speed) * circle;
+    const double change = std::hypot(std::abs(position - circle), std::abs(velocity - circle_velocity));
+    vibration = grid.points_depend_on_each_other() ? vibration + change : change;
+    const double reach = std::abs(load) + std::abs(circle) + vibration;
+    if (!std::isfinite(reach)) return std::numeric_limits<double>::infinity();
+    farthest = std::max(farthest, reach);
+    if (!grid.points_depend_on_each_other()) continue;
+    position = circle;
+    velocity = circle_velocity;
+  }
+  return farthest;
+}
+
+/// Effects by which the shaft moves in flight otherwise than as above.
+bool moves_otherwise(const settings::Scene& line) {
+  using effects::Effects;
+  return effects::acts<&Effects::support>(line) || effects::acts<&Effects::speed_ripple>(line) ||
+         effects::acts<&Effects::speed_ramp>(line);
+}
+
+}  // namespace
+
+std::optional<FreeReach> reach_without_contact(const settings::Scene& scene) {
+  // What a user waits for unawares; and each line is a copy of the scene.
+  constexpr std::size_t kMostPoints = 100'000;
+  constexpr std::size_t kMostLines = 1'000;
+  FreeReach reach{.displacement = 0.0, .distance = least_distance(scene)};
+  if (reach.distance < 0.0) return std::nullopt;
+  const plan::Grid grid(scene);
+  if (grid.point_count() > kMostPoints || grid.line_count() > kMostLines) return std::nullopt;
+  for (std::size_t number = 0; number < grid.line_count(); ++number) {
+    const auto line = plan::scene_of_line(scene, grid.parameters(grid.point(number, 0)));
+    const double bound = bound_of_line(line, grid, number);
+    // What is at rest and not driven stays so whatever its support.
+    if (bound > 0.0 && moves_otherwise(line)) return std::nullopt;
+    reach.displacement = std::max(reach.displacement, bound);
+    if (!(reach.displacement <= reach.distance)) return std::nullopt;
+  }
+  return reach;
+}
+
+bool has_touched(const settings::Scene& scene, const motion::WorkCounts& work) {
+  if (work.touchdowns + work.liftoffs > 0) return true;
+  const auto& initial = scene.initial;
+  return work.right_hand_sides > 0 && std::hypot(initial.x, initial.y) > least_distance(scene);
+}
+
+}  // namespace rubatlas::mpi

@@ -1,0 +1,205 @@
+#include "mpi/commands/run.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "atlas/atlas_writer.hpp"
+#include "batch/line_batch.hpp"
+#include "mpi/commands/notes.hpp"
+#include "mpi/commands/preparation.hpp"
+#include "mpi/commands/reach.hpp"
+#include "mpi/exit_code.hpp"
+#include "mpi/failure.hpp"
+#include "mpi/job/mailbox.hpp"
+#include "mpi/job/master.hpp"
+#include "mpi/job/point_runner.hpp"
+#include "mpi/job/progress.hpp"
+#include "mpi/job/run_record.hpp"
+#include "mpi/job/schedule.hpp"
+#include "mpi/job/session.hpp"
+#include "mpi/job/signals.hpp"
+#include "mpi/job/worker.hpp"
+#include "mpi/say.hpp"
+#include "mpi/version.hpp"
+#include "settings/reader.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  gethostname(name.data(), name.size() - 1);
+  return name.data();
+}
+
+/// As a shell wants it.
+std::string quoted(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,/:@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char letter : word) text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return text + "'";
+}
+
+/// The command that goes on with this run when it has been stopped.
+std::string command_to_go_on(const RunOptions& options, const Session& session) {
+  std::string text =
+      session.is_parallel() ? fmt::format("{} -n {} ", Session::launcher(), session.size()) : "";
+  for (const auto& word : options.words) {
+    if (word != "--overwrite" && word != "--resume") text += quoted(word) + ' ';
+  }
+  return text + "--resume";
+}
+
+/// Rank 0's part of the job between opening and closing the atlas.
+JobResult lead(const Session& session, const Preparation& preparation, const plan::Grid& grid,
+               PointRunner& runner, Master::Reports reports) {
+  const auto stored = [&](std::size_t point) { return preparation.ends.of(point); };
+  Schedule schedule(grid, preparation.status, stored, session.size());
+  const Mailbox mailbox(session);
+  Master master(session, mailbox, schedule, runner, std::move(reports), standing_of(preparation.status));
+  return master.run();
+}
+
+/// The exit code of the job; rank 0 looks whether what it has filled is still where it was.
+int ending(const Preparation& preparation, const JobResult& result) {
+  if (preparation.lock->is_in_place()) return exit_code_of(result.standing);
+  say_sentence(fmt::format(
+      "{} was removed, moved or replaced while it was being filled; what has been computed is in the "
+      "file that stood there before",
+      preparation.atlas.string()));
+  return exit_code::kEnvironment;
+}
+
+/// What most points of this run have ended with, and what in the scene makes them.
+void say_why_all_have_left(const settings::Scene& scene, const JobResult& result) {
+  if (result.standing.outside < result.standing.total) return;
+  std::string text = "every point left the model";
+  const auto most =
+      std::ranges::max_element(result.ended_by, {}, [](const auto& entry) { return entry.second; });
+  if (most != result.ended_by.end()) {
+    text += fmt::format(", {} of {} since {}", most->second, result.standing.computed,
+                        point::text_of(most->first));
+  }
+  const std::string reason = likely_reason_to_leave(scene);
+  say_sentence(reason.empty() ? text : text + "; the likely reason: " + reason);
+}
+
+/// Of a run whose atlas is whole and its own, since a point that ended early might have touched; `prepare`
+/// has said it where the scene alone tells.
+void say_that_nothing_touched(const settings::Scene& scene, const JobResult& result) {
+  const Standing& standing = result.standing;
+  if (standing.computed < standing.total || standing.outside + standing.failed > 0) return;
+  if (has_touched(scene, result.work)) return;
+  if (reach_without_contact(scene)) return;
+  say_sentence(fmt::format("no blade touched the ring at any of the {} points", standing.total));
+}
+
+int fill_atlas(const RunOptions& options, const Session& session, const Preparation& preparation) {
+  const auto started = std::chrono::system_clock::now();
+  const bool leading = session.rank() == 0;
+
+  // 3. Every rank reads the scene from rank 0's text, and opens the atlas together with the others.
+  const std::string scene_text = session.broadcast(preparation.scene_text);
+  const settings::Scene scene = settings::parse_scene(scene_text, options.scene.string());
+  const plan::Grid grid(scene);
+  const std::filesystem::path atlas = session.broadcast(preparation.atlas.string());
+  atlas::AtlasWriter writer(atlas, scene, std::chrono::milliseconds(options.batch_milliseconds));
+
+  const batch::Width width = batch::width_of(scene, options.most_lanes);
+
+  std::optional<RunRecord> record;
+  const std::vector<std::string> hosts = session.gather(host_name());
+  const std::vector<std::string> lanes = session.gather(fmt::to_string(width.seats));
+  if (leading)
+    record.emplace(record_output(atlas, options.scene), RunBeginning{started, hosts, lanes, options.resume},
+                   software());
+
+  // 4. Rank 0 hands out pieces of lines, and computes like the others.
+  Progress progress(leading ? options.progress : ProgressStyle::off);
+  JobResult result;
+  batch::LaneCounts lane_counts;
+  try {
+    PointRunner runner(scene, grid, writer, width);
+    if (leading) {
+      const std::string stopping = fmt::format("stopping; a second signal ends it at once; to go on: {}",
+                                               command_to_go_on(options, session));
+      result = lead(session, preparation, grid, runner,
+                    {progress, [&](const JobResult& so_far) { record->update(so_far); }, stopping});
+    } else {
+      work(Mailbox(session), runner);
+    }
+    lane_counts = runner.lane_counts();
+  } catch (...) {
+    // Before the writer goes: closing the atlas would wait for ranks that will not come.
+    const int code = report_failure(std::current_exception());
+    session.abort(code);
+    return code;
+  }
+
+  // 5. Whoever comes early sleeps; then all close the atlas together.
+  session.wait_for_all();
+  writer.close();
+  const int code = session.broadcast(leading ? ending(preparation, result) : exit_code::kDone);
+  const std::vector<std::string> in_lanes = session.gather(fmt::to_string(lane_counts.in_lanes));
+  if (leading) {
+    progress.finish(result.standing);
+    say_why_all_have_left(scene, result);
+    say_that_nothing_touched(scene, result);
+    record->finish(result, {in_lanes, code});
+  }
+  // A rank that ends with a code other than 0 makes mpirun kill the others, which may still have something to
+  // write.
+  session.wait_for_all();
+  return code;
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  note_stop_signals();
+
+  // 1. MPI, if a launcher started us.
+  const Session session;
+
+  // 2. Rank 0 alone reads the scene and prepares the atlas. Its verdict goes to all, so that all end in
+  // order: a rank that left early would make mpirun kill rank 0 before its message is out.
+  Preparation preparation;
+  int verdict = exit_code::kDone;
+  if (session.rank() == 0) {
+    try {
+      session.require_one_job();
+      if (options.dry_run) {
+        fmt::print("{}", rehearse(options));
+      } else {
+        preparation = prepare(options, software());
+      }
+    } catch (...) {
+      verdict = report_failure(std::current_exception());
+    }
+  }
+  session.wait_for_all();
+  verdict = session.broadcast(verdict);
+  if (verdict != exit_code::kDone || options.dry_run) return verdict;
+
+  try {
+    return fill_atlas(options, session, preparation);
+  } catch (...) {
+    const int code = report_failure(std::current_exception());
+    session.abort(code);
+    return code;
+  }
+}
+
+}  // namespace rubatlas::mpi

@@ -1,0 +1,55 @@
+/// Sends and takes messages; never waits for one.
+#pragma once
+
+#include <chrono>
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+
+#include "mpi/job/messages.hpp"
+#include "mpi/job/session.hpp"
+
+namespace rubatlas::mpi {
+
+/// A message that has arrived and is to be received.
+struct Envelope {
+  int source = 0;
+  Tag tag = Tag::ready;
+};
+
+class Mailbox {
+ public:
+  /// How often somebody who computes looks into it: a look costs about a microsecond, a revolution some ten.
+  static constexpr std::chrono::microseconds kLookPeriod{50};
+
+  explicit Mailbox(const Session& session) : parallel_(session.is_parallel()) {}
+
+  template <typename Payload>
+  requires std::is_trivially_copyable_v<Payload>
+  void send(int rank, Tag tag, const Payload& payload) const {
+    send_bytes(rank, tag, &payload, sent_size(payload));
+  }
+  void send(int rank, Tag tag) const { send(rank, tag, Nothing{}); }
+
+  /// The next message from anybody, if one is there.
+  [[nodiscard]] std::optional<Envelope> peek() const;
+
+  template <typename Payload>
+  requires std::is_trivially_copyable_v<Payload>
+  [[nodiscard]] Payload receive(const Envelope& envelope) const {
+    Payload payload{};
+    receive_bytes(envelope, &payload, sizeof payload);
+    return payload;
+  }
+  /// Takes a message that says all with its tag.
+  void discard(const Envelope& envelope) const { static_cast<void>(receive<Nothing>(envelope)); }
+
+ private:
+  static void send_bytes(int rank, Tag tag, const void* payload, std::size_t size);
+  static void receive_bytes(const Envelope& envelope, void* payload, std::size_t size);
+
+  bool parallel_;
+};
+
+}  // namespace rubatlas::mpi

@@ -1,0 +1,86 @@
+/// Computes pieces and writes their rows: what every rank does, the master too.
+///
+/// A rank has as many seats as its processor has lanes for the scene, one piece on each: points of several
+/// lines are computed side by side (`src/batch`).
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <list>
+#include <memory>
+#include <vector>
+
+#include "assembly/make_line_solver.hpp"
+#include "atlas/atlas_writer.hpp"
+#include "batch/line_batch.hpp"
+#include "mpi/job/messages.hpp"
+#include "plan/grid.hpp"
+#include "point/line_solver.hpp"
+#include "settings/scene.hpp"
+
+namespace rubatlas::mpi {
+
+class PointRunner {
+ public:
+  PointRunner(const settings::Scene& scene, const plan::Grid& grid, atlas::AtlasWriter& writer,
+              const batch::Width& width);
+
+  struct Callbacks {
+    std::function<bool()> go_on;  ///< asked after each revolution and in long ones: false gives a point up
+    std::function<void(const PointReport&)> after_point;
+    std::function<void(int seat)> piece_over;  ///< ended or given up
+    std::function<bool()> stop;  ///< asked before each point: true gives up the rest of its piece
+  };
+
+  /// Solvers kept per rank, more than it has seats. A rank changes lines when a job comes to its end; the
+  /// lines then under way are few.
+  static constexpr std::size_t kSolversKept = 16;
+
+  [[nodiscard]] int seats() const { return static_cast<int>(seats_.size()); }
+  /// How many of them have a piece.
+  [[nodiscard]] int pieces() const { return pieces_; }
+
+  /// Puts a piece on its seat, which is free; within callbacks too.
+  void begin(const Piece& piece);
+
+  /// Computes until no piece is left. A piece's points go in order: each starts from the end of the one
+  /// before it; after one that did not end as done, and always where points are independent, from the scene's
+  /// `initial`.
+  void run(const Callbacks& callbacks);
+
+  /// What is written is made to last, now and then: to be called while there is nothing to compute.
+  void idle() { writer_.settle_if_due(); }
+
+  [[nodiscard]] batch::LaneCounts lane_counts() const { return batch_->counts(); }
+
+ private:
+  struct CachedSolver {
+    std::size_t line = 0;
+    std::unique_ptr<point::LineSolver> solver;
+    bool seated = false;
+  };
+  struct Seat {
+    Piece left;  ///< of the piece, from its next point on
+    CachedSolver* solver = nullptr;
+    bool waits = false;  ///< for its next point to begin
+  };
+
+  void begin_points(const Callbacks& callbacks);
+  void begin_point(int seat_number);
+  void finish_point(const batch::Finished& finished, const Callbacks& callbacks);
+  void end_piece(int seat_number, const Callbacks& callbacks);
+  CachedSolver& solver_of(std::size_t line);
+
+  const settings::Scene& scene_;
+  const plan::Grid& grid_;
+  atlas::AtlasWriter& writer_;
+  batch::Width width_;
+  std::shared_ptr<assembly::BladeTables> tables_ = assembly::make_blade_tables();
+  std::list<CachedSolver> solvers_;  ///< most recently used first; longer-lived than what runs in the batch
+  std::unique_ptr<batch::LineBatch> batch_;
+  std::vector<Seat> seats_;
+  int pieces_ = 0;
+  int waiting_ = 0;
+};
+
+}  // namespace rubatlas::mpi

@@ -1,0 +1,142 @@
+#include "mpi/job/run_record.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include "atlas/publish.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+/// How the file begins and ends; between the two, one run per paragraph.
+const std::string kOpening = std::string(atlas::kRecordMark) + "\n";
+constexpr const char* kClosing = "\n]}\n";
+
+std::string utc(std::chrono::system_clock::time_point time) {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(time)));
+}
+
+/// "model name" of the first processor: the kind of machine whose atlases have equal bytes.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+std::string json_texts(const std::vector<std::string>& texts) {
+  std::vector<std::string> quoted;
+  quoted.reserve(texts.size());
+  for (const auto& text : texts) quoted.push_back(json_text(text));
+  return fmt::format("[{}]", fmt::join(quoted, ", "));
+}
+
+/// `ending`: none while the run goes on.
+std::string paragraph(const RunBeginning& beginning, const JobResult& result, const RunEnding* ending,
+                      const atlas::Software& software) {
+  const Standing& standing = result.standing;
+  const motion::WorkCounts& work = result.work;
+  const double rate =
+      standing.seconds > 0.0 ? static_cast<double>(standing.computed) / standing.seconds : 0.0;
+  std::string text = "  {\n";
+  const auto put = [&](const char* key, const std::string& value) {
+    text += fmt::format("{}    \"{}\": {}", text.size() > 4 ? ",\n" : "", key, value);
+  };
+  const std::string now = json_text(utc(std::chrono::system_clock::now()));
+  put("started", json_text(utc(beginning.started)));
+  put("updated", now);
+  put("finished", ending != nullptr ? now : "null");
+  put("resumed", beginning.resumed ? "true" : "false");
+  put("exit_code", ending != nullptr ? fmt::to_string(ending->exit_code) : "null");
+  put("version", json_text(software.software_version));
+  put("git_commit", json_text(software.git_commit));
+  put("compiler", json_text(software.compiler));
+  put("processor", json_text(processor()));
+  put("ranks", fmt::to_string(beginning.hosts.size()));
+  put("host_of_rank", json_texts(beginning.hosts));
+  put("lanes_of_rank", fmt::format("[{}]", fmt::join(beginning.lanes, ", ")));
+  if (ending != nullptr) {
+    put("attempts_in_lanes_of_rank", fmt::format("[{}]", fmt::join(ending->in_lanes, ", ")));
+  }
+  put("points_of_rank", fmt::format("[{}]", fmt::join(result.points_of_rank, ", ")));
+  put("busy_seconds_of_rank", fmt::format("[{:.3f}]", fmt::join(result.busy_seconds_of_rank, ", ")));
+  put("points_total", fmt::to_string(standing.total));
+  put("points_finished", fmt::to_string(standing.finished));
+  put("points_outside_the_model", fmt::to_string(standing.outside));
+  put("points_failed", fmt::to_string(standing.failed));
+  put("points_computed", fmt::to_string(standing.computed));
+  put("wall_seconds", fmt::format("{:.3f}", standing.seconds));
+  put("points_per_second", fmt::format("{:.4g}", rate));
+  put("right_hand_sides", fmt::to_string(work.right_hand_sides));
+  put("steps", fmt::to_string(work.steps));
+  put("rejected_steps", fmt::to_string(work.rejected_steps));
+  put("touchdowns", fmt::to_string(work.touchdowns));
+  put("liftoffs", fmt::to_string(work.liftoffs));
+  put("slip_reversals", fmt::to_string(work.slip_reversals));
+  put("slip_accumulations", fmt::to_string(work.slip_accumulations));
+  put("gap_evaluations", fmt::to_string(work.gap_evaluations));
+  return text + "\n  }";
+}
+
+/// The paragraphs that are there, without opening and closing; empty when the file is missing or not ours.
+std::string earlier_paragraphs(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string closing = kClosing;
+  if (!text.starts_with(kOpening) || !text.ends_with(closing)) return {};
+  return text.substr(kOpening.size(), text.size() - kOpening.size() - closing.size());
+}
+
+}  // namespace
+
+std::string json_text(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      quoted += '\\';
+      quoted += c;
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      quoted += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + '"';
+}
+
+atlas::Output record_output(const std::filesystem::path& atlas, const std::filesystem::path& scene) {
+  return atlas::permitted({atlas.string() + ".run.json", atlas::FileKind::record, atlas::Existing::replace},
+                          {scene});
+}
+
+RunRecord::RunRecord(atlas::Output output, RunBeginning beginning, atlas::Software software)
+    : output_(std::move(output)),
+      beginning_(std::move(beginning)),
+      software_(std::move(software)),
+      earlier_(beginning_.resumed ? earlier_paragraphs(output_.path) : std::string()) {}
+
+void RunRecord::update(const JobResult& so_far) const {
+  try {
+    write(paragraph(beginning_, so_far, nullptr, software_));
+  } catch (const std::runtime_error&) {
+    return;
+  }
+}
+
+void RunRecord::finish(const JobResult& result, const RunEnding& ending) const {
+  write(paragraph(beginning_, result, &ending, software_));
+}
+
+void RunRecord::write(const std::string& paragraph) const {
+  atlas::publish_text({output_.path, true},
+                      kOpening + earlier_ + (earlier_.empty() ? "" : ",\n") + paragraph + kClosing);
+}
+
+}  // namespace rubatlas::mpi

@@ -1,0 +1,85 @@
+#include "mpi/job/worker.hpp"
+
+#include "mpi/job/session.hpp"
+#include "mpi/job/signals.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+constexpr int kMaster = 0;
+
+/// What the master has said, and the answers.
+class Ear {
+ public:
+  Ear(const Mailbox& mailbox, PointRunner& runner) : mailbox_(mailbox), runner_(runner) {}
+
+  /// Takes all that has come; true where anything had.
+  bool listen() {
+    bool heard = false;
+    while (const auto envelope = mailbox_.peek()) {
+      heard = true;
+      if (envelope->tag == Tag::piece) {
+        runner_.begin(mailbox_.receive<Piece>(*envelope));
+        continue;
+      }
+      mailbox_.discard(*envelope);
+      stopping_ = stopping_ || envelope->tag == Tag::stop;
+      leaving_ = leaving_ || envelope->tag == Tag::leave;
+    }
+    return heard;
+  }
+  [[nodiscard]] bool stopping() const { return stopping_ || stop_requested(); }
+  [[nodiscard]] bool leaving() const { return leaving_; }
+
+  void say_ready(int seat) const {
+    mailbox_.send(kMaster, Tag::ready,
+                  Ready{seat, runner_.seats(), static_cast<std::uint8_t>(stop_requested() ? 1 : 0)});
+  }
+
+ private:
+  const Mailbox& mailbox_;
+  PointRunner& runner_;
+  bool stopping_ = false;
+  bool leaving_ = false;
+};
+
+}  // namespace
+
+void work(const Mailbox& mailbox, PointRunner& runner) {
+  Ear ear(mailbox, runner);
+  Pace pace(Mailbox::kLookPeriod);
+  Pace slow_pace(std::chrono::milliseconds(10));
+  const PointRunner::Callbacks callbacks{
+      .go_on =
+          [&] {
+            // A rank whose seats are all taken has nothing to hear but that the job is to stop.
+            if (runner.pieces() < runner.seats() ? pace.is_due() : slow_pace.is_due()) ear.listen();
+            return !ear.stopping();
+          },
+      .after_point =
+          [&](const PointReport& report) {
+            PointReport message = report;
+            message.stop_requested = stop_requested() ? 1 : 0;
+            mailbox.send(kMaster, Tag::report, message);
+          },
+      .piece_over = [&](int seat) { ear.say_ready(seat); },
+      .stop =
+          [&] {
+            ear.listen();
+            return ear.stopping();
+          },
+  };
+  for (int seat = 0; seat < runner.seats(); ++seat) ear.say_ready(seat);
+  Nap nap;
+  while (!ear.leaving()) {
+    if (ear.listen()) {
+      runner.run(callbacks);
+      nap.reset();
+    } else {
+      runner.idle();
+      nap.take();
+    }
+  }
+}
+
+}  // namespace rubatlas::mpi

@@ -1,0 +1,77 @@
+/// The compiled motions of rotors on which more acts than the paper's: each law of contact, with numbers of
+/// its own for each blade, on two machines.
+///
+/// `MachineWithEffects` keeps the closed form of the isotropic shaft at constant speed; `AnyMachine` is for a
+/// support of its own or a speed that ripples, or both. One file `effect_kernels_<family>.cpp` compiles the
+/// laws of a family.
+#pragma once
+
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "assembly/hybrid_method.hpp"
+#include "assembly/typed_motions.hpp"
+#include "contact/elastica_contact.hpp"
+#include "contact/unequal_blades.hpp"
+#include "integrate/dormand_prince_853.hpp"
+
+namespace rubatlas::assembly {
+
+/// One law a blade: the scene's blade with the errors of each.
+template <class MakeLaw>
+auto blade_by_blade(const settings::Scene& line, MakeLaw make_law) {
+  std::vector<effects::BladeError> errors(static_cast<std::size_t>(line.blades.count));
+  if (line.unequal_blades) errors = line.unequal_blades->errors(line.blades.count);
+  std::vector<decltype(make_law(line.blades))> laws;
+  for (const effects::BladeError& error : errors) {
+    settings::Blades blade = line.blades;
+    blade.length += error.length;
+    blade.thickness += error.thickness;
+    laws.push_back(make_law(blade));
+  }
+  return contact::UnequalBlades(std::move(laws));
+}
+
+/// The line solver under one law, on the machine that the scene's effects make.
+template <class MakeLaw>
+std::unique_ptr<point::LineSolver> with_law(const settings::Scene& line, MakeLaw make_law) {
+  using effects::Effects;
+  using Hybrid = HybridMethod<integrate::DormandPrince853>;
+  auto law = blade_by_blade(line, make_law);
+  if (effects::acts<&Effects::support>(line) || effects::acts<&Effects::speed_ripple>(line)) {
+    return make_point_solver<Hybrid>(line, std::move(law), AnyMachine(line));
+  }
+  return make_point_solver<Hybrid>(line, std::move(law), MachineWithEffects(line));
+}
+
+/// Elastic blades in a rigid ring or in one that yields.
+template <contact::Release kRelease>
+std::unique_ptr<point::LineSolver> elastic_blades_in_any_ring(const LineRequest& request) {
+  const settings::Scene& line = request.line;
+  const auto with_ring = [&](const auto& ring) {
+    using Law = contact::ElasticBladeContact<std::remove_cvref_t<decltype(ring)>, kRelease>;
+    return with_law(line, [&](const settings::Blades& blade) {
+      return Law(geometry_of(line.ring, blade), blade_of(blade), curve_of(request, blade), ring);
+    });
+  };
+  if (effects::acts<&effects::Effects::yielding_ring>(line)) {
+    return with_ring(contact::YieldingRing{1.0 / line.yielding_ring->compliance});
+  }
+  return with_ring(contact::RigidRing{});
+}
+
+// The families: rigid blades, whose tips always slip, or may stick; elastic blades that are released at the
+// ring, or at the fold; elastic blades under a load of any direction or a friction law of its own; those
+// that may stick.
+std::unique_ptr<point::LineSolver> rigid_blades_with_effects(const LineRequest& request);
+std::unique_ptr<point::LineSolver> sticking_blades_with_effects(const LineRequest& request);
+std::unique_ptr<point::LineSolver> sticking_elastic_blades_with_effects(const LineRequest& request);
+std::unique_ptr<point::LineSolver> elastic_blades_with_effects(const LineRequest& request);
+std::unique_ptr<point::LineSolver> held_blades_with_effects(const LineRequest& request);
+std::unique_ptr<point::LineSolver> directed_blades_with_effects(const LineRequest& request);
+/// Elastic or rigid blades in a ring that is a body.
+std::unique_ptr<point::LineSolver> blades_in_ring_body(const LineRequest& request);
+
+}  // namespace rubatlas::assembly

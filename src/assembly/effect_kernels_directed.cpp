@@ -1,0 +1,25 @@
+// Elastic blades whose load has a direction of its own, or a friction law with a velocity.
+
+#include "assembly/effect_kernels.hpp"
+#include "assembly/friction_choice.hpp"
+#include "contact/directed_elastica.hpp"
+
+namespace rubatlas::assembly {
+
+std::unique_ptr<point::LineSolver> directed_blades_with_effects(const LineRequest& request) {
+  const settings::Scene& line = request.line;
+  const auto with_direction = [&]<class Direction>() {
+    return with_friction(line, [&](const auto& friction) {
+      using Law = contact::DirectedElastica<Direction, std::remove_cvref_t<decltype(friction)>>;
+      return with_law(line, [&](const settings::Blades& blade) {
+        return Law(geometry_of(line.ring, blade), blade_of(blade), friction);
+      });
+    });
+  };
+  if (effects::acts<&effects::Effects::load_direction>(line)) {
+    return with_direction.template operator()<contact::NormalLoad>();
+  }
+  return with_direction.template operator()<contact::AxialLoad>();
+}
+
+}  // namespace rubatlas::assembly

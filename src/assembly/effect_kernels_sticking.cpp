@@ -1,0 +1,17 @@
+// Rigid blades on the elastic ring, whose tips may stick.
+
+#include "assembly/effect_kernels.hpp"
+#include "contact/elastic_ring_contact.hpp"
+
+namespace rubatlas::assembly {
+
+std::unique_ptr<point::LineSolver> sticking_blades_with_effects(const LineRequest& request) {
+  const settings::Scene& line = request.line;
+  const double friction = line.contact.friction;
+  const contact::StickingFriction law{friction, line.stick->static_ratio * friction};
+  return with_law(line, [&](const settings::Blades& blade) {
+    return contact::RigidBladeContact(geometry_of(line.ring, blade), line.ring.stiffness, law);
+  });
+}
+
+}  // namespace rubatlas::assembly

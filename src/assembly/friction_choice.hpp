@@ -1,0 +1,28 @@
+/// From a scene's effects to the type of its friction law.
+#pragma once
+
+#include "contact/friction_law.hpp"
+#include "settings/effects/list.hpp"
+#include "settings/scene.hpp"
+
+namespace rubatlas::assembly {
+
+/// Calls `use` with the friction law of a line; velocities become metres per unit τ.
+template <class Use>
+auto with_friction(const settings::Scene& line, Use use) {
+  using effects::acts;
+  using effects::Effects;
+  const double per_time = 1.0 / line.rotor.natural_frequency;
+  const double friction = line.contact.friction;
+  if (acts<&Effects::stribeck>(line)) {
+    const effects::Stribeck& law = *line.stribeck;
+    return use(contact::StribeckFriction{law.static_friction, friction, law.velocity * per_time,
+                                         law.regularising_velocity * per_time});
+  }
+  if (acts<&Effects::regularised_friction>(line)) {
+    return use(contact::RegularisedFriction{friction, line.regularised_friction->velocity * per_time});
+  }
+  return use(contact::CoulombFriction{friction});
+}
+
+}  // namespace rubatlas::assembly

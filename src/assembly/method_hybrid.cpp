@@ -1,0 +1,13 @@
+// `hybrid`: closed-form flight, contacts by an order-8 pair, located events.
+
+#include "assembly/hybrid_method.hpp"
+#include "assembly/typed_motions.hpp"
+#include "integrate/dormand_prince_853.hpp"
+
+namespace rubatlas::assembly {
+
+std::unique_ptr<point::LineSolver> make_hybrid(const LineRequest& request) {
+  return make_paper_s_rotor<HybridMethod<integrate::DormandPrince853>>(request);
+}
+
+}  // namespace rubatlas::assembly

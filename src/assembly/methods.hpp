@@ -1,0 +1,25 @@
+/// The methods of integration, one function and one file each: `method_<name>.cpp` compiles the motions of
+/// its method for every law and forcing, and nothing else does.
+#pragma once
+
+#include <memory>
+
+#include "assembly/make_line_solver.hpp"
+
+namespace rubatlas::assembly {
+
+/// What a line solver is made of.
+struct LineRequest {
+  const settings::Scene& line;  ///< the scene with the line's values of all that is swept
+  BladeTables& tables;
+};
+
+std::unique_ptr<point::LineSolver> make_hybrid(const LineRequest& request);
+std::unique_ptr<point::LineSolver> make_hybrid_with_effects(const LineRequest& request);
+std::unique_ptr<point::LineSolver> make_hybrid_54(const LineRequest& request);
+std::unique_ptr<point::LineSolver> make_hybrid_32(const LineRequest& request);
+std::unique_ptr<point::LineSolver> make_paper(const LineRequest& request);
+std::unique_ptr<point::LineSolver> make_located(const LineRequest& request);
+std::unique_ptr<point::LineSolver> make_fixed(const LineRequest& request);
+
+}  // namespace rubatlas::assembly

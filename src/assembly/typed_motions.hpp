@@ -1,0 +1,91 @@
+/// From a scene's choices to types: the motions of one law on one machine by one method of integration.
+///
+/// Included by the files `method_<name>.cpp` and `effect_kernels_<family>.cpp` only, each of which compiles
+/// its own motions.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "assembly/blade_tables.hpp"
+#include "assembly/machine.hpp"
+#include "assembly/methods.hpp"
+#include "contact/elastic_ring_contact.hpp"
+#include "contact/elastica_contact.hpp"
+#include "motion/point_motion.hpp"
+#include "point/line_solver.hpp"
+#include "point/point_solver.hpp"
+#include "rotor/constants.hpp"
+
+namespace rubatlas::assembly {
+
+/// The line solver of one law on one machine by one method, which makes its motions:
+/// `Method::make<kMayChange>(rotor, blades, law, forcing, line)`.
+template <class Method, class Law, class Machine>
+std::unique_ptr<point::LineSolver> make_point_solver(const settings::Scene& line, Law law, Machine machine) {
+  motion::MakeMotion make = [line, law = std::move(law), machine = std::move(machine)](
+                                double speed_ratio, [[maybe_unused]] std::span<const double> lost) {
+    const auto with = [&](const Law& blades) {
+      return Method::template make<Machine::kMayChange>(point::constants_of(line, speed_ratio),
+                                                        machine.blades(speed_ratio), blades,
+                                                        machine.forcing(speed_ratio), line);
+    };
+    if constexpr (Machine::kMayChange) {
+      if (!lost.empty()) return with(law.shortened(lost));
+    }
+    return with(law);
+  };
+  return std::make_unique<point::PointSolver>(line, std::move(make));
+}
+
+inline contact::Geometry geometry_of(const settings::Ring& ring, const settings::Blades& blade) {
+  return {blade.hub_radius + blade.length, ring.radius};
+}
+inline contact::ElasticRingContact elastic_ring_law(const settings::Ring& ring, const settings::Blades& blade,
+                                                    double friction) {
+  return {geometry_of(ring, blade), ring.stiffness, friction};
+}
+inline contact::ElasticaContact::Blade blade_of(const settings::Blades& blade) {
+  const double thickness = blade.thickness;
+  return {blade.length, thickness,
+          blade.youngs_modulus * blade.width * thickness * thickness * thickness / 12.0};
+}
+/// The curve of a blade: elastica or beam-column, and its axial compliance.
+inline std::shared_ptr<const blade::ElasticaCurve> curve_of(const LineRequest& request,
+                                                            const settings::Blades& blade) {
+  const settings::Scene& line = request.line;
+  const auto theory = line.contact.law == settings::ContactLaw::beam_column ? blade::Theory::beam_column
+                                                                            : blade::Theory::elastica;
+  double compliance = 0.0;
+  if (effects::acts<&effects::Effects::axial_compliance>(line)) {
+    const double slenderness = blade.thickness / blade.length;
+    compliance = line.axial_compliance->share * slenderness * slenderness / 12.0;
+  }
+  return request.tables.curve(line.contact.friction, theory, compliance);
+}
+
+template <class Method, class Law>
+std::unique_ptr<point::LineSolver> on_paper_s_machine(const settings::Scene& line, Law law) {
+  // Absent means absent: a rotor without unbalance has no forcing in its equations.
+  if (!effects::acts<&effects::Effects::unbalance>(line)) {
+    return make_point_solver<Method>(line, std::move(law), PlainMachine{line.blades.count});
+  }
+  const UnbalancedMachine machine{line.blades.count, line.unbalance->moment / line.rotor.mass,
+                                  line.unbalance->phase, line.rotor.damping_ratio};
+  return make_point_solver<Method>(line, std::move(law), machine);
+}
+
+/// The line solver of a method for the paper's rotor, by the scene's law.
+template <class Method>
+std::unique_ptr<point::LineSolver> make_paper_s_rotor(const LineRequest& request) {
+  const settings::Scene& line = request.line;
+  if (line.contact.law == settings::ContactLaw::elastic_ring) {
+    return on_paper_s_machine<Method>(line, elastic_ring_law(line.ring, line.blades, line.contact.friction));
+  }
+  return on_paper_s_machine<Method>(
+      line, contact::ElasticaContact(geometry_of(line.ring, line.blades), blade_of(line.blades),
+                                     curve_of(request, line.blades)));
+}
+
+}  // namespace rubatlas::assembly

@@ -1,0 +1,338 @@
+/// Flight: no blade in contact, motion in closed form (MODEL 4.5), and the search for the touch-down that
+/// ends it.
+#pragma once
+
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "integrate/conservative_step.hpp"
+#include "modes/work_meter.hpp"
+#include "rotor/blade_set.hpp"
+#include "rotor/bodies.hpp"
+#include "rotor/constants.hpp"
+#include "rotor/free_motion.hpp"
+#include "rotor/harmonic.hpp"
+
+namespace rubatlas::modes {
+
+template <class Forcing>
+class Flight {
+ public:
+  static constexpr bool kAnySupport = false;
+  using Complex = std::complex<double>;
+
+  Flight(const rotor::RotorConstants& rotor, const rotor::FreeMotion& free, const Forcing& forcing)
+      : rotor_(&rotor), free_(&free), forcing_(&forcing) {}
+
+  /// Takes off at time τ of the revolution.
+  void start(double time, const rotor::State& state) {
+    start_ = time;
+    position_ = {state[0], state[1]};
+    velocity_ = {state[2], state[3]};
+  }
+
+  [[nodiscard]] double start_time() const { return start_; }
+
+  [[nodiscard]] rotor::State state(double time) const {
+    const double elapsed = time - start_;
+    const auto kernel = free_->kernel(elapsed);
+    const double damping = free_->damping_ratio();
+    Complex position = rotor::FreeMotion::position(kernel, damping, position_, velocity_);
+    Complex velocity = rotor::FreeMotion::velocity(kernel, damping, position_, velocity_);
+    if constexpr (Forcing::kPresent) {
+      const auto response = forcing_->from_rest(start_, elapsed, *free_, kernel);
+      position += response.position;
+      velocity += response.velocity;
+    }
+    return {position.real(), position.imag(), velocity.real(), velocity.imag()};
+  }
+
+  /// z'' [m per unit τ²] of a state in flight.
+  [[nodiscard]] Complex acceleration(double time, const rotor::State& state) const {
+    Complex result = -2.0 * rotor_->damping_ratio * Complex(state[2], state[3]) - Complex(state[0], state[1]);
+    if constexpr (Forcing::kPresent) result += forcing_->acceleration(time);
+    return result;
+  }
+
+  /// Bound of (|z|² + |z'|²)^½ from a state of this flight over the time `horizon` that follows, which may be
+  /// infinite. Damping only takes away, so that it grows by |forcing| a unit of time at most; and that of the
+  /// distance to the steady response does not grow at all.
+  [[nodiscard]] double amplitude_bound(double time, const rotor::State& state, double horizon) const {
+    return bound(time, state, horizon, [](const auto& steady) {
+      return std::sqrt(std::norm(steady.position) + std::norm(steady.velocity));
+    });
+  }
+  /// The same of |z| alone.
+  [[nodiscard]] double displacement_bound(double time, const rotor::State& state, double horizon) const {
+    return bound(time, state, horizon, [](const auto& steady) { return std::abs(steady.position); });
+  }
+
+  /// Bounds of |z''| and |z'''| while |z| and |z'| are within `bound`.
+  [[nodiscard]] double second_bound(double bound) const {
+    const double damping = 2.0 * rotor_->damping_ratio;
+    return std::sqrt(1.0 + damping * damping) * bound + forcing_bound();
+  }
+  [[nodiscard]] double third_bound(double bound) const {
+    double result = 2.0 * rotor_->damping_ratio * second_bound(bound) + bound;
+    if constexpr (Forcing::kPresent) result += forcing_->rate();
+    return result;
+  }
+
+  /// Bound of the forcing's acceleration [m per unit τ²].
+  [[nodiscard]] double forcing_bound() const {
+    if constexpr (Forcing::kPresent) return forcing_->amplitude();
+    return 0.0;
+  }
+
+ private:
+  /// `size`: of the steady response.
+  template <class Size>
+  [[nodiscard]] double bound(double time, const rotor::State& state, double horizon, Size size) const {
+    double result = std::sqrt(state.square().sum());
+    if constexpr (Forcing::kPresent) {
+      result += forcing_->amplitude() * horizon;
+      if (const auto steady = forcing_->steady(time)) {
+        const double distance = std::sqrt(std::norm(Complex(state[0], state[1]) - steady->position) +
+                                          std::norm(Complex(state[2], state[3]) - steady->velocity));
+        result = std::min(result, distance + size(*steady));
+      }
+    }
+    return result;
+  }
+
+  const rotor::RotorConstants* rotor_;
+  const rotor::FreeMotion* free_;
+  const Forcing* forcing_;
+  double start_ = 0.0;
+  Complex position_;
+  Complex velocity_;
+};
+
+/// Of |z| and |z'| in a flight where one number bounds both.
+inline double position_bound(double bound) {
+  return bound;
+}
+inline double velocity_bound(double bound) {
+  return bound;
+}
+
+/// Bound of the shaft's distance from the ring's centre but for the misalignment, as `displacement_bound`.
+template <class Flight, class Bodies>
+double bound_from_ring(const Flight& flight, double time, const Bodies& bodies, double horizon) {
+  if constexpr (requires { flight.bound_from_ring(time, bodies, horizon); }) {
+    return flight.bound_from_ring(time, bodies, horizon);
+  } else {
+    return flight.displacement_bound(time, bodies, horizon);
+  }
+}
+
+/// What a state costs in a flight [ns].
+template <class Flight>
+std::int64_t price_of_state(const Flight& flight) {
+  if constexpr (requires { flight.price_of_state(); }) return flight.price_of_state();
+  return WorkPrice::kState;
+}
+
+/// The time over which a bound of a flight's motion is asked for; where free motion may grow it is renewed
+/// after so long, else never.
+template <class Flight>
+double time_of_bound(const Flight& flight) {
+  if constexpr (requires { flight.time_of_bound(); }) return flight.time_of_bound();
+  return std::numeric_limits<double>::infinity();
+}
+
+/// Finds the first touch-down of a flight. Each blade carries the time up to which it is proven clear; the
+/// least of them is pushed on until it cannot be, which is a touch-down, or until all have passed the
+/// horizon.
+template <class Law, class Blades = rotor::BladeSet>
+class TouchdownSearch {
+ public:
+  TouchdownSearch(const rotor::RotorConstants& rotor, const Law& law, const Blades& blades)
+      : rotor_(&rotor),
+        law_(&law),
+        blades_(&blades),
+        turning_weight_(turning_weight(rotor)),
+        clear_until_(static_cast<std::size_t>(blades.count())) {}
+
+  struct Touchdown {
+    int blade;
+    double time;  ///< τ of the revolution
+  };
+
+  /// Nothing also where the meter ends the revolution.
+  template <class Flight>
+  std::optional<Touchdown> find(const Flight& flight, double until, WorkMeter& meter) {
+    const double from = flight.start_time();
+    auto state = flight.state(from);
+    // The shaft cannot leave the clearance circle: no blade can touch, and there is nothing to search.
+    if (stays_clear(flight, from, state, until - from)) return std::nullopt;
+
+    clear_until_.assign(clear_until_.size(), from);
+    double time = from;
+    while (true) {
+      std::size_t blade = 0;
+      for (std::size_t k = 1; k < clear_until_.size(); ++k) {
+        if (clear_until_[k] < clear_until_[blade]) blade = k;
+      }
+      if (clear_until_[blade] >= until) return std::nullopt;
+      if (clear_until_[blade] > time) {
+        time = clear_until_[blade];
+        state = flight.state(time);
+      }
+      if (!meter.spend(Work::flight, WorkPrice::kGap + price_of_state(flight))) return std::nullopt;
+      ++evaluations_;
+      const int number = static_cast<int>(blade);
+      const double step = clear_step(flight, law_->of(number).geometry(), number, time, state, until);
+      if (step <= kTimeResolution * std::max(1.0, time)) return Touchdown{static_cast<int>(blade), time};
+      clear_until_[blade] = time + step;
+    }
+  }
+
+  /// When the shaft's centre reaches the ring before `until`, |c| = R, where no blade stands in the way
+  /// (MODEL 5): the gap of a blade without length. Nothing also where the meter ends the revolution.
+  template <class Flight>
+  std::optional<double> shaft_at_ring(const Flight& flight, double until, WorkMeter& meter) const {
+    const contact::Geometry shaft{0.0, law_->of(0).geometry().ring_radius};
+    double time = flight.start_time();
+    auto state = flight.state(time);
+    const double bound = bound_from_ring(flight, time, state, until - time);
+    if (bound + std::abs(rotor_->misalignment) < shaft.ring_radius) return std::nullopt;
+    const rotor::State seen = rotor::from_ring(state);
+    if (std::hypot(seen[0], seen[1] + rotor_->misalignment) >= shaft.ring_radius) return time;
+    while (meter.spend(Work::flight, WorkPrice::kGap + price_of_state(flight))) {
+      const double step = clear_step(flight, shaft, 0, time, state, until);
+      if (step <= kTimeResolution * std::max(1.0, time)) return time;
+      time += step;
+      if (time >= until) return std::nullopt;
+      state = flight.state(time);
+    }
+    return std::nullopt;
+  }
+
+  /// The rotor stays within the clearance circle for ever, so that no blade can touch.
+  template <class Flight, class Bodies>
+  [[nodiscard]] bool never_touches(const Flight& flight, const Bodies& state) const {
+    return stays_clear(flight, flight.start_time(), state, std::numeric_limits<double>::infinity());
+  }
+
+  /// Gaps evaluated, one for each blade and time.
+  [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
+
+ private:
+  /// Times closer than this, relative to the time since the revolution started, are one: two units in the
+  /// last place.
+  static constexpr double kTimeResolution = 2.0 * std::numeric_limits<double>::epsilon();
+
+  /// Bound of |(d/dτ + iΩ)³ z| against (|z|² + |z'|²)^½ in a flight without forcing: z''' and z'' are written
+  /// with z and z', whose weights are taken together.
+  static double turning_weight(const rotor::RotorConstants& rotor) {
+    const double damping = 2.0 * rotor.damping_ratio;
+    const double speed = std::abs(rotor.speed_ratio);
+    const double of_velocity =
+        std::hypot(damping * damping - 1.0 - 3.0 * speed * speed, 3.0 * speed * damping);
+    const double of_position = std::hypot(damping, speed * (3.0 + speed * speed));
+    return std::hypot(of_velocity, of_position);
+  }
+
+  template <class Flight, class Bodies>
+  [[nodiscard]] bool stays_clear(const Flight& flight, double time, const Bodies& state,
+                                 double horizon) const {
+    return bound_from_ring(flight, time, state, horizon) + std::abs(rotor_->misalignment) <=
+           least_clearance();
+  }
+
+  /// Of the blade that reaches farthest [m].
+  [[nodiscard]] double least_clearance() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < blades_->count(); ++k) {
+      const contact::Geometry& geometry = law_->of(k).geometry();
+      least = std::min(least, geometry.ring_radius - geometry.reach);
+    }
+    return least;
+  }
+
+  /// A time from `time` on for which a tip of that geometry in the direction of a blade cannot touch.
+  template <class Flight, class Bodies>
+  double clear_step(const Flight& flight, const contact::Geometry& geometry, int blade, double time,
+                    const Bodies& state, double until) const {
+    const rotor::State seen = rotor::from_ring(state);
+    const double turning = blades_->speed(time);
+    const double reach = geometry.reach;
+    const contact::BladeDirection er = blades_->direction(blade, blades_->first(time));
+    const contact::Pose pose = rotor::pose_of(*rotor_, geometry, er, seen);
+    const double slope = contact::gap_rate(geometry, pose, turning);
+    // Rounding may leave the gap of a blade that has just lifted off a little above zero.
+    if (pose.gap >= 0.0 && slope > 0.0) return 0.0;
+    const double value = std::min(pose.gap, 0.0);
+
+    const std::complex<double> acceleration = flight.acceleration(time, state);
+    double curvature = contact::gap_curvature(geometry, er, pose, {seen[0], seen[1] + rotor_->misalignment},
+                                              {seen[2], seen[3]}, acceleration, turning);
+    // A bound over all that is left would be that of the end, where free motion grows.
+    const double remaining = until - time;
+    const double renewed = time_of_bound(flight);
+    const bool in_pieces = renewed < remaining;
+    const auto bound = flight.amplitude_bound(time, state, in_pieces ? renewed : remaining);  // of |z|, |c'|
+    if constexpr (Blades::kRipples || Flight::kAnySupport) {
+      if constexpr (Blades::kRipples) {
+        curvature += 2.0 * reach * blades_->angular_acceleration(time) * pose.tangential;
+      }
+      const double step =
+          integrate::conservative_step(value, slope, curvature, third_bound(flight, bound, reach));
+      return in_pieces ? std::min(step, renewed) : step;
+    } else {
+      return integrate::conservative_step(value, slope, curvature, close_third_bound(flight, bound, reach));
+    }
+  }
+
+  /// Bound of |g'''| at constant speed on an isotropic shaft.
+  template <class Flight>
+  double close_third_bound(const Flight& flight, double bound, double reach) const {
+    const double speed = std::abs(rotor_->speed_ratio);
+    // g''' = 6 c'·c'' + 2 c·c''' + 2(rh+L) er·(d/dτ + iΩ)³ c. In the last term z''' and z'' are written with
+    // z, z' and the forcing, whose weights are bounded together: |z|² + |z'|² <= bound².
+    const double forcing = flight.forcing_bound();
+    const double damping = 2.0 * rotor_->damping_ratio;
+    const double misalignment = std::abs(rotor_->misalignment);
+    const double centre = bound + misalignment;  // of |c|
+    const double second = std::sqrt(1.0 + damping * damping) * bound + forcing;
+    const double third = damping * second + bound + forcing * speed;
+    const double turned_third =
+        turning_weight_ * bound + (damping + 4.0 * speed) * forcing + speed * speed * speed * misalignment;
+    return 6.0 * bound * second + 2.0 * centre * third + 2.0 * reach * turned_third;
+  }
+
+  /// The same for any support and any turning, term by term: with D = d/dτ + iφ',
+  /// D³c = c''' + 3iφ'c'' + 3(iφ'' − φ'²)c' + (iφ''' − 3φ'φ'' − iφ'³)c.
+  template <class Flight, class Bound>
+  double third_bound(const Flight& flight, const Bound& bound, double reach) const {
+    double speed = std::abs(rotor_->speed_ratio);
+    double of_velocity = speed * speed;
+    double of_position = speed * speed * speed;
+    if constexpr (Blades::kRipples) {
+      speed = blades_->speed_bound();
+      const double change = blades_->angular_acceleration_bound();
+      of_velocity = speed * speed + change;
+      of_position = blades_->angular_jerk_bound() + 3.0 * speed * change + speed * speed * speed;
+    }
+    const double centre = position_bound(bound) + std::abs(rotor_->misalignment);
+    const double velocity = velocity_bound(bound);
+    const double second = flight.second_bound(bound);
+    const double third = flight.third_bound(bound);
+    const double turned = third + 3.0 * speed * second + 3.0 * of_velocity * velocity + of_position * centre;
+    return 6.0 * velocity * second + 2.0 * centre * third + 2.0 * reach * turned;
+  }
+
+  const rotor::RotorConstants* rotor_;
+  const Law* law_;
+  const Blades* blades_;
+  double turning_weight_;
+  std::vector<double> clear_until_;
+  std::uint64_t evaluations_ = 0;
+};
+
+}  // namespace rubatlas::modes

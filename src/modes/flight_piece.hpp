@@ -1,0 +1,38 @@
+/// Flight as those see it who record a motion.
+#pragma once
+
+#include <cstddef>
+
+#include "modes/flight.hpp"
+#include "observables/motion_piece.hpp"
+#include "rotor/bodies.hpp"
+#include "rotor/constants.hpp"
+
+namespace rubatlas::modes {
+
+template <class Forcing>
+class FlightPiece final : public observables::MotionPiece {
+ public:
+  FlightPiece(const Flight<Forcing>& flight, double begin, double end, double bound)
+      : flight_(&flight), begin_(begin), end_(end), bound_(bound) {}
+  [[nodiscard]] double begin() const override { return begin_; }
+  [[nodiscard]] double end() const override { return end_; }
+  [[nodiscard]] observables::State state(double time) override {
+    return rotor::as_array(rotor::shaft(flight_->state(time)));
+  }
+  [[nodiscard]] double displacement_bound() const override { return bound_; }
+  [[nodiscard]] std::size_t contact_count() const override { return 0; }
+  [[nodiscard]] int blade(std::size_t /*contact*/) const override { return -1; }
+  [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return false; }
+  [[nodiscard]] double normal_force(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
+  [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
+  [[nodiscard]] double friction_power(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
+
+ private:
+  const Flight<Forcing>* flight_;
+  double begin_;
+  double end_;
+  double bound_;  ///< of the displacement [m]
+};
+
+}  // namespace rubatlas::modes

@@ -1,0 +1,167 @@
+/// A ring without mass that all blades in contact push together: it stands where its spring balances them.
+///
+///     kr r = ΣNk,   Nk = kt (|pk| − R) (n + sμ t)        pk = c − r + (rh+L) er
+///
+/// Nk is what the rigid blade k does to the ring (MODEL 4.7), pk its tip as seen from the ring's centre, n
+/// the direction of pk and t across it. Each force depends on r and with it on the others. Two unknowns,
+/// found by Newton's method with Ak = dNk/dpk = kt (I + sμ J)(n nᵀ + (1 − R/|pk|)(I − n nᵀ)), J a quarter
+/// turn; r' follows from (kr I + ΣAk) r' = ΣAk p'k, p' taken while the ring stands still. Source: statics.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "contact/pose.hpp"
+#include "modes/contact_system.hpp"
+#include "rotor/blade_set.hpp"
+#include "rotor/bodies.hpp"
+#include "rotor/constants.hpp"
+
+namespace rubatlas::modes {
+
+/// Right-hand side in τ: that of `SolvedContacts` in a state whose ring stands in its place. Ring and its
+/// velocity are no freedoms of their own but follow from the shaft's state.
+template <class Law, class Forcing, class Blades = rotor::BladeSet>
+class ContactsOnFollowingRing : public SolvedContacts<Law, Forcing, Blades> {
+ public:
+  using Solved = SolvedContacts<Law, Forcing, Blades>;
+  using FullState = rotor::RingContactState;
+
+  ContactsOnFollowingRing(const rotor::RotorConstants& rotor, const Blades& blades, const Law& law,
+                          const Forcing& forcing)
+      : Solved(rotor, blades, law, forcing),
+        rotor_(&rotor),
+        blades_(&blades),
+        law_(&law),
+        forcing_(&forcing) {}
+
+  bool operator()(const FullState& state, FullState& derivative) {
+    FullState placed = state;
+    return place_ring(placed) && Solved::operator()(placed, derivative);
+  }
+
+  /// Puts the ring of a state where the open contacts push it. False where that is nowhere (MODEL 5).
+  bool place_ring(FullState& state) const {
+    Balance balance;
+    for (int step = 0; step < kMostSteps; ++step) {
+      balance = weigh(state);
+      const Eigen::Vector2d move = balance.stiffness.inverse() * balance.excess;
+      if (!move.allFinite()) return false;
+      state.segment<2>(kRing) += move.array();
+      if (move.norm() <= kResolution * law_->of(0).geometry().ring_radius) {
+        const Eigen::Vector2d velocity = balance.stiffness.inverse() * balance.carried;
+        state.segment<2>(kRing + 2) = velocity.array();
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// The same of ring and contacts together: a blade that reaches into the ring where it then stands is
+  /// opened by `touches(blade)`, one that does not is let go. Friction that turns round moves the ring at
+  /// once. False where a tip would stick, too, since its friction would have to be found (MODEL 5).
+  template <class Touches>
+  bool settle(rotor::ShaftAndRing& bodies, double time, std::vector<OpenContact>& contacts, Touches touches) {
+    const double radius = law_->of(0).geometry().ring_radius;
+    const double rounding = kGapRounding * radius * radius;
+    for (int change = 0; change <= 2 * blades_->count(); ++change) {
+      this->open(contacts);
+      FullState full = rotor::full_state(bodies, time, 0.0);
+      if (!place_ring(full)) return false;
+      bodies = rotor::bodies(full);
+      int enters = -1;
+      double deepest = rounding;
+      auto leaves = contacts.end();
+      for (int k = 0; k < blades_->count(); ++k) {
+        const double gap = pose(full, k).gap;
+        const auto open = std::ranges::find(contacts, k, &OpenContact::blade);
+        if (open == contacts.end() && gap > deepest) {
+          deepest = gap;
+          enters = k;
+        }
+        if (open != contacts.end() && gap < -rounding) leaves = open;
+      }
+      if (leaves != contacts.end()) {
+        contacts.erase(leaves);
+      } else if (enters < 0) {
+        return slides(full);
+      } else if (!touches(enters)) {
+        return false;
+      }
+    }
+    return false;
+  }
+
+ private:
+  /// Of R²: rounding of g where a touch-down or a lift-off has been located.
+  static constexpr double kGapRounding = 32.0 * std::numeric_limits<double>::epsilon();
+  static constexpr int kRing = 6;  ///< place of r in a state in contact
+  static constexpr int kMostSteps = 30;
+  /// Of R: the next step of Newton's method, which is quadratic, is below the rounding of r.
+  static constexpr double kResolution = 1e-12;
+
+  struct Balance {
+    Eigen::Vector2d excess;     ///< ΣNk − kr r [N]
+    Eigen::Matrix2d stiffness;  ///< kr I + ΣAk [N/m]
+    Eigen::Vector2d carried;    ///< ΣAk p'k [N per unit τ]
+  };
+
+  [[nodiscard]] contact::Pose pose(const FullState& state, int blade) const {
+    return rotor::pose_of(*rotor_, law_->of(blade).geometry(),
+                          blades_->direction(blade, blades_->first(state[rotor::kTime])),
+                          rotor::from_ring(state));
+  }
+
+  /// All open contacts slip the way they are said to.
+  [[nodiscard]] bool slides(const FullState& state) const {
+    const double speed = blades_->speed(state[rotor::kTime]);
+    return std::ranges::all_of(this->contacts(), [&](const OpenContact& contact) {
+      const contact::Geometry& geometry = law_->of(contact.blade).geometry();
+      const double velocity = contact::undeformed_slip_velocity(geometry, pose(state, contact.blade), speed);
+      return contact.slip * velocity >= -kSlipRounding * std::abs(rotor_->speed_ratio) * geometry.ring_radius;
+    });
+  }
+
+  [[nodiscard]] Balance weigh(const FullState& state) const {
+    const double stiffness = forcing_->ring.stiffness;
+    const rotor::State seen = rotor::from_ring(state);
+    Balance balance{-stiffness * state.segment<2>(kRing).matrix(), stiffness * Eigen::Matrix2d::Identity(),
+                    Eigen::Vector2d::Zero()};
+    const contact::BladeDirection first = blades_->first(state[rotor::kTime]);
+    const double speed = blades_->speed(state[rotor::kTime]);
+    for (const OpenContact& contact : this->contacts()) {
+      const auto& law = law_->of(contact.blade);
+      const contact::Geometry& geometry = law.geometry();
+      const contact::BladeDirection er = blades_->direction(contact.blade, first);
+      const contact::Pose at = rotor::pose_of(*rotor_, geometry, er, seen);
+      const Eigen::Vector2d tip(seen[0] + geometry.reach * er.cosine,
+                                seen[1] + rotor_->misalignment + geometry.reach * er.sine);
+      const double distance = tip.norm();
+      const double depth = at.gap / (distance + geometry.ring_radius);
+      const Eigen::Vector2d normal = tip / distance;
+      const double friction = law.friction().coefficient(0.0, contact.slip);
+      Eigen::Matrix2d with_friction;
+      with_friction << 1.0, -friction, friction, 1.0;
+      balance.excess += law.stiffness() * depth * with_friction * normal;
+      const Eigen::Matrix2d along = normal * normal.transpose();
+      const Eigen::Matrix2d change = law.stiffness() * with_friction *
+                                     (along + depth / distance * (Eigen::Matrix2d::Identity() - along));
+      balance.stiffness += change;
+      const Eigen::Vector2d velocity(state[2] - speed * geometry.reach * er.sine,
+                                     state[3] + speed * geometry.reach * er.cosine);
+      balance.carried += change * velocity;
+    }
+    return balance;
+  }
+
+  const rotor::RotorConstants* rotor_;
+  const Blades* blades_;
+  const Law* law_;
+  const Forcing* forcing_;
+};
+
+}  // namespace rubatlas::modes

@@ -1,0 +1,46 @@
+/// What follows a motion: receives its pieces and events in order of time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "observables/motion_piece.hpp"
+#include "rotor/constants.hpp"
+
+namespace rubatlas::modes {
+
+enum class PhaseEvent : std::uint8_t {
+  horizon,
+  lift_off,
+  touch_down,
+  slip_reversal,
+  comes_loose,  ///< a tip that has stuck slips
+  pressed_in,   ///< a tip that has skimmed the ring is held by its full force
+  snap,         ///< a blade has come to the end of its branch of equilibria and goes over to the next
+  nears_fold,   ///< a force that is solved for is about to end: its blade is to be carried there
+  left_validity,
+  failed
+};
+
+/// A touch-down, lift-off, slip reversal, snap, or end of sticking or skimming.
+struct Event {
+  PhaseEvent kind;
+  int blade;    ///< from 0
+  double time;  ///< τ of the revolution
+  double slip;  ///< s: after a touch-down or reversal, before a lift-off; 0 of a tip that sticks
+  rotor::State state;
+};
+
+/// Does nothing itself: what runs in the transient.
+class MotionListener {
+ public:
+  virtual ~MotionListener() = default;
+  virtual void piece(observables::MotionPiece& /*piece*/) {}
+  virtual void event(const Event& /*event*/) {}
+  /// The revolution that follows turns at this Ω. Never called where the speed does not ramp.
+  virtual void speed_changes(double /*speed_ratio*/) {}
+  /// After a sampled revolution: the shaft's state there. Called by the protocol of a point, not by a motion.
+  virtual void revolution_ends(const std::array<double, 4>& /*section*/) {}
+};
+
+}  // namespace rubatlas::modes

@@ -1,0 +1,190 @@
+/// Elastic blades whose tips may stick to the ring.
+///
+/// The slip velocity of MODEL 4.4 is that of a rigid body through the place of the deformed tip. At a given
+/// pose it is a function v(c) of the friction coefficient, through the blade's equilibrium, and Coulomb's
+/// inclusion c ∈ μ Sign(v) is algebraic: a tip slips forward where v(μ) > 0, back where v(−μ) < 0, and rests
+/// where v(c) = 0 in between. Its force is then a function of the pose alone (`DirectedElastica::rest`),
+/// which joins those of the slipping tip without a jump where static and kinetic friction are equal; there is
+/// no constraint to be put back on, and tips do not depend on each other.
+///
+/// A tip comes to rest only where v falls as c grows. Where it rises (the tip is pressed in) two slipping
+/// states stand beside each other where v(μ) > 0 > v(−μ): a tip keeps its direction to the end of that state,
+/// and then slips the other way, as in MODEL 4.4.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include "contact/friction_law.hpp"
+#include "contact/pose.hpp"
+#include "modes/contact_system.hpp"
+#include "modes/sticking_contacts.hpp"
+#include "rotor/blade_set.hpp"
+#include "rotor/constants.hpp"
+
+namespace rubatlas::modes {
+
+/// Right-hand side in τ with the interface of `StickingContacts`. An open contact with slip 0 sticks, and is
+/// found from its bending and amplitude.
+template <class Law, class Forcing, class Blades = rotor::BladeSet>
+class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
+ public:
+  using FullState = rotor::FullStateOf<Forcing>;
+
+  StickingElasticContacts(const rotor::RotorConstants& rotor, const Blades& blades, const Law& law,
+                          const Forcing& forcing)
+      : SolvedContacts<Law, Forcing, Blades>(rotor, blades, law, forcing),
+        rotor_(&rotor),
+        blades_(&blades),
+        law_(&law) {}
+
+  /// The tips at rest that friction cannot hold in a state get the direction in which they slip, and are told
+  /// of to `let_go`. A contact that is new slips, or rests, as Coulomb's inclusion has it there.
+  template <class Tell>
+  void settle(const FullState& state, std::vector<OpenContact>& contacts, Tell let_go) {
+    for (OpenContact& contact : contacts) {
+      if (contact.slip == 0.0) {
+        if (rests(contact, state)) continue;
+        leave_rest(contact, state);
+        let_go(contact);
+      } else if (contact.bending == 0.0) {
+        OpenContact bent = contact;
+        if (forward(bent, contact.slip, state) < 0.0) arrest(contact = bent, state);
+      }
+    }
+  }
+
+  /// A slipping tip whose slip velocity has come to zero, or is against its direction: rests where it can,
+  /// and slips the other way where it cannot. False where Coulomb's inclusion leaves it neither (MODEL 5).
+  bool arrest(std::vector<OpenContact>& contacts, std::size_t contact, const FullState& state) const {
+    return arrest(contacts[contact], state);
+  }
+  /// Puts a slipping tip to rest where friction can hold it next to where it slips; false, and nothing
+  /// changed, where not.
+  bool come_to_rest(OpenContact& contact, const FullState& state) const {
+    OpenContact there = contact;
+    forward(there, contact.slip, state);
+    if (!rests(there, state)) return false;
+    contact = there;
+    return true;
+  }
+  /// A tip that rests no longer slips the way it is pulled.
+  void let_go(std::vector<OpenContact>& contacts, std::size_t contact, const FullState& state) const {
+    leave_rest(contacts[contact], state);
+  }
+
+  /// |c| − μs [-], or how far a tip is from being firm, and its blade from being bent: it comes loose where
+  /// that is positive. One that nothing can hold has come loose.
+  [[nodiscard]] double excess(std::size_t contact, const FullState& state) const {
+    const OpenContact& open = this->contacts()[contact];
+    return looseness(open, rest(open, state));
+  }
+  /// What a contact does in a state; nothing where nothing can hold it.
+  [[nodiscard]] contact::TipForce force(std::size_t contact, const FullState& state) const {
+    contact::TipForce result{};
+    OpenContact open = this->contacts()[contact];
+    respond(law_->of(open.blade), pose(open, state), blades_->speed(state[rotor::kTime]), open, result);
+    return result;
+  }
+
+  /// No state needs to be put back: rest is part of the force.
+  void project(FullState& /*state*/) const {}
+
+ private:
+  /// Of μs, beyond which a tip comes loose: rounding does not lead it back.
+  static constexpr double kShareBeyond = 1e-9;
+  /// Where dv/dα passes through zero, c changes within times that vanish with it.
+  static constexpr double kLeastFirmness = 1e-6;
+  /// κ, of μs, below which the blade is a straight strut between hub and ring, as stiff as 1/κ², and about to
+  /// leave the ring.
+  static constexpr double kLeastModulus = 2e-4;
+
+  [[nodiscard]] contact::Pose pose(const OpenContact& open, const FullState& state) const {
+    return rotor::pose_of(*rotor_, law_->of(open.blade).geometry(),
+                          blades_->direction(open.blade, blades_->first(state[rotor::kTime])),
+                          rotor::from_ring(state));
+  }
+  [[nodiscard]] auto rest(const OpenContact& open, const FullState& state) const {
+    return law_->of(open.blade)
+        .rest(pose(open, state), blades_->speed(state[rotor::kTime]), {open.bending, open.amplitude});
+  }
+  /// `excess` of a contact at what `rest` has found for it.
+  template <class Rest>
+  [[nodiscard]] double looseness(const OpenContact& open, const std::optional<Rest>& there) const {
+    constexpr double kLost = 1.0;
+    if (!there) return kLost;
+    const double least_modulus = kLeastModulus * law_->of(open.blade).friction().largest_holding;
+    return std::max({beyond_cone(open, there->held.coefficient), 1.0 - there->firmness / kLeastFirmness,
+                     1.0 - std::abs(there->held.bend.modulus) / least_modulus});
+  }
+  [[nodiscard]] double slip_rounding(int blade) const {
+    return kSlipRounding * std::abs(rotor_->speed_ratio) * law_->of(blade).geometry().ring_radius;
+  }
+  [[nodiscard]] double beyond_cone(const OpenContact& open, double coefficient) const {
+    return std::abs(coefficient) - (1.0 + kShareBeyond) * law_->of(open.blade).friction().largest_holding;
+  }
+
+  /// Puts a tip to rest where friction can hold it near its bend; false, and nothing changed, where not.
+  bool rests(OpenContact& contact, const FullState& state) const {
+    const auto there = rest(contact, state);
+    if (looseness(contact, there) > 0.0) return false;
+    contact.slip = 0.0;
+    contact.bending = there->held.bend.modulus;
+    contact.amplitude = there->held.bend.amplitude;
+    return true;
+  }
+
+  /// s v [m per unit τ] of a contact that slips in the direction s, whose bend is updated; −∞ where it has no
+  /// equilibrium.
+  double forward(OpenContact& contact, double slip, const FullState& state) const {
+    contact::TipForce force{};
+    contact.slip = slip;
+    const bool stands = respond(law_->of(contact.blade), pose(contact, state),
+                                blades_->speed(state[rotor::kTime]), contact, force);
+    return stands ? slip * force.slip_velocity : -std::numeric_limits<double>::infinity();
+  }
+
+  bool arrest(OpenContact& contact, const FullState& state) const {
+    OpenContact there = contact;
+    forward(there, contact.slip, state);
+    if (!rests(there, state)) {
+      // v that has been located as zero has any sign, the more so where friction hardly moves the tip.
+      const bool slips = forward(there, -contact.slip, state) >= -slip_rounding(contact.blade);
+      // Neither direction slips as it should: v may be zero next to the other one.
+      if (!slips && !rests(there, state)) return false;
+    }
+    contact = there;
+    return true;
+  }
+
+  void leave_rest(OpenContact& contact, const FullState& state) const {
+    constexpr double kAtTheEdge = 1e-6;  // of the cone
+    const auto there = rest(contact, state);
+    if (there && beyond_cone(contact, (1.0 + kAtTheEdge) * there->held.coefficient) > 0.0) {
+      contact.slip = std::copysign(1.0, there->held.coefficient);
+      return;
+    }
+    // Its place is lost within the cone: v has one sign in what remains.
+    OpenContact ahead = contact;
+    OpenContact back = contact;
+    const double forwards = forward(ahead, 1.0, state);
+    contact = forwards >= forward(back, -1.0, state) ? ahead : back;
+  }
+
+  const rotor::RotorConstants* rotor_;
+  const Blades* blades_;
+  const Law* law_;
+};
+
+/// The right-hand side with stick that goes with a law of contact.
+template <class Law, class Forcing, class Blades>
+using StickingSystem =
+    std::conditional_t<contact::SticksByLaw<Law>, StickingElasticContacts<Law, Forcing, Blades>,
+                       StickingContacts<Law, Forcing, Blades>>;
+
+}  // namespace rubatlas::modes

@@ -1,0 +1,57 @@
+#include "modes/work_meter.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace rubatlas::modes {
+namespace {
+
+/// Between two looks: far below what a user notices, far above what a look costs.
+constexpr std::int64_t kBetweenLooks = 2'000'000;
+
+}  // namespace
+
+// Rounded up from what 271 random scenes took at -O3 on one core.
+const std::int64_t WorkPrice::kAttempt = 1'500;
+const std::int64_t WorkPrice::kForce = 1'000;
+const std::int64_t WorkPrice::kCurve = 60;
+const std::int64_t WorkPrice::kInclinedCurve = 500;
+const std::int64_t WorkPrice::kGap = 300;
+const std::int64_t WorkPrice::kState = 50;
+const std::int64_t WorkPrice::kEvent = 1'200;
+
+const WorkBound WorkBound::kHybrid{2'000'000'000, 2'000'000'000, 100'000'000};
+const WorkBound WorkBound::kStepped{10'000'000'000, 40'000'000'000, 2'000'000'000};
+
+void WorkMeter::begin_revolution(const GoOn& go_on) {
+  spent_before_ = total();
+  spent_.fill(0);
+  ++revolutions_;
+  const std::int64_t of_point = std::max(bound_->point, revolutions_ * bound_->of_each_revolution);
+  allowed_ = std::min(bound_->revolution, of_point - spent_before_);
+  until_look_ = kBetweenLooks;
+  go_on_ = &go_on;
+  why_ = point::StatusDetail::none;
+}
+
+std::int64_t WorkMeter::total() const {
+  return std::accumulate(spent_.begin(), spent_.end(), spent_before_);
+}
+
+bool WorkMeter::look() {
+  constexpr std::array kDetails{point::StatusDetail::contact_work, point::StatusDetail::flight_work,
+                                point::StatusDetail::event_work};
+  if (ended()) return false;
+  const std::int64_t allowed = revolutions_ > 0 ? allowed_ : bound_->revolution;
+  if (total() - spent_before_ > allowed) {
+    const auto most = std::max_element(spent_.begin(), spent_.end()) - spent_.begin();
+    why_ = kDetails[static_cast<std::size_t>(most)];
+  } else if (go_on_ != nullptr && *go_on_ && !(*go_on_)()) {
+    why_ = point::StatusDetail::given_up;
+  }
+  if (ended()) return false;
+  until_look_ = kBetweenLooks;
+  return true;
+}
+
+}  // namespace rubatlas::modes

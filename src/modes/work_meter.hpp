@@ -1,0 +1,86 @@
+/// The bound of the work in one revolution, and the place where a long revolution can be given up.
+///
+/// Work is counted, not timed, so that where a point ends does not hang on the machine. Its unit is a
+/// nanosecond of a processor core at full optimisation, roughly: counts of what a motion is made of (attempts
+/// of steps, evaluations of a blade's curve, of gaps, events), each with its measured price.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+#include "point/status.hpp"
+
+namespace rubatlas::modes {
+
+/// Asked after each revolution, and within a long one after every few milliseconds of work: false gives the
+/// point up, whose status stays `pending`. An empty one is not asked. It must not throw.
+using GoOn = std::function<bool()>;
+
+enum class Work : std::uint8_t { contact, flight, events };
+
+/// What one piece of work costs [ns].
+struct WorkPrice {
+  static const std::int64_t kAttempt;        ///< an attempt of a step, but for its forces
+  static const std::int64_t kForce;          ///< of a contact in it, but for evaluations of a curve
+  static const std::int64_t kCurve;          ///< of a blade under an axial load, from its table
+  static const std::int64_t kInclinedCurve;  ///< the same under an inclined load, by quadrature
+  static const std::int64_t kGap;            ///< of a blade in flight, but for the shaft's state
+  static const std::int64_t kState;          ///< of an isotropic shaft in flight
+  static const std::int64_t kEvent;          ///< touch-down, lift-off, slip reversal: a change of phase
+};
+
+/// How much of it is allowed [ns].
+struct WorkBound {
+  std::int64_t revolution;          ///< one revolution
+  std::int64_t point;               ///< a point, or, if that is more,
+  std::int64_t of_each_revolution;  ///< so much for each revolution that it has begun
+
+  static const WorkBound kHybrid;
+  static const WorkBound kStepped;  ///< of the methods that `hybrid` is compared with
+};
+
+class WorkMeter {
+ public:
+  explicit WorkMeter(const WorkBound& bound = WorkBound::kHybrid) : bound_(&bound) {}
+
+  void begin_revolution(const GoOn& go_on);
+
+  /// Adds to what has been done; false where the revolution is to end here.
+  bool spend(Work kind, std::int64_t price) {
+    spent_[static_cast<std::size_t>(kind)] += price;
+    until_look_ -= price;
+    return until_look_ > 0 || look();
+  }
+  [[nodiscard]] bool ended() const { return why_ != point::StatusDetail::none; }
+  /// What ended the revolution.
+  [[nodiscard]] point::StatusDetail why() const { return why_; }
+  /// All that was spent, in the revolutions before, too [ns].
+  [[nodiscard]] std::int64_t total() const;
+
+ private:
+  bool look();
+
+  const WorkBound* bound_;
+  std::int64_t revolutions_ = 0;  ///< begun
+  std::int64_t allowed_ = 0;      ///< in this one
+  std::int64_t until_look_ = 0;
+  std::array<std::int64_t, 3> spent_{};  ///< in this one
+  std::int64_t spent_before_ = 0;        ///< in those before
+  const GoOn* go_on_ = nullptr;
+  point::StatusDetail why_ = point::StatusDetail::none;
+};
+
+/// How often the curves of a law's blades have been evaluated; 0 where they have none.
+template <class Law>
+std::uint64_t curve_evaluations(const Law& law) {
+  if constexpr (requires { law.evaluations(); }) return law.evaluations();
+  return 0;
+}
+template <class Law>
+std::int64_t price_of_curve() {
+  return Law::kHasBending ? WorkPrice::kCurve : WorkPrice::kInclinedCurve;
+}
+
+}  // namespace rubatlas::modes

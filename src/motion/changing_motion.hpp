@@ -1,0 +1,61 @@
+/// A motion whose machine changes from revolution to revolution: blades that wear, a speed that ramps.
+///
+/// One mechanism for both. Within a revolution nothing changes, and the motion is that of any other rotor;
+/// between two revolutions a motion with the new speed and lengths takes over the state and what is in
+/// contact. Where nothing has changed the old one goes on.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "motion/friction_work.hpp"
+#include "motion/point_motion.hpp"
+#include "settings/effects/list.hpp"
+#include "settings/scene.hpp"
+
+namespace rubatlas::motion {
+
+/// The scene has an effect that changes the machine between revolutions.
+bool changes_between_revolutions(const settings::Scene& line);
+
+class ChangingMotion final : public PointMotion {
+ public:
+  /// `make` outlives the motion. `memory`: lengths lost before the point, one a blade; empty for new blades.
+  ChangingMotion(const settings::Scene& line, double speed_ratio, const Memory& memory,
+                 const MakeMotion& make);
+
+  point::PointStatus start(const point::PointStart& start) override { return motion_->start(start); }
+  point::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
+                                int number) override;
+  point::PointStatus take_over(PointMotion& before) override { return motion_->take_over(before); }
+
+  [[nodiscard]] point::StatusDetail status_detail() const override {
+    return worn_out_ != point::StatusDetail::none ? worn_out_ : motion_->status_detail();
+  }
+  [[nodiscard]] rotor::ShaftAndRing state() const override { return motion_->state(); }
+  /// The length that each blade has lost [m].
+  [[nodiscard]] Memory memory() const override { return Memory(lost_); }
+  [[nodiscard]] double clearance_growth() const override;
+  [[nodiscard]] WorkCounts work() const override;
+
+ private:
+  point::PointStatus change(modes::MotionListener& listener, int number);
+  point::PointStatus wear_off();
+
+  const MakeMotion* make_;
+  double first_speed_;  ///< Ω of the transient and the first sampled revolution
+  double speed_;        ///< Ω now
+  std::optional<effects::SpeedRamp> ramp_;
+  std::optional<effects::Wear> wear_;
+  std::vector<double> lost_;         ///< of each blade [m]; empty where no blade wears
+  std::vector<double> lost_before_;  ///< when the point started
+  double longest_loss_ = 0.0;        ///< [m]
+  bool shorter_ = false;             ///< a blade has lost length in the last revolution
+  point::StatusDetail worn_out_ = point::StatusDetail::none;  ///< what wear ends the point with
+  std::optional<FrictionWork> friction_work_;
+  std::unique_ptr<PointMotion> motion_;
+  WorkCounts work_;  ///< of the motions before
+};
+
+}  // namespace rubatlas::motion

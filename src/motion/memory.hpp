@@ -1,0 +1,33 @@
+/// What effects remember of a point besides the state.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+
+namespace rubatlas::motion {
+
+/// What effects remember from point to point besides the state, in the order of `observables::memories`.
+/// Small enough to go along in any message.
+class Memory {
+ public:
+  static constexpr std::size_t kMost = 64;  ///< numbers; fifty blades, and a ring
+
+  Memory() = default;
+  explicit Memory(std::span<const double> values) : count_(static_cast<std::uint32_t>(values.size())) {
+    if (values.size() > kMost) throw std::length_error("effects remember too much");
+    std::copy(values.begin(), values.end(), values_.begin());
+  }
+  [[nodiscard]] std::span<const double> view() const { return {values_.data(), count_}; }
+  /// Bytes at the end of a Memory that say nothing.
+  [[nodiscard]] std::size_t unused_bytes() const { return sizeof(double) * (kMost - count_); }
+
+ private:
+  std::uint32_t count_ = 0;
+  std::array<double, kMost> values_{};
+};
+
+}  // namespace rubatlas::motion

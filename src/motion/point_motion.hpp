@@ -1,0 +1,103 @@
+/// The motion of one point, whatever it is made of: what protocol, recording and changes of the machine
+/// between revolutions know of it. One virtual call a revolution.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+#include "modes/motion_listener.hpp"
+#include "point/line_solver.hpp"
+#include "rotor/bodies.hpp"
+
+namespace rubatlas::motion {
+
+class PointMotion {
+ public:
+  PointMotion() = default;
+  PointMotion(const PointMotion&) = delete;
+  PointMotion& operator=(const PointMotion&) = delete;
+  virtual ~PointMotion() = default;
+
+  virtual point::PointStatus start(const point::PointStart& start) = 0;
+  /// The next revolution, whose number counts from the first that is sampled.
+  virtual point::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
+                                        int number) = 0;
+  /// Goes on at phase 0 from where a motion of the same kind, with another speed or other blades, has ended.
+  /// Throws std::logic_error of a machine that does not change.
+  virtual point::PointStatus take_over(PointMotion& before) = 0;
+
+  /// What ended the motion, where that is not done.
+  [[nodiscard]] virtual point::StatusDetail status_detail() const = 0;
+  /// At the end of the last revolution; a ring that is no body stands at zero.
+  [[nodiscard]] virtual rotor::ShaftAndRing state() const = 0;
+  /// What the next point is to know besides the shaft's state.
+  [[nodiscard]] virtual Memory memory() const { return {}; }
+  /// Largest growth of a blade's clearance since the point started [m].
+  [[nodiscard]] virtual double clearance_growth() const { return 0.0; }
+  [[nodiscard]] virtual WorkCounts work() const = 0;
+};
+
+/// Makes the motion of a line's point at a speed ratio Ω. `lost`: the length that each blade has lost [m],
+/// empty where no blade wears.
+using MakeMotion =
+    std::function<std::unique_ptr<PointMotion>(double speed_ratio, std::span<const double> lost)>;
+
+/// A compiled motion of a shaft, or of a shaft and a ring. `kMayChange`: another one may take over from it.
+template <class Motion, bool kMayChange>
+class TypedMotion final : public PointMotion {
+ public:
+  template <class... Arguments>
+  explicit TypedMotion(Arguments&&... arguments) : motion_(std::forward<Arguments>(arguments)...) {}
+
+  point::PointStatus start(const point::PointStart& start) override {
+    rotor::ShaftAndRing bodies = rotor::ShaftAndRing::Zero();
+    bodies.head<4>() = rotor::as_state(start.state);
+    if constexpr (kHasRing) {
+      // A ring of which nothing is remembered is at rest in its place.
+      const std::span<const double> ring = start.memory.view();
+      if (!ring.empty()) bodies.tail<4>() = rotor::State(ring.data());
+      return motion_.start(bodies);
+    } else {
+      return motion_.start(rotor::shaft(bodies));
+    }
+  }
+  point::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
+                                int /*number*/) override {
+    return motion_.revolution(listener, go_on);
+  }
+  point::PointStatus take_over([[maybe_unused]] PointMotion& before) override {
+    if constexpr (kMayChange) {
+      return motion_.take_over(dynamic_cast<TypedMotion&>(before).motion_.hand_over());
+    } else {
+      throw std::logic_error("this motion's machine does not change between revolutions");
+    }
+  }
+
+  [[nodiscard]] point::StatusDetail status_detail() const override { return motion_.status_detail(); }
+  [[nodiscard]] rotor::ShaftAndRing state() const override {
+    if constexpr (kHasRing) {
+      return motion_.state();
+    } else {
+      rotor::ShaftAndRing bodies = rotor::ShaftAndRing::Zero();
+      bodies.head<4>() = motion_.state();
+      return bodies;
+    }
+  }
+  [[nodiscard]] Memory memory() const override {
+    if constexpr (kHasRing) return Memory(rotor::as_array(rotor::ring(motion_.state())));
+    return {};
+  }
+  [[nodiscard]] WorkCounts work() const override { return motion_.work(); }
+
+ private:
+  static constexpr bool kHasRing =
+      std::is_same_v<std::remove_cvref_t<decltype(std::declval<Motion>().state())>, rotor::ShaftAndRing>;
+
+  Motion motion_;
+};
+
+}  // namespace rubatlas::motion

@@ -1,0 +1,78 @@
+/// The door to the physics: one line of the atlas, point by point.
+///
+/// A scene's choices (contact law, effects, observables) become types once, in `make_line_solver`; from there
+/// to the end of a point nothing is looked up by name. One virtual call per point.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "modes/work_meter.hpp"
+#include "motion/memory.hpp"
+#include "motion/work_counts.hpp"
+#include "observables/list.hpp"
+#include "point/status.hpp"
+
+namespace rubatlas::point {
+
+/// x, y [m], dx/dτ, dy/dτ [m]: the shaft centre at phase 0, from its own equilibrium (MODEL 1).
+using SectionState = std::array<double, 4>;
+
+/// What a point starts from.
+struct PointStart {
+  PointStart() = default;
+  // A state alone is a start. NOLINTNEXTLINE(google-explicit-constructor)
+  PointStart(const SectionState& from, const motion::Memory& remembered = {})
+      : state(from), memory(remembered) {}
+  SectionState state{};
+  motion::Memory memory;  ///< empty: as new
+};
+
+struct PointOutcome {
+  PointStatus status = PointStatus::pending;
+  StatusDetail detail = StatusDetail::none;  ///< what ended the point, where it is not done
+  std::int32_t failed_revolution = -1;       ///< counted from 0 through the transient; −1 when done
+  SectionState final_state{};                ///< after the last revolution; NaN when not done
+  motion::Memory final_memory;               ///< beside it; empty where no effect has one
+  observables::Rows rows;                    ///< as `observables::descriptions(scene)`
+  motion::WorkCounts work;
+};
+
+/// The forces of contacts over their times, closer than a uniform grid of time can have them: contact after
+/// contact in the order in which they begin, of each both ends, every peak, and what lies between.
+struct ContactSamples {
+  std::vector<std::int32_t> number;  ///< of the contact, from 0
+  std::vector<std::int32_t> blade;   ///< from 0
+  std::vector<double> time;   ///< τ [-] as in the orbit; ascends within a contact, twice the same at a jump
+  std::vector<double> force;  ///< normal force F [N]
+  std::vector<SectionState> state;
+};
+
+/// One point's motion on a uniform grid of time over the sampled revolutions, and its contacts.
+struct Orbit {
+  PointStatus status = PointStatus::pending;
+  StatusDetail detail = StatusDetail::none;
+  std::int32_t failed_revolution = -1;
+  std::vector<double> time;            ///< τ [-] from the start of the sampled revolutions
+  std::vector<SectionState> state;     ///< one per time
+  std::vector<double> force;           ///< [time][blade], normal force F on each blade [N]
+  std::vector<SectionState> sections;  ///< Poincaré sections, one per sampled revolution
+  ContactSamples contacts;
+};
+
+class LineSolver {
+ public:
+  virtual ~LineSolver() = default;
+
+  /// Runs transient and sampled revolutions at one speed ratio from `start`. `go_on` is asked after each
+  /// revolution and every few milliseconds within (a rank answers its messages there): false gives the point
+  /// up, which is then pending. Empty: nobody asks.
+  virtual PointOutcome run(double speed_ratio, const PointStart& start, const modes::GoOn& go_on = {}) = 0;
+
+  /// The same motion, kept as `samples_per_revolution` samples over the sampled revolutions.
+  virtual Orbit orbit(double speed_ratio, const PointStart& start) = 0;
+};
+
+}  // namespace rubatlas::point

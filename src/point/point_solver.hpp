@@ -1,0 +1,46 @@
+/// The protocol of a point (MODEL 6), the same for every motion: transient, sampled revolutions, and what is
+/// kept of them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "modes/motion_listener.hpp"
+#include "motion/point_motion.hpp"
+#include "observables/recorder.hpp"
+#include "point/line_solver.hpp"
+#include "rotor/constants.hpp"
+#include "settings/scene.hpp"
+
+namespace rubatlas::point {
+
+/// The constants of a line's point.
+rotor::RotorConstants constants_of(const settings::Scene& line, double speed_ratio);
+
+class PointSolver final : public LineSolver {
+ public:
+  /// `line`: the scene with the line's values of all that is swept; `make` makes its motions.
+  PointSolver(const settings::Scene& line, motion::MakeMotion make);
+
+  PointOutcome run(double speed_ratio, const PointStart& start, const modes::GoOn& go_on) override;
+  Orbit orbit(double speed_ratio, const PointStart& start) override;
+
+ private:
+  /// How a motion ended.
+  struct Ending {
+    PointStatus status;
+    StatusDetail detail = StatusDetail::none;
+    std::int32_t failed_revolution = -1;
+  };
+
+  [[nodiscard]] std::unique_ptr<motion::PointMotion> motion_of(double speed_ratio,
+                                                               const PointStart& start) const;
+  Ending integrate(motion::PointMotion& motion, const PointStart& start, modes::MotionListener& sampling,
+                   const modes::GoOn& go_on) const;
+
+  settings::Scene scene_;
+  motion::MakeMotion make_;
+  observables::Recorder recorder_;
+};
+
+}  // namespace rubatlas::point

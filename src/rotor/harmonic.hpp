@@ -1,0 +1,169 @@
+/// Forcings of one frequency, and sums of them: unbalance (MODEL 1), static loads (frequency 0), the side
+/// bands of a speed that ripples. The shaft is linear: responses add up.
+///
+/// A forcing states its acceleration and the closed form of flight under it, the response from rest, which is
+/// added to the free motion:
+///     kPresent, amplitude(), rate()   bounds of the acceleration and of its derivative
+///     acceleration(time)              at time τ of the revolution [m per unit τ²]
+///     steady(time)                    the steady response, where it is known to exist
+///     from_rest(start, elapsed, free, kernel)   the motion a time after rest at `start`
+#pragma once
+
+#include <cmath>
+#include <complex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "rotor/free_motion.hpp"
+
+namespace rubatlas::rotor {
+
+/// A rotor on which nothing acts but shaft and ring.
+class NoForcing {
+ public:
+  static constexpr bool kPresent = false;
+};
+
+/// Position [m] and velocity [m per unit τ], as x + iy.
+struct Response {
+  std::complex<double> position;
+  std::complex<double> velocity;
+};
+
+/// z'' + 2ζ z' + z = a e^{i(ντ+γ)}.
+class Harmonic {
+ public:
+  static constexpr bool kPresent = true;
+  using Complex = std::complex<double>;
+
+  /// `amplitude` a [m per unit τ²], `phase` γ [rad], `frequency` ν [per unit τ].
+  Harmonic(double amplitude, double phase, double frequency, double damping_ratio)
+      : amplitude_(amplitude),
+        phase_(phase),
+        frequency_(frequency),
+        dynamic_stiffness_(1.0 - frequency * frequency, 2.0 * damping_ratio * frequency) {}
+
+  /// |a| [m per unit τ²], a bound of the acceleration, and |a ν|, one of its derivative.
+  [[nodiscard]] double amplitude() const { return amplitude_; }
+  [[nodiscard]] double rate() const { return amplitude_ * std::abs(frequency_); }
+  [[nodiscard]] double frequency() const { return frequency_; }  ///< ν [per unit τ]
+
+  /// Acceleration at time τ of the revolution [m per unit τ²].
+  [[nodiscard]] Complex acceleration(double time) const {
+    return std::polar(amplitude_, frequency_ * time + phase_);
+  }
+
+  /// Steady response at time τ of the revolution; none near resonance, where it may not exist.
+  [[nodiscard]] std::optional<Response> steady(double time) const {
+    if (std::norm(dynamic_stiffness_) <= kNearResonance * kNearResonance) return std::nullopt;
+    const Complex position = acceleration(time) / dynamic_stiffness_;
+    return Response{position, Complex(0.0, frequency_) * position};
+  }
+
+  /// Motion a time `elapsed` after rest at `start` (both in τ), in closed form; `motion` is the free motion's
+  /// C and S at `elapsed`.
+  ///
+  /// Far from resonance Z (e^{iΩt} − …) as MODEL 4.5. Near Ω = 1 at small damping Z is huge and cancels, and
+  /// at Ω = 1, ζ = 0 it does not exist; there the divided difference (e^{iΩt} − e^{λt})/(iΩ − λ) is taken as
+  /// t e^{λt} (e^w − 1)/w with w = (iΩ − λ) t, which passes smoothly through the secular growth at w = 0.
+  [[nodiscard]] Response from_rest(double start, double elapsed, const rotor::FreeMotion& free,
+                                   const rotor::FreeMotion::Kernel& kernel) const {
+    constexpr Complex i(0.0, 1.0);
+    const Complex turned = std::polar(1.0, frequency_ * elapsed);
+    const Complex unit = std::polar(amplitude_, frequency_ * start + phase_);
+    Response response;
+    if (std::norm(dynamic_stiffness_) > kNearResonance * kNearResonance) {
+      const Complex compliance = unit / dynamic_stiffness_;
+      response.position =
+          compliance * (turned - kernel.cosine - (i * frequency_ + free.damping_ratio()) * kernel.sine);
+    } else {
+      // Only underdamped rotors come here: kNearResonance bounds ζ.
+      const double frequency = free.damped_frequency();
+      const Complex positive(-free.damping_ratio(), frequency);
+      const Complex negative = std::conj(positive);
+      const auto difference = [&](Complex eigenvalue) {
+        return elapsed * std::exp(eigenvalue * elapsed) *
+               relative_growth((i * frequency_ - eigenvalue) * elapsed);
+      };
+      response.position = unit * (difference(positive) - difference(negative)) / (2.0 * i * frequency);
+    }
+    response.velocity = i * frequency_ * response.position + unit * kernel.sine;
+    return response;
+  }
+
+ private:
+  static constexpr double kNearResonance =
+      0.25;  ///< of |1 − ν² + 2iζν|: above, Z is at most four static ones
+
+  /// (e^w − 1)/w without cancellation.
+  static Complex relative_growth(Complex w) {
+    if (w == Complex(0.0, 0.0)) return 1.0;
+    const double half_sine = std::sin(0.5 * w.imag());
+    const Complex growth(std::expm1(w.real()) * std::cos(w.imag()) - 2.0 * half_sine * half_sine,
+                         std::exp(w.real()) * std::sin(w.imag()));
+    return growth / w;
+  }
+
+  double amplitude_;
+  double phase_;
+  double frequency_;
+  Complex dynamic_stiffness_;  ///< 1 − ν² + 2iζν
+};
+
+/// The rotor's own unbalance: a = (me/m) Ω² (MODEL 1).
+class RotatingUnbalance final : public Harmonic {
+ public:
+  /// `specific_moment` me/m [m]; `phase` γ [rad] from blade 1.
+  RotatingUnbalance(double specific_moment, double phase, double speed_ratio, double damping_ratio)
+      : Harmonic(specific_moment * speed_ratio * speed_ratio, phase, speed_ratio, damping_ratio) {}
+};
+
+/// A sum of harmonics.
+class Harmonics {
+ public:
+  static constexpr bool kPresent = true;
+  using Complex = std::complex<double>;
+
+  explicit Harmonics(std::vector<Harmonic> terms) : terms_(std::move(terms)) {
+    for (const Harmonic& term : terms_) {
+      amplitude_ += term.amplitude();
+      rate_ += term.rate();
+    }
+  }
+
+  [[nodiscard]] double amplitude() const { return amplitude_; }
+  [[nodiscard]] double rate() const { return rate_; }
+  [[nodiscard]] Complex acceleration(double time) const {
+    Complex sum = 0.0;
+    for (const Harmonic& term : terms_) sum += term.acceleration(time);
+    return sum;
+  }
+  [[nodiscard]] std::optional<Response> steady(double time) const {
+    Response sum{};
+    for (const Harmonic& term : terms_) {
+      const auto one = term.steady(time);
+      if (!one) return std::nullopt;
+      sum.position += one->position;
+      sum.velocity += one->velocity;
+    }
+    return sum;
+  }
+  [[nodiscard]] Response from_rest(double start, double elapsed, const rotor::FreeMotion& free,
+                                   const rotor::FreeMotion::Kernel& kernel) const {
+    Response sum{};
+    for (const Harmonic& term : terms_) {
+      const Response one = term.from_rest(start, elapsed, free, kernel);
+      sum.position += one.position;
+      sum.velocity += one.velocity;
+    }
+    return sum;
+  }
+
+ private:
+  std::vector<Harmonic> terms_;
+  double amplitude_ = 0.0;
+  double rate_ = 0.0;
+};
+
+}  // namespace rubatlas::rotor

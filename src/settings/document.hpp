@@ -1,0 +1,27 @@
+/// JSON text to a JSON tree, stricter than the standard asks: no duplicate keys, no silent end at a NUL byte,
+/// no nesting that no scene has, numbers that fit a double. Numbers, keys and pointers as texts for messages.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+namespace rubatlas::settings {
+
+/// Throws SceneError: "NAME:LINE:COLUMN: what is wrong" for broken JSON, "/pointer: ..." for a duplicate key.
+nlohmann::json parse_document(std::string_view text, std::string_view name);
+
+/// `pointer` with one more reference token, escaped as RFC 6901 asks.
+std::string child(std::string_view pointer, std::string_view key);
+
+/// A value as short JSON text, for messages: cut after some 60 characters.
+std::string shown(const nlohmann::json& value);
+
+/// A sentence in which no word is longer than a line: those that are, numbers of thousands of digits among
+/// them, are cut after some 60 characters.
+std::string in_short(std::string_view text);
+
+/// Shortest decimal text that reads back as the same double.
+std::string shortest(double value);
+
+}  // namespace rubatlas::settings

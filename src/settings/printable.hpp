@@ -1,0 +1,12 @@
+/// A text from a file as it may be printed: without the control characters that would steer a terminal.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace rubatlas::settings {
+
+/// Leaves out U+0000 to U+001F and U+007F to U+009F; what is no UTF-8 becomes a question mark.
+std::string printable(std::string_view text);
+
+}  // namespace rubatlas::settings

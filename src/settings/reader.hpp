@@ -1,0 +1,37 @@
+/// From a scene file to a `Scene`: the only door through which JSON enters.
+///
+/// Every departure (unknown key, wrong type, value out of range, empty grid) is one `SceneError` whose text
+/// has the JSON pointer, the value found, what is allowed and, for a key, the nearest known one:
+///   /contact/friction: -0.1 is outside [0, 2]; Coulomb coefficient between blade tip and ring
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "settings/scene.hpp"
+
+namespace rubatlas::settings {
+
+/// A scene's mistake: the program says it in one sentence and ends with exit code 2.
+class SceneError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The file's text, unchanged. Throws SceneError when the file is missing or unreadable.
+std::string read_text(const std::filesystem::path& path);
+
+/// Parses and checks a scene. `name` stands for the file in messages. Throws SceneError.
+Scene parse_scene(std::string_view text, std::string_view name = "scene");
+
+/// The scene with every default filled in and every axis written out, as JSON text in one canonical form
+/// (sorted keys, shortest round-trip numbers): equal scenes give equal bytes. `parse_scene` reads it back.
+std::string resolved_json(const Scene& scene);
+
+/// Empty when two resolved texts describe the same motion (title and reference aside), else one sentence that
+/// names the first differing pointer and both values.
+std::string difference(std::string_view resolved_a, std::string_view resolved_b);
+
+}  // namespace rubatlas::settings
