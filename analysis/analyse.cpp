@@ -46,7 +46,7 @@ std::vector<double> displacements_of_line(const atlas::AtlasReader& atlas,
   return rows;
 }
 
-/// Parameters of a line, one per axis but the last.
+/// Parameters of a line, one for each axis except the last.
 std::vector<double> parameters_of_line(std::span<const plan::Axis> axes, std::size_t line) {
   std::vector<double> values(axes.size() - 1);
   for (std::size_t i = axes.size() - 1; i-- > 0;) {

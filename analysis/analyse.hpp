@@ -10,14 +10,14 @@
 
 namespace rubatlas::analysis {
 
-/// Applies the rules of this folder's README to an atlas, which may be incomplete: rows that are not done
-/// count as not being there.
+/// Applies the rules of this folder's README to an atlas. The atlas may be incomplete; points that are not
+/// done are left out.
 Findings examine(const atlas::AtlasReader& atlas);
 
-/// Prints the result on the standard output, writes MAPS.h5 and, where asked, the Markdown table, each as a
-/// whole or not at all; `overwrite`: in place of older ones. Throws atlas::EnvironmentError when a file
-/// cannot be read or written, or a row of the atlas does not have its checksum; atlas::OutputRefusal when
-/// something stands where the outputs are to go.
+/// Prints the result on the standard output, writes MAPS.h5 and, where asked, the Markdown table, each
+/// completely or not at all; with `overwrite` they replace older ones. Throws atlas::EnvironmentError when a
+/// file cannot be read or written, or a row of the atlas does not match its checksum; atlas::OutputRefusal
+/// when an output exists and must not be replaced.
 void analyse(const std::filesystem::path& atlas, const std::filesystem::path& maps,
              const std::optional<std::filesystem::path>& table, bool overwrite);
 

@@ -1,4 +1,4 @@
-/// Everything that the analysis of one atlas finds: what the text, the Markdown and MAPS.h5 are written from.
+/// The results of the analysis of one atlas, from which the text, the Markdown and MAPS.h5 are written.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct Findings {
   settings::Scene scene;
   std::vector<plan::Axis> axes;  ///< of the atlas, `speed_ratio` last
   std::vector<Parameter> parameters;
-  std::vector<ClosingTolerance> tolerance;    ///< one per line: lengths may be swept
+  std::vector<ClosingTolerance> tolerance;    ///< one per line, since lengths may be swept
   std::array<std::size_t, 4> status_count{};  ///< points pending, done, left validity, integrator failed
   std::vector<std::uint8_t> motion;           ///< class per revolution, one per point
   std::vector<std::uint8_t>

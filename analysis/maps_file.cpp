@@ -21,7 +21,7 @@ using atlas::Dataset;
 using atlas::File;
 using atlas::Shape;
 
-/// The build that wrote the atlas: the maps are a function of it and of this version's rules.
+/// The build that wrote the atlas. The maps depend on it and on the rules of the present version.
 atlas::Software software_of(const File& atlas) {
   const auto root = atlas.root();
   return {root.text("software"), root.text("software_version"), root.text("git_commit"),
@@ -83,13 +83,13 @@ void create_texts(File& file, const std::string& path, const Dataset& scale, con
 
 void create_effects(File& file, const Findings& found) {
   std::vector<std::string> parameters;
-  std::vector<std::string> held;
+  std::vector<std::string> fixed;
   std::vector<std::string> subjects;
   std::vector<std::string> effects;
   for (const auto& sensitivity : found.sensitivities) {
     for (const auto& effect : sensitivity.effects) {
       parameters.push_back(found.parameters[sensitivity.parameter].name);
-      held.push_back(sensitivity.held);
+      fixed.push_back(sensitivity.fixed);
       subjects.push_back(effect.subject);
       effects.push_back(effect.text);
     }
@@ -100,7 +100,7 @@ void create_effects(File& file, const Findings& found) {
   const Dataset scale =
       create_number_scale(file, "effects/effect", "effect", effects.size(), "number of the effect");
   create_texts(file, "effects/parameter", scale, "parameter that grows", parameters);
-  create_texts(file, "effects/held", scale, "the other parameters", held);
+  create_texts(file, "effects/held", scale, "the other parameters", fixed);
   create_texts(file, "effects/subject", scale, "region or trigger", subjects);
   create_texts(file, "effects/text", scale, "what happens to it", effects);
 }
@@ -140,7 +140,7 @@ void create_statements(File& file, const Findings& found) {
   verdict.set_text("long_name", "verdict");
 }
 
-/// One row per finding of a statement: what the map of statements is drawn from.
+/// One row per finding of a statement, from which the map of statements is drawn.
 void create_findings(File& file, const Findings& found) {
   std::vector<std::int32_t> statement;
   std::vector<std::uint8_t> holds;
@@ -167,13 +167,13 @@ void create_findings(File& file, const Findings& found) {
   create_texts(file, "findings/claim", scale, "what is found or not; empty where nothing is judged", claims);
   create_texts(file, "findings/brief", scale, "the number that it rests on", briefs);
   create_texts(file, "findings/evidence", scale, "what it rests on", evidence);
-  Dataset held = file.create_dataset<std::uint8_t>("findings/holds", {holds.size()});
-  held.write<std::uint8_t>(holds);
-  held.attach_scale(0, scale);
+  Dataset holds_dataset = file.create_dataset<std::uint8_t>("findings/holds", {holds.size()});
+  holds_dataset.write<std::uint8_t>(holds);
+  holds_dataset.attach_scale(0, scale);
   const std::vector<std::uint8_t> flags{0, 1, 2};
-  held.set_numbers<std::uint8_t>("flag_values", flags);
-  held.set_text("flag_meanings", "not_covered yes no");
-  held.set_text("long_name", "whether it was found");
+  holds_dataset.set_numbers<std::uint8_t>("flag_values", flags);
+  holds_dataset.set_text("flag_meanings", "not_covered yes no");
+  holds_dataset.set_text("long_name", "whether it was found");
 }
 
 void create_displacement(File& file, const Findings& found, const Shape& shape,

@@ -65,7 +65,7 @@ void create_presence(File& file, const std::string& name, const std::string& lon
   dataset.set_text("long_name", long_name);
 }
 
-/// Which ends of a region lie at points that are not done.
+/// The ends of a region that lie at points that are not done.
 void create_open_ends(File& file, std::size_t region, const Findings& found, const Dataset& line_scale) {
   std::vector<std::uint8_t> values;
   for (const auto& line : found.lines) {

@@ -54,14 +54,15 @@ std::string plain_table(const Findings& found) {
   return text;
 }
 
-/// Why nothing of a statement is covered at any setting, where that is one reason; empty otherwise.
+/// The one reason for which no finding of a statement is covered at any setting; empty where there is none,
+/// or more than one.
 std::string only_reason(const Statement& statement) {
   const bool one =
       statement.setting.text.empty() && statement.findings.size() == 1 && !statement.findings.front().holds;
   return one ? statement.findings.front().evidence : std::string{};
 }
 
-/// Two or more statements that are not covered for the same reason are told in one line.
+/// Two or more statements that are not covered for the same reason share one line.
 bool is_shared(const Statement& statement, std::span<const Statement> statements) {
   const auto reason = only_reason(statement);
   return !reason.empty() && std::ranges::count(statements, reason, only_reason) > 1;

@@ -92,7 +92,7 @@ Cell trigger_cell(const Trigger& trigger) {
           fmt::format("+{} ×{:.3g}", millimetres(trigger.rise()), trigger.ratio())};
 }
 
-/// Parameters that tell the lines of the atlas apart.
+/// Parameters in which the lines of the atlas differ.
 std::vector<std::size_t> swept(const Findings& found) {
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < found.parameters.size(); ++i) {
@@ -161,7 +161,7 @@ std::vector<std::vector<Cell>> table_rows(const Findings& found) {
 }
 
 std::string heading(const Findings& found, const Sensitivity& sensitivity) {
-  return fmt::format("As {} grows ({})", found.parameters[sensitivity.parameter].symbol, sensitivity.held);
+  return fmt::format("As {} grows ({})", found.parameters[sensitivity.parameter].symbol, sensitivity.fixed);
 }
 
 std::string_view mark(const Finding& finding) {

@@ -1,4 +1,4 @@
-/// What the plain text and the Markdown have in common: sentences and table cells, without any layout.
+/// Sentences and table cells that the plain text and the Markdown share, without any layout.
 #pragma once
 
 #include <span>
@@ -25,7 +25,7 @@ std::vector<std::vector<Cell>> table_rows(const Findings& found);
 /// "As ζ grows (μ = 0.1, me = 0 kg m, h = 1 mm)".
 std::string heading(const Findings& found, const Sensitivity& sensitivity);
 
-/// "+", "-" or "?": a finding that holds, does not, or is not covered.
+/// "+" for a finding that holds, "-" for one that does not, "?" for one that is not covered.
 std::string_view mark(const Finding& finding);
 
 /// "elastica" or "elastic_ring, 10000 N/m".

@@ -7,8 +7,8 @@
 
 namespace rubatlas::analysis {
 
-// FFTW_ESTIMATE on fftw_malloc'ed arrays: a measured plan, or one on other alignment, rounds differently from
-// run to run, and the atlas promises equal bytes.
+// FFTW_ESTIMATE and arrays from fftw_malloc: a measured plan, or another alignment, would round differently
+// from run to run, whereas the atlas has to have equal bytes.
 struct Spectrum::Plan {
   int revolutions;
   int max_order;

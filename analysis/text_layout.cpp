@@ -1,5 +1,7 @@
 #include "analysis/text_layout.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -12,8 +14,7 @@ std::size_t character_count(std::string_view text) {
 }
 
 std::string padded(std::string_view text, std::size_t width) {
-  const std::size_t count = character_count(text);
-  return std::string(text) + std::string(std::max<std::size_t>(width, count + 2) - count, ' ');
+  return fmt::format("{:<{}}", text, std::max(width, character_count(text) + 2));
 }
 
 namespace {
@@ -25,7 +26,7 @@ bool belongs_to_the_word_before(std::string_view word) {
   return std::ranges::find(kWords, bare) != kWords.end();
 }
 
-/// Where the first piece of a text ends that may not be broken: at a blank, or at the end.
+/// The end of the first part of a text that must not be broken: a blank, or the end of the text.
 std::size_t end_of_piece(std::string_view text) {
   auto end = text.find(' ');
   while (end != std::string_view::npos) {

@@ -1,4 +1,4 @@
-/// Lines of a terminal: widths are counted in characters, not bytes, since the texts have ζ, Ω and × in them.
+/// Lines of a terminal. Widths are counted in characters, not in bytes, since the texts contain ζ, Ω and ×.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-/// What time is measured with.
+/// The clocks with which the program measures time.
 #pragma once
 
 #include <chrono>
@@ -6,12 +6,12 @@
 
 namespace rubatlas::mpi {
 
-/// [s], on a clock that nobody sets.
+/// Time [s] of a clock that is never set back.
 inline double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// CPU time of this process [s], so that what else runs on the machine does not count.
+/// CPU time of this process [s]; other processes on the machine do not count.
 inline double processor_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }

@@ -1,4 +1,4 @@
-/// How the program ends, and the one exception that is about how it was called.
+/// The exit codes of the program, and the exception for a call that cannot be carried out.
 #pragma once
 
 #include <stdexcept>
@@ -6,7 +6,7 @@
 namespace rubatlas::mpi {
 
 namespace exit_code {
-// 1 is no code of ours: it is what mpirun returns for a job that it has ended itself.
+// The program never returns 1, which mpirun returns for a job that mpirun has ended.
 constexpr int kDone = 0;               ///< every point was computed; some may have left the model's validity
 constexpr int kUsage = 2;              ///< usage or scene error
 constexpr int kEnvironment = 3;        ///< I/O or environment

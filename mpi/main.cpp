@@ -60,7 +60,7 @@ int carry_out(const StatusCommand& command) {
   return exit_code_of(standing);
 }
 
-/// A long scene takes its time to be read, too.
+/// Reading a long scene takes time, too.
 int carry_out(const ExplainCommand& command) {
   const double begin = seconds_on_the_wall();
   const auto scene = settings::parse_scene(settings::read_text(command.scene), command.scene.string());
@@ -86,23 +86,24 @@ int carry_out(const VerifyCommand& command) {
   return verify(command);
 }
 
-/// Whoever starts a program with standard input, output or error closed lets its next file become one of
-/// them, and messages be written into it.
+/// If the program is started with standard input, output or error closed, the next file that it opens takes
+/// that number, and messages would be written into the file.
 void open_standard_descriptors() {
   for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
-    // The lowest number that is free is the one that is looked at: those below are open.
+    // `open` returns the lowest free number, which is the one examined here, because all lower ones are open.
     if (::fcntl(descriptor, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != descriptor)
       std::_Exit(exit_code::kEnvironment);
   }
 }
 
-/// A file beyond the limit (ulimit -f) is a write that fails and has its sentence, not a signal.
+/// A write beyond the limit of file sizes (ulimit -f) fails and is reported, instead of raising a signal.
 void take_file_limits_as_errors() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-/// What one process does: under mpirun the first rank does it, and all end together with its exit code, since
-/// a rank that left early would make mpirun kill the first before its message is out.
+/// Runs a command that needs one process. Under mpirun the first rank runs it, and all ranks end together
+/// with its exit code, because a rank that ends early would make mpirun kill the first rank before its
+/// message is printed.
 template <typename Task>
 int on_one_rank(Task task) {
   const Session session;

@@ -5,10 +5,12 @@
 
 namespace rubatlas::mpi {
 
-/// Writes a text as it is. That nobody reads standard error any more is no reason to stop, and no error.
+/// Writes a text unchanged. A reader of standard error that has gone is neither an error nor a reason to
+/// stop.
 void say(std::string_view text);
 
-/// "rubatlas: " and a sentence, on a line of its own. Texts from files may be in it: it is made printable.
+/// "rubatlas: " and a sentence, on a line of its own. The sentence may contain texts from files and is
+/// therefore made printable.
 void say_sentence(std::string_view sentence);
 
 }  // namespace rubatlas::mpi

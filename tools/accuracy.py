@@ -18,7 +18,7 @@ from accuracy_file import AccuracyFile
 from atlas_file import AtlasError
 from same_scene import require_same_machine
 
-# A colour and a mark for each method, so that lines are told apart by either.
+# A colour and a mark for each method, so that either distinguishes the lines.
 LOOKS = {"hybrid": (style.BLUE, "o"), "hybrid_54": (style.SKY, "s"), "hybrid_32": (style.GREEN, "^"),
          "located": (style.ORANGE, "D"), "paper": (style.VERMILION, "v"), "fixed": (style.INK, "P")}
 BEGIN, END = "<!-- accuracy: begin -->", "<!-- accuracy: end -->"
@@ -27,7 +27,7 @@ SMALLEST_DRAWN = 1e-15  # of the clearance: an error of zero has no logarithm
 
 
 def draw_lines(axes, study, cost, error, floor, width=1.4, **look):
-    """One line per method (and per increment of force, where it has one); its settings are the marks on it."""
+    """One line per method (and per increment of force, where it has one); the marks are its settings."""
     for method in study.methods():
         colour, mark = LOOKS.get(method, (style.GREY, "x"))
         for number, settings in enumerate(study.ladders(method)):
@@ -100,7 +100,7 @@ def draw_map(study, options):
 
 
 def trusted(study):
-    """The loosest setting of `hybrid` from which on the map stays as it is; None where it never does.
+    """The loosest setting of `hybrid` from which on the map does not change; None if it changes at every setting.
 
     What still differs at the tightest setting is not an error of the looser ones: a point at the edge of two classes, say.
     """
@@ -112,7 +112,7 @@ def trusted(study):
 
 
 def sentence(maps):
-    """What to use, what it costs, and what ten times more costs."""
+    """The recommended tolerance, its cost, and the cost of a ten times smaller one."""
     setting = trusted(maps)
     if setting is None:
         return "The map changes at every tolerance that was tried."
@@ -131,7 +131,7 @@ def percent(share):
 
 
 def ladder_table(study, maps, reference):
-    """Tolerance by tolerance, what `hybrid` costs and what it is worth."""
+    """Cost and errors of `hybrid`, tolerance by tolerance."""
     points, everywhere = study.predictable(), np.ones(maps.point_count(), dtype=bool)
     error = study.worst_error(points)
     against = study.error_against(reference, points) if reference else None
@@ -151,7 +151,7 @@ def ladder_table(study, maps, reference):
 
 
 def method_table(study, goal):
-    """What each method needs for the same error on the points that are predictable to the end."""
+    """Cost of each method for the same error on the points that are predictable to the end."""
     points = study.predictable()
     error, time = study.worst_error(points), 1e3 * study.mean("cpu_time_min", points)
     calls = study.mean("right_hand_sides", points)
@@ -185,7 +185,7 @@ def report(study, maps, options):
 
 
 def put_into_page(path, text):
-    """Replaces what stands between the two marks of a page."""
+    """Replaces the text between the two marks of a page."""
     page = path.read_text()
     if BEGIN not in page or END not in page:
         raise AtlasError(f"{path}: no lines {BEGIN} and {END} to put the table between")

@@ -41,7 +41,7 @@ class AccuracyFile:
         return printable(self.attributes.get(name, ""))
 
     def _flat(self, name):
-        """(settings, points), or (points) for what does not depend on the setting."""
+        """(settings, points), or (points) for data that do not depend on the setting."""
         values = self.data[name]
         return values.reshape(-1) if name == "horizon" else values.reshape(len(self.words), -1)
 
@@ -54,11 +54,11 @@ class AccuracyFile:
         return {name: grid.reshape(-1) for name, grid in zip(self.axes, grids)}
 
     def methods(self):
-        """Names in the order of the study, each once; the reference is none of its own."""
+        """Names in the order of the study, each once; the reference does not count as a method."""
         return list(dict.fromkeys(self.words[1:]))
 
     def of(self, method):
-        """Settings of a method; not the reference, which nothing is compared with."""
+        """Settings of a method without the reference."""
         return np.array([i for i, word in enumerate(self.words) if i > 0 and word == method], dtype=int)
 
     def ladders(self, method):
@@ -76,7 +76,7 @@ class AccuracyFile:
         return self.scene["protocol"]["transient_revolutions"] + self.scene["protocol"]["sampled_revolutions"]
 
     def predictable(self):
-        """Points that two tight runs agree upon to the end."""
+        """Points at which two tight runs agree to the end."""
         return self._flat("horizon") == self.revolutions()
 
     def describe(self):
@@ -85,15 +85,15 @@ class AccuracyFile:
                 f"revolutions each, least of {self.repeats} run{'s' if self.repeats > 1 else ''}")
 
     def mean(self, name, points):
-        """Mean over some points, one number per setting; a run that ended early counts with what it took."""
+        """Mean over some points, one number per setting; a run that ended early counts with its cost up to there."""
         return self._flat(name)[:, points].mean(axis=1)
 
     def complete(self, points):
-        """Settings at which all of some points ran to the end, so that their costs compare."""
+        """Settings at which all of some points ran to the end, so that their costs can be compared."""
         return self.done[:, points].all(axis=1)
 
     def worst_error(self, points):
-        """Largest trajectory error over some points, one number per setting; NaN where a point was lost."""
+        """Largest trajectory error over some points, one number per setting; NaN where a point did not run to the end."""
         return worst(self._flat("trajectory_error")[:, points])
 
     def clearance(self, point):
@@ -124,7 +124,7 @@ class AccuracyFile:
         return found
 
     def _stated(self, pointer):
-        """What the scene says; one value per point where its grid sweeps the quantity by this pointer."""
+        """The scene's value; one value per point where its grid sweeps the quantity by this pointer."""
         name = pointer.strip("/").replace("/", "_")
         if name in swept_pointers(self.scene):
             return self.points()[name]

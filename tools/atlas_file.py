@@ -51,7 +51,7 @@ def clearance_of(scene):
 
 
 class AtlasError(Exception):
-    """What was asked for is not in the file; the text says what is."""
+    """The file does not contain what was asked for; the text says what it contains."""
 
 
 def text(value):
@@ -64,13 +64,13 @@ def printable(value):
     return re.sub("[\x00-\x1f\x7f-\x9f]", "", text(value))
 
 
-# What h5py raises where something is missing, of another kind, or damaged.
+# Exceptions of h5py for data that are missing, of another kind, or damaged.
 UNREADABLE = (OSError, KeyError, ValueError, RuntimeError, TypeError, IndexError, AttributeError, StopIteration)
 
 
 @contextlib.contextmanager
 def reading(path, what):
-    """The HDF5 file at `path`, open within the block; whatever cannot be read there is one AtlasError: not `what`."""
+    """The HDF5 file at `path`, open within the block; anything that cannot be read is an AtlasError that says that the file is not `what`."""
     if not os.path.exists(path):
         raise AtlasError(f"{path}: no such file")
     if not os.path.isfile(path):
@@ -134,7 +134,7 @@ class _Examination:
         dataset = self.dataset("scene_resolved")
         try:
             scene = json.loads(text(dataset[()]))
-            # What pictures ask of it.
+            # The attributes that pictures need.
             for part, key in (("rotor", "damping_ratio"), ("blades", "length"), ("ring", "radius"), ("contact", "friction"),
                               ("protocol", "transient_revolutions"), ("grid", "speed_ratio")):
                 scene[part][key]
@@ -225,7 +225,7 @@ class AtlasFile:
 
     @property
     def clearance(self):
-        """δc of the scene [m]; where lengths are swept, that of its first line: ask the line that you look at."""
+        """δc of the scene [m]; where lengths are swept, that of its first line; each line has its own."""
         return clearance_of(self.scene)
 
     def swept_axes(self):
@@ -242,14 +242,14 @@ class AtlasFile:
             wanted = DIRECTIONS.index(wanted)
         wanted = float(wanted)
         index = int(np.argmin(np.abs(values - wanted)))
-        # The axis holds decimals as binary64; nine digits tell neighbours apart and forgive rounding.
+        # The axis holds decimals as binary64; nine digits distinguish neighbours and allow for rounding.
         if abs(values[index] - wanted) > 1e-9 * max(abs(wanted), abs(values[index])):
             listed = ", ".join(format(value, "g") for value in values)
             raise AtlasError(f"{self.path}: {name} {wanted:g} is not in this atlas, which has {listed}")
         return index
 
     def line(self, **wanted):
-        """The line at the given values, e.g. `damping_ratio=0.1`; what is not given has the scene's own value."""
+        """The line at the given values, e.g. `damping_ratio=0.1`; an axis that is not given has the scene's own value."""
         unknown = set(wanted) - set(self.axes[:-1])
         if unknown:
             raise AtlasError(f"{self.path}: no axis {', '.join(sorted(unknown))}; "
@@ -291,7 +291,7 @@ class Line:
         return values
 
     def raw(self, name):
-        """Rows as they stand in the file, for data that have a code of their own for "nothing here"."""
+        """Rows as they stand in the file, for data with a code of their own for points that are not done."""
         return self.atlas.dataset(name)[self.index]
 
     def describe(self, without=()):

@@ -1,4 +1,4 @@
-"""What the commands of this folder share: arguments, the choice of a line, what they may write, and how they fail."""
+"""What the commands of this folder share: arguments, the choice of a line, the rule for outputs, and exit codes."""
 import argparse
 import io
 import os
@@ -10,7 +10,7 @@ from atlas_file import AtlasError
 
 LINE_AXES = ["damping_ratio", "friction", "unbalance", "thickness", "direction"]
 
-# How a picture of each kind begins. What ends an SVG's first lines is the word itself.
+# The first bytes of a picture of each kind. An SVG is recognised by the word in its first lines.
 PICTURES = {".png": (b"\x89PNG\r\n",), ".pdf": (b"%PDF-",), ".svg": (b"<?xml", b"<svg")}
 
 

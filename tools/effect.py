@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What an effect does to a bifurcation diagram: the same scene without it and with it, side by side.
+"""How an effect changes a bifurcation diagram: the same scene without it and with it, side by side.
 
   tools/effect.py WITH.h5 --without WITHOUT.h5 -o PICTURE.png [--damping_ratio 0.1 ...]
 

@@ -1,16 +1,16 @@
-"""Whether two files are of the same scene: whatever draws two of them together asks here first."""
+"""Whether two files are of the same scene. Every tool that draws two files together checks this first."""
 from atlas_file import AtlasError
 
-# Words about an atlas that say nothing of its motions.
+# Keys that do not influence the motions of an atlas.
 WORDS = ("title", "reference")
-# Which points are computed, and what of them is kept.
+# Keys that choose the points, and what is kept of them.
 POINTS = ("grid", "sweep", "initial", "protocol", "spectrum", "observables", "accuracy")
-# What every scene has; all other sections are effects.
+# Sections of every scene; all other sections are effects.
 MACHINE = ("rotor", "blades", "ring", "contact", "validity")
 
 
 def differences(one, other, pointer=""):
-    """(pointer, value here, value there) of all that differs; None where it is not there."""
+    """(pointer, value here, value there) of all differences; None for a missing value."""
     if isinstance(one, dict) and isinstance(other, dict):
         return [found for key in sorted({*one, *other})
                 for found in differences(one.get(key), other.get(key), f"{pointer}/{key.replace('/', '~1')}")]
@@ -39,14 +39,14 @@ def without(scene, keys):
 
 
 def require_same(path, scene, other_path, other_scene):
-    """The two files are of one scene, but for its title and reference."""
+    """The two files are of one scene; title and reference may differ."""
     found = differences(without(scene, WORDS), without(other_scene, WORDS))
     if found:
         refuse(path, other_path, found)
 
 
 def require_same_machine(path, scene, other_path, other_scene):
-    """The two files are of one rotor in one ring; their points may be others."""
+    """The two files are of one rotor in one ring; their points may differ."""
     left_out = (*WORDS, *POINTS)
     found = differences(without(scene, left_out), without(other_scene, left_out))
     if found:

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The paper's statements against contact law, stiffness of the ring and whatever else is open: what was found where.
+"""The paper's statements against contact law, stiffness of the ring and other open quantities: which findings hold where.
 
   tools/statement_map.py MAPS.h5 [MAPS.h5 ...] -o PICTURE.png [--statements P1,P2,P3,P4,P5,P8] [--counts]
 
@@ -25,7 +25,7 @@ LAWS = {"elastica": "elastica", "elastic_ring": "elastic ring"}
 
 
 class Column:
-    """What one atlas found at one setting."""
+    """The findings of one atlas at one setting."""
 
     def __init__(self, law, setting):
         self.law, self.setting = law, setting
@@ -73,7 +73,7 @@ def rows_of(columns, statements):
 
 
 def place(column):
-    """Where a column stands among those of its law: upward sweeps first, then by the numbers of its setting."""
+    """The place of a column among those of its law: upward sweeps first, then by the numbers of its setting."""
     numbers = [float(value) for value in re.findall(r"= (-?[0-9.]+(?:e[-+]?[0-9]+)?)", column.setting)]
     return "down" in column.setting, numbers
 

@@ -1,4 +1,4 @@
-"""How all pictures look: one place for colours, labels, titles and the marks of points without a motion.
+"""How all pictures look: one place for colours, labels, titles and marks of points without a motion.
 
 Colours are those of Okabe and Ito, which people with any of the common colour deficiencies tell apart; maps use
 `viridis`, which grows evenly in lightness.
@@ -45,7 +45,7 @@ plt.rcParams.update({
     "svg.hashsalt": "rubatlas", "axes.prop_cycle": plt.cycler(color=CYCLE), "lines.linewidth": 1.1, "legend.frameon": False,
 })
 
-# Metres make poor tick labels here: lengths are drawn in millimetres, times are not touched.
+# Metres make poor tick labels here: lengths are drawn in millimetres, times in their own unit.
 _DRAWN = {"m": ("mm", 1e3)}
 
 
@@ -70,7 +70,7 @@ def title(figure, atlas, what):
 
 
 def edges_of(values):
-    """Where each value's share of an axis ends: halfway to its neighbours; one more edge than values."""
+    """The borders between the values of an axis, halfway between neighbours; one more than values."""
     values = np.asarray(values, dtype=float)
     if len(values) == 1:
         return np.array([values[0] - 0.01, values[0] + 0.01])

@@ -33,7 +33,7 @@ def by_frequency(speed, order, amplitude, edges):
 
 
 def order_names(blades):
-    """Orders that are marked, with what the marks say: 1x, 2x, 3x, and those of the blade passings."""
+    """The marked orders with their labels: 1x, 2x, 3x, and those of the blade passings."""
     names = {order: f"{order}×" for order in (1, 2, 3)}
     for times, order in ((1, blades), (2, 2 * blades)):
         names[order] = f"{order}× = {'' if times == 1 else times}n"

@@ -1,4 +1,4 @@
-// P16 (MODEL 6.3): the paper's Fig. 2, from the closed form of the blade (MODEL 3.2) and no motion at all.
+// P16 (MODEL 6.3): the paper's Fig. 2, from the closed form of the blade (MODEL 3.2), without any motion.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace rubatlas::analysis {
 namespace {
 
 constexpr double kPapersEulerLoad = 42.0;  ///< [N], to three digits
-constexpr double kSmallLoad = 0.05;        ///< of the Euler load: δ and Δ are "at small F" up to here
+constexpr double kSmallLoad = 0.05;        ///< of the Euler load: "small F" means loads up to this one
 /// "Linear" and "quadratic": the exponent of the growth over the last halving of a small load is within this
 /// of 1 and 2.
 constexpr double kExponent = 0.1;

@@ -1,4 +1,4 @@
-// P5 and P6 (MODEL 6.3): what damping does to the regions of the default rotor.
+// P5 and P6 (MODEL 6.3): how damping changes the regions of the default rotor.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,8 +27,8 @@ struct Comparison {
   bool in_percent = false;
 };
 
-/// Judged on the first of `candidates` on which the number is known: a region that ends at a gap has no
-/// width.
+/// Judged on the first of `candidates` on which the number is known, since the width of a region that ends at
+/// a gap is unknown.
 Finding compared(const Evidence& evidence, std::string_view name, const Lines& candidates,
                  const LineSummary& reference, const Comparison& comparison) {
   const auto known = std::ranges::find_if(
@@ -112,7 +112,7 @@ std::vector<Finding> high_damping_findings(const Evidence& evidence) {
                                 {fmt::format("aperiodic part of region {} (width × share)", which + 1),
                                  fmt::format("high ζ attenuates region {}", which + 1), extent, -1.0,
                                  evidence.scale().speed_ratio(kNoticeableWidth)}));
-    // What disappears has been there: on the line that high damping is compared with.
+    // A region can disappear only if it exists on the line with which high damping is compared.
     const auto presence = high.regions[which].presence;
     const auto before = reference->regions[which].presence;
     std::optional<bool> gone;

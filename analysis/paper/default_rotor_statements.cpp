@@ -16,7 +16,7 @@ std::optional<bool> if_covered(Presence presence, bool holds) {
 
 constexpr const char* kDoubling = "a period doubles at 2/3";
 
-/// For a cell of the statement map; empty where it is not there.
+/// Text for a cell of the statement map; empty where the region or trigger is absent.
 std::string brief_extent(const Region& region) {
   return region.present() ? fmt::format("{:.2f}-{:.2f}", region.from, region.to) : "";
 }

@@ -50,7 +50,7 @@ bool Evidence::fits(const Parameter& parameter, double value) const {
   for (const auto& [name, set] : setting_.values) {
     if (name == parameter.name) return value == set;
   }
-  // An axis of one value that only some scenes have is the scene's own value, which the rotor has looked at.
+  // An optional axis with one value is the scene's own value, which has already been compared with the rotor.
   const bool in_every_atlas =
       std::ranges::count(settings::grid_axes(), parameter.name, &settings::GridAxis::name) > 0;
   const bool own_value = !in_every_atlas && parameter.name != "direction" && parameter.values.size() == 1;

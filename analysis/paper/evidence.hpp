@@ -1,4 +1,4 @@
-/// The lines of an atlas as the statements need them: those of one rotor, at one setting of what is open.
+/// The lines of an atlas that belong to one rotor at one setting of its open axes.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,8 @@ struct Setting {
   std::string text;  ///< "kr = 1000 N/m, direction = up"; empty without such axes
 };
 
-/// Every combination of the values of the open axes, but for those in `without`; one empty setting where the
-/// atlas has none of them, or is of another rotor.
+/// Every combination of the values of the open axes except those in `without`. One empty setting where the
+/// atlas has no open axis, or is of another rotor.
 std::vector<Setting> settings(const ReferenceRotor& rotor, const settings::Scene& scene,
                               std::span<const Parameter> parameters, std::string_view without = {});
 
@@ -36,26 +36,26 @@ class Evidence {
 
   [[nodiscard]] const ReferenceRotor& rotor() const { return rotor_; }
   [[nodiscard]] const settings::Scene& scene() const { return scene_; }
-  /// Why the atlas says nothing about the rotor; empty when it is the rotor's.
+  /// The reason why the atlas does not cover the rotor; empty when it does.
   [[nodiscard]] const std::string& other_rotor() const { return other_rotor_; }
-  /// The lines whose parameters, but for the named ones, are those of the rotor and of the setting, ascending
-  /// in the named ones, the first of them the slowest; those of an upward sweep where the atlas has both
-  /// directions and the setting does not say which.
+  /// The lines whose parameters, except the named ones, are those of the rotor and of the setting. They
+  /// ascend in the named parameters, of which the first is the slowest. Where the atlas has both directions
+  /// and the setting names none, they are the lines of the upward sweep.
   [[nodiscard]] std::vector<const LineSummary*> lines_over(
       std::initializer_list<std::string_view> names) const;
   [[nodiscard]] std::vector<const LineSummary*> lines_along(std::string_view name) const {
     return lines_over({name});
   }
-  /// The line of the rotor itself; null where the grid has none.
+  /// The line with the rotor's own parameters; null where the grid has none.
   [[nodiscard]] const LineSummary* own_line() const;
   /// The line's value on an axis, or, where the atlas has no such axis, the rotor's.
   [[nodiscard]] double value(const LineSummary& line, std::string_view name) const;
   /// "ζ = 0.1".
   [[nodiscard]] std::string value_text(const LineSummary& line, std::string_view name) const;
-  /// μ of the setting where friction is open, else the rotor's [-].
+  /// μ of the setting where friction is open, else μ of the rotor [-].
   [[nodiscard]] double friction() const;
   [[nodiscard]] SpeedScale scale() const { return scale_; }
-  /// The doublings are those of the map over a blade passing.
+  /// True when the doublings were found on the map over a blade passing.
   [[nodiscard]] bool per_passing() const { return per_passing_; }
 
  private:

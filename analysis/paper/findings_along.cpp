@@ -12,7 +12,7 @@
 namespace rubatlas::analysis {
 namespace {
 
-/// "no region 2", "region 4 merged with 2": what a line has not of the four regions.
+/// "no region 2", "region 4 merged with 2": the regions that a line lacks.
 std::vector<std::string> what_lacks(const LineSummary& line) {
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < line.regions.size(); ++i) {

@@ -1,4 +1,4 @@
-// P7 (MODEL 6.3): what friction does to the regions of the default rotor.
+// P7 (MODEL 6.3): how friction changes the regions of the default rotor.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

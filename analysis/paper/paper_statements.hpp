@@ -1,4 +1,4 @@
-/// What the paper says of its rotors, P1 to P16: the one table from which reports and READMEs take it.
+/// The statements P1 to P16 of the paper about its rotors. Reports and the README take them from this table.
 #pragma once
 
 #include <span>
@@ -8,9 +8,9 @@ namespace rubatlas::analysis {
 
 struct PaperStatement {
   std::string_view name;    ///< P1 … P16
-  std::string_view rotor;   ///< which one it is about
+  std::string_view rotor;   ///< the rotor that it is about
   std::string_view claim;   ///< in short, with the paper's words for the motions
-  std::string_view judged;  ///< what of an atlas it is judged on
+  std::string_view judged;  ///< the lines of an atlas on which it is judged
 };
 
 /// All, in the order of their numbers.

@@ -20,8 +20,8 @@ double number(const settings::Value& value) {
   return std::holds_alternative<int>(value) ? std::get<int>(value) : std::get<double>(value);
 }
 
-/// An effect that acts, but is no part of the rotors of the paper and not swept. The unbalance is an axis of
-/// every atlas, its lines are told apart by that.
+/// An effect that acts, is not swept, and does not exist in the rotors of the paper. The unbalance is not
+/// among them: it is an axis of every atlas, whose values distinguish the lines.
 std::string foreign_effect(const settings::Scene& scene) {
   std::string found;
   effects::for_each_effect([&]<auto Effect>() {
@@ -43,7 +43,7 @@ bool same_decimal(double a, double b) {
 
 std::string ReferenceRotor::difference(const settings::Scene& other) const {
   for (const auto pointer : fixed) {
-    if (is_swept(other, pointer)) continue;  // its lines are told apart by the value on the axis
+    if (is_swept(other, pointer)) continue;  // the value on the axis distinguishes the lines
     const auto& quantity = settings::quantity(pointer);
     const double here = number(quantity.read(other).value());
     const double there = number(quantity.read(scene).value());

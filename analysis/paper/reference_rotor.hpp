@@ -1,4 +1,4 @@
-/// The rotors that the paper's statements are about: what an atlas must have in common with them.
+/// The rotors of the paper's statements, and the quantities that an atlas has to share with them.
 #pragma once
 
 #include <string>
@@ -15,21 +15,22 @@ struct Rounded {
   double half_digit;
 };
 
-/// A rotor of the paper, as a scene, and how much of that scene a statement needs.
+/// A rotor of the paper as a scene, and the quantities of this scene that matter for a statement.
 struct ReferenceRotor {
   std::string name;       ///< "the paper's default rotor"
   settings::Scene scene;  ///< its quantities
-  /// JSON pointers of the quantities that an atlas must share where it does not sweep them.
+  /// JSON pointers of the quantities that an atlas has to share, unless it sweeps them.
   std::vector<std::string_view> fixed;
-  /// Axes whose value the paper does not give, or gives without meaning it: a statement is judged once for
-  /// each of their values.
+  /// Axes whose value the paper does not give, or does not rely on. A statement is judged once for each of
+  /// their values.
   std::vector<std::string_view> open;
-  /// Quantities that agree within the digits of the paper. All others agree as decimals do: the clearance is
-  /// the difference of three lengths, and a hundredth of a millimetre is the whole reach of the rig's blades.
+  /// Quantities that have to agree within the digits of the paper. All others have to agree as decimals: the
+  /// clearance is the difference of three lengths, and the rig's blades reach into the ring by a hundredth of
+  /// a millimetre only.
   std::vector<Rounded> rounded{};
 
-  /// Why a scene is another rotor; empty when it is this one. Effects that the rotor has not (a side load)
-  /// make it another one.
+  /// The reason why a scene is another rotor; empty when it is this one. A scene with an effect that this
+  /// rotor does not have (a side load, say) is another rotor.
   [[nodiscard]] std::string difference(const settings::Scene& other) const;
   /// Whether a quantity has this rotor's value, within the digits in which the paper gives it.
   [[nodiscard]] bool agrees(std::string_view pointer, double value, double own) const;
@@ -44,7 +45,8 @@ ReferenceRotor default_rotor_of_any_count();
 /// MODEL 6.2. Open besides: modal mass and friction, which the paper does not give.
 ReferenceRotor test_rig();
 
-/// Decimals as binary64: nine digits tell values apart and forgive rounding.
+/// Compares decimals stored as binary64 within nine digits, which is closer than any two values of a grid and
+/// wider than their rounding.
 [[nodiscard]] bool same_decimal(double a, double b);
 
 }  // namespace rubatlas::analysis

@@ -13,11 +13,11 @@
 namespace rubatlas::analysis {
 namespace {
 
-/// A single speed stands for what lies within this of it: the paper gives some of them to two digits, and
-/// aperiodic motion has windows of single points.
+/// A single speed of the paper stands for all points within this distance, because the paper gives some
+/// speeds to two digits, and aperiodic motion has windows of single points.
 constexpr double kAround = 0.005;
 
-/// Where the rig's speed range was divided (P14), Ω.
+/// Borders of the ranges of Ω into which P14 divides the rig's speeds.
 struct Range {
   double from;
   double to;
@@ -46,7 +46,7 @@ Finding at_speed(const LineSummary& line, double speed, bool aperiodic) {
                 fmt::format("{} at {:.3f}", aperiodic ? "aperiodic" : "periodic", speed));
 }
 
-/// A border of a region where the rig had it, within one running window.
+/// Whether a border of a region lies within one running window of the measured one.
 Finding border(int number, const Region& region, double Region::*end, std::string_view which,
                double measured) {
   auto claim = fmt::format("region {} {} {:.3f}", number, which, measured);

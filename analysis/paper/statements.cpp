@@ -64,7 +64,7 @@ std::vector<Statement> judge_statements(const settings::Scene& scene, std::span<
         own.push_back(std::move(statement));
       }
     }
-    for (auto& statement : own) {  // what no setting covers is said once
+    for (auto& statement : own) {  // a statement that no setting covers is reported once
       const auto covered = [&](const Statement& other) {
         return other.name == statement.name && other.verdict() != Verdict::not_covered;
       };
@@ -72,7 +72,7 @@ std::vector<Statement> judge_statements(const settings::Scene& scene, std::span<
       const bool nowhere = std::ranges::none_of(own, covered);
       if (nowhere && std::ranges::any_of(statements, said)) continue;
       if (nowhere) statement.setting = {};
-      // `own` still asks for names and verdicts: a copy, not a move.
+      // a copy instead of a move, since `own` is still read for names and verdicts
       statements.push_back(statement);
     }
   };

@@ -1,8 +1,9 @@
-/// The paper's statements (paper_statements.hpp), each judged on what an atlas shows.
+/// The paper's statements (paper_statements.hpp), each judged on the results of an atlas.
 ///
 /// A statement is a list of findings, each true, false, or not covered by the atlas, and each with the
-/// numbers it rests on. It agrees when all findings that are covered are true, disagrees when all are false,
-/// else it holds partly. The thresholds are below, their reasons in the README of this folder, "Statements".
+/// numbers it rests on. The statement agrees when all covered findings are true, disagrees when all are
+/// false, and else holds partly. The thresholds are below, their reasons in the README of this folder,
+/// "Statements".
 #pragma once
 
 #include <cstdint>
@@ -17,14 +18,14 @@
 
 namespace rubatlas::analysis {
 
-/// "At 1/3", "at 2/3", "right after": within this of it, in scaled speed.
+/// "At 1/3", "at 2/3" and "right after" mean within this distance in scaled speed.
 constexpr double kSamePlace = 0.02;
-/// Regions follow on each other, and "locally" is, within this scaled speed: one running window
-/// (regions.hpp).
+/// Two regions follow each other, and a change is "local", within this distance in scaled speed, which is one
+/// running window (regions.hpp).
 constexpr double kNextTo = 0.05;
 /// A region is periodic up to this share of aperiodic points.
 constexpr double kPeriodicShare = 0.05;
-/// A displacement is small next to another below this ratio.
+/// A displacement is small compared with another if their ratio is below this value.
 constexpr double kSmall = 0.1;
 
 enum class Verdict : std::uint8_t { not_covered, agrees, partly, disagrees };
@@ -34,7 +35,7 @@ enum class Verdict : std::uint8_t { not_covered, agrees, partly, disagrees };
 struct Finding {
   std::optional<bool> holds;
   std::string evidence;
-  std::string claim{};  ///< what is found or not, the same for every atlas: a row of the statement map
+  std::string claim{};  ///< the claim, in words that are the same for every atlas; a row of the statement map
   std::string brief{};  ///< the number that it rests on, for a cell of that map; may be empty
 };
 
@@ -62,8 +63,8 @@ std::vector<Statement> judge_thin_blades(const Evidence& evidence);
 /// P16: the rig's blade alone, from its closed form (MODEL 3.2).
 Statement judge_blade_curve(const Evidence& evidence);
 
-/// P1 to P10 and P12 to P16, each once per setting of what is open in its rotor; those that need no setting
-/// first, then setting by setting, in the order of their numbers.
+/// P1 to P10 and P12 to P16, each once per setting of the open axes of its rotor. Statements without settings
+/// come first, then setting by setting, in the order of their numbers.
 std::vector<Statement> judge_statements(const settings::Scene& scene, std::span<const Parameter> parameters,
                                         std::span<const LineSummary> lines, bool per_passing);
 

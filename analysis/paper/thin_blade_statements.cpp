@@ -23,14 +23,14 @@ bool is_thin(const Evidence& evidence, const LineSummary& line) {
   return evidence.value(line, kThickness) < kThin / kRounding;
 }
 
-/// Why P9 and P15 are not covered; empty where blades can bend.
+/// The reason why P9 and P15 are not covered; empty where blades can bend.
 std::string no_thin_blades(const Evidence& evidence) {
   if (!evidence.other_rotor().empty()) return evidence.other_rotor();
   if (evidence.scene().contact.law != settings::ContactLaw::elastica) return "rigid blades have no thickness";
   return {};
 }
 
-/// An aperiodic region that is gone on every line.
+/// Whether an aperiodic region is absent on every line.
 Finding gone(const Evidence& evidence, const Lines& lines, std::size_t which) {
   auto claim = fmt::format("h < 0.4 mm: no region {}", which + 1);
   std::vector<std::string> there;
@@ -66,7 +66,7 @@ std::vector<Finding> thin_blade_findings(const Evidence& evidence) {
     return {not_covered("the grid has no blades of the test rig under 0.4 mm and from there on")};
   }
   std::vector<Finding> findings;
-  for (const std::size_t which : {1U, 3U}) {  // what is to disappear must be there first
+  for (const std::size_t which : {1U, 3U}) {  // a region can disappear only if it exists for thick blades
     const auto& region = evidence.own_line() != nullptr ? evidence.own_line()->regions.at(which)
                                                         : thick.front()->regions.at(which);
     const auto text =
@@ -87,7 +87,7 @@ std::vector<Finding> thin_blade_findings(const Evidence& evidence) {
   return findings;
 }
 
-/// Which of the four regions and two triggers a line has: "1 2 3 4, triggers 1 2".
+/// The regions and triggers that a line has: "1 2 3 4, triggers 1 2".
 std::string picture(const LineSummary& line) {
   std::string text = "regions";
   for (std::size_t i = 0; i < line.regions.size(); ++i) {
@@ -100,8 +100,8 @@ std::string picture(const LineSummary& line) {
   return text;
 }
 
-/// Along one length: whether lines of the same thickness show one picture. Thick blades: all of them should;
-/// thin ones: some should not.
+/// Whether lines of the same thickness have the same regions and triggers along one length. The statement
+/// requires it for all thick blades, and the contrary for some thin ones.
 Finding matters(const Evidence& evidence, const Lines& lines, bool thin, std::string_view length,
                 const std::function<double(const LineSummary&)>& value) {
   auto claim =
@@ -145,9 +145,10 @@ std::vector<Finding> clearance_findings(const Evidence& evidence) {
   const double interference = rig.rotor.misalignment - rig.clearance();
 
   auto moved = evidence.lines_over({kThickness, kMisalignment});
-  // A blade that does not reach the ring never touches it from rest: there is no picture to compare.
+  // A blade that does not reach the ring never touches it from rest, so that there is nothing to compare.
   std::erase_if(moved, [&](const LineSummary* line) { return misalignment(*line) <= clearance(*line); });
-  Lines widened;  // the ring grows and moves by as much: the blades reach as far into it
+  Lines widened;  // radius and misalignment of the ring grow by the same amount, so that the blades overlap
+                  // the ring as before
   for (const auto* line : evidence.lines_over({kThickness, kRadius, kMisalignment})) {
     const double reach = misalignment(*line) - clearance(*line);
     if (std::abs(reach - interference) <= 1e-3 * interference) widened.push_back(line);

@@ -1,4 +1,4 @@
-// P8 (MODEL 6.3): what unbalance does to the regions and triggers of the default rotor.
+// P8 (MODEL 6.3): how unbalance changes the regions and triggers of the default rotor.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,12 +11,12 @@
 namespace rubatlas::analysis {
 namespace {
 
-constexpr double kSmallUnbalance = 1e-5;     ///< [kg m] of the paper's five values the small ones
+constexpr double kSmallUnbalance = 1e-5;     ///< [kg m] the largest of the paper's values that count as small
 constexpr double kGreatestUnbalance = 1e-4;  ///< [kg m] the paper's largest value
 constexpr const char* kAperiodic = "growing me makes region 3 aperiodic";
 constexpr const char* kStays = "trigger 1 stays at every me";
 
-/// A region that is known not to be there cannot become aperiodic.
+/// A region that is known to be absent cannot become aperiodic.
 std::optional<bool> if_known(const Region& region) {
   if (region.presence == Presence::not_covered) return std::nullopt;
   return false;
@@ -33,7 +33,8 @@ std::vector<Finding> unbalance_findings(const Evidence& evidence) {
   std::vector<Finding> findings;
   if (!small.empty()) findings.push_back(all_four(evidence, small, name, "four regions for me ≤ 1e-5"));
 
-  // "Growing it": what the least unbalance of the atlas has not, and one within the paper's range has.
+  // "Growing it": a property that the line of the least unbalance does not have, and a line within the
+  // paper's range has.
   const auto growth = [&](std::string_view what, std::string claim, const auto& shows) {
     const auto knows = [&](const LineSummary* line) { return shows(*line).has_value(); };
     if (paper.size() < 2 || !std::ranges::all_of(paper, knows)) {
@@ -74,7 +75,7 @@ std::vector<Finding> unbalance_findings(const Evidence& evidence) {
     return line.regions[3].presence == Presence::merged;
   });
 
-  // "Always": at every unbalance of the paper's range; what is beyond is said.
+  // "Always": at every unbalance of the paper's range; departures beyond the range are reported.
   std::vector<std::string> without;
   std::vector<std::string> beyond;
   bool known = true;

@@ -15,8 +15,7 @@ std::uint8_t class_of_record(std::span<const double> states, double tolerance, s
   for (std::size_t period = 1; period <= longest; ++period) {
     const double distance = closing_distance(states, period);
     if (distance <= tolerance) {
-      // A shorter period that all but closes: a doubling that has hardly begun, or a motion that still
-      // settles.
+      // A shorter period nearly closes: a period doubling has just begun, or the motion has not settled yet.
       return nearly ? motion_class::kUnresolved : static_cast<std::uint8_t>(period);
     }
     nearly = nearly || distance <= kUnresolvedFactor * tolerance;
@@ -61,7 +60,7 @@ std::uint8_t classify(std::span<const double> states, const ClosingTolerance& cl
   const std::uint8_t first = class_of_record(states.first(half * kStateSize), tolerance, longest);
   const std::uint8_t second = class_of_record(states.subspan(half * kStateSize), tolerance, longest);
   if (whole != first || whole != second) return motion_class::kUnresolved;
-  // Too short a record cannot deny the long periods.
+  // A record that is too short cannot exclude long periods.
   if (whole == motion_class::kAperiodic && longest < motion_class::kLongestPeriod) {
     return motion_class::kUnresolved;
   }

@@ -27,10 +27,10 @@ constexpr std::uint8_t kAperiodic = 255;
 /// Components of a section state.
 constexpr std::size_t kStateSize = 4;
 
-/// What "repeats" means: within max(relative · orbit's size, floor).
+/// Two states are equal within max(relative · size of the orbit, floor).
 struct ClosingTolerance {
   double relative = 1e-6;  ///< [-] of the orbit's size
-  double floor = 0.0;      ///< [m] what the integrator's own error leaves open
+  double floor = 0.0;      ///< [m] the error that the integrator may make
 };
 
 /// An orbit that closes within this many tolerances, but not within one, is unresolved.
@@ -47,9 +47,9 @@ constexpr double kUnresolvedFactor = 100.0;
 /// Periodic with period p: p is the smallest of 1 … 16 whose closing distance is within the tolerance, over
 /// the whole record and over each of its halves alone. Aperiodic: no period closes within 100 tolerances,
 /// over the whole or a half. Unresolved: everything else, that is, orbits that nearly close and orbits whose
-/// halves differ. A half must be longer than a period to test it: a record shorter than 34 sections is never
-/// called aperiodic, one shorter than 4 is always unresolved. An empty record, or one with a value that is
-/// not finite, is `kNone`.
+/// halves differ. A half can test a period only if it is longer than the period. A record shorter than 34
+/// sections is therefore never called aperiodic, and one shorter than 4 is always unresolved. An empty
+/// record, or one with a value that is not finite, is `kNone`.
 [[nodiscard]] std::uint8_t classify(std::span<const double> states, const ClosingTolerance& closing);
 
 }  // namespace rubatlas::analysis

@@ -11,17 +11,17 @@ namespace rubatlas::analysis {
 
 struct CoursePoint {
   double value;
-  std::string at;  ///< where along the parameter, as text
+  std::string at;  ///< value of the parameter, as text
 };
 
-/// A change counts where it passes both: an absolute amount, and a share of the largest value of the course.
+/// A change counts if it exceeds both an absolute amount and a share of the largest value.
 struct Noticeable {
   double absolute = 0.0;
   double share = 0.1;
 };
 
 struct CourseWords {
-  std::string_view subject;  ///< stands before the first verb; empty where the reader knows it
+  std::string_view subject;  ///< subject of the first verb; empty where the context names it
   std::string_view grows;
   std::string_view shrinks;
 };

@@ -11,7 +11,7 @@ struct Run {
   std::size_t last;
 };
 
-/// Runs of one class; unresolved points and points without a class are in none.
+/// Runs of points with the same class; unresolved points and points without a class belong to no run.
 std::vector<Run> runs_of(std::span<const std::uint8_t> motion) {
   std::vector<Run> runs;
   for (std::size_t i = 0; i < motion.size(); ++i) {
@@ -26,7 +26,7 @@ std::vector<Run> runs_of(std::span<const std::uint8_t> motion) {
   return runs;
 }
 
-/// What comes after a run of a doubled period shows that the run was no isolated window.
+/// Whether the motion after a run of a doubled period shows that the run is no isolated window.
 bool goes_on(const Run& run, std::span<const std::uint8_t> motion) {
   if (run.last + 1 >= motion.size()) return false;
   const auto next = motion[run.last + 1];

@@ -14,9 +14,9 @@ struct PeriodDoubling {
   std::uint8_t from_period;  ///< p, in sections
 };
 
-/// Points in a row with the same period that make a run; a single window is none. One point of the doubled
-/// period is enough where the cascade goes on from it: to a further doubling, to an unresolved motion or to
-/// aperiodic motion.
+/// Smallest number of consecutive points with the same period that make a run; a single point is none. One
+/// point of the doubled period is enough where the cascade goes on from it: to a further doubling, to an
+/// unresolved motion or to aperiodic motion.
 constexpr std::size_t kShortestRun = 2;
 /// Points between two runs that are allowed to have no class or to be unresolved: close to a doubling the
 /// motion settles slowly.

@@ -1,4 +1,4 @@
-/// How the findings of the statements speak of regions and triggers.
+/// Texts on regions and triggers for the findings of statements.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 /// Gaps of a line: stretches whose points are not done, because they are pending or the motion left the
-/// model's validity there. What lies on the two sides of a gap is judged apart, and a region that ends at one
-/// is open.
+/// model's validity there. The two sides of a gap are judged separately, and a region that ends at a gap is
+/// open.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace rubatlas::analysis {
 
-/// Scaled length up to which missing points are none to speak of: half a running window (regions.hpp).
+/// Missing points over less than this scaled length make no gap: half a running window (regions.hpp).
 constexpr double kLongestHole = 1.0 / 40.0;
 
 [[nodiscard]] bool is_done(const Line& line, std::size_t point);

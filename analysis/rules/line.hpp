@@ -1,4 +1,4 @@
-/// One line of an atlas as the rules see it: what the motion is, and how large, along the speed ratio.
+/// One line of an atlas as the rules need it: class and displacement of the motion along the speed ratio.
 #pragma once
 
 #include <cstddef>
@@ -33,12 +33,12 @@ class SpeedScale {
   double blades_;
 };
 
-/// Whether a region or a trigger is there. The numbers are those of the flags in MAPS.h5.
+/// Whether a region or a trigger exists. The numbers are those of the flags in MAPS.h5.
 enum class Presence : std::uint8_t {
-  not_covered = 0,  ///< the line has no points where it would have to be
+  not_covered = 0,  ///< the line has no points in the range where it would be
   absent = 1,
   present = 2,
-  merged = 3,  ///< region 4 only: region 2 goes on through it
+  merged = 3,  ///< region 4 only: region 2 extends through it
 };
 
 }  // namespace rubatlas::analysis

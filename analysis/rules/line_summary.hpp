@@ -1,4 +1,4 @@
-/// What the rules find on one line of an atlas, with the parameters that the line has.
+/// The results of the rules on one line of an atlas, with the parameters of the line.
 #pragma once
 
 #include <array>
@@ -13,11 +13,11 @@
 namespace rubatlas::analysis {
 
 struct LineSummary {
-  Line line;                       ///< what the rules were applied to
+  Line line;                       ///< the line to which the rules were applied
   std::vector<double> parameters;  ///< one per axis of the atlas without `speed_ratio`, in their order
   std::array<Trigger, 2> triggers;
   std::array<Region, 4> regions;
-  /// On the map over a blade passing where the atlas has it, else over a revolution.
+  /// Period doublings of the map over a blade passing where the atlas has it, else over a revolution.
   std::vector<PeriodDoubling> doublings;
   double first_speed = kNotANumber;  ///< Ω [-] of the first point that has a class
   double last_speed = kNotANumber;

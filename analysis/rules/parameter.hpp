@@ -25,10 +25,10 @@ struct Parameter {
   [[nodiscard]] std::string where(std::span<const double> picked, std::span<const double> from) const;
 };
 
-/// One per axis but the last (the speed ratio), in their order.
+/// One for each axis except the last (the speed ratio), in their order.
 std::vector<Parameter> parameters_of(std::span<const plan::Axis> axes);
 
-/// A length for the eye: "15.4 mm".
+/// A length as text: "15.4 mm".
 std::string millimetres(double metres);
 
 }  // namespace rubatlas::analysis

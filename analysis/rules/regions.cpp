@@ -45,7 +45,7 @@ Region region_over(const Line& line, SpeedScale scale, Points points, std::size_
   return region;
 }
 
-/// Fewer points than this are not a stretch that could be judged.
+/// A stretch with fewer points cannot be judged.
 constexpr std::size_t kFewestPoints = 3;
 
 std::size_t count_between(Points points, double above, double below) {
@@ -53,8 +53,8 @@ std::size_t count_between(Points points, double above, double below) {
       points, [=](const ClassifiedPoint& p) { return p.scaled_speed > above && p.scaled_speed < below; }));
 }
 
-/// True when there are points enough with a scaled speed in (above, below), and no gap of the line between
-/// them or from the last of them to `below`.
+/// True when there are enough points with a scaled speed in (above, below), and the line has no gap between
+/// them or between the last of them and `below`.
 bool covered(Points points, double above, double below) {
   std::size_t count = 0;
   std::size_t piece = 0;

@@ -28,8 +28,8 @@ struct Region {
   double peak_displacement = kNotANumber;    ///< [m]
   double median_displacement = kNotANumber;  ///< [m]
 
-  /// The region begins (ends) at a gap of the line, where points are not done: it may be longer than it
-  /// looks.
+  /// The region begins (ends) at a gap of the line, where points are not done: it may be longer than its
+  /// known points.
   bool begins_at_gap = false;
   bool ends_at_gap = false;
 

@@ -5,7 +5,7 @@ namespace {
 
 /// Displacements below this share of the clearance count as equally small.
 constexpr double kNegligible = 1e-6;
-/// Integrator's tolerances that the closing distance of a periodic orbit may have.
+/// The closing distance of a periodic orbit may be this many tolerances of the integrator.
 constexpr double kIntegratorTolerances = 100.0;
 
 }  // namespace

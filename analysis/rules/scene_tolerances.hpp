@@ -1,4 +1,4 @@
-/// What the rules take from a scene: lengths below which two states, or two displacements, count as equal.
+/// Lengths, computed from a scene, below which two states or two displacements count as equal.
 #pragma once
 
 #include "analysis/rules/class.hpp"
@@ -6,10 +6,11 @@
 
 namespace rubatlas::analysis {
 
-/// δc, or L/10 where δc is zero [m]: what the integrator's tolerance is relative to.
+/// δc, or L/10 where δc is zero [m]. The tolerance of the integrator is relative to this length.
 [[nodiscard]] double length_scale(const settings::Scene& scene);
 
-/// When two sections of a motion of this scene count as equal: the integrator's tolerance leaves that open.
+/// The tolerance within which two sections of a motion of this scene are equal; it includes the error of the
+/// integrator.
 [[nodiscard]] ClosingTolerance closing_tolerance(const settings::Scene& scene);
 
 /// Displacement [m] below which two motions count as equally small (find_triggers).

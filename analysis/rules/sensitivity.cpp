@@ -34,7 +34,7 @@ class Series {
       return present(line) && !std::isnan(of(line).width());
     };
     const auto extent = [&](const LineSummary& line) { return extent_text(of(line)); };
-    // A region that ends where points are not done has no width; it is shown as far as it is known.
+    // The width of a region that ends at a gap is unknown; the text shows its known part.
     for (const auto* line : lines_) {
       if (of(*line).present() && std::isnan(of(*line).width())) {
         parts.push_back(
@@ -156,7 +156,7 @@ bool same_but(std::size_t axis, const LineSummary& a, const LineSummary& b) {
   return true;
 }
 
-std::string held_text(std::span<const Parameter> parameters, std::size_t axis, const LineSummary& line) {
+std::string fixed_text(std::span<const Parameter> parameters, std::size_t axis, const LineSummary& line) {
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (i != axis) texts.push_back(parameters[i].text(line.parameters[i]));
@@ -173,7 +173,7 @@ std::vector<Sensitivity> sensitivities(std::span<const Parameter> parameters,
     if (parameters[axis].values.size() < 2 || parameters[axis].name == "direction") continue;
     for (const auto& start : lines) {
       if (start.parameters[axis] != parameters[axis].values.front()) continue;
-      Sensitivity sensitivity{.parameter = axis, .held = held_text(parameters, axis, start)};
+      Sensitivity sensitivity{.parameter = axis, .fixed = fixed_text(parameters, axis, start)};
       std::vector<const LineSummary*> series_lines;
       for (std::size_t i = 0; i < lines.size(); ++i) {
         if (!same_but(axis, start, lines[i])) continue;

@@ -1,5 +1,5 @@
-/// What happens to each region and trigger as one parameter grows: the rows of the paper's Table 1, in words
-/// that are made from the numbers by the thresholds below.
+/// How each region and trigger changes as one parameter grows: the rows of the paper's Table 1, in sentences
+/// made from the numbers with the thresholds below.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,8 @@
 
 namespace rubatlas::analysis {
 
-/// Below these changes a region or a trigger is said to stay as it is. Widths and places are in scaled speed.
+/// A region or a trigger with smaller changes than these is called unchanged. Widths and places are in scaled
+/// speed.
 constexpr double kNoticeableWidth =
     0.02;  ///< less than half a running window (regions.hpp): the rule's own doubt
 constexpr double kNoticeablePlace = 0.01;   ///< a third of the stretch that a trigger is found with
@@ -26,10 +27,10 @@ struct Effect {
   std::string text;
 };
 
-/// One parameter at fixed values of all others.
+/// The changes along one parameter at fixed values of all others.
 struct Sensitivity {
-  std::size_t parameter = 0;         ///< which of the parameters grows
-  std::string held;                  ///< "μ = 0.1, me = 0 kg m"
+  std::size_t parameter = 0;         ///< index of the parameter that grows
+  std::string fixed;                 ///< the other parameters: "μ = 0.1, me = 0 kg m"
   std::vector<std::size_t> lines{};  ///< ascending in the parameter
   std::vector<Effect> effects{};     ///< region 1, trigger 1, region 2, region 3, trigger 2, region 4
 };

@@ -9,10 +9,10 @@
 namespace rubatlas::analysis {
 namespace {
 
-/// Share of aperiodic points in the window around point `i`. The two neighbours always belong to the window:
-/// on a coarse grid one point alone is not to decide.
+/// Share of aperiodic points in the window around point `i`. The two neighbours always belong to the window,
+/// so that no single point decides on a coarse grid.
 double running_share(std::span<const ClassifiedPoint> points, std::size_t i, double window) {
-  // Grid speeds are rounded: a point on the window's edge belongs to it on either side.
+  // Speeds of the grid are rounded; a point on the edge of the window belongs to it on both sides.
   const double reach = 0.5 * window * (1.0 + 1e-9);
   std::size_t first = i;
   std::size_t last = i;

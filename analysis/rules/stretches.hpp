@@ -10,12 +10,12 @@
 namespace rubatlas::analysis {
 
 /// One point that counts for the rules: periodic or aperiodic. Unresolved points and points without a class
-/// are left out, they speak for neither.
+/// are left out, since they are evidence for neither.
 struct ClassifiedPoint {
   double scaled_speed;  ///< Ω n/3 [-]
   bool aperiodic;
   std::size_t index;  ///< on the line
-  std::size_t piece;  ///< grows at every gap of the line (gaps.hpp)
+  std::size_t piece;  ///< increases at every gap of the line (gaps.hpp)
 };
 
 std::vector<ClassifiedPoint> classified_points(const Line& line, SpeedScale scale);

@@ -14,7 +14,7 @@ namespace {
 struct Sample {
   double scaled_speed;
   double log_displacement;
-  std::size_t piece;  ///< grows at every gap of the line
+  std::size_t piece;  ///< increases at every gap of the line
 };
 
 std::vector<Sample> samples_of(const Line& line, SpeedScale scale, double floor) {
@@ -29,9 +29,9 @@ std::vector<Sample> samples_of(const Line& line, SpeedScale scale, double floor)
   return samples;
 }
 
-/// Points that a level rests on at least, however coarse the grid.
+/// Smallest number of points for a mean, on any grid.
 constexpr std::size_t kFewestBesidePeak = 2;
-/// Points further away than this many stretches are another part of the line, not a coarse grid.
+/// Points further away than this many stretches do not count, even on a coarse grid.
 constexpr double kFurthest = 3.0;
 
 /// Mean of the logarithm over the points within a stretch of `speed`, walking from `first` by `step` and

@@ -1,4 +1,4 @@
-/// The two triggers: speeds near 1/n and 2/n at which the displacement takes off.
+/// The two triggers: speeds near 1/n and 2/n at which the displacement rises steeply.
 ///
 /// There the blades pass once, or twice, per period of the free rotor (n Ω = 1, n Ω = 2). The rule is in the
 /// README of this folder, "Triggers".
@@ -16,8 +16,8 @@ constexpr std::array<double, 2> kNominalTrigger{1.0 / 3.0, 2.0 / 3.0};
 constexpr double kTriggerSearch = 1.0 / 12.0;
 /// Scaled width of the stretches whose displacements are compared, below and above a speed.
 constexpr double kTriggerStretch = 1.0 / 30.0;
-/// The displacement takes off where it grows by this factor from the stretch below to the stretch above. The
-/// forced response of a linear rotor, Ω²/(1 − Ω²), grows by at most 1.25 over the same distance below Ω =
+/// The displacement rises steeply where it grows by this factor from the stretch below to the stretch above.
+/// The forced response of a linear rotor, Ω²/(1 − Ω²), grows by at most 1.25 over the same distance below Ω =
 /// 3/4.
 constexpr double kTriggerRise = 1.5;
 
@@ -32,7 +32,7 @@ struct Trigger {
 };
 
 /// Trigger 1 and trigger 2 of a line. `floor` [m] is the displacement below which two motions count as
-/// equally small (a shaft at rest has none at all).
+/// equally small (the displacement of a shaft at rest is zero).
 std::array<Trigger, 2> find_triggers(const Line& line, SpeedScale scale, double floor);
 
 }  // namespace rubatlas::analysis

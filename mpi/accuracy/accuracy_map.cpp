@@ -14,7 +14,7 @@ using atlas::AccuracyRun;
 using atlas::AccuracyStudy;
 using atlas::MapChanges;
 
-/// 1 to 4, or 0: the region in which a speed lies.
+/// The region, 1 to 4, in which a speed lies; 0 for none.
 std::uint8_t region_at(const analysis::LineSummary& summary, double speed_ratio) {
   for (std::size_t i = 0; i < summary.regions.size(); ++i) {
     const auto& region = summary.regions[i];
@@ -64,7 +64,7 @@ void find_regions(const settings::Scene& scene, const plan::Grid& grid, const st
   }
 }
 
-/// Two displacements that are negligible are equal; one that is not there differs from any that is.
+/// Two negligible displacements are equal. A missing displacement differs from every known one.
 bool displacement_changed(double found, double reference, double negligible) {
   if (std::isnan(found) || std::isnan(reference)) return std::isnan(found) != std::isnan(reference);
   if (found <= negligible && reference <= negligible) return false;

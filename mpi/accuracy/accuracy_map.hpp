@@ -1,4 +1,4 @@
-/// What an error does to a map: points whose class, region or maximum displacement changes.
+/// How errors change a map: points whose class, region or maximum displacement changes.
 ///
 /// Classes and regions are those of `analysis`, found by the same rules as those of an atlas.
 #pragma once
@@ -11,7 +11,7 @@ namespace rubatlas::mpi {
 /// A maximum displacement that differs by more than this share has changed.
 constexpr double kDisplacementTolerance = 0.01;
 
-/// Fills the regions of all runs, whose classes and displacements are there, and the shares of changed
+/// Fills in the regions of all runs, whose classes and displacements are known, and the shares of changed
 /// points.
 void judge_maps(const settings::Scene& scene, atlas::AccuracyStudy& study);
 

@@ -22,8 +22,9 @@ constexpr std::string_view kReferenceMethod = "hybrid";
 /// The one method without error control.
 constexpr std::string_view kFixedStep = "fixed";
 
-/// A tolerance finer than the jumps of a force in steps rejects most of them, and an increment finer than the
-/// tolerance needs is wasted: the two are refined together.
+/// Tolerance and force increment are refined together: a tolerance below the error that the increments of
+/// force cause rejects most steps, and an increment smaller than the tolerance requires costs time for
+/// nothing.
 struct ToleranceAndIncrement {
   double tolerance;
   double force_increment;  ///< dF [N]
@@ -31,7 +32,7 @@ struct ToleranceAndIncrement {
 constexpr std::array kUsualWithIncrement{ToleranceAndIncrement{1e-4, 1.0}, ToleranceAndIncrement{1e-5, 1.0},
                                          ToleranceAndIncrement{1e-5, 0.1}, ToleranceAndIncrement{1e-6, 0.1}};
 
-/// True when the scene's own table says that a method reads this knob.
+/// True when the table of quantities says that a method reads this number.
 bool reads(std::string_view method, std::string_view pointer) {
   const auto& quantity = settings::quantity(pointer);
   return quantity.chooser.empty() ||
@@ -45,7 +46,8 @@ void require_known(const std::string& method) {
                                settings::nearest(method, known)));
 }
 
-/// The values, or the usual ones where none are given; each within the range of its key in a scene.
+/// The given values, or the usual ones where none are given. Each has to be within the range of its key in a
+/// scene.
 const std::vector<double>& ladder(const std::vector<double>& values, const std::vector<double>& usual,
                                   std::string_view option, std::string_view pointer) {
   const settings::Quantity& quantity = settings::quantity(pointer);
@@ -58,7 +60,7 @@ const std::vector<double>& ladder(const std::vector<double>& values, const std::
   return values.empty() ? usual : values;
 }
 
-/// The reference has to be possible too.
+/// The tolerance of the reference has to be legal too.
 void require_room_for_the_reference(const std::vector<double>& tolerances) {
   const double least = settings::quantity("/accuracy/tolerance").range.low * kReferenceFactor;
   for (const double tolerance : tolerances) {

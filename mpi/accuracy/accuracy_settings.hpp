@@ -1,4 +1,4 @@
-/// What a study of accuracy compares: methods, each with a ladder of its knobs.
+/// The settings that a study of accuracy compares: methods, each with a series of tolerances or steps.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace rubatlas::mpi {
 
-/// What is varied; a knob that a method does not read is not varied for it. Empty: the usual values.
+/// The values to be compared; each method uses those that it reads. An empty list stands for the usual
+/// values.
 struct AccuracyLadders {
   std::vector<std::string> methods{};  ///< all
   std::vector<double> tolerances{};    ///< 1e-4, 1e-5, ... 1e-12; of `paper` fewer, each with its increments
@@ -21,12 +22,12 @@ struct AccuracyLadders {
 /// The methods that a scene may name, the default first.
 std::vector<std::string_view> accuracy_methods();
 
-/// The reference (`hybrid`, ten times tighter than the tightest tolerance asked for), then each method's
-/// ladder. Throws UsageError for an unknown method and for a knob outside its range.
+/// The reference (`hybrid`, ten times tighter than the tightest tolerance asked for), then the series of each
+/// method. Throws UsageError for an unknown method and for a value outside its range.
 std::vector<atlas::AccuracySetting> accuracy_settings(const AccuracyLadders& ladders,
                                                       const settings::Scene& scene);
 
-/// The scene with the method and the knobs of a setting, and the observables that a study compares.
+/// The scene with the method, tolerance and steps of a setting, and the observables that a study compares.
 settings::Scene scene_with(const atlas::AccuracySetting& setting, settings::Scene scene);
 
 }  // namespace rubatlas::mpi

@@ -20,18 +20,19 @@ using atlas::AccuracyPoint;
 using atlas::AccuracyRun;
 using atlas::AccuracySetting;
 using atlas::AccuracyStudy;
-using Sections = std::vector<point::SectionState>;
+using Sections = std::vector<motion::SectionState>;
 
-/// Sections that are kept at the start and at the end of a run: as many as published reference data have.
+/// Numbers of sections kept at the start and at the end of a run; the published reference data have as many.
 constexpr int kFirstSections = 10;
 constexpr int kLastSections = 11;
 /// The looser one of the two tightest runs.
 constexpr double kLooser = 10.0;
 /// Two runs agree within this many times the looser one's tolerance. Errors of periodic motions stay within a
-/// hundred; a chaotic motion grows through any bound, and the horizon moves by a few sections only.
+/// hundred tolerances. The error of a chaotic motion exceeds any bound, and another bound would move the
+/// horizon by a few sections only.
 constexpr double kAgreement = 1000.0;
 
-/// Repeats of one run end when they have taken this long [s]: the time of a slow run is known well enough.
+/// No further repeats of a run after this time [s], since the time of a slow run is accurate enough.
 constexpr double kEnoughTime = 0.3;
 
 /// CPU time of this thread [s].
@@ -42,7 +43,7 @@ double cpu_time() {
 }
 
 /// Euclidean distance of two states [m], as in the classes of motion.
-double distance(const point::SectionState& a, const point::SectionState& b) {
+double distance(const motion::SectionState& a, const motion::SectionState& b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
   return std::sqrt(sum);
@@ -68,7 +69,7 @@ class Points {
     return scene_.protocol.transient_revolutions + scene_.protocol.sampled_revolutions;
   }
 
-  /// A scene's own protocol.
+  /// The point with the scene's own protocol.
   [[nodiscard]] settings::Scene protocol_of(const AccuracySetting& setting) const {
     return scene_with(setting, scene_);
   }
@@ -80,7 +81,7 @@ class Points {
 
   /// The first `count` revolutions, all sampled.
   [[nodiscard]] point::PointOutcome first_revolutions(const AccuracySetting& setting, std::size_t point,
-                                                      const point::PointStart& start, int count) const {
+                                                      const motion::PointStart& start, int count) const {
     settings::Scene scene = protocol_of(setting);
     scene.protocol.transient_revolutions = 0;
     scene.protocol.sampled_revolutions = count;
@@ -88,14 +89,14 @@ class Points {
   }
 
   [[nodiscard]] point::PointOutcome run(const settings::Scene& scene, std::size_t point,
-                                        const point::PointStart& start) const {
+                                        const motion::PointStart& start) const {
     const auto parameters = grid_.parameters(point);
     return assembly::make_line_solver(scene, parameters, tables_)->run(parameters.speed_ratio, start);
   }
 
-  /// The same outcome up to `repeats` times, and what it took.
+  /// Computes the same point up to `repeats` times; the outcome and the times.
   [[nodiscard]] point::PointOutcome timed(const settings::Scene& scene, std::size_t point,
-                                          const point::PointStart& start, int repeats,
+                                          const motion::PointStart& start, int repeats,
                                           AccuracyRun& run) const {
     const auto parameters = grid_.parameters(point);
     const auto solver = assembly::make_line_solver(scene, parameters, tables_);
@@ -120,10 +121,10 @@ class Points {
   std::shared_ptr<assembly::BladeTables> tables_ = assembly::make_blade_tables();
 };
 
-/// What all runs of a point are compared with.
+/// The reference run of a point, with which all its runs are compared.
 struct Reference {
   Sections all;      ///< after every revolution of the protocol; empty when the motion ended before
-  Sections sampled;  ///< the last of them
+  Sections sampled;  ///< the sampled ones, which are the last
 };
 
 /// Leading sections of two runs that agree within `bound` [m].
@@ -143,7 +144,7 @@ double largest_distance(const Sections& a, const Sections& b, std::size_t count)
   return largest;
 }
 
-/// Where each point starts, what it is compared with, and how far.
+/// For each point its start, its reference run and its horizon.
 class Study {
  public:
   Study(const settings::Scene& scene, const std::vector<AccuracySetting>& settings, int repeats)
@@ -159,16 +160,16 @@ class Study {
   /// Follows the scene's sweep with the reference, point by point.
   void find_references() {
     const auto& initial = scene_.initial;
-    const point::PointStart from_initial({initial.x, initial.y, initial.vx, initial.vy});
+    const motion::PointStart from_initial({initial.x, initial.y, initial.vx, initial.vy});
     const plan::Grid& grid = points_.grid();
     for (std::size_t line = 0; line < grid.line_count(); ++line) {
-      point::PointStart start = from_initial;
+      motion::PointStart start = from_initial;
       for (std::size_t visit = 0; visit < grid.speed_count(); ++visit) {
         const std::size_t point = grid.point(line, visit);
         study_.points[point].start = start;
         const point::PointOutcome end = find_reference(point);
         const bool go_on = grid.points_depend_on_each_other() && end.status == point::PointStatus::done;
-        start = go_on ? point::PointStart(end.final_state, end.final_memory) : from_initial;
+        start = go_on ? motion::PointStart(end.final_state, end.final_memory) : from_initial;
       }
     }
   }

@@ -49,7 +49,7 @@ ProgressStyle progress_style(const std::string& word) {
   return static_cast<ProgressStyle>(found - kProgressStyles.begin());
 }
 
-/// A mistyped command gets a better sentence than "a subcommand is required".
+/// A mistyped command gets a sentence of its own instead of "a subcommand is required".
 void check_command(int argument_count, const char* const* arguments) {
   if (argument_count < 2) {
     throw UsageError(fmt::format("no command; commands are {}; rubatlas --help shows what is possible",
@@ -61,7 +61,7 @@ void check_command(int argument_count, const char* const* arguments) {
                                fmt::join(kCommands, ", "), settings::nearest(word, kCommands)));
 }
 
-/// The library's sentence without its line breaks, and where to read on.
+/// The sentence of CLI11 without its line breaks, followed by a pointer to `--help`.
 std::string sentence_of(const CLI::App& program, const CLI::ParseError& error) {
   std::string text = error.what();
   while (!text.empty() && (text.back() == '\n' || text.back() == '.')) text.pop_back();
@@ -93,9 +93,10 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
         ->type_name("STYLE");
   };
   add_progress(run);
-  // For comparisons: the atlas has the same bytes. In no group, so that --help does not show it.
+  // For comparisons; the atlas has the same bytes. The option is in no group, so that --help does not show
+  // it.
   run->add_option("--lanes", run_options.most_lanes)->envname("RUBATLAS_LANES")->group("");
-  // For tests that kill runs: how long finished rows wait for their statuses.
+  // For tests that kill runs: the time between the rows and their statuses.
   run->add_option("--batch-milliseconds", run_options.batch_milliseconds)->group("");
   run->add_flag("--dry-run", run_options.dry_run, "Check scene, disk and output, explain, and stop");
 

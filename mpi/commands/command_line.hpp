@@ -1,4 +1,4 @@
-/// What the user has asked for, as typed values: the only place that knows the names of commands and flags.
+/// The command line as typed values. The names of commands and flags are known here only.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ struct PrintCommand {
 
 struct ExplainCommand {
   std::filesystem::path scene;
-  double measured_for = kMeasuredSeconds;  ///< [s]: how long points are tried and effects are timed
+  double measured_for = kMeasuredSeconds;  ///< [s]: time for computing points and for timing effects
 };
 
 struct OrbitCommand {
@@ -53,7 +53,7 @@ struct AccuracyCommand {
 
 struct VerifyCommand {
   std::filesystem::path atlas;
-  std::size_t recompute = 0;  ///< rows that are computed again
+  std::size_t recompute = 0;  ///< number of rows that are computed again
 };
 
 using Command = std::variant<PrintCommand, RunOptions, ExplainCommand, OrbitCommand, StatusCommand,

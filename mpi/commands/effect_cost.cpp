@@ -13,7 +13,8 @@
 namespace rubatlas::mpi {
 namespace {
 
-/// CPU time [s] of one repetition and number of repetitions: the fastest has met the fewest interruptions.
+/// CPU time [s] of one repetition, and number of repetitions. The fastest counts, since other processes
+/// disturbed it least.
 constexpr double kOneRepetition = 2e-3;
 constexpr int kRepetitions = 5;
 constexpr int kRevolutions = 10;
@@ -31,7 +32,7 @@ std::optional<double> seconds_per_right_hand_side(const settings::Scene& scene, 
   const std::size_t first = grid.point_count() - grid.speed_count();
   const auto solver =
       assembly::make_line_solver(trial, grid.parameters(first), assembly::make_blade_tables());
-  const point::SectionState start{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
+  const motion::SectionState start{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
 
   double fastest = std::numeric_limits<double>::infinity();
   for (int repetition = 0; repetition < kRepetitions; ++repetition) {

@@ -1,4 +1,4 @@
-/// What a right-hand side of a scene's own kernel costs, measured there and then.
+/// The cost of a right-hand side in the kernel of a scene, measured when it is asked for.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace rubatlas::mpi {
 
-/// CPU seconds per right-hand side, with all that belongs to it in a run (flight, search for events), from a
-/// few milliseconds of motion on the last line of the scene's grid: the one with the largest values of all
-/// that is swept. None where no blade comes into contact there.
+/// CPU seconds per right-hand side, with all that belongs to it in a run (flight, search for events),
+/// measured on a few milliseconds of motion on the last line of the scene's grid, which has the largest
+/// values of all swept quantities. Empty where no blade comes into contact there.
 ///
-/// `go_on` is asked between and within points; where it says no, there is none either.
+/// `go_on` is called between and within points; the result is empty where it returns false.
 std::optional<double> seconds_per_right_hand_side(const settings::Scene& scene, const modes::GoOn& go_on);
 
 }  // namespace rubatlas::mpi

@@ -14,13 +14,13 @@
 namespace rubatlas::mpi {
 namespace {
 
-// Enough revolutions for a point to show what it costs; fewer where they are slow, so that there is time for
+// Enough revolutions to measure the cost of a point; fewer where they are slow, so that there is time for
 // several points.
 constexpr int kFewestRevolutions = 5;
 constexpr int kMostRevolutions = 300;
 constexpr double kShareOfOneTrial = 0.1;
 constexpr std::size_t kMostTrials = 400;
-/// Budgets after which a point that is still under way is given up.
+/// A point that is not finished after this many budgets is given up.
 constexpr double kLastMoment = 1.25;
 
 int total_revolutions(const settings::Scene& scene) {
@@ -38,11 +38,11 @@ settings::Scene shortened(settings::Scene scene, int revolutions) {
   return scene;
 }
 
-point::SectionState start_of(const settings::Scene& scene) {
+motion::SectionState start_of(const settings::Scene& scene) {
   return {scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
 }
 
-/// How many revolutions a trial may have, from a few at the first point.
+/// Number of revolutions of a trial; the first point has a few only.
 int trial_revolutions(const settings::Scene& scene, double budget,
                       const std::shared_ptr<assembly::BladeTables>& tables, const modes::GoOn& go_on) {
   const settings::Scene probe = shortened(scene, kFewestRevolutions);
@@ -68,10 +68,10 @@ CostEstimate estimate_cost(const settings::Scene& scene, double budget, const Cl
   const settings::Scene trial = shortened(scene, trial_revolutions(scene, budget, tables, go_on));
   const double scale = static_cast<double>(total_revolutions(scene)) / total_revolutions(trial);
   const plan::Grid grid(trial);
-  const point::SectionState start = start_of(scene);
+  const motion::SectionState start = start_of(scene);
   const std::size_t most_trials = std::min(grid.point_count(), kMostTrials);
-  // Multiples of the golden section fall evenly over the grid however many of them there is time for. A grid
-  // that is tried as a whole is tried point by point.
+  // Multiples of the golden section are spread evenly over the grid for any number of points. A small grid is
+  // computed completely, point by point.
   const auto point_of = [&](std::size_t number) {
     constexpr double kGoldenSection = 0.6180339887498949;
     const double position = std::fmod(kGoldenSection * static_cast<double>(number), 1.0);
@@ -84,7 +84,7 @@ CostEstimate estimate_cost(const settings::Scene& scene, double budget, const Cl
   const std::size_t most_side_by_side =
       grid.points_depend_on_each_other() ? grid.line_count() : grid.point_count();
   width.seats = static_cast<int>(std::min(static_cast<std::size_t>(width.seats), most_side_by_side));
-  // Before the batch: what runs in it ends first.
+  // Declared before the batch, so that it outlives the points in the batch.
   std::vector<std::unique_ptr<point::LineSolver>> solvers(static_cast<std::size_t>(width.seats));
   const auto points = batch::make_line_batch(width);
 
@@ -125,7 +125,7 @@ CostEstimate estimate_cost(const settings::Scene& scene, double budget, const Cl
     if (begun < most_trials && clock() - begin < budget) begin_on(static_cast<std::size_t>(finished.seat));
   }
   if (seconds.empty()) {
-    // No point has come to its end: what its revolutions have taken so far has to do.
+    // No point was finished: the estimate uses the time of the revolutions computed so far.
     if (result.revolutions > 0.0) {
       result.seconds_per_point = processor_time / result.revolutions * total_revolutions(scene);
       result.standard_error = result.fastest = result.slowest = result.seconds_per_point;
@@ -133,7 +133,7 @@ CostEstimate estimate_cost(const settings::Scene& scene, double budget, const Cl
     return result;
   }
 
-  // Shares are of time on the wall, in which others may have run too.
+  // Shares are measured in wall time, in which other processes may have run too.
   const double own = sum_of_shares > 0.0 ? processor_time / sum_of_shares : 1.0;
   double sum = 0.0;
   double sum_of_squares = 0.0;
@@ -144,7 +144,8 @@ CostEstimate estimate_cost(const settings::Scene& scene, double budget, const Cl
   result.fastest = own * *std::min_element(seconds.begin(), seconds.end());
   result.slowest = own * *std::max_element(seconds.begin(), seconds.end());
   const auto count = static_cast<double>(result.trials);
-  result.seconds_per_point = std::max(sum / count, 1e-9);  // a clock that stood still is no rate
+  result.seconds_per_point =
+      std::max(sum / count, 1e-9);  // avoids a division by zero where the clock did not advance
   const double variance =
       std::max(0.0, sum_of_squares / count - result.seconds_per_point * result.seconds_per_point);
   result.standard_error = result.trials > 1 ? std::sqrt(variance / (count - 1.0)) : result.seconds_per_point;

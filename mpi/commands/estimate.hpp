@@ -1,4 +1,4 @@
-/// What a scene's points cost, measured on a few of them.
+/// The cost of a scene's points, measured on a few of them.
 #pragma once
 
 #include <cstddef>
@@ -10,17 +10,17 @@
 
 namespace rubatlas::mpi {
 
-/// A point that was tried, to its end or not.
+/// A point that was computed, completely or in part.
 struct TriedPoint {
   double speed_ratio = 0.0;  ///< Ω [-]
   bool touched = false;      ///< a blade was in contact
 };
 
 struct CostEstimate {
-  std::size_t trials = 0;             ///< points tried to their end
-  std::size_t given_up = 0;           ///< and points that had not ended when the time was up
-  std::size_t left_validity = 0;      ///< of the trials, how many left the model
-  std::size_t integrator_failed = 0;  ///< and how many could not be integrated
+  std::size_t trials = 0;             ///< points computed to their end
+  std::size_t given_up = 0;           ///< points that were not finished in time
+  std::size_t left_validity = 0;      ///< of the trials, points that left the model's validity
+  std::size_t integrator_failed = 0;  ///< of the trials, points that could not be integrated
   double seconds_per_point = 0.0;  ///< mean, CPU time of one rank; 0 where not one revolution was completed
   double standard_error = 0.0;     ///< of that mean [s]
   double fastest = 0.0;            ///< [s]
@@ -36,10 +36,10 @@ struct CostEstimate {
 using Clock = std::function<double()>;
 double seconds_on_the_wall();
 
-/// Runs points spread over the whole grid, each from the scene's `initial`: new ones are begun for `budget`
-/// [s], and those that are still under way are given up a quarter of that later, within a revolution if it
-/// is long. Long protocols are shortened and their time scaled. Points are tried in batches where the atlas
-/// is computed so.
+/// Computes points spread over the whole grid, each from the scene's `initial`. New points are begun for
+/// `budget` [s]. Points that are not finished a quarter of this time later are given up, if need be within a
+/// revolution. Long protocols are shortened and their time is scaled. Points are computed in batches where
+/// `run` would do so.
 CostEstimate estimate_cost(const settings::Scene& scene, double budget,
                            const Clock& clock = seconds_on_the_wall);
 

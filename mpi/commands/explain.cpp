@@ -21,6 +21,7 @@
 #include "mpi/job/point_runner.hpp"
 #include "mpi/job/progress.hpp"
 #include "plan/grid.hpp"
+#include "settings/combinations.hpp"
 #include "settings/printable.hpp"
 #include "settings/quantity.hpp"
 
@@ -87,15 +88,87 @@ void describe_machine(const settings::Scene& scene, Text& text) {
 
 // --- method ---
 
+/// Combinations of a scene's lines that differ in nothing but effects.
+struct Motion {
+  settings::Combination combination;  ///< with the effects that act on all of these lines
+  settings::EffectSet on_some;        ///< those that act on some of them only
+};
+
+std::vector<Motion> motions_of(const settings::Scene& scene) {
+  std::vector<Motion> motions;
+  for (const auto& one : settings::combinations_in(scene)) {
+    const auto same = std::ranges::find_if(motions, [&](const Motion& motion) {
+      return motion.combination.family == one.family && motion.combination.machine == one.machine;
+    });
+    if (same == motions.end()) {
+      motions.push_back({one, {}});
+      continue;
+    }
+    const settings::EffectSet everywhere = same->combination.consumed & one.consumed;
+    same->on_some = (same->on_some | same->combination.consumed | one.consumed) - everywhere;
+    same->combination.consumed = everywhere;
+  }
+  return motions;
+}
+
+std::string names_text(settings::EffectSet effects) {
+  std::vector<std::string> names;
+  for (const auto section : effects.sections()) names.push_back(settings::axis_name(section));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string motion_text(const Motion& motion) {
+  const auto& [family, machine, consumed] = motion.combination;
+  return fmt::format(
+      "{}{}{}", family->name, consumed.empty() ? "" : fmt::format("; with {}", names_text(consumed)),
+      motion.on_some.empty() ? "" : fmt::format("; on some lines with {}", names_text(motion.on_some)));
+}
+
+/// The steps of a method that has no closed form for flight.
+std::string steps_text(const settings::Scene& scene) {
+  if (settings::method_of(scene).keeps_tolerance) {
+    return fmt::format("of at most {:g} in τ", scene.accuracy.max_step);
+  }
+  return fmt::format("of {:g} in τ, shortened to a whole number of them a revolution", scene.accuracy.step);
+}
+
+std::string flight_text(const settings::Scene& scene, const settings::Combination& combination) {
+  const auto& method = settings::method_of(scene);
+  if (!method.flies_in_closed_form) {
+    return fmt::format("no closed form: {}, in steps {} over flight and contact alike", method.pair,
+                       steps_text(scene));
+  }
+  return fmt::format("closed form: {}{}{}; no touch-down can be jumped over",
+                     combination.machine == settings::Machine::any_linear_support
+                         ? "the exponential of the matrix of shaft and support"
+                         : "complex exponentials of the isotropic shaft",
+                     combination.family->flight.empty() ? "" : ", ", combination.family->flight);
+}
+
+std::string contact_text(const settings::Scene& scene, const settings::Combination& combination) {
+  const auto& method = settings::method_of(scene);
+  if (method.flies_in_closed_form) return fmt::format("{}; {}", method.pair, combination.family->contact);
+  if (scene.contact.law == settings::ContactLaw::elastic_ring) {
+    return fmt::format("in the same steps; {}", combination.family->contact);
+  }
+  return fmt::format("in the same steps; the force of each blade: {}{}", method.force,
+                     scene.accuracy.method == settings::Method::paper
+                         ? fmt::format(", dF = {:g} N", scene.accuracy.force_increment)
+                         : "");
+}
+
 void describe_kernel(const settings::Scene& scene, Text& text) {
   const bool bending = scene.contact.law != settings::ContactLaw::elastic_ring;
   const double scale = scene.clearance() > 0.0 ? scene.clearance() : 0.1 * scene.blades.length;
+  const auto& method = settings::method_of(scene);
   text.heading("Kernel");
-  text.line("flight", "closed form: every effect here has one. Steps that cannot jump over a touch-down");
-  text.line("contact",
-            bending ? "Dormand-Prince 8(5,3); one blade: its bending is carried along as a state, no root is "
-                      "solved; several: a root each"
-                    : "Dormand-Prince 8(5,3); the force is explicit");
+  text.line("method", std::get<std::string>(*settings::quantity("/accuracy/method").read(scene)));
+  for (const Motion& motion : motions_of(scene)) {
+    text.line("motion", motion_text(motion));
+    text.line("flight", flight_text(scene, motion.combination));
+    text.line("contact", contact_text(scene, motion.combination));
+  }
+  text.line("touch-down, lift-off", method.guards);
   const batch::Width width = batch::width_of(scene);
   text.line("batches",
             width.seats > 1
@@ -103,10 +176,13 @@ void describe_kernel(const settings::Scene& scene, Text& text) {
                               "lanes ({}); same bytes",
                               width.seats, width.reason)
                 : fmt::format("none, line by line: {}", width.reason));
-  text.line("accuracy", fmt::format("{:g} of {}: {:.3g} m a step, {:.3g} m per unit τ in velocity",
-                                    scene.accuracy.tolerance,
-                                    scene.clearance() > 0.0 ? "the clearance" : "L/10 (the clearance is 0)",
-                                    scene.accuracy.tolerance * scale, scene.accuracy.tolerance * scale));
+  text.line("accuracy",
+            method.keeps_tolerance
+                ? fmt::format("{:g} of {}: {:.3g} m a step, {:.3g} m per unit τ in velocity",
+                              scene.accuracy.tolerance,
+                              scene.clearance() > 0.0 ? "the clearance" : "L/10 (the clearance is 0)",
+                              scene.accuracy.tolerance * scale, scene.accuracy.tolerance * scale)
+                : "whatever equal steps give: no error is estimated, `accuracy.tolerance` is not read");
   text.line("a point ends",
             fmt::format("after {}{} + {} revolutions, or with a status: {}shaft at the ring",
                         scene.protocol.transient_revolutions,

@@ -11,6 +11,7 @@
 
 #include "mpi/commands/effect_cost.hpp"
 #include "plan/grid.hpp"
+#include "settings/combinations.hpp"
 #include "settings/quantity.hpp"
 
 namespace rubatlas::mpi {
@@ -40,14 +41,17 @@ struct ActingLines {
       true;  ///< false: its own axes have too many values to look at all; `count` is then 1 or more
 };
 
-/// Whether an effect acts is a matter of its own quantities: only their axes are walked along.
+/// Whether an effect acts is a matter of its own quantities, and of friction where it needs that: only their
+/// axes are walked along.
 template <auto Effect>
 ActingLines lines_where_it_acts(const settings::Scene& scene, const plan::Grid& grid) {
   constexpr std::size_t kMostLooks = 200'000;
   constexpr std::string_view kSection = effects::Settings<Effect>::kDescription.section;
   std::vector<settings::Axis> own;
   for (auto& axis : settings::axes_of(scene)) {
-    if (axis.quantity->section() == kSection) own.push_back(std::move(axis));
+    const bool friction =
+        settings::kNeedFriction.contains<Effect>() && axis.quantity->pointer == "/contact/friction";
+    if (axis.quantity->section() == kSection || friction) own.push_back(std::move(axis));
   }
   settings::Scene trial = scene;
   trial.grid = {};
@@ -64,7 +68,7 @@ ActingLines lines_where_it_acts(const settings::Scene& scene, const plan::Grid& 
       // The axis of an effect that is absent has the value 0: naming it would switch the effect on.
       if ((scene.*Effect) || value != 0.0) axis.quantity->write(trial, value);
     }
-    if (effects::acts<Effect>(trial)) result.count += lines_of_look;
+    if (settings::acting(trial).contains<Effect>()) result.count += lines_of_look;
   }
   if (!result.counted && scene.*Effect) result.count = std::max<std::size_t>(result.count, 1);
   return result;
@@ -138,7 +142,10 @@ void describe(const settings::Scene& scene, const plan::Grid& grid, const modes:
   }
   const std::string quantities = quantities_text(scene, kDescription.section);
   if (acting.count == 0) {
-    effect(text, name, false, fmt::format("{}: of zero strength, no term in the equations", quantities));
+    const bool has_strength = effects::acts<Effect>(scene);
+    effect(text, name, false,
+           fmt::format("{}: {}, no term in the equations", quantities,
+                       has_strength ? "nothing to act on without friction" : "of zero strength"));
     return;
   }
   std::string where;
@@ -152,7 +159,9 @@ void describe(const settings::Scene& scene, const plan::Grid& grid, const modes:
   const auto with = seconds_per_right_hand_side(scene, go_on);
   const auto plain = seconds_per_right_hand_side(without<Effect>(scene, kDescription.section), go_on);
   more(text, cost_text(with, plain, go_on()));
-  more(text, fmt::format("flight: {}", kDescription.flight));
+  more(text, fmt::format("flight: {}", settings::method_of(scene).flies_in_closed_form
+                                           ? kDescription.flight
+                                           : "in the steps of the method, as all of the motion"));
 }
 
 }  // namespace

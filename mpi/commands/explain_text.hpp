@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -18,14 +17,9 @@ namespace rubatlas::mpi {
 class Text {
  public:
   void heading(std::string_view title) { text_ += fmt::format("\n{}\n", title); }
-  /// Columns are counted in letters: names hold Greek ones.
+  /// fmt counts the width in characters, not in bytes, since names hold Greek letters.
   void line(std::string_view name, std::string_view content) {
-    constexpr std::size_t kColumn = 26;
-    const auto letters = static_cast<std::size_t>(std::count_if(name.begin(), name.end(), [](char byte) {
-      return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
-    }));
-    text_ += fmt::format("  {}{} {}\n", name, std::string(letters < kColumn ? kColumn - letters : 0, ' '),
-                         content);
+    text_ += fmt::format("  {:<26} {}\n", name, content);
   }
   void note(std::string_view content) { text_ += fmt::format("  - {}\n", content); }
   [[nodiscard]] std::string take() { return std::move(text_); }

@@ -30,10 +30,10 @@ MemoryNeed memory_need(const settings::Scene& scene, std::uint64_t lines_at_hand
   const atlas::Schema schema = atlas::schema_of(scene);
   const std::uint64_t lines =
       std::min<std::uint64_t>(lines_at_hand, grid.points_depend_on_each_other() ? grid.line_count() : 1);
-  // A point's rows are gathered, handed over and written: two copies of them at a time.
+  // The rows of a point are gathered, passed on and written; at most two copies exist at a time.
   MemoryNeed need;
   need.of_lines = lines * (record_bytes(scene) + 2 * schema.bytes_per_point());
-  // Its status, its end and what its effects remember, and its place in the schedule.
+  // Status, final state and memory of each point, and its entry in the schedule.
   std::uint64_t of_point = sizeof(std::uint8_t) + 4 * sizeof(double) + sizeof(std::uint64_t);
   for (const auto& memory : observables::memories(scene)) of_point += memory.row_size * sizeof(double);
   need.of_grid = grid.point_count() * of_point;
@@ -46,7 +46,8 @@ std::uint64_t memory_of_process() {
   for (const char* const limit :
        {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
     std::uint64_t allowed = 0;
-    if (std::ifstream(limit) >> allowed) bytes = std::min(bytes, allowed);  // the word "max" is no number
+    if (std::ifstream(limit) >> allowed)
+      bytes = std::min(bytes, allowed);  // reading fails for the word "max", which means no limit
   }
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {

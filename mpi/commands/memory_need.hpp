@@ -1,4 +1,4 @@
-/// Does a run fit into the memory of this machine?
+/// Whether a run fits into the memory of this machine.
 #pragma once
 
 #include <cstdint>
@@ -8,24 +8,25 @@
 
 namespace rubatlas::mpi {
 
-/// What a run keeps in memory, as far as it grows with the scene.
+/// The memory of a run that grows with the scene.
 struct MemoryNeed {
-  std::uint64_t of_lines = 0;  ///< [bytes] of a rank: rows and records of the lines that it keeps at hand
-  std::uint64_t of_grid = 0;   ///< [bytes] of the first rank besides: the state of every point
+  std::uint64_t of_lines =
+      0;                      ///< [bytes] for each rank: rows and records of the lines whose solvers it keeps
+  std::uint64_t of_grid = 0;  ///< [bytes] for the first rank in addition: the state of every point
 
   [[nodiscard]] double together() const {
     return static_cast<double>(of_lines) + static_cast<double>(of_grid);
   }
 };
 
-/// `lines_at_hand`: solvers that a rank keeps at most.
+/// `lines_at_hand`: largest number of solvers that a rank keeps.
 MemoryNeed memory_need(const settings::Scene& scene, std::uint64_t lines_at_hand);
 
 /// Memory that this process may have [bytes]: the machine's, or less where its control group or `ulimit -v`
 /// allows less.
 std::uint64_t memory_of_process();
 
-/// "100 points × 65.5 MB of rows; ...": how the need comes about.
+/// "100 points × 65.5 MB of rows; ...": the parts of which the need consists.
 std::string memory_text(const MemoryNeed& need);
 
 }  // namespace rubatlas::mpi

@@ -26,15 +26,16 @@ double largest_free_amplitude(const settings::Scene& scene) {
   return largest;
 }
 
-/// E of anything that a blade could be made of [Pa]: soft rubber, and beyond diamond.
+/// Range of Young's modulus of any blade material [Pa]: from soft rubber to above diamond.
 constexpr double kSoftest = 1e6;
 constexpr double kHardest = 1.5e12;
 /// A blade thicker than this share of its length is no slender beam.
 constexpr double kSlender = 0.2;
-/// Damping ratios above are more likely per cent.
+/// A damping ratio above this value was probably meant in per cent.
 constexpr double kPerCent = 2.0;
 
-/// By which power of a thousand a Young's modulus in another unit has to be multiplied to be that of a metal.
+/// The power of a thousand by which a Young's modulus in another unit has to be multiplied to be that of a
+/// metal.
 std::string other_unit(double modulus) {
   for (const auto& [factor, unit] : {std::pair{1e9, "GPa"}, std::pair{1e6, "MPa"}}) {
     if (modulus * factor >= 1e9 && modulus * factor <= kHardest) {
@@ -74,7 +75,7 @@ void doubt_damping(const settings::Scene& scene, std::vector<std::string>& doubt
       damping, damping, damping / 100.0));
 }
 
-/// Of the shaft under its weight and a constant load, each at its largest [m].
+/// Deflection of the shaft under the largest weight and the largest constant load [m].
 double largest_sag(const settings::Scene& scene) {
   const auto most = [&](std::string_view pointer) {
     return std::ranges::max(settings::values_in(scene, pointer));
@@ -118,11 +119,11 @@ std::string none_touched(std::ptrdiff_t count, std::string_view where, const Cos
       count == 1 ? "" : "s", where, cost.most_revolutions, cost.most_revolutions == 1 ? "" : "s or fewer");
 }
 
-/// Points in the order of the speeds, from one end of their range to the other: those before the first speed
-/// at which any has touched.
+/// The points, in order of speed from one end of the range, that lie before the first speed at which a blade
+/// touched.
 void note_end_without_contact(const std::vector<TriedPoint>& points, std::string_view end,
                               const CostEstimate& cost, std::vector<std::string>& notes) {
-  // Of fewer, spread over all axes, the next might as well touch.
+  // With fewer points, spread over all axes, the next point might well touch.
   constexpr std::ptrdiff_t kFewest = 10;
   const auto touching = std::ranges::find_if(points, &TriedPoint::touched);
   const auto limit = std::ranges::find(points, touching->speed_ratio, &TriedPoint::speed_ratio);
@@ -148,8 +149,8 @@ void note_contacts(const settings::Scene& scene, const CostEstimate& cost, std::
   note_end_without_contact(points, "upper", cost, notes);
 }
 
-/// By how much a blade that passes the ring's nearest point overlaps it at equilibrium, at its most over the
-/// grid [m].
+/// Largest overlap, over the grid, of a blade with the nearest point of the ring while the shaft is at
+/// equilibrium [m].
 double largest_overlap(const settings::Scene& scene) {
   double farthest = 0.0;
   for (const double misalignment : settings::values_in(scene, "/rotor/misalignment")) {

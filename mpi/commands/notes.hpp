@@ -1,4 +1,4 @@
-/// What a user should know about a scene before starting it.
+/// Notes on a scene that a user should read before running it.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace rubatlas::mpi {
 
-/// What looks like a slip of the pen or of a unit, from the scene alone; nothing of it stops a run. One
-/// sentence each; empty where all is plausible.
+/// Values that look like a typing error or a wrong unit, found from the scene alone. They do not stop a run.
+/// One sentence each; empty where all values are plausible.
 std::vector<std::string> doubts_about(const settings::Scene& scene);
 
-/// Where every point has left the model: what in the scene makes it do so, as far as that can be seen; empty
-/// where it cannot.
+/// For a scene in which every point has left the model's validity: the quantity of the scene that is the
+/// cause; empty where it cannot be found.
 std::string likely_reason_to_leave(const settings::Scene& scene);
 
-/// One sentence each, the most important first; empty where there is nothing to say.
+/// One sentence each, the most important first; may be empty.
 std::vector<std::string> notes_on(const settings::Scene& scene, const CostEstimate& cost);
 
 }  // namespace rubatlas::mpi

@@ -35,7 +35,7 @@ struct Choice {
   double value = 0.0;  ///< of `direction`: 0 up, 1 down
 };
 
-/// Where the orbit is: the point's parameters and, for an atlas swept both ways, the line.
+/// The point of the orbit: its parameters and, for an atlas swept in both directions, the direction.
 struct Place {
   plan::PointParameters parameters;
   std::optional<plan::Direction> direction;
@@ -45,12 +45,12 @@ std::vector<std::string_view> parameter_names(const std::vector<settings::Axis>&
   std::vector<std::string_view> names;
   names.reserve(axes.size() + 1);
   for (const auto& axis : axes) names.push_back(axis.name);
-  std::reverse(names.begin(), names.end());  // the speed ratio first, as everybody thinks of it
+  std::reverse(names.begin(), names.end());  // the speed ratio first
   names.push_back(kDirection);
   return names;
 }
 
-/// An axis is named as its dimension is, or by the pointer of its quantity as in the scene.
+/// An axis is named by its dimension, or by the pointer of its quantity as in the scene.
 Choice parse_choice(const std::string& text, const std::vector<settings::Axis>& axes) {
   const auto names = parameter_names(axes);
   const auto equals = text.find('=');
@@ -104,14 +104,14 @@ const Choice* find_choice(const std::vector<Choice>& choices, std::string_view n
   return found == choices.end() ? nullptr : &*found;
 }
 
-/// A range of values, or all of them where they are few.
+/// The range of values, or all values where they are few.
 std::string values_text(const std::vector<double>& values) {
   constexpr std::size_t kFew = 10;
   if (values.size() <= kFew) return fmt::format("{}", fmt::join(values, ", "));
   return fmt::format("{} values from {} to {}", values.size(), values.front(), values.back());
 }
 
-/// The point that is meant: values given, and those of axes that have one value only.
+/// The point that the user means: the given values, and the values of axes with one value only.
 Place place_of(const settings::Scene& scene, const OrbitCommand& command) {
   const auto axes = settings::axes_of(scene);
   const auto choices = parse_choices(command.at, axes);
@@ -136,7 +136,7 @@ Place place_of(const settings::Scene& scene, const OrbitCommand& command) {
   return place;
 }
 
-/// The values next to a missing one, for the message.
+/// The values of an axis next to a value that it does not have, for the message.
 std::string nearest_values(const std::vector<double>& values, double wanted) {
   const auto above = std::lower_bound(values.begin(), values.end(), wanted);
   if (above == values.begin()) return fmt::format("the nearest is {}", values.front());
@@ -144,7 +144,7 @@ std::string nearest_values(const std::vector<double>& values, double wanted) {
   return fmt::format("the nearest are {} and {}", *(above - 1), *above);
 }
 
-/// Which value of which axis is not there, and what is.
+/// The sentence that names the axis without the given value, and the nearest values that it has.
 std::string no_such_point(const atlas::AtlasReader& atlas, const std::filesystem::path& path,
                           const plan::PointParameters& parameters) {
   constexpr double kSame = 1e-9;
@@ -164,9 +164,9 @@ std::string no_such_point(const atlas::AtlasReader& atlas, const std::filesystem
   return fmt::format("{} has no such point", path.string());
 }
 
-/// The end stored for a point: the orbit then shows the atlas' own attractor.
-point::PointStart stored_end(const settings::Scene& scene, const std::filesystem::path& path,
-                             const Place& place) {
+/// The final state stored for a point, from which the orbit shows the attractor of the atlas.
+motion::PointStart stored_end(const settings::Scene& scene, const std::filesystem::path& path,
+                              const Place& place) {
   const atlas::AtlasReader atlas(path);
   const auto difference = settings::difference(atlas.scene_resolved(), settings::resolved_json(scene));
   if (!difference.empty()) {
@@ -193,7 +193,7 @@ point::PointStart stored_end(const settings::Scene& scene, const std::filesystem
   return atlas::FinalStates(atlas, scene).of(*point);
 }
 
-/// Where the orbit goes: not over what it is made from.
+/// The path of the orbit file, which must not be a file that the command reads.
 atlas::Output output_of(const OrbitCommand& command) {
   std::vector<std::filesystem::path> sources{command.scene};
   if (command.from) sources.push_back(*command.from);
@@ -212,9 +212,9 @@ int compute_orbit(const OrbitCommand& command) {
   }
   const atlas::Output output = output_of(command);
   const auto& initial = scene.initial;
-  const point::PointStart start = command.from
-                                      ? stored_end(scene, *command.from, place)
-                                      : point::SectionState{initial.x, initial.y, initial.vx, initial.vy};
+  const motion::PointStart start = command.from
+                                       ? stored_end(scene, *command.from, place)
+                                       : motion::SectionState{initial.x, initial.y, initial.vx, initial.vy};
 
   const auto solver = assembly::make_line_solver(scene, place.parameters, assembly::make_blade_tables());
   const point::Orbit orbit = solver->orbit(place.parameters.speed_ratio, start);

@@ -25,7 +25,7 @@
 namespace rubatlas::mpi {
 namespace {
 
-/// A run may go on with what an equal scene has begun, and with nothing else.
+/// A run may resume only an atlas of an equal scene.
 void require_same_scene(const RunOptions& options, const atlas::AtlasReader& existing,
                         const settings::Scene& scene) {
   const std::string difference =
@@ -35,7 +35,7 @@ void require_same_scene(const RunOptions& options, const atlas::AtlasReader& exi
   }
 }
 
-/// Nor with anything that is not as it was written.
+/// A run may not resume an atlas that has changed since it was written.
 void require_sound_header(const atlas::AtlasReader& existing) {
   if (!existing.has_checksums()) {
     throw atlas::EnvironmentError(fmt::format(
@@ -52,7 +52,7 @@ bool goes_on(const RunOptions& options) {
   return options.resume && std::filesystem::exists(options.atlas);
 }
 
-/// All that can be refused without touching the disk. Where the atlas is to be.
+/// Makes all refusals that need no change on the disk. Returns the path of the atlas.
 atlas::Output require_possible(const RunOptions& options, const settings::Scene& scene) {
   if (options.resume && options.overwrite) {
     throw UsageError("--resume completes an atlas and --overwrite replaces it: one of the two");
@@ -91,8 +91,8 @@ Preparation prepare(const RunOptions& options, const atlas::Software& software) 
   preparation.atlas = output.path;
   for (const auto& doubt : doubts_about(scene)) say_sentence("note: " + doubt);
 
-  // What is there is locked before it is resumed or replaced, a new file before it gets its name: there is no
-  // moment in which another run could have it.
+  // An existing atlas is locked before it is resumed or replaced, a new one before it gets its name, so that
+  // no other run can take it at any moment.
   std::optional<atlas::AtlasLock>& lock = preparation.lock;
   if (std::filesystem::exists(output.path)) lock.emplace(output.path);
   if (!goes_on(options)) {

@@ -19,16 +19,16 @@ namespace rubatlas::mpi {
 struct Preparation {
   std::string scene_text;
   std::vector<std::uint8_t> status;      ///< per point, as the atlas has it
-  atlas::FinalStates ends;               ///< of all points, where status is done
-  std::filesystem::path atlas;           ///< where it is, links followed
-  std::optional<atlas::AtlasLock> lock;  ///< no second run, no other writer
+  atlas::FinalStates ends;               ///< final states of all points whose status is done
+  std::filesystem::path atlas;           ///< its path, links followed
+  std::optional<atlas::AtlasLock> lock;  ///< refuses a second run and other writers
 };
 
-/// Throws settings::SceneError, UsageError, atlas::OutputRefusal or atlas::EnvironmentError; then nothing has
-/// been changed on the disk.
+/// Throws settings::SceneError, UsageError, atlas::OutputRefusal or atlas::EnvironmentError, and has then
+/// changed nothing on the disk.
 Preparation prepare(const RunOptions& options, const atlas::Software& software);
 
-/// What `--dry-run` prints. All that `prepare` would refuse is refused, and nothing is written.
+/// The text of `--dry-run`. Refuses whatever `prepare` would refuse, and writes nothing.
 std::string rehearse(const RunOptions& options);
 
 }  // namespace rubatlas::mpi

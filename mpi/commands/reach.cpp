@@ -23,8 +23,8 @@ double most(const settings::Scene& scene, std::string_view pointer) {
   return std::ranges::max(settings::values_in(scene, pointer));
 }
 
-/// The smallest clearance of all points less their largest misalignment [m]; below zero where blades have
-/// lengths of their own, which are not looked at.
+/// The smallest clearance of all points less their largest misalignment [m]; negative where blades have
+/// different lengths, which this search does not treat.
 double least_distance(const settings::Scene& scene) {
   if (scene.unequal_blades) return -std::numeric_limits<double>::infinity();
   settings::Scene tightest = scene;
@@ -36,7 +36,7 @@ double least_distance(const settings::Scene& scene) {
   return tightest.clearance() - misalignment;
 }
 
-/// Where a constant load holds the shaft [m].
+/// Deflection of the shaft under a constant load [m].
 Complex deflection(const settings::Scene& line) {
   const double frequency = line.rotor.natural_frequency;
   const double stiffness = line.rotor.mass * frequency * frequency;
@@ -46,7 +46,7 @@ Complex deflection(const settings::Scene& line) {
   return sum;
 }
 
-/// Z [m]: the circle on which an unbalance drives the shaft, where it is at phase 0.
+/// Z [m]: the point at phase 0 of the circle on which an unbalance drives the shaft.
 Complex unbalance_response(const settings::Scene& line, double speed) {
   if (!line.unbalance) return 0.0;
   const Complex detuning(1.0 - speed * speed, 2.0 * line.rotor.damping_ratio * speed);
@@ -80,7 +80,7 @@ double bound_of_line(const settings::Scene& line, const plan::Grid& grid, std::s
   return farthest;
 }
 
-/// Effects by which the shaft moves in flight otherwise than as above.
+/// Effects under which the shaft moves in flight in other ways than assumed above.
 bool moves_otherwise(const settings::Scene& line) {
   using effects::Effects;
   return effects::acts<&Effects::support>(line) || effects::acts<&Effects::speed_ripple>(line) ||
@@ -90,7 +90,7 @@ bool moves_otherwise(const settings::Scene& line) {
 }  // namespace
 
 std::optional<FreeReach> reach_without_contact(const settings::Scene& scene) {
-  // What a user waits for unawares; and each line is a copy of the scene.
+  // Limits the time that a user waits without knowing why; each line takes a copy of the scene.
   constexpr std::size_t kMostPoints = 100'000;
   constexpr std::size_t kMostLines = 1'000;
   FreeReach reach{.displacement = 0.0, .distance = least_distance(scene)};
@@ -100,7 +100,7 @@ std::optional<FreeReach> reach_without_contact(const settings::Scene& scene) {
   for (std::size_t number = 0; number < grid.line_count(); ++number) {
     const auto line = plan::scene_of_line(scene, grid.parameters(grid.point(number, 0)));
     const double bound = bound_of_line(line, grid, number);
-    // What is at rest and not driven stays so whatever its support.
+    // A shaft at rest that nothing drives stays at rest under any support.
     if (bound > 0.0 && moves_otherwise(line)) return std::nullopt;
     reach.displacement = std::max(reach.displacement, bound);
     if (!(reach.displacement <= reach.distance)) return std::nullopt;

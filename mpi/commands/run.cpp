@@ -42,7 +42,7 @@ std::string host_name() {
   return name.data();
 }
 
-/// As a shell wants it.
+/// A word of a command quoted for a shell.
 std::string quoted(const std::string& word) {
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,/:@%";
@@ -72,7 +72,7 @@ JobResult lead(const Session& session, const Preparation& preparation, const pla
   return master.run();
 }
 
-/// The exit code of the job; rank 0 looks whether what it has filled is still where it was.
+/// The exit code of the job. Rank 0 checks that the path still leads to the atlas that it has filled.
 int ending(const Preparation& preparation, const JobResult& result) {
   if (preparation.lock->is_in_place()) return exit_code_of(result.standing);
   say_sentence(fmt::format(
@@ -82,7 +82,7 @@ int ending(const Preparation& preparation, const JobResult& result) {
   return exit_code::kEnvironment;
 }
 
-/// What most points of this run have ended with, and what in the scene makes them.
+/// How most of the points that are not done ended, and the quantity of the scene that is the cause.
 void say_why_all_have_left(const settings::Scene& scene, const JobResult& result) {
   if (result.standing.outside < result.standing.total) return;
   std::string text = "every point left the model";
@@ -96,8 +96,8 @@ void say_why_all_have_left(const settings::Scene& scene, const JobResult& result
   say_sentence(reason.empty() ? text : text + "; the likely reason: " + reason);
 }
 
-/// Of a run whose atlas is whole and its own, since a point that ended early might have touched; `prepare`
-/// has said it where the scene alone tells.
+/// Applies to a run that has computed a complete atlas by itself, since a point that ended early might have
+/// touched. Where the scene alone decides it, `prepare` has already said so.
 void say_that_nothing_touched(const settings::Scene& scene, const JobResult& result) {
   const Standing& standing = result.standing;
   if (standing.computed < standing.total || standing.outside + standing.failed > 0) return;
@@ -142,13 +142,14 @@ int fill_atlas(const RunOptions& options, const Session& session, const Preparat
     }
     lane_counts = runner.lane_counts();
   } catch (...) {
-    // Before the writer goes: closing the atlas would wait for ranks that will not come.
+    // The job is aborted before the writer is destroyed, since closing the atlas would wait for ranks that
+    // have failed.
     const int code = report_failure(std::current_exception());
     session.abort(code);
     return code;
   }
 
-  // 5. Whoever comes early sleeps; then all close the atlas together.
+  // 5. Ranks that finish early sleep; then all close the atlas together.
   session.wait_for_all();
   writer.close();
   const int code = session.broadcast(leading ? ending(preparation, result) : exit_code::kDone);
@@ -159,8 +160,7 @@ int fill_atlas(const RunOptions& options, const Session& session, const Preparat
     say_that_nothing_touched(scene, result);
     record->finish(result, {in_lanes, code});
   }
-  // A rank that ends with a code other than 0 makes mpirun kill the others, which may still have something to
-  // write.
+  // A rank that ends with a code other than 0 makes mpirun kill the others, which may still be writing.
   session.wait_for_all();
   return code;
 }
@@ -170,11 +170,11 @@ int fill_atlas(const RunOptions& options, const Session& session, const Preparat
 int run(const RunOptions& options) {
   note_stop_signals();
 
-  // 1. MPI, if a launcher started us.
+  // 1. Initialise MPI, if a launcher started this process.
   const Session session;
 
-  // 2. Rank 0 alone reads the scene and prepares the atlas. Its verdict goes to all, so that all end in
-  // order: a rank that left early would make mpirun kill rank 0 before its message is out.
+  // 2. Rank 0 alone reads the scene and prepares the atlas. Its verdict goes to all ranks, so that all end
+  // together: a rank that ends early would make mpirun kill rank 0 before its message is printed.
   Preparation preparation;
   int verdict = exit_code::kDone;
   if (session.rank() == 0) {

@@ -18,8 +18,10 @@ struct RunOptions {
   bool resume = false;
   bool overwrite = false;
   bool dry_run = false;
-  int most_lanes = 0;  ///< lines of a rank side by side, at most; 0: as many as the processor has lanes
-  int batch_milliseconds = atlas::AtlasWriter::kBatchPeriod.count();  ///< from rows to their statuses
+  int most_lanes = 0;  ///< largest number of lines that a rank computes side by side; 0: as many as the
+                       ///< processor has lanes
+  int batch_milliseconds =
+      atlas::AtlasWriter::kBatchPeriod.count();  ///< time between rows and their statuses
   ProgressStyle progress = ProgressStyle::automatic;
   std::vector<std::string> words;  ///< the command line as it was given, the program's name first
 };

@@ -1,4 +1,4 @@
-/// Command `status`: how far an atlas is.
+/// Command `status`: how many points of an atlas are computed.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace rubatlas::mpi {
 
-/// Of the atlas itself, whoever has filled it and however that ended. Throws EnvironmentError.
+/// Reads the atlas itself, however the runs that filled it ended. Throws EnvironmentError.
 Standing standing_of_atlas(const std::filesystem::path& atlas);
 
 /// One sentence for people.

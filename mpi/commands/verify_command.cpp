@@ -28,7 +28,7 @@
 namespace rubatlas::mpi {
 namespace {
 
-/// Sentences about rows; beyond these they are counted.
+/// Largest number of sentences about rows; further rows are only counted.
 constexpr std::size_t kMostSentences = 10;
 
 void say_of_rows(const std::vector<std::string>& sentences) {
@@ -38,7 +38,7 @@ void say_of_rows(const std::vector<std::string>& sentences) {
   }
 }
 
-/// Finished points, as many as wanted, evenly spread over the grid.
+/// The wanted number of finished points, evenly spread over the grid.
 std::vector<std::size_t> spread(const std::vector<std::uint8_t>& status, std::size_t wanted) {
   std::vector<std::size_t> finished;
   for (std::size_t point = 0; point < status.size(); ++point) {
@@ -46,7 +46,7 @@ std::vector<std::size_t> spread(const std::vector<std::uint8_t>& status, std::si
   }
   const std::size_t count = std::min(wanted, finished.size());
   std::vector<std::size_t> chosen;
-  // In the middle of equal stretches.
+  // The middles of equal stretches.
   for (std::size_t i = 0; i < count; ++i)
     chosen.push_back(finished[(2 * i + 1) * finished.size() / (2 * count)]);
   return chosen;
@@ -63,14 +63,14 @@ class Recomputation {
         status_(atlas.status()),
         ends_(atlas, scene_) {}
 
-  /// The datasets whose row is not the stored one, in words; empty where all bits agree.
+  /// Names of the datasets whose computed row differs from the stored one; empty where all bits agree.
   [[nodiscard]] std::string difference(std::size_t point) const {
     const plan::PointParameters parameters = grid_.parameters(point);
     const auto before = point_before(point);
     const auto& initial = scene_.initial;
-    const point::PointStart start =
+    const motion::PointStart start =
         before ? ends_.of(*before)
-               : point::PointStart(point::SectionState{initial.x, initial.y, initial.vx, initial.vy});
+               : motion::PointStart(motion::SectionState{initial.x, initial.y, initial.vx, initial.vy});
     const auto outcome =
         assembly::make_line_solver(scene_, parameters, tables_)->run(parameters.speed_ratio, start);
     const atlas::Row row(schema_, !before, outcome);
@@ -84,7 +84,7 @@ class Recomputation {
   }
 
  private:
-  /// The point whose end this one started from; nothing where it started from the scene's `initial`.
+  /// The point from whose final state this one started; empty where it started from the scene's `initial`.
   [[nodiscard]] std::optional<std::size_t> point_before(std::size_t point) const {
     if (!grid_.points_depend_on_each_other()) return std::nullopt;
     const std::size_t line = point / grid_.speed_count();

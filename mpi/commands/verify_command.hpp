@@ -1,14 +1,14 @@
-/// `rubatlas verify ATLAS [--recompute N]`: are the rows of an atlas what was computed?
+/// `rubatlas verify ATLAS [--recompute N]`: whether the rows of an atlas are those that were computed.
 #pragma once
 
 #include "mpi/commands/command_line.hpp"
 
 namespace rubatlas::mpi {
 
-/// Checks all that is not a row against the header's checksum, every finished row against its own, and
-/// computes some rows again, each from the end of the point before it, as a run that resumes there would.
-/// Says on standard output what was found right, on standard error what was not. Returns the exit code:
-/// kEnvironment where anything is not as it was computed.
+/// Compares everything except the rows with the header's checksum, and every finished row with its own.
+/// Computes some rows again, each from the final state of the point before it, as a resumed run would. Prints
+/// confirmations on standard output and differences on standard error. Returns the exit code: kEnvironment
+/// where anything differs.
 int verify(const VerifyCommand& command);
 
 }  // namespace rubatlas::mpi

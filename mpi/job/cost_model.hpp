@@ -1,9 +1,9 @@
-/// What a point will probably cost, from what others have cost. It decides who computes what, never what is
-/// computed.
+/// The expected cost of a point, estimated from the points already computed. It decides which rank computes a
+/// point, and has no influence on the result.
 ///
 /// The cost of a point depends on its speed ratio far more than on anything else (chaotic motion touches
-/// often), and neighbouring lines have similar profiles. So: one profile over the speed ratio, the mean over
-/// all lines measured so far, times a factor per line.
+/// often), and neighbouring lines have similar profiles. The model is therefore one profile over the speed
+/// ratio, the mean over all lines measured so far, times a factor for each line.
 #pragma once
 
 #include <cstddef>
@@ -17,11 +17,11 @@ class CostModel {
 
   void record(std::size_t speed_index, double seconds);
 
-  /// Expected seconds of the points [first, last) of an average line. Speeds never met count as the mean of
-  /// those met, or as 1 before anything is known.
+  /// Expected seconds of the points [first, last) of an average line. A speed that has not been measured has
+  /// the mean cost of the measured speeds, or 1 before any measurement.
   [[nodiscard]] double expected(std::size_t first, std::size_t last) const;
 
-  /// All seconds recorded.
+  /// Sum of all recorded seconds.
   [[nodiscard]] double recorded() const { return total_seconds_; }
 
  private:

@@ -1,4 +1,4 @@
-/// Sends and takes messages; never waits for one.
+/// Sends and receives messages; never waits for one.
 #pragma once
 
 #include <chrono>
@@ -12,7 +12,7 @@
 
 namespace rubatlas::mpi {
 
-/// A message that has arrived and is to be received.
+/// A message that has arrived and has not been received yet.
 struct Envelope {
   int source = 0;
   Tag tag = Tag::ready;
@@ -20,7 +20,8 @@ struct Envelope {
 
 class Mailbox {
  public:
-  /// How often somebody who computes looks into it: a look costs about a microsecond, a revolution some ten.
+  /// How often a rank that computes looks for messages. A look costs about a microsecond, a revolution some
+  /// ten.
   static constexpr std::chrono::microseconds kLookPeriod{50};
 
   explicit Mailbox(const Session& session) : parallel_(session.is_parallel()) {}
@@ -32,7 +33,7 @@ class Mailbox {
   }
   void send(int rank, Tag tag) const { send(rank, tag, Nothing{}); }
 
-  /// The next message from anybody, if one is there.
+  /// The next message from any rank, if one has arrived.
   [[nodiscard]] std::optional<Envelope> peek() const;
 
   template <typename Payload>
@@ -42,7 +43,7 @@ class Mailbox {
     receive_bytes(envelope, &payload, sizeof payload);
     return payload;
   }
-  /// Takes a message that says all with its tag.
+  /// Receives a message without content: its tag says everything.
   void discard(const Envelope& envelope) const { static_cast<void>(receive<Nothing>(envelope)); }
 
  private:

@@ -67,7 +67,7 @@ void Master::serve() {
     } else {
       const auto ready = mailbox_.receive<Ready>(*envelope);
       Rank& rank = ranks_[static_cast<std::size_t>(envelope->source)];
-      // The first words of a rank are about seats that had no piece yet.
+      // The first messages of a rank are about seats that have had no piece yet.
       const bool greets = static_cast<int>(rank.free_seats.size()) + rank.pieces < ready.seats;
       rank.seats = ready.seats;
       if (!greets) --rank.pieces;
@@ -105,7 +105,7 @@ void Master::stop() {
   }
 }
 
-/// Free seats get a piece; workers leave when there will be none.
+/// Hands pieces to free seats, and dismisses workers when there will be no further pieces.
 void Master::hand_out() {
   while (!stopping_ && schedule_.unassigned() > 0) {
     const int number = next_to_serve();
@@ -124,9 +124,10 @@ void Master::hand_out() {
   if (stopping_ || schedule_.unassigned() == 0) dismiss_workers();
 }
 
-/// The rank with a free seat that has least to do, or −1 where those that ask have to leave what there is to
-/// others: lines side by side are shared out evenly among the ranks, whatever seats they have, and the few
-/// that are left over go to whoever asks when everybody has as many.
+/// The rank that gets the next piece: the rank with a free seat that computes the fewest pieces. The result
+/// is −1 while every rank with a free seat already computes its share of the lines that are left; the pieces
+/// then wait for other ranks. Lines are shared out evenly among the ranks, whatever their number of seats.
+/// The remainder of this division goes to the ranks that ask first once all ranks have their share.
 int Master::next_to_serve() const {
   const int all = static_cast<int>(schedule_.side_by_side());
   const int even_share = all / static_cast<int>(ranks_.size());
@@ -135,7 +136,7 @@ int Master::next_to_serve() const {
   bool everybody_has_it = true;
   for (std::size_t i = 0; i < ranks_.size(); ++i) {
     const Rank& rank = ranks_[i];
-    // A rank may have fewer seats than that.
+    // A rank may have fewer seats than its share.
     const bool full = rank.seats > 0 && rank.pieces == rank.seats;
     everybody_has_it = everybody_has_it && (full || rank.pieces >= even_share);
     if (rank.free_seats.empty()) continue;

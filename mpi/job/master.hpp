@@ -1,8 +1,9 @@
-/// Rank 0: hands out pieces, keeps count, and computes pieces itself in between.
+/// Rank 0: hands out pieces, counts points, and computes pieces itself in between.
 ///
-/// It answers its workers between the revolutions of its own points, so nobody waits for longer than one
-/// revolution takes, and it costs no rank: N ranks compute on N cores. A rank that follows several lines side
-/// by side gets a piece for each of its seats, as long as no rank has fewer than its share of the lines left.
+/// It answers its workers between the revolutions of its own points, so that no worker waits for longer than
+/// one revolution takes. All N ranks compute, since no rank is set aside as master. A rank that computes
+/// several lines side by side gets a piece for each of its seats, as long as no other rank has fewer than its
+/// share of the lines that are left.
 #pragma once
 
 #include <chrono>
@@ -20,7 +21,7 @@
 
 namespace rubatlas::mpi {
 
-/// What a job has done when it ends.
+/// The result of a job.
 struct JobResult {
   Standing standing;
   std::vector<std::uint64_t> points_of_rank;  ///< computed in this run
@@ -31,17 +32,17 @@ struct JobResult {
 
 class Master {
  public:
-  /// What it tells others while the job runs.
+  /// Receivers of what the master reports while the job runs.
   struct Reports {
     Progress& progress;
     std::function<void(const JobResult&)> keep_record;  ///< now and then, and when the job is asked to stop
-    std::string how_to_go_on;                           ///< a sentence for who has stopped the job
+    std::string how_to_go_on;  ///< a sentence for the user who has stopped the job: how to resume it
   };
-  /// `standing`: where the atlas stands before the run.
+  /// `standing`: the numbers of finished points before the run.
   Master(const Session& session, const Mailbox& mailbox, Schedule& schedule, PointRunner& runner,
          Reports reports, const Standing& standing);
 
-  /// Until every point is computed and every worker has left, or the job is asked to stop.
+  /// Returns when every point is computed and every worker has left, or when the job was asked to stop.
   JobResult run();
 
  private:
@@ -62,15 +63,15 @@ class Master {
   PointRunner& runner_;
   Reports reports_;
   JobResult result_;
-  /// What a rank does, as far as its messages have come.
+  /// State of a rank according to the messages received from it.
   struct Rank {
-    int seats = 0;                ///< 0: not heard of yet
-    std::vector<int> free_seats;  ///< that have asked for a piece
-    int pieces = 0;               ///< that it computes
+    int seats = 0;                ///< 0: no message received yet
+    std::vector<int> free_seats;  ///< seats that have asked for a piece
+    int pieces = 0;               ///< pieces that the rank computes
     bool has_left = false;
   };
   std::vector<Rank> ranks_;
-  int workers_;  ///< that have not left
+  int workers_;  ///< workers that have not left
   bool stopping_ = false;
   std::chrono::steady_clock::time_point start_;
   Pace pace_{Mailbox::kLookPeriod};

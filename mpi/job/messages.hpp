@@ -1,4 +1,4 @@
-/// What the master (rank 0) and the workers say to each other. All messages are small, so that sending never
+/// The messages between the master (rank 0) and the workers. All messages are small, so that sending never
 /// waits.
 ///
 ///     worker -> master   ready        nothing to do on one of my seats: send me a piece
@@ -24,9 +24,10 @@ struct Piece {
   std::uint64_t first_visit = 0;
   std::uint64_t count = 0;
   std::uint8_t from_initial = 1;  ///< the first point starts from the scene's `initial` ...
-  point::SectionState start{};    ///< ... else from here,
+  motion::SectionState start{};   ///< ... else from here,
   std::int32_t seat = 0;          ///< of the rank (`PointRunner`)
-  motion::Memory memory;          ///< of where it starts; last, so that what is unused of it is not sent
+  motion::Memory
+      memory;  ///< memory of the effects at its start; the last member, so that its unused part is not sent
 };
 
 /// One point that a rank has written, and what it cost. The rows themselves are in the atlas already.
@@ -35,14 +36,14 @@ struct PointReport {
   std::uint64_t visit = 0;
   point::PointStatus status = point::PointStatus::pending;
   point::StatusDetail detail = point::StatusDetail::none;
-  std::uint8_t stop_requested = 0;  ///< the rank got a signal
-  point::SectionState final_state{};
+  std::uint8_t stop_requested = 0;  ///< 1: the rank has received a signal
+  motion::SectionState final_state{};
   double seconds = 0.0;
   motion::WorkCounts work;
-  motion::Memory final_memory;  ///< last, as above
+  motion::Memory final_memory;  ///< the last member, as above
 };
 
-/// Bytes of a message that are sent.
+/// Number of bytes of a message that are sent.
 template <typename Payload>
 std::size_t sent_size(const Payload& payload) {
   if constexpr (requires { payload.memory; }) return sizeof payload - payload.memory.unused_bytes();
@@ -51,14 +52,14 @@ std::size_t sent_size(const Payload& payload) {
   return sizeof payload;
 }
 
-/// `ready`: the seat has never had a piece, or its piece is over; given up, it may be, because of a signal.
+/// `ready`: the seat has never had a piece, or its piece is over, possibly given up because of a signal.
 struct Ready {
   std::int32_t seat = 0;
-  std::int32_t seats = 1;  ///< that the rank has
+  std::int32_t seats = 1;  ///< seats of the rank
   std::uint8_t stop_requested = 0;
 };
 
-/// `stop` and `leave` say all with their tag.
+/// `stop` and `leave` have no content.
 struct Nothing {};
 
 static_assert(std::is_trivially_copyable_v<Piece> && std::is_trivially_copyable_v<PointReport> &&

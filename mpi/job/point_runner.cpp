@@ -15,7 +15,7 @@ PointRunner::PointRunner(const settings::Scene& scene, const plan::Grid& grid, a
       batch_(batch::make_line_batch(width)),
       seats_(static_cast<std::size_t>(width.seats)) {}
 
-/// Where points are independent several seats may have the same line, each with a solver of its own.
+/// Where points are independent, several seats may compute points of the same line, each with its own solver.
 PointRunner::CachedSolver& PointRunner::solver_of(std::size_t line) {
   const auto known = std::find_if(solvers_.begin(), solvers_.end(), [&](const CachedSolver& cached) {
     return cached.line == line && !cached.seated;
@@ -58,7 +58,7 @@ void PointRunner::run(const Callbacks& callbacks) {
   }
 }
 
-/// A piece that is given up here may be followed by another on the same seat.
+/// When a piece is given up here, the same seat may get another one.
 void PointRunner::begin_points(const Callbacks& callbacks) {
   while (waiting_ > 0) {
     for (int number = 0; number < seats(); ++number) {
@@ -77,11 +77,12 @@ void PointRunner::begin_points(const Callbacks& callbacks) {
 
 void PointRunner::begin_point(int seat_number) {
   const Seat& seat = seats_[static_cast<std::size_t>(seat_number)];
-  const point::PointStart initial(
-      point::SectionState{scene_.initial.x, scene_.initial.y, scene_.initial.vx, scene_.initial.vy});
+  const motion::PointStart initial(
+      motion::SectionState{scene_.initial.x, scene_.initial.y, scene_.initial.vx, scene_.initial.vy});
   const std::size_t point = grid_.point(seat.left.line, seat.left.first_visit);
-  batch_->begin(seat_number, *seat.solver->solver, grid_.parameters(point).speed_ratio,
-                seat.left.from_initial != 0 ? initial : point::PointStart(seat.left.start, seat.left.memory));
+  batch_->begin(
+      seat_number, *seat.solver->solver, grid_.parameters(point).speed_ratio,
+      seat.left.from_initial != 0 ? initial : motion::PointStart(seat.left.start, seat.left.memory));
 }
 
 void PointRunner::finish_point(const batch::Finished& finished, const Callbacks& callbacks) {

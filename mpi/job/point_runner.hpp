@@ -1,4 +1,4 @@
-/// Computes pieces and writes their rows: what every rank does, the master too.
+/// Computes pieces and writes their rows. Every rank has one, the master too.
 ///
 /// A rank has as many seats as its processor has lanes for the scene, one piece on each: points of several
 /// lines are computed side by side (`src/batch`).
@@ -26,29 +26,30 @@ class PointRunner {
               const batch::Width& width);
 
   struct Callbacks {
-    std::function<bool()> go_on;  ///< asked after each revolution and in long ones: false gives a point up
+    std::function<bool()>
+        go_on;  ///< asked after each revolution and within long ones; false gives the point up
     std::function<void(const PointReport&)> after_point;
-    std::function<void(int seat)> piece_over;  ///< ended or given up
-    std::function<bool()> stop;  ///< asked before each point: true gives up the rest of its piece
+    std::function<void(int seat)> piece_over;  ///< the piece of a seat has ended or was given up
+    std::function<bool()> stop;  ///< asked before each point; true gives up the rest of the piece
   };
 
-  /// Solvers kept per rank, more than it has seats. A rank changes lines when a job comes to its end; the
-  /// lines then under way are few.
+  /// Number of solvers that a rank keeps; it exceeds the number of seats. Ranks change lines near the end of
+  /// a job, when few lines are left.
   static constexpr std::size_t kSolversKept = 16;
 
   [[nodiscard]] int seats() const { return static_cast<int>(seats_.size()); }
-  /// How many of them have a piece.
+  /// Number of seats that have a piece.
   [[nodiscard]] int pieces() const { return pieces_; }
 
-  /// Puts a piece on its seat, which is free; within callbacks too.
+  /// Gives a piece to its seat, which has to be free. May be called from the callbacks.
   void begin(const Piece& piece);
 
-  /// Computes until no piece is left. A piece's points go in order: each starts from the end of the one
-  /// before it; after one that did not end as done, and always where points are independent, from the scene's
-  /// `initial`.
+  /// Computes until no piece is left. The points of a piece are computed in order. Each starts from the end
+  /// of the point before it, or from the scene's `initial` if that point did not end as done or points are
+  /// independent.
   void run(const Callbacks& callbacks);
 
-  /// What is written is made to last, now and then: to be called while there is nothing to compute.
+  /// Forces written rows to the disk when a batch is due; to be called while there is nothing to compute.
   void idle() { writer_.settle_if_due(); }
 
   [[nodiscard]] batch::LaneCounts lane_counts() const { return batch_->counts(); }
@@ -60,9 +61,9 @@ class PointRunner {
     bool seated = false;
   };
   struct Seat {
-    Piece left;  ///< of the piece, from its next point on
+    Piece left;  ///< the rest of the piece, from its next point on
     CachedSolver* solver = nullptr;
-    bool waits = false;  ///< for its next point to begin
+    bool waits = false;  ///< its next point has not begun
   };
 
   void begin_points(const Callbacks& callbacks);
@@ -76,7 +77,8 @@ class PointRunner {
   atlas::AtlasWriter& writer_;
   batch::Width width_;
   std::shared_ptr<assembly::BladeTables> tables_ = assembly::make_blade_tables();
-  std::list<CachedSolver> solvers_;  ///< most recently used first; longer-lived than what runs in the batch
+  std::list<CachedSolver>
+      solvers_;  ///< most recently used first; declared before the batch, whose points use them
   std::unique_ptr<batch::LineBatch> batch_;
   std::vector<Seat> seats_;
   int pieces_ = 0;

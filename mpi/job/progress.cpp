@@ -19,7 +19,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds kBarPeriod{200};
 constexpr milliseconds kLinePeriod{5000};
 
-/// Under mpirun stderr is a pipe; the shell's COLUMNS, if exported, is then the best there is.
+/// Under mpirun stderr is a pipe; the width is then taken from the shell's COLUMNS, if it is exported.
 std::size_t terminal_width() {
   winsize size{};
   if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
@@ -30,7 +30,7 @@ std::size_t terminal_width() {
   return 80;
 }
 
-/// Points a second of this run, without a power of ten however many.
+/// Points per second of this run, never written with a power of ten.
 std::string rate(const Standing& standing) {
   const double value =
       standing.seconds > 0.0 ? static_cast<double>(standing.computed) / standing.seconds : 0.0;

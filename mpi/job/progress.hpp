@@ -1,4 +1,4 @@
-/// What a job says on stderr while it runs: a bar, plain lines, or nothing.
+/// The progress of a job on stderr: a bar, plain lines, or nothing.
 #pragma once
 
 #include <chrono>
@@ -13,17 +13,17 @@
 
 namespace rubatlas::mpi {
 
-/// Where a job stands.
+/// The progress of a job in numbers.
 struct Standing {
   std::size_t total = 0;       ///< points of the atlas
-  std::size_t finished = 0;    ///< of any status but pending, those of earlier runs included
-  std::size_t outside = 0;     ///< of them, those that left the model's validity: a result
-  std::size_t failed = 0;      ///< of them, those that could not be integrated
+  std::size_t finished = 0;    ///< points of any status except pending, those of earlier runs included
+  std::size_t outside = 0;     ///< of these, points that left the model's validity, which is a result
+  std::size_t failed = 0;      ///< of these, points that could not be integrated
   std::size_t computed = 0;    ///< in this run
   double seconds = 0.0;        ///< of this run
   double seconds_left = -1.0;  ///< negative: not known yet
 
-  /// One more point has ended so; those that are pending do not count.
+  /// Counts one more point with this status; a pending point does not count.
   void count(point::PointStatus status);
 };
 
@@ -35,24 +35,24 @@ std::string bar_line(const Standing& standing, std::size_t width);
 std::string plain_line(const Standing& standing);
 /// "5845 done, 1355 outside the model, 0 failed".
 std::string outcomes(const Standing& standing);
-/// How the job ended.
+/// The last line of a job.
 std::string summary_line(const Standing& standing);
 
-/// Of an atlas with this `/status`.
+/// Numbers of an atlas with this `/status`.
 Standing standing_of(std::span<const std::uint8_t> status);
-/// What a program ends with that leaves an atlas so (`exit_code.hpp`).
+/// Exit code of a program that leaves an atlas in this state (`exit_code.hpp`).
 int exit_code_of(const Standing& standing);
 
 class Progress {
  public:
   explicit Progress(ProgressStyle style);
 
-  /// True when it is time to show again; asking costs a look at the clock.
+  /// True when the display is due again; a call costs a look at the clock.
   [[nodiscard]] bool is_due() const;
   void show(const Standing& standing);
-  /// A sentence in between, in any style.
+  /// Prints a sentence in between, in every style.
   void announce(std::string_view sentence);
-  /// The last state and the summary. In the style `off` nothing is said.
+  /// Prints the last state and the summary; nothing in the style `off`.
   void finish(const Standing& standing);
 
  private:

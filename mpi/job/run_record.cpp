@@ -6,6 +6,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -14,7 +15,7 @@
 namespace rubatlas::mpi {
 namespace {
 
-/// How the file begins and ends; between the two, one run per paragraph.
+/// First and last text of the file; between them each run has one paragraph.
 const std::string kOpening = std::string(atlas::kRecordMark) + "\n";
 constexpr const char* kClosing = "\n]}\n";
 
@@ -31,14 +32,12 @@ std::string processor() {
   return "unknown";
 }
 
-std::string json_texts(const std::vector<std::string>& texts) {
-  std::vector<std::string> quoted;
-  quoted.reserve(texts.size());
-  for (const auto& text : texts) quoted.push_back(json_text(text));
-  return fmt::format("[{}]", fmt::join(quoted, ", "));
+/// A value as JSON on one line; bytes that are no UTF-8 (of a host's name) are replaced.
+std::string json_line(const nlohmann::json& value) {
+  return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// `ending`: none while the run goes on.
+/// `ending` is null while the run goes on.
 std::string paragraph(const RunBeginning& beginning, const JobResult& result, const RunEnding* ending,
                       const atlas::Software& software) {
   const Standing& standing = result.standing;
@@ -49,18 +48,18 @@ std::string paragraph(const RunBeginning& beginning, const JobResult& result, co
   const auto put = [&](const char* key, const std::string& value) {
     text += fmt::format("{}    \"{}\": {}", text.size() > 4 ? ",\n" : "", key, value);
   };
-  const std::string now = json_text(utc(std::chrono::system_clock::now()));
-  put("started", json_text(utc(beginning.started)));
+  const std::string now = json_line(utc(std::chrono::system_clock::now()));
+  put("started", json_line(utc(beginning.started)));
   put("updated", now);
   put("finished", ending != nullptr ? now : "null");
   put("resumed", beginning.resumed ? "true" : "false");
   put("exit_code", ending != nullptr ? fmt::to_string(ending->exit_code) : "null");
-  put("version", json_text(software.software_version));
-  put("git_commit", json_text(software.git_commit));
-  put("compiler", json_text(software.compiler));
-  put("processor", json_text(processor()));
+  put("version", json_line(software.software_version));
+  put("git_commit", json_line(software.git_commit));
+  put("compiler", json_line(software.compiler));
+  put("processor", json_line(processor()));
   put("ranks", fmt::to_string(beginning.hosts.size()));
-  put("host_of_rank", json_texts(beginning.hosts));
+  put("host_of_rank", json_line(beginning.hosts));
   put("lanes_of_rank", fmt::format("[{}]", fmt::join(beginning.lanes, ", ")));
   if (ending != nullptr) {
     put("attempts_in_lanes_of_rank", fmt::format("[{}]", fmt::join(ending->in_lanes, ", ")));
@@ -85,7 +84,7 @@ std::string paragraph(const RunBeginning& beginning, const JobResult& result, co
   return text + "\n  }";
 }
 
-/// The paragraphs that are there, without opening and closing; empty when the file is missing or not ours.
+/// The paragraphs of earlier runs in the file; empty when the file is missing or no record.
 std::string earlier_paragraphs(const std::filesystem::path& path) {
   std::ifstream file(path);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -95,21 +94,6 @@ std::string earlier_paragraphs(const std::filesystem::path& path) {
 }
 
 }  // namespace
-
-std::string json_text(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      quoted += '\\';
-      quoted += c;
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      quoted += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted + '"';
-}
 
 atlas::Output record_output(const std::filesystem::path& atlas, const std::filesystem::path& scene) {
   return atlas::permitted({atlas.string() + ".run.json", atlas::FileKind::record, atlas::Existing::replace},

@@ -12,32 +12,35 @@
 
 namespace rubatlas::mpi {
 
-/// What is known of a run when it begins.
+/// What is known of a run at its beginning.
 struct RunBeginning {
   std::chrono::system_clock::time_point started;
   std::vector<std::string> hosts;  ///< one per rank
-  std::vector<std::string> lanes;  ///< one per rank: lines that it can follow side by side
+  std::vector<std::string> lanes;  ///< one per rank: number of lines that it can compute side by side
   bool resumed = false;
 };
 
-/// Where the record of an atlas is: never over the scene, and over nothing but a record. Throws
+/// The path of an atlas' record. It never replaces the scene, nor any file but a record. Throws
 /// atlas::OutputRefusal.
 atlas::Output record_output(const std::filesystem::path& atlas, const std::filesystem::path& scene);
 
-/// And when it ends.
+/// What is known of a run at its end.
 struct RunEnding {
-  std::vector<std::string> in_lanes;  ///< one per rank: attempts of steps made beside others
+  std::vector<std::string>
+      in_lanes;  ///< one per rank: attempted steps that were computed side by side with others
   int exit_code = 0;
 };
 
-/// The record beside an atlas. It is there from the beginning of a run and brought up to date while that goes
-/// on, so that a run that is killed has left its record too: with null where it would say how it ended.
+/// The record beside an atlas. It is written when a run begins and updated while the run goes on, so that a
+/// killed run leaves a record too, with null for its end.
 class RunRecord {
  public:
-  /// `resumed` runs join those before them, others start the record anew. Throws EnvironmentError.
+  /// A resumed run is appended to the earlier ones; any other run starts a new record. Throws
+  /// EnvironmentError.
   RunRecord(atlas::Output output, RunBeginning beginning, atlas::Software software);
 
-  /// While the run goes on. A disk that takes no more is left to the rows to say.
+  /// Updates the record while the run goes on. A full disk is ignored here, since writing the rows reports
+  /// it.
   void update(const JobResult& so_far) const;
   /// Throws EnvironmentError.
   void finish(const JobResult& result, const RunEnding& ending) const;
@@ -48,10 +51,7 @@ class RunRecord {
   atlas::Output output_;
   RunBeginning beginning_;
   atlas::Software software_;
-  std::string earlier_;  ///< runs before this one, as they stand in the file
+  std::string earlier_;  ///< text of the earlier runs in the file
 };
-
-/// A text between quotation marks, as JSON wants it.
-std::string json_text(const std::string& text);
 
 }  // namespace rubatlas::mpi

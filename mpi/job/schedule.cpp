@@ -9,18 +9,18 @@ namespace {
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 constexpr auto kDone = static_cast<std::uint8_t>(point::PointStatus::done);
 
-/// Long enough that asking for work is rare beside computing it, short enough that lines stay balanced.
+/// Long enough that messages are rare beside computing, short enough that the lines progress evenly.
 constexpr std::size_t kLongestPiece = 16;
-/// Pieces shrink when less than this many longest pieces per seat are left.
+/// Pieces become shorter when the points left are fewer than this many pieces of full length for each seat.
 constexpr std::size_t kPiecesPerSeat = 8;
-/// A line is urgent, and leads a rank away from its own, when alone it would take this share of the time that
-/// all ranks need for all that is left.
+/// A line is urgent when it alone would take this share of the time that all ranks need for the rest of the
+/// job. A rank then leaves its own line for it.
 constexpr double kUrgentShare = 0.25;
 
 }  // namespace
 
 Schedule::Schedule(const plan::Grid& grid, std::span<const std::uint8_t> status,
-                   const std::function<point::PointStart(std::size_t point)>& final_state, int rank_count)
+                   const std::function<motion::PointStart(std::size_t point)>& final_state, int rank_count)
     : grid_(grid),
       lines_(grid.line_count()),
       rank_count_(static_cast<std::size_t>(rank_count)),
@@ -65,7 +65,7 @@ void Schedule::set_start(Piece& piece, const Line& line) const {
   if (!grid_.points_depend_on_each_other() || piece.first_visit == 0) return;
   const bool behind_reported = line.next > 0 && line.pending[line.next - 1] + 1 == piece.first_visit;
   const auto stored = line.stored.find(piece.first_visit);
-  const auto start_from = [&](const point::PointStart& start) {
+  const auto start_from = [&](const motion::PointStart& start) {
     piece.start = start.state;
     piece.memory = start.memory;
     piece.from_initial = 0;

@@ -15,7 +15,7 @@
 namespace rubatlas::mpi {
 namespace {
 
-/// What Open MPI's mpirun tells each rank.
+/// An environment variable that Open MPI's mpirun sets for each rank.
 constexpr const char* kOpenMpi = "OMPI_COMM_WORLD_SIZE";
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// The job's ranks: MPI from its start to its end, or one process without MPI.
+/// The ranks of a job: MPI from its start to its end, or one process without MPI.
 #pragma once
 
 #include <chrono>
@@ -10,13 +10,13 @@ namespace rubatlas::mpi {
 
 class Session {
  public:
-  /// True when a launcher (mpirun, srun) started this process. Alone, MPI is never initialised: that would
-  /// cost half a second and would need a working network stack for nothing.
+  /// True when a launcher (mpirun, srun) started this process. Otherwise MPI is never initialised, which
+  /// would cost half a second and need a working network for nothing.
   static bool started_by_launcher();
 
   /// Initialises MPI when started by a launcher.
   Session();
-  /// All ranks together.
+  /// Collective over all ranks.
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -34,11 +34,11 @@ class Session {
   /// Rank 0's value and text, on every rank.
   [[nodiscard]] int broadcast(int value) const;
   [[nodiscard]] std::string broadcast(const std::string& text) const;
-  /// One short text per rank, in order, on rank 0; empty elsewhere.
+  /// One short text per rank, in order, on rank 0; empty on the others.
   [[nodiscard]] std::vector<std::string> gather(const std::string& text) const;
-  /// Returns when all ranks are here; those that come early sleep instead of spinning.
+  /// A barrier whose waiting ranks sleep instead of polling.
   void wait_for_all() const;
-  /// Ends the job on all ranks: for errors that one rank alone has met. Alone, returns.
+  /// Ends the job on all ranks, after an error that one rank alone has met. Without MPI it returns.
   void abort(int exit_code) const;
 
  private:
@@ -47,12 +47,11 @@ class Session {
   int size_ = 1;
 };
 
-/// What a rank does when there is nothing to do: it sleeps, longer each time, since a polling rank burns its
-/// core.
+/// Sleeps while there is nothing to do, longer each time, because a rank that polls occupies its core.
 class Nap {
  public:
   void take();
-  /// Something came: sleep shortly again.
+  /// To be called after a message: the next sleep is short again.
   void reset() { length_ = kShortest; }
 
  private:
@@ -61,11 +60,11 @@ class Nap {
   std::chrono::microseconds length_ = kShortest;
 };
 
-/// When it is time again for something that is to be done now and then.
+/// Tells when a repeated task is due again.
 class Pace {
  public:
   explicit Pace(std::chrono::microseconds period) : period_(period) {}
-  /// Asking costs a look at the clock.
+  /// A call costs a look at the clock.
   bool is_due() {
     const auto now = std::chrono::steady_clock::now();
     if (now < next_) return false;

@@ -7,13 +7,13 @@
 namespace rubatlas::mpi {
 namespace {
 
-/// The first signal that has come; the only state that a signal handler shares with the program.
+/// The first signal received; the only state that the signal handler shares with the program.
 volatile std::sig_atomic_t stop_signal = 0;
 
-/// The handler's own: when that was.
+/// Time of the first signal; used by the handler only.
 timespec first_time{};
 
-/// Signals within this time are one request [s]: `timeout`, for one, sends each of its twice.
+/// Signals within this time [s] count as one request, since `timeout`, for example, sends each signal twice.
 constexpr double kOneRequest = 0.2;
 
 double seconds_since_the_first() {
@@ -29,7 +29,7 @@ void note(int signal) {
     stop_signal = signal;
   } else if (seconds_since_the_first() > kOneRequest) {
     std::signal(signal, SIG_DFL);
-    std::raise(signal);  // it comes when this handler returns
+    std::raise(signal);  // the signal is delivered when this handler returns
   }
 }
 
@@ -39,10 +39,10 @@ void note_stop_signals() {
   constexpr std::array kStopSignals{SIGUSR1, SIGTERM, SIGINT, SIGHUP};
   for (const int signal : kStopSignals) {
     struct sigaction action {};
-    // What `nohup`, or a shell that starts a job in the background, has switched off stays so.
+    // A signal that `nohup`, or a shell that starts a background job, has set to be ignored stays ignored.
     if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) continue;
     action.sa_handler = note;
-    // Interrupted system calls go on: a row that is being written is written.
+    // Interrupted system calls are restarted, so that a row that is being written is completed.
     action.sa_flags = SA_RESTART;
     sigfillset(&action.sa_mask);
     sigaction(signal, &action, nullptr);

@@ -8,12 +8,12 @@ namespace {
 
 constexpr int kMaster = 0;
 
-/// What the master has said, and the answers.
+/// Messages from the master, and the answers to them.
 class Ear {
  public:
   Ear(const Mailbox& mailbox, PointRunner& runner) : mailbox_(mailbox), runner_(runner) {}
 
-  /// Takes all that has come; true where anything had.
+  /// Receives all messages that have arrived; true if there was one.
   bool listen() {
     bool heard = false;
     while (const auto envelope = mailbox_.peek()) {
@@ -52,7 +52,7 @@ void work(const Mailbox& mailbox, PointRunner& runner) {
   const PointRunner::Callbacks callbacks{
       .go_on =
           [&] {
-            // A rank whose seats are all taken has nothing to hear but that the job is to stop.
+            // A rank whose seats are all occupied can receive no other message than `stop`.
             if (runner.pieces() < runner.seats() ? pace.is_due() : slow_pace.is_due()) ear.listen();
             return !ear.stopping();
           },

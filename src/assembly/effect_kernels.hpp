@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "assembly/effect_families.hpp"
 #include "assembly/hybrid_method.hpp"
 #include "assembly/typed_motions.hpp"
 #include "contact/elastica_contact.hpp"
@@ -36,11 +37,11 @@ auto blade_by_blade(const settings::Scene& line, MakeLaw make_law) {
 
 /// The line solver under one law, on the machine that the scene's effects make.
 template <class MakeLaw>
-std::unique_ptr<point::LineSolver> with_law(const settings::Scene& line, MakeLaw make_law) {
-  using effects::Effects;
+std::unique_ptr<point::LineSolver> with_law(const FamilyRequest& request, MakeLaw make_law) {
   using Hybrid = HybridMethod<integrate::DormandPrince853>;
+  const settings::Scene& line = request.line;
   auto law = blade_by_blade(line, make_law);
-  if (effects::acts<&Effects::support>(line) || effects::acts<&Effects::speed_ripple>(line)) {
+  if (request.combination.machine == settings::Machine::any_linear_support) {
     return make_point_solver<Hybrid>(line, std::move(law), AnyMachine(line));
   }
   return make_point_solver<Hybrid>(line, std::move(law), MachineWithEffects(line));
@@ -48,30 +49,18 @@ std::unique_ptr<point::LineSolver> with_law(const settings::Scene& line, MakeLaw
 
 /// Elastic blades in a rigid ring or in one that yields.
 template <contact::Release kRelease>
-std::unique_ptr<point::LineSolver> elastic_blades_in_any_ring(const LineRequest& request) {
+std::unique_ptr<point::LineSolver> elastic_blades_in_any_ring(const FamilyRequest& request) {
   const settings::Scene& line = request.line;
   const auto with_ring = [&](const auto& ring) {
     using Law = contact::ElasticBladeContact<std::remove_cvref_t<decltype(ring)>, kRelease>;
-    return with_law(line, [&](const settings::Blades& blade) {
+    return with_law(request, [&](const settings::Blades& blade) {
       return Law(geometry_of(line.ring, blade), blade_of(blade), curve_of(request, blade), ring);
     });
   };
-  if (effects::acts<&effects::Effects::yielding_ring>(line)) {
+  if (request.combination.consumed.contains<&effects::Effects::yielding_ring>()) {
     return with_ring(contact::YieldingRing{1.0 / line.yielding_ring->compliance});
   }
   return with_ring(contact::RigidRing{});
 }
-
-// The families: rigid blades, whose tips always slip, or may stick; elastic blades that are released at the
-// ring, or at the fold; elastic blades under a load of any direction or a friction law of its own; those
-// that may stick.
-std::unique_ptr<point::LineSolver> rigid_blades_with_effects(const LineRequest& request);
-std::unique_ptr<point::LineSolver> sticking_blades_with_effects(const LineRequest& request);
-std::unique_ptr<point::LineSolver> sticking_elastic_blades_with_effects(const LineRequest& request);
-std::unique_ptr<point::LineSolver> elastic_blades_with_effects(const LineRequest& request);
-std::unique_ptr<point::LineSolver> held_blades_with_effects(const LineRequest& request);
-std::unique_ptr<point::LineSolver> directed_blades_with_effects(const LineRequest& request);
-/// Elastic or rigid blades in a ring that is a body.
-std::unique_ptr<point::LineSolver> blades_in_ring_body(const LineRequest& request);
 
 }  // namespace rubatlas::assembly

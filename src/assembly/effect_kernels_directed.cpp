@@ -6,17 +6,17 @@
 
 namespace rubatlas::assembly {
 
-std::unique_ptr<point::LineSolver> directed_blades_with_effects(const LineRequest& request) {
+std::unique_ptr<point::LineSolver> make_directed_elastic_blades(const FamilyRequest& request) {
   const settings::Scene& line = request.line;
   const auto with_direction = [&]<class Direction>() {
-    return with_friction(line, [&](const auto& friction) {
+    return with_friction(request, [&](const auto& friction) {
       using Law = contact::DirectedElastica<Direction, std::remove_cvref_t<decltype(friction)>>;
-      return with_law(line, [&](const settings::Blades& blade) {
+      return with_law(request, [&](const settings::Blades& blade) {
         return Law(geometry_of(line.ring, blade), blade_of(blade), friction);
       });
     });
   };
-  if (effects::acts<&effects::Effects::load_direction>(line)) {
+  if (request.combination.consumed.contains<&effects::Effects::load_direction>()) {
     return with_direction.template operator()<contact::NormalLoad>();
   }
   return with_direction.template operator()<contact::AxialLoad>();

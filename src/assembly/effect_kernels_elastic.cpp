@@ -5,7 +5,7 @@
 
 namespace rubatlas::assembly {
 
-std::unique_ptr<point::LineSolver> elastic_blades_with_effects(const LineRequest& request) {
+std::unique_ptr<point::LineSolver> make_elastic_blades(const FamilyRequest& request) {
   return elastic_blades_in_any_ring<contact::Release::at_ring>(request);
 }
 

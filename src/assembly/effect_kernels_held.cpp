@@ -5,7 +5,7 @@
 
 namespace rubatlas::assembly {
 
-std::unique_ptr<point::LineSolver> held_blades_with_effects(const LineRequest& request) {
+std::unique_ptr<point::LineSolver> make_held_elastic_blades(const FamilyRequest& request) {
   return elastic_blades_in_any_ring<contact::Release::at_fold>(request);
 }
 

@@ -6,10 +6,10 @@
 
 namespace rubatlas::assembly {
 
-std::unique_ptr<point::LineSolver> rigid_blades_with_effects(const LineRequest& request) {
+std::unique_ptr<point::LineSolver> make_rigid_blades(const FamilyRequest& request) {
   const settings::Scene& line = request.line;
-  return with_friction(line, [&](const auto& friction) {
-    return with_law(line, [&](const settings::Blades& blade) {
+  return with_friction(request, [&](const auto& friction) {
+    return with_law(request, [&](const settings::Blades& blade) {
       return contact::RigidBladeContact(geometry_of(line.ring, blade), line.ring.stiffness, friction);
     });
   });

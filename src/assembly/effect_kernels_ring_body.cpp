@@ -8,33 +8,37 @@ namespace rubatlas::assembly {
 namespace {
 
 template <template <class> class InRing, class MakeLaw>
-std::unique_ptr<point::LineSolver> in_ring_body(const settings::Scene& line, MakeLaw make_law) {
-  using effects::Effects;
+std::unique_ptr<point::LineSolver> in_ring(const FamilyRequest& request, MakeLaw make_law) {
   using Hybrid = HybridMethod<integrate::DormandPrince853>;
+  const settings::Scene& line = request.line;
   auto law = blade_by_blade(line, make_law);
-  const auto on_machine = [&]<class Machine>() -> std::unique_ptr<point::LineSolver> {
-    return make_point_solver<Hybrid>(line, std::move(law), InRing<Machine>(line));
-  };
-  if (effects::acts<&Effects::support>(line) || effects::acts<&Effects::speed_ripple>(line)) {
-    return on_machine.template operator()<AnyMachine>();
+  if (request.combination.machine == settings::Machine::any_linear_support) {
+    return make_point_solver<Hybrid>(line, std::move(law), InRing<AnyMachine>(line));
   }
-  return on_machine.template operator()<MachineWithEffects>();
+  return make_point_solver<Hybrid>(line, std::move(law), InRing<MachineWithEffects>(line));
+}
+
+template <template <class> class InRing>
+std::unique_ptr<point::LineSolver> rigid_blades_in_ring(const FamilyRequest& request) {
+  const settings::Scene& line = request.line;
+  return in_ring<InRing>(request, [&](const settings::Blades& blade) {
+    return elastic_ring_law(line.ring, blade, line.contact.friction);
+  });
 }
 
 }  // namespace
 
-std::unique_ptr<point::LineSolver> blades_in_ring_body(const LineRequest& request) {
+std::unique_ptr<point::LineSolver> make_blades_in_ring_body(const FamilyRequest& request) {
   const settings::Scene& line = request.line;
-  if (line.contact.law == settings::ContactLaw::elastic_ring) {
-    const auto rigid_blade = [&](const settings::Blades& blade) {
-      return elastic_ring_law(line.ring, blade, line.contact.friction);
-    };
-    return line.ring_body->mass == 0.0 ? in_ring_body<InFollowingRing>(line, rigid_blade)
-                                       : in_ring_body<InRingBody>(line, rigid_blade);
-  }
-  return in_ring_body<InRingBody>(line, [&](const settings::Blades& blade) {
+  if (line.contact.law == settings::ContactLaw::elastic_ring)
+    return rigid_blades_in_ring<InRingBody>(request);
+  return in_ring<InRingBody>(request, [&](const settings::Blades& blade) {
     return contact::ElasticaContact(geometry_of(line.ring, blade), blade_of(blade), curve_of(request, blade));
   });
+}
+
+std::unique_ptr<point::LineSolver> make_blades_in_ring_without_mass(const FamilyRequest& request) {
+  return rigid_blades_in_ring<InFollowingRing>(request);
 }
 
 }  // namespace rubatlas::assembly

@@ -5,11 +5,11 @@
 
 namespace rubatlas::assembly {
 
-std::unique_ptr<point::LineSolver> sticking_blades_with_effects(const LineRequest& request) {
+std::unique_ptr<point::LineSolver> make_sticking_rigid_blades(const FamilyRequest& request) {
   const settings::Scene& line = request.line;
   const double friction = line.contact.friction;
   const contact::StickingFriction law{friction, line.stick->static_ratio * friction};
-  return with_law(line, [&](const settings::Blades& blade) {
+  return with_law(request, [&](const settings::Blades& blade) {
     return contact::RigidBladeContact(geometry_of(line.ring, blade), line.ring.stiffness, law);
   });
 }

@@ -5,12 +5,12 @@
 
 namespace rubatlas::assembly {
 
-std::unique_ptr<point::LineSolver> sticking_elastic_blades_with_effects(const LineRequest& request) {
+std::unique_ptr<point::LineSolver> make_sticking_elastic_blades(const FamilyRequest& request) {
   const settings::Scene& line = request.line;
   const double friction = line.contact.friction;
   const contact::StickingFriction sticking{friction, line.stick->static_ratio * friction};
   using Law = contact::DirectedElastica<contact::AxialLoad, contact::StickingFriction>;
-  return with_law(line, [&](const settings::Blades& blade) {
+  return with_law(request, [&](const settings::Blades& blade) {
     return Law(geometry_of(line.ring, blade), blade_of(blade), sticking);
   });
 }

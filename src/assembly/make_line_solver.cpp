@@ -1,8 +1,9 @@
 #include "assembly/make_line_solver.hpp"
 
-#include <type_traits>
+#include <stdexcept>
 
 #include "assembly/blade_tables.hpp"
+#include "assembly/effect_families.hpp"
 #include "assembly/methods.hpp"
 #include "plan/scene_of_line.hpp"
 
@@ -10,14 +11,50 @@ namespace rubatlas::assembly {
 
 namespace {
 
-/// An effect besides the unbalance is present and not of strength zero.
-bool more_acts_than_the_paper_s(const settings::Scene& line) {
-  bool found = false;
-  effects::for_each_effect([&]<auto Effect>() {
-    using Settings = std::remove_cvref_t<decltype(*(line.*Effect))>;
-    if constexpr (!std::is_same_v<Settings, effects::Unbalance>) found = found || effects::acts<Effect>(line);
-  });
-  return found;
+/// The one family that is compiled for every method.
+std::unique_ptr<point::LineSolver> make_by_method(const LineRequest& request) {
+  switch (request.line.accuracy.method) {
+    case settings::Method::hybrid:
+      return make_hybrid(request);
+    case settings::Method::hybrid_54:
+      return make_hybrid_54(request);
+    case settings::Method::hybrid_32:
+      return make_hybrid_32(request);
+    case settings::Method::paper:
+      return make_paper(request);
+    case settings::Method::located:
+      return make_located(request);
+    case settings::Method::fixed:
+      return make_fixed(request);
+  }
+  throw std::logic_error("a method of integration that is none");
+}
+
+std::unique_ptr<point::LineSolver> make(const FamilyRequest& request) {
+  using enum settings::MotionFamily;
+  switch (request.combination.family->kind) {
+    case paper_s_rotor:
+      return make_by_method(request);
+    case rigid_blades:
+      return make_rigid_blades(request);
+    case sticking_rigid_blades:
+      return make_sticking_rigid_blades(request);
+    case elastic_blades:
+      return make_elastic_blades(request);
+    case held_elastic_blades:
+      return make_held_elastic_blades(request);
+    case directed_elastic_blades:
+      return make_directed_elastic_blades(request);
+    case sticking_elastic_blades:
+      return make_sticking_elastic_blades(request);
+    case blades_on_damped_ring:
+      return make_blades_on_damped_ring(request);
+    case blades_in_ring_body:
+      return make_blades_in_ring_body(request);
+    case blades_in_ring_without_mass:
+      return make_blades_in_ring_without_mass(request);
+  }
+  throw std::logic_error("a family of motions that is none");
 }
 
 }  // namespace
@@ -30,22 +67,7 @@ std::unique_ptr<point::LineSolver> make_line_solver(const settings::Scene& scene
                                                     const plan::PointParameters& line,
                                                     const std::shared_ptr<BladeTables>& tables) {
   const settings::Scene own = plan::scene_of_line(scene, line);
-  const LineRequest request{own, *tables};
-  if (more_acts_than_the_paper_s(own)) return make_hybrid_with_effects(request);
-  switch (scene.accuracy.method) {
-    case settings::Method::paper:
-      return make_paper(request);
-    case settings::Method::located:
-      return make_located(request);
-    case settings::Method::fixed:
-      return make_fixed(request);
-    case settings::Method::hybrid_54:
-      return make_hybrid_54(request);
-    case settings::Method::hybrid_32:
-      return make_hybrid_32(request);
-    default:
-      return make_hybrid(request);
-  }
+  return make({{own, *tables}, settings::combination_of(own)});
 }
 
 }  // namespace rubatlas::assembly

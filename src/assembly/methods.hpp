@@ -1,5 +1,5 @@
-/// The methods of integration, one function and one file each: `method_<name>.cpp` compiles the motions of
-/// its method for every law and forcing, and nothing else does.
+/// The methods of integration for the paper's rotor, one function and one file each: `method_<name>.cpp`
+/// compiles the motions of its method for every law and forcing, and nothing else does.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,6 @@ struct LineRequest {
 };
 
 std::unique_ptr<point::LineSolver> make_hybrid(const LineRequest& request);
-std::unique_ptr<point::LineSolver> make_hybrid_with_effects(const LineRequest& request);
 std::unique_ptr<point::LineSolver> make_hybrid_54(const LineRequest& request);
 std::unique_ptr<point::LineSolver> make_hybrid_32(const LineRequest& request);
 std::unique_ptr<point::LineSolver> make_paper(const LineRequest& request);

@@ -74,7 +74,7 @@ class Writer {
   }
 
   void sections(const std::string& name, const std::string& long_name, const Dataset& along,
-                std::vector<point::SectionState> AccuracyRun::*member) {
+                std::vector<motion::SectionState> AccuracyRun::*member) {
     std::vector<double> values;
     for (const auto& run : study_.runs) {
       // A run that ended early has fewer sections, or none.
@@ -204,7 +204,7 @@ void write_motions(Writer& writer) {
 }
 
 void write_trajectories(Writer& writer, const settings::Scene& scene, const AccuracyStudy& study) {
-  const auto longest = [&](std::vector<point::SectionState> AccuracyRun::*member) {
+  const auto longest = [&](std::vector<motion::SectionState> AccuracyRun::*member) {
     std::size_t count = 0;
     for (const auto& run : study.runs) count = std::max(count, (run.*member).size());
     return count;

@@ -1,8 +1,8 @@
-/// ACCURACY.h5: what accuracy costs. One row per setting (a method with its knobs) and point: error, time,
-/// work.
+/// ACCURACY.h5: what accuracy costs. One row per setting (a method with its tolerance and steps) and point:
+/// error, time, work.
 ///
 /// Self-describing in the manner of an atlas; the layout is in this folder's README, "ACCURACY.h5".
-/// Everything in it is a function of scene, options and build, but for the CPU times, which say so.
+/// Everything in it is a function of scene, options and build, except the two CPU times.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace rubatlas::atlas {
 
-/// A method with its knobs. A knob that the method does not read is NaN.
+/// A method with its tolerance and steps. A number that the method does not read is NaN.
 struct AccuracySetting {
   static constexpr double kNotRead = std::numeric_limits<double>::quiet_NaN();
 
@@ -38,28 +38,30 @@ struct AccuracyRun {
   double cpu_time_min = 0.0;     ///< [s] over the repeats
   double cpu_time_median = 0.0;  ///< [s]
   motion::WorkCounts work;
-  std::uint8_t motion = 0;  ///< class per revolution, as in MAPS.h5
+  std::uint8_t motion = 0;  ///< class of the motion per revolution, as in MAPS.h5
   std::uint8_t region = 0;  ///< 1 to 4; 0 in none of them
   double max_displacement = std::numeric_limits<double>::quiet_NaN();  ///< [m]
-  std::vector<point::SectionState> first_sections;                     ///< after revolutions 1, 2, ...
-  std::vector<point::SectionState> last_sections;                      ///< the last of the sampled ones
+  std::vector<motion::SectionState> first_sections;                    ///< after revolutions 1, 2, ...
+  std::vector<motion::SectionState> last_sections;                     ///< the last of the sampled ones
 };
 
-/// What holds for all settings at a point.
+/// What is common to all settings at a point.
 struct AccuracyPoint {
-  point::PointStart start;  ///< from which all runs start: where the reference run's sweep comes from
-  /// Leading sections over which the two tightest runs agree; all revolutions of the protocol: predictable.
+  motion::PointStart start;  ///< state from which all runs start: that from which the sweep of the reference
+                             ///< starts this point
+  /// Number of leading sections over which the two tightest runs agree; the point is predictable to the end
+  /// where these are all revolutions of the protocol.
   std::int32_t horizon = 0;
 };
 
-/// Shares of the points whose judgement differs from that of the reference run [-].
+/// Shares of the points at which a result differs from that of the reference run [-].
 struct MapChanges {
   double motion = 0.0;            ///< class, or status
-  double region = 0.0;            ///< the point lies in another region: an edge has moved over it
+  double region = 0.0;            ///< the point lies in another region
   double max_displacement = 0.0;  ///< by more than the stated share
   double any = 0.0;               ///< at least one of them
-  /// Class or region at any point, displacement only where the motion is predictable to the end: what chaos
-  /// alone does to a maximum over finite time is left out.
+  /// Class or region at any point, displacement only where the motion is predictable to the end: a maximum
+  /// over finite time of a chaotic motion differs between any two runs.
   double beyond_chaos = 0.0;
 };
 

@@ -12,7 +12,8 @@
 namespace rubatlas::atlas {
 namespace {
 
-/// Axis values are copied from scenes, but a caller's may have been typed with fewer digits than were stored.
+/// Axis values are copied from scenes, whereas a caller's value may have been typed with fewer digits than
+/// are stored.
 constexpr double kSameParameter = 1e-9;
 
 std::optional<std::size_t> index_of(const std::vector<double>& values, double value) {
@@ -42,11 +43,6 @@ std::vector<std::uint8_t> AtlasReader::status() const {
   return file_.dataset("/status").read<std::uint8_t>();
 }
 
-Shape AtlasReader::row_shape(const std::string& name) const {
-  const Shape whole = file_.dataset(name).shape();
-  return {whole.begin() + static_cast<std::ptrdiff_t>(axes_.size()), whole.end()};
-}
-
 std::vector<double> AtlasReader::rows(const std::string& name) const {
   return file_.dataset(name).read<double>();
 }
@@ -59,8 +55,8 @@ std::vector<double> AtlasReader::row(const std::string& name, std::size_t point)
   return read_from(name, point_index(shape(), point), axes_.size());
 }
 
-/// The block at `start` (grid axes) that is one thick along the first `axes_fixed` axes and whole behind
-/// them.
+/// The block at `start` (grid axes) with extent 1 along the first `axes_fixed` axes and full extent along the
+/// others.
 std::vector<double> AtlasReader::read_from(const std::string& name, Shape start,
                                            std::size_t axes_fixed) const {
   const Dataset dataset = file_.dataset(name);

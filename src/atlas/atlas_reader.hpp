@@ -1,8 +1,8 @@
 /// An atlas that is read: by the analysis, by `orbit --from`, and by a run that resumes.
 ///
 /// Points are numbered in C order over the axes, as in `plan::Grid`; a row is what one dataset holds for one
-/// point. An atlas may be read while it is written: look at `status` first, and only at rows that it calls
-/// done.
+/// point. An atlas may be read while it is written: read `status` first, and then only the rows of points
+/// that are done.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ namespace rubatlas::atlas {
 
 class AtlasReader {
  public:
-  /// Throws EnvironmentError when the file cannot be opened or is not the atlas that its scene asks for
+  /// Throws EnvironmentError when the file cannot be opened or is not the atlas that its scene requires
   /// (`structure.hpp`).
   explicit AtlasReader(const std::filesystem::path& path);
 
@@ -37,21 +37,19 @@ class AtlasReader {
   [[nodiscard]] std::vector<std::uint8_t> status() const;
   /// True when the atlas keeps a dataset of that name.
   [[nodiscard]] bool has(const std::string& name) const { return file_.has(name); }
-  /// Extents of one row: empty for one number per point, {sections, 4} for `poincare`.
-  [[nodiscard]] Shape row_shape(const std::string& name) const;
   /// A whole dataset, flat, in C order.
   [[nodiscard]] std::vector<double> rows(const std::string& name) const;
   /// The rows of points [line * speed_count, (line + 1) * speed_count), flat.
   [[nodiscard]] std::vector<double> line_rows(const std::string& name, std::size_t line) const;
   /// One point's row, flat.
   [[nodiscard]] std::vector<double> row(const std::string& name, std::size_t point) const;
-  /// The values of an axis behind the grid's (`section`, `order`, `passing`).
+  /// The values of an inner axis (`section`, `order`, `passing`).
   [[nodiscard]] std::vector<double> inner_axis(const std::string& name) const;
 
   /// State at the end of a point: x, y [m], dx/dτ, dy/dτ [m]; NaN where it did not end as done.
   [[nodiscard]] std::array<double, 4> final_state(std::size_t point) const;
-  /// The point with these parameters, each within a relative 1e-9; of an atlas swept both ways, on the
-  /// `direction` line. Nothing where the atlas has no such point.
+  /// The point with these parameters, each within a relative 1e-9; in an atlas swept in both directions, on
+  /// the line of that `direction`. Empty where the atlas has no such point.
   [[nodiscard]] std::optional<std::size_t> find(const plan::PointParameters& parameters,
                                                 plan::Direction direction = plan::Direction::up) const;
 
@@ -60,7 +58,7 @@ class AtlasReader {
   /// The scene with every default written out; `settings::parse_scene` reads it.
   [[nodiscard]] std::string scene_resolved() const { return file_.read_text("/scene_resolved"); }
 
-  /// False of atlases that were begun before rows had checksums.
+  /// False for atlases of schema version 1, which has no checksums.
   [[nodiscard]] bool has_checksums() const;
   /// A point in words: "speed_ratio=0.3, damping_ratio=0.1"; axes with one value are left out.
   [[nodiscard]] std::string place_of(std::size_t point) const;

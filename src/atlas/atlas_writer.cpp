@@ -12,8 +12,8 @@
 namespace rubatlas::atlas {
 namespace {
 
-/// A disk that is slow to answer gets longer batches: one part in so many of the time goes into waiting for
-/// it.
+/// On a slow disk batches become longer, so that waiting for the disk takes at most one part in this many of
+/// the time.
 constexpr int kPartsOfTime = 20;
 
 template <typename T>
@@ -59,7 +59,7 @@ void AtlasWriter::write_part(const RowDataset& rows, std::size_t point, std::spa
 
 void AtlasWriter::write_point(std::size_t point, bool restarted, const point::PointOutcome& outcome) {
   write_row(point, Row(schema_, restarted, outcome));
-  // A reader, and the run that resumes, believe a row as soon as its status says so.
+  // A reader, and a run that resumes, read a row as soon as its status is "done".
   unsettled_.emplace_back(point, static_cast<std::uint8_t>(outcome.status));
   settle_if_due();
 }

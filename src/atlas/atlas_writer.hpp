@@ -1,8 +1,9 @@
 /// An atlas that is being filled: by one process, or by all ranks of a job at once.
 ///
-/// A status promises its row, after a power cut too, when pages come to the disk in any order or not at all.
-/// So a row and its checksum are written at once, and its status with a batch: every few seconds what has
-/// been written is brought to the disk, then the statuses of these rows are written.
+/// A status of "done" guarantees that the row is in the file, also after a power cut, although the system
+/// writes pages to the disk in any order. A row and its checksum are therefore written at once, and its
+/// status later in a batch: every few seconds the rows written so far are forced to the disk, and then their
+/// statuses are written.
 #pragma once
 
 #include <chrono>
@@ -25,13 +26,13 @@ namespace rubatlas::atlas {
 
 class AtlasWriter {
  public:
-  /// A run that is killed loses the points of so long a time: little beside what it has computed, and enough
-  /// that the disk is not kept busy.
+  /// A run that is killed loses the points that it finished within this time. It is short beside a run, and
+  /// long enough that waiting for the disk costs little.
   static constexpr std::chrono::milliseconds kBatchPeriod{2000};
 
   /// Opens an atlas that `create_atlas` made from the same scene; under MPI all ranks together, each of which
-  /// then writes whenever it likes. A `batch_period` of 0 has no batches: each status follows its row. Throws
-  /// EnvironmentError.
+  /// then writes whenever it likes. With a `batch_period` of 0 each status is written right after its row.
+  /// Throws EnvironmentError.
   AtlasWriter(const std::filesystem::path& path, const settings::Scene& scene,
               std::chrono::milliseconds batch_period = kBatchPeriod);
 
@@ -39,13 +40,13 @@ class AtlasWriter {
   /// gets NaN throughout. `restarted`: it started from the scene's `initial`.
   void write_point(std::size_t point, bool restarted, const point::PointOutcome& outcome);
 
-  /// Writes the statuses that are due; to be called now and then by a rank that writes no points. Asking
-  /// costs a look at the clock.
+  /// Writes the statuses of a batch that is due. A rank that writes no points has to call it from time to
+  /// time; a call costs a look at the clock.
   void settle_if_due();
-  /// Writes all of them.
+  /// Writes all statuses, due or not.
   void settle();
 
-  /// All ranks together. Everything is on the disk then.
+  /// Collective over all ranks. Everything is on the disk when it returns.
   void close();
 
  private:

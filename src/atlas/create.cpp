@@ -39,8 +39,9 @@ void create_grid_scales(File& file, const Schema& schema, Scales& scales) {
   }
 }
 
-/// Large datasets are allocated early and never filled, so that a fresh atlas costs no disk and no time, and
-/// writing a row changes no metadata. The small one whose zero would be a revolution is filled.
+/// Large datasets are allocated early and never filled, so that a new atlas costs neither disk nor time, and
+/// writing a row changes no metadata. Only `failed_revolution` is filled, because its zero would be the
+/// number of a revolution.
 Dataset create_rows(File& file, const RowDataset& rows) {
   switch (rows.type) {
     case NumberType::uint8:

@@ -13,11 +13,11 @@ FinalStates::FinalStates(const AtlasReader& atlas, const settings::Scene& scene)
   }
 }
 
-point::PointStart FinalStates::of(std::size_t point) const {
+motion::PointStart FinalStates::of(std::size_t point) const {
   const auto row = [point](const std::vector<double>& values, std::size_t size) {
     return values.begin() + static_cast<std::ptrdiff_t>(size * point);
   };
-  point::SectionState state{};
+  motion::SectionState state{};
   std::copy_n(row(states_, state.size()), state.size(), state.begin());
   std::vector<double> remembered;
   for (const Rows& memory : memories_) {

@@ -1,4 +1,5 @@
-/// What points have left for the next ones: the state, and what effects remember beside it.
+/// The values from which the next point of a line starts: the final state of a point, and what effects
+/// remember besides.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +15,11 @@ namespace rubatlas::atlas {
 class FinalStates {
  public:
   FinalStates() = default;
-  /// `scene`: the atlas' own.
+  /// `scene` is the scene of the atlas.
   FinalStates(const AtlasReader& atlas, const settings::Scene& scene);
 
-  /// The end of a point whose status is done.
-  [[nodiscard]] point::PointStart of(std::size_t point) const;
+  /// The final state and memory of a point whose status is done.
+  [[nodiscard]] motion::PointStart of(std::size_t point) const;
 
  private:
   struct Rows {

@@ -41,7 +41,7 @@ void require_space(const std::filesystem::path& path, std::uint64_t bytes, std::
                                        directory.string(), readable_bytes(room)));
   }
   rlimit limit{};
-  // Writing beyond it is a signal, not an error.
+  // Writing beyond this limit raises a signal instead of an error.
   if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY && bytes > limit.rlim_cur) {
     throw EnvironmentError(
         fmt::format("{} will take {}, and this process may write files of up to {} (ulimit -f)",

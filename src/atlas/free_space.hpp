@@ -1,4 +1,4 @@
-/// Is there room for an atlas before the first point is computed?
+/// Checks, before the first point is computed, that the disk has room for an atlas.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace rubatlas::atlas {
 
 /// Throws EnvironmentError, with both numbers, when a file of `bytes` does not fit where `path` is or would
 /// be, or exceeds the process's own limit. What the file at `path` occupies already counts as room.
-/// `made_of`: how they come about, a phrase for the message.
+/// `made_of`: a phrase for the message that says of what these bytes consist.
 void require_space(const std::filesystem::path& path, std::uint64_t bytes, std::string_view made_of = {});
 
 /// "3.2 GB": three digits and a decimal unit.

@@ -80,7 +80,7 @@ std::string read_one_text(Identifier stored_type, const std::function<void(Ident
   return text.substr(0, text.find('\0'));
 }
 
-/// A text or a number, and no array of them: the buffer that is read into holds one.
+/// A scalar attribute (a text or a number): the buffer that it is read into has room for one value.
 void require_one_value(const Handle& space) {
   if (H5Sget_simple_extent_npoints(space.get()) != 1) throw Hdf5Failure("it is not one value");
 }
@@ -345,7 +345,7 @@ File File::create(const std::filesystem::path& path) {
 File File::open_to_read(const std::filesystem::path& path) {
   std::error_code unknown;
   const auto kind = std::filesystem::status(path, unknown);
-  // Opening a pipe would wait for somebody at its other end.
+  // Opening a pipe would block until another process opens its other end.
   if (std::filesystem::exists(kind) && !std::filesystem::is_regular_file(kind)) {
     throw EnvironmentError(path.string() + " cannot be opened: it is not a file");
   }
@@ -361,7 +361,7 @@ File File::open_to_write(const std::filesystem::path& path) {
     if (mpi_is_running()) {
       RUBATLAS_HDF5(H5Pset_fapl_mpio(access.get(), MPI_COMM_WORLD, MPI_INFO_NULL));
     } else {
-      // The sieve buffer would hold rows back and write them in another order than they were given.
+      // The sieve buffer would delay rows and write them in another order.
       RUBATLAS_HDF5(H5Pset_sieve_buf_size(access.get(), 0));
     }
     return RUBATLAS_HDF5(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()));
@@ -444,7 +444,7 @@ Dataset File::create_texts(const std::string& path, const std::vector<std::strin
 }
 
 bool File::has(const std::string& path) const {
-  // HDF5 wants every group on the way to be there before it answers for the last name.
+  // HDF5 fails, instead of answering "no", where a group on the way does not exist.
   for (auto end = path.find('/', 1);; end = path.find('/', end + 1)) {
     const std::string part = path.substr(0, end);
     const auto exists = [&] {

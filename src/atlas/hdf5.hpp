@@ -1,9 +1,10 @@
-/// A thin layer over the C interface of HDF5 1.10: handles that close themselves, calls that throw.
+/// A thin layer over the C interface of HDF5 1.10: handles are closed by their destructors, and failing calls
+/// throw.
 ///
 /// What the rest of the project may rely on:
 ///  - every failing call throws `EnvironmentError` with the file, the dataset and the system's reason;
-///  - no dataset and no group keeps a time stamp, so equal contents give equal bytes;
-///  - numbers are little-endian in the file, whatever the machine; texts are UTF-8;
+///  - no dataset and no group stores a time stamp, so that equal contents give equal bytes;
+///  - numbers in the file are little-endian on every machine; texts are UTF-8;
 ///  - files are created and read with the serial driver; `File::open_to_write` goes through MPI-IO when MPI
 ///  is
 ///    initialised (then it is collective over all ranks), and then no call here but `write_block` is legal
@@ -35,7 +36,7 @@ template <typename T>
 concept Number = std::same_as<T, double> || std::same_as<T, std::uint8_t> || std::same_as<T, std::int32_t> ||
     std::same_as<T, std::uint32_t> || std::same_as<T, std::int64_t>;
 
-/// Owns one identifier and closes it.
+/// Owns one HDF5 identifier and closes it.
 class Handle {
  public:
   using Close = int (*)(Identifier);
@@ -57,7 +58,7 @@ class Handle {
 
   [[nodiscard]] Identifier get() const { return identifier_; }
   [[nodiscard]] bool is_open() const { return identifier_ != kNone; }
-  /// Closes now and says whether that worked, which a destructor cannot. Throws EnvironmentError.
+  /// Closes at once and reports a failure, which a destructor cannot do. Throws EnvironmentError.
   void close();
 
  private:
@@ -66,7 +67,7 @@ class Handle {
   Close close_ = nullptr;
 };
 
-/// Anything that carries attributes: a dataset, a group, the root.
+/// An object with attributes: a dataset, a group, the root.
 class Object {
  public:
   explicit Object(Handle handle) : handle_(std::move(handle)) {}
@@ -83,7 +84,7 @@ class Object {
   [[nodiscard]] double number(const std::string& name) const;
 
   [[nodiscard]] Identifier identifier() const { return handle_.get(); }
-  /// A file is closed, and under MPI finished, only when everything in it is.
+  /// HDF5 closes a file, and under MPI finishes it, only when every object in it is closed.
   void close() { handle_.close(); }
 
  private:
@@ -96,15 +97,15 @@ class Dataset : public Object {
   explicit Dataset(Handle handle) : Object(std::move(handle)) {}
 
   [[nodiscard]] Shape shape() const;
-  /// True when it holds numbers of this type, or texts; HDF5 would convert without a word.
+  /// True when the dataset stores numbers of this type (or texts). HDF5 itself would convert them silently.
   template <Number T>
   [[nodiscard]] bool holds() const;
   [[nodiscard]] bool holds_texts() const;
   /// Bytes of one element in the file.
   [[nodiscard]] std::size_t number_size() const;
-  /// True when its numbers stand in another file than the dataset itself.
+  /// True when its numbers are stored in another file than the dataset itself.
   [[nodiscard]] bool is_elsewhere() const;
-  /// Where its numbers begin in the file [B]; nothing where they are in pieces, or compressed.
+  /// Where its numbers begin in the file [B]; empty where they are chunked or compressed.
   [[nodiscard]] std::optional<std::uint64_t> offset() const;
   /// Product of the extents.
   [[nodiscard]] std::size_t size() const;
@@ -115,7 +116,8 @@ class Dataset : public Object {
   template <Number T>
   [[nodiscard]] std::vector<T> read() const;
 
-  /// The block of extent `count` at `start`, one entry per axis. Independent: any rank, at any time.
+  /// The block of extent `count` at `start`, one entry per axis. Not collective: any rank may call it at any
+  /// time.
   template <Number T>
   void write_block(const Shape& start, const Shape& count, std::span<const T> values);
   template <Number T>
@@ -127,14 +129,15 @@ class Dataset : public Object {
   void attach_scale(std::size_t axis, const Dataset& scale);
   /// Path of the first scale of an axis, without its leading slash; empty when it has none.
   [[nodiscard]] std::string scale_name(std::size_t axis) const;
-  /// A dimension scale itself.
+  /// True when this dataset is itself a dimension scale.
   [[nodiscard]] bool is_scale() const;
 };
 
 /// A file. Paths are absolute or relative to the root; missing groups on the way are created.
 class File {
  public:
-  /// A new file with the serial driver; what stood there is gone (`publish.hpp` has names for new files).
+  /// A new file, made with the serial driver; an existing file is overwritten (`publish.hpp` makes temporary
+  /// names for new files).
   static File create(const std::filesystem::path& path);
   static File open_to_read(const std::filesystem::path& path);
   /// Open with MPI-IO when MPI is initialised, else with the serial driver, unbuffered: a block is in the
@@ -148,7 +151,8 @@ class File {
 
   template <Number T>
   Dataset create_dataset(const std::string& path, const Shape& shape);
-  /// Space is reserved at once and never filled: unwritten parts cost no disk and read as zeros.
+  /// The space is reserved at once and never filled: parts that are not written occupy no disk and read as
+  /// zeros.
   template <Number T>
   Dataset create_sparse_dataset(const std::string& path, const Shape& shape);
   /// Every entry is `fill` until it is written.
@@ -161,7 +165,7 @@ class File {
 
   /// True when there is a dataset or group of that path.
   [[nodiscard]] bool has(const std::string& path) const;
-  /// True when that is a dataset and stands in this very file: no group, no link to elsewhere.
+  /// True when the path leads to a dataset in this file, not to a group and not to another file.
   [[nodiscard]] bool has_dataset(const std::string& path) const;
   [[nodiscard]] Dataset dataset(const std::string& path) const;
   [[nodiscard]] std::string read_text(const std::string& path) const;

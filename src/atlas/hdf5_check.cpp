@@ -6,7 +6,7 @@
 namespace rubatlas::atlas {
 namespace {
 
-/// HDF5's words for a failing system call: "..., errno = 28, error message = 'No space left on device', ...".
+/// How HDF5 reports a failing system call: "..., errno = 28, error message = 'No space left on device', ...".
 constexpr std::string_view kSystemReason = "error message = '";
 constexpr std::string_view kTruncated = "truncated file";
 
@@ -23,7 +23,7 @@ herr_t find_reason(unsigned /*depth*/, const H5E_error2_t* error, void* reason) 
   return 0;
 }
 
-/// What HDF5 calls something, through one of its two-step functions that tell names.
+/// A name from HDF5, whose functions return first the length and then the text.
 template <typename Name>
 std::string name_of(hid_t identifier, const Name& ask) {
   std::string name(1024, '\0');

@@ -1,7 +1,7 @@
 /// How a failing HDF5 call becomes an `EnvironmentError`; only for the sources of this folder.
 ///
-/// What users are told is which file, which dataset and what the system said. HDF5's own sentences, its calls
-/// and their places in our sources tell them nothing and stay out.
+/// The message names the file, the dataset and the reason that the system gave. The sentences of HDF5, its
+/// calls and their places in our sources do not help a user and are left out.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,8 +14,8 @@
 
 namespace rubatlas::atlas {
 
-/// A call that failed; the text is the system's reason ("No space left on device"), or that there is none.
-/// `about` makes a sentence of it.
+/// A call that failed; the text is the system's reason ("No space left on device"), or that the system gave
+/// none. `about` adds file and dataset.
 class Hdf5Failure : public EnvironmentError {
  public:
   using EnvironmentError::EnvironmentError;

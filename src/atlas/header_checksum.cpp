@@ -21,7 +21,7 @@ namespace rubatlas::atlas {
 namespace {
 
 constexpr std::string_view kMark = "rubatlas header\n";
-/// Far more than there is before the first dataset.
+/// The mark is looked for in this many bytes, which is far more than precede the first dataset.
 constexpr std::size_t kSearched = 1 << 16;
 constexpr std::size_t kMostRanges = 1000;
 
@@ -34,7 +34,7 @@ struct Range {
 /// killed leaves it set. No reader of this format looks at them.
 constexpr Range kOpenFlags{20, 24};
 
-/// What stands behind the mark.
+/// The values that follow the mark.
 struct Block {
   std::uint32_t checksum = 0;
   std::uint32_t count = 0;
@@ -52,7 +52,7 @@ bool read_into(std::ifstream& file, std::span<T> values) {
       file.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(values.size_bytes())));
 }
 
-/// The header's block, found by its mark; nothing where there is none.
+/// The values behind the mark; empty where the file has no mark.
 std::optional<Sealed> find_block(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::string beginning(kSearched, '\0');
@@ -71,7 +71,7 @@ std::optional<Sealed> find_block(const std::filesystem::path& path) {
   return header;
 }
 
-/// Over all bytes of a file but the ranges; nothing where it cannot be read.
+/// CRC-32 over all bytes of a file except the ranges; empty where the file cannot be read.
 std::optional<std::uint32_t> checksum_besides(const std::filesystem::path& path,
                                               std::vector<Range> left_out) {
   std::ranges::sort(left_out, {}, &Range::begin);

@@ -1,4 +1,4 @@
-/// The dimension scale of an axis behind the grid's: numbers or words.
+/// The dimension scale of an inner axis, which follows the axes of the grid: numbers or words.
 #pragma once
 
 #include "atlas/hdf5.hpp"

@@ -26,8 +26,8 @@ namespace {
 using std::chrono::seconds;
 
 constexpr seconds kBeat{5};
-/// Two runs may take a lock over at once: the last one has it, and this long after nobody comes any more who
-/// had found it left behind.
+/// Two runs may take over the same side file at once. The last one to replace it has the lock. Each therefore
+/// waits for this long, and then checks that the file is still its own.
 constexpr seconds kSettling{1};
 
 struct Inode {
@@ -56,7 +56,7 @@ std::string host_name() {
 
 }  // namespace
 
-/// `<atlas>.lock`, where there are no locks.
+/// `<atlas>.lock`, for file systems without locks.
 class AtlasLock::SideFile {
  public:
   explicit SideFile(const std::filesystem::path& atlas) : path_(atlas.string() + ".lock") {
@@ -92,7 +92,7 @@ class AtlasLock::SideFile {
     return true;
   }
 
-  /// The clock is the file system's: a file made now tells its time.
+  /// Time stamps come from the clock of the file system, which is read from a file made now.
   void take_over(const std::filesystem::path& atlas) {
     std::random_device chance;
     const std::filesystem::path candidate = fmt::format("{}-{:08x}", path_.string(), chance());
@@ -123,8 +123,8 @@ class AtlasLock::SideFile {
     return line.empty() ? "nothing" : line;
   }
 
-  /// The heartbeat: what stands there is ours until another run takes it for left behind, as it may after
-  /// this machine has slept.
+  /// Renews the time stamp. Another run may nevertheless take the file over, if this machine was suspended
+  /// for longer than the limit.
   void renew(const std::stop_token& stop) const {
     sigset_t all;  // signals are the main thread's
     sigfillset(&all);
@@ -151,8 +151,8 @@ int AtlasLock::lock_byte_behind_the_end(int descriptor) {
   return ::fcntl(descriptor, F_OFD_SETLK, &byte) == 0 ? 0 : errno;
 }
 
-/// A descriptor that holds the locks. Another run may replace the file between opening and locking: what is
-/// locked must be what is there.
+/// A descriptor that holds the locks. Another run may replace the file between opening and locking; the path
+/// is therefore compared with the locked file afterwards.
 int AtlasLock::locked(const std::filesystem::path& file) {
   while (true) {
     const int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC);

@@ -12,7 +12,7 @@
 namespace rubatlas::atlas {
 namespace {
 
-std::vector<double> flat(const std::vector<point::SectionState>& states) {
+std::vector<double> flat(const std::vector<motion::SectionState>& states) {
   std::vector<double> values;
   for (const auto& state : states) values.insert(values.end(), state.begin(), state.end());
   return values;
@@ -28,7 +28,7 @@ void write_array(File& file, const std::string& name, const std::vector<double>&
   dataset.set_text("long_name", long_name);
 }
 
-/// The numbers from `first` on, as the values of a scale.
+/// Consecutive numbers from `first` on, as the values of a scale.
 std::vector<std::int32_t> counted(std::size_t count, std::int32_t first) {
   std::vector<std::int32_t> values(count);
   std::iota(values.begin(), values.end(), first);
@@ -62,7 +62,7 @@ void write_contacts(File& file, const point::ContactSamples& contacts, const Dat
 }
 
 void write_point(Object root, const settings::Scene& scene, const plan::PointParameters& parameters,
-                 const point::SectionState& start, const point::Orbit& orbit) {
+                 const motion::SectionState& start, const point::Orbit& orbit) {
   const auto axes = settings::axes_of(scene);
   const auto values = plan::values_of(parameters);
   for (std::size_t i = axes.size(); i-- > 0;) root.set_number<double>(axes[i].name, values[i]);
@@ -77,7 +77,7 @@ void write_point(Object root, const settings::Scene& scene, const plan::PointPar
 }  // namespace
 
 void write_orbit(const Output& output, const settings::Scene& scene, const std::string& scene_text,
-                 const plan::PointParameters& parameters, const point::SectionState& start,
+                 const plan::PointParameters& parameters, const motion::SectionState& start,
                  const point::Orbit& orbit, const Software& software) {
   Publication publication(output);
   File file = File::create(publication.name());

@@ -16,7 +16,7 @@ namespace rubatlas::atlas {
 /// start and status are root attributes (this folder's README). The file appears when it is complete. Throws
 /// EnvironmentError.
 void write_orbit(const Output& output, const settings::Scene& scene, const std::string& scene_text,
-                 const plan::PointParameters& parameters, const point::SectionState& start,
+                 const plan::PointParameters& parameters, const motion::SectionState& start,
                  const point::Orbit& orbit, const Software& software);
 
 }  // namespace rubatlas::atlas

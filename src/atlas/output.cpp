@@ -17,7 +17,7 @@ struct Kind {
   FileKind kind;
   const char* word;
   const char* words;
-  const char* dataset;  ///< that only this kind has: of files whose root does not say its kind
+  const char* dataset;  ///< a dataset that only this kind has, for files whose root has no attribute `kind`
 };
 
 constexpr std::array kKinds{Kind{FileKind::accuracy, "accuracy", "a study of accuracy", "/setting"},
@@ -46,13 +46,13 @@ std::optional<FileKind> kind_of_hdf5(const std::filesystem::path& path) {
         return known.kind;
       }
     }
-  } catch (const EnvironmentError&) {  // whatever it is, it is none of ours
+  } catch (const EnvironmentError&) {  // no file of this program
   }
   return std::nullopt;
 }
 
 std::string first_line(const std::filesystem::path& path) {
-  std::string line(64, '\0');  // longer than the marks, and no more of a file that has no lines
+  std::string line(64, '\0');  // longer than the marks; of a file without line ends no more is read
   std::ifstream file(path, std::ios::binary);
   file.read(line.data(), static_cast<std::streamsize>(line.size()));
   line.resize(static_cast<std::size_t>(file.gcount()));

@@ -1,9 +1,10 @@
-/// What a command may write, and what it may replace: the one rule for the outputs of all commands.
+/// Which files a command may write and replace: one rule for the outputs of all commands.
 ///
-///  - Only regular files are written, links followed: never a directory, a device, a pipe.
-///  - What a command reads, it does not write, by whatever path.
-///  - What is there stays, unless `--overwrite` is given, and that replaces a file of the same kind only: an
-///    atlas an atlas, a table a table. The kind is told by what the file itself says.
+///  - A command writes regular files only and follows links to them; it never writes to a directory, a device
+///  or a pipe.
+///  - A command never writes a file that it reads, by whatever path.
+///  - An existing file is replaced only if `--overwrite` is given and the file is of the same kind: an atlas
+///  by an atlas, a table by a table. The kind is read from the file itself.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,7 @@
 
 namespace rubatlas::atlas {
 
-/// A call that cannot be carried out as given: one sentence, exit code 2.
+/// A call that is refused because of its output: one sentence, exit code 2.
 class OutputRefusal : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -27,7 +28,7 @@ enum class FileKind : std::uint8_t { atlas, maps, orbit, accuracy, table, record
 const char* words_of(FileKind kind);
 /// The word of the root attribute `kind`: "atlas", "maps", ...
 const char* word_of(FileKind kind);
-/// What a file is; nothing where it is none of ours, or not readable.
+/// The kind of a file; empty where the file is not of this program, or not readable.
 std::optional<FileKind> kind_of(const std::filesystem::path& path);
 
 /// First lines of the text files, by which they are known.
@@ -55,8 +56,8 @@ struct Wish {
   Existing if_there = Existing::refuse;
 };
 
-/// The output where it may be written, links followed. `others`: what the command reads, and what else it
-/// writes. Changes nothing on the disk. Throws OutputRefusal.
+/// The output with its links followed, if it may be written. `others` are the files that the command reads,
+/// and its other outputs. Changes nothing on the disk. Throws OutputRefusal.
 Output permitted(const Wish& wish, const std::vector<std::filesystem::path>& others);
 
 }  // namespace rubatlas::atlas

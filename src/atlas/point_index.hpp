@@ -1,4 +1,4 @@
-/// From a point's number to its place along each axis (C order: the last axis runs fastest).
+/// From the number of a point to its index along each axis (C order: the last axis runs fastest).
 #pragma once
 
 #include <cstddef>

@@ -22,7 +22,7 @@ std::filesystem::path directory_of(const std::filesystem::path& path) {
   return path.has_parent_path() ? path.parent_path() : ".";
 }
 
-/// Short, whatever the length of the file's own name.
+/// Short, so that the name stays within the limit of the file system for any output.
 std::filesystem::path random_name(const std::filesystem::path& directory) {
   std::random_device chance;
   return directory / fmt::format(".rubatlas-{:08x}{:08x}.part", chance(), chance());
@@ -62,13 +62,13 @@ void Publication::rename_to_free_name() const {
   if (::renameat2(AT_FDCWD, name_.c_str(), AT_FDCWD, output_.path.c_str(), RENAME_NOREPLACE) == 0) return;
   int reason = errno;
   if (reason == EINVAL ||
-      reason == ENOSYS) {  // a file system without that call: a second name, then not the first
+      reason == ENOSYS) {  // a file system without that call: a second link, then the first name is removed
     if (::link(name_.c_str(), output_.path.c_str()) == 0) {
       ::unlink(name_.c_str());
       return;
     }
     reason = errno;
-    // One without links too: the moment between look and rename is left open.
+    // Without links too a file that appears between the check and the rename is replaced.
     if (reason != EEXIST && !std::filesystem::exists(output_.path)) return rename_over();
   }
   if (reason == EEXIST) {

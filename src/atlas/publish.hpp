@@ -10,8 +10,8 @@
 namespace rubatlas::atlas {
 
 /// A file under a temporary name of its own, in the directory where it is to appear, since a rename must not
-/// cross file systems. The name is made exclusively: two commands with one output do not meet, and a link
-/// that somebody has laid there is not followed. What is not published is removed.
+/// cross file systems. The file is created exclusively, so that two commands with the same output do not
+/// write the same file, and a link of that name is not followed. A file that is not published is removed.
 class Publication {
  public:
   /// Creates the empty file. Throws EnvironmentError.
@@ -23,9 +23,9 @@ class Publication {
   /// The temporary name.
   [[nodiscard]] const std::filesystem::path& name() const { return name_; }
 
-  /// Brings the file, closed by whoever wrote it, to the disk and gives it its name. Throws OutputRefusal
-  /// where another file has come to that name in the meantime and must not be replaced, EnvironmentError
-  /// where the file system refuses.
+  /// Forces the file, which has to be closed, to the disk and renames it. Throws OutputRefusal where another
+  /// file has taken that name in the meantime and must not be replaced, EnvironmentError where the file
+  /// system refuses.
   void publish();
 
  private:

@@ -20,7 +20,7 @@ void add(const RowPart& part, RowChecksum& sum) {
   std::visit([&](const auto& values) { sum.add(numbers(values)); }, part);
 }
 
-/// What an effect remembers on a line on which it has no strength.
+/// The memory of an effect on a line on which its strength is zero.
 constexpr std::array<double, motion::Memory::kMost> kUnchanged{};
 
 }  // namespace

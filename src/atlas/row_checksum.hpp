@@ -14,19 +14,19 @@
 
 namespace rubatlas::atlas {
 
-/// What a point stores in one dataset.
+/// The values of a point in one dataset.
 using RowPart = std::variant<std::span<const double>, std::uint8_t, std::int32_t>;
 
 /// A point's row, one part per dataset of `Schema::summed_datasets`, in their order: the status first.
 class Row {
  public:
-  /// `outcome` outlives the row. `restarted`: it started from the scene's `initial`. A point that did not end
-  /// as done has NaN throughout.
+  /// `outcome` has to outlive the row. `restarted`: the point started from the scene's `initial`. A point
+  /// that did not end as done has NaN throughout.
   Row(const Schema& schema, bool restarted, const point::PointOutcome& outcome);
 
   [[nodiscard]] const std::vector<RowPart>& parts() const { return parts_; }
   [[nodiscard]] std::uint32_t checksum() const;
-  /// Of one part alone.
+  /// CRC-32 of one part alone.
   [[nodiscard]] std::uint32_t checksum(std::size_t part) const;
 
  private:
@@ -34,7 +34,7 @@ class Row {
   std::vector<RowPart> parts_;
 };
 
-/// Adds up parts of one row.
+/// Accumulates the CRC-32 over the parts of one row.
 class RowChecksum {
  public:
   template <typename T>

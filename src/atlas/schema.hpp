@@ -1,4 +1,4 @@
-/// What an atlas consists of, decided from the scene alone: axes, datasets, their shapes, types and meanings.
+/// The contents of an atlas as they follow from the scene: axes, datasets, their shapes, types and meanings.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ enum class NumberType : std::uint8_t { float64, uint8, int32, uint32 };
 struct RowDataset {
   std::string name;
   NumberType type = NumberType::float64;
-  std::vector<std::string> inner_axes;  ///< behind the grid's axes, outermost first
+  std::vector<std::string> inner_axes;  ///< these follow the axes of the grid, outermost first
   Shape shape;                          ///< grid's extents, then the inner ones
   std::string units;
   std::string long_name;
@@ -41,11 +41,11 @@ struct Schema {
   /// `row_checksum` last.
   [[nodiscard]] std::vector<const RowDataset*> row_datasets() const&;
   std::vector<const RowDataset*> row_datasets() && = delete;  // they point into the schema
-  /// Those that a row's checksum is made of, in its order: all but itself.
+  /// The datasets that a row's checksum covers, in its order: all except the checksum.
   [[nodiscard]] std::vector<const RowDataset*> summed_datasets() const&;
 
-  /// Bytes of all rows when every point is done, or the largest number there is where they are more; the axes
-  /// and texts besides are small.
+  /// Bytes of all rows when every point is done, or the largest representable number where they are more.
+  /// Axes and texts add little.
   [[nodiscard]] std::uint64_t byte_count() const;
   /// Bytes of one point's rows.
   [[nodiscard]] std::uint64_t bytes_per_point() const;

@@ -15,13 +15,13 @@ struct Software {
   std::string compiler;
 };
 
-/// Version of the layout that this folder's README describes.
+/// Version of the file layout described in this folder's README.
 constexpr const char* kSchemaVersion = "2";
-/// Atlases of the version without checksums: they are read, but no run goes on with them.
+/// The layout without checksums: such atlases are read, but not resumed.
 constexpr const char* kVersionWithoutChecksums = "1";
 
-/// Writes `Conventions`, `schema_version`, what the file is and the build on the root of a new file. Any file
-/// of this project (atlas, maps, orbit, accuracy) opens with them.
+/// Writes `Conventions`, `schema_version`, the kind of the file and the build as root attributes of a new
+/// file. Every file of this project (atlas, maps, orbit, accuracy) has them.
 void write_provenance(Object root, const Software& software, FileKind kind, const std::string& title);
 
 }  // namespace rubatlas::atlas

@@ -185,10 +185,11 @@ class Examination {
   const std::string& path_;
 };
 
-/// Of processor time [s]: damage may send HDF5 round in circles. An examination of 1e8 points needs less.
+/// Limit of processor time [s], since HDF5 may loop for ever in a damaged file. An examination of 1e8 points
+/// takes less.
 constexpr rlim_t kMostTime = 10;
 
-/// What the examination refuses, said by a process of its own; empty where it refuses nothing.
+/// Runs the examination in a separate process. Returns its sentence; empty where it finds nothing wrong.
 std::string refusal_found_apart(const std::filesystem::path& path) {
   std::array<int, 2> pipe{};
   if (::pipe2(pipe.data(), O_CLOEXEC) != 0) return {};
@@ -198,7 +199,7 @@ std::string refusal_found_apart(const std::filesystem::path& path) {
     ::setrlimit(RLIMIT_CPU, &time);
     const rlimit no_core{0, 0};
     ::setrlimit(RLIMIT_CORE, &no_core);
-    // What the C library says of a crash is not for the user.
+    // The message of the C library about a crash would not help the user.
     if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
     int code = EXIT_SUCCESS;
     try {
@@ -250,7 +251,7 @@ std::vector<plan::Axis> require_atlas(const File& file, const std::string& path)
   for (const auto& axis : observables::inner_axes(examination.scene())) examination.require_inner_axis(axis);
   const bool old = lacks_checksums(file);
   for (const auto* rows : schema.row_datasets()) {
-    if (old && !examination.has(rows->name)) continue;  // it came with a later version
+    if (old && !examination.has(rows->name)) continue;  // added in version 2
     examination.require_rows(schema, *rows);
   }
   examination.require_readable_points(schema);

@@ -1,4 +1,4 @@
-/// Whether a file is the atlas that its scene asks for: the one check of all who read atlases.
+/// Checks that a file is the atlas that its scene requires. Every reader of atlases uses this check.
 #pragma once
 
 #include <filesystem>
@@ -10,17 +10,18 @@
 
 namespace rubatlas::atlas {
 
-/// Compares kind, shape and scales of every dataset with what the atlas' own scene asks for, its axes with
-/// the scene's grid, and looks at what readers rely on: statuses are known, and points that are done have
-/// finite final states. Returns the axes. Throws EnvironmentError with one sentence that names the file and
-/// the first departure.
+/// Compares kind, shape and scales of every dataset with those that the scene of the atlas requires, and the
+/// axes with the scene's grid. Checks also that every status is a known one, and that points that are done
+/// have finite final states, since readers rely on both. Returns the axes. Throws EnvironmentError with one
+/// sentence that names the file and the first departure.
 std::vector<plan::Axis> require_atlas(const File& file, const std::string& path);
 
-/// Opens an atlas to be examined. HDF5 crashes on some files that are damaged or made to be: where the header
-/// does not have its checksum a process of its own examines the file first. Throws EnvironmentError.
+/// Opens an atlas. HDF5 crashes on some files that are damaged, by accident or on purpose. Where the header
+/// does not match its checksum, a separate process therefore examines the file first. Throws
+/// EnvironmentError.
 File open_with_care(const std::filesystem::path& path);
 
-/// Layout of this file is the one without checksums.
+/// True when the file has the layout without checksums.
 bool lacks_checksums(const File& file);
 
 }  // namespace rubatlas::atlas

@@ -17,7 +17,7 @@ namespace {
   throw EnvironmentError(fmt::format("{} does not reach the disk: {}", path.string(), std::strerror(reason)));
 }
 
-/// What a file system says that keeps nothing on a disk of its own.
+/// Errors by which a file system says that it has no such call.
 bool knows_no_such_call(int reason) {
   return reason == EINVAL || reason == ENOSYS || reason == EOPNOTSUPP || reason == EROFS;
 }

@@ -1,12 +1,13 @@
-/// What is to survive a power cut has to be brought to the disk, and in what order is ours to say.
+/// Forces files to the disk, in an order that the program decides: without this call a file need not survive
+/// a power cut.
 #pragma once
 
 #include <filesystem>
 
 namespace rubatlas::atlas {
 
-/// A descriptor of this process on a file that others write too. On a network file system each machine
-/// brings its own writes to the disk, so that every rank has one.
+/// A descriptor of this process on a file that other processes write too. On a network file system each
+/// machine has to force its own writes to the disk; therefore every rank has a descriptor.
 class Synchroniser {
  public:
   /// Throws EnvironmentError.
@@ -15,8 +16,8 @@ class Synchroniser {
   Synchroniser(const Synchroniser&) = delete;
   Synchroniser& operator=(const Synchroniser&) = delete;
 
-  /// Returns when all that this process has written into the file so far is on the disk. Throws
-  /// EnvironmentError where the disk refuses; a file system that knows no such call is taken as it is.
+  /// Returns when everything that this process has written into the file so far is on the disk. Throws
+  /// EnvironmentError where the disk refuses. A file system without such a call is no error.
   void synchronise() const;
 
  private:
@@ -24,7 +25,7 @@ class Synchroniser {
   int descriptor_ = -1;
 };
 
-/// As above, of a directory: the names in it.
+/// The same for a directory, that is, for the names in it.
 void synchronise_directory(const std::filesystem::path& path);
 
 }  // namespace rubatlas::atlas

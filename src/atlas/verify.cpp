@@ -16,7 +16,7 @@ namespace {
 /// Rows are read in pieces of lines: a row may be a megabyte.
 constexpr std::size_t kPointsAtOnce = 256;
 
-/// Checksums of neighbouring points, from what the file holds.
+/// Checksums of neighbouring points, computed from the rows in the file.
 class Sums {
  public:
   Sums(const AtlasReader& atlas, std::size_t first_point, std::size_t count)
@@ -85,7 +85,8 @@ void refuse(const AtlasReader& atlas, const std::vector<std::size_t>& damaged) {
 }  // namespace
 
 std::vector<std::size_t> damaged_rows(const AtlasReader& atlas) {
-  // First, since rows may be added meanwhile: a status comes after its row.
+  // Statuses are read first, because another process may be adding rows, and a row is written before its
+  // status.
   const auto status = atlas.status();
   const std::size_t speeds = atlas.speed_count();
   std::vector<std::size_t> found;

@@ -1,4 +1,4 @@
-/// Whether the rows of an atlas are what was written: every finished row against its checksum.
+/// Compares the finished rows of an atlas with their checksums.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@
 
 namespace rubatlas::atlas {
 
-/// Finished points (status other than pending) whose row does not have its checksum, ascending. Reads all
-/// rows. `atlas` has checksums. Throws EnvironmentError.
+/// Finished points (status other than pending) whose row does not match its checksum, ascending. Reads all
+/// rows. The atlas has to have checksums. Throws EnvironmentError.
 std::vector<std::size_t> damaged_rows(const AtlasReader& atlas);
 
-/// CRC-32 of what a point stores in one dataset.
+/// CRC-32 of the values of a point in one dataset.
 std::uint32_t stored_checksum(const AtlasReader& atlas, const std::string& dataset, std::size_t point);
 
 /// "the row at speed_ratio=0.3 does not have its checksum".

@@ -20,7 +20,7 @@ void pack(std::span<LaneRequest* const> requests, LaneBlock<kLanes>& block) {
       block.stages[0][c][i] = request.step->start_derivative()[c];
     }
     block.size[i] = request.size;
-    block.speed[i] = request.blades->speed(request.anchor.time);
+    block.speed[i] = request.blades->angular_speed(request.anchor.time);
     block.damping[i] = 2.0 * request.rotor->damping_ratio;
     block.force_unit[i] = request.rotor->force_unit;
     block.misalignment[i] = request.rotor->misalignment;

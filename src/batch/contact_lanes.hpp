@@ -1,6 +1,6 @@
 /// Attempts of contact steps of several independent motions at once, one in each SIMD lane.
 ///
-/// The lanes do the operations of `CarriedContact` and `RungeKutta::attempt` in the same order, so that each
+/// The lanes do the operations of `Carried` and `RungeKutta::attempt` in the same order, so that each
 /// has the bits of the scalar path, whatever its neighbours hold. Motions may differ in everything: speed,
 /// damping, friction, blade, unbalance.
 #pragma once

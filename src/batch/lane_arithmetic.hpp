@@ -1,4 +1,4 @@
-/// The arithmetic of an attempt in lanes, for one width: what `CarriedContact` and `RungeKutta::attempt` do,
+/// The arithmetic of an attempt in lanes, for one width: what `Carried` and `RungeKutta::attempt` do,
 /// operation by operation and in the same order.
 ///
 /// Included by the files `lanes_<processor>.cpp` only, behind their `#pragma GCC target`: what is defined
@@ -108,7 +108,7 @@ struct LaneArithmetic {
     ay += y;
   }
 
-  /// `CarriedContact::operator()`. `kEnd`: with everything that is asked of the last evaluation.
+  /// `Carried::operator()`. `kEnd`: with everything that is asked of the last evaluation.
   template <bool kEnd>
   RUBATLAS_INLINE void derivative(Block& b, const Lanes* z, Lanes* d) {
     Lanes ec, es, value[3], slope[3];

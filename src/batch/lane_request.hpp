@@ -6,7 +6,7 @@
 #include "contact/elastica_contact.hpp"
 #include "integrate/dormand_prince_853.hpp"
 #include "integrate/runge_kutta.hpp"
-#include "modes/contact_system.hpp"
+#include "modes/carried.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/harmonic.hpp"
 
@@ -21,10 +21,9 @@ constexpr int kEvaluationsOfAttempt = integrate::DormandPrince853::kStages;
 template <class System>
 inline constexpr bool kFitsLanes = false;
 template <>
-inline constexpr bool kFitsLanes<modes::CarriedContact<contact::ElasticaContact, rotor::NoForcing>> = true;
+inline constexpr bool kFitsLanes<modes::Carried<contact::ElasticaContact, rotor::NoForcing>> = true;
 template <>
-inline constexpr bool kFitsLanes<modes::CarriedContact<contact::ElasticaContact, rotor::RotatingUnbalance>> =
-    true;
+inline constexpr bool kFitsLanes<modes::Carried<contact::ElasticaContact, rotor::RotatingUnbalance>> = true;
 
 struct LaneRequest {
   /// Of a system that is open and anchored at the start of a step that has begun.

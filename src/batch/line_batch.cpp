@@ -1,12 +1,13 @@
 #include "batch/line_batch.hpp"
 
+#include <algorithm>
 #include <chrono>
-#include <type_traits>
 
 #include "assembly/make_line_solver.hpp"
 #include "batch/contact_lanes.hpp"
 #include "batch/line_fibers.hpp"
 #include "batch/shared_attempts.hpp"
+#include "settings/combinations.hpp"
 
 namespace rubatlas::batch {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 class OneByOne final : public LineBatch {
  public:
   void begin(int /*seat*/, point::LineSolver& solver, double speed_ratio,
-             const point::PointStart& start) override {
+             const motion::PointStart& start) override {
     solver_ = &solver;
     speed_ratio_ = speed_ratio;
     start_ = start;
@@ -32,23 +33,19 @@ class OneByOne final : public LineBatch {
  private:
   point::LineSolver* solver_ = nullptr;
   double speed_ratio_ = 0.0;
-  point::PointStart start_;
+  motion::PointStart start_;
 };
 
-/// The lanes know one carried contact under no forcing or an unbalance.
+/// The lanes know one carried contact of the elastica, under no forcing or an unbalance.
 std::string_view why_not(const settings::Scene& scene) {
   if (scene.contact.law == settings::ContactLaw::elastic_ring) return "the elastic ring has nothing to carry";
   if (scene.contact.law != settings::ContactLaw::elastica) return "the lanes know the elastica only";
   if (scene.accuracy.method != settings::Method::hybrid) return "only the method `hybrid` is made for it";
-  bool more_acts = false;
-  effects::for_each_effect([&]<auto Effect>() {
-    using Settings = std::remove_cvref_t<decltype(*(scene.*Effect))>;
-    if constexpr (!std::is_same_v<Settings, effects::Unbalance>) {
-      more_acts = more_acts || (scene.*Effect).has_value();
-    }
+  const auto combinations = settings::combinations_in(scene);
+  const bool more_acts = std::ranges::any_of(combinations, [](const settings::Combination& combination) {
+    return combination.family->kind != settings::MotionFamily::paper_s_rotor;
   });
-  if (more_acts) return "of effects the lanes know the unbalance only";
-  return {};
+  return more_acts ? "of effects the lanes know the unbalance only" : "";
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ class LineBatch {
   /// Puts a point on a free seat, from 0 to `Width::seats` − 1. Solver and start outlive it; a solver sits on
   /// one seat at a time.
   virtual void begin(int seat, point::LineSolver& solver, double speed_ratio,
-                     const point::PointStart& start) = 0;
+                     const motion::PointStart& start) = 0;
 
   /// Goes on with all points until one has ended; at least one is under way. `go_on` is asked for each of
   /// them, after each revolution and within long ones, and may begin points on free seats; false gives up the

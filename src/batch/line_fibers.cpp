@@ -28,7 +28,7 @@ LineFibers* LineFibers::running() {
 }
 
 void LineFibers::begin(int seat_number, point::LineSolver& solver, double speed_ratio,
-                       const point::PointStart& start) {
+                       const motion::PointStart& start) {
   Seat& seat = seats_[static_cast<std::size_t>(seat_number)];
   seat.solver = &solver;
   seat.speed_ratio = speed_ratio;

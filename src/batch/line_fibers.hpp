@@ -24,7 +24,7 @@ class LineFibers final : public LineBatch {
   explicit LineFibers(int seats);
 
   void begin(int seat, point::LineSolver& solver, double speed_ratio,
-             const point::PointStart& start) override;
+             const motion::PointStart& start) override;
   Finished advance(const modes::GoOn& go_on) override;
   [[nodiscard]] LaneCounts counts() const override { return counts_; }
 
@@ -39,7 +39,7 @@ class LineFibers final : public LineBatch {
     boost::context::fiber fiber;  ///< of the point under way
     point::LineSolver* solver = nullptr;
     double speed_ratio = 0.0;
-    point::PointStart start;
+    motion::PointStart start;
     point::PointOutcome outcome;
     std::exception_ptr failure;
     bool ended = false;

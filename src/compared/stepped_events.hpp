@@ -16,7 +16,7 @@ namespace rubatlas::compared {
 
 /// `horizon`: nothing happens.
 struct SteppedEvent {
-  modes::PhaseEvent kind = modes::PhaseEvent::horizon;
+  modes::Guard kind = modes::Guard::horizon;
   std::size_t blade = 0;
   double fraction = 1.0;  ///< of the step
 };
@@ -29,16 +29,15 @@ SteppedEvent first_event(const System& system, const std::vector<SteppedBlade>& 
   constexpr double kGapRounding = 1e-17;  // [m²]
   constexpr double kJustAfter = 1e-6;     // of the step
   SteppedEvent first;
-  const auto take = [&](modes::PhaseEvent kind, std::size_t blade, double fraction) {
-    if (first.kind == modes::PhaseEvent::horizon || fraction < first.fraction)
-      first = {kind, blade, fraction};
+  const auto take = [&](modes::Guard kind, std::size_t blade, double fraction) {
+    if (first.kind == modes::Guard::horizon || fraction < first.fraction) first = {kind, blade, fraction};
   };
   for (std::size_t k = 0; k < before.size(); ++k) {
     const SteppedBlade& after = system.blades()[k];
     const auto gap = [&](double part) { return system.pose(k, state_at(part)).gap; };
     if ((after.gap > 0.0) != before[k].open) {
       const double low = std::abs(before[k].gap) <= kGapRounding ? kJustAfter : 0.0;
-      take(before[k].open ? modes::PhaseEvent::lift_off : modes::PhaseEvent::touch_down, k,
+      take(before[k].open ? modes::Guard::lift_off : modes::Guard::touch_down, k,
            integrate::root_between(gap, low, 1.0, gap(low), after.gap));
     }
     if (!before[k].open) continue;
@@ -46,7 +45,7 @@ SteppedEvent first_event(const System& system, const std::vector<SteppedBlade>& 
     const double to = after.slip_velocity;
     if (from != 0.0 && (from > 0.0) != (to > 0.0)) {
       const auto velocity = [&](double part) { return system.force(k, state_at(part)).slip_velocity; };
-      take(modes::PhaseEvent::slip_reversal, k, integrate::root_between(velocity, 0.0, 1.0, from, to));
+      take(modes::Guard::slip_reversal, k, integrate::root_between(velocity, 0.0, 1.0, from, to));
     }
   }
   return first;

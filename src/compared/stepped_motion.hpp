@@ -21,8 +21,11 @@
 #include "integrate/step_factor.hpp"
 #include "modes/friction_power.hpp"
 #include "modes/motion_listener.hpp"
+#include "modes/work_meter.hpp"
+#include "motion/point_start.hpp"
+#include "motion/work_counts.hpp"
 #include "observables/motion_piece.hpp"
-#include "point/line_solver.hpp"
+#include "point/status.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/constants.hpp"
 
@@ -234,7 +237,7 @@ class SteppedMotion final : public observables::MotionPiece {
     if (end_time_ > begin()) listener.piece(*this);
     bool changed = cut;
     if constexpr (Scheme::kLocated) {
-      if (event.kind != modes::PhaseEvent::horizon) {
+      if (event.kind != modes::Guard::horizon) {
         if (!meter_.spend(modes::Work::events, modes::WorkPrice::kEvent)) return ends(meter_.why());
         change(event.kind, event.blade, end, listener);
         changed = true;
@@ -256,23 +259,22 @@ class SteppedMotion final : public observables::MotionPiece {
       const SteppedBlade after = system_.blades()[k];
       const bool touches = after.gap > 0.0;
       if (touches != after.open) {
-        change(touches ? modes::PhaseEvent::touch_down : modes::PhaseEvent::lift_off, k, end, listener);
+        change(touches ? modes::Guard::touch_down : modes::Guard::lift_off, k, end, listener);
       } else if (touches && before_[k].slip_velocity * after.slip_velocity < 0.0) {
-        change(modes::PhaseEvent::slip_reversal, k, end, listener);
+        change(modes::Guard::slip_reversal, k, end, listener);
         changed = true;
       }
     }
     return changed;
   }
 
-  void change(modes::PhaseEvent kind, std::size_t k, const SteppedState& at,
-              modes::MotionListener& listener) {
+  void change(modes::Guard kind, std::size_t k, const SteppedState& at, modes::MotionListener& listener) {
     SteppedBlade& blade = system_.blades()[k];
     const double slip_before = blade.slip;
-    if (kind == modes::PhaseEvent::slip_reversal) {
+    if (kind == modes::Guard::slip_reversal) {
       ++work_.slip_reversals;
       blade.slip = -blade.slip;
-    } else if (kind == modes::PhaseEvent::lift_off) {
+    } else if (kind == modes::Guard::lift_off) {
       ++work_.liftoffs;
       blade = {};
     } else {
@@ -281,7 +283,7 @@ class SteppedMotion final : public observables::MotionPiece {
       blade.slip = system_.opening_slip(system_.pose(k, at));
     }
     listener.event(modes::Event{kind, static_cast<int>(k), at[kSteppedTime],
-                                kind == modes::PhaseEvent::lift_off ? slip_before : blade.slip,
+                                kind == modes::Guard::lift_off ? slip_before : blade.slip,
                                 at.template head<4>()});
   }
 

@@ -19,13 +19,13 @@ constexpr unsigned kCoefficientBits = 40;    ///< of c, which Newton's method on
 }  // namespace
 
 template <class Direction, class FrictionLaw>
-auto DirectedElastica<Direction, FrictionLaw>::newton(const Pose& at, double slip, double speed_ratio,
+auto DirectedElastica<Direction, FrictionLaw>::newton(const Pose& at, double slip, double angular_speed,
                                                       Bend bend) const -> std::optional<Bend> {
   constexpr double kFarthest = 4.0;  // factor by which one step may shrink κ or φ
   const double side = std::copysign(1.0, bend.modulus);
   double previous = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < 16; ++iteration) {
-    const Constraint there = constraint(at, slip, speed_ratio, bend);
+    const Constraint there = constraint(at, slip, angular_speed, bend);
     const double determinant = there.determinant();
     const double by_modulus = (there.misdirection * there.residual_by_amplitude -
                                there.residual * there.misdirection_by_amplitude) /
@@ -61,26 +61,26 @@ auto DirectedElastica<Direction, FrictionLaw>::newton(const Pose& at, double sli
 
 template <class Direction, class FrictionLaw>
 std::optional<double> DirectedElastica<Direction, FrictionLaw>::amplitude_of(const Pose& at, double slip,
-                                                                             double speed_ratio,
+                                                                             double angular_speed,
                                                                              double modulus,
                                                                              double guess) const {
   constexpr double kRounding = 1e-15;  // of d
   constexpr double kSmallStep = 1e-8;  // of φ: the next one is a rounding error
   // d falls from A − b of the unloaded blade; a root lies between the two ends or nowhere.
   const double side = std::copysign(1.0, modulus);
-  const double first = side * first_load_angle(at, slip, speed_ratio);
+  const double first = side * first_load_angle(at, slip, angular_speed);
   const double angle = 2.0 * std::asin(side * modulus);
   if (angle < first) return std::nullopt;
   double low = 0.0;
   double high = kLargestAmplitude;
   if (first <= 0.0 &&
-      side * constraint(at, slip, speed_ratio, {modulus, kLargestAmplitude}).misdirection >= 0.0)
+      side * constraint(at, slip, angular_speed, {modulus, kLargestAmplitude}).misdirection >= 0.0)
     return std::nullopt;
   // A light load bends the blade by A − b ~ A φ².
   double amplitude =
       guess > low && guess < high ? guess : std::min(1.5, std::sqrt(3.0 * (angle - first) / angle));
   for (int iteration = 0; iteration < 80; ++iteration) {
-    const Constraint there = constraint(at, slip, speed_ratio, {modulus, amplitude});
+    const Constraint there = constraint(at, slip, angular_speed, {modulus, amplitude});
     const double value = side * there.misdirection;
     (value > 0.0 ? low : high) = amplitude;
     const double step = -there.misdirection / there.misdirection_by_amplitude;
@@ -102,13 +102,13 @@ std::optional<double> DirectedElastica<Direction, FrictionLaw>::amplitude_of(con
 template <class Direction, class FrictionLaw>
 class DirectedElastica<Direction, FrictionLaw>::Walk {
  public:
-  Walk(const DirectedElastica& law, const Pose& at, double slip, double speed_ratio, double side)
+  Walk(const DirectedElastica& law, const Pose& at, double slip, double angular_speed, double side)
       : law_(law),
         at_(at),
         slip_(slip),
-        speed_ratio_(speed_ratio),
+        angular_speed_(angular_speed),
         side_(side),
-        first_(side * law.first_load_angle(at, slip, speed_ratio)),
+        first_(side * law.first_load_angle(at, slip, angular_speed)),
         start_(std::max(first_, 0.0)),
         least_(std::max(start_ * kRounding, kLeast)) {}
 
@@ -152,7 +152,7 @@ class DirectedElastica<Direction, FrictionLaw>::Walk {
   std::optional<Bend> root() {
     const auto crossing = bend(*low_ + (*high_ - *low_) * at_low_ / (at_low_ - at_high_));
     if (crossing) {
-      const auto root = law_.newton(at_, slip_, speed_ratio_, *crossing);
+      const auto root = law_.newton(at_, slip_, angular_speed_, *crossing);
       if (root && side_ * root->modulus >= std::sin(0.5 * *low_) &&
           side_ * root->modulus <= std::sin(0.5 * *high_))
         return root;
@@ -185,7 +185,7 @@ class DirectedElastica<Direction, FrictionLaw>::Walk {
     const double share = (angle - start_) / angle;
     const double guess = share_ > 0.0 ? amplitude_ * std::sqrt(share / share_) : 0.0;
     const double modulus = side_ * std::sin(0.5 * angle);
-    const auto amplitude = law_.amplitude_of(at_, slip_, speed_ratio_, modulus, guess);
+    const auto amplitude = law_.amplitude_of(at_, slip_, angular_speed_, modulus, guess);
     if (!amplitude) return std::nullopt;
     share_ = share;
     amplitude_ = *amplitude;
@@ -194,7 +194,7 @@ class DirectedElastica<Direction, FrictionLaw>::Walk {
   std::optional<Constraint> state(double angle) {
     const auto there = bend(angle);
     if (!there) return std::nullopt;
-    return law_.constraint(at_, slip_, speed_ratio_, *there);
+    return law_.constraint(at_, slip_, angular_speed_, *there);
   }
   void take(double angle, double residual) {
     (residual > 0.0 ? low_ : high_) = angle;
@@ -204,7 +204,7 @@ class DirectedElastica<Direction, FrictionLaw>::Walk {
   const DirectedElastica& law_;
   Pose at_;
   double slip_;
-  double speed_ratio_;
+  double angular_speed_;
   double side_;
   double first_;  ///< b of the undeformed blade, positive towards the side
   double start_;  ///< A of the unloaded blade
@@ -217,13 +217,13 @@ class DirectedElastica<Direction, FrictionLaw>::Walk {
 
 template <class Direction, class FrictionLaw>
 auto DirectedElastica<Direction, FrictionLaw>::solve_for_coefficient(const Pose& at, double slip,
-                                                                     double speed_ratio, double side) const
+                                                                     double angular_speed, double side) const
     -> std::optional<Bend> {
   constexpr int kSteps = 8;  // from the coefficient of the undeformed tip to the largest
   constexpr int kHalvings = 40;
   const auto at_coefficient = [&](double coefficient) {
     const DirectedElastica<Direction, CoulombFriction> law(geometry_, {length_, 0.0, 1.0}, {coefficient});
-    const auto found = law.solve(at, 1.0, speed_ratio, side);
+    const auto found = law.solve(at, 1.0, angular_speed, side);
     evaluations_ += law.evaluations();
     return found;
   };
@@ -233,10 +233,10 @@ auto DirectedElastica<Direction, FrictionLaw>::solve_for_coefficient(const Pose&
   const auto excess = [&](double coefficient) {
     bend = at_coefficient(coefficient);
     if (!bend) return std::numeric_limits<double>::quiet_NaN();
-    return coefficient - constraint_or_unloaded(at, slip, speed_ratio, *bend).coefficient;
+    return coefficient - constraint_or_unloaded(at, slip, angular_speed, *bend).coefficient;
   };
   const double start =
-      direction(at, slip, speed_ratio, at.radial + geometry_.reach, at.tangential).coefficient;
+      direction(at, slip, angular_speed, at.radial + geometry_.reach, at.tangential).coefficient;
   double low = start;
   double at_low = excess(low);
   if (at_low == 0.0) return bend;
@@ -268,12 +268,12 @@ auto DirectedElastica<Direction, FrictionLaw>::solve_for_coefficient(const Pose&
   };
   bend = at_coefficient(integrate::root_between(excess_or_end, low, high, at_low, at_high, kCoefficientBits));
   if (!bend || lost) return std::nullopt;
-  return newton(at, slip, speed_ratio, *bend);
+  return newton(at, slip, angular_speed, *bend);
 }
 
 template <class Direction, class FrictionLaw>
 auto DirectedElastica<Direction, FrictionLaw>::follow_coefficient(const Pose& at, double slip,
-                                                                  double speed_ratio, Bend bend) const
+                                                                  double angular_speed, Bend bend) const
     -> std::optional<Bend> {
   constexpr double kFirstStep = 1e-3;  // of the largest c
   constexpr int kDoublings = 11;       // from one end of its range to the other
@@ -281,13 +281,13 @@ auto DirectedElastica<Direction, FrictionLaw>::follow_coefficient(const Pose& at
   bool lost = false;
   const auto excess = [&](double coefficient) {
     const DirectedElastica<Direction, CoulombFriction> law(geometry_, {length_, 0.0, 1.0}, {coefficient});
-    const auto root = law.newton(at, slip, speed_ratio, bend);
+    const auto root = law.newton(at, slip, angular_speed, bend);
     evaluations_ += law.evaluations();
     lost = lost || !root;
     if (root) bend = *root;
-    return coefficient - constraint(at, slip, speed_ratio, bend).coefficient;
+    return coefficient - constraint(at, slip, angular_speed, bend).coefficient;
   };
-  const Constraint there = constraint(at, slip, speed_ratio, bend);
+  const Constraint there = constraint(at, slip, angular_speed, bend);
   double low = std::clamp(std::tan(there.misdirection + std::atan(there.coefficient)), -largest, largest);
   double at_low = excess(low);
   double high = low;
@@ -302,39 +302,39 @@ auto DirectedElastica<Direction, FrictionLaw>::follow_coefficient(const Pose& at
   if (lost || at_low * at_high > 0.0) return std::nullopt;
   excess(integrate::root_between(excess, low, high, at_low, at_high, kCoefficientBits));
   if (lost) return std::nullopt;
-  return newton(at, slip, speed_ratio, bend);
+  return newton(at, slip, angular_speed, bend);
 }
 
 template <class Direction, class FrictionLaw>
-auto DirectedElastica<Direction, FrictionLaw>::solve(const Pose& at, double slip, double speed_ratio,
+auto DirectedElastica<Direction, FrictionLaw>::solve(const Pose& at, double slip, double angular_speed,
                                                      double side) const -> std::optional<Bend> {
   if constexpr (FrictionLaw::kDependsOnVelocity) {
-    return solve_for_coefficient(at, slip, speed_ratio, side);
+    return solve_for_coefficient(at, slip, angular_speed, side);
   } else {
-    Walk walk(*this, at, slip, speed_ratio, side);
+    Walk walk(*this, at, slip, angular_speed, side);
     return walk.find() ? walk.root() : walk.unbent();
   }
 }
 
 template <class Direction, class FrictionLaw>
-auto DirectedElastica<Direction, FrictionLaw>::solve_near(const Pose& at, double slip, double speed_ratio,
+auto DirectedElastica<Direction, FrictionLaw>::solve_near(const Pose& at, double slip, double angular_speed,
                                                           const Bend& near) const -> std::optional<Bend> {
   Bend start = near;
   const double side = std::copysign(1.0, near.modulus);
   if (!(near.amplitude > 0.0)) {
-    const auto amplitude = amplitude_of(at, slip, speed_ratio, near.modulus, 0.0);
-    if (!amplitude) return solve(at, slip, speed_ratio, side);
+    const auto amplitude = amplitude_of(at, slip, angular_speed, near.modulus, 0.0);
+    if (!amplitude) return solve(at, slip, angular_speed, side);
     start.amplitude = *amplitude;
   }
-  auto root = newton(at, slip, speed_ratio, start);
+  auto root = newton(at, slip, angular_speed, start);
   if constexpr (FrictionLaw::kDependsOnVelocity) {
-    if (!root) root = follow_coefficient(at, slip, speed_ratio, start);
+    if (!root) root = follow_coefficient(at, slip, angular_speed, start);
   }
-  return root ? root : solve(at, slip, speed_ratio, side);
+  return root ? root : solve(at, slip, angular_speed, side);
 }
 
 template <class Direction, class FrictionLaw>
-void DirectedElastica<Direction, FrictionLaw>::set_force(const Pose& at, double speed_ratio,
+void DirectedElastica<Direction, FrictionLaw>::set_force(const Pose& at, double angular_speed,
                                                          const Constraint& there, TipForce& force) const {
   const double a = there.radial;
   const double b = there.tangential;
@@ -352,11 +352,11 @@ void DirectedElastica<Direction, FrictionLaw>::set_force(const Pose& at, double 
   force.root_strain = strain_unit_ * std::abs(there.blade.curvature);
   force.slip_velocity =
       normal_radial * at.tangential_velocity - normal_tangential * at.radial_velocity +
-      speed_ratio * ((a - at.radial) * normal_radial + (b - at.tangential) * normal_tangential);
+      angular_speed * ((a - at.radial) * normal_radial + (b - at.tangential) * normal_tangential);
 }
 
 template <class Direction, class FrictionLaw>
-auto DirectedElastica<Direction, FrictionLaw>::rest(const Pose& at, double speed_ratio,
+auto DirectedElastica<Direction, FrictionLaw>::rest(const Pose& at, double angular_speed,
                                                     const Bend& near) const -> std::optional<Rest> {
   constexpr int kSteps = 8;                        // on a way that Newton's method cannot leap
   constexpr std::uint64_t kEvaluationsOfHold = 8;  // Newton's method on both unknowns, as a rule
@@ -364,44 +364,44 @@ auto DirectedElastica<Direction, FrictionLaw>::rest(const Pose& at, double speed
   const blade::InclinedPoint point = blade::inclined_equilibrium(near.modulus, near.amplitude);
   const double from = std::atan2(at.tangential - length_ * point.deflection.value,
                                  at.radial + geometry_.reach - length_ * point.shortening.value);
-  const auto place = resting_normal_angle(geometry_, at, speed_ratio, from);
+  const auto place = resting_normal_angle(geometry_, at, angular_speed, from);
   if (!place) return std::nullopt;
   evaluations_ += kEvaluationsOfHold;
-  auto held = hold<Direction>(geometry_, length_, at, *place, near);
-  if (!held) {
+  auto resting = hold<Direction>(geometry_, length_, at, *place, near);
+  if (!resting) {
     Bend bend = near;
     for (int i = 0; i <= kSteps; ++i) {
       evaluations_ += kEvaluationsOfHold;
-      held = hold<Direction>(geometry_, length_, at, from + (*place - from) * i / kSteps, bend);
-      if (!held) return std::nullopt;
-      bend = held->bend;
+      resting = hold<Direction>(geometry_, length_, at, from + (*place - from) * i / kSteps, bend);
+      if (!resting) return std::nullopt;
+      bend = resting->bend;
     }
   }
-  return Rest{*held, firmness(*held, geometry_, at, speed_ratio, *place)};
+  return Rest{*resting, firmness(*resting, geometry_, at, angular_speed, *place)};
 }
 
 template <class Direction, class FrictionLaw>
-bool DirectedElastica<Direction, FrictionLaw>::respond_at_rest(const Pose& at, double speed_ratio,
+bool DirectedElastica<Direction, FrictionLaw>::respond_at_rest(const Pose& at, double angular_speed,
                                                                double& bending, double& amplitude,
                                                                TipForce& force) const {
-  const auto there = rest(at, speed_ratio, {bending, amplitude});
+  const auto there = rest(at, angular_speed, {bending, amplitude});
   if (!there) return false;
-  bending = there->held.bend.modulus;
-  amplitude = there->held.bend.amplitude;
-  Constraint standing = constraint(at, 0.0, speed_ratio, there->held.bend);
-  standing.coefficient = there->held.coefficient;
-  set_force(at, speed_ratio, standing, force);
+  bending = there->blade.bend.modulus;
+  amplitude = there->blade.bend.amplitude;
+  Constraint standing = constraint(at, 0.0, angular_speed, there->blade.bend);
+  standing.coefficient = there->blade.coefficient;
+  set_force(at, angular_speed, standing, force);
   return true;
 }
 
 template <class Direction, class FrictionLaw>
-bool DirectedElastica<Direction, FrictionLaw>::respond(const Pose& at, double slip, double speed_ratio,
+bool DirectedElastica<Direction, FrictionLaw>::respond(const Pose& at, double slip, double angular_speed,
                                                        double& bending, double& amplitude,
                                                        TipForce& force) const {
-  if constexpr (kSticks) {
-    if (slip == 0.0) return respond_at_rest(at, speed_ratio, bending, amplitude, force);
+  if constexpr (kHoldsTips) {
+    if (slip == 0.0) return respond_at_rest(at, angular_speed, bending, amplitude, force);
   }
-  const double first = first_load_angle(at, slip, speed_ratio);
+  const double first = first_load_angle(at, slip, angular_speed);
   double side = first != 0.0 ? std::copysign(1.0, first) : slip;
   bool known = bending != 0.0;
   if constexpr (kRemembersSide) {
@@ -415,18 +415,18 @@ bool DirectedElastica<Direction, FrictionLaw>::respond(const Pose& at, double sl
   const bool beyond_end = at.gap < 0.0 && side * at.tangential >= 0.0;
   Pose mirrored = at;
   if (beyond_end) mirrored.gap = -at.gap;
-  auto root = known ? solve_near(mirrored, slip, speed_ratio, {bending, amplitude})
-                    : solve(mirrored, slip, speed_ratio, side);
+  auto root = known ? solve_near(mirrored, slip, angular_speed, {bending, amplitude})
+                    : solve(mirrored, slip, angular_speed, side);
   if constexpr (kRemembersSide) {
     if (!root) {  // it snaps through
       side = -side;
-      root = solve(mirrored, slip, speed_ratio, side);
+      root = solve(mirrored, slip, angular_speed, side);
     }
   }
   if (!root) return false;
   bending = root->modulus;
   amplitude = root->amplitude;
-  set_force(mirrored, speed_ratio, constraint_or_unloaded(mirrored, slip, speed_ratio, *root), force);
+  set_force(mirrored, angular_speed, constraint_or_unloaded(mirrored, slip, angular_speed, *root), force);
   if (beyond_end && side * first > 0.0) {
     force.radial = -force.radial;
     force.tangential = -force.tangential;

@@ -51,13 +51,16 @@ class DirectedElastica {
   /// The blade is found where the rotor stands; nothing is carried along as a state. (`bending` is a first
   /// guess, and its sign the memory of the side.)
   static constexpr bool kHasBending = false;
+  /// The blade bends, so that its slip velocity jumps where friction turns round.
+  static constexpr bool kElastic = true;
   static constexpr bool kReleasesAtFold = false;
   static constexpr bool kHasSlipState = FrictionLaw::kHasSlipState;
   static constexpr bool kLoadFollowsGap = false;
   /// Contacts with s = 0 stick.
-  static constexpr bool kSticks = requires(const FrictionLaw& friction) { friction.largest_holding; };
+  static constexpr bool kHoldsTips = requires(const FrictionLaw& friction) { friction.largest_holding; };
   /// Does a contact remember the side to which its blade is bent?
-  static constexpr bool kRemembersSide = Direction::kFollowsNormal || !FrictionLaw::kHasSlipState || kSticks;
+  static constexpr bool kRemembersSide =
+      Direction::kFollowsNormal || !FrictionLaw::kHasSlipState || kHoldsTips;
 
   using Blade = ElasticaContact::Blade;
 
@@ -108,7 +111,7 @@ class DirectedElastica {
     }
   };
 
-  [[nodiscard]] Constraint constraint(const Pose& at, double slip, double speed_ratio,
+  [[nodiscard]] Constraint constraint(const Pose& at, double slip, double angular_speed,
                                       const Bend& bend) const {
     ++evaluations_;
     Constraint result;
@@ -127,7 +130,7 @@ class DirectedElastica {
     result.residual_by_modulus = twice * (a * point.shortening.by_modulus + b * point.deflection.by_modulus);
     result.residual_by_amplitude =
         twice * (a * point.shortening.by_amplitude + b * point.deflection.by_amplitude);
-    const LoadDirection load = direction(at, slip, speed_ratio, a, b);
+    const LoadDirection load = direction(at, slip, angular_speed, a, b);
     result.coefficient = load.coefficient;
     result.misdirection = point.load_angle.value - load.angle;
     // dα = (a db − b da)/|r|², and da = −L dδ, db = −L dD.
@@ -141,11 +144,11 @@ class DirectedElastica {
   }
 
   /// The constraint, also of a blade without load (φ = 0). Even in φ: behind φ = 0 lies the same blade.
-  [[nodiscard]] Constraint constraint_or_unloaded(const Pose& at, double slip, double speed_ratio,
+  [[nodiscard]] Constraint constraint_or_unloaded(const Pose& at, double slip, double angular_speed,
                                                   const Bend& bend) const {
     constexpr double kUnloaded = 1e-100;
     const bool loaded = std::abs(bend.amplitude) > kUnloaded;
-    return constraint(at, slip, speed_ratio, {bend.modulus, loaded ? bend.amplitude : kUnloaded});
+    return constraint(at, slip, angular_speed, {bend.modulus, loaded ? bend.amplitude : kUnloaded});
   }
   /// Whether a blade can be bent so, or hardly further than any blade is (φ < 0 is as good as φ > 0). Trial
   /// steps may go beyond the end of a branch at the largest amplitude, by as much as keeps its digits.
@@ -165,9 +168,9 @@ class DirectedElastica {
             determinant};
   }
   /// Force of a blade in equilibrium.
-  [[nodiscard]] TipForce force_of(const Pose& at, double speed_ratio, const Constraint& there) const {
+  [[nodiscard]] TipForce force_of(const Pose& at, double angular_speed, const Constraint& there) const {
     TipForce force{};
-    set_force(at, speed_ratio, there, force);
+    set_force(at, angular_speed, there, force);
     return force;
   }
   /// dh/dτ [m²] and dd/dτ [rad] at a fixed bend.
@@ -176,24 +179,26 @@ class DirectedElastica {
     double misdirection;
   };
   /// `acceleration`: that of the shaft's centre along (real part) and across the blade [m per unit τ²].
-  [[nodiscard]] Drift drift(const Pose& at, double slip, double speed_ratio, double angular_acceleration,
+  [[nodiscard]] Drift drift(const Pose& at, double slip, double angular_speed, double angular_acceleration,
                             const std::complex<double>& acceleration, const Constraint& there) const {
     const double a = there.radial;
     const double b = there.tangential;
     // a' and b' at a fixed bend, as seen from the blade.
-    const double along = at.radial_velocity + speed_ratio * at.tangential;
-    const double across = at.tangential_velocity - speed_ratio * at.radial;
+    const double along = at.radial_velocity + angular_speed * at.tangential;
+    const double across = at.tangential_velocity - angular_speed * at.radial;
     Drift result{2.0 * (a * along + b * across), 0.0};
     const double inverse_square = 1.0 / (a * a + b * b);
     const double moment = a * across - b * along;
     if constexpr (Direction::kFollowsNormal) result.misdirection -= moment * inverse_square;
     if constexpr (FrictionLaw::kDependsOnVelocity) {
-      const double along_rate = acceleration.real() + 2.0 * speed_ratio * at.tangential_velocity -
-                                speed_ratio * speed_ratio * at.radial + angular_acceleration * at.tangential;
-      const double across_rate = acceleration.imag() - 2.0 * speed_ratio * at.radial_velocity -
-                                 speed_ratio * speed_ratio * at.tangential - angular_acceleration * at.radial;
+      const double along_rate = acceleration.real() + 2.0 * angular_speed * at.tangential_velocity -
+                                angular_speed * angular_speed * at.radial +
+                                angular_acceleration * at.tangential;
+      const double across_rate = acceleration.imag() - 2.0 * angular_speed * at.radial_velocity -
+                                 angular_speed * angular_speed * at.tangential -
+                                 angular_acceleration * at.radial;
       const double inverse_distance = std::sqrt(inverse_square);
-      const double velocity = inverse_distance * moment + speed_ratio * geometry_.ring_radius;
+      const double velocity = inverse_distance * moment + angular_speed * geometry_.ring_radius;
       const double velocity_rate = inverse_distance * (a * across_rate - b * along_rate -
                                                        moment * (a * along + b * across) * inverse_square) +
                                    angular_acceleration * geometry_.ring_radius;
@@ -207,35 +212,36 @@ class DirectedElastica {
   /// from the fold, reaches first; none where the blade cannot stand on that side. Slow: walks along the
   /// equilibria. A contact too light to bend the blade by a rounding error has κ = sin(b/2), φ = 0 and
   /// carries nothing.
-  [[nodiscard]] std::optional<Bend> solve(const Pose& at, double slip, double speed_ratio, double side) const;
+  [[nodiscard]] std::optional<Bend> solve(const Pose& at, double slip, double angular_speed,
+                                          double side) const;
 
   /// The same found from a neighbouring one, to its side; falls back on `follow_coefficient` and `solve`.
-  [[nodiscard]] std::optional<Bend> solve_near(const Pose& at, double slip, double speed_ratio,
+  [[nodiscard]] std::optional<Bend> solve_near(const Pose& at, double slip, double angular_speed,
                                                const Bend& near) const;
 
   /// Force at an equilibrium found near (`bending`, `amplitude`) = (κ, φ), which are updated; false where
   /// there is none. `bending` = 0: a new contact. Stays on the side of `bending` where it can, and snaps to
   /// the other where it cannot. `amplitude` = 0: not known. Beyond the end of the contact (g < 0), where
   /// Runge–Kutta stages may land, continued as `ElasticaContact`.
-  bool respond(const Pose& at, double slip, double speed_ratio, double& bending, double& amplitude,
+  bool respond(const Pose& at, double slip, double angular_speed, double& bending, double& amplitude,
                TipForce& force) const;
 
   /// The same where only `bending` is carried along: φ is found first.
-  bool respond(const Pose& at, double slip, double speed_ratio, double& bending, TipForce& force) const {
+  bool respond(const Pose& at, double slip, double angular_speed, double& bending, TipForce& force) const {
     double amplitude = 0.0;
-    return respond(at, slip, speed_ratio, bending, amplitude, force);
+    return respond(at, slip, angular_speed, bending, amplitude, force);
   }
 
   /// What holds the tip at rest on the ring where `near` leads; none where nothing can.
   struct Rest {
-    HeldBlade held;
+    RestingBlade blade;
     double firmness;
   };
-  [[nodiscard]] std::optional<Rest> rest(const Pose& at, double speed_ratio, const Bend& near) const;
+  [[nodiscard]] std::optional<Rest> rest(const Pose& at, double angular_speed, const Bend& near) const;
 
   /// b of the undeformed blade, to which it bends when it is touched [rad].
-  [[nodiscard]] double first_load_angle(const Pose& at, double slip, double speed_ratio) const {
-    return direction(at, slip, speed_ratio, at.radial + geometry_.reach, at.tangential).angle;
+  [[nodiscard]] double first_load_angle(const Pose& at, double slip, double angular_speed) const {
+    return direction(at, slip, angular_speed, at.radial + geometry_.reach, at.tangential).angle;
   }
 
  private:
@@ -251,7 +257,7 @@ class DirectedElastica {
 
   /// Direction of the load on a tip that stands at (a, b) along and across the blade. Of the slip velocity
   /// only the direction of the normal matters: v = (c' − Ω ez × c)·t + Ω R on the ring.
-  [[nodiscard]] LoadDirection direction(const Pose& at, double slip, double speed_ratio, double a,
+  [[nodiscard]] LoadDirection direction(const Pose& at, double slip, double angular_speed, double a,
                                         double b) const {
     double normal_angle = 0.0;
     double by_normal = 0.0;
@@ -264,9 +270,10 @@ class DirectedElastica {
       return {normal_angle + std::atan(coefficient), by_normal, coefficient};
     }
     const double inverse_distance = 1.0 / std::sqrt(a * a + b * b);
-    const double across = at.tangential_velocity - speed_ratio * at.radial;
-    const double along = at.radial_velocity + speed_ratio * at.tangential;
-    const double velocity = inverse_distance * (a * across - b * along) + speed_ratio * geometry_.ring_radius;
+    const double across = at.tangential_velocity - angular_speed * at.radial;
+    const double along = at.radial_velocity + angular_speed * at.tangential;
+    const double velocity =
+        inverse_distance * (a * across - b * along) + angular_speed * geometry_.ring_radius;
     const double velocity_by_normal = -inverse_distance * (b * across + a * along);
     const double coefficient = friction_.coefficient(velocity, slip);
     return {
@@ -276,24 +283,25 @@ class DirectedElastica {
   }
 
   /// `respond` of a tip at rest.
-  bool respond_at_rest(const Pose& at, double speed_ratio, double& bending, double& amplitude,
+  bool respond_at_rest(const Pose& at, double angular_speed, double& bending, double& amplitude,
                        TipForce& force) const;
 
   /// Newton's method from a bend; none where it leaves the side, or ends on another branch than the one of
   /// `solve`.
-  [[nodiscard]] std::optional<Bend> newton(const Pose& at, double slip, double speed_ratio, Bend bend) const;
+  [[nodiscard]] std::optional<Bend> newton(const Pose& at, double slip, double angular_speed,
+                                           Bend bend) const;
   /// `solve` for friction that depends on v: the coefficient c with c = c(v), outside, and `solve` under that
   /// c.
-  [[nodiscard]] std::optional<Bend> solve_for_coefficient(const Pose& at, double slip, double speed_ratio,
+  [[nodiscard]] std::optional<Bend> solve_for_coefficient(const Pose& at, double slip, double angular_speed,
                                                           double side) const;
   /// The same from a neighbouring bend: along its equilibria from the c that holds it on. Newton's method on
   /// c = c(v) itself leaves them where c(v) is steep and v changes its sign between the neighbours.
-  [[nodiscard]] std::optional<Bend> follow_coefficient(const Pose& at, double slip, double speed_ratio,
+  [[nodiscard]] std::optional<Bend> follow_coefficient(const Pose& at, double slip, double angular_speed,
                                                        Bend bend) const;
   /// φ with d = 0 at a fixed κ: the smallest, which has the smallest load.
-  [[nodiscard]] std::optional<double> amplitude_of(const Pose& at, double slip, double speed_ratio,
+  [[nodiscard]] std::optional<double> amplitude_of(const Pose& at, double slip, double angular_speed,
                                                    double modulus, double guess) const;
-  void set_force(const Pose& at, double speed_ratio, const Constraint& there, TipForce& force) const;
+  void set_force(const Pose& at, double angular_speed, const Constraint& there, TipForce& force) const;
 
   Geometry geometry_;
   double length_;

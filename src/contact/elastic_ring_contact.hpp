@@ -15,6 +15,8 @@ class RigidBladeContact {
  public:
   /// The force follows from the position alone: nothing is carried along.
   static constexpr bool kHasBending = false;
+  /// The blade bends, so that its slip velocity jumps where friction turns round.
+  static constexpr bool kElastic = false;
   /// The force ends where the tip leaves the ring.
   static constexpr bool kReleasesAtFold = false;
   static constexpr bool kHasSlipState = FrictionLaw::kHasSlipState;
@@ -36,30 +38,40 @@ class RigidBladeContact {
 
   /// F = kr (|rk| − R). Always has a force: continued linearly beyond lift-off, where Runge–Kutta stages may
   /// land.
-  bool respond(const Pose& at, double slip, double speed_ratio, double& /*bending*/, TipForce& force) const {
+  bool respond(const Pose& at, double slip, double angular_speed, double& /*bending*/,
+               TipForce& force) const {
     const double a = at.radial + geometry_.reach;
     const double b = at.tangential;
     const double distance = std::sqrt(a * a + b * b);
     // |rk| − R from g = |rk|² − R²: exact where both are nearly equal.
     const double load = stiffness_ * at.gap / (distance + geometry_.ring_radius);
+    force = under_load(at, slip, angular_speed, load);
+    return true;
+  }
+  /// What a tip does that is loaded by F along the normal [N].
+  [[nodiscard]] TipForce under_load(const Pose& at, double slip, double angular_speed, double load) const {
+    TipForce force;
+    const double a = at.radial + geometry_.reach;
+    const double b = at.tangential;
+    const double distance = std::sqrt(a * a + b * b);
     const double normal_radial = a / distance;
     const double normal_tangential = b / distance;
     force.slip_velocity = normal_radial * at.tangential_velocity - normal_tangential * at.radial_velocity +
-                          speed_ratio * geometry_.reach * normal_radial;
+                          angular_speed * geometry_.reach * normal_radial;
     const double friction = friction_.coefficient(force.slip_velocity, slip) * load;
     force.radial = -load * normal_radial + friction * normal_tangential;
     force.tangential = -load * normal_tangential - friction * normal_radial;
     force.normal = load;
     force.shortening = 0.0;
     force.root_strain = 0.0;
-    return true;
+    return force;
   }
 
   /// The same by steps of the force from 0 until it has reached that value, as `ElasticaContact` has it.
-  bool respond_upwards(const Pose& at, double slip, double speed_ratio, double increment,
+  bool respond_upwards(const Pose& at, double slip, double angular_speed, double increment,
                        TipForce& force) const {
     double bending = 0.0;
-    respond(at, slip, speed_ratio, bending, force);
+    respond(at, slip, angular_speed, bending, force);
     const double stepped = std::ceil(force.normal / increment) * increment;
     const double excess = force.normal > 0.0 ? stepped / force.normal : 1.0;
     force.radial *= excess;

@@ -230,12 +230,12 @@ std::optional<double> ElasticBladeContact<Ring, kRelease>::solve_near_on_branch(
 
 template <class Ring, Release kRelease>
 std::optional<double> ElasticBladeContact<Ring, kRelease>::snap(const Pose& at, double slip, double bending,
-                                                                double speed_ratio) const {
+                                                                double angular_speed) const {
   const Branches all = branches(at, slip);
   std::size_t next = all.of(bending);
   if (!carried_ && bending == 0.0) {
     // Straight before, and bent is what comes next.
-  } else if (closes_in(at, slip, bending, speed_ratio)) {
+  } else if (closes_in(at, slip, bending, angular_speed)) {
     ++next;
   } else if (!carried_) {
     return at.gap > 0.0 ? std::optional(0.0) : std::nullopt;
@@ -270,7 +270,7 @@ std::optional<double> ElasticBladeContact<Ring, kRelease>::solve_near(const Pose
 }
 
 template <class Ring, Release kRelease>
-bool ElasticBladeContact<Ring, kRelease>::respond(const Pose& at, double slip, double speed_ratio,
+bool ElasticBladeContact<Ring, kRelease>::respond(const Pose& at, double slip, double angular_speed,
                                                   double& bending, TipForce& force) const {
   // Beyond a lift-off on the approaching side the gap is negative and no positive load exists. There the load
   // is continued as an odd function of the gap (at μ = 0, where it does not vanish at lift-off, as an even
@@ -287,12 +287,12 @@ bool ElasticBladeContact<Ring, kRelease>::respond(const Pose& at, double slip, d
     const double load = straight_load(at);
     if (!(load <= kFarthest * blade::kEulerLoad)) return false;
     bending = 0.0;
-    force = constraint_at(at, slip, straight(load), speed_ratio).force;
+    force = constraint_at(at, slip, straight(load), angular_speed).force;
     return true;
   }
   if (!root) return false;
   bending = *root;
-  force = constraint(mirrored, slip, bending, speed_ratio).force;
+  force = constraint(mirrored, slip, bending, angular_speed).force;
   if (beyond_end && friction_ > 0.0) {
     force.radial = -force.radial;
     force.tangential = -force.tangential;
@@ -302,7 +302,7 @@ bool ElasticBladeContact<Ring, kRelease>::respond(const Pose& at, double slip, d
 }
 
 template <class Ring, Release kRelease>
-bool ElasticBladeContact<Ring, kRelease>::respond_upwards(const Pose& at, double slip, double speed_ratio,
+bool ElasticBladeContact<Ring, kRelease>::respond_upwards(const Pose& at, double slip, double angular_speed,
                                                           double increment, TipForce& force) const {
   constexpr double kShareOfIncrement = 0.05;  // how closely the curve's point stands for the load
   constexpr double kFirstBending = 1e-3;      // of β: there F ~ u² still
@@ -313,7 +313,7 @@ bool ElasticBladeContact<Ring, kRelease>::respond_upwards(const Pose& at, double
   if (!carried_) {
     const double stepped = std::ceil(straight_load(at) / step) * step;
     if (stepped <= blade::kEulerLoad) {
-      force = constraint_at(at, slip, straight(stepped), speed_ratio).force;
+      force = constraint_at(at, slip, straight(stepped), angular_speed).force;
       return true;
     }
   }
@@ -340,7 +340,7 @@ bool ElasticBladeContact<Ring, kRelease>::respond_upwards(const Pose& at, double
     }
     if (residual(at, slip, point) <= 0.0) break;
   }
-  force = constraint(at, slip, bending, speed_ratio).force;
+  force = constraint(at, slip, bending, angular_speed).force;
   return true;
 }
 

@@ -60,6 +60,8 @@ class ElasticBladeContact {
  public:
   /// An open contact is described by its bending parameter u.
   static constexpr bool kHasBending = true;
+  /// The blade bends, so that its slip velocity jumps where friction turns round.
+  static constexpr bool kElastic = true;
   /// A contact on the receding side goes on while it has a force, with g < 0.
   static constexpr bool kReleasesAtFold = kRelease == Release::at_fold;
   /// Friction takes its sign from a discrete state (MODEL 4.4).
@@ -109,6 +111,14 @@ class ElasticBladeContact {
     return {{geometry_.reach - lost, geometry_.ring_radius}, blade, curve_, ring};
   }
 
+  /// The same blade in a ring of another radius [m], its evaluations not yet counted.
+  [[nodiscard]] ElasticBladeContact in_ring(double radius) const {
+    ElasticBladeContact other = *this;
+    other.geometry_.ring_radius = radius;
+    other.evaluations_ = 0;
+    return other;
+  }
+
   /// A contact can be carried along h = 0 by its bending parameter from its touch-down on; else it is to be
   /// solved for.
   [[nodiscard]] bool carried() const { return carried_; }
@@ -135,8 +145,9 @@ class ElasticBladeContact {
     double time_slope;     ///< dh/dτ at fixed u [m²]
   };
 
-  [[nodiscard]] Constraint constraint(const Pose& at, double slip, double bending, double speed_ratio) const {
-    return constraint_at(at, slip, curve_at(bending), speed_ratio);
+  [[nodiscard]] Constraint constraint(const Pose& at, double slip, double bending,
+                                      double angular_speed) const {
+    return constraint_at(at, slip, curve_at(bending), angular_speed);
   }
 
   /// ∂h/∂u as a function that changes its sign at the fold of the contact equation and nowhere else: negative
@@ -173,10 +184,10 @@ class ElasticBladeContact {
   /// direction in which it moves, more load where the ring closes in on the tip, dh/dτ > 0 at fixed u, less
   /// where it opens. None: the load goes to zero, or there is nothing to stand on (`closes_in`).
   [[nodiscard]] std::optional<double> snap(const Pose& at, double slip, double bending,
-                                           double speed_ratio) const;
+                                           double angular_speed) const;
   /// Whether the ring closes in on the tip of a blade bent by u.
-  [[nodiscard]] bool closes_in(const Pose& at, double slip, double bending, double speed_ratio) const {
-    return constraint(at, slip, bending, speed_ratio).time_slope > 0.0;
+  [[nodiscard]] bool closes_in(const Pose& at, double slip, double bending, double angular_speed) const {
+    return constraint(at, slip, bending, angular_speed).time_slope > 0.0;
   }
   /// What the straight branch of the column is short of its end on the receding side, in Euler loads. The
   /// force goes on smoothly past it (`respond`), so that the end can be located. 1 where there is no such
@@ -189,12 +200,12 @@ class ElasticBladeContact {
   /// Force at the root on the branch of `bending`, which is updated; false where there is none. Smooth a
   /// little beyond the end of the contact (g < 0), where Runge–Kutta stages may land: the force is continued
   /// as an odd function. Smooth beyond the Euler load of a straight column that will snap there, too.
-  bool respond(const Pose& at, double slip, double speed_ratio, double& bending, TipForce& force) const;
+  bool respond(const Pose& at, double slip, double angular_speed, double& bending, TipForce& force) const;
 
   /// Force by the published scheme (MODEL 4.2): F ← F + dF from 0 until h changes sign; `increment` dF [N].
   /// Where g > 0; false where the table ends before. The curve is followed in its own parameter, mostly one
   /// evaluation an increment.
-  bool respond_upwards(const Pose& at, double slip, double speed_ratio, double increment,
+  bool respond_upwards(const Pose& at, double slip, double angular_speed, double increment,
                        TipForce& force) const;
 
   /// How often the curve has been evaluated for this law. A law belongs to one motion and one thread.
@@ -204,7 +215,7 @@ class ElasticBladeContact {
 
  private:
   [[nodiscard]] Constraint constraint_at(const Pose& at, double slip, const blade::CurvePoint& point,
-                                         double speed_ratio) const {
+                                         double angular_speed) const {
     const double shortening = length_ * point.shortening;  // δ
     const double deflection = length_ * point.deflection;  // Δ
     const double a = at.radial + geometry_.reach - shortening;
@@ -219,8 +230,8 @@ class ElasticBladeContact {
       result.residual -= yielding * (2.0 * geometry_.ring_radius + yielding);
       result.bending_slope -= 2.0 * yield_unit_ * (geometry_.ring_radius + yielding) * point.load_slope;
     }
-    result.time_slope = 2.0 * a * (at.radial_velocity + speed_ratio * at.tangential) +
-                        2.0 * b * (at.tangential_velocity - speed_ratio * at.radial);
+    result.time_slope = 2.0 * a * (at.radial_velocity + angular_speed * at.tangential) +
+                        2.0 * b * (at.tangential_velocity - angular_speed * at.radial);
     const double inverse_distance = 1.0 / std::sqrt(a * a + b * b);
     const double normal_radial = a * inverse_distance;
     const double normal_tangential = b * inverse_distance;
@@ -236,7 +247,7 @@ class ElasticBladeContact {
         strain_unit_ * point.load * (point.deflection + friction_ * (1.0 - point.shortening));
     result.force.slip_velocity =
         normal_radial * at.tangential_velocity - normal_tangential * at.radial_velocity +
-        speed_ratio *
+        angular_speed *
             ((geometry_.reach - shortening) * normal_radial - slip * deflection * normal_tangential);
     return result;
   }

@@ -46,7 +46,7 @@ concept Sticks = requires(const Law& law) {
 
 /// One that finds the force of a tip at rest itself (s = 0); other laws leave that to the caller.
 template <class Law>
-concept SticksByLaw = Sticks<Law> && Law::OfBlade::kSticks;
+concept SticksByLaw = Sticks<Law> && Law::OfBlade::kHoldsTips;
 
 /// Regularised Coulomb law, c = μ tanh(v/v0). Beyond |v| = 20 v0 it is Coulomb's law to the last bit; a tip
 /// that would stick creeps instead, at a speed below v0.

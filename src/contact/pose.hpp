@@ -42,28 +42,28 @@ inline Pose pose(const Geometry& geometry, const BladeDirection& er, double cx, 
 }
 
 /// dg/dτ [m²].
-inline double gap_rate(const Geometry& geometry, const Pose& at, double speed_ratio) {
+inline double gap_rate(const Geometry& geometry, const Pose& at, double angular_speed) {
   return 2.0 * (at.radial * at.radial_velocity + at.tangential * at.tangential_velocity) +
-         2.0 * geometry.reach * (at.radial_velocity + speed_ratio * at.tangential);
+         2.0 * geometry.reach * (at.radial_velocity + angular_speed * at.tangential);
 }
 
 /// d²g/dτ² [m²] where the shaft's centre c moves with `velocity` and `acceleration`, all in the ring's frame.
 inline double gap_curvature(const Geometry& geometry, const BladeDirection& er, const Pose& at,
                             const std::complex<double>& centre, const std::complex<double>& velocity,
-                            const std::complex<double>& acceleration, double speed_ratio) {
+                            const std::complex<double>& acceleration, double angular_speed) {
   const double outward = acceleration.real() * er.cosine + acceleration.imag() * er.sine;
   return 2.0 * (velocity.real() * velocity.real() + velocity.imag() * velocity.imag() +
                 centre.real() * acceleration.real() + centre.imag() * acceleration.imag()) +
          2.0 * geometry.reach *
-             (outward + speed_ratio * (2.0 * at.tangential_velocity - speed_ratio * at.radial));
+             (outward + angular_speed * (2.0 * at.tangential_velocity - angular_speed * at.radial));
 }
 
 /// Slip velocity of the undeformed tip [m per unit τ], which gives the slip direction of a new contact
 /// (MODEL 4.4).
-inline double undeformed_slip_velocity(const Geometry& geometry, const Pose& at, double speed_ratio) {
+inline double undeformed_slip_velocity(const Geometry& geometry, const Pose& at, double angular_speed) {
   const double a = at.radial + geometry.reach;
   const double b = at.tangential;
-  return (a * at.tangential_velocity - b * at.radial_velocity + speed_ratio * geometry.reach * a) /
+  return (a * at.tangential_velocity - b * at.radial_velocity + angular_speed * geometry.reach * a) /
          std::hypot(a, b);
 }
 

@@ -25,16 +25,16 @@ struct OtherAcceleration {
 
 /// dv/dτ [m per unit τ²] of a rigid blade's tip under the friction coefficient c; `load_acceleration` is
 /// F/(m ωn²) [m per unit τ²].
-inline double slip_acceleration(const Geometry& geometry, const Pose& at, double speed_ratio,
+inline double slip_acceleration(const Geometry& geometry, const Pose& at, double angular_speed,
                                 const OtherAcceleration& other, double load_acceleration,
                                 double coefficient) {
   const double a = at.radial + geometry.reach;
   const double b = at.tangential;
   const double distance = std::sqrt(a * a + b * b);
-  const double across = at.tangential_velocity + speed_ratio * geometry.reach;
+  const double across = at.tangential_velocity + angular_speed * geometry.reach;
   const double slip_velocity = (a * across - b * at.radial_velocity) / distance;
   const double outward_velocity = (a * at.radial_velocity + b * across) / distance;
-  return (a * other.tangential - b * other.radial + speed_ratio * speed_ratio * geometry.reach * b -
+  return (a * other.tangential - b * other.radial + angular_speed * angular_speed * geometry.reach * b -
           slip_velocity * outward_velocity) /
              distance -
          coefficient * load_acceleration;
@@ -42,9 +42,9 @@ inline double slip_acceleration(const Geometry& geometry, const Pose& at, double
 
 /// The signed friction coefficient c [-] with dv/dτ = 0. The tip can stick where |c| <= μ; infinite or not a
 /// number where nothing presses (`load_acceleration` zero).
-inline double sticking_coefficient(const Geometry& geometry, const Pose& at, double speed_ratio,
+inline double sticking_coefficient(const Geometry& geometry, const Pose& at, double angular_speed,
                                    const OtherAcceleration& other, double load_acceleration) {
-  return slip_acceleration(geometry, at, speed_ratio, other, load_acceleration, 0.0) / load_acceleration;
+  return slip_acceleration(geometry, at, angular_speed, other, load_acceleration, 0.0) / load_acceleration;
 }
 
 }  // namespace rubatlas::contact

@@ -35,10 +35,10 @@ namespace rubatlas::contact {
 /// v = A cos α − B sin α + ΩR = 0 with A = c'·et − Ω cr, B = c'·er + Ω ct; none while the ring outruns the
 /// rotor.
 inline std::optional<double> resting_normal_angle(const Geometry& geometry, const Pose& at,
-                                                  double speed_ratio, double near) {
-  const double across = at.tangential_velocity - speed_ratio * at.radial;
-  const double along = at.radial_velocity + speed_ratio * at.tangential;
-  const double ratio = -speed_ratio * geometry.ring_radius / std::hypot(across, along);
+                                                  double angular_speed, double near) {
+  const double across = at.tangential_velocity - angular_speed * at.radial;
+  const double along = at.radial_velocity + angular_speed * at.tangential;
+  const double ratio = -angular_speed * geometry.ring_radius / std::hypot(across, along);
   if (!(std::abs(ratio) <= 1.0)) return std::nullopt;
   const double centre = -std::atan2(along, across);
   const double spread = std::acos(ratio);
@@ -51,14 +51,14 @@ inline std::optional<double> resting_normal_angle(const Geometry& geometry, cons
 }
 
 /// dv/dα [m per unit τ] of a tip on the ring.
-inline double slip_by_normal_angle(const Pose& at, double speed_ratio, double normal_angle) {
-  const double across = at.tangential_velocity - speed_ratio * at.radial;
-  const double along = at.radial_velocity + speed_ratio * at.tangential;
+inline double slip_by_normal_angle(const Pose& at, double angular_speed, double normal_angle) {
+  const double across = at.tangential_velocity - angular_speed * at.radial;
+  const double along = at.radial_velocity + angular_speed * at.tangential;
   return -across * std::sin(normal_angle) - along * std::cos(normal_angle);
 }
 
 /// A blade whose tip is held at a place on the ring.
-struct HeldBlade {
+struct RestingBlade {
   blade::Bend bend;
   double coefficient;  ///< c that holds it [-]
   double determinant;  ///< of the sign of ∂(δ, D)/∂(κ, φ): zero where the place can be held no further
@@ -67,8 +67,8 @@ struct HeldBlade {
 /// Blade of length L [m] with its tip at the normal angle α on the ring, found by Newton's method from a
 /// neighbouring bend, to its side; none where that does not converge to a blade under pressure.
 template <class Direction>
-std::optional<HeldBlade> hold(const Geometry& geometry, double length, const Pose& at, double normal_angle,
-                              const blade::Bend& near) {
+std::optional<RestingBlade> hold(const Geometry& geometry, double length, const Pose& at, double normal_angle,
+                                 const blade::Bend& near) {
   constexpr double kLeast = 0.25;  // factors by which a step may change κ and φ
   constexpr double kMost = 4.0;
   const double a = geometry.ring_radius * std::cos(normal_angle);
@@ -109,7 +109,7 @@ std::optional<HeldBlade> hold(const Geometry& geometry, double length, const Pos
       const double load_angle = 2.0 * std::asin(bend.modulus * std::cos(bend.amplitude));
       const double angle = Direction::kFollowsNormal ? load_angle - normal_angle : load_angle;
       if (!(std::cos(angle) > 0.0)) return std::nullopt;  // the ring would have to pull
-      return HeldBlade{bend, std::tan(angle), determinant};
+      return RestingBlade{bend, std::tan(angle), determinant};
     }
     previous = size;
   }
@@ -118,10 +118,10 @@ std::optional<HeldBlade> hold(const Geometry& geometry, double length, const Pos
 
 /// How firmly a tip rests: −dv/dα / (Ω R), signed so that it is positive where rest is the limit of friction
 /// that is ever steeper in the slip velocity.
-inline double firmness(const HeldBlade& held, const Geometry& geometry, const Pose& at, double speed_ratio,
-                       double normal_angle) {
-  return -std::copysign(1.0, held.determinant) * slip_by_normal_angle(at, speed_ratio, normal_angle) /
-         std::abs(speed_ratio * geometry.ring_radius);
+inline double firmness(const RestingBlade& resting, const Geometry& geometry, const Pose& at,
+                       double angular_speed, double normal_angle) {
+  return -std::copysign(1.0, resting.determinant) * slip_by_normal_angle(at, angular_speed, normal_angle) /
+         std::abs(angular_speed * geometry.ring_radius);
 }
 
 }  // namespace rubatlas::contact

@@ -19,6 +19,7 @@ template <class Table, int kSize, int kMostSize = kSize>
 class RungeKutta {
  public:
   using Vector = Eigen::Array<double, kSize, 1, 0, kMostSize, 1>;
+  using Coefficients = Table;
 
   /// Starts from a state; evaluates the first stage.
   template <class System>
@@ -84,6 +85,8 @@ class RungeKutta {
     dense_ready_ = true;
     return true;
   }
+
+  [[nodiscard]] bool is_dense() const { return dense_ready_; }
 
   /// State at the fraction θ in [0, 1] of the step; needs `make_dense`. Coefficients are nested with factors
   /// θ and 1 − θ in turn, the first three being those of the cubic that the ends and their slopes give.

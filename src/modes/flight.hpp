@@ -260,7 +260,7 @@ class TouchdownSearch {
   double clear_step(const Flight& flight, const contact::Geometry& geometry, int blade, double time,
                     const Bodies& state, double until) const {
     const rotor::State seen = rotor::from_ring(state);
-    const double turning = blades_->speed(time);
+    const double turning = blades_->angular_speed(time);
     const double reach = geometry.reach;
     const contact::BladeDirection er = blades_->direction(blade, blades_->first(time));
     const contact::Pose pose = rotor::pose_of(*rotor_, geometry, er, seen);

@@ -1,4 +1,5 @@
-/// A ring without mass that all blades in contact push together: it stands where its spring balances them.
+/// Mode: rigid blades in a ring without mass, which all in contact in contact push together: it stands where
+/// its spring balances them.
 ///
 ///     kr r = ΣNk,   Nk = kt (|pk| − R) (n + sμ t)        pk = c − r + (rh+L) er
 ///
@@ -16,32 +17,36 @@
 #include <vector>
 
 #include "contact/pose.hpp"
-#include "modes/contact_system.hpp"
+#include "modes/solved.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
 
 namespace rubatlas::modes {
 
-/// Right-hand side in τ: that of `SolvedContacts` in a state whose ring stands in its place. Ring and its
-/// velocity are no freedoms of their own but follow from the shaft's state.
+/// The equations of `Solved` in a state whose ring stands in its place. Ring and its velocity are no freedoms
+/// of their own but follow from the shaft's state.
 template <class Law, class Forcing, class Blades = rotor::BladeSet>
-class ContactsOnFollowingRing : public SolvedContacts<Law, Forcing, Blades> {
+class FollowingRing : public Solved<Law, Forcing, Blades> {
  public:
-  using Solved = SolvedContacts<Law, Forcing, Blades>;
+  using Base = Solved<Law, Forcing, Blades>;
+  using Base::Base;
   using FullState = rotor::RingContactState;
-
-  ContactsOnFollowingRing(const rotor::RotorConstants& rotor, const Blades& blades, const Law& law,
-                          const Forcing& forcing)
-      : Solved(rotor, blades, law, forcing),
-        rotor_(&rotor),
-        blades_(&blades),
-        law_(&law),
-        forcing_(&forcing) {}
 
   bool operator()(const FullState& state, FullState& derivative) {
     FullState placed = state;
-    return place_ring(placed) && Solved::operator()(placed, derivative);
+    return place_ring(placed) && Base::operator()(placed, derivative);
+  }
+
+  void project(FullState& state) const { place_ring(state); }
+  void place(FullState& state) const { place_ring(state); }
+
+  template <class Search>
+  void guards(Search& search) {
+    touch_downs_and_lift_offs(*this, search);
+    // What the ring does next does not follow from its rate: no bound holds.
+    for (std::size_t i = 0; i < this->contacts_.size(); ++i) this->slip_guard(*this, search, i, false);
+    this->loss_of_validity(*this, search, std::numeric_limits<double>::infinity());
   }
 
   /// Puts the ring of a state where the open contacts push it. False where that is nowhere (MODEL 5).
@@ -52,7 +57,7 @@ class ContactsOnFollowingRing : public SolvedContacts<Law, Forcing, Blades> {
       const Eigen::Vector2d move = balance.stiffness.inverse() * balance.excess;
       if (!move.allFinite()) return false;
       state.segment<2>(kRing) += move.array();
-      if (move.norm() <= kResolution * law_->of(0).geometry().ring_radius) {
+      if (move.norm() <= kResolution * this->law_->of(0).geometry().ring_radius) {
         const Eigen::Vector2d velocity = balance.stiffness.inverse() * balance.carried;
         state.segment<2>(kRing + 2) = velocity.array();
         return true;
@@ -66,18 +71,18 @@ class ContactsOnFollowingRing : public SolvedContacts<Law, Forcing, Blades> {
   /// once. False where a tip would stick, too, since its friction would have to be found (MODEL 5).
   template <class Touches>
   bool settle(rotor::ShaftAndRing& bodies, double time, std::vector<OpenContact>& contacts, Touches touches) {
-    const double radius = law_->of(0).geometry().ring_radius;
+    const double radius = this->law_->of(0).geometry().ring_radius;
     const double rounding = kGapRounding * radius * radius;
-    for (int change = 0; change <= 2 * blades_->count(); ++change) {
-      this->open(contacts);
-      FullState full = rotor::full_state(bodies, time, 0.0);
+    for (int change = 0; change <= 2 * this->blades_->count(); ++change) {
+      FullState full;
+      this->open(time, bodies, contacts, full);
       if (!place_ring(full)) return false;
       bodies = rotor::bodies(full);
       int enters = -1;
       double deepest = rounding;
       auto leaves = contacts.end();
-      for (int k = 0; k < blades_->count(); ++k) {
-        const double gap = pose(full, k).gap;
+      for (int k = 0; k < this->blades_->count(); ++k) {
+        const double gap = this->pose(k, full).gap;
         const auto open = std::ranges::find(contacts, k, &OpenContact::blade);
         if (open == contacts.end() && gap > deepest) {
           deepest = gap;
@@ -110,36 +115,32 @@ class ContactsOnFollowingRing : public SolvedContacts<Law, Forcing, Blades> {
     Eigen::Vector2d carried;    ///< ΣAk p'k [N per unit τ]
   };
 
-  [[nodiscard]] contact::Pose pose(const FullState& state, int blade) const {
-    return rotor::pose_of(*rotor_, law_->of(blade).geometry(),
-                          blades_->direction(blade, blades_->first(state[rotor::kTime])),
-                          rotor::from_ring(state));
-  }
-
   /// All open contacts slip the way they are said to.
   [[nodiscard]] bool slides(const FullState& state) const {
-    const double speed = blades_->speed(state[rotor::kTime]);
+    const double speed = this->blades_->angular_speed(state[rotor::kTime]);
     return std::ranges::all_of(this->contacts(), [&](const OpenContact& contact) {
-      const contact::Geometry& geometry = law_->of(contact.blade).geometry();
-      const double velocity = contact::undeformed_slip_velocity(geometry, pose(state, contact.blade), speed);
-      return contact.slip * velocity >= -kSlipRounding * std::abs(rotor_->speed_ratio) * geometry.ring_radius;
+      const contact::Geometry& geometry = this->law_->of(contact.blade).geometry();
+      const double velocity =
+          contact::undeformed_slip_velocity(geometry, this->pose(contact.blade, state), speed);
+      return contact.slip * velocity >=
+             -kSlipRounding * std::abs(this->rotor_->speed_ratio) * geometry.ring_radius;
     });
   }
 
   [[nodiscard]] Balance weigh(const FullState& state) const {
-    const double stiffness = forcing_->ring.stiffness;
+    const double stiffness = this->forcing_->ring.stiffness;
     const rotor::State seen = rotor::from_ring(state);
     Balance balance{-stiffness * state.segment<2>(kRing).matrix(), stiffness * Eigen::Matrix2d::Identity(),
                     Eigen::Vector2d::Zero()};
-    const contact::BladeDirection first = blades_->first(state[rotor::kTime]);
-    const double speed = blades_->speed(state[rotor::kTime]);
+    const contact::BladeDirection first = this->blades_->first(state[rotor::kTime]);
+    const double speed = this->blades_->angular_speed(state[rotor::kTime]);
     for (const OpenContact& contact : this->contacts()) {
-      const auto& law = law_->of(contact.blade);
+      const auto& law = this->law_->of(contact.blade);
       const contact::Geometry& geometry = law.geometry();
-      const contact::BladeDirection er = blades_->direction(contact.blade, first);
-      const contact::Pose at = rotor::pose_of(*rotor_, geometry, er, seen);
+      const contact::BladeDirection er = this->blades_->direction(contact.blade, first);
+      const contact::Pose at = rotor::pose_of(*this->rotor_, geometry, er, seen);
       const Eigen::Vector2d tip(seen[0] + geometry.reach * er.cosine,
-                                seen[1] + rotor_->misalignment + geometry.reach * er.sine);
+                                seen[1] + this->rotor_->misalignment + geometry.reach * er.sine);
       const double distance = tip.norm();
       const double depth = at.gap / (distance + geometry.ring_radius);
       const Eigen::Vector2d normal = tip / distance;
@@ -157,11 +158,6 @@ class ContactsOnFollowingRing : public SolvedContacts<Law, Forcing, Blades> {
     }
     return balance;
   }
-
-  const rotor::RotorConstants* rotor_;
-  const Blades* blades_;
-  const Law* law_;
-  const Forcing* forcing_;
 };
 
 }  // namespace rubatlas::modes

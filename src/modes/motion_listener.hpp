@@ -9,8 +9,9 @@
 
 namespace rubatlas::modes {
 
-enum class PhaseEvent : std::uint8_t {
-  horizon,
+/// What may end a mode: its guards, or one of the other ends of a motion.
+enum class Guard : std::uint8_t {
+  horizon,  ///< none: the end of the revolution
   lift_off,
   touch_down,
   slip_reversal,
@@ -24,7 +25,7 @@ enum class PhaseEvent : std::uint8_t {
 
 /// A touch-down, lift-off, slip reversal, snap, or end of sticking or skimming.
 struct Event {
-  PhaseEvent kind;
+  Guard kind;
   int blade;    ///< from 0
   double time;  ///< τ of the revolution
   double slip;  ///< s: after a touch-down or reversal, before a lift-off; 0 of a tip that sticks

@@ -78,9 +78,14 @@ std::uint64_t curve_evaluations(const Law& law) {
   if constexpr (requires { law.evaluations(); }) return law.evaluations();
   return 0;
 }
+/// Whether a blade's curve comes from a table; else each evaluation is a quadrature.
+template <class Law>
+inline constexpr bool kCurveFromTable = requires(const typename Law::OfBlade& blade) {
+  blade.curve();
+};
 template <class Law>
 std::int64_t price_of_curve() {
-  return Law::kHasBending ? WorkPrice::kCurve : WorkPrice::kInclinedCurve;
+  return kCurveFromTable<Law> ? WorkPrice::kCurve : WorkPrice::kInclinedCurve;
 }
 
 }  // namespace rubatlas::modes

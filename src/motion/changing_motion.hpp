@@ -25,7 +25,7 @@ class ChangingMotion final : public PointMotion {
   ChangingMotion(const settings::Scene& line, double speed_ratio, const Memory& memory,
                  const MakeMotion& make);
 
-  point::PointStatus start(const point::PointStart& start) override { return motion_->start(start); }
+  point::PointStatus start(const PointStart& start) override { return motion_->start(start); }
   point::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
                                 int number) override;
   point::PointStatus take_over(PointMotion& before) override { return motion_->take_over(before); }

@@ -10,7 +10,10 @@
 #include <utility>
 
 #include "modes/motion_listener.hpp"
-#include "point/line_solver.hpp"
+#include "modes/work_meter.hpp"
+#include "motion/point_start.hpp"
+#include "motion/work_counts.hpp"
+#include "point/status.hpp"
 #include "rotor/bodies.hpp"
 
 namespace rubatlas::motion {
@@ -22,7 +25,7 @@ class PointMotion {
   PointMotion& operator=(const PointMotion&) = delete;
   virtual ~PointMotion() = default;
 
-  virtual point::PointStatus start(const point::PointStart& start) = 0;
+  virtual point::PointStatus start(const PointStart& start) = 0;
   /// The next revolution, whose number counts from the first that is sampled.
   virtual point::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
                                         int number) = 0;
@@ -53,7 +56,7 @@ class TypedMotion final : public PointMotion {
   template <class... Arguments>
   explicit TypedMotion(Arguments&&... arguments) : motion_(std::forward<Arguments>(arguments)...) {}
 
-  point::PointStatus start(const point::PointStart& start) override {
+  point::PointStatus start(const PointStart& start) override {
     rotor::ShaftAndRing bodies = rotor::ShaftAndRing::Zero();
     bodies.head<4>() = rotor::as_state(start.state);
     if constexpr (kHasRing) {

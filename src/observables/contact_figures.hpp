@@ -11,7 +11,8 @@
 
 namespace rubatlas::observables {
 
-/// Touch-downs within the sampled revolutions, per revolution; a contact open at their start is not one.
+/// Touch-downs within the sampled revolutions, per revolution. A contact that is open when they start does
+/// not count.
 class TouchdownsPerRevolution final : public Observable {
  public:
   explicit TouchdownsPerRevolution(const settings::Scene& scene)
@@ -59,7 +60,7 @@ class ContactFraction final : public Observable {
   int left_ = 0;  ///< sampled revolutions that have not ended
 };
 
-/// Largest value over all contacts of a function of contact and time.
+/// Largest value of a function of contact and time over all contacts.
 template <double (MotionPiece::*kQuantity)(std::size_t, double)>
 class ContactPeak final : public Observable {
  public:
@@ -103,8 +104,7 @@ class Yielded final : public Observable {
   MaxRootStrain strain_;
 };
 
-/// By how much the clearance of the blade that has worn most has grown over the point [m], transient
-/// included.
+/// Growth of the clearance of the blade that has worn most, over the point with its transient [m].
 class ClearanceGrowth final : public Observable {
  public:
   static std::unique_ptr<Observable> make(const settings::Scene& /*scene*/) {

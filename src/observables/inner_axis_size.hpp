@@ -1,4 +1,4 @@
-/// The extents of the inner axes, without their values: of those there may be more than memory holds.
+/// The extents of the inner axes, without their values, which may be more than fit into memory.
 #pragma once
 
 #include <cstddef>

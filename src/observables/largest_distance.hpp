@@ -10,9 +10,9 @@
 
 namespace rubatlas::observables {
 
-/// sup |(x, y − centre_y)| over the piece [m]. Between samples an eighth of the fastest oscillation apart
-/// (that of the shaft or of the forcing; the square oscillates twice as fast) the distance has at most one
-/// maximum, where its rate changes sign; it is located to the last digit.
+/// sup |(x, y − centre_y)| over the piece [m]. The piece is sampled at eighths of the fastest period (that of
+/// the shaft or of the forcing; the square of the distance oscillates twice as fast). Between two samples the
+/// distance has at most one maximum, where its rate changes sign; this maximum is located to the last digit.
 inline double largest_distance(MotionPiece& piece, double centre_y, double speed_ratio) {
   const auto rate = [&](const State& state) {
     return state[0] * state[2] + (state[1] - centre_y) * state[3];

@@ -22,7 +22,8 @@ struct Entry {
   std::unique_ptr<Observable> (*make)(const settings::Scene&);
 };
 
-/// The registration list, in the order in which datasets and rows stand.
+/// What each word of `settings::observable_names` means, in the order of datasets and rows; `yielded`, which
+/// no scene names, comes last.
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> kEntries = {
       {"poincare",

@@ -1,7 +1,7 @@
-/// The list of observables: what an atlas can keep of a point, and the shape of each row.
+/// The observables of a scene: what an atlas keeps of a point, and the shape of each row.
 ///
-/// This is the one place that names them. The scene reader checks `observables` against it, the atlas creates
-/// its datasets from it, the solver fills rows in its order.
+/// The atlas makes its datasets from this list, the solver fills rows in its order. The words for scenes are
+/// in `settings/observable_names.hpp`, for the reader below this folder; a test holds the two lists equal.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace rubatlas::observables {
 
-/// An axis behind the grid's axes; its dimension scale carries these values.
+/// An inner axis: it follows the axes of the grid; its dimension scale holds these values.
 struct InnerAxis {
   std::string name;  ///< section, component, order, passing
   std::variant<std::vector<std::int32_t>, std::vector<double>, std::vector<std::string>> values;
@@ -40,7 +40,7 @@ struct Description {
 std::vector<Description> descriptions(const settings::Scene& scene);
 
 /// What the scene's effects remember from point to point besides the state, one dataset
-/// `final_state_<effect>` each; a point's numbers stand one after the other in this order (`solve::Memory`).
+/// `final_state_<effect>` each; a point's numbers stand one after the other in this order (`motion::Memory`).
 /// Empty for most scenes.
 std::vector<Description> memories(const settings::Scene& scene);
 

@@ -22,7 +22,7 @@ class MaxDisplacement final : public Observable {
   }
   void speed_changes(const PointConstants& point) override { speed_ratio_ = point.speed_ratio; }
   void piece(MotionPiece& piece) override {
-    // Most pieces cannot beat the largest so far, which their bound tells without a search.
+    // The bound of most pieces is below the largest displacement so far; these need no search.
     if (piece.displacement_bound() > largest_) {
       largest_ = std::max(largest_, largest_distance(piece, 0.0, speed_ratio_));
     }

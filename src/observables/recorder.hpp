@@ -1,4 +1,4 @@
-/// The observables that a scene asks for, fed together.
+/// The observables of a scene as one object, to which the motion is handed once.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@ class Recorder {
     blade_count_ = point.blade_count;
     for (auto& observable : observables_) observable->begin(point);
   }
-  /// The revolution that follows turns at another Ω.
+  /// The next revolution has another Ω.
   void speed_changes(double speed_ratio) {
     const PointConstants point{2.0 * std::numbers::pi / std::abs(speed_ratio), speed_ratio, blade_count_};
     for (auto& observable : observables_) observable->speed_changes(point);

@@ -29,7 +29,7 @@ struct PointParameters {
 /// The parameters as one value per axis, in the order of `settings::axes_of` (slowest first, speed ratio
 /// last).
 std::vector<double> values_of(const PointParameters& parameters);
-/// The reverse: the last five values are those of the axes with names of their own.
+/// The inverse; the last five values belong to the five axes that every atlas has.
 PointParameters parameters_at(std::span<const double> values);
 
 enum class Direction : std::uint8_t { up = 0, down = 1 };
@@ -59,7 +59,7 @@ class Grid {
   [[nodiscard]] Direction direction(std::size_t line) const;
   /// Point number of the `visit`-th point of a line.
   [[nodiscard]] std::size_t point(std::size_t line, std::size_t visit) const;
-  /// True when a point starts from the one visited before it, so that a line's points must run in order.
+  /// True when a point starts from the end of the one before it: a line is then computed in order.
   [[nodiscard]] bool points_depend_on_each_other() const { return chained_; }
 
  private:

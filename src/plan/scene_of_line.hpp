@@ -1,4 +1,4 @@
-/// One line's scene: what everything that computes a line reads.
+/// The scene of one line, which everything that computes the line reads.
 #pragma once
 
 #include "plan/grid.hpp"

@@ -10,31 +10,18 @@
 #include <vector>
 
 #include "modes/work_meter.hpp"
-#include "motion/memory.hpp"
+#include "motion/point_start.hpp"
 #include "motion/work_counts.hpp"
 #include "observables/list.hpp"
 #include "point/status.hpp"
 
 namespace rubatlas::point {
 
-/// x, y [m], dx/dτ, dy/dτ [m]: the shaft centre at phase 0, from its own equilibrium (MODEL 1).
-using SectionState = std::array<double, 4>;
-
-/// What a point starts from.
-struct PointStart {
-  PointStart() = default;
-  // A state alone is a start. NOLINTNEXTLINE(google-explicit-constructor)
-  PointStart(const SectionState& from, const motion::Memory& remembered = {})
-      : state(from), memory(remembered) {}
-  SectionState state{};
-  motion::Memory memory;  ///< empty: as new
-};
-
 struct PointOutcome {
   PointStatus status = PointStatus::pending;
   StatusDetail detail = StatusDetail::none;  ///< what ended the point, where it is not done
   std::int32_t failed_revolution = -1;       ///< counted from 0 through the transient; −1 when done
-  SectionState final_state{};                ///< after the last revolution; NaN when not done
+  motion::SectionState final_state{};        ///< after the last revolution; NaN when not done
   motion::Memory final_memory;               ///< beside it; empty where no effect has one
   observables::Rows rows;                    ///< as `observables::descriptions(scene)`
   motion::WorkCounts work;
@@ -47,7 +34,7 @@ struct ContactSamples {
   std::vector<std::int32_t> blade;   ///< from 0
   std::vector<double> time;   ///< τ [-] as in the orbit; ascends within a contact, twice the same at a jump
   std::vector<double> force;  ///< normal force F [N]
-  std::vector<SectionState> state;
+  std::vector<motion::SectionState> state;
 };
 
 /// One point's motion on a uniform grid of time over the sampled revolutions, and its contacts.
@@ -55,10 +42,10 @@ struct Orbit {
   PointStatus status = PointStatus::pending;
   StatusDetail detail = StatusDetail::none;
   std::int32_t failed_revolution = -1;
-  std::vector<double> time;            ///< τ [-] from the start of the sampled revolutions
-  std::vector<SectionState> state;     ///< one per time
-  std::vector<double> force;           ///< [time][blade], normal force F on each blade [N]
-  std::vector<SectionState> sections;  ///< Poincaré sections, one per sampled revolution
+  std::vector<double> time;                    ///< τ [-] from the start of the sampled revolutions
+  std::vector<motion::SectionState> state;     ///< one per time
+  std::vector<double> force;                   ///< [time][blade], normal force F on each blade [N]
+  std::vector<motion::SectionState> sections;  ///< Poincaré sections, one per sampled revolution
   ContactSamples contacts;
 };
 
@@ -69,10 +56,11 @@ class LineSolver {
   /// Runs transient and sampled revolutions at one speed ratio from `start`. `go_on` is asked after each
   /// revolution and every few milliseconds within (a rank answers its messages there): false gives the point
   /// up, which is then pending. Empty: nobody asks.
-  virtual PointOutcome run(double speed_ratio, const PointStart& start, const modes::GoOn& go_on = {}) = 0;
+  virtual PointOutcome run(double speed_ratio, const motion::PointStart& start,
+                           const modes::GoOn& go_on = {}) = 0;
 
   /// The same motion, kept as `samples_per_revolution` samples over the sampled revolutions.
-  virtual Orbit orbit(double speed_ratio, const PointStart& start) = 0;
+  virtual Orbit orbit(double speed_ratio, const motion::PointStart& start) = 0;
 };
 
 }  // namespace rubatlas::point

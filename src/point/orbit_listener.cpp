@@ -38,7 +38,7 @@ void OrbitListener::piece(observables::MotionPiece& piece) {
 
 void OrbitListener::event(const modes::Event& event) {
   may_jump_ = true;
-  if (event.kind == modes::PhaseEvent::lift_off) open_[static_cast<std::size_t>(event.blade)].reset();
+  if (event.kind == modes::Guard::lift_off) open_[static_cast<std::size_t>(event.blade)].reset();
 }
 
 void OrbitListener::speed_changes(double speed_ratio) {
@@ -48,7 +48,7 @@ void OrbitListener::speed_changes(double speed_ratio) {
   may_jump_ = true;
 }
 
-void OrbitListener::revolution_ends(const SectionState& section) {
+void OrbitListener::revolution_ends(const motion::SectionState& section) {
   orbit_.sections.push_back(section);
   sample_ = 0;
   ++revolution_;

@@ -16,7 +16,7 @@ class OrbitListener final : public modes::MotionListener {
   void piece(observables::MotionPiece& piece) override;
   void event(const modes::Event& event) override;
   void speed_changes(double speed_ratio) override;
-  void revolution_ends(const SectionState& section) override;
+  void revolution_ends(const motion::SectionState& section) override;
 
   [[nodiscard]] Orbit take();
 
@@ -24,7 +24,7 @@ class OrbitListener final : public modes::MotionListener {
   struct Sample {
     double time;
     double force;
-    SectionState state;
+    motion::SectionState state;
   };
   struct Contact {
     int blade = 0;

@@ -10,7 +10,7 @@
 namespace rubatlas::point {
 namespace {
 
-SectionState section_of(const motion::PointMotion& motion) {
+motion::SectionState section_of(const motion::PointMotion& motion) {
   return rotor::as_array(rotor::shaft(motion.state()));
 }
 
@@ -20,10 +20,10 @@ class Recording final : public modes::MotionListener {
   explicit Recording(observables::Recorder& recorder) : recorder_(&recorder) {}
   void piece(observables::MotionPiece& piece) override { recorder_->piece(piece); }
   void event(const modes::Event& event) override {
-    if (event.kind == modes::PhaseEvent::touch_down) recorder_->touch_down();
+    if (event.kind == modes::Guard::touch_down) recorder_->touch_down();
   }
   void speed_changes(double speed_ratio) override { recorder_->speed_changes(speed_ratio); }
-  void revolution_ends(const SectionState& section) override { recorder_->revolution_ends(section); }
+  void revolution_ends(const motion::SectionState& section) override { recorder_->revolution_ends(section); }
 
  private:
   observables::Recorder* recorder_;
@@ -44,13 +44,13 @@ PointSolver::PointSolver(const settings::Scene& line, motion::MakeMotion make)
 
 /// A fresh one for each point, so that nothing but its start crosses from point to point.
 std::unique_ptr<motion::PointMotion> PointSolver::motion_of(double speed_ratio,
-                                                            const PointStart& start) const {
+                                                            const motion::PointStart& start) const {
   if (motion::changes_between_revolutions(scene_))
     return std::make_unique<motion::ChangingMotion>(scene_, speed_ratio, start.memory, make_);
   return make_(speed_ratio, {});
 }
 
-PointOutcome PointSolver::run(double speed_ratio, const PointStart& start, const modes::GoOn& go_on) {
+PointOutcome PointSolver::run(double speed_ratio, const motion::PointStart& start, const modes::GoOn& go_on) {
   const auto motion = motion_of(speed_ratio, start);
   Recording recording(recorder_);
   recorder_.begin({constants_of(scene_, speed_ratio).period(), speed_ratio, scene_.blades.count});
@@ -71,7 +71,7 @@ PointOutcome PointSolver::run(double speed_ratio, const PointStart& start, const
   return outcome;
 }
 
-Orbit PointSolver::orbit(double speed_ratio, const PointStart& start) {
+Orbit PointSolver::orbit(double speed_ratio, const motion::PointStart& start) {
   const auto motion = motion_of(speed_ratio, start);
   OrbitListener listener(constants_of(scene_, speed_ratio).period(), scene_.protocol.samples_per_revolution,
                          scene_.blades.count);
@@ -83,7 +83,7 @@ Orbit PointSolver::orbit(double speed_ratio, const PointStart& start) {
   return orbit;
 }
 
-PointSolver::Ending PointSolver::integrate(motion::PointMotion& motion, const PointStart& start,
+PointSolver::Ending PointSolver::integrate(motion::PointMotion& motion, const motion::PointStart& start,
                                            modes::MotionListener& sampling, const modes::GoOn& go_on) const {
   modes::MotionListener transient;
   const int first_sampled = scene_.protocol.transient_revolutions;

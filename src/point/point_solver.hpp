@@ -22,8 +22,8 @@ class PointSolver final : public LineSolver {
   /// `line`: the scene with the line's values of all that is swept; `make` makes its motions.
   PointSolver(const settings::Scene& line, motion::MakeMotion make);
 
-  PointOutcome run(double speed_ratio, const PointStart& start, const modes::GoOn& go_on) override;
-  Orbit orbit(double speed_ratio, const PointStart& start) override;
+  PointOutcome run(double speed_ratio, const motion::PointStart& start, const modes::GoOn& go_on) override;
+  Orbit orbit(double speed_ratio, const motion::PointStart& start) override;
 
  private:
   /// How a motion ended.
@@ -34,9 +34,9 @@ class PointSolver final : public LineSolver {
   };
 
   [[nodiscard]] std::unique_ptr<motion::PointMotion> motion_of(double speed_ratio,
-                                                               const PointStart& start) const;
-  Ending integrate(motion::PointMotion& motion, const PointStart& start, modes::MotionListener& sampling,
-                   const modes::GoOn& go_on) const;
+                                                               const motion::PointStart& start) const;
+  Ending integrate(motion::PointMotion& motion, const motion::PointStart& start,
+                   modes::MotionListener& sampling, const modes::GoOn& go_on) const;
 
   settings::Scene scene_;
   motion::MakeMotion make_;

@@ -50,7 +50,7 @@ class BladeSet : public BladePlaces {
   BladeSet(int count, double speed_ratio) : BladeSet(equal_angles(count), speed_ratio) {}
 
   /// dφ/dτ at time τ of the revolution.
-  [[nodiscard]] double speed(double /*time*/) const { return speed_ratio_; }
+  [[nodiscard]] double angular_speed(double /*time*/) const { return speed_ratio_; }
   /// Least |dφ/dτ|.
   [[nodiscard]] double slowest() const { return std::abs(speed_ratio_); }
 

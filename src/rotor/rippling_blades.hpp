@@ -28,7 +28,7 @@ class RipplingBlades : public BladePlaces {
     return speed_ratio_ * time + depth_ * (std::sin(frequency_ * time + phase_) - std::sin(phase_));
   }
   /// dφ/dτ and d²φ/dτ² at time τ of the revolution.
-  [[nodiscard]] double speed(double time) const {
+  [[nodiscard]] double angular_speed(double time) const {
     return speed_ratio_ * (1.0 + amplitude_ * std::cos(frequency_ * time + phase_));
   }
   [[nodiscard]] double angular_acceleration(double time) const {

@@ -26,7 +26,7 @@ std::string place(std::string_view text, std::string_view name, std::size_t posi
   return fmt::format("{}:{}:{}", name, line, std::max<std::size_t>(column, 1));
 }
 
-// Builds the tree and stops at what a plain parse would let pass.
+// Builds the tree and refuses what a plain parse would accept.
 class TreeBuilder final : public nlohmann::json_sax<json> {
  public:
   TreeBuilder(std::string_view text, std::string_view name) : text_(text), name_(name) {}
@@ -80,7 +80,7 @@ class TreeBuilder final : public nlohmann::json_sax<json> {
     return result;
   }
 
-  /// Of the value that comes next.
+  /// Pointer of the value that comes next.
   [[nodiscard]] std::string here() const {
     if (open_.empty()) return {};
     return pointer() +
@@ -143,7 +143,7 @@ std::string cut(std::string_view text) {
 }  // namespace
 
 json parse_document(std::string_view text, std::string_view name) {
-  // The parser takes a NUL byte for the end of the text; what stands behind it must not vanish.
+  // The parser takes a NUL byte for the end of the text, and would silently ignore what follows it.
   if (const auto nul = text.find('\0'); nul != std::string_view::npos) {
     throw SceneError(fmt::format("{}: not JSON: a NUL byte", place(text, name, nul + 1)));
   }
@@ -153,18 +153,7 @@ json parse_document(std::string_view text, std::string_view name) {
 }
 
 std::string child(std::string_view pointer, std::string_view key) {
-  std::string result(pointer);
-  result += '/';
-  for (const char letter : key) {
-    if (letter == '~') {
-      result += "~0";
-    } else if (letter == '/') {
-      result += "~1";
-    } else {
-      result += letter;
-    }
-  }
-  return result;
+  return (json::json_pointer(std::string(pointer)) / std::string(key)).to_string();
 }
 
 std::string shortest(double value) {
@@ -178,7 +167,7 @@ std::string shown(const json& value) {
 std::string in_short(std::string_view text) {
   std::string result;
   while (!text.empty()) {
-    const auto end = std::min(text.find(' '), text.size() - 1) + 1;  // a word with the blank behind it
+    const auto end = std::min(text.find(' '), text.size() - 1) + 1;  // a word and the blank that follows it
     const auto word = text.substr(0, end);
     result += word.size() <= 2 * kLongestShown ? std::string(word) : cut(word);
     if (word.size() > 2 * kLongestShown && word.back() == ' ') result += ' ';

@@ -1,5 +1,6 @@
-/// JSON text to a JSON tree, stricter than the standard asks: no duplicate keys, no silent end at a NUL byte,
-/// no nesting that no scene has, numbers that fit a double. Numbers, keys and pointers as texts for messages.
+/// From JSON text to a tree, stricter than the JSON standard: duplicate keys, NUL bytes, nesting deeper than
+/// that of any scene, and numbers too large for a double are refused. Also numbers, keys and pointers as
+/// texts for messages.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -17,8 +18,8 @@ std::string child(std::string_view pointer, std::string_view key);
 /// A value as short JSON text, for messages: cut after some 60 characters.
 std::string shown(const nlohmann::json& value);
 
-/// A sentence in which no word is longer than a line: those that are, numbers of thousands of digits among
-/// them, are cut after some 60 characters.
+/// A sentence in which words longer than a line, such as numbers of thousands of digits, are cut after some
+/// 60 characters.
 std::string in_short(std::string_view text);
 
 /// Shortest decimal text that reads back as the same double.

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
-#include <type_traits>
-#include <utility>
 
+#include "settings/combinations.hpp"
 #include "settings/quantity.hpp"
 #include "settings/reader.hpp"
 
@@ -45,20 +44,6 @@ void check_scaled(const Scene& scene) {
           entry.pointer, value, entry.unit, scale->text, scale->size, kLargest));
     }
   }
-}
-
-/// Only the program's own method knows effects; the others are there to be compared on the paper's rotor.
-void check_method(const Scene& scene) {
-  if (scene.accuracy.method == Method::hybrid) return;
-  effects::for_each_effect([&]<auto Effect>() {
-    using Settings = std::remove_cvref_t<decltype(*(std::declval<Scene>().*Effect))>;
-    if constexpr (!std::is_same_v<Settings, effects::Unbalance>) {
-      if (!(scene.*Effect)) return;
-      throw SceneError(fmt::format(
-          R"({}: the method "{}" computes the paper's rotor and its unbalance; effects need "hybrid")",
-          Settings::kDescription.section, std::get<std::string>(*quantity("/accuracy/method").read(scene))));
-    }
-  });
 }
 
 void check_unequal_blades(const Scene& scene) {
@@ -130,83 +115,14 @@ void check_speed_ramp(const Scene& scene) {
   }
 }
 
-/// A ring that moves is compiled for the plain laws, and for a machine that stays as it is.
-void check_ring_body(const Scene& scene) {
-  if (!scene.ring_body) return;
-  const auto refuse_beside = [](bool there, std::string_view section) {
-    if (!there) return;
-    throw SceneError(
-        fmt::format("/ring_body: stands beside {}; the ring moves as one body without it only", section));
-  };
-  refuse_beside(scene.yielding_ring.has_value(), "/yielding_ring");
-  refuse_beside(scene.release.has_value(), "/release");
-  refuse_beside(scene.load_direction.has_value(), "/load_direction");
-  refuse_beside(scene.regularised_friction.has_value(), "/regularised_friction");
-  refuse_beside(scene.stribeck.has_value(), "/stribeck");
-  refuse_beside(scene.wear.has_value(), "/wear");
-  refuse_beside(scene.speed_ramp.has_value(), "/speed_ramp");
-  refuse_beside(scene.stick.has_value(), "/stick");
-  if (std::ranges::min(values_in(scene, "/ring_body/mass")) > 0.0) return;
-  if (scene.contact.law != ContactLaw::elastic_ring) {
-    throw SceneError(
-        R"(/ring_body/mass: 0 goes with the contact law "elastic_ring" only; under elastic blades )"
-        "/yielding_ring is a ring without mass");
-  }
-  const double damping = std::ranges::max(values_in(scene, "/ring_body/damping"));
-  if (damping > 0.0) {
-    throw SceneError(fmt::format(
-        "/ring_body/damping: {} beside a mass of 0; a ring without mass has no damping here", damping));
-  }
-}
-
-/// Effects of elastic blades say nothing of rigid ones, and a load of its own direction has no table.
-void check_blades(const Scene& scene) {
-  const auto refuse = [](std::string_view section, std::string_view why) {
-    throw SceneError(fmt::format("{}: {}", section, why));
-  };
-  const bool rigid = scene.contact.law == ContactLaw::elastic_ring;
-  constexpr std::string_view kRigid =
-      R"(has no effect under the contact law "elastic_ring", whose blades are rigid)";
-  if (rigid && scene.axial_compliance) refuse("/axial_compliance", kRigid);
-  if (rigid && scene.yielding_ring)
-    refuse("/yielding_ring",
-           R"(the contact law "elastic_ring" has a ring that yields already: /ring/stiffness)");
-  if (rigid && scene.release) refuse("/release", kRigid);
-  if (rigid && scene.load_direction) refuse("/load_direction", kRigid);
-  if (scene.stribeck && scene.regularised_friction)
-    refuse("/stribeck", "stands beside /regularised_friction; friction has one law");
-  if (scene.stick && (scene.stribeck || scene.regularised_friction))
-    refuse("/stick", fmt::format("stands beside {}; friction has one law",
-                                 scene.stribeck ? "/stribeck" : "/regularised_friction"));
-  if (scene.stick && (scene.wear || scene.speed_ramp))
-    refuse("/stick", fmt::format("stands beside {}, whose changes between revolutions would tear tips loose",
-                                 scene.wear ? "/wear" : "/speed_ramp"));
-  if (scene.stick && scene.load_direction)
-    refuse("/stick", "holds tips under the axial load only, not beside /load_direction");
-  const bool directed =
-      !rigid && (scene.load_direction || scene.stribeck || scene.regularised_friction || scene.stick);
-  if (!directed) return;
-  constexpr std::string_view kPlain =
-      R"(combines with inextensible elastica in a rigid ring only: no axial_compliance, yielding_ring, release or law "beam_column")";
-  if (scene.axial_compliance || scene.yielding_ring || scene.release ||
-      scene.contact.law == ContactLaw::beam_column)
-    refuse(scene.load_direction         ? "/load_direction"
-           : scene.stribeck             ? "/stribeck"
-           : scene.regularised_friction ? "/regularised_friction"
-                                        : "/stick",
-           kPlain);
-}
-
 }  // namespace
 
 void check_effects(const Scene& scene) {
   check_scaled(scene);
-  check_method(scene);
-  check_blades(scene);
+  if (const auto refusal = refusal_of_combination(scene)) throw SceneError(*refusal);
   check_unequal_blades(scene);
   check_wear(scene);
   check_speed_ramp(scene);
-  check_ring_body(scene);
 }
 
 }  // namespace rubatlas::settings

@@ -1,4 +1,5 @@
-/// What effects ask of the rest of a scene.
+/// What the numbers of single effects ask of the rest of a scene; what combines with what is in
+/// `combinations.hpp`.
 #pragma once
 
 #include "settings/scene.hpp"

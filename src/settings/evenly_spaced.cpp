@@ -7,7 +7,8 @@
 namespace rubatlas::settings {
 
 std::vector<double> evenly_spaced(double from, double to, int count) {
-  // Fifty digits: their error decides on the nearest double only between two that are equally near.
+  // With fifty digits the rounding error can change the nearest double only where two doubles are equally
+  // near.
   using Wide = boost::multiprecision::cpp_bin_float_50;
   const Wide first(shortest(from));
   const Wide step = (Wide(shortest(to)) - first) / (count - 1);

@@ -6,7 +6,7 @@
 namespace rubatlas::settings {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  // Rows of the usual table, the last three only: a swap of neighbours looks two rows back.
+  // The last three rows of the usual table; a swap of neighbours needs the row before the last.
   std::vector<std::size_t> before(b.size() + 1), previous(b.size() + 1), current(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) previous[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {

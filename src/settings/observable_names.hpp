@@ -1,7 +1,8 @@
-/// The words that a scene's list `observables` may hold, in the order in which an atlas keeps them.
+/// The words that a scene may use under `observables`, in the order of the datasets in an atlas.
 ///
-/// The observables themselves live one folder on; only their names are here, so that a scene can be checked
-/// without linking what computes them.
+/// The reader checks a scene against these words. What each word means (unit, inner axes, the class that
+/// computes the row) is in `observables/list.cpp`, which lists the same words in the same order; a test
+/// compares the two lists.
 #pragma once
 
 #include <span>
@@ -12,7 +13,7 @@ namespace rubatlas::settings {
 /// Every observable that an atlas can keep.
 std::span<const std::string_view> observable_names();
 
-/// Those that an atlas keeps when the scene does not say.
+/// The observables of a scene that names none.
 std::span<const std::string_view> default_observable_names();
 
 }  // namespace rubatlas::settings

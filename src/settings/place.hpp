@@ -1,4 +1,5 @@
-/// Where a quantity lives in a scene: from member pointers to the functions that read and write it.
+/// Where the value of a quantity is stored in a `Scene`: from member pointers to the functions that read and
+/// write it.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +15,7 @@
 
 namespace rubatlas::settings {
 
-// The order of a quantity's `choices` is the order of the enumeration: the one place where words become
-// types.
+// A quantity's `choices` stand in the order of the enumeration. Words become types here and nowhere else.
 inline constexpr std::array<std::string_view, 3> kContactLaws{"elastica", "elastic_ring", "beam_column"};
 inline constexpr std::array<std::string_view, 4> kSweeps{"up", "down", "both", "independent"};
 
@@ -96,8 +96,8 @@ struct At<Section, Member> {
   }
 };
 
-// A quantity that is part of a scene only under some words of a choice: the stiffness of the ring under the
-// law that reads it, the knobs of a method under that method.
+// A quantity that is part of a scene only under some words of a choice, such as the stiffness of the ring
+// under the law that reads it.
 template <typename Place, auto Section, auto Member, auto... kReaders>
 struct Under : Place {
   static constexpr std::array<std::string_view, sizeof...(kReaders)> kWords{

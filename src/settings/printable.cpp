@@ -9,7 +9,7 @@ unsigned char byte_of(char c) {
   return static_cast<unsigned char>(c);
 }
 
-/// Bytes of the character that begins with this one; 0: none does.
+/// Length in bytes of the character that begins with this byte; 0 where no character does.
 std::size_t length_of(unsigned char first) {
   if (first < 0x80) return 1;
   if (first >= 0xC2 && first < 0xE0) return 2;

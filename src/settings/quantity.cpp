@@ -27,7 +27,7 @@ constexpr double kHighestOrder = 32768;
 
 constexpr std::string_view kDefaultRotor = "the paper's default rotor";
 
-/// The table but for the quantities of the effects, which describe themselves.
+/// The table without the quantities of the effects, which are described in `effects/`.
 const auto& own_table() {
   static const std::array entries{
       in({.pointer = "/title",
@@ -324,7 +324,7 @@ Quantity quantity_of(const effects::Field<Member>& field) {
             At<Effect, Member>{});
 }
 
-/// Own entries, with those of the effects behind the sections of the machine.
+/// These entries, with those of the effects after the sections of the machine.
 const std::vector<Quantity>& table() {
   static const std::vector<Quantity> entries = [] {
     const auto& own = own_table();

@@ -1,4 +1,4 @@
-/// The one table of what a scene can say: every quantity's place, symbol, unit, meaning, range and source.
+/// The table of all quantities of a scene: pointer, symbol, unit, meaning, range and source of each.
 ///
 /// The reader, its error texts, the canonical form, the grid's axes, `explain` and the documentation all come
 /// from this table, so that a quantity is described once. A new quantity is a member of a struct in
@@ -24,11 +24,11 @@ enum class Kind : std::uint8_t { number, whole_number, flag, text, choice, numbe
 using Value = std::variant<double, int, bool, std::string, std::vector<double>>;
 
 struct Quantity {
-  std::string_view pointer{};  ///< where it stands in the scene file, as a JSON pointer
+  std::string_view pointer{};  ///< JSON pointer of its place in the scene file
   std::string_view symbol{};   ///< as in MODEL, unique within a section; empty where it has none
   std::string_view unit{};     ///< "1" where dimensionless, empty for texts and choices
   std::string_view meaning{};  ///< one phrase, ASCII, used in error texts and as `long_name`
-  std::string_view source{};   ///< where range or default come from
+  std::string_view source{};   ///< source of range or default
   Kind kind = Kind::number;
   Range range{};
   std::span<const std::string_view> choices{};  ///< words of a choice, in the order of its enumeration
@@ -36,9 +36,9 @@ struct Quantity {
   std::string_view chooser{};  ///< pointer of the choice that decides whether anything reads the quantity
   std::span<const std::string_view> readers{};  ///< the words of that choice under which it is read
 
-  /// Value in a scene, none where absent or not read. Null for a quantity that lives on the grid only.
+  /// Value in a scene, none where absent or not read. Null for a quantity that only the grid has.
   std::optional<Value> (*read)(const Scene&) = nullptr;
-  /// Puts a value, checked before, into a scene; makes its section present.
+  /// Writes a checked value into a scene; makes its section present.
   void (*write)(Scene&, const Value&) = nullptr;
 
   /// Last part of the pointer.
@@ -94,7 +94,7 @@ std::vector<Axis> axes_of(const Scene& scene);
 /// The quantity of an axis of that name, of any scene; null for a name that no scene's axis has.
 const Quantity* quantity_of_axis(std::string_view name);
 
-/// The values that a number takes in an atlas: those of its axis, or the scene's one; none where absent.
+/// The values of a number in an atlas: those of its axis, else the one value of the scene; none where absent.
 std::vector<double> values_in(const Scene& scene, std::string_view pointer);
 
 }  // namespace rubatlas::settings

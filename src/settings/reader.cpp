@@ -63,8 +63,8 @@ std::vector<std::string_view> known_keys(std::string_view section) {
   return keys;
 }
 
-/// Which key may have been meant: one that is right but stands in the wrong section, then the one that has
-/// this symbol, then the nearest one of the section by its spelling.
+/// The key that may have been meant: the same key in another section, else the key whose symbol this is, else
+/// the key of the section with the nearest spelling.
 std::string what_was_meant(std::string_view section, std::string_view key) {
   for (const auto& entry : quantities()) {
     if (entry.key() == key) return fmt::format("nearest known key: {}", entry.pointer);
@@ -78,7 +78,7 @@ bool is_pointer(std::string_view key) {
   return key.starts_with('/');
 }
 
-/// A key of `grid` that is a JSON pointer must be that of a quantity that can be swept so.
+/// A key of `grid` that is a JSON pointer must be the pointer of a quantity that can be swept.
 void check_pointer_axis(const std::string& key, const json& value) {
   const auto here = child("/grid", key);
   std::vector<std::string_view> allowed;
@@ -148,7 +148,7 @@ double checked_number(const json& value, std::string_view pointer, const Quantit
   if (!entry.range.contains(number)) {
     fail(pointer, fmt::format("{} is outside {}; {}", shown(value), with_unit(entry), entry.meaning));
   }
-  return number + 0.0;  // no negative zero: equal scenes have equal canonical texts
+  return number + 0.0;  // makes −0 zero, so that equal scenes have equal canonical texts
 }
 
 std::vector<double> checked_numbers(const json& value, std::string_view pointer, const Quantity& entry) {
@@ -271,8 +271,8 @@ std::vector<double> read_axis(const json& value, std::string_view pointer, const
                             shown(value), with_unit(entry), entry.meaning));
 }
 
-/// Axes that the grid names by pointers. No point reads the scene's own value of such a quantity, so the
-/// scene has the first one of the axis: whatever is computed from the scene alone belongs to a point of the
+/// Axes that the grid names by pointers. No point reads the scene's own value of such a quantity. The scene
+/// gets the first value of the axis, so that anything computed from the scene alone belongs to a point of the
 /// atlas.
 void read_pointer_axes(const json& grid, Scene& scene) {
   for (const auto& [key, value] : grid.items()) {
@@ -304,7 +304,7 @@ void read_grid(const json& document, Scene& scene) {
                                       with_unit(entry), entry.meaning));
     } else {
       const auto own = entry.read(scene);
-      values = {own ? std::get<double>(*own) : 0.0};  // an absent effect has the strength zero
+      values = {own ? std::get<double>(*own) : 0.0};  // the strength of an absent effect is zero
     }
     points *= static_cast<double>(values.size());
   }
@@ -346,7 +346,8 @@ void read_observables(const json& document, Scene& scene) {
   }
 }
 
-/// A quantity that only some words of a choice read is an error under the others, as a key and on the grid.
+/// A quantity that is read under some words of a choice only is an error under the others, as a key and on
+/// the grid.
 void check_choosers(const json& document, const Scene& scene) {
   for (const auto& entry : quantities()) {
     if (entry.chooser.empty() || entry.read(scene)) continue;
@@ -363,7 +364,7 @@ void check_choosers(const json& document, const Scene& scene) {
   }
 }
 
-/// The clearance at its least: the smallest ring around the longest blades on the largest hub of the grid.
+/// The smallest clearance on the grid: that of the smallest ring with the longest blades on the largest hub.
 void check_clearance(const Scene& scene) {
   Scene tightest = scene;
   std::string place = "/ring/radius";

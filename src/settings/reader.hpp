@@ -1,4 +1,4 @@
-/// From a scene file to a `Scene`: the only door through which JSON enters.
+/// From a scene file to a `Scene`. No other part of the program reads a scene's JSON.
 ///
 /// Every departure (unknown key, wrong type, value out of range, empty grid) is one `SceneError` whose text
 /// has the JSON pointer, the value found, what is allowed and, for a key, the nearest known one:
@@ -14,7 +14,7 @@
 
 namespace rubatlas::settings {
 
-/// A scene's mistake: the program says it in one sentence and ends with exit code 2.
+/// A mistake in a scene: the program reports it in one sentence and ends with exit code 2.
 class SceneError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -1,4 +1,4 @@
-// The canonical text of a scene, and what tells two of them apart.
+// The canonical text of a scene, and the first difference between two such texts.
 
 #include <fmt/format.h>
 
@@ -18,8 +18,8 @@ json as_json(const Value& value) {
   return std::visit([](const auto& content) { return json(content); }, value);
 }
 
-// Objects one key a line, lists on one line: a thousand speeds stay readable. Keys come sorted from the
-// library.
+// Objects have one key a line and lists stand on one line, so that a thousand speeds stay readable. The
+// library sorts the keys.
 void write(const json& value, const std::string& indent, std::string& text) {
   if (value.is_number_float()) {
     text += shortest(value.get<double>());
@@ -85,7 +85,7 @@ std::string resolved_json(const Scene& scene) {
   }
   for (const auto& axis : grid_axes()) {
     const auto& entry = quantity(axis.quantity);
-    // The axis of an absent effect stays out: naming it would switch the effect on.
+    // The axis of an absent effect is left out, because its name would switch the effect on.
     if (entry.read != nullptr && !entry.read(scene)) continue;
     document["grid"][std::string(axis.name)] = scene.grid.*axis.values;
   }

@@ -28,7 +28,8 @@ constexpr std::array kGridAxes{
     GridAxis{.name = "speed_ratio", .quantity = "/grid/speed_ratio", .values = &Grid::speed_ratio},
 };
 
-/// Sections that say how a motion is computed and kept, not which machine moves: no axis of an atlas.
+/// Sections that describe how a motion is computed and stored, not the machine. Their quantities cannot be
+/// axes of an atlas.
 constexpr std::array<std::string_view, 7> kNotSwept{"",          "/grid",     "/initial", "/protocol",
                                                     "/spectrum", "/validity", "/accuracy"};
 

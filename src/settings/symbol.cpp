@@ -16,12 +16,12 @@ namespace {
 
 using Pair = std::pair<std::string_view, std::string_view>;
 
-/// Letters of the table's symbols, and how they are spelled out.
+/// Greek letters in the symbols of the table, and their names.
 constexpr std::array kGreek{Pair{"α", "alpha"}, Pair{"β", "beta"},  Pair{"γ", "gamma"}, Pair{"δ", "delta"},
                             Pair{"ζ", "zeta"},  Pair{"μ", "mu"},    Pair{"µ", "mu"},    Pair{"ψ", "psi"},
                             Pair{"ω", "omega"}, Pair{"Ω", "Omega"}, Pair{"Δ", "Delta"}};
 
-/// Symbols of the model that are no quantity of a scene, and what they follow from.
+/// Symbols of the model that are no quantities of a scene, and the quantities that determine them.
 constexpr std::array kDerived{
     Pair{"k", "k = m ωn² follows from /rotor/mass and /rotor/natural_frequency"},
     Pair{"c", "c = 2 ζ m ωn follows from /rotor/damping_ratio, /rotor/mass and /rotor/natural_frequency"},
@@ -54,7 +54,8 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-/// Where a quantity is to be written: by the name of its axis on the grid, where it has one.
+/// Where a user has to write a quantity: under the name of its axis if the section is `grid` and the axis has
+/// a name.
 std::string place_of(const Quantity& entry, std::string_view section) {
   const auto axes = grid_axes();
   const auto own = std::ranges::find(axes, entry.pointer, &GridAxis::quantity);

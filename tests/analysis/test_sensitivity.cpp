@@ -80,7 +80,7 @@ TEST(Sensitivity, TellsHowRegionsWidenAndShorten) {
   const auto found = sensitivities(parameters_of(axes), lines, SpeedScale(3));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].parameter, 1U);
-  EXPECT_EQ(found[0].held, "μ = 0.1");
+  EXPECT_EQ(found[0].fixed, "μ = 0.1");
   EXPECT_EQ(found[0].lines, (std::vector<std::size_t>{0, 1}));
   EXPECT_EQ(text_of(found[0], "region 2"),
             "shortens from 0.266 (0.334-0.600) at ζ = 0.05 to 0.166 (0.334-0.500) at ζ = 0.1");
@@ -118,9 +118,9 @@ TEST(Sensitivity, HasOneEntryPerCombinationOfTheOthersAndNoneForTheDirection) {
   }
   const auto found = sensitivities(parameters_of(axes), lines, SpeedScale(3));
   ASSERT_EQ(found.size(), 8U);  // friction and damping, each at four combinations of the others
-  EXPECT_EQ(found[0].held, "direction = up, ζ = 0.05");
+  EXPECT_EQ(found[0].fixed, "direction = up, ζ = 0.05");
   EXPECT_EQ(found[0].lines, (std::vector<std::size_t>{0, 2}));
-  EXPECT_EQ(found[7].held, "direction = down, μ = 0.2");
+  EXPECT_EQ(found[7].fixed, "direction = down, μ = 0.2");
   EXPECT_EQ(found[7].lines, (std::vector<std::size_t>{6, 7}));
 }
 

@@ -30,10 +30,10 @@ MAY_INCLUDE = {
     "analysis/paper": ["settings", "plan", "blade/elastica.hpp", "atlas", "analysis/rules"],
     "analysis": ["settings", "plan", "atlas", "analysis/rules", "analysis/paper"],
     "mpi/job": ["settings", "plan", "observables", "modes/work_meter.hpp", "point", "assembly", "batch", "atlas", "mpi"],
-    "mpi/accuracy": ["settings", "plan", "observables", "point", "assembly", "analysis", "mpi"],
+    "mpi/accuracy": ["settings", "plan", "observables", "point", "assembly", "atlas/accuracy_file.hpp", "analysis", "mpi"],
     "mpi/commands": ["settings", "plan", "observables", "modes/work_meter.hpp", "point", "assembly", "batch", "atlas",
                      "analysis", "mpi"],
-    "mpi": ["settings", "atlas", "mpi/job", "mpi/accuracy", "mpi/commands"],
+    "mpi": ["settings", "atlas", "analysis/analyse.hpp", "mpi/job", "mpi/accuracy", "mpi/commands"],
 }
 
 
@@ -48,7 +48,7 @@ STAYS_IN = {
     "hdf5.h": ["src/atlas", "mpi"],
     "hdf5_hl.h": ["src/atlas"],
     "fftw3.h": ["analysis/spectrum.cpp"],
-    "nlohmann/json.hpp": ["src/settings"],
+    "nlohmann/json.hpp": ["src/settings", "mpi/job/run_record.cpp"],
     "CLI/CLI.hpp": ["mpi"],
     "boost/context/fiber.hpp": ["src/batch"],
     "immintrin.h": ["src/batch"],
@@ -147,6 +147,13 @@ class Architecture(unittest.TestCase):
         folders = {ROOT / folder for folder in [*MAY_INCLUDE, "src", "tests", "tests/reference", "jobs", "tools"]}
         missing = sorted(str(folder.relative_to(ROOT)) for folder in folders if not (folder / "README.md").is_file())
         self.expect_none(missing, "every folder has a README.md")
+
+    def test_links_in_pages_lead_to_files(self):
+        link = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
+        links = [(path, target) for path in files(".md") for target in link.findall((ROOT / path).read_text())]
+        self.assertGreater(len(links), 50)
+        self.expect_none((f"{path} links to {target}" for path, target in links
+                          if not ((ROOT / path).parent / target).exists()), "a link leads to a file of the project")
 
     def test_the_tests_readme_names_every_suite(self):
         text = (ROOT / "tests" / "README.md").read_text()

@@ -55,9 +55,9 @@ TEST_F(Atlas, AFreshOneHasEveryAxisAndNoPointDone) {
   EXPECT_EQ(atlas.axes()[3].values, (std::vector<double>{0.05, 0.2}));
   EXPECT_EQ(atlas.status(), std::vector<std::uint8_t>(10, 0));
   EXPECT_EQ(atlas.rows("failed_revolution"), std::vector<double>(10, -1.0));
-  EXPECT_EQ(atlas.row_shape("poincare"), (Shape{3, 4}));
-  EXPECT_EQ(atlas.row_shape("poincare_blade_passing"), (Shape{9, 4}));
-  EXPECT_TRUE(atlas.row_shape("max_displacement").empty());
+  EXPECT_EQ(atlas.file().dataset("poincare").shape(), (Shape{1, 1, 1, 2, 5, 3, 4}));
+  EXPECT_EQ(atlas.file().dataset("poincare_blade_passing").shape(), (Shape{1, 1, 1, 2, 5, 9, 4}));
+  EXPECT_EQ(atlas.file().dataset("max_displacement").shape(), atlas.shape());
   EXPECT_FALSE(atlas.has("max_contact_force")) << "the scene does not ask for it";
 }
 

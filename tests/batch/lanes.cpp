@@ -35,7 +35,7 @@ void expect_same(double one, double other) {
 template <class Forcing>
 class AskedUnder final : public Asked {
  public:
-  using System = modes::CarriedContact<contact::ElasticaContact, Forcing>;
+  using System = modes::Carried<contact::ElasticaContact, Forcing>;
   AskedUnder(const System& system, const rotor::ContactState& state, double size)
       : system_(system), state_(state), size_(size), in_lane_(system) {}
 
@@ -91,7 +91,7 @@ class AskedUnder final : public Asked {
 class TouchDowns final : public modes::MotionListener {
  public:
   void event(const modes::Event& event) override {
-    if (event.kind == modes::PhaseEvent::touch_down) events.push_back(event);
+    if (event.kind == modes::Guard::touch_down) events.push_back(event);
   }
   std::vector<modes::Event> events;
 };
@@ -116,13 +116,13 @@ class Machine {
     for (int i = 0; i < 6; ++i) motion.revolution(seen);
     ASSERT_FALSE(seen.events.empty());
     for (const modes::Event& event : seen.events) {
-      modes::CarriedContact<contact::ElasticaContact, Forcing> system(rotor_, blades_, law_, forcing_);
+      modes::Carried<contact::ElasticaContact, Forcing> system(
+          {&rotor_, &blades_, &law_, &forcing_, {kTolerance, 0.5}, &meter_});
       rotor::ContactState state;
-      state << event.state, event.time, 0.0;
-      if (!system.open({event.blade, event.slip, 0.0}, state)) continue;
+      if (!system.open(event.time, event.state, {{event.blade, event.slip, 0.0}}, state)) continue;
       double size = 0.1;
       for (int i = 0; i < 20 && state[rotor::kBending] >= 0.0; ++i) {
-        system.anchor(state[rotor::kTime]);
+        system.begins_step(state);
         LaneStep step;
         step.begin(system, state);
         for (const double factor : {1.0, 3.0, 30.0, 1e6, 1e200}) {
@@ -142,6 +142,7 @@ class Machine {
   rotor::BladeSet blades_;
   contact::ElasticaContact law_;
   Forcing forcing_;
+  modes::WorkMeter meter_;
 };
 
 /// By attempts side by side, as many as the processor has lanes.

@@ -131,6 +131,13 @@ TEST(LineBatch, OtherLawsAndEffectsAreComputedLineByLine) {
   }
 }
 
+TEST(LineBatch, LinesOnWhichAnEffectHasNoStrengthShareTheLanes) {
+  const std::string plain = R"({"grid": {"speed_ratio": 0.5, "damping_ratio": [0.1, 0.2]})";
+  const auto weightless = settings::parse_scene(plain + R"(, "gravity": {"acceleration": 0}})");
+  EXPECT_EQ(width_of(weightless).seats, width_of(settings::parse_scene(plain + "}")).seats);
+  EXPECT_EQ(width_of(weightless).reason, width_of(settings::parse_scene(plain + "}")).reason);
+}
+
 TEST(LineBatch, EffectsThatOnlyTheGridNamesAreComputedLineByLine) {
   const auto scene =
       settings::parse_scene(R"({"grid": {"speed_ratio": 0.5, "/gravity/acceleration": [0, 0.01]}})");
@@ -150,11 +157,11 @@ TEST(LineBatch, ABatchIsNoWiderThanAsked) {
 /// A solver that fails after some revolutions, as one out of memory would.
 class Broken final : public point::LineSolver {
  public:
-  point::PointOutcome run(double, const point::PointStart&, const modes::GoOn& go_on) override {
+  point::PointOutcome run(double, const motion::PointStart&, const modes::GoOn& go_on) override {
     for (int i = 0; i < 3 && go_on; ++i) go_on();
     throw std::runtime_error("out of order");
   }
-  point::Orbit orbit(double, const point::PointStart&) override { return {}; }
+  point::Orbit orbit(double, const motion::PointStart&) override { return {}; }
 };
 
 TEST(LineBatch, WhatASolverThrowsReachesTheCallerWhoeverIsUnderWay) {

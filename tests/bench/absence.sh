@@ -39,7 +39,7 @@ run_without() {
   # The same name for both atlases, whatever is in the file. Counted from the start of a point on.
   rm -rf "$tree.out" && mkdir "$tree.out"
   valgrind --quiet --tool=callgrind --callgrind-out-file="$tree.callgrind" \
-    --toggle-collect='rubatlas::solve::PointSolver::run(*' \
+    --toggle-collect='rubatlas::point::PointSolver::run(*' \
     "$tree/rubatlas" run "$scene" -o "$tree.out/atlas.h5" --lanes 1 --progress off >>"$tree.log" 2>&1
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "../support/point.hpp"
 #include "reference_case.hpp"
 
 namespace rubatlas::bench {
@@ -34,8 +35,9 @@ Accuracy accuracy_of(const Peer& peer, const PeerSettings& settings) {
     result.right_hand_sides += run.work.right_hand_sides;
     double error = 0.0;
     for (std::size_t i = 0; i < run.sections.size(); ++i) {
-      const point::SectionState& section = run.sections[i];
-      error = std::max(error, test::distance(section, point->first_sections[i]) / point->scene.clearance());
+      const motion::SectionState& section = run.sections[i];
+      error = std::max(
+          error, test::largest_difference(section, point->first_sections[i]) / point->scene.clearance());
       result.largest_displacement = std::max(result.largest_displacement, std::hypot(section[0], section[1]));
     }
     sum_of_logarithms += std::log(error);
@@ -54,7 +56,7 @@ std::vector<double> reference_speed_ratios() {
 double reference_displacement() {
   double largest = 0.0;
   for (const test::ReferenceCase* point : reference_points()) {
-    for (const point::SectionState& section : point->first_sections)
+    for (const motion::SectionState& section : point->first_sections)
       largest = std::max(largest, std::hypot(section[0], section[1]));
   }
   return largest;

@@ -6,7 +6,8 @@
 OLD and NEW are two programs `rubatlas`. Each scene is thinned out: that many speed ratios of its range, the first and the
 last value of every other axis, 100 + 40 revolutions. Columns: points; points whose sections agree byte by byte; points whose
 status differs; points whose class of motion differs, as `analyse` of NEW has it; the largest difference of the sections of
-points that are periodic in both, in units of accuracy.tolerance times the clearance.
+points that are periodic in both, in units of accuracy.tolerance times the clearance. A scene that one of the two refuses,
+since it does not know an effect of it, has a row without numbers.
 """
 import argparse
 import json
@@ -40,8 +41,14 @@ def thinned(scene, speeds):
     return {**scene, "grid": grid, "observables": observables, "protocol": protocol}
 
 
+class Refused(Exception):
+    """A program does not know what a scene says."""
+
+
 def call(*command):
     job = subprocess.run(command, capture_output=True, text=True, check=False)
+    if job.returncode == 2:
+        raise Refused(job.stderr)
     if job.returncode not in (0, 1, 10):  # some points without a motion
         sys.exit(f"{' '.join(map(str, command))} ended with {job.returncode}: {job.stderr.strip()}")
 
@@ -92,7 +99,10 @@ def main():
     print("| scene | points | same bytes | other status | other class | periodic: apart, tolerances |\n|---|--:|--:|--:|--:|--:|")
     for path in options.scenes or sorted((ROOT / "jobs").glob("*.json")):
         with tempfile.TemporaryDirectory() as folder:
-            compare(options.old.resolve(), options.new.resolve(), path, options.speeds, pathlib.Path(folder))
+            try:
+                compare(options.old.resolve(), options.new.resolve(), path, options.speeds, pathlib.Path(folder))
+            except Refused:
+                print(f"| {path.stem} | - | - | - | - | - |", flush=True)
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ ContactRotor::ContactRotor(const rotor::RotorConstants& rotor, int blade_count,
     : rotor_(rotor),
       blades_(blade_count, rotor.speed_ratio),
       law_(law),
-      system_(rotor_, blades_, law_, forcing_),
+      system_({&rotor_, &blades_, &law_, &forcing_, {0.0, 1.0}, &meter_}),
       open_(static_cast<std::size_t>(blade_count), false),
       bending_(static_cast<std::size_t>(blade_count), 0.0) {
   contacts_.reserve(static_cast<std::size_t>(blade_count));
@@ -34,7 +34,7 @@ bool ContactRotor::evaluate_by_gap(double time, const double* state, double* rat
     const contact::Pose there = rotor::pose_of(rotor_, law_.geometry(), blades_.direction(k, first), at);
     if (there.gap > 0.0) contacts_.push_back({k, slip(there), bending_[static_cast<std::size_t>(k)]});
   }
-  system_.open(contacts_);
+  open_contacts();
   return evaluate(time, state, rates);
 }
 
@@ -51,14 +51,14 @@ void ContactRotor::touch_down(int blade, double time, const double* state) {
   open_[static_cast<std::size_t>(blade)] = true;
   contacts_ = system_.contacts();
   contacts_.push_back({blade, slip(pose(blade, time, state)), 0.0});
-  system_.open(contacts_);
+  open_contacts();
 }
 
 void ContactRotor::lift_off(int blade) {
   open_[static_cast<std::size_t>(blade)] = false;
   contacts_ = system_.contacts();
   std::erase_if(contacts_, [blade](const modes::OpenContact& contact) { return contact.blade == blade; });
-  system_.open(contacts_);
+  open_contacts();
 }
 
 void ContactRotor::count_touchdowns(double time, const double* state) {

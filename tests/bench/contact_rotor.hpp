@@ -1,14 +1,15 @@
 /// The right-hand side that general solvers integrate: free shaft and contact forces in one, with nothing of
 /// this program's integrator in it. Forces come from the function that this program uses itself
-/// (`ElasticaContact::respond`, warm-started, summed over the blades by `SolvedContacts`).
+/// (`ElasticaContact::respond`, warm-started, summed over the blades by `Solved`).
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "contact/elastica_contact.hpp"
-#include "modes/contact_system.hpp"
+#include "modes/solved.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/constants.hpp"
 #include "rotor/harmonic.hpp"
@@ -53,6 +54,12 @@ class ContactRotor {
   void count_touchdowns(double time, const double* state);
 
  private:
+  static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+  static constexpr modes::WorkBound kNoBound{kNever, kNever, 0};
+  void open_contacts() {
+    rotor::ContactState unused;
+    system_.open(0.0, rotor::State::Zero(), contacts_, unused);
+  }
   [[nodiscard]] contact::Pose pose(int blade, double time, const double* state) const;
   [[nodiscard]] double slip(const contact::Pose& at) const;
 
@@ -60,7 +67,8 @@ class ContactRotor {
   rotor::BladeSet blades_;
   contact::ElasticaContact law_;
   rotor::NoForcing forcing_;
-  modes::SolvedContacts<contact::ElasticaContact, rotor::NoForcing> system_;
+  modes::WorkMeter meter_{kNoBound};
+  modes::Solved<contact::ElasticaContact, rotor::NoForcing> system_;
   std::vector<bool> open_;
   std::vector<double>
       bending_;  ///< of each blade when it was last loaded: where the search for its force starts

@@ -17,7 +17,7 @@
 /// What profile.sh counts: a name of its own, so that the making of tables stays outside.
 __attribute__((noinline)) rubatlas::point::PointOutcome run_point(rubatlas::point::LineSolver& solver,
                                                                   double speed_ratio) {
-  return solver.run(speed_ratio, rubatlas::point::SectionState{});
+  return solver.run(speed_ratio, rubatlas::motion::SectionState{});
 }
 
 namespace {

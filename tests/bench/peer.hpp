@@ -15,8 +15,8 @@ namespace rubatlas::bench {
 
 /// What a peer made of one point.
 struct PeerRun {
-  bool completed = true;                      ///< to the last revolution
-  std::vector<point::SectionState> sections;  ///< after revolutions 1, 2, …
+  bool completed = true;                       ///< to the last revolution
+  std::vector<motion::SectionState> sections;  ///< after revolutions 1, 2, …
   motion::WorkCounts work;  ///< of others than this program right-hand sides and touch-downs only
 };
 

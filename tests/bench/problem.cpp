@@ -33,8 +33,8 @@ contact::ElasticaContact contact_of(const settings::Scene& scene,
           curve};
 }
 
-std::vector<point::SectionState> sections_of(const std::vector<double>& row) {
-  std::vector<point::SectionState> sections;
+std::vector<motion::SectionState> sections_of(const std::vector<double>& row) {
+  std::vector<motion::SectionState> sections;
   for (std::size_t i = 0; i + 3 < row.size(); i += 4)
     sections.push_back({row[i], row[i + 1], row[i + 2], row[i + 3]});
   return sections;

@@ -25,6 +25,6 @@ contact::ElasticaContact contact_of(const settings::Scene& scene,
                                     const std::shared_ptr<const blade::ElasticaCurve>& curve);
 
 /// Rows of the observable `poincare` as sections.
-std::vector<point::SectionState> sections_of(const std::vector<double>& row);
+std::vector<motion::SectionState> sections_of(const std::vector<double>& row);
 
 }  // namespace rubatlas::bench

@@ -1,5 +1,6 @@
 #include "reference_rows.hpp"
 
+#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -25,14 +26,11 @@ const std::vector<ReferenceRow>& reference_rows() {
 
 long double bending_at_load(double friction, double load) {
   const long double beta = std::atan(static_cast<long double>(friction));
-  long double low = 0.0L;
-  long double high =
+  const long double highest =
       0.999L * std::sqrt((std::numbers::pi_v<long double> - beta) * (std::numbers::pi_v<long double> + beta));
-  for (int i = 0; i < 90; ++i) {
-    const long double middle = 0.5L * (low + high);
-    (equilibrium(friction, middle).load < load ? low : high) = middle;
-  }
-  return low;
+  const auto excess = [&](long double bending) { return equilibrium(friction, bending).load - load; };
+  return boost::math::tools::bisect(excess, 0.0L, highest, boost::math::tools::eps_tolerance<long double>())
+      .first;
 }
 
 }  // namespace rubatlas::blade

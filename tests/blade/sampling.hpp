@@ -1,6 +1,7 @@
 /// Which blades and how far bent: the sampling that the tests of the closed form and of its table share.
 #pragma once
 
+#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -19,13 +20,11 @@ inline const std::vector<double>& frictions() {
 /// Bending parameter at which the tip has come down by `shortening` of L.
 inline double bending_at_shortening(double friction, double shortening) {
   const double beta = std::atan(friction);
-  double low = 0.0;
-  double high = std::sqrt((std::numbers::pi - beta) * (std::numbers::pi + beta)) * 0.999;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (static_cast<double>(equilibrium(friction, middle).shortening) < shortening ? low : high) = middle;
-  }
-  return low;
+  const double highest = std::sqrt((std::numbers::pi - beta) * (std::numbers::pi + beta)) * 0.999;
+  const auto excess = [&](double bending) {
+    return static_cast<double>(equilibrium(friction, bending).shortening) - shortening;
+  };
+  return boost::math::tools::bisect(excess, 0.0, highest, boost::math::tools::eps_tolerance<double>()).first;
 }
 
 /// Bending parameters from next to nothing (1e-12 of β, where the load is 1e-24 of the Euler load) up to the

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "mpi/commands/estimate.hpp"
 #include "mpi/commands/explain.hpp"
@@ -93,6 +94,112 @@ TEST(Explain, ListsEveryEffectWithWhatItCostsAndWhetherFlightStaysExact) {
     EXPECT_GT(cost, 10.0) << "ns: no computer is as fast";
     EXPECT_GT(cost_without, 10.0);
   });
+}
+
+/// Explained with the sections, without time to measure anything.
+std::string explained_at_once(const std::string& sections) {
+  const auto scene = settings::parse_scene(
+      R"({"grid": {"speed_ratio": 0.5}, "protocol": {"transient_revolutions": 1, "sampled_revolutions": 1})" +
+      (sections.empty() ? "" : ", " + sections) + "}");
+  int looks = 0;
+  return explain(scene, 0.01, [&] { return 1.0 * looks++; });
+}
+
+TEST(Explain, SaysOfEachMethodHowItFliesAndHowItIntegratesContact) {
+  const auto with = [](const std::string& method, const std::string& more = "") {
+    return explained_at_once(R"("accuracy": {"method": ")" + method + R"("}, "unbalance": {"moment": 1e-5})" +
+                             more);
+  };
+  const std::string carried = "; one blade in contact: its bending is carried along as a state";
+  for (const auto& [method, pair] :
+       {std::pair{"hybrid", "Dormand-Prince 8(5,3)"}, std::pair{"hybrid_54", "Dormand-Prince 5(4)"},
+        std::pair{"hybrid_32", "Bogacki-Shampine 3(2)"}}) {
+    const std::string text = with(method);
+    EXPECT_TRUE(line_of(text, "method").ends_with(std::string(" ") + method));
+    EXPECT_TRUE(holds(line_of(text, "flight"), " closed form: ")) << line_of(text, "flight");
+    EXPECT_TRUE(holds(line_of(text, "contact"), pair + carried)) << line_of(text, "contact");
+    EXPECT_TRUE(holds(line_of(text, "touch-down, lift-off"), "located on dense output"));
+    EXPECT_TRUE(holds(line_of(text, "accuracy"), "1e-09 of the clearance"));
+    EXPECT_TRUE(holds(below(text, "unbalance"), "flight: closed form"));
+  }
+  struct Stepped {
+    std::string method, flight, contact, guards, accuracy;
+  };
+  for (const Stepped& expected :
+       {Stepped{"located", "Dormand-Prince 5(4), in steps of at most 0.02 in τ over flight and contact alike",
+                "in the same steps; the force of each blade: a root in each stage",
+                " located on dense output", "1e-09 of the clearance"},
+        Stepped{"paper", "Fehlberg 4(5), the solution of order 4, in steps of at most 0.02 in τ over flight",
+                "changes sign, dF = 0.04 N", " not located: ", "1e-09 of the clearance"},
+        Stepped{"fixed",
+                "classical Runge-Kutta of order 4, in steps of 0.001 in τ, shortened to a whole number",
+                "in the same steps; the force of each blade: a root in each stage",
+                " not located: ", "`accuracy.tolerance` is not read"}}) {
+    SCOPED_TRACE(expected.method);
+    const std::string text = with(expected.method);
+    EXPECT_TRUE(holds(line_of(text, "flight"), " no closed form: " + expected.flight))
+        << line_of(text, "flight");
+    EXPECT_TRUE(holds(line_of(text, "contact"), expected.contact)) << line_of(text, "contact");
+    EXPECT_FALSE(holds(text, "carried")) << "nothing is";
+    EXPECT_TRUE(holds(line_of(text, "touch-down, lift-off"), expected.guards));
+    EXPECT_TRUE(holds(line_of(text, "accuracy"), expected.accuracy)) << line_of(text, "accuracy");
+    EXPECT_TRUE(holds(below(text, "unbalance"), "flight: in the steps of the method"));
+    EXPECT_TRUE(holds(line_of(text, "batches"), "only the method `hybrid`"));
+    const std::string rigid = with(expected.method, R"(, "contact": {"law": "elastic_ring"})");
+    EXPECT_TRUE(holds(line_of(rigid, "contact"), "in the same steps; the force of each blade is explicit"));
+  }
+}
+
+TEST(Explain, SaysWhichMotionASceneHasAndHowItsContactIsIntegrated) {
+  const auto expect = [](const std::string& sections, const std::string& motion, const std::string& flight,
+                         const std::string& contact) {
+    SCOPED_TRACE(sections);
+    const std::string text = explained_at_once(sections);
+    EXPECT_TRUE(line_of(text, "motion").ends_with(" " + motion)) << line_of(text, "motion");
+    EXPECT_TRUE(holds(line_of(text, "flight"), flight)) << line_of(text, "flight");
+    EXPECT_TRUE(holds(line_of(text, "contact"), "Dormand-Prince 8(5,3); " + contact))
+        << line_of(text, "contact");
+  };
+  const std::string isotropic = "complex exponentials of the isotropic shaft; no touch-down";
+  const std::string rigid = R"("contact": {"law": "elastic_ring", "friction": 0.3}, )";
+  expect("", "the paper's rotor with elastic blades", isotropic,
+         "one blade in contact: its bending is carried");
+  expect(rigid + R"("ring": {"stiffness": 1e4})", "the paper's rotor with rigid blades on an elastic ring",
+         isotropic, "the force of each blade is explicit");
+  expect(rigid + R"("gravity": {}, "stribeck": {"static_friction": 0.5})",
+         "rigid blades; with gravity, stribeck", isotropic, "the force of each blade is explicit");
+  expect(rigid + R"("stick": {})", "rigid blades whose tips may stick; with stick", isotropic,
+         "the force of each blade is explicit; the friction that holds tips at rest");
+  expect(R"("load_direction": {}, "support": {"stiffness_xx": 1})",
+         "elastic blades under a load along the contact normal, or with friction that depends on the slip "
+         "velocity; "
+         "with support, load_direction",
+         "the exponential of the matrix of shaft and support;", "the bends of all blades in contact");
+  expect(R"("stick": {})", "elastic blades whose tips may stick; with stick", isotropic,
+         "while all tips slip, the bends");
+  expect(R"("release": {})", "elastic blades held beyond the ring until their force ends; with release",
+         isotropic, "one blade in contact: its bending is carried");
+  expect(R"("ring_body": {})", "elastic blades in a ring that is a body; with ring_body",
+         "isotropic shaft, the ring oscillates freely beside the shaft;", "one blade in contact");
+  expect(rigid + R"("ring_body": {"mass": 0})", "rigid blades in a ring without mass; with ring_body",
+         "the ring stays at its place of rest", "the forces of all blades and the place of the ring");
+}
+
+TEST(Explain, SaysWhichMotionsTheLinesOfAGridHave) {
+  const auto scene = settings::parse_scene(R"({"grid": {"speed_ratio": 0.5, "/side_load/force": [0, 0.1],
+    "unbalance": [0, 1e-5]}, "protocol": {"transient_revolutions": 1, "sampled_revolutions": 1}})");
+  int looks = 0;
+  const std::string text = explain(scene, 0.01, [&] { return 1.0 * looks++; });
+  EXPECT_TRUE(holds(text, " the paper's rotor with elastic blades; on some lines with unbalance\n")) << text;
+  EXPECT_TRUE(holds(text, " elastic blades; with side_load; on some lines with unbalance\n")) << text;
+}
+
+TEST(Explain, SaysThatNothingSticksWithoutFriction) {
+  const std::string text = explained_at_once(R"("contact": {"friction": 0}, "stick": {})");
+  EXPECT_TRUE(
+      holds(line_of(text, "stick"), " off  holds = true, μs/μ = 1: nothing to act on without friction"))
+      << line_of(text, "stick");
+  EXPECT_TRUE(line_of(text, "motion").ends_with(" the paper's rotor with elastic blades"));
 }
 
 TEST(Explain, SaysWhereAnEffectHasNoStrengthAndOnHowManyLinesItActs) {

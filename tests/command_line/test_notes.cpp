@@ -98,8 +98,8 @@ TEST(Notes, NoBladeTouchesWhereItIsSaidThatNoneDoes) {
     const auto reach = reach_without_contact(scene);
     const plan::Grid grid(scene);
     const auto solver = assembly::make_line_solver(scene, grid.parameters(0), assembly::make_blade_tables());
-    const point::SectionState initial{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
-    point::SectionState start = initial;
+    const motion::SectionState initial{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
+    motion::SectionState start = initial;
     motion::WorkCounts work;
     double farthest = 0.0;
     for (std::size_t visit = 0; visit < grid.speed_count(); ++visit) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/tools/roots.hpp>
 #include <cmath>
 
 #include "directed_rotors.hpp"
@@ -248,12 +249,10 @@ TEST(DirectedElastica, ThereIsOneEquilibriumOnASideOrNone) {
         for (double high = 0.05; high < 3.14; high += 0.05) {
           if (misdirection(modulus, high) > 0.0) continue;
           if (high == 0.05) break;  // no equilibrium with so little bending
-          double low = high - 0.05;
-          amplitude = high;
-          for (int halving = 0; halving < 40; ++halving) {
-            const double middle = 0.5 * (low + amplitude);
-            (misdirection(modulus, middle) > 0.0 ? low : amplitude) = middle;
-          }
+          amplitude =
+              boost::math::tools::bisect([&](double at_tip) { return misdirection(modulus, at_tip); },
+                                         high - 0.05, high, boost::math::tools::eps_tolerance<double>(40))
+                  .second;
           break;
         }
         if (amplitude == 0.0) continue;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -32,17 +33,14 @@ TEST(DirectedSides, ColumnUnderTheNormalBucklesWhereTimoshenkoSaysAboveTheEulerL
   // Without friction the load points at the ring's centre, R behind the tip: tan q / q = 1 − R/L. The axial
   // assumption has the Euler load there.
   for (const TestRotor& rotor : {kDefaultRotor, kRig}) {
-    double low = kPi / 2 + 1e-9;
-    double high = kPi;
     const auto condition = [&](double q) { return std::tan(q) / q - (1 - rotor.ring_radius / rotor.length); };
-    for (int i = 0; i < 100; ++i) {
-      const double middle = 0.5 * (low + high);
-      (condition(middle) < 0.0 ? low : high) = middle;
-    }
+    const double q = boost::math::tools::bisect(condition, kPi / 2 + 1e-9, kPi,
+                                                boost::math::tools::eps_tolerance<double>())
+                         .first;
     const Pose at = pressed(rotor, 1e-9 * rotor.length, 0.0);
     const Met met = meet(directed<NormalLoad>(rotor, CoulombFriction{0.0}), at, 1.0, 0.5);
     ASSERT_TRUE(met.found);
-    EXPECT_NEAR(met.force.normal / (low * low * rotor.load_unit()), 1.0, 1e-6);
+    EXPECT_NEAR(met.force.normal / (q * q * rotor.load_unit()), 1.0, 1e-6);
     const Met axial = meet(directed<AxialLoad>(rotor, CoulombFriction{0.0}), at, 1.0, 0.5);
     EXPECT_NEAR(axial.force.normal / rotor.euler_load(), 1.0, 1e-6);
     // 3.3 Euler loads for the default rotor, 1.8 for the rig.
@@ -320,11 +318,9 @@ TEST(StickingElastica, FrictionOfAHeldTipGrowsAsTheShaftMovesOnUntilTheTipSlides
     ASSERT_GT(c, before);
     ASSERT_LT(by, 1e-3);
   }
-  double low = by - 1e-5;
-  for (int i = 0; i < 50; ++i) {
-    const double middle = 0.5 * (low + by);
-    (held(middle) < kFriction ? low : by) = middle;
-  }
+  by = boost::math::tools::bisect([&](double moved_by) { return held(moved_by) - kFriction; }, by - 1e-5, by,
+                                  boost::math::tools::eps_tolerance<double>())
+           .second;
   const auto sliding_law = directed<NormalLoad>(kDefaultRotor, CoulombFriction{kFriction});
   const Met sliding = meet(sliding_law, moved(by), 1.0, 0.5);
   ASSERT_TRUE(sliding.found);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <boost/math/differentiation/autodiff.hpp>
+#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -96,6 +97,8 @@ TEST(Sticking, StickSlipOscillatorHasItsTextbookPeriod) {
   // 2 D / vb + 2 (π − atan(D / vb)) with D = (μs − μk) F.
   constexpr double kStatic = 0.3;
   constexpr double kKinetic = 0.2;
+  using boost::math::tools::bisect;
+  using boost::math::tools::eps_tolerance;
   BeltOscillator rotor;
   double period = 0.0;
   double before = 0.0;
@@ -103,15 +106,13 @@ TEST(Sticking, StickSlipOscillatorHasItsTextbookPeriod) {
   for (int cycle = 0; cycle < 4; ++cycle) {
     // Stuck until the coefficient reaches μs: a root by bisection, as an integrator's event.
     const double from = rotor.position;
-    double low = 0.0;
-    double high = 100.0;
-    for (int i = 0; i < 100; ++i) {
-      const double middle = 0.5 * (low + high);
-      rotor.position = from - BeltOscillator::kBelt * middle;
-      (rotor.sticking() < kStatic ? low : high) = middle;
-    }
-    ASSERT_LT(high, 100.0);
-    now += high;
+    const auto beyond_adhesion = [&](double stuck) {
+      rotor.position = from - BeltOscillator::kBelt * stuck;
+      return rotor.sticking() - kStatic;
+    };
+    const double stuck = bisect(beyond_adhesion, 0.0, 100.0, eps_tolerance<double>()).second;
+    beyond_adhesion(stuck);
+    now += stuck;
     // Slips with s = +1 until v = 0 for the first time again.
     const BeltOscillator left = rotor;
     double time = 1e-3;
@@ -122,14 +123,9 @@ TEST(Sticking, StickSlipOscillatorHasItsTextbookPeriod) {
     };
     ASSERT_GT(slip_at(time), 0.0) << "slips in the direction of the sign of c";
     while (slip_at(time + 1e-3) > 0.0) time += 1e-3;
-    low = time;
-    high = time + 1e-3;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (low + high);
-      (slip_at(middle) > 0.0 ? low : high) = middle;
-    }
-    slip_at(high);
-    now += high;
+    const double slipping = bisect(slip_at, time, time + 1e-3, eps_tolerance<double>()).second;
+    slip_at(slipping);
+    now += slipping;
     EXPECT_LT(std::abs(rotor.sticking()), kStatic) << "it can stick there";
     period = now - before;
     before = now;

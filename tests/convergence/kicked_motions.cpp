@@ -127,7 +127,7 @@ class SaltationOfLiftOffs final : public modes::MotionListener {
       forces_[static_cast<std::size_t>(piece.blade(i))] = piece.normal_force(i, piece.end());
   }
   void event(const modes::Event& event) override {
-    if (event.kind != modes::PhaseEvent::lift_off) return;
+    if (event.kind != modes::Guard::lift_off) return;
     const contact::Pose at = pose_at(*rotor_, event.blade, event.time, rotor::from_ring(motion_->state()));
     const double gap_rate = contact::gap_rate(rotor_->geometry(), at, rotor_->speed_ratio);
     const double approach = std::abs(gap_rate) / (2.0 * rotor_->ring_radius);

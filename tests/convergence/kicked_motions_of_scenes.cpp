@@ -19,9 +19,9 @@ namespace rubatlas::test {
 namespace {
 
 using Json = nlohmann::json;
+using motion::SectionState;
 using point::PointOutcome;
 using point::PointStatus;
-using point::SectionState;
 using point::StatusDetail;
 
 struct NamedScene {

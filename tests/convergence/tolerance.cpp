@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "../point/reference_case.hpp"
+#include "../support/point.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -30,12 +31,12 @@ std::vector<ReferenceCase> periodic_cases() {
 }
 
 /// The largest difference of the last sections, these taken `shift` revolutions earlier.
-double difference(const ReferenceCase& c, const std::vector<point::SectionState>& sections,
+double difference(const ReferenceCase& c, const std::vector<motion::SectionState>& sections,
                   std::size_t shift) {
   const std::size_t first = sections.size() - c.last_sections.size() - shift;
   double largest = 0.0;
   for (std::size_t i = 0; i < c.last_sections.size(); ++i) {
-    largest = std::max(largest, distance(sections[first + i], c.last_sections[i]));
+    largest = std::max(largest, largest_difference(sections[first + i], c.last_sections[i]));
   }
   return largest;
 }

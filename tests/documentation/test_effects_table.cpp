@@ -1,5 +1,5 @@
-// The table of effects in src/effects/README.md is the list's own: where this test fails, it prints the text
-// that belongs between the two marks.
+// The table of effects in src/settings/effects/README.md is the list's own: where this test fails, it prints
+// the text that belongs between the two marks.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -27,16 +27,16 @@ std::string table() {
 }
 
 TEST(EffectsTable, TheReadmeShowsTheTableOfTheList) {
-  const std::string shown = documentation::between_marks("src/effects/README.md", "effects");
+  const std::string shown = documentation::between_marks("src/settings/effects/README.md", "effects");
   EXPECT_EQ(shown, table()) << "\nbetween the marks belongs:\n" << table();
 }
 
 TEST(EffectsTable, TheReadmeShowsThePictureOfEveryEffect) {
-  const std::string page = documentation::text_of("src/effects/README.md");
+  const std::string page = documentation::text_of("src/settings/effects/README.md");
   for_each_effect([&]<auto Effect>() {
     std::string name(Settings<Effect>::kDescription.section.substr(1));
     std::replace(name.begin(), name.end(), '/', '_');
-    EXPECT_NE(page.find("](../../tools/pictures/effect_" + name + ".png)"), std::string::npos) << name;
+    EXPECT_NE(page.find("](../../../tools/pictures/effect_" + name + ".png)"), std::string::npos) << name;
   });
 }
 

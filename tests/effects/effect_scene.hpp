@@ -9,8 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "assembly/make_line_solver.hpp"
-#include "point/line_solver.hpp"
+#include "../support/point.hpp"
 #include "settings/quantity.hpp"
 #include "settings/reader.hpp"
 
@@ -58,13 +57,6 @@ inline settings::Scene parsed(const nlohmann::json& scene) {
   return settings::parse_scene(scene.dump());
 }
 
-/// The scene's first point.
-inline point::PointOutcome run(const settings::Scene& scene, const point::SectionState& start = {}) {
-  const auto parameters = plan::Grid(scene).parameters(0);
-  return assembly::make_line_solver(scene, parameters, assembly::make_blade_tables())
-      ->run(parameters.speed_ratio, start);
-}
-
 /// Largest difference of two rows, from an entry of either on.
 inline double largest_difference(const std::vector<double>& a, const std::vector<double>& b,
                                  std::size_t from_a = 0, std::size_t from_b = 0) {
@@ -75,12 +67,6 @@ inline double largest_difference(const std::vector<double>& a, const std::vector
   return largest;
 }
 
-inline double largest_difference(const point::SectionState& a, const point::SectionState& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
-
 /// By how much an error made at the start is larger at the end, from starts a little aside; 1 where errors
 /// shrink. What a tolerance bounds is the error of a step: the rest is the motion's own.
 inline double growth_of_errors(const settings::Scene& scene) {
@@ -88,7 +74,7 @@ inline double growth_of_errors(const settings::Scene& scene) {
   const auto end = run(scene).final_state;
   double growth = 1.0;
   for (std::size_t i = 0; i < end.size(); ++i) {
-    point::SectionState start{};
+    motion::SectionState start{};
     start[i] = shift;
     growth = std::max(growth, largest_difference(run(scene, start).final_state, end) / shift);
   }

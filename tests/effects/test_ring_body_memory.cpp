@@ -13,8 +13,8 @@
 namespace rubatlas::test {
 namespace {
 
+using motion::PointStart;
 using nlohmann::json;
-using point::PointStart;
 using point::PointStatus;
 
 json in_ring_body(double speed, int revolutions) {
@@ -26,10 +26,7 @@ json in_ring_body(double speed, int revolutions) {
 }
 
 point::PointOutcome run_on(const json& content, const PointStart& start) {
-  const settings::Scene scene = parsed(content);
-  const auto parameters = plan::Grid(scene).parameters(0);
-  return assembly::make_line_solver(scene, parameters, assembly::make_blade_tables())
-      ->run(parameters.speed_ratio, start);
+  return run(parsed(content), start);
 }
 
 double memory_difference(const motion::Memory& a, const motion::Memory& b) {

@@ -75,7 +75,7 @@ TEST(SpeedRamp, ARunUpIsItsRevolutionsOneByOne) {
 
   content.erase("speed_ramp");
   content["protocol"] = {{"transient_revolutions", 0}, {"sampled_revolutions", 1}};
-  point::SectionState state{};
+  motion::SectionState state{};
   double time = 0.0;
   double in_contact = 0.0;
   double touchdowns = 0.0;
@@ -151,9 +151,7 @@ TEST(SpeedRamp, AnOrbitHasTheSectionsOfTheRunAndItsOwnClock) {
   json content = ramped(0.01, 0.44, 1, 3);
   content["protocol"]["samples_per_revolution"] = 16;
   const settings::Scene scene = parsed(content);
-  const auto parameters = plan::Grid(scene).parameters(0);
-  const auto orbit = assembly::make_line_solver(scene, parameters, assembly::make_blade_tables())
-                         ->orbit(parameters.speed_ratio, point::SectionState{});
+  const auto orbit = solver_of_first_line(scene)->orbit(0.44, motion::SectionState{});
   const auto outcome = run(scene);
   ASSERT_EQ(orbit.sections.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {

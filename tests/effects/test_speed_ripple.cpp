@@ -9,6 +9,7 @@
 #include "effect_scene.hpp"
 #include "motion/motion.hpp"
 #include "rotor/linear_support.hpp"
+#include "rotor/rippled_unbalance.hpp"
 #include "rotor/rippling_blades.hpp"
 
 namespace rubatlas::test {
@@ -48,7 +49,7 @@ TEST(SpeedRipple, TheUnbalancesSideBandsAreItsAccelerationAtEveryInstant) {
     const RipplingBlades blades(rotor::equal_angles(1), speed, ripple);
     for (int sample = 0; sample < 10; ++sample) {
       const double time = draw(0.0, kTurn / speed);
-      const double rate = blades.speed(time);
+      const double rate = blades.angular_speed(time);
       const Complex exact = moment * Complex(rate * rate, -blades.angular_acceleration(time)) *
                             std::polar(1.0, blades.angle(time) + phase);
       const double scale = moment * speed * speed * (1.0 + ripple.order);
@@ -103,16 +104,16 @@ TEST(SpeedRipple, SpeedAndAccelerationAreDerivativesOfTheAngleAndWithinTheirBoun
     for (int sample = 0; sample < 4000; ++sample) {
       const double time = kTurn / speed * sample / 4000;
       const double rate = slope([&](double t) { return blades.angle(t); }, time);
-      const double change = slope([&](double t) { return blades.speed(t); }, time);
+      const double change = slope([&](double t) { return blades.angular_speed(t); }, time);
       const double jerk = slope([&](double t) { return blades.angular_acceleration(t); }, time);
-      EXPECT_NEAR(blades.speed(time), rate, 1e-9 * speed * ripple.order);
+      EXPECT_NEAR(blades.angular_speed(time), rate, 1e-9 * speed * ripple.order);
       EXPECT_NEAR(blades.angular_acceleration(time), change,
                   1e-9 * blades.speed_bound() * speed * ripple.order);
-      EXPECT_LE(blades.speed(time), blades.speed_bound() * (1.0 + 1e-15));
+      EXPECT_LE(blades.angular_speed(time), blades.speed_bound() * (1.0 + 1e-15));
       EXPECT_LE(std::abs(blades.angular_acceleration(time)),
                 blades.angular_acceleration_bound() * (1.0 + 1e-15));
       EXPECT_LE(std::abs(jerk), blades.angular_jerk_bound() * (1.0 + 1e-7));
-      fastest = std::max(fastest, blades.speed(time));
+      fastest = std::max(fastest, blades.angular_speed(time));
       strongest = std::max(strongest, std::abs(blades.angular_acceleration(time)));
       sharpest = std::max(sharpest, std::abs(jerk));
     }
@@ -145,7 +146,7 @@ class GapWatch final : public modes::MotionListener {
     }
   }
   void event(const modes::Event& event) override {
-    if (event.kind == modes::PhaseEvent::touch_down) ++touchdowns;
+    if (event.kind == modes::Guard::touch_down) ++touchdowns;
   }
 
   double largest = -1.0;

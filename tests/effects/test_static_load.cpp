@@ -8,8 +8,8 @@
 namespace rubatlas::test {
 namespace {
 
+using motion::SectionState;
 using point::PointStatus;
-using point::SectionState;
 
 constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
 

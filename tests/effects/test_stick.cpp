@@ -12,15 +12,15 @@
 #include "../settings/scene_error_text.hpp"
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/unequal_blades.hpp"
-#include "modes/sticking_contacts.hpp"
+#include "modes/sticking.hpp"
 #include "rotor/rippling_blades.hpp"
 
 namespace rubatlas::test {
 namespace {
 
 using modes::Event;
+using modes::Guard;
 using modes::OpenContact;
-using modes::PhaseEvent;
 using rotor::ContactState;
 using StickingLaw = contact::RigidBladeContact<contact::StickingFriction>;
 using Point = std::complex<double>;
@@ -43,7 +43,7 @@ rotor::State kick(double speed_ratio, double excess) {
 }
 
 bool begins_to_stick(const Event& event) {
-  return event.kind == PhaseEvent::slip_reversal && event.slip == 0.0;
+  return event.kind == Guard::slip_reversal && event.slip == 0.0;
 }
 
 double slip_of(const HardRotor& rotor, int blade, double time, const rotor::State& state) {
@@ -148,7 +148,7 @@ class HeldTipWatch final : public modes::MotionListener {
       EXPECT_LE(std::abs(held_->coefficient(since_)), static_friction_);
       return;
     }
-    if (held_ && event.kind == PhaseEvent::comes_loose) {
+    if (held_ && event.kind == Guard::comes_loose) {
       const double coefficient = held_->coefficient(event.time + turned);
       EXPECT_NEAR(std::abs(coefficient), static_friction_, 1e-7 * static_friction_);
       EXPECT_EQ(event.slip, coefficient > 0.0 ? 1.0 : -1.0) << "the way it is pulled";
@@ -299,7 +299,7 @@ double slip_rate(System& system, const HardRotor& rotor, const Blades& blades, i
     const auto er = blades.direction(blade, blades.first(there[rotor::kTime]));
     return contact::undeformed_slip_velocity(
         rotor.geometry(), rotor::pose_of(rotor.constants(), rotor.geometry(), er, there.head<4>()),
-        blades.speed(there[rotor::kTime]));
+        blades.angular_speed(there[rotor::kTime]));
   };
   const double step = 1e-4;
   return (slip(step) - slip(-step)) / (2.0 * step);
@@ -310,24 +310,26 @@ void expect_two_tips_at_rest(const HardRotor& rotor, const Blades& blades) {
   const StickingLaw law = sticking_law(rotor, 1e3);
   const rotor::NoForcing forcing;
   const rotor::RotorConstants constants = rotor.constants();
-  modes::StickingContacts<StickingLaw, rotor::NoForcing, Blades> system(constants, blades, law, forcing);
+  modes::WorkMeter meter;
+  using Mode = modes::Sticking<StickingLaw, rotor::NoForcing, Blades>;
+  Mode mode({&constants, &blades, &law, &forcing, rotor.limits(), &meter});
   const std::vector<OpenContact> contacts{{0, 0.0, 0.0}, {1, 0.0, 0.0}};
-  system.open(contacts);
   ContactState state;
-  state << 0.006, 0.0045, 0.01, -0.02, 0.11, 0.0;
+  mode.open(0.11, rotor::State(0.006, 0.0045, 0.01, -0.02), contacts, state);
   EXPECT_GT(std::abs(slip_of(rotor, 0, state[rotor::kTime], state.head<4>())), 1e-3);
-  system.project(state);
+  mode.project(state);
   for (const int blade : {0, 1}) {
     const auto er = blades.direction(blade, blades.first(state[rotor::kTime]));
     const auto at = rotor::pose_of(rotor.constants(), rotor.geometry(), er, state.head<4>());
-    EXPECT_NEAR(contact::undeformed_slip_velocity(rotor.geometry(), at, blades.speed(state[rotor::kTime])),
-                0.0, 1e-16);
-    EXPECT_NEAR(slip_rate(system, rotor, blades, blade, state), 0.0, 1e-7);
+    EXPECT_NEAR(
+        contact::undeformed_slip_velocity(rotor.geometry(), at, blades.angular_speed(state[rotor::kTime])),
+        0.0, 1e-16);
+    EXPECT_NEAR(slip_rate(mode, rotor, blades, blade, state), 0.0, 1e-7);
   }
   // Beyond the cone of both, one after the other is let go.
   std::vector<OpenContact> settled = contacts;
   const StickingLaw slippery = sticking_law(rotor, 1e-9);
-  modes::StickingContacts<StickingLaw, rotor::NoForcing, Blades> judge(constants, blades, slippery, forcing);
+  Mode judge({&constants, &blades, &slippery, &forcing, rotor.limits(), &meter});
   int told = 0;
   judge.settle(state, settled, [&](const OpenContact&) { ++told; });
   EXPECT_EQ(told, 2);

@@ -12,7 +12,7 @@ namespace rubatlas::test {
 namespace {
 
 using modes::Event;
-using modes::PhaseEvent;
+using modes::Guard;
 
 auto elastic_sticking_law(const HardRotor& rotor, double static_ratio) {
   return directed_law(rotor, contact::StickingFriction{rotor.friction, static_ratio * rotor.friction});
@@ -42,7 +42,7 @@ Kicked three_blades() {
 }
 
 bool comes_to_rest(const RecordedEvent& entry) {
-  return entry.event.kind == PhaseEvent::slip_reversal && entry.event.slip == 0.0;
+  return entry.event.kind == Guard::slip_reversal && entry.event.slip == 0.0;
 }
 
 TEST(ElasticStick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
@@ -56,7 +56,7 @@ TEST(ElasticStick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
     ASSERT_EQ(stuck.status, point::PointStatus::done);
     const auto rest = std::ranges::find_if(stuck.events, comes_to_rest);
     ASSERT_NE(rest, stuck.events.end());
-    const auto left = stuck.of_kind(PhaseEvent::lift_off);
+    const auto left = stuck.of_kind(Guard::lift_off);
     ASSERT_FALSE(left.empty());
     ASSERT_LT(rest->event.time, left[0].time) << "the first contact rests";
     double before = 0.0;
@@ -64,7 +64,7 @@ TEST(ElasticStick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
       const auto law = directed_law(rotor, contact::RegularisedFriction{rotor.friction, velocity});
       const auto steep = follow(rotor, law, rotor::NoForcing{}, kicked.start, 1, nothing);
       ASSERT_EQ(steep.status, point::PointStatus::done);
-      const auto lifted = steep.of_kind(PhaseEvent::lift_off);
+      const auto lifted = steep.of_kind(Guard::lift_off);
       ASSERT_FALSE(lifted.empty());
       const double apart = (lifted[0].state - left[0].state).abs().maxCoeff();
       if (before > 0.0) {
@@ -96,9 +96,9 @@ class RestWatch final : public modes::MotionListener {
     last_load_ = piece.normal_force(0, piece.end());
   }
   void event(const Event& event) override {
-    const bool rests = event.kind == PhaseEvent::slip_reversal && event.slip == 0.0;
-    changed_ = rests || event.kind == PhaseEvent::comes_loose;
-    if (event.kind == PhaseEvent::comes_loose) ++loosened;
+    const bool rests = event.kind == Guard::slip_reversal && event.slip == 0.0;
+    changed_ = rests || event.kind == Guard::comes_loose;
+    if (event.kind == Guard::comes_loose) ++loosened;
     resting_ = rests;
   }
   double jump = 0.0;

@@ -10,8 +10,8 @@ namespace rubatlas::test {
 namespace {
 
 using effects::BladeError;
+using motion::SectionState;
 using point::PointStatus;
-using point::SectionState;
 
 settings::Scene equal_blades(settings::ContactLaw law, double speed_ratio) {
   nlohmann::json scene = effect_scene<&effects::Effects::unequal_blades>(speed_ratio, 4);
@@ -76,9 +76,7 @@ TEST_P(UnequalBlades, OneThatIsLongerTouchesAlone) {
   scene.protocol.sampled_revolutions = 3;
   scene.protocol.samples_per_revolution = 4096;
   scene.unequal_blades.emplace().length_errors = {0.0, 5.1e-5, 0.0};
-  const auto parameters = plan::Grid(scene).parameters(0);
-  const auto orbit = assembly::make_line_solver(scene, parameters, assembly::make_blade_tables())
-                         ->orbit(parameters.speed_ratio, {});
+  const auto orbit = solver_of_first_line(scene)->orbit(0.2, {});
   ASSERT_EQ(orbit.status, PointStatus::done);
   double of_longer = 0.0;
   double of_others = 0.0;

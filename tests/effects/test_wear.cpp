@@ -16,8 +16,8 @@
 namespace rubatlas::test {
 namespace {
 
+using motion::PointStart;
 using nlohmann::json;
-using point::PointStart;
 using point::PointStatus;
 
 json worn(double rate, double speed, int revolutions) {
@@ -25,12 +25,6 @@ json worn(double rate, double speed, int revolutions) {
           {"wear", {{"rate", rate}, {"carries_over", true}}},
           {"protocol", {{"transient_revolutions", 0}, {"sampled_revolutions", revolutions}}},
           {"observables", {"poincare", "max_displacement", "clearance_growth"}}};
-}
-
-point::PointOutcome run_from(const settings::Scene& scene, const PointStart& start) {
-  const auto parameters = plan::Grid(scene).parameters(0);
-  return assembly::make_line_solver(scene, parameters, assembly::make_blade_tables())
-      ->run(parameters.speed_ratio, start);
 }
 
 double total(const motion::Memory& memory) {
@@ -61,9 +55,8 @@ TEST(Wear, FrictionTakesTheEnergyThatTheMotorGivesAndTheRotorLoses) {
   content["contact"] = {{"law", "elastic_ring"}, {"friction", 0.2}};
   content["protocol"]["samples_per_revolution"] = 65536;
   const settings::Scene scene = parsed(content);
-  const auto parameters = plan::Grid(scene).parameters(0);
-  const auto solver = assembly::make_line_solver(scene, parameters, assembly::make_blade_tables());
-  const point::SectionState start{2e-3, 1e-3, -1e-3, 2e-3};
+  const auto solver = solver_of_first_line(scene);
+  const motion::SectionState start{2e-3, 1e-3, -1e-3, 2e-3};
   const auto outcome = solver->run(0.45, start);
   const auto orbit = solver->orbit(0.45, start);
   ASSERT_EQ(outcome.status, PointStatus::done);
@@ -72,12 +65,12 @@ TEST(Wear, FrictionTakesTheEnergyThatTheMotorGivesAndTheRotorLoses) {
 
   const double stiffness = scene.rotor.mass * scene.rotor.natural_frequency * scene.rotor.natural_frequency;
   const double reach = scene.blades.length;
-  const auto tip = [&](const point::SectionState& state, int blade, double angle) {
+  const auto tip = [&](const motion::SectionState& state, int blade, double angle) {
     const double phi = angle + 2.0 * std::numbers::pi * blade / 3.0;
     return std::array{state[0] + reach * std::cos(phi),
                       state[1] + scene.rotor.misalignment + reach * std::sin(phi), phi};
   };
-  const auto energy = [&](const point::SectionState& state) {
+  const auto energy = [&](const motion::SectionState& state) {
     double sum = 0.0;
     for (const double component : state) sum += 0.5 * stiffness * component * component;
     for (int blade = 0; blade < 3; ++blade) {
@@ -126,7 +119,7 @@ TEST(Wear, BladesOnlyGetShorterAndALineGoesOnWithThem) {
   const settings::Scene four = parsed(worn(1e-4, 0.45, 4));
   PointStart at;
   for (int revolution = 0; revolution < 4; ++revolution) {
-    const auto outcome = run_from(one, at);
+    const auto outcome = run(one, at);
     ASSERT_EQ(outcome.status, PointStatus::done);
     ASSERT_EQ(outcome.final_memory.view().size(), 3U);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -146,7 +139,7 @@ TEST(Wear, BladesOnlyGetShorterAndALineGoesOnWithThem) {
 TEST(Wear, AWornRotorIsThatOfShorterBlades) {
   const std::vector<double> lost{1e-5, 0.0, 3e-5};
   // So slowly that nothing more is worn.
-  const auto shorter = run_from(parsed(worn(1e-15, 0.62, 3)), {{}, motion::Memory(lost)});
+  const auto shorter = run(parsed(worn(1e-15, 0.62, 3)), {{}, motion::Memory(lost)});
   json content = worn(1.0, 0.62, 3);
   content.erase("wear");
   content["observables"] = {"poincare", "max_displacement"};
@@ -160,9 +153,9 @@ TEST(Wear, AWornRotorIsThatOfShorterBlades) {
 TEST(Wear, StartsAfreshAtEachPointUnlessItCarriesOver) {
   json content = worn(1e-4, 0.62, 2);
   const PointStart start({}, motion::Memory(std::vector{1e-4, 2e-4, 0.0}));
-  const auto carried = run_from(parsed(content), start);
+  const auto carried = run(parsed(content), start);
   content["wear"]["carries_over"] = false;
-  const auto fresh = run_from(parsed(content), start);
+  const auto fresh = run(parsed(content), start);
   const auto of_new = run(parsed(content));
   EXPECT_EQ(fresh.rows, of_new.rows);
   EXPECT_EQ(fresh.final_state, of_new.final_state);

@@ -141,10 +141,8 @@ TEST(WorkOfAPoint, ALongRevolutionIsGivenUpWhenAsked) {
       parsed({{"accuracy", {{"method", "fixed"}, {"step", 1e-6}}},
               {"grid", {{"speed_ratio", 1e-4}}},
               {"protocol", {{"transient_revolutions", 0}, {"sampled_revolutions", 1}}}});
-  const auto parameters = plan::Grid(scene).parameters(0);
   int asked = 0;
-  const auto outcome = assembly::make_line_solver(scene, parameters, assembly::make_blade_tables())
-                           ->run(parameters.speed_ratio, {}, [&] { return ++asked < 3; });
+  const auto outcome = solver_of_first_line(scene)->run(1e-4, {}, [&] { return ++asked < 3; });
   EXPECT_EQ(outcome.status, PointStatus::pending);
   EXPECT_EQ(outcome.failed_revolution, -1);
   EXPECT_EQ(asked, 3);

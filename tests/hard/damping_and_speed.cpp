@@ -8,7 +8,8 @@
 #include <limits>
 #include <numbers>
 
-#include "hard_point.hpp"
+#include "../support/point.hpp"
+#include "honest_end.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -43,7 +44,7 @@ TEST(DampingAndSpeed, EveryDampingAtEverySpeedConverges) {
         const auto tight = run(scene, speed);
         double growth = 1.0;
         for (std::size_t component = 0; component < 4; ++component) {
-          point::SectionState start{};
+          motion::SectionState start{};
           start[component] = kShift;
           const auto shifted = run(scene, speed, start);
           if (shifted.status != PointStatus::done) continue;

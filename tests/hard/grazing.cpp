@@ -6,8 +6,9 @@
 #include <numbers>
 #include <optional>
 
+#include "../support/point.hpp"
 #include "contact/elastic_ring_contact.hpp"
-#include "hard_point.hpp"
+#include "honest_end.hpp"
 #include "modes/flight.hpp"
 #include "rotor/free_motion.hpp"
 

@@ -9,13 +9,13 @@
 #include <optional>
 #include <random>
 
-#include "hard_point.hpp"
+#include "../support/point.hpp"
 #include "recorded_motion.hpp"
 
 namespace rubatlas::test {
 namespace {
 
-using modes::PhaseEvent;
+using modes::Guard;
 using point::PointStatus;
 using rotor::State;
 
@@ -73,7 +73,7 @@ std::optional<LiftOff> first_lift_off(const HardRotor& rotor, const Law& law, co
     touched = true;
     force = piece.normal_force(0, piece.end());
   });
-  const auto lift_offs = motion.of_kind(PhaseEvent::lift_off);
+  const auto lift_offs = motion.of_kind(Guard::lift_off);
   if (lift_offs.empty()) return std::nullopt;
   return LiftOff{lift_offs.front().state, force > 0.0};
 }

@@ -7,7 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "hard_point.hpp"
+#include "../support/point.hpp"
+#include "honest_end.hpp"
 
 namespace rubatlas::test {
 namespace {

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "hard_point.hpp"
+#include "../support/point.hpp"
 
 namespace rubatlas::test {
 namespace {
 
+using motion::SectionState;
 using point::PointStatus;
-using point::SectionState;
 
 /// The free rotor after a number of revolutions, ζ = 0: turned in the plane (z, z') by 2π N/Ω. The angle is
 /// reduced in whole numbers of turns before it is rounded: Ω is a quotient of small whole numbers.

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "hard_point.hpp"
+#include "../support/point.hpp"
 #include "recorded_motion.hpp"
 
 namespace rubatlas::test {
 namespace {
 
-using modes::PhaseEvent;
+using modes::Guard;
 using point::PointStatus;
 using rotor::State;
 
@@ -83,7 +83,7 @@ TEST(ManyBlades, BladesThatTouchAtTheSameInstantAllTouch) {
       motion.revolution(recording);
       std::vector<modes::Event> touchdowns;
       for (const auto& entry : recording.events) {
-        if (entry.event.kind == PhaseEvent::touch_down) touchdowns.push_back(entry.event);
+        if (entry.event.kind == Guard::touch_down) touchdowns.push_back(entry.event);
       }
       ASSERT_GE(touchdowns.size(), 2U);
       EXPECT_EQ(touchdowns[0].blade + touchdowns[1].blade, 1) << "blades 0 and 1";

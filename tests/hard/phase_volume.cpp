@@ -8,13 +8,13 @@
 #include <numbers>
 #include <ostream>
 
-#include "hard_point.hpp"
+#include "../support/point.hpp"
 
 namespace rubatlas::test {
 namespace {
 
+using motion::SectionState;
 using point::PointStatus;
-using point::SectionState;
 
 struct VolumeCase {
   const char* name;

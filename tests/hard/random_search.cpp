@@ -14,8 +14,9 @@
 #include <string>
 #include <vector>
 
+#include "../support/point.hpp"
 #include "assembly/make_line_solver.hpp"
-#include "hard_point.hpp"
+#include "honest_end.hpp"
 #include "random_scene.hpp"
 
 namespace rubatlas::test {
@@ -51,7 +52,7 @@ std::optional<point::PointOutcome> search(std::uint64_t index) {
   std::optional<point::PointOutcome> outcome;
   const auto run_scene = [&] {
     const settings::Scene scene = random_scene(index);
-    const point::SectionState start{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
+    const motion::SectionState start{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
     outcome = run(scene, scene.grid.speed_ratio.front(), start, assembly::make_blade_tables());
     expect_an_honest_end(scene, *outcome);
     expect_bounded_work(*outcome);

@@ -67,7 +67,7 @@ struct RecordedMotion {
   std::vector<rotor::State> sections;  ///< after each revolution
   motion::WorkCounts work;
 
-  [[nodiscard]] std::vector<modes::Event> of_kind(modes::PhaseEvent kind) const {
+  [[nodiscard]] std::vector<modes::Event> of_kind(modes::Guard kind) const {
     std::vector<modes::Event> found;
     for (const RecordedEvent& entry : events) {
       if (entry.event.kind == kind) found.push_back(entry.event);

@@ -7,13 +7,14 @@
 #include <span>
 #include <vector>
 
+#include "../support/point.hpp"
 #include "assembly/make_line_solver.hpp"
-#include "hard_point.hpp"
+#include "honest_end.hpp"
 
 namespace rubatlas::test {
 namespace {
 
-using point::PointStart;
+using motion::PointStart;
 using point::PointStatus;
 
 /// Of shaft and ring [m].
@@ -47,10 +48,9 @@ TEST(RingBodyOfAnyWeight, ConvergesWithBoundedWork) {
           scene.contact.law = law;
           scene.ring_body =
               effects::RingBody{mass, 1.0 / stiffness, 2.0 * damping_ratio * std::sqrt(mass * stiffness)};
-          const auto parameters = line_of(scene);
           const auto run_at = [&](double tolerance, const PointStart& start) {
             scene.accuracy.tolerance = tolerance;
-            return assembly::make_line_solver(scene, parameters, shared_tables())->run(kSpeed, start);
+            return solver_of(scene)->run(kSpeed, start);
           };
           const auto loose = run_at(kTolerance, {});
           const auto tight = run_at(0.1 * kTolerance, {});

@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "hard_point.hpp"
+#include "../support/point.hpp"
+#include "honest_end.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -29,7 +30,7 @@ Kicked kick(settings::Scene scene, double most_right_hand_sides) {
         SCOPED_TRACE(::testing::Message()
                      << "friction " << friction << ", speed " << speed << ", kick " << size);
         scene.contact.friction = friction;
-        const point::SectionState start{0.005, 0.0, 0.0, 3e-4 * size * std::abs(size)};
+        const motion::SectionState start{0.005, 0.0, 0.0, 3e-4 * size * std::abs(size)};
         const auto outcome = run(scene, speed, start);
         expect_an_honest_end(scene, outcome);
         if (testing::Test::HasFatalFailure()) return result;
@@ -100,7 +101,7 @@ TEST(Slip, OfAFlexibleTipThatChattersIntoRestIsFollowedAtEveryTolerance) {
 
 /// At the end of the revolution a contact reverses its slip at intervals of which each cycle is a fixed share
 /// of the one before. Without a limit their number is a matter of rounding, and with it s.
-void expect_rest_in_the_limit(settings::Scene scene, double speed_ratio, const point::SectionState& start) {
+void expect_rest_in_the_limit(settings::Scene scene, double speed_ratio, const motion::SectionState& start) {
   const auto moved = [&](double tolerance, double aside) {
     scene.accuracy.tolerance = tolerance;
     return run(scene, speed_ratio, {start[0] + aside, start[1], start[2], start[3]});
@@ -149,7 +150,7 @@ TEST(Slip, ReversalsThatAccumulateInARingThatMovesEndInRestToo) {
 TEST(Slip, ReversalsThatAccumulateWhereNoLawOfRestIsKnownLeaveValidityAtEveryTolerance) {
   for (const char* effect : {"axial compliance", "yielding ring"}) {
     settings::Scene scene = default_rotor(1);
-    point::SectionState start{};
+    motion::SectionState start{};
     double speed_ratio = 0.0;
     if (effect == std::string("axial compliance")) {
       scene.axial_compliance = effects::AxialCompliance{1.0};

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "../support/point.hpp"
 #include "analysis/rules/class.hpp"
 #include "analysis/rules/scene_tolerances.hpp"
-#include "hard_point.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -22,7 +22,7 @@ struct Verdict {
   double displacement;  ///< largest [m]
 };
 
-Verdict verdict(const settings::Scene& scene, double speed, const point::SectionState& start) {
+Verdict verdict(const settings::Scene& scene, double speed, const motion::SectionState& start) {
   const auto outcome = run(scene, speed, start);
   EXPECT_EQ(outcome.status, PointStatus::done) << speed;
   return {analysis::classify(outcome.rows[0], analysis::closing_tolerance(scene)), outcome.rows[1][0]};

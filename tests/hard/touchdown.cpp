@@ -8,7 +8,7 @@
 namespace rubatlas::test {
 namespace {
 
-using modes::PhaseEvent;
+using modes::Guard;
 using point::PointStatus;
 using rotor::State;
 
@@ -64,7 +64,7 @@ TEST(Touchdown, OnTheRecedingSideTheForceIsFiniteAtOnce) {
                                  first_force = piece.normal_force(0, piece.begin());
                              });
   ASSERT_EQ(motion.status, PointStatus::done);
-  const auto touchdowns = motion.of_kind(PhaseEvent::touch_down);
+  const auto touchdowns = motion.of_kind(Guard::touch_down);
   ASSERT_FALSE(touchdowns.empty());
   EXPECT_EQ(touchdowns[0].time, before) << "flight up to the touch-down";
   const contact::Pose at = pose_at(rotor, 0, touchdowns[0].time, touchdowns[0].state);
@@ -92,7 +92,7 @@ TEST(Touchdown, LiftOffGoesThroughTheFoldWithoutAJump) {
     const auto motion = follow(rotor, law, kNoForcing, {rotor.clearance(), 1e-3, 0.02, velocity}, 1,
                                [](observables::MotionPiece&) {});
     EXPECT_EQ(motion.status, PointStatus::done) << velocity;
-    const auto liftoffs = motion.of_kind(PhaseEvent::lift_off);
+    const auto liftoffs = motion.of_kind(Guard::lift_off);
     EXPECT_FALSE(liftoffs.empty()) << velocity;
     if (liftoffs.empty()) return Leaving{};
     const contact::Pose at = pose_at(rotor, 0, liftoffs[0].time, liftoffs[0].state);

@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
 #include "mpi/job/progress.hpp"
@@ -72,9 +76,20 @@ TEST(ProgressText, AJobIsNotCalledCompleteBeforeItsLastPoint) {
   EXPECT_EQ(plain_line({.total = 1000, .finished = 999}).substr(0, 5), " 99 %");
 }
 
-TEST(RunRecord, TextsAreQuotedAsJsonWantsIt) {
-  EXPECT_EQ(json_text("a \"name\" \\ Ω"), "\"a \\\"name\\\" \\\\ Ω\"");
-  EXPECT_EQ(json_text("a\nb\t"), "\"a\\u000ab\\u0009\"");
+TEST(RunRecord, KeepsWhateverAHostIsCalled) {
+  const auto directory = std::filesystem::path(testing::TempDir()) / "rubatlas_run_record";
+  std::filesystem::create_directories(directory);
+  const auto atlas = directory / "atlas.h5";
+  const std::string quoted = "a \"name\" \\ Ω\nb\t";
+  const std::string no_utf8 = "node\xff";
+  RunRecord(record_output(atlas, directory / "scene.json"),
+            {.started = {}, .hosts = {quoted, no_utf8}, .lanes = {}}, {})
+      .update({});
+  std::ifstream file(atlas.string() + ".run.json");
+  const auto hosts = nlohmann::json::parse(file).at("runs").at(0).at("host_of_rank");
+  EXPECT_EQ(hosts.at(0), quoted);
+  EXPECT_EQ(hosts.at(1), "node\uFFFD") << "JSON holds UTF-8 alone: any other byte is replaced";
+  std::filesystem::remove_all(directory);
 }
 
 }  // namespace

@@ -30,11 +30,11 @@ settings::Scene lines_of_points(std::size_t lines, std::size_t points, settings:
 }
 
 /// The end of a point, made so that it tells which point it is.
-point::SectionState end_of(std::size_t line, std::uint64_t visit) {
+motion::SectionState end_of(std::size_t line, std::uint64_t visit) {
   return {static_cast<double>(line), static_cast<double>(visit), 0.0, 0.0};
 }
 
-point::SectionState never(std::size_t point) {
+motion::SectionState never(std::size_t point) {
   ADD_FAILURE() << "point " << point << " was looked up";
   return {};
 }

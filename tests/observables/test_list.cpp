@@ -30,7 +30,7 @@ std::vector<std::string> all_names() {
   return {names.begin(), names.end()};
 }
 
-TEST(List, NamesAreThoseThatASceneMayAskFor) {
+TEST(List, GivesEveryWordThatASceneMayUseItsMeaningInTheSameOrder) {
   std::vector<std::string> listed;
   for (const Description& description : descriptions(scene_with(all_names())))
     listed.push_back(description.name);

@@ -5,32 +5,20 @@
 #include <cmath>
 #include <numbers>
 
-#include "assembly/make_line_solver.hpp"
-#include "point/line_solver.hpp"
+#include "../support/point.hpp"
 
 namespace rubatlas::test {
 namespace {
 
+using motion::SectionState;
 using point::PointStatus;
-using point::SectionState;
 
 settings::Scene default_scene(settings::ContactLaw law) {
-  settings::Scene scene;
+  settings::Scene scene = default_rotor(6);
   scene.contact.law = law;
   scene.observables = {"poincare", "poincare_blade_passing", "max_displacement"};
-  scene.protocol = {0, 6, 64};
   scene.accuracy.tolerance = 1e-13;
   return scene;
-}
-
-point::PointOutcome run(const settings::Scene& scene, double speed_ratio, const SectionState& start) {
-  const plan::PointParameters line{speed_ratio, scene.rotor.damping_ratio, scene.contact.friction,
-                                   scene.unbalance ? scene.unbalance->moment : 0.0, scene.blades.thickness};
-  return assembly::make_line_solver(scene, line, assembly::make_blade_tables())->run(speed_ratio, start);
-}
-
-SectionState section(const std::vector<double>& row, std::size_t index) {
-  return {row[4 * index], row[4 * index + 1], row[4 * index + 2], row[4 * index + 3]};
 }
 
 class Invariants : public ::testing::TestWithParam<settings::ContactLaw> {};
@@ -75,12 +63,12 @@ TEST_P(Invariants, PhaseVolumeContractsByTheDampingAlone) {
 TEST_P(Invariants, TwiceTheMassStiffnessAndUnbalanceMovesTheSame) {
   settings::Scene scene = default_scene(GetParam());
   scene.unbalance = settings::Unbalance{1e-4, 0.3};
-  const auto once = run(scene, 0.62, {});
+  const auto once = run(scene, 0.62);
   scene.rotor.mass *= 2.0;
   scene.blades.youngs_modulus *= 2.0;
   scene.ring.stiffness *= 2.0;
   scene.unbalance->moment *= 2.0;
-  const auto twice = run(scene, 0.62, {});
+  const auto twice = run(scene, 0.62);
   ASSERT_EQ(once.status, PointStatus::done);
   ASSERT_GT(once.work.touchdowns, 0U);
   EXPECT_EQ(once.rows, twice.rows) << "powers of two scale without rounding";
@@ -89,7 +77,7 @@ TEST_P(Invariants, TwiceTheMassStiffnessAndUnbalanceMovesTheSame) {
 TEST_P(Invariants, TwiceTheLengthsAreTwiceTheMotion) {
   settings::Scene scene = default_scene(GetParam());
   scene.unbalance = settings::Unbalance{1e-4, 0.3};
-  const auto once = run(scene, 0.62, {});
+  const auto once = run(scene, 0.62);
   // EI × 2³ with L × 2 keeps F/L: E b h³/12 with b, h doubled is 2⁴ EI.
   scene.blades.length *= 2.0;
   scene.blades.width *= 2.0;
@@ -98,7 +86,7 @@ TEST_P(Invariants, TwiceTheLengthsAreTwiceTheMotion) {
   scene.ring.radius *= 2.0;
   scene.rotor.misalignment *= 2.0;
   scene.unbalance->moment *= 2.0;
-  const auto twice = run(scene, 0.62, {});
+  const auto twice = run(scene, 0.62);
   ASSERT_EQ(twice.status, PointStatus::done);
   ASSERT_EQ(once.rows[0].size(), twice.rows[0].size());
   for (std::size_t i = 0; i < once.rows[0].size(); ++i) {
@@ -122,9 +110,9 @@ TEST_P(Invariants, WithoutUnbalanceEveryBladePassingIsASection) {
 
 TEST_P(Invariants, AMotionContinuedFromItsSectionIsTheSameMotion) {
   settings::Scene scene = default_scene(GetParam());
-  const auto whole = run(scene, 0.62, {});
+  const auto whole = run(scene, 0.62);
   scene.protocol.sampled_revolutions = 3;
-  const auto first = run(scene, 0.62, {});
+  const auto first = run(scene, 0.62);
   const auto second = run(scene, 0.62, first.final_state);
   for (std::size_t i = 0; i < 12; ++i) {
     EXPECT_NEAR(first.rows[0][i], whole.rows[0][i], 1e-13);

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "assembly/make_line_solver.hpp"
-#include "point/line_solver.hpp"
+#include "../support/point.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -69,17 +68,13 @@ class PlainRotor {
 
 TEST(PlainRotor, AgreesOnRigidBladesInAnElasticRing) {
   for (const int blades : {3, 4, 7}) {
-    settings::Scene scene;
+    settings::Scene scene = default_rotor(3);
     scene.contact.law = settings::ContactLaw::elastic_ring;
     scene.blades.count = blades;
     scene.unbalance = settings::Unbalance{1e-4, 0.7};
-    scene.observables = {"poincare"};
-    scene.protocol = {0, 3, 64};
     scene.accuracy.tolerance = 1e-12;
     const double speed = 0.45;
-    const plan::PointParameters line{speed, 0.1, 0.1, 1e-4, 0.001};
-    const auto outcome =
-        assembly::make_line_solver(scene, line, assembly::make_blade_tables())->run(speed, {});
+    const auto outcome = run(scene, speed);
     ASSERT_EQ(outcome.status, point::PointStatus::done);
     ASSERT_GT(outcome.work.touchdowns, 3U);
     ASSERT_EQ(outcome.work.slip_reversals, 0U);

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "assembly/make_line_solver.hpp"
+#include "../support/point.hpp"
 #include "reference_case.hpp"
 
 namespace rubatlas::test {
@@ -51,11 +51,10 @@ PointOutcome run(settings::Scene scene, const ReferenceCase& c, const settings::
   scene.accuracy = accuracy;
   scene.observables = {"poincare"};
   scene.protocol = {0, revolutions, 64};
-  const auto solver = assembly::make_line_solver(scene, c.line(), assembly::make_blade_tables());
-  return solver->run(c.speed_ratio, c.start);
+  return test::run(scene, c.speed_ratio, c.start);
 }
 
-point::SectionState section(const PointOutcome& outcome, std::size_t number) {
+motion::SectionState section(const PointOutcome& outcome, std::size_t number) {
   const auto& row = outcome.rows.at(0);
   return {row.at(4 * number), row.at(4 * number + 1), row.at(4 * number + 2), row.at(4 * number + 3)};
 }
@@ -67,7 +66,7 @@ double early_error(const ReferenceCase& c, const settings::Accuracy& accuracy) {
   EXPECT_EQ(outcome.status, PointStatus::done) << c.name;
   double largest = 0.0;
   for (std::size_t i = 0; i < kRevolutions; ++i) {
-    largest = std::max(largest, distance(section(outcome, i), c.first_sections[i]));
+    largest = std::max(largest, largest_difference(section(outcome, i), c.first_sections[i]));
   }
   return largest / c.scene.clearance();
 }
@@ -79,7 +78,7 @@ double late_error(const ReferenceCase& c, const settings::Accuracy& accuracy) {
   double largest = 0.0;
   for (std::size_t i = 0; i < c.last_sections.size(); ++i) {
     const std::size_t number = static_cast<std::size_t>(c.last_section) - 11 + i;
-    largest = std::max(largest, distance(section(outcome, number), c.last_sections[i]));
+    largest = std::max(largest, largest_difference(section(outcome, number), c.last_sections[i]));
   }
   return largest / c.scene.clearance();
 }
@@ -110,7 +109,7 @@ TEST(FixedMethod, ErrorInFlightFallsWithTheFourthPowerOfTheStep) {
   const auto exact = run(c.scene, c, hybrid(1e-12), 3).final_state;
   std::vector<std::pair<double, double>> errors;
   for (const double step : {0.2, 0.1, 0.05, 0.025}) {
-    errors.emplace_back(step, distance(run(c.scene, c, fixed_steps(step), 3).final_state, exact));
+    errors.emplace_back(step, largest_difference(run(c.scene, c, fixed_steps(step), 3).final_state, exact));
   }
   EXPECT_NEAR(slope(errors), 4.0, 0.2);
   EXPECT_LT(errors.back().second, 1e-8 * c.scene.clearance());
@@ -153,7 +152,8 @@ TEST(LocatedMethod, ErrorInFlightFollowsTheTolerance) {
   const auto exact = run(c.scene, c, hybrid(1e-12), 3).final_state;
   for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
     accuracy.tolerance = tolerance;
-    const double error = distance(run(c.scene, c, accuracy, 3).final_state, exact) / c.scene.clearance();
+    const double error =
+        largest_difference(run(c.scene, c, accuracy, 3).final_state, exact) / c.scene.clearance();
     EXPECT_LT(error, 10.0 * tolerance) << tolerance;
     EXPECT_GT(error, 1e-3 * tolerance) << "no work beyond what was asked for, at " << tolerance;
   }
@@ -221,7 +221,7 @@ TEST(StepLimit, ErrorControlAloneStepsOverEveryContact) {
   unlimited.max_step = 1e3;
   const PointOutcome blind = run(c.scene, c, unlimited, 10);
   EXPECT_EQ(blind.work.touchdowns, 0u);
-  EXPECT_EQ(blind.final_state, point::SectionState{});
+  EXPECT_EQ(blind.final_state, motion::SectionState{});
   EXPECT_GE(run(c.scene, c, located_events(1e-12), 10).work.touchdowns, 10u);
 }
 
@@ -261,7 +261,7 @@ TEST_P(EveryMethod, AgreesWithHybridUnderBothLawsWithUnbalance) {
     const PointOutcome outcome = run(c.scene, c, good_setting(), 5);
     ASSERT_EQ(outcome.status, PointStatus::done);
     EXPECT_GE(outcome.work.touchdowns, 10u) << "three a revolution";
-    EXPECT_LT(distance(outcome.final_state, reference.final_state), 2e-3 * c.scene.clearance())
+    EXPECT_LT(largest_difference(outcome.final_state, reference.final_state), 2e-3 * c.scene.clearance())
         << static_cast<int>(law);
   }
 }
@@ -275,13 +275,12 @@ TEST_P(EveryMethod, FollowsSeveralBladesThatTouchAtOnce) {
   const PointOutcome outcome = run(c.scene, c, good_setting(), 3);
   ASSERT_EQ(outcome.status, PointStatus::done);
   EXPECT_EQ(outcome.work.touchdowns, reference.work.touchdowns);
-  EXPECT_LT(distance(outcome.final_state, reference.final_state), 1e-3 * c.scene.clearance());
+  EXPECT_LT(largest_difference(outcome.final_state, reference.final_state), 1e-3 * c.scene.clearance());
 
   settings::Scene scene = c.scene;
   scene.accuracy = good_setting();
   scene.protocol = {0, 1, 256};
-  const auto solver = assembly::make_line_solver(scene, c.line(), assembly::make_blade_tables());
-  const point::Orbit orbit = solver->orbit(c.speed_ratio, c.start);
+  const point::Orbit orbit = solver_of(scene)->orbit(c.speed_ratio, c.start);
   std::ptrdiff_t most = 0;
   for (auto first = orbit.force.begin(); first != orbit.force.end(); first += 24) {
     most = std::max(most, std::count_if(first, first + 24, [](double force) { return force > 0.0; }));
@@ -310,8 +309,7 @@ TEST_P(EveryMethod, RunsRepeatToTheLastBitAndOrbitsAreTheSameMotion) {
   settings::Scene scene = c.scene;
   scene.accuracy = good_setting();
   scene.protocol = {0, 4, 128};
-  const auto solver = assembly::make_line_solver(scene, c.line(), assembly::make_blade_tables());
-  const point::Orbit orbit = solver->orbit(c.speed_ratio, c.start);
+  const point::Orbit orbit = solver_of(scene)->orbit(c.speed_ratio, c.start);
   ASSERT_EQ(orbit.sections.size(), 4u);
   EXPECT_EQ(orbit.sections.back(), first.final_state);
   EXPECT_EQ(orbit.time.size(), 4u * 128u);
@@ -325,8 +323,7 @@ TEST_P(EveryMethod, ObservablesOfContactAgreeWithThoseOfHybrid) {
     scene.accuracy = accuracy;
     scene.observables = {observable};
     scene.protocol = {5, 5, 64};
-    const auto solver = assembly::make_line_solver(scene, c.line(), assembly::make_blade_tables());
-    return solver->run(c.speed_ratio, c.start).rows.at(0).at(0);
+    return test::run(scene, c.speed_ratio, c.start).rows.at(0).at(0);
   };
   for (const char* observable :
        {"max_displacement", "touchdowns_per_revolution", "max_contact_force", "max_root_strain"}) {

@@ -147,24 +147,24 @@ TEST(CompliantBlades, InAStiffRingMoveLikeInARigidOneToFirstOrder) {
 
 /// How one contact ends, from a state on.
 struct Ended {
-  modes::PhaseEnd end;
+  modes::ModeEnd end;
   rotor::ContactState state;
   modes::OpenContact contact;
 };
-template <class System, class Law>
+template <class Mode, class Law>
 Ended follow(const Law& law, double speed_ratio, int blades, const rotor::ContactState& state,
              const modes::OpenContact& contact) {
   const rotor::RotorConstants rotor = rotor_at(speed_ratio);
   const rotor::BladeSet set(blades, speed_ratio);
   const rotor::NoForcing none;
-  modes::ContactPhase<System, Law, integrate::DormandPrince853> phase(rotor, set, law, {1e-13, 0.5},
-                                                                      System(rotor, set, law, none));
-  EXPECT_TRUE(phase.start(state[rotor::kTime], state.template head<4>(), {contact}));
   modes::WorkMeter meter;
+  modes::ContactPhase<Mode, integrate::DormandPrince853> phase(
+      {&rotor, &set, &law, &none, {1e-13, 0.5}, &meter});
   const modes::GoOn always;
   meter.begin_revolution(always);
+  EXPECT_TRUE(phase.start(state[rotor::kTime], state.template head<4>(), {contact}));
   modes::MotionListener nobody;
-  const modes::PhaseEnd end = phase.advance(1e3, meter, nobody);
+  const modes::ModeEnd end = phase.advance(1e3, nobody);
   return {end, phase.end_state(), phase.contact_at_end(0)};
 }
 
@@ -176,25 +176,25 @@ int expect_both_forms_agree(const Law& law, double speed_ratio, int blades, doub
   const auto motion = run(law, speed_ratio, 4, blades);
   int compared = 0;
   for (const modes::Event& event : motion.witness.events) {
-    if (event.kind != modes::PhaseEvent::touch_down) continue;
-    using Solved = modes::SolvedContacts<Law, rotor::NoForcing>;
-    using Carried = modes::CarriedContact<Law, rotor::NoForcing>;
+    if (event.kind != modes::Guard::touch_down) continue;
+    using Solved = modes::Solved<Law, rotor::NoForcing>;
+    using Carried = modes::Carried<Law, rotor::NoForcing>;
     modes::OpenContact contact{event.blade, event.slip, 0.0};
     const contact::Pose at = pose_at(speed_ratio, blades, event);
     if (!law.starts_unloaded(at, contact.slip)) contact.bending = law.solve(at, contact.slip).value();
     const rotor::ContactState start = rotor::full_state(event.state, event.time, contact.bending);
     Ended solved = follow<Solved>(law, speed_ratio, blades, start, contact);
     // Up to its fold a force is carried, which both forms then agree in.
-    if (solved.end.event == modes::PhaseEvent::nears_fold)
+    if (solved.end.guard == modes::Guard::nears_fold)
       solved = follow<Carried>(law, speed_ratio, blades, solved.state, solved.contact);
     const Ended carried = follow<Carried>(law, speed_ratio, blades, start, contact);
-    EXPECT_EQ(solved.end.event, carried.end.event);
+    EXPECT_EQ(solved.end.guard, carried.end.guard);
     EXPECT_EQ(solved.end.blade, carried.end.blade);
     const double time = std::abs(solved.state[rotor::kTime] - carried.state[rotor::kTime]);
     EXPECT_LT(time, allowed);
     EXPECT_LT(difference(solved.state.template head<4>(), carried.state.template head<4>()),
               kFastest * allowed);
-    if (solved.end.event == modes::PhaseEvent::lift_off) ++compared;
+    if (solved.end.guard == modes::Guard::lift_off) ++compared;
   }
   return compared;
 }
@@ -232,11 +232,11 @@ Releases expect_releases_at_the_fold(const Law& law, double speed_ratio, int bla
   for (std::size_t i = 0; i < motion.witness.events.size(); ++i) {
     const modes::Event& event = motion.witness.events[i];
     contact::Pose at = pose_at(speed_ratio, blades, event);
-    if (event.kind == modes::PhaseEvent::touch_down) {
+    if (event.kind == modes::Guard::touch_down) {
       ++open;
       EXPECT_NEAR(at.gap, 0.0, 1e-16) << "touch-downs stay where they are";
     }
-    if (event.kind != modes::PhaseEvent::lift_off) continue;
+    if (event.kind != modes::Guard::lift_off) continue;
     --open;
     if (law.starts_unloaded(at, event.slip)) {
       EXPECT_NEAR(at.gap, 0.0, kLocated);
@@ -288,7 +288,7 @@ TEST(ReleaseAtFold, LetsContactsLastLongerOnTheRecedingSide) {
     const auto fold = run(make<ReleasedAtFold>(0.1, 0.0), speed, 10, blades);
     const auto& events = ring.witness.events;
     const auto recedes = [speed = speed, blades = blades](const modes::Event& event) {
-      return event.kind == modes::PhaseEvent::lift_off &&
+      return event.kind == modes::Guard::lift_off &&
              event.slip * pose_at(speed, blades, event).tangential < 0.0;
     };
     const auto receding = std::find_if(events.begin(), events.end(), recedes);
@@ -296,7 +296,7 @@ TEST(ReleaseAtFold, LetsContactsLastLongerOnTheRecedingSide) {
     const auto same = static_cast<std::size_t>(receding - events.begin());
     for (std::size_t i = 0; i < same; ++i)
       EXPECT_NEAR(fold.witness.events[i].time, events[i].time, 1e-9) << "one motion up to there";
-    EXPECT_EQ(fold.witness.events[same].kind, modes::PhaseEvent::lift_off);
+    EXPECT_EQ(fold.witness.events[same].kind, modes::Guard::lift_off);
     EXPECT_EQ(fold.witness.events[same].blade, receding->blade);
     EXPECT_GT(fold.witness.events[same].time, receding->time + 1e-6);
   }
@@ -307,7 +307,7 @@ template <class Law>
 std::vector<modes::Event> snaps_of(const Run<Law>& motion) {
   std::vector<modes::Event> snaps;
   for (const modes::Event& event : motion.witness.events) {
-    if (event.kind == modes::PhaseEvent::snap) snaps.push_back(event);
+    if (event.kind == modes::Guard::snap) snaps.push_back(event);
   }
   return snaps;
 }

@@ -1,6 +1,5 @@
 /// What one point promises: repeatable to the bit, bounded, honest about its end.
 #include "point/line_solver.hpp"
-#include "assembly/make_line_solver.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +7,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "../support/point.hpp"
 #include "reference_case.hpp"
 
 namespace rubatlas::test {
 namespace {
 
-constexpr point::SectionState kRest{0.0, 0.0, 0.0, 0.0};
+using test::run;  // also where another source of this folder has a `run` of its own
+
+constexpr motion::SectionState kRest{0.0, 0.0, 0.0, 0.0};
 
 settings::Scene default_scene() {
   settings::Scene scene;
@@ -29,23 +31,12 @@ settings::Scene default_scene() {
   return scene;
 }
 
-plan::PointParameters line_of(const settings::Scene& scene) {
-  return {0.0, scene.rotor.damping_ratio, scene.contact.friction,
-          scene.unbalance ? scene.unbalance->moment : 0.0, scene.blades.thickness};
-}
-
-point::PointOutcome run(const settings::Scene& scene, double speed_ratio,
-                        const point::SectionState& start = kRest) {
-  return assembly::make_line_solver(scene, line_of(scene), assembly::make_blade_tables())
-      ->run(speed_ratio, start);
-}
-
 TEST(LineSolver, APointHasTheSameBitsWhateverRanBeforeIt) {
   const settings::Scene scene = default_scene();
-  const auto solver = assembly::make_line_solver(scene, line_of(scene), assembly::make_blade_tables());
+  const auto solver = solver_of(scene);
   const auto fresh = solver->run(0.62, kRest);
   solver->run(0.75, kRest);
-  solver->run(0.31, point::SectionState{1e-3, 0.0, 0.0, 0.0});
+  solver->run(0.31, motion::SectionState{1e-3, 0.0, 0.0, 0.0});
   const auto again = solver->run(0.62, kRest);
   EXPECT_EQ(fresh.rows, again.rows);
   EXPECT_EQ(fresh.final_state, again.final_state);
@@ -126,7 +117,7 @@ TEST(LineSolver, LimitOfVanishingFrictionIsTheFrictionlessRotor) {
 
 TEST(LineSolver, TheOrbitPassesThroughThePoincareSections) {
   const settings::Scene scene = default_scene();
-  const auto solver = assembly::make_line_solver(scene, line_of(scene), assembly::make_blade_tables());
+  const auto solver = solver_of(scene);
   const auto outcome = solver->run(0.62, kRest);
   const auto orbit = solver->orbit(0.62, kRest);
   ASSERT_EQ(orbit.time.size(), 10U * 64U);
@@ -138,7 +129,7 @@ TEST(LineSolver, TheOrbitPassesThroughThePoincareSections) {
     }
   }
   for (std::size_t i = 1; i < 10; ++i) {
-    EXPECT_LE(distance(orbit.state[64 * i], orbit.sections[i - 1]), 1e-15)
+    EXPECT_LE(largest_difference(orbit.state[64 * i], orbit.sections[i - 1]), 1e-15)
         << "each revolution starts at a section";
   }
 }
@@ -148,7 +139,7 @@ TEST(LineSolver, TheLargestForceIsThatOfADenseScan) {
     settings::Scene scene = default_scene();
     scene.protocol = {20, 10, 20000};
     scene.observables = {"max_contact_force"};
-    const auto solver = assembly::make_line_solver(scene, line_of(scene), assembly::make_blade_tables());
+    const auto solver = solver_of(scene);
     const double largest = solver->run(speed, kRest).rows[0][0];
     const auto orbit = solver->orbit(speed, kRest);
     const double scanned = *std::max_element(orbit.force.begin(), orbit.force.end());
@@ -213,7 +204,7 @@ TEST(LineSolver, TheLastBladePassingOfARevolutionIsItsSection) {
 
 TEST(LineSolver, AsksAfterEachRevolutionWhetherToGoOn) {
   const settings::Scene scene = default_scene();
-  const auto solver = assembly::make_line_solver(scene, line_of(scene), assembly::make_blade_tables());
+  const auto solver = solver_of(scene);
   int calls = 0;
   const auto whole = solver->run(0.4, kRest, [&] { return ++calls > 0; });
   EXPECT_GE(calls, 30) << "and every few milliseconds within one";

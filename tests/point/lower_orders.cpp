@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "assembly/make_line_solver.hpp"
+#include "../support/point.hpp"
 #include "reference_case.hpp"
 
 namespace rubatlas::test {
@@ -22,14 +22,14 @@ Figures run(settings::Method method, double tolerance) {
   scene.accuracy.tolerance = tolerance;
   scene.observables = {"poincare"};
   scene.protocol = {0, 10, 64};
-  const auto solver = assembly::make_line_solver(scene, c.line(), assembly::make_blade_tables());
-  const auto outcome = solver->run(c.speed_ratio, c.start);
+  const auto outcome = test::run(scene, c.speed_ratio, c.start);
   const auto& row = outcome.rows.at(0);
   Figures result{0.0, static_cast<double>(outcome.work.steps)};
   for (std::size_t i = 0; i < c.first_sections.size(); ++i) {
-    result.error = std::max(result.error,
-                            distance({row.at(4 * i), row.at(4 * i + 1), row.at(4 * i + 2), row.at(4 * i + 3)},
-                                     c.first_sections[i]));
+    result.error =
+        std::max(result.error,
+                 largest_difference({row.at(4 * i), row.at(4 * i + 1), row.at(4 * i + 2), row.at(4 * i + 3)},
+                                    c.first_sections[i]));
   }
   result.error /= c.scene.clearance();
   return result;

@@ -7,14 +7,15 @@
 #include <numbers>
 #include <vector>
 
-#include "assembly/make_line_solver.hpp"
-#include "point/line_solver.hpp"
+#include "../support/point.hpp"
 
 namespace rubatlas::test {
 namespace {
 
+using test::run;  // also where another source of this folder has a `run` of its own
+
 constexpr double kPeriodicSpeed = 0.62;
-constexpr point::SectionState kStandingStill{};
+constexpr motion::SectionState kStandingStill{};
 
 struct Contact {
   int blade = 0;
@@ -22,12 +23,6 @@ struct Contact {
   std::vector<double> force;
   [[nodiscard]] double peak() const { return *std::ranges::max_element(force); }
 };
-
-point::Orbit orbit_of(const settings::Scene& scene, double speed_ratio, const point::PointStart& start) {
-  const plan::PointParameters line{speed_ratio, scene.rotor.damping_ratio, scene.contact.friction, 0.0,
-                                   scene.blades.thickness};
-  return assembly::make_line_solver(scene, line, assembly::make_blade_tables())->orbit(speed_ratio, start);
-}
 
 std::map<int, Contact> contacts_of(const point::Orbit& orbit) {
   const auto& samples = orbit.contacts;
@@ -49,7 +44,7 @@ settings::Scene five_revolutions() {
 }
 
 TEST(OrbitContacts, ThreeEqualBladesPeakAlikeInAPeriodicMotion) {
-  const auto orbit = orbit_of(five_revolutions(), kPeriodicSpeed, kStandingStill);
+  const auto orbit = solver_of(five_revolutions())->orbit(kPeriodicSpeed, kStandingStill);
   ASSERT_EQ(orbit.status, point::PointStatus::done);
   const auto contacts = contacts_of(orbit);
   ASSERT_EQ(contacts.size(), 15U) << "three a revolution";
@@ -73,10 +68,8 @@ TEST(OrbitContacts, AgreeWithTheObservablesOfTheSamePoint) {
     SCOPED_TRACE(speed_ratio);
     auto scene = five_revolutions();
     scene.protocol.transient_revolutions = 20;
-    const auto orbit = orbit_of(scene, speed_ratio, kStandingStill);
-    const plan::PointParameters line{speed_ratio, 0.1, 0.1, 0.0, scene.blades.thickness};
-    const auto point = assembly::make_line_solver(scene, line, assembly::make_blade_tables())
-                           ->run(speed_ratio, kStandingStill);
+    const auto orbit = solver_of(scene)->orbit(speed_ratio, kStandingStill);
+    const auto point = run(scene, speed_ratio);
     ASSERT_EQ(point.status, point::PointStatus::done);
     const auto row = [&](std::size_t i) { return point.rows.at(i).at(0); };
     const auto contacts = contacts_of(orbit);
@@ -100,7 +93,7 @@ TEST(OrbitContacts, AgreeWithTheObservablesOfTheSamePoint) {
 }
 
 TEST(OrbitContacts, StatesAreThoseOfTheOrbitBetweenItsSamples) {
-  const auto orbit = orbit_of(five_revolutions(), kPeriodicSpeed, kStandingStill);
+  const auto orbit = solver_of(five_revolutions())->orbit(kPeriodicSpeed, kStandingStill);
   const auto& samples = orbit.contacts;
   ASSERT_EQ(samples.state.size(), samples.time.size());
   std::size_t near = 0;
@@ -123,7 +116,7 @@ TEST(OrbitContacts, StatesAreThoseOfTheOrbitBetweenItsSamples) {
 TEST(OrbitContacts, OfAMotionWithoutAny) {
   auto scene = five_revolutions();
   scene.rotor.misalignment = 0.0;
-  const auto orbit = orbit_of(scene, kPeriodicSpeed, kStandingStill);
+  const auto orbit = solver_of(scene)->orbit(kPeriodicSpeed, kStandingStill);
   EXPECT_EQ(orbit.contacts.time.size(), 0U);
   EXPECT_EQ(orbit.time.size(), 5U * 256U);
 }

@@ -14,7 +14,7 @@ namespace rubatlas::test {
 namespace {
 
 constexpr double kSpeed = 0.5;
-constexpr point::SectionState kAtRest{0.0, 0.0, 0.0, 0.0};
+constexpr motion::SectionState kAtRest{0.0, 0.0, 0.0, 0.0};
 
 struct SweptQuantity {
   std::string pointer;

@@ -1,5 +1,5 @@
 #include "reference_case.hpp"
-#include "assembly/make_line_solver.hpp"
+#include "../support/point.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace rubatlas::test {
 namespace {
 
-point::SectionState state_of(const nlohmann::json& values) {
+motion::SectionState state_of(const nlohmann::json& values) {
   return {values.at(0).get<double>(), values.at(1).get<double>(), values.at(2).get<double>(),
           values.at(3).get<double>()};
 }
@@ -47,11 +47,6 @@ ReferenceCase read_case(const nlohmann::json& json) {
 
 }  // namespace
 
-plan::PointParameters ReferenceCase::line() const {
-  return {speed_ratio, scene.rotor.damping_ratio, scene.contact.friction,
-          scene.unbalance ? scene.unbalance->moment : 0.0, scene.blades.thickness};
-}
-
 double ReferenceCase::amplitude() const {
   double largest = 0.0;
   for (const auto* list : {&first_sections, &last_sections}) {
@@ -80,25 +75,18 @@ const ReferenceCase& reference_case(const std::string& name) {
   throw std::invalid_argument("no reference case " + name);
 }
 
-double distance(const point::SectionState& a, const point::SectionState& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
-
-std::vector<point::SectionState> sections_of(const ReferenceCase& c, double tolerance) {
+std::vector<motion::SectionState> sections_of(const ReferenceCase& c, double tolerance) {
   return sections_of(c, tolerance, c.last_section);
 }
 
-std::vector<point::SectionState> sections_of(const ReferenceCase& c, double tolerance, int revolutions) {
+std::vector<motion::SectionState> sections_of(const ReferenceCase& c, double tolerance, int revolutions) {
   settings::Scene scene = c.scene;
   scene.accuracy.tolerance = tolerance;
   scene.observables = {"poincare"};
   scene.protocol = {0, revolutions, 64};
-  const auto solver = assembly::make_line_solver(scene, c.line(), assembly::make_blade_tables());
-  const auto outcome = solver->run(c.speed_ratio, c.start);
+  const auto outcome = run(scene, c.speed_ratio, c.start);
   if (outcome.status != point::PointStatus::done) throw std::runtime_error(c.name + " did not end as done");
-  std::vector<point::SectionState> sections;
+  std::vector<motion::SectionState> sections;
   for (std::size_t i = 0; i + 3 < outcome.rows[0].size(); i += 4) {
     sections.push_back(
         {outcome.rows[0][i], outcome.rows[0][i + 1], outcome.rows[0][i + 2], outcome.rows[0][i + 3]});
@@ -106,7 +94,7 @@ std::vector<point::SectionState> sections_of(const ReferenceCase& c, double tole
   return sections;
 }
 
-std::vector<point::SectionState> settled_sections_of(const ReferenceCase& c, double tolerance) {
+std::vector<motion::SectionState> settled_sections_of(const ReferenceCase& c, double tolerance) {
   constexpr const char* kLongTransient = "default_Om0.68";
   return sections_of(c, tolerance, c.name == kLongTransient ? 3 * c.last_section : c.last_section);
 }

@@ -27,17 +27,16 @@ struct ReferenceCase {
   std::string name;
   settings::Scene scene;  ///< grid of one point; observables: poincare, max_displacement
   double speed_ratio = 0.0;
-  point::SectionState start{};
+  motion::SectionState start{};
   bool periodic = false;
   int touchdowns_in_ten = 0;
   double max_displacement = 0.0;  ///< over the last 100 revolutions
   int last_section = 0;
-  std::vector<point::SectionState> first_sections;  ///< 1 … 10
-  std::vector<point::SectionState> last_sections;   ///< last_section − 10 … last_section
-  std::vector<double> section_uncertainty;          ///< of the first sections, from the data's own tolerances
+  std::vector<motion::SectionState> first_sections;  ///< 1 … 10
+  std::vector<motion::SectionState> last_sections;   ///< last_section − 10 … last_section
+  std::vector<double> section_uncertainty;  ///< of the first sections, from the data's own tolerances
   std::vector<ReferenceEvent> events;
 
-  [[nodiscard]] plan::PointParameters line() const;
   /// Largest component over all stored sections.
   [[nodiscard]] double amplitude() const;
   friend std::ostream& operator<<(std::ostream& stream, const ReferenceCase& c) { return stream << c.name; }
@@ -46,18 +45,15 @@ struct ReferenceCase {
 const std::vector<ReferenceCase>& reference_cases();
 const ReferenceCase& reference_case(const std::string& name);
 
-/// Largest difference of the components.
-double distance(const point::SectionState& a, const point::SectionState& b);
-
 /// The first sections of a case at a tolerance, from its start on; the run must end as done.
-std::vector<point::SectionState> sections_of(const ReferenceCase& c, double tolerance, int revolutions);
+std::vector<motion::SectionState> sections_of(const ReferenceCase& c, double tolerance, int revolutions);
 /// All of them.
-std::vector<point::SectionState> sections_of(const ReferenceCase& c, double tolerance);
+std::vector<motion::SectionState> sections_of(const ReferenceCase& c, double tolerance);
 
 /// The last sections of a case at a tolerance. One case ends on an orbit of period 1 after a chaotic
 /// transient: how long that lasts depends on the last digits, the orbit does not, and it is given three times
 /// the time.
-std::vector<point::SectionState> settled_sections_of(const ReferenceCase& c, double tolerance);
+std::vector<motion::SectionState> settled_sections_of(const ReferenceCase& c, double tolerance);
 
 /// The law of a case, for forces at events.
 contact::ElasticaContact contact_of(const ReferenceCase& c);

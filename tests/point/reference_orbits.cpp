@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "assembly/make_line_solver.hpp"
+#include "../support/point.hpp"
 #include "motion/motion.hpp"
 #include "reference_case.hpp"
 
@@ -19,7 +19,7 @@ TEST_P(ReferenceOrbit, SectionsOfPeriodicMotionsAgreeAfterAllRevolutions) {
   const auto sections = settled_sections_of(c, 1e-12);
   const std::size_t last = sections.size();
   for (std::size_t i = 0; i < c.last_sections.size(); ++i) {
-    EXPECT_LE(distance(sections[last - 11 + i], c.last_sections[i]), 1e-9 * c.amplitude())
+    EXPECT_LE(largest_difference(sections[last - 11 + i], c.last_sections[i]), 1e-9 * c.amplitude())
         << "section " << c.last_section - 10 + static_cast<int>(i);
   }
 }
@@ -36,7 +36,8 @@ TEST_P(ReferenceOrbit, FirstSectionsAgreeAsFarAsTheMotionLetsErrorsBe) {
   const auto sections = sections_of(c, kTolerance, static_cast<int>(c.first_sections.size()));
   for (std::size_t i = 0; i < c.first_sections.size(); ++i) {
     const double floor = 10.0 * kTolerance * c.scene.clearance();
-    EXPECT_LE(distance(sections[i], c.first_sections[i]), floor + kAmplification * c.section_uncertainty[i])
+    EXPECT_LE(largest_difference(sections[i], c.first_sections[i]),
+              floor + kAmplification * c.section_uncertainty[i])
         << "section " << i + 1;
   }
 }
@@ -46,8 +47,7 @@ TEST_P(ReferenceOrbit, LargestDisplacementOfPeriodicMotionsAgrees) {
   if (!c.periodic || c.name == "default_Om0.68") return;  // the latter is still chaotic in revolution 201
   settings::Scene scene = c.scene;
   scene.accuracy.tolerance = 1e-12;
-  const auto solver = assembly::make_line_solver(scene, c.line(), assembly::make_blade_tables());
-  const auto outcome = solver->run(c.speed_ratio, c.start);
+  const auto outcome = test::run(scene, c.speed_ratio, c.start);
   ASSERT_EQ(outcome.status, point::PointStatus::done);
   EXPECT_NEAR(outcome.rows[1][0], c.max_displacement, 1e-9 * c.max_displacement);
 }
@@ -59,11 +59,11 @@ class EventRecord final : public modes::MotionListener {
   std::vector<modes::Event> events;
 };
 
-const char* name_of(modes::PhaseEvent event) {
+const char* name_of(modes::Guard event) {
   switch (event) {
-    case modes::PhaseEvent::touch_down:
+    case modes::Guard::touch_down:
       return "touch";
-    case modes::PhaseEvent::lift_off:
+    case modes::Guard::lift_off:
       return "lift";
     default:
       return "slip";
@@ -89,7 +89,7 @@ TEST_P(ReferenceOrbit, EventsComeInTheSameOrderAtTheSameTimesWithTheSameForces) 
       for (const auto& event : record.events) {
         events.push_back(event);
         revolutions.push_back(revolution);
-        if (event.kind == modes::PhaseEvent::touch_down) ++touchdowns;
+        if (event.kind == modes::Guard::touch_down) ++touchdowns;
       }
     }
   };

@@ -6,21 +6,18 @@
 #include <cmath>
 #include <memory>
 
-#include "assembly/make_line_solver.hpp"
-#include "point/line_solver.hpp"
+#include "../support/point.hpp"
 
 namespace rubatlas::test {
 namespace {
 
-constexpr point::SectionState kFromRest{};
+using test::run;  // also where another source of this folder has a `run` of its own
 
 point::PointOutcome outcome_of(double speed_ratio, bool stop_when_periodic) {
   settings::Scene scene;
   scene.observables = {"poincare", "max_displacement"};
   scene.protocol.stop_when_periodic = stop_when_periodic;
-  const plan::PointParameters line{0.0, scene.rotor.damping_ratio, scene.contact.friction, 0.0,
-                                   scene.blades.thickness};
-  return assembly::make_line_solver(scene, line, assembly::make_blade_tables())->run(speed_ratio, kFromRest);
+  return run(scene, speed_ratio);
 }
 
 TEST(Settling, ACycleIsSettledOnceItHasRepeatedThreeTimes) {

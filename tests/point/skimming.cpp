@@ -62,7 +62,7 @@ std::optional<std::pair<modes::Event, modes::Event>> longest_contact_on_the_rece
   for (std::size_t i = 1; i < events.size(); ++i) {
     const modes::Event& down = events[i - 1];
     const modes::Event& up = events[i];
-    if (down.kind != modes::PhaseEvent::touch_down || up.kind != modes::PhaseEvent::lift_off) continue;
+    if (down.kind != modes::Guard::touch_down || up.kind != modes::Guard::lift_off) continue;
     if (down.slip * pose_at(down.time, down.state, down.blade).tangential >= 0.0) continue;
     if (!longest || up.time - down.time > longest->second.time - longest->first.time) longest = {down, up};
   }
@@ -153,10 +153,10 @@ TEST(Skimming, IsPassedOverWhereHopsAreResolved) {
     ASSERT_EQ(motion.revolution(witness), point::PointStatus::done);
   int receding = 0;
   for (const modes::Event& event : witness.events) {
-    EXPECT_NE(event.kind, modes::PhaseEvent::pressed_in);
+    EXPECT_NE(event.kind, modes::Guard::pressed_in);
     const rotor::BladeSet blades(3, rotor.speed_ratio);
     const auto direction = blades.direction(event.blade, blades.first(event.time));
-    if (event.kind == modes::PhaseEvent::touch_down &&
+    if (event.kind == modes::Guard::touch_down &&
         event.slip * rotor::pose_of(rotor, kDefaultGeometry, direction, event.state).tangential < 0.0)
       ++receding;
   }

@@ -83,6 +83,8 @@ TEST(SceneReader, EveryQuantityIsReadWhereItsPointerSays) {
     // A quantity that only some words of a choice read needs one of them.
     if (!entry.chooser.empty())
       document[nlohmann::json::json_pointer(std::string(entry.chooser))] = entry.readers.front();
+    // A damper needs a ring that yields.
+    if (entry.section() == "/contact_damping") document["contact"]["law"] = "elastic_ring";
     const Scene scene = parse_scene(document.dump());
     const auto after = entry.read(scene);
     ASSERT_TRUE(after.has_value()) << entry.pointer;

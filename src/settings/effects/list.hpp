@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "settings/effects/blade_and_ring.hpp"
+#include "settings/effects/contact_damping.hpp"
 #include "settings/effects/contact_load.hpp"
 #include "settings/effects/ring_body.hpp"
 #include "settings/effects/speed_ramp.hpp"
@@ -40,6 +41,7 @@ struct Effects {
   std::optional<SpeedRamp> speed_ramp;
   std::optional<Stick> stick;
   std::optional<RingBody> ring_body;
+  std::optional<ContactDamping> contact_damping;
 };
 
 /// The settings of an effect of the list: `Gravity` for `&Effects::gravity`.
@@ -95,6 +97,7 @@ constexpr void for_each_effect(Visit given) {
   visit.template operator()<&Effects::speed_ramp>();
   visit.template operator()<&Effects::stick>();
   visit.template operator()<&Effects::ring_body>();
+  visit.template operator()<&Effects::contact_damping>();
 }
 
 /// Present and of a strength that is not zero.

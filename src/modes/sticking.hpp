@@ -1,5 +1,5 @@
-/// Rigid blades of which one or two stick to the ring: the friction on a tip at rest is the one that keeps it
-/// there.
+/// Mode: rigid blades of which one or two stick to the ring: the friction on a tip at rest is the one that
+/// keeps it there.
 ///
 /// The slip velocities v of the stuck tips stay zero, and dv/dτ of each is linear in the friction q = c F/(m
 /// ωn²) at all of them (`contact/sticking.hpp`), so that q solves a system with the cosines between the
@@ -19,51 +19,42 @@
 
 #include "contact/pose.hpp"
 #include "contact/sticking.hpp"
-#include "modes/contact_system.hpp"
+#include "modes/contact_mode.hpp"
+#include "modes/guards.hpp"
+#include "modes/open_contact.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/constants.hpp"
 
 namespace rubatlas::modes {
 
-/// Right-hand side in τ, with the interface of `SolvedContacts`. An open contact with slip 0 sticks.
+/// σ = τ. An open contact with slip 0 sticks.
 template <class Law, class Forcing, class Blades = rotor::BladeSet>
-class StickingContacts {
+class Sticking : public ContactMode<Law, Forcing, Blades> {
  public:
+  using Base = ContactMode<Law, Forcing, Blades>;
+  using Base::Base;
   using FullState = rotor::ContactState;
   static constexpr std::size_t kMostStuck = 2;
 
-  StickingContacts(const rotor::RotorConstants& rotor, const Blades& blades, const Law& law,
-                   const Forcing& forcing)
-      : rotor_(&rotor), blades_(&blades), law_(&law), forcing_(&forcing) {
-    contacts_.reserve(static_cast<std::size_t>(blades.count()));
-    forces_.reserve(static_cast<std::size_t>(blades.count()));
-  }
-
-  void open(const std::vector<OpenContact>& contacts) {
-    contacts_ = contacts;
-    forces_.resize(contacts.size());
-  }
-  void restore(const std::vector<OpenContact>& contacts) { contacts_ = contacts; }
-
-  bool operator()(const rotor::ContactState& state, rotor::ContactState& derivative) {
-    ++evaluations_;
-    acceleration_ = balance(state, forces_).acceleration;
-    derivative << state[2], state[3], acceleration_.real(), acceleration_.imag(), 1.0, 0.0;
+  bool operator()(const FullState& state, FullState& derivative) {
+    ++this->evaluations_;
+    this->acceleration_ = balance(state, this->forces_).acceleration;
+    derivative << state[2], state[3], this->acceleration_.real(), this->acceleration_.imag(), 1.0, 0.0;
     return true;
   }
 
   /// Of the contacts with s = 0 in a state, those stay at rest that friction can hold; the others get the
   /// direction in which they are pulled, and are told of to `let_go`.
   template <class Tell>
-  void settle(const rotor::ContactState& state, std::vector<OpenContact>& contacts, Tell let_go) {
+  void settle(const FullState& state, std::vector<OpenContact>& contacts, Tell let_go) {
     std::size_t stuck = 0;
     for (OpenContact& contact : contacts) {
       if (contact.slip == 0.0 && ++stuck > kMostStuck) contact.slip = 1.0;
     }
     if (stuck == 0) return;
     while (true) {
-      open(contacts);
-      const Balance now = balance(state, forces_);
+      this->stand(contacts);
+      const Balance now = balance(state, this->forces_);
       const Stuck* loosest = nullptr;
       for (std::size_t i = 0; i < now.count; ++i) {
         const Stuck& tip = now.stuck[i];
@@ -79,42 +70,41 @@ class StickingContacts {
 
   /// The slip velocity of a tip has come to zero. Where two tips stick already, a third passes through. False
   /// where the tip could do neither, which a rigid blade's always can.
-  static bool arrest(std::vector<OpenContact>& contacts, std::size_t contact,
-                     const rotor::ContactState& /*state*/) {
+  static bool arrest(std::vector<OpenContact>& contacts, std::size_t contact, const FullState& /*state*/) {
     const auto stuck = std::ranges::count(contacts, 0.0, &OpenContact::slip);
     contacts[contact].slip = stuck >= std::ptrdiff_t{kMostStuck} ? -contacts[contact].slip : 0.0;
     return true;
   }
   /// A tip that friction no longer holds slips the way it is pulled.
-  void let_go(std::vector<OpenContact>& contacts, std::size_t contact, const rotor::ContactState& state) {
-    open(contacts);
+  void let_go(std::vector<OpenContact>& contacts, std::size_t contact, const FullState& state) {
+    this->stand(contacts);
     contacts[contact].slip = std::copysign(1.0, coefficient(contact, state));
   }
 
   /// What friction has to give beyond what it can, |q| − μs F/(m ωn²) [m per unit τ²]: a stuck tip comes
   /// loose where it is positive.
-  [[nodiscard]] double excess(std::size_t contact, const rotor::ContactState& state) const {
+  [[nodiscard]] double excess(std::size_t contact, const FullState& state) const {
     return stuck(contact, state).excess();
   }
   /// c [-] of a stuck tip.
-  [[nodiscard]] double coefficient(std::size_t contact, const rotor::ContactState& state) const {
+  [[nodiscard]] double coefficient(std::size_t contact, const FullState& state) const {
     const Stuck tip = stuck(contact, state);
     return tip.pull / tip.load;
   }
   /// What a contact does in a state.
-  [[nodiscard]] contact::TipForce force(std::size_t contact, const rotor::ContactState& state) const {
-    contact::TipForce result = slipping(contacts_[contact], state).force;
-    if (contacts_[contact].slip == 0.0) hold(stuck(contact, state), result);
+  [[nodiscard]] contact::TipForce force(std::size_t contact, const FullState& state) const {
+    contact::TipForce result = slipping(this->contacts_[contact], state).force;
+    if (this->contacts_[contact].slip == 0.0) hold(stuck(contact, state), result);
     return result;
   }
 
   /// Puts the stuck tips of a state back to v = 0, the shortest way.
-  void project(rotor::ContactState& state) const {
+  void project(FullState& state) const {
     std::array<Stuck, kMostStuck> tips{};
     std::size_t count = 0;
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      if (contacts_[i].slip != 0.0) continue;
-      tips[count] = tip_at_rest(i, slipping(contacts_[i], state));
+    for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
+      if (this->contacts_[i].slip != 0.0) continue;
+      tips[count] = tip_at_rest(i, slipping(this->contacts_[i], state));
       tips[count].rate = tips[count].slip_velocity;
       ++count;
     }
@@ -125,11 +115,26 @@ class StickingContacts {
     state[3] = velocity.imag();
   }
 
-  /// Of the last evaluation.
-  [[nodiscard]] const std::vector<contact::TipForce>& forces() const { return forces_; }
-  [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
-  [[nodiscard]] std::complex<double> last_acceleration() const { return acceleration_; }
-  [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
+  template <class Step>
+  [[nodiscard]] double scaled_error(const Step& step) const {
+    return this->error_of(step, this->acceleration_, this->all_at_rest(),
+                          [](const FullState&) { return 0.0; });
+  }
+  void place(FullState& state) const { project(state); }
+
+  template <class Search>
+  void guards(Search& search) {
+    touch_downs_and_lift_offs(*this, search);
+    const auto bounds = this->bounds(search.step());
+    for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
+      if (this->contacts_[i].slip == 0.0) {
+        loosening(*this, search, i);
+      } else {
+        this->slip_guard(*this, search, i, this->slip_lasts(bounds));
+      }
+    }
+    this->loss_of_validity(*this, search, bounds.distance);
+  }
 
  private:
   /// Of μs, beyond which a tip comes loose: rounding does not lead it back.
@@ -159,52 +164,53 @@ class StickingContacts {
     contact::TipForce force;
   };
 
-  [[nodiscard]] Slipping slipping(OpenContact contact, const rotor::ContactState& state) const {
+  [[nodiscard]] Slipping slipping(OpenContact contact, const FullState& state) const {
     Slipping result{};
-    result.direction = blades_->direction(contact.blade, blades_->first(state[rotor::kTime]));
-    const auto& law = law_->of(contact.blade);
-    result.pose = rotor::pose_of(*rotor_, law.geometry(), result.direction, state.head<4>());
-    respond(law, result.pose, blades_->speed(state[rotor::kTime]), contact, result.force);
+    result.direction = this->blades_->direction(contact.blade, this->blades_->first(state[rotor::kTime]));
+    const auto& law = this->law_->of(contact.blade);
+    result.pose = rotor::pose_of(*this->rotor_, law.geometry(), result.direction, state.head<4>());
+    respond(law, result.pose, this->blades_->angular_speed(state[rotor::kTime]), contact, result.force);
     return result;
   }
 
   [[nodiscard]] Stuck tip_at_rest(std::size_t contact, const Slipping& at) const {
-    const auto& law = law_->of(contacts_[contact].blade);
+    const auto& law = this->law_->of(this->contacts_[contact].blade);
     Stuck tip;
     tip.contact = contact;
     tip.direction = {at.direction.cosine, at.direction.sine};
     const std::complex<double> outward(at.pose.radial + law.geometry().reach, at.pose.tangential);
     tip.tangent = tip.direction * outward / std::abs(outward) * std::complex<double>(0.0, 1.0);
     tip.pose = at.pose;
-    tip.load = at.force.normal * rotor_->force_unit;
+    tip.load = at.force.normal * this->rotor_->force_unit;
     tip.largest = law.friction().largest_holding;
     tip.slip_velocity = at.force.slip_velocity;
     return tip;
   }
 
   /// Forces on the rotor, those of the stuck tips worked out of the motion; `forces`, one a contact.
-  [[nodiscard]] Balance balance(const rotor::ContactState& state, std::span<contact::TipForce> forces) const {
+  [[nodiscard]] Balance balance(const FullState& state, std::span<contact::TipForce> forces) const {
     Balance result;
     std::complex<double> force;
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      const Slipping at = slipping(contacts_[i], state);
+    for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
+      const Slipping at = slipping(this->contacts_[i], state);
       force += std::complex<double>(at.force.radial, at.force.tangential) *
                std::complex<double>(at.direction.cosine, at.direction.sine);
       if (!forces.empty()) forces[i] = at.force;
-      if (contacts_[i].slip == 0.0) result.stuck[result.count++] = tip_at_rest(i, at);
+      if (this->contacts_[i].slip == 0.0) result.stuck[result.count++] = tip_at_rest(i, at);
     }
-    result.acceleration = acceleration(*rotor_, *forcing_, state, force.real(), force.imag());
+    result.acceleration =
+        modes::acceleration(*this->rotor_, *this->forcing_, state, force.real(), force.imag());
     const std::span<Stuck> stuck(result.stuck.data(), result.count);
     for (Stuck& tip : stuck) {
-      const contact::Geometry& geometry = law_->of(contacts_[tip.contact].blade).geometry();
+      const contact::Geometry& geometry = this->law_->of(this->contacts_[tip.contact].blade).geometry();
       const std::complex<double> seen = result.acceleration * std::conj(tip.direction);
       contact::OtherAcceleration other{seen.real(), seen.imag()};
       // The hub's own angular acceleration moves the tip across the blade.
       if constexpr (Blades::kRipples) {
-        other.tangential += geometry.reach * blades_->angular_acceleration(state[rotor::kTime]);
+        other.tangential += geometry.reach * this->blades_->angular_acceleration(state[rotor::kTime]);
       }
-      tip.rate = contact::slip_acceleration(geometry, tip.pose, blades_->speed(state[rotor::kTime]), other,
-                                            tip.load, 0.0);
+      tip.rate = contact::slip_acceleration(
+          geometry, tip.pose, this->blades_->angular_speed(state[rotor::kTime]), other, tip.load, 0.0);
     }
     share_out(stuck);
     for (const Stuck& tip : stuck) {
@@ -217,7 +223,7 @@ class StickingContacts {
   /// Adds the friction that holds a tip to the force of its contact.
   void hold(const Stuck& tip, contact::TipForce& force) const {
     const std::complex<double> friction =
-        -tip.pull / rotor_->force_unit * tip.tangent * std::conj(tip.direction);
+        -tip.pull / this->rotor_->force_unit * tip.tangent * std::conj(tip.direction);
     force.radial += friction.real();
     force.tangential += friction.imag();
   }
@@ -232,19 +238,10 @@ class StickingContacts {
     tips[1].pull = (tips[1].rate - cosine * tips[0].rate) / (sine * sine);
   }
 
-  [[nodiscard]] Stuck stuck(std::size_t contact, const rotor::ContactState& state) const {
+  [[nodiscard]] Stuck stuck(std::size_t contact, const FullState& state) const {
     const Balance now = balance(state, {});
     return now.count == 2 && now.stuck[1].contact == contact ? now.stuck[1] : now.stuck[0];
   }
-
-  const rotor::RotorConstants* rotor_;
-  const Blades* blades_;
-  const Law* law_;
-  const Forcing* forcing_;
-  std::vector<OpenContact> contacts_;
-  std::vector<contact::TipForce> forces_;
-  std::complex<double> acceleration_;
-  std::uint64_t evaluations_ = 0;
 };
 
 }  // namespace rubatlas::modes

@@ -1,4 +1,4 @@
-/// Elastic blades whose tips may stick to the ring.
+/// Mode: elastic blades whose tips may stick to the ring.
 ///
 /// The slip velocity of MODEL 4.4 is that of a rigid body through the place of the deformed tip. At a given
 /// pose it is a function v(c) of the friction coefficient, through the blade's equilibrium, and Coulomb's
@@ -22,26 +22,23 @@
 
 #include "contact/friction_law.hpp"
 #include "contact/pose.hpp"
-#include "modes/contact_system.hpp"
-#include "modes/sticking_contacts.hpp"
+#include "modes/guards.hpp"
+#include "modes/open_contact.hpp"
+#include "modes/solved.hpp"
+#include "modes/sticking.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/constants.hpp"
 
 namespace rubatlas::modes {
 
-/// Right-hand side in τ with the interface of `StickingContacts`. An open contact with slip 0 sticks, and is
-/// found from its bending and amplitude.
+/// The equations of `Solved`. An open contact with slip 0 sticks, and is found from its bending and
+/// amplitude.
 template <class Law, class Forcing, class Blades = rotor::BladeSet>
-class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
+class StickingElastic : public Solved<Law, Forcing, Blades> {
  public:
-  using FullState = rotor::FullStateOf<Forcing>;
-
-  StickingElasticContacts(const rotor::RotorConstants& rotor, const Blades& blades, const Law& law,
-                          const Forcing& forcing)
-      : SolvedContacts<Law, Forcing, Blades>(rotor, blades, law, forcing),
-        rotor_(&rotor),
-        blades_(&blades),
-        law_(&law) {}
+  using Base = Solved<Law, Forcing, Blades>;
+  using Base::Base;
+  using typename Base::FullState;
 
   /// The tips at rest that friction cannot hold in a state get the direction in which they slip, and are told
   /// of to `let_go`. A contact that is new slips, or rests, as Coulomb's inclusion has it there.
@@ -81,19 +78,39 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
   /// |c| − μs [-], or how far a tip is from being firm, and its blade from being bent: it comes loose where
   /// that is positive. One that nothing can hold has come loose.
   [[nodiscard]] double excess(std::size_t contact, const FullState& state) const {
-    const OpenContact& open = this->contacts()[contact];
-    return looseness(open, rest(open, state));
-  }
-  /// What a contact does in a state; nothing where nothing can hold it.
-  [[nodiscard]] contact::TipForce force(std::size_t contact, const FullState& state) const {
-    contact::TipForce result{};
-    OpenContact open = this->contacts()[contact];
-    respond(law_->of(open.blade), pose(open, state), blades_->speed(state[rotor::kTime]), open, result);
+    if (this->is_stopped()) return -1.0;
+    const OpenContact& open = this->contacts_[contact];
+    const double result = looseness(open, rest(open, state));
+    this->pay_curves();
     return result;
   }
+  /// The force of tips that are all at rest is smooth.
+  template <class Step>
+  [[nodiscard]] double scaled_error(const Step& step) const {
+    return this->error_of(step, this->acceleration_, this->all_at_rest(),
+                          [](const FullState&) { return 0.0; });
+  }
+  [[nodiscard]] bool gives_up() const { return false; }
+  [[nodiscard]] ModeEnd without_force() const {
+    // A tip at rest that nothing can hold beyond the start of the step.
+    const OpenContact& lost = this->contacts_[this->lost_];
+    if (lost.slip == 0.0) return {Guard::comes_loose, lost.blade};
+    return {Guard::left_validity, -1, point::StatusDetail::no_equilibrium};
+  }
 
-  /// No state needs to be put back: rest is part of the force.
-  void project(FullState& /*state*/) const {}
+  template <class Search>
+  void guards(Search& search) {
+    touch_downs_and_lift_offs(*this, search);
+    const auto bounds = this->bounds(search.step());
+    for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
+      if (this->contacts_[i].slip == 0.0) {
+        loosening(*this, search, i);
+      } else {
+        this->slip_guard(*this, search, i, this->slip_lasts(bounds));
+      }
+    }
+    this->loss_of_validity(*this, search, bounds.distance);
+  }
 
  private:
   /// Of μs, beyond which a tip comes loose: rounding does not lead it back.
@@ -104,29 +121,26 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
   /// leave the ring.
   static constexpr double kLeastModulus = 2e-4;
 
-  [[nodiscard]] contact::Pose pose(const OpenContact& open, const FullState& state) const {
-    return rotor::pose_of(*rotor_, law_->of(open.blade).geometry(),
-                          blades_->direction(open.blade, blades_->first(state[rotor::kTime])),
-                          rotor::from_ring(state));
-  }
   [[nodiscard]] auto rest(const OpenContact& open, const FullState& state) const {
-    return law_->of(open.blade)
-        .rest(pose(open, state), blades_->speed(state[rotor::kTime]), {open.bending, open.amplitude});
+    return this->law_->of(open.blade)
+        .rest(this->pose(open.blade, state), this->blades_->angular_speed(state[rotor::kTime]),
+              {open.bending, open.amplitude});
   }
   /// `excess` of a contact at what `rest` has found for it.
   template <class Rest>
   [[nodiscard]] double looseness(const OpenContact& open, const std::optional<Rest>& there) const {
     constexpr double kLost = 1.0;
     if (!there) return kLost;
-    const double least_modulus = kLeastModulus * law_->of(open.blade).friction().largest_holding;
-    return std::max({beyond_cone(open, there->held.coefficient), 1.0 - there->firmness / kLeastFirmness,
-                     1.0 - std::abs(there->held.bend.modulus) / least_modulus});
+    const double least_modulus = kLeastModulus * this->law_->of(open.blade).friction().largest_holding;
+    return std::max({beyond_cone(open, there->blade.coefficient), 1.0 - there->firmness / kLeastFirmness,
+                     1.0 - std::abs(there->blade.bend.modulus) / least_modulus});
   }
-  [[nodiscard]] double slip_rounding(int blade) const {
-    return kSlipRounding * std::abs(rotor_->speed_ratio) * law_->of(blade).geometry().ring_radius;
+  [[nodiscard]] double rounding_of_slip(int blade) const {
+    return kSlipRounding * std::abs(this->rotor_->speed_ratio) * this->law_->of(blade).geometry().ring_radius;
   }
   [[nodiscard]] double beyond_cone(const OpenContact& open, double coefficient) const {
-    return std::abs(coefficient) - (1.0 + kShareBeyond) * law_->of(open.blade).friction().largest_holding;
+    return std::abs(coefficient) -
+           (1.0 + kShareBeyond) * this->law_->of(open.blade).friction().largest_holding;
   }
 
   /// Puts a tip to rest where friction can hold it near its bend; false, and nothing changed, where not.
@@ -134,8 +148,8 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
     const auto there = rest(contact, state);
     if (looseness(contact, there) > 0.0) return false;
     contact.slip = 0.0;
-    contact.bending = there->held.bend.modulus;
-    contact.amplitude = there->held.bend.amplitude;
+    contact.bending = there->blade.bend.modulus;
+    contact.amplitude = there->blade.bend.amplitude;
     return true;
   }
 
@@ -144,8 +158,8 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
   double forward(OpenContact& contact, double slip, const FullState& state) const {
     contact::TipForce force{};
     contact.slip = slip;
-    const bool stands = respond(law_->of(contact.blade), pose(contact, state),
-                                blades_->speed(state[rotor::kTime]), contact, force);
+    const bool stands = respond(this->law_->of(contact.blade), this->pose(contact.blade, state),
+                                this->blades_->angular_speed(state[rotor::kTime]), contact, force);
     return stands ? slip * force.slip_velocity : -std::numeric_limits<double>::infinity();
   }
 
@@ -154,7 +168,7 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
     forward(there, contact.slip, state);
     if (!rests(there, state)) {
       // v that has been located as zero has any sign, the more so where friction hardly moves the tip.
-      const bool slips = forward(there, -contact.slip, state) >= -slip_rounding(contact.blade);
+      const bool slips = forward(there, -contact.slip, state) >= -rounding_of_slip(contact.blade);
       // Neither direction slips as it should: v may be zero next to the other one.
       if (!slips && !rests(there, state)) return false;
     }
@@ -165,8 +179,8 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
   void leave_rest(OpenContact& contact, const FullState& state) const {
     constexpr double kAtTheEdge = 1e-6;  // of the cone
     const auto there = rest(contact, state);
-    if (there && beyond_cone(contact, (1.0 + kAtTheEdge) * there->held.coefficient) > 0.0) {
-      contact.slip = std::copysign(1.0, there->held.coefficient);
+    if (there && beyond_cone(contact, (1.0 + kAtTheEdge) * there->blade.coefficient) > 0.0) {
+      contact.slip = std::copysign(1.0, there->blade.coefficient);
       return;
     }
     // Its place is lost within the cone: v has one sign in what remains.
@@ -175,16 +189,11 @@ class StickingElasticContacts : public SolvedContacts<Law, Forcing, Blades> {
     const double forwards = forward(ahead, 1.0, state);
     contact = forwards >= forward(back, -1.0, state) ? ahead : back;
   }
-
-  const rotor::RotorConstants* rotor_;
-  const Blades* blades_;
-  const Law* law_;
 };
 
-/// The right-hand side with stick that goes with a law of contact.
+/// The mode with stick that goes with a law of contact.
 template <class Law, class Forcing, class Blades>
-using StickingSystem =
-    std::conditional_t<contact::SticksByLaw<Law>, StickingElasticContacts<Law, Forcing, Blades>,
-                       StickingContacts<Law, Forcing, Blades>>;
+using StickingOf = std::conditional_t<contact::SticksByLaw<Law>, StickingElastic<Law, Forcing, Blades>,
+                                      Sticking<Law, Forcing, Blades>>;
 
 }  // namespace rubatlas::modes

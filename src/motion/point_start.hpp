@@ -1,4 +1,4 @@
-/// What effects remember of a point besides the state.
+/// What a motion starts from: the state of the shaft, and what effects remember besides.
 #pragma once
 
 #include <algorithm>
@@ -28,6 +28,18 @@ class Memory {
  private:
   std::uint32_t count_ = 0;
   std::array<double, kMost> values_{};
+};
+
+/// x, y [m], dx/dτ, dy/dτ [m]: the shaft centre at phase 0, from its own equilibrium (MODEL 1).
+using SectionState = std::array<double, 4>;
+
+/// What a point starts from.
+struct PointStart {
+  PointStart() = default;
+  // A state alone is a start. NOLINTNEXTLINE(google-explicit-constructor)
+  PointStart(const SectionState& from, const Memory& remembered = {}) : state(from), memory(remembered) {}
+  SectionState state{};
+  Memory memory;  ///< empty: as new
 };
 
 }  // namespace rubatlas::motion

@@ -1,5 +1,5 @@
-/// A tip that skims the ring: the motion to which ever smaller hops tend where the force starts from a finite
-/// value (MODEL 4.2, 4.6).
+/// Mode: a tip that skims the ring, the motion to which ever smaller hops tend where the force starts from a
+/// finite value (MODEL 4.2, 4.6).
 ///
 /// On the receding side a blade that touches down is thrown back at once. Where the free motion then leads it
 /// to the ring again, the hops grow smaller without end; in their limit the tip stays on g = 0 under the
@@ -16,46 +16,43 @@
 #include <vector>
 
 #include "contact/pose.hpp"
-#include "modes/contact_system.hpp"
+#include "modes/contact_mode.hpp"
+#include "modes/guards.hpp"
+#include "modes/open_contact.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/constants.hpp"
 
 namespace rubatlas::modes {
 
-/// Right-hand side in τ while one blade skims, with the interface of `SolvedContacts`.
 template <class Law, class Forcing, class Blades = rotor::BladeSet>
-class SkimmingContact {
+class Skimming : public ContactMode<Law, Forcing, Blades> {
  public:
-  using FullState = rotor::FullStateOf<Forcing>;
-
-  SkimmingContact(const rotor::RotorConstants& rotor, const Blades& blades, const Law& law,
-                  const Forcing& forcing)
-      : rotor_(&rotor), blades_(&blades), law_(&law), forcing_(&forcing), contacts_(1), forces_(1) {}
-
-  void open(const std::vector<OpenContact>& contacts) { contacts_ = contacts; }
-  void restore(const std::vector<OpenContact>& contacts) { contacts_ = contacts; }
+  using Base = ContactMode<Law, Forcing, Blades>;
+  using Base::Base;
+  using typename Base::FullState;
 
   bool operator()(const FullState& state, FullState& derivative) {
-    ++evaluations_;
+    ++this->evaluations_;
     Balance balance;
-    if (!weigh(state, contacts_.front(), balance)) return false;
-    forces_.front() = balance.force;
+    if (!weigh(state, this->contacts_.front(), balance)) return false;
+    this->forces_.front() = balance.force;
     const std::complex<double> pushed = balance.share * balance.pushed;
-    acceleration_ =
-        rotor::acceleration_of_all(state, *forcing_, balance.free + pushed, -pushed / rotor_->force_unit);
-    derivative = rotor::full_state(rotor::rate_of(state, acceleration_), 1.0, 0.0);
+    this->acceleration_ = rotor::acceleration_of_all(state, *this->forcing_, balance.free + pushed,
+                                                     -pushed / this->rotor_->force_unit);
+    derivative = rotor::full_state(rotor::rate_of(state, this->acceleration_), 1.0, 0.0);
+    this->watch_shortening(this->shortening());
     return true;
   }
 
   /// λ in a state; NaN where the blade has no force.
   [[nodiscard]] double share(const FullState& state) const {
-    OpenContact contact = contacts_.front();
+    OpenContact contact = this->contacts_.front();
     Balance balance;
     return weigh(state, contact, balance) ? balance.share : std::numeric_limits<double>::quiet_NaN();
   }
   /// λ times what the blade does in full.
-  [[nodiscard]] contact::TipForce force(const FullState& state) const {
-    OpenContact contact = contacts_.front();
+  [[nodiscard]] contact::TipForce force(std::size_t /*contact*/, const FullState& state) const {
+    OpenContact contact = this->contacts_.front();
     Balance balance;
     weigh(state, contact, balance);
     return balance.force;
@@ -66,8 +63,9 @@ class SkimmingContact {
   [[nodiscard]] bool begins(const FullState& state, OpenContact contact, double hop) const {
     // Hops are seldom that low: the force is asked for only where they are.
     const FreeMotion free = free_motion(state, contact.blade);
-    const contact::Geometry& geometry = law_->of(contact.blade).geometry();
-    const double rate = contact::gap_rate(geometry, free.pose, blades_->speed(state[rotor::kTime]));
+    const contact::Geometry& geometry = this->law_->of(contact.blade).geometry();
+    const double rate =
+        contact::gap_rate(geometry, free.pose, this->blades_->angular_speed(state[rotor::kTime]));
     if (!(rate * rate <= 4.0 * geometry.ring_radius * hop * free.curvature)) return false;
     Balance balance;
     return weigh(state, contact, balance) && balance.share > 0.0 && balance.share < 1.0;
@@ -75,28 +73,48 @@ class SkimmingContact {
 
   /// Puts a state back on g = 0, dg/dτ = 0, the shortest way for the shaft.
   void project(FullState& state) const {
-    const contact::Geometry& geometry = law_->of(contacts_.front().blade).geometry();
-    const contact::BladeDirection er = direction(state, contacts_.front().blade);
+    const contact::Geometry& geometry = this->law_->of(this->contacts_.front().blade).geometry();
+    const contact::BladeDirection er = direction(state, this->contacts_.front().blade);
     const rotor::State seen = rotor::from_ring(state);
     const double outward_x = seen[0] + geometry.reach * er.cosine;
-    const double outward_y = seen[1] + rotor_->misalignment + geometry.reach * er.sine;
+    const double outward_y = seen[1] + this->rotor_->misalignment + geometry.reach * er.sine;
     const double inverse = 0.5 / (outward_x * outward_x + outward_y * outward_y);
-    const double gap = pose(state, contacts_.front().blade).gap;
+    const double gap = this->pose(this->contacts_.front().blade, state).gap;
     state[0] -= gap * inverse * outward_x;
     state[1] -= gap * inverse * outward_y;
-    const double rate = contact::gap_rate(geometry, pose(state, contacts_.front().blade),
-                                          blades_->speed(state[rotor::kTime]));
+    const double rate = contact::gap_rate(geometry, this->pose(this->contacts_.front().blade, state),
+                                          this->blades_->angular_speed(state[rotor::kTime]));
     state[2] -= rate * inverse * outward_x;
     state[3] -= rate * inverse * outward_y;
   }
 
-  /// Of the last evaluation.
-  [[nodiscard]] const std::vector<contact::TipForce>& forces() const { return forces_; }
-  [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
-  [[nodiscard]] const rotor::AccelerationOf<Forcing>& last_acceleration() const { return acceleration_; }
-  [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
+  template <class Step>
+  [[nodiscard]] double scaled_error(const Step& step) const {
+    return this->error_of(step, this->acceleration_, true, [](const FullState&) { return 0.0; });
+  }
+
+  /// The tip leaves the ring at λ = 0 and is pressed in at λ = 1; both by so much that rounding does not lead
+  /// it back.
+  template <class Search>
+  void guards(Search& search) {
+    const int skims = this->contacts_.front().blade;
+    for (int k = 0; k < search.blades(); ++k) {
+      if (k != skims) {
+        touch_down(*this, search, k);
+        continue;
+      }
+      const auto at = [&](double part) { return share(search.step().at_fraction(part)); };
+      search.look_for([&](double part) { return -kShareBeyond - at(part); }, {Guard::lift_off, k});
+      search.look_for([&](double part) { return at(part) - (1.0 + kShareBeyond); }, {Guard::pressed_in, k});
+    }
+    const auto bounds = this->bounds(search.step());
+    this->slip_guard(*this, search, 0, this->slip_lasts(bounds));
+    this->loss_of_validity(*this, search, bounds.distance);
+  }
 
  private:
+  static constexpr double kShareBeyond = 1e-9;  ///< of λ past 0 or 1
+
   /// Free motion against the blade's full force.
   struct Balance {
     std::complex<double> free;    ///< z'' without the blade
@@ -106,11 +124,7 @@ class SkimmingContact {
   };
 
   [[nodiscard]] contact::BladeDirection direction(const FullState& state, int blade) const {
-    return blades_->direction(blade, blades_->first(state[rotor::kTime]));
-  }
-  [[nodiscard]] contact::Pose pose(const FullState& state, int blade) const {
-    return rotor::pose_of(*rotor_, law_->of(blade).geometry(), direction(state, blade),
-                          rotor::from_ring(state));
+    return this->blades_->direction(blade, this->first_blade(state));
   }
 
   /// The motion without the blade, as that sees it.
@@ -121,20 +135,21 @@ class SkimmingContact {
     double curvature;                   ///< g'' [m²]
   };
   [[nodiscard]] FreeMotion free_motion(const FullState& state, int blade) const {
-    const contact::Geometry& geometry = law_->of(blade).geometry();
+    const contact::Geometry& geometry = this->law_->of(blade).geometry();
     FreeMotion free;
     free.direction = direction(state, blade);
     const rotor::State seen = rotor::from_ring(state);
-    free.pose = rotor::pose_of(*rotor_, geometry, free.direction, seen);
-    free.acceleration = acceleration(*rotor_, *forcing_, state, 0.0, 0.0);
+    free.pose = rotor::pose_of(*this->rotor_, geometry, free.direction, seen);
+    free.acceleration = modes::acceleration(*this->rotor_, *this->forcing_, state, 0.0, 0.0);
     std::complex<double> closing = free.acceleration;
-    if constexpr (rotor::kRingMoves<Forcing>) closing -= forcing_->ring.acceleration(rotor::ring(state), 0.0);
-    free.curvature =
-        contact::gap_curvature(geometry, free.direction, free.pose, {seen[0], seen[1] + rotor_->misalignment},
-                               {seen[2], seen[3]}, closing, blades_->speed(state[rotor::kTime]));
+    if constexpr (rotor::kRingMoves<Forcing>)
+      closing -= this->forcing_->ring.acceleration(rotor::ring(state), 0.0);
+    free.curvature = contact::gap_curvature(
+        geometry, free.direction, free.pose, {seen[0], seen[1] + this->rotor_->misalignment},
+        {seen[2], seen[3]}, closing, this->blades_->angular_speed(state[rotor::kTime]));
     if constexpr (Blades::kRipples) {
-      free.curvature +=
-          2.0 * geometry.reach * blades_->angular_acceleration(state[rotor::kTime]) * free.pose.tangential;
+      free.curvature += 2.0 * geometry.reach * this->blades_->angular_acceleration(state[rotor::kTime]) *
+                        free.pose.tangential;
     }
     return free;
   }
@@ -143,15 +158,16 @@ class SkimmingContact {
     const FreeMotion free = free_motion(state, contact.blade);
     const contact::BladeDirection& er = free.direction;
     const contact::Pose& at = free.pose;
-    const auto& law = law_->of(contact.blade);
+    const auto& law = this->law_->of(contact.blade);
     contact::TipForce& force = balance.force;
-    if (!law.respond(at, contact.slip, blades_->speed(state[rotor::kTime]), contact.bending, force))
+    if (!law.respond(at, contact.slip, this->blades_->angular_speed(state[rotor::kTime]), contact.bending,
+                     force))
       return false;
     balance.free = free.acceleration;
-    balance.pushed = rotor_->force_unit * std::complex<double>(force.radial, force.tangential) *
+    balance.pushed = this->rotor_->force_unit * std::complex<double>(force.radial, force.tangential) *
                      std::complex<double>(er.cosine, er.sine);
     const double pushed_curvature =
-        2.0 * rotor::closing_unit(*rotor_, *forcing_) *
+        2.0 * rotor::closing_unit(*this->rotor_, *this->forcing_) *
         ((at.radial + law.geometry().reach) * force.radial + at.tangential * force.tangential);
     balance.share = -free.curvature / pushed_curvature;
     force.radial *= balance.share;
@@ -160,15 +176,6 @@ class SkimmingContact {
     force.root_strain *= balance.share;
     return true;
   }
-
-  const rotor::RotorConstants* rotor_;
-  const Blades* blades_;
-  const Law* law_;
-  const Forcing* forcing_;
-  std::vector<OpenContact> contacts_;
-  std::vector<contact::TipForce> forces_;
-  rotor::AccelerationOf<Forcing> acceleration_{};
-  std::uint64_t evaluations_ = 0;
 };
 
 }  // namespace rubatlas::modes

@@ -1,0 +1,148 @@
+/// Contact laws of a massless ring with a spring and a damper under each tip: F = kr y + cr y' (Kelvin and
+/// Voigt), y how far the ring yields. Source: Johnson, Contact Mechanics, 1985, §6.4.
+///
+/// The ring pushes and never pulls: a contact ends where F comes to zero, with the tip still inside the
+/// undeformed ring. The mode in contact is `modes/damped_ring.hpp`.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "contact/elastic_ring_contact.hpp"
+#include "contact/elastica_contact.hpp"
+#include "contact/friction_law.hpp"
+#include "contact/pose.hpp"
+
+namespace rubatlas::contact {
+
+/// Spring and damper under each tip.
+struct DampedRing {
+  double stiffness;  ///< kr [N/m]
+  double damping;    ///< cr ωn [N per (m per unit τ)]
+};
+
+/// Rigid blades: y is the depth of the tip, and F an explicit function of where it is and how it moves.
+class RigidBladeOnDampedRing {
+ public:
+  static constexpr bool kHasBending = false;
+  static constexpr bool kElastic = false;
+  static constexpr bool kReleasesAtFold = false;
+  static constexpr bool kHasSlipState = true;
+  static constexpr bool kLoadFollowsGap = false;
+  static constexpr bool kOnDampedRing = true;
+  static constexpr bool kYieldingIsState = false;
+
+  RigidBladeOnDampedRing(Geometry geometry, DampedRing ring, CoulombFriction friction)
+      : law_(geometry, ring.stiffness, friction), damping_(ring.damping) {}
+
+  using OfBlade = RigidBladeOnDampedRing;
+  [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
+  [[nodiscard]] const Geometry& geometry() const { return law_.geometry(); }
+  [[nodiscard]] const CoulombFriction& friction() const { return law_.friction(); }
+  /// The same blade, shorter at its tip by `lost` [m].
+  [[nodiscard]] RigidBladeOnDampedRing shortened(double lost) const {
+    return {law_.shortened(lost).geometry(), {law_.stiffness(), damping_}, law_.friction()};
+  }
+
+  /// Continued beyond F = 0, where Runge–Kutta stages may land.
+  bool respond(const Pose& at, double slip, double angular_speed, double& bending, TipForce& force) const {
+    const double distance = std::hypot(at.radial + geometry().reach, at.tangential);
+    const double rate = 0.5 * gap_rate(geometry(), at, angular_speed) / distance;
+    law_.respond(at, slip, angular_speed, bending, force);
+    force = law_.under_load(at, slip, angular_speed, force.normal + damping_ * rate);
+    return true;
+  }
+
+ private:
+  RigidBladeContact<CoulombFriction> law_;
+  double damping_;  ///< cr ωn [N per (m per unit τ)]
+};
+
+/// Elastic blades: the blade stands in a ring of radius R + y, and y follows from its force,
+///     cr y' = F − kr y.
+/// On the receding side a blade bends under a finite load only (MODEL 4.2). Below that it stands straight,
+/// and the ring yields under it as under a rigid one: y is the depth of the tip, and F = kr y + cr y'.
+class ElasticBladeOnDampedRing {
+ public:
+  static constexpr bool kHasBending = false;
+  static constexpr bool kElastic = true;
+  static constexpr bool kReleasesAtFold = false;
+  static constexpr bool kHasSlipState = true;
+  static constexpr bool kLoadFollowsGap = false;
+  static constexpr bool kOnDampedRing = true;
+  static constexpr bool kYieldingIsState = true;
+
+  ElasticBladeOnDampedRing(ElasticaContact blade, DampedRing ring) : blade_(std::move(blade)), ring_(ring) {}
+
+  using OfBlade = ElasticBladeOnDampedRing;
+  [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
+  [[nodiscard]] const Geometry& geometry() const { return blade_.geometry(); }
+  [[nodiscard]] const blade::ElasticaCurve& curve() const { return blade_.curve(); }
+  /// The same blade, shorter at its tip by `lost` [m].
+  [[nodiscard]] ElasticBladeOnDampedRing shortened(double lost) const {
+    return {blade_.shortened(lost), ring_};
+  }
+  /// How often the curve has been evaluated.
+  [[nodiscard]] std::uint64_t evaluations() const { return blade_.evaluations() + evaluations_; }
+
+  /// The ring's circle under a tip where it yields by y [m].
+  [[nodiscard]] Geometry geometry_at(double yielding) const {
+    return {geometry().reach, geometry().ring_radius + yielding};
+  }
+  /// dy/dτ [m per unit τ] under a load F [N].
+  [[nodiscard]] double yielding_rate(double load, double yielding) const {
+    return (load - ring_.stiffness * yielding) / ring_.damping;
+  }
+
+  /// dy/dτ where the tip of a straight blade stands on the ring.
+  [[nodiscard]] double depth_rate(const Pose& at, double angular_speed) const {
+    return 0.5 * gap_rate(geometry(), at, angular_speed) /
+           std::hypot(at.radial + geometry().reach, at.tangential);
+  }
+  /// F of the ring where it yields by y at the rate y' [N].
+  [[nodiscard]] double ring_load(double yielding, double rate) const {
+    return ring_.stiffness * yielding + ring_.damping * rate;
+  }
+  /// Load above which a straight blade bends [N]; 0 on the approaching side.
+  [[nodiscard]] double bending_load(const Pose& at, double slip, double angular_speed) const {
+    Pose touching = at;
+    touching.gap = 0.0;
+    const double distance = std::hypot(at.radial + geometry().reach, at.tangential);
+    const ElasticaContact blade = blade_.in_ring(distance);
+    double bending = 0.0;
+    TipForce force{};
+    const bool bends = !blade.starts_unloaded(touching, slip) &&
+                       blade.respond(touching, slip, angular_speed, bending, force);
+    evaluations_ += blade.evaluations();
+    return bends ? force.normal : 0.0;
+  }
+  /// Force of a straight blade under a load.
+  [[nodiscard]] TipForce straight(const Pose& at, double slip, double angular_speed, double load) const {
+    return RigidBladeContact<CoulombFriction>(geometry(), 0.0, {curve().friction()})
+        .under_load(at, slip, angular_speed, load);
+  }
+
+  /// Force of the blade in the ring that yields by y; `at`: its pose there (`geometry_at`). False where it
+  /// has none.
+  bool respond(const Pose& at, double slip, double angular_speed, double yielding, double& bending,
+               TipForce& force) const {
+    const ElasticaContact blade = blade_.in_ring(geometry_at(yielding).ring_radius);
+    const bool found = blade.respond(at, slip, angular_speed, bending, force);
+    evaluations_ += blade.evaluations();
+    return found;
+  }
+
+ private:
+  ElasticaContact blade_;
+  DampedRing ring_;
+  mutable std::uint64_t evaluations_ = 0;  ///< of blades in a ring that yields: what a motion cost
+};
+
+/// A law whose ring has a damper under each tip.
+template <class Law>
+inline constexpr bool kOnDampedRing = requires {
+  requires Law::OfBlade::kOnDampedRing;
+};
+
+}  // namespace rubatlas::contact

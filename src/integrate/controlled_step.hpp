@@ -1,0 +1,182 @@
+/// Steps of a Runge–Kutta pair that keep a tolerance, of any system that says how its steps are judged.
+///
+/// Knows states, error control and dense output, and no rotor. A `System` writes derivatives (`bool
+/// system(const State&, State&)`; false: there is none, and the attempt is rejected) and answers these
+/// questions about its steps:
+///
+///     kSmallestSize, kCoarseSizes       the shortest step; whether sizes start from a power of four
+///     begins_step(state)                a step starts there
+///     takes_back()                      its attempt is rejected: first guesses are as they were at its start
+///     begins_attempt(), is_stopped()    whether there is work left to spend on an attempt
+///     proposed_size(step, relative)     the size, from the share of the system's own scale that is allowed
+///     aimed(step, size)                 the same, cut short where the system expects something to end
+///     scaled_error(step)                local error in units of the tolerance
+///     trusts(step)                      false: made again, half as long, whatever its error
+///     gives_up()                        no step, however short, will find a derivative
+///     accepted(), goes_on()             the step counts; the next one starts at its end
+///     project(state)                    moves the end of a step onto the system's constraints
+///     place(state)                      the same for a state of dense output
+///     keep(), restore()                 around dense output, which must leave no trace
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "integrate/root_between.hpp"
+#include "integrate/runge_kutta.hpp"
+#include "integrate/step_control.hpp"
+
+namespace rubatlas::integrate {
+
+template <class System, class Pair>
+class ControlledStep {
+ public:
+  using State = typename System::FullState;
+
+  /// `system` must outlive the steps.
+  explicit ControlledStep(System& system) : system_(&system), control_(Pair::kOrder, kFirstSize) {}
+
+  /// Starts a series of steps from a state. False where it has no derivative.
+  bool begin(const State& state) {
+    control_.begin_phase();
+    if constexpr (System::kCoarseSizes) control_.round_size();
+    return step_.begin(*system_, state);
+  }
+
+  enum class Outcome : std::uint8_t { accepted, no_derivative, too_short, stopped };
+
+  /// Makes one step that keeps the tolerance, unless the system stops it.
+  Outcome make() {
+    system_->begins_step(step_.start());
+    while (true) {
+      const double proposed = system_->proposed_size(step_, control_.relative_size());
+      const double size = system_->aimed(step_, proposed);
+      if (!system_->begins_attempt()) return Outcome::stopped;
+      const bool evaluated = step_.attempt(*system_, size);
+      if (system_->is_stopped()) return Outcome::stopped;
+      const double error = evaluated ? system_->scaled_error(step_) : std::numeric_limits<double>::infinity();
+      if (StepControl::acceptable(error)) {
+        if (system_->trusts(step_)) {
+          ++accepted_;
+          control_.accept(error, size < proposed);
+          system_->accepted();
+          system_->project(step_.end());
+          return Outcome::accepted;
+        }
+        control_.halve(size / proposed);
+      } else {
+        control_.reject(error, size / proposed);
+      }
+      ++rejected_;
+      system_->takes_back();
+      if (!evaluated && system_->gives_up()) return Outcome::no_derivative;
+      if (!(size > System::kSmallestSize)) return evaluated ? Outcome::too_short : Outcome::no_derivative;
+    }
+  }
+
+  /// Takes back the step just made, within which dense output cannot be evaluated: the next attempt is half
+  /// as long. False where that would be too short.
+  bool take_back() {
+    if (!(step_.size() > System::kSmallestSize)) return false;
+    --accepted_;
+    ++rejected_;
+    control_.halve(1.0);
+    system_->takes_back();
+    return true;
+  }
+
+  /// Goes on from the end of the step.
+  void accept() {
+    step_.accept();
+    system_->goes_on();
+  }
+
+  [[nodiscard]] const State& start() const { return step_.start(); }
+  [[nodiscard]] const State& end() const { return step_.end(); }
+  [[nodiscard]] const State& start_derivative() const { return step_.start_derivative(); }
+  [[nodiscard]] const State& end_derivative() const { return step_.end_derivative(); }
+  [[nodiscard]] double size() const { return step_.size(); }
+
+  /// State at the fraction θ in [0, 1]; NaN where a stage of dense output has no derivative.
+  [[nodiscard]] State at_fraction(double fraction) {
+    if (fraction == 0.0) return step_.start();
+    if (fraction == 1.0) return step_.end();
+    if (!make_dense()) {
+      return State::Constant(step_.end().size(), std::numeric_limits<double>::quiet_NaN());
+    }
+    State state = step_.interpolate(fraction);
+    system_->place(state);
+    return state;
+  }
+  /// The same without being placed on the system's constraints.
+  [[nodiscard]] State interpolated(double fraction) {
+    if (!make_dense()) {
+      return State::Constant(step_.end().size(), std::numeric_limits<double>::quiet_NaN());
+    }
+    return step_.interpolate(fraction);
+  }
+
+  /// d/dθ of a component.
+  [[nodiscard]] double slope(double fraction, int component) {
+    if (fraction == 0.0) return step_.size() * step_.start_derivative()[component];
+    if (fraction == 1.0) return step_.size() * step_.end_derivative()[component];
+    return make_dense() ? step_.interpolate_with_slope(fraction, component).slope
+                        : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// Fraction strictly before `last` where a component that grows has a value; at `last` it is `at_last`.
+  /// Newton's method, and the bracketing solver where the component hardly grows.
+  [[nodiscard]] double fraction_where(int component, double value, double last, double at_last) {
+    const double from = step_.start()[component];
+    double fraction = last * (value - from) / (at_last - from);
+    if (!make_dense()) return fraction;
+    for (int i = 0; i < 8; ++i) {
+      const auto at = step_.interpolate_with_slope(fraction, component);
+      const double move = (value - at.value) / at.slope;
+      fraction += move;
+      if (!(fraction > 0.0 && fraction < last)) break;
+      if (std::abs(move) <= kFractionResolution) return fraction;
+    }
+    return root_between([&](double part) { return step_.interpolate(part, component) - value; }, 0.0, last,
+                        from - value, at_last - value);
+  }
+
+  /// Fraction where a component passes through a value, in a step at whose end it has come to it.
+  [[nodiscard]] double crossing_of(int component, double value) {
+    if (!make_dense()) return 1.0;
+    // A step that starts at zero comes back there: divided by the fraction its start is no root.
+    const bool from_zero = value == 0.0 && step_.start()[component] <= 0.0;
+    const auto excess = [&](double part) {
+      return from_zero ? step_.mean_slope(part, component) : step_.interpolate(part, component) - value;
+    };
+    return root_between(excess, 0.0, 1.0, excess(0.0), excess(1.0));
+  }
+
+  /// Moves the origin of a component.
+  void shift(int component, double amount) { step_.shift(component, amount); }
+
+  [[nodiscard]] std::uint64_t accepted() const { return accepted_; }
+  [[nodiscard]] std::uint64_t rejected() const { return rejected_; }
+
+ private:
+  static constexpr double kFirstSize = 0.1;  ///< of the scale; only the first step of a point starts with it
+  static constexpr double kFractionResolution = 1e-14;
+
+  bool make_dense() {
+    if (step_.is_dense()) return true;
+    system_->keep();
+    const bool made = step_.make_dense(*system_);
+    system_->restore();
+    return made;
+  }
+
+  System* system_;
+  RungeKutta<Pair, State::RowsAtCompileTime, State::MaxRowsAtCompileTime> step_;
+  StepControl control_;
+  std::uint64_t accepted_ = 0;
+  std::uint64_t rejected_ = 0;
+};
+
+}  // namespace rubatlas::integrate

@@ -1,0 +1,398 @@
+/// What the modes in contact have in common: who touches, where, and how a step is judged.
+///
+/// A mode is the motion while a fixed set of blades touches with fixed slip directions, in one form of its
+/// equations. Its state is (x, y, x', y', τ, u), and behind it that of a ring that moves
+/// (`rotor/bodies.hpp`). Each mode is one file and owns
+///     open(time, bodies, contacts, state)   the state that it starts from; false: it cannot start there
+///     operator()(state, derivative)         its equations
+///     end_of_branch(search), guards(search) what ends it
+///     project(state), place(state)          its constraints, where it has some
+///     contact_in(contact, state)            what it hands over to the mode that follows
+/// and hides whatever of the defaults below does not hold for it. `integrate::ControlledStep` says what a
+/// step asks of a mode.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "contact/friction_law.hpp"
+#include "contact/pose.hpp"
+#include "modes/guards.hpp"
+#include "modes/open_contact.hpp"
+#include "modes/work_meter.hpp"
+#include "rotor/blade_set.hpp"
+#include "rotor/bodies.hpp"
+#include "rotor/constants.hpp"
+
+namespace rubatlas::modes {
+
+/// What bounds a mode and how accurate it is.
+struct ContactLimits {
+  double tolerance;       ///< local error of a step [m]: accuracy.tolerance × δc
+  double max_shortening;  ///< of δ/L [-]
+};
+
+/// All that the modes of one motion share; it must outlive them.
+template <class Law, class Forcing, class Blades>
+struct ContactSetup {
+  const rotor::RotorConstants* rotor;
+  const Blades* blades;
+  const Law* law;
+  const Forcing* forcing;
+  ContactLimits limits;
+  WorkMeter* meter;
+};
+
+template <class ModeLaw, class ModeForcing, class ModeBlades, class State = rotor::FullStateOf<ModeForcing>>
+class ContactMode {
+ public:
+  using Law = ModeLaw;
+  using Forcing = ModeForcing;
+  using Blades = ModeBlades;
+  using Setup = ContactSetup<Law, Forcing, Blades>;
+  using FullState = State;
+  using Bodies = rotor::BodiesOf<Forcing>;  ///< what moves, without time and u
+
+  explicit ContactMode(const Setup& setup)
+      : rotor_(setup.rotor),
+        blades_(setup.blades),
+        law_(setup.law),
+        forcing_(setup.forcing),
+        limits_(setup.limits),
+        meter_(setup.meter) {
+    contacts_.reserve(static_cast<std::size_t>(blades_->count()));
+    forces_.reserve(static_cast<std::size_t>(blades_->count()));
+  }
+
+  [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
+  [[nodiscard]] const ContactLimits& limits() const { return limits_; }
+  [[nodiscard]] double ring_radius() const { return law_->of(0).geometry().ring_radius; }
+  [[nodiscard]] double slip_rounding() const {
+    return kSlipRounding * std::abs(rotor_->speed_ratio) * ring_radius();
+  }
+
+  /// Starts with these contacts in a state between modes. False where the mode cannot start there.
+  bool open(double time, const Bodies& state, const std::vector<OpenContact>& contacts, FullState& full) {
+    full = rotor::full_state(state, time, 0.0);
+    stand(contacts);
+    return true;
+  }
+
+  // How a step is judged (`integrate::ControlledStep`).
+
+  static constexpr double kSmallestSize = 1e-15;  ///< in σ
+  /// Near a force that starts or ends like a root of the gap many steps are rejected, and their sizes hang on
+  /// the last digits. Where no carried form takes that away sizes come from a coarse grid: a motion that
+  /// comes to the same place goes on by the same steps, and repeats itself to rounding instead of to the
+  /// tolerance.
+  static constexpr bool kCoarseSizes = !Law::kHasBending && !Law::kLoadFollowsGap;
+  /// Time is a state, which turns back where a contact ends.
+  static constexpr bool kTimeTurns = false;
+
+  /// A guess holds the side to which a blade is bent, or the branch on which it stands: what a step that goes
+  /// too far has made of it is no guess for a shorter one.
+  void begins_step(const FullState& /*state*/) {
+    if constexpr (kRemembers) remembered_ = contacts_;
+  }
+  void takes_back() {
+    if constexpr (kRemembers) contacts_ = remembered_;
+  }
+
+  /// Pays for an attempt, and for what was asked of the step before. False where no work is left.
+  bool begins_attempt() {
+    const auto touching = static_cast<std::int64_t>(contacts_.size());
+    return meter_->spend(Work::contact,
+                         WorkPrice::kAttempt + touching * WorkPrice::kForce + price_of_curves());
+  }
+  [[nodiscard]] bool is_stopped() const { return meter_->ended(); }
+
+  template <class Step>
+  [[nodiscard]] double proposed_size(const Step& /*step*/, double relative) const {
+    if constexpr (kCoarseSizes)
+      return std::exp2(std::floor(kSizesPerOctave * std::log2(relative)) / kSizesPerOctave);
+    return relative;
+  }
+  template <class Step>
+  [[nodiscard]] double aimed(const Step& /*step*/, double size) const {
+    return size;
+  }
+  template <class Step>
+  [[nodiscard]] double scaled_error(const Step& step) const {
+    return error_of(step, acceleration_, Law::kLoadFollowsGap, [](const FullState&) { return 0.0; });
+  }
+  template <class Step>
+  [[nodiscard]] bool trusts(const Step& /*step*/) const {
+    return true;
+  }
+  [[nodiscard]] bool gives_up() const { return false; }
+  /// The first state has been evaluated.
+  void begun() { stage_shortening_ = shortening(); }
+  void accepted() { end_shortening_ = shortening(); }
+  void goes_on() { stage_shortening_ = end_shortening_; }
+  void project(FullState& /*state*/) const {}
+  void place(FullState& /*state*/) const {}
+  void keep() {
+    kept_contacts_ = contacts_;
+    kept_shortening_ = stage_shortening_;
+  }
+  void restore() {
+    contacts_ = kept_contacts_;
+    stage_shortening_ = kept_shortening_;
+  }
+
+  // What is asked of a mode.
+
+  /// What an open contact does in a state; nothing where no work is left to find it with.
+  [[nodiscard]] contact::TipForce force(std::size_t contact, const FullState& state) const {
+    contact::TipForce force{};
+    if (is_stopped()) return force;
+    OpenContact guess = contacts_[contact];
+    respond(law_->of(guess.blade), pose(guess.blade, state), blades_->angular_speed(state[rotor::kTime]),
+            guess, force);
+    pay_curves();
+    return force;
+  }
+  /// Slip velocity of an open contact in the last evaluation [m per unit τ].
+  [[nodiscard]] double slip_velocity(std::size_t contact) const { return forces_[contact].slip_velocity; }
+  /// Largest δ/L of the open contacts in the last evaluation.
+  [[nodiscard]] double shortening() const {
+    double largest = 0.0;
+    for (const contact::TipForce& force : forces_) largest = std::max(largest, force.shortening);
+    return largest;
+  }
+  /// Whether a load may rise and fall again within the step: it follows the gap where the ring yields, and is
+  /// to be looked at where it has been solved for.
+  template <class Step>
+  [[nodiscard]] bool load_may_peak(const Step& /*step*/, std::size_t /*contact*/, bool gap_peaks) const {
+    return !Law::kLoadFollowsGap || gap_peaks;
+  }
+  /// An open contact in a state, from where the next mode goes on.
+  [[nodiscard]] OpenContact contact_in(std::size_t contact, const FullState& /*state*/) const {
+    return contacts_[contact];
+  }
+  /// What ends the motion, or leads to the next mode, where no force can be found.
+  [[nodiscard]] ModeEnd without_force() const {
+    return {Guard::left_validity, -1, point::StatusDetail::no_equilibrium};
+  }
+
+  /// How far a straight column is past the end of its branch, in Euler loads; negative before. Of a law with
+  /// branches.
+  [[nodiscard]] double beyond_straight(std::size_t contact, const FullState& state) const {
+    const OpenContact& open = contacts_[contact];
+    return -law_->of(open.blade).straight_reserve(pose(open.blade, state), open.slip, open.bending);
+  }
+
+  /// Direction of blade 0 in a state.
+  [[nodiscard]] contact::BladeDirection first_blade(const FullState& state) const {
+    return blades_->first(state[rotor::kTime]);
+  }
+  [[nodiscard]] contact::Pose pose(int blade, const FullState& state) const {
+    return pose(blade, state, first_blade(state));
+  }
+  /// The same when blade 0 stands at `first`, for all blades in one state.
+  [[nodiscard]] contact::Pose pose(int blade, const FullState& state,
+                                   const contact::BladeDirection& first) const {
+    return rotor::pose_of(*rotor_, law_->of(blade).geometry(), blades_->direction(blade, first),
+                          rotor::from_ring(state));
+  }
+  [[nodiscard]] BladeGap gap(int blade, const FullState& state) const {
+    return gap(blade, state, first_blade(state));
+  }
+  [[nodiscard]] BladeGap gap(int blade, const FullState& state, const contact::BladeDirection& first) const {
+    const contact::Pose at = pose(blade, state, first);
+    return {at.gap,
+            contact::gap_rate(law_->of(blade).geometry(), at, blades_->angular_speed(state[rotor::kTime]))};
+  }
+  /// |c|² − R² [m²]: the shaft's centre reaches the ring where it is positive (MODEL 5).
+  [[nodiscard]] double beyond_ring(const FullState& state) const {
+    const rotor::State seen = rotor::from_ring(state);
+    const double y = seen[1] + rotor_->misalignment;
+    return seen[0] * seen[0] + y * y - ring_radius() * ring_radius();
+  }
+  [[nodiscard]] const auto& law_of(std::size_t contact) const { return law_->of(contacts_[contact].blade); }
+  [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
+
+  // Guards.
+
+  /// Modes in which a contact comes to the end of its own branch look for that first.
+  template <class Search>
+  void end_of_branch(Search& /*search*/) {}
+
+ protected:
+  static constexpr bool kRemembers = kMayHaveBranches<Law> || requires {
+    requires Law::OfBlade::kRemembersSide;
+  };
+  static constexpr double kAimBehind = 1.05;       ///< of the way to lift-off
+  static constexpr double kFromTouchDown = 0.01;   ///< of dτ/dσ at the end of a step, that at its start
+  static constexpr double kFoldResolution = 1e-6;  ///< of the scale on which the motion varies
+  static constexpr double kSizesPerOctave = 8.0;   ///< where they are coarse
+  /// Of the limit of δ/L: what no stage of a step has met is not met between them.
+  static constexpr double kFarFromLimit = 0.75;
+
+  void stand(const std::vector<OpenContact>& contacts) {
+    contacts_ = contacts;
+    forces_.resize(contacts.size());
+    paid_evaluations_ = curve_evaluations(*law_);
+  }
+
+  /// Of the evaluations of curves that are not paid yet.
+  std::int64_t price_of_curves() const {
+    const std::uint64_t evaluations = curve_evaluations(*law_);
+    const auto unpaid = static_cast<std::int64_t>(evaluations - paid_evaluations_);
+    paid_evaluations_ = evaluations;
+    return unpaid * price_of_curve<Law>();
+  }
+  /// Searches without a table can take milliseconds for many blades, and are paid for at once. False where no
+  /// work is left.
+  bool pay_curves() const {
+    if constexpr (requires { law_->evaluations(); } && !kCurveFromTable<Law>)
+      return meter_->spend(Work::contact, price_of_curves());
+    return true;
+  }
+  /// Finds the force of a contact and pays for it. False where there is none, or no work left.
+  bool respond_paid(const contact::Pose& at, double speed, OpenContact& contact, contact::TipForce& force) {
+    const bool found = respond(law_->of(contact.blade), at, speed, contact, force);
+    return pay_curves() && found;
+  }
+
+  /// A contact that has lost its force where its branch ends. It is to be carried there, since its force ends
+  /// like a square root of the time. −1 where it has ended otherwise.
+  [[nodiscard]] int blade_at_fold([[maybe_unused]] std::size_t contact) const {
+    if constexpr (kMayHaveBranches<Law>) {
+      const OpenContact& lost = contacts_[contact];
+      const auto& law = law_->of(lost.blade);
+      // A column that stands straight has no bending to carry along.
+      const bool carries = law.carried() || lost.bending > 0.0;
+      if (carries && (Law::kReleasesAtFold || law.has_branches())) return lost.blade;
+    }
+    return -1;
+  }
+  /// Whether the contact of a blade whose force is found where it stands ends at g = 0 there.
+  [[nodiscard]] bool ends_at_ring(int blade, const FullState& state) const {
+    if constexpr (Law::kReleasesAtFold) {
+      const auto open = std::ranges::find(contacts_, blade, &OpenContact::blade);
+      return law_->of(blade).ends_unloaded(pose(blade, state), open->slip, open->bending);
+    }
+    return true;
+  }
+
+  /// Called after each evaluation that has found its forces.
+  void watch_shortening(double shortening) { stage_shortening_ = std::max(stage_shortening_, shortening); }
+
+  /// Local error of a step in units of the tolerance: of the state at fixed time, of the time along the path,
+  /// and of what bends, as `square_of_bending` has it from a difference of states. Each of them passes
+  /// through zero at places, the sum does not. `smooth`: no force starts or ends like a root of the time.
+  /// One that does has errors as large as their estimate; those of a smooth one are `kEstimateExcess` times
+  /// smaller.
+  template <class Step, class Acceleration, class SquareOfBending>
+  [[nodiscard]] double error_of(const Step& step, const Acceleration& acceleration, bool smooth,
+                                SquareOfBending square_of_bending) const {
+    const Bodies rate = rotor::rate_of(step.end(), acceleration);
+    const double fastest = rate.abs().maxCoeff();
+    const double estimate = step.error_estimate([&](const FullState& difference) {
+      // An error of the time is an error of the state along its path.
+      const double time = difference[rotor::kTime];
+      const double along = fastest * time;
+      const Bodies state = rotor::bodies(difference) - rate * time;
+      return std::sqrt(state.square().sum() + along * along + square_of_bending(difference));
+    });
+    return estimate / ((smooth ? Step::Coefficients::kEstimateExcess : 1.0) * limits_.tolerance);
+  }
+
+  /// Lets the step that would take a component through zero end just behind it, and the two before share what
+  /// is left evenly. A step far past zero is wasted, and dense output is at its best near the ends of a step.
+  template <class Step>
+  [[nodiscard]] static double aimed_at_zero(const Step& step, int component, double size) {
+    const double value = step.start()[component];
+    const double rate = step.start_derivative()[component];
+    if (!(rate < 0.0) || !(value > 0.0)) return size;
+    const double remaining = kAimBehind * value / -rate;
+    if (remaining <= size) return remaining;
+    return remaining < 2.0 * size ? 0.5 * remaining : size;
+  }
+  /// A step in which time may turn round twice, as the cubic through its ends has it.
+  template <class Step>
+  [[nodiscard]] static bool time_may_turn_twice(const Step& step) {
+    if (!(step.end_derivative()[rotor::kTime] > 0.0)) return false;
+    const double start = step.size() * step.start_derivative()[rotor::kTime];
+    const double end = step.size() * step.end_derivative()[rotor::kTime];
+    // From a touch-down time starts as a power of σ up to the fourth, which is no cubic.
+    if (start < kFromTouchDown * end) return false;
+    return !(3.0 * (step.end()[rotor::kTime] - step.start()[rotor::kTime]) > start + end);
+  }
+
+  /// How far from the ring's centre the shaft gets in a step, and how fast, as seen from the ring: bounds
+  /// from the ends of the step, as `integrate::cubic_range` has them.
+  struct Bounds {
+    double distance;  ///< of |c| [m]
+    double speed;     ///< of |c'| [m per unit τ]
+  };
+  template <class Step>
+  [[nodiscard]] Bounds bounds(const Step& step) const {
+    using rotor::from_ring;
+    const rotor::State begin = from_ring(step.start());
+    const rotor::State end = from_ring(step.end());
+    const rotor::State second = begin + step.size() / 3.0 * from_ring(step.start_derivative());
+    const rotor::State third = end - step.size() / 3.0 * from_ring(step.end_derivative());
+    const rotor::State margin =
+        0.1 * ((third - 2.0 * second + begin).abs() + (end - 2.0 * third + second).abs());
+    const rotor::State least = begin.min(end).min(second.min(third)) - margin;
+    const rotor::State greatest = begin.max(end).max(second.max(third)) + margin;
+    rotor::State farthest = least.abs().max(greatest.abs());
+    farthest[1] =
+        std::max(std::abs(least[1] + rotor_->misalignment), std::abs(greatest[1] + rotor_->misalignment));
+    return {std::sqrt(farthest[0] * farthest[0] + farthest[1] * farthest[1]),
+            std::sqrt(farthest[2] * farthest[2] + farthest[3] * farthest[3])};
+  }
+  /// No tip's slip can turn round within such bounds: v = c'·t + Ω (rk − c)·n, and |rk| >= R in contact.
+  [[nodiscard]] bool slip_lasts(const Bounds& bounds) const {
+    return blades_->slowest() * (ring_radius() - bounds.distance) > bounds.speed;
+  }
+
+  [[nodiscard]] bool all_at_rest() const {
+    return std::ranges::all_of(contacts_, [](const OpenContact& open) { return open.slip == 0.0; });
+  }
+
+  /// Guards of the slip of an open contact that is not at rest.
+  template <class Mode, class Search>
+  static void slip_guard(const Mode& mode, Search& search, std::size_t contact, bool lasts) {
+    if constexpr (contact::Sticks<Law>) {
+      slip_comes_to_rest(mode, search, contact, lasts, contact::SticksByLaw<Law>);
+    } else if constexpr (Law::kHasSlipState) {
+      slip_reversal(mode, search, contact, lasts);
+    }
+  }
+  /// Where forces are found from the place of the tip: `farthest` of the shaft in the step, all stages known.
+  template <class Mode, class Search>
+  static void loss_of_validity(const Mode& mode, Search& search, double farthest) {
+    shaft_at_ring(mode, search, farthest);
+    if (Law::kLoadFollowsGap || mode.stage_shortening_ < kFarFromLimit * mode.limits_.max_shortening) return;
+    shortening_limit(mode, search);
+  }
+
+  const rotor::RotorConstants* rotor_;
+  const Blades* blades_;
+  const Law* law_;
+  const Forcing* forcing_;
+  ContactLimits limits_;
+  WorkMeter* meter_;
+  std::vector<OpenContact> contacts_;              ///< with the first guesses of their roots
+  std::vector<contact::TipForce> forces_;          ///< of the last evaluation, one a contact
+  rotor::AccelerationOf<Forcing> acceleration_{};  ///< of the last evaluation
+  double stage_shortening_ = 0.0;                  ///< largest δ/L that the stages of a step have met
+  std::uint64_t evaluations_ = 0;
+
+ private:
+  std::vector<OpenContact> remembered_;
+  std::vector<OpenContact> kept_contacts_;
+  double kept_shortening_ = 0.0;
+  double end_shortening_ = 0.0;
+  mutable std::uint64_t paid_evaluations_ = 0;  ///< of curves: what has been spent, not what the mode is
+};
+
+}  // namespace rubatlas::modes

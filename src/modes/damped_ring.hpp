@@ -1,0 +1,217 @@
+/// Modes: blades in contact with a massless ring that has a damper beside its spring under each tip.
+///
+/// A contact lasts as long as its force, F > 0 (`contact/damped_ring.hpp`). Rigid blades: F is explicit, and
+/// vanishes while the tip is still inside the undeformed ring. Elastic blades: how far the ring yields, y, is
+/// a state of each contact,
+///     y' = (F − kr y) / cr,
+/// and F vanishes where the tip leaves the circle R + y. After lift-off the tip moves inwards; the ring
+/// creeps back behind it, and is met again where the tip turns outwards. A contact that opens inside starts
+/// from there: y is the depth of the tip.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+#include "contact/damped_ring.hpp"
+#include "contact/pose.hpp"
+#include "modes/contact_mode.hpp"
+#include "modes/guards.hpp"
+#include "modes/open_contact.hpp"
+#include "modes/solved.hpp"
+#include "rotor/blade_set.hpp"
+#include "rotor/bodies.hpp"
+
+namespace rubatlas::modes {
+
+/// A blade that is not in contact touches: at g = 0, or, after a lift-off inside the ring, where it turns
+/// outwards.
+template <class Mode, class Search>
+void touch_down_of_damped_ring(const Mode& mode, Search& search, int k) {
+  const WatchedBlade& blade = search.blade(k);
+  const bool inside = blade.at_start.value > kGapRounding && blade.at_start.rate <= 0.0;
+  if (!inside) return touch_down(mode, search, k);
+  // Outwards at any place outside of the ring is none: g rises through zero later, in a step of its own.
+  const auto turns = [&](double part) {
+    const BladeGap gap = mode.gap(k, search.step().at_fraction(part));
+    return gap.value > 0.0 ? gap.rate : -std::abs(gap.rate);
+  };
+  search.look_between(turns, {-std::abs(blade.at_start.rate), turns(search.last())}, {Guard::touch_down, k});
+}
+
+/// Rigid blades.
+template <class Law, class Forcing, class Blades = rotor::BladeSet>
+class DampedRing : public Solved<Law, Forcing, Blades> {
+ public:
+  using Base = Solved<Law, Forcing, Blades>;
+  using Base::Base;
+  using typename Base::FullState;
+
+  template <class Search>
+  void guards(Search& search) {
+    for (int k = 0; k < search.blades(); ++k) {
+      if (!search.blade(k).open) touch_down_of_damped_ring(*this, search, k);
+    }
+    const auto bounds = this->bounds(search.step());
+    for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
+      const auto pull = [&](double part) { return -this->force(i, search.step().at_fraction(part)).normal; };
+      search.look_for(pull, {Guard::lift_off, this->contacts_[i].blade});
+      this->slip_guard(*this, search, i, this->slip_lasts(bounds));
+    }
+    shaft_at_ring(*this, search, bounds.distance);
+  }
+};
+
+/// Elastic blades: (x, y, x', y', τ), and how far the ring yields under each contact.
+template <class Law, class Forcing, class Blades = rotor::BladeSet>
+class YieldingDampedRing : public ContactMode<Law, Forcing, Blades, rotor::BendsState> {
+ public:
+  using Base = ContactMode<Law, Forcing, Blades, rotor::BendsState>;
+  using FullState = rotor::BendsState;
+  using Base::Base;
+
+  bool open(double time, const rotor::State& bodies, const std::vector<OpenContact>& contacts,
+            FullState& state) {
+    this->stand(contacts);
+    state.resize(rotor::kFirstBend + static_cast<Eigen::Index>(contacts.size()));
+    state.head<4>() = bodies;
+    state[rotor::kTime] = time;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const int blade = contacts[i].blade;
+      const contact::Geometry& geometry = this->law_->of(blade).geometry();
+      const double gap = this->pose(blade, state).gap;
+      const double depth =
+          gap / (geometry.ring_radius + std::sqrt(geometry.ring_radius * geometry.ring_radius + gap));
+      const bool is_new = contacts[i].bending == 0.0 && contacts[i].yielding == 0.0;
+      state[place_of(i)] = is_new ? std::max(0.0, depth) : contacts[i].yielding;
+    }
+    return true;
+  }
+
+  bool operator()(const FullState& state, FullState& derivative) {
+    ++this->evaluations_;
+    const contact::BladeDirection first = this->first_blade(state);
+    derivative.resize(state.size());
+    std::complex<double> force;
+    for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
+      double& rate = derivative[place_of(i)];
+      if (!find_force(state, first, this->contacts_[i], state[place_of(i)], this->forces_[i], rate))
+        return false;
+      force += on_rotor(this->forces_[i], this->blades_->direction(this->contacts_[i].blade, first));
+    }
+    rotor::FullStateOf<Forcing> shaft = rotor::FullStateOf<Forcing>::Zero();
+    shaft.template head<5>() = state.head<5>();
+    this->acceleration_ = acceleration(*this->rotor_, *this->forcing_, shaft, force.real(), force.imag());
+    derivative.head<4>() = rotor::rate_of(state, this->acceleration_);
+    derivative[rotor::kTime] = 1.0;
+    this->watch_shortening(this->shortening());
+    return derivative.isFinite().all();
+  }
+
+  template <class Step>
+  [[nodiscard]] double scaled_error(const Step& step) const {
+    return this->error_of(step, this->acceleration_, false, [](const FullState& difference) {
+      return difference.tail(difference.size() - rotor::kFirstBend).square().sum();
+    });
+  }
+  [[nodiscard]] contact::TipForce force(std::size_t contact, const FullState& state) const {
+    contact::TipForce force{};
+    if (this->is_stopped()) return force;
+    OpenContact guess = this->contacts_[contact];
+    double rate = 0.0;
+    find_force(state, this->first_blade(state), guess, state[place_of(contact)], force, rate);
+    return force;
+  }
+  [[nodiscard]] OpenContact contact_in(std::size_t contact, const FullState& state) const {
+    OpenContact open = this->contacts_[contact];
+    open.yielding = state[place_of(contact)];
+    return open;
+  }
+
+  template <class Search>
+  void guards(Search& search) {
+    for (int k = 0; k < search.blades(); ++k) {
+      if (!search.blade(k).open) touch_down_of_damped_ring(*this, search, k);
+    }
+    const auto bounds = this->bounds(search.step());
+    for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
+      if (this->contacts_[i].straight) {
+        straight_guards(search, i);
+      } else {
+        leaves_circle(search, i);
+      }
+      this->slip_guard(*this, search, i, this->slip_lasts(bounds));
+    }
+    this->loss_of_validity(*this, search, bounds.distance);
+  }
+
+ private:
+  [[nodiscard]] static Eigen::Index place_of(std::size_t contact) {
+    return rotor::kFirstBend + static_cast<Eigen::Index>(contact);
+  }
+  /// The tip of a bent blade leaves the circle R + y.
+  template <class Search>
+  void leaves_circle(Search& search, std::size_t contact) {
+    // A contact that has just opened stands there to rounding, and is pressed in.
+    const auto outside = [&](double part) { return -gap_to_ring(contact, search.step().at_fraction(part)); };
+    const double at_start = outside(0.0);
+    const ModeEnd end{Guard::lift_off, this->contacts_[contact].blade};
+    if (at_start >= -kGapRounding) {
+      search.look_from_zero([&](double part) { return outside(part) - at_start; },
+                            outside(search.last()) - at_start, end);
+    } else {
+      search.look_between(outside, {at_start, outside(search.last())}, end, kGapRounding);
+    }
+  }
+  /// The ring no longer pushes a straight blade, or pushes it enough to bend it.
+  template <class Search>
+  void straight_guards(Search& search, std::size_t contact) {
+    const OpenContact& open = this->contacts_[contact];
+    const auto load = [&](double part) { return force(contact, search.step().at_fraction(part)).normal; };
+    const auto to_bend = [&](double part) {
+      const FullState state = search.step().at_fraction(part);
+      return this->law_->of(open.blade)
+          .bending_load(this->pose(open.blade, state), open.slip,
+                        this->blades_->angular_speed(state[rotor::kTime]));
+    };
+    search.look_for([&](double part) { return -load(part); }, {Guard::lift_off, open.blade});
+    search.look_for([&](double part) { return load(part) - to_bend(part); }, {Guard::pressed_in, open.blade});
+  }
+
+  /// |rk|² − (R + y)² [m²] of an open contact.
+  [[nodiscard]] double gap_to_ring(std::size_t contact, const FullState& state) const {
+    const OpenContact& open = this->contacts_[contact];
+    const double radius = this->law_->of(open.blade).geometry().ring_radius;
+    const double yielding = state[place_of(contact)];
+    return this->pose(open.blade, state).gap - yielding * (2.0 * radius + yielding);
+  }
+  /// The force of a contact, and dy/dτ there. False where there is none.
+  bool find_force(const FullState& state, const contact::BladeDirection& first, OpenContact& open,
+                  double yielding, contact::TipForce& force, double& rate) const {
+    const auto& law = this->law_->of(open.blade);
+    const double speed = this->blades_->angular_speed(state[rotor::kTime]);
+    if (open.straight) {
+      const contact::Pose pose = this->pose(open.blade, state, first);
+      rate = law.depth_rate(pose, speed);
+      force = law.straight(pose, open.slip, speed, law.ring_load(yielding, rate));
+      return true;
+    }
+    const contact::Pose pose =
+        rotor::pose_of(*this->rotor_, law.geometry_at(yielding), this->blades_->direction(open.blade, first),
+                       rotor::from_ring(state));
+    const bool found = law.respond(pose, open.slip, speed, yielding, open.bending, force);
+    rate = law.yielding_rate(force.normal, yielding);
+    return this->pay_curves() && found;
+  }
+};
+
+/// The mode that goes with a law on a damped ring.
+template <class Law, class Forcing, class Blades>
+using DampedRingOf =
+    std::conditional_t<Law::OfBlade::kYieldingIsState, YieldingDampedRing<Law, Forcing, Blades>,
+                       DampedRing<Law, Forcing, Blades>>;
+
+}  // namespace rubatlas::modes

@@ -1,0 +1,175 @@
+/// The search for the first guard of a mode within a step.
+///
+/// A guard is a function of the state that is negative while the mode lasts and passes through zero where the
+/// mode ends. Which guards there are is known to the modes (`guards.hpp` has those that several share); here
+/// they are put in order of time, on the step's dense output, so that no step is repeated to find one.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "contact/pose.hpp"
+#include "integrate/controlled_step.hpp"
+#include "integrate/cubic_range.hpp"
+#include "integrate/first_crossing.hpp"
+#include "modes/motion_listener.hpp"
+#include "modes/open_contact.hpp"
+#include "point/status.hpp"
+
+namespace rubatlas::modes {
+
+/// How a mode ended; `blade` where it is an event of one.
+struct ModeEnd {
+  Guard guard;
+  int blade = -1;
+  point::StatusDetail why = point::StatusDetail::none;  ///< where the motion ends
+};
+
+/// What is followed of a blade from step to step.
+struct WatchedBlade {
+  bool open = false;           ///< in contact
+  BladeGap at_start{};         ///< of the step
+  BladeGap at_end{};           ///< of what is looked at of the step
+  double slip_velocity = 0.0;  ///< v at its start, open contacts only [m per unit τ]
+  double end_slip_velocity = 0.0;
+
+  /// So lightly in contact, and leaving, that rounding decides whether there is a force.
+  [[nodiscard]] bool leaves_by_rounding() const { return at_end.value <= kGapRounding && at_end.rate < 0.0; }
+};
+
+template <class Mode, class Pair>
+class GuardSearch {
+ public:
+  using Step = integrate::ControlledStep<Mode, Pair>;
+  using FullState = typename Mode::FullState;
+
+  GuardSearch(Mode& mode, Step& step, int blades)
+      : mode_(&mode), step_(&step), watched_(static_cast<std::size_t>(blades)) {}
+
+  /// A mode begins where the step starts. `slip_rounding`: |v| below it is zero; the sign of such a tip's
+  /// slip is that at the end of the first step.
+  void begin(double slip_rounding) {
+    const contact::BladeDirection first = mode_->first_blade(step_->start());
+    for (int k = 0; k < static_cast<int>(watched_.size()); ++k) {
+      blade(k).open = false;
+      blade(k).at_start = mode_->gap(k, step_->start(), first);
+    }
+    for (std::size_t i = 0; i < mode_->contacts().size(); ++i) {
+      const double velocity = mode_->slip_velocity(i);
+      of_contact(i).open = true;
+      of_contact(i).slip_velocity = std::abs(velocity) > slip_rounding ? velocity : 0.0;
+    }
+  }
+  /// The next step starts at the end of this one.
+  void go_on() {
+    for (WatchedBlade& watched : watched_) {
+      watched.at_start = watched.at_end;
+      watched.slip_velocity = watched.end_slip_velocity;
+    }
+  }
+
+  /// Finds what ends the mode in the step just made: `Guard::horizon` at fraction 1 where nothing does.
+  void find() {
+    end_ = {Guard::horizon};
+    fraction_ = last_ = 1.0;
+    for (std::size_t i = 0; i < mode_->contacts().size(); ++i)
+      of_contact(i).end_slip_velocity = mode_->slip_velocity(i);
+    mode_->end_of_branch(*this);
+    const FullState end = step_->at_fraction(last_);
+    const contact::BladeDirection first = mode_->first_blade(end);
+    time_slopes_ = {last_ * step_->slope(0.0, rotor::kTime), last_ * step_->slope(last_, rotor::kTime)};
+    for (int k = 0; k < static_cast<int>(watched_.size()); ++k) blade(k).at_end = mode_->gap(k, end, first);
+    mode_->guards(*this);
+  }
+
+  /// What has been found, and where.
+  [[nodiscard]] const ModeEnd& end() const { return end_; }
+  [[nodiscard]] double fraction() const { return fraction_; }
+
+  // For the modes.
+
+  [[nodiscard]] Step& step() { return *step_; }
+  [[nodiscard]] WatchedBlade& blade(int k) { return watched_[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] WatchedBlade& of_contact(std::size_t contact) {
+    return blade(mode_->contacts()[contact].blade);
+  }
+  [[nodiscard]] const WatchedBlade& of_contact(std::size_t contact) const {
+    return watched_[static_cast<std::size_t>(mode_->contacts()[contact].blade)];
+  }
+  [[nodiscard]] int blades() const { return static_cast<int>(watched_.size()); }
+  /// Nothing is looked at beyond this fraction.
+  [[nodiscard]] double last() const { return last_; }
+  /// dτ/dθ, times `last`, at both ends of what is looked at.
+  struct TimeSlopes {
+    double start = 0.0;
+    double end = 0.0;
+  };
+  [[nodiscard]] const TimeSlopes& time_slopes() const { return time_slopes_; }
+
+  /// The mode ends at this fraction at the latest, beyond which its states say nothing.
+  void ends_latest(double fraction, const ModeEnd& end) {
+    last_ = fraction_ = fraction;
+    end_ = end;
+  }
+
+  /// Nor beyond what has been found so far.
+  void looks_no_further() { last_ = fraction_; }
+  /// The motion ends where the step starts: within it there is no force.
+  void ends_at_start(const ModeEnd& end) {
+    end_ = end;
+    fraction_ = 0.0;
+  }
+
+  void take_if_first(double fraction, const ModeEnd& end) {
+    if (fraction < fraction_ || (fraction == fraction_ && end_.guard == Guard::horizon)) {
+      fraction_ = fraction;
+      end_ = end;
+    }
+  }
+
+  /// The first crossing of a function of the fraction, which is asked for at both ends too, ends the mode.
+  template <class Function>
+  void look_for(const Function& function, const ModeEnd& end) {
+    look_between(function, {function(0.0), function(last_)}, end);
+  }
+  struct Ends {
+    double start;
+    double end;
+  };
+  /// The same where its values at the ends are known.
+  template <class Function>
+  void look_between(const Function& function, const Ends& ends, const ModeEnd& end, double rounding = 0.0) {
+    if (const auto found = integrate::first_crossing(function, 0.0, last_, ends.start, ends.end, rounding))
+      take_if_first(*found, end);
+  }
+
+  /// Looks where a gap comes back to zero that starts there, but for rounding, and is negative at first. It
+  /// is divided by the fraction of the step, so that the start is no root. Near the start that makes rounding
+  /// large: only a gap of more than kGapRounding is taken for a crossing, and one secant step leads from
+  /// there back to where the gap is zero.
+  template <class Function>
+  void look_from_zero(const Function& gap, double at_last, const ModeEnd& end) {
+    constexpr double kJustBefore = 1.0 / 1024;
+    const auto beyond = [&](double part) { return (gap(part) - kGapRounding) / part; };
+    const double at_end = (at_last - kGapRounding) / last_;
+    const auto found = integrate::first_crossing(beyond, 0.0, last_, -std::abs(at_end), at_end);
+    if (!found) return;
+    const double rise = gap(*found) - gap((1.0 - kJustBefore) * *found);
+    const double back = kJustBefore * *found * kGapRounding / rise;
+    take_if_first(back > 0.0 && back < *found ? *found - back : *found, end);
+  }
+
+ private:
+  Mode* mode_;
+  Step* step_;
+  std::vector<WatchedBlade> watched_;  ///< one per blade
+  ModeEnd end_{Guard::horizon};
+  double fraction_ = 1.0;
+  double last_ = 1.0;
+  TimeSlopes time_slopes_;
+};
+
+}  // namespace rubatlas::modes

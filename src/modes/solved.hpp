@@ -1,0 +1,96 @@
+/// Mode: any blades in contact, each with its force found where it stands; σ = τ.
+///
+/// The form for every law, and the only one for rigid blades on an elastic ring, whose force follows from the
+/// gap in closed form. For elastic blades the force is a root of h = 0 (MODEL 4.1), found from the last one.
+#pragma once
+
+#include <algorithm>
+#include <complex>
+#include <cstddef>
+
+#include "contact/pose.hpp"
+#include "modes/contact_mode.hpp"
+#include "modes/guards.hpp"
+#include "modes/open_contact.hpp"
+#include "rotor/blade_set.hpp"
+#include "rotor/bodies.hpp"
+
+namespace rubatlas::modes {
+
+template <class Law, class Forcing, class Blades = rotor::BladeSet>
+class Solved : public ContactMode<Law, Forcing, Blades> {
+ public:
+  using Base = ContactMode<Law, Forcing, Blades>;
+  using Base::Base;
+  using typename Base::FullState;
+
+  bool operator()(const FullState& state, FullState& derivative) {
+    ++this->evaluations_;
+    const contact::BladeDirection first = this->first_blade(state);
+    std::complex<double> force;
+    for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
+      if (!add_force(state, first, i, force)) return false;
+    }
+    set_derivative(state, force, derivative);
+    if constexpr (!Law::kLoadFollowsGap) this->watch_shortening(this->shortening());
+    return true;
+  }
+
+  /// Where a branch has come to its end no step, however short, will find a force.
+  [[nodiscard]] bool gives_up() const { return this->blade_at_fold(lost_) >= 0; }
+  [[nodiscard]] ModeEnd without_force() const {
+    if (const int blade = this->blade_at_fold(lost_); blade >= 0) return {Guard::nears_fold, blade};
+    return Base::without_force();
+  }
+
+  template <class Search>
+  void guards(Search& search) {
+    const FullState end = search.step().at_fraction(search.last());
+    for (int k = 0; k < search.blades(); ++k) {
+      if (!search.blade(k).open) {
+        touch_down(*this, search, k);
+      } else if (this->ends_at_ring(k, end)) {
+        lift_off_at_ring(*this, search, k);
+      }
+    }
+    const auto bounds = this->bounds(search.step());
+    for (std::size_t i = 0; i < this->contacts_.size(); ++i)
+      this->slip_guard(*this, search, i, this->slip_lasts(bounds));
+    this->loss_of_validity(*this, search, bounds.distance);
+    if constexpr (kMayHaveBranches<Law>) {
+      for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
+        if (this->law_->of(this->contacts_[i].blade).has_branches()) buckling(*this, search, i);
+      }
+    }
+  }
+
+ protected:
+  /// Adds the force of a contact to that on the rotor [N]; blade 0 stands at `first`. False where there is
+  /// none.
+  bool add_force(const FullState& state, const contact::BladeDirection& first, std::size_t contact,
+                 std::complex<double>& sum) {
+    OpenContact& open = this->contacts_[contact];
+    contact::TipForce& force = this->forces_[contact];
+    const contact::BladeDirection er = this->blades_->direction(open.blade, first);
+    const contact::Pose pose =
+        rotor::pose_of(*this->rotor_, this->law_->of(open.blade).geometry(), er, rotor::from_ring(state));
+    if (!this->respond_paid(pose, this->blades_->angular_speed(state[rotor::kTime]), open, force)) {
+      lost_ = contact;
+      return false;
+    }
+    sum += on_rotor(force, er);
+    return true;
+  }
+  void set_derivative(const FullState& state, const std::complex<double>& force, FullState& derivative) {
+    const std::complex<double> of_shaft =
+        acceleration(*this->rotor_, *this->forcing_, state, force.real(), force.imag());
+    this->acceleration_ =
+        rotor::acceleration_of_all(state, *this->forcing_, of_shaft, {-force.real(), -force.imag()});
+    derivative = rotor::full_state(rotor::rate_of(state, this->acceleration_), 1.0, 0.0);
+  }
+
+  /// The contact that has found no force in the last evaluation that failed.
+  std::size_t lost_ = 0;
+};
+
+}  // namespace rubatlas::modes

@@ -1,0 +1,152 @@
+/// The one table of what combines with what: effects, contact laws and methods of integration.
+///
+/// The reader refuses a scene by `refusals()`. The solver, batches and `explain` ask `combination_of` which
+/// family of motions a line of the scene has, and which effects these motions consume. A family is a row of
+/// `families()`; it takes a line if the contact law is among its laws and all acting effects are among those
+/// that it consumes. The first family that takes the line computes it, so that a motion is not charged with
+/// effects that do not act. A test holds the two lists to each other: a scene is refused if and only if no
+/// family takes it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "settings/scene.hpp"
+
+namespace rubatlas::settings {
+
+/// A set of effects of the list (`effects/list.hpp`).
+class EffectSet {
+ public:
+  constexpr EffectSet() = default;
+
+  template <auto Effect>
+  [[nodiscard]] constexpr bool contains() const {
+    return (bits_ & bit<Effect>()) != 0;
+  }
+  template <auto Effect>
+  constexpr void insert() {
+    bits_ |= bit<Effect>();
+  }
+  [[nodiscard]] constexpr bool empty() const { return bits_ == 0; }
+  [[nodiscard]] constexpr bool is_within(EffectSet other) const { return (bits_ & ~other.bits_) == 0; }
+
+  constexpr friend EffectSet operator|(EffectSet a, EffectSet b) { return EffectSet(a.bits_ | b.bits_); }
+  constexpr friend EffectSet operator&(EffectSet a, EffectSet b) { return EffectSet(a.bits_ & b.bits_); }
+  /// Without those of the other.
+  constexpr friend EffectSet operator-(EffectSet a, EffectSet b) { return EffectSet(a.bits_ & ~b.bits_); }
+  friend bool operator==(EffectSet, EffectSet) = default;
+
+  /// Their sections in the scene, in the order of the list: "/unbalance".
+  [[nodiscard]] std::vector<std::string_view> sections() const;
+
+ private:
+  constexpr explicit EffectSet(std::uint32_t bits) : bits_(bits) {}
+
+  /// None for an effect that the build leaves out.
+  template <auto Effect>
+  static constexpr std::uint32_t bit() {
+    std::uint32_t found = 0;
+    std::uint32_t next = 1;
+    effects::for_each_effect([&]<auto Other>() {
+      if constexpr (std::is_same_v<effects::Settings<Other>, effects::Settings<Effect>>) found = next;
+      next <<= 1U;
+    });
+    return found;
+  }
+
+  std::uint32_t bits_ = 0;
+};
+
+template <auto... Effect>
+constexpr EffectSet effect_set() {
+  EffectSet result;
+  (result.insert<Effect>(), ...);
+  return result;
+}
+
+/// Effects of which the scene has the section, whatever their strength.
+EffectSet given(const Scene& scene);
+
+/// Effects that have nothing to act on without friction: no tip sticks, and there is no friction to be
+/// regularised.
+constexpr EffectSet kNeedFriction =
+    effect_set<&effects::Effects::regularised_friction, &effects::Effects::stick>();
+
+/// Effects that act on a line: present, of a strength that is not zero, and with something to act on.
+EffectSet acting(const Scene& line);
+
+/// Why the scene cannot be computed with all that it names, as an error text that starts with the JSON
+/// pointer; none where it can. The first row of the table that applies.
+std::optional<std::string> refusal_of_combination(const Scene& scene);
+
+/// The kinds of motions that are compiled; each has one function in `assembly`.
+enum class MotionFamily : std::uint8_t {
+  paper_s_rotor,
+  rigid_blades,
+  sticking_rigid_blades,
+  elastic_blades,
+  held_elastic_blades,
+  directed_elastic_blades,
+  sticking_elastic_blades,
+  blades_on_damped_ring,
+  blades_in_ring_body,
+  blades_in_ring_without_mass,
+};
+
+/// One row of the table.
+struct Family {
+  MotionFamily kind;
+  std::string_view name;         ///< in plain words
+  std::vector<ContactLaw> laws;  ///< contact laws that it is for
+  EffectSet consumes;            ///< effects that its motions can take up
+  bool (*is_for)(const Scene&);  ///< a further condition on the line; null: none
+  std::string_view contact;      ///< how contact is integrated, by the methods that fly in closed form
+  std::string_view flight;       ///< what moves in flight besides the shaft; empty: nothing
+
+  [[nodiscard]] bool takes(const Scene& line) const;
+};
+
+/// In the order in which they are tried.
+std::span<const Family> families();
+
+/// What carries the shaft and turns the blades, of the families that take effects up.
+enum class Machine : std::uint8_t {
+  isotropic_shaft,     ///< at a constant speed
+  any_linear_support,  ///< at a speed that may ripple
+};
+
+/// How one line is computed.
+struct Combination {
+  const Family* family = nullptr;  ///< never null
+  Machine machine = Machine::isotropic_shaft;
+  EffectSet consumed;  ///< effects that the motion takes up: the acting ones
+
+  friend bool operator==(const Combination&, const Combination&) = default;
+};
+
+/// `line`: a scene with the line's values of all that is swept. Throws std::logic_error where no family takes
+/// the line, which the reader would have refused.
+Combination combination_of(const Scene& line);
+
+/// The combinations that the lines of a scene have, each once.
+std::vector<Combination> combinations_in(const Scene& scene);
+
+/// What a method of integration does (`Accuracy::method`).
+struct MethodOfIntegration {
+  Method method;
+  bool takes_effects;         ///< besides the unbalance
+  bool flies_in_closed_form;  ///< else it steps over flight and contact alike
+  bool keeps_tolerance;       ///< else all steps of a revolution have the same size
+  std::string_view pair;      ///< the Runge–Kutta coefficients
+  std::string_view guards;    ///< how touch-down, lift-off and slip reversal are found
+  std::string_view force;     ///< how a blade's force is found; empty: as the family has it
+};
+const MethodOfIntegration& method_of(const Scene& scene);
+
+}  // namespace rubatlas::settings
