@@ -3,8 +3,7 @@
 // neither the pair nor the increment: Fehlberg's 4(5), whose solution is of order 4, and the increment of the
 // scene.
 
-#include "assembly/typed_motions.hpp"
-#include "compared/stepped_motion.hpp"
+#include "assembly/stepped_method.hpp"
 #include "integrate/fehlberg_45.hpp"
 
 namespace rubatlas::assembly {
@@ -15,29 +14,22 @@ struct Paper {
   struct Search {
     double increment;  ///< dF [N]
     template <class Law>
-    bool operator()(const Law& law, const contact::Pose& at, double slip, double speed_ratio,
+    bool operator()(const Law& law, const contact::Pose& at, double slip, double angular_speed,
                     double& /*bending*/, contact::TipForce& force) const {
-      return law.respond_upwards(at, slip, speed_ratio, increment, force);
+      return law.respond_upwards(at, slip, angular_speed, increment, force);
     }
   };
   static constexpr bool kAdaptive = true;
   static constexpr bool kLocated = false;
 
-  template <bool kMayChange, class Law, class Forcing>
-  static std::unique_ptr<motion::PointMotion> make(const rotor::RotorConstants& rotor,
-                                                   const rotor::BladeSet& blades, const Law& law,
-                                                   const Forcing& forcing, const settings::Scene& scene) {
-    const compared::SteppedLimits limits{scene.accuracy.tolerance * rotor.length_scale,
-                                         scene.accuracy.max_step, scene.validity.max_shortening};
-    return std::make_unique<motion::TypedMotion<compared::SteppedMotion<Law, Forcing, Paper>, kMayChange>>(
-        rotor, blades, law, forcing, Search{scene.accuracy.force_increment}, limits);
-  }
+  static double largest_step(const settings::Accuracy& accuracy) { return accuracy.max_step; }
+  static Search search(const settings::Accuracy& accuracy) { return {accuracy.force_increment}; }
 };
 
 }  // namespace
 
 std::unique_ptr<point::LineSolver> make_paper(const LineRequest& request) {
-  return make_paper_s_rotor<Paper>(request);
+  return make_paper_s_rotor<SteppedMethod<Paper>>(request);
 }
 
 }  // namespace rubatlas::assembly

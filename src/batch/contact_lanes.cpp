@@ -16,26 +16,26 @@ void pack(std::span<LaneRequest* const> requests, LaneBlock<kLanes>& block) {
     block.curve[i] = &law.curve();
     block.any_unbalance = block.any_unbalance || request.unbalance != nullptr;
     for (int c = 0; c < 6; ++c) {
-      block.start[c][i] = request.step->start()[c];
-      block.stages[0][c][i] = request.step->start_derivative()[c];
+      block.start[c].lane[i] = request.step->start()[c];
+      block.stages[0][c].lane[i] = request.step->start_derivative()[c];
     }
-    block.size[i] = request.size;
-    block.speed[i] = request.blades->angular_speed(request.anchor.time);
-    block.damping[i] = 2.0 * request.rotor->damping_ratio;
-    block.force_unit[i] = request.rotor->force_unit;
-    block.misalignment[i] = request.rotor->misalignment;
-    block.reach[i] = law.geometry().reach;
-    block.closing[i] = law.geometry().closing();
-    block.length[i] = law.length();
-    block.load_unit[i] = law.load_unit();
-    block.strain_unit[i] = law.strain_unit();
-    block.friction[i] = law.curve().friction();
-    block.mirror[i] = law.curve().mirror();
-    block.scale[i] = request.scale;
-    block.slip[i] = request.slip;
-    block.anchor_time[i] = request.anchor.time;
-    block.anchor_cosine[i] = request.anchor.direction.cosine;
-    block.anchor_sine[i] = request.anchor.direction.sine;
+    block.size.lane[i] = request.size;
+    block.speed.lane[i] = request.blades->angular_speed(request.anchor.time);
+    block.damping_ratio.lane[i] = request.rotor->damping_ratio;
+    block.force_unit.lane[i] = request.rotor->force_unit;
+    block.misalignment.lane[i] = request.rotor->misalignment;
+    block.reach.lane[i] = law.geometry().reach;
+    block.ring_radius.lane[i] = law.geometry().ring_radius;
+    block.length.lane[i] = law.length();
+    block.load_unit.lane[i] = law.load_unit();
+    block.strain_unit.lane[i] = law.strain_unit();
+    block.friction.lane[i] = law.curve().friction();
+    block.mirror.lane[i] = law.curve().mirror();
+    block.scale.lane[i] = request.scale;
+    block.slip.lane[i] = request.slip;
+    block.anchor_time.lane[i] = request.anchor.time;
+    block.anchor_cosine.lane[i] = request.anchor.direction.cosine;
+    block.anchor_sine.lane[i] = request.anchor.direction.sine;
   }
 }
 
@@ -45,16 +45,16 @@ void unpack(const LaneBlock<kLanes>& block, std::span<LaneRequest* const> reques
     LaneRequest& request = *requests[i];
     request.finite = request.step->adopt(request.size, [&](auto& stages, auto& end) {
       for (std::size_t s = 1; s <= kEvaluationsOfAttempt; ++s) {
-        for (int c = 0; c < 6; ++c) stages[s][c] = block.stages[s][c][i];
+        for (int c = 0; c < 6; ++c) stages[s][c] = block.stages[s][c].lane[i];
       }
-      for (int c = 0; c < 6; ++c) end[c] = block.end[c][i];
+      for (int c = 0; c < 6; ++c) end[c] = block.end[c].lane[i];
     });
-    request.last = {{block.force_radial[i], block.force_tangential[i], block.load[i], block.shortening[i],
-                     block.root_strain[i], block.slip_velocity[i]},
-                    block.residual[i],
-                    block.bending_slope[i],
-                    block.time_slope[i]};
-    request.acceleration = {block.acceleration_x[i], block.acceleration_y[i]};
+    request.last = {{block.force_radial.lane[i], block.force_tangential.lane[i], block.load.lane[i],
+                     block.shortening.lane[i], block.root_strain.lane[i], block.slip_velocity.lane[i]},
+                    block.residual.lane[i],
+                    block.bending_slope.lane[i],
+                    block.time_slope.lane[i]};
+    request.acceleration = {block.acceleration_x.lane[i], block.acceleration_y.lane[i]};
   }
 }
 
@@ -74,6 +74,19 @@ void ContactLanes::attempt(std::span<LaneRequest* const> requests) {
     attempt_avx2(*four_);
     unpack(*four_, requests);
   }
+}
+
+void direct(const LaneRequest& request, double time, double& cosine, double& sine) {
+  const contact::BladeDirection er = request.blades->direction_near(request.anchor, time);
+  cosine = er.cosine;
+  sine = er.sine;
+}
+
+void unbalance(const LaneRequest& request, double time, double& x, double& y) {
+  if (request.unbalance == nullptr) return;
+  const std::complex<double> acceleration = request.unbalance->acceleration(time);
+  x = acceleration.real();
+  y = acceleration.imag();
 }
 
 int lanes_of_processor() {

@@ -1,8 +1,8 @@
 /// Attempts of contact steps of several independent motions at once, one in each SIMD lane.
 ///
-/// The lanes do the operations of `Carried` and `RungeKutta::attempt` in the same order, so that each
-/// has the bits of the scalar path, whatever its neighbours hold. Motions may differ in everything: speed,
-/// damping, friction, blade, unbalance.
+/// The lanes evaluate the equation of `Carried` and attempt steps of `RungeKutta`, with lanes for numbers:
+/// each has the bits of the scalar path, whatever its neighbours hold. Motions may differ in everything:
+/// speed, damping, friction, blade, unbalance.
 #pragma once
 
 #include <memory>

@@ -1,46 +1,48 @@
 /// Numbers of several attempts, one in each SIMD lane: what the arithmetic reads and writes.
+///
+/// Rows of plain numbers, laid out alike for every processor that a source is compiled for. Functions of
+/// `std::array` that are compiled for one of them could be linked in where others call them, on a processor
+/// that does not know its instructions: plain arrays.
 #pragma once
 
-#include <array>
+#include "blade/elastica_curve.hpp"
+#include "integrate/dormand_prince_853.hpp"
 
-#include "batch/lane_request.hpp"
-
+// NOLINTBEGIN(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
 namespace rubatlas::batch {
 
-/// One number of each lane.
-template <int kLanes>
-struct LaneVector;
-template <>
-struct LaneVector<4> {
-  using Type [[gnu::vector_size(32)]] = double;
-};
-template <>
-struct LaneVector<8> {
-  using Type [[gnu::vector_size(64)]] = double;
-};
+struct LaneRequest;
 
-// Plain arrays here and in the arithmetic: functions of std::array that are compiled behind a target's pragma
-// could be linked in where others call them, on a processor that does not know them.
-// NOLINTBEGIN(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
+/// An attempt evaluates that many right-hand sides.
+constexpr int kEvaluationsOfAttempt = integrate::DormandPrince853::kStages;
+
 template <int kLanes>
 struct LaneBlock {
-  using Lanes = typename LaneVector<kLanes>::Type;
+  /// One number of each lane.
+  struct alignas(kLanes * sizeof(double)) Row {
+    double lane[kLanes];
+  };
 
-  Lanes start[6], stages[kEvaluationsOfAttempt + 1][6], end[6], size;
+  Row start[6], stages[kEvaluationsOfAttempt + 1][6], end[6], size;
   // Of the motion, and of its contact.
-  Lanes speed, damping, force_unit, misalignment, reach, closing, length, load_unit, strain_unit, friction,
-      mirror, scale, slip, anchor_time, anchor_cosine, anchor_sine;
+  Row speed, damping_ratio, force_unit, misalignment, reach, ring_radius, length, load_unit, strain_unit,
+      friction, mirror, scale, slip, anchor_time, anchor_cosine, anchor_sine;
   // Of the last evaluation.
-  Lanes force_radial, force_tangential, load, shortening, root_strain, slip_velocity, residual, bending_slope,
+  Row force_radial, force_tangential, load, shortening, root_strain, slip_velocity, residual, bending_slope,
       time_slope, acceleration_x, acceleration_y;
-  std::array<const LaneRequest*, kLanes> request;  ///< whose numbers these are
-  std::array<const blade::ElasticaCurve*, kLanes> curve;
+  const LaneRequest* request[kLanes];  ///< whose numbers these are
+  const blade::ElasticaCurve* curve[kLanes];
   bool any_unbalance;
 };
-// NOLINTEND(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
+
+/// (cosine, sine) of the blade of a lane at a time so far from its anchor that the series does not hold.
+void direct(const LaneRequest& request, double time, double& cosine, double& sine);
+/// Adds the unbalance of a lane that has one; to the others −0, which changes no number.
+void unbalance(const LaneRequest& request, double time, double& x, double& y);
 
 /// The stages and the end of all attempts of a block, from its first stages. For processors that can.
 void attempt_avx2(LaneBlock<4>& block);
 void attempt_avx512(LaneBlock<8>& block);
 
 }  // namespace rubatlas::batch
+// NOLINTEND(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)

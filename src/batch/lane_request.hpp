@@ -3,6 +3,7 @@
 
 #include <complex>
 
+#include "batch/lane_block.hpp"
 #include "contact/elastica_contact.hpp"
 #include "integrate/dormand_prince_853.hpp"
 #include "integrate/runge_kutta.hpp"
@@ -13,9 +14,6 @@
 namespace rubatlas::batch {
 
 using LaneStep = integrate::RungeKutta<integrate::DormandPrince853, 6>;
-
-/// An attempt evaluates that many right-hand sides.
-constexpr int kEvaluationsOfAttempt = integrate::DormandPrince853::kStages;
 
 /// Right-hand sides that lanes know: one carried contact, without forcing or with an unbalance.
 template <class System>
@@ -30,14 +28,14 @@ struct LaneRequest {
   template <class System>
   LaneRequest(const System& system, LaneStep& step_of_line, double size_of_step) requires kFitsLanes<System>
       : step(&step_of_line), size(size_of_step) {
-    const auto parameters = system.parameters();
-    rotor = parameters.rotor;
-    blades = parameters.blades;
-    law = parameters.law;
-    unbalance = unbalance_of(*parameters.forcing);
-    slip = parameters.slip;
-    scale = parameters.scale;
-    anchor = parameters.anchor;
+    const auto& equation = system.equation();
+    rotor = equation.rotor;
+    blades = equation.blades;
+    law = equation.law;
+    unbalance = unbalance_of(*equation.forcing);
+    slip = equation.slip;
+    scale = equation.scale;
+    anchor = equation.anchor;
   }
 
   LaneStep* step;

@@ -3,7 +3,7 @@
 ///
 /// Whether a blade touches is either frozen for a step (`located`, whose steps end at events) or decided by
 /// the sign of g wherever the right-hand side is asked for (MODEL 4.1). `Search` says how a blade's force is
-/// found: `bool operator()(law, pose, slip, speed_ratio, bending, force)`.
+/// found: `bool operator()(law, pose, slip, angular_speed, bending, force)`.
 #pragma once
 
 #include <Eigen/Core>
@@ -131,9 +131,9 @@ class SteppedSystem {
 /// The root of the contact equation, as accurate as numbers allow.
 struct SolvedForce {
   template <class Law>
-  bool operator()(const Law& law, const contact::Pose& at, double slip, double speed_ratio, double& bending,
+  bool operator()(const Law& law, const contact::Pose& at, double slip, double angular_speed, double& bending,
                   contact::TipForce& force) const {
-    return law.respond(at, slip, speed_ratio, bending, force);
+    return law.respond(at, slip, angular_speed, bending, force);
   }
 };
 

@@ -19,7 +19,7 @@ template <class Ring, Release kRelease>
 std::optional<double> ElasticBladeContact<Ring, kRelease>::solve(const Pose& at, double slip) const {
   if (has_branches_) return solve_on_branches(at, slip);
   if constexpr (kReleasesAtFold) {
-    if (at.gap < -kGapRounding) return solve_held(at, slip);
+    if (at.gap < -kGapRounding) return solve_beyond_ring(at, slip);
   }
   const auto& knots = curve_->knots();
   // The residual is positive from the unloaded blade on (g > 0; on the receding side it first rises) and
@@ -47,7 +47,8 @@ std::optional<double> ElasticBladeContact<Ring, kRelease>::solve(const Pose& at,
 }
 
 template <class Ring, Release kRelease>
-std::optional<double> ElasticBladeContact<Ring, kRelease>::solve_held(const Pose& at, double slip) const {
+std::optional<double> ElasticBladeContact<Ring, kRelease>::solve_beyond_ring(const Pose& at,
+                                                                             double slip) const {
   // h is negative at the unloaded blade, rises up to the fold and falls from there on.
   constexpr double kNextToUnloaded = 1e-6;  // of the first piece
   const auto& knots = curve_->knots();
@@ -157,12 +158,12 @@ std::optional<double> ElasticBladeContact<Ring, kRelease>::root_on(const Pose& a
 template <class Ring, Release kRelease>
 std::optional<double> ElasticBladeContact<Ring, kRelease>::solve_on_branches(const Pose& at,
                                                                              double slip) const {
-  // A tip outside the ring is held on the bent branch, or not at all.
-  const bool held = at.gap < -kGapRounding;
-  if (!carried_ && !held && straight_load(at) <= blade::kEulerLoad) return 0.0;
+  // An undeformed tip that has left the ring has a contact on the bent branch only.
+  const bool outside = at.gap < -kGapRounding;
+  if (!carried_ && !outside && straight_load(at) <= blade::kEulerLoad) return 0.0;
   const Branches all = branches(at, slip);
   for (std::size_t i = 0; i < all.count; ++i) {
-    if (held && all.list[i].begin == 0.0) continue;
+    if (outside && all.list[i].begin == 0.0) continue;
     if (const auto root = root_on(at, slip, all.list[i])) return root;
   }
   return std::nullopt;
@@ -180,14 +181,15 @@ bool ElasticBladeContact<Ring, kRelease>::stands_beyond_fold(const Pose& at, dou
 template <class Ring, Release kRelease>
 auto ElasticBladeContact<Ring, kRelease>::incline(const Pose& at, double slip,
                                                   const blade::CurvePoint& point) const -> Incline {
-  const double along = at.radial + geometry_.reach - length_ * point.shortening;
-  const double across = slip * (at.tangential - slip * length_ * point.deflection);
-  double parts =
-      2.0 * length_ * (std::abs(along * point.shortening_slope) + std::abs(across * point.deflection_slope));
+  const double along = at.radial + blade_.geometry.reach - blade_.length * point.shortening;
+  const double across = slip * (at.tangential - slip * blade_.length * point.deflection);
+  double parts = 2.0 * blade_.length *
+                 (std::abs(along * point.shortening_slope) + std::abs(across * point.deflection_slope));
   if constexpr (Ring::kYields) {
-    parts += 2.0 * yield_unit_ * (geometry_.ring_radius + yield_unit_ * point.load) * point.load_slope;
+    parts += 2.0 * blade_.yield_unit * (blade_.geometry.ring_radius + blade_.yield_unit * point.load) *
+             point.load_slope;
   }
-  const double unit = friction_ > 0.0 ? 1.0 / point.load_slope : 1.0;
+  const double unit = blade_.friction > 0.0 ? 1.0 / point.load_slope : 1.0;
   return {unit * slope(at, slip, point), unit * parts};
 }
 
@@ -293,7 +295,7 @@ bool ElasticBladeContact<Ring, kRelease>::respond(const Pose& at, double slip, d
   if (!root) return false;
   bending = *root;
   force = constraint(mirrored, slip, bending, angular_speed).force;
-  if (beyond_end && friction_ > 0.0) {
+  if (beyond_end && blade_.friction > 0.0) {
     force.radial = -force.radial;
     force.tangential = -force.tangential;
     force.normal = -force.normal;
@@ -307,9 +309,9 @@ bool ElasticBladeContact<Ring, kRelease>::respond_upwards(const Pose& at, double
   constexpr double kShareOfIncrement = 0.05;  // how closely the curve's point stands for the load
   constexpr double kFirstBending = 1e-3;      // of β: there F ~ u² still
   // From the unloaded blade F grows like u²; at μ = 0 the column stays straight up to its Euler load.
-  const double first = kFirstBending * (friction_ > 0.0 ? curve_->load_angle() : 1.0);
+  const double first = kFirstBending * (blade_.friction > 0.0 ? curve_->load_angle() : 1.0);
   const double buckling = curve_at(0.0).load;
-  const double step = increment / load_unit_;
+  const double step = increment / blade_.load_unit;
   if (!carried_) {
     const double stepped = std::ceil(straight_load(at) / step) * step;
     if (stepped <= blade::kEulerLoad) {

@@ -55,6 +55,89 @@ struct ElasticBlade {
   double bending_stiffness;  ///< EI = E b h³ / 12 [N m²]
 };
 
+/// A contact at one bending parameter, with the rates that carry it along h = 0.
+template <class Number>
+struct ConstraintOf {
+  TipForceOf<Number> force;
+  Number residual;       ///< h [m²]
+  Number bending_slope;  ///< ∂h/∂u [m²]
+  Number time_slope;     ///< dh/dτ at fixed u [m²]
+};
+
+/// What the contact equation takes of a blade and its ring.
+template <class Number>
+struct ElasticBladeOf {
+  GeometryOf<Number> geometry;
+  Number length;       ///< L [m]
+  Number load_unit;    ///< EI / L² [N]
+  Number strain_unit;  ///< h / (2 L) [-]
+  Number friction;     ///< μ [-]
+  Number yield_unit;   ///< EI/(L² kr) [m]: yielding of the ring under F = EI/L²; 0 where it does not
+};
+
+/// h = a² + b² − (R + F/kr)² [m²] (MODEL 4.1) of a blade at `at` that is bent to `point`, written from g, so
+/// that a light contact keeps its digits. `Point`: of the curve or one of its knots.
+template <bool kRingYields, class Number, class Point>
+Number residual_of(const ElasticBladeOf<Number>& blade, const PoseOf<Number>& at, const Number& slip,
+                   const Point& point) {
+  const Number shortening = blade.length * point.shortening;  // δ
+  const Number deflection = blade.length * point.deflection;  // Δ
+  Number residual = at.gap + shortening * (shortening - 2.0 * (at.radial + blade.geometry.reach)) +
+                    deflection * (deflection - 2.0 * slip * at.tangential);
+  if constexpr (kRingYields) {
+    const Number yielding = blade.yield_unit * point.load;  // F/kr
+    residual -= yielding * (2.0 * blade.geometry.ring_radius + yielding);
+  }
+  return residual;
+}
+
+/// ∂h/∂u [m²] there, where the tip lies at (a, b) along and across the blade, seen from the ring's centre.
+template <bool kRingYields, class Number, class Point>
+Number bending_slope_of(const ElasticBladeOf<Number>& blade, const Number& a, const Number& b,
+                        const Number& slip, const Point& point) {
+  Number slope = (-2.0 * blade.length) * (a * point.shortening_slope + slip * b * point.deflection_slope);
+  if constexpr (kRingYields) {
+    slope -= 2.0 * blade.yield_unit * (blade.geometry.ring_radius + blade.yield_unit * point.load) *
+             point.load_slope;
+  }
+  return slope;
+}
+
+/// The contact equation and the force of the tip (MODEL 4.1 to 4.4) there.
+template <bool kRingYields, class Number>
+ConstraintOf<Number> constraint_of(const ElasticBladeOf<Number>& blade, const PoseOf<Number>& at,
+                                   const Number& slip, const blade::CurvePointOf<Number>& point,
+                                   const Number& angular_speed) {
+  using std::sqrt;
+  const Number& reach = blade.geometry.reach;
+  const Number shortening = blade.length * point.shortening;  // δ
+  const Number deflection = blade.length * point.deflection;  // Δ
+  const Number a = at.radial + reach - shortening;
+  const Number b = at.tangential - slip * deflection;
+  ConstraintOf<Number> result;
+  result.residual = residual_of<kRingYields>(blade, at, slip, point);
+  result.bending_slope = bending_slope_of<kRingYields>(blade, a, b, slip, point);
+  result.time_slope = 2.0 * a * (at.radial_velocity + angular_speed * at.tangential) +
+                      2.0 * b * (at.tangential_velocity - angular_speed * at.radial);
+  const Number inverse_distance = 1.0 / sqrt(a * a + b * b);
+  const Number normal_radial = a * inverse_distance;
+  const Number normal_tangential = b * inverse_distance;
+  const Number load = blade.load_unit * point.load;
+  const Number friction = slip * blade.friction * load;
+  // Fk = −F n − s μ F t with t = n turned by +90°.
+  result.force.radial = -load * normal_radial + friction * normal_tangential;
+  result.force.tangential = -load * normal_tangential - friction * normal_radial;
+  result.force.normal = load;
+  result.force.shortening = point.shortening;
+  // (h/2) θ'(0) with EI θ'(0) = F Δ + μF (L − δ)
+  result.force.root_strain =
+      blade.strain_unit * point.load * (point.deflection + blade.friction * (1.0 - point.shortening));
+  result.force.slip_velocity =
+      normal_radial * at.tangential_velocity - normal_tangential * at.radial_velocity +
+      angular_speed * ((reach - shortening) * normal_radial - slip * deflection * normal_tangential);
+  return result;
+}
+
 template <class Ring, Release kRelease>
 class ElasticBladeContact {
  public:
@@ -77,44 +160,46 @@ class ElasticBladeContact {
 
   ElasticBladeContact(Geometry geometry, Blade blade, std::shared_ptr<const blade::ElasticaCurve> curve,
                       Ring ring = {})
-      : geometry_(geometry),
-        length_(blade.length),
-        load_unit_(blade.bending_stiffness / (blade.length * blade.length)),
-        strain_unit_(0.5 * blade.thickness / blade.length),
-        friction_(curve->friction()),
+      : blade_{geometry,
+               blade.length,
+               blade.bending_stiffness / (blade.length * blade.length),
+               0.5 * blade.thickness / blade.length,
+               curve->friction(),
+               0.0},
         axial_unit_(blade.length * curve->axial_compliance()),
         curve_(std::move(curve)) {
-    if constexpr (Ring::kYields) yield_unit_ = load_unit_ / ring.stiffness;
+    if constexpr (Ring::kYields) blade_.yield_unit = blade_.load_unit / ring.stiffness;
     has_branches_ = axial_unit_ > 0.0 || Ring::kYields;
-    carried_ = friction_ > 0.0 || !has_branches_;
-    if (friction_ > 0.0) {
-      const double per_lateral = 3.0 / (friction_ * length_);
+    carried_ = blade_.friction > 0.0 || !has_branches_;
+    if (blade_.friction > 0.0) {
+      const double per_lateral = 3.0 / (blade_.friction * blade_.length);
       axial_relief_ = per_lateral * axial_unit_;
-      ring_relief_ = per_lateral * yield_unit_ * geometry_.ring_radius;
+      ring_relief_ = per_lateral * blade_.yield_unit * blade_.geometry.ring_radius;
     }
   }
 
-  [[nodiscard]] const Geometry& geometry() const { return geometry_; }
+  [[nodiscard]] const Geometry& geometry() const { return blade_.geometry; }
   /// The law of one blade: the same for all.
   using OfBlade = ElasticBladeContact;
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const blade::ElasticaCurve& curve() const { return *curve_; }
-  [[nodiscard]] double length() const { return length_; }            ///< L [m]
-  [[nodiscard]] double load_unit() const { return load_unit_; }      ///< EI / L² [N]
-  [[nodiscard]] double strain_unit() const { return strain_unit_; }  ///< h / (2 L) [-]
+  [[nodiscard]] double length() const { return blade_.length; }            ///< L [m]
+  [[nodiscard]] double load_unit() const { return blade_.load_unit; }      ///< EI / L² [N]
+  [[nodiscard]] double strain_unit() const { return blade_.strain_unit; }  ///< h / (2 L) [-]
   /// The same blade, shorter at its tip by `lost` [m]. The curve stays, and with it the axial compliance
   /// relative to the length.
   [[nodiscard]] ElasticBladeContact shortened(double lost) const {
-    const Blade blade{length_ - lost, 2.0 * strain_unit_ * length_, load_unit_ * length_ * length_};
+    const Blade blade{blade_.length - lost, 2.0 * blade_.strain_unit * blade_.length,
+                      blade_.load_unit * blade_.length * blade_.length};
     Ring ring{};
-    if constexpr (Ring::kYields) ring.stiffness = load_unit_ / yield_unit_;
-    return {{geometry_.reach - lost, geometry_.ring_radius}, blade, curve_, ring};
+    if constexpr (Ring::kYields) ring.stiffness = blade_.load_unit / blade_.yield_unit;
+    return {{blade_.geometry.reach - lost, blade_.geometry.ring_radius}, blade, curve_, ring};
   }
 
   /// The same blade in a ring of another radius [m], its evaluations not yet counted.
   [[nodiscard]] ElasticBladeContact in_ring(double radius) const {
     ElasticBladeContact other = *this;
-    other.geometry_.ring_radius = radius;
+    other.blade_.geometry.ring_radius = radius;
     other.evaluations_ = 0;
     return other;
   }
@@ -130,20 +215,14 @@ class ElasticBladeContact {
   /// Without compliance: the approaching side (MODEL 4.2).
   [[nodiscard]] bool starts_unloaded(const Pose& at, double slip) const {
     if (!carried_) return true;
-    return slip * at.tangential + (axial_relief_ * (at.radial + geometry_.reach) + ring_relief_) >= 0.0;
+    return slip * at.tangential + (axial_relief_ * (at.radial + blade_.geometry.reach) + ring_relief_) >= 0.0;
   }
   /// The same for an open contact, which may stand on another branch.
   [[nodiscard]] bool ends_unloaded(const Pose& at, double slip, double bending) const {
     return starts_unloaded(at, slip) && !(has_branches_ && stands_beyond_fold(at, slip, bending));
   }
 
-  /// A contact at one bending parameter, with the rates that carry it along h = 0.
-  struct Constraint {
-    TipForce force;
-    double residual;       ///< h [m²]
-    double bending_slope;  ///< ∂h/∂u [m²]
-    double time_slope;     ///< dh/dτ at fixed u [m²]
-  };
+  using Constraint = ConstraintOf<double>;
 
   [[nodiscard]] Constraint constraint(const Pose& at, double slip, double bending,
                                       double angular_speed) const {
@@ -153,23 +232,24 @@ class ElasticBladeContact {
   /// ∂h/∂u as a function that changes its sign at the fold of the contact equation and nowhere else: negative
   /// where the force follows the gap. For μ > 0 the curve is even, and ∂h/∂u passes zero at u = 0 too.
   [[nodiscard]] double fold_measure(double bending, double bending_slope) const {
-    return friction_ > 0.0 ? bending_slope / bending : bending_slope;
+    return blade_.friction > 0.0 ? bending_slope / bending : bending_slope;
   }
 
   /// g/Δ [m] of a blade bent by u, as h = 0 has it. At the unloaded blade it is finite, and has the sign of
   /// `starts_unloaded`: it is zero where g is, but for u = 0.
   [[nodiscard]] double gap_per_deflection(const Pose& at, double slip, double bending) const {
     const blade::CurvePoint point = curve_at(bending);
-    const double shortening = length_ * point.shortening;
-    const double deflection = length_ * point.deflection;
+    const double shortening = blade_.length * point.shortening;
+    const double deflection = blade_.length * point.deflection;
     if (deflection == 0.0) {
-      return 2.0 * (slip * at.tangential + axial_relief_ * (at.radial + geometry_.reach) + ring_relief_);
+      return 2.0 *
+             (slip * at.tangential + axial_relief_ * (at.radial + blade_.geometry.reach) + ring_relief_);
     }
     double result = 2.0 * slip * at.tangential - deflection +
-                    shortening / deflection * (2.0 * (at.radial + geometry_.reach) - shortening);
+                    shortening / deflection * (2.0 * (at.radial + blade_.geometry.reach) - shortening);
     if constexpr (Ring::kYields) {
-      const double yielding = yield_unit_ * point.load;  // F/kr
-      result += yielding / deflection * (2.0 * geometry_.ring_radius + yielding);
+      const double yielding = blade_.yield_unit * point.load;  // F/kr
+      result += yielding / deflection * (2.0 * blade_.geometry.ring_radius + yielding);
     }
     return result;
   }
@@ -216,40 +296,7 @@ class ElasticBladeContact {
  private:
   [[nodiscard]] Constraint constraint_at(const Pose& at, double slip, const blade::CurvePoint& point,
                                          double angular_speed) const {
-    const double shortening = length_ * point.shortening;  // δ
-    const double deflection = length_ * point.deflection;  // Δ
-    const double a = at.radial + geometry_.reach - shortening;
-    const double b = at.tangential - slip * deflection;
-    Constraint result;
-    // h = a² + b² − R² written from g, so that a light contact keeps its digits.
-    result.residual = at.gap + shortening * (shortening - 2.0 * (at.radial + geometry_.reach)) +
-                      deflection * (deflection - 2.0 * slip * at.tangential);
-    result.bending_slope = -2.0 * length_ * (a * point.shortening_slope + slip * b * point.deflection_slope);
-    if constexpr (Ring::kYields) {
-      const double yielding = yield_unit_ * point.load;  // F/kr
-      result.residual -= yielding * (2.0 * geometry_.ring_radius + yielding);
-      result.bending_slope -= 2.0 * yield_unit_ * (geometry_.ring_radius + yielding) * point.load_slope;
-    }
-    result.time_slope = 2.0 * a * (at.radial_velocity + angular_speed * at.tangential) +
-                        2.0 * b * (at.tangential_velocity - angular_speed * at.radial);
-    const double inverse_distance = 1.0 / std::sqrt(a * a + b * b);
-    const double normal_radial = a * inverse_distance;
-    const double normal_tangential = b * inverse_distance;
-    const double load = load_unit_ * point.load;
-    const double friction = slip * friction_ * load;
-    // Fk = −F n − s μ F t with t = n turned by +90°.
-    result.force.radial = -load * normal_radial + friction * normal_tangential;
-    result.force.tangential = -load * normal_tangential - friction * normal_radial;
-    result.force.normal = load;
-    result.force.shortening = point.shortening;
-    // (h/2) θ'(0) with EI θ'(0) = F Δ + μF (L − δ)
-    result.force.root_strain =
-        strain_unit_ * point.load * (point.deflection + friction_ * (1.0 - point.shortening));
-    result.force.slip_velocity =
-        normal_radial * at.tangential_velocity - normal_tangential * at.radial_velocity +
-        angular_speed *
-            ((geometry_.reach - shortening) * normal_radial - slip * deflection * normal_tangential);
-    return result;
+    return constraint_of<Ring::kYields>(blade_, at, slip, point, angular_speed);
   }
 
   [[nodiscard]] blade::CurvePoint curve_at(double bending) const {
@@ -259,39 +306,28 @@ class ElasticBladeContact {
   /// h and ∂h/∂u alone. `point`: of the curve or one of its knots.
   template <class Point>
   [[nodiscard]] double residual(const Pose& at, double slip, const Point& point) const {
-    const double delta = length_ * point.shortening;
-    const double lateral = length_ * point.deflection;
-    double h = at.gap + delta * (delta - 2.0 * (at.radial + geometry_.reach)) +
-               lateral * (lateral - 2.0 * slip * at.tangential);
-    if constexpr (Ring::kYields) {
-      const double yielding = yield_unit_ * point.load;
-      h -= yielding * (2.0 * geometry_.ring_radius + yielding);
-    }
-    return h;
+    return residual_of<Ring::kYields>(blade_, at, slip, point);
   }
   template <class Point>
   [[nodiscard]] double slope(const Pose& at, double slip, const Point& point) const {
-    const double a = at.radial + geometry_.reach - length_ * point.shortening;
-    const double b = at.tangential - slip * length_ * point.deflection;
-    double slope = -2.0 * length_ * (a * point.shortening_slope + slip * b * point.deflection_slope);
-    if constexpr (Ring::kYields) {
-      slope -= 2.0 * yield_unit_ * (geometry_.ring_radius + yield_unit_ * point.load) * point.load_slope;
-    }
-    return slope;
+    const double a = at.radial + blade_.geometry.reach - blade_.length * point.shortening;
+    const double b = at.tangential - slip * blade_.length * point.deflection;
+    return bending_slope_of<Ring::kYields>(blade_, a, b, slip, point);
   }
 
   /// F L²/EI of a straight column whose tip lies on the ring: the smaller root of h = 0, which is quadratic
   /// in F at Δ = 0. At most the Euler load where the column is straight indeed.
   [[nodiscard]] double straight_load(const Pose& at) const {
-    const double linear = (at.radial + geometry_.reach) * axial_unit_ + geometry_.ring_radius * yield_unit_;
-    const double square = axial_unit_ * axial_unit_ - yield_unit_ * yield_unit_;
+    const double linear =
+        (at.radial + blade_.geometry.reach) * axial_unit_ + blade_.geometry.ring_radius * blade_.yield_unit;
+    const double square = axial_unit_ * axial_unit_ - blade_.yield_unit * blade_.yield_unit;
     return at.gap / (linear + std::sqrt(linear * linear - square * at.gap));
   }
   [[nodiscard]] blade::CurvePoint straight(double load) const {
     return {load, curve_->axial_compliance() * load, 0.0, 0.0, 0.0, 0.0};
   }
   /// Root beyond the fold where the undeformed tip has left the ring, g < 0; none where the fold has too.
-  [[nodiscard]] std::optional<double> solve_held(const Pose& at, double slip) const;
+  [[nodiscard]] std::optional<double> solve_beyond_ring(const Pose& at, double slip) const;
 
   /// A stretch of the curve on which h falls, where a blade can stand.
   struct Branch {
@@ -314,7 +350,7 @@ class ElasticBladeContact {
   [[nodiscard]] Branches branches(const Pose& at, double slip) const;
   /// dh/dF (dh/du for the column) as `Knot` has its slopes [m²].
   [[nodiscard]] double rise(const Pose& at, double slip, const blade::CurvePoint& point) const {
-    return friction_ > 0.0 ? slope(at, slip, point) / point.load_slope : slope(at, slip, point);
+    return blade_.friction > 0.0 ? slope(at, slip, point) / point.load_slope : slope(at, slip, point);
   }
   [[nodiscard]] std::optional<double> root_on(const Pose& at, double slip, const Branch& branch) const;
   [[nodiscard]] std::optional<double> solve_on_branches(const Pose& at, double slip) const;
@@ -327,13 +363,8 @@ class ElasticBladeContact {
   };
   [[nodiscard]] Incline incline(const Pose& at, double slip, const blade::CurvePoint& point) const;
 
-  Geometry geometry_;
-  double length_;
-  double load_unit_;
-  double strain_unit_;
-  double friction_;
+  ElasticBladeOf<double> blade_;
   double axial_unit_;          ///< L ε [m]: axial shortening under F = EI/L²
-  double yield_unit_ = 0.0;    ///< EI/(L² kr) [m]: yielding of the ring under F = EI/L²
   double axial_relief_ = 0.0;  ///< 3ε/μ [-]
   double ring_relief_ = 0.0;   ///< 3 EI R / (μ L³ kr) [m]
   bool has_branches_ = false;

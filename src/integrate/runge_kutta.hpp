@@ -10,15 +10,17 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace rubatlas::integrate {
 
-/// `kSize` components, or as many as the state has at run time, up to `kMostSize` (Eigen::Dynamic).
-template <class Table, int kSize, int kMostSize = kSize>
+/// `kSize` components, or as many as the state has at run time, up to `kMostSize` (Eigen::Dynamic). `Number`:
+/// double, or the lanes of a register with a step of another motion in each.
+template <class Table, int kSize, int kMostSize = kSize, class Number = double>
 class RungeKutta {
  public:
-  using Vector = Eigen::Array<double, kSize, 1, 0, kMostSize, 1>;
+  using Vector = Eigen::Array<Number, kSize, 1, 0, kMostSize, 1>;
   using Coefficients = Table;
 
   /// Starts from a state; evaluates the first stage.
@@ -28,15 +30,27 @@ class RungeKutta {
     return system(start_, stages_[0]);
   }
 
-  /// Tries a step of the given size. On true, `end()` and the error estimate are set.
+  /// The same with a first stage that is known.
+  void resume(const Vector& state, const Vector& derivative) {
+    start_ = state;
+    stages_[0] = derivative;
+  }
+
+  /// Tries a step of the given size. On true, `end()` and the error estimate are set; whether lanes hold
+  /// finite numbers is for each of their motions to see.
   template <class System>
-  bool attempt(System& system, double size) {
+  bool attempt(System& system, const Number& size) {
     size_ = size;
     dense_ready_ = false;
     if (!evaluate_stages(system, std::make_index_sequence<Table::kStages - 1>{})) return false;
     end_ = start_ + size * weighted_sum([] { return Table::kWeight; });
-    return system(end_, stages_[Table::kStages]) && end_.isFinite().all();
+    if (!system(end_, stages_[Table::kStages])) return false;
+    if constexpr (std::is_same_v<Number, double>) return end_.isFinite().all();
+    return true;
   }
+
+  /// Stages of the last attempt, as many as it has evaluations, and one more at the end.
+  [[nodiscard]] const Vector& stage(std::size_t index) const { return stages_[index]; }
 
   /// Takes over an attempt that was made elsewhere by the same operations: `write(stages, end)` sets the
   /// stages from 1 to `kStages` and the end. Returns what `attempt` would have.
@@ -58,7 +72,7 @@ class RungeKutta {
   [[nodiscard]] const Vector& end() const { return end_; }
   /// The end may be moved onto a constraint by as little as the local error.
   [[nodiscard]] Vector& end() { return end_; }
-  [[nodiscard]] double size() const { return size_; }
+  [[nodiscard]] const Number& size() const { return size_; }
   [[nodiscard]] const Vector& start_derivative() const { return stages_[0]; }
   [[nodiscard]] const Vector& end_derivative() const { return stages_[Table::kStages]; }
 
@@ -151,7 +165,7 @@ class RungeKutta {
   template <class Weights>
   [[nodiscard]] Vector weighted_sum(Weights) const {
     return [&]<std::size_t... kJ>(std::index_sequence<kJ...>)->Vector {
-      return (... + (Weights{}()[kNonZero<Weights>[kJ]] * stages_[kNonZero<Weights>[kJ]]));
+      return (... + (Number(Weights{}()[kNonZero<Weights>[kJ]]) * stages_[kNonZero<Weights>[kJ]]));
     }
     (std::make_index_sequence<kNonZero<Weights>.size()>{});
   }
@@ -186,7 +200,7 @@ class RungeKutta {
 
   Vector start_ = zero();
   Vector end_ = zero();
-  double size_ = 0.0;
+  Number size_ = 0.0;
   bool dense_ready_ = false;
   std::array<Vector, Table::kDenseStages> stages_;
   std::array<Vector, kCoefficients> dense_;

@@ -66,8 +66,8 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
         contact::TipForce force{};
         if (!this->respond_paid(at, this->blades_->angular_speed(time), open, force)) return false;
       }
-      state[modulus_of(i)] = open.bending;
-      state[amplitude_of(i)] = open.amplitude;
+      state[modulus_of(i)] = open.bend.modulus;
+      state[amplitude_of(i)] = open.bend.amplitude;
     }
     // The unit of σ is the arc in the space of τ, κ and φ of each contact there.
     std::ranges::fill(scales_, 1.0);
@@ -86,8 +86,7 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
     const double time = state[rotor::kTime];
     const double speed = this->blades_->angular_speed(time);
     const contact::BladeDirection first = this->blades_->first(time);
-    double force_x = 0.0;
-    double force_y = 0.0;
+    std::complex<double> force;
     for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
       Evaluated& contact = last_.contacts[i];
       const auto& law = this->law_->of(this->contacts_[i].blade);
@@ -97,13 +96,11 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
       contact.there =
           law.constraint_or_unloaded(contact.pose, this->contacts_[i].slip, speed, bend(i, state));
       contact.force = law.force_of(contact.pose, speed, contact.there);
-      const contact::BladeDirection& er = contact.direction;
-      force_x += contact.force.radial * er.cosine - contact.force.tangential * er.sine;
-      force_y += contact.force.radial * er.sine + contact.force.tangential * er.cosine;
+      force += contact::on_rotor(contact.force, contact.direction);
     }
     rotor::FullStateOf<Forcing> shaft = rotor::FullStateOf<Forcing>::Zero();
     shaft.template head<5>() = state.head<5>();
-    last_.acceleration = acceleration(*this->rotor_, *this->forcing_, shaft, force_x, force_y);
+    last_.acceleration = modes::acceleration(*this->rotor_, *this->forcing_, shaft, force);
 
     double time_rate = 1.0;
     for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
@@ -147,11 +144,10 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
     const double speed = this->blades_->angular_speed(state[rotor::kTime]);
     for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
       OpenContact open = this->contacts_[i];
-      open.bending = state[modulus_of(i)];
-      open.amplitude = state[amplitude_of(i)];
+      open.bend = {state[modulus_of(i)], state[amplitude_of(i)]};
       if (!goes_on(open, this->pose(open.blade, state), speed, kClose)) continue;
-      state[modulus_of(i)] = open.bending;
-      state[amplitude_of(i)] = open.amplitude;
+      state[modulus_of(i)] = open.bend.modulus;
+      state[amplitude_of(i)] = open.bend.amplitude;
     }
   }
 
@@ -231,8 +227,7 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
   }
   [[nodiscard]] OpenContact contact_in(std::size_t contact, const FullState& state) const {
     OpenContact open = this->contacts_[contact];
-    open.bending = state[modulus_of(contact)];
-    open.amplitude = state[amplitude_of(contact)];
+    open.bend = {state[modulus_of(contact)], state[amplitude_of(contact)]};
     return open;
   }
 
@@ -356,9 +351,9 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
 
   /// Moves a contact onto its equilibrium if that is as near to its bend as said.
   bool goes_on(OpenContact& open, const contact::Pose& at, double speed, double near) const {
-    if (open.bending == 0.0 || !(open.amplitude > 0.0)) return false;
+    if (open.bend.modulus == 0.0 || !(open.bend.amplitude > 0.0)) return false;
     const auto& law = this->law_->of(open.blade);
-    blade::Bend bend{open.bending, open.amplitude};
+    blade::Bend bend = open.bend;
     for (int i = 0; i < 4; ++i) {
       const Constraint there = law.constraint(at, open.slip, speed, bend);
       const blade::Bend change = law.correction(there);
@@ -368,8 +363,7 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
       bend = {bend.modulus + change.modulus, bend.amplitude + change.amplitude};
       if (size < kHere) break;
     }
-    open.bending = bend.modulus;
-    open.amplitude = bend.amplitude;
+    open.bend = bend;
     return true;
   }
 

@@ -374,6 +374,20 @@ class ContactMode {
     if (Law::kLoadFollowsGap || mode.stage_shortening_ < kFarFromLimit * mode.limits_.max_shortening) return;
     shortening_limit(mode, search);
   }
+  /// All guards of a mode whose tips slip, or are at rest (s = 0).
+  template <class Mode, class Search>
+  static void guards_of_tips(const Mode& mode, Search& search) {
+    touch_downs_and_lift_offs(mode, search);
+    const auto bounds = mode.bounds(search.step());
+    for (std::size_t i = 0; i < mode.contacts_.size(); ++i) {
+      if (mode.contacts_[i].slip == 0.0) {
+        loosening(mode, search, i);
+      } else {
+        slip_guard(mode, search, i, mode.slip_lasts(bounds));
+      }
+    }
+    loss_of_validity(mode, search, bounds.distance);
+  }
 
   const rotor::RotorConstants* rotor_;
   const Blades* blades_;

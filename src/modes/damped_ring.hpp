@@ -100,11 +100,11 @@ class YieldingDampedRing : public ContactMode<Law, Forcing, Blades, rotor::Bends
       double& rate = derivative[place_of(i)];
       if (!find_force(state, first, this->contacts_[i], state[place_of(i)], this->forces_[i], rate))
         return false;
-      force += on_rotor(this->forces_[i], this->blades_->direction(this->contacts_[i].blade, first));
+      force += contact::on_rotor(this->forces_[i], this->blades_->direction(this->contacts_[i].blade, first));
     }
     rotor::FullStateOf<Forcing> shaft = rotor::FullStateOf<Forcing>::Zero();
     shaft.template head<5>() = state.head<5>();
-    this->acceleration_ = acceleration(*this->rotor_, *this->forcing_, shaft, force.real(), force.imag());
+    this->acceleration_ = modes::acceleration(*this->rotor_, *this->forcing_, shaft, force);
     derivative.head<4>() = rotor::rate_of(state, this->acceleration_);
     derivative[rotor::kTime] = 1.0;
     this->watch_shortening(this->shortening());

@@ -4,21 +4,21 @@
 #include <complex>
 #include <limits>
 
+#include "blade/inclined_elastica.hpp"
 #include "contact/pose.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
 
 namespace rubatlas::modes {
 
-/// A contact that is open: which blade, its slip direction s = ±1 (0 where it sticks) and, for elastic
-/// blades, its bending parameter.
+/// A contact that is open: which blade, its slip direction, and what its blade's equilibrium is found from.
 struct OpenContact {
   int blade;
-  double slip;
-  double bending;
-  double amplitude = 0.0;  ///< φ, the second unknown of a blade under an inclined load; 0: not known
-  double yielding = 0.0;   ///< y of a ring with dampers under the tip [m]; 0: a new contact
-  bool straight = false;   ///< the blade does not bend, and only the ring yields under it
+  double slip;            ///< s = ±1, 0 where the tip sticks
+  double bending;         ///< u of a blade under an axial load [-]; 0: unloaded, or not known
+  blade::Bend bend{};     ///< κ and φ of a blade under an inclined load; 0: not known
+  double yielding = 0.0;  ///< y of a ring with dampers under the tip [m]; 0: a new contact
+  bool straight = false;  ///< the blade does not bend, and only the ring yields under it
   /// τ of the last slip reversal, and of the one before.
   double reversed = -std::numeric_limits<double>::infinity();
   double reversed_before = -std::numeric_limits<double>::infinity();
@@ -44,34 +44,24 @@ template <class Law>
 bool respond(const Law& law, const contact::Pose& at, double speed, OpenContact& contact,
              contact::TipForce& force) {
   if constexpr (requires {
-                  law.respond(at, contact.slip, speed, contact.bending, contact.amplitude, force);
+                  law.respond(at, contact.slip, speed, contact.bend.modulus, contact.bend.amplitude, force);
                 }) {
-    return law.respond(at, contact.slip, speed, contact.bending, contact.amplitude, force);
+    return law.respond(at, contact.slip, speed, contact.bend.modulus, contact.bend.amplitude, force);
   } else {
     return law.respond(at, contact.slip, speed, contact.bending, force);
   }
 }
 
-/// Force on the rotor along x (real) and y of a tip whose blade stands at `er` [N].
-inline std::complex<double> on_rotor(const contact::TipForce& force, const contact::BladeDirection& er) {
-  return {force.radial * er.cosine - force.tangential * er.sine,
-          force.radial * er.sine + force.tangential * er.cosine};
-}
-
-/// x'' and y'' [m per unit τ²] from a force on the rotor in newtons.
-template <class Forcing>
-std::complex<double> acceleration(const rotor::RotorConstants& rotor, const Forcing& forcing,
-                                  const rotor::FullStateOf<Forcing>& state, double force_x, double force_y) {
+/// z'' [m per unit τ²] of the shaft where blades push it by `force` [N].
+template <class Rotor, class Forcing, class State, class Vector>
+Vector acceleration(const Rotor& rotor, const Forcing& forcing, const State& state, const Vector& force) {
   if constexpr (rotor::kRingMoves<Forcing>) {
-    return acceleration(rotor, forcing.shaft, rotor::ContactState(state.template head<6>()), force_x,
-                        force_y);
+    return acceleration(rotor, forcing.shaft, rotor::ContactState(state.template head<6>()), force);
   } else if constexpr (requires { Forcing::kAnySupport; }) {
     return forcing.support.acceleration(state[rotor::kTime], state.template head<4>().matrix()) +
-           rotor.force_unit * std::complex<double>(force_x, force_y);
+           rotor.force_unit * force;
   } else {
-    const double damping = 2.0 * rotor.damping_ratio;
-    std::complex<double> result(force_x * rotor.force_unit - damping * state[2] - state[0],
-                                force_y * rotor.force_unit - damping * state[3] - state[1]);
+    Vector result = rotor::shaft_acceleration(rotor, state, force);
     if constexpr (Forcing::kPresent) result += forcing.acceleration(state[rotor::kTime]);
     return result;
   }

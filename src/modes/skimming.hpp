@@ -38,7 +38,7 @@ class Skimming : public ContactMode<Law, Forcing, Blades> {
     this->forces_.front() = balance.force;
     const std::complex<double> pushed = balance.share * balance.pushed;
     this->acceleration_ = rotor::acceleration_of_all(state, *this->forcing_, balance.free + pushed,
-                                                     -pushed / this->rotor_->force_unit);
+                                                     pushed / this->rotor_->force_unit);
     derivative = rotor::full_state(rotor::rate_of(state, this->acceleration_), 1.0, 0.0);
     this->watch_shortening(this->shortening());
     return true;
@@ -140,7 +140,7 @@ class Skimming : public ContactMode<Law, Forcing, Blades> {
     free.direction = direction(state, blade);
     const rotor::State seen = rotor::from_ring(state);
     free.pose = rotor::pose_of(*this->rotor_, geometry, free.direction, seen);
-    free.acceleration = modes::acceleration(*this->rotor_, *this->forcing_, state, 0.0, 0.0);
+    free.acceleration = modes::acceleration(*this->rotor_, *this->forcing_, state, std::complex<double>{});
     std::complex<double> closing = free.acceleration;
     if constexpr (rotor::kRingMoves<Forcing>)
       closing -= this->forcing_->ring.acceleration(rotor::ring(state), 0.0);

@@ -78,14 +78,12 @@ class Solved : public ContactMode<Law, Forcing, Blades> {
       lost_ = contact;
       return false;
     }
-    sum += on_rotor(force, er);
+    sum += contact::on_rotor(force, er);
     return true;
   }
   void set_derivative(const FullState& state, const std::complex<double>& force, FullState& derivative) {
-    const std::complex<double> of_shaft =
-        acceleration(*this->rotor_, *this->forcing_, state, force.real(), force.imag());
-    this->acceleration_ =
-        rotor::acceleration_of_all(state, *this->forcing_, of_shaft, {-force.real(), -force.imag()});
+    const std::complex<double> of_shaft = modes::acceleration(*this->rotor_, *this->forcing_, state, force);
+    this->acceleration_ = rotor::acceleration_of_all(state, *this->forcing_, of_shaft, force);
     derivative = rotor::full_state(rotor::rate_of(state, this->acceleration_), 1.0, 0.0);
   }
 

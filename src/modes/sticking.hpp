@@ -123,17 +123,8 @@ class Sticking : public ContactMode<Law, Forcing, Blades> {
   void place(FullState& state) const { project(state); }
 
   template <class Search>
-  void guards(Search& search) {
-    touch_downs_and_lift_offs(*this, search);
-    const auto bounds = this->bounds(search.step());
-    for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
-      if (this->contacts_[i].slip == 0.0) {
-        loosening(*this, search, i);
-      } else {
-        this->slip_guard(*this, search, i, this->slip_lasts(bounds));
-      }
-    }
-    this->loss_of_validity(*this, search, bounds.distance);
+  void guards(Search& search) const {
+    this->guards_of_tips(*this, search);
   }
 
  private:
@@ -198,8 +189,7 @@ class Sticking : public ContactMode<Law, Forcing, Blades> {
       if (!forces.empty()) forces[i] = at.force;
       if (this->contacts_[i].slip == 0.0) result.stuck[result.count++] = tip_at_rest(i, at);
     }
-    result.acceleration =
-        modes::acceleration(*this->rotor_, *this->forcing_, state, force.real(), force.imag());
+    result.acceleration = modes::acceleration(*this->rotor_, *this->forcing_, state, force);
     const std::span<Stuck> stuck(result.stuck.data(), result.count);
     for (Stuck& tip : stuck) {
       const contact::Geometry& geometry = this->law_->of(this->contacts_[tip.contact].blade).geometry();

@@ -49,7 +49,7 @@ class StickingElastic : public Solved<Law, Forcing, Blades> {
         if (rests(contact, state)) continue;
         leave_rest(contact, state);
         let_go(contact);
-      } else if (contact.bending == 0.0) {
+      } else if (contact.bend.modulus == 0.0) {
         OpenContact bent = contact;
         if (forward(bent, contact.slip, state) < 0.0) arrest(contact = bent, state);
       }
@@ -99,17 +99,8 @@ class StickingElastic : public Solved<Law, Forcing, Blades> {
   }
 
   template <class Search>
-  void guards(Search& search) {
-    touch_downs_and_lift_offs(*this, search);
-    const auto bounds = this->bounds(search.step());
-    for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
-      if (this->contacts_[i].slip == 0.0) {
-        loosening(*this, search, i);
-      } else {
-        this->slip_guard(*this, search, i, this->slip_lasts(bounds));
-      }
-    }
-    this->loss_of_validity(*this, search, bounds.distance);
+  void guards(Search& search) const {
+    this->guards_of_tips(*this, search);
   }
 
  private:
@@ -123,8 +114,7 @@ class StickingElastic : public Solved<Law, Forcing, Blades> {
 
   [[nodiscard]] auto rest(const OpenContact& open, const FullState& state) const {
     return this->law_->of(open.blade)
-        .rest(this->pose(open.blade, state), this->blades_->angular_speed(state[rotor::kTime]),
-              {open.bending, open.amplitude});
+        .rest(this->pose(open.blade, state), this->blades_->angular_speed(state[rotor::kTime]), open.bend);
   }
   /// `excess` of a contact at what `rest` has found for it.
   template <class Rest>
@@ -148,8 +138,7 @@ class StickingElastic : public Solved<Law, Forcing, Blades> {
     const auto there = rest(contact, state);
     if (looseness(contact, there) > 0.0) return false;
     contact.slip = 0.0;
-    contact.bending = there->blade.bend.modulus;
-    contact.amplitude = there->blade.bend.amplitude;
+    contact.bend = there->blade.bend;
     return true;
   }
 

@@ -132,14 +132,13 @@ struct ContactReset<Blade> : ResetWithoutUnknowns {
   /// A blade bent to one of two sides: on to the other equilibrium on its side, or to the other side.
   static Standing snap(const Blade& blade, const TipPlace& at, modes::OpenContact& contact) {
     constexpr double kSame = 1e-3;  // of κ: a root next to the fold is the one that ends there
-    const double side = std::copysign(1.0, contact.bending);
+    const double modulus = contact.bend.modulus;
+    const double side = std::copysign(1.0, modulus);
     auto root = blade.solve(at.pose, contact.slip, at.speed, side);
-    if (root && std::abs(root->modulus - contact.bending) < kSame * std::abs(contact.bending))
-      root = std::nullopt;
+    if (root && std::abs(root->modulus - modulus) < kSame * std::abs(modulus)) root = std::nullopt;
     if (!root) root = blade.solve(at.pose, contact.slip, at.speed, -side);
     if (!root) return Standing::lost;
-    contact.bending = root->modulus;
-    contact.amplitude = root->amplitude;
+    contact.bend = *root;
     return Standing::stands;
   }
 };

@@ -104,7 +104,7 @@ class Motion {
     if (mode_ == Mode::resting) {
       // Another machine tears a tip at rest loose: it slips to the side to which its blade is bent.
       for (modes::OpenContact& open : handed.contacts) {
-        if (open.slip == 0.0) open.slip = std::copysign(1.0, open.bending);
+        if (open.slip == 0.0) open.slip = std::copysign(1.0, open.bend.modulus);
         if (Modes::kCarries) open.bending = 0.0;
       }
     }
@@ -260,7 +260,7 @@ class Motion {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const modes::OpenContact there = phase.contact_at_end(i);
       contacts_[i].bending = there.bending;
-      contacts_[i].amplitude = there.amplitude;
+      contacts_[i].bend = there.bend;
       contacts_[i].yielding = there.yielding;
     }
     if (mode_ == Mode::resting) {
@@ -409,7 +409,7 @@ class Motion {
   }
   /// A contact as the law of tips at rest knows it: found anew where that has another parameter.
   [[nodiscard]] static modes::OpenContact of_resting_law(modes::OpenContact contact) {
-    if (Modes::kCarries && contact.slip != 0.0) contact.bending = contact.amplitude = 0.0;
+    if (Modes::kCarries && contact.slip != 0.0) contact.bend = {};
     return contact;
   }
   [[nodiscard]] std::vector<modes::OpenContact> of_resting_law() const {
@@ -502,7 +502,7 @@ class Motion {
     } else if constexpr (Modes::kRests) {
       std::vector<modes::OpenContact> contacts = of_resting_law();
       resting_judge_->let_go(contacts, place_in_list, unbent());
-      *contact = {contact->blade, contacts[place_in_list].slip, contact->bending, contact->amplitude};
+      *contact = {contact->blade, contacts[place_in_list].slip, contact->bending, contact->bend};
       if (!bend_anew(*contact)) return point::StatusDetail::no_equilibrium;
     }
     tell(listener, modes::Guard::comes_loose, contact->blade, contact->slip);

@@ -39,6 +39,23 @@ class BladePlaces {
   std::vector<contact::BladeDirection> offsets_;
 };
 
+/// Square of an angle [rad²] below which the first terms that `turned` leaves out, angle^11/11! and
+/// angle^10/10!, are less than 1e-18.
+inline constexpr double kFarTurned = 0.0039;
+
+/// A direction turned by a small angle [rad], by the series of sine and cosine.
+template <class Number>
+contact::DirectionOf<Number> turned(const contact::DirectionOf<Number>& from, const Number& angle) {
+  const Number square = angle * angle;
+  const Number fourth = square * square;
+  const Number sine = angle + (angle * square) * ((-1.0 / 6 + square * (1.0 / 120)) +
+                                                  fourth * (-1.0 / 5040 + square * (1.0 / 362880)));
+  const Number cosine_less_one =
+      square * ((-0.5 + square * (1.0 / 24)) + fourth * (-1.0 / 720 + square * (1.0 / 40320)));
+  return {from.cosine + (from.cosine * cosine_less_one - from.sine * sine),
+          from.sine + (from.sine * cosine_less_one + from.cosine * sine)};
+}
+
 /// Blades at constant speed.
 class BladeSet : public BladePlaces {
  public:
@@ -72,20 +89,9 @@ class BladeSet : public BladePlaces {
   /// the blade turns by some hundredths, and a sine and cosine in full are a quarter of a right-hand side.
   [[nodiscard]] contact::BladeDirection direction_near(const Anchor& anchor, double time) const {
     const double angle = speed_ratio_ * (time - anchor.time);
-    const double square = angle * angle;
-    if (!(square < kFarTurned)) return direction(anchor.blade, first(time));
-    const double fourth = square * square;
-    const double sine = angle + (angle * square) * ((-1.0 / 6 + square * (1.0 / 120)) +
-                                                    fourth * (-1.0 / 5040 + square * (1.0 / 362880)));
-    const double cosine_less_one =
-        square * ((-0.5 + square * (1.0 / 24)) + fourth * (-1.0 / 720 + square * (1.0 / 40320)));
-    const contact::BladeDirection& from = anchor.direction;
-    return {from.cosine + (from.cosine * cosine_less_one - from.sine * sine),
-            from.sine + (from.sine * cosine_less_one + from.cosine * sine)};
+    if (!(angle * angle < kFarTurned)) return direction(anchor.blade, first(time));
+    return turned(anchor.direction, angle);
   }
-  /// [rad²], square of the angle from the anchor: below it the first terms that the series leaves out,
-  /// angle^11/11! and angle^10/10!, are less than 1e-18.
-  static constexpr double kFarTurned = 0.0039;
 
  private:
   double speed_ratio_;

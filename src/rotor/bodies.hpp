@@ -20,7 +20,9 @@ namespace rubatlas::rotor {
 using ShaftAndRing = Eigen::Array<double, 8, 1>;
 
 /// x, y, x', y', τ, u.
-using ContactState = Eigen::Array<double, 6, 1>;
+template <class Number>
+using ContactStateOf = Eigen::Array<Number, 6, 1>;
+using ContactState = ContactStateOf<double>;
 /// x, y, x', y', τ, u, rx, ry, rx', ry'.
 using RingContactState = Eigen::Array<double, 10, 1>;
 constexpr int kTime = 4;
@@ -108,8 +110,9 @@ inline const State& from_ring(const State& bodies) {
 inline State from_ring(const ShaftAndRing& bodies) {
   return bodies.head<4>() - bodies.tail<4>();
 }
-inline State from_ring(const ContactState& full) {
-  return full.head<4>();
+template <class Number>
+Eigen::Array<Number, 4, 1> from_ring(const ContactStateOf<Number>& full) {
+  return full.template head<4>();
 }
 inline State from_ring(const BendsState& full) {
   return full.head<4>();
@@ -119,10 +122,10 @@ inline State from_ring(const RingContactState& full) {
 }
 
 /// A state in contact.
-inline ContactState full_state(const State& bodies, double time, double bending) {
-  ContactState full;
-  full << bodies, time, bending;
-  return full;
+template <class Number>
+ContactStateOf<Number> full_state(const Eigen::Array<Number, 4, 1>& bodies, const Number& time,
+                                  const Number& bending) {
+  return {bodies[0], bodies[1], bodies[2], bodies[3], time, bending};
 }
 inline RingContactState full_state(const ShaftAndRing& bodies, double time, double bending) {
   RingContactState full;
@@ -146,23 +149,24 @@ template <class Forcing>
 using AccelerationOf =
     std::conditional_t<kRingMoves<Forcing>, ShaftAndRingAcceleration, std::complex<double>>;
 
-/// Of all that moves, where the shaft has the acceleration `shaft` and blades push the ring by `on_ring` [N].
-template <class Forcing>
-AccelerationOf<Forcing> acceleration_of_all([[maybe_unused]] const FullStateOf<Forcing>& full,
-                                            [[maybe_unused]] const Forcing& forcing,
-                                            const std::complex<double>& shaft,
-                                            [[maybe_unused]] const std::complex<double>& on_ring) {
+/// Of all that moves, where the shaft has the acceleration `shaft` and blades push it by `force` [N], and the
+/// ring by as much the other way.
+template <class Forcing, class State, class Vector>
+auto acceleration_of_all([[maybe_unused]] const State& full, [[maybe_unused]] const Forcing& forcing,
+                         const Vector& shaft, [[maybe_unused]] const Vector& force) {
   if constexpr (kRingFollows<Forcing>) {
-    return {shaft, 0.0};  // its velocity follows from the shaft's
+    return ShaftAndRingAcceleration{shaft, 0.0};  // its velocity follows from the shaft's
   } else if constexpr (kRingMoves<Forcing>) {
-    return {shaft, forcing.ring.acceleration(ring(full), on_ring)};
+    return ShaftAndRingAcceleration{shaft, forcing.ring.acceleration(ring(full), -force)};
   } else {
     return shaft;
   }
 }
 
 /// d/dτ of the bodies' state.
-inline State rate_of(const ContactState& full, const std::complex<double>& acceleration) {
+template <class Number>
+Eigen::Array<Number, 4, 1> rate_of(const ContactStateOf<Number>& full,
+                                   const contact::PlaneVector<Number>& acceleration) {
   return {full[2], full[3], acceleration.real(), acceleration.imag()};
 }
 inline State rate_of(const BendsState& full, const std::complex<double>& acceleration) {

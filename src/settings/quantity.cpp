@@ -22,7 +22,7 @@ template <auto Member, Method... kReaders>
 using UnderMethod = Under<At<&Scene::accuracy, Member>, &Scene::accuracy, &Accuracy::method, kReaders...>;
 
 constexpr double kMostRevolutions = 1e8;
-constexpr double kMostSamples = 65536;
+constexpr double kMostSamplesPerRevolution = 65536;
 constexpr double kHighestOrder = 32768;
 
 constexpr std::string_view kDefaultRotor = "the paper's default rotor";
@@ -221,7 +221,7 @@ const auto& own_table() {
           .meaning = "samples per revolution of spectrum and orbit",
           .source = "20 samples on the highest default order",
           .kind = Kind::whole_number,
-          .range = between(2, kMostSamples)},
+          .range = between(2, kMostSamplesPerRevolution)},
          At<&Scene::protocol, &Protocol::samples_per_revolution>{}),
       in({.pointer = "/protocol/stop_when_periodic",
           .symbol = "",

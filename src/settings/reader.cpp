@@ -385,15 +385,15 @@ void check_clearance(const Scene& scene) {
 /// The record of a spectrum is transformed as a whole.
 void check_spectrum(const Scene& scene) {
   if (std::ranges::count(scene.observables, "spectrum") == 0) return;
-  constexpr std::int64_t kMostSamples = std::numeric_limits<std::int32_t>::max();
+  constexpr std::int64_t kMostSamplesTogether = std::numeric_limits<std::int32_t>::max();
   const auto& protocol = scene.protocol;
   const std::int64_t samples = std::int64_t{protocol.sampled_revolutions} * protocol.samples_per_revolution;
-  if (samples <= kMostSamples) return;
+  if (samples <= kMostSamplesTogether) return;
   fail("/protocol/sampled_revolutions",
        fmt::format(
            "{} with {} samples_per_revolution are {} samples of a spectrum; at most {} are allowed, more "
            "without the observable \"spectrum\"",
-           protocol.sampled_revolutions, protocol.samples_per_revolution, samples, kMostSamples));
+           protocol.sampled_revolutions, protocol.samples_per_revolution, samples, kMostSamplesTogether));
 }
 
 void check_together(const json& document, Scene& scene) {

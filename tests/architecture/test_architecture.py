@@ -9,10 +9,11 @@ ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 # The one table of who depends on whom, in the order of the flow: a folder sees itself and what stands here, a folder with
 # all that is in it or one header.
 MAY_INCLUDE = {
+    "src/number": [],
     "src/settings/effects": ["settings/range.hpp"],
     "src/settings": ["settings/effects"],
     "src/plan": ["settings"],
-    "src/blade": [],
+    "src/blade": ["number"],
     "src/integrate": [],
     "src/contact": ["blade", "integrate"],
     "src/rotor": ["contact/pose.hpp", "settings/effects"],
@@ -52,6 +53,7 @@ STAYS_IN = {
     "CLI/CLI.hpp": ["mpi"],
     "boost/context/fiber.hpp": ["src/batch"],
     "immintrin.h": ["src/batch"],
+    "experimental/simd": ["src/batch"],
 }
 
 TOP_LEVEL = {"CMakeLists.txt", "README.md", "LICENSE", "src", "mpi", "analysis", "tests", "jobs", "tools"}
