@@ -36,7 +36,7 @@ bool is_beam_column(const Scene& scene) {
 bool method_takes_no_effects(const Scene& scene) {
   return !method_of(scene).takes_effects;
 }
-/// At some point of the grid.
+/// The ring has no mass at some point of the grid.
 bool ring_has_no_mass(const Scene& scene) {
   return scene.ring_body && std::ranges::min(values_in(scene, "/ring_body/mass")) == 0.0;
 }
@@ -57,7 +57,7 @@ struct Refusal {
   EffectSet effects;
   EffectSet beside;
   bool (*where)(const Scene&);
-  std::string_view quantity;  ///< of the effect, which the text blames: "/mass"; empty: the whole section
+  std::string_view quantity;  ///< of the effect, named by the text, such as "/mass"; empty: the section
   std::string_view sentence;  ///< after the pointer
 };
 
@@ -70,8 +70,8 @@ constexpr EffectSet kEveryEffect = [] {
 constexpr std::string_view kRigid =
     R"(has no effect under the contact law "elastic_ring", whose blades are rigid)";
 
-/// In the order in which they are looked at. Of several effects or sections beside them the first in the
-/// order of the effects' list is named.
+/// The rows are tried in this order. Where several effects, or several sections beside them, match a row, the
+/// text names the first in the order of the effects' list.
 constexpr std::array kRefusals{
     // The methods that `hybrid` is compared with are compiled for the paper's rotor alone.
     Refusal{
@@ -117,7 +117,7 @@ constexpr std::array kRefusals{
             .where = nullptr,
             .quantity = {},
             .sentence = "holds tips under the axial load only, not beside {beside}"},
-    // A load of its own direction, or a friction coefficient that varies, has no table of the blade's curve.
+    // There is no table of the blade's curve under an inclined load or a friction coefficient that varies.
     Refusal{
         .effects = effect_set<&Effects::load_direction, &Effects::regularised_friction, &Effects::stribeck,
                               &Effects::stick>(),
@@ -141,7 +141,8 @@ constexpr std::array kRefusals{
         .quantity = {},
         .sentence =
             "the ring does not yield under elastic blades; /yielding_ring with a compliance above 0 does"},
-    // A ring that moves is compiled for the plain laws, and for a machine that stays as it is.
+    // Motions with a ring body are compiled for the plain contact laws, and for a machine that does not
+    // change between revolutions.
     Refusal{.effects = effect_set<&Effects::ring_body>(),
             .beside = effect_set<&Effects::yielding_ring, &Effects::release, &Effects::load_direction,
                                  &Effects::regularised_friction, &Effects::stribeck, &Effects::wear,
@@ -177,19 +178,20 @@ bool ring_has_neither_mass_nor_damping(const Scene& line) {
   return line.ring_body && line.ring_body->mass == 0.0 && line.ring_body->damping == 0.0;
 }
 
-/// What every family takes up but the paper's rotor: loads, supports and speed within a revolution, and
+/// Effects that every family but the paper's rotor computes: loads, supports, speed within a revolution, and
 /// blades that differ.
 constexpr EffectSet kMachine =
     effect_set<&Effects::unbalance, &Effects::gravity, &Effects::side_load, &Effects::support,
                &Effects::speed_ripple, &Effects::unequal_blades>();
-/// What changes from revolution to revolution.
+/// Effects that change the machine from revolution to revolution.
 constexpr EffectSet kChanges = effect_set<&Effects::wear, &Effects::speed_ramp>();
 constexpr EffectSet kFrictionWithVelocity = effect_set<&Effects::regularised_friction, &Effects::stribeck>();
 constexpr EffectSet kElasticBladeOrRing = effect_set<&Effects::axial_compliance, &Effects::yielding_ring>();
 
 constexpr std::string_view kCarried =
     "one blade in contact: its bending is carried along as a state, no root is solved; several: a root each";
-/// A column with compliance has two branches, compressed straight and bent, which carrying cannot tell apart.
+/// A column with compliance has two branches, compressed straight and bent, and a bending parameter carried
+/// as a state does not tell them apart.
 constexpr std::string_view kCarriedOrColumn =
     "one blade in contact: its bending is carried along as a state, no root is solved; several, or one "
     "column "
@@ -356,8 +358,8 @@ Combination combination_of(const Scene& line) {
 }
 
 std::vector<Combination> combinations_in(const Scene& scene) {
-  // A combination depends on which numbers are zero, and on no other number: of each axis a zero and another
-  // value, where it has both, stand for all.
+  // A combination depends only on which numbers are zero. So zero and one other value, where the axis has
+  // them, represent all values of an axis.
   std::vector<Axis> axes = axes_of(scene);
   const auto sections = kEveryEffect.sections();
   std::erase_if(axes, [&](const Axis& axis) {

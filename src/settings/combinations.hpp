@@ -3,9 +3,9 @@
 /// The reader refuses a scene by `refusals()`. The solver, batches and `explain` ask `combination_of` which
 /// family of motions a line of the scene has, and which effects these motions consume. A family is a row of
 /// `families()`; it takes a line if the contact law is among its laws and all acting effects are among those
-/// that it consumes. The first family that takes the line computes it, so that a motion is not charged with
-/// effects that do not act. A test holds the two lists to each other: a scene is refused if and only if no
-/// family takes it.
+/// that it consumes. The first family that takes the line computes it, so that a motion does no work for
+/// effects that do not act. A test compares the two lists: a scene is refused if and only if no family takes
+/// it.
 #pragma once
 
 #include <cstdint>
@@ -38,17 +38,17 @@ class EffectSet {
 
   constexpr friend EffectSet operator|(EffectSet a, EffectSet b) { return EffectSet(a.bits_ | b.bits_); }
   constexpr friend EffectSet operator&(EffectSet a, EffectSet b) { return EffectSet(a.bits_ & b.bits_); }
-  /// Without those of the other.
+  /// The effects of `a` that are not in `b`.
   constexpr friend EffectSet operator-(EffectSet a, EffectSet b) { return EffectSet(a.bits_ & ~b.bits_); }
   friend bool operator==(EffectSet, EffectSet) = default;
 
-  /// Their sections in the scene, in the order of the list: "/unbalance".
+  /// Sections of these effects in the scene, in the order of the list, for example "/unbalance".
   [[nodiscard]] std::vector<std::string_view> sections() const;
 
  private:
   constexpr explicit EffectSet(std::uint32_t bits) : bits_(bits) {}
 
-  /// None for an effect that the build leaves out.
+  /// 0 for an effect that the build leaves out.
   template <auto Effect>
   static constexpr std::uint32_t bit() {
     std::uint32_t found = 0;
@@ -70,7 +70,7 @@ constexpr EffectSet effect_set() {
   return result;
 }
 
-/// Effects of which the scene has the section, whatever their strength.
+/// Effects whose section the scene has, whatever their strength.
 EffectSet given(const Scene& scene);
 
 /// Effects that have nothing to act on without friction: no tip sticks, and there is no friction to be
@@ -81,8 +81,8 @@ constexpr EffectSet kNeedFriction =
 /// Effects that act on a line: present, of a strength that is not zero, and with something to act on.
 EffectSet acting(const Scene& line);
 
-/// Why the scene cannot be computed with all that it names, as an error text that starts with the JSON
-/// pointer; none where it can. The first row of the table that applies.
+/// Why the effects, contact law and method of the scene cannot be combined, as an error text that starts with
+/// a JSON pointer: the first row of the table of refusals that applies. None where the scene can be computed.
 std::optional<std::string> refusal_of_combination(const Scene& scene);
 
 /// The kinds of motions that are compiled; each has one function in `assembly`.
@@ -103,10 +103,10 @@ enum class MotionFamily : std::uint8_t {
 struct Family {
   MotionFamily kind;
   std::string_view name;         ///< in plain words
-  std::vector<ContactLaw> laws;  ///< contact laws that it is for
-  EffectSet consumes;            ///< effects that its motions can take up
+  std::vector<ContactLaw> laws;  ///< contact laws that the family is for
+  EffectSet consumes;            ///< effects that its motions can compute
   bool (*is_for)(const Scene&);  ///< a further condition on the line; null: none
-  std::string_view contact;      ///< how contact is integrated, by the methods that fly in closed form
+  std::string_view contact;      ///< how methods with flight in closed form integrate contact
   std::string_view flight;       ///< what moves in flight besides the shaft; empty: nothing
 
   [[nodiscard]] bool takes(const Scene& line) const;
@@ -115,7 +115,7 @@ struct Family {
 /// In the order in which they are tried.
 std::span<const Family> families();
 
-/// What carries the shaft and turns the blades, of the families that take effects up.
+/// Support of the shaft and drive of the rotor, for the families that compute effects.
 enum class Machine : std::uint8_t {
   isotropic_shaft,     ///< at a constant speed
   any_linear_support,  ///< at a speed that may ripple
@@ -125,13 +125,13 @@ enum class Machine : std::uint8_t {
 struct Combination {
   const Family* family = nullptr;  ///< never null
   Machine machine = Machine::isotropic_shaft;
-  EffectSet consumed;  ///< effects that the motion takes up: the acting ones
+  EffectSet consumed;  ///< effects that the motion computes: the acting ones
 
   friend bool operator==(const Combination&, const Combination&) = default;
 };
 
-/// `line`: a scene with the line's values of all that is swept. Throws std::logic_error where no family takes
-/// the line, which the reader would have refused.
+/// `line`: a scene with the line's values of all swept quantities. Throws std::logic_error where no family
+/// takes the line; the reader refuses such scenes.
 Combination combination_of(const Scene& line);
 
 /// The combinations that the lines of a scene have, each once.
@@ -141,11 +141,11 @@ std::vector<Combination> combinations_in(const Scene& scene);
 struct MethodOfIntegration {
   Method method;
   bool takes_effects;         ///< besides the unbalance
-  bool flies_in_closed_form;  ///< else it steps over flight and contact alike
+  bool flies_in_closed_form;  ///< else flight is integrated in steps, too
   bool keeps_tolerance;       ///< else all steps of a revolution have the same size
   std::string_view pair;      ///< the Runge–Kutta coefficients
   std::string_view guards;    ///< how touch-down, lift-off and slip reversal are found
-  std::string_view force;     ///< how a blade's force is found; empty: as the family has it
+  std::string_view force;     ///< how a blade's force is found; empty: as `Family::contact` says
 };
 const MethodOfIntegration& method_of(const Scene& scene);
 

@@ -26,7 +26,7 @@ std::string place(std::string_view text, std::string_view name, std::size_t posi
   return fmt::format("{}:{}:{}", name, line, std::max<std::size_t>(column, 1));
 }
 
-// Builds the tree and refuses what a plain parse would accept.
+// Builds the tree and refuses duplicate keys and deep nesting, which a plain parse would accept.
 class TreeBuilder final : public nlohmann::json_sax<json> {
  public:
   TreeBuilder(std::string_view text, std::string_view name) : text_(text), name_(name) {}
@@ -56,7 +56,7 @@ class TreeBuilder final : public nlohmann::json_sax<json> {
   }
 
   bool parse_error(std::size_t position, const std::string& token, const json::exception& error) override {
-    constexpr int kNumberOverflow = 406;  // as the library numbers its errors
+    constexpr int kNumberOverflow = 406;  // number of this error in the library
     if (error.id == kNumberOverflow) {
       throw SceneError(fmt::format("{}: {} is more than a number of double precision can be; up to {:.2g}",
                                    here().empty() ? "/" : here(), in_short(token),
@@ -126,7 +126,7 @@ class TreeBuilder final : public nlohmann::json_sax<json> {
   std::string_view name_;
   json root_;
   std::vector<json*> open_;        // containers from the root to the one being filled
-  std::vector<std::string> path_;  // their reference tokens
+  std::vector<std::string> path_;  // reference tokens of these containers
   std::string key_;
 };
 
@@ -136,7 +136,7 @@ std::string cut(std::string_view text) {
   if (text.size() <= kLongestShown) return std::string(text);
   std::size_t end = kLongestShown;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
-    --end;  // not inside a UTF-8 letter
+    --end;  // do not cut inside a UTF-8 character
   return std::string(text.substr(0, end)) + "...";
 }
 

@@ -14,8 +14,8 @@
 namespace rubatlas::settings {
 namespace {
 
-/// What quantities of a unit are divided by in the dimensionless equations of motion (MODEL 1), at its least
-/// over the grid; none for other units.
+/// Divisor of quantities of a unit in the dimensionless equations of motion (MODEL 1), for the least mass and
+/// frequency of the grid; none for units without such a divisor.
 struct Scale {
   double size = 0.0;
   std::string_view text;
@@ -28,8 +28,8 @@ std::optional<Scale> scale_of(std::string_view unit, double mass, double frequen
   return std::nullopt;
 }
 
-/// Each quantity is in its range; together with mass and frequency it must leave numbers, too, with squares
-/// that are numbers.
+/// Each quantity is in its own range already. In the dimensionless equations it must also be a finite number
+/// whose square is finite.
 void check_scaled(const Scene& scene) {
   constexpr double kLargest = 1e150;
   const double mass = std::ranges::min(values_in(scene, "/rotor/mass"));
@@ -97,7 +97,7 @@ void check_wear(const Scene& scene) {
   }
 }
 
-/// A ramp that goes on over all sampled revolutions stays within the speeds that a grid may have.
+/// The speed at the end of a ramp over all sampled revolutions must be one that a grid may have.
 void check_speed_ramp(const Scene& scene) {
   if (!scene.speed_ramp) return;
   const Range legal = quantity("/grid/speed_ratio").range;

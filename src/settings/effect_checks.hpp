@@ -1,5 +1,5 @@
-/// What the numbers of single effects ask of the rest of a scene; what combines with what is in
-/// `combinations.hpp`.
+/// Checks of numbers of single effects against the rest of a scene; `combinations.hpp` decides which effects
+/// combine.
 #pragma once
 
 #include "settings/scene.hpp"

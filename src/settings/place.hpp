@@ -96,8 +96,8 @@ struct At<Section, Member> {
   }
 };
 
-// A quantity that is part of a scene only under some words of a choice, such as the stiffness of the ring
-// under the law that reads it.
+// A quantity that is part of a scene only under some words of a choice: the ring's stiffness, for example, is
+// read under the contact law `elastic_ring` only.
 template <typename Place, auto Section, auto Member, auto... kReaders>
 struct Under : Place {
   static constexpr std::array<std::string_view, sizeof...(kReaders)> kWords{

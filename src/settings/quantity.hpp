@@ -32,7 +32,7 @@ struct Quantity {
   Kind kind = Kind::number;
   Range range{};
   std::span<const std::string_view> choices{};  ///< words of a choice, in the order of its enumeration
-  std::string_view default_rule{};  ///< where the default is a rule or an absence rather than a value
+  std::string_view default_rule{};              ///< the default in words, where it is a rule or an absence
   std::string_view chooser{};  ///< pointer of the choice that decides whether anything reads the quantity
   std::span<const std::string_view> readers{};  ///< the words of that choice under which it is read
 

@@ -1,5 +1,5 @@
-/// The legal values of a number: what any description of a quantity needs. Depends on nothing, so that an
-/// effect can describe its quantities in its own file.
+/// The legal values of a number, which every description of a quantity needs. This file includes no other
+/// file of the project, so that an effect can describe its quantities in its own file.
 #pragma once
 
 #include <limits>

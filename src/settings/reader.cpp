@@ -346,8 +346,8 @@ void read_observables(const json& document, Scene& scene) {
   }
 }
 
-/// A quantity that is read under some words of a choice only is an error under the others, as a key and on
-/// the grid.
+/// A quantity that is read only under some words of a choice is refused under the others, as a key and as a
+/// grid axis.
 void check_choosers(const json& document, const Scene& scene) {
   for (const auto& entry : quantities()) {
     if (entry.chooser.empty() || entry.read(scene)) continue;
@@ -382,7 +382,7 @@ void check_clearance(const Scene& scene) {
                    place == "/ring/radius" ? "" : " at every point of the grid"));
 }
 
-/// The record of a spectrum is transformed as a whole.
+/// All samples of a spectrum are transformed at once, so their number is limited.
 void check_spectrum(const Scene& scene) {
   if (std::ranges::count(scene.observables, "spectrum") == 0) return;
   constexpr std::int64_t kMostSamplesTogether = std::numeric_limits<std::int32_t>::max();

@@ -1,7 +1,7 @@
 /// From a scene file to a `Scene`. No other part of the program reads a scene's JSON.
 ///
-/// Every departure (unknown key, wrong type, value out of range, empty grid) is one `SceneError` whose text
-/// has the JSON pointer, the value found, what is allowed and, for a key, the nearest known one:
+/// Every mistake (unknown key, wrong type, value out of range, empty grid) is one `SceneError` whose text has
+/// the JSON pointer, the value found, what is allowed and, for a key, the nearest known one:
 ///   /contact/friction: -0.1 is outside [0, 2]; Coulomb coefficient between blade tip and ring
 #pragma once
 

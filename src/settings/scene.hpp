@@ -1,7 +1,7 @@
 /// A scene: everything that a user can say about one atlas, typed, checked and in SI units.
 ///
 /// The structs mirror the sections of the scene file (README, "The scene's keys"); the reader (`reader.hpp`)
-/// fills them, and nothing behind it ever sees JSON. Defaults are the paper's default rotor (MODEL 6.1).
+/// fills them, and no code after the reader sees JSON. Defaults are the paper's default rotor (MODEL 6.1).
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@ struct Rotor {
   double mass = 1.0;                ///< m [kg]
   double natural_frequency = 10.0;  ///< ωn [rad/s]
   double damping_ratio = 0.1;       ///< ζ [-]
-  double misalignment = 0.01001;    ///< y0 [m]: the ring's centre sits at (0, -y0)
+  double misalignment = 0.01001;    ///< y0 [m]: the ring's centre is at (0, -y0)
 };
 
 /// Equal, massless, elastic blades clamped on a hub (MODEL 2, 3).

@@ -21,7 +21,7 @@ constexpr std::array kGreek{Pair{"α", "alpha"}, Pair{"β", "beta"},  Pair{"γ",
                             Pair{"ζ", "zeta"},  Pair{"μ", "mu"},    Pair{"µ", "mu"},    Pair{"ψ", "psi"},
                             Pair{"ω", "omega"}, Pair{"Ω", "Omega"}, Pair{"Δ", "Delta"}};
 
-/// Symbols of the model that are no quantities of a scene, and the quantities that determine them.
+/// Symbols of the model that are not quantities of a scene, and the quantities that determine them.
 constexpr std::array kDerived{
     Pair{"k", "k = m ωn² follows from /rotor/mass and /rotor/natural_frequency"},
     Pair{"c", "c = 2 ζ m ωn follows from /rotor/damping_ratio, /rotor/mass and /rotor/natural_frequency"},

@@ -32,7 +32,8 @@ struct AxialCompliance {
   [[nodiscard]] bool acts() const { return share != 0.0; }
 };
 
-/// A ring that yields under each tip, in series with elastic blades (MODEL 4.7 has it with rigid ones).
+/// A ring that yields under each tip, in series with elastic blades (MODEL 4.7 is the same ring with rigid
+/// blades).
 struct YieldingRing {
   double compliance = 1e-4;  ///< 1/kr [m/N]
 
@@ -55,8 +56,8 @@ struct YieldingRing {
   [[nodiscard]] bool acts() const { return compliance != 0.0; }
 };
 
-/// A contact ends where its force does, not where the undeformed tip leaves the ring: a bent blade that
-/// recedes is held beyond it, up to the fold of the contact equation.
+/// A contact ends where its force ends, not where the undeformed tip leaves the ring: a bent blade that
+/// recedes stays in contact beyond that place, up to the fold of the contact equation.
 struct Release {
   bool at_fold = true;
 

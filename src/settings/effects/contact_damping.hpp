@@ -2,11 +2,12 @@
 ///
 ///     F = kr y + cr y'        y: how far the ring yields under the tip; y' here in time, not τ
 ///
-/// The massless ring of Kelvin and Voigt. It pushes and never pulls: where F comes to zero the tip lifts off
-/// and the ring creeps back, y' = −(kr/cr) y, which is no longer followed. Rigid blades (law `elastic_ring`):
-/// y is the depth of the tip, kr is /ring/stiffness. Elastic blades (`elastica`, `beam_column`) beside
-/// /yielding_ring: y is a state of each contact, driven by the force that bends the blade, and kr is
-/// 1/compliance. Energy of rotor, blades and ring falls by cr y'² in contact.
+/// This is a massless Kelvin–Voigt ring. It pushes and never pulls: where F comes to zero the tip lifts off
+/// and the ring creeps back, y' = −(kr/cr) y; the program does not follow that creep. Rigid blades (law
+/// `elastic_ring`): y is the depth of the tip, kr is /ring/stiffness. Elastic blades (`elastica`,
+/// `beam_column`) beside /yielding_ring: y is a state of each contact, driven by the force that bends the
+/// blade, and kr is 1/compliance. In contact the damper takes the power cr y'² from the energy of rotor,
+/// blades and ring.
 /// Source: Johnson, Contact Mechanics, 1985, §6.4 (Kelvin solid, foundation model); Goldsmith, Impact, 1960,
 /// §4.2 (a damped contact must not pull).
 #pragma once

@@ -7,8 +7,8 @@
 
 namespace rubatlas::effects {
 
-/// The blade carries the load that the ring really gives it, along the contact normal and across it; the
-/// paper takes it along the blade (its appendix).
+/// The blade carries its load in the direction of the ring's forces, along the contact normal and across it;
+/// the paper's appendix takes the load along the blade.
 struct LoadDirection {
   bool along_normal = true;
 

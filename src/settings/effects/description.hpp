@@ -1,12 +1,12 @@
-/// How an effect describes itself: its section of the scene with its quantities, its equation and source,
-/// what becomes of flight under it, and which invariants it breaks.
+/// How an effect describes itself: its section of the scene with its quantities, its equation and source, how
+/// flight is computed under the effect, and which invariants it breaks.
 ///
 /// An effect is one struct of settings in one file, with
 ///     static constexpr Description kDescription;   what it is
 ///     static constexpr auto quantities();          a tuple of `Field<&Settings::member>`
-///     bool acts() const;                           false at zero strength: then it is as if it were absent
+///     bool acts() const;                           false at zero strength, which equals an absent effect
 /// and one line in `list.hpp`. Reader, error texts, canonical text, sweeps, `explain` and the tables of the
-/// documentation come from there.
+/// documentation follow from this description.
 #pragma once
 
 #include <string_view>
@@ -21,7 +21,7 @@ struct Description {
   std::string_view equation;  ///< what it adds to the equations of motion
   std::string_view source;    ///< MODEL section, or textbook
   std::string_view flight;    ///< how flight stays exact under it
-  std::string_view breaks;    ///< invariants of the hard suite that do not hold under it; empty: none
+  std::string_view breaks;    ///< invariants tested by `tests/hard` that do not hold under it; empty: none
 };
 
 /// What an effect remembers from point to point besides the state: numbers along one inner axis of the atlas,

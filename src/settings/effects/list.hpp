@@ -23,7 +23,8 @@
 
 namespace rubatlas::effects {
 
-/// Sections of a scene that are there only where an effect is wanted. Absent means absent.
+/// Sections of a scene that are present only where an effect is wanted. An absent effect has no term in the
+/// equations.
 struct Effects {
   std::optional<Unbalance> unbalance;
   std::optional<Gravity> gravity;

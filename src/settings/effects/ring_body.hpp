@@ -5,10 +5,11 @@
 ///     τ)
 ///
 /// Blades meet the ring where it is: gaps, forces and slip follow from z − r and z' − r'. Under the laws
-/// `elastica` and `beam_column` the blade's own compliance is all that there is between shaft and ring; under
+/// `elastica` and `beam_column` the blade's own compliance is the only one between shaft and ring; under
 /// `elastic_ring` the ring yields under each tip by /ring/stiffness as before, and moves as a whole besides.
-/// Without mass, m_r = 0, the spring balances the blades at every instant, kr r = −ΣFk: their forces depend
-/// on each other (law `elastic_ring` without damping only). The ring moves in the plane and does not turn.
+/// Without mass, m_r = 0, the spring balances the blades at every instant, kr r = −ΣFk, so that the forces of
+/// the blades depend on each other; this is computed for the law `elastic_ring` without damping only. The
+/// ring moves in the plane and does not turn.
 /// Source: Newton; kr as in MODEL 4.7, for the whole ring.
 #pragma once
 
@@ -19,8 +20,8 @@
 namespace rubatlas::effects {
 
 struct RingBody {
-  double mass = 1.0;         ///< m_r [kg]; 0: the ring stands where blades push it
-  double compliance = 1e-4;  ///< 1/kr [m/N]; 0: fixed
+  double mass = 1.0;         ///< m_r [kg]; 0: its spring balances the blades at every instant
+  double compliance = 1e-4;  ///< 1/kr [m/N]; 0: the ring is fixed
   double damping = 0.0;      ///< c_r [N s/m]
 
   static constexpr Description kDescription{

@@ -2,15 +2,16 @@
 ///
 ///     Ω_j = Ω + j r   in the sampled revolution j = 0, 1, ... S − 1
 ///
-/// The speed ratio of the grid is that of the transient and of the first sampled revolution; each further one
-/// turns by r faster. So one point with many sampled revolutions is one run-up, whose sections tell of one
-/// speed each; and a sweep in steps of S r without a transient is one run-up from the first point to the
-/// last. The angle of the rotor, its state and what is in contact go on without a jump.
+/// The speed ratio of the grid is that of the transient and of the first sampled revolution; the speed ratio
+/// of each further revolution is higher by r. So one point with many sampled revolutions is one run-up, in
+/// which each section belongs to another speed; and a sweep in steps of S r without a transient is one run-up
+/// from the first point to the last. The angle of the rotor, its state and its contacts go on without a jump.
 ///
 /// Within a revolution the speed is constant, so that flight stays in closed form: the limit of a slow ramp,
-/// |r| ≪ Ω. What a real rotor has besides is left out: the unbalance's tangential acceleration (me/m) φ'',
+/// |r| ≪ Ω. Two effects of a real ramp are left out: the unbalance's tangential acceleration (me/m) φ'',
 /// smaller by |r| / (2π Ω) than its centrifugal one (Genta, Dynamics of Rotating Systems, 2005, on
-/// nonstationary motion), and a phase ahead by at most π r / (4 Ω) in the middle of a revolution.
+/// nonstationary motion), and a phase of the rotor that is ahead by at most π r / (4 Ω), in the middle of a
+/// revolution.
 #pragma once
 
 #include <tuple>
@@ -39,7 +40,8 @@ struct SpeedRamp {
                                               .range = settings::between(-1.0, 1.0)}};
   }
   [[nodiscard]] bool acts() const { return rate != 0.0; }
-  /// Ω of the revolution that stands `sampled` revolutions behind the first sampled one; Ω before it.
+  /// Ω of the sampled revolution j = `sampled`, from Ω of the first one; Ω of the first one in the transient
+  /// (`sampled` < 0).
   [[nodiscard]] double speed_ratio(double first, int sampled) const {
     return sampled > 0 ? first + sampled * rate : first;
   }

@@ -1,9 +1,9 @@
 /// Effects `gravity` and `side_load`: forces that keep size and direction.
 ///
 /// z'' + 2ζ z' + z = f with f = w/k e^{iα}, w the weight m g or the load: the rotor's equilibrium moves by f.
-/// Displacements stay relative to the equilibrium without the load, so that ring and rotor approach each
-/// other by it (statics; Childs, Turbomachinery Rotordynamics, 1993, §1.4: side loads change the response to
-/// rubs).
+/// Displacements stay relative to the equilibrium without the load, so that the load changes the place of the
+/// rotor in the ring (statics; Childs, Turbomachinery Rotordynamics, 1993, §1.4: side loads change the
+/// response to rubs).
 #pragma once
 
 #include <complex>

@@ -1,11 +1,11 @@
 /// Effect `stick`: tips that the ring's friction holds where slip comes to rest.
 ///
-/// Coulomb's law at zero slip is an inclusion, c ∈ [−μs, μs]. MODEL 4.4 turns the friction round whenever the
-/// slip velocity passes through zero, even where it then pushes the wrong way; here the tip rests on the ring
-/// as long as the friction that this takes is within the static cone (Filippov's sliding mode; Leine and
-/// Nijmeijer, Dynamics and Bifurcations of Non-Smooth Mechanical Systems, Springer 2004). Of
-/// a rigid blade this takes the c under which v' vanishes; of an elastic one, whose tip stands where its load
-/// bends it to, the c under which v itself does.
+/// Coulomb's law at zero slip is an inclusion, c ∈ [−μs, μs]. MODEL 4.4 reverses the friction whenever the
+/// slip velocity passes through zero, even where the reversed friction then acts along the slip. Under this
+/// effect the tip rests on the ring as long as the friction coefficient that rest needs is within [−μs, μs]
+/// (Filippov's sliding mode; Leine and Nijmeijer, Dynamics and Bifurcations of Non-Smooth Mechanical Systems,
+/// Springer 2004). The tip of a rigid blade rests under the c with which v' vanishes. The tip of an elastic
+/// blade stands where the load bends the blade to, so that it rests under the c with which v itself vanishes.
 #pragma once
 
 #include <tuple>

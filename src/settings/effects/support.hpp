@@ -3,9 +3,9 @@
 ///     z'' + C z' + K z = f,   K = I + ΔK/k + 2ζr Ω J,   C = 2ζ I + ΔC/(m ωn) + 2ζr I,   2ζr = cr/(m ωn)
 ///
 /// An anisotropic shaft or bearing has Δkxx ≠ Δkyy, a seal kxy = −kyx, and damping that turns with the rotor
-/// (cr, friction within the shaft) pushes along a forward whirl that is slower than the spin; J = ((0, 1),
-/// (−1, 0)). Linear, so that flight stays exact; a support that is unstable in flight ends a point where the
-/// shaft reaches the ring (MODEL 5).
+/// (cr, friction within the shaft) drives a forward whirl that is slower than the spin; J = ((0, 1), (−1,
+/// 0)). Linear, so that flight stays exact; a support that is unstable in flight ends a point where the shaft
+/// reaches the ring (MODEL 5).
 #pragma once
 
 #include <tuple>

@@ -1,7 +1,7 @@
 /// Effect `unequal_blades`: errors of length, thickness and angle, blade by blade.
 ///
-/// Given as lists, as a normal spread drawn from a seed, or as both, which add. The rig's blades were set by
-/// hand (section 3.2 of the paper).
+/// Errors are given as lists, as normal spreads drawn from a seed, or as both, which then add. The rig's
+/// blades were set by hand (section 3.2 of the paper).
 #pragma once
 
 #include <tuple>
@@ -11,7 +11,7 @@
 
 namespace rubatlas::effects {
 
-/// What one blade is off by.
+/// Errors of one blade.
 struct BladeError {
   double length = 0.0;     ///< [m]
   double thickness = 0.0;  ///< [m]
@@ -85,7 +85,8 @@ struct UnequalBlades {
                                     .range = between(0, 1e9)}};
   }
   [[nodiscard]] bool acts() const;
-  /// The errors of all blades. Each spread has draws of its own: changing one leaves the others as they were.
+  /// The errors of all blades. Each spread draws its own random numbers: changing one spread leaves the
+  /// errors of the others as they were.
   [[nodiscard]] std::vector<BladeError> errors(int blade_count) const;
 };
 

@@ -7,9 +7,9 @@
 /// (Archard, J. Appl. Phys. 24 (1953) 981; Rabinowicz, Friction and Wear of Materials, 2nd edition 1995,
 /// chapter 6: K from 1e-2, unlubricated like metals, to 1e-8). Without friction nothing wears.
 ///
-/// Wear is slow: within a revolution the blades keep their lengths, and at its end each loses what its
-/// friction work in that revolution asks for. A blade keeps its rh, E, b and h, and the axial compliance of
-/// its unworn length.
+/// Wear is slow: within a revolution the blades keep their lengths, and at its end each loses w times its
+/// friction work in that revolution. A blade keeps its rh, E, b and h, and the axial compliance of its unworn
+/// length.
 #pragma once
 
 #include <tuple>
@@ -20,7 +20,7 @@ namespace rubatlas::effects {
 
 struct Wear {
   double rate = 0.0;      ///< w [m/J]
-  double max_loss = 0.1;  ///< of a blade's length [-], beyond which the point has left validity
+  double max_loss = 0.1;  ///< of a blade's length [-]; beyond this loss the point has left validity
   bool carries_over = false;
 
   static constexpr Description kDescription{
