@@ -9,7 +9,7 @@ namespace rubatlas::blade {
 Equilibrium<long double> beam_column_equilibrium(long double friction, long double bending) {
   using Real = long double;
   const Real tip_psi = std::hypot(friction, bending);
-  // The limit μ → 0 taken first: a column, at its Euler load however little it is bent.
+  // At μ = 0 the blade is a column, which carries its Euler load however little it is bent.
   const Real lambda = friction == 0 ? std::numbers::pi_v<Real> / 2 : std::atan2(bending, friction);
   Real shortening = 0;
   Real deflection = 0;
@@ -20,7 +20,7 @@ Equilibrium<long double> beam_column_equilibrium(long double friction, long doub
     shortening += weight * slope * slope / 2;
     deflection += weight * slope;
   };
-  // Entire functions, with λ <= π/2: 20 points leave nothing.
+  // The integrands are entire functions and λ <= π/2, so that 20 points leave no error above rounding.
   using Rule = boost::math::quadrature::gauss<Real, 20>;
   for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
     const Real weight = Rule::weights()[i] / 2;

@@ -32,8 +32,8 @@ Equilibrium<long double> equilibrium(long double friction, long double bending) 
     shortening += measure * 2 * half * half;
     deflection += measure * 2 * half * half_cosine;
   };
-  // The integrand is analytic; its nearest singularities, α = ±i arcosh(1/κ), leave 60 points at 1e-19 up to
-  // δ/L = 0.8.
+  // The integrand is analytic; its nearest singularities, α = ±i arcosh(1/κ), keep the error of 60 points at
+  // 1e-19 up to δ/L = 0.8.
   using Rule = boost::math::quadrature::gauss<Real, 60>;
   for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
     const Real offset = Rule::abscissa()[i];

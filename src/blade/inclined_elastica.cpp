@@ -25,7 +25,8 @@ struct UnitRule {
   }
 };
 
-/// 1 − cos x for |x| <= π, as 2 sin²(x/2) with the series of the sine: no term is lost where x is small.
+/// 1 − cos x for |x| <= π, as 2 sin²(x/2) with the series of the sine, which keeps its relative accuracy
+/// where x is small.
 template <class Array>
 Array versed_sine(const Array& x) {
   const Array half = 0.5 * x;
@@ -64,15 +65,15 @@ InclinedPoint integrate(double modulus, double amplitude) {
   const Array cosine_psi = (1.0 - sine_psi * sine_psi).sqrt();  // cos(ψ/2)
   const Array inverse_cosine_psi = cosine_psi.inverse();
   const Array measure = (amplitude * kRule.weight) * inverse_cosine_psi;  // dw
-  // sin(ψ/2 − b/2) = (sin ψ/2 − sin b/2) (1 + cos(ψ/2 − b/2)) / (cos ψ/2 + cos b/2), the first factor by the
-  // versed sines; divided by κ.
+  // sin(ψ/2 − b/2) = (sin ψ/2 − sin b/2) (1 + cos(ψ/2 − b/2)) / (cos ψ/2 + cos b/2), divided by κ; the versed
+  // sines give the first factor.
   const Array half_cosine = cosine_b * cosine_psi + sine_b * sine_psi;  // cos(θ/2)
   const Array half_sine_share = (clamp_versed - versed) * (1.0 + half_cosine) / (cosine_psi + cosine_b);
   const Array half_theta = modulus * half_sine_share;  // sin(θ/2)
   const Array sine_theta = 2.0 * half_theta * half_cosine;
   const Array versed_theta = 2.0 * half_theta * half_theta;
-  // By κ at fixed φ': tan(ψ/2)/κ = cos φ'/cos(ψ/2) and so for b, hence ∂θ/∂κ = 2 sin(θ/2) / (κ cos(ψ/2)
-  // cos(b/2)).
+  // Derivatives by κ at fixed φ': tan(ψ/2)/κ = cos φ'/cos(ψ/2), and the same holds for b, hence ∂θ/∂κ = 2
+  // sin(θ/2) / (κ cos(ψ/2) cos(b/2)).
   const Array theta_slope = (2.0 * inverse_cosine_b) * half_sine_share * inverse_cosine_psi;
   const Array measure_slope = modulus * (cosine * inverse_cosine_psi).square() * measure;
 
@@ -86,7 +87,8 @@ InclinedPoint integrate(double modulus, double amplitude) {
                       -2.0 * modulus * clamp_sine * inverse_cosine_b};
   const double shortening = (measure * versed_theta).sum() * inverse_arc;
   const double deflection = (measure * sine_theta).sum() * inverse_arc;
-  // By φ, everything turns with the clamp against the load line while the arc grows by 1/cos(b/2).
+  // Derivatives by φ: the whole blade turns with its clamp against the load line, and the arc grows by
+  // 1/cos(b/2).
   const double turn = -point.load_angle.by_amplitude;
   const double growth = inverse_cosine_b * inverse_arc;
   point.shortening = {
@@ -105,8 +107,9 @@ InclinedPoint integrate(double modulus, double amplitude) {
 }  // namespace
 
 InclinedPoint inclined_equilibrium(double modulus, double amplitude) {
-  // The integrands' nearest singularities, φ' = ±i arcosh(1/|κ|), against the length of the interval: errors
-  // stay at 1e-15 while arcosh(1/|κ|) is more than φ (12 points) or 0.3 φ (24).
+  // The distance of the integrands' nearest singularities, φ' = ±i arcosh(1/|κ|), relative to the length of
+  // the interval decides on the number of points: errors stay at 1e-15 while arcosh(1/|κ|) is more than φ (12
+  // points) or 0.3 φ (24).
   const double magnitude = std::abs(modulus);
   if (magnitude * std::cosh(amplitude) < 1.0) return integrate<12>(modulus, amplitude);
   if (magnitude * std::cosh(0.3 * amplitude) < 1.0) return integrate<24>(modulus, amplitude);

@@ -22,7 +22,7 @@ struct DampedRing {
   double damping;    ///< cr ωn [N per (m per unit τ)]
 };
 
-/// Rigid blades: y is the depth of the tip, and F an explicit function of where it is and how it moves.
+/// Rigid blades: y is the depth of the tip, and F is an explicit function of the tip's place and velocity.
 class RigidBladeOnDampedRing {
  public:
   static constexpr bool kHasBending = false;
@@ -45,7 +45,7 @@ class RigidBladeOnDampedRing {
     return {law_.shortened(lost).geometry(), {law_.stiffness(), damping_}, law_.friction()};
   }
 
-  /// Continued beyond F = 0, where Runge–Kutta stages may land.
+  /// The force is continued beyond F = 0, where Runge–Kutta stages may land.
   bool respond(const Pose& at, double slip, double angular_speed, double& bending, TipForce& force) const {
     const double distance = std::hypot(at.radial + geometry().reach, at.tangential);
     const double rate = 0.5 * gap_rate(geometry(), at, angular_speed) / distance;
@@ -123,8 +123,8 @@ class ElasticBladeOnDampedRing {
         .under_load(at, slip, angular_speed, load);
   }
 
-  /// Force of the blade in the ring that yields by y; `at`: its pose there (`geometry_at`). False where it
-  /// has none.
+  /// Force of the blade in the ring that yields by y; `at`: its pose there (`geometry_at`). False where the
+  /// blade has no equilibrium.
   bool respond(const Pose& at, double slip, double angular_speed, double yielding, double& bending,
                TipForce& force) const {
     const ElasticaContact blade = blade_.in_ring(geometry_at(yielding).ring_radius);
@@ -136,7 +136,7 @@ class ElasticBladeOnDampedRing {
  private:
   ElasticaContact blade_;
   DampedRing ring_;
-  mutable std::uint64_t evaluations_ = 0;  ///< of blades in a ring that yields: what a motion cost
+  mutable std::uint64_t evaluations_ = 0;  ///< of curves in a ring that yields; no result depends on it
 };
 
 /// A law whose ring has a damper under each tip.

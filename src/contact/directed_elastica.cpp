@@ -14,7 +14,7 @@ using blade::kLargestAmplitude;
 using blade::kLargestModulus;
 
 constexpr double kLargestShortening = 0.75;  ///< of L: where the table of `ElasticaContact` ends, too
-constexpr unsigned kCoefficientBits = 40;    ///< of c, which Newton's method on both unknowns then polishes
+constexpr unsigned kCoefficientBits = 40;    ///< of c, which Newton's method on both unknowns then refines
 
 }  // namespace
 
@@ -36,13 +36,13 @@ auto DirectedElastica<Direction, FrictionLaw>::newton(const Pose& at, double sli
     const double size =
         std::max(std::abs(by_modulus / bend.modulus), std::abs(by_amplitude / bend.amplitude));
     if (!(size < 1e3)) return std::nullopt;  // a fold, or not a number
-    // The floor of the steps is the rounding of g against the slope, so it also ends where they no longer
-    // shrink.
+    // Steps cannot become smaller than the rounding of g divided by the slope, so the iteration also ends
+    // where they no longer shrink.
     const bool small = size < 1e-8;
     const bool ends = small && (size * size * size <= 1e-16 * previous * previous || size >= 0.5 * previous);
     if (ends) {
-      // On the branch that a growing load reaches: h falls with |κ| along d = 0, and d with φ at fixed κ.
-      // (Not so where steep friction holds the tip back; the determinant keeps its sign.)
+      // On the branch that a growing load reaches h falls as |κ| grows along d = 0, and d falls as φ grows at
+      // fixed κ. (Under friction that is steep in v, d need not fall; the determinant has the same sign.)
       const bool falls = FrictionLaw::kDependsOnVelocity || side * there.misdirection_by_amplitude < 0.0;
       if (!falls || !(determinant > 0.0)) return std::nullopt;
     }
@@ -66,7 +66,7 @@ std::optional<double> DirectedElastica<Direction, FrictionLaw>::amplitude_of(con
                                                                              double guess) const {
   constexpr double kRounding = 1e-15;  // of d
   constexpr double kSmallStep = 1e-8;  // of φ: the next one is a rounding error
-  // d falls from A − b of the unloaded blade; a root lies between the two ends or nowhere.
+  // d falls from A − b of the unloaded blade (φ = 0), so that it has a root between the two ends or none.
   const double side = std::copysign(1.0, modulus);
   const double first = side * first_load_angle(at, slip, angular_speed);
   const double angle = 2.0 * std::asin(side * modulus);
@@ -96,9 +96,9 @@ std::optional<double> DirectedElastica<Direction, FrictionLaw>::amplitude_of(con
   return std::nullopt;
 }
 
-/// Under a given friction coefficient: walks along the equilibria to one side by the angle A = 2 asin |κ| of
-/// the tip against its load, from the unloaded blade (A = b, or 0 for a column) or from the fold where those
-/// against the load's side begin.
+/// Walks along the equilibria on one side under a given friction coefficient. The parameter of the walk is
+/// the angle A = 2 asin |κ| of the tip against its load. It starts at the unloaded blade (A = b, or 0 for a
+/// column), or at the fold where the equilibria against the side of the load begin.
 template <class Direction, class FrictionLaw>
 class DirectedElastica<Direction, FrictionLaw>::Walk {
  public:
@@ -112,12 +112,12 @@ class DirectedElastica<Direction, FrictionLaw>::Walk {
         start_(std::max(first_, 0.0)),
         least_(std::max(start_ * kRounding, kLeast)) {}
 
-  /// The angles between which h falls through zero for the first time; false where it does nowhere.
+  /// Finds the angles between which h falls through zero for the first time; false where h does so nowhere.
   bool find() {
     constexpr double kLargestStep = 0.1;  // [rad]
     const bool approaching = side_ * at_.tangential >= 0.0;
     const double last = 2.0 * std::asin(kLargestModulus);
-    // h = g at the unloaded blade: where that is positive the walk need not begin with the lightest load.
+    // h = g at the unloaded blade: where g is positive the walk need not begin with the lightest load.
     double step = at_.gap > 0.0 ? std::max(0.01 * start_, 1e-3) : least_;
     double outside = start_;  // the last angle before the equilibria begin
     for (double angle = start_;;) {
@@ -177,8 +177,8 @@ class DirectedElastica<Direction, FrictionLaw>::Walk {
   }
 
  private:
-  static constexpr double kRounding = 1e-12;  ///< of b: an angle by which A does not differ from it
-  static constexpr double kLeast = 1e-18;     ///< [rad] by which a column is still straight
+  static constexpr double kRounding = 1e-12;  ///< of b: the least difference of A from b
+  static constexpr double kLeast = 1e-18;     ///< [rad]: the least A of a column, straight to rounding
 
   std::optional<Bend> bend(double angle) {
     // A − b ~ A φ² at light loads.
@@ -251,7 +251,8 @@ auto DirectedElastica<Direction, FrictionLaw>::solve_for_coefficient(const Pose&
     high = i < kSteps ? start + (end - start) * i / kSteps : end;
     at_high = excess(high);
   }
-  // The equilibria to this side begin or end between the two: the crossing lies before.
+  // Where the equilibria on this side begin or end between the two coefficients, halvings look for the
+  // crossing where the blade has equilibria.
   for (int halving = 0; (std::isnan(at_low) || std::isnan(at_high)) && halving < kHalvings; ++halving) {
     const double middle = 0.5 * (low + high);
     const double at_middle = excess(middle);
@@ -358,8 +359,8 @@ void DirectedElastica<Direction, FrictionLaw>::set_force(const Pose& at, double 
 template <class Direction, class FrictionLaw>
 auto DirectedElastica<Direction, FrictionLaw>::rest(const Pose& at, double angular_speed,
                                                     const Bend& near) const -> std::optional<Rest> {
-  constexpr int kSteps = 8;                        // on a way that Newton's method cannot leap
-  constexpr std::uint64_t kEvaluationsOfHold = 8;  // Newton's method on both unknowns, as a rule
+  constexpr int kSteps = 8;                        // where Newton's method does not converge at once
+  constexpr std::uint64_t kEvaluationsOfHold = 8;  // as a rule, of Newton's method on both unknowns
   if (!(near.amplitude > 0.0)) return std::nullopt;
   const blade::InclinedPoint point = blade::inclined_equilibrium(near.modulus, near.amplitude);
   const double from = std::atan2(at.tangential - length_ * point.deflection.value,
@@ -409,9 +410,9 @@ bool DirectedElastica<Direction, FrictionLaw>::respond(const Pose& at, double sl
   } else {
     known = known && side * bending > 0.0;
   }
-  // Beyond a lift-off on the approaching side no positive load exists: continued as an odd function of the
-  // gap, or as an even one where the load does not vanish at lift-off, the column's and the one of a blade
-  // bent against its load.
+  // Beyond a lift-off on the approaching side no positive load exists. The load is continued as an odd
+  // function of the gap, or as an even one where it does not vanish at lift-off: for a column, and for a
+  // blade that is bent against its load.
   const bool beyond_end = at.gap < 0.0 && side * at.tangential >= 0.0;
   Pose mirrored = at;
   if (beyond_end) mirrored.gap = -at.gap;

@@ -5,19 +5,20 @@
 /// along and across the blade, t = n turned by +90°, c the signed friction coefficient. Along and across the
 /// blade that is one load P = F sqrt(1 + c²) at the angle b against the axis,
 ///     b = α + atan c   (NormalLoad: as it is)      b = atan c   (AxialLoad: MODEL 3.1, α left out),
-/// and the blade is the elastica under an inclined load. Unknown are its κ and φ
+/// and the blade is the elastica under an inclined load. The unknowns are its κ and φ
 /// (blade/inclined_elastica.hpp); the equations are the contact equation h(κ, φ) = 0 (MODEL 4) and the
 /// direction of the load
 ///     d(κ, φ) = b(κ, φ) − [α] − atan c(v) = 0,
-/// where α and the slip velocity v (MODEL 4.4) follow from where the tip is.
+/// where α, under NormalLoad only, and the slip velocity v (MODEL 4.4) follow from the place of the tip.
 ///
 /// Sides. Under an axial load with friction the blade bends to the side to which friction pushes it. Where b
 /// passes through zero (the normal turns, or c(v) changes sign) a blade that is bent stays bent to its side,
-/// held there by the load that bends it, until its equilibrium ends in a fold and it snaps through: as with
-/// any column, the side is a discrete memory, here the sign of `bending`. A blade that has just touched has
-/// none (`bending` = 0) and bends as its load first points, b of the undeformed tip; at b = 0 exactly, to the
-/// side of s. With AxialLoad and CoulombFriction b never passes through zero, and the side is always that of
-/// s (MODEL 2). Where tips stick, c of one at rest goes through zero, and the side is a memory, too.
+/// held there by the load that bends it, until its equilibrium ends in a fold and it snaps through. So the
+/// side is a discrete state, as with any column; the sign of `bending` keeps it. A blade that has just
+/// touched has no side yet (`bending` = 0). It bends to the side of its first load, the sign of b of the
+/// undeformed tip, or to the side of s where that b is exactly 0. With AxialLoad and CoulombFriction b never
+/// passes through zero, and the side is always that of s (MODEL 2). Where tips stick, the c of a tip at rest
+/// passes through zero, and the side is a discrete state, too.
 #pragma once
 
 #include <algorithm>
@@ -48,15 +49,15 @@ struct NormalLoad {
 template <class Direction, class FrictionLaw>
 class DirectedElastica {
  public:
-  /// The blade is found where the rotor stands; nothing is carried along as a state. (`bending` is a first
-  /// guess, and its sign the memory of the side.)
+  /// The law solves for the blade's equilibrium at the rotor's position. (`bending` is the first guess, and
+  /// its sign keeps the side.)
   static constexpr bool kHasBending = false;
-  /// The blade bends, so that its slip velocity jumps where friction turns round.
+  /// The blade bends, so that its slip velocity jumps where friction reverses.
   static constexpr bool kElastic = true;
   static constexpr bool kReleasesAtFold = false;
   static constexpr bool kHasSlipState = FrictionLaw::kHasSlipState;
   static constexpr bool kLoadFollowsGap = false;
-  /// Contacts with s = 0 stick.
+  /// The law also finds the force of a tip at rest (s = 0).
   static constexpr bool kHoldsTips = requires(const FrictionLaw& friction) { friction.largest_holding; };
   /// Does a contact remember the side to which its blade is bent?
   static constexpr bool kRemembersSide =
@@ -143,15 +144,15 @@ class DirectedElastica {
     return result;
   }
 
-  /// The constraint, also of a blade without load (φ = 0). Even in φ: behind φ = 0 lies the same blade.
+  /// The constraint, also of a blade without load (φ = 0). It is even in φ: φ and −φ are the same blade.
   [[nodiscard]] Constraint constraint_or_unloaded(const Pose& at, double slip, double angular_speed,
                                                   const Bend& bend) const {
     constexpr double kUnloaded = 1e-100;
     const bool loaded = std::abs(bend.amplitude) > kUnloaded;
     return constraint(at, slip, angular_speed, {bend.modulus, loaded ? bend.amplitude : kUnloaded});
   }
-  /// Whether a blade can be bent so, or hardly further than any blade is (φ < 0 is as good as φ > 0). Trial
-  /// steps may go beyond the end of a branch at the largest amplitude, by as much as keeps its digits.
+  /// Whether a bend, of either sign of φ, is within the chart or a little beyond its largest amplitude. Trial
+  /// steps may pass the end of a branch there, as far as the quadrature keeps its digits.
   [[nodiscard]] static bool has_chart(const Bend& bend) {
     constexpr double kBeyond = 0.1;  // [rad]
     return std::abs(bend.modulus) <= blade::kLargestModulus &&
@@ -208,21 +209,21 @@ class DirectedElastica {
     return result;
   }
 
-  /// The equilibrium to the given side (±1) that an increase of the bending from the unloaded blade on, or
-  /// from the fold, reaches first; none where the blade cannot stand on that side. Slow: walks along the
-  /// equilibria. A contact too light to bend the blade by a rounding error has κ = sin(b/2), φ = 0 and
-  /// carries nothing.
+  /// The first equilibrium on the given side (±1) that is reached when the bending grows from the unloaded
+  /// blade, or from the fold where the equilibria on that side begin; none where the blade cannot stand on
+  /// that side. Slow, since it walks along the equilibria. A contact that bends the blade by less than a
+  /// rounding error has κ = sin(b/2), φ = 0 and no load.
   [[nodiscard]] std::optional<Bend> solve(const Pose& at, double slip, double angular_speed,
                                           double side) const;
 
-  /// The same found from a neighbouring one, to its side; falls back on `follow_coefficient` and `solve`.
+  /// The equilibrium next to the bend `near` and on its side; falls back on `follow_coefficient` and `solve`.
   [[nodiscard]] std::optional<Bend> solve_near(const Pose& at, double slip, double angular_speed,
                                                const Bend& near) const;
 
   /// Force at an equilibrium found near (`bending`, `amplitude`) = (κ, φ), which are updated; false where
-  /// there is none. `bending` = 0: a new contact. Stays on the side of `bending` where it can, and snaps to
-  /// the other where it cannot. `amplitude` = 0: not known. Beyond the end of the contact (g < 0), where
-  /// Runge–Kutta stages may land, continued as `ElasticaContact`.
+  /// there is none. `bending` = 0: a new contact. The blade stays on the side of `bending` where it has an
+  /// equilibrium there, and else snaps to the other side. `amplitude` = 0: not known. Beyond the end of the
+  /// contact (g < 0), where Runge–Kutta stages may land, the force is continued as in `ElasticaContact`.
   bool respond(const Pose& at, double slip, double angular_speed, double& bending, double& amplitude,
                TipForce& force) const;
 
@@ -232,14 +233,14 @@ class DirectedElastica {
     return respond(at, slip, angular_speed, bending, amplitude, force);
   }
 
-  /// What holds the tip at rest on the ring where `near` leads; none where nothing can.
+  /// The blade that holds its tip at rest on the ring, found from the bend `near`; none where no blade can.
   struct Rest {
     RestingBlade blade;
     double firmness;
   };
   [[nodiscard]] std::optional<Rest> rest(const Pose& at, double angular_speed, const Bend& near) const;
 
-  /// b of the undeformed blade, to which it bends when it is touched [rad].
+  /// b of the undeformed blade [rad]; a blade that has just touched bends to the side of its sign.
   [[nodiscard]] double first_load_angle(const Pose& at, double slip, double angular_speed) const {
     return direction(at, slip, angular_speed, at.radial + geometry_.reach, at.tangential).angle;
   }
@@ -255,8 +256,9 @@ class DirectedElastica {
     double coefficient;      ///< c [-]
   };
 
-  /// Direction of the load on a tip that stands at (a, b) along and across the blade. Of the slip velocity
-  /// only the direction of the normal matters: v = (c' − Ω ez × c)·t + Ω R on the ring.
+  /// Direction of the load on a tip that stands at (a, b) along and across the blade. The slip velocity
+  /// depends on the tip's place only through the direction of the normal: v = (c' − Ω ez × c)·t + Ω R on the
+  /// ring.
   [[nodiscard]] LoadDirection direction(const Pose& at, double slip, double angular_speed, double a,
                                         double b) const {
     double normal_angle = 0.0;
@@ -286,19 +288,19 @@ class DirectedElastica {
   bool respond_at_rest(const Pose& at, double angular_speed, double& bending, double& amplitude,
                        TipForce& force) const;
 
-  /// Newton's method from a bend; none where it leaves the side, or ends on another branch than the one of
-  /// `solve`.
+  /// Newton's method from a bend; none where it leaves the side, or ends on another branch than `solve`.
   [[nodiscard]] std::optional<Bend> newton(const Pose& at, double slip, double angular_speed,
                                            Bend bend) const;
-  /// `solve` for friction that depends on v: the coefficient c with c = c(v), outside, and `solve` under that
-  /// c.
+  /// `solve` for friction that depends on v: an outer search for the coefficient c with c = c(v), and `solve`
+  /// under each c.
   [[nodiscard]] std::optional<Bend> solve_for_coefficient(const Pose& at, double slip, double angular_speed,
                                                           double side) const;
-  /// The same from a neighbouring bend: along its equilibria from the c that holds it on. Newton's method on
-  /// c = c(v) itself leaves them where c(v) is steep and v changes its sign between the neighbours.
+  /// The same from a neighbouring bend: starts at the c that belongs to the load of this bend, and follows
+  /// the equilibria as c changes. Newton's method with c = c(v) leaves these equilibria where c(v) is steep
+  /// and v changes its sign between the neighbours.
   [[nodiscard]] std::optional<Bend> follow_coefficient(const Pose& at, double slip, double angular_speed,
                                                        Bend bend) const;
-  /// φ with d = 0 at a fixed κ: the smallest, which has the smallest load.
+  /// The smallest φ with d = 0 at a fixed κ, which has the smallest load.
   [[nodiscard]] std::optional<double> amplitude_of(const Pose& at, double slip, double angular_speed,
                                                    double modulus, double guess) const;
   void set_force(const Pose& at, double angular_speed, const Constraint& there, TipForce& force) const;
@@ -308,7 +310,7 @@ class DirectedElastica {
   double load_unit_;    ///< EI / L² [N]
   double strain_unit_;  ///< h / (2 L) [-]
   FrictionLaw friction_;
-  mutable std::uint64_t evaluations_ = 0;  ///< what a motion cost, not what it is
+  mutable std::uint64_t evaluations_ = 0;  ///< counts work; no result depends on it
 };
 
 }  // namespace rubatlas::contact

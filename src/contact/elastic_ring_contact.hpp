@@ -13,9 +13,9 @@ namespace rubatlas::contact {
 template <class FrictionLaw>
 class RigidBladeContact {
  public:
-  /// The force follows from the position alone: nothing is carried along.
+  /// The force follows from the position alone; no bending is carried along as a state.
   static constexpr bool kHasBending = false;
-  /// The blade bends, so that its slip velocity jumps where friction turns round.
+  /// The blade does not bend, so that its slip velocity does not jump where friction reverses.
   static constexpr bool kElastic = false;
   /// The force ends where the tip leaves the ring.
   static constexpr bool kReleasesAtFold = false;
@@ -36,19 +36,19 @@ class RigidBladeContact {
     return {{geometry_.reach - lost, geometry_.ring_radius}, stiffness_, friction_};
   }
 
-  /// F = kr (|rk| − R). Always has a force: continued linearly beyond lift-off, where Runge–Kutta stages may
-  /// land.
+  /// F = kr (|rk| − R). Always true: the force is continued linearly beyond lift-off, where Runge–Kutta
+  /// stages may land.
   bool respond(const Pose& at, double slip, double angular_speed, double& /*bending*/,
                TipForce& force) const {
     const double a = at.radial + geometry_.reach;
     const double b = at.tangential;
     const double distance = std::sqrt(a * a + b * b);
-    // |rk| − R from g = |rk|² − R²: exact where both are nearly equal.
+    // |rk| − R from g = |rk|² − R²: exact where |rk| and R are nearly equal.
     const double load = stiffness_ * at.gap / (distance + geometry_.ring_radius);
     force = under_load(at, slip, angular_speed, load);
     return true;
   }
-  /// What a tip does that is loaded by F along the normal [N].
+  /// Force and slip velocity of a tip under the normal load F [N].
   [[nodiscard]] TipForce under_load(const Pose& at, double slip, double angular_speed, double load) const {
     TipForce force;
     const double a = at.radial + geometry_.reach;
@@ -67,7 +67,8 @@ class RigidBladeContact {
     return force;
   }
 
-  /// The same by steps of the force from 0 until it has reached that value, as `ElasticaContact` has it.
+  /// The same as `respond`, with the force raised from 0 by increments until it has reached its value, as in
+  /// `ElasticaContact`.
   bool respond_upwards(const Pose& at, double slip, double angular_speed, double increment,
                        TipForce& force) const {
     double bending = 0.0;
@@ -86,7 +87,7 @@ class RigidBladeContact {
   FrictionLaw friction_;
 };
 
-/// As MODEL 4.7 has it: Coulomb friction μ.
+/// The law of MODEL 4.7, with Coulomb friction μ.
 class ElasticRingContact : public RigidBladeContact<CoulombFriction> {
  public:
   ElasticRingContact(Geometry geometry, double stiffness, double friction)

@@ -25,8 +25,9 @@ struct CoulombFriction {
   [[nodiscard]] double slope(double /*velocity*/, double /*slip*/) const { return 0.0; }
 };
 
-/// Coulomb's law with stick: s = 0 is a tip at rest, held by whatever friction that takes up to the static
-/// coefficient: by the caller (`sticking.hpp`), or by the law itself (`SticksByLaw`).
+/// Coulomb's law with stick: s = 0 is a tip at rest, held by the friction coefficient that rest needs, up to
+/// the static one. This coefficient is found by the caller (`sticking.hpp`), or by the contact law itself
+/// (`SticksByLaw`).
 struct StickingFriction {
   double friction;         ///< μ of a tip that slips [-]
   double largest_holding;  ///< μs of a tip at rest [-]
@@ -44,7 +45,7 @@ concept Sticks = requires(const Law& law) {
   law.of(0).friction().largest_holding;
 };
 
-/// One that finds the force of a tip at rest itself (s = 0); other laws leave that to the caller.
+/// A contact law that finds the force of a tip at rest (s = 0) itself; under other laws the caller does.
 template <class Law>
 concept SticksByLaw = Sticks<Law> && Law::OfBlade::kHoldsTips;
 

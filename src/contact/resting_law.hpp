@@ -1,8 +1,8 @@
-/// The law of a tip at rest that belongs to a law of elastic blades under Coulomb's friction.
+/// From a law of elastic blades under Coulomb's friction to the law of their tips at rest.
 ///
-/// In the model a tip always slips (MODEL 4.4). Where its slip reversals accumulate it comes to rest on the
-/// ring, held by friction of any coefficient within [−μ, μ], and that is `DirectedElastica` with
-/// `StickingFriction`, μs = μ: of the same blade, which slips under the same force.
+/// Under Coulomb's law a tip slips until its slip reversals accumulate (MODEL 4.4). Then it rests on the
+/// ring, held by a friction coefficient within [−μ, μ]. The law of such a tip is `DirectedElastica` with
+/// `StickingFriction` and μs = μ, for the same blade: a tip that slips has the same force under both laws.
 #pragma once
 
 #include <optional>
@@ -17,8 +17,8 @@
 
 namespace rubatlas::contact {
 
-/// None where the blade can be shortened by its load or has small slopes: the place of its tip is then no
-/// function of κ and φ.
+/// None for blades with axial compliance or small slopes, where the place of the tip is not a function of κ
+/// and φ.
 inline std::optional<DirectedElastica<AxialLoad, StickingFriction>> resting_law(const ElasticaContact& law) {
   const blade::ElasticaCurve& curve = law.curve();
   if (curve.theory() != blade::Theory::elastica || curve.axial_compliance() != 0.0 || !law.carried())
@@ -51,7 +51,7 @@ auto resting_law(const Law& law, int /*count*/) -> decltype(resting_law(law)) {
   return resting_law(law);
 }
 
-/// The type of that law; void where there is none.
+/// The type of the law of tips at rest; void where there is none.
 template <class Law>
 struct RestingLawOf {
   using Type = void;

@@ -2,11 +2,10 @@
 ///
 /// With r = c + (rh+L) er, n = r/|r|, t = n turned by +90°, the slip velocity is v = r'·t, hence
 ///     dv/dτ = t·c'' + Ω² (rh+L) ct/|r| − v (n·r')/|r|,
-/// and of c'' only −c F t/(m ωn²), the blade's own friction, lies along t besides what else moves the rotor.
-/// So dv/dτ is linear in the friction coefficient c, and sticking is the one c that makes it zero: Coulomb's
-/// law as an inclusion, c ∈ [−μ, μ] at v = 0 (Filippov; Leine, Nijmeijer, Dynamics and Bifurcations of
-/// Non-Smooth Mechanical Systems, Springer 2004). The tip leaves the ring's hold where |c| reaches
-/// the static μ, and slips in the direction s = sign c.
+/// and c'' contains the blade's own friction as −c F t/(m ωn²). So dv/dτ is linear in the friction
+/// coefficient c, and sticking is the one c that makes it zero: Coulomb's law as an inclusion, c ∈ [−μ, μ] at
+/// v = 0 (Filippov; Leine, Nijmeijer, Dynamics and Bifurcations of Non-Smooth Mechanical Systems, Springer
+/// 2004). The tip begins to slip where |c| reaches the static μ, in the direction s = sign c.
 #pragma once
 
 #include <cmath>
@@ -15,9 +14,9 @@
 
 namespace rubatlas::contact {
 
-/// What moves the shaft's centre except for the friction at the blade in question, along and across that
-/// blade [m per unit τ²]: shaft, damping, unbalance, other blades, and, which makes no difference, its own
-/// normal force.
+/// Acceleration of the shaft's centre without the friction at the blade in question, along and across that
+/// blade [m per unit τ²]: from shaft, damping, unbalance and other blades. It may include the blade's own
+/// normal force, which does not change dv/dτ.
 struct OtherAcceleration {
   double radial;      ///< ·er
   double tangential;  ///< ·et
@@ -41,7 +40,7 @@ inline double slip_acceleration(const Geometry& geometry, const Pose& at, double
 }
 
 /// The signed friction coefficient c [-] with dv/dτ = 0. The tip can stick where |c| <= μ; infinite or not a
-/// number where nothing presses (`load_acceleration` zero).
+/// number where the tip has no load (`load_acceleration` zero).
 inline double sticking_coefficient(const Geometry& geometry, const Pose& at, double angular_speed,
                                    const OtherAcceleration& other, double load_acceleration) {
   return slip_acceleration(geometry, at, angular_speed, other, load_acceleration, 0.0) / load_acceleration;

@@ -1,24 +1,26 @@
-/// A flexible blade's tip that sticks to the ring: where it stands, the load that holds it there, and the
-/// friction which that takes.
+/// An elastic blade's tip that sticks to the ring: its place, the load that holds it there, and the friction
+/// coefficient of that load.
 ///
-/// Where a tip sticks its place is given and its load is asked for: with the tip at the normal angle α on the
-/// ring, δ = cr + rh + L − R cos α and D = ct − R sin α are known, and the elastica's two equations δ(κ, φ),
-/// D(κ, φ) have the unknowns κ and φ. The load's angle b against the blade then takes the friction
-/// coefficient c = tan(b − α) (tan b where the load is axial); the tip can stick while |c| <= μ.
+/// The place of a tip that sticks is given, and its load is unknown: with the tip at the normal angle α on
+/// the ring, δ = cr + rh + L − R cos α and D = ct − R sin α are known, and the elastica's two functions δ(κ,
+/// φ) and D(κ, φ) are solved for κ and φ. The load's angle b against the blade then gives the friction
+/// coefficient c = tan(b − α) (tan b where the load is axial); the tip can stick while |c| is within the
+/// static coefficient.
 ///
-/// Of α there are two readings. In the model the slip velocity is that of a rigid body (MODEL 4.4), so v = 0
-/// is a condition on α alone, `resting_normal_angle`: the sliding mode of MODEL 4.4, an index-1 constraint. A
-/// tip that is held at one point of the ring, elastic velocity and all, keeps its α (plus Ωτ) in the ring's
-/// frame instead. `hold` serves both.
+/// Rest may be defined in two ways, with different α. In the model the slip velocity is that of a rigid body
+/// (MODEL 4.4), so that v = 0 is a condition on α alone (`resting_normal_angle`): a sliding mode, an index-1
+/// constraint. If the elastic part of the tip's velocity were included, a tip at rest would stay at one point
+/// of the ring, with a constant α + Ωτ. `hold` serves both.
 ///
-/// An inextensible blade can be held by pressure only where it is bent enough: δ >= D²/(2L) or so. Where the
-/// given place needs a pull there is no such blade, and `hold` says none.
+/// An inextensible blade can be held by pressure only where it is bent enough, roughly δ >= D²/(2L). Where
+/// the given place would need a pull, `hold` returns none.
 ///
-/// In the first reading Coulomb's inclusion c ∈ μ Sign(v) is algebraic: at a given pose v is a function of c
+/// With the model's α, Coulomb's inclusion c ∈ μ Sign(v) is algebraic: at a given pose v is a function of c
 /// along the blade's equilibria, of slope dv/dc ~ dv/dα ∂(δ, D)/∂(κ, φ). Where v falls as c grows, rest is
-/// the limit of friction that is ever steeper in v; where it rises, rest is unstable and two slipping states
-/// stand beside it (`firmness`). The first is the rule while the blade unbends, the second while it is
-/// pressed in: dv/dα = −A sin α − B cos α, in which B is about the speed at which the tip is pressed in.
+/// the limit of a friction law that becomes ever steeper in v. Where v rises as c grows, rest is unstable,
+/// and at the same pose the tip may slip in either direction. `firmness` tells these cases apart. v mostly
+/// falls while the blade unbends, and mostly rises while it is pressed in, since dv/dα = −A sin α − B cos α,
+/// in which B is about the speed at which the tip is pressed in.
 #pragma once
 
 #include <algorithm>
@@ -31,9 +33,9 @@
 
 namespace rubatlas::contact {
 
-/// The normal angle α [rad] next to `near` at which the slip velocity of a tip on the ring vanishes,
-/// v = A cos α − B sin α + ΩR = 0 with A = c'·et − Ω cr, B = c'·er + Ω ct; none while the ring outruns the
-/// rotor.
+/// The normal angle α [rad] next to `near` at which the slip velocity of a tip on the ring vanishes, v = A
+/// cos α − B sin α + ΩR = 0 with A = c'·et − Ω cr, B = c'·er + Ω ct; none where |ΩR| exceeds (A² + B²)^½, so
+/// that no tip on the ring can be at rest.
 inline std::optional<double> resting_normal_angle(const Geometry& geometry, const Pose& at,
                                                   double angular_speed, double near) {
   const double across = at.tangential_velocity - angular_speed * at.radial;
@@ -61,11 +63,12 @@ inline double slip_by_normal_angle(const Pose& at, double angular_speed, double 
 struct RestingBlade {
   blade::Bend bend;
   double coefficient;  ///< c that holds it [-]
-  double determinant;  ///< of the sign of ∂(δ, D)/∂(κ, φ): zero where the place can be held no further
+  double determinant;  ///< has the sign of ∂(δ, D)/∂(κ, φ), and is zero at the end of the places that can be
+                       ///< held
 };
 
 /// Blade of length L [m] with its tip at the normal angle α on the ring, found by Newton's method from a
-/// neighbouring bend, to its side; none where that does not converge to a blade under pressure.
+/// neighbouring bend and on its side; none where the method does not converge to a blade under pressure.
 template <class Direction>
 std::optional<RestingBlade> hold(const Geometry& geometry, double length, const Pose& at, double normal_angle,
                                  const blade::Bend& near) {
@@ -77,7 +80,7 @@ std::optional<RestingBlade> hold(const Geometry& geometry, double length, const 
   const double deflection = (at.tangential - b) / length;
   const double side = std::copysign(1.0, near.modulus);
   if (!(shortening > 0.0) || !(side * deflection > 0.0)) return std::nullopt;
-  // Of a blade that is bent a little δ/D² depends on φ alone, and grows with it.
+  // For small bending δ/D² depends on φ alone, and grows with φ.
   const double bow = std::log(shortening / (deflection * deflection));
   const double aside = std::log(side * deflection);
   blade::Bend bend = near;
@@ -104,7 +107,7 @@ std::optional<RestingBlade> hold(const Geometry& geometry, double length, const 
                                    blade::kLargestModulus);
     bend.amplitude =
         std::min(bend.amplitude * std::clamp(1.0 + by_amplitude, kLeast, kMost), blade::kLargestAmplitude);
-    // δ of a light contact is known to its rounding only, at which the steps no longer shrink.
+    // The rounding of δ limits the accuracy of a light contact; the steps then no longer shrink.
     if (size < 1e-9 || (size < 1e-5 && size >= 0.5 * previous)) {
       const double load_angle = 2.0 * std::asin(bend.modulus * std::cos(bend.amplitude));
       const double angle = Direction::kFollowsNormal ? load_angle - normal_angle : load_angle;
@@ -116,8 +119,8 @@ std::optional<RestingBlade> hold(const Geometry& geometry, double length, const 
   return std::nullopt;
 }
 
-/// How firmly a tip rests: −dv/dα / (Ω R), signed so that it is positive where rest is the limit of friction
-/// that is ever steeper in the slip velocity.
+/// How firmly a tip rests: dv/dα / (Ω R), with the sign that makes it positive where v falls as c grows, so
+/// that rest is stable, and negative where rest is unstable.
 inline double firmness(const RestingBlade& resting, const Geometry& geometry, const Pose& at,
                        double angular_speed, double normal_angle) {
   return -std::copysign(1.0, resting.determinant) * slip_by_normal_angle(at, angular_speed, normal_angle) /

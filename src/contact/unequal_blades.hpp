@@ -1,4 +1,4 @@
-/// Blades that are not alike: any law, with numbers of its own for each blade.
+/// Blades that are not alike: any contact law, with separate numbers for each blade.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ class UnequalBlades {
   static constexpr bool kMayHaveBranches = Law::kHasBending;
   using OfBlade = Law;
 
-  /// One law a blade.
+  /// One law for each blade.
   explicit UnequalBlades(std::vector<Law> blades) : blades_(std::move(blades)) {}
 
   [[nodiscard]] const Law& of(int blade) const { return blades_[static_cast<std::size_t>(blade)]; }
