@@ -1,8 +1,8 @@
 /// One phase in contact: the motion in one mode, from a reset to the next guard.
 ///
-/// Advances in steps that keep the tolerance; in each the first guard is looked for on dense output, so that
-/// no step is repeated to find one. A phase survives the end of a revolution: the section is read from dense
-/// output and the clock set back.
+/// Advances in steps that keep the tolerance. In each step the first guard is looked for on dense output, so
+/// that no step is repeated to find one. A phase goes on across the end of a revolution: the section is read
+/// from dense output, and the time is set back.
 #pragma once
 
 #include <cmath>
@@ -28,7 +28,7 @@ class ContactPhase final : public observables::MotionPiece {
 
   explicit ContactPhase(const typename Mode::Setup& setup)
       : mode_(setup), step_(mode_), search_(mode_, step_, setup.blades->count()), meter_(setup.meter) {}
-  ContactPhase(const ContactPhase&) = delete;  // parts point at each other
+  ContactPhase(const ContactPhase&) = delete;  // members hold pointers to each other
   ContactPhase& operator=(const ContactPhase&) = delete;
 
   /// Starts at time τ of the revolution. False where the mode cannot start there, or outside of the model's
@@ -82,7 +82,7 @@ class ContactPhase final : public observables::MotionPiece {
     }
   }
 
-  /// Sets the clock back by a revolution.
+  /// Sets the time back by a revolution.
   void shift_time(double period) {
     step_.shift(rotor::kTime, -period);
     segment_begin_ -= period;
@@ -93,11 +93,11 @@ class ContactPhase final : public observables::MotionPiece {
   [[nodiscard]] Bodies state_at(double time) { return rotor::bodies(full_state_at(time)); }
   /// Full state where the phase ended.
   [[nodiscard]] FullState end_state() { return step_.at_fraction(end_fraction_); }
-  /// An open contact where the phase ended, from where the next one goes on.
+  /// An open contact at the end of the phase, from which the next phase starts.
   [[nodiscard]] OpenContact contact_at_end(std::size_t contact) {
     return mode_.contact_in(contact, end_state());
   }
-  /// The same at a time of the piece that is being recorded, for another motion.
+  /// An open contact at a time of the piece that is being recorded, from which another motion starts.
   [[nodiscard]] OpenContact contact_at(std::size_t contact, double time) {
     return mode_.contact_in(contact, full_state_at(time));
   }
@@ -140,7 +140,7 @@ class ContactPhase final : public observables::MotionPiece {
     return step_.at_fraction(end_fraction_ * (time - from) / (segment_end_ - from));
   }
 
-  /// Finds what ends the phase in the step just made, if anything, and where; or takes the step back.
+  /// Finds what ends the phase in the step just made, if anything does, and where; or takes the step back.
   void find_end() {
     search_.find();
     end_ = search_.end();

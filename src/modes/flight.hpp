@@ -59,8 +59,8 @@ class Flight {
   }
 
   /// Bound of (|z|² + |z'|²)^½ from a state of this flight over the time `horizon` that follows, which may be
-  /// infinite. Damping only takes away, so that it grows by |forcing| a unit of time at most; and that of the
-  /// distance to the steady response does not grow at all.
+  /// infinite. Damping only reduces this norm, so that it grows by |forcing| per unit of time at most; and
+  /// the norm of the distance to the steady response does not grow at all.
   [[nodiscard]] double amplitude_bound(double time, const rotor::State& state, double horizon) const {
     return bound(time, state, horizon, [](const auto& steady) {
       return std::sqrt(std::norm(steady.position) + std::norm(steady.velocity));
@@ -89,7 +89,7 @@ class Flight {
   }
 
  private:
-  /// `size`: of the steady response.
+  /// `size`: the norm that is bounded, of the steady response.
   template <class Size>
   [[nodiscard]] double bound(double time, const rotor::State& state, double horizon, Size size) const {
     double result = std::sqrt(state.square().sum());
@@ -112,7 +112,7 @@ class Flight {
   Complex velocity_;
 };
 
-/// Of |z| and |z'| in a flight where one number bounds both.
+/// Bounds of |z| and |z'|, in a flight where one number bounds both.
 inline double position_bound(double bound) {
   return bound;
 }
@@ -120,7 +120,7 @@ inline double velocity_bound(double bound) {
   return bound;
 }
 
-/// Bound of the shaft's distance from the ring's centre but for the misalignment, as `displacement_bound`.
+/// As `displacement_bound`, for the shaft's displacement relative to that of the ring.
 template <class Flight, class Bodies>
 double bound_from_ring(const Flight& flight, double time, const Bodies& bodies, double horizon) {
   if constexpr (requires { flight.bound_from_ring(time, bodies, horizon); }) {
@@ -130,24 +130,24 @@ double bound_from_ring(const Flight& flight, double time, const Bodies& bodies, 
   }
 }
 
-/// What a state costs in a flight [ns].
+/// Price of one state in a flight [ns].
 template <class Flight>
 std::int64_t price_of_state(const Flight& flight) {
   if constexpr (requires { flight.price_of_state(); }) return flight.price_of_state();
   return WorkPrice::kState;
 }
 
-/// The time over which a bound of a flight's motion is asked for; where free motion may grow it is renewed
-/// after so long, else never.
+/// The time over which a bound of a flight's motion is computed. Where free motion may grow the bound is
+/// renewed after this time; else the time is infinite.
 template <class Flight>
 double time_of_bound(const Flight& flight) {
   if constexpr (requires { flight.time_of_bound(); }) return flight.time_of_bound();
   return std::numeric_limits<double>::infinity();
 }
 
-/// Finds the first touch-down of a flight. Each blade carries the time up to which it is proven clear; the
-/// least of them is pushed on until it cannot be, which is a touch-down, or until all have passed the
-/// horizon.
+/// Finds the first touch-down of a flight. For each blade the search keeps the time up to which the blade is
+/// proven clear of the ring. The least of these times is advanced until it no longer moves, which is a
+/// touch-down, or until all of them have passed the end of the search.
 template <class Law, class Blades = rotor::BladeSet>
 class TouchdownSearch {
  public:
@@ -192,8 +192,9 @@ class TouchdownSearch {
     }
   }
 
-  /// When the shaft's centre reaches the ring before `until`, |c| = R, where no blade stands in the way
-  /// (MODEL 5): the gap of a blade without length. Nothing also where the meter ends the revolution.
+  /// The time before `until` when the shaft's centre reaches the ring, |c| = R, with no blade in contact
+  /// (MODEL 5): the zero of the gap of a blade without length. Nothing also where the meter ends the
+  /// revolution.
   template <class Flight>
   std::optional<double> shaft_at_ring(const Flight& flight, double until, WorkMeter& meter) const {
     const contact::Geometry shaft{0.0, law_->of(0).geometry().ring_radius};
@@ -213,7 +214,7 @@ class TouchdownSearch {
     return std::nullopt;
   }
 
-  /// The rotor stays within the clearance circle for ever, so that no blade can touch.
+  /// The shaft stays within the clearance circle for ever, so that no blade can touch.
   template <class Flight, class Bodies>
   [[nodiscard]] bool never_touches(const Flight& flight, const Bodies& state) const {
     return stays_clear(flight, flight.start_time(), state, std::numeric_limits<double>::infinity());
@@ -228,7 +229,7 @@ class TouchdownSearch {
   static constexpr double kTimeResolution = 2.0 * std::numeric_limits<double>::epsilon();
 
   /// Bound of |(d/dτ + iΩ)³ z| against (|z|² + |z'|²)^½ in a flight without forcing: z''' and z'' are written
-  /// with z and z', whose weights are taken together.
+  /// with z and z', whose coefficients are bounded together.
   static double turning_weight(const rotor::RotorConstants& rotor) {
     const double damping = 2.0 * rotor.damping_ratio;
     const double speed = std::abs(rotor.speed_ratio);
@@ -245,7 +246,7 @@ class TouchdownSearch {
            least_clearance();
   }
 
-  /// Of the blade that reaches farthest [m].
+  /// Clearance of the blade that reaches farthest [m].
   [[nodiscard]] double least_clearance() const {
     double least = std::numeric_limits<double>::infinity();
     for (int k = 0; k < blades_->count(); ++k) {
@@ -255,7 +256,8 @@ class TouchdownSearch {
     return least;
   }
 
-  /// A time from `time` on for which a tip of that geometry in the direction of a blade cannot touch.
+  /// A duration from `time` on within which a tip of that geometry, in the direction of a blade, cannot
+  /// touch.
   template <class Flight, class Bodies>
   double clear_step(const Flight& flight, const contact::Geometry& geometry, int blade, double time,
                     const Bodies& state, double until) const {
@@ -272,7 +274,7 @@ class TouchdownSearch {
     const std::complex<double> acceleration = flight.acceleration(time, state);
     double curvature = contact::gap_curvature(geometry, er, pose, {seen[0], seen[1] + rotor_->misalignment},
                                               {seen[2], seen[3]}, acceleration, turning);
-    // A bound over all that is left would be that of the end, where free motion grows.
+    // Where free motion grows, a bound over all the remaining time would be as large as that of its end.
     const double remaining = until - time;
     const double renewed = time_of_bound(flight);
     const bool in_pieces = renewed < remaining;
@@ -294,7 +296,7 @@ class TouchdownSearch {
   double close_third_bound(const Flight& flight, double bound, double reach) const {
     const double speed = std::abs(rotor_->speed_ratio);
     // g''' = 6 c'·c'' + 2 c·c''' + 2(rh+L) er·(d/dτ + iΩ)³ c. In the last term z''' and z'' are written with
-    // z, z' and the forcing, whose weights are bounded together: |z|² + |z'|² <= bound².
+    // z, z' and the forcing; the coefficients of z and z' are bounded together: |z|² + |z'|² <= bound².
     const double forcing = flight.forcing_bound();
     const double damping = 2.0 * rotor_->damping_ratio;
     const double misalignment = std::abs(rotor_->misalignment);

@@ -1,4 +1,4 @@
-/// Flight as those see it who record a motion.
+/// A flight as a piece of motion, for those that record the motion.
 #pragma once
 
 #include <cstddef>

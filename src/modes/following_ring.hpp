@@ -1,12 +1,13 @@
-/// Mode: rigid blades in a ring without mass, which all in contact in contact push together: it stands where
-/// its spring balances them.
+/// Mode: rigid blades in a ring without mass, which all blades in contact push together: the ring stands
+/// where its spring balances their forces.
 ///
 ///     kr r = ΣNk,   Nk = kt (|pk| − R) (n + sμ t)        pk = c − r + (rh+L) er
 ///
 /// Nk is what the rigid blade k does to the ring (MODEL 4.7), pk its tip as seen from the ring's centre, n
-/// the direction of pk and t across it. Each force depends on r and with it on the others. Two unknowns,
-/// found by Newton's method with Ak = dNk/dpk = kt (I + sμ J)(n nᵀ + (1 − R/|pk|)(I − n nᵀ)), J a quarter
-/// turn; r' follows from (kr I + ΣAk) r' = ΣAk p'k, p' taken while the ring stands still. Source: statics.
+/// the direction of pk and t across it. Each force depends on r, and so on the other forces. The two
+/// unknowns, the components of r, are found by Newton's method with Ak = dNk/dpk = kt (I + sμ J)(n nᵀ + (1 −
+/// R/|pk|)(I − n nᵀ)), where J is a quarter turn; r' follows from (kr I + ΣAk) r' = ΣAk p'k, where p' is
+/// taken with the ring at rest. Source: statics.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,8 +25,8 @@
 
 namespace rubatlas::modes {
 
-/// The equations of `Solved` in a state whose ring stands in its place. Ring and its velocity are no freedoms
-/// of their own but follow from the shaft's state.
+/// The equations of `Solved`, with the ring where its spring balances the blades. Place and velocity of the
+/// ring are not degrees of freedom; they follow from the shaft's state.
 template <class Law, class Forcing, class Blades = rotor::BladeSet>
 class FollowingRing : public Solved<Law, Forcing, Blades> {
  public:
@@ -44,12 +45,13 @@ class FollowingRing : public Solved<Law, Forcing, Blades> {
   template <class Search>
   void guards(Search& search) {
     touch_downs_and_lift_offs(*this, search);
-    // What the ring does next does not follow from its rate: no bound holds.
+    // The rate of the ring does not tell how the ring moves on, so that no bound excludes these guards.
     for (std::size_t i = 0; i < this->contacts_.size(); ++i) this->slip_guard(*this, search, i, false);
     this->loss_of_validity(*this, search, std::numeric_limits<double>::infinity());
   }
 
-  /// Puts the ring of a state where the open contacts push it. False where that is nowhere (MODEL 5).
+  /// Puts the ring of a state where its spring balances the open contacts. False where there is no such place
+  /// (MODEL 5).
   bool place_ring(FullState& state) const {
     Balance balance;
     for (int step = 0; step < kMostSteps; ++step) {
@@ -66,9 +68,10 @@ class FollowingRing : public Solved<Law, Forcing, Blades> {
     return false;
   }
 
-  /// The same of ring and contacts together: a blade that reaches into the ring where it then stands is
-  /// opened by `touches(blade)`, one that does not is let go. Friction that turns round moves the ring at
-  /// once. False where a tip would stick, too, since its friction would have to be found (MODEL 5).
+  /// Finds the ring's place and the contacts together: `touches(blade)` opens the contact of a blade that
+  /// reaches into the ring at its place, and the contact of a blade that does not is closed. (The place jumps
+  /// where friction reverses.) False also where a tip would stick, since its friction would be another
+  /// unknown (MODEL 5).
   template <class Touches>
   bool settle(rotor::ShaftAndRing& bodies, double time, std::vector<OpenContact>& contacts, Touches touches) {
     const double radius = this->law_->of(0).geometry().ring_radius;
@@ -115,7 +118,7 @@ class FollowingRing : public Solved<Law, Forcing, Blades> {
     Eigen::Vector2d carried;    ///< ΣAk p'k [N per unit τ]
   };
 
-  /// All open contacts slip the way they are said to.
+  /// All open contacts slip in the direction of their s.
   [[nodiscard]] bool slides(const FullState& state) const {
     const double speed = this->blades_->angular_speed(state[rotor::kTime]);
     return std::ranges::all_of(this->contacts(), [&](const OpenContact& contact) {

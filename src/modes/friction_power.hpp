@@ -1,4 +1,4 @@
-/// How much work friction does at a tip, under any law of contact.
+/// Power of friction at a tip, under any contact law.
 #pragma once
 
 #include <cmath>
@@ -7,8 +7,8 @@
 
 namespace rubatlas::modes {
 
-/// |c F v| [J per unit τ]: c the friction coefficient, v the slip velocity (MODEL 4.3, 4.4). `law`: of the
-/// blade.
+/// |c F v| [J per unit τ]: c the friction coefficient, v the slip velocity (MODEL 4.3, 4.4). `law`: the
+/// contact law of the blade.
 template <class Law>
 double friction_power(const Law& law, const contact::TipForce& force) {
   double coefficient = 0.0;

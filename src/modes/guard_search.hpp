@@ -1,8 +1,8 @@
 /// The search for the first guard of a mode within a step.
 ///
 /// A guard is a function of the state that is negative while the mode lasts and passes through zero where the
-/// mode ends. Which guards there are is known to the modes (`guards.hpp` has those that several share); here
-/// they are put in order of time, on the step's dense output, so that no step is repeated to find one.
+/// mode ends. Each mode knows its guards (`guards.hpp` has those that several modes share). This search finds
+/// the first of them in time, on the step's dense output, so that no step is repeated to find one.
 #pragma once
 
 #include <cmath>
@@ -21,22 +21,22 @@
 
 namespace rubatlas::modes {
 
-/// How a mode ended; `blade` where it is an event of one.
+/// How a mode ended; `blade` is −1 where the end is no event of a single blade.
 struct ModeEnd {
   Guard guard;
   int blade = -1;
   point::StatusDetail why = point::StatusDetail::none;  ///< where the motion ends
 };
 
-/// What is followed of a blade from step to step.
+/// Values of one blade that are kept from step to step.
 struct WatchedBlade {
   bool open = false;           ///< in contact
   BladeGap at_start{};         ///< of the step
-  BladeGap at_end{};           ///< of what is looked at of the step
-  double slip_velocity = 0.0;  ///< v at its start, open contacts only [m per unit τ]
+  BladeGap at_end{};           ///< of the part of the step that is searched
+  double slip_velocity = 0.0;  ///< v at the start of the step, of open contacts [m per unit τ]
   double end_slip_velocity = 0.0;
 
-  /// So lightly in contact, and leaving, that rounding decides whether there is a force.
+  /// The tip is leaving, and so lightly in contact that rounding decides whether it has a force.
   [[nodiscard]] bool leaves_by_rounding() const { return at_end.value <= kGapRounding && at_end.rate < 0.0; }
 };
 
@@ -100,24 +100,24 @@ class GuardSearch {
     return watched_[static_cast<std::size_t>(mode_->contacts()[contact].blade)];
   }
   [[nodiscard]] int blades() const { return static_cast<int>(watched_.size()); }
-  /// Nothing is looked at beyond this fraction.
+  /// The step is searched up to this fraction.
   [[nodiscard]] double last() const { return last_; }
-  /// dτ/dθ, times `last`, at both ends of what is looked at.
+  /// dτ/dθ, times `last`, at both ends of the part of the step that is searched.
   struct TimeSlopes {
     double start = 0.0;
     double end = 0.0;
   };
   [[nodiscard]] const TimeSlopes& time_slopes() const { return time_slopes_; }
 
-  /// The mode ends at this fraction at the latest, beyond which its states say nothing.
+  /// The mode ends at this fraction at the latest; its states beyond it have no meaning.
   void ends_latest(double fraction, const ModeEnd& end) {
     last_ = fraction_ = fraction;
     end_ = end;
   }
 
-  /// Nor beyond what has been found so far.
+  /// The step is not searched beyond the end that has been found so far.
   void looks_no_further() { last_ = fraction_; }
-  /// The motion ends where the step starts: within it there is no force.
+  /// The mode ends where the step starts, since there is no force within the step.
   void ends_at_start(const ModeEnd& end) {
     end_ = end;
     fraction_ = 0.0;
@@ -130,7 +130,8 @@ class GuardSearch {
     }
   }
 
-  /// The first crossing of a function of the fraction, which is asked for at both ends too, ends the mode.
+  /// The first crossing of a function of the fraction ends the mode. The function is evaluated at both ends
+  /// of the search, too.
   template <class Function>
   void look_for(const Function& function, const ModeEnd& end) {
     look_between(function, {function(0.0), function(last_)}, end);
@@ -146,10 +147,10 @@ class GuardSearch {
       take_if_first(*found, end);
   }
 
-  /// Looks where a gap comes back to zero that starts there, but for rounding, and is negative at first. It
-  /// is divided by the fraction of the step, so that the start is no root. Near the start that makes rounding
-  /// large: only a gap of more than kGapRounding is taken for a crossing, and one secant step leads from
-  /// there back to where the gap is zero.
+  /// Looks for the return to zero of a gap that starts at zero, up to rounding, and is negative at first. The
+  /// gap is divided by the fraction of the step, so that the start is no root. Near the start this division
+  /// magnifies rounding. So only a gap of more than kGapRounding is taken for a crossing, and one secant step
+  /// leads back from there to the zero of the gap.
   template <class Function>
   void look_from_zero(const Function& gap, double at_last, const ModeEnd& end) {
     constexpr double kJustBefore = 1.0 / 1024;

@@ -1,9 +1,9 @@
 /// Guards that several modes share: touch-down of another blade, lift-off at the ring, slip reversal, loss of
-/// validity. A guard that only one mode has stands with it.
+/// validity. A guard of a single mode is in the file of that mode.
 ///
-/// Each is first asked for by a bound from the ends of the step, which mostly says that it is not met; only
-/// then is dense output made and searched. A `mode` gives gap, force and contacts in a state; the search
-/// (`guard_search.hpp`) knows the step.
+/// For each guard a bound is computed first, from values at the ends of the step. Mostly it shows that the
+/// guard is not met; dense output is made and searched only where the bound does not show this. A `mode`
+/// gives gap, force and contacts in a state; the search (`guard_search.hpp`) knows the step.
 #pragma once
 
 #include <algorithm>
@@ -24,9 +24,10 @@ void touch_down(const Mode& mode, Search& search, int k) {
   const auto& slopes = search.time_slopes();
   const auto gap = [&](double part) { return mode.gap(k, search.step().at_fraction(part)).value; };
   if (start.value >= 0.0) {
-    // Just lifted off, or about to touch: rounding decides the sign of g, its slope what happens.
+    // The tip has just lifted off or is about to touch. Rounding decides the sign of g; the slope of g tells
+    // which it is.
     if (start.rate > 0.0) return search.take_if_first(0.0, {Guard::touch_down, k});
-    // It leaves the ring, and may return. Divided by the fraction g starts negative.
+    // The tip leaves the ring, and may return. Divided by the fraction of the step, g starts negative.
     const double more = end.value - start.value;
     const auto range =
         integrate::cubic_range_of_mean_slope(start.rate * slopes.start, more, end.rate * slopes.end);
@@ -40,12 +41,13 @@ void touch_down(const Mode& mode, Search& search, int k) {
   search.look_between(gap, {start.value, end.value}, {Guard::touch_down, k}, kGapRounding);
 }
 
-/// g of a contact that has just opened: zero to rounding. Divided by the fraction it starts positive.
+/// g of a contact that has just opened is zero to rounding. Divided by the fraction of the step, g starts
+/// positive.
 inline bool has_just_opened(const WatchedBlade& blade) {
   return blade.at_start.value <= kGapRounding;
 }
 
-/// By a bound, a tip in contact does not come back to g = 0 within the step.
+/// A bound shows that a tip in contact does not come back to g = 0 within the step.
 template <class Search>
 bool stays_in_ring(Search& search, const WatchedBlade& blade) {
   const BladeGap& start = blade.at_start;
@@ -75,14 +77,14 @@ void leaves_ring(const Mode& mode, Search& search, int k, const WatchedBlade& bl
   }
 }
 
-/// The same where a bound does not say that it stays.
+/// Looks for the lift-off at g = 0 where the bound does not exclude it.
 template <class Mode, class Search>
 void lift_off_at_ring(const Mode& mode, Search& search, int k) {
   const WatchedBlade& blade = search.blade(k);
   if (!stays_in_ring(search, blade)) leaves_ring(mode, search, k, blade);
 }
 
-/// Both of all blades, for modes whose contacts end at the ring.
+/// Touch-downs and lift-offs of all blades, for modes whose contacts end at the ring.
 template <class Mode, class Search>
 void touch_downs_and_lift_offs(const Mode& mode, Search& search) {
   for (int k = 0; k < search.blades(); ++k) {
@@ -116,9 +118,9 @@ void slip_reversal(const Mode& mode, Search& search, std::size_t contact, bool s
                       {-std::abs(before), against * after}, end);
 }
 
-/// The same of a tip that may stick. From rest it slips the way it is pulled, and may be at rest again within
-/// the step. `by_law`: an elastic blade's v may be against s where its contact begins; it is asked for anew
-/// where it stays so.
+/// The same for a tip that may stick. A tip that comes loose slips in the direction of the pull, and may be
+/// at rest again within the step. `by_law`: v of an elastic blade may have the sign against s where its
+/// contact begins; if v still has that sign at the end of the step, the mode ends there.
 template <class Mode, class Search>
 void slip_comes_to_rest(const Mode& mode, Search& search, std::size_t contact, bool slip_lasts, bool by_law) {
   const WatchedBlade& blade = search.of_contact(contact);
@@ -142,7 +144,7 @@ void slip_comes_to_rest(const Mode& mode, Search& search, std::size_t contact, b
   slip_reversal(mode, search, contact, slip_lasts);
 }
 
-/// The friction that holds a tip at rest passes what it can be.
+/// The friction that holds a tip at rest passes its largest value.
 template <class Mode, class Search>
 void loosening(const Mode& mode, Search& search, std::size_t contact) {
   search.look_for([&](double part) { return mode.excess(contact, search.step().at_fraction(part)); },
@@ -169,8 +171,8 @@ void shortening_limit(const Mode& mode, Search& search) {
   }
 }
 
-/// A straight column reaches its Euler load on the receding side, from where it snaps. Of a law with
-/// branches.
+/// A straight column on the receding side reaches its Euler load, from where it snaps. For laws with branches
+/// only.
 template <class Mode, class Search>
 void buckling(const Mode& mode, Search& search, std::size_t contact) {
   const auto beyond = [&](double part) {
@@ -178,7 +180,7 @@ void buckling(const Mode& mode, Search& search, std::size_t contact) {
   };
   const double at_start = beyond(0.0);
   const double at_end = beyond(search.last());
-  // Where it does not stand straight, there is nothing to look for.
+  // Where the column does not stand straight there is nothing to look for.
   if (at_start == -1.0 && at_end == -1.0) return;
   search.look_between(beyond, {at_start, at_end}, {Guard::snap, mode.contacts()[contact].blade});
 }

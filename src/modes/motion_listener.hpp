@@ -1,4 +1,4 @@
-/// What follows a motion: receives its pieces and events in order of time.
+/// A listener of a motion: receives the motion's pieces and events in order of time.
 #pragma once
 
 #include <array>
@@ -15,10 +15,10 @@ enum class Guard : std::uint8_t {
   lift_off,
   touch_down,
   slip_reversal,
-  comes_loose,  ///< a tip that has stuck slips
-  pressed_in,   ///< a tip that has skimmed the ring is held by its full force
+  comes_loose,  ///< a tip at rest begins to slip
+  pressed_in,   ///< a tip that has skimmed has its full force, or a straight blade bends
   snap,         ///< a blade has come to the end of its branch of equilibria and goes over to the next
-  nears_fold,   ///< a force that is solved for is about to end: its blade is to be carried there
+  nears_fold,   ///< a branch that is solved for is about to end: its blade is carried to the fold
   left_validity,
   failed
 };
@@ -32,13 +32,13 @@ struct Event {
   rotor::State state;
 };
 
-/// Does nothing itself: what runs in the transient.
+/// The class itself ignores everything: it is the listener of the transient.
 class MotionListener {
  public:
   virtual ~MotionListener() = default;
   virtual void piece(observables::MotionPiece& /*piece*/) {}
   virtual void event(const Event& /*event*/) {}
-  /// The revolution that follows turns at this Ω. Never called where the speed does not ramp.
+  /// The next revolution has this Ω. Never called where the speed does not ramp.
   virtual void speed_changes(double /*speed_ratio*/) {}
   /// After a sampled revolution: the shaft's state there. Called by the protocol of a point, not by a motion.
   virtual void revolution_ends(const std::array<double, 4>& /*section*/) {}

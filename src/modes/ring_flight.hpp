@@ -1,5 +1,6 @@
 /// Flight of a shaft and a ring body, both in closed form, with the interface of `Flight`: while no blade
-/// touches, neither knows of the other. What a search asks for is the shaft as seen from the ring.
+/// touches, shaft and ring move independently. The search for touch-downs needs the shaft's motion as seen
+/// from the ring.
 #pragma once
 
 #include <algorithm>
@@ -54,12 +55,12 @@ class Flight<rotor::WithRingBody<ShaftForcing>> {
     const double norm = ring_->energy_norm(rotor::ring(bodies));
     return {shaft_.amplitude_bound(time, rotor::shaft(bodies), horizon), norm / ring_->frequency(), norm};
   }
-  /// Of |z|.
+  /// Bound of |z|.
   [[nodiscard]] double displacement_bound(double time, const rotor::ShaftAndRing& bodies,
                                           double horizon) const {
     return shaft_.displacement_bound(time, rotor::shaft(bodies), horizon);
   }
-  /// Of |z − r|.
+  /// Bound of |z − r|.
   [[nodiscard]] double bound_from_ring(double time, const rotor::ShaftAndRing& bodies, double horizon) const {
     return displacement_bound(time, bodies, horizon) +
            ring_->energy_norm(rotor::ring(bodies)) / ring_->frequency();
@@ -70,7 +71,7 @@ class Flight<rotor::WithRingBody<ShaftForcing>> {
   [[nodiscard]] double third_bound(const ShaftAndRingBound& bound) const {
     return shaft_.third_bound(bound.shaft) + ring_->third_bound(bound.ring_velocity);
   }
-  // As of the shaft.
+  // The same as those of the shaft.
   [[nodiscard]] double time_of_bound() const { return modes::time_of_bound(shaft_); }
   [[nodiscard]] std::int64_t price_of_state() const { return modes::price_of_state(shaft_); }
   [[nodiscard]] bool resolves(double time) const requires requires(const OfShaft& shaft) {
@@ -84,7 +85,7 @@ class Flight<rotor::WithRingBody<ShaftForcing>> {
   rotor::RingBody::State ring_start_ = rotor::RingBody::State::Zero();
 };
 
-/// Flight of a shaft whose ring stands in its place.
+/// Flight of a shaft in a ring without mass, which stays at its place of rest.
 template <class ShaftForcing>
 class Flight<rotor::WithFollowingRing<ShaftForcing>> {
  public:

@@ -48,11 +48,11 @@ class Flight<SupportedShaft> {
   [[nodiscard]] double displacement_bound(double time, const rotor::State& state, double horizon) const {
     return amplitude_bound(time, state, horizon);
   }
-  /// In which bounds of a motion that grows do so by a factor of e.
+  /// Time in which the bound of a growing motion grows by a factor of e.
   [[nodiscard]] double time_of_bound() const { return shaft_->bounds.growth_time(); }
-  /// Double precision holds free motion over so long a time.
+  /// Whether double precision resolves free motion over this time.
   [[nodiscard]] bool resolves(double time) const { return shaft_->support.resolves(time); }
-  /// What a state costs [ns].
+  /// Price of one state [ns].
   [[nodiscard]] std::int64_t price_of_state() const {
     constexpr std::int64_t kMatrix = 300;
     constexpr std::int64_t kTerm = 150;

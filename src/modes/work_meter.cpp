@@ -6,12 +6,12 @@
 namespace rubatlas::modes {
 namespace {
 
-/// Between two looks: far below what a user notices, far above what a look costs.
+/// Work between two checks: far less than a user notices, far more than a check costs.
 constexpr std::int64_t kBetweenLooks = 2'000'000;
 
 }  // namespace
 
-// Rounded up from what 271 random scenes took at -O3 on one core.
+// Rounded up from measurements of 271 random scenes at -O3 on one core.
 const std::int64_t WorkPrice::kAttempt = 1'500;
 const std::int64_t WorkPrice::kForce = 1'000;
 const std::int64_t WorkPrice::kCurve = 60;

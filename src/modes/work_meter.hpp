@@ -1,8 +1,9 @@
 /// The bound of the work in one revolution, and the place where a long revolution can be given up.
 ///
-/// Work is counted, not timed, so that where a point ends does not hang on the machine. Its unit is a
-/// nanosecond of a processor core at full optimisation, roughly: counts of what a motion is made of (attempts
-/// of steps, evaluations of a blade's curve, of gaps, events), each with its measured price.
+/// Work is counted, not timed, so that the end of a point does not depend on the speed of the machine. Its
+/// unit is roughly a nanosecond of a processor core at full optimisation. Work is the sum of the counts of a
+/// motion's operations (attempts of steps, evaluations of a blade's curve and of gaps, events), each times
+/// its measured price.
 #pragma once
 
 #include <array>
@@ -22,16 +23,16 @@ enum class Work : std::uint8_t { contact, flight, events };
 
 /// What one piece of work costs [ns].
 struct WorkPrice {
-  static const std::int64_t kAttempt;        ///< an attempt of a step, but for its forces
-  static const std::int64_t kForce;          ///< of a contact in it, but for evaluations of a curve
-  static const std::int64_t kCurve;          ///< of a blade under an axial load, from its table
-  static const std::int64_t kInclinedCurve;  ///< the same under an inclined load, by quadrature
-  static const std::int64_t kGap;            ///< of a blade in flight, but for the shaft's state
-  static const std::int64_t kState;          ///< of an isotropic shaft in flight
+  static const std::int64_t kAttempt;  ///< an attempt of a step, without its forces
+  static const std::int64_t kForce;    ///< the force of a contact in it, without evaluations of a curve
+  static const std::int64_t kCurve;  ///< an evaluation of a blade's curve from its table, under an axial load
+  static const std::int64_t kInclinedCurve;  ///< the same by quadrature, under an inclined load
+  static const std::int64_t kGap;            ///< the gap of a blade in flight, without the shaft's state
+  static const std::int64_t kState;          ///< the state of an isotropic shaft in flight
   static const std::int64_t kEvent;          ///< touch-down, lift-off, slip reversal: a change of phase
 };
 
-/// How much of it is allowed [ns].
+/// How much work is allowed [ns].
 struct WorkBound {
   std::int64_t revolution;          ///< one revolution
   std::int64_t point;               ///< a point, or, if that is more,
@@ -47,7 +48,7 @@ class WorkMeter {
 
   void begin_revolution(const GoOn& go_on);
 
-  /// Adds to what has been done; false where the revolution is to end here.
+  /// Adds to the work done; false where the revolution is to end here.
   bool spend(Work kind, std::int64_t price) {
     spent_[static_cast<std::size_t>(kind)] += price;
     until_look_ -= price;
@@ -56,7 +57,7 @@ class WorkMeter {
   [[nodiscard]] bool ended() const { return why_ != point::StatusDetail::none; }
   /// What ended the revolution.
   [[nodiscard]] point::StatusDetail why() const { return why_; }
-  /// All that was spent, in the revolutions before, too [ns].
+  /// All work done, in the revolutions before, too [ns].
   [[nodiscard]] std::int64_t total() const;
 
  private:
@@ -64,10 +65,10 @@ class WorkMeter {
 
   const WorkBound* bound_;
   std::int64_t revolutions_ = 0;  ///< begun
-  std::int64_t allowed_ = 0;      ///< in this one
+  std::int64_t allowed_ = 0;      ///< in this revolution
   std::int64_t until_look_ = 0;
-  std::array<std::int64_t, 3> spent_{};  ///< in this one
-  std::int64_t spent_before_ = 0;        ///< in those before
+  std::array<std::int64_t, 3> spent_{};  ///< in this revolution
+  std::int64_t spent_before_ = 0;        ///< in the revolutions before
   const GoOn* go_on_ = nullptr;
   point::StatusDetail why_ = point::StatusDetail::none;
 };
