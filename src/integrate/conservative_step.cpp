@@ -41,8 +41,8 @@ double conservative_step(double value, double slope, double curvature, double th
   double at_low = majorant(low);
   if (at_low > 0.0) return 0.0;  // rounding at a touch-down
 
-  // A point beyond the root: where the cubic alone outweighs what is missing at `low`, with the curvature
-  // there not negative and the slope not negative.
+  // A point beyond the root: there the cubic term alone makes up for the negative value at `low`, since slope
+  // and curvature at `low` are not negative.
   double high = low + std::cbrt(-6.0 * at_low / third_bound);
   double at_high = majorant(high);
   for (int i = 0; i < 60 && at_high < 0.0; ++i) {

@@ -3,7 +3,7 @@
 /// Conservative advancement: with value, slope and curvature at a point and a bound on the third derivative,
 /// the cubic majorant q(t) = g + g' t + g'' t²/2 + M t³/6 bounds the function from above. Up to the first
 /// positive root of q there is no touch-down, however grazing. Steps shrink superlinearly towards a true
-/// root, so that the same rule also locates it, from the safe side.
+/// root, so that repeated steps also locate the root, from below.
 #pragma once
 
 namespace rubatlas::integrate {

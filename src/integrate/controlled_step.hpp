@@ -1,22 +1,22 @@
 /// Steps of a Runge–Kutta pair that keep a tolerance, of any system that says how its steps are judged.
 ///
-/// Knows states, error control and dense output, and no rotor. A `System` writes derivatives (`bool
-/// system(const State&, State&)`; false: there is none, and the attempt is rejected) and answers these
+/// This class knows states, error control and dense output, and no rotor. A `System` writes derivatives
+/// (`bool system(const State&, State&)`; false: there is none, and the attempt is rejected) and answers these
 /// questions about its steps:
 ///
 ///     kSmallestSize, kCoarseSizes       the shortest step; whether sizes start from a power of four
 ///     begins_step(state)                a step starts there
-///     takes_back()                      its attempt is rejected: first guesses are as they were at its start
+///     takes_back()                      the attempt is rejected: first guesses as at the start of the step
 ///     begins_attempt(), is_stopped()    whether there is work left to spend on an attempt
 ///     proposed_size(step, relative)     the size, from the share of the system's own scale that is allowed
 ///     aimed(step, size)                 the same, cut short where the system expects something to end
 ///     scaled_error(step)                local error in units of the tolerance
-///     trusts(step)                      false: made again, half as long, whatever its error
+///     trusts(step)                      false: the step is made again, half as long, whatever its error
 ///     gives_up()                        no step, however short, will find a derivative
 ///     accepted(), goes_on()             the step counts; the next one starts at its end
 ///     project(state)                    moves the end of a step onto the system's constraints
 ///     place(state)                      the same for a state of dense output
-///     keep(), restore()                 around dense output, which must leave no trace
+///     keep(), restore()                 called around dense output, which must not change the system
 #pragma once
 
 #include <Eigen/Core>
@@ -77,7 +77,7 @@ class ControlledStep {
   }
 
   /// Takes back the step just made, within which dense output cannot be evaluated: the next attempt is half
-  /// as long. False where that would be too short.
+  /// as long. False where half the step would be too short.
   bool take_back() {
     if (!(step_.size() > System::kSmallestSize)) return false;
     --accepted_;
@@ -110,7 +110,7 @@ class ControlledStep {
     system_->place(state);
     return state;
   }
-  /// The same without being placed on the system's constraints.
+  /// The same, not placed on the system's constraints.
   [[nodiscard]] State interpolated(double fraction) {
     if (!make_dense()) {
       return State::Constant(step_.end().size(), std::numeric_limits<double>::quiet_NaN());
@@ -126,8 +126,8 @@ class ControlledStep {
                         : std::numeric_limits<double>::quiet_NaN();
   }
 
-  /// Fraction strictly before `last` where a component that grows has a value; at `last` it is `at_last`.
-  /// Newton's method, and the bracketing solver where the component hardly grows.
+  /// Fraction strictly before `last` where a growing component has a value; `at_last` is the component at
+  /// `last`. Found by Newton's method, and by the bracketing solver where the component hardly grows.
   [[nodiscard]] double fraction_where(int component, double value, double last, double at_last) {
     const double from = step_.start()[component];
     double fraction = last * (value - from) / (at_last - from);
@@ -143,10 +143,11 @@ class ControlledStep {
                         from - value, at_last - value);
   }
 
-  /// Fraction where a component passes through a value, in a step at whose end it has come to it.
+  /// Fraction where a component passes through a value, in a step that ends at or beyond this value.
   [[nodiscard]] double crossing_of(int component, double value) {
     if (!make_dense()) return 1.0;
-    // A step that starts at zero comes back there: divided by the fraction its start is no root.
+    // A component that starts at zero comes back to zero. Divided by the fraction of the step, it has no root
+    // at the start.
     const bool from_zero = value == 0.0 && step_.start()[component] <= 0.0;
     const auto excess = [&](double part) {
       return from_zero ? step_.mean_slope(part, component) : step_.interpolate(part, component) - value;

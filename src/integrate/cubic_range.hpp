@@ -1,4 +1,4 @@
-/// Between which values a function stays in a step, as far as its ends tell.
+/// Bounds of a function within a step, estimated from its values and slopes at the ends.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,9 @@ struct Range {
   double greatest;
 };
 
-/// From values and slopes by the fraction θ at both ends: the Bézier points of the cubic that these give
-/// enclose it. They are widened by a tenth of their second differences for what the cubic leaves out;
-/// sinusoids of up to three radians in a step need nothing of that.
+/// From values and slopes by the fraction θ at both ends. The Bézier points of the cubic through these
+/// enclose the cubic. They are widened by a tenth of their second differences, since the function is not a
+/// cubic; sinusoids of up to three radians in a step would not need this.
 inline Range cubic_range(double at_begin, double slope_at_begin, double at_end, double slope_at_end) {
   const double second = at_begin + slope_at_begin / 3.0;
   const double third = at_end - slope_at_end / 3.0;
@@ -23,8 +23,8 @@ inline Range cubic_range(double at_begin, double slope_at_begin, double at_end, 
           std::max(std::max(at_begin, at_end), std::max(second, third)) + margin};
 }
 
-/// The same of (f(θ) − f(0))/θ, from slopes and increment of f: the three points of a parabola, widened by
-/// a sixth of the way that they go.
+/// The same of (f(θ) − f(0))/θ, from slopes and increment of f: the three Bézier points of a parabola,
+/// widened by a sixth of the sum of their two differences.
 inline Range cubic_range_of_mean_slope(double slope_at_begin, double increment, double slope_at_end) {
   const double second = 1.5 * increment - 0.5 * slope_at_end;
   const double margin = (std::abs(second - slope_at_begin) + std::abs(increment - second)) / 6.0;

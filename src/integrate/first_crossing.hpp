@@ -1,11 +1,11 @@
-/// The first place in a step where a guard passes from negative to positive, however short it stays there.
+/// The first place in a step where a guard passes from negative to positive, however short it stays positive.
 ///
-/// A guard is a smooth function of the fraction θ of a step (a gap, a slip velocity, what is left of a limit)
-/// that is negative while a motion goes on as it does, and ends that where it becomes positive. The signs at
-/// the ends of a step do not tell whether it does: a guard may pass zero twice in between. So it is sampled,
-/// and the polynomial through the samples bounds it. An interval is done with where that stays below zero, or
-/// rises or falls all over; it is halved where neither is seen, or where the last coefficients say that the
-/// polynomial is not the function yet.
+/// A guard is a smooth function of the fraction θ of a step: a gap, a slip velocity, the distance to a limit.
+/// It is negative while a mode lasts, and the mode ends where the guard becomes positive. The signs at the
+/// ends of a step do not tell whether this happens: a guard may pass zero twice in between. So the guard is
+/// sampled, and the polynomial through the samples bounds it. An interval needs no further search where this
+/// bound is below zero, or where the guard rises or falls throughout. Otherwise the interval is halved, also
+/// where large last coefficients show that the polynomial does not represent the guard yet.
 ///
 /// Chebyshev coefficients a_k bound a function on [−1, 1] by |T_k| <= 1, and its derivative by |T_k'| <= k²
 /// (L. N. Trefethen, Approximation Theory and Approximation Practice, SIAM 2013, chapters 3 and 4).
@@ -50,17 +50,17 @@ class SampledFunction {
     }
   }
 
-  /// How many samples are numbers.
+  /// How many samples are finite numbers.
   [[nodiscard]] std::size_t count() const { return count_; }
-  /// |sample|, of those that are.
+  /// The largest |sample|.
   [[nodiscard]] double largest() const { return largest_; }
-  /// Bound of the function.
+  /// Upper bound of the function.
   [[nodiscard]] double greatest() const { return coefficients_[0] + swing_ + doubt_; }
-  /// It rises all over, or falls all over.
+  /// Whether the function rises throughout the interval, or falls throughout.
   [[nodiscard]] bool monotonic() const {
     return std::abs(coefficients_[1]) > bend_ + static_cast<double>(kSamples * kSamples) * doubt_;
   }
-  /// Its value at the lower end, and how far that may be from the function's.
+  /// The polynomial at the lower end; the function may differ from it by `doubt`.
   [[nodiscard]] double at_low() const {
     double value = 0.0;
     for (std::size_t k = kSamples; k-- > 0;) value = coefficients_[k] - value;
@@ -86,7 +86,7 @@ class SampledFunction {
   double largest_ = 0.0;
   double swing_ = 0.0;  ///< Σ |a_k| from k = 1
   double bend_ = 0.0;   ///< Σ k² |a_k| from k = 2
-  double doubt_ = 0.0;  ///< the last two: how far the function may be from its polynomial
+  double doubt_ = 0.0;  ///< the last two |a_k|: how far the function may be from its polynomial
 };
 
 /// The search in one step: see `first_crossing`.
@@ -104,7 +104,8 @@ class CrossingSearch {
   CrossingSearch(const Guard& guard, const Interval& whole, double rounding)
       : guard_(&guard), shortest_(kResolution * (whole.high - whole.low)), rounding_(rounding) {}
 
-  /// The first part of an interval, which starts below zero, from whose start to whose end the guard crosses.
+  /// The first part of an interval between whose ends the guard passes from negative to positive. The guard
+  /// must be negative at the start of the interval.
   std::optional<Interval> find(const Interval& interval) {
     const auto [low, high, at_low, at_high] = interval;
     const auto by_its_ends = [&interval] {
@@ -124,10 +125,10 @@ class CrossingSearch {
   }
 
  private:
-  /// Of the step: what passes zero and comes back within is not seen.
+  /// Of the step: a guard that passes zero and comes back within this length is not seen.
   static constexpr double kResolution = 1.0 / (1 << 20);
   static constexpr double kRounding = 1e-15;  ///< of the largest sample
-  /// Tens are enough near a double root; more are asked for where only rounding is left of a guard.
+  /// Some tens are enough near a double root; more are needed only where a guard consists of rounding.
   static constexpr int kMostIntervals = 1000;
 
   const Guard* guard_;
@@ -137,9 +138,8 @@ class CrossingSearch {
 };
 
 /// First argument in [low, high] where `guard` passes from negative to positive, or none; `low` where it is
-/// positive there already. `at_low`, `at_high`: its values at the ends, where it is not evaluated. Values up
-/// to `rounding` that are positive in between only are zero. Where the guard is not a number it does not
-/// cross.
+/// positive there already. `at_low`, `at_high`: its values at the ends, where it is not evaluated. Positive
+/// values up to `rounding` count as zero between the ends. Where the guard is not a number it does not cross.
 template <class Guard>
 std::optional<double> first_crossing(const Guard& guard, double low, double high, double at_low,
                                      double at_high, double rounding = 0.0) {
@@ -149,7 +149,7 @@ std::optional<double> first_crossing(const Guard& guard, double low, double high
   std::optional<double> root;
   typename Search::Interval before{low, high, at_low, at_high};
   if (at_high > 0.0) {
-    // The signs tell of one root; what remains to be seen is whether it is the first.
+    // The signs show that there is a root; the search below finds out whether it is the first.
     root = root_between(guard, low, high, at_low, at_high);
     before = {low, *root, at_low, 0.0};
     if (!(low < *root)) return root;
@@ -159,9 +159,9 @@ std::optional<double> first_crossing(const Guard& guard, double low, double high
   return root_between(guard, found->low, found->high, found->at_low, found->at_high);
 }
 
-/// First argument in (low, high] where `function` changes its sign, whichever it starts with; it is not
-/// evaluated at `low`. Divided by (x − low), a function that starts at zero has no root there: so is its next
-/// one found.
+/// First argument in (low, high] where `function` changes its sign, whichever sign it starts with; the
+/// function is not evaluated at `low`. To find the next root of a function f that is zero at `low`, pass
+/// f(x)/(x − low), which has no root there.
 template <class Function>
 std::optional<double> first_sign_change(const Function& function, double low, double high, double at_high) {
   constexpr int kHalvings = 20;

@@ -7,9 +7,10 @@
 
 namespace rubatlas::integrate {
 
-/// Located to `bits` of the argument, the last ones by default (TOMS 748; the bracket never gives way to
-/// rounding). Where both ends have one sign, or are one place, by rounding: the end nearer to the root; where
-/// a value is not a number, `high`. The ends may be given in either order.
+/// The root to `bits` bits of the argument, by default to the last one (TOMS 748, which keeps the root
+/// bracketed whatever the rounding). Where rounding gives both ends one sign, or makes them one place, the
+/// end with the smaller |value|; where a value is not a number, `high`. The ends may be given in either
+/// order.
 template <class Function>
 double root_between(Function function, double low, double high, double at_low, double at_high,
                     unsigned bits = 52) {

@@ -43,7 +43,7 @@ point::PointStatus ChangingMotion::revolution(modes::MotionListener& listener, c
 WorkCounts ChangingMotion::work() const {
   WorkCounts sum = work_;
   sum += motion_->work();
-  sum.price = motion_->work().price;  // its meter has gone on with that of the motions before
+  sum.price = motion_->work().price;  // its meter already includes the earlier motions
   return sum;
 }
 
@@ -53,7 +53,7 @@ double ChangingMotion::clearance_growth() const {
   return largest;
 }
 
-/// Lets the motion of the next revolution take over, if it is another.
+/// Makes a new motion for the next revolution and lets it take over, if speed or lengths have changed.
 point::PointStatus ChangingMotion::change(modes::MotionListener& listener, int number) {
   const double speed = ramp_ ? ramp_->speed_ratio(first_speed_, number) : speed_;
   const bool faster = speed != speed_;
@@ -68,7 +68,7 @@ point::PointStatus ChangingMotion::change(modes::MotionListener& listener, int n
   return status;
 }
 
-/// What the revolution's friction has worn off is missing from now on.
+/// Takes off what the friction of the revolution has worn off; a blade that has lost too much ends the point.
 point::PointStatus ChangingMotion::wear_off() {
   const std::span<const double> work = friction_work_->of_blades();
   for (std::size_t k = 0; k < lost_.size(); ++k) {

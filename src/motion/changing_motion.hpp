@@ -1,8 +1,8 @@
 /// A motion whose machine changes from revolution to revolution: blades that wear, a speed that ramps.
 ///
-/// One mechanism for both. Within a revolution nothing changes, and the motion is that of any other rotor;
-/// between two revolutions a motion with the new speed and lengths takes over the state and what is in
-/// contact. Where nothing has changed the old one goes on.
+/// Both have one mechanism. Within a revolution the machine does not change, and the motion is that of any
+/// other rotor. Between two revolutions a motion with the new speed and lengths takes over the state and the
+/// contacts. Where nothing has changed the old motion goes on.
 #pragma once
 
 #include <memory>
@@ -52,10 +52,10 @@ class ChangingMotion final : public PointMotion {
   std::vector<double> lost_before_;  ///< when the point started
   double longest_loss_ = 0.0;        ///< [m]
   bool shorter_ = false;             ///< a blade has lost length in the last revolution
-  point::StatusDetail worn_out_ = point::StatusDetail::none;  ///< what wear ends the point with
+  point::StatusDetail worn_out_ = point::StatusDetail::none;  ///< why wear ends the point
   std::optional<FrictionWork> friction_work_;
   std::unique_ptr<PointMotion> motion_;
-  WorkCounts work_;  ///< of the motions before
+  WorkCounts work_;  ///< of the earlier motions of the point
 };
 
 }  // namespace rubatlas::motion

@@ -1,5 +1,5 @@
-/// Resets of one contact: what becomes of its unknowns where it opens, snaps, turns its slip round, or goes
-/// on under another machine. One kind for each kind of blade.
+/// Resets of one contact: what becomes of its unknowns where it opens, snaps, reverses its slip, or goes on
+/// after a change of the machine. There is one specialisation for each kind of blade.
 ///
 /// Rigid blades have no unknowns. Blades under an axial load have the bending parameter u, whose root is
 /// looked for here (MODEL 4.1 and 4.2). Blades under an inclined load have κ and φ, which the mode that
@@ -16,7 +16,7 @@
 
 namespace rubatlas::motion {
 
-/// Blades of which κ and φ are unknown, not the bending parameter alone.
+/// Blades with the two unknowns κ and φ, instead of the bending parameter u alone.
 template <class Blade>
 concept HasTwoUnknowns = requires {
   &Blade::Drift::misdirection;
@@ -31,7 +31,7 @@ struct TipPlace {
   double speed;
 };
 
-/// Nothing is to be found at a reset: the force follows from the gap, or the mode that begins finds it.
+/// A reset has nothing to find: the force follows from the gap, or the mode that begins finds it.
 struct ResetWithoutUnknowns {
   static constexpr bool kCarries = false;
   template <class Blade>
@@ -97,8 +97,8 @@ requires Blade::kHasBending struct ContactReset<Blade> {
     return blade.snap(at.pose, contact.slip, contact.bending, at.speed);
   }
 
-  /// From the end of a branch on to the next equilibrium in the direction in which the blade moves. Where
-  /// there is none, it is free if the ring opens and the undeformed tip is outside it.
+  /// Goes from the end of a branch to the next equilibrium in the direction in which the blade moves. Where
+  /// there is none, the blade is free if the ring opens and the undeformed tip is outside it.
   static Standing snap(const Blade& blade, const TipPlace& at, modes::OpenContact& contact) {
     const auto root = blade.snap(at.pose, contact.slip, contact.bending, at.speed);
     if (root) {
@@ -117,7 +117,7 @@ requires Blade::kHasBending struct ContactReset<Blade> {
     return root.has_value();
   }
 
-  /// A column that has been carried to u = 0 while its tip is in the ring stands straight from there on.
+  /// A column whose u has come to 0 while its tip is still in the ring (g > 0) stands straight from there on.
   static bool straightens(const Blade& blade, const TipPlace& at, modes::OpenContact& contact) {
     if (blade.carried() || at.pose.gap <= modes::kGapRounding) return false;
     contact.bending = 0.0;
@@ -129,9 +129,10 @@ requires Blade::kHasBending struct ContactReset<Blade> {
 template <class Blade>
 requires HasTwoUnknowns<Blade>
 struct ContactReset<Blade> : ResetWithoutUnknowns {
-  /// A blade bent to one of two sides: on to the other equilibrium on its side, or to the other side.
+  /// Snaps to another equilibrium on the side to which the blade is bent, or, where there is none, to one on
+  /// the other side.
   static Standing snap(const Blade& blade, const TipPlace& at, modes::OpenContact& contact) {
-    constexpr double kSame = 1e-3;  // of κ: a root next to the fold is the one that ends there
+    constexpr double kSame = 1e-3;  // of κ: a root so close to the fold is the one that ends there
     const double modulus = contact.bend.modulus;
     const double side = std::copysign(1.0, modulus);
     auto root = blade.solve(at.pose, contact.slip, at.speed, side);
@@ -153,7 +154,8 @@ struct ContactReset<contact::ElasticBladeOnDampedRing> : ResetWithoutUnknowns {
     contact.straight = load < blade.bending_load(at.pose, contact.slip, at.speed);
     return true;
   }
-  /// A blade that has come to the ring's circle unbent stays there where the ring pushes it.
+  /// A blade that has unbent to the ring's circle stays in contact, standing straight, where the ring pushes
+  /// it.
   static bool straightens(const Blade& blade, const TipPlace& at, modes::OpenContact& contact) {
     const double rate = blade.depth_rate(at.pose, at.speed);
     if (contact.straight || !(blade.ring_load(contact.yielding, rate) > 0.0)) return false;

@@ -11,7 +11,7 @@
 
 namespace rubatlas::motion {
 
-/// Stands between a motion and its listener.
+/// A listener that adds up the work of friction and passes everything on to another listener.
 class FrictionWork final : public modes::MotionListener {
  public:
   explicit FrictionWork(int blade_count) : work_(static_cast<std::size_t>(blade_count), 0.0) {}
@@ -21,7 +21,7 @@ class FrictionWork final : public modes::MotionListener {
     listener_ = &listener;
     work_.assign(work_.size(), 0.0);
   }
-  /// W of each blade since [J].
+  /// W of each blade since `begin` [J].
   [[nodiscard]] std::span<const double> of_blades() const { return work_; }
 
   void piece(observables::MotionPiece& piece) override {
@@ -29,8 +29,8 @@ class FrictionWork final : public modes::MotionListener {
     const double begin = piece.begin();
     const double length = piece.end() - begin;
     for (std::size_t contact = 0; contact < piece.contact_count(); ++contact) {
-      // τ = begin + length q²(3 − 2q): where a tip touches or leaves the force goes like a square root of the
-      // time (MODEL 3.3), which is smooth in q.
+      // τ = begin + length q²(3 − 2q): where a tip touches down or lifts off the force varies like a square
+      // root of the time (MODEL 3.3), and is smooth in q.
       const auto power = [&](double q) {
         return 6.0 * q * (1.0 - q) *
                piece.friction_power(contact, begin + length * (q * q * (3.0 - 2.0 * q)));
@@ -43,7 +43,8 @@ class FrictionWork final : public modes::MotionListener {
   void speed_changes(double speed_ratio) override { listener_->speed_changes(speed_ratio); }
 
  private:
-  /// A piece is a step of order 8 at most, in which little happens: 10 points leave 1e-10 of the work.
+  /// A piece is at most one step, of a method of order 8 at most, in which the power changes little: 10
+  /// points leave an error of 1e-10 of the work.
   static constexpr unsigned kPoints = 10;
 
   modes::MotionListener* listener_ = nullptr;

@@ -1,4 +1,5 @@
-/// Which modes a motion has, by its law of contact and by what moves: none is compiled that cannot occur.
+/// Which modes a motion has, by its contact law and by the bodies that move: a mode that cannot occur is not
+/// compiled.
 #pragma once
 
 #include <type_traits>
@@ -22,22 +23,22 @@ template <class Law, class Forcing, class Pair, class Blades>
 struct ModesOf {
   using Reset = ContactReset<typename Law::OfBlade>;
 
-  // Only blades that bend carry a parameter, and start with a force.
+  // Only blades with a bending parameter are carried, and skim: their contacts may start from a finite force.
   static constexpr bool kCarries = Reset::kCarries;
   using Carried = modes::Carried<Law, Forcing, Blades>;
   using Skimming = modes::Skimming<Law, Forcing, Blades>;
 
-  // Only tips that can stick have a mode for it; it also judges whether they do.
+  // Only tips that can stick have a mode of sticking; this mode also decides whether they stick.
   static constexpr bool kSticks = contact::Sticks<Law>;
   using Sticking = modes::StickingOf<Law, Forcing, Blades>;
 
-  // Tips that always slip come to rest where their slip reversals accumulate, under a law of its own.
+  // Tips that always slip come to rest where their slip reversals accumulate, under a separate law.
   using RestingLaw = typename contact::RestingLawOf<Law>::Type;
   static constexpr bool kRests = !std::is_void_v<RestingLaw>;
   using Resting = modes::StickingElastic<RestingLaw, Forcing, Blades>;
 
-  // Every other contact: blades with two unknowns carry them; a ring without mass is to be put somewhere, one
-  // with dampers yields in its own time.
+  // All other contacts: the two unknowns of a blade are carried as states; a ring without mass is put where
+  // its spring balances the blades; a ring with dampers has a mode for its yielding.
   static constexpr bool kRingFollows = rotor::kRingFollows<Forcing>;
   using FollowingRing = modes::FollowingRing<Law, Forcing, Blades>;
   static constexpr auto solved() {

@@ -1,5 +1,5 @@
-/// The motion of one point, whatever it is made of: what protocol, recording and changes of the machine
-/// between revolutions know of it. One virtual call a revolution.
+/// The motion of one point, for any combination of law, bodies and effects: the interface for the protocol,
+/// the recording and the changes of the machine between revolutions. One virtual call per revolution.
 #pragma once
 
 #include <functional>
@@ -26,18 +26,18 @@ class PointMotion {
   virtual ~PointMotion() = default;
 
   virtual point::PointStatus start(const PointStart& start) = 0;
-  /// The next revolution, whose number counts from the first that is sampled.
+  /// The next revolution. `number` counts from the first sampled revolution and is negative in the transient.
   virtual point::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
                                         int number) = 0;
   /// Goes on at phase 0 from where a motion of the same kind, with another speed or other blades, has ended.
-  /// Throws std::logic_error of a machine that does not change.
+  /// Throws std::logic_error for a machine that does not change.
   virtual point::PointStatus take_over(PointMotion& before) = 0;
 
-  /// What ended the motion, where that is not done.
+  /// What ended the motion, where its status is not `done`.
   [[nodiscard]] virtual point::StatusDetail status_detail() const = 0;
-  /// At the end of the last revolution; a ring that is no body stands at zero.
+  /// State at the end of the last revolution; a ring that is not a body is at zero.
   [[nodiscard]] virtual rotor::ShaftAndRing state() const = 0;
-  /// What the next point is to know besides the shaft's state.
+  /// What the next point needs besides the shaft's state.
   [[nodiscard]] virtual Memory memory() const { return {}; }
   /// Largest growth of a blade's clearance since the point started [m].
   [[nodiscard]] virtual double clearance_growth() const { return 0.0; }
@@ -49,7 +49,8 @@ class PointMotion {
 using MakeMotion =
     std::function<std::unique_ptr<PointMotion>(double speed_ratio, std::span<const double> lost)>;
 
-/// A compiled motion of a shaft, or of a shaft and a ring. `kMayChange`: another one may take over from it.
+/// A compiled motion of a shaft, or of a shaft and a ring. `kMayChange`: another motion may take over from
+/// it.
 template <class Motion, bool kMayChange>
 class TypedMotion final : public PointMotion {
  public:
@@ -60,7 +61,7 @@ class TypedMotion final : public PointMotion {
     rotor::ShaftAndRing bodies = rotor::ShaftAndRing::Zero();
     bodies.head<4>() = rotor::as_state(start.state);
     if constexpr (kHasRing) {
-      // A ring of which nothing is remembered is at rest in its place.
+      // Without a memory the ring starts at its place of rest, without velocity.
       const std::span<const double> ring = start.memory.view();
       if (!ring.empty()) bodies.tail<4>() = rotor::State(ring.data());
       return motion_.start(bodies);

@@ -1,4 +1,4 @@
-/// What a motion starts from: the state of the shaft, and what effects remember besides.
+/// What a motion starts from: the state of the shaft, and the memory of effects.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +11,10 @@
 namespace rubatlas::motion {
 
 /// What effects remember from point to point besides the state, in the order of `observables::memories`.
-/// Small enough to go along in any message.
+/// Small enough to be part of any message.
 class Memory {
  public:
-  static constexpr std::size_t kMost = 64;  ///< numbers; fifty blades, and a ring
+  static constexpr std::size_t kMost = 64;  ///< numbers: enough for fifty blades and a ring
 
   Memory() = default;
   explicit Memory(std::span<const double> values) : count_(static_cast<std::uint32_t>(values.size())) {
@@ -22,7 +22,7 @@ class Memory {
     std::copy(values.begin(), values.end(), values_.begin());
   }
   [[nodiscard]] std::span<const double> view() const { return {values_.data(), count_}; }
-  /// Bytes at the end of a Memory that say nothing.
+  /// Bytes at the end of a Memory that hold no value.
   [[nodiscard]] std::size_t unused_bytes() const { return sizeof(double) * (kMost - count_); }
 
  private:

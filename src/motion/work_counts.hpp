@@ -5,19 +5,19 @@
 
 namespace rubatlas::motion {
 
-/// Counts that tell what a point cost; never part of the atlas.
+/// Counts of the work of a point; never part of the atlas.
 struct WorkCounts {
-  std::uint64_t revolutions = 0;  ///< that came to their end
+  std::uint64_t revolutions = 0;  ///< completed
   std::uint64_t right_hand_sides = 0;
   std::uint64_t steps = 0;
   std::uint64_t rejected_steps = 0;
   std::uint64_t touchdowns = 0;
   std::uint64_t liftoffs = 0;
   std::uint64_t slip_reversals = 0;
-  std::uint64_t slip_accumulations = 0;    ///< of reversals, in whose limit a tip comes to rest
+  std::uint64_t slip_accumulations = 0;    ///< of reversals, after which a tip comes to rest
   std::uint64_t gap_evaluations = 0;       ///< in flight
-  std::uint64_t elastica_evaluations = 0;  ///< of the blade's curve, wherever a force is asked for
-  std::int64_t price = 0;                  ///< of all of it, as the bound of a revolution counts it [ns]
+  std::uint64_t elastica_evaluations = 0;  ///< of the blade's curve, in all modes and at resets
+  std::int64_t price = 0;                  ///< of all this work, as in `modes/work_meter.hpp` [ns]
 
   WorkCounts& operator+=(const WorkCounts& more) {
     revolutions += more.revolutions;

@@ -1,4 +1,4 @@
-/// What an observable sees of the motion: one piece of it after the other, flight or contact, without gaps.
+/// What an observable sees of the motion: one piece after the other, in flight or in contact, without gaps.
 #pragma once
 
 #include <array>
@@ -26,7 +26,8 @@ class MotionPiece {
   [[nodiscard]] virtual std::size_t contact_count() const = 0;
   /// Number of the blade, from 0, of one of the contacts.
   [[nodiscard]] virtual int blade(std::size_t contact) const = 0;
-  /// True where the load of a contact may rise and fall again within the piece; else it is largest at an end.
+  /// True where the load of a contact may rise and fall again within the piece; else the load is largest at
+  /// an end.
   [[nodiscard]] virtual bool load_peaks(std::size_t contact) const = 0;
   /// Normal force F [N] and bending strain at the blade's root [-] of a contact at a time of the piece.
   [[nodiscard]] virtual double normal_force(std::size_t contact, double time) = 0;

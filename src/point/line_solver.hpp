@@ -1,4 +1,4 @@
-/// The door to the physics: one line of the atlas, point by point.
+/// The interface to the physics: computes one line of the atlas, point by point.
 ///
 /// A scene's choices (contact law, effects, observables) become types once, in `make_line_solver`; from there
 /// to the end of a point nothing is looked up by name. One virtual call per point.
@@ -19,20 +19,20 @@ namespace rubatlas::point {
 
 struct PointOutcome {
   PointStatus status = PointStatus::pending;
-  StatusDetail detail = StatusDetail::none;  ///< what ended the point, where it is not done
+  StatusDetail detail = StatusDetail::none;  ///< what ended the point, where its status is not `done`
   std::int32_t failed_revolution = -1;       ///< counted from 0 through the transient; −1 when done
   motion::SectionState final_state{};        ///< after the last revolution; NaN when not done
-  motion::Memory final_memory;               ///< beside it; empty where no effect has one
+  motion::Memory final_memory;               ///< memory of effects there; empty where no effect has one
   observables::Rows rows;                    ///< as `observables::descriptions(scene)`
   motion::WorkCounts work;
 };
 
-/// The forces of contacts over their times, closer than a uniform grid of time can have them: contact after
-/// contact in the order in which they begin, of each both ends, every peak, and what lies between.
+/// The forces of contacts over time, sampled more closely than on a uniform grid of time: contact after
+/// contact in the order in which they begin, each with its two ends, every peak, and samples between them.
 struct ContactSamples {
   std::vector<std::int32_t> number;  ///< of the contact, from 0
   std::vector<std::int32_t> blade;   ///< from 0
-  std::vector<double> time;   ///< τ [-] as in the orbit; ascends within a contact, twice the same at a jump
+  std::vector<double> time;  ///< τ [-] as in the orbit; ascends within a contact, with a time twice at a jump
   std::vector<double> force;  ///< normal force F [N]
   std::vector<motion::SectionState> state;
 };
@@ -55,7 +55,7 @@ class LineSolver {
 
   /// Runs transient and sampled revolutions at one speed ratio from `start`. `go_on` is asked after each
   /// revolution and every few milliseconds within (a rank answers its messages there): false gives the point
-  /// up, which is then pending. Empty: nobody asks.
+  /// up, whose status is then `pending`. An empty one is not asked.
   virtual PointOutcome run(double speed_ratio, const motion::PointStart& start,
                            const modes::GoOn& go_on = {}) = 0;
 

@@ -12,8 +12,8 @@
 namespace rubatlas::point {
 namespace {
 
-/// Parts of a piece of motion in contact. A piece is a step at most, and a step is a tenth of a contact or
-/// so.
+/// Samples in a piece of motion in contact. A piece is at most one step, and a step is about a tenth of a
+/// contact.
 constexpr int kParts = 8;
 
 }  // namespace
@@ -73,7 +73,8 @@ void OrbitListener::sample_orbit(observables::MotionPiece& piece) {
   }
 }
 
-/// Both ends, equal parts, and the peak where the force has one between them.
+/// Samples a contact at both ends of the piece, between these at equal distances, and at the peak of the
+/// force where there is one.
 void OrbitListener::sample_contact(observables::MotionPiece& piece, std::size_t contact) {
   const int blade = piece.blade(contact);
   auto& open = open_[static_cast<std::size_t>(blade)];
@@ -88,7 +89,7 @@ void OrbitListener::sample_contact(observables::MotionPiece& piece, std::size_t 
   };
   const double begin = piece.begin();
   const double end = piece.end();
-  // Where nothing has happened the last piece has ended with the same force.
+  // Without an event since then, the last piece has ended with the same force.
   if (!goes_on || may_jump_) add(begin, piece.normal_force(contact, begin));
   if (!(end > begin)) return;
 

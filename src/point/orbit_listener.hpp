@@ -1,4 +1,4 @@
-/// Keeps a motion as uniform samples, and its contacts more closely: what the command `orbit` shows.
+/// Keeps uniform samples of a motion, and closer samples of its contacts, for the command `orbit`.
 #pragma once
 
 #include <optional>
@@ -43,7 +43,7 @@ class OrbitListener final : public modes::MotionListener {
   int since_ = 0;
   Orbit orbit_;
   std::vector<Contact> contacts_;                 ///< in the order in which they begin
-  std::vector<std::optional<std::size_t>> open_;  ///< of each blade, which of them
+  std::vector<std::optional<std::size_t>> open_;  ///< of each blade, the index of its open contact
   bool may_jump_ = false;                         ///< an event has come since the last piece
 };
 

@@ -42,7 +42,7 @@ rotor::RotorConstants constants_of(const settings::Scene& line, double speed_rat
 PointSolver::PointSolver(const settings::Scene& line, motion::MakeMotion make)
     : scene_(line), make_(std::move(make)), recorder_(line) {}
 
-/// A fresh one for each point, so that nothing but its start crosses from point to point.
+/// A new motion for each point, so that a point depends on earlier points through its start only.
 std::unique_ptr<motion::PointMotion> PointSolver::motion_of(double speed_ratio,
                                                             const motion::PointStart& start) const {
   if (motion::changes_between_revolutions(scene_))

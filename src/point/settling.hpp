@@ -1,8 +1,9 @@
 /// When a transient has come to its end: the motion repeats from revolution to revolution.
 ///
-/// Sections settle on a stable cycle geometrically, so that sections which repeat over several periods far
-/// more closely than they are compared later have nowhere else to go. Chaos has near returns too, but not
-/// three in succession at every one of its sections within a tenth of the local error of a step.
+/// Sections approach a stable cycle geometrically. So sections that repeat over several periods, far more
+/// closely than later comparisons resolve, have reached the cycle. A chaotic motion returns close to earlier
+/// sections too, but not three times in succession at every section within a tenth of the local error of a
+/// step.
 #pragma once
 
 #include <array>
@@ -14,7 +15,7 @@ namespace rubatlas::point {
 
 class Settling {
  public:
-  using Section = rotor::ShaftAndRing;               ///< the state of all that moves
+  using Section = rotor::ShaftAndRing;               ///< the state of shaft and ring
   static constexpr std::size_t kLongestPeriod = 16;  ///< in revolutions, as the classes of `analyse`
   static constexpr std::size_t kRepeats = 3;         ///< periods in succession that repeat the one before
   static constexpr double kCloseness = 0.1;          ///< of accuracy.tolerance × δc

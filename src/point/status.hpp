@@ -30,12 +30,12 @@ enum class StatusDetail : std::uint8_t {
 
 struct StatusDetailText {
   StatusDetail detail;
-  PointStatus status;     ///< that goes with it
+  PointStatus status;     ///< of a point that ends so
   std::string_view name;  ///< in `flag_meanings`
   std::string_view text;  ///< what ended the motion, as part of a sentence
 };
 
-/// All that the atlas may hold, `none` first.
+/// All details that the atlas may hold, `none` first.
 inline constexpr std::array kStatusDetails{
     StatusDetailText{StatusDetail::none, PointStatus::done, "none", "nothing ended it"},
     StatusDetailText{StatusDetail::no_equilibrium, PointStatus::left_validity, "no_equilibrium",

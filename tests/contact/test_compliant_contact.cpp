@@ -54,7 +54,7 @@ Pose pressed(double penetration, double lateral = 0.0) {
           penetration * (2 * radius + penetration)};
 }
 
-/// Of a contact that opens where it stands, or of one that is followed from `bending`.
+/// Force of a contact that has just opened (`bending` 0), or of a contact that is followed from `bending`.
 template <class Law>
 TipForce force_at(const Law& law, const Pose& at, double slip = 1.0, double bending = 0.0) {
   TipForce force{};
@@ -74,7 +74,7 @@ TEST(AxialCompliance, MakesTheHeadOnForceProportionalToThePenetration) {
       const double straight = blade.axial_stiffness() / kDefaultRotor.length * penetration;
       const double departure = 1.0 - force_at(law, pressed(penetration)).normal / straight;
       EXPECT_GT(departure, 0.0) << "bending adds to what the blade yields";
-      // Bending yields like the load squared, so that its share falls with the load.
+      // Bending shortens the blade by the square of the load, so that its share falls with the load.
       if (before > 0.0) {
         EXPECT_NEAR(before / departure, 10.0, 0.4) << penetration;
       }
@@ -92,7 +92,7 @@ TEST(AxialCompliance, VanishesToFirstOrderWithItsShare) {
   int compared = 0;
   for (int i = 0; i < 400; ++i) {
     Pose at = contacts.next();
-    if (at.gap < 1e-4 || at.tangential < 0.0) continue;  // light contacts need smaller shares still
+    if (at.gap < 1e-4 || at.tangential < 0.0) continue;  // lighter contacts would need even smaller shares
     const auto root = inextensible.solve(at, 1.0);
     if (!root) continue;
     const double exact = inextensible.constraint(at, 1.0, *root, 0.3).force.normal;
@@ -122,7 +122,7 @@ TEST(AxialCompliance, CompressesTheColumnStraightUpToItsEulerLoad) {
     EXPECT_NEAR(force.shortening * kDefaultRotor.length, part * buckling, 1e-12 * std::abs(part) * buckling);
     EXPECT_EQ(force.root_strain, 0.0) << "straight";
   }
-  // Through buckling the load is continuous, and then all but constant.
+  // At buckling the load is continuous; beyond buckling it is nearly constant.
   const double before = force_at(law, pressed(buckling * (1 - 1e-9))).normal;
   const TipForce after = force_at(law, pressed(buckling * (1 + 1e-9)));
   EXPECT_NEAR(after.normal / before, 1.0, 1e-8);
@@ -137,7 +137,8 @@ TEST(AxialCompliance, CompressesTheColumnStraightUpToItsEulerLoad) {
 }
 
 TEST(AxialCompliance, LetsTheForceStartFromZeroALittlePastTopDeadCentre) {
-  // Within 3ε(R/μ) of it what the blade gives way by under the axial load outweighs what friction lifts it.
+  // Within 3εR/μ of top dead centre the axial shortening of a light contact exceeds what friction adds to the
+  // tip's penetration.
   const BladeCase blade{0.1, 1.0};
   const ElasticaContact law = make(blade);
   const double edge = 3 * std::pow(blade.thickness / kDefaultRotor.length, 2) / 12 / blade.friction *
@@ -215,7 +216,7 @@ TEST(YieldingRing, UnderAStiffBladeIsTheElasticRing) {
   const ElasticRingContact ring(kDefaultRotor.geometry(), kStiffness, 0.0);
   const InYieldingRing column =
       make<InYieldingRing>({0.0, 0.0, Theory::elastica, 0.01}, YieldingRing{kStiffness});
-  // With friction the blade bends by μF L³/(3 EI), ever less.
+  // With friction a blade bends by μF L³/(3 EI); the thicker blades below bend less and less.
   const ElasticRingContact rubbed(kDefaultRotor.geometry(), kStiffness, 0.1);
   const InYieldingRing stiff =
       make<InYieldingRing>({0.1, 0.0, Theory::elastica, 0.05}, YieldingRing{kStiffness});
@@ -247,7 +248,7 @@ TEST(YieldingRing, AddsItsComplianceToTheBladesUnderSmallLoads) {
     EXPECT_NEAR(force_at(straight, pressed(penetration)).normal * compliance / penetration, 1.0, 1e-10);
     EXPECT_NEAR(force_at(bent, pressed(penetration)).normal * compliance / penetration, 1.0,
                 2e7 * penetration);
-    // Off the top the lateral compliance L³/(3 EI) comes in by μ s ct/R.
+    // Away from top dead centre the lateral compliance L³/(3 EI) adds to this, times μ s ct/R.
     const double lateral = 1e-3;
     const double side =
         0.1 * lateral / kDefaultRotor.ring_radius * kDefaultRotor.length / 3 / rubbed.load_unit();
@@ -276,7 +277,7 @@ TEST(ReleaseAtFold, HoldsTheTipBeyondTheRingAsLongAsThereIsAForce) {
   for (const double friction : {0.0, 0.01, 0.1, 0.5}) {
     const ReleasedAtFold law = make<ReleasedAtFold>({friction});
     for (const double lateral : {-1e-4, -1e-3, -5e-3}) {
-      // From the ring outwards; the root falls towards the fold like a square root.
+      // From the ring outwards to the fold, which the root approaches like a square root.
       double gap = 0.0;
       auto root = law.solve(pressed(0.0, lateral), 1.0);
       ASSERT_TRUE(root.has_value());
@@ -296,7 +297,7 @@ TEST(ReleaseAtFold, HoldsTheTipBeyondTheRingAsLongAsThereIsAForce) {
         last = *root;
         const auto there = law.constraint(at, 1.0, last, 0.3);
         EXPECT_NEAR(there.residual, 0.0, 1e-16);
-        // From scratch as from next to it.
+        // The search from a neighbouring root finds the same root.
         EXPECT_NEAR(law.solve_near(at, 1.0, at_ring).value_or(-1.0), last,
                     1e-12 * at_ring + 1e-16 / std::abs(there.bending_slope));
       }
@@ -337,7 +338,7 @@ TEST(ReleaseAtFold, NeverHoldsATipOnTheApproachingSide) {
   }
 }
 
-/// Blades and rings that give way under the load by much or little, and tips on the receding side.
+/// Blades and rings of large and of small compliance; the tips are on the receding side.
 struct CompliantCase {
   BladeCase blade;
   double ring_stiffness;
@@ -348,8 +349,9 @@ constexpr std::array kCompliantCases{
     CompliantCase{{0.02, 1.0}, 1e5},   CompliantCase{{0.3, 1.0}, 1e4},
     CompliantCase{{0.0, 1.0}, 1e5},    CompliantCase{{0.0, 50.0}, 1e6}};
 
-/// Lightly in, up to a tenth of what it yields by under its Euler load, and short of where the force ceases
-/// to start from zero: where a blade may be compressed or bent.
+/// A light contact on the receding side: the penetration is up to a tenth of the yielding under the Euler
+/// load, and ct is near the place beyond which the force no longer starts from zero. Here a blade may be
+/// compressed or bent.
 Pose receding(const CompliantCase& given, RandomContacts& random) {
   const double length = kDefaultRotor.length;
   const double compliance = 1.0 / given.ring_stiffness + length / given.blade.axial_stiffness();
@@ -360,8 +362,8 @@ Pose receding(const CompliantCase& given, RandomContacts& random) {
                  -std::min(edge * (0.5 + 0.6 * random.uniform()), 0.25 * kDefaultRotor.ring_radius));
 }
 
-/// Brackets of the roots of h = 0 past the unloaded blade where h falls, from a fine scan; and the ends of
-/// the stretch around each on which it falls.
+/// Bracket of a root of h = 0 at which h falls, from a fine scan beyond the unloaded blade; and the ends of
+/// the stretch around the root on which h falls.
 struct Scanned {
   double low, high;
   double begin, end;
@@ -397,7 +399,7 @@ TEST(Branches, LoadIncreasedFromZeroMeetsTheRootOfANewContactFirst) {
       const Pose at = receding(given, random);
       const auto root = law.solve(at, 1.0);
       if (root && *root == 0.0) {
-        // The column carries the gap straight, which takes less load than any bending.
+        // The column stands straight; this takes less load than any bending.
         EXPECT_EQ(given.blade.friction, 0.0);
         EXPECT_LE(force_at(law, at).normal, given.blade.euler_load());
         continue;
@@ -439,11 +441,11 @@ TEST(Branches, ARootIsFollowedOnItsOwnBranchFromAnywhereOnIt) {
   EXPECT_GT(followed, 200);
 }
 
-/// Presses a blade in and draws it out again in steps; the path of its loads, of which each snap is one step.
+/// Presses a blade in and draws it out again in steps, each of which may be a snap.
 struct Swept {
-  double largest_before_snap = 0.0;  ///< load from which it snaps on the way in [N]
-  double snap_in = 0.0;              ///< penetration there [m]
-  double snap_out = 0.0;             ///< and on the way out [m]
+  double largest_before_snap = 0.0;  ///< load before it first snaps [N]
+  double snap_in = 0.0;              ///< cr of the last snap on the way in [m]
+  double snap_out = 0.0;             ///< cr of the last snap on the way out [m]
   int snaps = 0;
 };
 Swept press_in_and_out(const InYieldingRing& law, double deepest, double lateral, int steps) {
@@ -498,14 +500,14 @@ TEST(Branches, ABladeThatBendsSnapsBothWaysWithHysteresis) {
   const Swept swept = press_in_and_out(law, kDeepest, kLateral, kSteps);
   EXPECT_EQ(swept.snaps, 2);
   EXPECT_LT(swept.snap_out, swept.snap_in - 5 * kDeepest / kSteps);
-  // In ten times fewer steps the same, as near as these tell.
+  // A tenth of the steps gives the same, within the length of one step.
   const Swept coarse = press_in_and_out(law, kDeepest, kLateral, kSteps / 10);
   EXPECT_EQ(coarse.snaps, 2);
   EXPECT_NEAR(coarse.snap_in, swept.snap_in, 10.1 * kDeepest / kSteps);
   EXPECT_NEAR(coarse.snap_out, swept.snap_out, 10.1 * kDeepest / kSteps);
 }
 
-/// The published stepping of the force ends within one increment above the root.
+/// The paper's stepping of the force ends at most one increment above the root.
 template <class Law>
 void expect_steps_up_to_the_root(const Law& law, double increment) {
   RandomContacts contacts(kDefaultRotor, 0.1, 27);
