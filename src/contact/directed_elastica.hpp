@@ -1,5 +1,5 @@
-/// Contact law of flexible blades whose tip load has a direction of its own: along the blade, as the paper
-/// assumes, or as the ring gives it, with any friction law.
+/// Contact law of elastic blades under an inclined tip load, with any friction law. The normal force loads
+/// the blade along its axis, as the paper assumes, or along the contact normal.
 ///
 /// The ring acts on the tip with −F n − c F t: n the normal where the deformed tip stands, (cos α, sin α)
 /// along and across the blade, t = n turned by +90°, c the signed friction coefficient. Along and across the

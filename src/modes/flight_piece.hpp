@@ -1,4 +1,4 @@
-/// A flight as a piece of motion, for those that record the motion.
+/// A flight as a piece of motion, for the listeners of the motion.
 #pragma once
 
 #include <cstddef>

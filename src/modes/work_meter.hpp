@@ -16,7 +16,7 @@
 namespace rubatlas::modes {
 
 /// Asked after each revolution, and within a long one after every few milliseconds of work: false gives the
-/// point up, whose status stays `pending`. An empty one is not asked. It must not throw.
+/// point up, whose status stays `pending`. An empty function is not called. It must not throw.
 using GoOn = std::function<bool()>;
 
 enum class Work : std::uint8_t { contact, flight, events };

@@ -56,11 +56,11 @@ struct ResetWithoutUnknowns {
   }
 };
 
-/// Of rigid blades.
+/// For rigid blades.
 template <class Blade>
 struct ContactReset : ResetWithoutUnknowns {};
 
-/// Of blades whose bending parameter can be carried.
+/// For blades whose bending parameter can be carried as a state.
 template <class Blade>
 requires Blade::kHasBending struct ContactReset<Blade> {
   static constexpr bool kCarries = true;
@@ -125,7 +125,7 @@ requires Blade::kHasBending struct ContactReset<Blade> {
   }
 };
 
-/// Of blades under an inclined load.
+/// For blades under an inclined load.
 template <class Blade>
 requires HasTwoUnknowns<Blade>
 struct ContactReset<Blade> : ResetWithoutUnknowns {
@@ -144,7 +144,7 @@ struct ContactReset<Blade> : ResetWithoutUnknowns {
   }
 };
 
-/// Of elastic blades on a ring with dampers: on the receding side a blade stands straight while the ring's
+/// For elastic blades on a ring with dampers: on the receding side a blade stands straight while the ring's
 /// load is too small to bend it.
 template <>
 struct ContactReset<contact::ElasticBladeOnDampedRing> : ResetWithoutUnknowns {

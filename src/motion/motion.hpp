@@ -127,7 +127,7 @@ class Motion {
     return point::PointStatus::done;
   }
 
-  /// One revolution.
+  /// Computes one revolution.
   point::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on = {}) {
     const double period = rotor_.period();
     meter_.begin_revolution(go_on);
@@ -150,7 +150,7 @@ class Motion {
   /// What ended the motion, where its status is not `done`.
   [[nodiscard]] point::StatusDetail status_detail() const { return detail_; }
 
-  /// At the end of the last revolution.
+  /// State at the end of the last revolution.
   [[nodiscard]] const Bodies& state() const { return state_; }
 
   [[nodiscard]] WorkCounts work() const {
@@ -286,7 +286,7 @@ class Motion {
     return ends(state_.isFinite().all() ? point::StatusDetail::none : point::StatusDetail::beyond_precision);
   }
 
-  // From the contacts to their mode.
+  // From the contacts to the mode for them.
 
   template <class Phase>
   bool begin_in(Mode mode, Phase& phase, const std::vector<modes::OpenContact>& contacts) {

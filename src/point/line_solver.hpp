@@ -55,7 +55,7 @@ class LineSolver {
 
   /// Runs transient and sampled revolutions at one speed ratio from `start`. `go_on` is asked after each
   /// revolution and every few milliseconds within (a rank answers its messages there): false gives the point
-  /// up, whose status is then `pending`. An empty one is not asked.
+  /// up, whose status is then `pending`. An empty function is not called.
   virtual PointOutcome run(double speed_ratio, const motion::PointStart& start,
                            const modes::GoOn& go_on = {}) = 0;
 

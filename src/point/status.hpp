@@ -1,4 +1,4 @@
-/// How a point ended, and what ended it. One list for the motions, the atlas and its readers.
+/// How a point ended, and what ended it: one list for the motions, the atlas and its readers.
 #pragma once
 
 #include <algorithm>
