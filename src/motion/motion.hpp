@@ -541,8 +541,8 @@ class Motion {
     return point::StatusDetail::none;
   }
 
-  /// In tolerances: hops lower than this are replaced by their limit (MODEL 4.9). They may grow by some tens
-  /// while the force changes along the ring.
+  /// In tolerances: hops lower than this are replaced by their limit (MODEL 4.9). Their height may grow by
+  /// some tens of tolerances while the force changes along the ring.
   static constexpr double kUnresolvedHop = 1.0;
   /// τ: the slip reversals of a tip accumulate where the tip reverses its slip and reverses it again within
   /// this time. Each cycle of an accumulating sequence is a fixed share of the one before. Among 4800

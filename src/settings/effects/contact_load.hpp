@@ -42,13 +42,13 @@ struct RegularisedFriction {
       .breaks = "phase volume: forces depend on velocities",
   };
   static constexpr auto quantities() {
-    return std::tuple{
-        Field<&RegularisedFriction::velocity>{.pointer = "/regularised_friction/velocity",
-                                              .symbol = "v0",
-                                              .unit = "m/s",
-                                              .meaning = "slip velocity over which friction turns round",
-                                              .source = "0: Coulomb's law",
-                                              .range = settings::between(0.0, 1e6)}};
+    return std::tuple{Field<&RegularisedFriction::velocity>{
+        .pointer = "/regularised_friction/velocity",
+        .symbol = "v0",
+        .unit = "m/s",
+        .meaning = "slip velocity over which friction passes through zero",
+        .source = "0: Coulomb's law",
+        .range = settings::between(0.0, 1e6)}};
   }
   [[nodiscard]] bool acts() const { return velocity != 0.0; }
 };
@@ -67,25 +67,25 @@ struct Stribeck {
       .breaks = "phase volume: forces depend on velocities",
   };
   static constexpr auto quantities() {
-    return std::tuple{
-        Field<&Stribeck::static_friction>{.pointer = "/stribeck/static_friction",
-                                          .symbol = "μs",
-                                          .unit = "1",
-                                          .meaning = "friction coefficient at low slip",
-                                          .source = "0: Coulomb's law",
-                                          .range = settings::between(0.0, 2.0)},
-        Field<&Stribeck::velocity>{.pointer = "/stribeck/velocity",
-                                   .symbol = "vs",
-                                   .unit = "m/s",
-                                   .meaning = "slip velocity over which friction falls",
-                                   .source = "a hundredth of the default rotor's tip speed",
-                                   .range = settings::above_zero_up_to(1e6)},
-        Field<&Stribeck::regularising_velocity>{.pointer = "/stribeck/regularising_velocity",
-                                                .symbol = "v0",
-                                                .unit = "m/s",
-                                                .meaning = "slip velocity over which friction turns round",
-                                                .source = "a hundredth of vs",
-                                                .range = settings::above_zero_up_to(1e6)}};
+    return std::tuple{Field<&Stribeck::static_friction>{.pointer = "/stribeck/static_friction",
+                                                        .symbol = "μs",
+                                                        .unit = "1",
+                                                        .meaning = "friction coefficient at low slip",
+                                                        .source = "0: Coulomb's law",
+                                                        .range = settings::between(0.0, 2.0)},
+                      Field<&Stribeck::velocity>{.pointer = "/stribeck/velocity",
+                                                 .symbol = "vs",
+                                                 .unit = "m/s",
+                                                 .meaning = "slip velocity over which friction falls",
+                                                 .source = "a hundredth of the default rotor's tip speed",
+                                                 .range = settings::above_zero_up_to(1e6)},
+                      Field<&Stribeck::regularising_velocity>{
+                          .pointer = "/stribeck/regularising_velocity",
+                          .symbol = "v0",
+                          .unit = "m/s",
+                          .meaning = "slip velocity over which friction passes through zero",
+                          .source = "a hundredth of vs",
+                          .range = settings::above_zero_up_to(1e6)}};
   }
   [[nodiscard]] bool acts() const { return static_friction != 0.0; }
 };
