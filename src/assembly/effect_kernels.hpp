@@ -7,14 +7,13 @@
 #pragma once
 
 #include <memory>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "assembly/effect_families.hpp"
 #include "assembly/hybrid_method.hpp"
+#include "assembly/machine_with_effects.hpp"
 #include "assembly/typed_motions.hpp"
-#include "contact/elastica_contact.hpp"
 #include "contact/unequal_blades.hpp"
 #include "integrate/dormand_prince_853.hpp"
 
@@ -45,22 +44,6 @@ std::unique_ptr<point::LineSolver> with_law(const FamilyRequest& request, MakeLa
     return make_point_solver<Hybrid>(line, std::move(law), AnyMachine(line));
   }
   return make_point_solver<Hybrid>(line, std::move(law), MachineWithEffects(line));
-}
-
-/// Elastic blades in a rigid ring or in one that yields.
-template <contact::Release kRelease>
-std::unique_ptr<point::LineSolver> elastic_blades_in_any_ring(const FamilyRequest& request) {
-  const settings::Scene& line = request.line;
-  const auto with_ring = [&](const auto& ring) {
-    using Law = contact::ElasticBladeContact<std::remove_cvref_t<decltype(ring)>, kRelease>;
-    return with_law(request, [&](const settings::Blades& blade) {
-      return Law(geometry_of(line.ring, blade), blade_of(blade), curve_of(request, blade), ring);
-    });
-  };
-  if (request.combination.consumed.contains<&effects::Effects::yielding_ring>()) {
-    return with_ring(contact::YieldingRing{1.0 / line.yielding_ring->compliance});
-  }
-  return with_ring(contact::RigidRing{});
 }
 
 }  // namespace rubatlas::assembly

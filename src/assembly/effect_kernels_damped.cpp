@@ -3,6 +3,7 @@
 #include "assembly/effect_kernels.hpp"
 #include "contact/damped_ring.hpp"
 #include "contact/elastica_contact.hpp"
+#include "motion/modes_of_damped_ring.hpp"
 
 namespace rubatlas::assembly {
 

@@ -3,6 +3,7 @@
 #include "assembly/effect_kernels.hpp"
 #include "assembly/friction_choice.hpp"
 #include "contact/directed_elastica.hpp"
+#include "motion/modes_of_inclined_loads.hpp"
 
 namespace rubatlas::assembly {
 

@@ -1,7 +1,7 @@
 // Elastic blades that are released where their force ends.
 
-#include "assembly/effect_kernels.hpp"
-#include "contact/elastica_contact.hpp"
+#include "assembly/effect_families.hpp"
+#include "assembly/elastic_blades_in_any_ring.hpp"
 
 namespace rubatlas::assembly {
 

@@ -3,6 +3,7 @@
 #include "assembly/effect_kernels.hpp"
 #include "assembly/friction_choice.hpp"
 #include "contact/elastic_ring_contact.hpp"
+#include "motion/modes_of_rigid_blades.hpp"
 
 namespace rubatlas::assembly {
 

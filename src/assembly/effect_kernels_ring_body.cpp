@@ -1,8 +1,12 @@
 // Elastic or rigid blades in a ring that is one body, on any machine; rigid ones in such a ring without mass.
 
 #include "assembly/effect_kernels.hpp"
+#include "assembly/machine_with_ring.hpp"
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
+#include "motion/modes_of_axial_loads.hpp"
+#include "motion/modes_of_following_ring.hpp"
+#include "motion/modes_of_rigid_blades.hpp"
 
 namespace rubatlas::assembly {
 namespace {

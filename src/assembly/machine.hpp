@@ -1,23 +1,11 @@
 /// What turns and pushes the shaft on one line, as types: the forcing and the blades of a point.
 ///
 /// A machine makes both for a speed ratio. The paper's rotor has a machine without forcing and one with an
-/// unbalance, and nothing else in its equations; effects besides have machines of their own, in which a list
-/// holds just the forcings that the scene has.
+/// unbalance, and nothing else in its equations.
 #pragma once
 
-#include <cstddef>
-#include <utility>
-#include <vector>
-
-#include "modes/ring_flight.hpp"
-#include "modes/supported_flight.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/harmonic.hpp"
-#include "rotor/rippled_unbalance.hpp"
-#include "rotor/rippling_blades.hpp"
-#include "rotor/support_matrices.hpp"
-#include "settings/effects/list.hpp"
-#include "settings/scene.hpp"
 
 namespace rubatlas::assembly {
 
@@ -40,125 +28,6 @@ struct UnbalancedMachine {
     return {specific_moment, phase, speed_ratio, damping_ratio};
   }
   [[nodiscard]] rotor::BladeSet blades(double speed_ratio) const { return {blade_count, speed_ratio}; }
-};
-
-/// Whatever a scene's effects make of it, at constant speed.
-class MachineWithEffects {
- public:
-  /// Between revolutions (`changing_motion.hpp`).
-  static constexpr bool kMayChange = true;
-  explicit MachineWithEffects(settings::Scene line) : line_(std::move(line)) {}
-
-  [[nodiscard]] rotor::Harmonics forcing(double speed_ratio) const {
-    return rotor::Harmonics(harmonics(speed_ratio));
-  }
-  [[nodiscard]] rotor::BladeSet blades(double speed_ratio) const { return {angles(), speed_ratio}; }
-
-  /// All harmonic forcings that the scene has.
-  [[nodiscard]] std::vector<rotor::Harmonic> harmonics(double speed_ratio) const {
-    using effects::Effects;
-    const double damping = line_.rotor.damping_ratio;
-    std::vector<rotor::Harmonic> terms;
-    if (effects::acts<&Effects::unbalance>(line_)) {
-      const double specific_moment = line_.unbalance->moment / line_.rotor.mass;
-      if (effects::acts<&Effects::speed_ripple>(line_)) {
-        terms = rotor::rippled_unbalance(*line_.speed_ripple, specific_moment, line_.unbalance->phase,
-                                         speed_ratio, damping);
-      } else {
-        terms.push_back(
-            rotor::RotatingUnbalance(specific_moment, line_.unbalance->phase, speed_ratio, damping));
-      }
-    }
-    const double frequency = line_.rotor.natural_frequency;
-    const double stiffness = line_.rotor.mass * frequency * frequency;
-    const auto add_static = [&](const auto& load) {
-      const std::complex<double> deflection = load->deflection(stiffness, frequency);
-      terms.emplace_back(std::abs(deflection), std::arg(deflection), 0.0, damping);
-    };
-    if (effects::acts<&Effects::gravity>(line_)) add_static(line_.gravity);
-    if (effects::acts<&Effects::side_load>(line_)) add_static(line_.side_load);
-    return terms;
-  }
-
-  /// Angles of the blades from blade 0's place [rad].
-  [[nodiscard]] std::vector<double> angles() const {
-    std::vector<double> result = rotor::equal_angles(line_.blades.count);
-    if (effects::acts<&Effects::unequal_blades>(line_)) {
-      const auto errors = line_.unequal_blades->errors(line_.blades.count);
-      for (std::size_t k = 0; k < result.size(); ++k) result[k] += errors[k].angle;
-    }
-    return result;
-  }
-
- protected:
-  using Effects = effects::Effects;
-  settings::Scene line_;
-};
-
-/// On any linear support, at a speed that may ripple.
-class AnyMachine final : public MachineWithEffects {
- public:
-  using MachineWithEffects::MachineWithEffects;
-  [[nodiscard]] rotor::RipplingBlades blades(double speed_ratio) const {
-    return {angles(), speed_ratio, line_.speed_ripple.value_or(effects::SpeedRipple{})};
-  }
-  [[nodiscard]] modes::SupportedShaft forcing(double speed_ratio) const {
-    const effects::Support added = line_.support.value_or(effects::Support{});
-    const double frequency = line_.rotor.natural_frequency;
-    const double stiffness = line_.rotor.mass * frequency * frequency;
-    const double damping = line_.rotor.mass * frequency;
-    rotor::SupportMatrices matrices = rotor::isotropic_shaft(line_.rotor.damping_ratio);
-    Eigen::Matrix2d more;
-    more << added.stiffness_xx, added.stiffness_xy, added.stiffness_yx, added.stiffness_yy;
-    matrices.stiffness += more / stiffness;
-    more << added.damping_xx, added.damping_xy, added.damping_yx, added.damping_yy;
-    matrices.damping += more / damping;
-    matrices = rotor::with_rotating_damping(matrices, 0.5 * added.rotating_damping / damping, speed_ratio);
-    std::vector<rotor::HarmonicForcing> forcing;
-    for (const auto& term : harmonics(speed_ratio)) {
-      forcing.push_back({term.acceleration(0.0), term.frequency()});
-    }
-    return modes::SupportedShaft(rotor::LinearSupport(matrices.stiffness, matrices.damping, forcing));
-  }
-};
-
-/// A machine whose ring is a body on a spring and a damper.
-template <class Machine>
-class InRingBody {
- public:
-  static constexpr bool kMayChange = false;
-  explicit InRingBody(const settings::Scene& line)
-      : machine_(line),
-        ring_(line.ring_body->mass, 1.0 / line.ring_body->compliance, line.ring_body->damping,
-              line.rotor.natural_frequency) {}
-
-  [[nodiscard]] auto forcing(double speed_ratio) const {
-    return rotor::WithRingBody<decltype(machine_.forcing(speed_ratio))>{machine_.forcing(speed_ratio), ring_};
-  }
-  [[nodiscard]] auto blades(double speed_ratio) const { return machine_.blades(speed_ratio); }
-
- private:
-  Machine machine_;
-  rotor::RingBody ring_;
-};
-
-/// A machine whose ring has no mass and stands on a spring.
-template <class Machine>
-class InFollowingRing {
- public:
-  static constexpr bool kMayChange = false;
-  explicit InFollowingRing(const settings::Scene& line)
-      : machine_(line), stiffness_(1.0 / line.ring_body->compliance) {}
-
-  [[nodiscard]] auto forcing(double speed_ratio) const {
-    return rotor::WithFollowingRing<decltype(machine_.forcing(speed_ratio))>{machine_.forcing(speed_ratio),
-                                                                             {stiffness_}};
-  }
-  [[nodiscard]] auto blades(double speed_ratio) const { return machine_.blades(speed_ratio); }
-
- private:
-  Machine machine_;
-  double stiffness_;  ///< kr [N/m]
 };
 
 }  // namespace rubatlas::assembly

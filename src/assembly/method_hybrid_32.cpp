@@ -3,6 +3,8 @@
 #include "assembly/hybrid_method.hpp"
 #include "assembly/typed_motions.hpp"
 #include "integrate/bogacki_shampine_32.hpp"
+#include "motion/modes_of_axial_loads.hpp"
+#include "motion/modes_of_rigid_blades.hpp"
 
 namespace rubatlas::assembly {
 

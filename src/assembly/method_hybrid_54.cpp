@@ -3,6 +3,8 @@
 #include "assembly/hybrid_method.hpp"
 #include "assembly/typed_motions.hpp"
 #include "integrate/dormand_prince_54.hpp"
+#include "motion/modes_of_axial_loads.hpp"
+#include "motion/modes_of_rigid_blades.hpp"
 
 namespace rubatlas::assembly {
 

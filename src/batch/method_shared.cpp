@@ -4,6 +4,7 @@
 #include "assembly/make_line_solver.hpp"
 #include "assembly/typed_motions.hpp"
 #include "batch/shared_attempts.hpp"
+#include "motion/modes_of_axial_loads.hpp"
 #include "plan/scene_of_line.hpp"
 
 namespace rubatlas::batch {

@@ -17,7 +17,6 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <type_traits>
 #include <vector>
 
 #include "contact/friction_law.hpp"
@@ -25,7 +24,6 @@
 #include "modes/guards.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/solved.hpp"
-#include "modes/sticking.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/constants.hpp"
 
@@ -179,10 +177,5 @@ class StickingElastic : public Solved<Law, Forcing, Blades> {
     contact = forwards >= forward(back, -1.0, state) ? ahead : back;
   }
 };
-
-/// The mode with stick that goes with a law of contact.
-template <class Law, class Forcing, class Blades>
-using StickingOf = std::conditional_t<contact::SticksByLaw<Law>, StickingElastic<Law, Forcing, Blades>,
-                                      Sticking<Law, Forcing, Blades>>;
 
 }  // namespace rubatlas::modes

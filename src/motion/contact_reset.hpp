@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "contact/damped_ring.hpp"
 #include "contact/pose.hpp"
 #include "modes/open_contact.hpp"
 
@@ -141,27 +140,6 @@ struct ContactReset<Blade> : ResetWithoutUnknowns {
     if (!root) return Standing::lost;
     contact.bend = *root;
     return Standing::stands;
-  }
-};
-
-/// For elastic blades on a ring with dampers: on the receding side a blade stands straight while the ring's
-/// load is too small to bend it.
-template <>
-struct ContactReset<contact::ElasticBladeOnDampedRing> : ResetWithoutUnknowns {
-  using Blade = contact::ElasticBladeOnDampedRing;
-  static bool open(const Blade& blade, const TipPlace& at, modes::OpenContact& contact) {
-    const double load = blade.ring_load(0.0, blade.depth_rate(at.pose, at.speed));
-    contact.straight = load < blade.bending_load(at.pose, contact.slip, at.speed);
-    return true;
-  }
-  /// A blade that has unbent to the ring's circle stays in contact, standing straight, where the ring pushes
-  /// it.
-  static bool straightens(const Blade& blade, const TipPlace& at, modes::OpenContact& contact) {
-    const double rate = blade.depth_rate(at.pose, at.speed);
-    if (contact.straight || !(blade.ring_load(contact.yielding, rate) > 0.0)) return false;
-    contact.straight = true;
-    contact.bending = 0.0;
-    return true;
   }
 };
 

@@ -18,8 +18,6 @@
 #include <variant>
 #include <vector>
 
-#include "contact/elastic_ring_contact.hpp"
-#include "contact/elastica_contact.hpp"
 #include "integrate/dormand_prince_853.hpp"
 #include "modes/flight_piece.hpp"
 #include "modes/motion_listener.hpp"
@@ -57,8 +55,8 @@ class Motion {
       sticking_.emplace(setup(law_));
     }
     if constexpr (Modes::kRests) {
-      if (auto resting_law = contact::resting_law(law_, blades_.count())) {
-        resting_law_.emplace(std::move(*resting_law));
+      if (auto law_of_rest = resting_law(law_, blades_.count())) {
+        resting_law_.emplace(std::move(*law_of_rest));
         resting_judge_.emplace(setup(*resting_law_));
         resting_.emplace(setup(*resting_law_));
       }

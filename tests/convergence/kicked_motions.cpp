@@ -14,6 +14,8 @@
 
 #include "../effects/directed_law.hpp"
 #include "modes/ring_flight.hpp"
+#include "motion/modes_of_axial_loads.hpp"
+#include "motion/modes_of_inclined_loads.hpp"
 
 namespace rubatlas::test {
 namespace {

@@ -11,6 +11,7 @@
 #include "../settings/scene_error_text.hpp"
 #include "contact/damped_ring.hpp"
 #include "effect_scene.hpp"
+#include "motion/modes_of_damped_ring.hpp"
 #include "motion/motion.hpp"
 
 namespace rubatlas::test {

@@ -14,6 +14,8 @@
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
 #include "modes/ring_flight.hpp"
+#include "motion/modes_of_axial_loads.hpp"
+#include "motion/modes_of_rigid_blades.hpp"
 #include "motion/motion.hpp"
 
 namespace rubatlas::test {

@@ -7,6 +7,7 @@
 
 #include "contact/unequal_blades.hpp"
 #include "effect_scene.hpp"
+#include "motion/modes_of_rigid_blades.hpp"
 #include "motion/motion.hpp"
 #include "rotor/linear_support.hpp"
 #include "rotor/rippled_unbalance.hpp"

@@ -13,6 +13,7 @@
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/unequal_blades.hpp"
 #include "modes/sticking.hpp"
+#include "motion/modes_of_rigid_blades.hpp"
 #include "rotor/rippling_blades.hpp"
 
 namespace rubatlas::test {
@@ -386,8 +387,9 @@ TEST(Stick, RefusesASecondLawOfFrictionAMachineThatChangesAndOtherBladesThanPlai
             "/stick: stands beside /stribeck; friction has one law");
   EXPECT_EQ(refusal(R"("contact": {"law": "elastic_ring"}, "regularised_friction": {"velocity": 0.1})"),
             "/stick: stands beside /regularised_friction; friction has one law");
-  EXPECT_EQ(refusal(R"("contact": {"law": "elastic_ring"}, "speed_ramp": {"rate": 0.001})"),
-            "/stick: stands beside /speed_ramp, whose changes between revolutions would make tips at rest slip");
+  EXPECT_EQ(
+      refusal(R"("contact": {"law": "elastic_ring"}, "speed_ramp": {"rate": 0.001})"),
+      "/stick: stands beside /speed_ramp, whose changes between revolutions would make tips at rest slip");
   EXPECT_EQ(refusal(R"("load_direction": {})"),
             "/stick: holds tips under the axial load only, not beside /load_direction");
   for (const std::string law : {"elastic_ring", "elastica"}) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "directed_law.hpp"
+#include "motion/modes_of_inclined_loads.hpp"
 
 namespace rubatlas::test {
 namespace {

@@ -11,6 +11,7 @@
 
 #include "assembly/blade_tables.hpp"
 #include "contact/unequal_blades.hpp"
+#include "motion/modes_of_axial_loads.hpp"
 #include "motion/motion.hpp"
 #include "rotor/harmonic.hpp"
 
