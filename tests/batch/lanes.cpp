@@ -12,6 +12,7 @@
 
 #include "batch/contact_lanes.hpp"
 #include "batch/lane_request.hpp"
+#include "contact/elastica_contact.hpp"
 #include "motion/modes_of_axial_loads.hpp"
 #include "motion/motion.hpp"
 

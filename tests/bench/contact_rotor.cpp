@@ -71,7 +71,7 @@ void ContactRotor::count_touchdowns(double time, const double* state) {
 
 contact::Pose ContactRotor::pose(int blade, double time, const double* state) const {
   return rotor::pose_of(rotor_, law_.geometry(), blades_.direction(blade, blades_.first(time)),
-                        {state[0], state[1], state[2], state[3]});
+                        rotor::State(state));
 }
 
 double ContactRotor::slip(const contact::Pose& at) const {

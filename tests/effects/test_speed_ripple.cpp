@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include "contact/elastic_ring_contact.hpp"
 #include "contact/unequal_blades.hpp"
 #include "effect_scene.hpp"
 #include "motion/modes_of_rigid_blades.hpp"
@@ -140,9 +141,9 @@ class GapWatch final : public modes::MotionListener {
       const auto state = piece.state(time);
       const auto first = blades_.first(time);
       for (int k = 0; k < blades_.count(); ++k) {
-        largest = std::max(largest, rotor::pose_of(rotor_, geometry_, blades_.direction(k, first),
-                                                   {state[0], state[1], state[2], state[3]})
-                                        .gap);
+        largest = std::max(
+            largest,
+            rotor::pose_of(rotor_, geometry_, blades_.direction(k, first), rotor::State(state.data())).gap);
       }
     }
   }

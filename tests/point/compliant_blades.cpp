@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "assembly/blade_tables.hpp"
+#include "contact/elastica_contact.hpp"
 #include "contact/unequal_blades.hpp"
 #include "motion/modes_of_axial_loads.hpp"
 #include "motion/motion.hpp"

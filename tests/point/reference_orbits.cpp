@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../support/point.hpp"
+#include "contact/elastica_contact.hpp"
 #include "motion/modes_of_axial_loads.hpp"
 #include "motion/motion.hpp"
 #include "reference_case.hpp"

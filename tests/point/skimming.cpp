@@ -10,6 +10,7 @@
 
 #include "assembly/blade_tables.hpp"
 #include "assembly/make_line_solver.hpp"
+#include "contact/elastica_contact.hpp"
 #include "motion/modes_of_axial_loads.hpp"
 #include "motion/motion.hpp"
 #include "rotor/harmonic.hpp"
