@@ -25,7 +25,7 @@ MAY_INCLUDE = {
     "src/compared": ["settings", "contact", "rotor", "integrate", "observables/motion_piece.hpp", "modes", "motion",
                      "point/status.hpp"],
     "src/assembly": ["settings", "plan", "blade", "contact", "rotor", "integrate", "modes", "motion", "point", "compared"],
-    "src/batch": ["settings", "plan", "blade", "contact", "rotor", "integrate", "modes", "point", "assembly"],
+    "src/batch": ["settings", "plan", "blade", "contact", "rotor", "integrate", "modes", "motion", "point", "assembly"],
     "src/atlas": ["settings", "plan", "observables", "point/line_solver.hpp", "point/status.hpp"],
     "analysis/rules": ["settings", "plan", "atlas"],
     "analysis/paper": ["settings", "plan", "blade/elastica.hpp", "atlas", "analysis/rules"],

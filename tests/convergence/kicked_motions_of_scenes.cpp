@@ -106,13 +106,18 @@ TEST_P(KickedMotionOfScene, ErrsByItsToleranceTimesItsOwnGrowthOfErrors) {
     const PointOutcome reference = end_of(1e-12, kick.start);
     if (met_its_bound(reference)) continue;
     double growth = 1.0;
+    bool predictable = true;
     for (std::size_t i = 0; i < kick.start.size(); ++i) {
       SectionState aside = kick.start;
       aside[i] += kAside;
       const PointOutcome other = end_of(1e-12, aside);
+      predictable = predictable && other.status == reference.status;
       if (other.status != PointStatus::done || reference.status != PointStatus::done) continue;
       growth = std::max(growth, largest_difference(other.final_state, reference.final_state) / kAside);
     }
+    // Ten blades with 400 touch-downs in a revolution: a change by 1e-15 decides whether a blade meets its
+    // limit.
+    if (!predictable) continue;
     for (const double tolerance : {1e-7, 1e-9, 1e-11}) {
       SCOPED_TRACE(::testing::Message() << "speed ratio " << kick.speed_ratio << ", tolerance " << tolerance
                                         << ", growth " << growth);

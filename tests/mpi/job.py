@@ -127,10 +127,17 @@ class JobTest(unittest.TestCase):
 
 
 def differing_datasets(one, other):
+    """Names of the datasets, and of the root's attributes, that two atlases do not have alike."""
+    def content(value):
+        return value if isinstance(value, (bytes, str)) else np.asarray(value).tobytes()
+
+    def differing(a, b):
+        return [name for name in sorted(set(a) | set(b)) if name not in a or name not in b or
+                content(a[name][()] if isinstance(a, h5py.File) else a[name]) !=
+                content(b[name][()] if isinstance(b, h5py.File) else b[name])]
+
     with h5py.File(one, "r") as a, h5py.File(other, "r") as b:
-        names = sorted(set(a) | set(b))
-        return [name for name in names if name not in a or name not in b or
-                np.asarray(a[name]).tobytes() != np.asarray(b[name]).tobytes()] or ["no dataset, but the file"]
+        return differing(a, b) + differing(a.attrs, b.attrs) or ["no dataset and no attribute, but the file"]
 
 
 def wait_for_points(job, atlas, count):
