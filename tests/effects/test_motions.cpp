@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "effect_scene.hpp"
 
@@ -99,7 +100,7 @@ TEST(EveryEffect, BreaksTheSymmetryOfBladePassingsIfAndOnlyIfItSaysSo) {
   effects::for_each_effect([&]<auto Effect>() {
     if (!kStateIsAll<Effect>) return;
     json scene = effect_scene<Effect>(0.45, kRevolutions);
-    scene["observables"] = {"poincare_blade_passing"};
+    scene["observables"] = std::vector{"poincare_blade_passing"};
     scene["accuracy"]["tolerance"] = 1e-12;
     const settings::Scene checked = parsed(scene);
     const auto motion = run(checked, {1e-3, 0.0, 0.0, 1e-3});

@@ -9,6 +9,7 @@ set -euo pipefail
 source=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 tree=$2
 
+rm -rf "$tree"  # it may hold folders that the sources no longer have
 cmake -S "$source" -B "$tree" -G Ninja -DRUBATLAS_TESTS=OFF -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 >/dev/null
 cmake --build "$tree" --target rubatlas_build_info >/dev/null
 # Such a source includes other sources, which is the one check that is switched off. src/assembly takes longest and comes first.
