@@ -25,67 +25,7 @@ inline double velocity_bound(const ShaftAndRingBound& bound) {
   return bound.shaft + bound.ring_velocity;
 }
 
-template <class ShaftForcing>
-class Flight<rotor::WithRingBody<ShaftForcing>> {
- public:
-  using OfShaft = Flight<ShaftForcing>;
-  static constexpr bool kAnySupport = true;
-  using Complex = std::complex<double>;
-
-  Flight(const rotor::RotorConstants& rotor, const rotor::FreeMotion& free,
-         const rotor::WithRingBody<ShaftForcing>& forcing)
-      : shaft_(rotor, free, forcing.shaft), ring_(&forcing.ring) {}
-
-  void start(double time, const rotor::ShaftAndRing& bodies) {
-    shaft_.start(time, rotor::shaft(bodies));
-    ring_start_ = rotor::ring(bodies);
-  }
-  [[nodiscard]] double start_time() const { return shaft_.start_time(); }
-  [[nodiscard]] rotor::ShaftAndRing state(double time) const {
-    rotor::ShaftAndRing bodies;
-    bodies << shaft_.state(time), ring_->free(ring_start_, time - start_time());
-    return bodies;
-  }
-  /// z'' − r'' [m per unit τ²].
-  [[nodiscard]] Complex acceleration(double time, const rotor::ShaftAndRing& bodies) const {
-    return shaft_.acceleration(time, rotor::shaft(bodies)) - ring_->acceleration(rotor::ring(bodies), 0.0);
-  }
-  [[nodiscard]] ShaftAndRingBound amplitude_bound(double time, const rotor::ShaftAndRing& bodies,
-                                                  double horizon) const {
-    const double norm = ring_->energy_norm(rotor::ring(bodies));
-    return {shaft_.amplitude_bound(time, rotor::shaft(bodies), horizon), norm / ring_->frequency(), norm};
-  }
-  /// Bound of |z|.
-  [[nodiscard]] double displacement_bound(double time, const rotor::ShaftAndRing& bodies,
-                                          double horizon) const {
-    return shaft_.displacement_bound(time, rotor::shaft(bodies), horizon);
-  }
-  /// Bound of |z − r|.
-  [[nodiscard]] double bound_from_ring(double time, const rotor::ShaftAndRing& bodies, double horizon) const {
-    return displacement_bound(time, bodies, horizon) +
-           ring_->energy_norm(rotor::ring(bodies)) / ring_->frequency();
-  }
-  [[nodiscard]] double second_bound(const ShaftAndRingBound& bound) const {
-    return shaft_.second_bound(bound.shaft) + ring_->second_bound(bound.ring_velocity);
-  }
-  [[nodiscard]] double third_bound(const ShaftAndRingBound& bound) const {
-    return shaft_.third_bound(bound.shaft) + ring_->third_bound(bound.ring_velocity);
-  }
-  // The same as those of the shaft.
-  [[nodiscard]] double time_of_bound() const { return modes::time_of_bound(shaft_); }
-  [[nodiscard]] std::int64_t price_of_state() const { return modes::price_of_state(shaft_); }
-  [[nodiscard]] bool resolves(double time) const requires requires(const OfShaft& shaft) {
-    shaft.resolves(time);
-  }
-  { return shaft_.resolves(time); }
-
- private:
-  OfShaft shaft_;
-  const rotor::RingBody* ring_;
-  rotor::RingBody::State ring_start_ = rotor::RingBody::State::Zero();
-};
-
-/// Flight of a shaft in a ring without mass, which stays at its place of rest.
+/// Flight of a shaft in a ring without mass, which stays at its place of rest: all of it is the shaft's.
 template <class ShaftForcing>
 class Flight<rotor::WithFollowingRing<ShaftForcing>> {
  public:
@@ -95,23 +35,26 @@ class Flight<rotor::WithFollowingRing<ShaftForcing>> {
 
   Flight(const rotor::RotorConstants& rotor, const rotor::FreeMotion& free,
          const rotor::WithFollowingRing<ShaftForcing>& forcing)
-      : shaft_(rotor, free, forcing.shaft) {}
+      : Flight(rotor, free, forcing.shaft) {}
 
   void start(double time, const rotor::ShaftAndRing& bodies) { shaft_.start(time, rotor::shaft(bodies)); }
   [[nodiscard]] double start_time() const { return shaft_.start_time(); }
   [[nodiscard]] rotor::ShaftAndRing state(double time) const {
     return rotor::ring_at_rest<rotor::WithFollowingRing<ShaftForcing>>(shaft_.state(time));
   }
+  /// z'' − r'' [m per unit τ²].
   [[nodiscard]] Complex acceleration(double time, const rotor::ShaftAndRing& bodies) const {
     return shaft_.acceleration(time, rotor::shaft(bodies));
   }
   [[nodiscard]] auto amplitude_bound(double time, const rotor::ShaftAndRing& bodies, double horizon) const {
     return shaft_.amplitude_bound(time, rotor::shaft(bodies), horizon);
   }
+  /// Bound of |z|.
   [[nodiscard]] double displacement_bound(double time, const rotor::ShaftAndRing& bodies,
                                           double horizon) const {
     return shaft_.displacement_bound(time, rotor::shaft(bodies), horizon);
   }
+  /// Bound of |z − r|.
   [[nodiscard]] double bound_from_ring(double time, const rotor::ShaftAndRing& bodies, double horizon) const {
     return displacement_bound(time, bodies, horizon);
   }
@@ -131,8 +74,56 @@ class Flight<rotor::WithFollowingRing<ShaftForcing>> {
   }
   { return shaft_.resolves(time); }
 
- private:
+ protected:
+  Flight(const rotor::RotorConstants& rotor, const rotor::FreeMotion& free, const ShaftForcing& forcing)
+      : shaft_(rotor, free, forcing) {}
+
   OfShaft shaft_;
+};
+
+/// The same of a shaft and a ring that is a body: what depends on where the ring is has its share.
+template <class ShaftForcing>
+class Flight<rotor::WithRingBody<ShaftForcing>> : public Flight<rotor::WithFollowingRing<ShaftForcing>> {
+ public:
+  using Base = Flight<rotor::WithFollowingRing<ShaftForcing>>;
+  using typename Base::Complex;
+  static constexpr bool kAnySupport = true;  // the ring moves, too
+
+  Flight(const rotor::RotorConstants& rotor, const rotor::FreeMotion& free,
+         const rotor::WithRingBody<ShaftForcing>& forcing)
+      : Base(rotor, free, forcing.shaft), ring_(&forcing.ring) {}
+
+  void start(double time, const rotor::ShaftAndRing& bodies) {
+    Base::start(time, bodies);
+    ring_start_ = rotor::ring(bodies);
+  }
+  [[nodiscard]] rotor::ShaftAndRing state(double time) const {
+    rotor::ShaftAndRing bodies;
+    bodies << this->shaft_.state(time), ring_->free(ring_start_, time - this->start_time());
+    return bodies;
+  }
+  [[nodiscard]] Complex acceleration(double time, const rotor::ShaftAndRing& bodies) const {
+    return Base::acceleration(time, bodies) - ring_->acceleration(rotor::ring(bodies), 0.0);
+  }
+  [[nodiscard]] ShaftAndRingBound amplitude_bound(double time, const rotor::ShaftAndRing& bodies,
+                                                  double horizon) const {
+    const double norm = ring_->energy_norm(rotor::ring(bodies));
+    return {Base::amplitude_bound(time, bodies, horizon), norm / ring_->frequency(), norm};
+  }
+  [[nodiscard]] double bound_from_ring(double time, const rotor::ShaftAndRing& bodies, double horizon) const {
+    return this->displacement_bound(time, bodies, horizon) +
+           ring_->energy_norm(rotor::ring(bodies)) / ring_->frequency();
+  }
+  [[nodiscard]] double second_bound(const ShaftAndRingBound& bound) const {
+    return this->shaft_.second_bound(bound.shaft) + ring_->second_bound(bound.ring_velocity);
+  }
+  [[nodiscard]] double third_bound(const ShaftAndRingBound& bound) const {
+    return this->shaft_.third_bound(bound.shaft) + ring_->third_bound(bound.ring_velocity);
+  }
+
+ private:
+  const rotor::RingBody* ring_;
+  rotor::RingBody::State ring_start_ = rotor::RingBody::State::Zero();
 };
 
 }  // namespace rubatlas::modes
