@@ -16,6 +16,8 @@ std::unique_ptr<point::LineSolver> make_by_method(const LineRequest& request) {
   switch (request.line.accuracy.method) {
     case settings::Method::hybrid:
       return make_hybrid(request);
+    case settings::Method::collocation:
+      return make_collocation(request);
     case settings::Method::hybrid_54:
       return make_hybrid_54(request);
     case settings::Method::hybrid_32:

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "integrate/conservative_step.hpp"
+#include "modes/flight_row.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/bodies.hpp"
@@ -80,6 +81,20 @@ class Flight {
     double result = 2.0 * rotor_->damping_ratio * second_bound(bound) + bound;
     if constexpr (Forcing::kPresent) result += forcing_->rate();
     return result;
+  }
+
+  /// Moves the row of eight times to this state.
+  void start_row(FlightRow& row, double time, const rotor::State& state,
+                 double fourth_bound) const requires FliesInRows<Forcing> {
+    if constexpr (Forcing::kPresent) {
+      const Complex direction = std::polar(1.0, forcing_->frequency() * time);
+      row.start(state, &direction, fourth_bound);
+    } else {
+      row.start(state, nullptr, fourth_bound);
+    }
+  }
+  [[nodiscard]] FlightRow row() const requires FliesInRows<Forcing> {
+    return FlightRow(*rotor_, *free_, *forcing_);
   }
 
   /// Bound of the forcing's acceleration [m per unit τ²].
@@ -158,6 +173,12 @@ class TouchdownSearch {
         turning_weight_(turning_weight(rotor)),
         clear_until_(static_cast<std::size_t>(blades.count())) {}
 
+  /// Flights whose states come in rows.
+  template <class Flight>
+  static constexpr bool kInRows = !Blades::kRipples && requires(const Flight& flight) {
+    flight.row();
+  };
+
   struct Touchdown {
     int blade;
     double time;  ///< τ of the revolution
@@ -171,24 +192,11 @@ class TouchdownSearch {
     // The shaft cannot leave the clearance circle: no blade can touch, and there is nothing to search.
     if (stays_clear(flight, from, state, until - from)) return std::nullopt;
 
-    clear_until_.assign(clear_until_.size(), from);
-    double time = from;
-    while (true) {
-      std::size_t blade = 0;
-      for (std::size_t k = 1; k < clear_until_.size(); ++k) {
-        if (clear_until_[k] < clear_until_[blade]) blade = k;
-      }
-      if (clear_until_[blade] >= until) return std::nullopt;
-      if (clear_until_[blade] > time) {
-        time = clear_until_[blade];
-        state = flight.state(time);
-      }
-      if (!meter.spend(Work::flight, WorkPrice::kGap + price_of_state(flight))) return std::nullopt;
-      ++evaluations_;
-      const int number = static_cast<int>(blade);
-      const double step = clear_step(flight, law_->of(number).geometry(), number, time, state, until);
-      if (step <= kTimeResolution * std::max(1.0, time)) return Touchdown{static_cast<int>(blade), time};
-      clear_until_[blade] = time + step;
+    if constexpr (kInRows<Flight>) {
+      return find_in_rows(flight, state, until, meter);
+    } else {
+      clear_until_.assign(clear_until_.size(), from);
+      return find_by_steps(flight, from, state, until, meter);
     }
   }
 
@@ -220,7 +228,7 @@ class TouchdownSearch {
     return stays_clear(flight, flight.start_time(), state, std::numeric_limits<double>::infinity());
   }
 
-  /// Gaps evaluated, one for each blade and time.
+  /// Gaps evaluated, one for each blade and time, or row of times.
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
  private:
@@ -237,6 +245,62 @@ class TouchdownSearch {
         std::hypot(damping * damping - 1.0 - 3.0 * speed * speed, 3.0 * speed * damping);
     const double of_position = std::hypot(damping, speed * (3.0 + speed * speed));
     return std::hypot(of_velocity, of_position);
+  }
+
+  /// In rows of times, and in steps only where a row leaves a doubt.
+  template <class Flight>
+  std::optional<Touchdown> find_in_rows(const Flight& flight, rotor::State state, double until,
+                                        WorkMeter& meter) {
+    if (!row_) row_.emplace(flight.row());
+    double time = flight.start_time();
+    const double bound = fourth_bound(flight, flight.amplitude_bound(time, state, until - time));
+    const std::int64_t price = price_of_state(flight) + blades_->count() * WorkPrice::kGap;
+    while (time < until) {
+      if (!meter.spend(Work::flight, price)) return std::nullopt;
+      flight.start_row(*row_, time, state, bound);
+      evaluations_ += static_cast<std::uint64_t>(blades_->count());
+      const contact::BladeDirection first = blades_->first(time);
+      int doubt = FlightRow::kTimes;
+      for (int k = 0; k < blades_->count(); ++k) {
+        const int of_blade = row_->first_doubt(law_->of(k).geometry(), blades_->direction(k, first));
+        clear_until_[static_cast<std::size_t>(k)] = of_blade;
+        doubt = std::min(doubt, of_blade);
+      }
+      time += doubt * row_->spacing();
+      state = flight.state(time);
+      if (doubt == FlightRow::kTimes) continue;
+      if (time >= until) break;
+      const double end = std::min(time + row_->spacing(), until);
+      for (double& clear_until : clear_until_) clear_until = clear_until > doubt ? end : time;
+      if (const auto touchdown = find_by_steps(flight, time, state, end, meter)) return touchdown;
+      if (meter.ended()) return std::nullopt;
+      time = end;
+      state = flight.state(time);
+    }
+    return std::nullopt;
+  }
+
+  /// In steps that no tip can outrun; `clear_until_` says from when on each blade is to be looked at.
+  template <class Flight, class Bodies>
+  std::optional<Touchdown> find_by_steps(const Flight& flight, double time, Bodies state, double until,
+                                         WorkMeter& meter) {
+    while (true) {
+      std::size_t blade = 0;
+      for (std::size_t k = 1; k < clear_until_.size(); ++k) {
+        if (clear_until_[k] < clear_until_[blade]) blade = k;
+      }
+      if (clear_until_[blade] >= until) return std::nullopt;
+      if (clear_until_[blade] > time) {
+        time = clear_until_[blade];
+        state = flight.state(time);
+      }
+      if (!meter.spend(Work::flight, WorkPrice::kGap + price_of_state(flight))) return std::nullopt;
+      ++evaluations_;
+      const int number = static_cast<int>(blade);
+      const double step = clear_step(flight, law_->of(number).geometry(), number, time, state, until);
+      if (step <= kTimeResolution * std::max(1.0, time)) return Touchdown{static_cast<int>(blade), time};
+      clear_until_[blade] = time + step;
+    }
   }
 
   template <class Flight, class Bodies>
@@ -308,6 +372,24 @@ class TouchdownSearch {
     return 6.0 * bound * second + 2.0 * centre * third + 2.0 * reach * turned_third;
   }
 
+  /// Bound of |g''''| at constant speed on an isotropic shaft, of the blade that reaches farthest: of
+  /// (|c|²)'''' and of 2(rh+L) er·(d/dτ + iΩ)⁴ c, term by term.
+  template <class Flight>
+  double fourth_bound(const Flight& flight, double bound) const {
+    const double speed = std::abs(rotor_->speed_ratio);
+    const double forcing = flight.forcing_bound();
+    const double damping = 2.0 * rotor_->damping_ratio;
+    const double centre = bound + std::abs(rotor_->misalignment);
+    const double second = flight.second_bound(bound);
+    const double third = flight.third_bound(bound);
+    const double fourth = damping * third + second + forcing * speed * speed;
+    const double turned =
+        fourth + speed * (4.0 * third + speed * (6.0 * second + speed * (4.0 * bound + speed * centre)));
+    double reach = 0.0;
+    for (int k = 0; k < blades_->count(); ++k) reach = std::max(reach, law_->of(k).geometry().reach);
+    return 6.0 * second * second + 8.0 * bound * third + 2.0 * centre * fourth + 2.0 * reach * turned;
+  }
+
   /// The same for any support and any turning, term by term: with D = d/dτ + iφ',
   /// D³c = c''' + 3iφ'c'' + 3(iφ'' − φ'²)c' + (iφ''' − 3φ'φ'' − iφ'³)c.
   template <class Flight, class Bound>
@@ -334,6 +416,7 @@ class TouchdownSearch {
   const Blades* blades_;
   double turning_weight_;
   std::vector<double> clear_until_;
+  std::optional<FlightRow> row_;
   std::uint64_t evaluations_ = 0;
 };
 

@@ -21,6 +21,9 @@ struct ModesOfAnyLaw {
   using Phase = modes::ContactPhase<Mode, Pair>;
 
   struct None;
+  /// A contact of one blade of which nothing but its lift-off is to be expected is solved by collocation.
+  static constexpr bool kCollocates = false;
+  using Collocated = None;
   static constexpr bool kCarries = false;  ///< blades of which one is carried, or skims
   using Carried = None;
   using Skimming = None;

@@ -46,6 +46,11 @@ class Motion {
         flight_(rotor_, free_, forcing_),
         search_(rotor_, law_, blades_),
         solved_(setup(law_)) {
+    if constexpr (Modes::kCollocates) {
+      const rotor::Harmonic* unbalance = nullptr;
+      if constexpr (Forcing::kPresent) unbalance = &forcing_;
+      if (law_.carried()) collocated_.emplace(rotor_, blades_, law_, unbalance, limits_, meter_);
+    }
     if constexpr (Modes::kCarries) {
       carried_.emplace(setup(law_));
       skimming_.emplace(setup(law_));
@@ -159,6 +164,9 @@ class Motion {
       result.rejected_steps += phase.rejected();
     };
     add(solved_);
+    if constexpr (Modes::kCollocates) {
+      if (collocated_) add(*collocated_);
+    }
     if constexpr (Modes::kSticks) add(*sticking_);
     if constexpr (Modes::kRests) {
       if (resting_) add(*resting_);
@@ -178,7 +186,16 @@ class Motion {
   using Reset = typename Modes::Reset;
   template <bool kOccurs, class Type>
   using Optional = std::optional<std::conditional_t<kOccurs, Type, std::monostate>>;
-  enum class Mode : std::uint8_t { undecided, flight, carried, skimming, sticking, resting, solved };
+  enum class Mode : std::uint8_t {
+    undecided,
+    flight,
+    collocated,
+    carried,
+    skimming,
+    sticking,
+    resting,
+    solved
+  };
 
   template <class AnyLaw>
   [[nodiscard]] modes::ContactSetup<AnyLaw, Forcing, Blades> setup(const AnyLaw& law) {
@@ -206,6 +223,9 @@ class Motion {
   /// Calls `use` with the phase of the present mode in contact.
   template <class Use>
   auto in_phase(Use use) {
+    if constexpr (Modes::kCollocates) {
+      if (mode_ == Mode::collocated) return use(*collocated_);
+    }
     if constexpr (Modes::kCarries) {
       if (mode_ == Mode::carried) return use(*carried_);
       if (mode_ == Mode::skimming) return use(*skimming_);
@@ -298,6 +318,7 @@ class Motion {
     refusal_ = point::StatusDetail::no_equilibrium;
     if (contacts_.empty()) {
       mode_ = Mode::flight;
+      handed_over_ = false;
       return true;
     }
     const bool any_rests = std::ranges::count(contacts_, 0.0, &modes::OpenContact::slip) > 0;
@@ -317,6 +338,10 @@ class Motion {
           const auto root = Reset::follow(law_.of(first.blade), place(first.blade), first);
           if (!root) return false;
           first.bending = *root;
+        }
+        if constexpr (Modes::kCollocates) {
+          if (collocated_ && contacts_.size() == 1 && !handed_over_)
+            return begin_in(Mode::collocated, *collocated_, contacts_);
         }
         // A column that now stands straight is solved for.
         const bool bends = law_.of(first.blade).carried() || first.bending > 0.0;
@@ -460,6 +485,9 @@ class Motion {
         return ends(come_loose(contact, listener));
       case Guard::slip_reversal:
         return ends(reverse_slip(contact, listener));
+      case Guard::hands_over:
+        handed_over_ = true;
+        return ends(point::StatusDetail::none);
       case Guard::pressed_in:  // a tip that has skimmed goes on under its full force, a straight blade bends
         contact->straight = false;
         return ends(point::StatusDetail::none);
@@ -558,6 +586,7 @@ class Motion {
   modes::Flight<Forcing> flight_;
   modes::TouchdownSearch<Law, Blades> search_;
   typename Modes::template Phase<typename Modes::Solved> solved_;
+  Optional<Modes::kCollocates, typename Modes::Collocated> collocated_;
   Optional<Modes::kCarries, typename Modes::template Phase<typename Modes::Carried>> carried_;
   Optional<Modes::kCarries, typename Modes::template Phase<typename Modes::Skimming>> skimming_;
   Optional<Modes::kSticks, typename Modes::template Phase<typename Modes::Sticking>> sticking_;
@@ -574,6 +603,7 @@ class Motion {
   point::StatusDetail refusal_ = point::StatusDetail::none;  ///< why the last mode could not begin
   WorkCounts work_;
   Mode mode_ = Mode::undecided;
+  bool handed_over_ = false;    ///< collocation has left the present contact to other modes
   bool near_fold_ = false;      ///< the first contact is about to come to the end of its branch
   bool touched_down_ = false;   ///< the present contacts began with a touch-down
   bool never_touches_ = false;  ///< proven at the start of the point: no blade can touch

@@ -19,6 +19,8 @@ class MotionPiece {
   [[nodiscard]] virtual double begin() const = 0;
   [[nodiscard]] virtual double end() const = 0;
   [[nodiscard]] virtual State state(double time) = 0;
+  /// x there, for pictures and spectra: as good as dense output is.
+  [[nodiscard]] virtual double place_x(double time) { return state(time)[0]; }
   /// Bound of the displacement over the piece [m]; infinity where none is known.
   [[nodiscard]] virtual double displacement_bound() const = 0;
 

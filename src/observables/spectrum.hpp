@@ -28,7 +28,7 @@ class SpectrumOfDisplacement final : public Observable {
     for (; sample_ < samples_per_revolution_; ++sample_) {
       const double time = period_ * sample_ / samples_per_revolution_;
       if (time >= piece.end()) return;
-      spectrum_.samples()[filled_++] = piece.state(time)[0];
+      spectrum_.samples()[filled_++] = piece.place_x(time);
     }
   }
   void revolution_ends(const State& /*section*/) override { sample_ = 0; }

@@ -19,8 +19,8 @@ namespace rubatlas::settings {
 inline constexpr std::array<std::string_view, 3> kContactLaws{"elastica", "elastic_ring", "beam_column"};
 inline constexpr std::array<std::string_view, 4> kSweeps{"up", "down", "both", "independent"};
 
-inline constexpr std::array<std::string_view, 6> kMethods{"hybrid", "hybrid_54", "hybrid_32",
-                                                          "paper",  "located",   "fixed"};
+inline constexpr std::array<std::string_view, 7> kMethods{"hybrid", "collocation", "hybrid_54", "hybrid_32",
+                                                          "paper",  "located",     "fixed"};
 
 constexpr std::span<const std::string_view> words(ContactLaw /*unused*/) {
   return kContactLaws;

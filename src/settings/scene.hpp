@@ -93,10 +93,11 @@ struct Validity {
   std::optional<double> yield_strain;  ///< root bending strain flag [-]; absent: no flag
 };
 
-/// How a point is integrated: `hybrid` (closed-form flight, located events, order 8 in contact) and the same
-/// with pairs of order 5(4) and 3(2); `paper`, the published scheme; `located`, one adaptive pair with
-/// located events; `fixed`, classical Runge–Kutta with a fixed step.
-enum class Method : std::uint8_t { hybrid, hybrid_54, hybrid_32, paper, located, fixed };
+/// How a point is integrated: `hybrid` (closed-form flight, located events, order 8 in contact); the same
+/// with contacts of one blade by collocation, and with pairs of order 5(4) and 3(2); `paper`, the published
+/// scheme; `located`, one adaptive pair with located events; `fixed`, classical Runge–Kutta with a fixed
+/// step.
+enum class Method : std::uint8_t { hybrid, collocation, hybrid_54, hybrid_32, paper, located, fixed };
 
 struct Accuracy {
   Method method = Method::hybrid;

@@ -17,8 +17,10 @@ MAY_INCLUDE = {
     "src/integrate": [],
     "src/contact": ["blade", "integrate"],
     "src/rotor": ["contact/pose.hpp", "settings/effects"],
+    "src/collocation": ["blade", "contact", "rotor", "integrate"],
     "src/observables": ["settings", "integrate", "analysis/spectrum.hpp"],
-    "src/modes": ["blade", "contact", "rotor", "integrate", "observables/motion_piece.hpp", "point/status.hpp"],
+    "src/modes": ["blade", "contact", "rotor", "integrate", "collocation", "observables/motion_piece.hpp",
+                  "point/status.hpp"],
     "src/motion": ["settings", "contact", "rotor", "integrate", "observables/motion_piece.hpp", "modes",
                    "point/status.hpp"],
     "src/point": ["settings", "rotor", "observables", "modes/motion_listener.hpp", "modes/work_meter.hpp", "motion"],
@@ -53,7 +55,7 @@ STAYS_IN = {
     "CLI/CLI.hpp": ["mpi"],
     "boost/context/fiber.hpp": ["src/batch"],
     "immintrin.h": ["src/batch"],
-    "experimental/simd": ["src/batch"],
+    "experimental/simd": ["src/batch", "src/collocation/nodes_in_lanes.hpp"],
 }
 
 TOP_LEVEL = {"CMakeLists.txt", "README.md", "LICENSE", "src", "mpi", "analysis", "tests", "jobs", "tools"}

@@ -57,6 +57,11 @@ std::vector<NamedScene> all_scenes() {
   scenes.push_back({"stribeck_of_rigid_blades", with(rigid, stribeck)});
   scenes.push_back({"rigid_blades_in_a_ring_body", with(rigid, ring_body)});
   scenes.push_back({"elastic_blades_that_stick", with(plain, stick)});
+  const Json collocation = {{"accuracy", {{"method", "collocation"}}}};
+  scenes.push_back({"elastica_by_collocation", with(plain, collocation)});
+  scenes.push_back({"ten_blades_by_collocation", with(ten, collocation)});
+  scenes.push_back(
+      {"unbalance_by_collocation", with(with(plain, {{"unbalance", {{"moment", 1e-4}}}}), collocation)});
   return scenes;
 }
 

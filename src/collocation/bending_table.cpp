@@ -1,0 +1,65 @@
+#include "collocation/bending_table.hpp"
+
+#include <Eigen/LU>
+#include <numbers>
+
+#include "blade/elastica_curve.hpp"
+
+namespace rubatlas::collocation {
+namespace {
+
+constexpr auto kCount = static_cast<Eigen::Index>(BendingTable::kDegree + 1);
+using Points = Eigen::Matrix<double, kCount, 1>;
+using Fit = Eigen::Matrix<double, kCount, kCount>;
+
+const Points& chebyshev_points() {
+  static const Points kPoints = [] {
+    Points points;
+    for (Eigen::Index i = 0; i < kCount; ++i)
+      points[i] = std::cos(std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(kCount));
+    return points;
+  }();
+  return kPoints;
+}
+
+/// Maps values at the Chebyshev points to coefficients of powers.
+const Fit& fit() {
+  static const Fit kFit = [] {
+    Eigen::Matrix<long double, kCount, kCount> powers;
+    powers.col(0).setOnes();
+    for (Eigen::Index k = 1; k < kCount; ++k)
+      powers.col(k) = powers.col(k - 1).cwiseProduct(chebyshev_points().cast<long double>());
+    return Fit(powers.fullPivLu().inverse().cast<double>());
+  }();
+  return kFit;
+}
+
+}  // namespace
+
+BendingTable::BendingTable(const blade::ElasticaCurve& curve) : scale_(curve.load_angle()) {
+  constexpr int kKnotsInPiece = 4;
+  const double end = argument(curve.end());
+  const auto count = static_cast<std::size_t>(std::ceil(end / kWidth));
+  pieces_.resize(count);
+  knots_.reserve(kKnotsInPiece * count);
+  for (std::size_t piece = 0; piece < count; ++piece) {
+    const double centre = (static_cast<double>(piece) + 0.5) * kWidth;
+    Eigen::Matrix<double, kCount, 3> samples;
+    for (Eigen::Index i = 0; i < kCount; ++i) {
+      const blade::CurvePoint at = curve.at(bending(centre + 0.5 * kWidth * chebyshev_points()[i]));
+      samples.row(i) << at.load, at.shortening, at.deflection;
+    }
+    const Eigen::Matrix<double, kCount, 3> fitted = fit() * samples;
+    for (Eigen::Index k = 0; k < kCount; ++k) {
+      pieces_[piece].coefficients[static_cast<std::size_t>(k)] = {fitted(k, 0), fitted(k, 1), fitted(k, 2),
+                                                                  0.0};
+    }
+    for (int quarter = 1; quarter <= kKnotsInPiece; ++quarter) {
+      const double p = (static_cast<double>(piece) + static_cast<double>(quarter) / kKnotsInPiece) * kWidth;
+      const blade::CurvePoint at = curve.at(bending(p));
+      knots_.push_back({p, at.load, at.shortening, at.deflection});
+    }
+  }
+}
+
+}  // namespace rubatlas::collocation

@@ -1,0 +1,51 @@
+/// The curve of a blade over p = asinh(u/β), for eight nodes at once.
+///
+/// In u the curve has branch points at ±iβ, next to the unloaded blade where friction is small. In p they are
+/// gone, so that pieces of one width and degree 11 follow it everywhere to 1e-13, and the piece of a number
+/// is found by one multiplication.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace rubatlas::blade {
+class ElasticaCurve;
+}
+
+namespace rubatlas::collocation {
+
+class BendingTable {
+ public:
+  /// Of a curve with friction μ > 0, up to the end of its own table.
+  explicit BendingTable(const blade::ElasticaCurve& curve);
+
+  static constexpr std::size_t kDegree = 11;
+  static constexpr double kWidth = 0.375;  ///< of a piece in p
+  /// Of powers of t in [−1, 1]: F L²/EI, δ/L, Δ/L, 0.
+  struct Piece {
+    alignas(32) std::array<std::array<double, 4>, kDegree + 1> coefficients;
+  };
+  [[nodiscard]] const Piece* pieces() const { return pieces_.data(); }
+  [[nodiscard]] int last_piece() const { return static_cast<int>(pieces_.size()) - 1; }
+
+  [[nodiscard]] double bending(double p) const { return scale_ * std::sinh(p); }    ///< u
+  [[nodiscard]] double argument(double u) const { return std::asinh(u / scale_); }  ///< p
+
+  /// The curve between its pieces' quarters, for estimates.
+  struct Knot {
+    double argument;  ///< p
+    double load;
+    double shortening;
+    double deflection;
+  };
+  [[nodiscard]] const std::vector<Knot>& knots() const { return knots_; }
+
+ private:
+  double scale_;  ///< β
+  std::vector<Piece> pieces_;
+  std::vector<Knot> knots_;
+};
+
+}  // namespace rubatlas::collocation

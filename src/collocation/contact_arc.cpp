@@ -1,0 +1,496 @@
+#include "collocation/contact_arc.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "integrate/root_between.hpp"
+
+namespace rubatlas::collocation {
+namespace {
+
+/// Largest error of a velocity between the nodes, in tolerances. The ends of intervals, from which the motion
+/// goes on, are better by many orders (`README.md` has the experiment), and so is all that is read from the
+/// polynomials only where it is not asked to be accurate: what is, is solved for (`state_at`).
+constexpr double kBetweenNodes = 1000.0;
+constexpr double kClosest = 0.2;      ///< of the tolerance: what sweeps may leave
+constexpr double kMostTurning = 1.2;  ///< [rad] of one arc
+constexpr double kOrder = 9.0;        ///< of the error between the nodes
+constexpr double kAim = 0.68;         ///< of the length that just keeps the bound
+constexpr double kLeastGrowth = 0.5;
+constexpr double kMostGrowth = 2.0;
+constexpr double kLeastRetry = 0.3;
+constexpr double kShortest = 1e-5;    ///< of the first arc of a contact
+constexpr double kStraight = 1e-6;    ///< [rad]: an arc that turns by less has no curvature
+constexpr double kSteep = 0.48;       ///< sine of the slope with which an arc may be followed down to p = 0
+constexpr double kReach = 0.15;       ///< of an arc: so far above p = 0 it is stretched to reach it
+constexpr double kLongestHalf = 1.5;  ///< [τ] half of a contact, as a first estimate
+constexpr double kUnbentArgument = 0.01;  ///< p at which Δ ~ p² holds
+
+/// Without the care of `std::hypot` for numbers near overflow.
+double length_of(double x, double y) {
+  return std::sqrt(x * x + y * y);
+}
+
+/// Magnitude of a coefficient of Legendre's polynomials of the acceleration by θ.
+double coefficient(const AtNodes& row, const Interval& interval) {
+  double x = 0.0;
+  double y = 0.0;
+  for (std::size_t j = 0; j < kNodes; ++j) {
+    x += row[j] * (interval.ax[j] * interval.time_slope[j]);
+    y += row[j] * (interval.ay[j] * interval.time_slope[j]);
+  }
+  return length_of(x, y);
+}
+
+}  // namespace
+
+ContactArc::ContactArc(const rotor::RotorConstants& rotor, const rotor::BladeSet& blades,
+                       const contact::ElasticaContact& law, const rotor::Harmonic* unbalance,
+                       const Limits& limits)
+    : rotor_(&rotor),
+      blades_(&blades),
+      law_(&law),
+      unbalance_(unbalance),
+      limits_(limits),
+      table_(law.curve()),
+      solve_(interval_solver()),
+      contact_{.reach = law.geometry().reach,
+               .ring_radius = law.geometry().ring_radius,
+               .closing = law.geometry().closing(),
+               .length = law.length(),
+               .load_unit = law.load_unit(),
+               .friction = law.curve().friction(),
+               .force_unit = rotor.force_unit,
+               .damping_ratio = rotor.damping_ratio,
+               .speed_ratio = rotor.speed_ratio,
+               .misalignment = rotor.misalignment,
+               .slip = 1.0,
+               .forced = unbalance != nullptr} {
+  for (int k = 0; k < blades.count(); ++k) offsets_.push_back(blades.direction(k, {1.0, 0.0}));
+  const auto& knots = table_.knots();
+  const auto beyond = std::find_if(knots.begin(), knots.end(), [&](const BendingTable::Knot& knot) {
+    return knot.shortening > limits.max_shortening;
+  });
+  valid_argument_ = beyond == knots.begin() ? 0.0 : std::prev(beyond)->argument;
+}
+
+contact::Pose ContactArc::pose_of(const Point& point) const {
+  return rotor::pose_of(*rotor_, law_->geometry(), blades_->direction(blade_, blades_->first(point.time)),
+                        point.state);
+}
+
+void ContactArc::begin(double time, const rotor::State& state, int blade, double slip, double bending) {
+  blade_ = blade;
+  contact_.slip = slip;
+  begins_ = true;
+  lifts_off_ = false;
+  start_ = end_ = {time, state, table_.argument(bending)};
+  estimate(pose_of(end_));
+}
+
+/// T, and the arc with which the contact begins.
+void ContactArc::estimate(const contact::Pose& pose) {
+  const rotor::State& state = end_.state;
+  const contact::BladeDirection er = blades_->direction(blade_, blades_->first(end_.time));
+  const double slip = contact_.slip;
+  const double speed = rotor_->speed_ratio;
+  const auto there = law_->constraint(pose, slip, table_.bending(end_.argument), speed);
+  gap_measure_ = law_->gap_per_deflection(pose, slip, table_.bending(end_.argument));
+  slip_velocity_ = there.force.slip_velocity;
+  std::complex<double> acceleration =
+      rotor::shaft_acceleration(*rotor_, state, contact::on_rotor(there.force, er));
+  if (unbalance_ != nullptr) acceleration += unbalance_->acceleration(end_.time);
+  acceleration_ = {acceleration.real(), acceleration.imag()};
+  jerk_ = {};
+  const double rate = contact::gap_rate(law_->geometry(), pose, speed);
+  const double curvature =
+      contact::gap_curvature(law_->geometry(), er, pose, {state[0], state[1] + rotor_->misalignment},
+                             {state[2], state[3]}, acceleration, speed);
+  // Half of the contact, as far as the gap goes on as a parabola.
+  double half = curvature < 0.0 && rate > 0.0 ? std::min(-rate / curvature, kLongestHalf) : kLongestHalf;
+  if (end_.argument > 0.0) {
+    time_unit_ = half;
+    unit_length_ = 1.0;
+    length_ = share_of_first_[1];
+    curvature_ = 0.0;
+    const double argument_slope =
+        there.bending_slope * length_of(law_->curve().load_angle(), table_.bending(end_.argument));
+    const double norm = length_of(there.time_slope * time_unit_, argument_slope);
+    tangent_ = {-argument_slope / norm, there.time_slope * time_unit_ / norm};
+    return;
+  }
+
+  // The largest bending: the force takes away what the gap's rate has of energy, (dg/dτ)²/2, as the blade
+  // follows the gap with ct as it is.
+  const double along = pose.radial + contact_.reach;
+  const double per_load = 2.0 * along * rotor_->force_unit * contact_.load_unit;
+  double energy = 0.5 * rate * rate;
+  double largest = table_.knots().back().argument;
+  double gap = 0.0;
+  double load = 0.0;
+  double argument = 0.0;
+  for (const BendingTable::Knot& knot : table_.knots()) {
+    const double shortening = contact_.length * knot.shortening;
+    const double deflection = contact_.length * knot.deflection;
+    const double next =
+        shortening * (2.0 * along - shortening) + deflection * (2.0 * slip * pose.tangential - deflection);
+    const double taken = (0.5 * (load + knot.load) * per_load - curvature) * (next - gap);
+    if (taken > energy) {
+      // In the first quarter of a piece energy grows as p⁴.
+      const double share = energy / taken;
+      const double part = argument == 0.0 ? std::sqrt(std::sqrt(share)) : share;
+      largest = argument + part * (knot.argument - argument);
+      gap += (argument == 0.0 ? std::sqrt(share) : share) * (next - gap);
+      break;
+    }
+    energy -= taken;
+    gap = next;
+    load = knot.load;
+    argument = knot.argument;
+  }
+  constexpr double kLeastBending = 1e-8;
+  constexpr double kRound = 1.6;  // between a parabola, 2, and the quarter of a sine, π/2
+  largest = std::max(largest, kLeastBending);
+  if (gap > 0.0 && rate > 0.0) half = std::min(half, kRound * gap / rate);
+  time_unit_ = half / largest;
+  unit_length_ = largest;
+  length_ = share_of_first_[0] * unit_length_;
+  tangent_ = {0.0, 1.0};
+  // Near the touch-down g = dg/dτ τ = 2 s ct Δ, with Δ ~ p².
+  const double deflection = contact_.length * law_->curve().at(table_.bending(kUnbentArgument)).deflection /
+                            (kUnbentArgument * kUnbentArgument);
+  constexpr double kSharpest = 3.0;
+  curvature_ =
+      -std::clamp(4.0 * slip * pose.tangential * deflection / (rate * time_unit_), 0.0, kSharpest / largest);
+}
+
+/// The first guess of the next interval.
+void ContactArc::plan(Interval& next, double length) {
+  next.start_time = end_.time;
+  next.start_argument = end_.argument;
+  std::copy(end_.state.begin(), end_.state.end(), next.start.begin());
+  const contact::BladeDirection er = blades_->direction(blade_, blades_->first(end_.time));
+  next.blade = {er.cosine, er.sine};
+  if (unbalance_ != nullptr) {
+    const std::complex<double> forcing = unbalance_->acceleration(end_.time);
+    next.forcing = {forcing.real(), forcing.imag()};
+  }
+  next.acceleration = acceleration_;
+  next.jerk = jerk_;
+  next.start_gap_measure = gap_measure_;
+  next.start_slip_velocity = slip_velocity_;
+
+  const AtNodes& node = node_tables().node;
+  const double half_turn = 0.5 * curvature_ * length;
+  const bool straight = std::abs(half_turn) < kStraight;
+  const double cosine = std::cos(half_turn);
+  const double sine = std::sin(half_turn);
+  const double chord = straight ? length : length * sine / half_turn;
+  const Tangent direction{tangent_.time * cosine - tangent_.argument * sine,
+                          tangent_.argument * cosine + tangent_.time * sine};
+  const bool reaches_zero = end_.argument > 0.0 && tangent_.argument < -kSteep &&
+                            end_.argument + chord * direction.argument < kReach * length;
+  if (reaches_zero) {
+    // Over p itself, so that the lift-off is the last node.
+    next.chord = {0.0, -end_.argument};
+    next.normal = {1.0, 0.0};
+    const double slope = tangent_.time / tangent_.argument;
+    const double bend = -curvature_ / (tangent_.argument * tangent_.argument * tangent_.argument);
+    for (std::size_t i = 0; i < kNodes; ++i) {
+      const double down = -end_.argument * node[i];
+      next.deviation[i] = time_unit_ * down * (slope + 0.5 * bend * down);
+    }
+    return;
+  }
+  next.chord = {time_unit_ * chord * direction.time, chord * direction.argument};
+  next.normal = {-time_unit_ * direction.argument, direction.time};
+  const double sagitta = -0.5 * curvature_ * chord * chord;
+  for (std::size_t i = 0; i < kNodes; ++i) next.deviation[i] = sagitta * node[i] * (1.0 - node[i]);
+}
+
+bool ContactArc::solve(Interval& interval, bool warm) {
+  const bool solved = solve_(contact_, table_, {kClosest * limits_.tolerance, warm}, interval);
+  sweeps_ += static_cast<std::uint64_t>(interval.sweeps);
+  return solved;
+}
+
+/// Error of a velocity between the nodes, in what is allowed: the first coefficient of the acceleration that
+/// eight nodes leave out, as the last ones fall, times the largest value of the integral of its polynomial.
+double ContactArc::error_of(const Interval& interval) const {
+  const auto& rows = node_tables().last_coefficients;
+  const double fifth = coefficient(rows[0], interval);
+  const double sixth = coefficient(rows[1], interval);
+  const double seventh = coefficient(rows[2], interval);
+  // Coefficients fall by a common factor; one alone may vanish.
+  constexpr double kShareOfSixth = 0.3;
+  constexpr double kLargestIntegral = 0.5 / (2.0 * kNodes + 1.0);
+  const double last = std::max(seventh, kShareOfSixth * sixth);
+  if (last == 0.0) return 0.0;
+  const double fall = std::min(1.0, std::sqrt(last / std::max(fifth, last)));
+  return std::max(seventh, kShareOfSixth * sixth * fall) * fall * kLargestIntegral /
+         (kBetweenNodes * limits_.tolerance);
+}
+
+bool ContactArc::other_tips_stay_clear(const Interval& interval) const {
+  const contact::BladeDirection first{interval.blade[0], interval.blade[1]};
+  for (int other = 0; other < blades_->count(); ++other) {
+    if (other == blade_) continue;
+    // From one blade to the other.
+    const contact::BladeDirection& from = offsets_[static_cast<std::size_t>(blade_)];
+    const contact::BladeDirection& to = offsets_[static_cast<std::size_t>(other)];
+    const contact::BladeDirection offset{to.cosine * from.cosine + to.sine * from.sine,
+                                         to.sine * from.cosine - to.cosine * from.sine};
+    const auto gap = [&](double x, double y, const contact::BladeDirection& er) {
+      const double cy = y + contact_.misalignment;
+      const double cosine = er.cosine * offset.cosine - er.sine * offset.sine;
+      const double sine = er.sine * offset.cosine + er.cosine * offset.sine;
+      return x * x + cy * cy + 2.0 * contact_.reach * (x * cosine + cy * sine) + contact_.closing;
+    };
+    AtNodes gaps;
+    for (std::size_t i = 0; i < kNodes; ++i)
+      gaps[i] = gap(interval.x[i], interval.y[i], {interval.blade_x[i], interval.blade_y[i]});
+    const double start = gap(interval.start[0], interval.start[1], first);
+    if (extent(start, gaps).upper_bound() < 0.0) continue;
+    AtPlaces overlap = at_places(start, gaps);
+    for (double& value : overlap) value = -value;
+    if (!proven_positive(overlap)) return false;
+  }
+  return true;
+}
+
+/// No tip touches besides, no slip reverses, the shaft stays within the ring and the blade within its limit.
+bool ContactArc::nothing_else_happens(const Interval& interval) {
+  const Extent x = extent(interval.start[0], interval.x);
+  const Extent y = extent(interval.start[1], interval.y);
+  displacement_bound_ = length_of(x.magnitude_bound(), y.magnitude_bound());
+  const Extent centre{y.least + contact_.misalignment, y.greatest + contact_.misalignment};
+  const double distance = length_of(x.magnitude_bound(), centre.magnitude_bound());
+  if (!(distance < contact_.ring_radius)) return false;
+  AtPlaces slip = at_places(interval.start_slip_velocity, interval.slip_velocity);
+  for (double& value : slip) value *= contact_.slip;
+  if (!proven_positive(slip)) return false;
+  const Extent argument = extent(interval.start_argument, interval.argument);
+  if (!(argument.upper_bound() < valid_argument_)) {
+    AtPlaces left = at_places(interval.start_argument, interval.argument);
+    for (double& value : left) value = valid_argument_ - value;
+    if (!proven_positive(left)) return false;
+  }
+  return other_tips_stay_clear(interval);
+}
+
+ContactArc::Ending ContactArc::ending(const Interval& interval) const {
+  const bool reaches_zero = interval.chord.time == 0.0;
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    const bool last = i + 1 == kNodes;
+    if (interval.gap_measure[i] < 0.0) return {i + 1, true};
+    if (interval.argument[i] < 0.0 && !(reaches_zero && last)) return {i + 1, false};
+  }
+  return {};
+}
+
+/// θ just before a place by which values have become negative where they pass through zero.
+double ContactArc::crossing(const AtPlaces& values, std::size_t place) const {
+  const AtPlaces& at = node_tables().place;
+  const auto value = [&](double fraction) { return sum_of_products(basis_at(fraction), values); };
+  if (values[place - 1] <= 0.0) {
+    // It starts at zero, and rises from there.
+    const auto mean = [&](double fraction) { return (value(fraction) - values[place - 1]) / fraction; };
+    return integrate::root_between(mean, 0.0, at[place], std::abs(mean(at[place])), mean(at[place]));
+  }
+  return integrate::root_between(value, at[place - 1], at[place], values[place - 1], values[place]);
+}
+
+/// The stretch of the interval up to θ, solved for itself.
+bool ContactArc::cut(double fraction, Interval& shorter) {
+  shorter.start_time = interval_.start_time;
+  shorter.start_argument = interval_.start_argument;
+  shorter.start = interval_.start;
+  shorter.blade = interval_.blade;
+  shorter.forcing = interval_.forcing;
+  shorter.start_gap_measure = interval_.start_gap_measure;
+  shorter.start_slip_velocity = interval_.start_slip_velocity;
+  shorter.chord = {fraction * interval_.chord.time, fraction * interval_.chord.argument};
+  shorter.normal = interval_.normal;
+  const AtPlaces deviation = at_places(0.0, interval_.deviation);
+  const AtPlaces x = at_places(interval_.start[0], interval_.x);
+  const AtPlaces y = at_places(interval_.start[1], interval_.y);
+  const AtPlaces vx = at_places(interval_.start[2], interval_.vx);
+  const AtPlaces vy = at_places(interval_.start[3], interval_.vy);
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    const AtPlaces basis = basis_at(fraction * node_tables().node[i]);
+    shorter.deviation[i] = sum_of_products(basis, deviation);
+    shorter.x[i] = sum_of_products(basis, x);
+    shorter.y[i] = sum_of_products(basis, y);
+    shorter.vx[i] = sum_of_products(basis, vx);
+    shorter.vy[i] = sum_of_products(basis, vy);
+  }
+  return solve(shorter, true);
+}
+
+/// The end of an interval: of the contact, to rounding, where it ends there.
+void ContactArc::end_at(const Interval& interval, const Ending& ending) {
+  start_ = end_;
+  const std::size_t last = kNodes - 1;
+  end_.time = interval.start_time + interval.elapsed[last];
+  end_.state = {interval.x[last], interval.y[last], interval.vx[last], interval.vy[last]};
+  end_.argument = interval.argument[last];
+  lifts_off_ = interval.chord.time == 0.0 || ending.place < kPlaces;
+  double late = 0.0;
+  if (ending.under_load) {
+    const contact::Pose pose = pose_of(end_);
+    late = -pose.gap / contact::gap_rate(law_->geometry(), pose, rotor_->speed_ratio);
+  } else if (ending.place < kPlaces) {
+    late = -end_.argument * interval.time_slope[last] / interval.argument_slope[last];
+  }
+  end_.time += late;
+  end_.state += late * rotor::State(end_.state[2], end_.state[3], interval.ax[last], interval.ay[last]);
+  if (ending.under_load) {
+    end_.argument += late * interval.argument_slope[last] / interval.time_slope[last];
+  } else if (lifts_off_) {
+    end_.argument = 0.0;
+  }
+}
+
+/// Direction and curvature with which an interval ends.
+void ContactArc::take_direction(const Interval& interval) {
+  struct Place {
+    Tangent tangent;
+    double time;
+    double argument;
+  };
+  const auto place = [&](std::size_t node) {
+    const double time = interval.time_slope[node] / time_unit_;
+    const double argument = interval.argument_slope[node];
+    const double norm = length_of(time, argument);
+    return Place{
+        {time / norm, argument / norm}, interval.elapsed[node] / time_unit_, interval.argument[node]};
+  };
+  const std::array<Place, 3> last{place(kNodes - 3), place(kNodes - 2), place(kNodes - 1)};
+  const auto between = [](const Place& from, const Place& to) {
+    return length_of(to.time - from.time, to.argument - from.argument);
+  };
+  const auto turning = [](const Tangent& from, const Tangent& to) {
+    return from.time * to.argument - from.argument * to.time;
+  };
+  const double before = between(last[0], last[1]);
+  const double after = between(last[1], last[2]);
+  const double curvature_before = turning(last[0].tangent, last[1].tangent) / before;
+  const double curvature_after = turning(last[1].tangent, last[2].tangent) / after;
+  const double time_between = interval.elapsed[kNodes - 1] - interval.elapsed[kNodes - 2];
+  acceleration_ = {interval.ax.at_end(), interval.ay.at_end()};
+  jerk_ = {(interval.ax.at_end() - interval.ax[kNodes - 2]) / time_between,
+           (interval.ay.at_end() - interval.ay[kNodes - 2]) / time_between};
+  curvature_ = curvature_after + (curvature_after - curvature_before) * after / (before + after);
+  tangent_ = last[2].tangent;
+}
+
+ContactArc::Outcome ContactArc::make() {
+  const double shortest = kShortest * length_;
+  while (true) {
+    const double length = std::min(length_, kMostTurning / std::max(std::abs(curvature_), kStraight));
+    plan(trial_, length);
+    const bool solved = solve(trial_, false);
+    const double error = solved ? error_of(trial_) : 0.0;
+    if (solved && error <= 1.0) {
+      length_ = length *
+                std::clamp(kAim * std::pow(std::max(error, 1e-12), -1.0 / kOrder), kLeastGrowth, kMostGrowth);
+      if (begins_) {
+        double& share = share_of_first_[trial_.start_argument > 0.0 ? 1 : 0];
+        share = std::min(std::sqrt(share * length_ / unit_length_), 1.0);
+      }
+      break;
+    }
+    ++rejected_;
+    length_ = length * (solved ? std::max(kLeastRetry, kAim * std::pow(error, -1.0 / kOrder)) : 0.5);
+    if (!(length_ > shortest)) return Outcome::gives_up;
+  }
+  ++intervals_;
+  if (!nothing_else_happens(trial_)) return Outcome::gives_up;
+  const Ending ending = this->ending(trial_);
+  const bool reaches_zero = trial_.chord.time == 0.0;
+  const AtPlaces gaps = at_places(trial_.start_gap_measure, trial_.gap_measure);
+  if (!ending.under_load && !(extent(gaps[0], trial_.gap_measure).lower_bound() > 0.0) &&
+      !proven_positive(gaps, begins_))
+    return Outcome::gives_up;
+  // Time goes on up to the end of the contact.
+  for (std::size_t i = 0; i + 1 < std::min(ending.place, kPlaces); ++i) {
+    if (!(trial_.time_slope[i] > 0.0) && !(reaches_zero && i + 1 == kNodes)) return Outcome::gives_up;
+  }
+  std::swap(interval_, trial_);
+  if (ending.place < kPlaces) {
+    const AtPlaces values =
+        ending.under_load ? gaps : at_places(interval_.start_argument, interval_.argument);
+    if (!cut(crossing(values, ending.place), trial_)) return Outcome::gives_up;
+    std::swap(interval_, trial_);
+  }
+  rises_ = tangent_.argument > 0.0;
+  end_at(interval_, ending);
+  gap_measure_ = interval_.gap_measure.at_end();
+  slip_velocity_ = interval_.slip_velocity.at_end();
+  if (!lifts_off_) take_direction(interval_);
+  begins_ = false;
+  return Outcome::made;
+}
+
+double ContactArc::fraction_at(double time) const {
+  const AtPlaces elapsed = at_places(0.0, interval_.elapsed);
+  const double wanted = time - interval_.start_time;
+  if (wanted <= 0.0) return 0.0;
+  if (wanted >= interval_.elapsed.at_end()) return 1.0;
+  const auto late = [&](double fraction) { return sum_of_products(basis_at(fraction), elapsed) - wanted; };
+  // Of the places around it the interpolating polynomial is close to a line.
+  std::size_t place = 1;
+  while (elapsed[place] < wanted) ++place;
+  const AtPlaces& at = node_tables().place;
+  return integrate::root_between(late, at[place - 1], at[place], elapsed[place - 1] - wanted,
+                                 elapsed[place] - wanted);
+}
+
+rotor::State ContactArc::state_at(double time) {
+  if (time <= start_.time) return start_.state;
+  if (time >= end_.time) return end_.state;
+  const double fraction = fraction_at(time);
+  if (!cut(fraction, trial_)) {
+    const Point point = point_at(fraction);
+    return point.state;
+  }
+  const std::size_t last = kNodes - 1;
+  const rotor::State state(trial_.x[last], trial_.y[last], trial_.vx[last], trial_.vy[last]);
+  const double late = time - (trial_.start_time + trial_.elapsed[last]);
+  return state + late * rotor::State(state[2], state[3], trial_.ax[last], trial_.ay[last]);
+}
+
+std::array<double, 2> ContactArc::place_at(double fraction) const {
+  const AtPlaces basis = basis_at(fraction);
+  return {sum_of_products(basis, at_places(interval_.start[0], interval_.x)),
+          sum_of_products(basis, at_places(interval_.start[1], interval_.y))};
+}
+
+ContactArc::Point ContactArc::point_at(double fraction) const {
+  const AtPlaces basis = basis_at(fraction);
+  const auto value = [&](double start, const AtNodes& nodes) {
+    return sum_of_products(basis, at_places(start, nodes));
+  };
+  return {interval_.start_time + value(0.0, interval_.elapsed),
+          {value(interval_.start[0], interval_.x), value(interval_.start[1], interval_.y),
+           value(interval_.start[2], interval_.vx), value(interval_.start[3], interval_.vy)},
+          value(interval_.start_argument, interval_.argument)};
+}
+
+double ContactArc::bending_at(double fraction) const {
+  return table_.bending(
+      sum_of_products(basis_at(fraction), at_places(interval_.start_argument, interval_.argument)));
+}
+
+bool ContactArc::peaks() const {
+  return rises_ && interval_.argument_slope.at_end() < 0.0;
+}
+
+void ContactArc::shift_time(double period) {
+  start_.time -= period;
+  end_.time -= period;
+  interval_.start_time -= period;
+}
+
+}  // namespace rubatlas::collocation

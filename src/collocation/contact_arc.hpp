@@ -1,0 +1,142 @@
+/// One contact of one elastic blade, interval by interval, from where it begins to its lift-off.
+///
+/// The contact is an arc in the plane (τ, p): up from the touch-down, over the largest bending, and down to
+/// the lift-off at p = 0, or at g = 0 under load on the receding side (MODEL 4.2). An interval is a stretch
+/// of this arc (`interval.hpp`). Its first guess is a circular arc in the plane (τ/T, p), with the direction
+/// and the curvature with which the interval before has ended; T is chosen such that the whole contact is
+/// roughly a half circle.
+///
+/// The arc covers contacts in which nothing else happens. Where it cannot prove that no other guard is met
+/// within an interval (another tip touches, the slip reverses, a limit of validity), it gives up at the start
+/// of this interval, and the motion goes on with another mode from there.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "collocation/bending_table.hpp"
+#include "collocation/interval.hpp"
+#include "contact/elastica_contact.hpp"
+#include "rotor/blade_set.hpp"
+#include "rotor/constants.hpp"
+#include "rotor/harmonic.hpp"
+
+namespace rubatlas::collocation {
+
+class ContactArc {
+ public:
+  struct Limits {
+    double tolerance;       ///< local error [m]: accuracy.tolerance × δc
+    double max_shortening;  ///< of δ/L [-]
+  };
+  /// `unbalance`: null where none acts. All must outlive the arc. The law has friction μ > 0.
+  ContactArc(const rotor::RotorConstants& rotor, const rotor::BladeSet& blades,
+             const contact::ElasticaContact& law, const rotor::Harmonic* unbalance, const Limits& limits);
+
+  /// A place on the contact's curve.
+  struct Point {
+    double time = 0.0;  ///< τ of the revolution
+    rotor::State state = rotor::State::Zero();
+    double argument = 0.0;  ///< p
+  };
+
+  /// Begins where a blade with slip direction s = `slip` has the bending parameter u; u = 0: it touches down.
+  void begin(double time, const rotor::State& state, int blade, double slip, double bending);
+
+  enum class Outcome : std::uint8_t { made, gives_up };
+  /// Makes the next interval, from the end of the one before.
+  Outcome make();
+  /// The interval ends with the lift-off.
+  [[nodiscard]] bool lifts_off() const { return lifts_off_; }
+  [[nodiscard]] const Point& start() const { return start_; }
+  [[nodiscard]] const Point& end() const { return end_; }
+
+  /// θ in the interval that has been made where it has reached a time.
+  [[nodiscard]] double fraction_at(double time) const;
+  /// There: the state of the shaft as accurate as at the end of an interval; solves the stretch up to there.
+  [[nodiscard]] rotor::State state_at(double time);
+  /// Shaft's place x, y [m] at θ, on the interval's polynomials.
+  [[nodiscard]] std::array<double, 2> place_at(double fraction) const;
+  [[nodiscard]] Point point_at(double fraction) const;
+  /// Bending parameter u at θ.
+  [[nodiscard]] double bending_at(double fraction) const;
+  /// The bending passes its largest value within the interval.
+  [[nodiscard]] bool peaks() const;
+  /// Bound of |z| in the interval [m].
+  [[nodiscard]] double displacement_bound() const { return displacement_bound_; }
+
+  /// Sets the time back by a revolution.
+  void shift_time(double period);
+
+  [[nodiscard]] int blade() const { return blade_; }
+  [[nodiscard]] double slip() const { return contact_.slip; }
+  [[nodiscard]] double bending(double argument) const { return table_.bending(argument); }
+
+  // What it cost.
+  [[nodiscard]] std::uint64_t intervals() const { return intervals_; }
+  [[nodiscard]] std::uint64_t rejected() const { return rejected_; }
+  [[nodiscard]] std::uint64_t sweeps() const { return sweeps_; }
+
+ private:
+  /// Direction in the plane (τ/T, p), of length 1.
+  struct Tangent {
+    double time;
+    double argument;
+  };
+
+  void estimate(const contact::Pose& pose);
+  void plan(Interval& next, double length);
+  bool solve(Interval& interval, bool warm);
+  [[nodiscard]] double error_of(const Interval& interval) const;
+  [[nodiscard]] bool nothing_else_happens(const Interval& interval);
+  [[nodiscard]] bool other_tips_stay_clear(const Interval& interval) const;
+  /// First place of the interval by which the contact has ended; kPlaces where it has not.
+  struct Ending {
+    std::size_t place = kPlaces;
+    bool under_load = false;
+  };
+  [[nodiscard]] Ending ending(const Interval& interval) const;
+  [[nodiscard]] double crossing(const AtPlaces& values, std::size_t place) const;
+  bool cut(double fraction, Interval& shorter);
+  void end_at(const Interval& interval, const Ending& ending);
+  void take_direction(const Interval& interval);
+  [[nodiscard]] contact::Pose pose_of(const Point& point) const;
+
+  const rotor::RotorConstants* rotor_;
+  const rotor::BladeSet* blades_;
+  const contact::ElasticaContact* law_;
+  const rotor::Harmonic* unbalance_;
+  Limits limits_;
+  BendingTable table_;
+  Solve solve_;
+  std::vector<contact::BladeDirection> offsets_;  ///< of the blades from blade 0's place
+  double valid_argument_;                         ///< p up to which δ/L is within its limit
+  Contact contact_;
+
+  int blade_ = 0;
+  bool begins_ = false;  ///< the next interval is the first of the contact
+  bool lifts_off_ = false;
+  Point start_, end_;
+  Interval interval_, trial_;
+  double time_unit_ = 1.0;                ///< T
+  Tangent tangent_{};                     ///< where the next interval starts
+  double curvature_ = 0.0;                ///< there, in the plane (τ/T, p)
+  double gap_measure_ = 0.0;              ///< there
+  double slip_velocity_ = 0.0;            ///< there
+  std::array<double, 2> acceleration_{};  ///< z'' and z''' there
+  std::array<double, 2> jerk_{};
+  double unit_length_ = 1.0;  ///< of the first arc: the largest bending to be expected
+  /// Length of the first arc against that unit, as the contacts of this motion have had it so far: of
+  /// contacts that start unloaded, and under load.
+  std::array<double, 2> share_of_first_{0.5, 1.0};
+  double length_ = 1.0;  ///< of the next arc in that plane
+  bool rises_ = false;   ///< the bending, where the interval starts
+  double displacement_bound_ = 0.0;
+  std::uint64_t intervals_ = 0;
+  std::uint64_t rejected_ = 0;
+  std::uint64_t sweeps_ = 0;
+};
+
+}  // namespace rubatlas::collocation

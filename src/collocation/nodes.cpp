@@ -1,0 +1,133 @@
+#include "collocation/nodes.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <boost/math/special_functions/binomial.hpp>
+#include <boost/math/special_functions/legendre.hpp>
+
+namespace rubatlas::collocation {
+namespace {
+
+using Real = long double;
+using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+using boost::math::legendre_p;
+
+Real legendre(std::size_t degree, Real fraction) {
+  return legendre_p(static_cast<int>(degree), 2 * fraction - 1);
+}
+
+/// Zeros of P8 − P7 of 2θ − 1 in (0, 1].
+constexpr std::array<Real, kNodes> kZeros{
+    0.022479386438712498111L, 0.11467905316090423191L, 0.26578982278458946850L, 0.45284637366944461700L,
+    0.64737528288683036264L,  0.81975930826310763498L, 0.94373743946307785352L, 1.0L};
+
+AtNodes row_of(const Matrix& matrix, Eigen::Index column) {
+  AtNodes row;
+  for (std::size_t i = 0; i < kNodes; ++i)
+    row[i] = static_cast<double>(matrix(static_cast<Eigen::Index>(i), column));
+  return row;
+}
+
+NodeTables make_tables() {
+  constexpr auto kSize = static_cast<Eigen::Index>(kNodes);
+  const std::array<Real, kNodes>& at = kZeros;
+  NodeTables tables{};
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    tables.node[i] = static_cast<double>(at[i]);
+    tables.place[i + 1] = tables.node[i];
+  }
+
+  // Legendre's polynomials at the nodes, and their integrals from 0 to the nodes.
+  Matrix value(kSize, kSize);
+  Matrix integral(kSize, kSize);
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    for (std::size_t k = 0; k < kNodes; ++k) {
+      const auto row = static_cast<Eigen::Index>(i);
+      const auto column = static_cast<Eigen::Index>(k);
+      value(row, column) = legendre(k, at[i]);
+      integral(row, column) =
+          k == 0 ? at[i]
+                 : (legendre(k + 1, at[i]) - legendre(k - 1, at[i])) / (2 * (2 * static_cast<Real>(k) + 1));
+    }
+  }
+  const Matrix coefficients = value.fullPivLu().inverse();
+  const Matrix integrals = integral * coefficients;
+  for (std::size_t j = 0; j < kNodes; ++j)
+    tables.integral[j] = row_of(integrals, static_cast<Eigen::Index>(j));
+  for (std::size_t k = 0; k < 3; ++k)
+    tables.last_coefficients[k] = row_of(coefficients.transpose(), static_cast<Eigen::Index>(kNodes - 3 + k));
+
+  std::array<Real, kPlaces> place{};
+  std::copy(at.begin(), at.end(), place.begin() + 1);
+  std::array<Real, kPlaces> weight{};
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    weight[i] = 1;
+    for (std::size_t j = 0; j < kPlaces; ++j) {
+      if (j != i) weight[i] /= place[i] - place[j];
+    }
+    tables.weight[i] = static_cast<double>(weight[i]);
+  }
+  for (std::size_t j = 1; j < kPlaces; ++j) {
+    for (std::size_t i = 1; i < kPlaces; ++i) {
+      Real slope = 0;
+      if (i == j) {
+        for (std::size_t k = 0; k < kPlaces; ++k) {
+          if (k != j) slope += 1 / (place[j] - place[k]);
+        }
+      } else {
+        slope = weight[j] / weight[i] / (place[i] - place[j]);
+      }
+      tables.slope[j - 1][i - 1] = static_cast<double>(slope);
+    }
+  }
+
+  Matrix bernstein(kPlaces, kPlaces);
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    for (std::size_t k = 0; k < kPlaces; ++k) {
+      Real term = boost::math::binomial_coefficient<Real>(kNodes, static_cast<unsigned>(k));
+      for (std::size_t power = 0; power < k; ++power) term *= place[i];
+      for (std::size_t power = k; power < kNodes; ++power) term *= 1 - place[i];
+      bernstein(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = term;
+    }
+  }
+  const Matrix to_bernstein = bernstein.fullPivLu().inverse();
+  for (std::size_t k = 0; k < kPlaces; ++k) {
+    for (std::size_t j = 0; j < kPlaces; ++j)
+      tables.bernstein[k][j] =
+          static_cast<double>(to_bernstein(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(j)));
+  }
+  return tables;
+}
+
+}  // namespace
+
+const NodeTables& node_tables() {
+  static const NodeTables kTables = make_tables();
+  return kTables;
+}
+
+AtPlaces basis_at(double fraction) {
+  const NodeTables& tables = node_tables();
+  AtPlaces basis{};
+  double sum = 0.0;
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    const double distance = fraction - tables.place[i];
+    if (distance == 0.0) {
+      basis.fill(0.0);
+      basis[i] = 1.0;
+      return basis;
+    }
+    basis[i] = tables.weight[i] / distance;
+    sum += basis[i];
+  }
+  for (double& value : basis) value /= sum;
+  return basis;
+}
+
+bool proven_positive(const AtPlaces& values, bool from_zero) {
+  const auto& rows = node_tables().bernstein;
+  return std::all_of(rows.begin() + (from_zero ? 1 : 0), rows.end(),
+                     [&](const AtPlaces& row) { return sum_of_products(row, values) > 0.0; });
+}
+
+}  // namespace rubatlas::collocation

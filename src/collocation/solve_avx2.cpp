@@ -1,0 +1,24 @@
+// Four numbers in a register.
+
+#ifdef __AVX2__
+#include "collocation/interval_sweeps.hpp"
+
+namespace rubatlas::collocation {
+
+bool solve_avx2(const Contact& contact, const BendingTable& table, const Closeness& closeness,
+                Interval& interval) {
+  return Sweeps<4>(contact, table, closeness, interval).solve();
+}
+
+}  // namespace rubatlas::collocation
+
+#else
+#include "collocation/interval.hpp"
+
+namespace rubatlas::collocation {
+bool solve_avx2(const Contact& contact, const BendingTable& table, const Closeness& closeness,
+                Interval& interval) {
+  return solve_in_pairs(contact, table, closeness, interval);
+}
+}  // namespace rubatlas::collocation
+#endif

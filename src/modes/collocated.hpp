@@ -1,0 +1,85 @@
+/// Mode: one elastic blade in contact, of which nothing but its lift-off is to be expected, by collocation
+/// (`collocation/contact_arc.hpp`). Where something else may happen it hands the contact over to the mode
+/// `Carried`, from the start of the interval in which it may.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "collocation/contact_arc.hpp"
+#include "contact/elastica_contact.hpp"
+#include "modes/contact_mode.hpp"
+#include "modes/guard_search.hpp"
+#include "modes/motion_listener.hpp"
+#include "modes/work_meter.hpp"
+#include "observables/motion_piece.hpp"
+#include "rotor/blade_set.hpp"
+#include "rotor/bodies.hpp"
+#include "rotor/harmonic.hpp"
+
+namespace rubatlas::modes {
+
+class Collocated final : public observables::MotionPiece {
+ public:
+  using Law = contact::ElasticaContact;
+  using Bodies = rotor::State;
+  using FullState = rotor::FullStateOf<rotor::NoForcing>;
+
+  /// All outlive the mode. `unbalance`: null where none acts.
+  Collocated(const rotor::RotorConstants& rotor, const rotor::BladeSet& blades, const Law& law,
+             const rotor::Harmonic* unbalance, const ContactLimits& limits, WorkMeter& meter)
+      : law_(&law),
+        blades_(&blades),
+        rotor_(&rotor),
+        meter_(&meter),
+        arc_(rotor, blades, law, unbalance, {limits.tolerance, limits.max_shortening}) {}
+
+  /// Starts at time τ of the revolution. False where more than one blade touches.
+  bool start(double time, const Bodies& state, const std::vector<OpenContact>& contacts);
+  /// Why it could not start: that is for another mode to find.
+  [[nodiscard]] static point::StatusDetail refusal() { return point::StatusDetail::none; }
+
+  /// Goes on until the blade lifts off, the contact is handed over, time reaches `until` or the meter ends
+  /// the revolution; hands every piece of motion to the listener.
+  ModeEnd advance(double until, MotionListener& listener);
+  void shift_time(double period);
+
+  /// State at a time of the piece that is being recorded.
+  [[nodiscard]] Bodies state_at(double time) { return arc_.state_at(time); }
+  [[nodiscard]] FullState end_state() const;
+  [[nodiscard]] OpenContact contact_at_end(std::size_t contact) const;
+  [[nodiscard]] OpenContact contact_at(std::size_t contact, double time) const;
+
+  // The piece of motion that is being recorded.
+  [[nodiscard]] double begin() const override { return piece_begin_; }
+  [[nodiscard]] double end() const override { return piece_end_; }
+  [[nodiscard]] observables::State state(double time) override { return rotor::as_array(state_at(time)); }
+  [[nodiscard]] double place_x(double time) override;
+  [[nodiscard]] double displacement_bound() const override { return arc_.displacement_bound(); }
+  [[nodiscard]] std::size_t contact_count() const override { return 1; }
+  [[nodiscard]] int blade(std::size_t /*contact*/) const override { return contact_.blade; }
+  [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return arc_.peaks(); }
+  [[nodiscard]] double normal_force(std::size_t contact, double time) override;
+  [[nodiscard]] double root_strain(std::size_t contact, double time) override;
+  [[nodiscard]] double friction_power(std::size_t contact, double time) override;
+
+  /// Right-hand sides: one at each node in each sweep.
+  [[nodiscard]] std::uint64_t evaluations() const { return collocation::kNodes * arc_.sweeps(); }
+  [[nodiscard]] std::uint64_t steps() const { return arc_.intervals(); }
+  [[nodiscard]] std::uint64_t rejected() const { return arc_.rejected(); }
+
+ private:
+  [[nodiscard]] contact::TipForce force(double time) const;
+
+  const Law* law_;
+  const rotor::BladeSet* blades_;
+  const rotor::RotorConstants* rotor_;
+  WorkMeter* meter_;
+  collocation::ContactArc arc_;
+  OpenContact contact_{};
+  bool pending_ = false;  ///< an interval has been made and not been recorded to its end
+  double piece_begin_ = 0.0;
+  double piece_end_ = 0.0;
+};
+
+}  // namespace rubatlas::modes

@@ -1,0 +1,43 @@
+/// The blade over p = asinh(u/β) is the blade.
+#include "collocation/bending_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "blade/elastica_curve.hpp"
+
+namespace rubatlas::test {
+namespace {
+
+using collocation::BendingTable;
+
+std::array<double, 3> at(const BendingTable& table, double argument) {
+  const int piece = std::clamp(static_cast<int>(argument / BendingTable::kWidth), 0, table.last_piece());
+  const double t = 2.0 * (argument / BendingTable::kWidth - piece) - 1.0;
+  std::array<double, 3> sum{};
+  const auto& coefficients = table.pieces()[piece].coefficients;
+  for (std::size_t power = coefficients.size(); power-- > 0;) {
+    for (std::size_t i = 0; i < 3; ++i) sum[i] = sum[i] * t + coefficients[power][i];
+  }
+  return sum;
+}
+
+TEST(BendingTable, AgreesWithTheElasticaAtEveryFriction) {
+  for (const double friction : {1e-6, 1e-3, 0.03, 0.1, 0.5, 2.0}) {
+    const blade::ElasticaCurve curve(friction);
+    const BendingTable table(curve);
+    for (double p = 0.0; table.bending(p) < curve.end(); p += 0.0137) {
+      SCOPED_TRACE(::testing::Message() << "friction " << friction << ", p " << p);
+      const auto exact = curve.at(table.bending(p));
+      const auto found = at(table, p);
+      EXPECT_NEAR(found[0], exact.load, 3e-13 * (1.0 + exact.load));
+      EXPECT_NEAR(found[1], exact.shortening, 3e-13);
+      EXPECT_NEAR(found[2], exact.deflection, 3e-13);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rubatlas::test
