@@ -21,13 +21,6 @@ using atlas::Dataset;
 using atlas::File;
 using atlas::Shape;
 
-/// The build that wrote the atlas. The maps depend on it and on the rules of the present version.
-atlas::Software software_of(const File& atlas) {
-  const auto root = atlas.root();
-  return {root.text("software"), root.text("software_version"), root.text("git_commit"),
-          root.text("compiler")};
-}
-
 std::vector<Dataset> create_axes(File& file, std::span<const plan::Axis> axes) {
   std::vector<Dataset> scales;
   for (const auto& axis : axes) {
@@ -193,6 +186,7 @@ void write_maps(const atlas::Output& output, const Findings& found, const atlas:
   File file = File::create(publication.name());
   {
     auto root = file.root();
+    // The maps depend on the build that wrote the atlas, and on the rules of the present version.
     atlas::write_provenance(std::move(root), software_of(atlas.file()), atlas::FileKind::maps,
                             found.scene.title);
     auto again = file.root();

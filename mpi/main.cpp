@@ -7,6 +7,8 @@
 //      orbit    scene → one point in full                              (orbit_command)
 //      analyse  atlas → classes, regions, triggers, sensitivities      (analysis)
 //      verify   atlas → are its rows what was computed?                (verify_command)
+//      merge    atlases of parts → one atlas                           (merge_command)
+//      pack     atlas → smaller copy                                   (pack_command)
 //      accuracy scene → every method and tolerance → error and time    (accuracy_command)
 //   3. whatever goes wrong becomes one message and an exit code        (failure)
 #include <fcntl.h>
@@ -27,7 +29,9 @@
 #include "mpi/commands/accuracy_command.hpp"
 #include "mpi/commands/command_line.hpp"
 #include "mpi/commands/explain.hpp"
+#include "mpi/commands/merge_command.hpp"
 #include "mpi/commands/orbit_command.hpp"
+#include "mpi/commands/pack_command.hpp"
 #include "mpi/commands/run.hpp"
 #include "mpi/commands/status_command.hpp"
 #include "mpi/commands/verify_command.hpp"
@@ -55,8 +59,9 @@ int carry_out(const RunOptions& options) {
 }
 
 int carry_out(const StatusCommand& command) {
-  const Standing standing = standing_of_atlas(command.atlas);
-  print(status_sentence(command.atlas, standing) + "\n");
+  const atlas::AtlasReader atlas(command.atlas);
+  const Standing standing = standing_of_atlas(atlas);
+  print(status_sentence(atlas, standing) + "\n");
   return exit_code_of(standing);
 }
 
@@ -84,6 +89,14 @@ int carry_out(const AccuracyCommand& command) {
 
 int carry_out(const VerifyCommand& command) {
   return verify(command);
+}
+
+int carry_out(const MergeCommand& command) {
+  return merge(command);
+}
+
+int carry_out(const PackCommand& command) {
+  return pack(command);
 }
 
 /// If the program is started with standard input, output or error closed, the next file that it opens takes

@@ -29,14 +29,17 @@ Examples:
   rubatlas analyse damping.h5 -o maps.h5 --table table.md        regions, triggers and sensitivities
   rubatlas accuracy jobs/accuracy.json -o accuracy.h5            error against time, method by method
   rubatlas verify damping.h5 --recompute 50                      checksums of all rows, 50 rows once more
+  rubatlas run jobs/damping.json -o two.h5 --part 2/7            a seventh of the lines
+  rubatlas merge one.h5 two.h5 three.h5 -o damping.h5            parts become one, the rest stays pending
+  rubatlas pack damping.h5 -o packed.h5                          a smaller copy, for the archive
 
 Exit codes: 0 done, every point was computed (some may have left the model: counted in the last line); 10 done,
 but some points could not be integrated; 2 wrong call or scene; 3 disk, files or MPI refused; 75 stopped on
 request, --resume goes on. Any other code is not ours: mpirun ends a job that is terminated with codes of its own.
 )";
 
-constexpr std::array<std::string_view, 7> kCommands{"run",     "status",   "explain", "orbit",
-                                                    "analyse", "accuracy", "verify"};
+constexpr std::array<std::string_view, 9> kCommands{"run",      "status", "explain", "orbit", "analyse",
+                                                    "accuracy", "verify", "merge",   "pack"};
 /// In the order of the enumeration ProgressStyle.
 constexpr std::array<std::string_view, 4> kProgressStyles{"auto", "bar", "plain", "off"};
 
@@ -87,6 +90,9 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
       run->add_flag("--resume", run_options.resume, "Complete an atlas, or begin it where there is none");
   run->add_flag("--overwrite", run_options.overwrite, "Replace an existing atlas; no other file")
       ->excludes(resume);
+  std::string part;
+  run->add_option("--part", part, "Compute part K of N only, consecutive lines, into an atlas of its own")
+      ->type_name("K/N");
   std::string progress = "auto";
   const auto add_progress = [&](CLI::App* command) {
     command->add_option("--progress", progress, "auto, bar, plain or off; auto is a bar on a terminal")
@@ -172,6 +178,18 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
           "Compute so many rows again, spread over the grid; the build that made them has the same bits")
       ->type_name("ROWS");
 
+  MergeCommand merge_command;
+  auto* merge = program.add_subcommand("merge", "Make one atlas of the parts that run --part has computed");
+  merge->add_option("PARTS", merge_command.parts, "Atlases of parts of one scene (HDF5)")->required();
+  merge->add_option("-o,--output", merge_command.output, "Atlas to write (HDF5)")->required();
+  merge->add_flag("--overwrite", merge_command.overwrite, "Replace an existing atlas; no other file");
+
+  PackCommand pack_command;
+  auto* pack = program.add_subcommand("pack", "Copy an atlas into compressed chunks, and check the copy");
+  pack->add_option("ATLAS", pack_command.atlas, "Atlas (HDF5)")->required();
+  pack->add_option("-o,--output", pack_command.output, "Packed atlas to write (HDF5)")->required();
+  pack->add_flag("--overwrite", pack_command.overwrite, "Replace an existing atlas; no other file");
+
   program.footer(kExamples);
 
   try {
@@ -184,6 +202,11 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
     throw UsageError(sentence_of(program, error));
   }
   if (run->parsed()) {
+    if (!part.empty()) {
+      run_options.part = plan::read_part(part);
+      if (!run_options.part)
+        throw UsageError(fmt::format("--part {}: not K/N with K from 1 to N, such as 2/8", part));
+    }
     run_options.progress = progress_style(progress);
     if (run_options.most_lanes < 0) {
       throw UsageError(
@@ -201,6 +224,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   if (explain->parsed()) return explain_command;
   if (orbit->parsed()) return orbit_command;
   if (verify->parsed()) return verify_command;
+  if (merge->parsed()) return merge_command;
+  if (pack->parsed()) return pack_command;
   if (accuracy->parsed()) {
     accuracy_command.progress = progress_style(progress);
     return accuracy_command;

@@ -56,8 +56,20 @@ struct VerifyCommand {
   std::size_t recompute = 0;  ///< number of rows that are computed again
 };
 
+struct MergeCommand {
+  std::vector<std::filesystem::path> parts;  ///< atlases of parts
+  std::filesystem::path output;
+  bool overwrite = false;
+};
+
+struct PackCommand {
+  std::filesystem::path atlas;
+  std::filesystem::path output;
+  bool overwrite = false;
+};
+
 using Command = std::variant<PrintCommand, RunOptions, ExplainCommand, OrbitCommand, StatusCommand,
-                             AnalyseCommand, AccuracyCommand, VerifyCommand>;
+                             AnalyseCommand, AccuracyCommand, VerifyCommand, MergeCommand, PackCommand>;
 
 /// Throws UsageError with one sentence.
 Command parse_command_line(int argument_count, const char* const* arguments);

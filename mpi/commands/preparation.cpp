@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 #include "atlas/atlas_reader.hpp"
+#include "atlas/copy.hpp"
 #include "atlas/create.hpp"
 #include "atlas/environment_error.hpp"
 #include "atlas/free_space.hpp"
-#include "atlas/header_checksum.hpp"
 #include "atlas/output.hpp"
 #include "atlas/schema.hpp"
 #include "atlas/verify.hpp"
@@ -35,50 +37,72 @@ void require_same_scene(const RunOptions& options, const atlas::AtlasReader& exi
   }
 }
 
-/// A run may not resume an atlas that has changed since it was written.
-void require_sound_header(const atlas::AtlasReader& existing) {
-  if (!existing.has_checksums()) {
-    throw atlas::EnvironmentError(fmt::format(
-        "{} was begun by a version whose rows have no checksums, and no run goes on with it; it can "
-        "be read, or begun anew with --overwrite",
-        existing.path().string()));
+/// A run may resume a part only as this part, and a packed atlas not at all.
+void require_same_part(const RunOptions& options, const atlas::AtlasReader& existing) {
+  const plan::Part& part = existing.part();
+  if (options.part && *options.part != part) {
+    throw UsageError(fmt::format("{} is {}, and --part asks for part {}", options.atlas.string(),
+                                 part.is_whole() ? "a whole atlas" : "part " + plan::text_of(part),
+                                 plan::text_of(*options.part)));
   }
-  if (const std::string damage = atlas::header_damage(existing.path()); !damage.empty()) {
-    throw atlas::EnvironmentError(damage);
+  if (existing.is_packed()) {
+    throw UsageError(
+        fmt::format("{} is packed and takes no more rows; --resume goes on with the atlas that it "
+                    "is a copy of",
+                    options.atlas.string()));
   }
+}
+
+/// A part has one line at least.
+void require_lines(const plan::Part& part, const plan::Grid& grid) {
+  if (part.count <= grid.line_count()) return;
+  throw UsageError(fmt::format("--part {}: the scene has {} line{}, and a part has one at least",
+                               plan::text_of(part), grid.line_count(), grid.line_count() == 1 ? "" : "s"));
 }
 
 bool goes_on(const RunOptions& options) {
   return options.resume && std::filesystem::exists(options.atlas);
 }
 
-/// Makes all refusals that need no change on the disk. Returns the path of the atlas.
-atlas::Output require_possible(const RunOptions& options, const settings::Scene& scene) {
+struct Permission {
+  atlas::Output output;
+  plan::Part part;  ///< of the grid, that the run computes
+};
+
+/// Makes all refusals that need no change on the disk.
+Permission require_possible(const RunOptions& options, const settings::Scene& scene) {
   if (options.resume && options.overwrite) {
     throw UsageError("--resume completes an atlas and --overwrite replaces it: one of the two");
   }
-  auto output =
-      atlas::permitted({options.atlas, atlas::FileKind::atlas,
-                        options.resume ? atlas::Existing::keep : atlas::existing(options.overwrite)},
-                       {options.scene});
-  static_cast<void>(record_output(output.path, options.scene));
+  auto output = atlas::permitted({options.atlas, atlas::FileKind::atlas,
+                                  options.resume ? atlas::Existing::keep : atlas::existing(options.overwrite),
+                                  "--resume completes it, "},
+                                 {options.scene});
+  static_cast<void>(record_output(output.path, {options.scene}));
+  const plan::Grid grid(scene);
+  plan::Part part = options.part.value_or(plan::Part{});
+  require_lines(part, grid);
   if (goes_on(options)) {
     const atlas::AtlasReader existing(output.path);
-    require_sound_header(existing);
+    atlas::require_sound_header(existing);
     require_same_scene(options, existing, scene);
+    require_same_part(options, existing);
     atlas::require_sound_rows(existing);
+    part = existing.part();
   }
   const atlas::Schema schema = atlas::schema_of(scene);
-  atlas::require_space(output.path, schema.byte_count(),
-                       fmt::format("{} points × {} a row", plan::Grid(scene).point_count(),
-                                   atlas::readable_bytes(schema.bytes_per_point())));
+  const std::size_t points = plan::points_of(part, grid).count();
+  const std::uint64_t row_bytes = schema.bytes_per_point();
+  atlas::require_space(output.path, part.is_whole() ? schema.byte_count() : points * row_bytes,
+                       fmt::format("{} points × {} a row", points, atlas::readable_bytes(row_bytes)),
+                       schema.byte_count());
   const MemoryNeed need = memory_need(scene, PointRunner::kSolversKept);
   if (const std::uint64_t memory = memory_of_process(); need.together() > static_cast<double>(memory)) {
     throw atlas::EnvironmentError(
         fmt::format("the scene is too large for the memory of {} that this process may have: {}",
                     atlas::readable_bytes(memory), memory_text(need)));
   }
-  return output;
+  return {std::move(output), part};
 }
 
 }  // namespace
@@ -87,8 +111,10 @@ Preparation prepare(const RunOptions& options, const atlas::Software& software) 
   Preparation preparation;
   preparation.scene_text = settings::read_text(options.scene);
   const settings::Scene scene = settings::parse_scene(preparation.scene_text, options.scene.string());
-  const atlas::Output output = require_possible(options, scene);
+  const Permission permission = require_possible(options, scene);
+  const atlas::Output& output = permission.output;
   preparation.atlas = output.path;
+  preparation.part = permission.part;
   for (const auto& doubt : doubts_about(scene)) say_sentence("note: " + doubt);
 
   // An existing atlas is locked before it is resumed or replaced, a new one before it gets its name, so that
@@ -96,7 +122,8 @@ Preparation prepare(const RunOptions& options, const atlas::Software& software) 
   std::optional<atlas::AtlasLock>& lock = preparation.lock;
   if (std::filesystem::exists(output.path)) lock.emplace(output.path);
   if (!goes_on(options)) {
-    atlas::create_atlas(output, scene, preparation.scene_text, software, [&](const auto& unpublished) {
+    const atlas::AtlasHeader header{scene, preparation.scene_text, software, permission.part};
+    atlas::create_atlas(output, header, [&](const auto& unpublished) {
       if (lock) {
         lock->move_to(unpublished);
       } else {
@@ -114,6 +141,10 @@ Preparation prepare(const RunOptions& options, const atlas::Software& software) 
                     options.atlas.string(), commit, software.git_commit));
   }
   preparation.status = atlas.status();
+  const auto [first, end] = atlas.points_of_part();
+  std::fill_n(preparation.status.begin(), first, kOfAnotherPart);
+  std::fill(preparation.status.begin() + static_cast<std::ptrdiff_t>(end), preparation.status.end(),
+            kOfAnotherPart);
   preparation.ends = atlas::FinalStates(atlas, scene);
   return preparation;
 }
@@ -121,14 +152,20 @@ Preparation prepare(const RunOptions& options, const atlas::Software& software) 
 std::string rehearse(const RunOptions& options) {
   const settings::Scene scene =
       settings::parse_scene(settings::read_text(options.scene), options.scene.string());
-  static_cast<void>(require_possible(options, scene));
-  std::size_t pending = plan::Grid(scene).point_count();
+  const plan::Part part = require_possible(options, scene).part;
+  const plan::Grid grid(scene);
+  const auto [first, end] = plan::points_of(part, grid);
+  std::size_t pending = end - first;
   if (goes_on(options)) {
     const auto status = atlas::AtlasReader(options.atlas).status();
-    pending = static_cast<std::size_t>(std::count(status.begin(), status.end(), 0));
+    pending = static_cast<std::size_t>(std::ranges::count(std::span(status).subspan(first, end - first), 0));
   }
-  return fmt::format("{}\nDry run: {} points would be computed into {}; nothing has been written.\n",
-                     explain(scene), pending, options.atlas.string());
+  const std::string lines = part.is_whole() ? ""
+                                            : fmt::format(" (part {} of the scene: lines {} to {} of {})",
+                                                          plan::text_of(part), first / grid.speed_count() + 1,
+                                                          end / grid.speed_count(), grid.line_count());
+  return fmt::format("{}\nDry run: {} points would be computed into {}{}; nothing has been written.\n",
+                     explain(scene), pending, options.atlas.string(), lines);
 }
 
 }  // namespace rubatlas::mpi

@@ -12,13 +12,18 @@
 #include "atlas/lock.hpp"
 #include "atlas/software.hpp"
 #include "mpi/commands/run.hpp"
+#include "plan/part.hpp"
 #include "settings/scene.hpp"
 
 namespace rubatlas::mpi {
 
+/// No status of a point: the point belongs to another part of the grid, and no rank computes it.
+constexpr std::uint8_t kOfAnotherPart = 255;
+
 struct Preparation {
   std::string scene_text;
-  std::vector<std::uint8_t> status;      ///< per point, as the atlas has it
+  std::vector<std::uint8_t> status;      ///< per point, as the atlas has it, or kOfAnotherPart
+  plan::Part part;                       ///< of the grid, which the atlas is for
   atlas::FinalStates ends;               ///< final states of all points whose status is done
   std::filesystem::path atlas;           ///< its path, links followed
   std::optional<atlas::AtlasLock> lock;  ///< refuses a second run and other writers

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <exception>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -68,7 +69,9 @@ JobResult lead(const Session& session, const Preparation& preparation, const pla
   const auto stored = [&](std::size_t point) { return preparation.ends.of(point); };
   Schedule schedule(grid, preparation.status, stored, session.size());
   const Mailbox mailbox(session);
-  Master master(session, mailbox, schedule, runner, std::move(reports), standing_of(preparation.status));
+  const auto [first, end] = plan::points_of(preparation.part, grid);
+  const auto own = std::span(preparation.status).subspan(first, end - first);
+  Master master(session, mailbox, schedule, runner, std::move(reports), standing_of(own));
   return master.run();
 }
 
@@ -123,8 +126,8 @@ int fill_atlas(const RunOptions& options, const Session& session, const Preparat
   const std::vector<std::string> hosts = session.gather(host_name());
   const std::vector<std::string> lanes = session.gather(fmt::to_string(width.seats));
   if (leading)
-    record.emplace(record_output(atlas, options.scene), RunBeginning{started, hosts, lanes, options.resume},
-                   software());
+    record.emplace(record_output(atlas, {options.scene}),
+                   RunBeginning{started, preparation.part, hosts, lanes, options.resume}, software());
 
   // 4. Rank 0 hands out pieces of lines, and computes like the others.
   Progress progress(leading ? options.progress : ProgressStyle::off);

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "atlas/atlas_writer.hpp"
+#include "plan/part.hpp"
 
 namespace rubatlas::mpi {
 
@@ -15,6 +17,8 @@ enum class ProgressStyle : std::uint8_t { automatic, bar, plain, off };
 struct RunOptions {
   std::filesystem::path scene;
   std::filesystem::path atlas;
+  std::optional<plan::Part> part;  ///< of the scene's grid; none: the whole grid, or the part that an atlas
+                                   ///< to be resumed is for
   bool resume = false;
   bool overwrite = false;
   bool dry_run = false;

@@ -52,6 +52,7 @@ std::string paragraph(const RunBeginning& beginning, const JobResult& result, co
   put("started", json_line(utc(beginning.started)));
   put("updated", now);
   put("finished", ending != nullptr ? now : "null");
+  if (!beginning.part.is_whole()) put("part", json_line(plan::text_of(beginning.part)));
   put("resumed", beginning.resumed ? "true" : "false");
   put("exit_code", ending != nullptr ? fmt::to_string(ending->exit_code) : "null");
   put("version", json_line(software.software_version));
@@ -93,11 +94,27 @@ std::string earlier_paragraphs(const std::filesystem::path& path) {
   return text.substr(kOpening.size(), text.size() - kOpening.size() - closing.size());
 }
 
+std::filesystem::path record_of(const std::filesystem::path& atlas) {
+  return atlas.string() + ".run.json";
+}
+
+void write_record(const std::filesystem::path& path, const std::vector<std::string>& paragraphs) {
+  atlas::publish_text({path, true}, fmt::format("{}{}{}", kOpening, fmt::join(paragraphs, ",\n"), kClosing));
+}
+
 }  // namespace
 
-atlas::Output record_output(const std::filesystem::path& atlas, const std::filesystem::path& scene) {
-  return atlas::permitted({atlas.string() + ".run.json", atlas::FileKind::record, atlas::Existing::replace},
-                          {scene});
+atlas::Output record_output(const std::filesystem::path& atlas,
+                            const std::vector<std::filesystem::path>& read) {
+  return atlas::permitted({record_of(atlas), atlas::FileKind::record, atlas::Existing::replace}, read);
+}
+
+void merge_records(const atlas::Output& output, const std::vector<std::filesystem::path>& parts) {
+  std::vector<std::string> paragraphs;
+  for (const auto& part : parts) {
+    if (auto runs = earlier_paragraphs(record_of(part)); !runs.empty()) paragraphs.push_back(std::move(runs));
+  }
+  write_record(output.path, paragraphs);
 }
 
 RunRecord::RunRecord(atlas::Output output, RunBeginning beginning, atlas::Software software)
@@ -119,8 +136,7 @@ void RunRecord::finish(const JobResult& result, const RunEnding& ending) const {
 }
 
 void RunRecord::write(const std::string& paragraph) const {
-  atlas::publish_text({output_.path, true},
-                      kOpening + earlier_ + (earlier_.empty() ? "" : ",\n") + paragraph + kClosing);
+  write_record(output_.path, earlier_.empty() ? std::vector{paragraph} : std::vector{earlier_, paragraph});
 }
 
 }  // namespace rubatlas::mpi

@@ -9,20 +9,23 @@
 #include "atlas/output.hpp"
 #include "atlas/software.hpp"
 #include "mpi/job/master.hpp"
+#include "plan/part.hpp"
 
 namespace rubatlas::mpi {
 
 /// What is known of a run at its beginning.
 struct RunBeginning {
   std::chrono::system_clock::time_point started;
+  plan::Part part;                 ///< of the scene's grid
   std::vector<std::string> hosts;  ///< one per rank
   std::vector<std::string> lanes;  ///< one per rank: number of lines that it can compute side by side
   bool resumed = false;
 };
 
-/// The path of an atlas' record. It never replaces the scene, nor any file but a record. Throws
+/// The path of an atlas' record. It never replaces the files `read`, nor any file but a record. Throws
 /// atlas::OutputRefusal.
-atlas::Output record_output(const std::filesystem::path& atlas, const std::filesystem::path& scene);
+atlas::Output record_output(const std::filesystem::path& atlas,
+                            const std::vector<std::filesystem::path>& read);
 
 /// What is known of a run at its end.
 struct RunEnding {
@@ -30,6 +33,10 @@ struct RunEnding {
       in_lanes;  ///< one per rank: attempted steps that were computed side by side with others
   int exit_code = 0;
 };
+
+/// Writes the record of an atlas that has been merged: the runs of all parts, one after the other. Parts
+/// without a record are left out. Throws EnvironmentError.
+void merge_records(const atlas::Output& output, const std::vector<std::filesystem::path>& parts);
 
 /// The record beside an atlas. It is written when a run begins and updated while the run goes on, so that a
 /// killed run leaves a record too, with null for its end.

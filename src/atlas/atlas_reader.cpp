@@ -27,7 +27,10 @@ std::optional<std::size_t> index_of(const std::vector<double>& values, double va
 }  // namespace
 
 AtlasReader::AtlasReader(const std::filesystem::path& path)
-    : path_(path), file_(open_with_care(path)), axes_(require_atlas(file_, path.string())) {}
+    : path_(path),
+      file_(open_with_care(path)),
+      axes_(require_atlas(file_, path.string())),
+      part_(require_part(file_, path.string(), axes_)) {}
 
 Shape AtlasReader::shape() const {
   Shape extents;

@@ -15,6 +15,7 @@
 
 #include "atlas/hdf5.hpp"
 #include "plan/grid.hpp"
+#include "plan/part.hpp"
 
 namespace rubatlas::atlas {
 
@@ -58,6 +59,13 @@ class AtlasReader {
   /// The scene with every default written out; `settings::parse_scene` reads it.
   [[nodiscard]] std::string scene_resolved() const { return file_.read_text("/scene_resolved"); }
 
+  /// The part of its scene's grid that this atlas is for; the points of other parts stay pending.
+  [[nodiscard]] const plan::Part& part() const { return part_; }
+  [[nodiscard]] plan::PointRange points_of_part() const {
+    return plan::points_of(part_, point_count() / speed_count(), speed_count());
+  }
+  /// True for a packed copy, whose rows cannot be written any more.
+  [[nodiscard]] bool is_packed() const { return !file_.dataset("/status").offset(); }
   /// False for atlases of schema version 1, which has no checksums.
   [[nodiscard]] bool has_checksums() const;
   /// A point in words: "speed_ratio=0.3, damping_ratio=0.1"; axes with one value are left out.
@@ -74,6 +82,7 @@ class AtlasReader {
   std::filesystem::path path_;
   File file_;
   std::vector<plan::Axis> axes_;
+  plan::Part part_;
 };
 
 }  // namespace rubatlas::atlas

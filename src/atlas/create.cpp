@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -39,25 +40,34 @@ void create_grid_scales(File& file, const Schema& schema, Scales& scales) {
   }
 }
 
-/// Large datasets are allocated early and never filled, so that a new atlas costs neither disk nor time, and
-/// writing a row changes no metadata. Only `failed_revolution` is filled, because its zero would be the
-/// number of a revolution.
-Dataset create_rows(File& file, const RowDataset& rows) {
+/// Large datasets with fixed places are allocated early and never filled, so that a new atlas costs neither
+/// disk nor time, and writing a row changes no metadata. Only `failed_revolution` is filled, because its zero
+/// would be the number of a revolution.
+template <Number T>
+Dataset create_numbers(File& file, const RowDataset& rows, RowStorage storage) {
+  constexpr T kNoRow = static_cast<T>(std::same_as<T, std::int32_t> ? -1 : 0);
+  if (storage == RowStorage::packed) return file.create_packed_dataset<T>(rows.name, rows.shape, kNoRow);
+  if (kNoRow != 0) return file.create_filled_dataset<T>(rows.name, rows.shape, kNoRow);
+  return file.create_sparse_dataset<T>(rows.name, rows.shape);
+}
+
+Dataset create_rows(File& file, const RowDataset& rows, RowStorage storage) {
   switch (rows.type) {
     case NumberType::uint8:
-      return file.create_sparse_dataset<std::uint8_t>(rows.name, rows.shape);
+      return create_numbers<std::uint8_t>(file, rows, storage);
     case NumberType::uint32:
-      return file.create_sparse_dataset<std::uint32_t>(rows.name, rows.shape);
+      return create_numbers<std::uint32_t>(file, rows, storage);
     case NumberType::int32:
-      return file.create_filled_dataset<std::int32_t>(rows.name, rows.shape, -1);
+      return create_numbers<std::int32_t>(file, rows, storage);
     case NumberType::float64:
       break;
   }
-  return file.create_sparse_dataset<double>(rows.name, rows.shape);
+  return create_numbers<double>(file, rows, storage);
 }
 
-void create_row_dataset(File& file, const Schema& schema, const RowDataset& rows, const Scales& scales) {
-  Dataset dataset = create_rows(file, rows);
+void create_row_dataset(File& file, const Schema& schema, const RowDataset& rows, const Scales& scales,
+                        RowStorage storage) {
+  Dataset dataset = create_rows(file, rows, storage);
   dataset.set_text("long_name", rows.long_name);
   if (rows.type == NumberType::float64) dataset.set_text("units", rows.units);
   std::size_t position = 0;
@@ -85,15 +95,14 @@ void create_row_dataset(File& file, const Schema& schema, const RowDataset& rows
 
 }  // namespace
 
-void create_atlas(const Output& output, const settings::Scene& scene, const std::string& scene_text,
-                  const Software& software,
-                  const std::function<void(const std::filesystem::path&)>& before_it_appears) {
+File create_unsealed(const std::filesystem::path& name, const AtlasHeader& header, RowStorage storage) {
+  const settings::Scene& scene = header.scene;
   const Schema schema = schema_of(scene);
-  Publication publication(output);
-  File file = File::create(publication.name());
-  create_header_checksum(file.root(), schema.row_datasets().size());
-  write_provenance(file.root(), software, FileKind::atlas, scene.title);
-  file.create_text("/scene", scene_text).set_text("long_name", "the scene file, as it was given");
+  File file = File::create(name);
+  create_header_checksum(file.root(), storage == RowStorage::fixed ? schema.row_datasets().size() : 0);
+  write_provenance(file.root(), header.software, FileKind::atlas, scene.title);
+  if (!header.part.is_whole()) file.root().set_text("part", plan::text_of(header.part));
+  file.create_text("/scene", header.scene_text).set_text("long_name", "the scene file, as it was given");
   file.create_text("/scene_resolved", settings::resolved_json(scene))
       .set_text("long_name", "the scene with every default and every axis value written out");
   {
@@ -101,12 +110,18 @@ void create_atlas(const Output& output, const settings::Scene& scene, const std:
     create_grid_scales(file, schema, scales);
     for (const auto& axis : observables::inner_axes(scene))
       scales.emplace(axis.name, create_inner_scale(file, axis));
-    for (const auto* rows : schema.row_datasets()) create_row_dataset(file, schema, *rows, scales);
+    for (const auto* rows : schema.row_datasets()) create_row_dataset(file, schema, *rows, scales, storage);
     std::vector<std::string> order;
     for (const auto* rows : schema.summed_datasets()) order.push_back(rows->name);
     file.dataset(schema.row_checksum.name).set_text("order", fmt::format("{}", fmt::join(order, " ")));
   }
-  file.close();
+  return file;
+}
+
+void create_atlas(const Output& output, const AtlasHeader& header,
+                  const std::function<void(const std::filesystem::path&)>& before_it_appears) {
+  Publication publication(output);
+  create_unsealed(publication.name(), header, RowStorage::fixed).close();
   seal_header(publication.name());
   if (before_it_appears) before_it_appears(publication.name());
   publication.publish();

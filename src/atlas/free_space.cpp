@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <sys/statvfs.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -24,7 +25,8 @@ std::string readable_bytes(std::uint64_t bytes) {
   return fmt::format("{:.3g} {}", value, kUnits[unit]);
 }
 
-void require_space(const std::filesystem::path& path, std::uint64_t bytes, std::string_view made_of) {
+void require_space(const std::filesystem::path& path, std::uint64_t bytes, std::string_view made_of,
+                   std::uint64_t length) {
   const std::filesystem::path directory = path.has_parent_path() ? path.parent_path() : ".";
   struct statvfs file_system {};
   if (::statvfs(directory.c_str(), &file_system) != 0) {
@@ -42,10 +44,12 @@ void require_space(const std::filesystem::path& path, std::uint64_t bytes, std::
   }
   rlimit limit{};
   // Writing beyond this limit raises a signal instead of an error.
-  if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY && bytes > limit.rlim_cur) {
+  if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY &&
+      std::max(bytes, length) > limit.rlim_cur) {
     throw EnvironmentError(
-        fmt::format("{} will take {}, and this process may write files of up to {} (ulimit -f)",
-                    path.string(), size, readable_bytes(limit.rlim_cur)));
+        fmt::format("{} will {}, and this process may write files of up to {} (ulimit -f)", path.string(),
+                    length > bytes ? fmt::format("be {} long", readable_bytes(length)) : "take " + size,
+                    readable_bytes(limit.rlim_cur)));
   }
 }
 

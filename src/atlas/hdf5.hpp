@@ -158,6 +158,10 @@ class File {
   /// Every entry is `fill` until it is written.
   template <Number T>
   Dataset create_filled_dataset(const std::string& path, const Shape& shape, T fill);
+  /// Compressed, in chunks of consecutive numbers; what is not written reads as `fill`. Chunks that are
+  /// written in order are compressed once each.
+  template <Number T>
+  Dataset create_packed_dataset(const std::string& path, const Shape& shape, T fill);
   /// A scalar string dataset (variable length).
   Dataset create_text(const std::string& path, const std::string& text);
   /// A 1-d array of fixed-length strings, padded with zeros.

@@ -107,7 +107,7 @@ std::optional<std::uint32_t> checksum_of(const std::filesystem::path& path, cons
   return checksum_besides(path, std::move(left_out));
 }
 
-/// Where the rows of an atlas are.
+/// Where rows may change: nowhere in a packed atlas.
 std::vector<Range> rows_of(const std::filesystem::path& path) {
   const File file = File::open_to_read(path);
   std::istringstream names(file.dataset("row_checksum").text("order") + " row_checksum");
@@ -115,7 +115,7 @@ std::vector<Range> rows_of(const std::filesystem::path& path) {
   for (std::string name; names >> name;) {
     const Dataset rows = file.dataset(name);
     const auto begin = rows.offset();
-    if (!begin) throw EnvironmentError(fmt::format("{}: /{} is not in one piece", path.string(), name));
+    if (!begin) return {};  // packed
     found.push_back({*begin, *begin + rows.size() * rows.number_size()});
   }
   return found;
@@ -161,12 +161,12 @@ Header header_of(const std::filesystem::path& atlas) {
 }
 
 std::string header_damage(const std::filesystem::path& atlas) {
-  if (header_of(atlas) == Header::sound) return {};
+  const auto header = find_block(atlas);
+  if (header && checksum_of(atlas, *header) == header->checksum) return {};
   return fmt::format(
-      "{} is damaged, or has been changed by another program: something besides its rows is not as it was "
-      "when "
-      "it was begun",
-      atlas.string());
+      "{} is damaged, or has been changed by another program: something {} is not as it was when it was {}",
+      atlas.string(), header && header->rows.empty() ? "in it" : "besides its rows",
+      header && header->rows.empty() ? "packed" : "begun");
 }
 
 }  // namespace rubatlas::atlas

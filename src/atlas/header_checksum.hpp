@@ -5,7 +5,8 @@
 /// attribute `header_checksum`. The attribute begins with a mark by which it can be found without HDF5, since
 /// HDF5 crashes on some damaged files: 16 bytes of mark, the CRC-32, the number of ranges (u32 each), and the
 /// ranges of bytes that belong to rows (begin and end, u64). The CRC-32 covers every byte of the file except
-/// those of the ranges, its own four, and the flags by which HDF5 marks open files.
+/// those of the ranges, its own four, and the flags by which HDF5 marks open files. A packed atlas takes no
+/// more rows; it has no ranges, and the CRC-32 covers its rows too.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +30,7 @@ enum class Header : std::uint8_t { sound, damaged, without_checksum };
 Header header_of(const std::filesystem::path& atlas);
 
 /// Empty, or a sentence that names the file and says that something besides its rows has changed since it was
-/// created.
+/// created, or anything at all in a packed atlas.
 std::string header_damage(const std::filesystem::path& atlas);
 
 }  // namespace rubatlas::atlas

@@ -138,8 +138,8 @@ Output permitted(const Wish& wish, const std::vector<std::filesystem::path>& oth
         fmt::format("{} is {}; the output must be a file", wish.path.string(), what_else(status.type())));
   }
   if (wish.if_there == Existing::refuse) {
-    throw OutputRefusal(fmt::format("{} exists; {}--overwrite replaces it", wish.path.string(),
-                                    wish.kind == FileKind::atlas ? "--resume completes it, " : ""));
+    throw OutputRefusal(
+        fmt::format("{} exists; {}--overwrite replaces it", wish.path.string(), wish.instead));
   }
   if (wish.if_there == Existing::replace) require_replaceable(wish);
   return {place, wish.if_there == Existing::replace};

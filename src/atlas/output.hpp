@@ -54,6 +54,7 @@ struct Wish {
   std::filesystem::path path;
   FileKind kind = FileKind::atlas;
   Existing if_there = Existing::refuse;
+  const char* instead = "";  ///< for the message of a refusal: what else the command can do with the file
 };
 
 /// The output with its links followed, if it may be written. `others` are the files that the command reads,

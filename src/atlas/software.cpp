@@ -13,4 +13,10 @@ void write_provenance(Object root, const Software& software, FileKind kind, cons
   root.set_text("compiler", software.compiler);
 }
 
+Software software_of(const File& file) {
+  const Object root = file.root();
+  return {root.text("software"), root.text("software_version"), root.text("git_commit"),
+          root.text("compiler")};
+}
+
 }  // namespace rubatlas::atlas

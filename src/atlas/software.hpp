@@ -13,6 +13,8 @@ struct Software {
   std::string software_version;
   std::string git_commit;
   std::string compiler;
+
+  friend bool operator==(const Software&, const Software&) = default;
 };
 
 /// Version of the file layout described in this folder's README.
@@ -23,5 +25,7 @@ constexpr const char* kVersionWithoutChecksums = "1";
 /// Writes `Conventions`, `schema_version`, the kind of the file and the build as root attributes of a new
 /// file. Every file of this project (atlas, maps, orbit, accuracy) has them.
 void write_provenance(Object root, const Software& software, FileKind kind, const std::string& title);
+/// The build that began a file. Throws EnvironmentError.
+Software software_of(const File& file);
 
 }  // namespace rubatlas::atlas

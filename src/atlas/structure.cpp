@@ -141,6 +141,16 @@ class Examination {
     for (const auto& memory : schema.memories) require_finite(memory, status);
   }
 
+  [[nodiscard]] plan::Part require_part(const std::vector<plan::Axis>& axes) const {
+    if (!file_.root().has_attribute("part")) return {};
+    const std::string text = file_.root().text("part");
+    std::size_t lines = 1;
+    for (std::size_t i = 0; i + 1 < axes.size(); ++i) lines *= axes[i].values.size();
+    const auto part = plan::read_part(text);
+    if (!part || part->count > lines) refuse(fmt::format("its part {} is none of {} lines", text, lines));
+    return *part;
+  }
+
   [[nodiscard]] bool has(const std::string& name) const { return file_.has(name); }
 
  private:
@@ -229,6 +239,10 @@ std::string refusal_found_apart(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+plan::Part require_part(const File& file, const std::string& path, const std::vector<plan::Axis>& axes) {
+  return Examination(file, path).require_part(axes);
+}
 
 File open_with_care(const std::filesystem::path& path) {
   std::error_code ignored;

@@ -7,6 +7,7 @@
 
 #include "atlas/hdf5.hpp"
 #include "plan/grid.hpp"
+#include "plan/part.hpp"
 
 namespace rubatlas::atlas {
 
@@ -15,6 +16,9 @@ namespace rubatlas::atlas {
 /// have finite final states, since readers rely on both. Returns the axes. Throws EnvironmentError with one
 /// sentence that names the file and the first departure.
 std::vector<plan::Axis> require_atlas(const File& file, const std::string& path);
+
+/// The part of its scene's grid that an atlas is for. Throws EnvironmentError where its mark is none.
+plan::Part require_part(const File& file, const std::string& path, const std::vector<plan::Axis>& axes);
 
 /// Opens an atlas. HDF5 crashes on some files that are damaged, by accident or on purpose. Where the header
 /// does not match its checksum, a separate process therefore examines the file first. Throws

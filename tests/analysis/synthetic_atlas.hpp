@@ -44,7 +44,7 @@ inline void write_atlas(const std::filesystem::path& path, const std::string& te
                         const std::function<PrescribedPoint(const plan::PointParameters&)>& prescribe) {
   const auto scene = settings::parse_scene(text);
   const plan::Grid grid(scene);
-  atlas::create_atlas(path, scene, text, {"rubatlas", "1.0", "none", "none"});
+  atlas::create_atlas(path, {scene, text, {"rubatlas", "1.0", "none", "none"}});
   atlas::AtlasWriter writer(path, scene);
   for (std::size_t point = 0; point < grid.point_count(); ++point) {
     const auto prescribed = prescribe(grid.parameters(point));

@@ -40,7 +40,7 @@ class Atlas : public testing::Scratch {
  protected:
   void SetUp() override {
     Scratch::SetUp();
-    create_atlas(path(), scene_, testing::kSmallScene, testing::kSoftware);
+    create_atlas(path(), {scene_, testing::kSmallScene, testing::kSoftware});
   }
   [[nodiscard]] std::filesystem::path path() const { return file("atlas.h5"); }
 
@@ -148,7 +148,7 @@ TEST_F(Atlas, APointThatFailedHasNoNumbersWhateverItReached) {
 }
 
 TEST_F(Atlas, TheOrderInWhichRowsAreWrittenDoesNotShow) {
-  create_atlas(file("other.h5"), scene_, testing::kSmallScene, testing::kSoftware);
+  create_atlas(file("other.h5"), {scene_, testing::kSmallScene, testing::kSoftware});
   AtlasWriter forward(path(), scene_);
   AtlasWriter backward(file("other.h5"), scene_);
   for (std::size_t point = 0; point < 10; ++point) {
@@ -178,7 +178,7 @@ TEST_F(Atlas, OfBothDirectionsTheOneAskedForIsFound) {
   auto text = testing::kSmallScene;
   text.insert(1, R"("sweep": "both",)");
   const auto both = settings::parse_scene(text);
-  create_atlas(file("both.h5"), both, text, testing::kSoftware);
+  create_atlas(file("both.h5"), {both, text, testing::kSoftware});
   const AtlasReader atlas(file("both.h5"));
   EXPECT_EQ(atlas.shape(), (Shape{2, 1, 1, 1, 2, 5}));
   const plan::PointParameters wanted = plan::Grid(both).parameters(2);
@@ -217,7 +217,7 @@ TEST_F(Atlas, AppearsUnderItsNameOnlyWhenItIsComplete) {
     EXPECT_NO_THROW(AtlasReader{unpublished}) << "it is complete already";
     throw EnvironmentError("no lock");
   };
-  EXPECT_THROW(create_atlas({path(), true}, scene_, testing::kSmallScene, testing::kSoftware, fail),
+  EXPECT_THROW(create_atlas({path(), true}, {scene_, testing::kSmallScene, testing::kSoftware}, fail),
                EnvironmentError);
   EXPECT_EQ(bytes(path()), before);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory_), {}), 1);
@@ -225,8 +225,9 @@ TEST_F(Atlas, AppearsUnderItsNameOnlyWhenItIsComplete) {
 
 TEST_F(Atlas, ANewOneDoesNotTakeANameThatHasBeenTakenMeanwhile) {
   const auto take_the_name = [&](const std::filesystem::path&) { std::ofstream(file("late.h5")) << "mine"; };
-  EXPECT_THROW(create_atlas(file("late.h5"), scene_, testing::kSmallScene, testing::kSoftware, take_the_name),
-               OutputRefusal);
+  EXPECT_THROW(
+      create_atlas(file("late.h5"), {scene_, testing::kSmallScene, testing::kSoftware}, take_the_name),
+      OutputRefusal);
   EXPECT_EQ(bytes(file("late.h5")), "mine");
 }
 

@@ -15,9 +15,10 @@ namespace {
 class Outputs : public testing::Scratch {
  protected:
   [[nodiscard]] std::string refusal(const std::string& name, FileKind kind, Existing if_there,
-                                    const std::vector<std::filesystem::path>& others = {}) const {
+                                    const std::vector<std::filesystem::path>& others = {},
+                                    const char* instead = "") const {
     try {
-      static_cast<void>(permitted({file(name), kind, if_there}, others));
+      static_cast<void>(permitted({file(name), kind, if_there, instead}, others));
     } catch (const OutputRefusal& refused) {
       return std::string(refused.what()).substr(file("").string().size());
     }
@@ -25,7 +26,7 @@ class Outputs : public testing::Scratch {
   }
   void write(const std::string& name, const std::string& text) const { std::ofstream(file(name)) << text; }
   void write_atlas(const std::string& name) const {
-    create_atlas(file(name), testing::small_scene(), testing::kSmallScene, testing::kSoftware);
+    create_atlas(file(name), {testing::small_scene(), testing::kSmallScene, testing::kSoftware});
   }
   [[nodiscard]] auto files() const {
     return std::distance(std::filesystem::directory_iterator(directory_), {});
@@ -39,7 +40,7 @@ TEST_F(Outputs, AFreeNameIsGranted) {
 TEST_F(Outputs, WhatIsThereStaysUnasked) {
   write("a.h5", "mine");
   EXPECT_EQ(refusal("a.h5", FileKind::maps, Existing::refuse), "a.h5 exists; --overwrite replaces it");
-  EXPECT_EQ(refusal("a.h5", FileKind::atlas, Existing::refuse),
+  EXPECT_EQ(refusal("a.h5", FileKind::atlas, Existing::refuse, {}, "--resume completes it, "),
             "a.h5 exists; --resume completes it, --overwrite replaces it");
 }
 
