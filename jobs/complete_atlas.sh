@@ -2,7 +2,8 @@
 #
 #   complete_atlas SCENE ATLAS STYLE [LAUNCHER...]
 #
-# runs the program at $program with --resume, alone or under a launcher, and returns
+# runs the program at $program with --resume, alone or under a launcher, and $part of the scene (2/8, say) where this is
+# set; it returns
 #   0 or 10         the atlas is complete; 10: some points could not be integrated
 #   75 130 143 129  stopped by SIGUSR1, Ctrl-C, SIGTERM, SIGHUP, or by somebody who asked the run itself to stop (75)
 #   another code    what the run ended with: points are missing
@@ -13,7 +14,7 @@ complete_atlas() {
   shift 3
   # A process group of its own, so that Ctrl-C comes to this shell only: mpirun would kill its ranks.
   set -m
-  "$@" "$program" run "$scene" -o "$atlas" --resume --progress "$style" </dev/null &
+  "$@" "$program" run "$scene" -o "$atlas" ${part:+--part "$part"} --resume --progress "$style" </dev/null &
   run=$!
   set +m
   hand_on() {

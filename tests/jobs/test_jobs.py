@@ -23,8 +23,8 @@ def environment(**more):
             "OMPI_MCA_btl_vader_single_copy_mechanism": "none", "SLURM_NTASKS": "2", "RUBATLAS": str(PROGRAM), **more}
 
 
-def run(*command, cwd=ROOT):
-    return subprocess.run([*map(str, command)], cwd=cwd, env=environment(), stdin=subprocess.DEVNULL,
+def run(*command, cwd=ROOT, **more):
+    return subprocess.run([*map(str, command)], cwd=cwd, env=environment(**more), stdin=subprocess.DEVNULL,
                           capture_output=True, text=True, check=False)
 
 
@@ -138,6 +138,21 @@ class Jobs(unittest.TestCase):
         ended = run("bash", ROOT / "jobs/slurm.sh")
         self.assertEqual(ended.returncode, 2)
         self.assertIn("sbatch -n 64 jobs/slurm.sh jobs/damping.json", ended.stderr)
+
+    def test_the_slurm_script_computes_the_part_of_its_task(self):
+        ended = run("bash", ROOT / "jobs/slurm.sh", TINY, "atlas.h5", "2", cwd=self.folder)
+        self.assertEqual(ended.returncode, 2)
+        self.assertIn("sbatch --array=1-2", ended.stderr)
+        ended = run("bash", ROOT / "jobs/slurm.sh", TINY, "atlas.h5", "2", cwd=self.folder, SLURM_ARRAY_TASK_ID="2")
+        self.assertEqual(ended.returncode, 0, ended.stdout + ended.stderr)
+        self.assertIn("done: atlas.part2of2.h5", ended.stdout)
+        with h5py.File(self.folder / "atlas.part2of2.h5") as file:
+            self.assertEqual(file.attrs["part"], "2/2")
+
+    def test_the_array_script_refuses_a_call_without_a_scene(self):
+        ended = run("bash", ROOT / "jobs/slurm_array.sh", "8", "64")
+        self.assertEqual(ended.returncode, 2)
+        self.assertIn("jobs/slurm_array.sh PARTS RANKS SCENE.json", ended.stderr)
 
     def test_a_wrong_scene_keeps_its_exit_code(self):
         (self.folder / "wrong.json").write_text('{"grid": {"speed": 1}}')
