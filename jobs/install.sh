@@ -13,7 +13,7 @@ packages="g++ make cmake ninja-build pkg-config git ca-certificates
 case "${1-}" in
   "") ;;
   --tests) packages="$packages libgtest-dev libbenchmark-dev clang clang-format clang-tidy libclang-rt-dev
-    llvm hdf5-tools netcdf-bin" ;;
+    llvm hdf5-tools netcdf-bin slurm-wlm iproute2" ;;
   --bench) packages="$packages libgtest-dev libbenchmark-dev libsundials-dev valgrind" ;;
   *)
     echo "install.sh: $1 is not an option; allowed: --tests, --bench" >&2
