@@ -79,9 +79,10 @@ class JobTest(unittest.TestCase):
 
     def start(self, ranks, content, atlas, *options, **environment):
         """Starts a job and returns at once. Its statuses follow their rows at once: whoever waits for one sees it come."""
-        options = options if "--progress" in options else (*options, "--progress", "off")
-        job = subprocess.Popen(command(ranks, "run", self.write_scene(content), "-o", atlas, "--batch-milliseconds", "0",
-                                       *options),
+        for option, value in (("--progress", "off"), ("--batch-milliseconds", "0")):
+            if option not in options:
+                options = (*options, option, value)
+        job = subprocess.Popen(command(ranks, "run", self.write_scene(content), "-o", atlas, *options),
                                env={**ENVIRONMENT, **environment}, cwd=self.directory, stderr=subprocess.PIPE, text=True)
         self.addCleanup(lambda: (job.poll() is None and job.kill(), job.wait(), job.stderr.close()))
         return job
@@ -119,6 +120,14 @@ class JobTest(unittest.TestCase):
                         interrupted += 0 < np.count_nonzero(file["status"][...]) < file["status"].size
                 self.assert_same_bytes(whole, self.fill(ranks, content, atlas.name, "--resume"))
         self.assertGreater(interrupted, (len(trials) - 1) // 2, "most kills hit a job at work")
+
+    def assert_no_wrong_row(self, atlas, whole):
+        """Every row that says done is the row of the uninterrupted run; returns how many say so."""
+        with h5py.File(atlas, "r") as part, h5py.File(whole, "r") as full:
+            finished = part["status"][...] != PENDING
+            for name in (*full["row_checksum"].attrs["order"].split(), "row_checksum"):
+                np.testing.assert_array_equal(part[name][...][finished], full[name][...][finished], err_msg=name)
+            return int(finished.sum())
 
     def assert_same_bytes(self, one, other):
         # Compared as a whole first: a difference of megabytes is no message.

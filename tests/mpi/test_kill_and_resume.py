@@ -13,16 +13,6 @@ from job import DONE, JobTest, PENDING, long_scene, ranks_of, wait_for_points
 
 
 class KillAndResume(JobTest):
-    def check_rows_so_far(self, atlas, whole):
-        """Every row that says done is the row of the uninterrupted run; returns how many say so."""
-        with h5py.File(atlas, "r") as part, h5py.File(whole, "r") as full:
-            status = part["status"][...]
-            finished = status != PENDING
-            np.testing.assert_array_equal(status[finished], full["status"][...][finished])
-            for name in ("poincare", "max_displacement", "spectrum", "final_state", "restarted", "failed_revolution"):
-                np.testing.assert_array_equal(part[name][...][finished], full[name][...][finished], err_msg=name)
-            return int(finished.sum())
-
     def kill_and_resume(self, content, trials):
         whole = self.fill(None, content, "whole.h5")
         total = h5py.File(whole, "r")["status"].size
@@ -38,7 +28,7 @@ class KillAndResume(JobTest):
                     os.kill(chance.choice(victims), signal.SIGKILL)
                 self.assertNotIn(job.wait(timeout=60), (0, 10) if victims else (), "mpirun ends the job")
                 if atlas.exists():
-                    interrupted += 0 < self.check_rows_so_far(atlas, whole) < total
+                    interrupted += 0 < self.assert_no_wrong_row(atlas, whole) < total
                 resumed = self.fill(ranks, content, atlas.name, "--resume")
                 self.assert_same_bytes(whole, resumed)
         self.assertGreater(interrupted, len(trials) // 2, "most kills hit a job at work")
@@ -58,7 +48,7 @@ class KillAndResume(JobTest):
                 wait_for_points(job, atlas, count)
                 job.kill()
                 job.wait()
-                self.assertGreaterEqual(self.check_rows_so_far(atlas, whole), count)
+                self.assertGreaterEqual(self.assert_no_wrong_row(atlas, whole), count)
                 self.assert_same_bytes(whole, self.fill(2, long_scene(), atlas.name, "--resume"))
 
     def test_a_resumed_job_computes_pending_points_only_and_goes_on_from_stored_states(self):
@@ -83,7 +73,7 @@ class KillAndResume(JobTest):
             file["max_displacement"][kept] = value
             file["row_checksum"][kept] = computed_checksum(file, kept)
         self.assertEqual(h5py.File(marked, "r")["poincare"][...].tobytes(), h5py.File(whole, "r")["poincare"][...].tobytes())
-        self.check_rows_so_far(marked, whole)
+        self.assert_no_wrong_row(marked, whole)
 
 
 if __name__ == "__main__":
