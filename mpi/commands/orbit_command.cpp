@@ -190,7 +190,7 @@ motion::PointStart stored_end(const settings::Scene& scene, const std::filesyste
         status == point::PointStatus::pending ? "not computed yet" : point::text_of(detail)));
   }
   atlas::require_sound_row(atlas, *point);
-  return atlas::FinalStates(atlas, scene).of(*point);
+  return atlas::FinalStates(atlas.file(), atlas::schema_of(scene)).of(*point);
 }
 
 /// The path of the orbit file, which must not be a file that the command reads.

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "atlas/final_states.hpp"
 #include "atlas/lock.hpp"
 #include "atlas/software.hpp"
 #include "mpi/commands/run.hpp"
@@ -24,7 +23,6 @@ struct Preparation {
   std::string scene_text;
   std::vector<std::uint8_t> status;      ///< per point, as the atlas has it, or kOfAnotherPart
   plan::Part part;                       ///< of the grid, which the atlas is for
-  atlas::FinalStates ends;               ///< final states of all points whose status is done
   std::filesystem::path atlas;           ///< its path, links followed
   std::optional<atlas::AtlasLock> lock;  ///< refuses a second run and other writers
 };

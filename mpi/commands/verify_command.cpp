@@ -61,7 +61,7 @@ class Recomputation {
         schema_(atlas::schema_of(scene_)),
         grid_(scene_),
         status_(atlas.status()),
-        ends_(atlas, scene_) {}
+        ends_(atlas.file(), schema_) {}
 
   /// Names of the datasets whose computed row differs from the stored one; empty where all bits agree.
   [[nodiscard]] std::string difference(std::size_t point) const {

@@ -20,9 +20,8 @@ struct Envelope {
 
 class Mailbox {
  public:
-  /// How often a rank that computes looks for messages. A look costs about a microsecond, a revolution some
-  /// ten.
-  static constexpr std::chrono::microseconds kLookPeriod{50};
+  /// How often a rank that computes looks for messages. A look costs some microseconds, the clocks included.
+  static constexpr std::chrono::microseconds kLookPeriod{500};
 
   explicit Mailbox(const Session& session) : parallel_(session.is_parallel()) {}
 

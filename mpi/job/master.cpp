@@ -23,7 +23,7 @@ Master::Master(const Session& session, const Mailbox& mailbox, Schedule& schedul
   result_.standing = standing;
   const auto ranks = static_cast<std::size_t>(session.size());
   result_.points_of_rank.assign(ranks, 0);
-  result_.busy_seconds_of_rank.assign(ranks, 0.0);
+  result_.times_of_rank.resize(ranks);
   ranks_.resize(ranks);
   ranks_[kSelf].seats = runner.seats();
   for (int seat = 0; seat < runner.seats(); ++seat) ranks_[kSelf].free_seats.push_back(seat);
@@ -33,17 +33,16 @@ JobResult Master::run() {
   const PointRunner::Callbacks callbacks{
       .go_on =
           [this] {
-            if (pace_.is_due()) serve();
+            serve();
             return !stopping_;
           },
-      .after_point = [this](const PointReport& report) { take(kSelf, report); },
+      .after_points = [this](const Report& report) { take(kSelf, report); },
       .piece_over =
           [this](int seat) {
             --ranks_[kSelf].pieces;
             seat_is_free(kSelf, seat);
-            hand_out();
+            serve();
           },
-      .stop = [this] { return stopping_; },
   };
   Nap nap;
   while (true) {
@@ -63,7 +62,7 @@ JobResult Master::run() {
 void Master::serve() {
   while (const auto envelope = mailbox_.peek()) {
     if (envelope->tag == Tag::report) {
-      take(envelope->source, mailbox_.receive<PointReport>(*envelope));
+      take(envelope->source, mailbox_.receive<Report>(*envelope));
     } else {
       const auto ready = mailbox_.receive<Ready>(*envelope);
       Rank& rank = ranks_[static_cast<std::size_t>(envelope->source)];
@@ -81,14 +80,18 @@ void Master::serve() {
   if (record_pace_.is_due()) reports_.keep_record(so_far());
 }
 
-void Master::take(int rank, const PointReport& report) {
-  schedule_.record(report);
-  result_.standing.count(report.status);
-  ++result_.standing.computed;
-  ++result_.points_of_rank[static_cast<std::size_t>(rank)];
-  result_.busy_seconds_of_rank[static_cast<std::size_t>(rank)] += report.seconds;
+void Master::take(int rank, const Report& report) {
+  for (std::size_t number = 0; number < report.count; ++number) {
+    const PointReport point = report.point(number);
+    schedule_.record(point);
+    result_.standing.count(point.status);
+    if (point.detail != point::StatusDetail::none) ++result_.ended_by[point.detail];
+  }
+  result_.standing.computed += report.count;
+  const auto place = static_cast<std::size_t>(rank);
+  result_.points_of_rank[place] += report.count;
+  result_.times_of_rank[place] = report.times;
   result_.work += report.work;
-  if (report.detail != point::StatusDetail::none) ++result_.ended_by[report.detail];
   if (report.stop_requested != 0 && !stopping_) stop();
 }
 

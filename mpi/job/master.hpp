@@ -25,7 +25,7 @@ namespace rubatlas::mpi {
 struct JobResult {
   Standing standing;
   std::vector<std::uint64_t> points_of_rank;  ///< computed in this run
-  std::vector<double> busy_seconds_of_rank;   ///< spent in points
+  std::vector<RankTimes> times_of_rank;       ///< up to its last report
   motion::WorkCounts work;
   std::map<point::StatusDetail, std::size_t> ended_by;  ///< points of this run that are not done
 };
@@ -47,7 +47,7 @@ class Master {
 
  private:
   void serve();
-  void take(int rank, const PointReport& report);
+  void take(int rank, const Report& report);
   void seat_is_free(int rank, int seat);
   void stop();
   void hand_out();
@@ -74,7 +74,6 @@ class Master {
   int workers_;  ///< workers that have not left
   bool stopping_ = false;
   std::chrono::steady_clock::time_point start_;
-  Pace pace_{Mailbox::kLookPeriod};
   Pace record_pace_{kRecordPeriod};
 };
 

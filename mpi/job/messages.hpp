@@ -2,12 +2,13 @@
 /// waits.
 ///
 ///     worker -> master   ready        nothing to do on one of my seats: send me a piece
-///                        report       one point is computed and written
+///                        report       points of a piece are computed and written
 ///     master -> worker   piece        compute these points, in order
 ///                        stop         give up the points you are at, then say that you are ready
 ///                        leave        there is nothing left to do for you
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -30,17 +31,48 @@ struct Piece {
       memory;  ///< memory of the effects at its start; the last member, so that its unused part is not sent
 };
 
-/// One point that a rank has written, and what it cost. The rows themselves are in the atlas already.
+/// One computed point, and what it cost.
 struct PointReport {
   std::uint64_t line = 0;
   std::uint64_t visit = 0;
   point::PointStatus status = point::PointStatus::pending;
   point::StatusDetail detail = point::StatusDetail::none;
-  std::uint8_t stop_requested = 0;  ///< 1: the rank has received a signal
   motion::SectionState final_state{};
   double seconds = 0.0;
-  motion::WorkCounts work;
+  motion::Memory final_memory;
+};
+
+/// What a rank has done with its time since it opened the atlas [s].
+struct RankTimes {
+  double busy = 0.0;       ///< CPU time of integration
+  double writing = 0.0;    ///< time on the clock spent writing rows and waiting for the disk
+  double processor = 0.0;  ///< CPU time altogether
+};
+
+/// Points of a piece that follow each other, which a rank has computed. Their rows are in the atlas already.
+struct Report {
+  /// Few enough that sending the message never waits.
+  static constexpr std::size_t kMostPoints = 64;
+  struct Point {
+    float seconds = 0.0F;
+    point::PointStatus status = point::PointStatus::pending;
+    point::StatusDetail detail = point::StatusDetail::none;
+  };
+
+  std::uint64_t line = 0;
+  std::uint64_t first_visit = 0;
+  std::uint32_t count = 0;
+  std::uint8_t stop_requested = 0;  ///< 1: the rank has received a signal
+  RankTimes times;
+  motion::WorkCounts work;             ///< of all these points
+  motion::SectionState final_state{};  ///< of the last point, as is `final_memory`
+  std::array<Point, kMostPoints> points;
   motion::Memory final_memory;  ///< the last member, as above
+
+  /// Appends a point, the next of its line.
+  void add(const PointReport& point);
+  /// The points one by one; only the last one has a final state.
+  [[nodiscard]] PointReport point(std::size_t number) const;
 };
 
 /// Number of bytes of a message that are sent.
@@ -62,7 +94,32 @@ struct Ready {
 /// `stop` and `leave` have no content.
 struct Nothing {};
 
-static_assert(std::is_trivially_copyable_v<Piece> && std::is_trivially_copyable_v<PointReport> &&
+static_assert(std::is_trivially_copyable_v<Piece> && std::is_trivially_copyable_v<Report> &&
               std::is_trivially_copyable_v<Ready>);
+
+inline void Report::add(const PointReport& point) {
+  if (count == 0) {
+    line = point.line;
+    first_visit = point.visit;
+  }
+  points[count] = {static_cast<float>(point.seconds), point.status, point.detail};
+  ++count;
+  final_state = point.final_state;
+  final_memory = point.final_memory;
+}
+
+inline PointReport Report::point(std::size_t number) const {
+  PointReport point;
+  point.line = line;
+  point.visit = first_visit + number;
+  point.status = points[number].status;
+  point.detail = points[number].detail;
+  point.seconds = points[number].seconds;
+  if (number + 1 == count) {
+    point.final_state = final_state;
+    point.final_memory = final_memory;
+  }
+  return point;
+}
 
 }  // namespace rubatlas::mpi

@@ -5,6 +5,12 @@
 #include <iterator>
 
 namespace rubatlas::mpi {
+namespace {
+
+/// Computed points wait at most this long for further points of their piece before they are reported.
+constexpr std::chrono::seconds kReportPeriod{1};
+
+}  // namespace
 
 PointRunner::PointRunner(const settings::Scene& scene, const plan::Grid& grid, atlas::AtlasWriter& writer,
                          const batch::Width& width)
@@ -40,22 +46,59 @@ void PointRunner::begin(const Piece& piece) {
   seat.solver = &solver_of(piece.line);
   seat.solver->seated = true;
   seat.waits = true;
+  seat.reported = std::chrono::steady_clock::now();
   ++pieces_;
   ++waiting_;
 }
 
 void PointRunner::run(const Callbacks& callbacks) {
-  const auto go_on = [&] {
-    const bool goes_on = callbacks.go_on();
-    writer_.settle_if_due();
-    begin_points(callbacks);
-    return goes_on;
-  };
+  const auto go_on = [&] { return attend(callbacks); };
+  integrating_.start();
   begin_points(callbacks);
   while (pieces_ > 0) {
     finish_point(batch_->advance(go_on), callbacks);
     begin_points(callbacks);
   }
+  integrating_.stop();
+}
+
+/// Time that is not spent integrating, from its construction to its destruction.
+class PointRunner::Interruption {
+ public:
+  explicit Interruption(ProcessorWatch& integrating)
+      : integrating_(integrating), interrupts_(integrating.is_running()) {
+    if (interrupts_) integrating_.stop();
+  }
+  ~Interruption() {
+    if (interrupts_) integrating_.start();
+  }
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+
+ private:
+  ProcessorWatch& integrating_;
+  bool interrupts_;
+};
+
+bool PointRunner::attend(const Callbacks& callbacks) {
+  if (!goes_on_ || !pace_.is_due()) return goes_on_;
+  const Interruption interruption(integrating_);
+  goes_on_ = callbacks.go_on();
+  settle_if_due();
+  begin_points(callbacks);
+  return goes_on_;
+}
+
+void PointRunner::settle_if_due() {
+  if (!writer_.is_due()) return;
+  const Interruption interruption(integrating_);
+  write(&atlas::AtlasWriter::settle);
+}
+
+void PointRunner::write(void (atlas::AtlasWriter::*call)()) {
+  const auto began = std::chrono::steady_clock::now();
+  (writer_.*call)();
+  writing_seconds_ += seconds_since(began);
 }
 
 /// When a piece is given up here, the same seat may get another one.
@@ -66,10 +109,10 @@ void PointRunner::begin_points(const Callbacks& callbacks) {
       if (!seat.waits) continue;
       seat.waits = false;
       --waiting_;
-      if (callbacks.stop()) {
-        end_piece(number, callbacks);
-      } else {
+      if (goes_on_) {
         begin_point(number);
+      } else {
+        end_piece(number, callbacks);
       }
     }
   }
@@ -93,18 +136,16 @@ void PointRunner::finish_point(const batch::Finished& finished, const Callbacks&
     end_piece(finished.seat, callbacks);
     return;
   }
-  writer_.write_point(grid_.point(left.line, left.first_visit), left.from_initial != 0, outcome);
-
-  PointReport report;
-  report.line = left.line;
-  report.visit = left.first_visit;
-  report.status = outcome.status;
-  report.detail = outcome.detail;
-  report.final_state = outcome.final_state;
-  report.final_memory = outcome.final_memory;
-  report.work = outcome.work;
-  report.seconds = finished.seconds;
-  callbacks.after_point(report);
+  writer_.add_point(grid_.point(left.line, left.first_visit), left.from_initial != 0, outcome);
+  settle_if_due();
+  seat.report.add({.line = left.line,
+                   .visit = left.first_visit,
+                   .status = outcome.status,
+                   .detail = outcome.detail,
+                   .final_state = outcome.final_state,
+                   .seconds = finished.seconds,
+                   .final_memory = outcome.final_memory});
+  seat.report.work += outcome.work;
 
   const bool goes_on = grid_.points_depend_on_each_other() && outcome.status == point::PointStatus::done;
   left.from_initial = goes_on ? 0 : 1;
@@ -113,14 +154,30 @@ void PointRunner::finish_point(const batch::Finished& finished, const Callbacks&
   ++left.first_visit;
   if (--left.count == 0) {
     end_piece(finished.seat, callbacks);
-  } else {
-    seat.waits = true;
-    ++waiting_;
+    return;
   }
+  const bool due = std::chrono::steady_clock::now() - seat.reported >= kReportPeriod;
+  if (due || seat.report.count == Report::kMostPoints || writer_.is_full()) report(seat, callbacks);
+  seat.waits = true;
+  ++waiting_;
+}
+
+/// Writes the rows of the reported points first, and with them those of other seats.
+void PointRunner::report(Seat& seat, const Callbacks& callbacks) {
+  const Interruption interruption(integrating_);
+  write(&atlas::AtlasWriter::write_rows);
+  seat.report.times = {.busy = integrating_.seconds(),
+                       .writing = writing_seconds_,
+                       .processor = integrating_.reading() - processor_at_start_};
+  callbacks.after_points(seat.report);
+  seat.report = {};
+  seat.reported = std::chrono::steady_clock::now();
 }
 
 void PointRunner::end_piece(int seat_number, const Callbacks& callbacks) {
+  const Interruption interruption(integrating_);
   Seat& seat = seats_[static_cast<std::size_t>(seat_number)];
+  if (seat.report.count > 0) report(seat, callbacks);
   seat.solver->seated = false;
   seat.solver = nullptr;
   --pieces_;

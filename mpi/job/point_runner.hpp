@@ -4,6 +4,7 @@
 /// lines are computed side by side (`src/batch`).
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <list>
@@ -13,7 +14,10 @@
 #include "assembly/make_line_solver.hpp"
 #include "atlas/atlas_writer.hpp"
 #include "batch/line_batch.hpp"
+#include "mpi/clock.hpp"
+#include "mpi/job/mailbox.hpp"
 #include "mpi/job/messages.hpp"
+#include "mpi/job/session.hpp"
 #include "plan/grid.hpp"
 #include "point/line_solver.hpp"
 #include "settings/scene.hpp"
@@ -27,10 +31,9 @@ class PointRunner {
 
   struct Callbacks {
     std::function<bool()>
-        go_on;  ///< asked after each revolution and within long ones; false gives the point up
-    std::function<void(const PointReport&)> after_point;
-    std::function<void(int seat)> piece_over;  ///< the piece of a seat has ended or was given up
-    std::function<bool()> stop;  ///< asked before each point; true gives up the rest of the piece
+        go_on;  ///< asked every `Mailbox::kLookPeriod`; after false all points are given up, for good
+    std::function<void(const Report&)> after_points;  ///< their rows are in the atlas
+    std::function<void(int seat)> piece_over;         ///< the piece of a seat has ended or was given up
   };
 
   /// Number of solvers that a rank keeps; it exceeds the number of seats. Ranks change lines near the end of
@@ -50,7 +53,7 @@ class PointRunner {
   void run(const Callbacks& callbacks);
 
   /// Forces written rows to the disk when a batch is due; to be called while there is nothing to compute.
-  void idle() { writer_.settle_if_due(); }
+  void idle() { settle_if_due(); }
 
   [[nodiscard]] batch::LaneCounts lane_counts() const { return batch_->counts(); }
 
@@ -63,9 +66,19 @@ class PointRunner {
   struct Seat {
     Piece left;  ///< the rest of the piece, from its next point on
     CachedSolver* solver = nullptr;
-    bool waits = false;  ///< its next point has not begun
+    bool waits = false;                              ///< its next point has not begun
+    Report report;                                   ///< computed points that have not been reported
+    std::chrono::steady_clock::time_point reported;  ///< the last report, or the beginning of the piece
   };
 
+  class Interruption;
+
+  /// Looks after messages and the disk; false when all points are to be given up.
+  bool attend(const Callbacks& callbacks);
+  void settle_if_due();
+  /// Adds the time that a call of the writer takes to the time of writing.
+  void write(void (atlas::AtlasWriter::*call)());
+  void report(Seat& seat, const Callbacks& callbacks);
   void begin_points(const Callbacks& callbacks);
   void begin_point(int seat_number);
   void finish_point(const batch::Finished& finished, const Callbacks& callbacks);
@@ -83,6 +96,11 @@ class PointRunner {
   std::vector<Seat> seats_;
   int pieces_ = 0;
   int waiting_ = 0;
+  bool goes_on_ = true;  ///< no point has been given up
+  Pace pace_{Mailbox::kLookPeriod};
+  ProcessorWatch integrating_;
+  double processor_at_start_ = processor_seconds();
+  double writing_seconds_ = 0.0;
 };
 
 }  // namespace rubatlas::mpi

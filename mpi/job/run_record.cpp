@@ -66,7 +66,14 @@ std::string paragraph(const RunBeginning& beginning, const JobResult& result, co
     put("attempts_in_lanes_of_rank", fmt::format("[{}]", fmt::join(ending->in_lanes, ", ")));
   }
   put("points_of_rank", fmt::format("[{}]", fmt::join(result.points_of_rank, ", ")));
-  put("busy_seconds_of_rank", fmt::format("[{:.3f}]", fmt::join(result.busy_seconds_of_rank, ", ")));
+  const auto put_seconds = [&](const char* key, double RankTimes::*seconds) {
+    std::vector<double> of_rank;
+    for (const RankTimes& times : result.times_of_rank) of_rank.push_back(times.*seconds);
+    put(key, fmt::format("[{:.3f}]", fmt::join(of_rank, ", ")));
+  };
+  put_seconds("busy_seconds_of_rank", &RankTimes::busy);
+  put_seconds("writing_seconds_of_rank", &RankTimes::writing);
+  put_seconds("processor_seconds_of_rank", &RankTimes::processor);
   put("points_total", fmt::to_string(standing.total));
   put("points_finished", fmt::to_string(standing.finished));
   put("points_outside_the_model", fmt::to_string(standing.outside));

@@ -47,27 +47,19 @@ class Ear {
 
 void work(const Mailbox& mailbox, PointRunner& runner) {
   Ear ear(mailbox, runner);
-  Pace pace(Mailbox::kLookPeriod);
-  Pace slow_pace(std::chrono::milliseconds(10));
   const PointRunner::Callbacks callbacks{
       .go_on =
           [&] {
-            // A rank whose seats are all occupied can receive no other message than `stop`.
-            if (runner.pieces() < runner.seats() ? pace.is_due() : slow_pace.is_due()) ear.listen();
+            ear.listen();
             return !ear.stopping();
           },
-      .after_point =
-          [&](const PointReport& report) {
-            PointReport message = report;
+      .after_points =
+          [&](const Report& report) {
+            Report message = report;
             message.stop_requested = stop_requested() ? 1 : 0;
             mailbox.send(kMaster, Tag::report, message);
           },
       .piece_over = [&](int seat) { ear.say_ready(seat); },
-      .stop =
-          [&] {
-            ear.listen();
-            return ear.stopping();
-          },
   };
   for (int seat = 0; seat < runner.seats(); ++seat) ear.say_ready(seat);
   Nap nap;

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
-#include <vector>
+#include <utility>
 
 #include "atlas/environment_error.hpp"
-#include "atlas/point_index.hpp"
 
 namespace rubatlas::atlas {
 namespace {
@@ -16,9 +14,18 @@ namespace {
 /// the time.
 constexpr int kPartsOfTime = 20;
 
-template <typename T>
-std::span<const T> one(const T& value) {
-  return {&value, 1};
+/// The place of the statuses in `Schema::row_datasets`.
+constexpr std::size_t kStatus = 0;
+
+/// Calls `use` with each block of consecutive points, and the place of its first point in their list.
+template <typename Use>
+void for_each_block(const Shape& grid, const Stretch& points, Use use) {
+  for (std::size_t done = 0; done < points.count;) {
+    const std::size_t first = points.first + done;
+    const PointBlock block = block_at(grid, first, points.first + points.count, points.count);
+    use(block, points.place + done);
+    done += block.count;
+  }
 }
 
 }  // namespace
@@ -28,7 +35,9 @@ AtlasWriter::AtlasWriter(const std::filesystem::path& path, const settings::Scen
     : path_(path),
       schema_(schema_of(scene)),
       file_(File::open_to_write(path)),
+      ends_(file_, schema_),
       disk_(path),
+      rows_(schema_),
       batch_period_(batch_period),
       next_batch_(std::chrono::steady_clock::now() + batch_period) {
   for (const auto& axis : schema_.axes) grid_shape_.push_back(axis.values.size());
@@ -38,18 +47,14 @@ AtlasWriter::AtlasWriter(const std::filesystem::path& path, const settings::Scen
       throw EnvironmentError(
           fmt::format("{}: /{} has not the shape that its scene asks for", path.string(), rows->name));
     }
-    datasets_.emplace(rows->name, std::move(dataset));
+    datasets_.push_back(std::move(dataset));
   }
 }
 
-template <Number T>
-void AtlasWriter::write_part(const RowDataset& rows, std::size_t point, std::span<const T> values) {
-  Shape start = point_index(grid_shape_, point);
-  Shape count = rows.shape;
-  start.resize(count.size(), 0);
-  std::fill_n(count.begin(), grid_shape_.size(), std::size_t{1});
+void AtlasWriter::write(std::size_t dataset, const PointBlock& block, std::span<const std::byte> rows) {
   try {
-    datasets_.at(rows.name).template write_block<T>(start, count, values);
+    const auto [start, count] = place_in(datasets_[dataset], block);
+    datasets_[dataset].write_bytes(start, count, rows);
   } catch (const EnvironmentError& error) {
     throw EnvironmentError(
         fmt::format("{} takes no more rows, perhaps since the disk is full or a limit is reached ({})",
@@ -57,39 +62,41 @@ void AtlasWriter::write_part(const RowDataset& rows, std::size_t point, std::spa
   }
 }
 
-void AtlasWriter::write_point(std::size_t point, bool restarted, const point::PointOutcome& outcome) {
-  write_row(point, Row(schema_, restarted, outcome));
-  // A reader, and a run that resumes, read a row as soon as its status is "done".
-  unsettled_.emplace_back(point, static_cast<std::uint8_t>(outcome.status));
-  settle_if_due();
+void AtlasWriter::add_point(std::size_t point, bool restarted, const point::PointOutcome& outcome) {
+  rows_.add(point, restarted, outcome);
+  unsettled_.push_back({point, static_cast<std::uint8_t>(outcome.status)});
 }
 
-void AtlasWriter::write_row(std::size_t point, const Row& row) {
-  const auto datasets = schema_.summed_datasets();
-  for (std::size_t i = 1; i < datasets.size(); ++i) {  // all but the status
-    std::visit(
-        [&](const auto& values) {
-          if constexpr (requires { values.size(); }) {
-            write_part(*datasets[i], point, values);
-          } else {
-            write_part(*datasets[i], point, one(values));
-          }
-        },
-        row.parts().at(i));
+void AtlasWriter::write_rows() {
+  for (const Stretch& stretch : rows_.stretches()) {
+    for_each_block(grid_shape_, stretch, [&](const PointBlock& block, std::size_t place) {
+      // All but the status: a reader, and a run that resumes, read a row as soon as its status is "done".
+      for (std::size_t dataset = kStatus + 1; dataset < datasets_.size(); ++dataset) {
+        write(dataset, block, rows_.column(dataset, place, block.count));
+      }
+    });
   }
-  write_part(schema_.row_checksum, point, one(row.checksum()));
+  rows_.clear();
 }
 
-void AtlasWriter::settle_if_due() {
-  if (std::chrono::steady_clock::now() >= next_batch_) settle();
+void AtlasWriter::write_statuses() {
+  std::ranges::sort(unsettled_, {}, &Unsettled::point);
+  std::vector<std::uint8_t> statuses;
+  for (const auto& unsettled : unsettled_) statuses.push_back(unsettled.status);
+  for (const Stretch& stretch : stretches_of(unsettled_)) {
+    for_each_block(grid_shape_, stretch, [&](const PointBlock& block, std::size_t place) {
+      write(kStatus, block, std::as_bytes(std::span(statuses)).subspan(place, block.count));
+    });
+  }
+  unsettled_.clear();
 }
 
 void AtlasWriter::settle() {
   const auto began = std::chrono::steady_clock::now();
   if (!unsettled_.empty()) {
+    write_rows();
     disk_.synchronise();
-    for (const auto& [point, status] : unsettled_) write_part(schema_.status, point, one(status));
-    unsettled_.clear();
+    write_statuses();
   }
   const auto ended = std::chrono::steady_clock::now();
   next_batch_ = ended;
@@ -102,7 +109,8 @@ void AtlasWriter::settle() {
 void AtlasWriter::close() {
   settle();
   disk_.synchronise();
-  for (auto& [name, dataset] : datasets_) dataset.close();
+  ends_.close();
+  for (Dataset& dataset : datasets_) dataset.close();
   file_.close();
 }
 

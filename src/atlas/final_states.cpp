@@ -1,30 +1,34 @@
 #include "atlas/final_states.hpp"
 
 #include <algorithm>
+#include <iterator>
 
-#include "observables/list.hpp"
+#include "atlas/row_block.hpp"
 
 namespace rubatlas::atlas {
 
-FinalStates::FinalStates(const AtlasReader& atlas, const settings::Scene& scene)
-    : states_(atlas.rows("/final_state")) {
-  for (const auto& remembered : observables::memories(scene)) {
-    memories_.push_back({remembered.row_size, atlas.rows("/" + remembered.name)});
-  }
+FinalStates::FinalStates(const File& file, const Schema& schema)
+    : states_(file.dataset(schema.final_state.name)) {
+  for (const auto& axis : schema.axes) grid_.push_back(axis.values.size());
+  for (const auto& rows : schema.memories) memories_.push_back(file.dataset(rows.name));
 }
 
 motion::PointStart FinalStates::of(std::size_t point) const {
-  const auto row = [point](const std::vector<double>& values, std::size_t size) {
-    return values.begin() + static_cast<std::ptrdiff_t>(size * point);
+  const PointBlock block = block_at(grid_, point, point + 1, 1);
+  const auto row_in = [&](const Dataset& dataset) {
+    const auto [start, count] = place_in(dataset, block);
+    return dataset.read_block<double>(start, count);
   };
   motion::SectionState state{};
-  std::copy_n(row(states_, state.size()), state.size(), state.begin());
+  std::ranges::copy(row_in(states_), state.begin());
   std::vector<double> remembered;
-  for (const Rows& memory : memories_) {
-    const auto from = row(memory.values, memory.size);
-    remembered.insert(remembered.end(), from, from + static_cast<std::ptrdiff_t>(memory.size));
-  }
+  for (const Dataset& memory : memories_) std::ranges::copy(row_in(memory), std::back_inserter(remembered));
   return {state, motion::Memory(remembered)};
+}
+
+void FinalStates::close() {
+  states_.close();
+  for (Dataset& memory : memories_) memory.close();
 }
 
 }  // namespace rubatlas::atlas

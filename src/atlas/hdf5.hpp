@@ -7,8 +7,8 @@
 ///  - numbers in the file are little-endian on every machine; texts are UTF-8;
 ///  - files are created and read with the serial driver; `File::open_to_write` goes through MPI-IO when MPI
 ///  is
-///    initialised (then it is collective over all ranks), and then no call here but `write_block` is legal
-///    until `close`, since creating and flushing are collective.
+///    initialised (then it is collective over all ranks), and then no calls here but those that
+///    write or read values are legal until `close`, since creating and flushing are collective.
 ///
 /// `hdf5.h` stays out of this header: an identifier is HDF5's `hid_t`, a 64-bit integer.
 #pragma once
@@ -120,6 +120,8 @@ class Dataset : public Object {
   /// time.
   template <Number T>
   void write_block(const Shape& start, const Shape& count, std::span<const T> values);
+  /// The same, with the numbers as the file stores them.
+  void write_bytes(const Shape& start, const Shape& count, std::span<const std::byte> bytes);
   template <Number T>
   [[nodiscard]] std::vector<T> read_block(const Shape& start, const Shape& count) const;
 
@@ -136,7 +138,8 @@ class Dataset : public Object {
 /// A file. Paths are absolute or relative to the root; missing groups on the way are created.
 class File {
  public:
-  /// A new file, made with the serial driver; an existing file is overwritten (`publish.hpp` makes temporary
+  /// A new file, made with the serial driver, with large datasets at multiples of 1 MiB, as parallel file
+  /// systems like them; an existing file is overwritten (`publish.hpp` makes temporary
   /// names for new files).
   static File create(const std::filesystem::path& path);
   static File open_to_read(const std::filesystem::path& path);

@@ -1,7 +1,10 @@
 #include "atlas/row_checksum.hpp"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 
 namespace rubatlas::atlas {
@@ -16,14 +19,15 @@ std::span<const double> numbers(const std::span<const double>& values) {
   return values;
 }
 
-void add(const RowPart& part, RowChecksum& sum) {
-  std::visit([&](const auto& values) { sum.add(numbers(values)); }, part);
-}
-
 /// The memory of an effect on a line on which its strength is zero.
 constexpr std::array<double, motion::Memory::kMost> kUnchanged{};
 
 }  // namespace
+
+std::span<const std::byte> bytes_of(const RowPart& part) {
+  static_assert(std::endian::native == std::endian::little, "the file's bytes are the memory's");
+  return std::visit([](const auto& values) { return std::as_bytes(numbers(values)); }, part);
+}
 
 Row::Row(const Schema& schema, bool restarted, const point::PointOutcome& outcome) {
   const bool done = outcome.status == point::PointStatus::done;
@@ -50,16 +54,14 @@ Row::Row(const Schema& schema, bool restarted, const point::PointOutcome& outcom
   for (const auto& row : outcome.rows) add(row);
 }
 
-std::uint32_t Row::checksum() const {
-  RowChecksum sum;
-  for (const auto& part : parts_) add(part, sum);
-  return sum.value();
+std::uint32_t Row::checksum(std::size_t part) const {
+  return RowChecksum().add(bytes_of(parts_.at(part))).value();
 }
 
-std::uint32_t Row::checksum(std::size_t part) const {
-  RowChecksum sum;
-  add(parts_.at(part), sum);
-  return sum.value();
+RowChecksum& RowChecksum::add(std::span<const std::byte> bytes) {
+  sum_ = static_cast<std::uint32_t>(
+      ::crc32_z(sum_, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
+  return *this;
 }
 
 }  // namespace rubatlas::atlas

@@ -2,8 +2,7 @@
 /// bytes as in the file, dataset by dataset in the order of `Schema::summed_datasets`.
 #pragma once
 
-#include <bit>
-#include <boost/crc.hpp>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <variant>
@@ -17,6 +16,9 @@ namespace rubatlas::atlas {
 /// The values of a point in one dataset.
 using RowPart = std::variant<std::span<const double>, std::uint8_t, std::int32_t>;
 
+/// The bytes of a part as the file stores them.
+std::span<const std::byte> bytes_of(const RowPart& part);
+
 /// A point's row, one part per dataset of `Schema::summed_datasets`, in their order: the status first.
 class Row {
  public:
@@ -25,7 +27,6 @@ class Row {
   Row(const Schema& schema, bool restarted, const point::PointOutcome& outcome);
 
   [[nodiscard]] const std::vector<RowPart>& parts() const { return parts_; }
-  [[nodiscard]] std::uint32_t checksum() const;
   /// CRC-32 of one part alone.
   [[nodiscard]] std::uint32_t checksum(std::size_t part) const;
 
@@ -38,14 +39,14 @@ class Row {
 class RowChecksum {
  public:
   template <typename T>
-  void add(std::span<const T> values) {
-    static_assert(std::endian::native == std::endian::little, "the file's bytes are the memory's");
-    sum_.process_bytes(values.data(), values.size_bytes());
+  RowChecksum& add(std::span<const T> values) {
+    return add(std::as_bytes(values));
   }
-  [[nodiscard]] std::uint32_t value() const { return sum_.checksum(); }
+  RowChecksum& add(std::span<const std::byte> bytes);
+  [[nodiscard]] std::uint32_t value() const { return sum_; }
 
  private:
-  boost::crc_32_type sum_;
+  std::uint32_t sum_ = 0;
 };
 
 }  // namespace rubatlas::atlas

@@ -63,11 +63,13 @@ std::uint64_t Schema::byte_count() const {
 
 std::uint64_t Schema::bytes_per_point() const {
   std::uint64_t sum = 0;
-  for (const auto* rows : row_datasets()) {
-    const auto inner = std::span(rows->shape).subspan(axes.size());
-    sum += std::accumulate(inner.begin(), inner.end(), number_size(rows->type), std::multiplies<>());
-  }
+  for (const auto* rows : row_datasets()) sum += bytes_per_point(*rows);
   return sum;
+}
+
+std::uint64_t Schema::bytes_per_point(const RowDataset& rows) const {
+  const auto inner = std::span(rows.shape).subspan(axes.size());
+  return std::accumulate(inner.begin(), inner.end(), number_size(rows.type), std::multiplies<>());
 }
 
 Schema schema_of(const settings::Scene& scene) {

@@ -47,8 +47,9 @@ struct Schema {
   /// Bytes of all rows when every point is done, or the largest representable number where they are more.
   /// Axes and texts add little.
   [[nodiscard]] std::uint64_t byte_count() const;
-  /// Bytes of one point's rows.
+  /// Bytes of one point's row in all datasets, and in one of them.
   [[nodiscard]] std::uint64_t bytes_per_point() const;
+  [[nodiscard]] std::uint64_t bytes_per_point(const RowDataset& rows) const;
 };
 
 Schema schema_of(const settings::Scene& scene);

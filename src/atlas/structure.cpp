@@ -12,10 +12,12 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
+#include <span>
 #include <string_view>
 
 #include "atlas/environment_error.hpp"
 #include "atlas/header_checksum.hpp"
+#include "atlas/row_block.hpp"
 #include "atlas/schema.hpp"
 #include "atlas/software.hpp"
 #include "point/line_solver.hpp"
@@ -137,8 +139,9 @@ class Examination {
       refuse(fmt::format("/status of point {} is {}, and no status is above {}", unknown - status.begin(),
                          *unknown, kLastStatus));
     }
-    require_finite(schema.final_state, status);
-    for (const auto& memory : schema.memories) require_finite(memory, status);
+    const Shape grid = file_.dataset("/status").shape();
+    require_finite(schema.final_state, grid, status);
+    for (const auto& memory : schema.memories) require_finite(memory, grid, status);
   }
 
   [[nodiscard]] plan::Part require_part(const std::vector<plan::Axis>& axes) const {
@@ -180,14 +183,25 @@ class Examination {
     if (!dataset.is_scale()) refuse(fmt::format("/{} is no dimension scale", name));
   }
 
-  void require_finite(const RowDataset& rows, const std::vector<std::uint8_t>& status) const {
-    const auto values = file_.dataset("/" + rows.name).read<double>();
-    const std::size_t size = values.size() / std::max<std::size_t>(status.size(), 1);
-    for (std::size_t point = 0; point < status.size(); ++point) {
-      if (status[point] != kDone) continue;
-      const auto* row = values.data() + point * size;
-      if (std::all_of(row, row + size, [](double value) { return std::isfinite(value); })) continue;
-      refuse(fmt::format("/{} of point {}, which is done, is not finite", rows.name, point));
+  /// Reads so many rows at once.
+  static constexpr std::size_t kPointsAtOnce = 1 << 16;
+
+  void require_finite(const RowDataset& rows, const Shape& grid, std::span<const std::uint8_t> status) const {
+    const Dataset dataset = file_.dataset("/" + rows.name);
+    for (std::size_t first = 0; first < status.size();) {
+      const PointBlock block = block_at(grid, first, status.size(), kPointsAtOnce);
+      const auto codes = status.subspan(first, block.count);
+      first += block.count;
+      if (std::ranges::find(codes, kDone) == codes.end()) continue;
+      const auto [start, count] = place_in(dataset, block);
+      const auto values = dataset.read_block<double>(start, count);
+      const std::size_t size = values.size() / codes.size();
+      for (std::size_t i = 0; i < codes.size(); ++i) {
+        const auto row = std::span(values).subspan(i * size, size);
+        if (codes[i] != kDone || std::ranges::all_of(row, [](double x) { return std::isfinite(x); }))
+          continue;
+        refuse(fmt::format("/{} of point {}, which is done, is not finite", rows.name, block.first + i));
+      }
     }
   }
 

@@ -72,6 +72,8 @@ TEST_F(Hdf5, BlocksOfAnArrayAreWrittenAndReadByTheirPlace) {
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(all[20 + i], row[i]);
   EXPECT_EQ(array.read_block<double>({1, 2, 1}, {1, 1, 2}), (std::vector<double>{2.0, 3.0}));
   EXPECT_EQ(array.shape(), (Shape{2, 3, 4}));
+  array.write_bytes({0, 0, 1}, {1, 1, 2}, std::as_bytes(std::span(row).first(2)));
+  EXPECT_EQ(array.read_block<double>({0, 0, 0}, {1, 1, 4}), (std::vector<double>{0.0, 1.0, 2.0, 0.0}));
 }
 
 TEST_F(Hdf5, ABlockOutsideTheArrayIsAnError) {
@@ -88,6 +90,22 @@ TEST_F(Hdf5, AFilledDatasetHoldsItsFillValueUntilItIsWritten) {
   File created = File::create(file("filled.h5"));
   EXPECT_EQ(created.create_filled_dataset<std::int32_t>("/filled", {3}, -1).read<std::int32_t>(),
             (std::vector<std::int32_t>{-1, -1, -1}));
+}
+
+TEST_F(Hdf5, LargeDatasetsBeginAtAMultipleOfAMegabyteAndSmallFilesStaySmall) {
+  constexpr std::size_t kMegabyte = std::size_t{1} << 20;
+  {
+    File created = File::create(file("large.h5"));
+    created.create_sparse_dataset<double>("/small", {1000});
+    created.create_sparse_dataset<double>("/large", {2 * kMegabyte});
+    created.create_sparse_dataset<double>("/larger", {3 * kMegabyte + 1});
+  }
+  const File read = File::open_to_read(file("large.h5"));
+  EXPECT_EQ(*read.dataset("/large").offset() % kMegabyte, 0U);
+  EXPECT_EQ(*read.dataset("/larger").offset() % kMegabyte, 0U);
+  EXPECT_LT(std::filesystem::file_size(file("large.h5")), 42 * kMegabyte) << "40 of data";
+  { File::create(file("small.h5")).create_sparse_dataset<double>("/small", {1000}); }
+  EXPECT_LT(std::filesystem::file_size(file("small.h5")), 16'000U);
 }
 
 TEST_F(Hdf5, ASparseDatasetTakesNoDiskBeforeItIsWritten) {
