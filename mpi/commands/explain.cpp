@@ -213,10 +213,7 @@ void describe_file(const settings::Scene& scene, Text& text) {
   const atlas::Schema schema = atlas::schema_of(scene);
   text.heading("Atlas");
   for (const auto* dataset : schema.row_datasets()) {
-    std::uint64_t bytes = dataset->type == atlas::NumberType::float64 ? 8
-                          : dataset->type == atlas::NumberType::int32 ? 4
-                                                                      : 1;
-    for (const auto extent : dataset->shape) bytes *= extent;
+    const std::uint64_t bytes = schema.bytes_per_point(*dataset) * plan::Grid(scene).point_count();
     text.line(fmt::format("{}{}", dataset->name.starts_with('/') ? "" : "/", dataset->name),
               fmt::format("{:>9}  {}", atlas::readable_bytes(bytes), fmt::join(dataset->shape, " × ")));
   }

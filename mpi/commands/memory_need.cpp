@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "atlas/atlas_writer.hpp"
 #include "atlas/free_space.hpp"
 #include "atlas/schema.hpp"
 #include "plan/grid.hpp"
@@ -30,13 +31,11 @@ MemoryNeed memory_need(const settings::Scene& scene, std::uint64_t lines_at_hand
   const atlas::Schema schema = atlas::schema_of(scene);
   const std::uint64_t lines =
       std::min<std::uint64_t>(lines_at_hand, grid.points_depend_on_each_other() ? grid.line_count() : 1);
-  // The rows of a point are gathered, passed on and written; at most two copies exist at a time.
   MemoryNeed need;
-  need.of_lines = lines * (record_bytes(scene) + 2 * schema.bytes_per_point());
-  // Status, final state and memory of each point, and its entry in the schedule.
-  std::uint64_t of_point = sizeof(std::uint8_t) + 4 * sizeof(double) + sizeof(std::uint64_t);
-  for (const auto& memory : observables::memories(scene)) of_point += memory.row_size * sizeof(double);
-  need.of_grid = grid.point_count() * of_point;
+  // A row is computed and then kept until it is written. Small rows are gathered, and copied when written.
+  need.of_lines = lines * (record_bytes(scene) + 2 * schema.bytes_per_point()) +
+                  2 * std::uint64_t{atlas::AtlasWriter::kMostGathered};
+  need.of_grid = grid.point_count() * MemoryNeed::kOfPoint + grid.line_count() * MemoryNeed::kOfLine;
   return need;
 }
 
@@ -58,8 +57,10 @@ std::uint64_t memory_of_process() {
 
 std::string memory_text(const MemoryNeed& need) {
   return fmt::format(
-      "{} for records and rows of the lines that a rank has at hand, {} for the points of the grid",
-      atlas::readable_bytes(need.of_lines), atlas::readable_bytes(need.of_grid));
+      "{} for records and rows of the lines that a rank has at hand; in the first rank {} for the grid ({} "
+      "bytes a point, {} a line)",
+      atlas::readable_bytes(need.of_lines), atlas::readable_bytes(need.of_grid), MemoryNeed::kOfPoint,
+      MemoryNeed::kOfLine);
 }
 
 }  // namespace rubatlas::mpi

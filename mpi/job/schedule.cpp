@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace rubatlas::mpi {
 namespace {
@@ -20,19 +21,17 @@ constexpr double kUrgentShare = 0.25;
 }  // namespace
 
 Schedule::Schedule(const plan::Grid& grid, std::span<const std::uint8_t> status,
-                   const std::function<motion::PointStart(std::size_t point)>& final_state, int rank_count)
+                   std::function<motion::PointStart(std::size_t point)> final_state, int rank_count)
     : grid_(grid),
+      status_(status),
+      final_state_(std::move(final_state)),
       lines_(grid.line_count()),
       rank_count_(static_cast<std::size_t>(rank_count)),
       costs_(grid.speed_count()) {
   for (std::size_t number = 0; number < lines_.size(); ++number) {
     Line& line = lines_[number];
     for (std::size_t visit = 0; visit < grid.speed_count(); ++visit) {
-      if (status[grid.point(number, visit)] != 0) continue;
-      line.pending.push_back(visit);
-      if (!grid.points_depend_on_each_other() || visit == 0) continue;
-      const std::size_t before = grid.point(number, visit - 1);
-      if (status[before] == kDone) line.stored.emplace(visit, final_state(before));
+      if (status[grid.point(number, visit)] == 0) line.pending.push_back(visit);
     }
     unassigned_ += line.pending.size();
     if (!line.pending.empty()) ++open_lines_;
@@ -64,16 +63,17 @@ std::optional<Piece> Schedule::next(int rank, int seat) {
 void Schedule::set_start(Piece& piece, const Line& line) const {
   if (!grid_.points_depend_on_each_other() || piece.first_visit == 0) return;
   const bool behind_reported = line.next > 0 && line.pending[line.next - 1] + 1 == piece.first_visit;
-  const auto stored = line.stored.find(piece.first_visit);
+  const std::size_t before = grid_.point(piece.line, piece.first_visit - 1);
+  const auto end = ends_.find(piece.line);
   const auto start_from = [&](const motion::PointStart& start) {
     piece.start = start.state;
     piece.memory = start.memory;
     piece.from_initial = 0;
   };
-  if (behind_reported && line.last) {
-    start_from(*line.last);
-  } else if (!behind_reported && stored != line.stored.end()) {
-    start_from(stored->second);
+  if (behind_reported && end != ends_.end()) {
+    start_from(end->second);
+  } else if (!behind_reported && status_[before] == kDone) {
+    start_from(final_state_(before));
   }
 }
 
@@ -83,8 +83,10 @@ void Schedule::record(const PointReport& report) {
   --unreported_;
   if (line.reported == line.pending.size()) --open_lines_;
   line.seconds += report.seconds;
-  line.last.reset();
-  if (report.status == point::PointStatus::done) line.last.emplace(report.final_state, report.final_memory);
+  ends_.erase(report.line);
+  if (report.status == point::PointStatus::done && line.reported < line.pending.size()) {
+    ends_.emplace(report.line, motion::PointStart(report.final_state, report.final_memory));
+  }
   const auto visit = static_cast<std::size_t>(report.visit);
   const bool up = grid_.direction(report.line) == plan::Direction::up;
   costs_.record(up ? visit : grid_.speed_count() - 1 - visit, report.seconds);

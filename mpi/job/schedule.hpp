@@ -29,10 +29,10 @@ namespace rubatlas::mpi {
 class Schedule {
  public:
   /// `status`: one per point, as the atlas has it; only pending points are handed out. `final_state` returns
-  /// the end of a point whose status is done; it is called in this constructor only, for points after which a
-  /// line goes on.
+  /// the end of a point whose status is done; it is called when the points behind it are handed out. Both
+  /// have to outlive the schedule.
   Schedule(const plan::Grid& grid, std::span<const std::uint8_t> status,
-           const std::function<motion::PointStart(std::size_t point)>& final_state, int rank_count);
+           std::function<motion::PointStart(std::size_t point)> final_state, int rank_count);
 
   /// The next piece for a rank, or for one of its seats where it computes several side by side; empty when
   /// there is none now (`unassigned` tells whether there may be one later).
@@ -53,13 +53,10 @@ class Schedule {
 
  private:
   struct Line {
-    std::vector<std::uint64_t> pending;      ///< visits, in order
-    std::size_t next = 0;                    ///< the first of `pending` that is not handed out
-    std::size_t reported = 0;                ///< number of `pending` that are computed
-    double seconds = 0.0;                    ///< seconds that these took
-    std::optional<motion::PointStart> last;  ///< end of the last reported point; nothing if it failed
-    std::map<std::uint64_t, motion::PointStart>
-        stored;  ///< starts of visits that follow a point done in an earlier run
+    std::vector<std::uint64_t> pending;  ///< visits, in order
+    std::size_t next = 0;                ///< the first of `pending` that is not handed out
+    std::size_t reported = 0;            ///< number of `pending` that are computed
+    double seconds = 0.0;                ///< seconds that these took
 
     [[nodiscard]] bool has_unassigned() const { return next < pending.size(); }
     [[nodiscard]] bool is_under_way() const { return reported < next; }
@@ -75,7 +72,11 @@ class Schedule {
   [[nodiscard]] double expected(std::size_t line, std::uint64_t first_visit, std::uint64_t last_visit) const;
 
   const plan::Grid& grid_;
-  std::vector<Line> lines_;
+  std::span<const std::uint8_t> status_;
+  std::function<motion::PointStart(std::size_t point)> final_state_;
+  std::vector<Line> lines_;  ///< there may be millions
+  /// Ends of the last reported points of lines under way; nothing for a line whose last point failed.
+  std::map<std::size_t, motion::PointStart> ends_;
   std::map<std::pair<int, int>, std::size_t>
       line_of_seat_;  ///< by rank and seat; the line that the seat had last
   std::size_t rank_count_;

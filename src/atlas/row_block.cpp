@@ -8,7 +8,7 @@
 namespace rubatlas::atlas {
 namespace {
 
-constexpr std::size_t kBytesOfBlock = std::size_t{8} << 20;
+constexpr std::size_t kBytesOfBlock = std::size_t{2} << 20;
 /// For rows of a few bytes: the checksums of a block take memory too.
 constexpr std::size_t kMostPoints = std::size_t{1} << 16;
 

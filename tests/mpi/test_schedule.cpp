@@ -58,8 +58,8 @@ class PlayedJob {
 
   /// Time when the last point is done; `cost` gives a point's seconds.
   double play(const std::function<double(std::size_t line, std::uint64_t visit)>& cost) {
-    Schedule schedule(grid_, std::vector<std::uint8_t>(grid_.point_count(), 0), never,
-                      static_cast<int>(ranks_));
+    const std::vector<std::uint8_t> status(grid_.point_count(), 0);
+    Schedule schedule(grid_, status, never, static_cast<int>(ranks_));
     std::vector<std::optional<Piece>> piece(ranks_);
     std::vector<double> busy_until(ranks_, 0.0);
     std::map<std::size_t, std::uint64_t> next_visit;
@@ -167,7 +167,8 @@ TEST(Schedule, BothDirectionsAreLinesOfTheirOwn) {
 
 TEST(Schedule, ALineRunsOnOneRankAtATime) {
   const plan::Grid grid(lines_of_points(1, 50, settings::Sweep::up));
-  Schedule schedule(grid, std::vector<std::uint8_t>(50, 0), never, 2);
+  const std::vector<std::uint8_t> status(50, 0);
+  Schedule schedule(grid, status, never, 2);
   EXPECT_TRUE(schedule.next(0).has_value());
   EXPECT_FALSE(schedule.next(1).has_value()) << "its next point needs the state that rank 0 is computing";
   EXPECT_GT(schedule.unassigned(), 0U) << "but there will be work";
@@ -175,7 +176,8 @@ TEST(Schedule, ALineRunsOnOneRankAtATime) {
 
 TEST(Schedule, APieceBehindAFailedPointStartsFromInitial) {
   const plan::Grid grid(lines_of_points(1, 50, settings::Sweep::up));
-  Schedule schedule(grid, std::vector<std::uint8_t>(50, 0), never, 1);
+  const std::vector<std::uint8_t> status(50, 0);
+  Schedule schedule(grid, status, never, 1);
   const auto first = schedule.next(0);
   ASSERT_TRUE(first);
   for (std::uint64_t visit = 0; visit < first->count; ++visit) {
@@ -215,14 +217,16 @@ TEST(Schedule, AResumedLineGoesOnFromTheStoredStateOfADonePoint) {
 
 TEST(Schedule, NothingIsHandedOutWhereNothingIsPending) {
   const plan::Grid grid(lines_of_points(2, 3, settings::Sweep::up));
-  Schedule schedule(grid, std::vector<std::uint8_t>{1, 1, 2, 3, 1, 1}, never, 2);
+  const std::vector<std::uint8_t> status{1, 1, 2, 3, 1, 1};
+  Schedule schedule(grid, status, never, 2);
   EXPECT_EQ(schedule.unassigned(), 0U);
   EXPECT_FALSE(schedule.next(0).has_value());
 }
 
 TEST(Schedule, WithManyLinesARankStaysWithItsOwn) {
   const plan::Grid grid(lines_of_points(50, 100, settings::Sweep::up));
-  Schedule schedule(grid, std::vector<std::uint8_t>(5000, 0), never, 2);
+  const std::vector<std::uint8_t> status(5000, 0);
+  Schedule schedule(grid, status, never, 2);
   const auto first = schedule.next(0);
   for (std::uint64_t visit = 0; visit < first->count; ++visit) schedule.record(report(first->line, visit));
   EXPECT_EQ(schedule.next(0)->line, first->line);
@@ -230,7 +234,8 @@ TEST(Schedule, WithManyLinesARankStaysWithItsOwn) {
 
 TEST(Schedule, TheTimeLeftIsExpectedFromWhatOtherLinesTook) {
   const plan::Grid grid(lines_of_points(2, 4, settings::Sweep::up));
-  Schedule schedule(grid, std::vector<std::uint8_t>(8, 0), never, 1);
+  const std::vector<std::uint8_t> status(8, 0);
+  Schedule schedule(grid, status, never, 1);
   // The first line took 1, 1, 1, 9 seconds; the second is expected to take the same.
   for (std::uint64_t visit = 0; visit < 4; ++visit) schedule.record(report(0, visit, visit == 3 ? 9.0 : 1.0));
   EXPECT_DOUBLE_EQ(schedule.remaining_over_recorded(), 1.0);
