@@ -396,11 +396,23 @@ void check_spectrum(const Scene& scene) {
            protocol.sampled_revolutions, protocol.samples_per_revolution, samples, kMostSamplesTogether));
 }
 
+/// Pieces need a sweep, whose points go on from each other, and must be able to begin within it.
+void check_pieces(const Scene& scene) {
+  if (!scene.pieces) return;
+  if (scene.sweep == Sweep::independent) {
+    fail("/pieces", R"(the sweep is "independent": its points go to all ranks as they are)");
+  }
+  if (scene.wear && scene.wear->carries_over) {
+    fail("/pieces", "/wear/carries_over: blades wear along the whole line, which no piece can begin within");
+  }
+}
+
 void check_together(const json& document, Scene& scene) {
   check_choosers(document, scene);
   check_clearance(scene);
   check_effects(scene);
   check_spectrum(scene);
+  check_pieces(scene);
   const int highest = scene.protocol.samples_per_revolution / 2;
   if (!document.contains("/spectrum/max_order"_json_pointer)) {
     scene.spectrum.max_order = std::min(std::max(12, 4 * scene.blades.count), highest);

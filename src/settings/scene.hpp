@@ -69,6 +69,12 @@ struct Grid {
 /// Where a point starts: from its neighbour below or above in Ω, both ways, or always from `initial`.
 enum class Sweep : std::uint8_t { up, down, both, independent };
 
+/// A line of a sweep cut into pieces, which several ranks compute at the same time (`plan/pieces.hpp`).
+struct Pieces {
+  int points = 64;  ///< of a piece; the last piece of a line may be shorter
+  int lead_in = 8;  ///< points of the line before a piece, swept from `initial` on to lead into it
+};
+
 /// State of the shaft centre at phase 0 (MODEL 6).
 struct Initial {
   double x = 0.0;   ///< [m]
@@ -116,6 +122,7 @@ struct Scene : effects::Effects {
   Contact contact;
   Grid grid;
   Sweep sweep = Sweep::up;
+  std::optional<Pieces> pieces;  ///< absent: each line is swept from its one end to the other
   Initial initial;
   Protocol protocol;
   Spectrum spectrum;

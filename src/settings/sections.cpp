@@ -13,6 +13,12 @@ constexpr std::array kOwnSections{
     Section{.pointer = "/ring", .meaning = "the ring that surrounds the blades"},
     Section{.pointer = "/contact", .meaning = "what happens between a blade tip and the ring"},
     Section{.pointer = "/grid", .meaning = "the values along the axes of the atlas"},
+    Section{.pointer = "/pieces",
+            .meaning = "the pieces in which several ranks sweep a line",
+            .open =
+                [](Scene& scene) {
+                  if (!scene.pieces) scene.pieces.emplace();
+                }},
     Section{.pointer = "/initial", .meaning = "state of the shaft centre at phase 0"},
     Section{.pointer = "/protocol", .meaning = "how long a point runs and what of it is kept"},
     Section{.pointer = "/spectrum", .meaning = "extent of the amplitude spectrum"},
@@ -30,8 +36,8 @@ constexpr std::array kGridAxes{
 
 /// Sections that describe how a motion is computed and stored, not the machine. Their quantities cannot be
 /// axes of an atlas.
-constexpr std::array<std::string_view, 7> kNotSwept{"",          "/grid",     "/initial", "/protocol",
-                                                    "/spectrum", "/validity", "/accuracy"};
+constexpr std::array<std::string_view, 8> kNotSwept{"",          "/grid",     "/pieces",   "/initial",
+                                                    "/protocol", "/spectrum", "/validity", "/accuracy"};
 
 }  // namespace
 

@@ -48,6 +48,16 @@ TEST(SceneErrors, AWrongTypeSaysWhatWouldBeRight) {
   EXPECT_EQ(refusal("1e999"), "/: 1e999 is more than a number of double precision can be; up to 1.8e+308");
 }
 
+TEST(SceneErrors, PiecesAreForLinesThatCanBeCut) {
+  EXPECT_EQ(refusal_with(R"("pieces": {"points": 0})"),
+            "/pieces/points: 0 is outside [1, 1e+06]; points of a piece of a line");
+  EXPECT_EQ(refusal_with(R"("sweep": "independent", "pieces": {})"),
+            R"(/pieces: the sweep is "independent": its points go to all ranks as they are)");
+  EXPECT_EQ(refusal_with(R"("wear": {"rate": 1e-9, "carries_over": true}, "pieces": {})"),
+            "/pieces: /wear/carries_over: blades wear along the whole line, which no piece can begin within");
+  EXPECT_EQ(refusal_with(R"("wear": {"rate": 1e-9}, "pieces": {"points": 32, "lead_in": 0})"), "accepted");
+}
+
 TEST(SceneErrors, AWholeNumberMayBeWrittenWithADecimalPoint) {
   EXPECT_EQ(refusal_with(R"("blades": {"count": 4.0})"), "accepted");
   EXPECT_EQ(refusal_with(R"("rotor": {"mass": 2})"), "accepted");
