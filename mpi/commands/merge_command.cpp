@@ -4,16 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "atlas/atlas_reader.hpp"
 #include "atlas/copy.hpp"
 #include "atlas/free_space.hpp"
-#include "atlas/lock.hpp"
 #include "atlas/schema.hpp"
 #include "mpi/commands/status_command.hpp"
+#include "mpi/commands/unless_stopped.hpp"
 #include "mpi/exit_code.hpp"
 #include "mpi/job/run_record.hpp"
 #include "mpi/say.hpp"
@@ -104,13 +103,9 @@ int merge(const MergeCommand& command) {
   const auto record = record_output(output.path, paths);
   const settings::Scene scene = settings::parse_scene(first.scene_resolved(), "/scene_resolved");
   atlas::require_space(output.path, atlas::schema_of(scene).byte_count());
-  // Refuses to replace an atlas that a run is filling.
-  std::optional<atlas::AtlasLock> lock;
-  if (output.overwrite) lock.emplace(output.path);
-
   for (std::size_t i = 1; i < parts.size(); ++i) say_of_builds(first, parts[i]);
-  atlas::copy_atlas(output, {scene, first.scene(), atlas::software_of(first.file())},
-                    atlas::RowStorage::fixed, sources);
+  const atlas::AtlasHeader header{scene, first.scene(), atlas::software_of(first.file())};
+  if (!copy_unless_stopped(output, header, atlas::RowStorage::fixed, sources)) return exit_code::kInterrupted;
   merge_records(record, paths);
 
   say_what_is_missing(parts);

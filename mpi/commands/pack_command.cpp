@@ -5,13 +5,12 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 
 #include "atlas/atlas_reader.hpp"
 #include "atlas/copy.hpp"
 #include "atlas/free_space.hpp"
-#include "atlas/lock.hpp"
 #include "mpi/commands/status_command.hpp"
+#include "mpi/commands/unless_stopped.hpp"
 #include "mpi/exit_code.hpp"
 #include "settings/reader.hpp"
 
@@ -34,14 +33,10 @@ int pack(const PackCommand& command) {
   atlas::require_sound_header(loose);
   const std::uint64_t before = bytes_on_disk(command.atlas);
   atlas::require_space(output.path, before);
-  // Refuses to replace an atlas that a run is filling.
-  std::optional<atlas::AtlasLock> lock;
-  if (output.overwrite) lock.emplace(output.path);
-
   const atlas::AtlasHeader header{settings::parse_scene(loose.scene_resolved(), "/scene_resolved"),
                                   loose.scene(), atlas::software_of(loose.file()), loose.part()};
   const std::array<atlas::RowSource, 1> source{{{loose, loose.points_of_part()}}};
-  atlas::copy_atlas(output, header, atlas::RowStorage::packed, source);
+  if (!copy_unless_stopped(output, header, atlas::RowStorage::packed, source)) return exit_code::kInterrupted;
 
   const std::uint64_t after = bytes_on_disk(output.path);
   const Standing standing = standing_of_atlas(atlas::AtlasReader(output.path));

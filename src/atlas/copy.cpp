@@ -49,13 +49,14 @@ void copy_block(const AtlasReader& atlas, const PointBlock& block, std::span<con
   write_rows<std::uint32_t>(file, "row_checksum", block, stored);
 }
 
-void copy_rows(const RowSource& source, File& file) {
+bool copy_rows(const RowSource& source, File& file, const std::function<bool()>& go_on) {
   // Read first: the rows of these statuses are complete, whatever a run adds in the meantime.
   const auto status = source.atlas.status();
-  for_each_block(source.atlas, source.points.first, source.points.end, [&](const PointBlock& block) {
+  return for_each_block(source.atlas, source.points.first, source.points.end, [&](const PointBlock& block) {
     const auto some = std::span(status).subspan(block.first, block.count);
     if (std::ranges::any_of(some, [](auto code) { return code != 0; }))
       copy_block(source.atlas, block, some, file);
+    return go_on();
   });
 }
 
@@ -78,15 +79,18 @@ void require_sound_header(const AtlasReader& atlas) {
   if (const std::string damage = header_damage(atlas.path()); !damage.empty()) throw EnvironmentError(damage);
 }
 
-void copy_atlas(const Output& output, const AtlasHeader& header, RowStorage storage,
-                std::span<const RowSource> sources) {
+bool copy_atlas(const Output& output, const AtlasHeader& header, RowStorage storage,
+                std::span<const RowSource> sources, const std::function<bool()>& go_on) {
   Publication publication(output);
   File file = create_unsealed(publication.name(), header, storage);
-  for (const auto& source : sources) copy_rows(source, file);
+  for (const auto& source : sources) {
+    if (!copy_rows(source, file, go_on)) return false;
+  }
   file.close();
   seal_header(publication.name());
   require_sound_copy(publication.name(), output.path);
   publication.publish();
+  return true;
 }
 
 }  // namespace rubatlas::atlas

@@ -1,8 +1,8 @@
 /// A new atlas with the rows of others: parts that become one atlas, or a packed copy.
 #pragma once
 
+#include <functional>
 #include <span>
-#include <string>
 
 #include "atlas/atlas_reader.hpp"
 #include "atlas/create.hpp"
@@ -24,8 +24,9 @@ void require_sound_header(const AtlasReader& atlas);
 /// Creates an atlas and copies all finished rows of the sources, which have to be atlases of the same scene.
 /// Rows are compared with their checksums as they are copied, and the whole copy is read again and compared
 /// before it appears. Needs the memory of a block of rows and of the statuses. A source may be written by a
-/// run at the same time: rows that it finishes later are pending in the copy. Throws EnvironmentError.
-void copy_atlas(const Output& output, const AtlasHeader& header, RowStorage storage,
-                std::span<const RowSource> sources);
+/// run at the same time: rows that it finishes later are pending in the copy. `go_on` is asked between
+/// blocks; where it says no, the result is false and no file has been made. Throws EnvironmentError.
+bool copy_atlas(const Output& output, const AtlasHeader& header, RowStorage storage,
+                std::span<const RowSource> sources, const std::function<bool()>& go_on);
 
 }  // namespace rubatlas::atlas

@@ -31,16 +31,18 @@ PointBlock block_at(const Shape& grid, std::size_t first, std::size_t end, std::
 /// point.
 std::size_t points_in_block(const AtlasReader& atlas);
 
-/// Calls `use` with each block of the points [first, end) of an atlas, in order.
+/// Calls `use` with each block of the points [first, end) of an atlas, in order, until it returns false; the
+/// result is then false.
 template <typename Use>
-void for_each_block(const AtlasReader& atlas, std::size_t first, std::size_t end, Use use) {
+bool for_each_block(const AtlasReader& atlas, std::size_t first, std::size_t end, Use use) {
   const Shape grid = atlas.shape();
   const std::size_t most = points_in_block(atlas);
   while (first < end) {
     const PointBlock block = block_at(grid, first, end, most);
-    use(block);
+    if (!use(block)) return false;
     first += block.count;
   }
+  return true;
 }
 
 /// Names of the datasets that a row's checksum covers, in its order.

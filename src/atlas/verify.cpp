@@ -47,6 +47,7 @@ std::vector<std::size_t> damaged_rows(const AtlasReader& atlas) {
     const auto some = std::span(status).subspan(block.first, block.count);
     if (std::ranges::any_of(some, [](auto code) { return code != 0; }))
       find_damage(atlas, status, block, found);
+    return true;
   });
   return found;
 }
