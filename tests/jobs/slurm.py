@@ -1,6 +1,6 @@
 """A Slurm of its own for a test: controller, one node and munge on the loopback, with all their files in one directory."""
-import getpass
 import os
+import pwd
 import shutil
 import socket
 import subprocess
@@ -40,7 +40,6 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
 # The node has four processors whatever the machine has. A job that is requeued waits until its credential has expired,
 # which takes 5 s at least.
 PATIENCE = 30  # s
-PERIOD_OF_TIME_LIMITS = 30  # s; slurmctld looks at time limits once in this time, counted from its start
 
 
 def free_ports(count):
@@ -58,6 +57,7 @@ class Slurm:
 
     def __init__(self, directory):
         self.directory = directory
+        self.user = pwd.getpwuid(os.getuid()).pw_name
         self.daemons = []
         for program in ("munged", "slurmctld", "slurmd", "sbatch"):
             if shutil.which(program, path=self.path()) is None:
@@ -66,7 +66,7 @@ class Slurm:
             (directory / folder).mkdir()
         controller_port, node_port = free_ports(2)
         (directory / "slurm.conf").write_text(CONFIGURATION.format(
-            host=socket.gethostname().split(".")[0], user=getpass.getuser(), directory=directory,
+            host=socket.gethostname().split(".")[0], user=self.user, directory=directory,
             controller_port=controller_port, node_port=node_port))
         self.environment = {**os.environ, "PATH": self.path(), "SLURM_CONF": str(directory / "slurm.conf")}
         self.start_daemons()
@@ -83,7 +83,6 @@ class Slurm:
             f"--{what}-file={self.directory}/munge.{what}" for what in ("key", "pid", "log", "seed")),
             f"--socket={self.directory}/munge.socket")
         self.wait_until(lambda: (self.directory / "munge.socket").exists(), "munged opens no socket")
-        self.started = time.monotonic()
         self.start("slurmctld", "-D")
         self.start("slurmd", "-D")
         self.wait_until(lambda: "idle" in self.call("sinfo", "-h", "-o", "%T").stdout, "Slurm's node does not become idle")
@@ -119,8 +118,8 @@ class Slurm:
 
     def close(self):
         if len(self.daemons) == 3 and all(daemon.poll() is None for daemon in self.daemons):
-            self.call("scancel", "--user", getpass.getuser(), "--signal=KILL", "--full")
-            self.call("scancel", "--user", getpass.getuser())
+            self.call("scancel", "--user", self.user, "--signal=KILL", "--full")
+            self.call("scancel", "--user", self.user)
         for daemon in reversed(self.daemons):
             daemon.terminate()
             try:
