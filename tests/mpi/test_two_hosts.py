@@ -1,5 +1,6 @@
 """Ranks on two hosts that share a directory: network namespaces, each with a host name and an address of its own."""
 import json
+import shutil
 import subprocess
 import unittest
 
@@ -25,6 +26,9 @@ class Hosts:
 
     def __init__(self, directory):
         self.processes = []
+        for program in ("ip", "unshare", "nsenter"):
+            if shutil.which(program) is None:
+                raise unittest.SkipTest(f"this machine has no {program} in the path of its user")
         try:
             for name in NAMES:
                 # The shell reports when it is in its namespaces, and holds them until its input ends.
