@@ -120,6 +120,10 @@ class Slurm:
         if len(self.daemons) == 3 and all(daemon.poll() is None for daemon in self.daemons):
             self.call("scancel", "--user", self.user, "--signal=KILL", "--full")
             self.call("scancel", "--user", self.user)
+            # Without its daemons a job would go on.
+            end = time.monotonic() + PATIENCE
+            while self.call("squeue", "-h").stdout.strip() and time.monotonic() < end:
+                time.sleep(0.2)
         for daemon in reversed(self.daemons):
             daemon.terminate()
             try:

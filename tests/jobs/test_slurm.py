@@ -84,7 +84,7 @@ class SlurmJobs(unittest.TestCase):
         return found
 
     def test_a_job_at_its_time_limit_is_requeued_and_goes_on_to_the_same_bytes(self):
-        whole = self.whole(scene(40, 150))
+        whole = self.whole(scene(40, 50))
         # The signal of a limit of a minute comes a minute before it: when Slurm looks for the first time.
         job = self.submitted("sbatch", "--parsable", "-n", "2", "--time=1", "--signal=B:USR1@60", "jobs/slurm.sh", "scene.json",
                              "atlas.h5", RUBATLAS_REQUEUE="1").strip()
