@@ -19,8 +19,8 @@ from atlas_file import AtlasError
 from same_scene import require_same_machine
 
 # A colour and a mark for each method, so that either distinguishes the lines.
-LOOKS = {"hybrid": (style.BLUE, "o"), "hybrid_54": (style.SKY, "s"), "hybrid_32": (style.GREEN, "^"),
-         "located": (style.ORANGE, "D"), "paper": (style.VERMILION, "v"), "fixed": (style.INK, "P")}
+LOOKS = {"hybrid": (style.BLUE, "o"), "collocation": (style.PURPLE, "*"), "hybrid_54": (style.SKY, "s"),
+         "hybrid_32": (style.GREEN, "^"), "located": (style.ORANGE, "D"), "paper": (style.VERMILION, "v"), "fixed": (style.INK, "P")}
 BEGIN, END = "<!-- accuracy: begin -->", "<!-- accuracy: end -->"
 MOST_UNDECIDED = 0.01  # share of points: a map of which more is undecided at the tightest setting shows no limit
 SMALLEST_DRAWN = 1e-15  # of the clearance: an error of zero has no logarithm

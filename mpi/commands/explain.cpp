@@ -145,9 +145,26 @@ std::string flight_text(const settings::Scene& scene, const settings::Combinatio
                      combination.family->flight.empty() ? "" : ", ", combination.family->flight);
 }
 
+/// Whether contacts of one blade are solved by collocation: those of the paper's elastic blades with
+/// friction.
+bool collocates(const settings::Scene& scene, const settings::Combination& combination) {
+  return combination.family->kind == settings::MotionFamily::paper_s_rotor &&
+         scene.contact.law != settings::ContactLaw::elastic_ring && scene.contact.friction > 0.0;
+}
+std::string_view steps_of_hybrid(settings::Scene scene) {
+  scene.accuracy.method = settings::Method::hybrid;
+  return settings::method_of(scene).pair;
+}
+
 std::string contact_text(const settings::Scene& scene, const settings::Combination& combination) {
   const auto& method = settings::method_of(scene);
-  if (method.flies_in_closed_form) return fmt::format("{}; {}", method.pair, combination.family->contact);
+  if (method.flies_in_closed_form) {
+    if (scene.accuracy.method == settings::Method::collocation && !collocates(scene, combination)) {
+      return fmt::format("{}; {}; collocation does not apply here", steps_of_hybrid(scene),
+                         combination.family->contact);
+    }
+    return fmt::format("{}; {}", method.pair, combination.family->contact);
+  }
   if (scene.contact.law == settings::ContactLaw::elastic_ring) {
     return fmt::format("in the same steps; {}", combination.family->contact);
   }

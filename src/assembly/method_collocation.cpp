@@ -4,20 +4,28 @@
 #include "assembly/hybrid_method.hpp"
 #include "assembly/typed_motions.hpp"
 #include "integrate/dormand_prince_853.hpp"
+#include "modes/collocated.hpp"
 #include "motion/modes_of_axial_loads.hpp"
 #include "motion/modes_of_rigid_blades.hpp"
 
-namespace rubatlas::assembly {
-namespace {
+namespace rubatlas {
+namespace assembly {
 
-struct CollocationAndSteps : integrate::DormandPrince853 {
-  static constexpr bool kCollocates = true;
+struct CollocationAndSteps : integrate::DormandPrince853 {};
+
+}  // namespace assembly
+
+template <>
+struct motion::CollocationOf<assembly::CollocationAndSteps> {
+  static constexpr bool kOccurs = true;
+  using Mode = modes::Collocated;
 };
 
-}  // namespace
+namespace assembly {
 
 std::unique_ptr<point::LineSolver> make_collocation(const LineRequest& request) {
   return make_paper_s_rotor<HybridMethod<CollocationAndSteps>>(request);
 }
 
-}  // namespace rubatlas::assembly
+}  // namespace assembly
+}  // namespace rubatlas

@@ -8,6 +8,10 @@
 namespace rubatlas::collocation {
 namespace {
 
+/// Of L: a blade that is shortened more is left to other modes, since the next singularity of the curve is
+/// near.
+constexpr double kLargestShortening = 0.5;
+
 constexpr auto kCount = static_cast<Eigen::Index>(BendingTable::kDegree + 1);
 using Points = Eigen::Matrix<double, kCount, 1>;
 using Fit = Eigen::Matrix<double, kCount, kCount>;
@@ -37,28 +41,21 @@ const Fit& fit() {
 }  // namespace
 
 BendingTable::BendingTable(const blade::ElasticaCurve& curve) : scale_(curve.load_angle()) {
-  constexpr int kKnotsInPiece = 4;
-  const double end = argument(curve.end());
-  const auto count = static_cast<std::size_t>(std::ceil(end / kWidth));
-  pieces_.resize(count);
-  knots_.reserve(kKnotsInPiece * count);
-  for (std::size_t piece = 0; piece < count; ++piece) {
-    const double centre = (static_cast<double>(piece) + 0.5) * kWidth;
+  for (int piece = 0;; ++piece) {
+    const double end = (piece + 1) * kWidth;
+    const blade::CurvePoint at_end = curve.at(bending(end));
+    if (at_end.shortening > kLargestShortening || bending(end) > curve.end()) break;
+    const double centre = (piece + 0.5) * kWidth;
     Eigen::Matrix<double, kCount, 3> samples;
     for (Eigen::Index i = 0; i < kCount; ++i) {
       const blade::CurvePoint at = curve.at(bending(centre + 0.5 * kWidth * chebyshev_points()[i]));
       samples.row(i) << at.load, at.shortening, at.deflection;
     }
     const Eigen::Matrix<double, kCount, 3> fitted = fit() * samples;
-    for (Eigen::Index k = 0; k < kCount; ++k) {
-      pieces_[piece].coefficients[static_cast<std::size_t>(k)] = {fitted(k, 0), fitted(k, 1), fitted(k, 2),
-                                                                  0.0};
-    }
-    for (int quarter = 1; quarter <= kKnotsInPiece; ++quarter) {
-      const double p = (static_cast<double>(piece) + static_cast<double>(quarter) / kKnotsInPiece) * kWidth;
-      const blade::CurvePoint at = curve.at(bending(p));
-      knots_.push_back({p, at.load, at.shortening, at.deflection});
-    }
+    Piece& made = pieces_.emplace_back();
+    for (Eigen::Index k = 0; k < kCount; ++k)
+      made.coefficients[static_cast<std::size_t>(k)] = {fitted(k, 0), fitted(k, 1), fitted(k, 2), 0.0};
+    knots_.push_back({end, at_end.load, at_end.shortening, at_end.deflection});
   }
 }
 

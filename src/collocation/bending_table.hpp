@@ -18,11 +18,11 @@ namespace rubatlas::collocation {
 
 class BendingTable {
  public:
-  /// Of a curve with friction μ > 0, up to the end of its own table.
+  /// Of a curve with friction μ > 0, up to a shortening of about 0.5 L.
   explicit BendingTable(const blade::ElasticaCurve& curve);
 
   static constexpr std::size_t kDegree = 11;
-  static constexpr double kWidth = 0.375;  ///< of a piece in p
+  static constexpr double kWidth = 0.125;  ///< of a piece in p
   /// Of powers of t in [−1, 1]: F L²/EI, δ/L, Δ/L, 0.
   struct Piece {
     alignas(32) std::array<std::array<double, 4>, kDegree + 1> coefficients;
@@ -33,7 +33,7 @@ class BendingTable {
   [[nodiscard]] double bending(double p) const { return scale_ * std::sinh(p); }    ///< u
   [[nodiscard]] double argument(double u) const { return std::asinh(u / scale_); }  ///< p
 
-  /// The curve between its pieces' quarters, for estimates.
+  /// The curve at the ends of the pieces, for estimates.
   struct Knot {
     double argument;  ///< p
     double load;

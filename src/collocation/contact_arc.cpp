@@ -9,10 +9,12 @@
 namespace rubatlas::collocation {
 namespace {
 
-/// Largest error of a velocity between the nodes, in tolerances. The ends of intervals, from which the motion
-/// goes on, are better by many orders (`README.md` has the experiment), and so is all that is read from the
-/// polynomials only where it is not asked to be accurate: what is, is solved for (`state_at`).
-constexpr double kBetweenNodes = 1000.0;
+/// Error of a velocity between the nodes that is allowed at the tolerance ε, against the clearance: this times
+/// ε^(9/12). The motion goes on from the ends of intervals, whose errors fall as the twelfth power of the length
+/// where those between the nodes fall as the ninth; orders and factor come from an experiment (`README.md`).
+/// Whatever has to be accurate within an interval is solved for (`state_at`).
+constexpr double kBetweenNodes = 2.5;
+constexpr double kOrderAtEnd = 12.0;
 constexpr double kClosest = 0.2;      ///< of the tolerance: what sweeps may leave
 constexpr double kMostTurning = 1.2;  ///< [rad] of one arc
 constexpr double kOrder = 9.0;        ///< of the error between the nodes
@@ -66,7 +68,9 @@ ContactArc::ContactArc(const rotor::RotorConstants& rotor, const rotor::BladeSet
                .speed_ratio = rotor.speed_ratio,
                .misalignment = rotor.misalignment,
                .slip = 1.0,
-               .forced = unbalance != nullptr} {
+               .forced = unbalance != nullptr},
+      allowed_(kBetweenNodes * rotor.length_scale *
+               std::pow(limits.tolerance / rotor.length_scale, kOrder / kOrderAtEnd)) {
   for (int k = 0; k < blades.count(); ++k) offsets_.push_back(blades.direction(k, {1.0, 0.0}));
   const auto& knots = table_.knots();
   const auto beyond = std::find_if(knots.begin(), knots.end(), [&](const BendingTable::Knot& knot) {
@@ -228,8 +232,7 @@ double ContactArc::error_of(const Interval& interval) const {
   const double last = std::max(seventh, kShareOfSixth * sixth);
   if (last == 0.0) return 0.0;
   const double fall = std::min(1.0, std::sqrt(last / std::max(fifth, last)));
-  return std::max(seventh, kShareOfSixth * sixth * fall) * fall * kLargestIntegral /
-         (kBetweenNodes * limits_.tolerance);
+  return std::max(seventh, kShareOfSixth * sixth * fall) * fall * kLargestIntegral / allowed_;
 }
 
 bool ContactArc::other_tips_stay_clear(const Interval& interval) const {

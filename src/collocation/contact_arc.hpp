@@ -114,6 +114,7 @@ class ContactArc {
   std::vector<contact::BladeDirection> offsets_;  ///< of the blades from blade 0's place
   double valid_argument_;                         ///< p up to which δ/L is within its limit
   Contact contact_;
+  double allowed_;  ///< error of a velocity between the nodes [m per unit τ]
 
   int blade_ = 0;
   bool begins_ = false;  ///< the next interval is the first of the contact

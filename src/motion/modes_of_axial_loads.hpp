@@ -2,7 +2,6 @@
 #pragma once
 
 #include "modes/carried.hpp"
-#include "modes/collocated.hpp"
 #include "modes/skimming.hpp"
 #include "modes/solved.hpp"
 #include "motion/resting_modes.hpp"
@@ -12,8 +11,8 @@ namespace rubatlas::motion {
 template <class Law, class Forcing, class Pair, class Blades>
 requires Law::kHasBending struct ModesOf<Law, Forcing, Pair, Blades>
     : ModesWithRest<Law, Forcing, Pair, Blades> {
-  static constexpr bool kCollocates = requires { requires Pair::kCollocates; };
-  using Collocated = modes::Collocated;
+  static constexpr bool kCollocates = CollocationOf<Pair>::kOccurs;
+  using Collocated = typename CollocationOf<Pair>::Mode;
   static constexpr bool kCarries = true;
   using Carried = modes::Carried<Law, Forcing, Blades>;
   using Skimming = modes::Skimming<Law, Forcing, Blades>;

@@ -51,8 +51,8 @@ TEST(AccuracySettings, EachMethodIsVariedInTheKnobsThatItReads) {
 TEST(AccuracySettings, AllMethodsOfAScenesChoiceAreComparedUnlessSomeAreNamed) {
   std::set<std::string> compared;
   for (const auto& setting : settings_of({})) compared.insert(setting.method);
-  EXPECT_EQ(compared,
-            (std::set<std::string>{"hybrid", "hybrid_54", "hybrid_32", "paper", "located", "fixed"}));
+  EXPECT_EQ(compared, (std::set<std::string>{"hybrid", "collocation", "hybrid_54", "hybrid_32", "paper",
+                                             "located", "fixed"}));
 }
 
 TEST(AccuracySettings, TheTwoKnobsOfThePublishedSchemeAreRefinedTogether) {
