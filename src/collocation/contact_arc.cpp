@@ -9,12 +9,13 @@
 namespace rubatlas::collocation {
 namespace {
 
-/// Error of a velocity between the nodes that is allowed at the tolerance ε, against the clearance: this times
-/// ε^(9/12). The motion goes on from the ends of intervals, whose errors fall as the twelfth power of the length
-/// where those between the nodes fall as the ninth; orders and factor come from an experiment (`README.md`).
-/// Whatever has to be accurate within an interval is solved for (`state_at`).
-constexpr double kBetweenNodes = 2.5;
-constexpr double kOrderAtEnd = 12.0;
+/// Error of a velocity between the nodes that is allowed at the tolerance ε, against the clearance: this
+/// times ε^(9/14). The motion goes on from the ends of intervals, whose errors fall as about the fourteenth
+/// power of the length where those between the nodes fall as the ninth; orders and factor come from an
+/// experiment (`README.md`). Whatever has to be accurate within an interval is solved for (`state_at`).
+constexpr double kBetweenNodes = 0.27;
+constexpr double kOrderAtEnd = 14.0;
+constexpr double kAtEnd = 3.0;        ///< tolerances: of that at the end, as far as it can be estimated
 constexpr double kClosest = 0.2;      ///< of the tolerance: what sweeps may leave
 constexpr double kMostTurning = 1.2;  ///< [rad] of one arc
 constexpr double kOrder = 9.0;        ///< of the error between the nodes
@@ -219,8 +220,9 @@ bool ContactArc::solve(Interval& interval, bool warm) {
   return solved;
 }
 
-/// Error of a velocity between the nodes, in what is allowed: the first coefficient of the acceleration that
-/// eight nodes leave out, as the last ones fall, times the largest value of the integral of its polynomial.
+/// Error of a velocity in what is allowed, between the nodes and at the end. Between the nodes: the first
+/// coefficient of the acceleration that eight nodes leave out, as the last ones fall, times the largest value
+/// of the integral of its polynomial.
 double ContactArc::error_of(const Interval& interval) const {
   const auto& rows = node_tables().last_coefficients;
   const double fifth = coefficient(rows[0], interval);
@@ -232,7 +234,11 @@ double ContactArc::error_of(const Interval& interval) const {
   const double last = std::max(seventh, kShareOfSixth * sixth);
   if (last == 0.0) return 0.0;
   const double fall = std::min(1.0, std::sqrt(last / std::max(fifth, last)));
-  return std::max(seventh, kShareOfSixth * sixth * fall) * fall * kLargestIntegral / allowed_;
+  const double between = std::max(seventh, kShareOfSixth * sixth * fall) * fall * kLargestIntegral;
+  // Quadrature leaves out the fifteenth coefficient at the end: much less, unless coefficients hardly fall.
+  const double fall_by_four = (fall * fall) * (fall * fall);
+  const double at_end = last * fall_by_four * fall_by_four * kLargestIntegral;
+  return std::max(between / allowed_, at_end / (kAtEnd * limits_.tolerance));
 }
 
 bool ContactArc::other_tips_stay_clear(const Interval& interval) const {
