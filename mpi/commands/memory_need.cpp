@@ -11,6 +11,7 @@
 #include "atlas/free_space.hpp"
 #include "atlas/schema.hpp"
 #include "plan/grid.hpp"
+#include "plan/pieces.hpp"
 
 namespace rubatlas::mpi {
 namespace {
@@ -35,6 +36,8 @@ MemoryNeed memory_need(const settings::Scene& scene, std::uint64_t lines_at_hand
   // A row is computed and then kept until it is written. Small rows are gathered, and copied when written.
   need.of_lines = lines * (record_bytes(scene) + 2 * schema.bytes_per_point()) +
                   2 * std::uint64_t{atlas::AtlasWriter::kMostGathered};
+  // Rows of a line that are held until its seams are decided.
+  if (plan::Pieces(scene).per_line() > 1) need.of_lines += grid.speed_count() * schema.bytes_per_point();
   need.of_grid = grid.point_count() * MemoryNeed::kOfPoint + grid.line_count() * MemoryNeed::kOfLine;
   return need;
 }

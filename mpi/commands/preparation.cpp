@@ -145,6 +145,7 @@ Preparation prepare(const RunOptions& options, const atlas::Software& software) 
   std::fill_n(preparation.status.begin(), first, kOfAnotherPart);
   std::fill(preparation.status.begin() + static_cast<std::ptrdiff_t>(end), preparation.status.end(),
             kOfAnotherPart);
+  if (scene.pieces) preparation.seam = atlas.seam();
   return preparation;
 }
 

@@ -22,6 +22,7 @@ constexpr std::uint8_t kOfAnotherPart = 255;
 struct Preparation {
   std::string scene_text;
   std::vector<std::uint8_t> status;      ///< per point, as the atlas has it, or kOfAnotherPart
+  std::vector<std::uint8_t> seam;        ///< per point where lines are swept in pieces, else empty
   plan::Part part;                       ///< of the grid, which the atlas is for
   std::filesystem::path atlas;           ///< its path, links followed
   std::optional<atlas::AtlasLock> lock;  ///< refuses a second run and other writers

@@ -65,9 +65,12 @@ std::string command_to_go_on(const RunOptions& options, const Session& session) 
 
 /// Rank 0's part of the job between opening and closing the atlas.
 JobResult lead(const Session& session, const Preparation& preparation, const plan::Grid& grid,
-               const atlas::FinalStates& ends, PointRunner& runner, Master::Reports reports) {
-  const auto stored = [&](std::size_t point) { return ends.of(point); };
-  Schedule schedule(grid, preparation.status, stored, session.size());
+               const plan::Pieces& pieces, const atlas::FinalStates& ends, PointRunner& runner,
+               Master::Reports reports) {
+  const Schedule::Stored stored{.status = preparation.status,
+                                .seam = preparation.seam,
+                                .final_state = [&](std::size_t point) { return ends.of(point); }};
+  Schedule schedule(grid, pieces, stored, session.size());
   const Mailbox mailbox(session);
   const auto [first, end] = plan::points_of(preparation.part, grid);
   const auto own = std::span(preparation.status).subspan(first, end - first);
@@ -138,7 +141,7 @@ int fill_atlas(const RunOptions& options, const Session& session, const Preparat
     if (leading) {
       const std::string stopping = fmt::format("stopping; a second signal ends it at once; to go on: {}",
                                                command_to_go_on(options, session));
-      result = lead(session, preparation, grid, writer.ends(), runner,
+      result = lead(session, preparation, grid, plan::Pieces(scene), writer.ends(), runner,
                     {progress, [&](const JobResult& so_far) { record->update(so_far); }, stopping});
     } else {
       work(Mailbox(session), runner);

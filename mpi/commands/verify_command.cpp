@@ -22,6 +22,7 @@
 #include "mpi/say.hpp"
 #include "mpi/version.hpp"
 #include "plan/grid.hpp"
+#include "plan/pieces.hpp"
 #include "point/line_solver.hpp"
 #include "settings/reader.hpp"
 
@@ -60,20 +61,21 @@ class Recomputation {
         scene_(settings::parse_scene(atlas.scene_resolved(), "/scene_resolved")),
         schema_(atlas::schema_of(scene_)),
         grid_(scene_),
+        pieces_(scene_),
+        initial_(
+            motion::SectionState{scene_.initial.x, scene_.initial.y, scene_.initial.vx, scene_.initial.vy}),
         status_(atlas.status()),
+        seam_(scene_.pieces ? atlas.seam() : std::vector<std::uint8_t>()),
         ends_(atlas.file(), schema_) {}
 
   /// Names of the datasets whose computed row differs from the stored one; empty where all bits agree.
   [[nodiscard]] std::string difference(std::size_t point) const {
     const plan::PointParameters parameters = grid_.parameters(point);
-    const auto before = point_before(point);
-    const auto& initial = scene_.initial;
-    const motion::PointStart start =
-        before ? ends_.of(*before)
-               : motion::PointStart(motion::SectionState{initial.x, initial.y, initial.vx, initial.vy});
-    const auto outcome =
-        assembly::make_line_solver(scene_, parameters, tables_)->run(parameters.speed_ratio, start);
-    const atlas::Row row(schema_, !before, outcome);
+    const auto solver = assembly::make_line_solver(scene_, parameters, tables_);
+    const auto start = start_of(point, *solver);
+    const auto outcome = solver->run(parameters.speed_ratio, start.value_or(initial_));
+    const auto seam = seam_.empty() ? plan::Seam::none : static_cast<plan::Seam>(seam_[point]);
+    const atlas::Row row(schema_, {.restarted = !start, .seam = seam}, outcome);
     const auto datasets = schema_.summed_datasets();
     std::vector<std::string> different;
     for (std::size_t i = 0; i < datasets.size(); ++i) {
@@ -84,24 +86,48 @@ class Recomputation {
   }
 
  private:
-  /// The point from whose final state this one started; empty where it started from the scene's `initial`.
-  [[nodiscard]] std::optional<std::size_t> point_before(std::size_t point) const {
+  /// Where a point started; empty: from the scene's `initial`.
+  std::optional<motion::PointStart> start_of(std::size_t point, point::LineSolver& solver) const {
     if (!grid_.points_depend_on_each_other()) return std::nullopt;
     const std::size_t line = point / grid_.speed_count();
     const std::size_t place = point % grid_.speed_count();
     const std::size_t visit =
         grid_.direction(line) == plan::Direction::up ? place : grid_.speed_count() - 1 - place;
     if (visit == 0) return std::nullopt;
+    if (is_first_of_its_run(point)) return end_of_run_before(line, visit, solver);
     const std::size_t before = grid_.point(line, visit - 1);
     if (status_[before] != static_cast<std::uint8_t>(point::PointStatus::done)) return std::nullopt;
-    return before;
+    return ends_.of(before);
+  }
+
+  /// Whether the point goes on from a point of its piece's own run that the atlas does not have.
+  [[nodiscard]] bool is_first_of_its_run(std::size_t point) const {
+    if (seam_.empty()) return false;
+    const auto seam = static_cast<plan::Seam>(seam_[point]);
+    return seam == plan::Seam::agrees || seam == plan::Seam::aperiodic;
+  }
+
+  /// Computes the run of a visit's piece from its beginning to the visit before.
+  std::optional<motion::PointStart> end_of_run_before(std::size_t line, std::size_t visit,
+                                                      point::LineSolver& solver) const {
+    std::optional<motion::PointStart> end;
+    for (std::size_t i = pieces_.run_begin(pieces_.of_visit(visit)); i < visit; ++i) {
+      const double speed_ratio = grid_.parameters(grid_.point(line, i)).speed_ratio;
+      const auto outcome = solver.run(speed_ratio, end.value_or(initial_));
+      end.reset();
+      if (outcome.status == point::PointStatus::done) end.emplace(outcome.final_state, outcome.final_memory);
+    }
+    return end;
   }
 
   const atlas::AtlasReader& atlas_;
   settings::Scene scene_;
   atlas::Schema schema_;
   plan::Grid grid_;
+  plan::Pieces pieces_;
+  motion::PointStart initial_;
   std::vector<std::uint8_t> status_;
+  std::vector<std::uint8_t> seam_;  ///< empty where lines are not swept in pieces
   atlas::FinalStates ends_;
   std::shared_ptr<assembly::BladeTables> tables_ = assembly::make_blade_tables();
 };

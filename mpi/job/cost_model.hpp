@@ -3,7 +3,8 @@
 ///
 /// The cost of a point depends on its speed ratio far more than on anything else (chaotic motion touches
 /// often), and neighbouring lines have similar profiles. The model is therefore one profile over the speed
-/// ratio, the mean over all lines measured so far, times a factor for each line.
+/// ratio, the mean over all points measured so far in each of up to 64 stretches of speeds, and interpolated
+/// between these.
 #pragma once
 
 #include <cstddef>
@@ -16,9 +17,12 @@ class CostModel {
   explicit CostModel(std::size_t speed_count);
 
   void record(std::size_t speed_index, double seconds);
+  /// A measurement made before the job, of a point on some line.
+  void assume(std::size_t speed_index, double seconds);
 
-  /// Expected seconds of the points [first, last) of an average line. A speed that has not been measured has
-  /// the mean cost of the measured speeds, or 1 before any measurement.
+  /// Expected seconds of the points [first, last) of an average line. A stretch in which nothing has been
+  /// measured has a cost between those of the nearest measured stretches on both sides, or that of the only
+  /// one; 1 a point before any measurement.
   [[nodiscard]] double expected(std::size_t first, std::size_t last) const;
 
   /// Sum of all recorded seconds.
@@ -26,12 +30,17 @@ class CostModel {
 
  private:
   void refresh() const;
+  [[nodiscard]] double up_to(std::size_t speed_index) const;
 
-  std::vector<double> seconds_;
-  std::vector<std::size_t> count_;
+  struct Stretch {
+    double seconds = 0.0;  ///< of the points measured
+    std::size_t count = 0;
+    double mean = 1.0;       ///< expected seconds of a point
+    double cumulated = 0.0;  ///< expected seconds of all speeds below the stretch
+  };
+  std::size_t width_;  ///< speeds of a stretch
+  mutable std::vector<Stretch> stretches_;
   double total_seconds_ = 0.0;
-  std::size_t total_count_ = 0;
-  mutable std::vector<double> cumulated_;  ///< expected cost of the first i speeds
   mutable bool stale_ = true;
 };
 

@@ -1,5 +1,6 @@
 #include "mpi/job/master.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "mpi/clock.hpp"
@@ -82,17 +83,29 @@ void Master::serve() {
 
 void Master::take(int rank, const Report& report) {
   for (std::size_t number = 0; number < report.count; ++number) {
-    const PointReport point = report.point(number);
-    schedule_.record(point);
-    result_.standing.count(point.status);
-    if (point.detail != point::StatusDetail::none) ++result_.ended_by[point.detail];
+    const auto outcome = schedule_.record(report.point(number));
+    for (const auto& ending : outcome.finished) {
+      result_.standing.count(ending.status);
+      if (ending.detail != point::StatusDetail::none) ++result_.ended_by[ending.detail];
+    }
+    result_.standing.computed += outcome.finished.size();
+    for (const auto& decision : outcome.decisions) send(decision);
   }
-  result_.standing.computed += report.count;
   const auto place = static_cast<std::size_t>(rank);
   result_.points_of_rank[place] += report.count;
   result_.times_of_rank[place] = report.times;
   result_.work += report.work;
   if (report.stop_requested != 0 && !stopping_) stop();
+}
+
+void Master::send(const Schedule::Decision& decision) {
+  for (const int holder : decision.ranks) {
+    if (holder == kSelf) {
+      runner_.take(decision.verdict);
+    } else {
+      mailbox_.send(holder, Tag::verdict, decision.verdict);
+    }
+  }
 }
 
 void Master::seat_is_free(int rank, int seat) {
@@ -110,7 +123,7 @@ void Master::stop() {
 
 /// Hands pieces to free seats, and dismisses workers when there will be no further pieces.
 void Master::hand_out() {
-  while (!stopping_ && schedule_.unassigned() > 0) {
+  while (!stopping_ && schedule_.has_more()) {
     const int number = next_to_serve();
     if (number < 0) break;
     Rank& rank = ranks_[static_cast<std::size_t>(number)];
@@ -124,7 +137,7 @@ void Master::hand_out() {
       mailbox_.send(number, Tag::piece, *piece);
     }
   }
-  if (stopping_ || schedule_.unassigned() == 0) dismiss_workers();
+  if (stopping_ || !schedule_.has_more()) dismiss_workers();
 }
 
 /// The rank that gets the next piece: the rank with a free seat that computes the fewest pieces. The result
@@ -154,10 +167,14 @@ int Master::next_to_serve() const {
 }
 
 void Master::dismiss_workers() {
+  const auto is_idle = [](const Rank& rank) {
+    return rank.seats > 0 && static_cast<int>(rank.free_seats.size()) == rank.seats;
+  };
+  // While a job is stopping, a last report of one rank may decide about rows that another rank holds.
+  if (stopping_ && !std::ranges::all_of(ranks_, is_idle)) return;
   for (std::size_t number = 1; number < ranks_.size(); ++number) {
     Rank& rank = ranks_[number];
-    const bool idle = rank.seats > 0 && static_cast<int>(rank.free_seats.size()) == rank.seats;
-    if (!idle || rank.has_left) continue;
+    if (!is_idle(rank) || rank.has_left) continue;
     mailbox_.send(static_cast<int>(number), Tag::leave);
     rank.has_left = true;
     --workers_;
@@ -173,7 +190,7 @@ JobResult Master::so_far() const {
 Standing Master::standing() const {
   Standing now = result_.standing;
   now.seconds = seconds_since(start_);
-  if (now.computed > 0) now.seconds_left = now.seconds * schedule_.remaining_over_recorded();
+  if (schedule_.recorded() > 0.0) now.seconds_left = now.seconds * schedule_.remaining_over_recorded();
   return now;
 }
 

@@ -48,6 +48,7 @@ class Master {
  private:
   void serve();
   void take(int rank, const Report& report);
+  void send(const Schedule::Decision& decision);
   void seat_is_free(int rank, int seat);
   void stop();
   void hand_out();

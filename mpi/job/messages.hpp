@@ -2,8 +2,9 @@
 /// waits.
 ///
 ///     worker -> master   ready        nothing to do on one of my seats: send me a piece
-///                        report       points of a piece are computed and written
+///                        report       points of a piece are computed, and written or held
 ///     master -> worker   piece        compute these points, in order
+///                        verdict      which of the points that you hold are kept
 ///                        stop         give up the points you are at, then say that you are ready
 ///                        leave        there is nothing left to do for you
 #pragma once
@@ -13,20 +14,38 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "analysis/rules/same_motion.hpp"
 #include "point/line_solver.hpp"
 
 namespace rubatlas::mpi {
 
-enum class Tag : std::uint8_t { ready = 1, report = 2, piece = 3, stop = 4, leave = 5 };
+enum class Tag : std::uint8_t { ready = 1, report = 2, piece = 3, stop = 4, leave = 5, verdict = 6 };
 
-/// Points that one rank computes one after the other: part of a line, in the order of the sweep.
+/// What becomes of the rows of a piece's points.
+enum class Keep : std::uint8_t {
+  at_once,           ///< written
+  never,             ///< the points lead to those behind them, or their rows are there already
+  after_verdict,     ///< held by the rank until it is known whether the piece before leads to them
+  where_it_differs,  ///< written where the motion differs from `Piece::found`
+  compared,          ///< only compared with `Piece::found`
+};
+
+/// Points that one rank computes one after the other: part of a line, in the order of the sweep. (A piece of
+/// `plan::Pieces` is handed out in several of these.)
 struct Piece {
+  /// Long enough that messages are rare beside computing, short enough that the runs progress evenly, and
+  /// that a message about all its points is small.
+  static constexpr std::size_t kMostPoints = 16;
+
   std::uint64_t line = 0;
+  std::uint64_t run = 0;  ///< of the schedule
   std::uint64_t first_visit = 0;
   std::uint64_t count = 0;
   std::uint8_t from_initial = 1;  ///< the first point starts from the scene's `initial` ...
   motion::SectionState start{};   ///< ... else from here,
   std::int32_t seat = 0;          ///< of the rank (`PointRunner`)
+  Keep keep = Keep::at_once;
+  analysis::MotionTrace found;  ///< the motion to compare with, where `keep` asks for it
   motion::Memory
       memory;  ///< memory of the effects at its start; the last member, so that its unused part is not sent
 };
@@ -34,9 +53,13 @@ struct Piece {
 /// One computed point, and what it cost.
 struct PointReport {
   std::uint64_t line = 0;
+  std::uint64_t run = 0;  ///< that of its piece
   std::uint64_t visit = 0;
   point::PointStatus status = point::PointStatus::pending;
   point::StatusDetail detail = point::StatusDetail::none;
+  Keep keep = Keep::at_once;     ///< that of the piece when the point ended
+  std::uint8_t same_motion = 0;  ///< 1: the motion is `Piece::found`, and the row is not kept
+  analysis::MotionTrace trace;   ///< where `keep` is `after_verdict`
   motion::SectionState final_state{};
   double seconds = 0.0;
   motion::Memory final_memory;
@@ -49,10 +72,10 @@ struct RankTimes {
   double processor = 0.0;  ///< CPU time altogether
 };
 
-/// Points of a piece that follow each other, which a rank has computed. Their rows are in the atlas already.
+/// Points of a piece that follow each other, which a rank has computed. Rows that are kept at once are in the
+/// atlas already. A point whose row is not written at once is reported by itself, because the schedule waits
+/// for its cost or its motion.
 struct Report {
-  /// Few enough that sending the message never waits.
-  static constexpr std::size_t kMostPoints = 64;
   struct Point {
     float seconds = 0.0F;
     point::PointStatus status = point::PointStatus::pending;
@@ -60,18 +83,22 @@ struct Report {
   };
 
   std::uint64_t line = 0;
+  std::uint64_t run = 0;
   std::uint64_t first_visit = 0;
   std::uint32_t count = 0;
   std::uint8_t stop_requested = 0;  ///< 1: the rank has received a signal
+  Keep keep = Keep::at_once;        ///< of all these points, as is `work`
   RankTimes times;
-  motion::WorkCounts work;             ///< of all these points
-  motion::SectionState final_state{};  ///< of the last point, as is `final_memory`
-  std::array<Point, kMostPoints> points;
+  motion::WorkCounts work;
+  std::uint8_t same_motion = 0;  ///< of the last point, as is all that follows
+  analysis::MotionTrace trace;
+  motion::SectionState final_state{};
+  std::array<Point, Piece::kMostPoints> points;
   motion::Memory final_memory;  ///< the last member, as above
 
-  /// Appends a point, the next of its line.
+  /// Appends a point, the next of its piece.
   void add(const PointReport& point);
-  /// The points one by one; only the last one has a final state.
+  /// The points one by one; only the last one has a final state and a trace.
   [[nodiscard]] PointReport point(std::size_t number) const;
 };
 
@@ -91,19 +118,32 @@ struct Ready {
   std::uint8_t stop_requested = 0;
 };
 
+/// Which points of a piece of `plan::Pieces` stand as its own run has found them; the points before are
+/// replaced.
+struct Verdict {
+  std::uint64_t line = 0;
+  std::uint64_t begin = 0;      ///< first visit of the piece
+  std::uint64_t kept_from = 0;  ///< first visit that is kept
+  std::uint64_t end = 0;        ///< visit behind the last
+};
+
 /// `stop` and `leave` have no content.
 struct Nothing {};
 
 static_assert(std::is_trivially_copyable_v<Piece> && std::is_trivially_copyable_v<Report> &&
-              std::is_trivially_copyable_v<Ready>);
+              std::is_trivially_copyable_v<Ready> && std::is_trivially_copyable_v<Verdict>);
 
 inline void Report::add(const PointReport& point) {
   if (count == 0) {
     line = point.line;
+    run = point.run;
     first_visit = point.visit;
+    keep = point.keep;
   }
   points[count] = {static_cast<float>(point.seconds), point.status, point.detail};
   ++count;
+  same_motion = point.same_motion;
+  trace = point.trace;
   final_state = point.final_state;
   final_memory = point.final_memory;
 }
@@ -111,11 +151,15 @@ inline void Report::add(const PointReport& point) {
 inline PointReport Report::point(std::size_t number) const {
   PointReport point;
   point.line = line;
+  point.run = run;
   point.visit = first_visit + number;
   point.status = points[number].status;
   point.detail = points[number].detail;
+  point.keep = keep;
   point.seconds = points[number].seconds;
   if (number + 1 == count) {
+    point.same_motion = same_motion;
+    point.trace = trace;
     point.final_state = final_state;
     point.final_memory = final_memory;
   }

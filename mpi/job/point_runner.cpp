@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace rubatlas::mpi {
 namespace {
@@ -19,7 +20,9 @@ PointRunner::PointRunner(const settings::Scene& scene, const plan::Grid& grid, a
       writer_(writer),
       width_(width),
       batch_(batch::make_line_batch(width)),
-      seats_(static_cast<std::size_t>(width.seats)) {}
+      seats_(static_cast<std::size_t>(width.seats)) {
+  if (plan::Pieces(scene).per_line() > 1) traces_.emplace(scene);
+}
 
 /// Where points are independent, several seats may compute points of the same line, each with its own solver.
 PointRunner::CachedSolver& PointRunner::solver_of(std::size_t line) {
@@ -36,7 +39,8 @@ PointRunner::CachedSolver& PointRunner::solver_of(std::size_t line) {
     solvers_.erase(std::prev(oldest.base()));
   }
   const plan::PointParameters parameters = grid_.parameters(grid_.point(line, 0));
-  solvers_.push_front({line, batch::make_line_solver(width_, scene_, parameters, tables_)});
+  const settings::Scene& observed = traces_ ? traces_->observed() : scene_;
+  solvers_.push_front({line, batch::make_line_solver(width_, observed, parameters, tables_)});
   return solvers_.front();
 }
 
@@ -128,36 +132,81 @@ void PointRunner::begin_point(int seat_number) {
       seat.left.from_initial != 0 ? initial : motion::PointStart(seat.left.start, seat.left.memory));
 }
 
-void PointRunner::finish_point(const batch::Finished& finished, const Callbacks& callbacks) {
+/// Gives a row to the writer, holds it or lets it go, as the piece says; the report tells which.
+void PointRunner::keep_row(const Piece& piece, point::PointOutcome& outcome, PointReport& computed) {
+  if (piece.keep == Keep::never) return;
+  atlas::Origin origin{.restarted = piece.from_initial != 0};
+  if (piece.keep == Keep::after_verdict) computed.trace = traces_->trace(outcome);
+  if (piece.keep == Keep::where_it_differs || piece.keep == Keep::compared) {
+    computed.same_motion = traces_->is_same_motion(outcome, piece.found) ? 1 : 0;
+    if (computed.same_motion != 0 || piece.keep == Keep::compared) return;
+    origin.seam = plan::Seam::repaired;
+  }
+  if (traces_) traces_->strip(outcome);
+  if (piece.keep == Keep::after_verdict) {
+    const std::uint8_t motion = computed.trace.motion;
+    const bool aperiodic = motion != analysis::motion_class::kNone && !analysis::is_periodic(motion);
+    held_.push_back({piece.line, piece.first_visit, origin.restarted, std::move(outcome),
+                     aperiodic ? plan::Seam::aperiodic : plan::Seam::agrees});
+  } else {
+    writer_.add_point(grid_.point(piece.line, piece.first_visit), origin, outcome);
+  }
+}
+
+void PointRunner::take(const Verdict& verdict) {
+  const Interruption interruption(integrating_);
+  const auto concerns = [&](std::uint64_t line, std::uint64_t visit) {
+    return line == verdict.line && visit >= verdict.begin && visit < verdict.end;
+  };
+  for (const HeldPoint& point : held_) {
+    if (!concerns(point.line, point.visit) || point.visit < verdict.kept_from) continue;
+    writer_.add_point(grid_.point(point.line, point.visit),
+                      {point.restarted, point.visit == verdict.kept_from ? point.seam : plan::Seam::none},
+                      point.outcome);
+    if (writer_.is_full()) write(&atlas::AtlasWriter::write_rows);
+  }
+  write(&atlas::AtlasWriter::write_rows);
+  std::erase_if(held_, [&](const HeldPoint& point) { return concerns(point.line, point.visit); });
+  for (Seat& seat : seats_) {
+    if (seat.solver == nullptr || seat.left.keep != Keep::after_verdict) continue;
+    if (concerns(seat.left.line, seat.left.first_visit)) seat.left.keep = Keep::at_once;
+  }
+}
+
+void PointRunner::finish_point(batch::Finished finished, const Callbacks& callbacks) {
   Seat& seat = seats_[static_cast<std::size_t>(finished.seat)];
   Piece& left = seat.left;
-  const point::PointOutcome& outcome = finished.outcome;
+  point::PointOutcome& outcome = finished.outcome;
   if (outcome.status == point::PointStatus::pending) {  // given up
     end_piece(finished.seat, callbacks);
     return;
   }
-  writer_.add_point(grid_.point(left.line, left.first_visit), left.from_initial != 0, outcome);
-  settle_if_due();
-  seat.report.add({.line = left.line,
-                   .visit = left.first_visit,
-                   .status = outcome.status,
-                   .detail = outcome.detail,
-                   .final_state = outcome.final_state,
-                   .seconds = finished.seconds,
-                   .final_memory = outcome.final_memory});
+  PointReport computed{.line = left.line,
+                       .run = left.run,
+                       .visit = left.first_visit,
+                       .status = outcome.status,
+                       .detail = outcome.detail,
+                       .keep = left.keep,
+                       .final_state = outcome.final_state,
+                       .seconds = finished.seconds,
+                       .final_memory = outcome.final_memory};
   seat.report.work += outcome.work;
+  keep_row(left, outcome, computed);
+  seat.report.add(computed);
+  settle_if_due();
 
-  const bool goes_on = grid_.points_depend_on_each_other() && outcome.status == point::PointStatus::done;
+  const bool goes_on = grid_.points_depend_on_each_other() && computed.status == point::PointStatus::done;
   left.from_initial = goes_on ? 0 : 1;
-  left.start = outcome.final_state;
-  left.memory = outcome.final_memory;
+  left.start = computed.final_state;
+  left.memory = computed.final_memory;
   ++left.first_visit;
   if (--left.count == 0) {
     end_piece(finished.seat, callbacks);
     return;
   }
-  const bool due = std::chrono::steady_clock::now() - seat.reported >= kReportPeriod;
-  if (due || seat.report.count == Report::kMostPoints || writer_.is_full()) report(seat, callbacks);
+  const bool is_due = std::chrono::steady_clock::now() - seat.reported >= kReportPeriod;
+  const bool is_awaited = computed.keep != Keep::at_once;
+  if (is_due || is_awaited || writer_.is_full()) report(seat, callbacks);
   seat.waits = true;
   ++waiting_;
 }

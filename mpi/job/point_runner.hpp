@@ -1,5 +1,9 @@
 /// Computes pieces and writes their rows. Every rank has one, the master too.
 ///
+/// Where lines are swept in pieces (`plan::Pieces`), the rank that has computed a point holds its row until
+/// it is known whether the piece before leads to the same motion. A row is therefore written once, and a
+/// status in the atlas is final. Held rows are lost with their rank, and computed again by a resumed run.
+///
 /// A rank has as many seats as its processor has lanes for the scene, one piece on each: points of several
 /// lines are computed side by side (`src/batch`).
 #pragma once
@@ -9,6 +13,7 @@
 #include <functional>
 #include <list>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "assembly/make_line_solver.hpp"
@@ -18,6 +23,7 @@
 #include "mpi/job/mailbox.hpp"
 #include "mpi/job/messages.hpp"
 #include "mpi/job/session.hpp"
+#include "mpi/job/trace_recorder.hpp"
 #include "plan/grid.hpp"
 #include "point/line_solver.hpp"
 #include "settings/scene.hpp"
@@ -32,7 +38,7 @@ class PointRunner {
   struct Callbacks {
     std::function<bool()>
         go_on;  ///< asked every `Mailbox::kLookPeriod`; after false all points are given up, for good
-    std::function<void(const Report&)> after_points;  ///< their rows are in the atlas
+    std::function<void(const Report&)> after_points;  ///< their rows are in the atlas or held
     std::function<void(int seat)> piece_over;         ///< the piece of a seat has ended or was given up
   };
 
@@ -51,6 +57,9 @@ class PointRunner {
   /// of the point before it, or from the scene's `initial` if that point did not end as done or points are
   /// independent.
   void run(const Callbacks& callbacks);
+
+  /// Writes the held rows that are kept, and forgets the others of that piece.
+  void take(const Verdict& verdict);
 
   /// Forces written rows to the disk when a batch is due; to be called while there is nothing to compute.
   void idle() { settle_if_due(); }
@@ -71,6 +80,15 @@ class PointRunner {
     std::chrono::steady_clock::time_point reported;  ///< the last report, or the beginning of the piece
   };
 
+  /// A point whose row is neither kept nor dropped yet.
+  struct HeldPoint {
+    std::uint64_t line = 0;
+    std::uint64_t visit = 0;
+    bool restarted = false;
+    point::PointOutcome outcome;
+    plan::Seam seam = plan::Seam::none;  ///< where the piece before leads to this point
+  };
+
   class Interruption;
 
   /// Looks after messages and the disk; false when all points are to be given up.
@@ -81,11 +99,13 @@ class PointRunner {
   void report(Seat& seat, const Callbacks& callbacks);
   void begin_points(const Callbacks& callbacks);
   void begin_point(int seat_number);
-  void finish_point(const batch::Finished& finished, const Callbacks& callbacks);
+  void finish_point(batch::Finished finished, const Callbacks& callbacks);
+  void keep_row(const Piece& piece, point::PointOutcome& outcome, PointReport& computed);
   void end_piece(int seat_number, const Callbacks& callbacks);
   CachedSolver& solver_of(std::size_t line);
 
   const settings::Scene& scene_;
+  std::optional<TraceRecorder> traces_;  ///< where lines are swept in pieces; solvers refer to its scene
   const plan::Grid& grid_;
   atlas::AtlasWriter& writer_;
   batch::Width width_;
@@ -94,6 +114,7 @@ class PointRunner {
       solvers_;  ///< most recently used first; declared before the batch, whose points use them
   std::unique_ptr<batch::LineBatch> batch_;
   std::vector<Seat> seats_;
+  std::vector<HeldPoint> held_;
   int pieces_ = 0;
   int waiting_ = 0;
   bool goes_on_ = true;  ///< no point has been given up

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -79,6 +80,9 @@ std::string paragraph(const RunBeginning& beginning, const JobResult& result, co
   put("points_outside_the_model", fmt::to_string(standing.outside));
   put("points_failed", fmt::to_string(standing.failed));
   put("points_computed", fmt::to_string(standing.computed));
+  put("points_not_kept",
+      fmt::to_string(std::reduce(result.points_of_rank.begin(), result.points_of_rank.end()) -
+                     standing.computed));
   put("wall_seconds", fmt::format("{:.3f}", standing.seconds));
   put("points_per_second", fmt::format("{:.4g}", rate));
   put("right_hand_sides", fmt::to_string(work.right_hand_sides));

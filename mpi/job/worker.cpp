@@ -22,6 +22,10 @@ class Ear {
         runner_.begin(mailbox_.receive<Piece>(*envelope));
         continue;
       }
+      if (envelope->tag == Tag::verdict) {
+        runner_.take(mailbox_.receive<Verdict>(*envelope));
+        continue;
+      }
       mailbox_.discard(*envelope);
       stopping_ = stopping_ || envelope->tag == Tag::stop;
       leaving_ = leaving_ || envelope->tag == Tag::leave;

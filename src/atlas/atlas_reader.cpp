@@ -46,6 +46,10 @@ std::vector<std::uint8_t> AtlasReader::status() const {
   return file_.dataset("/status").read<std::uint8_t>();
 }
 
+std::vector<std::uint8_t> AtlasReader::seam() const {
+  return file_.dataset("/seam").read<std::uint8_t>();
+}
+
 std::vector<double> AtlasReader::rows(const std::string& name) const {
   return file_.dataset(name).read<double>();
 }

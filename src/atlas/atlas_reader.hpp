@@ -36,6 +36,9 @@ class AtlasReader {
 
   /// One of 0 pending, 1 done, 2 left the model's validity, 3 integrator failed, per point.
   [[nodiscard]] std::vector<std::uint8_t> status() const;
+  /// What became of each point where two pieces of its line meet (`plan::Seam`); only where the scene has
+  /// `pieces`.
+  [[nodiscard]] std::vector<std::uint8_t> seam() const;
   /// True when the atlas keeps a dataset of that name.
   [[nodiscard]] bool has(const std::string& name) const { return file_.has(name); }
   /// A whole dataset, flat, in C order.

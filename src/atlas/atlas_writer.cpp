@@ -62,8 +62,8 @@ void AtlasWriter::write(std::size_t dataset, const PointBlock& block, std::span<
   }
 }
 
-void AtlasWriter::add_point(std::size_t point, bool restarted, const point::PointOutcome& outcome) {
-  rows_.add(point, restarted, outcome);
+void AtlasWriter::add_point(std::size_t point, const Origin& origin, const point::PointOutcome& outcome) {
+  rows_.add(point, origin, outcome);
   unsettled_.push_back({point, static_cast<std::uint8_t>(outcome.status)});
 }
 

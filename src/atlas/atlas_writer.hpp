@@ -40,8 +40,8 @@ class AtlasWriter {
   AtlasWriter& operator=(const AtlasWriter&) = delete;
 
   /// Takes the row of a point and its status, and keeps both in memory. A point that did not end as done gets
-  /// NaN throughout. `restarted`: it started from the scene's `initial`.
-  void add_point(std::size_t point, bool restarted, const point::PointOutcome& outcome);
+  /// NaN throughout.
+  void add_point(std::size_t point, const Origin& origin, const point::PointOutcome& outcome);
   /// True when the rows in memory should be written before another is added.
   [[nodiscard]] bool is_full() const { return rows_.bytes() >= kMostGathered; }
   /// Writes the rows in memory, without their statuses: one block of each dataset where the points are

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <variant>
 
-#include "atlas/row_checksum.hpp"
-
 namespace rubatlas::atlas {
 
 RowBatch::RowBatch(const Schema& schema) : schema_(schema), offsets_{0} {
@@ -13,14 +11,14 @@ RowBatch::RowBatch(const Schema& schema) : schema_(schema), offsets_{0} {
   }
 }
 
-void RowBatch::add(std::size_t point, bool restarted, const point::PointOutcome& outcome) {
+void RowBatch::add(std::size_t point, const Origin& origin, const point::PointOutcome& outcome) {
   entries_.push_back({point, entries_.size()});
   const std::size_t begin = rows_.size();
   const auto append = [this](std::span<const std::byte> bytes) {
     rows_.insert(rows_.end(), bytes.begin(), bytes.end());
   };
   rows_.reserve(begin + offsets_.back());
-  const Row row(schema_, restarted, outcome);
+  const Row row(schema_, origin, outcome);
   for (const auto& part : row.parts()) append(bytes_of(part));
   const std::uint32_t sum = RowChecksum().add(std::span(rows_).subspan(begin)).value();
   append(std::as_bytes(std::span(&sum, 1)));

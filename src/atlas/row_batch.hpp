@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "atlas/row_checksum.hpp"
 #include "atlas/schema.hpp"
 #include "point/line_solver.hpp"
 
@@ -37,8 +38,7 @@ class RowBatch {
   /// The schema has to outlive the batch.
   explicit RowBatch(const Schema& schema);
 
-  /// `restarted`: the point started from the scene's `initial`.
-  void add(std::size_t point, bool restarted, const point::PointOutcome& outcome);
+  void add(std::size_t point, const Origin& origin, const point::PointOutcome& outcome);
 
   [[nodiscard]] std::size_t bytes() const { return rows_.size(); }
   void clear();

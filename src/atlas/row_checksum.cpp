@@ -29,7 +29,7 @@ std::span<const std::byte> bytes_of(const RowPart& part) {
   return std::visit([](const auto& values) { return std::as_bytes(numbers(values)); }, part);
 }
 
-Row::Row(const Schema& schema, bool restarted, const point::PointOutcome& outcome) {
+Row::Row(const Schema& schema, const Origin& origin, const point::PointOutcome& outcome) {
   const bool done = outcome.status == point::PointStatus::done;
   if (!done) {
     std::size_t longest = std::max(outcome.final_state.size(), motion::Memory::kMost);
@@ -41,7 +41,8 @@ Row::Row(const Schema& schema, bool restarted, const point::PointOutcome& outcom
   };
   parts_.emplace_back(static_cast<std::uint8_t>(outcome.status));
   parts_.emplace_back(static_cast<std::uint8_t>(outcome.detail));
-  parts_.emplace_back(static_cast<std::uint8_t>(restarted ? 1 : 0));
+  parts_.emplace_back(static_cast<std::uint8_t>(origin.restarted ? 1 : 0));
+  if (schema.seam) parts_.emplace_back(static_cast<std::uint8_t>(origin.seam));
   parts_.emplace_back(static_cast<std::int32_t>(done ? -1 : outcome.failed_revolution));
   add(outcome.final_state);
   std::span<const double> remembered = outcome.final_memory.view();

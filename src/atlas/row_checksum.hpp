@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "atlas/schema.hpp"
+#include "plan/pieces.hpp"
 #include "point/line_solver.hpp"
 
 namespace rubatlas::atlas {
@@ -19,12 +20,17 @@ using RowPart = std::variant<std::span<const double>, std::uint8_t, std::int32_t
 /// The bytes of a part as the file stores them.
 std::span<const std::byte> bytes_of(const RowPart& part);
 
+/// How a point came about, beside its outcome.
+struct Origin {
+  bool restarted = false;              ///< it started from the scene's `initial`
+  plan::Seam seam = plan::Seam::none;  ///< kept where the scene has `pieces`
+};
+
 /// A point's row, one part per dataset of `Schema::summed_datasets`, in their order: the status first.
 class Row {
  public:
-  /// `outcome` has to outlive the row. `restarted`: the point started from the scene's `initial`. A point
-  /// that did not end as done has NaN throughout.
-  Row(const Schema& schema, bool restarted, const point::PointOutcome& outcome);
+  /// `outcome` has to outlive the row. A point that did not end as done has NaN throughout.
+  Row(const Schema& schema, const Origin& origin, const point::PointOutcome& outcome);
 
   [[nodiscard]] const std::vector<RowPart>& parts() const { return parts_; }
   /// CRC-32 of one part alone.

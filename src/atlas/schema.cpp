@@ -49,7 +49,10 @@ std::vector<const RowDataset*> Schema::row_datasets() const& {
 }
 
 std::vector<const RowDataset*> Schema::summed_datasets() const& {
-  std::vector<const RowDataset*> all{&status, &status_detail, &restarted, &failed_revolution, &final_state};
+  std::vector<const RowDataset*> all{&status, &status_detail, &restarted};
+  if (seam) all.push_back(&*seam);
+  all.push_back(&failed_revolution);
+  all.push_back(&final_state);
   for (const auto& remembered : memories) all.push_back(&remembered);
   for (const auto& kept : observables) all.push_back(&kept);
   return all;
@@ -92,6 +95,10 @@ Schema schema_of(const settings::Scene& scene) {
   schema.status = rows_of("status", NumberType::uint8, {}, "", "how the point ended");
   schema.status_detail = rows_of("status_detail", NumberType::uint8, {}, "", "what ended the point's motion");
   schema.restarted = rows_of("restarted", NumberType::uint8, {}, "", "what the point started from");
+  if (scene.pieces) {
+    schema.seam = rows_of("seam", NumberType::uint8, {}, "",
+                          "what became of the point where two pieces of its line meet");
+  }
   schema.failed_revolution =
       rows_of("failed_revolution", NumberType::int32, {}, "",
               "revolution, counted from 0, in which status became 2 or 3; -1 elsewhere");

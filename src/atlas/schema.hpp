@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct Schema {
   RowDataset status;
   RowDataset status_detail;
   RowDataset restarted;
+  std::optional<RowDataset> seam;  ///< only where the scene has `pieces`
   RowDataset failed_revolution;
   RowDataset final_state;
   std::vector<RowDataset> memories;  ///< `/final_state_<effect>`, in the order of `observables::memories`

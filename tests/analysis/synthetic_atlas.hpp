@@ -59,7 +59,7 @@ inline void write_atlas(const std::filesystem::path& path, const std::string& te
         outcome.rows.emplace_back(description.row_size, prescribed.displacement);
       }
     }
-    writer.add_point(point, false, outcome);
+    writer.add_point(point, {.restarted = false}, outcome);
   }
   writer.close();
 }

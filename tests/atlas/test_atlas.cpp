@@ -97,7 +97,7 @@ TEST_F(Atlas, EveryAxisOfEveryRowRunsAlongItsScale) {
 
 TEST_F(Atlas, ARowIsThereForReadersAsSoonAsItsStatusIsWritten) {
   AtlasWriter writer(path(), scene_);
-  writer.add_point(7, true, numbered_outcome(scene_, 7));
+  writer.add_point(7, {.restarted = true}, numbered_outcome(scene_, 7));
   EXPECT_EQ(AtlasReader(path()).status(), std::vector<std::uint8_t>(10, 0))
       << "it waits for its row to be on the disk";
   writer.settle();
@@ -120,7 +120,7 @@ TEST_F(Atlas, ARowIsThereForReadersAsSoonAsItsStatusIsWritten) {
 TEST_F(Atlas, ALineIsReadAsOnePiece) {
   AtlasWriter writer(path(), scene_);
   for (std::size_t point = 0; point < 10; ++point)
-    writer.add_point(point, false, numbered_outcome(scene_, point));
+    writer.add_point(point, {.restarted = false}, numbered_outcome(scene_, point));
   writer.close();
   const AtlasReader atlas(path());
   EXPECT_EQ(atlas.line_rows("max_displacement", 1), (std::vector<double>{6000, 7000, 8000, 9000, 10000}));
@@ -135,7 +135,7 @@ TEST_F(Atlas, APointThatFailedHasNoNumbersWhateverItReached) {
   outcome.status = point::PointStatus::left_validity;
   outcome.detail = point::StatusDetail::shaft_at_ring;
   outcome.failed_revolution = 4;
-  writer.add_point(3, false, outcome);
+  writer.add_point(3, {.restarted = false}, outcome);
   writer.close();
   const AtlasReader atlas(path());
   EXPECT_EQ(atlas.status()[3], 2);
@@ -152,8 +152,8 @@ TEST_F(Atlas, TheOrderInWhichRowsAreWrittenDoesNotShow) {
   AtlasWriter forward(path(), scene_);
   AtlasWriter backward(file("other.h5"), scene_);
   for (std::size_t point = 0; point < 10; ++point) {
-    forward.add_point(point, false, numbered_outcome(scene_, point));
-    backward.add_point(9 - point, false, numbered_outcome(scene_, 9 - point));
+    forward.add_point(point, {.restarted = false}, numbered_outcome(scene_, point));
+    backward.add_point(9 - point, {.restarted = false}, numbered_outcome(scene_, 9 - point));
   }
   forward.close();
   backward.close();
@@ -163,7 +163,7 @@ TEST_F(Atlas, TheOrderInWhichRowsAreWrittenDoesNotShow) {
 TEST_F(Atlas, RowsInMemoryReachTheFileTogetherAndTheirStatusesLater) {
   AtlasWriter writer(path(), scene_);
   for (const std::size_t point : {4U, 3U, 7U, 8U, 2U}) {
-    writer.add_point(point, false, numbered_outcome(scene_, point));
+    writer.add_point(point, {}, numbered_outcome(scene_, point));
   }
   EXPECT_EQ(AtlasReader(path()).rows("max_displacement"), std::vector<double>(10, 0.0));
   writer.write_rows();
@@ -179,7 +179,7 @@ TEST_F(Atlas, RowsAreGatheredUpToAMegabyteOnly) {
   AtlasWriter writer(path(), scene_);
   const std::size_t row = schema_of(scene_).bytes_per_point();
   std::size_t gathered = 0;
-  for (; !writer.is_full(); gathered += row) writer.add_point(0, false, numbered_outcome(scene_, 0));
+  for (; !writer.is_full(); gathered += row) writer.add_point(0, {}, numbered_outcome(scene_, 0));
   EXPECT_GE(gathered, AtlasWriter::kMostGathered);
   EXPECT_LT(gathered, AtlasWriter::kMostGathered + row);
   writer.write_rows();
@@ -269,7 +269,7 @@ class FullAtlas : public Atlas {
     for (std::size_t point = 0; point < 10; ++point) {
       auto outcome = numbered_outcome(scene_, point);
       if (point == 4) outcome.status = point::PointStatus::left_validity;
-      writer.add_point(point, point == 0, outcome);
+      writer.add_point(point, {.restarted = point == 0}, outcome);
     }
     writer.close();
   }
@@ -318,7 +318,7 @@ TEST_F(FullAtlas, TheChecksumIsTheOneOfZlibOverTheRowsBytes) {
 
 TEST_F(Atlas, IsSoundWhileItIsWrittenAndWhenARunWasKilled) {
   AtlasWriter writer(path(), scene_);
-  writer.add_point(3, true, numbered_outcome(scene_, 3));
+  writer.add_point(3, {.restarted = true}, numbered_outcome(scene_, 3));
   writer.settle();
   std::filesystem::copy(path(), file("killed.h5"));
   for (const auto& atlas : {path(), file("killed.h5")}) {

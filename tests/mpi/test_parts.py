@@ -63,6 +63,20 @@ class Parts(PartTest):
         content = five_lines()
         self.assert_merged(self.fill(None, content, "whole.h5"), self.parts(content, 2), ranks=2)
 
+    def test_parts_whose_lines_are_swept_in_pieces_have_the_bytes_of_a_single_run(self):
+        # Seams on each line, behind points that have left the model's validity too.
+        content = five_lines(pieces={"points": 2, "lead_in": 1})
+        whole = self.fill(3, content, "whole.h5")
+        names = [self.part(content, number, 2, ranks) for number, ranks in ((1, 2), (2, None))]
+        for name, lines in zip(names, (slice(0, 2), slice(2, 5))):
+            self.assertEqual(departures(self.directory / name), [])
+            with h5py.File(self.directory / name) as file:
+                compared = (file["seam"][...].reshape(5, 6) != 0).any(axis=1)
+            self.assertEqual([line for line in range(5) if compared[line]], list(range(5))[lines], name)
+        self.assert_merged(whole, names)
+        job = self.execute(None, "verify", "merged.h5", "--recompute", 30)
+        self.assertEqual((job.returncode, job.stderr), (0, ""))
+
     def test_what_effects_remember_is_merged(self):
         content = wearing(scene)
         self.assert_merged(self.fill(None, content, "whole.h5"), self.parts(content, 3))

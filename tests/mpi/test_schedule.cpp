@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "mpi/job/schedule.hpp"
 #include "plan/grid.hpp"
+#include "plan/pieces.hpp"
+#include "played_job.hpp"
 #include "settings/scene.hpp"
 
 namespace rubatlas::mpi {
@@ -29,88 +32,21 @@ settings::Scene lines_of_points(std::size_t lines, std::size_t points, settings:
   return scene;
 }
 
-/// The end of a point, made so that it tells which point it is.
-motion::SectionState end_of(std::size_t line, std::uint64_t visit) {
-  return {static_cast<double>(line), static_cast<double>(visit), 0.0, 0.0};
-}
-
-motion::SectionState never(std::size_t point) {
+motion::PointStart never(std::size_t point) {
   ADD_FAILURE() << "point " << point << " was looked up";
   return {};
 }
 
-PointReport report(std::size_t line, std::uint64_t visit, double seconds = 1.0) {
-  PointReport result;
-  result.line = line;
-  result.visit = visit;
-  result.status = point::PointStatus::done;
-  result.final_state = end_of(line, visit);
-  result.seconds = seconds;
-  return result;
-}
-
-/// A job played with given costs: at each moment every rank that is free asks, and computes what it gets.
-/// Checks on the way that each point is computed once and that a sweep's states go from point to point.
-class PlayedJob {
- public:
-  PlayedJob(const settings::Scene& scene, int ranks)
-      : grid_(scene), ranks_(static_cast<std::size_t>(ranks)) {}
-
-  /// Time when the last point is done; `cost` gives a point's seconds.
-  double play(const std::function<double(std::size_t line, std::uint64_t visit)>& cost) {
-    const std::vector<std::uint8_t> status(grid_.point_count(), 0);
-    Schedule schedule(grid_, status, never, static_cast<int>(ranks_));
-    std::vector<std::optional<Piece>> piece(ranks_);
-    std::vector<double> busy_until(ranks_, 0.0);
-    std::map<std::size_t, std::uint64_t> next_visit;
-    std::set<std::pair<std::size_t, std::uint64_t>> computed;
-    double now = 0.0;
-    while (computed.size() < grid_.point_count()) {
-      for (std::size_t rank = 0; rank < ranks_; ++rank) {
-        if (piece[rank]) continue;
-        piece[rank] = schedule.next(static_cast<int>(rank));
-        if (!piece[rank]) continue;
-        check_start(*piece[rank], next_visit);
-        busy_until[rank] = now + cost(piece[rank]->line, piece[rank]->first_visit);
-      }
-      // The next point that is through.
-      std::size_t rank = ranks_;
-      for (std::size_t i = 0; i < ranks_; ++i) {
-        if (piece[i] && (rank == ranks_ || busy_until[i] < busy_until[rank])) rank = i;
-      }
-      if (rank == ranks_) throw std::logic_error("points are left and nobody gets any");
-      now = busy_until[rank];
-      Piece& current = *piece[rank];
-      EXPECT_TRUE(computed.emplace(current.line, current.first_visit).second) << "computed twice";
-      schedule.record(report(current.line, current.first_visit, cost(current.line, current.first_visit)));
-      ++current.first_visit;
-      next_visit[current.line] = current.first_visit;
-      if (--current.count == 0) {
-        piece[rank].reset();
-      } else {
-        busy_until[rank] = now + cost(current.line, current.first_visit);
-      }
-    }
-    EXPECT_EQ(schedule.unassigned(), 0U);
-    return now;
-  }
-
- private:
-  void check_start(const Piece& piece, std::map<std::size_t, std::uint64_t>& next_visit) const {
-    if (!grid_.points_depend_on_each_other()) {
-      EXPECT_TRUE(piece.from_initial);
-      return;
-    }
-    EXPECT_EQ(piece.first_visit, next_visit[piece.line])
-        << "a line is handed out in order, to one rank at a time";
-    EXPECT_EQ(piece.from_initial, piece.first_visit == 0 ? 1 : 0);
-    if (piece.first_visit > 0) {
-      EXPECT_EQ(piece.start, end_of(piece.line, piece.first_visit - 1));
-    }
-  }
-
-  plan::Grid grid_;
-  std::size_t ranks_;
+/// A schedule of points that no earlier run has computed.
+struct NewJob {
+  plan::Grid grid;
+  Schedule schedule;
+  NewJob(const settings::Scene& scene, int ranks)
+      : grid(scene),
+        schedule(grid, plan::Pieces(scene),
+                 {std::vector<std::uint8_t>(grid.point_count(), 0),
+                  std::vector<std::uint8_t>(grid.point_count(), 0), never},
+                 ranks) {}
 };
 
 double equal_cost(std::size_t, std::uint64_t) {
@@ -166,18 +102,16 @@ TEST(Schedule, BothDirectionsAreLinesOfTheirOwn) {
 }
 
 TEST(Schedule, ALineRunsOnOneRankAtATime) {
-  const plan::Grid grid(lines_of_points(1, 50, settings::Sweep::up));
-  const std::vector<std::uint8_t> status(50, 0);
-  Schedule schedule(grid, status, never, 2);
+  NewJob job(lines_of_points(1, 50, settings::Sweep::up), 2);
+  Schedule& schedule = job.schedule;
   EXPECT_TRUE(schedule.next(0).has_value());
   EXPECT_FALSE(schedule.next(1).has_value()) << "its next point needs the state that rank 0 is computing";
-  EXPECT_GT(schedule.unassigned(), 0U) << "but there will be work";
+  EXPECT_TRUE(schedule.has_more()) << "but there will be work";
 }
 
 TEST(Schedule, APieceBehindAFailedPointStartsFromInitial) {
-  const plan::Grid grid(lines_of_points(1, 50, settings::Sweep::up));
-  const std::vector<std::uint8_t> status(50, 0);
-  Schedule schedule(grid, status, never, 1);
+  NewJob job(lines_of_points(1, 50, settings::Sweep::up), 1);
+  Schedule& schedule = job.schedule;
   const auto first = schedule.next(0);
   ASSERT_TRUE(first);
   for (std::uint64_t visit = 0; visit < first->count; ++visit) {
@@ -192,20 +126,23 @@ TEST(Schedule, APieceBehindAFailedPointStartsFromInitial) {
 }
 
 TEST(Schedule, AResumedLineGoesOnFromTheStoredStateOfADonePoint) {
-  const plan::Grid grid(lines_of_points(1, 6, settings::Sweep::down));
+  const settings::Scene scene = lines_of_points(1, 6, settings::Sweep::down);
+  const plan::Grid grid(scene);
   // Points in order of speed; the sweep comes from above: done, failed, pending, pending, done, pending.
   const std::vector<std::uint8_t> status{0, 1, 0, 0, 2, 1};
-  Schedule schedule(
-      grid, status, [](std::size_t point) { return end_of(100, point); }, 1);
-  EXPECT_EQ(schedule.unassigned(), 3U);
+  Schedule schedule(grid, plan::Pieces(scene),
+                    {status, {}, [](std::size_t point) { return end_of(100, point); }}, 1);
 
   std::vector<Piece> pieces;
-  while (schedule.unassigned() > 0) {
+  while (schedule.has_more()) {
     pieces.push_back(*schedule.next(0));
     for (std::uint64_t i = 0; i < pieces.back().count; ++i) {
       schedule.record(report(0, pieces.back().first_visit + i));
     }
   }
+  EXPECT_EQ(std::accumulate(pieces.begin(), pieces.end(), std::size_t{0},
+                            [](std::size_t sum, const Piece& piece) { return sum + piece.count; }),
+            3U);
   // Visit 2 (point 3) is behind a failed one.
   EXPECT_EQ(pieces.front().first_visit, 2U);
   EXPECT_EQ(pieces.front().from_initial, 1);
@@ -216,29 +153,198 @@ TEST(Schedule, AResumedLineGoesOnFromTheStoredStateOfADonePoint) {
 }
 
 TEST(Schedule, NothingIsHandedOutWhereNothingIsPending) {
-  const plan::Grid grid(lines_of_points(2, 3, settings::Sweep::up));
-  const std::vector<std::uint8_t> status{1, 1, 2, 3, 1, 1};
-  Schedule schedule(grid, status, never, 2);
-  EXPECT_EQ(schedule.unassigned(), 0U);
+  const settings::Scene scene = lines_of_points(2, 3, settings::Sweep::up);
+  const plan::Grid grid(scene);
+  Schedule schedule(grid, plan::Pieces(scene), {std::vector<std::uint8_t>{1, 1, 2, 3, 1, 1}, {}, never}, 2);
+  EXPECT_FALSE(schedule.has_more());
   EXPECT_FALSE(schedule.next(0).has_value());
 }
 
 TEST(Schedule, WithManyLinesARankStaysWithItsOwn) {
-  const plan::Grid grid(lines_of_points(50, 100, settings::Sweep::up));
-  const std::vector<std::uint8_t> status(5000, 0);
-  Schedule schedule(grid, status, never, 2);
+  NewJob job(lines_of_points(50, 100, settings::Sweep::up), 2);
+  Schedule& schedule = job.schedule;
   const auto first = schedule.next(0);
-  for (std::uint64_t visit = 0; visit < first->count; ++visit) schedule.record(report(first->line, visit));
+  for (std::uint64_t visit = 0; visit < first->count; ++visit) {
+    PointReport one = report(first->line, visit);
+    one.run = first->run;
+    schedule.record(one);
+  }
   EXPECT_EQ(schedule.next(0)->line, first->line);
 }
 
 TEST(Schedule, TheTimeLeftIsExpectedFromWhatOtherLinesTook) {
-  const plan::Grid grid(lines_of_points(2, 4, settings::Sweep::up));
-  const std::vector<std::uint8_t> status(8, 0);
-  Schedule schedule(grid, status, never, 1);
-  // The first line took 1, 1, 1, 9 seconds; the second is expected to take the same.
-  for (std::uint64_t visit = 0; visit < 4; ++visit) schedule.record(report(0, visit, visit == 3 ? 9.0 : 1.0));
+  NewJob job(lines_of_points(2, 4, settings::Sweep::up), 2);
+  Schedule& schedule = job.schedule;
+  ASSERT_EQ(schedule.next(1)->line, 0U);  // this rank reports nothing
+  // The second line took 1, 1, 1, 9 seconds; the first is expected to take the same.
+  std::size_t computed = 0;
+  while (computed < 4) {
+    const Piece piece = *schedule.next(0);
+    ASSERT_EQ(piece.line, 1U);
+    for (std::uint64_t i = 0; i < piece.count; ++i) {
+      PointReport one = report(1, piece.first_visit + i, ++computed == 4 ? 9.0 : 1.0);
+      one.run = piece.run;
+      schedule.record(one);
+    }
+  }
   EXPECT_DOUBLE_EQ(schedule.remaining_over_recorded(), 1.0);
+}
+
+// --- lines swept in pieces ---
+
+settings::Scene lines_in_pieces(std::size_t lines, std::size_t points, settings::Sweep sweep) {
+  settings::Scene scene = lines_of_points(lines, points, sweep);
+  scene.pieces = settings::Pieces{.points = 20, .lead_in = 4};
+  return scene;
+}
+
+/// Two branches: what starts from `initial` is on branch 1 below visit 50 and on branch 2 above. A sweep on
+/// branch 1 stays on it up to visit 113, where the branch ends.
+double hysteresis(std::size_t line, std::uint64_t visit, double before) {
+  const std::uint64_t end_of_branch = 113 + line;
+  if (before == 0.0) return visit < 50 ? 1.0 : 2.0;
+  return visit < end_of_branch ? before : 2.0;
+}
+
+std::vector<double> branches(const StoredAtlas& atlas) {
+  std::vector<double> found;
+  for (const auto& [point, end] : atlas.ends) found.push_back(end[2]);
+  return found;
+}
+
+TEST(SweepInPieces, FollowsTheBranchOfTheSerialSweep) {
+  for (const auto sweep : {settings::Sweep::up, settings::Sweep::down, settings::Sweep::both}) {
+    PlayedJob serial(lines_of_points(3, 200, sweep), 1, hysteresis);
+    serial.play(equal_cost);
+    PlayedJob pieces(lines_in_pieces(3, 200, sweep), 4, hysteresis);
+    pieces.play(equal_cost);
+    EXPECT_EQ(branches(serial.atlas()), branches(pieces.atlas()));
+  }
+}
+
+TEST(SweepInPieces, RepairsTheStretchFromASeamToTheEndOfTheBranch) {
+  const settings::Scene scene = lines_in_pieces(1, 200, settings::Sweep::up);
+  PlayedJob job(scene, 1, hysteresis);
+  job.play(equal_cost);
+  std::vector<std::uint8_t> expected(200, 0);
+  // The runs of the first three pieces begin below visit 50. Repair goes on through two pieces.
+  for (const std::size_t seam : {20U, 40U, 113U, 120U, 140U, 160U, 180U}) expected[seam] = 1;
+  for (std::size_t visit = 60; visit < 113; ++visit) expected[visit] = 2;
+  EXPECT_EQ(job.atlas().seam, expected);
+  // Besides the points of the line: nine lead-ins, one point at each seam that agrees, and what is replaced.
+  EXPECT_EQ(job.computed(), 200U + 9 * 4 + 7 + (113 - 60));
+}
+
+TEST(SweepInPieces, MakesTheSameAtlasWithAnyNumberOfRanksAndAfterAnyKill) {
+  const settings::Scene scene = lines_in_pieces(2, 200, settings::Sweep::down);
+  PlayedJob whole(scene, 1, hysteresis);
+  whole.play(equal_cost);
+  const auto uneven = [](std::size_t line, std::uint64_t visit) {
+    return 1.0 + static_cast<double>((7 * visit + 3 * line) % 11);
+  };
+  for (const int ranks : {1, 2, 5}) {
+    for (std::size_t kill = 10; kill < 600; kill += 23) {
+      PlayedJob job(scene, ranks, hysteresis);
+      job.play(uneven, kill);
+      job.play(uneven);
+      ASSERT_EQ(job.atlas().seam, whole.atlas().seam) << ranks << " ranks, killed after " << kill;
+      ASSERT_EQ(job.atlas().ends, whole.atlas().ends) << ranks << " ranks, killed after " << kill;
+    }
+  }
+}
+
+TEST(SweepInPieces, LosesNothingWhereSingleRowsAreMissing) {
+  const settings::Scene scene = lines_in_pieces(1, 200, settings::Sweep::up);
+  PlayedJob whole(scene, 1, hysteresis);
+  whole.play(equal_cost);
+  for (std::size_t hole = 0; hole < 200; ++hole) {
+    PlayedJob job(scene, 2, hysteresis);
+    job.play(equal_cost);
+    job.lose({hole, (hole + 71) % 200, (hole + 72) % 200});
+    job.play(equal_cost);
+    ASSERT_EQ(job.atlas().seam, whole.atlas().seam) << "without " << hole;
+    ASSERT_EQ(job.atlas().ends, whole.atlas().ends) << "without " << hole;
+  }
+}
+
+TEST(SweepInPieces, KeepsManyRanksBusyOnOneLine) {
+  settings::Scene scene = lines_of_points(1, 1000, settings::Sweep::up);
+  scene.pieces = settings::Pieces{};
+  PlayedJob alone(scene, 1);
+  const double work = alone.play(equal_cost);
+  EXPECT_EQ(work, 1000.0 + 15 * 8 + 15);
+  for (const int ranks : {2, 4}) {
+    PlayedJob job(scene, ranks);
+    EXPECT_LE(job.play(equal_cost), 1.03 * work / ranks) << ranks << " ranks";
+  }
+}
+
+TEST(SweepInPieces, KeepsSixtyFourRanksBusyOnSevenLines) {
+  settings::Scene scene = lines_of_points(7, 1000, settings::Sweep::up);
+  scene.pieces = settings::Pieces{};
+  // Low damping costs more, and so does the chaotic region, as in real jobs.
+  const auto cost = [](std::size_t line, std::uint64_t visit) {
+    return (visit > 400 ? 3.0 : 1.0) * (1.0 + 1.0 / static_cast<double>(line + 1));
+  };
+  PlayedJob alone(scene, 1);
+  const double work = alone.play(cost);
+  double longest_run = 0.0;
+  for (std::uint64_t visit = 500; visit < 572; ++visit) longest_run += cost(0, visit);
+  PlayedJob job(scene, 64);
+  // No schedule can be shorter than this.
+  EXPECT_LE(job.play(cost), 1.05 * std::max(work / 64.0, longest_run));
+}
+
+TEST(SweepInPieces, TheTimeLeftIsKnownAfterATenthOfTheWork) {
+  settings::Scene scene = lines_of_points(7, 1000, settings::Sweep::up);
+  scene.pieces = settings::Pieces{};
+  const auto cost = [](std::size_t line, std::uint64_t visit) {
+    return (visit > 400 ? 5.0 : 1.0) * (1.0 + 2.0 / static_cast<double>(line + 1));
+  };
+  PlayedJob alone(scene, 1);
+  const double work = alone.play(cost);
+  NewJob job(scene, 1);
+  double done = 0.0;
+  while (done < 0.1 * work) {
+    const Piece piece = *job.schedule.next(0);
+    for (std::uint64_t i = 0; i < piece.count; ++i) {
+      const double seconds = cost(piece.line, piece.first_visit + i);
+      PointReport one = report(piece.line, piece.first_visit + i, seconds);
+      one.run = piece.run;
+      one.keep = piece.keep;
+      one.same_motion = 1;
+      job.schedule.record(one);
+      done += seconds;
+    }
+  }
+  const double left = job.schedule.remaining_over_recorded() * done;
+  EXPECT_NEAR(left, work - done, 0.2 * (work - done));
+}
+
+TEST(Schedule, TheChoiceAmongAHundredThousandLinesLooksAtAFew) {
+  for (const bool in_pieces : {false, true}) {
+    settings::Scene scene = lines_of_points(100'000, 8, settings::Sweep::up);
+    if (in_pieces) scene.pieces = settings::Pieces{.points = 4, .lead_in = 1};
+    constexpr int kRanks = 4;
+    NewJob job(scene, kRanks);
+    std::size_t choices = 0;
+    std::size_t most = 0;
+    while (job.schedule.has_more()) {
+      const std::size_t before = job.schedule.runs_looked_at();
+      const Piece piece = *job.schedule.next(static_cast<int>(choices % kRanks));
+      most = std::max(most, job.schedule.runs_looked_at() - before);
+      ++choices;
+      for (std::uint64_t i = 0; i < piece.count; ++i) {
+        PointReport one = report(piece.line, piece.first_visit + i);
+        one.run = piece.run;
+        one.keep = piece.keep;
+        one.same_motion = 1;
+        job.schedule.record(one);
+      }
+    }
+    EXPECT_LE(job.schedule.runs_looked_at(), 5 * choices);
+    EXPECT_LE(most, 5U * kRanks) << "among the last runs, four for each rank";
+  }
 }
 
 }  // namespace

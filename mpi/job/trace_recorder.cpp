@@ -1,0 +1,50 @@
+#include "mpi/job/trace_recorder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "analysis/rules/scene_tolerances.hpp"
+#include "observables/list.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+constexpr std::string_view kSections = "poincare";
+constexpr std::string_view kDisplacement = "max_displacement";
+
+}  // namespace
+
+TraceRecorder::TraceRecorder(const settings::Scene& scene)
+    : observed_(scene), closing_(analysis::closing_tolerance(scene)) {
+  const auto keeps = [&](std::string_view name) { return std::ranges::count(scene.observables, name) > 0; };
+  for (const std::string_view name : {kSections, kDisplacement}) {
+    if (!keeps(name)) observed_.observables.emplace_back(name);
+  }
+  const auto rows = observables::descriptions(observed_);
+  for (std::size_t place = rows.size(); place-- > 0;) {
+    const std::string& name = rows[place].name;
+    if (name == kSections) sections_ = place;
+    if (name == kDisplacement) displacement_ = place;
+    if ((name == kSections || name == kDisplacement) && !keeps(name)) added_.push_back(place);
+  }
+}
+
+analysis::MotionTrace TraceRecorder::trace(const point::PointOutcome& outcome) const {
+  if (outcome.status != point::PointStatus::done) return {};
+  return analysis::trace_of(outcome.rows[sections_], outcome.rows[displacement_].front(), closing_);
+}
+
+bool TraceRecorder::is_same_motion(const point::PointOutcome& outcome,
+                                   const analysis::MotionTrace& found) const {
+  return analysis::is_same_motion(trace(outcome), outcome.rows[sections_], found, closing_);
+}
+
+void TraceRecorder::strip(point::PointOutcome& outcome) const {
+  for (const std::size_t place : added_) {
+    outcome.rows.erase(outcome.rows.begin() + static_cast<std::ptrdiff_t>(place));
+  }
+}
+
+}  // namespace rubatlas::mpi
