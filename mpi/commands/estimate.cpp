@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "mpi/clock.hpp"
 #include "mpi/commands/reach.hpp"
 #include "plan/grid.hpp"
+#include "plan/pieces.hpp"
 
 namespace rubatlas::mpi {
 namespace {
@@ -81,8 +83,9 @@ CostEstimate estimate_cost(const settings::Scene& scene, double budget, const Cl
   };
 
   batch::Width width = batch::width_of(scene);
-  const std::size_t most_side_by_side =
-      grid.points_depend_on_each_other() ? grid.line_count() : grid.point_count();
+  const std::size_t most_side_by_side = grid.points_depend_on_each_other()
+                                            ? grid.line_count() * plan::Pieces(scene).per_line()
+                                            : grid.point_count();
   width.seats = static_cast<int>(std::min(static_cast<std::size_t>(width.seats), most_side_by_side));
   // Declared before the batch, so that it outlives the points in the batch.
   std::vector<std::unique_ptr<point::LineSolver>> solvers(static_cast<std::size_t>(width.seats));
@@ -92,7 +95,6 @@ CostEstimate estimate_cost(const settings::Scene& scene, double budget, const Cl
   result.side_by_side = width.seats;
   result.most_revolutions = total_revolutions(trial);
   std::vector<double> speed_of_seat(solvers.size(), 0.0);
-  std::vector<double> seconds;
   std::size_t begun = 0;
   const auto begin_on = [&](std::size_t seat) {
     const auto parameters = grid.parameters(point_of(begun));
@@ -112,19 +114,20 @@ CostEstimate estimate_cost(const settings::Scene& scene, double budget, const Cl
     sum_of_shares += finished.seconds;
     result.work += outcome.work;
     result.revolutions += static_cast<double>(outcome.work.revolutions);
-    result.points.push_back(
-        {speed_of_seat[static_cast<std::size_t>(finished.seat)], has_touched(scene, outcome.work)});
+    TriedPoint& point = result.points.emplace_back();
+    point.speed_ratio = speed_of_seat[static_cast<std::size_t>(finished.seat)];
+    point.touched = has_touched(scene, outcome.work);
     if (outcome.status == point::PointStatus::pending) {
       ++result.given_up;
       continue;
     }
-    seconds.push_back((outcome.status == point::PointStatus::done ? scale : 1.0) * finished.seconds);
+    point.seconds = (outcome.status == point::PointStatus::done ? scale : 1.0) * finished.seconds;
     if (outcome.status == point::PointStatus::left_validity) ++result.left_validity;
     if (outcome.status == point::PointStatus::integrator_failed) ++result.integrator_failed;
     ++result.trials;
     if (begun < most_trials && clock() - begin < budget) begin_on(static_cast<std::size_t>(finished.seat));
   }
-  if (seconds.empty()) {
+  if (result.trials == 0) {
     // No point was finished: the estimate uses the time of the revolutions computed so far.
     if (result.revolutions > 0.0) {
       result.seconds_per_point = processor_time / result.revolutions * total_revolutions(scene);
@@ -137,12 +140,15 @@ CostEstimate estimate_cost(const settings::Scene& scene, double budget, const Cl
   const double own = sum_of_shares > 0.0 ? processor_time / sum_of_shares : 1.0;
   double sum = 0.0;
   double sum_of_squares = 0.0;
-  for (const double share : seconds) {
-    sum += own * share;
-    sum_of_squares += own * share * own * share;
+  result.fastest = std::numeric_limits<double>::infinity();
+  for (TriedPoint& point : result.points) {
+    if (!point.seconds) continue;
+    *point.seconds *= own;
+    sum += *point.seconds;
+    sum_of_squares += *point.seconds * *point.seconds;
+    result.fastest = std::min(result.fastest, *point.seconds);
+    result.slowest = std::max(result.slowest, *point.seconds);
   }
-  result.fastest = own * *std::min_element(seconds.begin(), seconds.end());
-  result.slowest = own * *std::max_element(seconds.begin(), seconds.end());
   const auto count = static_cast<double>(result.trials);
   result.seconds_per_point =
       std::max(sum / count, 1e-9);  // avoids a division by zero where the clock did not advance

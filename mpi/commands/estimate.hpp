@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "point/line_solver.hpp"
@@ -12,8 +13,9 @@ namespace rubatlas::mpi {
 
 /// A point that was computed, completely or in part.
 struct TriedPoint {
-  double speed_ratio = 0.0;  ///< Ω [-]
-  bool touched = false;      ///< a blade was in contact
+  double speed_ratio = 0.0;       ///< Ω [-]
+  bool touched = false;           ///< a blade was in contact
+  std::optional<double> seconds;  ///< of CPU time, for the whole protocol; none where it was given up
 };
 
 struct CostEstimate {

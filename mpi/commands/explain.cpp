@@ -21,6 +21,7 @@
 #include "mpi/job/point_runner.hpp"
 #include "mpi/job/progress.hpp"
 #include "plan/grid.hpp"
+#include "plan/pieces.hpp"
 #include "settings/combinations.hpp"
 #include "settings/printable.hpp"
 #include "settings/quantity.hpp"
@@ -224,6 +225,15 @@ void describe_grid(const settings::Scene& scene, const plan::Grid& grid, Text& t
   text.line("points", fmt::format("{:>6}  on {} line{} along speed_ratio; sweep {}: {}", grid.point_count(),
                                   grid.line_count(), grid.line_count() == 1 ? "" : "s",
                                   std::get<std::string>(*settings::quantity("/sweep").read(scene)), start));
+  const plan::Pieces pieces(scene);
+  if (pieces.per_line() > 1) {
+    const auto more =
+        static_cast<double>(pieces.computed_per_line()) / static_cast<double>(grid.speed_count()) - 1.0;
+    text.line("pieces",
+              fmt::format("{:>6}  a line, of up to {} points, each behind {} from `initial`, and "
+                          "compared where they meet: {:.0f} % more points to compute",
+                          pieces.per_line(), scene.pieces->points, scene.pieces->lead_in, 100.0 * more));
+  }
 }
 
 void describe_file(const settings::Scene& scene, Text& text) {
@@ -252,17 +262,30 @@ void describe_file(const settings::Scene& scene, Text& text) {
 
 /// Milliseconds where they are few.
 std::string duration(double seconds) {
-  return seconds < 10.0 ? fmt::format("{:.3g} ms", 1e3 * seconds) : readable_duration(seconds);
+  return seconds < 1.0 ? fmt::format("{:.3g} ms", 1e3 * seconds) : readable_duration(seconds);
 }
 
-/// What several ranks make of the time. Points of a line come one after the other, on one rank.
-std::string on_more_ranks(const plan::Grid& grid, const CostEstimate& cost) {
+/// What would give more ranks work.
+std::string pieces_hint(const settings::Scene& scene, const plan::Grid& grid) {
+  const bool may_be_cut = grid.points_depend_on_each_other() && !(scene.wear && scene.wear->carries_over);
+  if (scene.pieces || !may_be_cut ||
+      grid.speed_count() < 2 * static_cast<std::size_t>(settings::Pieces{}.points))
+    return "";
+  return R"(; "pieces": {} in the scene lets several sweep a line)";
+}
+
+/// What several ranks make of the time. Points of a run come one after the other, on one rank.
+std::string on_more_ranks(const settings::Scene& scene, const plan::Grid& grid, const CostEstimate& cost) {
+  const plan::Pieces pieces(scene);
   const bool one_by_one = grid.points_depend_on_each_other();
-  const std::size_t most = one_by_one ? grid.line_count() : grid.point_count();
-  if (most == 1) return fmt::format("; more ranks do not help with one {}", one_by_one ? "line" : "point");
-  return fmt::format(
-      ", divided by the number of ranks, of which {} at most have work{}", most,
-      cost.side_by_side > 1 ? fmt::format(", while each has {} lines", cost.side_by_side) : "");
+  const std::size_t most = one_by_one ? grid.line_count() * pieces.per_line() : grid.point_count();
+  if (most == 1) {
+    return fmt::format("; more ranks do not help with one {}, and are idle{}", one_by_one ? "line" : "point",
+                       pieces_hint(scene, grid));
+  }
+  return fmt::format(", divided by the number of ranks, of which {} at most have work{}{}", most,
+                     cost.side_by_side > 1 ? fmt::format(", while each has {} lines", cost.side_by_side) : "",
+                     pieces_hint(scene, grid));
 }
 
 /// What was tried, and what of it came to its end.
@@ -283,20 +306,42 @@ std::string trials_text(const CostEstimate& cost) {
   return text;
 }
 
-void describe_time(const plan::Grid& grid, const CostEstimate& cost, Text& text) {
+/// The time on 2, 4, ... ranks, as far as more ranks make it shorter.
+std::string times_on_ranks(double seconds, double longest_run) {
+  std::string text;
+  for (double ranks = 2.0; ranks <= 1024.0; ranks *= 2.0) {
+    const bool last = seconds / ranks <= longest_run;
+    text += fmt::format("{}{:g}: {}", text.empty() ? "" : ", ", ranks,
+                        duration(std::max(seconds / ranks, longest_run)));
+    if (last) return text + ", and no less";
+  }
+  return text;
+}
+
+void describe_time(const settings::Scene& scene, const plan::Grid& grid, const CostEstimate& cost,
+                   Text& text) {
+  const plan::Pieces pieces(scene);
   if (cost.seconds_per_point <= 0.0) {
     text.heading("Time");
     text.line("on one rank",
               "not one revolution was completed while it was tried; --measure SECONDS tries for longer");
     return;
   }
-  const double seconds = static_cast<double>(grid.point_count()) * cost.seconds_per_point;
+  const bool chained = grid.points_depend_on_each_other();
+  const std::size_t points = chained ? grid.line_count() * pieces.computed_per_line() : grid.point_count();
+  const double seconds = static_cast<double>(points) * cost.seconds_per_point;
   const bool all_tried = cost.trials == grid.point_count();
   const double uncertainty = std::min(100.0, 100.0 * cost.standard_error / cost.seconds_per_point);
   text.heading("Time (an estimate, on this machine)");
   text.line("on one rank",
             fmt::format("{} of CPU time{}{}", seconds < 0.1 ? "under 0.1 s" : readable_duration(seconds),
-                        all_tried ? "" : fmt::format(" ± {:.0f} %", uncertainty), on_more_ranks(grid, cost)));
+                        all_tried ? "" : fmt::format(" ± {:.0f} %", uncertainty),
+                        on_more_ranks(scene, grid, cost)));
+  const std::size_t longest_run = chained ? pieces.longest_run() : 1;
+  if (points > longest_run) {
+    text.line("on more ranks",
+              times_on_ranks(seconds, static_cast<double>(longest_run) * cost.seconds_per_point));
+  }
   text.line("from", trials_text(cost));
   const auto touchdowns = static_cast<double>(cost.work.touchdowns);
   if (touchdowns > 0.0) {
@@ -325,7 +370,7 @@ std::string explain(const settings::Scene& scene, double measured_for, const Clo
   describe_kernel(scene, text);
   describe_grid(scene, grid, text);
   describe_file(scene, text);
-  describe_time(grid, cost, text);
+  describe_time(scene, grid, cost, text);
   const auto remarks = notes_on(scene, cost);
   if (!remarks.empty()) text.heading("Notes");
   for (const auto& remark : remarks) text.note(remark);

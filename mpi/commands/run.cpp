@@ -16,6 +16,7 @@
 
 #include "atlas/atlas_writer.hpp"
 #include "batch/line_batch.hpp"
+#include "mpi/commands/estimate.hpp"
 #include "mpi/commands/notes.hpp"
 #include "mpi/commands/preparation.hpp"
 #include "mpi/commands/reach.hpp"
@@ -63,14 +64,34 @@ std::string command_to_go_on(const RunOptions& options, const Session& session) 
   return text + "--resume";
 }
 
+/// Points spread over the grid, tried before the job where somebody wants to know how long it will take.
+/// Lead-ins of pieces tell this by themselves.
+std::vector<TriedPoint> try_points(const RunOptions& options, const settings::Scene& scene,
+                                   const Preparation& preparation, int ranks) {
+  constexpr double kShareOfTime = 0.01;
+  constexpr double kMostSeconds = 0.5;
+  constexpr double kFirstLook = 0.02;  // [s]
+  if (options.progress == ProgressStyle::off || plan::Pieces(scene).per_line() > 1) return {};
+  const CostEstimate first = estimate_cost(scene, kFirstLook);
+  const auto pending = static_cast<double>(std::ranges::count(preparation.status, 0));
+  const double share = kShareOfTime * first.seconds_per_point * pending / ranks;
+  if (share <= kFirstLook) return first.points;
+  return estimate_cost(scene, std::min(share, kMostSeconds)).points;
+}
+
 /// Rank 0's part of the job between opening and closing the atlas.
 JobResult lead(const Session& session, const Preparation& preparation, const plan::Grid& grid,
-               const plan::Pieces& pieces, const atlas::FinalStates& ends, PointRunner& runner,
-               Master::Reports reports) {
+               const plan::Pieces& pieces, const std::vector<TriedPoint>& tried,
+               const atlas::FinalStates& ends, PointRunner& runner, Master::Reports reports) {
   const Schedule::Stored stored{.status = preparation.status,
                                 .seam = preparation.seam,
                                 .final_state = [&](std::size_t point) { return ends.of(point); }};
   Schedule schedule(grid, pieces, stored, session.size());
+  for (const TriedPoint& point : tried) {
+    const auto& speeds = grid.axes().back().values;
+    const auto place = std::ranges::lower_bound(speeds, point.speed_ratio) - speeds.begin();
+    if (point.seconds) schedule.expect(static_cast<std::size_t>(place), *point.seconds);
+  }
   const Mailbox mailbox(session);
   const auto [first, end] = plan::points_of(preparation.part, grid);
   const auto own = std::span(preparation.status).subspan(first, end - first);
@@ -141,7 +162,8 @@ int fill_atlas(const RunOptions& options, const Session& session, const Preparat
     if (leading) {
       const std::string stopping = fmt::format("stopping; a second signal ends it at once; to go on: {}",
                                                command_to_go_on(options, session));
-      result = lead(session, preparation, grid, plan::Pieces(scene), writer.ends(), runner,
+      result = lead(session, preparation, grid, plan::Pieces(scene),
+                    try_points(options, scene, preparation, session.size()), writer.ends(), runner,
                     {progress, [&](const JobResult& so_far) { record->update(so_far); }, stopping});
     } else {
       work(Mailbox(session), runner);

@@ -335,6 +335,22 @@ TEST(Explain, SaysHowManyRanksHaveWork) {
                     ", divided by the number of ranks, of which 2 at most have work"));
 }
 
+TEST(Explain, SaysWhatPiecesCostAndWhatSeveralRanksMakeOfThem) {
+  const std::string line = R"("grid": {"speed_ratio": {"from": 0.1, "to": 0.2, "count": 128}},
+      "protocol": {"transient_revolutions": 2, "sampled_revolutions": 2})";
+  const std::string whole = explained("{" + line + "}");
+  EXPECT_TRUE(holds(line_of(whole, "on one rank"), R"("pieces": {} in the scene lets several sweep a line)"));
+  EXPECT_FALSE(holds(whole, "on more ranks"));
+
+  const std::string cut = explained("{" + line + R"(, "pieces": {}})");
+  // 128 points, a lead-in of 8 and one seam.
+  EXPECT_TRUE(holds(line_of(cut, "pieces"),
+                    "2  a line, of up to 64 points, each behind 8 from `initial`, and compared where they "
+                    "meet: 7 % more points to compute"));
+  EXPECT_TRUE(holds(line_of(cut, "on one rank"), "of which 2 at most have work"));
+  EXPECT_TRUE(holds(line_of(cut, "on more ranks"), "and no less"));
+}
+
 TEST(Explain, NamesWhatAUserShouldKnowBeforehand) {
   EXPECT_TRUE(holds(explained(R"({"grid": {"speed_ratio": 1.2}, "protocol": {"sampled_revolutions": 1}})"),
                     "reach the border of the model"));

@@ -134,7 +134,10 @@ class PlayedJob {
 
   void finish(std::size_t rank, Piece& piece, double seconds, Schedule& schedule,
               std::vector<std::optional<Piece>>& pieces) {
-    if (!grid_.points_depend_on_each_other()) EXPECT_EQ(piece.from_initial, 1);
+    const bool chained = grid_.points_depend_on_each_other();
+    if (!chained) {
+      EXPECT_EQ(piece.from_initial, 1);
+    }
     if (piece.from_initial == 0) {
       EXPECT_EQ(piece.start[0], static_cast<double>(piece.line));
       EXPECT_EQ(piece.start[1], static_cast<double>(piece.first_visit - 1))
@@ -154,7 +157,6 @@ class PlayedJob {
       if (result.same_motion == 0 && piece.keep == Keep::where_it_differs)
         write(piece.line, piece.first_visit, branch, plan::Seam::repaired);
     }
-    const bool chained = grid_.points_depend_on_each_other();
     piece.from_initial = chained ? 0 : 1;
     piece.start = result.final_state;
     Report& computed = reports_[rank];
