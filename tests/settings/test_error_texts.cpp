@@ -50,7 +50,7 @@ TEST(SceneErrors, AWrongTypeSaysWhatWouldBeRight) {
 
 TEST(SceneErrors, PiecesAreForLinesThatCanBeCut) {
   EXPECT_EQ(refusal_with(R"("pieces": {"points": 0})"),
-            "/pieces/points: 0 is outside [1, 1e+06]; points of a piece of a line");
+            "/pieces/points: 0 is outside [1, 1000000]; points of a piece of a line");
   EXPECT_EQ(refusal_with(R"("sweep": "independent", "pieces": {})"),
             R"(/pieces: the sweep is "independent": its points go to all ranks as they are)");
   EXPECT_EQ(refusal_with(R"("wear": {"rate": 1e-9, "carries_over": true}, "pieces": {})"),
