@@ -187,6 +187,7 @@ void PointRunner::finish_point(batch::Finished finished, const Callbacks& callba
                        .status = outcome.status,
                        .detail = outcome.detail,
                        .keep = left.keep,
+                       .trace = {},
                        .final_state = outcome.final_state,
                        .seconds = finished.seconds,
                        .final_memory = outcome.final_memory};

@@ -66,15 +66,15 @@ bool is_in(const std::vector<std::string_view>& sections, std::string_view secti
   return std::find(sections.begin(), sections.end(), section) != sections.end();
 }
 
-/// Every number of the reader's list over its legal range, but effects, how long a point runs and what is
-/// kept of it.
+/// Every number of the reader's list over its legal range, but effects, how long a point runs, what is kept
+/// of it, and in which pieces a line is swept.
 json draw_anywhere(Draw& draw) {
   json scene;
   for (const settings::Quantity& quantity : settings::quantities()) {
     const bool number =
         quantity.kind == settings::Kind::number || quantity.kind == settings::Kind::whole_number;
     const bool skipped = is_in(effect_sections(), quantity.section()) || quantity.section() == "/protocol" ||
-                         quantity.section() == "/spectrum" ||
+                         quantity.section() == "/spectrum" || quantity.section() == "/pieces" ||
                          (quantity.section() == "/accuracy" && quantity.key() != "tolerance");
     if (!number || skipped) continue;
     const double value = anywhere(draw, quantity.range);

@@ -82,8 +82,8 @@ TEST(RunRecord, KeepsWhateverAHostIsCalled) {
   const auto atlas = directory / "atlas.h5";
   const std::string quoted = "a \"name\" \\ Ω\nb\t";
   const std::string no_utf8 = "node\xff";
-  RunRecord(record_output(atlas, directory / "scene.json"),
-            {.started = {}, .hosts = {quoted, no_utf8}, .lanes = {}}, {})
+  RunRecord(record_output(atlas, {directory / "scene.json"}),
+            {.started = {}, .part = {}, .hosts = {quoted, no_utf8}, .lanes = {}}, {})
       .update({});
   std::ifstream file(atlas.string() + ".run.json");
   const auto hosts = nlohmann::json::parse(file).at("runs").at(0).at("host_of_rank");
