@@ -41,6 +41,7 @@ const Fit& fit() {
 }  // namespace
 
 BendingTable::BendingTable(const blade::ElasticaCurve& curve) : scale_(curve.load_angle()) {
+  if (!(scale_ > 0.0)) return;
   for (int piece = 0;; ++piece) {
     const double end = (piece + 1) * kWidth;
     const blade::CurvePoint at_end = curve.at(bending(end));

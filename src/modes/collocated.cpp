@@ -8,11 +8,13 @@ bool Collocated::start(double time, const Bodies& state, const std::vector<OpenC
   if (contacts.size() != 1) return false;
   contact_ = contacts.front();
   pending_ = false;
-  arc_.begin(time, state, contact_.blade, contact_.slip, contact_.bending);
+  start_ = rotor::full_state(state, time, contact_.bending);
+  if (applies_) arc_.begin(time, state, contact_.blade, contact_.slip, contact_.bending);
   return true;
 }
 
 ModeEnd Collocated::advance(double until, MotionListener& listener) {
+  if (!applies_) return {Guard::hands_over, contact_.blade};
   while (true) {
     if (pending_) {
       const double end = arc_.end().time;
@@ -40,12 +42,13 @@ void Collocated::shift_time(double period) {
 }
 
 Collocated::FullState Collocated::end_state() const {
+  if (!applies_) return start_;
   const auto& end = arc_.end();
   return rotor::full_state(end.state, end.time, arc_.bending(end.argument));
 }
 OpenContact Collocated::contact_at_end(std::size_t /*contact*/) const {
   OpenContact open = contact_;
-  open.bending = arc_.bending(arc_.end().argument);
+  if (applies_) open.bending = arc_.bending(arc_.end().argument);
   return open;
 }
 OpenContact Collocated::contact_at(std::size_t /*contact*/, double time) const {
@@ -61,10 +64,11 @@ double Collocated::place_x(double time) {
 contact::TipForce Collocated::force(double time) const {
   const auto point = arc_.point_at(arc_.fraction_at(time));
   const contact::BladeDirection er = blades_->direction(contact_.blade, blades_->first(time));
-  return law_
-      ->constraint(rotor::pose_of(*rotor_, law_->geometry(), er, point.state), contact_.slip,
-                   arc_.bending(point.argument), rotor_->speed_ratio)
-      .force;
+  const contact::Pose pose = rotor::pose_of(*rotor_, law_->geometry(), er, point.state);
+  double bending = arc_.bending(point.argument);
+  // Between the nodes the place is known better than the bending: the force is that of h = 0 there.
+  if (bending > 0.0) bending = law_->solve_near(pose, contact_.slip, bending).value_or(bending);
+  return law_->constraint(pose, contact_.slip, bending, rotor_->speed_ratio).force;
 }
 double Collocated::normal_force(std::size_t /*contact*/, double time) {
   return force(time).normal;

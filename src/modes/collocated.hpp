@@ -32,6 +32,7 @@ class Collocated final : public observables::MotionPiece {
         blades_(&blades),
         rotor_(&rotor),
         meter_(&meter),
+        applies_(law.curve().load_angle() > 0.0),
         arc_(rotor, blades, law, unbalance, {limits.tolerance, limits.max_shortening}) {}
 
   /// Starts at time τ of the revolution. False where more than one blade touches.
@@ -75,7 +76,9 @@ class Collocated final : public observables::MotionPiece {
   const rotor::BladeSet* blades_;
   const rotor::RotorConstants* rotor_;
   WorkMeter* meter_;
+  bool applies_;  ///< the column (μ = 0) has no p: all its contacts are handed over where they begin
   collocation::ContactArc arc_;
+  FullState start_ = FullState::Zero();
   OpenContact contact_{};
   bool pending_ = false;  ///< an interval has been made and not been recorded to its end
   double piece_begin_ = 0.0;
