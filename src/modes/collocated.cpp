@@ -61,12 +61,11 @@ double Collocated::place_x(double time) {
   return arc_.place_at(arc_.fraction_at(time))[0];
 }
 
-contact::TipForce Collocated::force(double time) const {
-  const auto point = arc_.point_at(arc_.fraction_at(time));
+contact::TipForce Collocated::force(double time) {
   const contact::BladeDirection er = blades_->direction(contact_.blade, blades_->first(time));
-  const contact::Pose pose = rotor::pose_of(*rotor_, law_->geometry(), er, point.state);
-  double bending = arc_.bending(point.argument);
-  // Between the nodes the place is known better than the bending: the force is that of h = 0 there.
+  const contact::Pose pose = rotor::pose_of(*rotor_, law_->geometry(), er, arc_.state_at(time));
+  // The state is accurate at any time, the bending between the nodes is not: it follows from h = 0.
+  double bending = arc_.bending_at(arc_.fraction_at(time));
   if (bending > 0.0) bending = law_->solve_near(pose, contact_.slip, bending).value_or(bending);
   return law_->constraint(pose, contact_.slip, bending, rotor_->speed_ratio).force;
 }

@@ -70,7 +70,7 @@ class Collocated final : public observables::MotionPiece {
   [[nodiscard]] std::uint64_t rejected() const { return arc_.rejected(); }
 
  private:
-  [[nodiscard]] contact::TipForce force(double time) const;
+  [[nodiscard]] contact::TipForce force(double time);
 
   const Law* law_;
   const rotor::BladeSet* blades_;
