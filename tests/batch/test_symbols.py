@@ -1,25 +1,17 @@
-"""What the sources that are compiled for one processor leave to the linker."""
+"""What the lanes for one processor leave to the linker."""
 import os
-import re
-import subprocess
+import sys
 import unittest
 
+sys.path.insert(0, os.path.join(os.environ["RUBATLAS_SOURCE_DIR"], "tests", "support"))
+from symbols import ForOneProcessor  # noqa: E402
 
-class LaneSymbols(unittest.TestCase):
+
+class LaneSymbols(ForOneProcessor):
     def test_no_function_for_one_processor_is_linked_in_where_another_source_calls_it(self):
-        listing = subprocess.run(["nm", "--defined-only", "--demangle", os.environ["RUBATLAS_LANES"]], check=True,
-                                 capture_output=True, text=True).stdout
-        members = {name: text for name, text in re.findall(r"^(\S+)\.o:\n((?:.+\n)*)", listing, re.MULTILINE)}
-        for processor in ("avx2", "avx512"):
-            with self.subTest(processor):
-                # Undefined where another source has them; local (t) where nobody else sees them.
-                shared = re.findall(r"^\w+ ([A-Zuvw]) (.+)$", members[f"lanes_{processor}.cpp"], re.MULTILINE)
-                self.assertTrue(any(f"attempt_{processor}" in name for _, name in shared))
-                self.assertEqual([name for _, name in shared
-                                  if f"attempt_{processor}" not in name and "std::experimental" not in name
-                                  and not name.startswith("DW.ref.")], [])
-                # What runs before main runs on every processor.
-                self.assertNotIn("_GLOBAL__sub_I", members[f"lanes_{processor}.cpp"])
+        self.expect_nothing_shared(os.environ["RUBATLAS_LANES"],
+                                   {"lanes_avx2.cpp": "attempt_avx2", "lanes_avx512.cpp": "attempt_avx512"},
+                                   may_be_shared=["std::experimental"])
 
 
 if __name__ == "__main__":
