@@ -63,8 +63,9 @@ class Lanes {
   /// Sum over j of the columns, each times the number at node j.
   RUBATLAS_INLINE static Lanes combined(const std::array<AtNodes, kNodes>& columns, const Lanes& factors) {
     // Not set to zero first. NOLINTNEXTLINE(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
-    alignas(64) double factor[kNodes];
-    factors.store_to(factor);
+    alignas(64) double stored[kNodes];
+    factors.store_to(stored);
+    const double* const factor = &stored[0];
     return of([&](std::size_t i) {
       Part even = column_part(columns[0], i) * factor[0];
       Part odd = column_part(columns[1], i) * factor[1];

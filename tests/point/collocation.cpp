@@ -1,52 +1,11 @@
-/// Whole motions by the method `collocation`, against an independent 80-bit implementation (tests/reference)
-/// and against `hybrid`.
+/// Whole motions by the method `collocation` against `hybrid`. (`reference_orbits.cpp` holds both against
+/// independent data.)
 #include <gtest/gtest.h>
 
 #include "../support/point.hpp"
-#include "reference_case.hpp"
 
 namespace rubatlas::test {
 namespace {
-
-class ReferenceOrbitByCollocation : public ::testing::TestWithParam<ReferenceCase> {
- protected:
-  static ReferenceCase by_collocation(ReferenceCase c) {
-    c.scene.accuracy.method = settings::Method::collocation;
-    return c;
-  }
-};
-
-TEST_P(ReferenceOrbitByCollocation, SectionsOfPeriodicMotionsAgreeAfterAllRevolutions) {
-  const ReferenceCase c = by_collocation(GetParam());
-  if (!c.periodic) return;  // aperiodic ones are held to their first sections below
-  const auto sections = settled_sections_of(c, 1e-12);
-  const std::size_t last = sections.size();
-  for (std::size_t i = 0; i < c.last_sections.size(); ++i) {
-    EXPECT_LE(largest_difference(sections[last - 11 + i], c.last_sections[i]), 1e-9 * c.amplitude())
-        << "section " << c.last_section - 10 + static_cast<int>(i);
-  }
-}
-
-TEST_P(ReferenceOrbitByCollocation, FirstSectionsAgreeAsFarAsTheMotionLetsErrorsBe) {
-  const ReferenceCase c = by_collocation(GetParam());
-  // As the same test of `hybrid` has it (reference_orbits.cpp).
-  constexpr double kTolerance = 1e-13;
-  constexpr double kAmplification = 10.0 * kTolerance / 1e-16;
-  const auto sections = sections_of(c, kTolerance, static_cast<int>(c.first_sections.size()));
-  for (std::size_t i = 0; i < c.first_sections.size(); ++i) {
-    const double floor = 10.0 * kTolerance * c.scene.clearance();
-    EXPECT_LE(largest_difference(sections[i], c.first_sections[i]),
-              floor + kAmplification * c.section_uncertainty[i])
-        << "section " << i + 1;
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Cases, ReferenceOrbitByCollocation, ::testing::ValuesIn(reference_cases()),
-                         [](const auto& instance) {
-                           std::string name = instance.param.name;
-                           for (char& c : name) c = c == '.' || c == '-' ? '_' : c;
-                           return name;
-                         });
 
 TEST(Collocation, KeepsWhatHybridKeepsOfAPoint) {
   settings::Scene scene = default_rotor(40);
