@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "blade/beam_column.hpp"
+#include "blade/bending_table.hpp"
 #include "blade/elastica.hpp"
 
 namespace rubatlas::blade {
@@ -63,6 +64,7 @@ ElasticaCurve::ElasticaCurve(double friction, Theory theory, double axial_compli
   last_piece_ = static_cast<std::int64_t>(pieces_.size()) - 1;
   end_ = knots_.back().bending;
   add_slopes();
+  over_asinh_ = std::make_shared<BendingTable>(*this);
 }
 
 void ElasticaCurve::add_slopes() {

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -93,6 +94,8 @@ enum class Theory : std::uint8_t {
   beam_column  ///< small slopes
 };
 
+class BendingTable;
+
 class ElasticaCurve {
  public:
   /// Tabulates the curve for a Coulomb coefficient μ in [0, 2] up to a shortening of 0.75 L.
@@ -145,6 +148,9 @@ class ElasticaCurve {
   };
   [[nodiscard]] const std::vector<Knot>& knots() const { return knots_; }
 
+  /// The curve over p = asinh(u/β).
+  [[nodiscard]] const BendingTable& over_asinh() const { return *over_asinh_; }
+
  private:
   static constexpr int kCoarseShift = 50;  ///< leaves exponent and two leading bits: quarter octaves
   static constexpr int kFineShift = 48;    ///< two bits more: sixteenths of an octave, from u = 1 on
@@ -175,6 +181,7 @@ class ElasticaCurve {
   std::int64_t last_piece_ = 0;
   std::vector<Piece> pieces_;
   std::vector<Knot> knots_;
+  std::shared_ptr<const BendingTable> over_asinh_;
 };
 
 }  // namespace rubatlas::blade

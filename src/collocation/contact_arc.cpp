@@ -15,9 +15,10 @@ namespace {
 /// experiment (`README.md`). Whatever has to be accurate within an interval is solved for (`state_at`).
 constexpr double kBetweenNodes = 0.27;
 constexpr double kOrderAtEnd = 14.0;
-constexpr double kAtEnd = 3.0;        ///< tolerances: of that at the end, as far as it can be estimated
+constexpr double kAtEnd = 1.0;        ///< tolerances: of that at the end, as far as it can be estimated
 constexpr double kClosest = 0.2;      ///< of the tolerance: what sweeps may leave
 constexpr double kMostTurning = 1.2;  ///< [rad] of one arc
+constexpr double kLongest = 3.0;      ///< arc: where friction is small, coefficients fall unevenly beyond
 constexpr double kOrder = 9.0;        ///< of the error between the nodes
 constexpr double kAim = 0.68;         ///< of the length that just keeps the bound
 constexpr double kLeastGrowth = 0.5;
@@ -56,7 +57,7 @@ ContactArc::ContactArc(const rotor::RotorConstants& rotor, const rotor::BladeSet
       law_(&law),
       unbalance_(unbalance),
       limits_(limits),
-      table_(law.curve()),
+      table_(&law.curve().over_asinh()),
       solve_(interval_solver()),
       contact_{.reach = law.geometry().reach,
                .ring_radius = law.geometry().ring_radius,
@@ -71,10 +72,11 @@ ContactArc::ContactArc(const rotor::RotorConstants& rotor, const rotor::BladeSet
                .slip = 1.0,
                .forced = unbalance != nullptr},
       allowed_(kBetweenNodes * rotor.length_scale *
-               std::pow(limits.tolerance / rotor.length_scale, kOrder / kOrderAtEnd)) {
+               std::pow(limits.tolerance / rotor.length_scale, kOrder / kOrderAtEnd)),
+      earlier_(law.geometry().reach, rotor.length_scale) {
   for (int k = 0; k < blades.count(); ++k) offsets_.push_back(blades.direction(k, {1.0, 0.0}));
-  const auto& knots = table_.knots();
-  const auto beyond = std::find_if(knots.begin(), knots.end(), [&](const BendingTable::Knot& knot) {
+  const auto& knots = table_->knots();
+  const auto beyond = std::find_if(knots.begin(), knots.end(), [&](const blade::BendingTable::Knot& knot) {
     return knot.shortening > limits.max_shortening;
   });
   valid_argument_ = beyond == knots.begin() ? 0.0 : std::prev(beyond)->argument;
@@ -90,8 +92,24 @@ void ContactArc::begin(double time, const rotor::State& state, int blade, double
   contact_.slip = slip;
   begins_ = true;
   lifts_off_ = false;
-  start_ = end_ = {time, state, table_.argument(bending)};
+  start_ = end_ = {time, state, table_->argument(bending)};
   estimate(pose_of(end_));
+  look_for_earlier();
+}
+
+void ContactArc::look_for_earlier() {
+  Beginning beginning{.argument = end_.argument, .slip = contact_.slip};
+  std::copy(end_.state.begin(), end_.state.end(), beginning.state.begin());
+  const contact::BladeDirection er = blades_->direction(blade_, blades_->first(end_.time));
+  beginning.blade = {er.cosine, er.sine};
+  if (unbalance_ != nullptr) {
+    const std::complex<double> forcing = unbalance_->acceleration(end_.time);
+    beginning.forcing = {forcing.real(), forcing.imag()};
+  }
+  const EarlierContacts::Found found = earlier_.find(beginning);
+  alike_ = found.alike;
+  kept_ = found.next;
+  number_ = 0;
 }
 
 /// T, and the arc with which the contact begins.
@@ -100,8 +118,8 @@ void ContactArc::estimate(const contact::Pose& pose) {
   const contact::BladeDirection er = blades_->direction(blade_, blades_->first(end_.time));
   const double slip = contact_.slip;
   const double speed = rotor_->speed_ratio;
-  const auto there = law_->constraint(pose, slip, table_.bending(end_.argument), speed);
-  gap_measure_ = law_->gap_per_deflection(pose, slip, table_.bending(end_.argument));
+  const auto there = law_->constraint(pose, slip, table_->bending(end_.argument), speed);
+  gap_measure_ = law_->gap_per_deflection(pose, slip, table_->bending(end_.argument));
   slip_velocity_ = there.force.slip_velocity;
   std::complex<double> acceleration =
       rotor::shaft_acceleration(*rotor_, state, contact::on_rotor(there.force, er));
@@ -120,7 +138,7 @@ void ContactArc::estimate(const contact::Pose& pose) {
     length_ = share_of_first_[1];
     curvature_ = 0.0;
     const double argument_slope =
-        there.bending_slope * length_of(law_->curve().load_angle(), table_.bending(end_.argument));
+        there.bending_slope * length_of(law_->curve().load_angle(), table_->bending(end_.argument));
     const double norm = length_of(there.time_slope * time_unit_, argument_slope);
     tangent_ = {-argument_slope / norm, there.time_slope * time_unit_ / norm};
     return;
@@ -131,11 +149,11 @@ void ContactArc::estimate(const contact::Pose& pose) {
   const double along = pose.radial + contact_.reach;
   const double per_load = 2.0 * along * rotor_->force_unit * contact_.load_unit;
   double energy = 0.5 * rate * rate;
-  double largest = table_.knots().back().argument;
+  double largest = table_->knots().back().argument;
   double gap = 0.0;
   double load = 0.0;
   double argument = 0.0;
-  for (const BendingTable::Knot& knot : table_.knots()) {
+  for (const blade::BendingTable::Knot& knot : table_->knots()) {
     const double shortening = contact_.length * knot.shortening;
     const double deflection = contact_.length * knot.deflection;
     const double next =
@@ -163,15 +181,14 @@ void ContactArc::estimate(const contact::Pose& pose) {
   length_ = share_of_first_[0] * unit_length_;
   tangent_ = {0.0, 1.0};
   // Near the touch-down g = dg/dτ τ = 2 s ct Δ, with Δ ~ p².
-  const double deflection = contact_.length * law_->curve().at(table_.bending(kUnbentArgument)).deflection /
+  const double deflection = contact_.length * law_->curve().at(table_->bending(kUnbentArgument)).deflection /
                             (kUnbentArgument * kUnbentArgument);
   constexpr double kSharpest = 3.0;
   curvature_ =
       -std::clamp(4.0 * slip * pose.tangential * deflection / (rate * time_unit_), 0.0, kSharpest / largest);
 }
 
-/// The first guess of the next interval.
-void ContactArc::plan(Interval& next, double length) {
+void ContactArc::start_next(Interval& next) const {
   next.start_time = end_.time;
   next.start_argument = end_.argument;
   std::copy(end_.state.begin(), end_.state.end(), next.start.begin());
@@ -185,7 +202,10 @@ void ContactArc::plan(Interval& next, double length) {
   next.jerk = jerk_;
   next.start_gap_measure = gap_measure_;
   next.start_slip_velocity = slip_velocity_;
+}
 
+/// The first guess of the next interval.
+void ContactArc::plan(Interval& next, double length) const {
   const AtNodes& node = node_tables().node;
   const double half_turn = 0.5 * curvature_ * length;
   const bool straight = std::abs(half_turn) < kStraight;
@@ -215,7 +235,7 @@ void ContactArc::plan(Interval& next, double length) {
 }
 
 bool ContactArc::solve(Interval& interval, bool warm) {
-  const bool solved = solve_(contact_, table_, {kClosest * limits_.tolerance, warm}, interval);
+  const bool solved = solve_(contact_, *table_, {kClosest * limits_.tolerance, warm}, interval);
   sweeps_ += static_cast<std::uint64_t>(interval.sweeps);
   return solved;
 }
@@ -312,20 +332,20 @@ double ContactArc::crossing(const AtPlaces& values, std::size_t place) const {
 
 /// The stretch of the interval up to θ, solved for itself.
 bool ContactArc::cut(double fraction, Interval& shorter) {
-  shorter.start_time = interval_.start_time;
-  shorter.start_argument = interval_.start_argument;
-  shorter.start = interval_.start;
-  shorter.blade = interval_.blade;
-  shorter.forcing = interval_.forcing;
-  shorter.start_gap_measure = interval_.start_gap_measure;
-  shorter.start_slip_velocity = interval_.start_slip_velocity;
-  shorter.chord = {fraction * interval_.chord.time, fraction * interval_.chord.argument};
-  shorter.normal = interval_.normal;
-  const AtPlaces deviation = at_places(0.0, interval_.deviation);
-  const AtPlaces x = at_places(interval_.start[0], interval_.x);
-  const AtPlaces y = at_places(interval_.start[1], interval_.y);
-  const AtPlaces vx = at_places(interval_.start[2], interval_.vx);
-  const AtPlaces vy = at_places(interval_.start[3], interval_.vy);
+  shorter.start_time = made().start_time;
+  shorter.start_argument = made().start_argument;
+  shorter.start = made().start;
+  shorter.blade = made().blade;
+  shorter.forcing = made().forcing;
+  shorter.start_gap_measure = made().start_gap_measure;
+  shorter.start_slip_velocity = made().start_slip_velocity;
+  shorter.chord = {fraction * made().chord.time, fraction * made().chord.argument};
+  shorter.normal = made().normal;
+  const AtPlaces deviation = at_places(0.0, made().deviation);
+  const AtPlaces x = at_places(made().start[0], made().x);
+  const AtPlaces y = at_places(made().start[1], made().y);
+  const AtPlaces vx = at_places(made().start[2], made().vx);
+  const AtPlaces vy = at_places(made().start[3], made().vy);
   for (std::size_t i = 0; i < kNodes; ++i) {
     const AtPlaces basis = basis_at(fraction * node_tables().node[i]);
     shorter.deviation[i] = sum_of_products(basis, deviation);
@@ -396,57 +416,75 @@ void ContactArc::take_direction(const Interval& interval) {
 
 ContactArc::Outcome ContactArc::make() {
   const double shortest = kShortest * length_;
+  double length = 0.0;
   while (true) {
-    const double length = std::min(length_, kMostTurning / std::max(std::abs(curvature_), kStraight));
-    plan(trial_, length);
-    const bool solved = solve(trial_, false);
-    const double error = solved ? error_of(trial_) : 0.0;
+    Interval& next = trial();
+    start_next(next);
+    const bool follows = alike_ != nullptr && number_ < alike_->count;
+    if (follows) {
+      length = alike_->intervals[number_].length;
+      alike_->intervals[number_].guess(next);
+    } else {
+      length = std::min({length_, kLongest, kMostTurning / std::max(std::abs(curvature_), kStraight)});
+      plan(next, length);
+    }
+    const bool solved = solve(next, follows);
+    const double error = solved ? error_of(next) : 0.0;
     if (solved && error <= 1.0) {
       length_ = length *
                 std::clamp(kAim * std::pow(std::max(error, 1e-12), -1.0 / kOrder), kLeastGrowth, kMostGrowth);
-      if (begins_) {
-        double& share = share_of_first_[trial_.start_argument > 0.0 ? 1 : 0];
+      if (begins_ && !follows) {
+        double& share = share_of_first_[next.start_argument > 0.0 ? 1 : 0];
         share = std::min(std::sqrt(share * length_ / unit_length_), 1.0);
       }
       break;
     }
     ++rejected_;
+    if (follows) {
+      alike_ = nullptr;
+      kept_->count = number_;
+      continue;
+    }
     length_ = length * (solved ? std::max(kLeastRetry, kAim * std::pow(error, -1.0 / kOrder)) : 0.5);
     if (!(length_ > shortest)) return Outcome::gives_up;
   }
-  ++intervals_;
-  if (!nothing_else_happens(trial_)) return Outcome::gives_up;
-  const Ending ending = this->ending(trial_);
-  const bool reaches_zero = trial_.chord.time == 0.0;
-  const AtPlaces gaps = at_places(trial_.start_gap_measure, trial_.gap_measure);
-  if (!ending.under_load && !(extent(gaps[0], trial_.gap_measure).lower_bound() > 0.0) &&
+  if (number_ < EarlierContact::kMostIntervals) {
+    kept_->intervals[number_].take(trial(), length);
+    kept_->count = std::max(kept_->count, number_ + 1);
+  }
+  ++number_;
+  ++interval_count_;
+  if (!nothing_else_happens(trial())) return Outcome::gives_up;
+  const Ending ending = this->ending(trial());
+  const bool reaches_zero = trial().chord.time == 0.0;
+  const AtPlaces gaps = at_places(trial().start_gap_measure, trial().gap_measure);
+  if (!ending.under_load && !(extent(gaps[0], trial().gap_measure).lower_bound() > 0.0) &&
       !proven_positive(gaps, begins_))
     return Outcome::gives_up;
   // Time goes on up to the end of the contact.
   for (std::size_t i = 0; i + 1 < std::min(ending.place, kPlaces); ++i) {
-    if (!(trial_.time_slope[i] > 0.0) && !(reaches_zero && i + 1 == kNodes)) return Outcome::gives_up;
+    if (!(trial().time_slope[i] > 0.0) && !(reaches_zero && i + 1 == kNodes)) return Outcome::gives_up;
   }
-  std::swap(interval_, trial_);
+  made_ = 1 - made_;
   if (ending.place < kPlaces) {
-    const AtPlaces values =
-        ending.under_load ? gaps : at_places(interval_.start_argument, interval_.argument);
-    if (!cut(crossing(values, ending.place), trial_)) return Outcome::gives_up;
-    std::swap(interval_, trial_);
+    const AtPlaces values = ending.under_load ? gaps : at_places(made().start_argument, made().argument);
+    if (!cut(crossing(values, ending.place), trial())) return Outcome::gives_up;
+    made_ = 1 - made_;
   }
   rises_ = tangent_.argument > 0.0;
-  end_at(interval_, ending);
-  gap_measure_ = interval_.gap_measure.at_end();
-  slip_velocity_ = interval_.slip_velocity.at_end();
-  if (!lifts_off_) take_direction(interval_);
+  end_at(made(), ending);
+  gap_measure_ = made().gap_measure.at_end();
+  slip_velocity_ = made().slip_velocity.at_end();
+  if (!lifts_off_) take_direction(made());
   begins_ = false;
   return Outcome::made;
 }
 
 double ContactArc::fraction_at(double time) const {
-  const AtPlaces elapsed = at_places(0.0, interval_.elapsed);
-  const double wanted = time - interval_.start_time;
+  const AtPlaces elapsed = at_places(0.0, made().elapsed);
+  const double wanted = time - made().start_time;
   if (wanted <= 0.0) return 0.0;
-  if (wanted >= interval_.elapsed.at_end()) return 1.0;
+  if (wanted >= made().elapsed.at_end()) return 1.0;
   const auto late = [&](double fraction) { return sum_of_products(basis_at(fraction), elapsed) - wanted; };
   // Of the places around it the interpolating polynomial is close to a line.
   std::size_t place = 1;
@@ -460,20 +498,20 @@ rotor::State ContactArc::state_at(double time) {
   if (time <= start_.time) return start_.state;
   if (time >= end_.time) return end_.state;
   const double fraction = fraction_at(time);
-  if (!cut(fraction, trial_)) {
+  if (!cut(fraction, trial())) {
     const Point point = point_at(fraction);
     return point.state;
   }
   const std::size_t last = kNodes - 1;
-  const rotor::State state(trial_.x[last], trial_.y[last], trial_.vx[last], trial_.vy[last]);
-  const double late = time - (trial_.start_time + trial_.elapsed[last]);
-  return state + late * rotor::State(state[2], state[3], trial_.ax[last], trial_.ay[last]);
+  const rotor::State state(trial().x[last], trial().y[last], trial().vx[last], trial().vy[last]);
+  const double late = time - (trial().start_time + trial().elapsed[last]);
+  return state + late * rotor::State(state[2], state[3], trial().ax[last], trial().ay[last]);
 }
 
 std::array<double, 2> ContactArc::place_at(double fraction) const {
   const AtPlaces basis = basis_at(fraction);
-  return {sum_of_products(basis, at_places(interval_.start[0], interval_.x)),
-          sum_of_products(basis, at_places(interval_.start[1], interval_.y))};
+  return {sum_of_products(basis, at_places(made().start[0], made().x)),
+          sum_of_products(basis, at_places(made().start[1], made().y))};
 }
 
 ContactArc::Point ContactArc::point_at(double fraction) const {
@@ -481,25 +519,25 @@ ContactArc::Point ContactArc::point_at(double fraction) const {
   const auto value = [&](double start, const AtNodes& nodes) {
     return sum_of_products(basis, at_places(start, nodes));
   };
-  return {interval_.start_time + value(0.0, interval_.elapsed),
-          {value(interval_.start[0], interval_.x), value(interval_.start[1], interval_.y),
-           value(interval_.start[2], interval_.vx), value(interval_.start[3], interval_.vy)},
-          value(interval_.start_argument, interval_.argument)};
+  return {made().start_time + value(0.0, made().elapsed),
+          {value(made().start[0], made().x), value(made().start[1], made().y),
+           value(made().start[2], made().vx), value(made().start[3], made().vy)},
+          value(made().start_argument, made().argument)};
 }
 
 double ContactArc::bending_at(double fraction) const {
-  return table_.bending(
-      sum_of_products(basis_at(fraction), at_places(interval_.start_argument, interval_.argument)));
+  return table_->bending(
+      sum_of_products(basis_at(fraction), at_places(made().start_argument, made().argument)));
 }
 
 bool ContactArc::peaks() const {
-  return rises_ && interval_.argument_slope.at_end() < 0.0;
+  return rises_ && made().argument_slope.at_end() < 0.0;
 }
 
 void ContactArc::shift_time(double period) {
   start_.time -= period;
   end_.time -= period;
-  interval_.start_time -= period;
+  intervals_[made_].start_time -= period;
 }
 
 }  // namespace rubatlas::collocation

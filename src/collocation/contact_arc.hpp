@@ -2,9 +2,9 @@
 ///
 /// The contact is an arc in the plane (τ, p): up from the touch-down, over the largest bending, and down to
 /// the lift-off at p = 0, or at g = 0 under load on the receding side (MODEL 4.2). An interval is a stretch
-/// of this arc (`interval.hpp`). Its first guess is a circular arc in the plane (τ/T, p), with the direction
-/// and the curvature with which the interval before has ended; T is chosen such that the whole contact is
-/// roughly a half circle.
+/// of this arc (`interval.hpp`). Its first guess is that of an earlier contact which began alike, or a
+/// circular arc in the plane (τ/T, p) with the direction and the curvature with which the interval before has
+/// ended; T is chosen such that the whole contact is roughly a half circle.
 ///
 /// The arc covers contacts in which nothing else happens. Where it cannot prove that no other guard is met
 /// within an interval (another tip touches, the slip reverses, a limit of validity), it gives up at the start
@@ -16,7 +16,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "collocation/bending_table.hpp"
+#include "blade/bending_table.hpp"
+#include "collocation/earlier_contacts.hpp"
 #include "collocation/interval.hpp"
 #include "contact/elastica_contact.hpp"
 #include "rotor/blade_set.hpp"
@@ -34,6 +35,8 @@ class ContactArc {
   /// `unbalance`: null where none acts. All must outlive the arc. The law has friction μ > 0.
   ContactArc(const rotor::RotorConstants& rotor, const rotor::BladeSet& blades,
              const contact::ElasticaContact& law, const rotor::Harmonic* unbalance, const Limits& limits);
+  ContactArc(const ContactArc&) = delete;
+  ContactArc& operator=(const ContactArc&) = delete;
 
   /// A place on the contact's curve.
   struct Point {
@@ -72,10 +75,10 @@ class ContactArc {
 
   [[nodiscard]] int blade() const { return blade_; }
   [[nodiscard]] double slip() const { return contact_.slip; }
-  [[nodiscard]] double bending(double argument) const { return table_.bending(argument); }
+  [[nodiscard]] double bending(double argument) const { return table_->bending(argument); }
 
   // What it cost.
-  [[nodiscard]] std::uint64_t intervals() const { return intervals_; }
+  [[nodiscard]] std::uint64_t intervals() const { return interval_count_; }
   [[nodiscard]] std::uint64_t rejected() const { return rejected_; }
   [[nodiscard]] std::uint64_t sweeps() const { return sweeps_; }
 
@@ -87,7 +90,11 @@ class ContactArc {
   };
 
   void estimate(const contact::Pose& pose);
-  void plan(Interval& next, double length);
+  [[nodiscard]] const Interval& made() const { return intervals_[made_]; }
+  [[nodiscard]] Interval& trial() { return intervals_[1 - made_]; }
+  void look_for_earlier();
+  void start_next(Interval& next) const;
+  void plan(Interval& next, double length) const;
   bool solve(Interval& interval, bool warm);
   [[nodiscard]] double error_of(const Interval& interval) const;
   [[nodiscard]] bool nothing_else_happens(const Interval& interval);
@@ -109,7 +116,7 @@ class ContactArc {
   const contact::ElasticaContact* law_;
   const rotor::Harmonic* unbalance_;
   Limits limits_;
-  BendingTable table_;
+  const blade::BendingTable* table_;
   Solve solve_;
   std::vector<contact::BladeDirection> offsets_;  ///< of the blades from blade 0's place
   double valid_argument_;                         ///< p up to which δ/L is within its limit
@@ -120,13 +127,18 @@ class ContactArc {
   bool begins_ = false;  ///< the next interval is the first of the contact
   bool lifts_off_ = false;
   Point start_, end_;
-  Interval interval_, trial_;
-  double time_unit_ = 1.0;                ///< T
-  Tangent tangent_{};                     ///< where the next interval starts
-  double curvature_ = 0.0;                ///< there, in the plane (τ/T, p)
-  double gap_measure_ = 0.0;              ///< there
-  double slip_velocity_ = 0.0;            ///< there
-  std::array<double, 2> acceleration_{};  ///< z'' and z''' there
+  std::array<Interval, 2> intervals_{};  ///< the last that was made, and the next
+  std::size_t made_ = 0;
+  EarlierContacts earlier_;
+  const EarlierContact* alike_ = nullptr;  ///< is followed; null: no longer, or none
+  EarlierContact* kept_ = nullptr;         ///< this contact, for later ones
+  std::size_t number_ = 0;                 ///< of the next interval in the contact
+  double time_unit_ = 1.0;                 ///< T
+  Tangent tangent_{};                      ///< where the next interval starts
+  double curvature_ = 0.0;                 ///< there, in the plane (τ/T, p)
+  double gap_measure_ = 0.0;               ///< there
+  double slip_velocity_ = 0.0;             ///< there
+  std::array<double, 2> acceleration_{};   ///< z'' and z''' there
   std::array<double, 2> jerk_{};
   double unit_length_ = 1.0;  ///< of the first arc: the largest bending to be expected
   /// Length of the first arc against that unit, as the contacts of this motion have had it so far: of
@@ -135,7 +147,7 @@ class ContactArc {
   double length_ = 1.0;  ///< of the next arc in that plane
   bool rises_ = false;   ///< the bending, where the interval starts
   double displacement_bound_ = 0.0;
-  std::uint64_t intervals_ = 0;
+  std::uint64_t interval_count_ = 0;
   std::uint64_t rejected_ = 0;
   std::uint64_t sweeps_ = 0;
 };

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "collocation/bending_table.hpp"
+#include "blade/bending_table.hpp"
 #include "collocation/nodes.hpp"
 
 namespace rubatlas::collocation {
@@ -72,18 +72,18 @@ struct Closeness {
 /// path; there follow the forces, accelerations, velocities and places, the last two as integrals of the
 /// polynomials through the nodes. Only what the force does to the place, and the place to h, is left to
 /// converge.
-using Solve = bool (*)(const Contact& contact, const BendingTable& table, const Closeness& closeness,
+using Solve = bool (*)(const Contact& contact, const blade::BendingTable& table, const Closeness& closeness,
                        Interval& interval);
 
 /// The solver for this processor. All have the same bits: each has eight nodes, in parts of as many numbers
 /// as a register holds, and no fused operations.
 Solve interval_solver();
 
-bool solve_in_pairs(const Contact& contact, const BendingTable& table, const Closeness& closeness,
+bool solve_in_pairs(const Contact& contact, const blade::BendingTable& table, const Closeness& closeness,
                     Interval& interval);
-bool solve_avx2(const Contact& contact, const BendingTable& table, const Closeness& closeness,
+bool solve_avx2(const Contact& contact, const blade::BendingTable& table, const Closeness& closeness,
                 Interval& interval);
-bool solve_avx512(const Contact& contact, const BendingTable& table, const Closeness& closeness,
+bool solve_avx512(const Contact& contact, const blade::BendingTable& table, const Closeness& closeness,
                   Interval& interval);
 
 }  // namespace rubatlas::collocation

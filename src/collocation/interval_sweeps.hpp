@@ -18,7 +18,8 @@ class Sweeps {
  public:
   using Number = Lanes<kWidth>;
 
-  Sweeps(const Contact& contact, const BendingTable& table, const Closeness& closeness, Interval& interval)
+  Sweeps(const Contact& contact, const blade::BendingTable& table, const Closeness& closeness,
+         Interval& interval)
       : contact_(contact),
         table_(table),
         closeness_(closeness),
@@ -47,94 +48,123 @@ class Sweeps {
     }
   }
 
-  bool solve() {
+  RUBATLAS_INLINE bool solve() {
     double before = kFirstChange;
+    bool light = false;
     for (interval_.sweeps = 1; interval_.sweeps <= kMostSweeps; ++interval_.sweeps) {
-      const double change = sweep();
+      const double change = light ? sweep<true>() : sweep<false>();
       if (!(change < kFirstChange)) return false;
       // The changes form a geometric series in the end, of which this is the rest.
-      const double ratio = std::min(change / before, kSlowest);
-      if (change * ratio <= closeness_.velocity && interval_.sweeps > 1) {
+      const double ratio = interval_.sweeps > 1 ? std::min(change / before, kSlowest) : kSlowest;
+      if (change * ratio <= closeness_.velocity) {
         store();
         return true;
       }
+      light = interval_.sweeps >= kFullSweeps && change < kConverging * before;
       before = change;
     }
     return false;
   }
 
  private:
-  static constexpr int kMostSweeps = 12;
+  static constexpr int kMostSweeps = 9;
+  static constexpr std::size_t kSlopeDegree = 5;
+  static constexpr int kFullSweeps = 3;        ///< with slopes of their own
+  static constexpr double kConverging = 0.25;  ///< ratio of changes below which slopes may be kept
   static constexpr double kFirstChange = 1e3;  ///< [m per unit τ]: of no motion in a ring
   static constexpr double kSlowest = 0.5;      ///< ratio of changes, where none is known
   /// Of Δ/L: below it δ/Δ is less than rounding of what it is added to.
   static constexpr double kUnbent = 1e-9;
 
-  /// The curve at eight nodes, with slopes by p.
-  struct Curve {
+  /// Load, shortening and deflection of the blade at eight nodes.
+  struct Bend {
     Number load, shortening, deflection;
-    Number load_slope, shortening_slope, deflection_slope;
   };
 
-  /// Four nodes at a time, each with its own piece, of which one register holds all three quantities.
-  RUBATLAS_INLINE void evaluate_curve(const Number& argument, Curve& curve) const {
-    using Row = simd::simd<double, simd::simd_abi::deduce_t<double, kWidth == 2 ? 2 : 4>>;
-    constexpr std::size_t kRows = 4 / Row::size();
-    constexpr std::size_t kAtOnce = 4;
+  /// The piece of each node, and the place in it, in [−1, 1].
+  struct Places {
+    std::array<const double*, kNodes> coefficients;
+    std::array<double, kNodes> t;
+  };
+  RUBATLAS_INLINE Places places(const Number& argument) const {
+    constexpr double kPerPiece = 1.0 / blade::BendingTable::kWidth;
+    const Number place = argument * kPerPiece;
+    const Number piece =
+        whole(smaller(larger(place, Number(0.0)), Number(static_cast<double>(table_.last_piece()))));
+    Places result;
     // Not set to zero first. NOLINTNEXTLINE(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
-    alignas(64) double at[kNodes];
-    argument.store_to(at);
-    struct alignas(64) Values {
-      // Not set to zero first. NOLINTNEXTLINE(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
-      double at[3][kNodes];
+    alignas(64) double pieces[kNodes];
+    // NOLINTNEXTLINE(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
+    alignas(64) double t[kNodes];
+    piece.store_to(pieces);
+    ((place - piece) * 2.0 - 1.0).store_to(t);
+    for (std::size_t k = 0; k < kNodes; ++k) {
+      result.coefficients[k] = table_.pieces()[static_cast<int>(pieces[k])].coefficients[0].data();
+      result.t[k] = t[k];
+    }
+    return result;
+  }
+
+  /// Each node has its own piece, of which one register holds all three quantities.
+  using Row = simd::simd<double, simd::simd_abi::deduce_t<double, kWidth == 2 ? 2 : 4>>;
+  static constexpr std::size_t kRows = 4 / Row::size();
+  template <std::size_t kCount>
+  using Rows = std::array<std::array<Row, kRows>, kCount>;
+
+  RUBATLAS_INLINE static Row row(const double* coefficients, std::size_t power, std::size_t part) {
+    return Row(coefficients + 4 * power + part * Row::size(), simd::vector_aligned);
+  }
+  RUBATLAS_INLINE static Bend across(const Rows<kNodes>& rows) {
+    const auto quantity = [&](std::size_t q) RUBATLAS_INLINED {
+      return Number::each([&](std::size_t k)
+                              RUBATLAS_INLINED { return rows[k][q / Row::size()][q % Row::size()]; });
     };
-    Values value;
-    Values slope;
-    constexpr double kPerPiece = 1.0 / BendingTable::kWidth;
-    for (std::size_t i = 0; i < kNodes; i += kAtOnce) {
-      std::array<const double*, kAtOnce> coefficients;
-      std::array<double, kAtOnce> t;
-      for (std::size_t k = 0; k < kAtOnce; ++k) {
-        const double place = std::clamp(at[i + k] * kPerPiece, 0.0, static_cast<double>(table_.last_piece()));
-        const int piece = static_cast<int>(place);
-        coefficients[k] = table_.pieces()[piece].coefficients[0].data();
-        t[k] = 2.0 * (at[i + k] * kPerPiece - piece) - 1.0;
+    return {quantity(0), quantity(1), quantity(2)};
+  }
+
+  RUBATLAS_INLINE Bend curve(const Places& at) const {
+    Rows<kNodes> sum;
+    for (std::size_t k = 0; k < kNodes; ++k) {
+      for (std::size_t r = 0; r < kRows; ++r)
+        sum[k][r] = row(at.coefficients[k], blade::BendingTable::kDegree, r);
+    }
+#pragma GCC unroll 16
+    for (std::size_t below = 1; below <= blade::BendingTable::kDegree; ++below) {
+      for (std::size_t k = 0; k < kNodes; ++k) {
+        for (std::size_t r = 0; r < kRows; ++r)
+          sum[k][r] = sum[k][r] * at.t[k] + row(at.coefficients[k], blade::BendingTable::kDegree - below, r);
       }
-      std::array<std::array<Row, kRows>, kAtOnce> sum;
-      std::array<std::array<Row, kRows>, kAtOnce> rate;
-      const auto row = [&](std::size_t k, std::size_t power, std::size_t r) {
-        return Row(coefficients[k] + 4 * power + r * Row::size(), simd::vector_aligned);
-      };
-      for (std::size_t k = 0; k < kAtOnce; ++k) {
-        for (std::size_t r = 0; r < kRows; ++r) {
-          rate[k][r] = row(k, BendingTable::kDegree, r);
-          sum[k][r] = rate[k][r] * t[k] + row(k, BendingTable::kDegree - 1, r);
-        }
+    }
+    return across(sum);
+  }
+
+  /// With the slopes by p, of the powers up to `kSlopeDegree`: they are for Newton's steps only. Four nodes
+  /// at a time: as many as registers hold.
+  RUBATLAS_INLINE Bend curve_with_slopes(const Places& at, Bend& slope) const {
+    constexpr std::size_t kAtOnce = 4;
+    Rows<kNodes> sum;
+    Rows<kNodes> rate;
+    for (std::size_t i = 0; i < kNodes; i += kAtOnce) {
+      for (std::size_t k = i; k < i + kAtOnce; ++k) {
+        for (std::size_t r = 0; r < kRows; ++r)
+          sum[k][r] = row(at.coefficients[k], blade::BendingTable::kDegree, r);
       }
 #pragma GCC unroll 16
-      for (std::size_t below = 2; below <= BendingTable::kDegree; ++below) {
-        const std::size_t power = BendingTable::kDegree - below;
-        for (std::size_t k = 0; k < kAtOnce; ++k) {
+      for (std::size_t below = 1; below <= blade::BendingTable::kDegree; ++below) {
+        const std::size_t power = blade::BendingTable::kDegree - below;
+        for (std::size_t k = i; k < i + kAtOnce; ++k) {
           for (std::size_t r = 0; r < kRows; ++r) {
-            rate[k][r] = rate[k][r] * t[k] + sum[k][r];
-            sum[k][r] = sum[k][r] * t[k] + row(k, power, r);
+            if (power + 1 == kSlopeDegree) rate[k][r] = sum[k][r];
+            if (power + 1 < kSlopeDegree) rate[k][r] = rate[k][r] * at.t[k] + sum[k][r];
+            sum[k][r] = sum[k][r] * at.t[k] + row(at.coefficients[k], power, r);
           }
         }
       }
-      for (std::size_t k = 0; k < kAtOnce; ++k) {
-        for (std::size_t quantity = 0; quantity < 3; ++quantity) {
-          value.at[quantity][i + k] = sum[k][quantity / Row::size()][quantity % Row::size()];
-          slope.at[quantity][i + k] = rate[k][quantity / Row::size()][quantity % Row::size()];
-        }
-      }
     }
-    constexpr double kSlopeUnit = 2.0 / BendingTable::kWidth;
-    curve.load = Number::loaded(value.at[0]);
-    curve.shortening = Number::loaded(value.at[1]);
-    curve.deflection = Number::loaded(value.at[2]);
-    curve.load_slope = Number::loaded(slope.at[0]) * kSlopeUnit;
-    curve.shortening_slope = Number::loaded(slope.at[1]) * kSlopeUnit;
-    curve.deflection_slope = Number::loaded(slope.at[2]) * kSlopeUnit;
+    constexpr double kSlopeUnit = 2.0 / blade::BendingTable::kWidth;
+    slope = across(rate);
+    slope = {slope.load * kSlopeUnit, slope.shortening * kSlopeUnit, slope.deflection * kSlopeUnit};
+    return across(sum);
   }
 
   struct Vector {
@@ -157,60 +187,95 @@ class Sweeps {
             (cosine_less_one * from[1] + sine * from[0]) + from[1]};
   }
 
+  /// A vector turned by a small angle, of which powers above the eighth are left out.
+  struct Turn {
+    Number sine, cosine_less_one;
+    RUBATLAS_INLINE explicit Turn(const Number& angle) {
+      const Number square = angle * angle;
+      sine = angle * (square * (square * (square * (-1.0 / 5040) + 1.0 / 120) - 1.0 / 6) + 1.0);
+      cosine_less_one = square * (square * (square * (square * (1.0 / 40320) - 1.0 / 720) + 1.0 / 24) - 0.5);
+    }
+    RUBATLAS_INLINE Vector operator()(const Vector& from) const {
+      return {(from.x * cosine_less_one - from.y * sine) + from.x,
+              (from.y * cosine_less_one + from.x * sine) + from.y};
+    }
+  };
+
+  /// Directions of blade and forcing, and slopes of h, at the present places.
+  RUBATLAS_INLINE Bend take_slopes(const Places& at) {
+    const Contact& c = contact_;
+    const Number elapsed = chord_time_ + deviation_ * interval_.normal.time;
+    er_ = turned(interval_.blade, elapsed * c.speed_ratio);
+    if (c.forced) forcing_ = turned(interval_.forcing, elapsed * c.speed_ratio);
+    const Bend bend = curve_with_slopes(at, slope_);
+    slope_.shortening = slope_.shortening * c.length;
+    slope_.deflection = slope_.deflection * (c.slip * c.length);
+    return bend;
+  }
+
   /// Returns the largest change of a velocity [m per unit τ].
+  ///
+  /// A `light` sweep keeps the slopes of the sweep before, and turns its directions on: changes are small by
+  /// then, and the solution does not depend on the slopes.
+  template <bool kLight>
   RUBATLAS_INLINE double sweep() {
     const Contact& c = contact_;
     const Interval& in = interval_;
-    const Number elapsed = chord_time_ + deviation_ * in.normal.time;
-    const Number argument = chord_argument_ + deviation_ * in.normal.argument;
-    const Vector er = turned(in.blade, elapsed * c.speed_ratio);
-    Curve curve;
-    evaluate_curve(argument, curve);
+    const Places at = places(chord_argument_ + deviation_ * in.normal.argument);
+    Bend bend;
+    if constexpr (kLight) {
+      bend = curve(at);
+    } else {
+      bend = take_slopes(at);
+    }
 
     // Pose of the blade (MODEL 2), and h = 0 with its slopes along p and along the motion (MODEL 4.1).
     const Number cy = y_ + c.misalignment;
-    const Number radial = x_ * er.x + cy * er.y;
-    const Number tangential = cy * er.x - x_ * er.y;
+    const Number radial = x_ * er_.x + cy * er_.y;
+    const Number tangential = cy * er_.x - x_ * er_.y;
     const Number gap = (x_ * x_ + cy * cy) + (radial * (2.0 * c.reach) + c.closing);
-    const Number shortening = curve.shortening * c.length;
-    const Number deflection = curve.deflection * (c.slip * c.length);  // s Δ
+    shortening_ = bend.shortening * c.length;
+    deflection_ = bend.deflection * (c.slip * c.length);  // s Δ
     const Number along = radial + c.reach;
     const Number residual =
-        gap + (shortening * (shortening - along * 2.0) + deflection * (deflection - tangential * 2.0));
-    Number a = along - shortening;
-    Number b = tangential - deflection;
-    const Number shortening_slope = curve.shortening_slope * c.length;
-    const Number deflection_slope = curve.deflection_slope * (c.slip * c.length);
-    const Number argument_slope = (a * shortening_slope + b * deflection_slope) * -2.0;
-    const Number a_rate = (vx_ * er.x + vy_ * er.y) + tangential * c.speed_ratio;
-    const Number b_rate = (vy_ * er.x - vx_ * er.y) - radial * c.speed_ratio;
-    const Number time_slope = (a * a_rate + b * b_rate) * 2.0;
+        gap + (shortening_ * (shortening_ - along * 2.0) + deflection_ * (deflection_ - tangential * 2.0));
+    a_ = along - shortening_;
+    b_ = tangential - deflection_;
+    if constexpr (!kLight) {
+      const Number argument_slope = (a_ * slope_.shortening + b_ * slope_.deflection) * -2.0;
+      a_rate_ = (vx_ * er_.x + vy_ * er_.y) + tangential * c.speed_ratio;
+      b_rate_ = (vy_ * er_.x - vx_ * er_.y) - radial * c.speed_ratio;
+      const Number time_slope = (a_ * a_rate_ + b_ * b_rate_) * 2.0;
+      per_residual_ = Number(-1.0) / (argument_slope * in.normal.argument + time_slope * in.normal.time);
+    }
 
     // One Newton step along the normal; what follows is taken at its end.
-    const Number step = residual / (argument_slope * in.normal.argument + time_slope * in.normal.time);
-    deviation_ = deviation_ - step;
-    const Number argument_step = step * -in.normal.argument;
-    const Number time_step = step * -in.normal.time;
-    const Number load = (curve.load + curve.load_slope * argument_step) * c.load_unit;
-    const Number less = shortening_slope * argument_step;
-    const Number more = deflection_slope * argument_step;
-    a = a + (a_rate * time_step - less);
-    b = b + (b_rate * time_step - more);
-    const Number turn = time_step * c.speed_ratio;
-    const Vector er_there{er.x - er.y * turn, er.y + er.x * turn};
+    const Number step = residual * per_residual_;
+    deviation_ = deviation_ + step;
+    const Number argument_step = step * in.normal.argument;
+    const Number time_step = step * in.normal.time;
+    const Number load = (bend.load + slope_.load * argument_step) * c.load_unit;
+    const Number less = slope_.shortening * argument_step;
+    const Number more = slope_.deflection * argument_step;
+    shortening_ = shortening_ + less;
+    deflection_ = deflection_ + more;
+    a_ = a_ + (a_rate_ * time_step - less);
+    b_ = b_ + (b_rate_ * time_step - more);
+    const Turn turn(time_step * c.speed_ratio);
+    er_ = turn(er_);
 
     // Force on the rotor (MODEL 4.3): its normal is (a, b)/R where h = 0.
     const double per_radius = c.force_unit / c.ring_radius;
     const double friction = c.slip * c.friction;
-    const Number force_radial = load * ((b * friction - a) * per_radius);
-    const Number force_tangential = load * ((a * friction + b) * -per_radius);
+    const Number force_radial = load * ((b_ * friction - a_) * per_radius);
+    const Number force_tangential = load * ((a_ * friction + b_) * -per_radius);
     const double damping = 2.0 * c.damping_ratio;
-    ax_ = ((force_radial * er_there.x - force_tangential * er_there.y) - x_) - vx_ * damping;
-    ay_ = ((force_radial * er_there.y + force_tangential * er_there.x) - y_) - vy_ * damping;
+    ax_ = ((force_radial * er_.x - force_tangential * er_.y) - x_) - vx_ * damping;
+    ay_ = ((force_radial * er_.y + force_tangential * er_.x) - y_) - vy_ * damping;
     if (c.forced) {
-      const Vector forcing = turned(in.forcing, (elapsed + time_step) * c.speed_ratio);
-      ax_ = ax_ + forcing.x;
-      ay_ = ay_ + forcing.y;
+      forcing_ = turn(forcing_);
+      ax_ = ax_ + forcing_.x;
+      ay_ = ay_ + forcing_.y;
     }
 
     deviation_slope_ = Number::combined(nodes_.slope, deviation_);
@@ -222,13 +287,6 @@ class Sweeps {
     const double change = larger(magnitude(vx - vx_), magnitude(vy - vy_)).largest();
     vx_ = vx;
     vy_ = vy;
-
-    slip_velocity_ = (a * b_rate - b * a_rate) * (1.0 / c.ring_radius) + c.speed_ratio * c.ring_radius;
-    const Number shortened = shortening + less;
-    const Number deflected = deflection + more;
-    const Number bent = larger(deflected * c.slip, Number(kUnbent * c.length));
-    gap_measure_ = (b * 2.0 + deflected) * c.slip + shortened / bent * (a * 2.0 + shortened);
-    blade_ = er;
     return change;
   }
 
@@ -245,22 +303,28 @@ class Sweeps {
     (deviation_slope_ * in.normal.argument + in.chord.argument).store(in.argument_slope);
     ax_.store(in.ax);
     ay_.store(in.ay);
-    blade_.x.store(in.blade_x);
-    blade_.y.store(in.blade_y);
-    gap_measure_.store(in.gap_measure);
-    slip_velocity_.store(in.slip_velocity);
+    er_.x.store(in.blade_x);
+    er_.y.store(in.blade_y);
+    const Contact& c = contact_;
+    const Number bent = larger(deflection_ * c.slip, Number(kUnbent * c.length));
+    ((b_ * 2.0 + deflection_) * c.slip + shortening_ / bent * (a_ * 2.0 + shortening_)).store(in.gap_measure);
+    ((a_ * b_rate_ - b_ * a_rate_) * (1.0 / c.ring_radius) + c.speed_ratio * c.ring_radius)
+        .store(in.slip_velocity);
   }
 
   const Contact& contact_;
-  const BendingTable& table_;
+  const blade::BendingTable& table_;
   const Closeness& closeness_;
   Interval& interval_;
   const NodeTables& nodes_;
   Number chord_time_, chord_argument_;
   Number deviation_, deviation_slope_, time_rate_;
   Number x_, y_, vx_, vy_, ax_, ay_;
-  Vector blade_;
-  Number gap_measure_, slip_velocity_;
+  Vector er_, forcing_;             ///< directions of the blade and of the unbalance's force
+  Number shortening_, deflection_;  ///< δ and s Δ [m]
+  Number a_, b_, a_rate_, b_rate_;  ///< of the tip against the ring's centre in (er, ep) [m], and by τ
+  Bend slope_;                      ///< of load, δ and s Δ by p
+  Number per_residual_;             ///< Newton's step along the normal for a residual of h
 };
 
 }  // namespace

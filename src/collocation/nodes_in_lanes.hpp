@@ -15,6 +15,7 @@ namespace simd = std::experimental;
 
 // What stays a function of its own costs more than it does: a sweep is some hundred operations.
 #define RUBATLAS_INLINE [[gnu::always_inline]] inline
+#define RUBATLAS_INLINED __attribute__((always_inline))  // of a lambda
 
 template <std::size_t kWidth>
 class Lanes {
@@ -29,29 +30,39 @@ class Lanes {
   RUBATLAS_INLINE void store(AtNodes& at) const { store_to(at.value.data()); }
   /// From, and to, eight numbers on a boundary of 64 bytes.
   RUBATLAS_INLINE static Lanes loaded(const double* from) {
-    return of([&](std::size_t i) { return Part(from + i * kWidth, simd::vector_aligned); });
+    return of([&](std::size_t i) RUBATLAS_INLINED { return Part(from + i * kWidth, simd::vector_aligned); });
   }
   RUBATLAS_INLINE void store_to(double* to) const {
     for (std::size_t i = 0; i < kParts; ++i) part_[i].copy_to(to + i * kWidth, simd::vector_aligned);
   }
 
   RUBATLAS_INLINE friend Lanes operator+(const Lanes& a, const Lanes& b) {
-    return of([&](std::size_t i) { return a.part_[i] + b.part_[i]; });
+    return of([&](std::size_t i) RUBATLAS_INLINED { return a.part_[i] + b.part_[i]; });
   }
   RUBATLAS_INLINE friend Lanes operator-(const Lanes& a, const Lanes& b) {
-    return of([&](std::size_t i) { return a.part_[i] - b.part_[i]; });
+    return of([&](std::size_t i) RUBATLAS_INLINED { return a.part_[i] - b.part_[i]; });
   }
   RUBATLAS_INLINE friend Lanes operator*(const Lanes& a, const Lanes& b) {
-    return of([&](std::size_t i) { return a.part_[i] * b.part_[i]; });
+    return of([&](std::size_t i) RUBATLAS_INLINED { return a.part_[i] * b.part_[i]; });
   }
   RUBATLAS_INLINE friend Lanes operator/(const Lanes& a, const Lanes& b) {
-    return of([&](std::size_t i) { return a.part_[i] / b.part_[i]; });
+    return of([&](std::size_t i) RUBATLAS_INLINED { return a.part_[i] / b.part_[i]; });
   }
   RUBATLAS_INLINE friend Lanes larger(const Lanes& a, const Lanes& b) {
-    return of([&](std::size_t i) { return simd::max(a.part_[i], b.part_[i]); });
+    return of([&](std::size_t i) RUBATLAS_INLINED { return simd::max(a.part_[i], b.part_[i]); });
+  }
+  RUBATLAS_INLINE friend Lanes smaller(const Lanes& a, const Lanes& b) {
+    return of([&](std::size_t i) RUBATLAS_INLINED { return simd::min(a.part_[i], b.part_[i]); });
   }
   RUBATLAS_INLINE friend Lanes magnitude(const Lanes& a) {
-    return of([&](std::size_t i) { return simd::abs(a.part_[i]); });
+    return of([&](std::size_t i) RUBATLAS_INLINED { return simd::abs(a.part_[i]); });
+  }
+  /// Without what follows the point. The numbers are within the range of an int.
+  RUBATLAS_INLINE friend Lanes whole(const Lanes& a) {
+    return of([&](std::size_t i) RUBATLAS_INLINED {
+      using Whole = simd::rebind_simd_t<int, Part>;
+      return simd::static_simd_cast<Part>(simd::static_simd_cast<Whole>(a.part_[i]));
+    });
   }
   /// The largest of the eight.
   [[nodiscard]] RUBATLAS_INLINE double largest() const {
@@ -60,13 +71,21 @@ class Lanes {
     return simd::hmax(part);
   }
 
+  /// From a function that gives the number at node j.
+  template <class Function>
+  RUBATLAS_INLINE static Lanes each(Function function) {
+    return of([&](std::size_t i) RUBATLAS_INLINED {
+      return Part([&](auto lane) RUBATLAS_INLINED { return function(i * kWidth + lane); });
+    });
+  }
+
   /// Sum over j of the columns, each times the number at node j.
   RUBATLAS_INLINE static Lanes combined(const std::array<AtNodes, kNodes>& columns, const Lanes& factors) {
     // Not set to zero first. NOLINTNEXTLINE(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
     alignas(64) double stored[kNodes];
     factors.store_to(stored);
     const double* const factor = &stored[0];
-    return of([&](std::size_t i) {
+    return of([&](std::size_t i) RUBATLAS_INLINED {
       Part even = column_part(columns[0], i) * factor[0];
       Part odd = column_part(columns[1], i) * factor[1];
       for (std::size_t j = 2; j < kNodes; j += 2) {

@@ -5,7 +5,7 @@
 
 namespace rubatlas::collocation {
 
-bool solve_avx2(const Contact& contact, const BendingTable& table, const Closeness& closeness,
+bool solve_avx2(const Contact& contact, const blade::BendingTable& table, const Closeness& closeness,
                 Interval& interval) {
   return Sweeps<4>(contact, table, closeness, interval).solve();
 }
@@ -16,7 +16,7 @@ bool solve_avx2(const Contact& contact, const BendingTable& table, const Closene
 #include "collocation/interval.hpp"
 
 namespace rubatlas::collocation {
-bool solve_avx2(const Contact& contact, const BendingTable& table, const Closeness& closeness,
+bool solve_avx2(const Contact& contact, const blade::BendingTable& table, const Closeness& closeness,
                 Interval& interval) {
   return solve_in_pairs(contact, table, closeness, interval);
 }

@@ -4,7 +4,7 @@
 
 namespace rubatlas::collocation {
 
-bool solve_in_pairs(const Contact& contact, const BendingTable& table, const Closeness& closeness,
+bool solve_in_pairs(const Contact& contact, const blade::BendingTable& table, const Closeness& closeness,
                     Interval& interval) {
   return Sweeps<2>(contact, table, closeness, interval).solve();
 }

@@ -191,7 +191,7 @@ TEST(ContactArcSlow, ErrsByItsToleranceInTenThousandContacts) {
 TEST(ContactArc, HasTheSameBitsOnEveryProcessor) {
   using namespace collocation;
   const blade::ElasticaCurve curve(0.1);
-  const BendingTable table(curve);
+  const blade::BendingTable table(curve);
   const double thickness = 1e-3;
   collocation::Contact contact{.reach = 0.1,
                                .ring_radius = 0.11,

@@ -11,14 +11,12 @@
 #include <vector>
 
 namespace rubatlas::blade {
-class ElasticaCurve;
-}
 
-namespace rubatlas::collocation {
+class ElasticaCurve;
 
 class BendingTable {
  public:
-  /// Of a curve with friction μ > 0, up to a shortening of about 0.5 L.
+  /// Up to a shortening of about 0.5 L. Empty where μ = 0, for which there is no p.
   explicit BendingTable(const blade::ElasticaCurve& curve);
 
   static constexpr std::size_t kDegree = 11;
@@ -48,4 +46,4 @@ class BendingTable {
   std::vector<Knot> knots_;
 };
 
-}  // namespace rubatlas::collocation
+}  // namespace rubatlas::blade

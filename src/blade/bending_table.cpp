@@ -1,11 +1,11 @@
-#include "collocation/bending_table.hpp"
+#include "blade/bending_table.hpp"
 
 #include <Eigen/LU>
 #include <numbers>
 
 #include "blade/elastica_curve.hpp"
 
-namespace rubatlas::collocation {
+namespace rubatlas::blade {
 namespace {
 
 /// Of L: a blade that is shortened more is left to other modes, since the next singularity of the curve is
@@ -40,16 +40,16 @@ const Fit& fit() {
 
 }  // namespace
 
-BendingTable::BendingTable(const blade::ElasticaCurve& curve) : scale_(curve.load_angle()) {
+BendingTable::BendingTable(const ElasticaCurve& curve) : scale_(curve.load_angle()) {
   if (!(scale_ > 0.0)) return;
   for (int piece = 0;; ++piece) {
     const double end = (piece + 1) * kWidth;
-    const blade::CurvePoint at_end = curve.at(bending(end));
+    const CurvePoint at_end = curve.at(bending(end));
     if (at_end.shortening > kLargestShortening || bending(end) > curve.end()) break;
     const double centre = (piece + 0.5) * kWidth;
     Eigen::Matrix<double, kCount, 3> samples;
     for (Eigen::Index i = 0; i < kCount; ++i) {
-      const blade::CurvePoint at = curve.at(bending(centre + 0.5 * kWidth * chebyshev_points()[i]));
+      const CurvePoint at = curve.at(bending(centre + 0.5 * kWidth * chebyshev_points()[i]));
       samples.row(i) << at.load, at.shortening, at.deflection;
     }
     const Eigen::Matrix<double, kCount, 3> fitted = fit() * samples;
@@ -60,4 +60,4 @@ BendingTable::BendingTable(const blade::ElasticaCurve& curve) : scale_(curve.loa
   }
 }
 
-}  // namespace rubatlas::collocation
+}  // namespace rubatlas::blade

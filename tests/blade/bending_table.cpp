@@ -1,5 +1,5 @@
 /// The blade over p = asinh(u/β) is the blade.
-#include "collocation/bending_table.hpp"
+#include "blade/bending_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace rubatlas::test {
 namespace {
 
-using collocation::BendingTable;
+using blade::BendingTable;
 
 std::array<double, 3> at(const BendingTable& table, double argument) {
   const int piece = std::clamp(static_cast<int>(argument / BendingTable::kWidth), 0, table.last_piece());
@@ -27,7 +27,7 @@ std::array<double, 3> at(const BendingTable& table, double argument) {
 TEST(BendingTable, AgreesWithTheElasticaAtEveryFriction) {
   for (const double friction : {1e-6, 1e-3, 0.03, 0.1, 0.5, 2.0}) {
     const blade::ElasticaCurve curve(friction);
-    const BendingTable table(curve);
+    const BendingTable& table = curve.over_asinh();
     EXPECT_GT(table.knots().back().shortening, 0.35);
     for (double p = 0.0; p < table.knots().back().argument; p += 0.0137) {
       SCOPED_TRACE(::testing::Message() << "friction " << friction << ", p " << p);

@@ -1,0 +1,81 @@
+#include "collocation/earlier_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rubatlas::collocation {
+namespace {
+
+/// Differences [clearances] up to which a contact is followed: beyond, a circular arc is as good a guess.
+constexpr double kAlike = 0.03;
+/// Up to which the new contact takes the place of the earlier one, so that a periodic motion keeps one of
+/// each kind.
+constexpr double kSame = 0.001;
+
+template <std::size_t kSize>
+double largest_difference(const std::array<double, kSize>& a, const std::array<double, kSize>& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < kSize; ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+}  // namespace
+
+void EarlierInterval::take(const Interval& solved, double length_of_arc) {
+  length = length_of_arc;
+  chord = solved.chord;
+  normal = solved.normal;
+  start = solved.start;
+  deviation = solved.deviation;
+  elapsed = solved.elapsed;
+  x = solved.x;
+  y = solved.y;
+  vx = solved.vx;
+  vy = solved.vy;
+}
+
+void EarlierInterval::guess(Interval& next) const {
+  next.chord = chord;
+  next.normal = normal;
+  if (chord.time == 0.0) next.chord.argument = -next.start_argument;  // down to p = 0, wherever it starts
+  std::array<double, 4> by{};
+  for (std::size_t i = 0; i < by.size(); ++i) by[i] = next.start[i] - start[i];
+  next.deviation = deviation;
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    next.x[i] = x[i] + (by[0] + by[2] * elapsed[i]);
+    next.y[i] = y[i] + (by[1] + by[3] * elapsed[i]);
+    next.vx[i] = vx[i] + by[2];
+    next.vy[i] = vy[i] + by[3];
+  }
+}
+
+double EarlierContacts::distance(const Beginning& a, const Beginning& b) const {
+  if (a.slip != b.slip || (a.argument == 0.0) != (b.argument == 0.0))
+    return std::numeric_limits<double>::infinity();
+  const double of_places =
+      std::max({largest_difference(a.state, b.state), largest_difference(a.forcing, b.forcing),
+                reach_ * largest_difference(a.blade, b.blade)});
+  return std::max(of_places / clearance_, std::abs(a.argument - b.argument));
+}
+
+EarlierContacts::Found EarlierContacts::find(const Beginning& beginning) {
+  std::size_t nearest = oldest_;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < kKept; ++i) {
+    const double there = distance(beginning, beginnings_[i]);
+    if (there < least) {
+      least = there;
+      nearest = i;
+    }
+  }
+  const std::size_t next = least < kSame ? nearest : oldest_;
+  if (next == oldest_) oldest_ = (oldest_ + 1) % kKept;
+  const Found found{least < kAlike ? &contacts_[nearest] : nullptr, &contacts_[next]};
+  // Its intervals are read, one by one, before they are written.
+  if (found.next != found.alike) found.next->count = 0;
+  beginnings_[next] = beginning;
+  return found;
+}
+
+}  // namespace rubatlas::collocation

@@ -1,0 +1,63 @@
+/// The last contacts of a motion, as first guesses for those that begin alike: a motion that is periodic, or
+/// nearly so, meets the ring again and again in the same way.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "collocation/interval.hpp"
+
+namespace rubatlas::collocation {
+
+/// How a contact begins.
+struct Beginning {
+  std::array<double, 4> state{};    ///< x, y, x', y'
+  std::array<double, 2> blade{};    ///< er
+  std::array<double, 2> forcing{};  ///< acceleration by the unbalance [m per unit τ²]
+  double argument = 0.0;            ///< p
+  double slip = 0.0;                ///< s
+};
+
+/// The solution of an interval of an earlier contact.
+struct EarlierInterval {
+  double length = 0.0;  ///< of its arc in the plane (τ/T, p)
+  Interval::Direction chord{};
+  Interval::Direction normal{};
+  std::array<double, 4> start{};  ///< x, y, x', y'
+  AtNodes deviation, elapsed, x, y, vx, vy;
+
+  void take(const Interval& solved, double length_of_arc);
+  /// Guesses an interval whose start is known: it goes on from there as this one did.
+  void guess(Interval& next) const;
+};
+
+struct EarlierContact {
+  static constexpr std::size_t kMostIntervals = 8;
+  std::size_t count = 0;  ///< of intervals that are kept
+  std::array<EarlierInterval, kMostIntervals> intervals;
+};
+
+class EarlierContacts {
+ public:
+  /// `reach`, `clearance`: what differences of directions and of places are measured with [m].
+  EarlierContacts(double reach, double clearance) : reach_(reach), clearance_(clearance) {}
+
+  struct Found {
+    const EarlierContact* alike;  ///< that began most alike; null where none began nearly so
+    EarlierContact* next;         ///< where the new contact is to be kept; may be the same
+  };
+  /// For a contact that begins now.
+  Found find(const Beginning& beginning);
+
+ private:
+  [[nodiscard]] double distance(const Beginning& a, const Beginning& b) const;
+
+  static constexpr std::size_t kKept = 16;
+  double reach_;
+  double clearance_;
+  std::array<Beginning, kKept> beginnings_;
+  std::array<EarlierContact, kKept> contacts_;
+  std::size_t oldest_ = 0;
+};
+
+}  // namespace rubatlas::collocation
