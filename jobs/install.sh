@@ -8,7 +8,7 @@ set -eu
 
 packages="g++ make cmake ninja-build pkg-config git ca-certificates
   openmpi-bin libopenmpi-dev libhdf5-openmpi-dev zlib1g-dev libeigen3-dev libfftw3-dev nlohmann-json3-dev libcli11-dev
-  libfmt-dev libboost-dev libboost-context-dev
+  libfmt-dev libboost-dev
   python3 python3-numpy python3-h5py python3-matplotlib python3-xarray python3-h5netcdf"
 case "${1-}" in
   "") ;;

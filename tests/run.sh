@@ -13,7 +13,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 # Folders whose tests see the same under sanitizers, in the same minutes, as without.
 lower=(settings plan blade contact rotor integrate observables atlas analysis)
-upper=(assembly collocation point batch physics hard)
+upper=(assembly collocation point physics hard)
 plain=yes
 sanitized=yes
 leave_out='slow'

@@ -99,10 +99,9 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
         ->type_name("STYLE");
   };
   add_progress(run);
-  // For comparisons; the atlas has the same bytes. The option is in no group, so that --help does not show
-  // it.
-  run->add_option("--lanes", run_options.most_lanes)->envname("RUBATLAS_LANES")->group("");
-  // For tests that kill runs: the time between the rows and their statuses.
+  // For tests that kill runs: the time between the rows and their statuses. The option is in no group, so
+  // that
+  // --help does not show it.
   run->add_option("--batch-milliseconds", run_options.batch_milliseconds)->group("");
   run->add_flag("--dry-run", run_options.dry_run, "Check scene, disk and output, explain, and stop");
 
@@ -208,11 +207,6 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
         throw UsageError(fmt::format("--part {}: not K/N with K from 1 to N, such as 2/8", part));
     }
     run_options.progress = progress_style(progress);
-    if (run_options.most_lanes < 0) {
-      throw UsageError(
-          fmt::format("--lanes {}: how many lines of a rank side by side, at most; 0 sets no bound",
-                      run_options.most_lanes));
-    }
     if (run_options.batch_milliseconds < 0) {
       throw UsageError(
           fmt::format("--batch-milliseconds {}: a time, 0 at least", run_options.batch_milliseconds));

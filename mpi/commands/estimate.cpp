@@ -4,14 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <vector>
 
 #include "assembly/make_line_solver.hpp"
-#include "batch/line_batch.hpp"
 #include "mpi/clock.hpp"
 #include "mpi/commands/reach.hpp"
 #include "plan/grid.hpp"
-#include "plan/pieces.hpp"
 
 namespace rubatlas::mpi {
 namespace {
@@ -82,50 +79,29 @@ CostEstimate estimate_cost(const settings::Scene& scene, double budget, const Cl
                : static_cast<std::size_t>(position * static_cast<double>(grid.point_count()));
   };
 
-  batch::Width width = batch::width_of(scene);
-  const std::size_t most_side_by_side = grid.points_depend_on_each_other()
-                                            ? grid.line_count() * plan::Pieces(scene).per_line()
-                                            : grid.point_count();
-  width.seats = static_cast<int>(std::min(static_cast<std::size_t>(width.seats), most_side_by_side));
-  // Declared before the batch, so that it outlives the points in the batch.
-  std::vector<std::unique_ptr<point::LineSolver>> solvers(static_cast<std::size_t>(width.seats));
-  const auto points = batch::make_line_batch(width);
-
   CostEstimate result;
-  result.side_by_side = width.seats;
   result.most_revolutions = total_revolutions(trial);
-  std::vector<double> speed_of_seat(solvers.size(), 0.0);
-  std::size_t begun = 0;
-  const auto begin_on = [&](std::size_t seat) {
-    const auto parameters = grid.parameters(point_of(begun));
-    solvers[seat] = batch::make_line_solver(width, trial, parameters, tables);
-    speed_of_seat[seat] = parameters.speed_ratio;
-    points->begin(static_cast<int>(seat), *solvers[seat], parameters.speed_ratio, start);
-    ++begun;
-  };
-  double sum_of_shares = 0.0;
   double processor_time = 0.0;
-  for (std::size_t seat = 0; seat < solvers.size() && begun < most_trials; ++seat) begin_on(seat);
-  while (result.trials + result.given_up < begun) {
+  for (std::size_t number = 0; number < most_trials && (number == 0 || clock() - begin < budget); ++number) {
+    const auto parameters = grid.parameters(point_of(number));
+    const auto solver = assembly::make_line_solver(trial, parameters, tables);
     const double before = processor_seconds();
-    const auto finished = points->advance(go_on);
-    processor_time += processor_seconds() - before;
-    const auto& outcome = finished.outcome;
-    sum_of_shares += finished.seconds;
+    const auto outcome = solver->run(parameters.speed_ratio, start, go_on);
+    const double seconds = processor_seconds() - before;
+    processor_time += seconds;
     result.work += outcome.work;
     result.revolutions += static_cast<double>(outcome.work.revolutions);
     TriedPoint& point = result.points.emplace_back();
-    point.speed_ratio = speed_of_seat[static_cast<std::size_t>(finished.seat)];
+    point.speed_ratio = parameters.speed_ratio;
     point.touched = has_touched(scene, outcome.work);
     if (outcome.status == point::PointStatus::pending) {
       ++result.given_up;
-      continue;
+      break;
     }
-    point.seconds = (outcome.status == point::PointStatus::done ? scale : 1.0) * finished.seconds;
+    point.seconds = (outcome.status == point::PointStatus::done ? scale : 1.0) * seconds;
     if (outcome.status == point::PointStatus::left_validity) ++result.left_validity;
     if (outcome.status == point::PointStatus::integrator_failed) ++result.integrator_failed;
     ++result.trials;
-    if (begun < most_trials && clock() - begin < budget) begin_on(static_cast<std::size_t>(finished.seat));
   }
   if (result.trials == 0) {
     // No point was finished: the estimate uses the time of the revolutions computed so far.
@@ -136,14 +112,11 @@ CostEstimate estimate_cost(const settings::Scene& scene, double budget, const Cl
     return result;
   }
 
-  // Shares are measured in wall time, in which other processes may have run too.
-  const double own = sum_of_shares > 0.0 ? processor_time / sum_of_shares : 1.0;
   double sum = 0.0;
   double sum_of_squares = 0.0;
   result.fastest = std::numeric_limits<double>::infinity();
-  for (TriedPoint& point : result.points) {
+  for (const TriedPoint& point : result.points) {
     if (!point.seconds) continue;
-    *point.seconds *= own;
     sum += *point.seconds;
     sum_of_squares += *point.seconds * *point.seconds;
     result.fastest = std::min(result.fastest, *point.seconds);

@@ -28,7 +28,6 @@ struct CostEstimate {
   double fastest = 0.0;            ///< [s]
   double slowest = 0.0;            ///< [s]
   double revolutions = 0.0;        ///< of all points tried together
-  int side_by_side = 1;            ///< lines in a batch, as one rank would have them
   int most_revolutions = 0;        ///< of one point that was tried
   motion::WorkCounts work;         ///< of all points tried together
   std::vector<TriedPoint> points;  ///< in the order in which they ended
@@ -40,8 +39,7 @@ double seconds_on_the_wall();
 
 /// Computes points spread over the whole grid, each from the scene's `initial`. New points are begun for
 /// `budget` [s]. Points that are not finished a quarter of this time later are given up, if need be within a
-/// revolution. Long protocols are shortened and their time is scaled. Points are computed in batches where
-/// `run` would do so.
+/// revolution. Long protocols are shortened and their time is scaled.
 CostEstimate estimate_cost(const settings::Scene& scene, double budget,
                            const Clock& clock = seconds_on_the_wall);
 

@@ -12,7 +12,6 @@
 
 #include "atlas/free_space.hpp"
 #include "atlas/schema.hpp"
-#include "batch/line_batch.hpp"
 #include "mpi/commands/estimate.hpp"
 #include "mpi/commands/explain_effects.hpp"
 #include "mpi/commands/explain_text.hpp"
@@ -187,13 +186,6 @@ void describe_kernel(const settings::Scene& scene, Text& text) {
     text.line("contact", contact_text(scene, motion.combination));
   }
   text.line("touch-down, lift-off", method.guards);
-  const batch::Width width = batch::width_of(scene);
-  text.line("batches",
-            width.seats > 1
-                ? fmt::format("a rank with several lines makes up to {} contact steps side by side, in SIMD "
-                              "lanes ({}); same bytes",
-                              width.seats, width.reason)
-                : fmt::format("none, line by line: {}", width.reason));
   text.line("accuracy",
             method.keeps_tolerance
                 ? fmt::format("{:g} of {}: {:.3g} m a step, {:.3g} m per unit τ in velocity",
@@ -275,7 +267,7 @@ std::string pieces_hint(const settings::Scene& scene, const plan::Grid& grid) {
 }
 
 /// What several ranks make of the time. Points of a run come one after the other, on one rank.
-std::string on_more_ranks(const settings::Scene& scene, const plan::Grid& grid, const CostEstimate& cost) {
+std::string on_more_ranks(const settings::Scene& scene, const plan::Grid& grid) {
   const plan::Pieces pieces(scene);
   const bool one_by_one = grid.points_depend_on_each_other();
   const std::size_t most = one_by_one ? grid.line_count() * pieces.per_line() : grid.point_count();
@@ -283,8 +275,7 @@ std::string on_more_ranks(const settings::Scene& scene, const plan::Grid& grid, 
     return fmt::format("; more ranks do not help with one {}, and are idle{}", one_by_one ? "line" : "point",
                        pieces_hint(scene, grid));
   }
-  return fmt::format(", divided by the number of ranks, of which {} at most have work{}{}", most,
-                     cost.side_by_side > 1 ? fmt::format(", while each has {} lines", cost.side_by_side) : "",
+  return fmt::format(", divided by the number of ranks, of which {} at most have work{}", most,
                      pieces_hint(scene, grid));
 }
 
@@ -333,10 +324,10 @@ void describe_time(const settings::Scene& scene, const plan::Grid& grid, const C
   const bool all_tried = cost.trials == grid.point_count();
   const double uncertainty = std::min(100.0, 100.0 * cost.standard_error / cost.seconds_per_point);
   text.heading("Time (an estimate, on this machine)");
-  text.line("on one rank",
-            fmt::format("{} of CPU time{}{}", seconds < 0.1 ? "under 0.1 s" : readable_duration(seconds),
-                        all_tried ? "" : fmt::format(" ± {:.0f} %", uncertainty),
-                        on_more_ranks(scene, grid, cost)));
+  text.line(
+      "on one rank",
+      fmt::format("{} of CPU time{}{}", seconds < 0.1 ? "under 0.1 s" : readable_duration(seconds),
+                  all_tried ? "" : fmt::format(" ± {:.0f} %", uncertainty), on_more_ranks(scene, grid)));
   const std::size_t longest_run = chained ? pieces.longest_run() : 1;
   if (points > longest_run) {
     text.line("on more ranks",

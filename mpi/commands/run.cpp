@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "atlas/atlas_writer.hpp"
-#include "batch/line_batch.hpp"
 #include "mpi/commands/estimate.hpp"
 #include "mpi/commands/notes.hpp"
 #include "mpi/commands/preparation.hpp"
@@ -144,21 +143,17 @@ int fill_atlas(const RunOptions& options, const Session& session, const Preparat
   const std::filesystem::path atlas = session.broadcast(preparation.atlas.string());
   atlas::AtlasWriter writer(atlas, scene, std::chrono::milliseconds(options.batch_milliseconds));
 
-  const batch::Width width = batch::width_of(scene, options.most_lanes);
-
   std::optional<RunRecord> record;
   const std::vector<std::string> hosts = session.gather(host_name());
-  const std::vector<std::string> lanes = session.gather(fmt::to_string(width.seats));
   if (leading)
     record.emplace(record_output(atlas, {options.scene}),
-                   RunBeginning{started, preparation.part, hosts, lanes, options.resume}, software());
+                   RunBeginning{started, preparation.part, hosts, options.resume}, software());
 
-  // 4. Rank 0 hands out pieces of lines, and computes like the others.
+  // 4. Rank 0 hands out points of lines, and computes like the others.
   Progress progress(leading ? options.progress : ProgressStyle::off);
   JobResult result;
-  batch::LaneCounts lane_counts;
   try {
-    PointRunner runner(scene, grid, writer, width);
+    PointRunner runner(scene, grid, writer);
     if (leading) {
       const std::string stopping = fmt::format("stopping; a second signal ends it at once; to go on: {}",
                                                command_to_go_on(options, session));
@@ -168,7 +163,6 @@ int fill_atlas(const RunOptions& options, const Session& session, const Preparat
     } else {
       work(Mailbox(session), runner);
     }
-    lane_counts = runner.lane_counts();
   } catch (...) {
     // The job is aborted before the writer is destroyed, since closing the atlas would wait for ranks that
     // have failed.
@@ -181,12 +175,11 @@ int fill_atlas(const RunOptions& options, const Session& session, const Preparat
   session.wait_for_all();
   writer.close();
   const int code = session.broadcast(leading ? ending(preparation, result) : exit_code::kDone);
-  const std::vector<std::string> in_lanes = session.gather(fmt::to_string(lane_counts.in_lanes));
   if (leading) {
     progress.finish(result.standing);
     say_why_all_have_left(scene, result);
     say_that_nothing_touched(scene, result);
-    record->finish(result, {in_lanes, code});
+    record->finish(result, code);
   }
   // A rank that ends with a code other than 0 makes mpirun kill the others, which may still be writing.
   session.wait_for_all();

@@ -22,8 +22,6 @@ struct RunOptions {
   bool resume = false;
   bool overwrite = false;
   bool dry_run = false;
-  int most_lanes = 0;  ///< largest number of lines that a rank computes side by side; 0: as many as the
-                       ///< processor has lanes
   int batch_milliseconds =
       atlas::AtlasWriter::kBatchPeriod.count();  ///< time between rows and their statuses
   ProgressStyle progress = ProgressStyle::automatic;

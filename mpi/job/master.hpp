@@ -1,13 +1,12 @@
-/// Rank 0: hands out pieces, counts points, and computes pieces itself in between.
+/// Rank 0: hands out assignments, counts points, and computes assignments itself in between.
 ///
 /// It answers its workers between the revolutions of its own points, so that no worker waits for longer than
-/// one revolution takes. All N ranks compute, since no rank is set aside as master. A rank that computes
-/// several lines side by side gets a piece for each of its seats, as long as no other rank has fewer than its
-/// share of the lines that are left.
+/// one revolution takes. All N ranks compute, since no rank is set aside as master.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -47,12 +46,10 @@ class Master {
 
  private:
   void serve();
-  void take(int rank, const Report& report);
+  void take(std::size_t rank, const Report& report);
   void send(const Schedule::Decision& decision);
-  void seat_is_free(int rank, int seat);
   void stop();
   void hand_out();
-  [[nodiscard]] int next_to_serve() const;
   void dismiss_workers();
   [[nodiscard]] Standing standing() const;
   [[nodiscard]] JobResult so_far() const;
@@ -65,13 +62,8 @@ class Master {
   Reports reports_;
   JobResult result_;
   /// State of a rank according to the messages received from it.
-  struct Rank {
-    int seats = 0;                ///< 0: no message received yet
-    std::vector<int> free_seats;  ///< seats that have asked for a piece
-    int pieces = 0;               ///< pieces that the rank computes
-    bool has_left = false;
-  };
-  std::vector<Rank> ranks_;
+  enum class RankState : std::uint8_t { not_heard_of, free, computing, has_left };
+  std::vector<RankState> ranks_;
   int workers_;  ///< workers that have not left
   bool stopping_ = false;
   std::chrono::steady_clock::time_point start_;

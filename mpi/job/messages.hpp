@@ -1,9 +1,9 @@
 /// The messages between the master (rank 0) and the workers. All messages are small, so that sending never
 /// waits.
 ///
-///     worker -> master   ready        nothing to do on one of my seats: send me a piece
-///                        report       points of a piece are computed, and written or held
-///     master -> worker   piece        compute these points, in order
+///     worker -> master   ready        nothing to do: send me an assignment
+///                        report       points of an assignment are computed, and written or held
+///     master -> worker   assignment   compute these points, in order
 ///                        verdict      which of the points that you hold are kept
 ///                        stop         give up the points you are at, then say that you are ready
 ///                        leave        there is nothing left to do for you
@@ -19,20 +19,20 @@
 
 namespace rubatlas::mpi {
 
-enum class Tag : std::uint8_t { ready = 1, report = 2, piece = 3, stop = 4, leave = 5, verdict = 6 };
+enum class Tag : std::uint8_t { ready = 1, report = 2, assignment = 3, stop = 4, leave = 5, verdict = 6 };
 
-/// What becomes of the rows of a piece's points.
+/// What becomes of the rows of an assignment's points.
 enum class Keep : std::uint8_t {
   at_once,           ///< written
   never,             ///< the points lead to those behind them, or their rows are there already
   after_verdict,     ///< held by the rank until it is known whether the piece before leads to them
-  where_it_differs,  ///< written where the motion differs from `Piece::found`
-  compared,          ///< only compared with `Piece::found`
+  where_it_differs,  ///< written where the motion differs from `Assignment::found`
+  compared,          ///< only compared with `Assignment::found`
 };
 
-/// Points that one rank computes one after the other: part of a line, in the order of the sweep. (A piece of
-/// `plan::Pieces` is handed out in several of these.)
-struct Piece {
+/// Points that one rank computes one after the other: part of a line, or of a piece of it (`plan::Pieces`),
+/// in the order of the sweep.
+struct Assignment {
   /// Long enough that messages are rare beside computing, short enough that the runs progress evenly, and
   /// that a message about all its points is small.
   static constexpr std::size_t kMostPoints = 16;
@@ -43,7 +43,6 @@ struct Piece {
   std::uint64_t count = 0;
   std::uint8_t from_initial = 1;  ///< the first point starts from the scene's `initial` ...
   motion::SectionState start{};   ///< ... else from here,
-  std::int32_t seat = 0;          ///< of the rank (`PointRunner`)
   Keep keep = Keep::at_once;
   analysis::MotionTrace found;  ///< the motion to compare with, where `keep` asks for it
   motion::Memory
@@ -53,12 +52,12 @@ struct Piece {
 /// One computed point, and what it cost.
 struct PointReport {
   std::uint64_t line = 0;
-  std::uint64_t run = 0;  ///< that of its piece
+  std::uint64_t run = 0;  ///< that of its assignment
   std::uint64_t visit = 0;
   point::PointStatus status = point::PointStatus::pending;
   point::StatusDetail detail = point::StatusDetail::none;
-  Keep keep = Keep::at_once;     ///< that of the piece when the point ended
-  std::uint8_t same_motion = 0;  ///< 1: the motion is `Piece::found`, and the row is not kept
+  Keep keep = Keep::at_once;     ///< that of the assignment when the point ended
+  std::uint8_t same_motion = 0;  ///< 1: the motion is `Assignment::found`, and the row is not kept
   analysis::MotionTrace trace;   ///< where `keep` is `after_verdict`
   motion::SectionState final_state{};
   double seconds = 0.0;
@@ -72,9 +71,9 @@ struct RankTimes {
   double processor = 0.0;  ///< CPU time altogether
 };
 
-/// Points of a piece that follow each other, which a rank has computed. Rows that are kept at once are in the
-/// atlas already. A point whose row is not written at once is reported by itself, because the schedule waits
-/// for its cost or its motion.
+/// Points of an assignment that follow each other, which a rank has computed. Rows that are kept at once are
+/// in the atlas already. A point whose row is not written at once is reported by itself, because the schedule
+/// waits for its cost or its motion.
 struct Report {
   struct Point {
     float seconds = 0.0F;
@@ -93,10 +92,10 @@ struct Report {
   std::uint8_t same_motion = 0;  ///< of the last point, as is all that follows
   analysis::MotionTrace trace;
   motion::SectionState final_state{};
-  std::array<Point, Piece::kMostPoints> points;
+  std::array<Point, Assignment::kMostPoints> points;
   motion::Memory final_memory;  ///< the last member, as above
 
-  /// Appends a point, the next of its piece.
+  /// Appends a point, the next of its assignment.
   void add(const PointReport& point);
   /// The points one by one; only the last one has a final state and a trace.
   [[nodiscard]] PointReport point(std::size_t number) const;
@@ -111,10 +110,9 @@ std::size_t sent_size(const Payload& payload) {
   return sizeof payload;
 }
 
-/// `ready`: the seat has never had a piece, or its piece is over, possibly given up because of a signal.
+/// `ready`: the rank has had no assignment yet, or its assignment is over, possibly given up because of a
+/// signal.
 struct Ready {
-  std::int32_t seat = 0;
-  std::int32_t seats = 1;  ///< seats of the rank
   std::uint8_t stop_requested = 0;
 };
 
@@ -130,7 +128,7 @@ struct Verdict {
 /// `stop` and `leave` have no content.
 struct Nothing {};
 
-static_assert(std::is_trivially_copyable_v<Piece> && std::is_trivially_copyable_v<Report> &&
+static_assert(std::is_trivially_copyable_v<Assignment> && std::is_trivially_copyable_v<Report> &&
               std::is_trivially_copyable_v<Ready> && std::is_trivially_copyable_v<Verdict>);
 
 inline void Report::add(const PointReport& point) {

@@ -2,67 +2,52 @@
 #include "assembly/make_line_solver.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace rubatlas::mpi {
 namespace {
 
-/// Computed points wait at most this long for further points of their piece before they are reported.
+/// Computed points wait at most this long for further points of their assignment before they are reported.
 constexpr std::chrono::seconds kReportPeriod{1};
 
 }  // namespace
 
-PointRunner::PointRunner(const settings::Scene& scene, const plan::Grid& grid, atlas::AtlasWriter& writer,
-                         const batch::Width& width)
-    : scene_(scene),
-      grid_(grid),
-      writer_(writer),
-      width_(width),
-      batch_(batch::make_line_batch(width)),
-      seats_(static_cast<std::size_t>(width.seats)) {
+PointRunner::PointRunner(const settings::Scene& scene, const plan::Grid& grid, atlas::AtlasWriter& writer)
+    : scene_(scene), grid_(grid), writer_(writer) {
   if (plan::Pieces(scene).per_line() > 1) traces_.emplace(scene);
 }
 
-/// Where points are independent, several seats may compute points of the same line, each with its own solver.
-PointRunner::CachedSolver& PointRunner::solver_of(std::size_t line) {
-  const auto known = std::find_if(solvers_.begin(), solvers_.end(), [&](const CachedSolver& cached) {
-    return cached.line == line && !cached.seated;
-  });
+point::LineSolver& PointRunner::solver_of(std::size_t line) {
+  const auto known = std::ranges::find(solvers_, line, &CachedSolver::line);
   if (known != solvers_.end()) {
     solvers_.splice(solvers_.begin(), solvers_, known);
-    return solvers_.front();
+    return *solvers_.front().solver;
   }
-  if (solvers_.size() == kSolversKept) {
-    const auto oldest =
-        std::find_if(solvers_.rbegin(), solvers_.rend(), [](const auto& cached) { return !cached.seated; });
-    solvers_.erase(std::prev(oldest.base()));
-  }
+  if (solvers_.size() == kSolversKept) solvers_.pop_back();
   const plan::PointParameters parameters = grid_.parameters(grid_.point(line, 0));
   const settings::Scene& observed = traces_ ? traces_->observed() : scene_;
-  solvers_.push_front({line, batch::make_line_solver(width_, observed, parameters, tables_)});
-  return solvers_.front();
-}
-
-void PointRunner::begin(const Piece& piece) {
-  Seat& seat = seats_.at(static_cast<std::size_t>(piece.seat));
-  seat.left = piece;
-  seat.solver = &solver_of(piece.line);
-  seat.solver->seated = true;
-  seat.waits = true;
-  seat.reported = std::chrono::steady_clock::now();
-  ++pieces_;
-  ++waiting_;
+  solvers_.push_front({line, assembly::make_line_solver(observed, parameters, tables_)});
+  return *solvers_.front().solver;
 }
 
 void PointRunner::run(const Callbacks& callbacks) {
-  const auto go_on = [&] { return attend(callbacks); };
+  const modes::GoOn go_on = [&] { return attend(callbacks); };
+  const motion::PointStart initial(
+      motion::SectionState{scene_.initial.x, scene_.initial.y, scene_.initial.vx, scene_.initial.vy});
+  reported_ = std::chrono::steady_clock::now();
+  point::LineSolver& solver = solver_of(left_.line);
   integrating_.start();
-  begin_points(callbacks);
-  while (pieces_ > 0) {
-    finish_point(batch_->advance(go_on), callbacks);
-    begin_points(callbacks);
+  while (goes_on_ && has_assignment()) {
+    const std::size_t point = grid_.point(left_.line, left_.first_visit);
+    const auto began = std::chrono::steady_clock::now();
+    point::PointOutcome outcome =
+        solver.run(grid_.parameters(point).speed_ratio,
+                   left_.from_initial != 0 ? initial : motion::PointStart(left_.start, left_.memory), go_on);
+    if (outcome.status == point::PointStatus::pending) break;  // given up
+    finish_point(std::move(outcome), seconds_since(began), callbacks);
   }
+  left_.count = 0;
+  if (report_.count > 0) report(callbacks);
   integrating_.stop();
 }
 
@@ -89,7 +74,6 @@ bool PointRunner::attend(const Callbacks& callbacks) {
   const Interruption interruption(integrating_);
   goes_on_ = callbacks.go_on();
   settle_if_due();
-  begin_points(callbacks);
   return goes_on_;
 }
 
@@ -105,51 +89,24 @@ void PointRunner::write(void (atlas::AtlasWriter::*call)()) {
   writing_seconds_ += seconds_since(began);
 }
 
-/// When a piece is given up here, the same seat may get another one.
-void PointRunner::begin_points(const Callbacks& callbacks) {
-  while (waiting_ > 0) {
-    for (int number = 0; number < seats(); ++number) {
-      Seat& seat = seats_[static_cast<std::size_t>(number)];
-      if (!seat.waits) continue;
-      seat.waits = false;
-      --waiting_;
-      if (goes_on_) {
-        begin_point(number);
-      } else {
-        end_piece(number, callbacks);
-      }
-    }
-  }
-}
-
-void PointRunner::begin_point(int seat_number) {
-  const Seat& seat = seats_[static_cast<std::size_t>(seat_number)];
-  const motion::PointStart initial(
-      motion::SectionState{scene_.initial.x, scene_.initial.y, scene_.initial.vx, scene_.initial.vy});
-  const std::size_t point = grid_.point(seat.left.line, seat.left.first_visit);
-  batch_->begin(
-      seat_number, *seat.solver->solver, grid_.parameters(point).speed_ratio,
-      seat.left.from_initial != 0 ? initial : motion::PointStart(seat.left.start, seat.left.memory));
-}
-
-/// Gives a row to the writer, holds it or lets it go, as the piece says; the report tells which.
-void PointRunner::keep_row(const Piece& piece, point::PointOutcome& outcome, PointReport& computed) {
-  if (piece.keep == Keep::never) return;
-  atlas::Origin origin{.restarted = piece.from_initial != 0};
-  if (piece.keep == Keep::after_verdict) computed.trace = traces_->trace(outcome);
-  if (piece.keep == Keep::where_it_differs || piece.keep == Keep::compared) {
-    computed.same_motion = traces_->is_same_motion(outcome, piece.found) ? 1 : 0;
-    if (computed.same_motion != 0 || piece.keep == Keep::compared) return;
+/// Gives a row to the writer, holds it or lets it go, as the assignment says; the report tells which.
+void PointRunner::keep_row(point::PointOutcome& outcome, PointReport& computed) {
+  if (left_.keep == Keep::never) return;
+  atlas::Origin origin{.restarted = left_.from_initial != 0};
+  if (left_.keep == Keep::after_verdict) computed.trace = traces_->trace(outcome);
+  if (left_.keep == Keep::where_it_differs || left_.keep == Keep::compared) {
+    computed.same_motion = traces_->is_same_motion(outcome, left_.found) ? 1 : 0;
+    if (computed.same_motion != 0 || left_.keep == Keep::compared) return;
     origin.seam = plan::Seam::repaired;
   }
   if (traces_) traces_->strip(outcome);
-  if (piece.keep == Keep::after_verdict) {
+  if (left_.keep == Keep::after_verdict) {
     const std::uint8_t motion = computed.trace.motion;
     const bool aperiodic = motion != analysis::motion_class::kNone && !analysis::is_periodic(motion);
-    held_.push_back({piece.line, piece.first_visit, origin.restarted, std::move(outcome),
+    held_.push_back({left_.line, left_.first_visit, origin.restarted, std::move(outcome),
                      aperiodic ? plan::Seam::aperiodic : plan::Seam::agrees});
   } else {
-    writer_.add_point(grid_.point(piece.line, piece.first_visit), origin, outcome);
+    writer_.add_point(grid_.point(left_.line, left_.first_visit), origin, outcome);
   }
 }
 
@@ -167,71 +124,47 @@ void PointRunner::take(const Verdict& verdict) {
   }
   write(&atlas::AtlasWriter::write_rows);
   std::erase_if(held_, [&](const HeldPoint& point) { return concerns(point.line, point.visit); });
-  for (Seat& seat : seats_) {
-    if (seat.solver == nullptr || seat.left.keep != Keep::after_verdict) continue;
-    if (concerns(seat.left.line, seat.left.first_visit)) seat.left.keep = Keep::at_once;
-  }
+  if (has_assignment() && left_.keep == Keep::after_verdict && concerns(left_.line, left_.first_visit))
+    left_.keep = Keep::at_once;
 }
 
-void PointRunner::finish_point(batch::Finished finished, const Callbacks& callbacks) {
-  Seat& seat = seats_[static_cast<std::size_t>(finished.seat)];
-  Piece& left = seat.left;
-  point::PointOutcome& outcome = finished.outcome;
-  if (outcome.status == point::PointStatus::pending) {  // given up
-    end_piece(finished.seat, callbacks);
-    return;
-  }
-  PointReport computed{.line = left.line,
-                       .run = left.run,
-                       .visit = left.first_visit,
+void PointRunner::finish_point(point::PointOutcome outcome, double seconds, const Callbacks& callbacks) {
+  PointReport computed{.line = left_.line,
+                       .run = left_.run,
+                       .visit = left_.first_visit,
                        .status = outcome.status,
                        .detail = outcome.detail,
-                       .keep = left.keep,
+                       .keep = left_.keep,
                        .trace = {},
                        .final_state = outcome.final_state,
-                       .seconds = finished.seconds,
+                       .seconds = seconds,
                        .final_memory = outcome.final_memory};
-  seat.report.work += outcome.work;
-  keep_row(left, outcome, computed);
-  seat.report.add(computed);
+  report_.work += outcome.work;
+  keep_row(outcome, computed);
+  report_.add(computed);
   settle_if_due();
 
   const bool goes_on = grid_.points_depend_on_each_other() && computed.status == point::PointStatus::done;
-  left.from_initial = goes_on ? 0 : 1;
-  left.start = computed.final_state;
-  left.memory = computed.final_memory;
-  ++left.first_visit;
-  if (--left.count == 0) {
-    end_piece(finished.seat, callbacks);
-    return;
-  }
-  const bool is_due = std::chrono::steady_clock::now() - seat.reported >= kReportPeriod;
+  left_.from_initial = goes_on ? 0 : 1;
+  left_.start = computed.final_state;
+  left_.memory = computed.final_memory;
+  ++left_.first_visit;
+  --left_.count;
+  const bool is_due = std::chrono::steady_clock::now() - reported_ >= kReportPeriod;
   const bool is_awaited = computed.keep != Keep::at_once;
-  if (is_due || is_awaited || writer_.is_full()) report(seat, callbacks);
-  seat.waits = true;
-  ++waiting_;
+  if (is_due || is_awaited || writer_.is_full()) report(callbacks);
 }
 
-/// Writes the rows of the reported points first, and with them those of other seats.
-void PointRunner::report(Seat& seat, const Callbacks& callbacks) {
+/// Writes the rows of the reported points first.
+void PointRunner::report(const Callbacks& callbacks) {
   const Interruption interruption(integrating_);
   write(&atlas::AtlasWriter::write_rows);
-  seat.report.times = {.busy = integrating_.seconds(),
-                       .writing = writing_seconds_,
-                       .processor = integrating_.reading() - processor_at_start_};
-  callbacks.after_points(seat.report);
-  seat.report = {};
-  seat.reported = std::chrono::steady_clock::now();
-}
-
-void PointRunner::end_piece(int seat_number, const Callbacks& callbacks) {
-  const Interruption interruption(integrating_);
-  Seat& seat = seats_[static_cast<std::size_t>(seat_number)];
-  if (seat.report.count > 0) report(seat, callbacks);
-  seat.solver->seated = false;
-  seat.solver = nullptr;
-  --pieces_;
-  callbacks.piece_over(seat_number);
+  report_.times = {.busy = integrating_.seconds(),
+                   .writing = writing_seconds_,
+                   .processor = integrating_.reading() - processor_at_start_};
+  callbacks.after_points(report_);
+  report_ = {};
+  reported_ = std::chrono::steady_clock::now();
 }
 
 }  // namespace rubatlas::mpi

@@ -1,11 +1,8 @@
-/// Computes pieces and writes their rows. Every rank has one, the master too.
+/// Computes assignments and writes their rows. Every rank has one, the master too.
 ///
 /// Where lines are swept in pieces (`plan::Pieces`), the rank that has computed a point holds its row until
 /// it is known whether the piece before leads to the same motion. A row is therefore written once, and a
 /// status in the atlas is final. Held rows are lost with their rank, and computed again by a resumed run.
-///
-/// A rank has as many seats as its processor has lanes for the scene, one piece on each: points of several
-/// lines are computed side by side (`src/batch`).
 #pragma once
 
 #include <chrono>
@@ -18,7 +15,6 @@
 
 #include "assembly/make_line_solver.hpp"
 #include "atlas/atlas_writer.hpp"
-#include "batch/line_batch.hpp"
 #include "mpi/clock.hpp"
 #include "mpi/job/mailbox.hpp"
 #include "mpi/job/messages.hpp"
@@ -32,30 +28,24 @@ namespace rubatlas::mpi {
 
 class PointRunner {
  public:
-  PointRunner(const settings::Scene& scene, const plan::Grid& grid, atlas::AtlasWriter& writer,
-              const batch::Width& width);
+  PointRunner(const settings::Scene& scene, const plan::Grid& grid, atlas::AtlasWriter& writer);
 
   struct Callbacks {
     std::function<bool()>
         go_on;  ///< asked every `Mailbox::kLookPeriod`; after false all points are given up, for good
     std::function<void(const Report&)> after_points;  ///< their rows are in the atlas or held
-    std::function<void(int seat)> piece_over;         ///< the piece of a seat has ended or was given up
   };
 
-  /// Number of solvers that a rank keeps; it exceeds the number of seats. Ranks change lines near the end of
-  /// a job, when few lines are left.
+  /// Number of solvers that a rank keeps: ranks change lines near the end of a job, when few lines are left.
   static constexpr std::size_t kSolversKept = 16;
 
-  [[nodiscard]] int seats() const { return static_cast<int>(seats_.size()); }
-  /// Number of seats that have a piece.
-  [[nodiscard]] int pieces() const { return pieces_; }
+  /// Takes an assignment on; there must be none. From here on verdicts concern its points.
+  void begin(const Assignment& assignment) { left_ = assignment; }
+  [[nodiscard]] bool has_assignment() const { return left_.count > 0; }
 
-  /// Gives a piece to its seat, which has to be free. May be called from the callbacks.
-  void begin(const Piece& piece);
-
-  /// Computes until no piece is left. The points of a piece are computed in order. Each starts from the end
-  /// of the point before it, or from the scene's `initial` if that point did not end as done or points are
-  /// independent.
+  /// Computes the points of the assignment in order, until its end or until points are to be given up. Each
+  /// starts from the end of the point before it, or from the scene's `initial` if that point did not end as
+  /// done or points are independent. Then there is no assignment.
   void run(const Callbacks& callbacks);
 
   /// Writes the held rows that are kept, and forgets the others of that piece.
@@ -64,20 +54,10 @@ class PointRunner {
   /// Forces written rows to the disk when a batch is due; to be called while there is nothing to compute.
   void idle() { settle_if_due(); }
 
-  [[nodiscard]] batch::LaneCounts lane_counts() const { return batch_->counts(); }
-
  private:
   struct CachedSolver {
     std::size_t line = 0;
     std::unique_ptr<point::LineSolver> solver;
-    bool seated = false;
-  };
-  struct Seat {
-    Piece left;  ///< the rest of the piece, from its next point on
-    CachedSolver* solver = nullptr;
-    bool waits = false;                              ///< its next point has not begun
-    Report report;                                   ///< computed points that have not been reported
-    std::chrono::steady_clock::time_point reported;  ///< the last report, or the beginning of the piece
   };
 
   /// A point whose row is neither kept nor dropped yet.
@@ -96,27 +76,21 @@ class PointRunner {
   void settle_if_due();
   /// Adds the time that a call of the writer takes to the time of writing.
   void write(void (atlas::AtlasWriter::*call)());
-  void report(Seat& seat, const Callbacks& callbacks);
-  void begin_points(const Callbacks& callbacks);
-  void begin_point(int seat_number);
-  void finish_point(batch::Finished finished, const Callbacks& callbacks);
-  void keep_row(const Piece& piece, point::PointOutcome& outcome, PointReport& computed);
-  void end_piece(int seat_number, const Callbacks& callbacks);
-  CachedSolver& solver_of(std::size_t line);
+  void report(const Callbacks& callbacks);
+  void finish_point(point::PointOutcome outcome, double seconds, const Callbacks& callbacks);
+  void keep_row(point::PointOutcome& outcome, PointReport& computed);
+  point::LineSolver& solver_of(std::size_t line);
 
   const settings::Scene& scene_;
   std::optional<TraceRecorder> traces_;  ///< where lines are swept in pieces; solvers refer to its scene
   const plan::Grid& grid_;
   atlas::AtlasWriter& writer_;
-  batch::Width width_;
   std::shared_ptr<assembly::BladeTables> tables_ = assembly::make_blade_tables();
-  std::list<CachedSolver>
-      solvers_;  ///< most recently used first; declared before the batch, whose points use them
-  std::unique_ptr<batch::LineBatch> batch_;
-  std::vector<Seat> seats_;
+  std::list<CachedSolver> solvers_;                 ///< most recently used first
+  Assignment left_;                                 ///< the rest of the assignment, from its next point on
+  Report report_;                                   ///< computed points that have not been reported
+  std::chrono::steady_clock::time_point reported_;  ///< the last report, or the beginning of the assignment
   std::vector<HeldPoint> held_;
-  int pieces_ = 0;
-  int waiting_ = 0;
   bool goes_on_ = true;  ///< no point has been given up
   Pace pace_{Mailbox::kLookPeriod};
   ProcessorWatch integrating_;

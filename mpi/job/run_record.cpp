@@ -8,6 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -38,8 +39,8 @@ std::string json_line(const nlohmann::json& value) {
   return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// `ending` is null while the run goes on.
-std::string paragraph(const RunBeginning& beginning, const JobResult& result, const RunEnding* ending,
+/// There is no exit code while the run goes on.
+std::string paragraph(const RunBeginning& beginning, const JobResult& result, std::optional<int> exit_code,
                       const atlas::Software& software) {
   const Standing& standing = result.standing;
   const motion::WorkCounts& work = result.work;
@@ -52,20 +53,16 @@ std::string paragraph(const RunBeginning& beginning, const JobResult& result, co
   const std::string now = json_line(utc(std::chrono::system_clock::now()));
   put("started", json_line(utc(beginning.started)));
   put("updated", now);
-  put("finished", ending != nullptr ? now : "null");
+  put("finished", exit_code ? now : "null");
   if (!beginning.part.is_whole()) put("part", json_line(plan::text_of(beginning.part)));
   put("resumed", beginning.resumed ? "true" : "false");
-  put("exit_code", ending != nullptr ? fmt::to_string(ending->exit_code) : "null");
+  put("exit_code", exit_code ? fmt::to_string(*exit_code) : "null");
   put("version", json_line(software.software_version));
   put("git_commit", json_line(software.git_commit));
   put("compiler", json_line(software.compiler));
   put("processor", json_line(processor()));
   put("ranks", fmt::to_string(beginning.hosts.size()));
   put("host_of_rank", json_line(beginning.hosts));
-  put("lanes_of_rank", fmt::format("[{}]", fmt::join(beginning.lanes, ", ")));
-  if (ending != nullptr) {
-    put("attempts_in_lanes_of_rank", fmt::format("[{}]", fmt::join(ending->in_lanes, ", ")));
-  }
   put("points_of_rank", fmt::format("[{}]", fmt::join(result.points_of_rank, ", ")));
   const auto put_seconds = [&](const char* key, double RankTimes::*seconds) {
     std::vector<double> of_rank;
@@ -136,14 +133,14 @@ RunRecord::RunRecord(atlas::Output output, RunBeginning beginning, atlas::Softwa
 
 void RunRecord::update(const JobResult& so_far) const {
   try {
-    write(paragraph(beginning_, so_far, nullptr, software_));
+    write(paragraph(beginning_, so_far, std::nullopt, software_));
   } catch (const std::runtime_error&) {
     return;
   }
 }
 
-void RunRecord::finish(const JobResult& result, const RunEnding& ending) const {
-  write(paragraph(beginning_, result, &ending, software_));
+void RunRecord::finish(const JobResult& result, int exit_code) const {
+  write(paragraph(beginning_, result, exit_code, software_));
 }
 
 void RunRecord::write(const std::string& paragraph) const {

@@ -18,7 +18,6 @@ struct RunBeginning {
   std::chrono::system_clock::time_point started;
   plan::Part part;                 ///< of the scene's grid
   std::vector<std::string> hosts;  ///< one per rank
-  std::vector<std::string> lanes;  ///< one per rank: number of lines that it can compute side by side
   bool resumed = false;
 };
 
@@ -26,13 +25,6 @@ struct RunBeginning {
 /// atlas::OutputRefusal.
 atlas::Output record_output(const std::filesystem::path& atlas,
                             const std::vector<std::filesystem::path>& read);
-
-/// What is known of a run at its end.
-struct RunEnding {
-  std::vector<std::string>
-      in_lanes;  ///< one per rank: attempted steps that were computed side by side with others
-  int exit_code = 0;
-};
 
 /// Writes the record of an atlas that has been merged: the runs of all parts, one after the other. Parts
 /// without a record are left out. Throws EnvironmentError.
@@ -50,7 +42,7 @@ class RunRecord {
   /// it.
   void update(const JobResult& so_far) const;
   /// Throws EnvironmentError.
-  void finish(const JobResult& result, const RunEnding& ending) const;
+  void finish(const JobResult& result, int exit_code) const;
 
  private:
   void write(const std::string& paragraph) const;

@@ -11,9 +11,10 @@ namespace {
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 constexpr auto kDone = static_cast<std::uint8_t>(point::PointStatus::done);
 
-/// Pieces become shorter when the points left are fewer than this many pieces of full length for each seat.
-constexpr std::size_t kPiecesPerSeat = 8;
-/// Runs are few when there are no more than this many for each seat. Then the longest goes first, so that
+/// Assignments become shorter when the points left are fewer than this many assignments of full length for
+/// each rank.
+constexpr std::size_t kAssignmentsPerRank = 8;
+/// Runs are few when there are no more than this many for each rank. Then the longest goes first, so that
 /// all end at the same time.
 constexpr std::size_t kFewRuns = 4;
 /// Number of runs whose lead-in is computed before anything else: the time left is then known early, since
@@ -39,7 +40,7 @@ Schedule::Schedule(const plan::Grid& grid, const plan::Pieces& pieces, const Sto
       seam_(stored.seam.begin(), stored.seam.end()),
       final_state_(stored.final_state),
       runs_(grid.line_count() * pieces.per_line()),
-      rank_count_(static_cast<std::size_t>(rank_count)),
+      run_of_rank_(static_cast<std::size_t>(rank_count), kNone),
       costs_(grid.speed_count()),
       left_at_speed_(grid.speed_count(), 0) {
   for (std::size_t number = 0; number < runs_.size(); ++number) {
@@ -58,7 +59,6 @@ Schedule::Schedule(const plan::Grid& grid, const plan::Pieces& pieces, const Sto
     }
     if (has_unassigned(number)) ++unfinished_runs_;
   }
-  unreported_ = unassigned_;
   stride_ = spread_stride(grid.line_count());
   if (undecided_ == 0) return;
   choose_scouts();
@@ -119,8 +119,7 @@ std::optional<std::size_t> Schedule::choose_run(std::size_t& own) {
       scouts_.pop_back();
       return scout;
     }
-    const std::size_t seats = std::max(rank_count_, run_of_seat_.size());
-    if (!last_runs_ && unfinished_runs_ <= kFewRuns * seats) begin_endgame();
+    if (!last_runs_ && unfinished_runs_ <= kFewRuns * run_of_rank_.size()) begin_endgame();
     if (last_runs_) return choose_longest();
   }
   if (own != kNone && is_own(own)) return own;
@@ -166,25 +165,24 @@ std::optional<std::size_t> Schedule::choose_longest() {
   return longest;
 }
 
-// --- pieces ---
+// --- assignments ---
 
-std::optional<Piece> Schedule::next(int rank, int seat) {
-  std::optional<Piece> piece;
-  std::size_t& own = run_of_seat_.try_emplace({rank, seat}, kNone).first->second;
+std::optional<Assignment> Schedule::next(int rank) {
   if (!ready_.empty()) {
-    piece = piece_at_seam(ready_.front());
+    const std::size_t run = ready_.front();
     ready_.pop_front();
-  } else if (const auto run = choose_run(own)) {
-    if (own == *run) runs_[own].taken = true;
-    piece = piece_of_run(*run, rank);
+    return assignment_at_seam(run);
   }
-  if (piece) piece->seat = seat;
-  return piece;
+  std::size_t& own = run_of_rank_[static_cast<std::size_t>(rank)];
+  const auto run = choose_run(own);
+  if (!run) return std::nullopt;
+  if (own == *run) runs_[own].taken = true;
+  return assignment_of_run(*run, rank);
 }
 
-std::size_t Schedule::piece_length() const {
-  const std::size_t seats = std::max(rank_count_, run_of_seat_.size());
-  return std::clamp(unassigned_ / (kPiecesPerSeat * seats), std::size_t{1}, Piece::kMostPoints);
+std::size_t Schedule::assignment_length() const {
+  return std::clamp(unassigned_ / (kAssignmentsPerRank * run_of_rank_.size()), std::size_t{1},
+                    Assignment::kMostPoints);
 }
 
 Keep Schedule::keep_of(std::size_t run, std::size_t visit) const {
@@ -194,16 +192,16 @@ Keep Schedule::keep_of(std::size_t run, std::size_t visit) const {
 
 namespace {
 
-void set_start(Piece& piece, const std::optional<motion::PointStart>& start) {
+void set_start(Assignment& assignment, const std::optional<motion::PointStart>& start) {
   if (!start) return;
-  piece.start = start->state;
-  piece.memory = start->memory;
-  piece.from_initial = 0;
+  assignment.start = start->state;
+  assignment.memory = start->memory;
+  assignment.from_initial = 0;
 }
 
 }  // namespace
 
-/// Where the next piece of a run starts; nothing: from `initial`.
+/// Where the next assignment of a run starts; nothing: from `initial`.
 std::optional<motion::PointStart> Schedule::start_of(std::size_t number) const {
   const std::size_t visit = runs_[number].next;
   if (!chained_ || visit == 0) return std::nullopt;
@@ -213,46 +211,48 @@ std::optional<motion::PointStart> Schedule::start_of(std::size_t number) const {
   return stored_end(line_of(number), visit - 1);
 }
 
-Piece Schedule::piece_of_run(std::size_t number, int rank) {
+Assignment Schedule::assignment_of_run(std::size_t number, int rank) {
   Run& run = runs_[number];
-  Piece piece;
-  piece.line = line_of(number);
-  piece.run = number;
-  piece.first_visit = run.next;
-  piece.keep = keep_of(number, run.next);
-  set_start(piece, start_of(number));
-  const std::size_t length = piece_length();
-  while (has_unassigned(number) && piece.count < length && keep_of(number, run.next) == piece.keep) {
-    ++piece.count;
+  Assignment assignment;
+  assignment.line = line_of(number);
+  assignment.run = number;
+  assignment.first_visit = run.next;
+  assignment.keep = keep_of(number, run.next);
+  set_start(assignment, start_of(number));
+  const std::size_t length = assignment_length();
+  while (has_unassigned(number) && assignment.count < length &&
+         keep_of(number, run.next) == assignment.keep) {
+    ++assignment.count;
     ++run.next;
   }
-  run.out += static_cast<std::uint32_t>(piece.count);
-  unassigned_ -= piece.count;
+  run.out += static_cast<std::uint32_t>(assignment.count);
+  unassigned_ -= assignment.count;
   skip_stored(number);
   if (chained_) {
     const auto [course, begins] = courses_.try_emplace(number);
-    if (begins) course->second.first_visit = piece.first_visit;
-    if (piece.keep == Keep::after_verdict) course->second.holders.insert(rank);
+    if (begins) course->second.first_visit = assignment.first_visit;
+    if (assignment.keep == Keep::after_verdict) course->second.holders.insert(rank);
   }
-  return piece;
+  return assignment;
 }
 
 /// The point at which the front waits, or the first point of a run that the front has not reached.
-Piece Schedule::piece_at_seam(std::size_t run) {
+Assignment Schedule::assignment_at_seam(std::size_t run) {
   const Course& course = courses_.at(run);
   const bool ahead = course.ahead == Ahead::under_way;
   const std::size_t begin = pieces_.begin(piece_of(run));
-  Piece piece;
-  piece.line = line_of(run);
-  piece.run = run;
-  piece.first_visit = ahead ? begin : fronts_.at(piece.line).visit;
-  piece.count = 1;
-  piece.keep = ahead ? Keep::compared : Keep::where_it_differs;
-  piece.found = course.found[piece.first_visit - begin].trace;
+  Assignment assignment;
+  assignment.line = line_of(run);
+  assignment.run = run;
+  assignment.first_visit = ahead ? begin : fronts_.at(assignment.line).visit;
+  assignment.count = 1;
+  assignment.keep = ahead ? Keep::compared : Keep::where_it_differs;
+  assignment.found = course.found[assignment.first_visit - begin].trace;
   // The front may have passed the run before in the meantime.
   const auto before = courses_.find(run - 1);
-  set_start(piece, ahead && before != courses_.end() ? before->second.last : fronts_.at(piece.line).start);
-  return piece;
+  set_start(assignment,
+            ahead && before != courses_.end() ? before->second.last : fronts_.at(assignment.line).start);
+  return assignment;
 }
 
 // --- reports ---
@@ -283,7 +283,6 @@ std::optional<motion::PointStart> end_of_point(const PointReport& report) {
 void Schedule::record_of_run(const PointReport& report, Outcome& outcome) {
   Run& run = runs_[report.run];
   --run.out;
-  --unreported_;
   --left_at_speed_[speed_index(report.line, report.visit)];
   if (chained_) {
     Course& course = courses_.at(report.run);

@@ -2,11 +2,11 @@
 ///
 /// In a sweep each point starts from the end of the point before it. A run of points (a line, or a piece of
 /// it with its lead-in, `plan::Pieces`) is therefore handed out in order, and to one rank at a time, in
-/// pieces of up to 16 points. A piece contains its start state, so that the next piece may go to another
-/// rank. While there are many runs a rank stays with its own. When few are left, the run with the most work
-/// left goes first. Preempting a run at the end of a piece costs nothing; with free preemption this rule
-/// reaches McNaughton's bound, total work over number of ranks, up to the length of a piece, unless a single
-/// run takes longer. Independent points have no order: any rank gets any of them.
+/// assignments of up to 16 points. An assignment contains its start state, so that the next one may go to
+/// another rank. While there are many runs a rank stays with its own. When few are left, the run with the
+/// most work left goes first. Preempting a run at the end of an assignment costs nothing; with free
+/// preemption this rule reaches McNaughton's bound, total work over number of ranks, up to the length of an
+/// assignment, unless a single run takes longer. Independent points have no order: any rank gets any of them.
 ///
 /// Seams. Along each line a front separates the points that stand from those that may still be replaced. When
 /// it arrives at the first point of a piece, this point is computed from the end of the point before and
@@ -28,7 +28,6 @@
 #include <optional>
 #include <set>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "mpi/job/cost_model.hpp"
@@ -52,9 +51,9 @@ class Schedule {
   /// Expected seconds of a point at this place on the axis of the speed ratio, measured before the job.
   void expect(std::size_t speed_index, double seconds) { costs_.assume(speed_index, seconds); }
 
-  /// The next piece for a rank, or for one of its seats where it computes several side by side; empty when
-  /// there is none now (`has_more` tells whether there may be one later).
-  std::optional<Piece> next(int rank, int seat = 0);
+  /// The next assignment for a rank; empty when there is none now (`has_more` tells whether there may be one
+  /// later).
+  std::optional<Assignment> next(int rank);
 
   /// How a point ended.
   struct Ending {
@@ -71,14 +70,9 @@ class Schedule {
     std::vector<Ending> finished;  ///< of points whose rows stand from now on
     std::vector<Decision> decisions;
   };
-  /// One point of a piece is computed. The last point of a piece frees its run.
+  /// One point of an assignment is computed. The last point of an assignment frees its run.
   Outcome record(const PointReport& report);
 
-  /// Largest number of pieces that can be computed at the same time, now or after the present ones have
-  /// ended.
-  [[nodiscard]] std::size_t side_by_side() const {
-    return chained_ ? unfinished_runs_ + fronts_.size() : unreported_;
-  }
   /// Whether points will be handed out, now or later.
   [[nodiscard]] bool has_more() const { return unassigned_ > 0 || undecided_ > 0; }
   /// Expected seconds of all points not yet reported, divided by the recorded seconds; the estimate of the
@@ -158,10 +152,10 @@ class Schedule {
   std::optional<std::size_t> choose_run(std::size_t& own);
   std::optional<std::size_t> choose_longest();
   void begin_endgame();
-  [[nodiscard]] std::size_t piece_length() const;
+  [[nodiscard]] std::size_t assignment_length() const;
   [[nodiscard]] std::optional<motion::PointStart> start_of(std::size_t run) const;
-  Piece piece_of_run(std::size_t run, int rank);
-  Piece piece_at_seam(std::size_t run);
+  Assignment assignment_of_run(std::size_t run, int rank);
+  Assignment assignment_at_seam(std::size_t run);
 
   void record_of_run(const PointReport& report, Outcome& outcome);
   void record_at_front(const PointReport& report, Outcome& outcome);
@@ -183,10 +177,9 @@ class Schedule {
   std::function<motion::PointStart(std::size_t point)> final_state_;
   std::vector<Run> runs_;  ///< piece by piece, line by line
   std::map<std::size_t, Course> courses_;
-  std::map<std::size_t, Front> fronts_;                     ///< by line
-  std::deque<std::size_t> ready_;                           ///< runs with a point to be compared
-  std::map<std::pair<int, int>, std::size_t> run_of_seat_;  ///< by rank and seat; the run that it had last
-  std::size_t rank_count_;
+  std::map<std::size_t, Front> fronts_;   ///< by line
+  std::deque<std::size_t> ready_;         ///< runs with a point to be compared
+  std::vector<std::size_t> run_of_rank_;  ///< the run that it had last
   CostModel costs_;
   std::vector<std::size_t> left_at_speed_;  ///< points of runs that are not reported, by speed
   std::size_t first_open_ = 0;              ///< all runs before are taken or complete, by `in_order`
@@ -194,9 +187,8 @@ class Schedule {
   std::vector<std::size_t> scouts_;         ///< runs whose lead-in is still to be computed first
   std::optional<std::vector<std::size_t>> last_runs_;  ///< all unfinished runs when few are left
   std::size_t unassigned_ = 0;                         ///< points of runs that are not handed out
-  std::size_t unreported_ = 0;
-  std::size_t undecided_ = 0;        ///< pieces whose seam is not decided
-  std::size_t unfinished_runs_ = 0;  ///< with points that are not reported
+  std::size_t undecided_ = 0;                          ///< pieces whose seam is not decided
+  std::size_t unfinished_runs_ = 0;                    ///< with points that are not reported
   std::size_t looked_at_ = 0;
 };
 

@@ -13,13 +13,11 @@ class Ear {
  public:
   Ear(const Mailbox& mailbox, PointRunner& runner) : mailbox_(mailbox), runner_(runner) {}
 
-  /// Receives all messages that have arrived; true if there was one.
-  bool listen() {
-    bool heard = false;
+  /// Receives all messages that have arrived.
+  void listen() {
     while (const auto envelope = mailbox_.peek()) {
-      heard = true;
-      if (envelope->tag == Tag::piece) {
-        runner_.begin(mailbox_.receive<Piece>(*envelope));
+      if (envelope->tag == Tag::assignment) {
+        runner_.begin(mailbox_.receive<Assignment>(*envelope));
         continue;
       }
       if (envelope->tag == Tag::verdict) {
@@ -30,14 +28,12 @@ class Ear {
       stopping_ = stopping_ || envelope->tag == Tag::stop;
       leaving_ = leaving_ || envelope->tag == Tag::leave;
     }
-    return heard;
   }
   [[nodiscard]] bool stopping() const { return stopping_ || stop_requested(); }
   [[nodiscard]] bool leaving() const { return leaving_; }
 
-  void say_ready(int seat) const {
-    mailbox_.send(kMaster, Tag::ready,
-                  Ready{seat, runner_.seats(), static_cast<std::uint8_t>(stop_requested() ? 1 : 0)});
+  void say_ready() const {
+    mailbox_.send(kMaster, Tag::ready, Ready{static_cast<std::uint8_t>(stop_requested() ? 1 : 0)});
   }
 
  private:
@@ -63,13 +59,14 @@ void work(const Mailbox& mailbox, PointRunner& runner) {
             message.stop_requested = stop_requested() ? 1 : 0;
             mailbox.send(kMaster, Tag::report, message);
           },
-      .piece_over = [&](int seat) { ear.say_ready(seat); },
   };
-  for (int seat = 0; seat < runner.seats(); ++seat) ear.say_ready(seat);
+  ear.say_ready();
   Nap nap;
   while (!ear.leaving()) {
-    if (ear.listen()) {
+    ear.listen();
+    if (runner.has_assignment()) {
       runner.run(callbacks);
+      ear.say_ready();
       nap.reset();
     } else {
       runner.idle();

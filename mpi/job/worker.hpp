@@ -1,4 +1,4 @@
-/// A rank other than 0: asks for pieces and computes them until it is told to leave.
+/// A rank other than 0: asks for assignments and computes them until it is told to leave.
 #pragma once
 
 #include "mpi/job/mailbox.hpp"

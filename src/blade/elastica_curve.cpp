@@ -10,8 +10,6 @@
 namespace rubatlas::blade {
 namespace {
 
-constexpr int kDegree = kCurveDegree;
-
 using Real = long double;
 using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
@@ -101,6 +99,7 @@ void ElasticaCurve::add_first_piece(double width) {
   const std::array<int, 3> lead =
       friction_ == 0.0 ? std::array<int, 3>{0, 2, 1} : std::array<int, 3>{2, 4, 2};
   Piece piece{0.0, 1.0 / width, {}};
+  piece.coefficients.fill(Eigen::Array4d::Zero());
   for (std::size_t component = 0; component < 3; ++component) {
     const int count = (kDegree - lead[component]) / 2 + 1;
     const auto square = [](Real point) { return (1 + point) / 2; };
@@ -114,12 +113,12 @@ void ElasticaCurve::add_first_piece(double width) {
     const Eigen::Matrix<Real, Eigen::Dynamic, 1> fitted = interpolation(count, square) * samples;
     auto power = static_cast<std::size_t>(lead[component]);
     for (const Real coefficient : fitted) {
-      piece.coefficients[power][component] = static_cast<double>(coefficient);
+      piece.coefficients[power][static_cast<Eigen::Index>(component)] = static_cast<double>(coefficient);
       power += 2;
     }
   }
   // Each with its own leading power, so that neither loses digits to the other.
-  for (auto& coefficient : piece.coefficients) coefficient[1] += axial_compliance_ * coefficient[0];
+  for (Eigen::Array4d& coefficient : piece.coefficients) coefficient[1] += axial_compliance_ * coefficient[0];
   pieces_.push_back(piece);
   add_knot(width);
 }
@@ -136,9 +135,8 @@ void ElasticaCurve::add_piece(double from, double to) {
   const Matrix fitted = kFit * samples;
   Piece piece{static_cast<double>(centre), static_cast<double>(1 / half_width), {}};
   for (int k = 0; k <= kDegree; ++k) {
-    piece.coefficients[static_cast<std::size_t>(k)] = {static_cast<double>(fitted(k, 0)),
-                                                       static_cast<double>(fitted(k, 1)),
-                                                       static_cast<double>(fitted(k, 2)), 0.0};
+    piece.coefficients[static_cast<std::size_t>(k)] << static_cast<double>(fitted(k, 0)),
+        static_cast<double>(fitted(k, 1)), static_cast<double>(fitted(k, 2)), 0.0;
   }
   pieces_.push_back(piece);
   add_knot(to);

@@ -24,66 +24,21 @@
 #include <vector>
 
 #include "blade/elastica.hpp"
-#include "number/number.hpp"
 
 namespace rubatlas::blade {
 
 /// A point of the curve with its slope, all dimensionless; derivatives are by the bending parameter u.
-template <class Number>
-struct CurvePointOf {
-  Number load;              ///< F L² / EI
-  Number shortening;        ///< δ / L
-  Number deflection;        ///< Δ / L
-  Number load_slope;        ///< d(F L² / EI)/du
-  Number shortening_slope;  ///< d(δ/L)/du
-  Number deflection_slope;  ///< d(Δ/L)/du
+struct CurvePoint {
+  double load;              ///< F L² / EI
+  double shortening;        ///< δ / L
+  double deflection;        ///< Δ / L
+  double load_slope;        ///< d(F L² / EI)/du
+  double shortening_slope;  ///< d(δ/L)/du
+  double deflection_slope;  ///< d(Δ/L)/du
 };
-using CurvePoint = CurvePointOf<double>;
 
 /// Degree of the pieces of a tabulated curve.
 inline constexpr std::size_t kCurveDegree = 11;
-
-/// A piece of the curve at u. `centre`, `inverse_half_width`: its interval of |u|. `coefficients(k)`: of the
-/// power k of t, load, shortening and deflection together, as a vector that is multiplied by a number and has
-/// components. `mirror`: parity of the deflection.
-template <class Number, class Coefficients>
-CurvePointOf<Number> curve_point(const Number& bending, const Number& centre,
-                                 const Number& inverse_half_width, const Number& mirror,
-                                 Coefficients coefficients) {
-  using Values = decltype(coefficients(kCurveDegree));
-  using std::abs;
-  const Number t = (abs(bending) - centre) * inverse_half_width;
-  // Even and odd powers apart: two chains of half the length, which the processor works on side by side.
-  const Number square = t * t;
-  Values even = coefficients(kCurveDegree - 1);
-  Values odd = coefficients(kCurveDegree);
-  // Slopes by t², whose first terms are the highest coefficients themselves.
-  Values even_slope = even;
-  Values odd_slope = odd;
-  const auto next = [&](std::size_t k) {
-    even = even * square + coefficients(k - 2);
-    odd = odd * square + coefficients(k - 1);
-  };
-  next(kCurveDegree - 1);
-#pragma GCC unroll 4
-  for (std::size_t k = kCurveDegree - 3; k >= 2; k -= 2) {
-    even_slope = even_slope * square + even;
-    odd_slope = odd_slope * square + odd;
-    next(k);
-  }
-  const Values value = even + odd * t;
-  const Values slope = (odd + (even_slope + odd_slope * t) * (2.0 * t)) * inverse_half_width;
-  CurvePointOf<Number> point{value[0], value[1], value[2], slope[0], slope[1], slope[2]};
-  const auto negative = bending < Number(0.0);
-  if (number::any(negative)) [[unlikely]] {
-    const Number sign = number::choose(negative, Number(-1.0), Number(1.0));
-    point.load_slope *= sign;
-    point.shortening_slope *= sign;
-    point.deflection_slope *= sign * number::choose(negative, mirror, Number(1.0));
-    point.deflection *= number::choose(negative, mirror, Number(1.0));
-  }
-  return point;
-}
 
 /// F L²/EI of the cantilever that begins to buckle: π²/4.
 inline constexpr double kEulerLoad = std::numbers::pi * std::numbers::pi / 4.0;
@@ -114,25 +69,35 @@ class ElasticaCurve {
   /// The curve at u. Negative u continues it by symmetry: all functions even for μ > 0, the deflection odd
   /// for μ = 0.
   [[nodiscard]] CurvePoint at(double bending) const {
-    const Piece& piece = this->piece(std::abs(bending));
-    return curve_point(bending, piece.centre, piece.inverse_half_width, mirror_, [&](std::size_t k) {
-      return Eigen::Array4d(Eigen::Map<const Eigen::Array4d, kAlignment>(piece.coefficients[k].data()));
-    });
+    const double magnitude = std::abs(bending);
+    const Piece& piece = pieces_[index(magnitude)];
+    const auto& coefficients = piece.coefficients;
+    const double t = (magnitude - piece.centre) * piece.inverse_half_width;
+    // Even and odd powers apart: two chains of half the length, which the processor works on side by side.
+    const double square = t * t;
+    Eigen::Array4d even = coefficients[kDegree - 1];
+    Eigen::Array4d odd = coefficients[kDegree];
+    // Slopes by t², whose first terms are the highest coefficients themselves.
+    Eigen::Array4d even_slope = even;
+    Eigen::Array4d odd_slope = odd;
+    const auto next = [&](std::size_t k) {
+      even = even * square + coefficients[k - 2];
+      odd = odd * square + coefficients[k - 1];
+    };
+    next(kDegree - 1);
+#pragma GCC unroll 4
+    for (std::size_t k = kDegree - 3; k >= 2; k -= 2) {
+      even_slope = even_slope * square + even;
+      odd_slope = odd_slope * square + odd;
+      next(k);
+    }
+    const Eigen::Array4d value = even + odd * t;
+    const Eigen::Array4d slope = (odd + (even_slope + odd_slope * t) * (2.0 * t)) * piece.inverse_half_width;
+    if (bending < 0.0) [[unlikely]] {
+      return {value[0], value[1], mirror_ * value[2], -slope[0], -slope[1], -mirror_ * slope[2]};
+    }
+    return {value[0], value[1], value[2], slope[0], slope[1], slope[2]};
   }
-
-  /// One piece of the table, for those that evaluate several curves side by side. Laid out alike for every
-  /// processor that a source is compiled for.
-  static constexpr int kAlignment = 16;
-  struct Piece {
-    double centre;
-    double inverse_half_width;
-    /// Of powers of t: load, shortening, deflection, 0.
-    alignas(kAlignment) std::array<std::array<double, 4>, kCurveDegree + 1> coefficients;
-  };
-  /// The one that holds |u|.
-  [[nodiscard]] const Piece& piece(double magnitude) const { return pieces_[index(magnitude)]; }
-  /// Parity of the deflection: −1 for μ = 0, else 1.
-  [[nodiscard]] double mirror() const { return mirror_; }
 
   /// Boundaries of the pieces from 0 to `end()`, with the curve there: for bracketing roots and folds along
   /// the curve. Slopes are by the load, finite at the unloaded blade too; for μ = 0, where the load hardly
@@ -146,12 +111,21 @@ class ElasticaCurve {
     double shortening_slope = 0.0;
     double deflection_slope = 0.0;
   };
-  [[nodiscard]] const std::vector<Knot>& knots() const { return knots_; }
+  [[nodiscard]] const std::vector<Knot>& knots() const {
+    return knots_;
+  }
 
   /// The curve over p = asinh(u/β).
   [[nodiscard]] const BendingTable& over_asinh() const { return *over_asinh_; }
 
  private:
+  static constexpr int kDegree = 11;
+  struct Piece {
+    double centre;
+    double inverse_half_width;
+    std::array<Eigen::Array4d, kDegree + 1> coefficients;  ///< load, shortening, deflection, 0; powers of t
+  };
+
   static constexpr int kCoarseShift = 50;  ///< leaves exponent and two leading bits: quarter octaves
   static constexpr int kFineShift = 48;    ///< two bits more: sixteenths of an octave, from u = 1 on
 

@@ -56,46 +56,43 @@ struct ElasticBlade {
 };
 
 /// A contact at one bending parameter, with the rates that carry it along h = 0.
-template <class Number>
-struct ConstraintOf {
-  TipForceOf<Number> force;
-  Number residual;       ///< h [m²]
-  Number bending_slope;  ///< ∂h/∂u [m²]
-  Number time_slope;     ///< dh/dτ at fixed u [m²]
+struct Constraint {
+  TipForce force;
+  double residual;       ///< h [m²]
+  double bending_slope;  ///< ∂h/∂u [m²]
+  double time_slope;     ///< dh/dτ at fixed u [m²]
 };
 
 /// What the contact equation takes of a blade and its ring.
-template <class Number>
-struct ElasticBladeOf {
-  GeometryOf<Number> geometry;
-  Number length;       ///< L [m]
-  Number load_unit;    ///< EI / L² [N]
-  Number strain_unit;  ///< h / (2 L) [-]
-  Number friction;     ///< μ [-]
-  Number yield_unit;   ///< EI/(L² kr) [m]: yielding of the ring under F = EI/L²; 0 where it does not
+struct ElasticBladeInRing {
+  Geometry geometry;
+  double length;       ///< L [m]
+  double load_unit;    ///< EI / L² [N]
+  double strain_unit;  ///< h / (2 L) [-]
+  double friction;     ///< μ [-]
+  double yield_unit;   ///< EI/(L² kr) [m]: yielding of the ring under F = EI/L²; 0 where it does not
 };
 
 /// h = a² + b² − (R + F/kr)² [m²] (MODEL 4.1) of a blade at `at` that is bent to `point`, written from g, so
 /// that a light contact keeps its digits. `Point`: of the curve or one of its knots.
-template <bool kRingYields, class Number, class Point>
-Number residual_of(const ElasticBladeOf<Number>& blade, const PoseOf<Number>& at, const Number& slip,
-                   const Point& point) {
-  const Number shortening = blade.length * point.shortening;  // δ
-  const Number deflection = blade.length * point.deflection;  // Δ
-  Number residual = at.gap + shortening * (shortening - 2.0 * (at.radial + blade.geometry.reach)) +
+template <bool kRingYields, class Point>
+double residual_of(const ElasticBladeInRing& blade, const Pose& at, double slip, const Point& point) {
+  const double shortening = blade.length * point.shortening;  // δ
+  const double deflection = blade.length * point.deflection;  // Δ
+  double residual = at.gap + shortening * (shortening - 2.0 * (at.radial + blade.geometry.reach)) +
                     deflection * (deflection - 2.0 * slip * at.tangential);
   if constexpr (kRingYields) {
-    const Number yielding = blade.yield_unit * point.load;  // F/kr
+    const double yielding = blade.yield_unit * point.load;  // F/kr
     residual -= yielding * (2.0 * blade.geometry.ring_radius + yielding);
   }
   return residual;
 }
 
 /// ∂h/∂u [m²] there, where the tip lies at (a, b) along and across the blade, seen from the ring's centre.
-template <bool kRingYields, class Number, class Point>
-Number bending_slope_of(const ElasticBladeOf<Number>& blade, const Number& a, const Number& b,
-                        const Number& slip, const Point& point) {
-  Number slope = (-2.0 * blade.length) * (a * point.shortening_slope + slip * b * point.deflection_slope);
+template <bool kRingYields, class Point>
+double bending_slope_of(const ElasticBladeInRing& blade, double a, double b, double slip,
+                        const Point& point) {
+  double slope = (-2.0 * blade.length) * (a * point.shortening_slope + slip * b * point.deflection_slope);
   if constexpr (kRingYields) {
     slope -= 2.0 * blade.yield_unit * (blade.geometry.ring_radius + blade.yield_unit * point.load) *
              point.load_slope;
@@ -104,26 +101,24 @@ Number bending_slope_of(const ElasticBladeOf<Number>& blade, const Number& a, co
 }
 
 /// The contact equation and the force of the tip (MODEL 4.1 to 4.4) there.
-template <bool kRingYields, class Number>
-ConstraintOf<Number> constraint_of(const ElasticBladeOf<Number>& blade, const PoseOf<Number>& at,
-                                   const Number& slip, const blade::CurvePointOf<Number>& point,
-                                   const Number& angular_speed) {
-  using std::sqrt;
-  const Number& reach = blade.geometry.reach;
-  const Number shortening = blade.length * point.shortening;  // δ
-  const Number deflection = blade.length * point.deflection;  // Δ
-  const Number a = at.radial + reach - shortening;
-  const Number b = at.tangential - slip * deflection;
-  ConstraintOf<Number> result;
+template <bool kRingYields>
+Constraint constraint_of(const ElasticBladeInRing& blade, const Pose& at, double slip,
+                         const blade::CurvePoint& point, double angular_speed) {
+  const double reach = blade.geometry.reach;
+  const double shortening = blade.length * point.shortening;  // δ
+  const double deflection = blade.length * point.deflection;  // Δ
+  const double a = at.radial + reach - shortening;
+  const double b = at.tangential - slip * deflection;
+  Constraint result{};
   result.residual = residual_of<kRingYields>(blade, at, slip, point);
   result.bending_slope = bending_slope_of<kRingYields>(blade, a, b, slip, point);
   result.time_slope = 2.0 * a * (at.radial_velocity + angular_speed * at.tangential) +
                       2.0 * b * (at.tangential_velocity - angular_speed * at.radial);
-  const Number inverse_distance = 1.0 / sqrt(a * a + b * b);
-  const Number normal_radial = a * inverse_distance;
-  const Number normal_tangential = b * inverse_distance;
-  const Number load = blade.load_unit * point.load;
-  const Number friction = slip * blade.friction * load;
+  const double inverse_distance = 1.0 / std::sqrt(a * a + b * b);
+  const double normal_radial = a * inverse_distance;
+  const double normal_tangential = b * inverse_distance;
+  const double load = blade.load_unit * point.load;
+  const double friction = slip * blade.friction * load;
   // Fk = −F n − s μ F t with t = n turned by +90°.
   result.force.radial = -load * normal_radial + friction * normal_tangential;
   result.force.tangential = -load * normal_tangential - friction * normal_radial;
@@ -222,7 +217,7 @@ class ElasticBladeContact {
     return starts_unloaded(at, slip) && !(has_branches_ && stands_beyond_fold(at, slip, bending));
   }
 
-  using Constraint = ConstraintOf<double>;
+  using Constraint = contact::Constraint;
 
   [[nodiscard]] Constraint constraint(const Pose& at, double slip, double bending,
                                       double angular_speed) const {
@@ -290,8 +285,6 @@ class ElasticBladeContact {
 
   /// How often the curve has been evaluated for this law. A law belongs to one motion and one thread.
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
-  /// Counts evaluations that were made elsewhere on behalf of this law.
-  void count_evaluations(std::uint64_t more) const { evaluations_ += more; }
 
  private:
   [[nodiscard]] Constraint constraint_at(const Pose& at, double slip, const blade::CurvePoint& point,
@@ -363,7 +356,7 @@ class ElasticBladeContact {
   };
   [[nodiscard]] Incline incline(const Pose& at, double slip, const blade::CurvePoint& point) const;
 
-  ElasticBladeOf<double> blade_;
+  ElasticBladeInRing blade_;
   double axial_unit_;          ///< L ε [m]: axial shortening under F = EI/L²
   double axial_relief_ = 0.0;  ///< 3ε/μ [-]
   double ring_relief_ = 0.0;   ///< 3 EI R / (μ L³ kr) [m]

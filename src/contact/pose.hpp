@@ -1,52 +1,42 @@
 /// Where a blade stands against the ring: everything that the contact of one blade needs to know of the
 /// rotor.
 ///
-/// All in the frame of the ring, resolved along the blade (er) and across it (et) (MODEL 2, 4). Equations
-/// that are evaluated for several motions side by side, one in each SIMD lane, are templates of the number;
-/// names without `Of` are those of one motion.
+/// All in the frame of the ring, resolved along the blade (er) and across it (et) (MODEL 2, 4).
 #pragma once
 
 #include <cmath>
 #include <complex>
-#include <type_traits>
 
 namespace rubatlas::contact {
 
 /// The undeformed blade and the ring.
-template <class Number>
-struct GeometryOf {
-  Number reach;        ///< rh + L [m]: from the shaft centre to the undeformed tip
-  Number ring_radius;  ///< R [m]
+struct Geometry {
+  double reach;        ///< rh + L [m]: from the shaft centre to the undeformed tip
+  double ring_radius;  ///< R [m]
 
   /// (rh + L)² − R² [m²], as a product: R² and (rh+L)² agree in their leading digits.
-  [[nodiscard]] Number closing() const { return (reach - ring_radius) * (reach + ring_radius); }
+  [[nodiscard]] double closing() const { return (reach - ring_radius) * (reach + ring_radius); }
 };
-using Geometry = GeometryOf<double>;
 
 /// A blade's angle, as its unit vector er = (cosine, sine).
-template <class Number>
-struct DirectionOf {
-  Number cosine;
-  Number sine;
+struct BladeDirection {
+  double cosine;
+  double sine;
 };
-using BladeDirection = DirectionOf<double>;
 
 /// Shaft centre and its velocity seen from one blade.
-template <class Number>
-struct PoseOf {
-  Number radial;               ///< cr = c·er [m]
-  Number tangential;           ///< ct = c·et [m]
-  Number radial_velocity;      ///< c'·er [m per unit τ]
-  Number tangential_velocity;  ///< c'·et [m per unit τ]
-  Number gap;                  ///< g = |c + (rh+L) er|² − R² [m²]: in contact exactly while positive
+struct Pose {
+  double radial;               ///< cr = c·er [m]
+  double tangential;           ///< ct = c·et [m]
+  double radial_velocity;      ///< c'·er [m per unit τ]
+  double tangential_velocity;  ///< c'·et [m per unit τ]
+  double gap;                  ///< g = |c + (rh+L) er|² − R² [m²]: in contact exactly while positive
 };
-using Pose = PoseOf<double>;
 
 /// `cx, cy` is c = (x, y + y0) [m]; `vx, vy` its velocity.
-template <class Number>
-PoseOf<Number> pose(const GeometryOf<Number>& geometry, const DirectionOf<Number>& er, const Number& cx,
-                    const Number& cy, const Number& vx, const Number& vy) {
-  const Number radial = cx * er.cosine + cy * er.sine;
+inline Pose pose(const Geometry& geometry, const BladeDirection& er, double cx, double cy, double vx,
+                 double vy) {
+  const double radial = cx * er.cosine + cy * er.sine;
   return {radial, cy * er.cosine - cx * er.sine, vx * er.cosine + vy * er.sine, vy * er.cosine - vx * er.sine,
           cx * cx + cy * cy + 2.0 * geometry.reach * radial + geometry.closing()};
 }
@@ -79,42 +69,17 @@ inline double undeformed_slip_velocity(const Geometry& geometry, const Pose& at,
 
 /// What a contact does: the force on the rotor, resolved along and across the blade, and what is recorded of
 /// it.
-template <class Number>
-struct TipForceOf {
-  Number radial;         ///< Fk·er [N]
-  Number tangential;     ///< Fk·et [N]
-  Number normal;         ///< F [N]
-  Number shortening;     ///< δ/L [-]
-  Number root_strain;    ///< bending strain at the root [-]; 0 for a rigid blade
-  Number slip_velocity;  ///< v of the deformed tip [m per unit τ]
+struct TipForce {
+  double radial;         ///< Fk·er [N]
+  double tangential;     ///< Fk·et [N]
+  double normal;         ///< F [N]
+  double shortening;     ///< δ/L [-]
+  double root_strain;    ///< bending strain at the root [-]; 0 for a rigid blade
+  double slip_velocity;  ///< v of the deformed tip [m per unit τ]
 };
-using TipForce = TipForceOf<double>;
-
-/// A vector in the plane of the rotor, x + iy, of a number for which `std::complex` is not specified.
-template <class Number>
-class PlaneVectorOf {
- public:
-  PlaneVectorOf(const Number& x, const Number& y) : x_(x), y_(y) {}
-  [[nodiscard]] const Number& real() const { return x_; }
-  [[nodiscard]] const Number& imag() const { return y_; }
-  PlaneVectorOf operator-() const { return {-x_, -y_}; }
-  PlaneVectorOf& operator+=(const PlaneVectorOf& other) {
-    x_ += other.x_;
-    y_ += other.y_;
-    return *this;
-  }
-
- private:
-  Number x_;
-  Number y_;
-};
-template <class Number>
-using PlaneVector =
-    std::conditional_t<std::is_same_v<Number, double>, std::complex<double>, PlaneVectorOf<Number>>;
 
 /// Force on the rotor along x and y of a tip whose blade stands at `er` [N].
-template <class Number>
-PlaneVector<Number> on_rotor(const TipForceOf<Number>& force, const DirectionOf<Number>& er) {
+inline std::complex<double> on_rotor(const TipForce& force, const BladeDirection& er) {
   return {force.radial * er.cosine - force.tangential * er.sine,
           force.radial * er.sine + force.tangential * er.cosine};
 }

@@ -10,17 +10,15 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 
 namespace rubatlas::integrate {
 
-/// `kSize` components, or as many as the state has at run time, up to `kMostSize` (Eigen::Dynamic). `Number`:
-/// double, or the lanes of a register with a step of another motion in each.
-template <class Table, int kSize, int kMostSize = kSize, class Number = double>
+/// `kSize` components, or as many as the state has at run time, up to `kMostSize` (Eigen::Dynamic).
+template <class Table, int kSize, int kMostSize = kSize>
 class RungeKutta {
  public:
-  using Vector = Eigen::Array<Number, kSize, 1, 0, kMostSize, 1>;
+  using Vector = Eigen::Array<double, kSize, 1, 0, kMostSize, 1>;
   using Coefficients = Table;
 
   /// Starts from a state; evaluates the first stage.
@@ -36,29 +34,14 @@ class RungeKutta {
     stages_[0] = derivative;
   }
 
-  /// Tries a step of the given size. On true, `end()` and the error estimate are set; whether lanes hold
-  /// finite numbers is for each of their motions to see.
+  /// Tries a step of the given size. On true, `end()` and the error estimate are set.
   template <class System>
-  bool attempt(System& system, const Number& size) {
+  bool attempt(System& system, double size) {
     size_ = size;
     dense_ready_ = false;
     if (!evaluate_stages(system, std::make_index_sequence<Table::kStages - 1>{})) return false;
     end_ = start_ + size * weighted_sum([] { return Table::kWeight; });
     if (!system(end_, stages_[Table::kStages])) return false;
-    if constexpr (std::is_same_v<Number, double>) return end_.isFinite().all();
-    return true;
-  }
-
-  /// Stages of the last attempt, as many as it has evaluations, and one more at the end.
-  [[nodiscard]] const Vector& stage(std::size_t index) const { return stages_[index]; }
-
-  /// Takes over an attempt that was made elsewhere by the same operations: `write(stages, end)` sets the
-  /// stages from 1 to `kStages` and the end. Returns what `attempt` would have.
-  template <class Write>
-  bool adopt(double size, Write write) {
-    size_ = size;
-    dense_ready_ = false;
-    write(stages_, end_);
     return end_.isFinite().all();
   }
 
@@ -72,7 +55,7 @@ class RungeKutta {
   [[nodiscard]] const Vector& end() const { return end_; }
   /// The end may be moved onto a constraint by as little as the local error.
   [[nodiscard]] Vector& end() { return end_; }
-  [[nodiscard]] const Number& size() const { return size_; }
+  [[nodiscard]] double size() const { return size_; }
   [[nodiscard]] const Vector& start_derivative() const { return stages_[0]; }
   [[nodiscard]] const Vector& end_derivative() const { return stages_[Table::kStages]; }
 
@@ -165,7 +148,7 @@ class RungeKutta {
   template <class Weights>
   [[nodiscard]] Vector weighted_sum(Weights) const {
     return [&]<std::size_t... kJ>(std::index_sequence<kJ...>)->Vector {
-      return (... + (Number(Weights{}()[kNonZero<Weights>[kJ]]) * stages_[kNonZero<Weights>[kJ]]));
+      return (... + (Weights{}()[kNonZero<Weights>[kJ]] * stages_[kNonZero<Weights>[kJ]]));
     }
     (std::make_index_sequence<kNonZero<Weights>.size()>{});
   }
@@ -200,7 +183,7 @@ class RungeKutta {
 
   Vector start_ = zero();
   Vector end_ = zero();
-  Number size_ = 0.0;
+  double size_ = 0.0;
   bool dense_ready_ = false;
   std::array<Vector, Table::kDenseStages> stages_;
   std::array<Vector, kCoefficients> dense_;

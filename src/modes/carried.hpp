@@ -23,7 +23,6 @@
 #include "contact/pose.hpp"
 #include "integrate/cubic_range.hpp"
 #include "integrate/root_between.hpp"
-#include "modes/carried_equation.hpp"
 #include "modes/contact_mode.hpp"
 #include "modes/guards.hpp"
 #include "modes/open_contact.hpp"
@@ -42,8 +41,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
   static constexpr bool kTimeTurns = true;
   static constexpr bool kCoarseSizes = false;
 
-  explicit Carried(const Setup& setup)
-      : Base(setup), equation_{.rotor = this->rotor_, .blades = this->blades_, .forcing = this->forcing_} {
+  explicit Carried(const Setup& setup) : Base(setup) {
     for (int k = 0; k < this->blades_->count(); ++k)
       valid_bending_.push_back(valid_bending(this->law_->of(k).curve()));
   }
@@ -55,40 +53,46 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
     state = rotor::full_state(bodies, time, contacts.front().bending);
     this->stand(contacts);
     accepted_ = 0;
-    equation_.law = &this->law_->of(carried().blade);
-    equation_.slip = carried().slip;
+    carried_law_ = &this->law_->of(carried().blade);
+    slip_ = carried().slip;
     const auto there = constraint(state);
     const double rate = std::hypot(there.bending_slope, there.time_slope);
-    equation_.scale = 1.0 / rate;
+    scale_ = 1.0 / rate;
     begins_step(state);
     return rate > kRestingRate * this->ring_radius() * this->ring_radius();
   }
 
   bool operator()(const FullState& state, FullState& derivative) {
     ++this->evaluations_;
-    return equation_.evaluate(
-        state, derivative, last_, this->acceleration_,
-        [&]([[maybe_unused]] const auto& constraint, [[maybe_unused]] std::complex<double>& force) {
-          if constexpr (kBesideOthers) {
-            if (carried_law().fold_measure(state[rotor::kBending], constraint.bending_slope) > 0.0)
-              met_fold_ = true;
-            return add_others(state, force);
-          }
-          return true;
-        });
+    const contact::BladeDirection er = this->blades_->direction_near(anchor_, state[rotor::kTime]);
+    const contact::Pose pose =
+        rotor::pose_of(*this->rotor_, carried_law_->geometry(), er, rotor::from_ring(state));
+    last_ = carried_law_->constraint(pose, slip_, state[rotor::kBending],
+                                     this->blades_->angular_speed(state[rotor::kTime]));
+    std::complex<double> force = contact::on_rotor(last_.force, er);
+    if constexpr (kBesideOthers) {
+      if (carried_law_->fold_measure(state[rotor::kBending], last_.bending_slope) > 0.0) met_fold_ = true;
+      if (!add_others(state, force)) return false;
+    }
+    this->acceleration_ = rotor::acceleration_of_all(
+        state, *this->forcing_, modes::acceleration(*this->rotor_, *this->forcing_, state, force), force);
+    const double time_rate = -scale_ * last_.bending_slope;
+    derivative = rotor::full_state(Bodies(time_rate * rotor::rate_of(state, this->acceleration_)), time_rate,
+                                   scale_ * last_.time_slope);
+    return true;
   }
 
   // How a step is judged.
 
   /// Takes the blade's direction at the start of a step, from which those of the stages are turned.
   void begins_step(const FullState& state) {
-    equation_.anchor = this->blades_->anchor(carried().blade, state[rotor::kTime]);
+    anchor_ = this->blades_->anchor(carried().blade, state[rotor::kTime]);
     if constexpr (kBesideOthers) Base::begins_step(state);
   }
   void takes_back() {
     if constexpr (kBesideOthers) Base::takes_back();
   }
-  /// All attempts have one price: whether they are made in lanes must not show.
+  /// All attempts have one price.
   bool begins_attempt() {
     met_fold_ = false;
     const auto touching = static_cast<std::int64_t>(this->contacts_.size());
@@ -120,7 +124,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
   template <class Step>
   [[nodiscard]] bool trusts(const Step& step) const {
     return !holds_whole_contact(step) && !passes_fold(step) && !passes_two_folds(step) && !time_turns(step) &&
-           !(step.end()[rotor::kBending] > carried_law().curve().end());
+           !(step.end()[rotor::kBending] > carried_law_->curve().end());
   }
   /// Another blade has lost its force where its branch ends, and is to be carried from the last step on.
   [[nodiscard]] bool gives_up() const { return other_at_fold() >= 0 && accepted_ > 0; }
@@ -232,20 +236,6 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
     if (lost_ && search.end().guard == Guard::horizon)
       search.ends_at_start({Guard::left_validity, -1, point::StatusDetail::no_equilibrium});
   }
-  // For those that evaluate several right-hand sides side by side.
-
-  [[nodiscard]] const auto& equation() const { return equation_; }
-  /// What the last evaluation gave.
-  [[nodiscard]] const auto& last() const { return last_; }
-  [[nodiscard]] const auto& last_acceleration() const { return this->acceleration_; }
-  /// Takes over evaluations that were made elsewhere by the same operations, and what the last of them gave.
-  void adopt(const typename Law::OfBlade::Constraint& last,
-             const rotor::AccelerationOf<Forcing>& acceleration, std::uint64_t evaluations) {
-    last_ = last;
-    this->acceleration_ = acceleration;
-    this->evaluations_ += evaluations;
-    carried_law().count_evaluations(evaluations);
-  }
 
  private:
   /// Other blades may touch besides the one that is carried.
@@ -255,14 +245,12 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
   static constexpr double kWellDetermined = 1e-2;  ///< of |∂h/∂u| against |dh/dτ|
 
   [[nodiscard]] const OpenContact& carried() const { return this->contacts_.front(); }
-  /// Of the carried blade.
-  [[nodiscard]] const auto& carried_law() const { return *equation_.law; }
   [[nodiscard]] bool may_snap() const {
-    if constexpr (kBesideOthers) return carried_law().has_branches();
+    if constexpr (kBesideOthers) return carried_law_->has_branches();
     return false;
   }
   [[nodiscard]] auto constraint(const FullState& state) const {
-    return carried_law().constraint(this->pose(carried().blade, state), carried().slip,
+    return carried_law_->constraint(this->pose(carried().blade, state), carried().slip,
                                     state[rotor::kBending],
                                     this->blades_->angular_speed(state[rotor::kTime]));
   }
@@ -292,7 +280,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
   /// Scale on which the motion varies where the blade is bent by u [in σ]: the distance of u to the curve's
   /// singularities ±iβ.
   [[nodiscard]] double scale(double bending) const {
-    const double load_angle = carried_law().curve().load_angle();
+    const double load_angle = carried_law_->curve().load_angle();
     // The column (μ = 0) has none but ψL = π.
     const double width = load_angle > 0.0 ? load_angle : 1.0;
     return std::sqrt(width * width + bending * bending);
@@ -334,7 +322,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
   [[nodiscard]] bool passes_release(const Step& step) const {
     if constexpr (kBesideOthers) {
       if (!Law::kReleasesAtFold && !may_snap()) return false;
-      return carried_law().fold_measure(step.end()[rotor::kBending], last_.bending_slope) > 0.0;
+      return carried_law_->fold_measure(step.end()[rotor::kBending], last_.bending_slope) > 0.0;
     }
     return false;
   }
@@ -344,7 +332,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
     if constexpr (kBesideOthers) {
       const auto measure = [&](double part) {
         const FullState state = step.at_fraction(part);
-        return carried_law().fold_measure(state[rotor::kBending], constraint(state).bending_slope);
+        return carried_law_->fold_measure(state[rotor::kBending], constraint(state).bending_slope);
       };
       const double at_end = measure(1.0);
       // At the unloaded blade where a contact may start, h falls with the load.
@@ -405,7 +393,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
     const ModeEnd end{Guard::lift_off, carried().blade};
     const auto guard = [&](double part) {
       const FullState state = step.at_fraction(part);
-      return -carried_law().gap_per_deflection(this->pose(carried().blade, state), carried().slip,
+      return -carried_law_->gap_per_deflection(this->pose(carried().blade, state), carried().slip,
                                                state[rotor::kBending]);
     };
     const double last = search.last();
@@ -435,10 +423,13 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
     const BladeGap end = approach(step.end(), step.end_derivative());
     const double least = integrate::cubic_range(start.value, start.rate, end.value, end.rate).least;
     return 2.0 * least >
-           carried_law().length() * carried_law().curve().at(bending_range(step).greatest).deflection;
+           carried_law_->length() * carried_law_->curve().at(bending_range(step).greatest).deflection;
   }
 
-  CarriedEquation<double, rotor::RotorConstants, Blades, typename Law::OfBlade, Forcing> equation_;
+  const typename Law::OfBlade* carried_law_ = nullptr;  ///< of the carried blade
+  double slip_ = 1.0;                                   ///< s of the carried contact
+  double scale_ = 1.0;                                  ///< unit of σ against the rates of h [1/m²]
+  typename Blades::Anchor anchor_{};                    ///< where the blade stood when the step began
   std::vector<double> valid_bending_;  ///< u up to which δ/L is within its limit, one per blade
   typename Law::OfBlade::Constraint last_{};
   std::uint64_t accepted_ = 0;     ///< steps since the mode began

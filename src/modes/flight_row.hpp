@@ -89,7 +89,7 @@ class FlightRow {
     const Values rate =
         square_rate_ + reach * ((vx_ * cosine + vy_ * sine) + speed_ratio_ * (y_ * cosine - x_ * sine));
     const contact::Pose at_start =
-        contact::pose<double>(geometry, er, start_[0], start_[1] + misalignment_, start_[2], start_[3]);
+        contact::pose(geometry, er, start_[0], start_[1] + misalignment_, start_[2], start_[3]);
     // The tip of a blade that has just lifted off starts at the ring, up to rounding.
     double before = std::min(at_start.gap, 0.0);
     double rate_before = contact::gap_rate(geometry, at_start, speed_ratio_);

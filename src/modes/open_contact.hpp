@@ -53,15 +53,16 @@ bool respond(const Law& law, const contact::Pose& at, double speed, OpenContact&
 }
 
 /// z'' [m per unit τ²] of the shaft where blades push it by `force` [N].
-template <class Rotor, class Forcing, class State, class Vector>
-Vector acceleration(const Rotor& rotor, const Forcing& forcing, const State& state, const Vector& force) {
+template <class Forcing, class State>
+std::complex<double> acceleration(const rotor::RotorConstants& rotor, const Forcing& forcing,
+                                  const State& state, const std::complex<double>& force) {
   if constexpr (rotor::kRingMoves<Forcing>) {
     return acceleration(rotor, forcing.shaft, rotor::ContactState(state.template head<6>()), force);
   } else if constexpr (requires { Forcing::kAnySupport; }) {
     return forcing.support.acceleration(state[rotor::kTime], state.template head<4>().matrix()) +
            rotor.force_unit * force;
   } else {
-    Vector result = rotor::shaft_acceleration(rotor, state, force);
+    std::complex<double> result = rotor::shaft_acceleration(rotor, state, force);
     if constexpr (Forcing::kPresent) result += forcing.acceleration(state[rotor::kTime]);
     return result;
   }

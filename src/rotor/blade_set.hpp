@@ -44,13 +44,12 @@ class BladePlaces {
 inline constexpr double kFarTurned = 0.0039;
 
 /// A direction turned by a small angle [rad], by the series of sine and cosine.
-template <class Number>
-contact::DirectionOf<Number> turned(const contact::DirectionOf<Number>& from, const Number& angle) {
-  const Number square = angle * angle;
-  const Number fourth = square * square;
-  const Number sine = angle + (angle * square) * ((-1.0 / 6 + square * (1.0 / 120)) +
+inline contact::BladeDirection turned(const contact::BladeDirection& from, double angle) {
+  const double square = angle * angle;
+  const double fourth = square * square;
+  const double sine = angle + (angle * square) * ((-1.0 / 6 + square * (1.0 / 120)) +
                                                   fourth * (-1.0 / 5040 + square * (1.0 / 362880)));
-  const Number cosine_less_one =
+  const double cosine_less_one =
       square * ((-0.5 + square * (1.0 / 24)) + fourth * (-1.0 / 720 + square * (1.0 / 40320)));
   return {from.cosine + (from.cosine * cosine_less_one - from.sine * sine),
           from.sine + (from.sine * cosine_less_one + from.cosine * sine)};

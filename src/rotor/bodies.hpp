@@ -20,9 +20,7 @@ namespace rubatlas::rotor {
 using ShaftAndRing = Eigen::Array<double, 8, 1>;
 
 /// x, y, x', y', τ, u.
-template <class Number>
-using ContactStateOf = Eigen::Array<Number, 6, 1>;
-using ContactState = ContactStateOf<double>;
+using ContactState = Eigen::Array<double, 6, 1>;
 /// x, y, x', y', τ, u, rx, ry, rx', ry'.
 using RingContactState = Eigen::Array<double, 10, 1>;
 constexpr int kTime = 4;
@@ -110,9 +108,8 @@ inline const State& from_ring(const State& bodies) {
 inline State from_ring(const ShaftAndRing& bodies) {
   return bodies.head<4>() - bodies.tail<4>();
 }
-template <class Number>
-Eigen::Array<Number, 4, 1> from_ring(const ContactStateOf<Number>& full) {
-  return full.template head<4>();
+inline State from_ring(const ContactState& full) {
+  return full.head<4>();
 }
 inline State from_ring(const BendsState& full) {
   return full.head<4>();
@@ -122,9 +119,7 @@ inline State from_ring(const RingContactState& full) {
 }
 
 /// A state in contact.
-template <class Number>
-ContactStateOf<Number> full_state(const Eigen::Array<Number, 4, 1>& bodies, const Number& time,
-                                  const Number& bending) {
+inline ContactState full_state(const State& bodies, double time, double bending) {
   return {bodies[0], bodies[1], bodies[2], bodies[3], time, bending};
 }
 inline RingContactState full_state(const ShaftAndRing& bodies, double time, double bending) {
@@ -151,9 +146,11 @@ using AccelerationOf =
 
 /// Of all that moves, where the shaft has the acceleration `shaft` and blades push it by `force` [N], and the
 /// ring by as much the other way.
-template <class Forcing, class State, class Vector>
-auto acceleration_of_all([[maybe_unused]] const State& full, [[maybe_unused]] const Forcing& forcing,
-                         const Vector& shaft, [[maybe_unused]] const Vector& force) {
+template <class Forcing, class State>
+AccelerationOf<Forcing> acceleration_of_all([[maybe_unused]] const State& full,
+                                            [[maybe_unused]] const Forcing& forcing,
+                                            const std::complex<double>& shaft,
+                                            [[maybe_unused]] const std::complex<double>& force) {
   if constexpr (kRingFollows<Forcing>) {
     return ShaftAndRingAcceleration{shaft, 0.0};  // its velocity follows from the shaft's
   } else if constexpr (kRingMoves<Forcing>) {
@@ -164,9 +161,7 @@ auto acceleration_of_all([[maybe_unused]] const State& full, [[maybe_unused]] co
 }
 
 /// d/dτ of the bodies' state.
-template <class Number>
-Eigen::Array<Number, 4, 1> rate_of(const ContactStateOf<Number>& full,
-                                   const contact::PlaneVector<Number>& acceleration) {
+inline State rate_of(const ContactState& full, const std::complex<double>& acceleration) {
   return {full[2], full[3], acceleration.real(), acceleration.imag()};
 }
 inline State rate_of(const BendsState& full, const std::complex<double>& acceleration) {

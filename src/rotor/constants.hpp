@@ -32,18 +32,17 @@ struct RotorConstants {
   [[nodiscard]] double period() const { return 2.0 * std::numbers::pi / std::abs(speed_ratio); }
 };
 
-/// Pose of a blade for a state of the rotor. `Rotor`: constants of one motion, or of several side by side.
-template <class Rotor, class Number, class State>
-contact::PoseOf<Number> pose_of(const Rotor& rotor, const contact::GeometryOf<Number>& geometry,
-                                const contact::DirectionOf<Number>& direction, const State& state) {
-  return contact::pose<Number>(geometry, direction, state[0], state[1] + rotor.misalignment, state[2],
-                               state[3]);
+/// Pose of a blade for a state of the rotor.
+inline contact::Pose pose_of(const RotorConstants& rotor, const contact::Geometry& geometry,
+                             const contact::BladeDirection& direction, const State& state) {
+  return contact::pose(geometry, direction, state[0], state[1] + rotor.misalignment, state[2], state[3]);
 }
 
 /// z'' [m per unit τ²] of a shaft on an isotropic support under a force [N] (MODEL 1).
-template <class Rotor, class State, class Vector>
-Vector shaft_acceleration(const Rotor& rotor, const State& state, const Vector& force) {
-  const auto damping = 2.0 * rotor.damping_ratio;
+template <class State>
+std::complex<double> shaft_acceleration(const RotorConstants& rotor, const State& state,
+                                        const std::complex<double>& force) {
+  const double damping = 2.0 * rotor.damping_ratio;
   return {force.real() * rotor.force_unit - damping * state[2] - state[0],
           force.imag() * rotor.force_unit - damping * state[3] - state[1]};
 }

@@ -1,6 +1,6 @@
 /// The one table of what combines with what: effects, contact laws and methods of integration.
 ///
-/// The reader refuses a scene by `refusal_of_combination`. The solver, batches and `explain` ask
+/// The reader refuses a scene by `refusal_of_combination`. The solver and `explain` ask
 /// `combination_of` which family of motions a line of the scene has, and which effects these motions consume.
 /// A family is a row of `families()`; it takes a line if the contact law is among its laws and all acting
 /// effects are among those that it consumes. The first family that takes the line computes it, so that a

@@ -9,11 +9,10 @@ ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 # The one table of who depends on whom, in the order of the flow: a folder sees itself and what stands here, a folder with
 # all that is in it or one header.
 MAY_INCLUDE = {
-    "src/number": [],
     "src/settings/effects": ["settings/range.hpp"],
     "src/settings": ["settings/effects"],
     "src/plan": ["settings"],
-    "src/blade": ["number"],
+    "src/blade": [],
     "src/integrate": [],
     "src/contact": ["blade", "integrate"],
     "src/rotor": ["contact/pose.hpp", "settings/effects"],
@@ -27,15 +26,14 @@ MAY_INCLUDE = {
     "src/compared": ["settings", "contact", "rotor", "integrate", "observables/motion_piece.hpp", "modes", "motion",
                      "point/status.hpp"],
     "src/assembly": ["settings", "plan", "blade", "contact", "rotor", "integrate", "modes", "motion", "point", "compared"],
-    "src/batch": ["settings", "plan", "blade", "contact", "rotor", "integrate", "modes", "motion", "point", "assembly"],
     "src/atlas": ["settings", "plan", "observables", "point/line_solver.hpp", "point/status.hpp"],
     "analysis/rules": ["settings", "plan", "atlas"],
     "analysis/paper": ["settings", "plan", "blade/elastica.hpp", "atlas", "analysis/rules"],
     "analysis": ["settings", "plan", "atlas", "analysis/rules", "analysis/paper"],
-    "mpi/job": ["settings", "plan", "observables", "modes/work_meter.hpp", "point", "assembly", "batch", "atlas",
+    "mpi/job": ["settings", "plan", "observables", "modes/work_meter.hpp", "point", "assembly", "atlas",
                 "analysis/rules", "mpi"],
     "mpi/accuracy": ["settings", "plan", "observables", "point", "assembly", "atlas/accuracy_file.hpp", "analysis", "mpi"],
-    "mpi/commands": ["settings", "plan", "observables", "modes/work_meter.hpp", "point", "assembly", "batch", "atlas",
+    "mpi/commands": ["settings", "plan", "observables", "modes/work_meter.hpp", "point", "assembly", "atlas",
                      "analysis", "mpi"],
     "mpi": ["settings", "atlas", "analysis/analyse.hpp", "mpi/job", "mpi/accuracy", "mpi/commands"],
 }
@@ -55,9 +53,7 @@ STAYS_IN = {
     "fftw3.h": ["analysis/spectrum.cpp"],
     "nlohmann/json.hpp": ["src/settings", "mpi/job/run_record.cpp"],
     "CLI/CLI.hpp": ["mpi"],
-    "boost/context/fiber.hpp": ["src/batch"],
-    "immintrin.h": ["src/batch"],
-    "experimental/simd": ["src/batch", "src/collocation/nodes_in_lanes.hpp"],
+    "experimental/simd": ["src/collocation/nodes_in_lanes.hpp"],
 }
 
 TOP_LEVEL = {"CMakeLists.txt", "README.md", "LICENSE", "src", "mpi", "analysis", "tests", "jobs", "tools"}

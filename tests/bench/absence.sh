@@ -40,7 +40,7 @@ run_without() {
   rm -rf "$tree.out" && mkdir "$tree.out"
   valgrind --quiet --tool=callgrind --callgrind-out-file="$tree.callgrind" \
     --toggle-collect='rubatlas::point::PointSolver::run(*' \
-    "$tree/rubatlas" run "$scene" -o "$tree.out/atlas.h5" --lanes 1 --progress off >>"$tree.log" 2>&1
+    "$tree/rubatlas" run "$scene" -o "$tree.out/atlas.h5" --progress off >>"$tree.log" 2>&1
 }
 
 echo "building and running the program with every effect" >&2

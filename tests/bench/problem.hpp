@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/elastica_contact.hpp"
+#include "plan/grid.hpp"
 #include "point/line_solver.hpp"
 #include "rotor/constants.hpp"
 #include "settings/scene.hpp"

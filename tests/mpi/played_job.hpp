@@ -76,7 +76,7 @@ class PlayedJob {
   double play(const Cost& cost, std::size_t most = std::numeric_limits<std::size_t>::max()) {
     const StoredAtlas before = atlas_;
     Schedule schedule(grid_, plan::Pieces(scene_), before.view(), static_cast<int>(ranks_));
-    std::vector<std::optional<Piece>> piece(ranks_);
+    std::vector<std::optional<Assignment>> assignments(ranks_);
     std::vector<double> busy_until(ranks_, 0.0);
     held_.assign(ranks_, {});
     reports_.assign(ranks_, {});
@@ -84,25 +84,26 @@ class PlayedJob {
         static_cast<std::size_t>(std::ranges::count_if(before.status, [](auto code) { return code != 0; }));
     double now = 0.0;
     while (schedule.has_more() ||
-           std::ranges::any_of(piece, [](const auto& one) { return one.has_value(); })) {
+           std::ranges::any_of(assignments, [](const auto& one) { return one.has_value(); })) {
       for (std::size_t rank = 0; rank < ranks_; ++rank) {
-        if (piece[rank]) continue;
-        piece[rank] = schedule.next(static_cast<int>(rank));
-        if (piece[rank]) busy_until[rank] = now + cost(piece[rank]->line, piece[rank]->first_visit);
+        if (assignments[rank]) continue;
+        assignments[rank] = schedule.next(static_cast<int>(rank));
+        if (assignments[rank])
+          busy_until[rank] = now + cost(assignments[rank]->line, assignments[rank]->first_visit);
       }
       // The next point that is through.
       std::size_t rank = ranks_;
       for (std::size_t i = 0; i < ranks_; ++i) {
-        if (piece[i] && (rank == ranks_ || busy_until[i] < busy_until[rank])) rank = i;
+        if (assignments[i] && (rank == ranks_ || busy_until[i] < busy_until[rank])) rank = i;
       }
       if (rank == ranks_) throw std::logic_error("points are left and nobody gets any");
       if (computed_++ == most) return now;
       now = busy_until[rank];
-      Piece& current = *piece[rank];
-      finish(rank, current, cost(current.line, current.first_visit), schedule, piece);
+      Assignment& current = *assignments[rank];
+      finish(rank, current, cost(current.line, current.first_visit), schedule, assignments);
       ++current.first_visit;
       if (--current.count == 0) {
-        piece[rank].reset();
+        assignments[rank].reset();
       } else {
         busy_until[rank] = now + cost(current.line, current.first_visit);
       }
@@ -132,47 +133,49 @@ class PlayedJob {
     atlas_.ends[point] = {static_cast<double>(line), static_cast<double>(visit), branch, 0.0};
   }
 
-  void finish(std::size_t rank, Piece& piece, double seconds, Schedule& schedule,
-              std::vector<std::optional<Piece>>& pieces) {
+  void finish(std::size_t rank, Assignment& assignment, double seconds, Schedule& schedule,
+              std::vector<std::optional<Assignment>>& assignments) {
     const bool chained = grid_.points_depend_on_each_other();
     if (!chained) {
-      EXPECT_EQ(piece.from_initial, 1);
+      EXPECT_EQ(assignment.from_initial, 1);
     }
-    if (piece.from_initial == 0) {
-      EXPECT_EQ(piece.start[0], static_cast<double>(piece.line));
-      EXPECT_EQ(piece.start[1], static_cast<double>(piece.first_visit - 1))
+    if (assignment.from_initial == 0) {
+      EXPECT_EQ(assignment.start[0], static_cast<double>(assignment.line));
+      EXPECT_EQ(assignment.start[1], static_cast<double>(assignment.first_visit - 1))
           << "the state of the point before";
     }
-    PointReport result = report(piece.line, piece.first_visit, seconds);
-    const double branch =
-        branch_(piece.line, piece.first_visit, piece.from_initial != 0 ? 0.0 : piece.start[2]);
+    PointReport result = report(assignment.line, assignment.first_visit, seconds);
+    const double branch = branch_(assignment.line, assignment.first_visit,
+                                  assignment.from_initial != 0 ? 0.0 : assignment.start[2]);
     result.final_state[2] = branch;
-    result.run = piece.run;
-    result.keep = piece.keep;
+    result.run = assignment.run;
+    result.keep = assignment.keep;
     result.trace.max_displacement = branch;
-    if (piece.keep == Keep::at_once) write(piece.line, piece.first_visit, branch, plan::Seam::none);
-    if (piece.keep == Keep::after_verdict) held_[rank][{piece.line, piece.first_visit}] = branch;
-    if (piece.keep == Keep::where_it_differs || piece.keep == Keep::compared) {
-      result.same_motion = piece.found.max_displacement == branch ? 1 : 0;
-      if (result.same_motion == 0 && piece.keep == Keep::where_it_differs)
-        write(piece.line, piece.first_visit, branch, plan::Seam::repaired);
+    if (assignment.keep == Keep::at_once)
+      write(assignment.line, assignment.first_visit, branch, plan::Seam::none);
+    if (assignment.keep == Keep::after_verdict)
+      held_[rank][{assignment.line, assignment.first_visit}] = branch;
+    if (assignment.keep == Keep::where_it_differs || assignment.keep == Keep::compared) {
+      result.same_motion = assignment.found.max_displacement == branch ? 1 : 0;
+      if (result.same_motion == 0 && assignment.keep == Keep::where_it_differs)
+        write(assignment.line, assignment.first_visit, branch, plan::Seam::repaired);
     }
-    piece.from_initial = chained ? 0 : 1;
-    piece.start = result.final_state;
+    assignment.from_initial = chained ? 0 : 1;
+    assignment.start = result.final_state;
     Report& computed = reports_[rank];
     computed.add(result);
-    if (piece.count > 1 && piece.keep == Keep::at_once) return;
+    if (assignment.count > 1 && assignment.keep == Keep::at_once) return;
     for (std::size_t number = 0; number < computed.count; ++number) {
       const auto outcome = schedule.record(computed.point(number));
       finished_ += outcome.finished.size();
       for (const auto& [verdict, holders] : outcome.decisions) {
-        for (const int holder : holders) take(verdict, static_cast<std::size_t>(holder), pieces);
+        for (const int holder : holders) take(verdict, static_cast<std::size_t>(holder), assignments);
       }
     }
     computed = {};
   }
 
-  void take(const Verdict& verdict, std::size_t rank, std::vector<std::optional<Piece>>& pieces) {
+  void take(const Verdict& verdict, std::size_t rank, std::vector<std::optional<Assignment>>& assignments) {
     std::erase_if(held_[rank], [&](const auto& entry) {
       const auto& [line, visit] = entry.first;
       if (line != verdict.line || visit < verdict.begin || visit >= verdict.end) return false;
@@ -181,10 +184,10 @@ class PlayedJob {
       }
       return true;
     });
-    auto& piece = pieces[rank];
-    if (piece && piece->keep == Keep::after_verdict && piece->line == verdict.line &&
-        piece->first_visit >= verdict.begin && piece->first_visit < verdict.end) {
-      piece->keep = Keep::at_once;
+    auto& assignment = assignments[rank];
+    if (assignment && assignment->keep == Keep::after_verdict && assignment->line == verdict.line &&
+        assignment->first_visit >= verdict.begin && assignment->first_visit < verdict.end) {
+      assignment->keep = Keep::at_once;
     }
   }
 

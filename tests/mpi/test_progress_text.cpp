@@ -83,7 +83,7 @@ TEST(RunRecord, KeepsWhateverAHostIsCalled) {
   const std::string quoted = "a \"name\" \\ Ω\nb\t";
   const std::string no_utf8 = "node\xff";
   RunRecord(record_output(atlas, {directory / "scene.json"}),
-            {.started = {}, .part = {}, .hosts = {quoted, no_utf8}, .lanes = {}}, {})
+            {.started = {}, .part = {}, .hosts = {quoted, no_utf8}}, {})
       .update({});
   std::ifstream file(atlas.string() + ".run.json");
   const auto hosts = nlohmann::json::parse(file).at("runs").at(0).at("host_of_rank");

@@ -133,23 +133,24 @@ TEST(Schedule, AResumedLineGoesOnFromTheStoredStateOfADonePoint) {
   Schedule schedule(grid, plan::Pieces(scene),
                     {status, {}, [](std::size_t point) { return end_of(100, point); }}, 1);
 
-  std::vector<Piece> pieces;
+  std::vector<Assignment> assignments;
   while (schedule.has_more()) {
-    pieces.push_back(*schedule.next(0));
-    for (std::uint64_t i = 0; i < pieces.back().count; ++i) {
-      schedule.record(report(0, pieces.back().first_visit + i));
+    assignments.push_back(*schedule.next(0));
+    for (std::uint64_t i = 0; i < assignments.back().count; ++i) {
+      schedule.record(report(0, assignments.back().first_visit + i));
     }
   }
-  EXPECT_EQ(std::accumulate(pieces.begin(), pieces.end(), std::size_t{0},
-                            [](std::size_t sum, const Piece& piece) { return sum + piece.count; }),
-            3U);
+  EXPECT_EQ(
+      std::accumulate(assignments.begin(), assignments.end(), std::size_t{0},
+                      [](std::size_t sum, const Assignment& assignment) { return sum + assignment.count; }),
+      3U);
   // Visit 2 (point 3) is behind a failed one.
-  EXPECT_EQ(pieces.front().first_visit, 2U);
-  EXPECT_EQ(pieces.front().from_initial, 1);
+  EXPECT_EQ(assignments.front().first_visit, 2U);
+  EXPECT_EQ(assignments.front().from_initial, 1);
   // Visit 5 (point 0) is behind visit 4 (point 1), done in an earlier run.
-  EXPECT_EQ(pieces.back().first_visit, 5U);
-  EXPECT_EQ(pieces.back().from_initial, 0);
-  EXPECT_EQ(pieces.back().start, end_of(100, 1));
+  EXPECT_EQ(assignments.back().first_visit, 5U);
+  EXPECT_EQ(assignments.back().from_initial, 0);
+  EXPECT_EQ(assignments.back().start, end_of(100, 1));
 }
 
 TEST(Schedule, NothingIsHandedOutWhereNothingIsPending) {
@@ -179,11 +180,11 @@ TEST(Schedule, TheTimeLeftIsExpectedFromWhatOtherLinesTook) {
   // The second line took 1, 1, 1, 9 seconds; the first is expected to take the same.
   std::size_t computed = 0;
   while (computed < 4) {
-    const Piece piece = *schedule.next(0);
-    ASSERT_EQ(piece.line, 1U);
-    for (std::uint64_t i = 0; i < piece.count; ++i) {
-      PointReport one = report(1, piece.first_visit + i, ++computed == 4 ? 9.0 : 1.0);
-      one.run = piece.run;
+    const Assignment assignment = *schedule.next(0);
+    ASSERT_EQ(assignment.line, 1U);
+    for (std::uint64_t i = 0; i < assignment.count; ++i) {
+      PointReport one = report(1, assignment.first_visit + i, ++computed == 4 ? 9.0 : 1.0);
+      one.run = assignment.run;
       schedule.record(one);
     }
   }
@@ -306,12 +307,12 @@ TEST(SweepInPieces, TheTimeLeftIsKnownAfterATenthOfTheWork) {
   NewJob job(scene, 1);
   double done = 0.0;
   while (done < 0.1 * work) {
-    const Piece piece = *job.schedule.next(0);
-    for (std::uint64_t i = 0; i < piece.count; ++i) {
-      const double seconds = cost(piece.line, piece.first_visit + i);
-      PointReport one = report(piece.line, piece.first_visit + i, seconds);
-      one.run = piece.run;
-      one.keep = piece.keep;
+    const Assignment assignment = *job.schedule.next(0);
+    for (std::uint64_t i = 0; i < assignment.count; ++i) {
+      const double seconds = cost(assignment.line, assignment.first_visit + i);
+      PointReport one = report(assignment.line, assignment.first_visit + i, seconds);
+      one.run = assignment.run;
+      one.keep = assignment.keep;
       one.same_motion = 1;
       job.schedule.record(one);
       done += seconds;
@@ -331,13 +332,13 @@ TEST(Schedule, TheChoiceAmongAHundredThousandLinesLooksAtAFew) {
     std::size_t most = 0;
     while (job.schedule.has_more()) {
       const std::size_t before = job.schedule.runs_looked_at();
-      const Piece piece = *job.schedule.next(static_cast<int>(choices % kRanks));
+      const Assignment assignment = *job.schedule.next(static_cast<int>(choices % kRanks));
       most = std::max(most, job.schedule.runs_looked_at() - before);
       ++choices;
-      for (std::uint64_t i = 0; i < piece.count; ++i) {
-        PointReport one = report(piece.line, piece.first_visit + i);
-        one.run = piece.run;
-        one.keep = piece.keep;
+      for (std::uint64_t i = 0; i < assignment.count; ++i) {
+        PointReport one = report(assignment.line, assignment.first_visit + i);
+        one.run = assignment.run;
+        one.keep = assignment.keep;
         one.same_motion = 1;
         job.schedule.record(one);
       }
