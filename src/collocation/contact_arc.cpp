@@ -36,17 +36,6 @@ double length_of(double x, double y) {
   return std::sqrt(x * x + y * y);
 }
 
-/// Magnitude of a coefficient of Legendre's polynomials of the acceleration by θ.
-double coefficient(const AtNodes& row, const Interval& interval) {
-  double x = 0.0;
-  double y = 0.0;
-  for (std::size_t j = 0; j < kNodes; ++j) {
-    x += row[j] * (interval.ax[j] * interval.time_slope[j]);
-    y += row[j] * (interval.ay[j] * interval.time_slope[j]);
-  }
-  return length_of(x, y);
-}
-
 }  // namespace
 
 ContactArc::ContactArc(const rotor::RotorConstants& rotor, const rotor::BladeSet& blades,
@@ -58,7 +47,7 @@ ContactArc::ContactArc(const rotor::RotorConstants& rotor, const rotor::BladeSet
       unbalance_(unbalance),
       limits_(limits),
       table_(&law.curve().over_asinh()),
-      solve_(interval_solver()),
+      solver_(interval_solver()),
       contact_{.reach = law.geometry().reach,
                .ring_radius = law.geometry().ring_radius,
                .closing = law.geometry().closing(),
@@ -82,26 +71,34 @@ ContactArc::ContactArc(const rotor::RotorConstants& rotor, const rotor::BladeSet
   valid_argument_ = beyond == knots.begin() ? 0.0 : std::prev(beyond)->argument;
 }
 
-contact::Pose ContactArc::pose_of(const Point& point) const {
-  return rotor::pose_of(*rotor_, law_->geometry(), blades_->direction(blade_, blades_->first(point.time)),
-                        point.state);
-}
-
 void ContactArc::begin(double time, const rotor::State& state, int blade, double slip, double bending) {
   blade_ = blade;
   contact_.slip = slip;
+  turn_to_others();
   begins_ = true;
   lifts_off_ = false;
   start_ = end_ = {time, state, table_->argument(bending)};
-  estimate(pose_of(end_));
+  er_ = blades_->direction(blade_, blades_->first(time));
+  estimate();
   look_for_earlier();
+}
+
+/// Directions of the other blades against that of the one in contact.
+void ContactArc::turn_to_others() {
+  others_.clear();
+  const contact::BladeDirection& from = offsets_[static_cast<std::size_t>(blade_)];
+  for (std::size_t other = 0; other < offsets_.size(); ++other) {
+    if (other == static_cast<std::size_t>(blade_)) continue;
+    const contact::BladeDirection& to = offsets_[other];
+    others_.push_back(
+        {to.cosine * from.cosine + to.sine * from.sine, to.sine * from.cosine - to.cosine * from.sine});
+  }
 }
 
 void ContactArc::look_for_earlier() {
   Beginning beginning{.argument = end_.argument, .slip = contact_.slip};
   std::copy(end_.state.begin(), end_.state.end(), beginning.state.begin());
-  const contact::BladeDirection er = blades_->direction(blade_, blades_->first(end_.time));
-  beginning.blade = {er.cosine, er.sine};
+  beginning.blade = {er_.cosine, er_.sine};
   if (unbalance_ != nullptr) {
     const std::complex<double> forcing = unbalance_->acceleration(end_.time);
     beginning.forcing = {forcing.real(), forcing.imag()};
@@ -113,22 +110,22 @@ void ContactArc::look_for_earlier() {
 }
 
 /// T, and the arc with which the contact begins.
-void ContactArc::estimate(const contact::Pose& pose) {
+void ContactArc::estimate() {
   const rotor::State& state = end_.state;
-  const contact::BladeDirection er = blades_->direction(blade_, blades_->first(end_.time));
+  const contact::Pose pose = rotor::pose_of(*rotor_, law_->geometry(), er_, state);
   const double slip = contact_.slip;
   const double speed = rotor_->speed_ratio;
   const auto there = law_->constraint(pose, slip, table_->bending(end_.argument), speed);
   gap_measure_ = law_->gap_per_deflection(pose, slip, table_->bending(end_.argument));
   slip_velocity_ = there.force.slip_velocity;
   std::complex<double> acceleration =
-      rotor::shaft_acceleration(*rotor_, state, contact::on_rotor(there.force, er));
+      rotor::shaft_acceleration(*rotor_, state, contact::on_rotor(there.force, er_));
   if (unbalance_ != nullptr) acceleration += unbalance_->acceleration(end_.time);
   acceleration_ = {acceleration.real(), acceleration.imag()};
   jerk_ = {};
   const double rate = contact::gap_rate(law_->geometry(), pose, speed);
   const double curvature =
-      contact::gap_curvature(law_->geometry(), er, pose, {state[0], state[1] + rotor_->misalignment},
+      contact::gap_curvature(law_->geometry(), er_, pose, {state[0], state[1] + rotor_->misalignment},
                              {state[2], state[3]}, acceleration, speed);
   // Half of the contact, as far as the gap goes on as a parabola.
   double half = curvature < 0.0 && rate > 0.0 ? std::min(-rate / curvature, kLongestHalf) : kLongestHalf;
@@ -192,8 +189,7 @@ void ContactArc::start_next(Interval& next) const {
   next.start_time = end_.time;
   next.start_argument = end_.argument;
   std::copy(end_.state.begin(), end_.state.end(), next.start.begin());
-  const contact::BladeDirection er = blades_->direction(blade_, blades_->first(end_.time));
-  next.blade = {er.cosine, er.sine};
+  next.blade = {er_.cosine, er_.sine};
   if (unbalance_ != nullptr) {
     const std::complex<double> forcing = unbalance_->acceleration(end_.time);
     next.forcing = {forcing.real(), forcing.imag()};
@@ -235,7 +231,7 @@ void ContactArc::plan(Interval& next, double length) const {
 }
 
 bool ContactArc::solve(Interval& interval, bool warm) {
-  const bool solved = solve_(contact_, *table_, {kClosest * limits_.tolerance, warm}, interval);
+  const bool solved = solver_.solve(contact_, *table_, {kClosest * limits_.tolerance, warm}, interval);
   sweeps_ += static_cast<std::uint64_t>(interval.sweeps);
   return solved;
 }
@@ -244,10 +240,9 @@ bool ContactArc::solve(Interval& interval, bool warm) {
 /// coefficient of the acceleration that eight nodes leave out, as the last ones fall, times the largest value
 /// of the integral of its polynomial.
 double ContactArc::error_of(const Interval& interval) const {
-  const auto& rows = node_tables().last_coefficients;
-  const double fifth = coefficient(rows[0], interval);
-  const double sixth = coefficient(rows[1], interval);
-  const double seventh = coefficient(rows[2], interval);
+  const double fifth = interval.coefficients[5];
+  const double sixth = interval.coefficients[6];
+  const double seventh = interval.coefficients[7];
   // Coefficients fall by a common factor; one alone may vanish.
   constexpr double kShareOfSixth = 0.3;
   constexpr double kLargestIntegral = 0.5 / (2.0 * kNodes + 1.0);
@@ -261,51 +256,13 @@ double ContactArc::error_of(const Interval& interval) const {
   return std::max(between / allowed_, at_end / (kAtEnd * limits_.tolerance));
 }
 
-bool ContactArc::other_tips_stay_clear(const Interval& interval) const {
-  const contact::BladeDirection first{interval.blade[0], interval.blade[1]};
-  for (int other = 0; other < blades_->count(); ++other) {
-    if (other == blade_) continue;
-    // From one blade to the other.
-    const contact::BladeDirection& from = offsets_[static_cast<std::size_t>(blade_)];
-    const contact::BladeDirection& to = offsets_[static_cast<std::size_t>(other)];
-    const contact::BladeDirection offset{to.cosine * from.cosine + to.sine * from.sine,
-                                         to.sine * from.cosine - to.cosine * from.sine};
-    const auto gap = [&](double x, double y, const contact::BladeDirection& er) {
-      const double cy = y + contact_.misalignment;
-      const double cosine = er.cosine * offset.cosine - er.sine * offset.sine;
-      const double sine = er.sine * offset.cosine + er.cosine * offset.sine;
-      return x * x + cy * cy + 2.0 * contact_.reach * (x * cosine + cy * sine) + contact_.closing;
-    };
-    AtNodes gaps;
-    for (std::size_t i = 0; i < kNodes; ++i)
-      gaps[i] = gap(interval.x[i], interval.y[i], {interval.blade_x[i], interval.blade_y[i]});
-    const double start = gap(interval.start[0], interval.start[1], first);
-    if (extent(start, gaps).upper_bound() < 0.0) continue;
-    AtPlaces overlap = at_places(start, gaps);
-    for (double& value : overlap) value = -value;
-    if (!proven_positive(overlap)) return false;
-  }
-  return true;
-}
-
 /// No tip touches besides, no slip reverses, the shaft stays within the ring and the blade within its limit.
-bool ContactArc::nothing_else_happens(const Interval& interval) {
-  const Extent x = extent(interval.start[0], interval.x);
-  const Extent y = extent(interval.start[1], interval.y);
-  displacement_bound_ = length_of(x.magnitude_bound(), y.magnitude_bound());
-  const Extent centre{y.least + contact_.misalignment, y.greatest + contact_.misalignment};
-  const double distance = length_of(x.magnitude_bound(), centre.magnitude_bound());
-  if (!(distance < contact_.ring_radius)) return false;
-  AtPlaces slip = at_places(interval.start_slip_velocity, interval.slip_velocity);
-  for (double& value : slip) value *= contact_.slip;
-  if (!proven_positive(slip)) return false;
-  const Extent argument = extent(interval.start_argument, interval.argument);
-  if (!(argument.upper_bound() < valid_argument_)) {
-    AtPlaces left = at_places(interval.start_argument, interval.argument);
-    for (double& value : left) value = valid_argument_ - value;
-    if (!proven_positive(left)) return false;
-  }
-  return other_tips_stay_clear(interval);
+bool ContactArc::nothing_else_happens(const Interval& interval, const Bounds& bounds) const {
+  return bounds.distance < contact_.ring_radius && bounds.slip_velocity > 0.0 &&
+         bounds.argument < valid_argument_ &&
+         std::all_of(others_.begin(), others_.end(), [&](const std::array<double, 2>& other) {
+           return solver_.largest_gap(contact_, interval, other) < 0.0;
+         });
 }
 
 ContactArc::Ending ContactArc::ending(const Interval& interval) const {
@@ -364,10 +321,11 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
   end_.time = interval.start_time + interval.elapsed[last];
   end_.state = {interval.x[last], interval.y[last], interval.vx[last], interval.vy[last]};
   end_.argument = interval.argument[last];
+  er_ = {interval.blade_x[last], interval.blade_y[last]};
   lifts_off_ = interval.chord.time == 0.0 || ending.place < kPlaces;
   double late = 0.0;
   if (ending.under_load) {
-    const contact::Pose pose = pose_of(end_);
+    const contact::Pose pose = rotor::pose_of(*rotor_, law_->geometry(), er_, end_.state);
     late = -pose.gap / contact::gap_rate(law_->geometry(), pose, rotor_->speed_ratio);
   } else if (ending.place < kPlaces) {
     late = -end_.argument * interval.time_slope[last] / interval.argument_slope[last];
@@ -454,20 +412,21 @@ ContactArc::Outcome ContactArc::make() {
   }
   ++number_;
   ++interval_count_;
-  if (!nothing_else_happens(trial())) return Outcome::gives_up;
+  const Bounds bounds = solver_.bounds(contact_, trial());
+  if (!nothing_else_happens(trial(), bounds)) return Outcome::gives_up;
+  displacement_bound_ = bounds.displacement;
   const Ending ending = this->ending(trial());
   const bool reaches_zero = trial().chord.time == 0.0;
-  const AtPlaces gaps = at_places(trial().start_gap_measure, trial().gap_measure);
-  if (!ending.under_load && !(extent(gaps[0], trial().gap_measure).lower_bound() > 0.0) &&
-      !proven_positive(gaps, begins_))
-    return Outcome::gives_up;
+  const bool stays_bent = bounds.gap_measure > 0.0 && (begins_ || trial().start_gap_measure > 0.0);
+  if (!ending.under_load && !stays_bent) return Outcome::gives_up;
   // Time goes on up to the end of the contact.
   for (std::size_t i = 0; i + 1 < std::min(ending.place, kPlaces); ++i) {
     if (!(trial().time_slope[i] > 0.0) && !(reaches_zero && i + 1 == kNodes)) return Outcome::gives_up;
   }
   made_ = 1 - made_;
   if (ending.place < kPlaces) {
-    const AtPlaces values = ending.under_load ? gaps : at_places(made().start_argument, made().argument);
+    const AtPlaces values = ending.under_load ? at_places(made().start_gap_measure, made().gap_measure)
+                                              : at_places(made().start_argument, made().argument);
     if (!cut(crossing(values, ending.place), trial())) return Outcome::gives_up;
     made_ = 1 - made_;
   }

@@ -89,16 +89,16 @@ class ContactArc {
     double argument;
   };
 
-  void estimate(const contact::Pose& pose);
+  void estimate();
   [[nodiscard]] const Interval& made() const { return intervals_[made_]; }
   [[nodiscard]] Interval& trial() { return intervals_[1 - made_]; }
+  void turn_to_others();
   void look_for_earlier();
   void start_next(Interval& next) const;
   void plan(Interval& next, double length) const;
   bool solve(Interval& interval, bool warm);
   [[nodiscard]] double error_of(const Interval& interval) const;
-  [[nodiscard]] bool nothing_else_happens(const Interval& interval);
-  [[nodiscard]] bool other_tips_stay_clear(const Interval& interval) const;
+  [[nodiscard]] bool nothing_else_happens(const Interval& interval, const Bounds& bounds) const;
   /// First place of the interval by which the contact has ended; kPlaces where it has not.
   struct Ending {
     std::size_t place = kPlaces;
@@ -109,7 +109,6 @@ class ContactArc {
   bool cut(double fraction, Interval& shorter);
   void end_at(const Interval& interval, const Ending& ending);
   void take_direction(const Interval& interval);
-  [[nodiscard]] contact::Pose pose_of(const Point& point) const;
 
   const rotor::RotorConstants* rotor_;
   const rotor::BladeSet* blades_;
@@ -117,8 +116,9 @@ class ContactArc {
   const rotor::Harmonic* unbalance_;
   Limits limits_;
   const blade::BendingTable* table_;
-  Solve solve_;
+  IntervalSolver solver_;
   std::vector<contact::BladeDirection> offsets_;  ///< of the blades from blade 0's place
+  std::vector<std::array<double, 2>> others_;     ///< of the other blades from that in contact
   double valid_argument_;                         ///< p up to which δ/L is within its limit
   Contact contact_;
   double allowed_;  ///< error of a velocity between the nodes [m per unit τ]
@@ -127,6 +127,7 @@ class ContactArc {
   bool begins_ = false;  ///< the next interval is the first of the contact
   bool lifts_off_ = false;
   Point start_, end_;
+  contact::BladeDirection er_{};         ///< of the blade at the end
   std::array<Interval, 2> intervals_{};  ///< the last that was made, and the next
   std::size_t made_ = 0;
   EarlierContacts earlier_;

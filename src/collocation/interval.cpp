@@ -2,12 +2,12 @@
 
 namespace rubatlas::collocation {
 
-Solve interval_solver() {
+IntervalSolver interval_solver() {
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) return solve_avx512;
-  if (__builtin_cpu_supports("avx2")) return solve_avx2;
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) return solver_avx512();
+  if (__builtin_cpu_supports("avx2")) return solver_avx2();
 #endif
-  return solve_in_pairs;
+  return solver_in_pairs();
 }
 
 }  // namespace rubatlas::collocation

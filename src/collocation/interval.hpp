@@ -56,6 +56,7 @@ struct Interval {
   AtNodes blade_x, blade_y;  ///< er of the blade
   AtNodes gap_measure;       ///< g/Δ [m], as h = 0 has it: it has the sign of g where the blade is bent
   AtNodes slip_velocity;     ///< v of the tip (MODEL 4.4) [m per unit τ]
+  AtNodes coefficients;      ///< magnitudes of Legendre's coefficients of z'' dτ/dθ [m per unit τ]
   int sweeps = 0;            ///< that were made
 };
 
@@ -75,15 +76,32 @@ struct Closeness {
 using Solve = bool (*)(const Contact& contact, const blade::BendingTable& table, const Closeness& closeness,
                        Interval& interval);
 
-/// The solver for this processor. All have the same bits: each has eight nodes, in parts of as many numbers
-/// as a register holds, and no fused operations.
-Solve interval_solver();
+/// Bounds of what changes within an interval that is solved, as the polynomials through the start and the
+/// nodes have it: none of them leaves the range of its Bernstein coefficients.
+struct Bounds {
+  double slip_velocity;  ///< least s v: the slip does not reverse where it is positive [m per unit τ]
+  double gap_measure;    ///< least g/Δ; the start is left out, where it may be zero [m]
+  double argument;       ///< largest p
+  double displacement;   ///< largest |z| [m]
+  double distance;       ///< largest |c|, of the shaft from the ring's centre [m]
+};
+using BoundsOf = Bounds (*)(const Contact& contact, const Interval& interval);
+/// Bound of the gap [m²] of another blade, straight, whose direction is that of the blade in contact turned
+/// by the angle whose cosine and sine are given.
+using LargestGap = double (*)(const Contact& contact, const Interval& interval,
+                              const std::array<double, 2>& offset);
 
-bool solve_in_pairs(const Contact& contact, const blade::BendingTable& table, const Closeness& closeness,
-                    Interval& interval);
-bool solve_avx2(const Contact& contact, const blade::BendingTable& table, const Closeness& closeness,
-                Interval& interval);
-bool solve_avx512(const Contact& contact, const blade::BendingTable& table, const Closeness& closeness,
-                  Interval& interval);
+struct IntervalSolver {
+  Solve solve;
+  BoundsOf bounds;
+  LargestGap largest_gap;
+};
+/// Those for this processor. All have the same bits: each has eight nodes, in parts of as many numbers as a
+/// register holds, and no fused operations.
+IntervalSolver interval_solver();
+
+IntervalSolver solver_in_pairs();
+IntervalSolver solver_avx2();
+IntervalSolver solver_avx512();
 
 }  // namespace rubatlas::collocation

@@ -310,6 +310,9 @@ class Sweeps {
     ((b_ * 2.0 + deflection_) * c.slip + shortening_ / bent * (a_ * 2.0 + shortening_)).store(in.gap_measure);
     ((a_ * b_rate_ - b_ * a_rate_) * (1.0 / c.ring_radius) + c.speed_ratio * c.ring_radius)
         .store(in.slip_velocity);
+    const Number along_x = Number::combined(nodes_.legendre, ax_ * time_rate_);
+    const Number along_y = Number::combined(nodes_.legendre, ay_ * time_rate_);
+    root(along_x * along_x + along_y * along_y).store(in.coefficients);
   }
 
   const Contact& contact_;
@@ -326,6 +329,12 @@ class Sweeps {
   Bend slope_;                      ///< of load, δ and s Δ by p
   Number per_residual_;             ///< Newton's step along the normal for a residual of h
 };
+
+template <std::size_t kWidth>
+bool solved(const Contact& contact, const blade::BendingTable& table, const Closeness& closeness,
+            Interval& interval) {
+  return Sweeps<kWidth>(contact, table, closeness, interval).solve();
+}
 
 }  // namespace
 }  // namespace rubatlas::collocation

@@ -54,8 +54,8 @@ NodeTables make_tables() {
   const Matrix integrals = integral * coefficients;
   for (std::size_t j = 0; j < kNodes; ++j)
     tables.integral[j] = row_of(integrals, static_cast<Eigen::Index>(j));
-  for (std::size_t k = 0; k < 3; ++k)
-    tables.last_coefficients[k] = row_of(coefficients.transpose(), static_cast<Eigen::Index>(kNodes - 3 + k));
+  for (std::size_t j = 0; j < kNodes; ++j)
+    tables.legendre[j] = row_of(coefficients, static_cast<Eigen::Index>(j));
 
   std::array<Real, kPlaces> place{};
   std::copy(at.begin(), at.end(), place.begin() + 1);
@@ -91,11 +91,10 @@ NodeTables make_tables() {
     }
   }
   const Matrix to_bernstein = bernstein.fullPivLu().inverse();
-  for (std::size_t k = 0; k < kPlaces; ++k) {
-    for (std::size_t j = 0; j < kPlaces; ++j)
-      tables.bernstein[k][j] =
-          static_cast<double>(to_bernstein(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(j)));
-  }
+  const Matrix later = to_bernstein.bottomRows(kSize);
+  tables.bernstein_of_start = row_of(later, 0);
+  for (std::size_t j = 0; j < kNodes; ++j)
+    tables.bernstein[j] = row_of(later, static_cast<Eigen::Index>(j + 1));
   return tables;
 }
 
@@ -122,12 +121,6 @@ AtPlaces basis_at(double fraction) {
   }
   for (double& value : basis) value /= sum;
   return basis;
-}
-
-bool proven_positive(const AtPlaces& values, bool from_zero) {
-  const auto& rows = node_tables().bernstein;
-  return std::all_of(rows.begin() + (from_zero ? 1 : 0), rows.end(),
-                     [&](const AtPlaces& row) { return sum_of_products(row, values) > 0.0; });
 }
 
 }  // namespace rubatlas::collocation

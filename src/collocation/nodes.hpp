@@ -30,10 +30,12 @@ struct NodeTables {
   std::array<AtNodes, kNodes> integral;
   /// [j][i]: slope at node i of the polynomial of degree 8 that is 1 at node j, 0 at the others and at 0.
   std::array<AtNodes, kNodes> slope;
-  /// [k][j]: what node j contributes to coefficient 5 + k of Legendre's polynomials of 2θ − 1.
-  std::array<AtNodes, 3> last_coefficients;
-  /// [k][j]: what place j contributes to coefficient k of Bernstein's polynomials of degree 8.
-  std::array<AtPlaces, kPlaces> bernstein;
+  /// [j][k]: what node j contributes to coefficient k of Legendre's polynomials of 2θ − 1.
+  std::array<AtNodes, kNodes> legendre;
+  /// [j][k]: what node j, and what the start, contributes to coefficient 1 + k of Bernstein's polynomials of
+  /// degree 8. Coefficient 0 is the value at the start.
+  std::array<AtNodes, kNodes> bernstein;
+  AtNodes bernstein_of_start;
   AtPlaces place;   ///< θ of the places
   AtPlaces weight;  ///< barycentric weights of the places
 };
@@ -48,28 +50,6 @@ inline double sum_of_products(const AtPlaces& a, const AtPlaces& b) {
   return sum;
 }
 
-/// Whether the polynomial of degree 8 with these values at the places is positive throughout the interval:
-/// true where all of its Bernstein coefficients are. `from_zero`: it is zero at the start, which does not
-/// count.
-bool proven_positive(const AtPlaces& values, bool from_zero = false);
-
-/// Least and greatest value at the places, and bounds of the polynomial through them: it goes beyond them by
-/// (Λ − 1)/2 of their difference at most, and Lebesgue's constant Λ of the places is below 3.
-struct Extent {
-  double least;
-  double greatest;
-  [[nodiscard]] double lower_bound() const { return least - (greatest - least); }
-  [[nodiscard]] double upper_bound() const { return greatest + (greatest - least); }
-  [[nodiscard]] double magnitude_bound() const { return std::max(upper_bound(), -lower_bound()); }
-};
-inline Extent extent(double start, const AtNodes& nodes) {
-  Extent result{start, start};
-  for (const double value : nodes.value) {
-    result.least = std::min(result.least, value);
-    result.greatest = std::max(result.greatest, value);
-  }
-  return result;
-}
 inline AtPlaces at_places(double start, const AtNodes& nodes) {
   AtPlaces values{start};
   std::copy(nodes.value.begin(), nodes.value.end(), values.begin() + 1);

@@ -64,6 +64,15 @@ class Lanes {
       return simd::static_simd_cast<Part>(simd::static_simd_cast<Whole>(a.part_[i]));
     });
   }
+  RUBATLAS_INLINE friend Lanes root(const Lanes& a) {
+    return of([&](std::size_t i) RUBATLAS_INLINED { return simd::sqrt(a.part_[i]); });
+  }
+  /// The least of the eight.
+  [[nodiscard]] RUBATLAS_INLINE double least() const {
+    Part part = part_[0];
+    for (std::size_t i = 1; i < kParts; ++i) part = simd::min(part, part_[i]);
+    return simd::hmin(part);
+  }
   /// The largest of the eight.
   [[nodiscard]] RUBATLAS_INLINE double largest() const {
     Part part = part_[0];

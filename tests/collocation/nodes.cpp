@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "collocation/interval.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -44,31 +47,56 @@ TEST(RadauNodes, SlopesAreThoseOfThePolynomialThroughTheStartAndTheNodes) {
   }
 }
 
-TEST(RadauNodes, InterpolationGoesBeyondTheValuesAtThePlacesByLessThanTheirDifference) {
-  // Lebesgue's constant: the largest sum of magnitudes of the basis.
-  double largest = 0.0;
-  for (int i = 0; i <= 10000; ++i) {
-    double sum = 0.0;
-    for (const double value : basis_at(i / 10000.0)) sum += std::abs(value);
-    largest = std::max(largest, sum);
-  }
-  EXPECT_LT(largest, 3.0);
-  EXPECT_GT(largest, 2.6);
-}
-
 AtPlaces values_of(double (*function)(double)) {
   AtPlaces values{};
   for (std::size_t i = 0; i < kPlaces; ++i) values[i] = function(node_tables().place[i]);
   return values;
 }
 
-TEST(ProvenPositive, AcceptsWhatIsPositiveAndNothingThatIsNot) {
-  EXPECT_TRUE(proven_positive(values_of([](double t) { return 1.0 - 0.99 * t; })));
-  EXPECT_TRUE(proven_positive(values_of([](double t) { return std::exp(-3.0 * t); })));
+Bounds bounds_of_gap_measure(double (*function)(double)) {
+  Interval interval;
+  const AtPlaces values = values_of(function);
+  interval.start_gap_measure = values[0];
+  std::copy(values.begin() + 1, values.end(), interval.gap_measure.value.begin());
+  return interval_solver().bounds({.slip = 1.0}, interval);
+}
+
+TEST(BoundsOfAnInterval, ArePositiveWhereThePolynomialIsAndNowhereElse) {
+  EXPECT_GT(bounds_of_gap_measure([](double t) { return 1.0 - 0.99 * t; }).gap_measure, 0.0);
+  EXPECT_GT(bounds_of_gap_measure([](double t) { return std::exp(-3.0 * t); }).gap_measure, 0.0);
   // Positive at all places, negative between two of them.
-  EXPECT_FALSE(proven_positive(values_of([](double t) { return (t - 0.54) * (t - 0.56); })));
-  EXPECT_FALSE(proven_positive(values_of([](double t) { return t; })));
-  EXPECT_TRUE(proven_positive(values_of([](double t) { return t * (2.0 - t); }), true));
+  EXPECT_LT(bounds_of_gap_measure([](double t) { return (t - 0.54) * (t - 0.56); }).gap_measure, 0.0);
+  // Zero at the start, which is left out.
+  EXPECT_GT(bounds_of_gap_measure([](double t) { return t * (2.0 - t); }).gap_measure, 0.0);
+}
+
+TEST(BoundsOfAnInterval, HoldEveryQuantityBetweenTheNodes) {
+  Interval interval;
+  const auto fill = [](double& start, AtNodes& at, double (*function)(double)) {
+    const AtPlaces values = values_of(function);
+    start = values[0];
+    std::copy(values.begin() + 1, values.end(), at.value.begin());
+  };
+  constexpr double kMisalignment = 0.3;
+  const auto x = [](double t) { return std::sin(3.0 * t); };
+  const auto y = [](double t) { return t * t - 0.7 * t; };
+  const auto slip_velocity = [](double t) { return -2.0 + std::cos(4.0 * t); };
+  const auto argument = [](double t) { return 1.0 + t * (0.9 - t); };
+  fill(interval.start[0], interval.x, x);
+  fill(interval.start[1], interval.y, y);
+  fill(interval.start_slip_velocity, interval.slip_velocity, slip_velocity);
+  fill(interval.start_argument, interval.argument, argument);
+  const Bounds bounds = interval_solver().bounds({.misalignment = kMisalignment, .slip = -1.0}, interval);
+  constexpr double kRounding = 1e-5;  // of the polynomials through the values of these functions
+  for (double t = 0.0; t <= 1.0; t += 0.001) {
+    EXPECT_LE(std::hypot(x(t), y(t)), bounds.displacement + kRounding);
+    EXPECT_LE(std::hypot(x(t), y(t) + kMisalignment), bounds.distance + kRounding);
+    EXPECT_GE(-slip_velocity(t), bounds.slip_velocity - kRounding);
+    EXPECT_LE(argument(t), bounds.argument + kRounding);
+  }
+  // No looser than by a third.
+  EXPECT_LT(bounds.argument, 1.21 * 1.33);
+  EXPECT_GT(bounds.slip_velocity, 0.0);
 }
 
 }  // namespace

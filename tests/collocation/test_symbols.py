@@ -10,7 +10,7 @@ class CollocationSymbols(unittest.TestCase):
         listing = subprocess.run(["nm", "--defined-only", "--demangle", os.environ["RUBATLAS_COLLOCATION"]], check=True,
                                  capture_output=True, text=True).stdout
         members = {name: text for name, text in re.findall(r"^(\S+)\.o:\n((?:.+\n)*)", listing, re.MULTILINE)}
-        for function in ("solve_avx2", "solve_avx512"):
+        for function in ("solver_avx2", "solver_avx512"):
             with self.subTest(function):
                 # Undefined where another source has them; local (t) where nobody else sees them.
                 symbols = members[f"{function}.cpp"]

@@ -1,0 +1,89 @@
+/// Bounds of what changes within an interval (`interval.hpp`), by Bernstein's coefficients of the polynomials
+/// through the start and the nodes. As the sweeps, compiled once for each kind of processor.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "collocation/interval.hpp"
+#include "collocation/nodes_in_lanes.hpp"
+
+namespace rubatlas::collocation {
+namespace {
+
+template <std::size_t kWidth>
+class IntervalBounds {
+ public:
+  IntervalBounds(const Contact& contact, const Interval& interval)
+      : contact_(contact), interval_(interval), nodes_(node_tables()) {}
+
+  RUBATLAS_INLINE Bounds bounds() const {
+    const Interval& in = interval_;
+    Bounds result;
+    const double slip = contact_.slip;
+    result.slip_velocity = least(slip * in.start_slip_velocity, Number(in.slip_velocity) * slip);
+    result.gap_measure = later(in.start_gap_measure, Number(in.gap_measure)).least();
+    result.argument = largest(in.start_argument, Number(in.argument));
+    const Number x(in.x);
+    const Number y(in.y);
+    const double across = largest_magnitude(in.start[0], x);
+    result.displacement = std::sqrt(square(across) + square(largest_magnitude(in.start[1], y)));
+    const double centre = in.start[1] + contact_.misalignment;
+    const Number centres = y + contact_.misalignment;
+    result.distance = std::sqrt(square(across) + square(largest_magnitude(centre, centres)));
+    return result;
+  }
+
+  RUBATLAS_INLINE double gap(const std::array<double, 2>& offset) const {
+    const Interval& in = interval_;
+    const Number blade_x(in.blade_x);
+    const Number blade_y(in.blade_y);
+    return largest(
+        gap_of(in.start[0], in.start[1] + contact_.misalignment,
+               in.blade[0] * offset[0] - in.blade[1] * offset[1],
+               in.blade[1] * offset[0] + in.blade[0] * offset[1]),
+        gap_of(Number(in.x), Number(in.y) + contact_.misalignment, blade_x * offset[0] - blade_y * offset[1],
+               blade_y * offset[0] + blade_x * offset[1]));
+  }
+
+ private:
+  using Number = Lanes<kWidth>;
+
+  static double square(double number) { return number * number; }
+  /// Of the tip of a straight blade in the direction er (MODEL 2).
+  template <class Value>
+  RUBATLAS_INLINE Value gap_of(const Value& x, const Value& y, const Value& er_x, const Value& er_y) const {
+    return (x * x + y * y) + ((x * er_x + y * er_y) * (2.0 * contact_.reach) + contact_.closing);
+  }
+
+  /// Coefficients 1 to 8; coefficient 0 is the value at the start.
+  RUBATLAS_INLINE Number later(double start, const Number& at_nodes) const {
+    return Number::combined(nodes_.bernstein, at_nodes) + Number(nodes_.bernstein_of_start) * start;
+  }
+  RUBATLAS_INLINE double least(double start, const Number& at_nodes) const {
+    return std::min(start, later(start, at_nodes).least());
+  }
+  RUBATLAS_INLINE double largest(double start, const Number& at_nodes) const {
+    return std::max(start, later(start, at_nodes).largest());
+  }
+  RUBATLAS_INLINE double largest_magnitude(double start, const Number& at_nodes) const {
+    return std::max(std::abs(start), magnitude(later(start, at_nodes)).largest());
+  }
+
+  const Contact& contact_;
+  const Interval& interval_;
+  const NodeTables& nodes_;
+};
+
+template <std::size_t kWidth>
+Bounds bounds_of(const Contact& contact, const Interval& interval) {
+  return IntervalBounds<kWidth>(contact, interval).bounds();
+}
+template <std::size_t kWidth>
+double largest_gap_of(const Contact& contact, const Interval& interval, const std::array<double, 2>& offset) {
+  return IntervalBounds<kWidth>(contact, interval).gap(offset);
+}
+
+}  // namespace
+}  // namespace rubatlas::collocation

@@ -1,0 +1,23 @@
+// Four numbers in a register.
+
+#ifdef __AVX2__
+#include "collocation/interval_bounds.hpp"
+#include "collocation/interval_sweeps.hpp"
+
+namespace rubatlas::collocation {
+
+IntervalSolver solver_avx2() {
+  return {solved<4>, bounds_of<4>, largest_gap_of<4>};
+}
+
+}  // namespace rubatlas::collocation
+
+#else
+#include "collocation/interval.hpp"
+
+namespace rubatlas::collocation {
+IntervalSolver solver_avx2() {
+  return solver_in_pairs();
+}
+}  // namespace rubatlas::collocation
+#endif

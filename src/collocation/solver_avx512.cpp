@@ -1,0 +1,23 @@
+// Eight numbers in a register.
+
+#ifdef __AVX512DQ__
+#include "collocation/interval_bounds.hpp"
+#include "collocation/interval_sweeps.hpp"
+
+namespace rubatlas::collocation {
+
+IntervalSolver solver_avx512() {
+  return {solved<8>, bounds_of<8>, largest_gap_of<8>};
+}
+
+}  // namespace rubatlas::collocation
+
+#else
+#include "collocation/interval.hpp"
+
+namespace rubatlas::collocation {
+IntervalSolver solver_avx512() {
+  return solver_in_pairs();
+}
+}  // namespace rubatlas::collocation
+#endif

@@ -1,0 +1,12 @@
+// Two numbers in a register, which every x86-64 and ARM processor has.
+
+#include "collocation/interval_bounds.hpp"
+#include "collocation/interval_sweeps.hpp"
+
+namespace rubatlas::collocation {
+
+IntervalSolver solver_in_pairs() {
+  return {solved<2>, bounds_of<2>, largest_gap_of<2>};
+}
+
+}  // namespace rubatlas::collocation
