@@ -65,6 +65,7 @@ Comparison competitors(int revolutions) {
     return competitor(std::move(peer), settings, comparison.speed_ratios, revolutions);
   };
   comparison.competitors.push_back(matched(hybrid, kStepLimit));
+  comparison.competitors.push_back(matched(make_collocation(), kStepLimit));
   const std::vector<std::shared_ptr<const Peer>> peers{
       make_odeint_dopri5(), make_odeint_dopri5_located(), make_arkode(8),
       make_arkode(5),       make_cvode(Multistep::adams), make_cvode(Multistep::bdf)};
@@ -84,8 +85,10 @@ Comparison competitors(int revolutions) {
     for (const std::size_t fast : {1, 3, 4})  // the fastest of each library
       comparison.longer_steps.push_back(matched(peers[fast], limit));
   }
-  comparison.whole_points = comparison.competitors.front();
-  comparison.whole_points.revolutions = 300;
+  for (std::size_t i = 0; i < comparison.whole_points.size(); ++i) {
+    comparison.whole_points[i] = comparison.competitors[i];
+    comparison.whole_points[i].revolutions = 300;
+  }
   for (const auto& peer : peers) {
     Competitor free;
     free.settings.tolerance = kTolerance;
@@ -133,11 +136,10 @@ void time_all(Comparison& comparison, int repeats) {
       benchmark::RegisterBenchmark(name.c_str(), body)->Iterations(runs)->Repetitions(repeats);
     }
   };
-  for (Competitor& of : comparison.competitors)
-    register_one(of, of.peer->family() == "hybrid" ? kQuickRuns : 1);
+  for (Competitor& of : comparison.competitors) register_one(of, is_own(of) ? kQuickRuns : 1);
   for (Competitor& of : comparison.longer_steps) register_one(of, 1);
-  for (Competitor& of : comparison.paper) register_one(of, of.peer->family() == "hybrid" ? kQuickRuns : 1);
-  register_one(comparison.whole_points, 1);
+  for (Competitor& of : comparison.paper) register_one(of, is_own(of) ? kQuickRuns : 1);
+  for (Competitor& of : comparison.whole_points) register_one(of, 1);
   std::vector<std::string> flags{"compare", "--benchmark_enable_random_interleaving=true"};
   std::vector<char*> arguments;
   for (std::string& flag : flags) arguments.push_back(flag.data());

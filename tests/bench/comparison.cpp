@@ -40,8 +40,8 @@ std::string time_table(const Comparison& comparison, const std::vector<Competito
     const double time = time_per_revolution(competitor);
     const double revolutions = static_cast<double>(competitor.runs.size()) * competitor.revolutions;
     text += fmt::format(
-        "| {} | {} | {:.0e} | {:.1e}{} | {:.1e} | {} of {} | {:.0f} | {:.0f} | {:.1f} | {:.2f} | {:.1f} |\n",
-        competitor.peer->name(), competitor.peer->family() == "hybrid" ? "–" : step_limit(competitor),
+        "| {} | {} | {:.0e} | {:.1e}{} | {:.1e} | {} of {} | {:.0f} | {:.0f} | {:.1f} | {:.2f} | {:.2g} |\n",
+        competitor.peer->name(), is_own(competitor) ? "–" : step_limit(competitor),
         competitor.settings.tolerance, competitor.accuracy.typical_error,
         competitor.accuracy.typical_error > target ? " (missed)" : "", competitor.accuracy.largest_error,
         found_touchdowns(competitor, hybrid), sum(hybrid.touchdowns), right_hand_sides / revolutions,
@@ -61,9 +61,8 @@ std::string table_by_speed(const Comparison& comparison) {
   }
   std::string text = header + "\n" + rule + "\n";
   for (const Competitor& competitor : comparison.competitors) {
-    text += &competitor == &comparison.competitors.front()
-                ? fmt::format("| {} |", competitor.peer->name())
-                : fmt::format("| {}, {} |", competitor.peer->name(), step_limit(competitor));
+    text += is_own(competitor) ? fmt::format("| {} |", competitor.peer->name())
+                               : fmt::format("| {}, {} |", competitor.peer->name(), step_limit(competitor));
     for (std::size_t i = 0; i < comparison.speed_ratios.size(); i += stride) {
       const double time = time_per_revolution(competitor, i);
       text += fmt::format(" {:.1f} ({:.1f}×) |", 1e6 * time,
@@ -93,6 +92,10 @@ std::string table_without_limit(const Comparison& comparison) {
 }
 
 }  // namespace
+
+bool is_own(const Competitor& competitor) {
+  return competitor.peer->family() == "hybrid" || competitor.peer->family() == "collocation";
+}
 
 std::string step_limit(const Competitor& competitor) {
   const double limit = competitor.settings.max_step;

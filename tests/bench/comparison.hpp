@@ -23,18 +23,21 @@ struct Competitor {
 
 struct Comparison {
   std::vector<double> speed_ratios;
-  double target = 0.0;                    ///< typical error that all have to reach, in units of the clearance
-  std::vector<Competitor> competitors;    ///< the first is `hybrid`
-  std::vector<Competitor> longer_steps;   ///< the same peers with longer step limits
-  std::vector<Competitor> paper;          ///< the published scheme, and hybrid as accurate as that, in turn
-  Competitor whole_points;                ///< hybrid over all 300 revolutions of a point
-  std::vector<Competitor> without_limit;  ///< the same peers with error control alone; not timed
+  double target = 0.0;                   ///< typical error that all have to reach, in units of the clearance
+  std::vector<Competitor> competitors;   ///< the first is `hybrid`, the second `collocation`
+  std::vector<Competitor> longer_steps;  ///< the same peers with longer step limits
+  std::vector<Competitor> paper;         ///< the published scheme, and hybrid as accurate as that, in turn
+  std::array<Competitor, 2> whole_points;  ///< those two over all 300 revolutions of a point
+  std::vector<Competitor> without_limit;   ///< the same peers with error control alone; not timed
 };
 
 /// CPU time of a revolution at one of the speeds [s]: median over the repeats.
 double time_per_revolution(const Competitor& competitor, std::size_t speed);
 /// Mean over the speeds [s].
 double time_per_revolution(const Competitor& competitor);
+
+/// Its time does not depend on a step limit.
+bool is_own(const Competitor& competitor);
 
 /// Touch-downs that a competitor finds where hybrid finds some: more at one speed do not make up for fewer at
 /// another.

@@ -47,6 +47,10 @@ std::unique_ptr<Peer> make_hybrid() {
   return std::make_unique<LineSolverPeer>("hybrid", "", settings::Method::hybrid, 0.0);
 }
 
+std::unique_ptr<Peer> make_collocation() {
+  return std::make_unique<LineSolverPeer>("collocation", "", settings::Method::collocation, 0.0);
+}
+
 std::unique_ptr<Peer> make_paper(double force_increment) {
   return std::make_unique<LineSolverPeer>("paper", fmt::format("dF {:g} N", force_increment),
                                           settings::Method::paper, force_increment);

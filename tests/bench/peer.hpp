@@ -55,6 +55,7 @@ class Peer {
 
 /// This program's methods, through the same door that the atlas uses.
 std::unique_ptr<Peer> make_hybrid();
+std::unique_ptr<Peer> make_collocation();
 /// The published scheme; dF [N] is its step in the search for the force.
 std::unique_ptr<Peer> make_paper(double force_increment);
 /// Boost.odeint: dopri5 with dense output, without and with our event location.

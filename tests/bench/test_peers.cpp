@@ -16,8 +16,8 @@ namespace {
 constexpr double kStepLimit = 0.02;
 
 std::vector<std::shared_ptr<const Peer>> all_peers() {
-  return {make_hybrid(),  make_odeint_dopri5(),         make_odeint_dopri5_located(), make_arkode(8),
-          make_arkode(5), make_cvode(Multistep::adams), make_cvode(Multistep::bdf)};
+  return {make_hybrid(),  make_collocation(), make_odeint_dopri5(),         make_odeint_dopri5_located(),
+          make_arkode(8), make_arkode(5),     make_cvode(Multistep::adams), make_cvode(Multistep::bdf)};
 }
 
 class PeerOnPeriodicMotion : public ::testing::TestWithParam<std::shared_ptr<const Peer>> {};

@@ -53,12 +53,19 @@ AtPlaces values_of(double (*function)(double)) {
   return values;
 }
 
+Contact contact_with(double slip, double misalignment) {
+  Contact contact{};
+  contact.slip = slip;
+  contact.misalignment = misalignment;
+  return contact;
+}
+
 Bounds bounds_of_gap_measure(double (*function)(double)) {
   Interval interval;
   const AtPlaces values = values_of(function);
   interval.start_gap_measure = values[0];
   std::copy(values.begin() + 1, values.end(), interval.gap_measure.value.begin());
-  return interval_solver().bounds({.slip = 1.0}, interval);
+  return interval_solver().bounds(contact_with(1.0, 0.0), interval);
 }
 
 TEST(BoundsOfAnInterval, ArePositiveWhereThePolynomialIsAndNowhereElse) {
@@ -86,7 +93,7 @@ TEST(BoundsOfAnInterval, HoldEveryQuantityBetweenTheNodes) {
   fill(interval.start[1], interval.y, y);
   fill(interval.start_slip_velocity, interval.slip_velocity, slip_velocity);
   fill(interval.start_argument, interval.argument, argument);
-  const Bounds bounds = interval_solver().bounds({.misalignment = kMisalignment, .slip = -1.0}, interval);
+  const Bounds bounds = interval_solver().bounds(contact_with(-1.0, kMisalignment), interval);
   constexpr double kRounding = 1e-5;  // of the polynomials through the values of these functions
   for (double t = 0.0; t <= 1.0; t += 0.001) {
     EXPECT_LE(std::hypot(x(t), y(t)), bounds.displacement + kRounding);
