@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "../support/point.hpp"
 #include "settings/quantity.hpp"
 #include "settings/reader.hpp"
 
@@ -91,14 +92,7 @@ json draw_anywhere(Draw& draw) {
   scene["protocol"] = {{"transient_revolutions", draw.below(2)},
                        {"sampled_revolutions", 1 + draw.below(3)},
                        {"samples_per_revolution", 2 + draw.below(40)}};
-  scene["observables"] = {"poincare",
-                          "poincare_blade_passing",
-                          "max_displacement",
-                          "spectrum",
-                          "touchdowns_per_revolution",
-                          "max_contact_force",
-                          "contact_fraction",
-                          "max_root_strain"};
+  scene["observables"] = test::observables_without_wear();
   return scene;
 }
 

@@ -9,14 +9,7 @@ namespace {
 
 TEST(Collocation, KeepsWhatHybridKeepsOfAPoint) {
   settings::Scene scene = default_rotor(40);
-  scene.observables = {"poincare",
-                       "poincare_blade_passing",
-                       "max_displacement",
-                       "spectrum",
-                       "touchdowns_per_revolution",
-                       "max_contact_force",
-                       "contact_fraction",
-                       "max_root_strain"};
+  scene.observables = observables_without_wear();
   scene.protocol.transient_revolutions = 60;
   scene.accuracy.tolerance = 1e-10;
   for (const double speed_ratio : {0.25, 0.36, 0.62}) {

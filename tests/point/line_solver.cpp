@@ -19,14 +19,7 @@ constexpr motion::SectionState kRest{0.0, 0.0, 0.0, 0.0};
 
 settings::Scene default_scene() {
   settings::Scene scene;
-  scene.observables = {"poincare",
-                       "poincare_blade_passing",
-                       "max_displacement",
-                       "spectrum",
-                       "touchdowns_per_revolution",
-                       "max_contact_force",
-                       "contact_fraction",
-                       "max_root_strain"};
+  scene.observables = observables_without_wear();
   scene.protocol = {20, 10, 64};
   return scene;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "settings/observable_names.hpp"
+
 namespace rubatlas::test {
 
 settings::Scene default_rotor(int revolutions) {
@@ -19,6 +21,13 @@ settings::Scene test_rig(int revolutions) {
   scene.blades = {3, 0.04, 0.0127, 0.0005, 206e9, 0.02215};
   scene.ring.radius = 0.0625;
   return scene;
+}
+
+std::vector<std::string> observables_without_wear() {
+  const auto all = settings::observable_names();
+  std::vector<std::string> names(all.begin(), all.end());
+  std::erase(names, "clearance_growth");
+  return names;
 }
 
 const std::shared_ptr<assembly::BladeTables>& shared_tables() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "assembly/make_line_solver.hpp"
@@ -15,6 +16,9 @@ settings::Scene default_rotor(int revolutions);
 
 /// The paper's test rig (MODEL 6.2), with the same protocol.
 settings::Scene test_rig(int revolutions);
+
+/// Every observable that a rotor without `/wear` may keep.
+std::vector<std::string> observables_without_wear();
 
 /// Blade tables that the tests of a suite share, since a table takes longer than a short motion.
 const std::shared_ptr<assembly::BladeTables>& shared_tables();
