@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 
+#include "collocation/interval_samples.hpp"
 #include "integrate/root_between.hpp"
 
 namespace rubatlas::collocation {
@@ -298,19 +299,7 @@ bool ContactArc::cut(double fraction, Interval& shorter) {
   shorter.start_slip_velocity = made().start_slip_velocity;
   shorter.chord = {fraction * made().chord.time, fraction * made().chord.argument};
   shorter.normal = made().normal;
-  const AtPlaces deviation = at_places(0.0, made().deviation);
-  const AtPlaces x = at_places(made().start[0], made().x);
-  const AtPlaces y = at_places(made().start[1], made().y);
-  const AtPlaces vx = at_places(made().start[2], made().vx);
-  const AtPlaces vy = at_places(made().start[3], made().vy);
-  for (std::size_t i = 0; i < kNodes; ++i) {
-    const AtPlaces basis = basis_at(fraction * node_tables().node[i]);
-    shorter.deviation[i] = sum_of_products(basis, deviation);
-    shorter.x[i] = sum_of_products(basis, x);
-    shorter.y[i] = sum_of_products(basis, y);
-    shorter.vx[i] = sum_of_products(basis, vx);
-    shorter.vy[i] = sum_of_products(basis, vy);
-  }
+  read_stretch(made(), fraction, shorter);
   return solve(shorter, true);
 }
 
@@ -440,31 +429,55 @@ ContactArc::Outcome ContactArc::make() {
 }
 
 double ContactArc::fraction_at(double time) const {
-  const AtPlaces elapsed = at_places(0.0, made().elapsed);
-  const double wanted = time - made().start_time;
-  if (wanted <= 0.0) return 0.0;
-  if (wanted >= made().elapsed.at_end()) return 1.0;
-  const auto late = [&](double fraction) { return sum_of_products(basis_at(fraction), elapsed) - wanted; };
-  // Of the places around it the interpolating polynomial is close to a line.
-  std::size_t place = 1;
-  while (elapsed[place] < wanted) ++place;
-  const AtPlaces& at = node_tables().place;
-  return integrate::root_between(late, at[place - 1], at[place], elapsed[place - 1] - wanted,
-                                 elapsed[place] - wanted);
+  return collocation::fraction_at(made(), time - made().start_time);
 }
 
-rotor::State ContactArc::state_at(double time) {
-  if (time <= start_.time) return start_.state;
-  if (time >= end_.time) return end_.state;
+ContactArc::Point ContactArc::solved_at(double time) {
+  if (time <= start_.time) return start_;
+  if (time >= end_.time) return end_;
   const double fraction = fraction_at(time);
-  if (!cut(fraction, trial())) {
-    const Point point = point_at(fraction);
-    return point.state;
-  }
+  if (!cut(fraction, trial())) return point_at(fraction);
+  Point point = end_of_stretch();
+  const double late = time - point.time;
   const std::size_t last = kNodes - 1;
-  const rotor::State state(trial().x[last], trial().y[last], trial().vx[last], trial().vy[last]);
-  const double late = time - (trial().start_time + trial().elapsed[last]);
-  return state + late * rotor::State(state[2], state[3], trial().ax[last], trial().ay[last]);
+  point.time = time;
+  point.state += late * rotor::State(point.state[2], point.state[3], trial().ax[last], trial().ay[last]);
+  point.argument += late * trial().argument_slope[last] / trial().time_slope[last];
+  return point;
+}
+
+ContactArc::Point ContactArc::solved_at_fraction(double fraction) {
+  return cut(fraction, trial()) ? end_of_stretch() : point_at(fraction);
+}
+
+ContactArc::Point ContactArc::largest_bending() {
+  return solved_at_fraction(fraction_of_largest_bending(made()));
+}
+
+ContactArc::Point ContactArc::end_of_stretch() const {
+  return {trial().start_time + trial().elapsed.at_end(),
+          {trial().x.at_end(), trial().y.at_end(), trial().vx.at_end(), trial().vy.at_end()},
+          trial().argument.at_end()};
+}
+
+double ContactArc::argument_bound() const {
+  if (!peaks()) return std::max(start_.argument, end_.argument);
+  // Between the nodes p errs by a few times as much as velocities do, each against its own size.
+  constexpr double kSafety = 100.0;
+  return bound_of_largest_bending(made()) * (1.0 + kSafety * allowed_ / rotor_->length_scale);
+}
+
+double ContactArc::largest_displacement(double from, double to, double known) {
+  if (!(displacement_bound_ > known)) return known;
+  const double first = from <= start_.time ? 0.0 : fraction_at(from);
+  const double last = to >= end_.time ? 1.0 : fraction_at(to);
+  const Farthest there = farthest(made(), first, last);
+  // Between the nodes a place errs by less than a velocity would move it in a unit of time.
+  if (!(there.displacement + allowed_ > known)) return known;
+  const Point point = there.fraction == first  ? solved_at(from)
+                      : there.fraction == last ? solved_at(to)
+                                               : solved_at_fraction(there.fraction);
+  return std::max(known, length_of(point.state[0], point.state[1]));
 }
 
 std::array<double, 2> ContactArc::place_at(double fraction) const {

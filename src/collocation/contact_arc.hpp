@@ -58,13 +58,20 @@ class ContactArc {
 
   /// θ in the interval that has been made where it has reached a time.
   [[nodiscard]] double fraction_at(double time) const;
-  /// There: the state of the shaft as accurate as at the end of an interval; solves the stretch up to there.
-  [[nodiscard]] rotor::State state_at(double time);
+  /// There, as accurate as at the end of an interval: solves the stretch up to there.
+  [[nodiscard]] Point solved_at(double time);
+  [[nodiscard]] rotor::State state_at(double time) { return solved_at(time).state; }
+  /// Likewise where the bending is largest, of an interval in which it passes its largest value.
+  [[nodiscard]] Point largest_bending();
+  /// The largest |z| between two times of the interval [m], or `known` where it is not larger than that.
+  [[nodiscard]] double largest_displacement(double from, double to, double known);
   /// Shaft's place x, y [m] at θ, on the interval's polynomials.
   [[nodiscard]] std::array<double, 2> place_at(double fraction) const;
   [[nodiscard]] Point point_at(double fraction) const;
   /// Bending parameter u at θ.
   [[nodiscard]] double bending_at(double fraction) const;
+  /// Bound of p in the interval.
+  [[nodiscard]] double argument_bound() const;
   /// The bending passes its largest value within the interval.
   [[nodiscard]] bool peaks() const;
   /// Bound of |z| in the interval [m].
@@ -92,6 +99,7 @@ class ContactArc {
   void estimate();
   [[nodiscard]] const Interval& made() const { return intervals_[made_]; }
   [[nodiscard]] Interval& trial() { return intervals_[1 - made_]; }
+  [[nodiscard]] const Interval& trial() const { return intervals_[1 - made_]; }
   void turn_to_others();
   void look_for_earlier();
   void start_next(Interval& next) const;
@@ -107,6 +115,10 @@ class ContactArc {
   [[nodiscard]] Ending ending(const Interval& interval) const;
   [[nodiscard]] double crossing(const AtPlaces& values, std::size_t place) const;
   bool cut(double fraction, Interval& shorter);
+  /// At θ, or close by: the end of the stretch up to there, solved for itself.
+  [[nodiscard]] Point solved_at_fraction(double fraction);
+  /// The end of the trial, a stretch of the interval.
+  [[nodiscard]] Point end_of_stretch() const;
   void end_at(const Interval& interval, const Ending& ending);
   void take_direction(const Interval& interval);
 

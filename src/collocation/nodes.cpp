@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/math/special_functions/binomial.hpp>
 #include <boost/math/special_functions/legendre.hpp>
+#include <cmath>
 
 namespace rubatlas::collocation {
 namespace {
@@ -26,6 +27,23 @@ AtNodes row_of(const Matrix& matrix, Eigen::Index column) {
   for (std::size_t i = 0; i < kNodes; ++i)
     row[i] = static_cast<double>(matrix(static_cast<Eigen::Index>(i), column));
   return row;
+}
+
+/// Lagrange's polynomials of these places at θ.
+template <std::size_t kCount>
+std::array<double, kCount> barycentric(double fraction, const std::array<double, kCount>& places,
+                                       const std::array<double, kCount>& weights) {
+  std::array<double, kCount> basis;
+  for (std::size_t i = 0; i < kCount; ++i) basis[i] = weights[i] / (fraction - places[i]);
+  double sum = 0.0;
+  for (const double value : basis) sum += value;
+  if (std::isfinite(sum)) {
+    for (double& value : basis) value /= sum;
+    return basis;
+  }
+  // It is one of the places.
+  for (std::size_t i = 0; i < kCount; ++i) basis[i] = fraction == places[i] ? 1.0 : 0.0;
+  return basis;
 }
 
 NodeTables make_tables() {
@@ -66,6 +84,7 @@ NodeTables make_tables() {
       if (j != i) weight[i] /= place[i] - place[j];
     }
     tables.weight[i] = static_cast<double>(weight[i]);
+    if (i > 0) tables.weight_among_nodes[i - 1] = static_cast<double>(weight[i] * place[i]);
   }
   for (std::size_t j = 1; j < kPlaces; ++j) {
     for (std::size_t i = 1; i < kPlaces; ++i) {
@@ -107,20 +126,11 @@ const NodeTables& node_tables() {
 
 AtPlaces basis_at(double fraction) {
   const NodeTables& tables = node_tables();
-  AtPlaces basis{};
-  double sum = 0.0;
-  for (std::size_t i = 0; i < kPlaces; ++i) {
-    const double distance = fraction - tables.place[i];
-    if (distance == 0.0) {
-      basis.fill(0.0);
-      basis[i] = 1.0;
-      return basis;
-    }
-    basis[i] = tables.weight[i] / distance;
-    sum += basis[i];
-  }
-  for (double& value : basis) value /= sum;
-  return basis;
+  return barycentric(fraction, tables.place, tables.weight);
+}
+AtNodes slope_basis_at(double fraction) {
+  const NodeTables& tables = node_tables();
+  return {barycentric(fraction, tables.node.value, tables.weight_among_nodes.value)};
 }
 
 }  // namespace rubatlas::collocation

@@ -36,17 +36,26 @@ struct NodeTables {
   /// degree 8. Coefficient 0 is the value at the start.
   std::array<AtNodes, kNodes> bernstein;
   AtNodes bernstein_of_start;
-  AtPlaces place;   ///< θ of the places
-  AtPlaces weight;  ///< barycentric weights of the places
+  AtPlaces place;              ///< θ of the places
+  AtPlaces weight;             ///< barycentric weights of the places
+  AtNodes weight_among_nodes;  ///< those of the nodes without the start
 };
 const NodeTables& node_tables();
 
 /// Values at θ of the polynomials of degree 8 that are 1 at one place and 0 at the others.
 AtPlaces basis_at(double fraction);
+/// The same of the polynomials of degree 7 through the nodes alone: for slopes by θ.
+AtNodes slope_basis_at(double fraction);
 
 inline double sum_of_products(const AtPlaces& a, const AtPlaces& b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < kPlaces; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+inline double sum_of_products(const AtNodes& a, const AtNodes& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < kNodes; ++i) sum += a[i] * b[i];
   return sum;
 }
 

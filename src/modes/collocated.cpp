@@ -20,6 +20,7 @@ ModeEnd Collocated::advance(double until, MotionListener& listener) {
       const double end = arc_.end().time;
       const bool beyond = end > until;
       piece_end_ = beyond ? until : end;
+      most_bent_.reset();
       if (piece_end_ > piece_begin_) listener.piece(*this);
       if (meter_->ended()) return {Guard::failed, -1, meter_->why()};
       piece_begin_ = piece_end_;
@@ -57,26 +58,54 @@ OpenContact Collocated::contact_at(std::size_t /*contact*/, double time) const {
   return open;
 }
 
-double Collocated::place_x(double time) {
-  return arc_.place_at(arc_.fraction_at(time))[0];
+void Collocated::places_x(const observables::SampleTimes& times, int first, std::span<double> x) {
+  for (std::size_t i = 0; i < x.size(); ++i)
+    x[i] = arc_.place_at(arc_.fraction_at(times[first + static_cast<int>(i)]))[0];
 }
 
-contact::TipForce Collocated::force(double time) {
-  const contact::BladeDirection er = blades_->direction(contact_.blade, blades_->first(time));
-  const contact::Pose pose = rotor::pose_of(*rotor_, law_->geometry(), er, arc_.state_at(time));
-  // The state is accurate at any time, the bending between the nodes is not: it follows from h = 0.
-  double bending = arc_.bending_at(arc_.fraction_at(time));
-  if (bending > 0.0) bending = law_->solve_near(pose, contact_.slip, bending).value_or(bending);
-  return law_->constraint(pose, contact_.slip, bending, rotor_->speed_ratio).force;
+double Collocated::largest_displacement(double known, double /*speed_ratio*/) {
+  return arc_.largest_displacement(piece_begin_, piece_end_, known);
+}
+
+contact::TipForce Collocated::force(const Point& point) const {
+  const contact::BladeDirection er = blades_->direction(contact_.blade, blades_->first(point.time));
+  const contact::Pose pose = rotor::pose_of(*rotor_, law_->geometry(), er, point.state);
+  return law_->constraint(pose, contact_.slip, arc_.bending(point.argument), rotor_->speed_ratio).force;
 }
 double Collocated::normal_force(std::size_t /*contact*/, double time) {
-  return force(time).normal;
+  return force(arc_.solved_at(time)).normal;
 }
 double Collocated::root_strain(std::size_t /*contact*/, double time) {
-  return force(time).root_strain;
+  return force(arc_.solved_at(time)).root_strain;
 }
 double Collocated::friction_power(std::size_t /*contact*/, double time) {
-  return modes::friction_power(*law_, force(time));
+  return modes::friction_power(*law_, force(arc_.solved_at(time)));
+}
+
+/// Force and strain grow with the bending, so that a blade that is bent less than where the load was known
+/// need not be looked at.
+Collocated::LargestLoad Collocated::largest(observables::Load load, std::size_t /*contact*/, double known) {
+  const auto value = [load](const MostBent& at) {
+    return load == observables::Load::normal_force ? at.force.normal : at.force.root_strain;
+  };
+  if (!most_bent_) {
+    if (most_bent_of_all_ && value(*most_bent_of_all_) <= known &&
+        arc_.argument_bound() <= most_bent_of_all_->point.argument)
+      return {piece_begin_, known};
+    Point most = arc_.solved_at(piece_begin_);
+    const auto take = [&](const Point& point) {
+      if (point.argument > most.argument) most = point;
+    };
+    take(arc_.solved_at(piece_end_));
+    if (arc_.peaks()) {
+      const Point peak = arc_.largest_bending();
+      if (peak.time > piece_begin_ && peak.time < piece_end_) take(peak);
+    }
+    most_bent_ = {most, force(most)};
+    if (!most_bent_of_all_ || most.argument > most_bent_of_all_->point.argument)
+      most_bent_of_all_ = most_bent_;
+  }
+  return {most_bent_->point.time, value(*most_bent_)};
 }
 
 }  // namespace rubatlas::modes

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <limits>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "collocation/contact_arc.hpp"
@@ -55,13 +57,15 @@ class Collocated final : public observables::MotionPiece {
   [[nodiscard]] double begin() const override { return piece_begin_; }
   [[nodiscard]] double end() const override { return piece_end_; }
   [[nodiscard]] observables::State state(double time) override { return rotor::as_array(state_at(time)); }
-  [[nodiscard]] double place_x(double time) override;
+  void places_x(const observables::SampleTimes& times, int first, std::span<double> x) override;
   [[nodiscard]] double displacement_bound() const override { return arc_.displacement_bound(); }
+  [[nodiscard]] double largest_displacement(double known, double speed_ratio) override;
   [[nodiscard]] std::size_t contact_count() const override { return 1; }
   [[nodiscard]] int blade(std::size_t /*contact*/) const override { return contact_.blade; }
   [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return arc_.peaks(); }
   [[nodiscard]] double normal_force(std::size_t contact, double time) override;
   [[nodiscard]] double root_strain(std::size_t contact, double time) override;
+  [[nodiscard]] LargestLoad largest(observables::Load load, std::size_t contact, double known) override;
   [[nodiscard]] double friction_power(std::size_t contact, double time) override;
 
   /// Right-hand sides: one at each node in each sweep.
@@ -70,7 +74,8 @@ class Collocated final : public observables::MotionPiece {
   [[nodiscard]] std::uint64_t rejected() const { return arc_.rejected(); }
 
  private:
-  [[nodiscard]] contact::TipForce force(double time);
+  using Point = collocation::ContactArc::Point;
+  [[nodiscard]] contact::TipForce force(const Point& point) const;
 
   const Law* law_;
   const rotor::BladeSet* blades_;
@@ -83,6 +88,13 @@ class Collocated final : public observables::MotionPiece {
   bool pending_ = false;  ///< an interval has been made and not been recorded to its end
   double piece_begin_ = 0.0;
   double piece_end_ = 0.0;
+  /// Where the blade is bent most, and its force there.
+  struct MostBent {
+    Point point;
+    contact::TipForce force;
+  };
+  std::optional<MostBent> most_bent_;         ///< in the piece, once it has been asked for
+  std::optional<MostBent> most_bent_of_all_;  ///< in the pieces so far that have been asked for it
 };
 
 }  // namespace rubatlas::modes

@@ -2,16 +2,22 @@
 /// ends it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "integrate/conservative_step.hpp"
+#include "integrate/newton_between.hpp"
 #include "modes/flight_row.hpp"
+#include "modes/state_row.hpp"
 #include "modes/work_meter.hpp"
+#include "observables/motion_piece.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
@@ -83,18 +89,70 @@ class Flight {
     return result;
   }
 
-  /// Moves the row of eight times to this state.
-  void start_row(FlightRow& row, double time, const rotor::State& state,
-                 double fourth_bound) const requires FliesInRows<Forcing> {
+  /// Moves a row of eight times to this state; `more`: what else its start takes.
+  template <class Row, class... More>
+  void start_row(Row& row, double time, const rotor::State& state,
+                 const More&... more) const requires FliesInRows<Forcing> {
     if constexpr (Forcing::kPresent) {
       const Complex direction = std::polar(1.0, forcing_->frequency() * time);
-      row.start(state, &direction, fourth_bound);
+      row.start(state, &direction, more...);
     } else {
-      row.start(state, nullptr, fourth_bound);
+      row.start(state, nullptr, more...);
     }
   }
   [[nodiscard]] FlightRow row() const requires FliesInRows<Forcing> {
     return FlightRow(*rotor_, *free_, *forcing_);
+  }
+
+  /// x [m] at the times from number `first` on, which lie in this flight.
+  void places_x(const observables::SampleTimes& times, int first,
+                std::span<double> x) const requires FliesInRows<Forcing> {
+    constexpr int kRowsFromClosedForm = 16;  // rounding of each row adds up
+    StateRow& row = row_of(sample_row_, times.spacing());
+    int number = first;
+    rotor::State at = state(times[number]);
+    x.front() = at[0];
+    x = x.subspan(1);
+    for (int rows = 1; !x.empty(); ++rows) {
+      start_row(row, times[number], at);
+      const std::size_t count = std::min<std::size_t>(StateRow::kTimes, x.size());
+      std::copy_n(row.x().data(), count, x.data());
+      x = x.subspan(count);
+      number += static_cast<int>(count);
+      at = rows % kRowsFromClosedForm == 0 ? state(times[number]) : row.state(StateRow::kTimes - 1);
+    }
+  }
+
+  /// The largest |z| between two times of this flight [m], or `known` where it is not larger than that.
+  [[nodiscard]] double largest_displacement(double begin, double end,
+                                            double known) const requires FliesInRows<Forcing> {
+    const double spacing = observables::spacing_of_distances(rotor_->speed_ratio);
+    StateRow& row = row_of(distance_row_, spacing);
+    double largest = known * known;
+    const auto take = [&](const rotor::State& there) {
+      largest = std::max(largest, there[0] * there[0] + there[1] * there[1]);
+    };
+    rotor::State at = state(begin);
+    double time = begin;
+    double rate = distance_rate(at);
+    take(at);
+    while (time < end) {
+      const double bound = displacement_bound(time, at, end - time);
+      if (!(bound * bound > largest)) break;
+      start_row(row, time, at);
+      const double row_begin = time;
+      for (int i = 0; i < StateRow::kTimes && time < end; ++i) {
+        const double next = std::min(row_begin + (i + 1) * spacing, end);
+        const rotor::State there = next < end ? row.state(i) : state(end);
+        const double rate_there = distance_rate(there);
+        take(there);
+        if (rate > 0.0 && rate_there < 0.0) take(state(top_between(time, next, rate, rate_there)));
+        time = next;
+        at = there;
+        rate = rate_there;
+      }
+    }
+    return largest > known * known ? std::sqrt(largest) : known;
   }
 
   /// Bound of the forcing's acceleration [m per unit τ²].
@@ -104,6 +162,24 @@ class Flight {
   }
 
  private:
+  StateRow& row_of(std::optional<StateRow>& row, double spacing) const {
+    if (!row || row->spacing() != spacing) row.emplace(*free_, *forcing_, spacing);
+    return *row;
+  }
+  /// z·z', half of the rate of |z|².
+  static double distance_rate(const rotor::State& state) { return state[0] * state[2] + state[1] * state[3]; }
+  /// The time between two others when |z| is largest, from its rates there.
+  [[nodiscard]] double top_between(double from, double to, double rate_from, double rate_to) const {
+    const auto rate = [&](double time) {
+      const rotor::State at = state(time);
+      const Complex second = acceleration(time, at);
+      return integrate::ValueAndSlope{
+          distance_rate(at), at[2] * at[2] + at[3] * at[3] + at[0] * second.real() + at[1] * second.imag()};
+    };
+    constexpr double kClosest = 1e-4;  // a maximum is flat
+    const double guess = from + (to - from) * rate_from / (rate_from - rate_to);
+    return integrate::newton_between(rate, from, to, guess, false, kClosest * (to - from));
+  }
   /// `size`: the norm that is bounded, of the steady response.
   template <class Size>
   [[nodiscard]] double bound(double time, const rotor::State& state, double horizon, Size size) const {
@@ -125,6 +201,9 @@ class Flight {
   double start_ = 0.0;
   Complex position_;
   Complex velocity_;
+  // What reads this flight at equally spaced times, made where it is asked for.
+  mutable std::optional<StateRow> sample_row_;
+  mutable std::optional<StateRow> distance_row_;
 };
 
 /// Bounds of |z| and |z'|, in a flight where one number bounds both.

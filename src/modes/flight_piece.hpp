@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "modes/flight.hpp"
 #include "observables/motion_piece.hpp"
@@ -20,7 +21,21 @@ class FlightPiece final : public observables::MotionPiece {
   [[nodiscard]] observables::State state(double time) override {
     return rotor::as_array(rotor::shaft(flight_->state(time)));
   }
+  void places_x(const observables::SampleTimes& times, int first, std::span<double> x) override {
+    if constexpr (kInRows) {
+      flight_->places_x(times, first, x);
+    } else {
+      MotionPiece::places_x(times, first, x);
+    }
+  }
   [[nodiscard]] double displacement_bound() const override { return bound_; }
+  [[nodiscard]] double largest_displacement(double known, double speed_ratio) override {
+    if constexpr (kInRows) {
+      return bound_ > known ? flight_->largest_displacement(begin_, end_, known) : known;
+    } else {
+      return MotionPiece::largest_displacement(known, speed_ratio);
+    }
+  }
   [[nodiscard]] std::size_t contact_count() const override { return 0; }
   [[nodiscard]] int blade(std::size_t /*contact*/) const override { return -1; }
   [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return false; }
@@ -29,6 +44,10 @@ class FlightPiece final : public observables::MotionPiece {
   [[nodiscard]] double friction_power(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
 
  private:
+  static constexpr bool kInRows = requires(const Flight<Forcing>& flight) {
+    flight.largest_displacement(0.0, 0.0, 0.0);
+  };
+
   const Flight<Forcing>* flight_;
   double begin_;
   double end_;

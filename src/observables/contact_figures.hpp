@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <memory>
 
-#include "observables/load_peak.hpp"
 #include "observables/observable.hpp"
 #include "settings/scene.hpp"
 
@@ -60,8 +59,8 @@ class ContactFraction final : public Observable {
   int left_ = 0;  ///< sampled revolutions that have not ended
 };
 
-/// Largest value of a function of contact and time over all contacts.
-template <double (MotionPiece::*kQuantity)(std::size_t, double)>
+/// Largest value of a load over all contacts.
+template <Load kLoad>
 class ContactPeak final : public Observable {
  public:
   static std::unique_ptr<Observable> make(const settings::Scene& /*scene*/) {
@@ -69,12 +68,8 @@ class ContactPeak final : public Observable {
   }
   void begin(const PointConstants& /*point*/) override { peak_ = 0.0; }
   void piece(MotionPiece& piece) override {
-    for (std::size_t contact = 0; contact < piece.contact_count(); ++contact) {
-      peak_ = std::max(
-          {peak_, (piece.*kQuantity)(contact, piece.begin()), (piece.*kQuantity)(contact, piece.end())});
-      if (!piece.load_peaks(contact)) continue;
-      peak_ = std::max(peak_, load_peak<kQuantity>(piece, contact).value);
-    }
+    for (std::size_t contact = 0; contact < piece.contact_count(); ++contact)
+      peak_ = std::max(peak_, piece.largest(kLoad, contact, peak_).value);
   }
   void write(std::span<double> row) override { row[0] = peak_; }
 
@@ -82,8 +77,8 @@ class ContactPeak final : public Observable {
   double peak_ = 0.0;
 };
 
-using MaxContactForce = ContactPeak<&MotionPiece::normal_force>;
-using MaxRootStrain = ContactPeak<&MotionPiece::root_strain>;
+using MaxContactForce = ContactPeak<Load::normal_force>;
+using MaxRootStrain = ContactPeak<Load::root_strain>;
 
 /// The flag of `validity.yield_strain`: 1 where a blade's root has been strained beyond it, else 0.
 class Yielded final : public Observable {

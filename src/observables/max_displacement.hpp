@@ -1,10 +1,8 @@
 /// Observable `max_displacement`: supremum over continuous time of sqrt(x² + y²) (MODEL 6).
 #pragma once
 
-#include <algorithm>
 #include <memory>
 
-#include "observables/largest_distance.hpp"
 #include "observables/observable.hpp"
 #include "settings/scene.hpp"
 
@@ -21,12 +19,7 @@ class MaxDisplacement final : public Observable {
     largest_ = 0.0;
   }
   void speed_changes(const PointConstants& point) override { speed_ratio_ = point.speed_ratio; }
-  void piece(MotionPiece& piece) override {
-    // The bound of most pieces is below the largest displacement so far; these need no search.
-    if (piece.displacement_bound() > largest_) {
-      largest_ = std::max(largest_, largest_distance(piece, 0.0, speed_ratio_));
-    }
-  }
+  void piece(MotionPiece& piece) override { largest_ = piece.largest_displacement(largest_, speed_ratio_); }
   void write(std::span<double> row) override { row[0] = largest_; }
 
  private:

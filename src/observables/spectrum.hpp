@@ -1,6 +1,8 @@
 /// Observable `spectrum`: amplitude of x over order, over all sampled revolutions (`analysis/spectrum.hpp`).
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 
 #include "analysis/spectrum.hpp"
@@ -25,16 +27,26 @@ class SpectrumOfDisplacement final : public Observable {
   }
   void speed_changes(const PointConstants& point) override { period_ = point.period; }
   void piece(MotionPiece& piece) override {
-    for (; sample_ < samples_per_revolution_; ++sample_) {
-      const double time = period_ * sample_ / samples_per_revolution_;
-      if (time >= piece.end()) return;
-      spectrum_.samples()[filled_++] = piece.place_x(time);
-    }
+    const SampleTimes times{period_, samples_per_revolution_};
+    const int after = first_from(times, piece.end());
+    if (after <= sample_) return;
+    const auto count = static_cast<std::size_t>(after - sample_);
+    piece.places_x(times, sample_, spectrum_.samples().subspan(filled_, count));
+    filled_ += count;
+    sample_ = after;
   }
   void revolution_ends(const State& /*section*/) override { sample_ = 0; }
   void write(std::span<double> row) override { spectrum_.amplitudes(row); }
 
  private:
+  /// Number of the first time that is not before `end`.
+  static int first_from(const SampleTimes& times, double end) {
+    int number = std::clamp(static_cast<int>(end / times.spacing()), 0, times.count);
+    while (number > 0 && times[number - 1] >= end) --number;
+    while (number < times.count && times[number] < end) ++number;
+    return number;
+  }
+
   int samples_per_revolution_;
   analysis::Spectrum spectrum_;
   double period_ = 0.0;

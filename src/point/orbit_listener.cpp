@@ -7,8 +7,6 @@
 #include <numbers>
 #include <utility>
 
-#include "observables/load_peak.hpp"
-
 namespace rubatlas::point {
 namespace {
 
@@ -93,11 +91,10 @@ void OrbitListener::sample_contact(observables::MotionPiece& piece, std::size_t 
   if (!goes_on || may_jump_) add(begin, piece.normal_force(contact, begin));
   if (!(end > begin)) return;
 
-  std::optional<observables::LoadPeak> peak;
+  std::optional<observables::MotionPiece::LargestLoad> peak;
   if (piece.load_peaks(contact)) {
-    const auto found = observables::load_peak<&observables::MotionPiece::normal_force>(piece, contact);
-    const double at_ends = std::max(piece.normal_force(contact, begin), piece.normal_force(contact, end));
-    if (found.value > at_ends) peak = found;
+    const auto found = piece.largest(observables::Load::normal_force, contact, 0.0);
+    if (found.time > begin && found.time < end) peak = found;
   }
   for (int part = 1; part <= kParts; ++part) {
     const double time = part == kParts ? end : begin + (end - begin) * part / kParts;

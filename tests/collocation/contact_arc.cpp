@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -283,19 +284,14 @@ TEST(ContactArc, HasTheSameBitsOnEveryProcessor) {
             interval_solver().largest_gap(contact, here, other));
 }
 
-TEST(ContactArc, StateAtAnyTimeIsAsAccurateAsTheEndOfAnInterval) {
-  std::mt19937_64 generator(3);
-  const Machine m = machine(generator);
-  std::vector<Contact> contacts;
-  while (contacts.empty()) {
-    rotor::State start;
-    for (double& component : start) component = between(generator, -0.01, 0.01);
-    contacts = m.unbalance ? contacts_of(m, *m.unbalance, start) : contacts_of(m, rotor::NoForcing{}, start);
-    std::erase_if(contacts, [](const Contact& one) { return one.end.kind != modes::Guard::lift_off; });
-  }
-  const Contact& contact = contacts.front();
-  const double middle = 0.5 * (contact.start.time + contact.end.time);
-  const auto state_at = [&](double tolerance) {
+/// The first contact, of rotors from a seed, that ends by lift-off.
+struct OneContact {
+  Machine machine;
+  Contact contact;
+  /// The arc up to the interval in which `reached` holds.
+  template <class Reached>
+  [[nodiscard]] ContactArc arc(double tolerance, Reached reached) const {
+    const Machine& m = machine;
     ContactArc arc(m.rotor, m.blades, m.law, m.unbalance.get(), {tolerance * kClearance, 0.5});
     const auto pose = rotor::pose_of(
         m.rotor, m.law.geometry(),
@@ -303,12 +299,112 @@ TEST(ContactArc, StateAtAnyTimeIsAsAccurateAsTheEndOfAnInterval) {
     const double bending =
         m.law.starts_unloaded(pose, contact.start.slip) ? 0.0 : *m.law.solve(pose, contact.start.slip);
     arc.begin(contact.start.time, contact.start.state, contact.start.blade, contact.start.slip, bending);
-    while (arc.end().time < middle) {
-      if (arc.make() == ContactArc::Outcome::gives_up) ADD_FAILURE() << "given up";
+    while (!reached(arc)) {
+      if (arc.make() == ContactArc::Outcome::gives_up || arc.lifts_off()) break;
     }
-    return arc.state_at(middle);
+    EXPECT_TRUE(reached(arc));
+    return arc;
+  }
+};
+OneContact contact_of(std::uint64_t seed) {
+  std::mt19937_64 generator(seed);
+  OneContact result{machine(generator), {}};
+  const Machine& m = result.machine;
+  std::vector<Contact> contacts;
+  while (contacts.empty()) {
+    rotor::State start;
+    for (double& component : start) component = between(generator, -0.01, 0.01);
+    contacts = m.unbalance ? contacts_of(m, *m.unbalance, start) : contacts_of(m, rotor::NoForcing{}, start);
+    std::erase_if(contacts, [](const Contact& one) { return one.end.kind != modes::Guard::lift_off; });
+  }
+  result.contact = contacts.front();
+  return result;
+}
+
+TEST(ContactArc, StateAtAnyTimeIsAsAccurateAsTheEndOfAnInterval) {
+  const OneContact one = contact_of(3);
+  const double middle = 0.5 * (one.contact.start.time + one.contact.end.time);
+  const auto state_at = [&](double tolerance) {
+    return one.arc(tolerance, [&](const ContactArc& arc) { return arc.end().time >= middle; })
+        .state_at(middle);
   };
   EXPECT_LE((state_at(1e-8) - state_at(1e-13)).abs().maxCoeff(), 1e-8 * kClearance);
+}
+
+TEST(ContactArc, LargestBendingIsAsAccurateAsTheEndOfAnInterval) {
+  for (const std::uint64_t seed : {3U, 5U, 7U}) {
+    const OneContact one = contact_of(seed);
+    const auto peak = [&](double tolerance) {
+      ContactArc arc = one.arc(tolerance, [](const ContactArc& so_far) { return so_far.peaks(); });
+      const ContactArc::Point found = arc.largest_bending();
+      EXPECT_GE(arc.argument_bound(), found.argument);
+      for (int i = 0; i <= 100; ++i) {
+        const double time = arc.start().time + (arc.end().time - arc.start().time) * i / 100;
+        EXPECT_LE(arc.solved_at(time).argument, found.argument * (1.0 + 1e-9));
+      }
+      return found.argument;
+    };
+    const double exact = peak(1e-13);
+    EXPECT_NEAR(peak(1e-9), exact, 1e-7 * exact) << "seed " << seed;
+  }
+}
+
+/// Calls `use` with each interval of contacts at 1e-9 of many rotors.
+template <class Use>
+void for_each_interval(Use use) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    const OneContact one = contact_of(seed);
+    ContactArc arc = one.arc(1e-9, [](const ContactArc&) { return true; });
+    while (arc.make() == ContactArc::Outcome::made) {
+      use(arc);
+      if (arc.lifts_off()) break;
+    }
+  }
+}
+
+TEST(ContactArc, PlacesBetweenTheNodesErrAsVelocitiesMayThere) {
+  double largest = 0.0;
+  for_each_interval([&](ContactArc& arc) {
+    for (int i = 1; i < 40; ++i) {
+      const double time = arc.start().time + (arc.end().time - arc.start().time) * i / 40;
+      const auto place = arc.place_at(arc.fraction_at(time));
+      const rotor::State solved = arc.state_at(time);
+      largest = std::max({largest, std::abs(place[0] - solved[0]), std::abs(place[1] - solved[1])});
+    }
+  });
+  // 0.27 ε^(9/14) of the clearance for velocities, over less than a unit of time.
+  EXPECT_LE(largest, 0.27 * std::pow(1e-9, 9.0 / 14.0) * 1.5 * kClearance);
+  EXPECT_GT(largest, 0.0);
+}
+
+TEST(ContactArc, TheLargestDisplacementIsAsAccurateAsTheEndOfAnInterval) {
+  int inside = 0;
+  for_each_interval([&](ContactArc& arc) {
+    const double begin = arc.start().time;
+    const double end = arc.end().time;
+    const auto distance = [&](double time) {
+      const rotor::State state = arc.state_at(time);
+      return std::hypot(state[0], state[1]);
+    };
+    constexpr int kParts = 32;
+    const auto time_of = [&](int part) { return begin + (end - begin) * part / kParts; };
+    double expected = 0.0;
+    int farthest = 0;
+    for (int part = 0; part <= kParts; ++part) {
+      const double there = distance(time_of(part));
+      if (there > expected) farthest = part;
+      expected = std::max(expected, there);
+    }
+    const double top = -boost::math::tools::brent_find_minima([&](double time) { return -distance(time); },
+                                                              time_of(std::max(farthest - 1, 0)),
+                                                              time_of(std::min(farthest + 1, kParts)), 26)
+                            .second;
+    if (top > expected) ++inside;
+    expected = std::max(expected, top);
+    EXPECT_NEAR(arc.largest_displacement(begin, end, 0.0), expected, 1e-9 * kClearance);
+    EXPECT_EQ(arc.largest_displacement(begin, end, 2.0 * expected), 2.0 * expected);
+  });
+  EXPECT_GT(inside, 5);
 }
 
 }  // namespace

@@ -47,6 +47,24 @@ TEST(RadauNodes, SlopesAreThoseOfThePolynomialThroughTheStartAndTheNodes) {
   }
 }
 
+TEST(RadauNodes, BasesReproduceThePolynomialsOfTheirDegree) {
+  const NodeTables& tables = node_tables();
+  for (const double at : {0.0, 1e-9, 0.1, tables.node[3], 0.5, 0.93, 1.0}) {
+    const AtPlaces basis = basis_at(at);
+    const AtNodes slopes = slope_basis_at(at);
+    for (int power = 0; power <= 8; ++power) {
+      double value = 0.0;
+      for (std::size_t i = 0; i < kPlaces; ++i) value += basis[i] * std::pow(tables.place[i], power);
+      EXPECT_NEAR(value, std::pow(at, power), 1e-14) << "power " << power << " at " << at;
+    }
+    for (int power = 0; power <= 7; ++power) {
+      double slope = 0.0;
+      for (std::size_t i = 0; i < kNodes; ++i) slope += slopes[i] * std::pow(tables.node[i], power);
+      EXPECT_NEAR(slope, std::pow(at, power), 1e-13) << "power " << power << " at " << at;
+    }
+  }
+}
+
 AtPlaces values_of(double (*function)(double)) {
   AtPlaces values{};
   for (std::size_t i = 0; i < kPlaces; ++i) values[i] = function(node_tables().place[i]);

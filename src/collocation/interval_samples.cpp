@@ -1,0 +1,171 @@
+#include "collocation/interval_samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "integrate/newton_between.hpp"
+#include "integrate/root_between.hpp"
+
+namespace rubatlas::collocation {
+namespace {
+
+/// [θ]: Newton's method ends with a step below it, which leaves an error of its square.
+constexpr double kClosest = 1e-7;
+/// The same where a value is flat, so that only the square of an error matters.
+constexpr double kClosestToTop = 1e-4;
+constexpr unsigned kBitsOfTop = 20;
+
+/// The first node at which the bending falls; the last one where it falls at none.
+std::size_t first_falling(const Interval& interval) {
+  std::size_t node = 0;
+  while (node + 1 < kNodes && interval.argument_slope[node] > 0.0) ++node;
+  return node;
+}
+
+/// Shaft at one place.
+struct Swing {
+  double fraction;  ///< θ
+  double square;    ///< |z|² [m²]
+  double rate;      ///< z·z', half of its rate by τ [m²]
+};
+Swing swing(double fraction, double x, double y, double vx, double vy) {
+  return {fraction, x * x + y * y, x * vx + y * vy};
+}
+
+/// The shaft between the nodes.
+class Shaft {
+ public:
+  explicit Shaft(const Interval& interval)
+      : interval_(&interval),
+        x_(at_places(interval.start[0], interval.x)),
+        y_(at_places(interval.start[1], interval.y)),
+        vx_(at_places(interval.start[2], interval.vx)),
+        vy_(at_places(interval.start[3], interval.vy)) {}
+
+  [[nodiscard]] Swing at(double fraction) const { return at(fraction, basis_at(fraction)); }
+  /// z·z' there and its slope by θ.
+  [[nodiscard]] integrate::ValueAndSlope rate(double fraction) const {
+    const AtPlaces basis = basis_at(fraction);
+    const AtNodes slopes = slope_basis_at(fraction);
+    const double x = sum_of_products(basis, x_);
+    const double y = sum_of_products(basis, y_);
+    const double vx = sum_of_products(basis, vx_);
+    const double vy = sum_of_products(basis, vy_);
+    const double ax = sum_of_products(slopes, interval_->ax);
+    const double ay = sum_of_products(slopes, interval_->ay);
+    return {x * vx + y * vy,
+            (vx * vx + vy * vy + x * ax + y * ay) * sum_of_products(slopes, interval_->time_slope)};
+  }
+
+ private:
+  [[nodiscard]] Swing at(double fraction, const AtPlaces& basis) const {
+    return swing(fraction, sum_of_products(basis, x_), sum_of_products(basis, y_),
+                 sum_of_products(basis, vx_), sum_of_products(basis, vy_));
+  }
+
+  const Interval* interval_;
+  AtPlaces x_, y_, vx_, vy_;
+};
+
+}  // namespace
+
+double fraction_at(const Interval& interval, double elapsed) {
+  if (elapsed <= 0.0) return 0.0;
+  if (elapsed >= interval.elapsed.at_end()) return 1.0;
+  const AtPlaces reached = at_places(0.0, interval.elapsed);
+  std::size_t place = 1;
+  while (reached[place] < elapsed) ++place;
+  const AtPlaces& at = node_tables().place;
+  // Of the places around it the polynomial is close to a line.
+  const double share = (elapsed - reached[place - 1]) / (reached[place] - reached[place - 1]);
+  const auto late = [&](double fraction) {
+    return integrate::ValueAndSlope{sum_of_products(basis_at(fraction), reached) - elapsed,
+                                    sum_of_products(slope_basis_at(fraction), interval.time_slope)};
+  };
+  return integrate::newton_between(late, at[place - 1], at[place],
+                                   at[place - 1] + share * (at[place] - at[place - 1]), true, kClosest);
+}
+
+double fraction_of_largest_bending(const Interval& interval) {
+  const auto slope = [&](double fraction) {
+    return sum_of_products(slope_basis_at(fraction), interval.argument_slope);
+  };
+  const std::size_t node = first_falling(interval);
+  const AtNodes& at = node_tables().node;
+  const double low = node == 0 ? 0.0 : at[node - 1];
+  const double at_low = node == 0 ? slope(0.0) : interval.argument_slope[node - 1];
+  return integrate::root_between(slope, low, at[node], at_low, interval.argument_slope[node], kBitsOfTop);
+}
+
+double bound_of_largest_bending(const Interval& interval) {
+  const std::size_t node = first_falling(interval);
+  const AtNodes& at = node_tables().node;
+  const double falling = interval.argument_slope[node];
+  if (node == 0) return interval.argument[0] - falling * at[0];
+  // Where the tangents meet.
+  const double length = at[node] - at[node - 1];
+  const double rising = interval.argument_slope[node - 1];
+  const double low = interval.argument[node - 1];
+  return low + rising * (interval.argument[node] - falling * length - low) / (rising - falling);
+}
+
+Farthest farthest(const Interval& interval, double from, double to) {
+  const Shaft shaft(interval);
+  const auto& start = interval.start;
+  Swing before = from > 0.0 ? shaft.at(from) : swing(0.0, start[0], start[1], start[2], start[3]);
+  Swing most = before;
+  const auto take = [&](const Swing& there) {
+    if (there.square > most.square) most = there;
+  };
+  const AtNodes& node = node_tables().node;
+  for (std::size_t i = 0; i < kNodes && before.fraction < to; ++i) {
+    if (node[i] <= from) continue;
+    const Swing after = node[i] > to
+                            ? shaft.at(to)
+                            : swing(node[i], interval.x[i], interval.y[i], interval.vx[i], interval.vy[i]);
+    take(after);
+    if (before.rate > 0.0 && after.rate < 0.0) {
+      const double share = before.rate / (before.rate - after.rate);
+      const double guess = before.fraction + share * (after.fraction - before.fraction);
+      take(shaft.at(integrate::newton_between([&](double fraction) { return shaft.rate(fraction); },
+                                              before.fraction, after.fraction, guess, false, kClosestToTop)));
+    }
+    before = after;
+  }
+  return {most.fraction, std::sqrt(most.square)};
+}
+
+void read_stretch(const Interval& interval, double fraction, Interval& stretch) {
+  const NodeTables& tables = node_tables();
+  std::array<AtNodes, kPlaces> basis;
+  AtNodes sum{};
+  for (std::size_t j = 0; j < kPlaces; ++j) {
+    for (std::size_t i = 0; i < kNodes; ++i) {
+      basis[j][i] = tables.weight[j] / (fraction * tables.node[i] - tables.place[j]);
+      sum[i] += basis[j][i];
+    }
+  }
+  for (std::size_t j = 0; j < kPlaces; ++j) {
+    for (std::size_t i = 0; i < kNodes; ++i) basis[j][i] /= sum[i];
+  }
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    if (std::isfinite(sum[i])) continue;  // else it is a place of the interval
+    const AtPlaces at_place = basis_at(fraction * tables.node[i]);
+    for (std::size_t j = 0; j < kPlaces; ++j) basis[j][i] = at_place[j];
+  }
+  const auto read = [&](double start, const AtNodes& from, AtNodes& to) {
+    AtNodes value{};
+    for (std::size_t i = 0; i < kNodes; ++i) value[i] = basis[0][i] * start;
+    for (std::size_t j = 0; j < kNodes; ++j) {
+      for (std::size_t i = 0; i < kNodes; ++i) value[i] += basis[j + 1][i] * from[j];
+    }
+    to = value;
+  };
+  read(0.0, interval.deviation, stretch.deviation);
+  read(interval.start[0], interval.x, stretch.x);
+  read(interval.start[1], interval.y, stretch.y);
+  read(interval.start[2], interval.vx, stretch.vx);
+  read(interval.start[3], interval.vy, stretch.vy);
+}
+
+}  // namespace rubatlas::collocation

@@ -1,0 +1,26 @@
+/// Reading the polynomials of an interval between its nodes.
+#pragma once
+
+#include "collocation/interval.hpp"
+
+namespace rubatlas::collocation {
+
+/// θ where the interval has reached a time, which counts from its start [τ].
+double fraction_at(const Interval& interval, double elapsed);
+
+/// θ where the bending is largest, of an interval in which it rises at first and falls at the end.
+double fraction_of_largest_bending(const Interval& interval);
+/// Bound of its p there, as the interval's polynomial has it: of an arc that bends downwards.
+double bound_of_largest_bending(const Interval& interval);
+
+/// Where |z| is largest between two places θ.
+struct Farthest {
+  double fraction;      ///< θ
+  double displacement;  ///< |z| [m], as the interval's polynomials have it
+};
+Farthest farthest(const Interval& interval, double from, double to);
+
+/// Sets the places and velocities of a stretch to those of the interval up to θ, as a first guess.
+void read_stretch(const Interval& interval, double fraction, Interval& stretch);
+
+}  // namespace rubatlas::collocation

@@ -1,0 +1,106 @@
+/// The polynomials of an interval between its nodes, on intervals whose polynomials are known.
+#include "collocation/interval_samples.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubatlas::test {
+namespace {
+
+using namespace collocation;
+
+/// A motion along x in an interval in which time goes on unevenly, τ = 0.3 (θ + a θ²)/(1 + a).
+struct Course {
+  double unevenness;  ///< a
+  [[nodiscard]] double elapsed(double fraction) const {
+    return 0.3 * (fraction + unevenness * fraction * fraction) / (1.0 + unevenness);
+  }
+  [[nodiscard]] double time_slope(double fraction) const {
+    return 0.3 * (1.0 + 2.0 * unevenness * fraction) / (1.0 + unevenness);
+  }
+};
+
+/// x = 1 − c (τ − t)² and y = 0: farthest at the time t.
+Interval swing_with_top(const Course& course, double top, double curvature) {
+  Interval interval;
+  const auto x = [&](double time) { return 1.0 - curvature * (time - top) * (time - top); };
+  const auto vx = [&](double time) { return -2.0 * curvature * (time - top); };
+  interval.start = {x(0.0), 0.0, vx(0.0), 0.0};
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    const double node = node_tables().node[i];
+    interval.elapsed[i] = course.elapsed(node);
+    interval.time_slope[i] = course.time_slope(node);
+    interval.x[i] = x(interval.elapsed[i]);
+    interval.vx[i] = vx(interval.elapsed[i]);
+    interval.ax[i] = -2.0 * curvature;
+  }
+  return interval;
+}
+
+TEST(IntervalSamples, FindWhereAnIntervalHasReachedATime) {
+  for (const double unevenness : {0.0, 1.0, -0.4, 1e6}) {  // the last one starts as a tip does that touches
+    const Course course{unevenness};
+    const Interval interval = swing_with_top(course, 0.1, 1.0);
+    for (int i = 0; i <= 1000; ++i) {
+      const double time = 0.3 * i / 1000;
+      EXPECT_NEAR(course.elapsed(fraction_at(interval, time)), time, 1e-14) << unevenness;
+    }
+  }
+}
+
+TEST(IntervalSamples, TheLargestDisplacementIsFoundWhereverItLies) {
+  for (const double unevenness : {0.0, 0.8, -0.4}) {
+    const Course course{unevenness};
+    for (int i = -20; i <= 120; ++i) {
+      const double top = 0.3 * i / 100;
+      const Interval interval = swing_with_top(course, top, 2.0);
+      const auto expected = [&](double from, double to) {
+        const double nearest = std::clamp(top, course.elapsed(from), course.elapsed(to)) - top;
+        return 1.0 - 2.0 * nearest * nearest;
+      };
+      for (const double from : {0.0, 0.1, 0.51}) {
+        for (const double to : {1.0, 0.95, 0.52}) {
+          EXPECT_NEAR(farthest(interval, from, to).displacement, expected(from, to), 1e-14)
+              << "top at " << top << " of " << from << " to " << to;
+        }
+      }
+    }
+  }
+}
+
+TEST(IntervalSamples, TheLargestBendingIsFoundWhereverItLies) {
+  for (int i = 1; i < 100; ++i) {
+    const double top = i / 100.0;
+    const auto argument = [&](double at) { return 0.7 - (at - top) * (at - top) * (1.0 + 0.5 * at); };
+    const auto slope = [&](double at) { return (top - at) * (2.0 + at) - 0.5 * (at - top) * (at - top); };
+    Interval interval;
+    interval.start_argument = argument(0.0);
+    for (std::size_t node = 0; node < kNodes; ++node) {
+      interval.argument[node] = argument(node_tables().node[node]);
+      interval.argument_slope[node] = slope(node_tables().node[node]);
+    }
+    EXPECT_NEAR(fraction_of_largest_bending(interval), top, 1e-5) << "a maximum is flat: p errs by 1e-10";
+    const double bound = bound_of_largest_bending(interval);
+    EXPECT_GE(bound, 0.7) << top;
+    EXPECT_LE(bound, 0.72) << top;
+  }
+}
+
+TEST(IntervalSamples, AStretchStartsFromTheIntervalsPolynomials) {
+  const Interval interval = swing_with_top({0.5}, 0.1, 2.0);
+  // Up to 1 the nodes of the stretch are those of the interval.
+  for (const double fraction : {1e-3, 0.3, 0.77, 1.0}) {
+    Interval stretch;
+    read_stretch(interval, fraction, stretch);
+    for (std::size_t i = 0; i < kNodes; ++i) {
+      const AtPlaces basis = basis_at(fraction * node_tables().node[i]);
+      EXPECT_NEAR(stretch.x[i], sum_of_products(basis, at_places(interval.start[0], interval.x)), 1e-15);
+      EXPECT_NEAR(stretch.vx[i], sum_of_products(basis, at_places(interval.start[2], interval.vx)), 1e-15);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rubatlas::test

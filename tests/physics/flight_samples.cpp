@@ -1,0 +1,111 @@
+/// Flights that are read at equally spaced times, against their closed form.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "modes/flight_piece.hpp"
+#include "observables/largest_distance.hpp"
+
+namespace rubatlas::test {
+namespace {
+
+constexpr double kSize = 0.01;  ///< [m] of the motions
+
+double between(std::mt19937_64& generator, double least, double most) {
+  return least + (most - least) * static_cast<double>(generator() >> 11U) * 0x1p-53;
+}
+
+/// Calls `use` with flights of undamped to overdamped shafts, with and without unbalance, over a revolution.
+template <class Use>
+void for_each_flight(Use use) {
+  std::mt19937_64 generator(1);
+  for (const double damping : {0.0, 0.001, 0.1, 1.0, 1.7}) {
+    for (const double speed : {0.2, 0.62, 1.0, 2.5}) {
+      const rotor::RotorConstants constants{speed, damping, 0.01, 0.01, kSize};
+      const rotor::FreeMotion free(damping);
+      rotor::State state;
+      for (double& component : state) component = between(generator, -kSize, kSize);
+      const auto fly = [&](const auto& forcing) {
+        modes::Flight flight(constants, free, forcing);
+        flight.start(between(generator, 0.0, 0.1), state);
+        use(flight, constants);
+      };
+      fly(rotor::NoForcing{});
+      fly(rotor::RotatingUnbalance(0.1 * kSize, 0.4, speed, damping));
+    }
+  }
+}
+
+template <class Forcing>
+modes::FlightPiece<Forcing> piece_of(const modes::Flight<Forcing>& flight, double end) {
+  const double begin = flight.start_time();
+  return {flight, begin, end, flight.displacement_bound(begin, flight.state(begin), end - begin)};
+}
+
+TEST(FlightSamples, AreThoseOfTheClosedFormToRounding) {
+  for_each_flight([](const auto& flight, const rotor::RotorConstants& rotor) {
+    for (const int count : {7, 64, 256, 8192}) {
+      auto piece = piece_of(flight, rotor.period());
+      const observables::SampleTimes times{rotor.period(), count};
+      const int first = static_cast<int>(flight.start_time() / times.spacing()) + 1;
+      for (const int last : {first, first + 1, count - 1}) {
+        if (last >= count) continue;
+        std::vector<double> x(static_cast<std::size_t>(last - first + 1));
+        piece.places_x(times, first, x);
+        double largest = 0.0;
+        for (int i = first; i <= last; ++i)
+          largest =
+              std::max(largest, std::abs(x[static_cast<std::size_t>(i - first)] - flight.state(times[i])[0]));
+        EXPECT_LE(largest, 1e-14 * kSize) << "speed ratio " << rotor.speed_ratio << ", damping ratio "
+                                          << rotor.damping_ratio << ", " << count << " samples to " << last;
+      }
+    }
+  });
+}
+
+/// The same piece, of which only states are known.
+template <class Piece>
+class StatesOnly final : public observables::MotionPiece {
+ public:
+  explicit StatesOnly(Piece& piece) : piece_(&piece) {}
+  [[nodiscard]] double begin() const override { return piece_->begin(); }
+  [[nodiscard]] double end() const override { return piece_->end(); }
+  [[nodiscard]] observables::State state(double time) override { return piece_->state(time); }
+  [[nodiscard]] double displacement_bound() const override { return piece_->displacement_bound(); }
+  [[nodiscard]] std::size_t contact_count() const override { return 0; }
+  [[nodiscard]] int blade(std::size_t /*contact*/) const override { return -1; }
+  [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return false; }
+  [[nodiscard]] double normal_force(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
+  [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
+  [[nodiscard]] double friction_power(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
+
+ private:
+  Piece* piece_;
+};
+
+TEST(FlightSamples, TheLargestDisplacementOfAFlightIsFoundWhereverItLies) {
+  std::mt19937_64 generator(2);
+  int inside = 0;
+  for_each_flight([&](const auto& flight, const rotor::RotorConstants& rotor) {
+    for (int i = 0; i < 200; ++i) {
+      auto piece = piece_of(flight, flight.start_time() + std::pow(10.0, between(generator, -3.0, 1.5)));
+      StatesOnly states(piece);
+      const double expected = states.largest_displacement(0.0, rotor.speed_ratio);
+      EXPECT_NEAR(piece.largest_displacement(0.0, rotor.speed_ratio), expected, 1e-14 * expected)
+          << "speed ratio " << rotor.speed_ratio << ", damping ratio " << rotor.damping_ratio << " up to "
+          << piece.end();
+      const auto distance = [&](double time) {
+        return std::hypot(piece.state(time)[0], piece.state(time)[1]);
+      };
+      if (expected > (1.0 + 1e-6) * std::max(distance(piece.begin()), distance(piece.end()))) ++inside;
+      EXPECT_EQ(piece.largest_displacement(2.0 * expected, rotor.speed_ratio), 2.0 * expected);
+    }
+  });
+  EXPECT_GT(inside, 1000) << "of 8000 flights that many are largest in between";
+}
+
+}  // namespace
+}  // namespace rubatlas::test
