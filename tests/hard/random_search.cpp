@@ -61,10 +61,15 @@ std::optional<point::PointOutcome> search(std::uint64_t index) {
   return ::testing::Test::HasFailure() ? std::nullopt : outcome;
 }
 
-TEST(RandomScenes, ThatHaveOnceFailedEndWithAStatus) {
-  // 425: one attempt of a step of thirty blades under an inclined load passed the bound of the work by far.
-  // 7079: two knots of a blade's table found the same fold.
-  for (const std::uint64_t index : {425U, 7079U}) EXPECT_TRUE(search(index));
+// Scenes that have once failed.
+
+TEST(RandomScenes, OfThirtyBladesUnderAnInclinedLoadKeepTheBoundOfTheWork) {
+  // One attempt of a step of all blades passed the bound by far.
+  EXPECT_TRUE(search(425));
+}
+
+TEST(RandomScenes, WhereTwoKnotsOfABladesTableFindTheSameFoldEndWithAStatus) {
+  EXPECT_TRUE(search(7079));
 }
 
 class RandomSearch : public ::testing::TestWithParam<Shard> {};
@@ -96,7 +101,7 @@ TEST_P(RandomSearch, EveryLegalSceneEndsWithAStatus) {
   EXPECT_GT(touched, static_cast<int>(scenes) / 4);
 }
 
-INSTANTIATE_TEST_SUITE_P(First, RandomSearch, ::testing::ValuesIn(shards(8, 25)));
+INSTANTIATE_TEST_SUITE_P(First, RandomSearch, ::testing::ValuesIn(shards(4, 25)));
 INSTANTIATE_TEST_SUITE_P(Slow, RandomSearch, ::testing::ValuesIn(shards(20, 500)));
 
 }  // namespace

@@ -34,7 +34,7 @@ class KillAndResume(JobTest):
         self.assertGreater(interrupted, len(trials) // 2, "most kills hit a job at work")
 
     def test_a_killed_rank_of_a_sweep_leaves_an_atlas_that_resumes_to_the_same_bytes(self):
-        self.kill_and_resume(long_scene(sweep="up"), [(1, 2), (2, 3), (3, 2), (4, 2), (5, 5), (6, 1)])
+        self.kill_and_resume(long_scene(sweep="up"), [(1, 2), (5, 5), (6, 1)])
 
     def test_a_killed_rank_of_independent_points_leaves_an_atlas_that_resumes_to_the_same_bytes(self):
         self.kill_and_resume(long_scene(sweep="independent"), [(11, 2), (12, 3), (13, 2)])
