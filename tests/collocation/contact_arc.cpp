@@ -13,9 +13,8 @@
 #include <random>
 #include <vector>
 
+#include "../support/hybrid_motion.hpp"
 #include "contact/elastica_contact.hpp"
-#include "motion/modes_of_axial_loads.hpp"
-#include "motion/motion.hpp"
 #include "rotor/harmonic.hpp"
 
 namespace rubatlas::test {
@@ -88,7 +87,7 @@ template <class Forcing>
 std::vector<Contact> contacts_of(const Machine& m, const Forcing& forcing, const rotor::State& start) {
   constexpr double kTolerance = 1e-15;  // [m]
   constexpr int kRevolutions = 5;
-  motion::Motion<Law, Forcing> motion(m.rotor, m.blades, m.law, forcing, {kTolerance, 0.5});
+  const auto motion = hybrid_motion(m.rotor, m.blades, m.law, forcing, modes::ContactLimits{kTolerance, 0.5});
   int open = 0;
   for (int k = 0; k < m.blades.count(); ++k) {
     const auto pose =
@@ -96,9 +95,9 @@ std::vector<Contact> contacts_of(const Machine& m, const Forcing& forcing, const
     if (pose.gap > 0.0) ++open;
   }
   Contacts contacts(open);
-  if (motion.start(start) != point::PointStatus::done) return {};
+  if (motion->start(rotor::as_array(start)) != point::PointStatus::done) return {};
   for (int i = 0; i < kRevolutions; ++i) {
-    if (motion.revolution(contacts) != point::PointStatus::done) break;
+    if (revolve(*motion, contacts) != point::PointStatus::done) break;
     contacts.drops_open_contacts();
   }
   return contacts.found;

@@ -76,11 +76,11 @@ TEST(ManyBlades, BladesThatTouchAtTheSameInstantAllTouch) {
                             rotor.length * std::cos(bisector);
     const State start = turned({distance - 1e-15, 0.0, 0.2, 0.0}, bisector);
     with_each_law(rotor, [&](const auto& law) {
-      motion::Motion<std::decay_t<decltype(law)>, rotor::NoForcing> motion(
-          rotor.constants(), {blades, rotor.speed_ratio}, law, {}, rotor.limits());
+      const auto motion = hybrid_motion(rotor.constants(), rotor::BladeSet(blades, rotor.speed_ratio), law,
+                                        kNoForcing, rotor.limits());
       auto recording = Recording(kNoPiece);
-      ASSERT_EQ(motion.start(start), PointStatus::done);
-      motion.revolution(recording);
+      ASSERT_EQ(motion->start(rotor::as_array(start)), PointStatus::done);
+      revolve(*motion, recording);
       std::vector<modes::Event> touchdowns;
       for (const auto& entry : recording.events) {
         if (entry.event.kind == Guard::touch_down) touchdowns.push_back(entry.event);

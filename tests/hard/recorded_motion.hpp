@@ -5,11 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "contact/elastic_ring_contact.hpp"
-#include "contact/elastica_contact.hpp"
-#include "motion/modes_of_axial_loads.hpp"
-#include "motion/modes_of_rigid_blades.hpp"
-#include "motion/motion.hpp"
+#include "../support/hybrid_motion.hpp"
 
 namespace rubatlas::test {
 
@@ -97,18 +93,17 @@ class Recording final : public modes::MotionListener {
 template <class Blades, class Law, class Forcing, class OnPiece>
 RecordedMotion follow(const HardRotor& rotor, const Blades& blades, const Law& law, const Forcing& forcing,
                       const rotor::State& start, int revolutions, OnPiece on_piece) {
-  motion::Motion<Law, Forcing, integrate::DormandPrince853, Blades> motion(rotor.constants(), blades, law,
-                                                                           forcing, rotor.limits());
+  const auto motion = hybrid_motion(rotor.constants(), blades, law, forcing, rotor.limits());
   Recording<OnPiece> recording(on_piece);
   RecordedMotion result;
-  result.status = motion.start(start);
+  result.status = motion->start(rotor::as_array(start));
   for (; recording.revolution < revolutions && result.status == point::PointStatus::done;
        ++recording.revolution) {
-    result.status = motion.revolution(recording);
-    result.sections.push_back(motion.state());
+    result.status = revolve(*motion, recording);
+    result.sections.push_back(rotor::shaft(motion->state()));
   }
   result.events = std::move(recording.events);
-  result.work = motion.work();
+  result.work = motion->work();
   return result;
 }
 

@@ -3,10 +3,9 @@
 
 #include <cmath>
 
+#include "../support/hybrid_motion.hpp"
 #include "../support/point.hpp"
 #include "contact/elastica_contact.hpp"
-#include "motion/modes_of_axial_loads.hpp"
-#include "motion/motion.hpp"
 #include "reference_case.hpp"
 
 namespace rubatlas::test {
@@ -83,12 +82,12 @@ TEST_P(ReferenceOrbit, EventsComeInTheSameOrderAtTheSameTimesWithTheSameForces) 
   std::vector<int> revolutions;
   int touchdowns = 0;
   const auto run = [&](const auto& forcing) {
-    motion::Motion motion(rotor, rotor::BladeSet(c.scene.blades.count, rotor.speed_ratio), law, forcing,
-                          limits);
-    ASSERT_EQ(motion.start(rotor::as_state(c.start)), point::PointStatus::done);
+    const auto motion =
+        hybrid_motion(rotor, rotor::BladeSet(c.scene.blades.count, rotor.speed_ratio), law, forcing, limits);
+    ASSERT_EQ(motion->start(c.start), point::PointStatus::done);
     for (int revolution = 0; revolution < 10; ++revolution) {
       record.events.clear();
-      ASSERT_EQ(motion.revolution(record), point::PointStatus::done);
+      ASSERT_EQ(revolve(*motion, record), point::PointStatus::done);
       for (const auto& event : record.events) {
         events.push_back(event);
         revolutions.push_back(revolution);

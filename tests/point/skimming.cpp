@@ -8,11 +8,10 @@
 #include <optional>
 #include <vector>
 
+#include "../support/hybrid_motion.hpp"
 #include "assembly/blade_tables.hpp"
 #include "assembly/make_line_solver.hpp"
 #include "contact/elastica_contact.hpp"
-#include "motion/modes_of_axial_loads.hpp"
-#include "motion/motion.hpp"
 #include "rotor/harmonic.hpp"
 
 namespace rubatlas::test {
@@ -22,15 +21,13 @@ constexpr rotor::RotorConstants kCreeping{0.005, 1.0, 0.01001, 0.01, 0.01};
 constexpr contact::Geometry kDefaultGeometry{0.1, 0.11};
 
 /// The creeping rotor, which hops on the receding side of each blade's passage.
-motion::Motion<contact::ElasticaContact, rotor::RotatingUnbalance> creeping(double friction,
-                                                                            double tolerance) {
+std::unique_ptr<motion::PointMotion> creeping(double friction, double tolerance) {
   const double bending_stiffness = 206e9 * 0.01 * 1e-9 / 12.0;
-  return {kCreeping,
-          rotor::BladeSet(3, kCreeping.speed_ratio),
-          contact::ElasticaContact(kDefaultGeometry, {0.1, 0.001, bending_stiffness},
-                                   assembly::make_blade_tables()->curve(friction)),
-          rotor::RotatingUnbalance(1e-4, 0.3, kCreeping.speed_ratio, kCreeping.damping_ratio),
-          {tolerance, 0.5}};
+  return hybrid_motion(kCreeping, rotor::BladeSet(3, kCreeping.speed_ratio),
+                       contact::ElasticaContact(kDefaultGeometry, {0.1, 0.001, bending_stiffness},
+                                                assembly::make_blade_tables()->curve(friction)),
+                       rotor::RotatingUnbalance(1e-4, 0.3, kCreeping.speed_ratio, kCreeping.damping_ratio),
+                       modes::ContactLimits{tolerance, 0.5});
 }
 
 /// Keeps the states at given times, and the events.
@@ -78,14 +75,14 @@ TEST(Skimming, IsTheLimitOfEverSmallerHops) {
   for (const double friction : {0.1, 0.5}) {
     auto hopping = creeping(friction, 1e-15);
     Spectator hops(times);
-    hopping.start(rotor::State::Zero());
-    ASSERT_EQ(hopping.revolution(hops), point::PointStatus::done);
+    hopping->start({});
+    ASSERT_EQ(revolve(*hopping, hops), point::PointStatus::done);
     ASSERT_GT(hops.events.size(), 10000U);
     for (const double tolerance : {1e-10, 1e-11}) {
       auto skimming = creeping(friction, tolerance);
       Spectator skims(times);
-      skimming.start(rotor::State::Zero());
-      ASSERT_EQ(skimming.revolution(skims), point::PointStatus::done);
+      skimming->start({});
+      ASSERT_EQ(revolve(*skimming, skims), point::PointStatus::done);
       EXPECT_LT(skims.events.size(), hops.events.size() / 10);
       for (std::size_t i = 0; i < times.size(); ++i) {
         EXPECT_EQ(skims.contacts[i], 1U);
@@ -101,8 +98,8 @@ TEST(Skimming, KeepsTheTipOnTheRing) {
   for (const double friction : {0.0, 0.1, 0.5}) {
     auto motion = creeping(friction, 1e-11);
     Spectator witness(times);
-    motion.start(rotor::State::Zero());
-    ASSERT_EQ(motion.revolution(witness), point::PointStatus::done);
+    motion->start({});
+    ASSERT_EQ(revolve(*motion, witness), point::PointStatus::done);
     for (std::size_t i = 0; i < times.size(); ++i) {
       const contact::Pose at = pose_at(times[i], witness.states[i], 0);
       EXPECT_LT(std::abs(at.gap), 0.22 * 1e-11);
@@ -115,8 +112,8 @@ TEST(Skimming, EndsWhereTheFreeMotionLeavesTheRing) {
   // No force is needed any longer: g = 0, g' = 0, and without the blade g'' = 0 too.
   auto motion = creeping(0.1, 1e-11);
   Spectator witness({});
-  motion.start(rotor::State::Zero());
-  ASSERT_EQ(motion.revolution(witness), point::PointStatus::done);
+  motion->start({});
+  ASSERT_EQ(revolve(*motion, witness), point::PointStatus::done);
   const auto contact = longest_contact_on_the_receding_side(witness.events);
   ASSERT_TRUE(contact.has_value());
   EXPECT_GT(contact->second.time - contact->first.time, 1.0);
@@ -144,15 +141,15 @@ TEST(Skimming, IsPassedOverWhereHopsAreResolved) {
   // bits as if there were no skimming.
   const rotor::RotorConstants rotor{0.5, 0.1, 0.01001, 0.01, 0.01};
   const rotor::RotatingUnbalance unbalance(1e-5, 0.0, rotor.speed_ratio, rotor.damping_ratio);
-  motion::Motion<contact::ElasticaContact, rotor::RotatingUnbalance> motion(
-      rotor, rotor::BladeSet(3, rotor.speed_ratio),
-      contact::ElasticaContact(kDefaultGeometry, {0.1, 0.001, 206e9 * 0.01 * 1e-9 / 12.0},
-                               assembly::make_blade_tables()->curve(0.1)),
-      unbalance, {1e-11, 0.5});
+  const auto motion =
+      hybrid_motion(rotor, rotor::BladeSet(3, rotor.speed_ratio),
+                    contact::ElasticaContact(kDefaultGeometry, {0.1, 0.001, 206e9 * 0.01 * 1e-9 / 12.0},
+                                             assembly::make_blade_tables()->curve(0.1)),
+                    unbalance, modes::ContactLimits{1e-11, 0.5});
   Spectator witness({});
-  motion.start(rotor::State::Zero());
+  motion->start({});
   for (int revolution = 0; revolution < 100; ++revolution)
-    ASSERT_EQ(motion.revolution(witness), point::PointStatus::done);
+    ASSERT_EQ(revolve(*motion, witness), point::PointStatus::done);
   int receding = 0;
   for (const modes::Event& event : witness.events) {
     EXPECT_NE(event.kind, modes::Guard::pressed_in);
