@@ -154,11 +154,11 @@ std::optional<double> error_of_hybrid(const Machine& m, const Contact& contact, 
   const double from = contact.start.time;
   std::vector<double> angles = rotor::equal_angles(m.blades.count());
   for (double& angle : angles) angle += m.rotor.speed_ratio * from;
-  motion::Motion<Law, rotor::NoForcing> motion(m.rotor, rotor::BladeSet(angles, m.rotor.speed_ratio), m.law,
-                                               {}, {tolerance * kClearance, 0.5});
+  const auto motion = hybrid_motion(m.rotor, rotor::BladeSet(angles, m.rotor.speed_ratio), m.law,
+                                    rotor::NoForcing{}, modes::ContactLimits{tolerance * kClearance, 0.5});
   LiftOff lift_off(contact.start.blade);
-  if (motion.start(contact.start.state) != point::PointStatus::done) return std::nullopt;
-  if (motion.revolution(lift_off) != point::PointStatus::done || !lift_off.found) return std::nullopt;
+  if (motion->start(rotor::as_array(contact.start.state)) != point::PointStatus::done) return std::nullopt;
+  if (revolve(*motion, lift_off) != point::PointStatus::done || !lift_off.found) return std::nullopt;
   return error_at_end(m, contact, from + lift_off.found->time, lift_off.found->state);
 }
 
