@@ -10,7 +10,7 @@ namespace {
 
 /// Of L: a blade that is shortened more is left to other modes, since the next singularity of the curve is
 /// near.
-constexpr double kLargestShortening = 0.5;
+constexpr double kShorteningAtEnd = 0.5;
 
 constexpr auto kCount = static_cast<Eigen::Index>(BendingTable::kDegree + 1);
 using Points = Eigen::Matrix<double, kCount, 1>;
@@ -45,7 +45,7 @@ BendingTable::BendingTable(const ElasticaCurve& curve) : scale_(curve.load_angle
   for (int piece = 0;; ++piece) {
     const double end = (piece + 1) * kWidth;
     const CurvePoint at_end = curve.at(bending(end));
-    if (at_end.shortening > kLargestShortening || bending(end) > curve.end()) break;
+    if (at_end.shortening > kShorteningAtEnd || bending(end) > curve.end()) break;
     const double centre = (piece + 0.5) * kWidth;
     Eigen::Matrix<double, kCount, 3> samples;
     for (Eigen::Index i = 0; i < kCount; ++i) {

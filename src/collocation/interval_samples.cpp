@@ -10,7 +10,7 @@ namespace rubatlas::collocation {
 namespace {
 
 /// [θ]: Newton's method ends with a step below it, which leaves an error of its square.
-constexpr double kClosest = 1e-7;
+constexpr double kClosestTime = 1e-7;
 /// The same where a value is flat, so that only the square of an error matters.
 constexpr double kClosestToTop = 1e-4;
 constexpr unsigned kBitsOfTop = 20;
@@ -83,7 +83,7 @@ double fraction_at(const Interval& interval, double elapsed) {
                                     sum_of_products(slope_basis_at(fraction), interval.time_slope)};
   };
   return integrate::newton_between(late, at[place - 1], at[place],
-                                   at[place - 1] + share * (at[place] - at[place - 1]), true, kClosest);
+                                   at[place - 1] + share * (at[place] - at[place - 1]), true, kClosestTime);
 }
 
 double fraction_of_largest_bending(const Interval& interval) {
@@ -128,7 +128,8 @@ Farthest farthest(const Interval& interval, double from, double to) {
       const double share = before.rate / (before.rate - after.rate);
       const double guess = before.fraction + share * (after.fraction - before.fraction);
       take(shaft.at(integrate::newton_between([&](double fraction) { return shaft.rate(fraction); },
-                                              before.fraction, after.fraction, guess, false, kClosestToTop)));
+                                              before.fraction, after.fraction, guess, false,
+                                              kClosestToTop)));
     }
     before = after;
   }

@@ -71,8 +71,8 @@ AtPlaces values_of(double (*function)(double)) {
   return values;
 }
 
-Contact contact_with(double slip, double misalignment) {
-  Contact contact{};
+collocation::Contact contact_with(double slip, double misalignment) {
+  collocation::Contact contact{};
   contact.slip = slip;
   contact.misalignment = misalignment;
   return contact;
