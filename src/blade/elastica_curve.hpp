@@ -116,7 +116,9 @@ class ElasticaCurve {
   }
 
   /// The curve over p = asinh(u/β).
-  [[nodiscard]] const BendingTable& over_asinh() const { return *over_asinh_; }
+  [[nodiscard]] const BendingTable& over_asinh() const {
+    return *over_asinh_;
+  }
 
  private:
   static constexpr int kDegree = 11;

@@ -128,8 +128,7 @@ Farthest farthest(const Interval& interval, double from, double to) {
       const double share = before.rate / (before.rate - after.rate);
       const double guess = before.fraction + share * (after.fraction - before.fraction);
       take(shaft.at(integrate::newton_between([&](double fraction) { return shaft.rate(fraction); },
-                                              before.fraction, after.fraction, guess, false,
-                                              kClosestToTop)));
+                                              before.fraction, after.fraction, guess, false, kClosestToTop)));
     }
     before = after;
   }

@@ -65,8 +65,8 @@ class Pieces {
   }
 
  private:
-  std::size_t visits_;   ///< of a line
-  std::size_t length_;   ///< of a piece
+  std::size_t visits_;       ///< of a line
+  std::size_t length_;       ///< of a piece
   std::size_t lead_in_ = 0;  ///< visits before a piece
 };
 

@@ -17,7 +17,9 @@ TEST_P(ReferenceOrbit, SectionsOfPeriodicMotionsAgreeAfterAllRevolutions) {
   const ReferenceCase& c = GetParam();
   // Only these have last sections to agree on; chaotic ones are held to their first sections below.
   if (!c.periodic) return;
-  const auto sections = settled_sections_of(c, 1e-12);
+  // The phase of a motion that repeats after several revolutions is decided in its transient, where errors of
+  // 1e-12 of the clearance may grow large enough to change it.
+  const auto sections = settled_sections_of(c, 1e-13);
   const std::size_t last = sections.size();
   for (std::size_t i = 0; i < c.last_sections.size(); ++i) {
     EXPECT_LE(largest_difference(sections[last - 11 + i], c.last_sections[i]), 1e-9 * c.amplitude())
