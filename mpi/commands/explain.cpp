@@ -300,9 +300,9 @@ std::string trials_text(const CostEstimate& cost) {
 /// The time on 2, 4, ... ranks, as far as more ranks make it shorter.
 std::string times_on_ranks(double seconds, double longest_run) {
   std::string text;
-  for (double ranks = 2.0; ranks <= 1024.0; ranks *= 2.0) {
+  for (int ranks = 2; ranks <= 1024; ranks *= 2) {
     const bool last = seconds / ranks <= longest_run;
-    text += fmt::format("{}{:g}: {}", text.empty() ? "" : ", ", ranks,
+    text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", ranks,
                         duration(std::max(seconds / ranks, longest_run)));
     if (last) return text + ", and no less";
   }

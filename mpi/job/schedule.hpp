@@ -139,7 +139,7 @@ class Schedule {
     return has_unassigned(run) && (runs_[run].out == 0 || !chained_);
   }
   [[nodiscard]] Keep keep_of(std::size_t run, std::size_t visit) const;
-  void skip_stored(std::size_t run);
+  void skip_stored(std::size_t number);
   [[nodiscard]] bool is_decided_in_atlas(std::size_t line, std::size_t piece) const;
   void choose_scouts();
 
@@ -153,21 +153,21 @@ class Schedule {
   std::optional<std::size_t> choose_longest();
   void begin_endgame();
   [[nodiscard]] std::size_t assignment_length() const;
-  [[nodiscard]] std::optional<motion::PointStart> start_of(std::size_t run) const;
-  Assignment assignment_of_run(std::size_t run, int rank);
+  [[nodiscard]] std::optional<motion::PointStart> start_of(std::size_t number) const;
+  Assignment assignment_of_run(std::size_t number, int rank);
   Assignment assignment_at_seam(std::size_t run);
 
   void record_of_run(const PointReport& report, Outcome& outcome);
   void record_at_front(const PointReport& report, Outcome& outcome);
-  void compare_ahead(std::size_t run);
+  void compare_ahead(std::size_t number);
   void advance(std::size_t line, Outcome& outcome);
   void start_behind(std::size_t run, Front& front) const;
-  void decide(std::size_t run, std::size_t kept_from, Outcome& outcome);
+  void decide(std::size_t number, std::size_t kept_from, Outcome& outcome);
 
   [[nodiscard]] std::size_t speed_index(std::size_t line, std::size_t visit) const;
   [[nodiscard]] double expected(std::size_t line, std::size_t first_visit, std::size_t last_visit) const;
   /// Expected seconds of a run's points that are not reported.
-  [[nodiscard]] double remaining(std::size_t run) const;
+  [[nodiscard]] double remaining(std::size_t number) const;
 
   const plan::Grid& grid_;
   plan::Pieces pieces_;

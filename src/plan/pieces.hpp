@@ -33,8 +33,7 @@ enum class Seam : std::uint8_t {
 class Pieces {
  public:
   /// One piece a line where the scene has no `pieces`, or where points do not depend on each other.
-  explicit Pieces(const settings::Scene& scene)
-      : visits_(scene.grid.speed_ratio.size()), length_(visits_), lead_in_(0) {
+  explicit Pieces(const settings::Scene& scene) : visits_(scene.grid.speed_ratio.size()), length_(visits_) {
     if (!scene.pieces || scene.sweep == settings::Sweep::independent) return;
     length_ = std::min(visits_, static_cast<std::size_t>(scene.pieces->points));
     lead_in_ = static_cast<std::size_t>(scene.pieces->lead_in);
