@@ -16,7 +16,7 @@ mkdir -p "$folder"
 # Exit code 10: some runs could not be integrated, which is what the study is there to tell.
 study() { "${RUBATLAS:-build/rubatlas}" accuracy "$@" --overwrite || [ $? = 10 ]; }
 study jobs/accuracy.json -o "$folder/trajectories.h5"
-study jobs/accuracy_map.json -o "$folder/map.h5" --methods hybrid,fixed --steps 2e-2,1e-2 --repeats 1
+study jobs/accuracy_map.json -o "$folder/map.h5" --methods collocation,hybrid,fixed --steps 2e-2,1e-2 --repeats 1
 
 draw() {
   tools/accuracy.py "$folder/trajectories.h5" --map "$folder/map.h5" --reference tests/reference/orbits.json "$@"

@@ -22,8 +22,14 @@ from same_scene import require_same_machine
 LOOKS = {"hybrid": (style.BLUE, "o"), "collocation": (style.PURPLE, "*"), "hybrid_54": (style.SKY, "s"),
          "hybrid_32": (style.GREEN, "^"), "located": (style.ORANGE, "D"), "paper": (style.VERMILION, "v"), "fixed": (style.INK, "P")}
 BEGIN, END = "<!-- accuracy: begin -->", "<!-- accuracy: end -->"
+USUAL = ("collocation", "hybrid")  # the default method, and the one that stands in for it in a study without it
 MOST_UNDECIDED = 0.01  # share of points: a map of which more is undecided at the tightest setting shows no limit
 SMALLEST_DRAWN = 1e-15  # of the clearance: an error of zero has no logarithm
+
+
+def usual_method(study):
+    """The method whose tolerances are recommended."""
+    return next(method for method in (*USUAL, *study.methods()) if method in study.methods())
 
 
 def draw_lines(axes, study, cost, error, floor, width=1.4, **look):
@@ -32,7 +38,7 @@ def draw_lines(axes, study, cost, error, floor, width=1.4, **look):
         colour, mark = LOOKS.get(method, (style.GREY, "x"))
         for number, settings in enumerate(study.ladders(method)):
             axes.plot(cost[settings], np.maximum(error[settings], floor), color=colour, marker=mark, markersize=4.5,
-                      lw=2.0 * width if method == "hybrid" else width, label=method if number == 0 else None, **look)
+                      lw=2.0 * width if method == usual_method(study) else width, label=method if number == 0 else None, **look)
 
 
 def as_output(options, name):
@@ -80,9 +86,10 @@ def draw_map(study, options):
     figure, panels = style.plt.subplots(1, 2, figsize=(11.5, 4.4), sharey=True)
     for axes, cost in zip(panels, costs):
         draw_lines(axes, study, cost, study["map_error_beyond_chaos"], zero)
-        hybrid = study.of("hybrid")
-        axes.plot(cost[hybrid], np.maximum(study["map_error"][hybrid], zero), color=style.GREY, ls=(0, (4, 3)),
-                  label="hybrid, with the maxima of\nunpredictable points")
+        method = usual_method(study)
+        ladder = study.of(method)
+        axes.plot(cost[ladder], np.maximum(study["map_error"][ladder], zero), color=style.GREY, ls=(0, (4, 3)),
+                  label=f"{method}, with the maxima of\nunpredictable points")
         axes.axhline(1.0 / count, color=style.GREY, lw=0.7)
         axes.set_xscale("log")
         axes.set_yscale("log")
@@ -100,11 +107,11 @@ def draw_map(study, options):
 
 
 def trusted(study):
-    """The loosest setting of `hybrid` from which on the map does not change; None if it changes at every setting.
+    """The loosest setting of the usual method from which on the map does not change; None if it changes at every setting.
 
     What still differs at the tightest setting is not an error of the looser ones: a point at the edge of two classes, say.
     """
-    ladder = study.of("hybrid")
+    ladder = study.of(usual_method(study))
     share = study["map_error_beyond_chaos"][ladder]
     if not len(ladder) or share[-1] > MOST_UNDECIDED:
         return None
@@ -120,7 +127,7 @@ def sentence(maps):
     time = 1e3 * maps.mean("cpu_time_min", everywhere)
     chosen = maps["tolerance"][setting]
     text = f"For a map you can trust, use tolerance {chosen:.0e}; it costs {time[setting]:.1f} ms a point"
-    tighter = [other for other in maps.of("hybrid") if np.isclose(maps["tolerance"][other], chosen / 10.0, rtol=1e-6, atol=0.0)]
+    tighter = [other for other in maps.of(usual_method(maps)) if np.isclose(maps["tolerance"][other], chosen / 10.0, rtol=1e-6, atol=0.0)]
     if tighter:
         text += f"; ten times more accurate costs {100.0 * (time[tighter[0]] / time[setting] - 1.0):.0f} % more"
     return text + "."
@@ -131,7 +138,8 @@ def percent(share):
 
 
 def ladder_table(study, maps, reference):
-    """Cost and errors of `hybrid`, tolerance by tolerance."""
+    """Cost and errors of the usual method, tolerance by tolerance."""
+    method = usual_method(maps)
     points, everywhere = study.predictable(), np.ones(maps.point_count(), dtype=bool)
     error = study.worst_error(points)
     against = study.error_against(reference, points) if reference else None
@@ -140,9 +148,9 @@ def ladder_table(study, maps, reference):
     head = ["tolerance", "trajectory error / δc", *(["against the reference data"] if reference else []), "map error",
             "and maxima of unpredictable points", "ms a point", "right-hand sides per touch-down"]
     rows = []
-    for setting in maps.of("hybrid"):
+    for setting in maps.of(method):
         tolerance = maps["tolerance"][setting]
-        same = [i for i in study.of("hybrid") if np.isclose(study["tolerance"][i], tolerance, rtol=1e-6, atol=0.0)]
+        same = [i for i in study.of(method) if np.isclose(study["tolerance"][i], tolerance, rtol=1e-6, atol=0.0)]
         rows.append([f"{tolerance:.0e}", *([f"{error[same[0]]:.1e}"] if same else ["-"]),
                      *([f"{against[same[0]]:.1e}" if same else "-"] if reference else []),
                      percent(maps["map_error_beyond_chaos"][setting]), percent(maps["map_error"][setting]),
@@ -159,6 +167,7 @@ def method_table(study, goal):
     for method in study.methods():
         reached = [setting for setting in study.of(method) if error[setting] <= goal]
         best[method] = min(reached, key=lambda setting: time[setting]) if reached else None
+    usual = usual_method(study)
     rows = []
     for method, setting in best.items():
         if setting is None:
@@ -166,10 +175,10 @@ def method_table(study, goal):
             rows.append([f"`{method}`", study.knobs(nearest), f"{error[nearest]:.1e}", f"{time[nearest]:.3g}",
                          f"{calls[nearest]:.2g}", "not reached"])
             continue
-        times = f"{time[setting] / time[best['hybrid']]:.3g} ×" if best.get("hybrid") is not None else "-"
+        times = f"{time[setting] / time[best[usual]]:.3g} ×" if best[usual] is not None else "-"
         rows.append([f"`{method}`", study.knobs(setting), f"{error[setting]:.1e}", f"{time[setting]:.3g}",
                      f"{calls[setting]:.2g}", times])
-    return markdown(["method", "knobs", "trajectory error / δc", "ms a point", "right-hand sides", "time of `hybrid`"], rows)
+    return markdown(["method", "knobs", "trajectory error / δc", "ms a point", "right-hand sides", f"time of `{usual}`"], rows)
 
 
 def markdown(head, rows):

@@ -18,7 +18,9 @@ struct Software {
 };
 
 /// Version of the file layout described in this folder's README.
-constexpr const char* kSchemaVersion = "2";
+constexpr const char* kSchemaVersion = "3";
+/// The same layout, of programs whose default method was `hybrid`.
+constexpr const char* kVersionOfHybrid = "2";
 /// The layout without checksums: such atlases are read, but not resumed.
 constexpr const char* kVersionWithoutChecksums = "1";
 

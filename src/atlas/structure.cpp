@@ -69,7 +69,7 @@ class Examination {
       throw EnvironmentError(fmt::format("{} is not an atlas of rubatlas", path_));
     }
     const std::string version = root.text("schema_version");
-    if (version != kSchemaVersion && version != kVersionWithoutChecksums) {
+    if (version != kSchemaVersion && version != kVersionOfHybrid && version != kVersionWithoutChecksums) {
       throw EnvironmentError(fmt::format("{} has the layout of version {}; this program reads version {}",
                                          path_, version, kSchemaVersion));
     }

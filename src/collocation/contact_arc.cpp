@@ -30,6 +30,8 @@ constexpr double kStraight = 1e-6;    ///< [rad]: an arc that turns by less has 
 constexpr double kSteep = 0.48;       ///< sine of the slope with which an arc may be followed down to p = 0
 constexpr double kReach = 0.15;       ///< of an arc: so far above p = 0 it is stretched to reach it
 constexpr double kLongestHalf = 1.5;  ///< [τ] half of a contact, as a first estimate
+constexpr std::size_t kMostIntervals =
+    1000;                                 ///< of a contact that is shorter or longer than it was estimated
 constexpr double kUnbentArgument = 0.01;  ///< p at which Δ ~ p² holds
 
 /// Without the care of `std::hypot` for numbers near overflow.
@@ -128,8 +130,9 @@ void ContactArc::estimate() {
   const double curvature =
       contact::gap_curvature(law_->geometry(), er_, pose, {state[0], state[1] + rotor_->misalignment},
                              {state[2], state[3]}, acceleration, speed);
-  // Half of the contact, as far as the gap goes on as a parabola.
-  double half = curvature < 0.0 && rate > 0.0 ? std::min(-rate / curvature, kLongestHalf) : kLongestHalf;
+  // Half of the contact, as far as the gap is a parabola: from its top to where it is closed.
+  const double rate_at_end = std::sqrt(std::max(0.0, rate * rate - 2.0 * curvature * pose.gap));
+  double half = curvature < 0.0 ? std::min(-rate_at_end / curvature, kLongestHalf) : kLongestHalf;
   if (end_.argument > 0.0) {
     time_unit_ = half;
     unit_length_ = 1.0;
@@ -362,6 +365,7 @@ void ContactArc::take_direction(const Interval& interval) {
 }
 
 ContactArc::Outcome ContactArc::make() {
+  if (number_ >= kMostIntervals) return Outcome::gives_up;
   const double shortest = kShortest * length_;
   double length = 0.0;
   while (true) {

@@ -80,7 +80,7 @@ constexpr std::array kRefusals{
         .where = method_takes_no_effects,
         .quantity = {},
         .sentence =
-            R"(the method "{method}" computes the paper's rotor and its unbalance; effects need "hybrid")"},
+            R"(the method "{method}" computes the paper's rotor and its unbalance; effects need "collocation" or "hybrid")"},
     // Rigid blades have no bending, and their ring yields already.
     Refusal{.effects = effect_set<&Effects::axial_compliance>(),
             .beside = {},

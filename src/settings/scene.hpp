@@ -99,14 +99,14 @@ struct Validity {
   std::optional<double> yield_strain;  ///< root bending strain flag [-]; absent: no flag
 };
 
-/// How a point is integrated: `hybrid` (closed-form flight, located events, order 8 in contact); the same
-/// with contacts of one blade by collocation, and with pairs of order 5(4) and 3(2); `paper`, the published
-/// scheme; `located`, one adaptive pair with located events; `fixed`, classical Runge–Kutta with a fixed
-/// step.
+/// How a point is integrated: `hybrid` (closed-form flight, located events, order 8 in contact);
+/// `collocation`, the same with contacts of one elastic blade by collocation; `hybrid` with pairs of order
+/// 5(4) and 3(2); `paper`, the published scheme; `located`, one adaptive pair with located events; `fixed`,
+/// classical Runge–Kutta with a fixed step.
 enum class Method : std::uint8_t { hybrid, collocation, hybrid_54, hybrid_32, paper, located, fixed };
 
 struct Accuracy {
-  Method method = Method::hybrid;
+  Method method = Method::collocation;
   double tolerance = 1e-9;        ///< local error of a step relative to the clearance
   double force_increment = 0.04;  ///< dF [N]; read by the method `paper` only
   double max_step = 0.02;         ///< longest step in τ; read by `paper` and `located` only

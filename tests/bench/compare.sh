@@ -11,9 +11,9 @@ case "${1-}" in -*) sed -n '2,7s/^# \{0,1\}//p' tests/bench/compare.sh; [ "$1" =
 
 ./jobs/install.sh --bench
 build=${RUBATLAS_BENCH_BUILD:-build-bench}
-generator=()
-[ -e "$build/CMakeCache.txt" ] || generator=(-G Ninja)
-cmake -S . -B "$build" "${generator[@]}" -DRUBATLAS_BENCH=ON -DCMAKE_CXX_FLAGS=-g >/dev/null
+new_tree=()
+[ -e "$build/CMakeCache.txt" ] || new_tree=(-G Ninja -DCMAKE_CXX_FLAGS=-g)
+cmake -S . -B "$build" "${new_tree[@]}" -DRUBATLAS_BENCH=ON >/dev/null
 cmake --build "$build" --target compare --parallel "${RUBATLAS_BENCH_JOBS:-$(nproc)}" >/dev/null
 
 page=tests/bench/comparison.md

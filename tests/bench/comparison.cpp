@@ -61,8 +61,9 @@ std::string table_by_speed(const Comparison& comparison) {
   }
   std::string text = header + "\n" + rule + "\n";
   for (const Competitor& competitor : comparison.competitors) {
-    text += is_own(competitor) ? fmt::format("| {} |", competitor.peer->name())
-                               : fmt::format("| {}, {} |", competitor.peer->name(), step_limit(competitor));
+    text += is_own(competitor)
+                ? fmt::format("| {}, {:.0e} |", competitor.peer->name(), competitor.settings.tolerance)
+                : fmt::format("| {}, {} |", competitor.peer->name(), step_limit(competitor));
     for (std::size_t i = 0; i < comparison.speed_ratios.size(); i += stride) {
       const double time = time_per_revolution(competitor, i);
       text += fmt::format(" {:.1f} ({:.1f}×) |", 1e6 * time,

@@ -24,10 +24,10 @@ struct Competitor {
 struct Comparison {
   std::vector<double> speed_ratios;
   double target = 0.0;                   ///< typical error that all have to reach, in units of the clearance
-  std::vector<Competitor> competitors;   ///< the first is `hybrid`, the second `collocation`
+  std::vector<Competitor> competitors;   ///< `hybrid`, `collocation`, that at `target`, and peers
   std::vector<Competitor> longer_steps;  ///< the same peers with longer step limits
   std::vector<Competitor> paper;         ///< the published scheme, and hybrid as accurate as that, in turn
-  std::array<Competitor, 2> whole_points;  ///< those two over all 300 revolutions of a point
+  std::array<Competitor, 2> whole_points;  ///< `hybrid`, `collocation`: all 300 revolutions
   std::vector<Competitor> without_limit;   ///< the same peers with error control alone; not timed
 };
 

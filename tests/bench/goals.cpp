@@ -27,9 +27,9 @@ const Competitor* fastest(const Comparison& comparison, const std::vector<Compet
   return result;
 }
 
-/// Measured at the common step limit, and at the best of the longer ones.
+/// At equal error. Measured at the common step limit, and at the best of the longer ones.
 std::string ratio_to(const Comparison& comparison, const std::string& family, double goal) {
-  const double ours = time_per_revolution(comparison.competitors[1]);
+  const double ours = time_per_revolution(comparison.competitors[2]);
   std::string text;
   for (const auto* among : {&comparison.competitors, &comparison.longer_steps}) {
     const Competitor* peer = fastest(comparison, *among, family);

@@ -12,10 +12,10 @@ arguments=("${1:-0.62}" "${2:-60}" "${3:-1e-9}" "${@:4}")
 
 ./jobs/install.sh --bench
 build=${RUBATLAS_BENCH_BUILD:-build-bench}
-generator=()
-[ -e "$build/CMakeCache.txt" ] || generator=(-G Ninja)
+new_tree=()
 # Line tables only name the source of an instruction; they change none.
-cmake -S . -B "$build" "${generator[@]}" -DRUBATLAS_BENCH=ON -DCMAKE_CXX_FLAGS=-g >/dev/null
+[ -e "$build/CMakeCache.txt" ] || new_tree=(-G Ninja -DCMAKE_CXX_FLAGS=-g)
+cmake -S . -B "$build" "${new_tree[@]}" -DRUBATLAS_BENCH=ON >/dev/null
 cmake --build "$build" --target hybrid_point --parallel "${RUBATLAS_BENCH_JOBS:-$(nproc)}" >/dev/null
 
 out=$build/callgrind.out

@@ -229,6 +229,17 @@ class Damage(FileTest):
         job = self.execute(2, "run", "scene.json", "-o", "bad.h5", "--resume")
         self.assert_refused(job, 3, "bad.h5 is damaged: the row at speed_ratio=0.5181818181818182, damping_ratio=0.15 does not have its checksum")
 
+    def test_an_atlas_of_the_version_before_goes_on_by_the_method_that_it_names(self):
+        by_hybrid = scene(sweep="up", accuracy={"method": "hybrid"})
+        whole = self.fill(None, by_hybrid, name="whole.h5")
+        atlas = self.fill(None, by_hybrid)
+        with h5py.File(atlas, "r+") as file:
+            file.attrs["schema_version"] = "2"
+            file["status"][0, 0, 0, :, 6:] = 0
+        self.execute(0, "run", "scene.json", "-o", "atlas.h5", "--resume")
+        with h5py.File(whole) as expected, h5py.File(atlas) as resumed:
+            np.testing.assert_array_equal(resumed["poincare"][...], expected["poincare"][...])
+
     def test_an_atlas_without_checksums_is_read_and_not_resumed(self):
         def change(file):
             file.attrs["schema_version"] = "1"

@@ -138,15 +138,16 @@ std::string name_of_case(const ::testing::TestParamInfo<ReferenceCase>& instance
   return name;
 }
 
-/// The same cases by the method `collocation`.
-std::vector<ReferenceCase> by_collocation() {
+std::vector<ReferenceCase> cases_by(settings::Method method) {
   std::vector<ReferenceCase> cases = reference_cases();
-  for (ReferenceCase& c : cases) c.scene.accuracy.method = settings::Method::collocation;
+  for (ReferenceCase& c : cases) c.scene.accuracy.method = method;
   return cases;
 }
 
-INSTANTIATE_TEST_SUITE_P(Orbits, ReferenceOrbit, ::testing::ValuesIn(reference_cases()), name_of_case);
-INSTANTIATE_TEST_SUITE_P(ByCollocation, ReferenceOrbit, ::testing::ValuesIn(by_collocation()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Orbits, ReferenceOrbit, ::testing::ValuesIn(cases_by(settings::Method::hybrid)),
+                         name_of_case);
+INSTANTIATE_TEST_SUITE_P(ByCollocation, ReferenceOrbit,
+                         ::testing::ValuesIn(cases_by(settings::Method::collocation)), name_of_case);
 
 }  // namespace
 }  // namespace rubatlas::test

@@ -43,7 +43,7 @@ TEST(SceneReader, DefaultsAreThePapersDefaultRotor) {
   EXPECT_EQ(scene.initial.vy, 0.0);
   EXPECT_EQ(scene.validity.max_shortening, 0.5);
   EXPECT_FALSE(scene.validity.yield_strain.has_value());
-  EXPECT_EQ(scene.accuracy.method, Method::hybrid);
+  EXPECT_EQ(scene.accuracy.method, Method::collocation);
   EXPECT_EQ(scene.accuracy.tolerance, 1e-9);
   EXPECT_EQ(scene.observables, (std::vector<std::string>{"poincare", "max_displacement", "spectrum"}));
 }

@@ -89,7 +89,7 @@ TEST(ResolvedScene, WhatIsAbsentStaysAbsent) {
   EXPECT_FALSE(document["grid"].contains("unbalance"));
   EXPECT_FALSE(document["ring"].contains("stiffness"));
   EXPECT_FALSE(document["validity"].contains("yield_strain"));
-  EXPECT_EQ(document["accuracy"], (nlohmann::json{{"method", "hybrid"}, {"tolerance", 1e-9}}));
+  EXPECT_EQ(document["accuracy"], (nlohmann::json{{"method", "collocation"}, {"tolerance", 1e-9}}));
 }
 
 TEST(SceneDifference, IsEmptyForTheSameMotion) {
