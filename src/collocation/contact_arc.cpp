@@ -5,7 +5,6 @@
 #include <complex>
 
 #include "collocation/interval_samples.hpp"
-#include "integrate/root_between.hpp"
 
 namespace rubatlas::collocation {
 namespace {
@@ -31,8 +30,7 @@ constexpr double kSteep = 0.48;       ///< sine of the slope with which an arc m
 constexpr double kReach = 0.15;       ///< of an arc: so far above p = 0 it is stretched to reach it
 constexpr double kLongestHalf = 1.5;  ///< [τ] half of a contact, as a first estimate
 constexpr std::size_t kMostIntervals =
-    1000;                                 ///< of a contact that is shorter or longer than it was estimated
-constexpr double kUnbentArgument = 0.01;  ///< p at which Δ ~ p² holds
+    1000;  ///< of a contact that is shorter or longer than it was estimated
 
 /// Without the care of `std::hypot` for numbers near overflow.
 double length_of(double x, double y) {
@@ -74,28 +72,49 @@ ContactArc::ContactArc(const rotor::RotorConstants& rotor, const rotor::BladeSet
   valid_argument_ = beyond == knots.begin() ? 0.0 : std::prev(beyond)->argument;
 }
 
-void ContactArc::begin(double time, const rotor::State& state, int blade, double slip, double bending) {
-  blade_ = blade;
-  contact_.slip = slip;
-  turn_to_others();
-  begins_ = true;
-  lifts_off_ = false;
-  start_ = end_ = {time, state, table_->argument(bending)};
-  er_ = blades_->direction(blade_, blades_->first(time));
-  estimate();
-  look_for_earlier();
+void ContactArc::begin(double time, const rotor::State& state, std::span<const Touch> touching) {
+  // Who touches down now is not the next to lift off.
+  std::size_t leader = 0;
+  while (leader + 1 < touching.size() && touching[leader].bending == 0.0) ++leader;
+  if (touching[leader].bending == 0.0) leader = 0;
+  lead_has_changed_ = false;
+  lead(time, state, touching, leader);
 }
 
-/// Directions of the other blades against that of the one in contact.
-void ContactArc::turn_to_others() {
-  others_.clear();
+void ContactArc::lead(double time, const rotor::State& state, std::span<const Touch> touching,
+                      std::size_t leader) {
+  blade_ = touching[leader].blade;
+  contact_.slip = touching[leader].slip;
+  begins_ = true;
+  lifts_off_ = false;
+  touches_ = -1;
+  start_ = end_ = {time, state, table_->argument(touching[leader].bending)};
+  const contact::BladeDirection first = blades_->first(time);
+  er_ = blades_->direction(blade_, first);
   const contact::BladeDirection& from = offsets_[static_cast<std::size_t>(blade_)];
-  for (std::size_t other = 0; other < offsets_.size(); ++other) {
-    if (other == static_cast<std::size_t>(blade_)) continue;
-    const contact::BladeDirection& to = offsets_[other];
-    others_.push_back(
-        {to.cosine * from.cosine + to.sine * from.sine, to.sine * from.cosine - to.cosine * from.sine});
+  const auto offset_of = [&](int blade) {
+    const contact::BladeDirection& to = offsets_[static_cast<std::size_t>(blade)];
+    return std::array{to.cosine * from.cosine + to.sine * from.sine,
+                      to.sine * from.cosine - to.cosine * from.sine};
+  };
+  further_.clear();
+  for (const Touch& touch : touching) {
+    if (touch.blade == blade_) continue;
+    const contact::BladeDirection er = blades_->direction(touch.blade, first);
+    const contact::Pose pose = rotor::pose_of(*rotor_, law_->geometry(), er, state);
+    FurtherStart& start = further_.emplace_back(further_start(*law_, pose, touch, rotor_->speed_ratio));
+    start.offset = offset_of(touch.blade);
   }
+  others_.clear();
+  for (int blade = 0; blade < blades_->count(); ++blade) {
+    if (std::ranges::find(touching, blade, &Touch::blade) == touching.end())
+      others_.push_back({blade, offset_of(blade)});
+  }
+  estimate();
+  alike_ = nullptr;
+  kept_ = nullptr;
+  number_ = 0;
+  if (further_.empty()) look_for_earlier();
 }
 
 void ContactArc::look_for_earlier() {
@@ -109,7 +128,6 @@ void ContactArc::look_for_earlier() {
   const EarlierContacts::Found found = earlier_.find(beginning);
   alike_ = found.alike;
   kept_ = found.next;
-  number_ = 0;
 }
 
 /// T, and the arc with which the contact begins.
@@ -123,6 +141,11 @@ void ContactArc::estimate() {
   slip_velocity_ = there.force.slip_velocity;
   std::complex<double> acceleration =
       rotor::shaft_acceleration(*rotor_, state, contact::on_rotor(there.force, er_));
+  for (const FurtherStart& further : further_) {
+    const contact::BladeDirection er{er_.cosine * further.offset[0] - er_.sine * further.offset[1],
+                                     er_.sine * further.offset[0] + er_.cosine * further.offset[1]};
+    acceleration += rotor_->force_unit * contact::on_rotor(further.force, er);
+  }
   if (unbalance_ != nullptr) acceleration += unbalance_->acceleration(end_.time);
   acceleration_ = {acceleration.real(), acceleration.imag()};
   jerk_ = {};
@@ -182,8 +205,7 @@ void ContactArc::estimate() {
   length_ = share_of_first_[0] * unit_length_;
   tangent_ = {0.0, 1.0};
   // Near the touch-down g = dg/dτ τ = 2 s ct Δ, with Δ ~ p².
-  const double deflection = contact_.length * law_->curve().at(table_->bending(kUnbentArgument)).deflection /
-                            (kUnbentArgument * kUnbentArgument);
+  const double deflection = deflection_per_square(*law_);
   constexpr double kSharpest = 3.0;
   curvature_ =
       -std::clamp(4.0 * slip * pose.tangential * deflection / (rate * time_unit_), 0.0, kSharpest / largest);
@@ -202,6 +224,7 @@ void ContactArc::start_next(Interval& next) const {
   next.jerk = jerk_;
   next.start_gap_measure = gap_measure_;
   next.start_slip_velocity = slip_velocity_;
+  next.further_count = further_.size();
 }
 
 /// The first guess of the next interval.
@@ -260,75 +283,108 @@ double ContactArc::error_of(const Interval& interval) const {
   return std::max(between / allowed_, at_end / (kAtEnd * limits_.tolerance));
 }
 
-/// No tip touches besides, no slip reverses, the shaft stays within the ring and the blade within its limit.
-bool ContactArc::nothing_else_happens(const Interval& interval, const Bounds& bounds) const {
+/// No slip reverses, the shaft stays within the ring and the blades within their limit.
+bool ContactArc::stays_valid(const Bounds& bounds) const {
   return bounds.distance < contact_.ring_radius && bounds.slip_velocity > 0.0 &&
-         bounds.argument < valid_argument_ &&
-         std::all_of(others_.begin(), others_.end(), [&](const std::array<double, 2>& other) {
-           return solver_.largest_gap(contact_, interval, other) < 0.0;
-         });
+         bounds.argument < valid_argument_;
 }
 
-ContactArc::Ending ContactArc::ending(const Interval& interval) const {
+ContactArc::Ending ContactArc::lift_off(const Interval& interval) const {
   const bool reaches_zero = interval.chord.time == 0.0;
   for (std::size_t i = 0; i < kNodes; ++i) {
     const bool last = i + 1 == kNodes;
-    if (interval.gap_measure[i] < 0.0) return {i + 1, true};
-    if (interval.argument[i] < 0.0 && !(reaches_zero && last)) return {i + 1, false};
+    if (interval.gap_measure[i] < 0.0) {
+      return {Ending::Kind::under_load,
+              crossing(at_places(interval.start_gap_measure, interval.gap_measure), i + 1), blade_};
+    }
+    if (interval.argument[i] < 0.0 && !(reaches_zero && last)) {
+      return {Ending::Kind::unbent, crossing(at_places(interval.start_argument, interval.argument), i + 1),
+              blade_};
+    }
   }
   return {};
 }
 
-/// θ just before a place by which values have become negative where they pass through zero.
-double ContactArc::crossing(const AtPlaces& values, std::size_t place) const {
-  const AtPlaces& at = node_tables().place;
-  const auto value = [&](double fraction) { return sum_of_products(basis_at(fraction), values); };
-  if (values[place - 1] <= 0.0) {
-    // It starts at zero, and rises from there.
-    const auto mean = [&](double fraction) { return (value(fraction) - values[place - 1]) / fraction; };
-    return integrate::root_between(mean, 0.0, at[place], std::abs(mean(at[place])), mean(at[place]));
+/// The first touch-down of another blade, if it comes before this ending. None where it cannot be told.
+std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interval, Ending before) const {
+  for (const Other& other : others_) {
+    if (solver_.largest_gap(contact_, interval, other.offset) < 0.0) continue;
+    const auto clear_of_ring = [&](double x, double y, double er_x, double er_y) {
+      const double centre = y + contact_.misalignment;
+      const double along = er_x * other.offset[0] - er_y * other.offset[1];
+      const double across = er_y * other.offset[0] + er_x * other.offset[1];
+      return -(x * x + centre * centre + 2.0 * contact_.reach * (x * along + centre * across) +
+               contact_.closing);
+    };
+    AtPlaces values;
+    values[0] = clear_of_ring(interval.start[0], interval.start[1], interval.blade[0], interval.blade[1]);
+    std::size_t place = kPlaces;
+    for (std::size_t i = 0; i < kNodes; ++i) {
+      values[i + 1] = clear_of_ring(interval.x[i], interval.y[i], interval.blade_x[i], interval.blade_y[i]);
+      if (place == kPlaces && values[i + 1] < 0.0) place = i + 1;
+    }
+    // It may come near the ring without touching it, or it touches at the start: shorter intervals tell.
+    if (place == kPlaces || (place == 1 && !(values[0] > 0.0))) return std::nullopt;
+    const double fraction = crossing(values, place);
+    if (fraction < before.fraction) before = {Ending::Kind::touch_down, fraction, other.blade};
   }
-  return integrate::root_between(value, at[place - 1], at[place], values[place - 1], values[place]);
+  return before;
 }
 
-/// The stretch of the interval up to θ, solved for itself.
-bool ContactArc::cut(double fraction, Interval& shorter) {
-  shorter.start_time = made().start_time;
-  shorter.start_argument = made().start_argument;
-  shorter.start = made().start;
-  shorter.blade = made().blade;
-  shorter.forcing = made().forcing;
-  shorter.start_gap_measure = made().start_gap_measure;
-  shorter.start_slip_velocity = made().start_slip_velocity;
-  shorter.chord = {fraction * made().chord.time, fraction * made().chord.argument};
-  shorter.normal = made().normal;
-  read_stretch(made(), fraction, shorter);
+/// The stretch of an interval up to θ, solved for itself.
+bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter) {
+  shorter.start_time = whole.start_time;
+  shorter.start_argument = whole.start_argument;
+  shorter.start = whole.start;
+  shorter.blade = whole.blade;
+  shorter.forcing = whole.forcing;
+  shorter.start_gap_measure = whole.start_gap_measure;
+  shorter.start_slip_velocity = whole.start_slip_velocity;
+  shorter.further_count = whole.further_count;
+  for (std::size_t k = 0; k < whole.further_count; ++k) {
+    shorter.further[k].offset = whole.further[k].offset;
+    shorter.further[k].slip = whole.further[k].slip;
+    shorter.further[k].start_square = whole.further[k].start_square;
+    shorter.further[k].start_gap_measure = whole.further[k].start_gap_measure;
+    shorter.further[k].start_slip_velocity = whole.further[k].start_slip_velocity;
+  }
+  shorter.chord = {fraction * whole.chord.time, fraction * whole.chord.argument};
+  shorter.normal = whole.normal;
+  read_stretch(whole, fraction, shorter);
   return solve(shorter, true);
 }
 
-/// The end of an interval: of the contact, to rounding, where it ends there.
+/// The end of an interval: of the contact, or at a touch-down, to rounding, where one ends it.
 void ContactArc::end_at(const Interval& interval, const Ending& ending) {
+  using Kind = Ending::Kind;
   start_ = end_;
-  const std::size_t last = kNodes - 1;
-  end_.time = interval.start_time + interval.elapsed[last];
-  end_.state = {interval.x[last], interval.y[last], interval.vx[last], interval.vy[last]};
-  end_.argument = interval.argument[last];
-  er_ = {interval.blade_x[last], interval.blade_y[last]};
-  lifts_off_ = interval.chord.time == 0.0 || ending.place < kPlaces;
-  double late = 0.0;
-  if (ending.under_load) {
-    const contact::Pose pose = rotor::pose_of(*rotor_, law_->geometry(), er_, end_.state);
-    late = -pose.gap / contact::gap_rate(law_->geometry(), pose, rotor_->speed_ratio);
-  } else if (ending.place < kPlaces) {
-    late = -end_.argument * interval.time_slope[last] / interval.argument_slope[last];
-  }
-  end_.time += late;
-  end_.state += late * rotor::State(end_.state[2], end_.state[3], interval.ax[last], interval.ay[last]);
-  if (ending.under_load) {
-    end_.argument += late * interval.argument_slope[last] / interval.time_slope[last];
-  } else if (lifts_off_) {
-    end_.argument = 0.0;
-  }
+  end_ = end_of(interval);
+  er_ = {interval.blade_x.at_end(), interval.blade_y.at_end()};
+  lifts_off_ = ending.kind == Kind::unbent || ending.kind == Kind::under_load ||
+               (ending.kind == Kind::none && interval.chord.time == 0.0);
+  touches_ = ending.kind == Kind::touch_down ? ending.blade : -1;
+  const double rise = interval.argument_slope.at_end() / interval.time_slope.at_end();
+  const auto goes_on = [&](double late) {
+    end_.time += late;
+    end_.state +=
+        late * rotor::State(end_.state[2], end_.state[3], interval.ax.at_end(), interval.ay.at_end());
+    if (end_.argument > 0.0) end_.argument += late * rise;
+  };
+  // To where the gap of a blade is zero to rounding.
+  const auto goes_on_to_ring = [&](int blade) {
+    constexpr int kTimes = 2;
+    constexpr double kFarthest = 1e-3;  // of the interval: a graze does not tell where it ends
+    for (int i = 0; i < kTimes; ++i) {
+      const contact::BladeDirection er = blades_->direction(blade, blades_->first(end_.time));
+      const contact::Pose pose = rotor::pose_of(*rotor_, law_->geometry(), er, end_.state);
+      const double late = -pose.gap / contact::gap_rate(law_->geometry(), pose, rotor_->speed_ratio);
+      if (std::abs(late) < kFarthest * interval.elapsed.at_end()) goes_on(late);
+    }
+  };
+  if (ending.kind == Kind::unbent) goes_on(-end_.argument / rise);
+  if (lifts_off_ && ending.kind != Kind::under_load) end_.argument = 0.0;
+  if (lifts_off_) goes_on_to_ring(blade_);
+  if (touches_ >= 0) goes_on_to_ring(touches_);
 }
 
 /// Direction and curvature with which an interval ends.
@@ -364,14 +420,21 @@ void ContactArc::take_direction(const Interval& interval) {
   tangent_ = last[2].tangent;
 }
 
-ContactArc::Outcome ContactArc::make() {
-  if (number_ >= kMostIntervals) return Outcome::gives_up;
-  const double shortest = kShortest * length_;
-  double length = 0.0;
+void ContactArc::guess_further(Interval& next) const {
+  AtNodes elapsed;
+  const AtNodes& node = node_tables().node;
+  for (std::size_t i = 0; i < kNodes; ++i)
+    elapsed[i] = node[i] * next.chord.time + next.deviation[i] * next.normal.time;
+  for (std::size_t k = 0; k < further_.size(); ++k) guess(further_[k], elapsed, next.further[k]);
+}
+
+/// Makes the trial a solution that is accurate enough.
+bool ContactArc::solve_next(double shortest) {
   while (true) {
     Interval& next = trial();
     start_next(next);
     const bool follows = alike_ != nullptr && number_ < alike_->count;
+    double length = 0.0;
     if (follows) {
       length = alike_->intervals[number_].length;
       alike_->intervals[number_].guess(next);
@@ -379,57 +442,124 @@ ContactArc::Outcome ContactArc::make() {
       length = std::min({length_, kLongest, kMostTurning / std::max(std::abs(curvature_), kStraight)});
       plan(next, length);
     }
+    if (!further_.empty()) guess_further(next);
     const bool solved = solve(next, follows);
     const double error = solved ? error_of(next) : 0.0;
     if (solved && error <= 1.0) {
+      tried_length_ = length;
       length_ = length *
                 std::clamp(kAim * std::pow(std::max(error, 1e-12), -1.0 / kOrder), kLeastGrowth, kMostGrowth);
       if (begins_ && !follows) {
         double& share = share_of_first_[next.start_argument > 0.0 ? 1 : 0];
         share = std::min(std::sqrt(share * length_ / unit_length_), 1.0);
       }
-      break;
+      return true;
     }
     ++rejected_;
     if (follows) {
-      alike_ = nullptr;
-      kept_->count = number_;
+      leave_earlier();
       continue;
     }
     length_ = length * (solved ? std::max(kLeastRetry, kAim * std::pow(error, -1.0 / kOrder)) : 0.5);
+    if (!(length_ > shortest)) return false;
+  }
+}
+
+/// The earlier contact is followed no longer.
+void ContactArc::leave_earlier() {
+  alike_ = nullptr;
+  if (kept_ != nullptr) kept_->count = number_;
+}
+
+ContactArc::Verdict ContactArc::judge(Ending& ending) {
+  using Kind = Ending::Kind;
+  const Interval& next = trial();
+  const bool reaches_zero = next.chord.time == 0.0;
+  Bounds bounds = solver_.bounds(contact_, next);
+  if (!stays_valid(bounds)) return Verdict::gives_up;
+  displacement_bound_ = bounds.displacement;
+  const auto first = touch_down(next, lift_off(next));
+  if (!first) return Verdict::too_long;
+  ending = *first;
+  const bool in_part = ending.kind != Kind::none;
+  Interval& part = intervals_[made_];  // what has been made before is not asked for again
+  if (in_part) {
+    if (!cut(next, ending.fraction, part)) return Verdict::gives_up;
+    if (ending.kind == Kind::touch_down || !further_.empty()) bounds = solver_.bounds(contact_, part);
+    // The tip that touches is at the ring at the end.
+    const double at_ring = 2.0 * contact_.ring_radius * limits_.tolerance;
+    for (const Other& other : others_) {
+      if (!(solver_.largest_gap(contact_, part, other.offset) <
+            (other.blade == ending.blade ? at_ring : 0.0)))
+        return Verdict::too_long;
+    }
+  }
+  const bool stays_bent = bounds.gap_measure > 0.0 && (begins_ || next.start_gap_measure > 0.0);
+  if (ending.kind != Kind::under_load && !stays_bent) return Verdict::gives_up;
+  // Time goes on.
+  const Interval& kept = in_part ? part : next;
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    const bool may_turn = i + 1 == kNodes && (reaches_zero || in_part);
+    if (!(kept.time_slope[i] > 0.0) && !may_turn) return Verdict::gives_up;
+  }
+  for (std::size_t k = 0; k < further_.size(); ++k) {
+    if (bounds.stays[k]) continue;
+    if (lead_has_changed_) return Verdict::too_long;
+    change_leader(k);
+    return Verdict::another_leads;
+  }
+  return in_part ? Verdict::holds_in_part : Verdict::holds;
+}
+
+/// Another blade leads from where the last interval has ended.
+void ContactArc::change_leader(std::size_t further) {
+  std::vector<Touch> touching{{blade_, contact_.slip, table_->bending(end_.argument)}};
+  for (const FurtherStart& start : further_)
+    touching.push_back({start.blade, start.slip, table_->bending(std::sqrt(start.square))});
+  lead(end_.time, rotor::State(end_.state), touching, further + 1);
+  lead_has_changed_ = true;
+}
+
+ContactArc::Outcome ContactArc::make() {
+  if (number_ >= kMostIntervals) return Outcome::gives_up;
+  double shortest = kShortest * length_;
+  while (true) {
+    if (!solve_next(shortest)) return Outcome::gives_up;
+    if (kept_ != nullptr && number_ < EarlierContact::kMostIntervals) {
+      kept_->intervals[number_].take(trial(), tried_length_);
+      kept_->count = std::max(kept_->count, number_ + 1);
+    }
+    Ending ending;
+    const Verdict verdict = judge(ending);
+    if (verdict == Verdict::gives_up) return Outcome::gives_up;
+    if (verdict == Verdict::holds || verdict == Verdict::holds_in_part) {
+      if (verdict == Verdict::holds) made_ = 1 - made_;
+      goes_on(ending);
+      return Outcome::made;
+    }
+    ++rejected_;
+    if (verdict == Verdict::another_leads) {
+      shortest = kShortest * length_;
+      continue;
+    }
+    leave_earlier();
+    length_ = 0.5 * tried_length_;
     if (!(length_ > shortest)) return Outcome::gives_up;
   }
-  if (number_ < EarlierContact::kMostIntervals) {
-    kept_->intervals[number_].take(trial(), length);
-    kept_->count = std::max(kept_->count, number_ + 1);
-  }
+}
+
+/// From the interval that has been made to the next.
+void ContactArc::goes_on(const Ending& ending) {
   ++number_;
   ++interval_count_;
-  const Bounds bounds = solver_.bounds(contact_, trial());
-  if (!nothing_else_happens(trial(), bounds)) return Outcome::gives_up;
-  displacement_bound_ = bounds.displacement;
-  const Ending ending = this->ending(trial());
-  const bool reaches_zero = trial().chord.time == 0.0;
-  const bool stays_bent = bounds.gap_measure > 0.0 && (begins_ || trial().start_gap_measure > 0.0);
-  if (!ending.under_load && !stays_bent) return Outcome::gives_up;
-  // Time goes on up to the end of the contact.
-  for (std::size_t i = 0; i + 1 < std::min(ending.place, kPlaces); ++i) {
-    if (!(trial().time_slope[i] > 0.0) && !(reaches_zero && i + 1 == kNodes)) return Outcome::gives_up;
-  }
-  made_ = 1 - made_;
-  if (ending.place < kPlaces) {
-    const AtPlaces values = ending.under_load ? at_places(made().start_gap_measure, made().gap_measure)
-                                              : at_places(made().start_argument, made().argument);
-    if (!cut(crossing(values, ending.place), trial())) return Outcome::gives_up;
-    made_ = 1 - made_;
-  }
   rises_ = tangent_.argument > 0.0;
   end_at(made(), ending);
   gap_measure_ = made().gap_measure.at_end();
   slip_velocity_ = made().slip_velocity.at_end();
-  if (!lifts_off_) take_direction(made());
+  for (std::size_t k = 0; k < further_.size(); ++k) go_on(made(), made().further[k], further_[k]);
+  if (!lifts_off_ && touches_ < 0) take_direction(made());
   begins_ = false;
-  return Outcome::made;
+  lead_has_changed_ = false;
 }
 
 double ContactArc::fraction_at(double time) const {
@@ -440,8 +570,8 @@ ContactArc::Point ContactArc::solved_at(double time) {
   if (time <= start_.time) return start_;
   if (time >= end_.time) return end_;
   const double fraction = fraction_at(time);
-  if (!cut(fraction, trial())) return point_at(fraction);
-  Point point = end_of_stretch();
+  if (!cut(made(), fraction, trial())) return point_at(fraction);
+  Point point = end_of(trial());
   const double late = time - point.time;
   const std::size_t last = kNodes - 1;
   point.time = time;
@@ -451,17 +581,20 @@ ContactArc::Point ContactArc::solved_at(double time) {
 }
 
 ContactArc::Point ContactArc::solved_at_fraction(double fraction) {
-  return cut(fraction, trial()) ? end_of_stretch() : point_at(fraction);
+  return cut(made(), fraction, trial()) ? end_of(trial()) : point_at(fraction);
 }
 
 ContactArc::Point ContactArc::largest_bending() {
   return solved_at_fraction(fraction_of_largest_bending(made()));
 }
 
-ContactArc::Point ContactArc::end_of_stretch() const {
-  return {trial().start_time + trial().elapsed.at_end(),
-          {trial().x.at_end(), trial().y.at_end(), trial().vx.at_end(), trial().vy.at_end()},
-          trial().argument.at_end()};
+ContactArc::Point ContactArc::end_of(const Interval& interval) {
+  Point end{interval.start_time + interval.elapsed.at_end(),
+            {interval.x.at_end(), interval.y.at_end(), interval.vx.at_end(), interval.vy.at_end()},
+            interval.argument.at_end()};
+  for (std::size_t k = 0; k < interval.further_count; ++k)
+    end.squares[k] = interval.further[k].square.at_end();
+  return end;
 }
 
 double ContactArc::argument_bound() const {
@@ -495,19 +628,33 @@ ContactArc::Point ContactArc::point_at(double fraction) const {
   const auto value = [&](double start, const AtNodes& nodes) {
     return sum_of_products(basis, at_places(start, nodes));
   };
-  return {made().start_time + value(0.0, made().elapsed),
-          {value(made().start[0], made().x), value(made().start[1], made().y),
-           value(made().start[2], made().vx), value(made().start[3], made().vy)},
-          value(made().start_argument, made().argument)};
+  Point point{made().start_time + value(0.0, made().elapsed),
+              {value(made().start[0], made().x), value(made().start[1], made().y),
+               value(made().start[2], made().vx), value(made().start[3], made().vy)},
+              value(made().start_argument, made().argument)};
+  for (std::size_t k = 0; k < made().further_count; ++k)
+    point.squares[k] = value(made().further[k].start_square, made().further[k].square);
+  return point;
 }
 
-double ContactArc::bending_at(double fraction) const {
-  return table_->bending(
-      sum_of_products(basis_at(fraction), at_places(made().start_argument, made().argument)));
+std::size_t ContactArc::number_of(int blade) const {
+  std::size_t number = 0;
+  while (further_[number].blade != blade) ++number;
+  return number;
+}
+
+double ContactArc::argument_of(int blade, const Point& point) const {
+  return blade == blade_ ? point.argument : std::sqrt(std::max(0.0, point.squares[number_of(blade)]));
 }
 
 bool ContactArc::peaks() const {
   return rises_ && made().argument_slope.at_end() < 0.0;
+}
+
+bool ContactArc::peaks(int blade) const {
+  if (blade == blade_) return peaks();
+  const FurtherBlade& further = made().further[number_of(blade)];
+  return further.square[0] > further.start_square && further.square[kNodes - 1] < further.square[kNodes - 2];
 }
 
 void ContactArc::shift_time(double period) {

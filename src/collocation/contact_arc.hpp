@@ -1,23 +1,31 @@
-/// One contact of one elastic blade, interval by interval, from where it begins to its lift-off.
+/// Contacts of one elastic blade or of few, interval by interval, from where one of them begins to where the
+/// next one begins or ends.
 ///
-/// The contact is an arc in the plane (τ, p): up from the touch-down, over the largest bending, and down to
-/// the lift-off at p = 0, or at g = 0 under load on the receding side (MODEL 4.2). An interval is a stretch
-/// of this arc (`interval.hpp`). Its first guess is that of an earlier contact which began alike, or a
-/// circular arc in the plane (τ/T, p) with the direction and the curvature with which the interval before has
-/// ended; T is chosen such that the whole contact is roughly a half circle.
+/// The contact of one blade, which leads, is an arc in the plane (τ, p): up from the touch-down, over the
+/// largest bending, and down to the lift-off at p = 0, or at g = 0 under load on the receding side
+/// (MODEL 4.2). An interval is a stretch of this arc (`interval.hpp`). Its first guess is that of an earlier
+/// contact which began alike, or a circular arc in the plane (τ/T, p) with the direction and the curvature
+/// with which the interval before has ended; T is chosen such that the whole contact is roughly a half
+/// circle.
 ///
-/// The arc covers contacts in which nothing else happens. Where it cannot prove that no other guard is met
-/// within an interval (another tip touches, the slip reverses, a limit of validity), it gives up at the start
-/// of this interval, and the motion goes on with another mode from there.
+/// The others are bent as the shaft's motion has it (`further_blades.hpp`). The one that lifts off next has
+/// to lead: near its lift-off its bending is no smooth function of time.
+///
+/// Where it cannot prove that no other guard is met within an interval (the slip reverses, a limit of
+/// validity), the arc gives up at the start of this interval, and the motion goes on with another mode from
+/// there.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "blade/bending_table.hpp"
 #include "collocation/earlier_contacts.hpp"
+#include "collocation/further_blades.hpp"
 #include "collocation/interval.hpp"
 #include "contact/elastica_contact.hpp"
 #include "rotor/blade_set.hpp"
@@ -42,17 +50,20 @@ class ContactArc {
   struct Point {
     double time = 0.0;  ///< τ of the revolution
     rotor::State state = rotor::State::Zero();
-    double argument = 0.0;  ///< p
+    double argument = 0.0;                       ///< p of the leading blade
+    std::array<double, kMostFurther> squares{};  ///< p² of the others
   };
 
-  /// Begins where a blade with slip direction s = `slip` has the bending parameter u; u = 0: it touches down.
-  void begin(double time, const rotor::State& state, int blade, double slip, double bending);
+  /// Begins where these blades touch, one to 1 + kMostFurther.
+  void begin(double time, const rotor::State& state, std::span<const Touch> touching);
 
   enum class Outcome : std::uint8_t { made, gives_up };
   /// Makes the next interval, from the end of the one before.
   Outcome make();
-  /// The interval ends with the lift-off.
+  /// The interval ends with the lift-off of the leading blade.
   [[nodiscard]] bool lifts_off() const { return lifts_off_; }
+  /// The blade whose touch-down ends the interval; none: −1.
+  [[nodiscard]] int touches() const { return touches_; }
   [[nodiscard]] const Point& start() const { return start_; }
   [[nodiscard]] const Point& end() const { return end_; }
 
@@ -61,27 +72,29 @@ class ContactArc {
   /// There, as accurate as at the end of an interval: solves the stretch up to there.
   [[nodiscard]] Point solved_at(double time);
   [[nodiscard]] rotor::State state_at(double time) { return solved_at(time).state; }
-  /// Likewise where the bending is largest, of an interval in which it passes its largest value.
+  /// Likewise where the bending of the leading blade is largest, of an interval in which it passes its
+  /// largest value.
   [[nodiscard]] Point largest_bending();
   /// The largest |z| between two times of the interval [m], or `known` where it is not larger than that.
   [[nodiscard]] double largest_displacement(double from, double to, double known);
   /// Shaft's place x, y [m] at θ, on the interval's polynomials.
   [[nodiscard]] std::array<double, 2> place_at(double fraction) const;
   [[nodiscard]] Point point_at(double fraction) const;
-  /// Bending parameter u at θ.
-  [[nodiscard]] double bending_at(double fraction) const;
-  /// Bound of p in the interval.
+  /// p of a blade in contact there.
+  [[nodiscard]] double argument_of(int blade, const Point& point) const;
+  /// Bound of p of the leading blade in the interval.
   [[nodiscard]] double argument_bound() const;
-  /// The bending passes its largest value within the interval.
+  /// The bending of the leading blade, or of another, passes its largest value within the interval.
   [[nodiscard]] bool peaks() const;
+  [[nodiscard]] bool peaks(int blade) const;
   /// Bound of |z| in the interval [m].
   [[nodiscard]] double displacement_bound() const { return displacement_bound_; }
 
   /// Sets the time back by a revolution.
   void shift_time(double period);
 
-  [[nodiscard]] int blade() const { return blade_; }
-  [[nodiscard]] double slip() const { return contact_.slip; }
+  /// The blade that leads.
+  [[nodiscard]] int leader() const { return blade_; }
   [[nodiscard]] double bending(double argument) const { return table_->bending(argument); }
 
   // What it cost.
@@ -96,29 +109,41 @@ class ContactArc {
     double argument;
   };
 
+  void lead(double time, const rotor::State& state, std::span<const Touch> touching, std::size_t leader);
   void estimate();
+  [[nodiscard]] std::size_t number_of(int blade) const;
   [[nodiscard]] const Interval& made() const { return intervals_[made_]; }
   [[nodiscard]] Interval& trial() { return intervals_[1 - made_]; }
   [[nodiscard]] const Interval& trial() const { return intervals_[1 - made_]; }
-  void turn_to_others();
   void look_for_earlier();
   void start_next(Interval& next) const;
   void plan(Interval& next, double length) const;
   bool solve(Interval& interval, bool warm);
   [[nodiscard]] double error_of(const Interval& interval) const;
-  [[nodiscard]] bool nothing_else_happens(const Interval& interval, const Bounds& bounds) const;
-  /// First place of the interval by which the contact has ended; kPlaces where it has not.
+  [[nodiscard]] bool stays_valid(const Bounds& bounds) const;
+  /// What ends the interval, at θ: a lift-off of the leading blade, with p = 0 or under load, or a
+  /// touch-down.
   struct Ending {
-    std::size_t place = kPlaces;
-    bool under_load = false;
+    enum class Kind : std::uint8_t { none, unbent, under_load, touch_down };
+    Kind kind = Kind::none;
+    double fraction = 1.0;
+    int blade = -1;
   };
-  [[nodiscard]] Ending ending(const Interval& interval) const;
-  [[nodiscard]] double crossing(const AtPlaces& values, std::size_t place) const;
-  bool cut(double fraction, Interval& shorter);
+  [[nodiscard]] Ending lift_off(const Interval& interval) const;
+  [[nodiscard]] std::optional<Ending> touch_down(const Interval& interval, Ending before) const;
+  /// Whether the trial can be the next interval, up to its ending, and whether that is a stretch of it.
+  enum class Verdict : std::uint8_t { holds, holds_in_part, too_long, another_leads, gives_up };
+  Verdict judge(Ending& ending);
+  bool solve_next(double shortest);
+  bool shorten(double shortest);
+  void goes_on(const Ending& ending);
+  void change_leader(std::size_t further);
+  void leave_earlier();
+  void guess_further(Interval& next) const;
+  bool cut(const Interval& whole, double fraction, Interval& shorter);
   /// At θ, or close by: the end of the stretch up to there, solved for itself.
   [[nodiscard]] Point solved_at_fraction(double fraction);
-  /// The end of the trial, a stretch of the interval.
-  [[nodiscard]] Point end_of_stretch() const;
+  [[nodiscard]] static Point end_of(const Interval& interval);
   void end_at(const Interval& interval, const Ending& ending);
   void take_direction(const Interval& interval);
 
@@ -130,14 +155,22 @@ class ContactArc {
   const blade::BendingTable* table_;
   IntervalSolver solver_;
   std::vector<contact::BladeDirection> offsets_;  ///< of the blades from blade 0's place
-  std::vector<std::array<double, 2>> others_;     ///< of the other blades from that in contact
-  double valid_argument_;                         ///< p up to which δ/L is within its limit
+  /// A blade that does not touch, and its offset from the leading one.
+  struct Other {
+    int blade;
+    std::array<double, 2> offset;
+  };
+  std::vector<Other> others_;
+  std::vector<FurtherStart> further_;  ///< where the next interval starts
+  double valid_argument_;              ///< p up to which δ/L is within its limit
   Contact contact_;
   double allowed_;  ///< error of a velocity between the nodes [m per unit τ]
 
   int blade_ = 0;
   bool begins_ = false;  ///< the next interval is the first of the contact
   bool lifts_off_ = false;
+  int touches_ = -1;
+  bool lead_has_changed_ = false;  ///< since the last interval
   Point start_, end_;
   contact::BladeDirection er_{};         ///< of the blade at the end
   std::array<Interval, 2> intervals_{};  ///< the last that was made, and the next
@@ -157,8 +190,9 @@ class ContactArc {
   /// Length of the first arc against that unit, as the contacts of this motion have had it so far: of
   /// contacts that start unloaded, and under load.
   std::array<double, 2> share_of_first_{0.5, 1.0};
-  double length_ = 1.0;  ///< of the next arc in that plane
-  bool rises_ = false;   ///< the bending, where the interval starts
+  double length_ = 1.0;        ///< of the next arc in that plane
+  double tried_length_ = 1.0;  ///< of the trial's arc
+  bool rises_ = false;         ///< the bending, where the interval starts
   double displacement_bound_ = 0.0;
   std::uint64_t interval_count_ = 0;
   std::uint64_t rejected_ = 0;

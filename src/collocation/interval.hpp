@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "blade/bending_table.hpp"
 #include "collocation/nodes.hpp"
@@ -20,11 +21,25 @@ struct Contact {
   double damping_ratio;  ///< ζ [-]
   double speed_ratio;    ///< Ω [-]
   double misalignment;   ///< y0
-  double slip;           ///< s = ±1
+  double slip;           ///< s = ±1 of the leading blade
   bool forced;           ///< an unbalance acts
 };
 
-/// A stretch of the curve h = 0 in the plane (τ, p), written as a graph over its chord: at θ in [0, 1]
+/// A further blade in contact. How far it is bent follows from where the shaft is.
+struct FurtherBlade {
+  std::array<double, 2> offset{};    ///< cosine and sine of its angle from the leading blade
+  double slip = 1.0;                 ///< s = ±1
+  double start_square = 0.0;         ///< p² at the start
+  double start_gap_measure = 0.0;    ///< `gap_measure` there
+  double start_slip_velocity = 0.0;  ///< `slip_velocity` there
+  AtNodes square;         ///< p²: a first guess, then the solution. Smooth at a touch-down, unlike p
+  AtNodes gap_measure;    ///< as in `Interval`
+  AtNodes slip_velocity;  ///< likewise
+};
+inline constexpr std::size_t kMostFurther = 3;
+
+/// A stretch of the curve h = 0 of one blade, which leads, in the plane (τ, p), written as a graph over its
+/// chord: at θ in [0, 1]
 ///     (τ, p) = start + θ chord + w(θ) normal,
 /// where both vectors are the caller's. Every quantity is a polynomial of degree 8 through the start and the
 /// nodes. All of this is relative to the start, so that time keeps its digits.
@@ -57,7 +72,9 @@ struct Interval {
   AtNodes gap_measure;       ///< g/Δ [m], as h = 0 has it: it has the sign of g where the blade is bent
   AtNodes slip_velocity;     ///< v of the tip (MODEL 4.4) [m per unit τ]
   AtNodes coefficients;      ///< magnitudes of Legendre's coefficients of z'' dτ/dθ [m per unit τ]
-  int sweeps = 0;            ///< that were made
+  std::size_t further_count = 0;
+  std::array<FurtherBlade, kMostFurther> further;
+  int sweeps = 0;  ///< that were made
 };
 
 /// How closely the equations are to be solved.
@@ -79,15 +96,16 @@ using Solve = bool (*)(const Contact& contact, const blade::BendingTable& table,
 /// Bounds of what changes within an interval that is solved, as the polynomials through the start and the
 /// nodes have it: none of them leaves the range of its Bernstein coefficients.
 struct Bounds {
-  double slip_velocity;  ///< least s v: the slip does not reverse where it is positive [m per unit τ]
-  double gap_measure;    ///< least g/Δ; the start is left out, where it may be zero [m]
-  double argument;       ///< largest p
+  double slip_velocity;  ///< least s v of all blades: no slip reverses where it is positive [m per unit τ]
+  double gap_measure;    ///< least g/Δ of the leading blade; the start is left out, where it may be 0 [m]
+  double argument;       ///< largest p of all blades
   double displacement;   ///< largest |z| [m]
   double distance;       ///< largest |c|, of the shaft from the ring's centre [m]
+  std::array<bool, kMostFurther> stays;  ///< a further blade stays bent
 };
 using BoundsOf = Bounds (*)(const Contact& contact, const Interval& interval);
-/// Bound of the gap [m²] of another blade, straight, whose direction is that of the blade in contact turned
-/// by the angle whose cosine and sine are given.
+/// Bound of the gap [m²] of another blade, straight, whose direction is that of the leading blade turned
+/// by the angle whose cosine and sine are given. The start is left out, where it may be 0.
 using LargestGap = double (*)(const Contact& contact, const Interval& interval,
                               const std::array<double, 2>& offset);
 

@@ -32,6 +32,15 @@ class IntervalBounds {
     const double centre = in.start[1] + contact_.misalignment;
     const Number centres = y + contact_.misalignment;
     result.distance = std::sqrt(square(across) + square(largest_magnitude(centre, centres)));
+    for (std::size_t k = 0; k < in.further_count; ++k) {
+      const FurtherBlade& blade = in.further[k];
+      result.slip_velocity = std::min(result.slip_velocity, least(blade.slip * blade.start_slip_velocity,
+                                                                  Number(blade.slip_velocity) * blade.slip));
+      const Number squares = later(blade.start_square, Number(blade.square));
+      result.argument = std::max(result.argument, std::sqrt(std::max(blade.start_square, squares.largest())));
+      result.stays[k] =
+          squares.least() > 0.0 && later(blade.start_gap_measure, Number(blade.gap_measure)).least() > 0.0;
+    }
     return result;
   }
 
@@ -39,12 +48,13 @@ class IntervalBounds {
     const Interval& in = interval_;
     const Number blade_x(in.blade_x);
     const Number blade_y(in.blade_y);
-    return largest(
-        gap_of(in.start[0], in.start[1] + contact_.misalignment,
-               in.blade[0] * offset[0] - in.blade[1] * offset[1],
-               in.blade[1] * offset[0] + in.blade[0] * offset[1]),
+    const double start = gap_of(in.start[0], in.start[1] + contact_.misalignment,
+                                in.blade[0] * offset[0] - in.blade[1] * offset[1],
+                                in.blade[1] * offset[0] + in.blade[0] * offset[1]);
+    const Number nodes =
         gap_of(Number(in.x), Number(in.y) + contact_.misalignment, blade_x * offset[0] - blade_y * offset[1],
-               blade_y * offset[0] + blade_x * offset[1]));
+               blade_y * offset[0] + blade_x * offset[1]);
+    return later(start, nodes).largest();
   }
 
  private:

@@ -109,6 +109,17 @@ double bound_of_largest_bending(const Interval& interval) {
   return low + rising * (interval.argument[node] - falling * length - low) / (rising - falling);
 }
 
+double crossing(const AtPlaces& values, std::size_t place) {
+  const AtPlaces& at = node_tables().place;
+  const auto value = [&](double fraction) { return sum_of_products(basis_at(fraction), values); };
+  if (values[place - 1] <= 0.0) {
+    // It starts at zero, and rises from there.
+    const auto mean = [&](double fraction) { return (value(fraction) - values[place - 1]) / fraction; };
+    return integrate::root_between(mean, 0.0, at[place], std::abs(mean(at[place])), mean(at[place]));
+  }
+  return integrate::root_between(value, at[place - 1], at[place], values[place - 1], values[place]);
+}
+
 Farthest farthest(const Interval& interval, double from, double to) {
   const Shaft shaft(interval);
   const auto& start = interval.start;
@@ -166,6 +177,8 @@ void read_stretch(const Interval& interval, double fraction, Interval& stretch) 
   read(interval.start[1], interval.y, stretch.y);
   read(interval.start[2], interval.vx, stretch.vx);
   read(interval.start[3], interval.vy, stretch.vy);
+  for (std::size_t k = 0; k < interval.further_count; ++k)
+    read(interval.further[k].start_square, interval.further[k].square, stretch.further[k].square);
 }
 
 }  // namespace rubatlas::collocation

@@ -1,6 +1,8 @@
 /// Reading the polynomials of an interval between its nodes.
 #pragma once
 
+#include <cstddef>
+
 #include "collocation/interval.hpp"
 
 namespace rubatlas::collocation {
@@ -12,6 +14,9 @@ double fraction_at(const Interval& interval, double elapsed);
 double fraction_of_largest_bending(const Interval& interval);
 /// Bound of its p there, as the interval's polynomial has it: of an arc that bends downwards.
 double bound_of_largest_bending(const Interval& interval);
+
+/// θ just before a place by which values have become negative where they pass through zero.
+double crossing(const AtPlaces& values, std::size_t place);
 
 /// Where |z| is largest between two places θ.
 struct Farthest {

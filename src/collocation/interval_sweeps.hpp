@@ -46,6 +46,11 @@ class Sweeps {
       taylor(0, x_, vx_);
       taylor(1, y_, vy_);
     }
+    lead_.slip = contact.slip;
+    for (std::size_t k = 0; k < interval.further_count; ++k) {
+      further_[k].slip = interval.further[k].slip;
+      further_[k].square = Number(interval.further[k].square);
+    }
   }
 
   RUBATLAS_INLINE bool solve() {
@@ -201,16 +206,98 @@ class Sweeps {
     }
   };
 
-  /// Directions of blade and forcing, and slopes of h, at the present places.
-  RUBATLAS_INLINE Bend take_slopes(const Places& at) {
+  /// A blade in contact.
+  struct Tip {
+    double slip;                        ///< s = ±1
+    Number shortening, deflection;      ///< δ and s Δ [m]
+    Number a, b, a_rate, b_rate;        ///< of the tip against the ring's centre in (er, ep) [m], and by τ
+    Bend slope;                         ///< of load, δ and s Δ by p
+    Number argument_slope, time_slope;  ///< of h by p, and along the motion (MODEL 4.1)
+  };
+  /// A further one, of which h = 0 is solved for p².
+  struct FurtherTip : Tip {
+    Number square;
+  };
+
+  /// Directions of the leading blade and of the forcing at the present places.
+  RUBATLAS_INLINE void take_directions() {
     const Contact& c = contact_;
-    const Number elapsed = chord_time_ + deviation_ * interval_.normal.time;
-    er_ = turned(interval_.blade, elapsed * c.speed_ratio);
-    if (c.forced) forcing_ = turned(interval_.forcing, elapsed * c.speed_ratio);
-    const Bend bend = curve_with_slopes(at, slope_);
-    slope_.shortening = slope_.shortening * c.length;
-    slope_.deflection = slope_.deflection * (c.slip * c.length);
+    const Number angle = (chord_time_ + deviation_ * interval_.normal.time) * c.speed_ratio;
+    er_ = turned(interval_.blade, angle);
+    if (c.forced) forcing_ = turned(interval_.forcing, angle);
+  }
+
+  /// Load, shortening and deflection of a tip, with their slopes unless those are kept.
+  template <bool kLight>
+  RUBATLAS_INLINE Bend bend_of(Tip& tip, const Number& argument) const {
+    const Places at = places(argument);
+    if constexpr (kLight) return curve(at);
+    const Bend bend = curve_with_slopes(at, tip.slope);
+    tip.slope.shortening = tip.slope.shortening * contact_.length;
+    tip.slope.deflection = tip.slope.deflection * (tip.slip * contact_.length);
     return bend;
+  }
+
+  /// Pose of the blade (MODEL 2), and its residual of h = 0 (MODEL 4.1) with the slopes.
+  template <bool kLight>
+  RUBATLAS_INLINE Number residual_of(Tip& tip, const Bend& bend, const Vector& er) const {
+    const Contact& c = contact_;
+    const Number cy = y_ + c.misalignment;
+    const Number radial = x_ * er.x + cy * er.y;
+    const Number tangential = cy * er.x - x_ * er.y;
+    const Number gap = (x_ * x_ + cy * cy) + (radial * (2.0 * c.reach) + c.closing);
+    tip.shortening = bend.shortening * c.length;
+    tip.deflection = bend.deflection * (tip.slip * c.length);  // s Δ
+    const Number along = radial + c.reach;
+    const Number residual = gap + (tip.shortening * (tip.shortening - along * 2.0) +
+                                   tip.deflection * (tip.deflection - tangential * 2.0));
+    tip.a = along - tip.shortening;
+    tip.b = tangential - tip.deflection;
+    if constexpr (!kLight) {
+      tip.argument_slope = (tip.a * tip.slope.shortening + tip.b * tip.slope.deflection) * -2.0;
+      tip.a_rate = (vx_ * er.x + vy_ * er.y) + tangential * c.speed_ratio;
+      tip.b_rate = (vy_ * er.x - vx_ * er.y) - radial * c.speed_ratio;
+      tip.time_slope = (tip.a * tip.a_rate + tip.b * tip.b_rate) * 2.0;
+    }
+    return residual;
+  }
+
+  /// Moves a tip on by steps in p and τ, and gives what it does to the shaft, as an acceleration (MODEL 4.3).
+  /// `er`: at the end of the steps. The force's normal is (a, b)/R where h = 0.
+  RUBATLAS_INLINE Vector push_of(Tip& tip, const Bend& bend, const Number& argument_step,
+                                 const Number& time_step, const Vector& er) const {
+    const Contact& c = contact_;
+    const Number load = (bend.load + tip.slope.load * argument_step) * c.load_unit;
+    const Number less = tip.slope.shortening * argument_step;
+    const Number more = tip.slope.deflection * argument_step;
+    tip.shortening = tip.shortening + less;
+    tip.deflection = tip.deflection + more;
+    tip.a = tip.a + (tip.a_rate * time_step - less);
+    tip.b = tip.b + (tip.b_rate * time_step - more);
+    const double per_radius = c.force_unit / c.ring_radius;
+    const double friction = tip.slip * c.friction;
+    const Number radial = load * ((tip.b * friction - tip.a) * per_radius);
+    const Number tangential = load * ((tip.a * friction + tip.b) * -per_radius);
+    return {radial * er.x - tangential * er.y, radial * er.y + tangential * er.x};
+  }
+
+  RUBATLAS_INLINE static Vector offset_by(const Vector& from, const std::array<double, 2>& offset) {
+    return {from.x * offset[0] - from.y * offset[1], from.y * offset[0] + from.x * offset[1]};
+  }
+
+  /// The same for a further blade, with a step of its own: one of Newton's for p², of which h is nearly
+  /// linear where the blade is hardly bent.
+  template <bool kLight>
+  RUBATLAS_INLINE Vector push_of_further(std::size_t k, const Vector& er_before, const Number& time_step) {
+    constexpr double kLeastLeft = 0.01;  // of p², in one step
+    FurtherTip& tip = further_[k];
+    const std::array<double, 2>& offset = interval_.further[k].offset;
+    const Number argument = root(tip.square);
+    const Bend bend = bend_of<kLight>(tip, argument);
+    const Number residual = residual_of<kLight>(tip, bend, offset_by(er_before, offset));
+    const Number step = argument * -2.0 * ((residual + tip.time_slope * time_step) / tip.argument_slope);
+    tip.square = larger(tip.square + step, tip.square * kLeastLeft);
+    return push_of(tip, bend, root(tip.square) - argument, time_step, offset_by(er_, offset));
   }
 
   /// Returns the largest change of a velocity [m per unit τ].
@@ -221,57 +308,29 @@ class Sweeps {
   RUBATLAS_INLINE double sweep() {
     const Contact& c = contact_;
     const Interval& in = interval_;
-    const Places at = places(chord_argument_ + deviation_ * in.normal.argument);
-    Bend bend;
-    if constexpr (kLight) {
-      bend = curve(at);
-    } else {
-      bend = take_slopes(at);
-    }
-
-    // Pose of the blade (MODEL 2), and h = 0 with its slopes along p and along the motion (MODEL 4.1).
-    const Number cy = y_ + c.misalignment;
-    const Number radial = x_ * er_.x + cy * er_.y;
-    const Number tangential = cy * er_.x - x_ * er_.y;
-    const Number gap = (x_ * x_ + cy * cy) + (radial * (2.0 * c.reach) + c.closing);
-    shortening_ = bend.shortening * c.length;
-    deflection_ = bend.deflection * (c.slip * c.length);  // s Δ
-    const Number along = radial + c.reach;
-    const Number residual =
-        gap + (shortening_ * (shortening_ - along * 2.0) + deflection_ * (deflection_ - tangential * 2.0));
-    a_ = along - shortening_;
-    b_ = tangential - deflection_;
+    if constexpr (!kLight) take_directions();
+    const Bend bend = bend_of<kLight>(lead_, chord_argument_ + deviation_ * in.normal.argument);
+    const Number residual = residual_of<kLight>(lead_, bend, er_);
     if constexpr (!kLight) {
-      const Number argument_slope = (a_ * slope_.shortening + b_ * slope_.deflection) * -2.0;
-      a_rate_ = (vx_ * er_.x + vy_ * er_.y) + tangential * c.speed_ratio;
-      b_rate_ = (vy_ * er_.x - vx_ * er_.y) - radial * c.speed_ratio;
-      const Number time_slope = (a_ * a_rate_ + b_ * b_rate_) * 2.0;
-      per_residual_ = Number(-1.0) / (argument_slope * in.normal.argument + time_slope * in.normal.time);
+      per_residual_ =
+          Number(-1.0) / (lead_.argument_slope * in.normal.argument + lead_.time_slope * in.normal.time);
     }
 
     // One Newton step along the normal; what follows is taken at its end.
     const Number step = residual * per_residual_;
     deviation_ = deviation_ + step;
-    const Number argument_step = step * in.normal.argument;
     const Number time_step = step * in.normal.time;
-    const Number load = (bend.load + slope_.load * argument_step) * c.load_unit;
-    const Number less = slope_.shortening * argument_step;
-    const Number more = slope_.deflection * argument_step;
-    shortening_ = shortening_ + less;
-    deflection_ = deflection_ + more;
-    a_ = a_ + (a_rate_ * time_step - less);
-    b_ = b_ + (b_rate_ * time_step - more);
+    const Vector er_before = er_;
     const Turn turn(time_step * c.speed_ratio);
     er_ = turn(er_);
-
-    // Force on the rotor (MODEL 4.3): its normal is (a, b)/R where h = 0.
-    const double per_radius = c.force_unit / c.ring_radius;
-    const double friction = c.slip * c.friction;
-    const Number force_radial = load * ((b_ * friction - a_) * per_radius);
-    const Number force_tangential = load * ((a_ * friction + b_) * -per_radius);
+    Vector push = push_of(lead_, bend, step * in.normal.argument, time_step, er_);
+    for (std::size_t k = 0; k < in.further_count; ++k) {
+      const Vector more = push_of_further<kLight>(k, er_before, time_step);
+      push = {push.x + more.x, push.y + more.y};
+    }
     const double damping = 2.0 * c.damping_ratio;
-    ax_ = ((force_radial * er_.x - force_tangential * er_.y) - x_) - vx_ * damping;
-    ay_ = ((force_radial * er_.y + force_tangential * er_.x) - y_) - vy_ * damping;
+    ax_ = (push.x - x_) - vx_ * damping;
+    ay_ = (push.y - y_) - vy_ * damping;
     if (c.forced) {
       forcing_ = turn(forcing_);
       ax_ = ax_ + forcing_.x;
@@ -290,6 +349,16 @@ class Sweeps {
     return change;
   }
 
+  /// g/Δ of a tip [m], as h = 0 has it.
+  RUBATLAS_INLINE Number gap_measure_of(const Tip& tip) const {
+    const Number bent = larger(tip.deflection * tip.slip, Number(kUnbent * contact_.length));
+    return (tip.b * 2.0 + tip.deflection) * tip.slip + tip.shortening / bent * (tip.a * 2.0 + tip.shortening);
+  }
+  RUBATLAS_INLINE Number slip_velocity_of(const Tip& tip) const {
+    const Contact& c = contact_;
+    return (tip.a * tip.b_rate - tip.b * tip.a_rate) * (1.0 / c.ring_radius) + c.speed_ratio * c.ring_radius;
+  }
+
   void store() const {
     Interval& in = interval_;
     deviation_.store(in.deviation);
@@ -305,11 +374,13 @@ class Sweeps {
     ay_.store(in.ay);
     er_.x.store(in.blade_x);
     er_.y.store(in.blade_y);
-    const Contact& c = contact_;
-    const Number bent = larger(deflection_ * c.slip, Number(kUnbent * c.length));
-    ((b_ * 2.0 + deflection_) * c.slip + shortening_ / bent * (a_ * 2.0 + shortening_)).store(in.gap_measure);
-    ((a_ * b_rate_ - b_ * a_rate_) * (1.0 / c.ring_radius) + c.speed_ratio * c.ring_radius)
-        .store(in.slip_velocity);
+    gap_measure_of(lead_).store(in.gap_measure);
+    slip_velocity_of(lead_).store(in.slip_velocity);
+    for (std::size_t k = 0; k < in.further_count; ++k) {
+      further_[k].square.store(in.further[k].square);
+      gap_measure_of(further_[k]).store(in.further[k].gap_measure);
+      slip_velocity_of(further_[k]).store(in.further[k].slip_velocity);
+    }
     const Number along_x = Number::combined(nodes_.legendre, ax_ * time_rate_);
     const Number along_y = Number::combined(nodes_.legendre, ay_ * time_rate_);
     root(along_x * along_x + along_y * along_y).store(in.coefficients);
@@ -323,11 +394,10 @@ class Sweeps {
   Number chord_time_, chord_argument_;
   Number deviation_, deviation_slope_, time_rate_;
   Number x_, y_, vx_, vy_, ax_, ay_;
-  Vector er_, forcing_;             ///< directions of the blade and of the unbalance's force
-  Number shortening_, deflection_;  ///< δ and s Δ [m]
-  Number a_, b_, a_rate_, b_rate_;  ///< of the tip against the ring's centre in (er, ep) [m], and by τ
-  Bend slope_;                      ///< of load, δ and s Δ by p
-  Number per_residual_;             ///< Newton's step along the normal for a residual of h
+  Vector er_, forcing_;  ///< directions of the leading blade and of the unbalance's force
+  Tip lead_;
+  std::array<FurtherTip, kMostFurther> further_;
+  Number per_residual_;  ///< Newton's step along the normal for a residual of h
 };
 
 template <std::size_t kWidth>

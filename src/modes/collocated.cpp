@@ -5,16 +5,21 @@
 namespace rubatlas::modes {
 
 bool Collocated::start(double time, const Bodies& state, const std::vector<OpenContact>& contacts) {
-  if (contacts.size() != 1) return false;
-  contact_ = contacts.front();
+  if (contacts.size() > kMostContacts) return false;
+  contacts_ = contacts;
   pending_ = false;
-  start_ = rotor::full_state(state, time, contact_.bending);
-  if (applies_) arc_.begin(time, state, contact_.blade, contact_.slip, contact_.bending);
+  start_ = rotor::full_state(state, time, contacts.front().bending);
+  most_bent_.reset();
+  if (!applies_) return true;
+  std::array<collocation::Touch, kMostContacts> touching{};
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    touching[i] = {contacts[i].blade, contacts[i].slip, contacts[i].bending};
+  arc_.begin(time, state, std::span(touching).first(contacts.size()));
   return true;
 }
 
 ModeEnd Collocated::advance(double until, MotionListener& listener) {
-  if (!applies_) return {Guard::hands_over, contact_.blade};
+  if (!applies_) return {Guard::hands_over, contacts_.front().blade};
   while (true) {
     if (pending_) {
       const double end = arc_.end().time;
@@ -26,11 +31,13 @@ ModeEnd Collocated::advance(double until, MotionListener& listener) {
       piece_begin_ = piece_end_;
       if (beyond) return {Guard::horizon};
       pending_ = false;
-      if (arc_.lifts_off()) return {Guard::lift_off, contact_.blade};
+      if (arc_.lifts_off()) return {Guard::lift_off, arc_.leader()};
+      if (arc_.touches() >= 0) return {Guard::touch_down, arc_.touches()};
     }
     if (!meter_->spend(Work::contact, WorkPrice::kAttempt + WorkPrice::kForce))
       return {Guard::failed, -1, meter_->why()};
-    if (arc_.make() == collocation::ContactArc::Outcome::gives_up) return {Guard::hands_over, contact_.blade};
+    if (arc_.make() == collocation::ContactArc::Outcome::gives_up)
+      return {Guard::hands_over, contacts_.front().blade};
     pending_ = true;
     piece_begin_ = arc_.start().time;
   }
@@ -47,15 +54,16 @@ Collocated::FullState Collocated::end_state() const {
   const auto& end = arc_.end();
   return rotor::full_state(end.state, end.time, arc_.bending(end.argument));
 }
-OpenContact Collocated::contact_at_end(std::size_t /*contact*/) const {
-  OpenContact open = contact_;
-  if (applies_) open.bending = arc_.bending(arc_.end().argument);
+OpenContact Collocated::contact_in(std::size_t contact, const Point& point) const {
+  OpenContact open = contacts_[contact];
+  open.bending = arc_.bending(arc_.argument_of(open.blade, point));
   return open;
 }
-OpenContact Collocated::contact_at(std::size_t /*contact*/, double time) const {
-  OpenContact open = contact_;
-  open.bending = arc_.bending_at(arc_.fraction_at(time));
-  return open;
+OpenContact Collocated::contact_at_end(std::size_t contact) const {
+  return applies_ ? contact_in(contact, arc_.end()) : contacts_[contact];
+}
+OpenContact Collocated::contact_at(std::size_t contact, double time) const {
+  return contact_in(contact, arc_.point_at(arc_.fraction_at(time)));
 }
 
 void Collocated::places_x(const observables::SampleTimes& times, int first, std::span<double> x) {
@@ -67,24 +75,26 @@ double Collocated::largest_displacement(double known, double /*speed_ratio*/) {
   return arc_.largest_displacement(piece_begin_, piece_end_, known);
 }
 
-contact::TipForce Collocated::force(const Point& point) const {
-  const contact::BladeDirection er = blades_->direction(contact_.blade, blades_->first(point.time));
+contact::TipForce Collocated::force(std::size_t contact, const Point& point) const {
+  const OpenContact open = contact_in(contact, point);
+  const contact::BladeDirection er = blades_->direction(open.blade, blades_->first(point.time));
   const contact::Pose pose = rotor::pose_of(*rotor_, law_->geometry(), er, point.state);
-  return law_->constraint(pose, contact_.slip, arc_.bending(point.argument), rotor_->speed_ratio).force;
+  return law_->constraint(pose, open.slip, open.bending, rotor_->speed_ratio).force;
 }
-double Collocated::normal_force(std::size_t /*contact*/, double time) {
-  return force(arc_.solved_at(time)).normal;
+double Collocated::normal_force(std::size_t contact, double time) {
+  return force(contact, arc_.solved_at(time)).normal;
 }
-double Collocated::root_strain(std::size_t /*contact*/, double time) {
-  return force(arc_.solved_at(time)).root_strain;
+double Collocated::root_strain(std::size_t contact, double time) {
+  return force(contact, arc_.solved_at(time)).root_strain;
 }
-double Collocated::friction_power(std::size_t /*contact*/, double time) {
-  return modes::friction_power(*law_, force(arc_.solved_at(time)));
+double Collocated::friction_power(std::size_t contact, double time) {
+  return modes::friction_power(*law_, force(contact, arc_.solved_at(time)));
 }
 
 /// Force and strain grow with the bending, so that a blade that is bent less than where the load was known
 /// need not be looked at.
-Collocated::LargestLoad Collocated::largest(observables::Load load, std::size_t /*contact*/, double known) {
+Collocated::LargestLoad Collocated::largest(observables::Load load, std::size_t contact, double known) {
+  if (blade(contact) != arc_.leader()) return MotionPiece::largest(load, contact, known);
   const auto value = [load](const MostBent& at) {
     return load == observables::Load::normal_force ? at.force.normal : at.force.root_strain;
   };
@@ -101,7 +111,7 @@ Collocated::LargestLoad Collocated::largest(observables::Load load, std::size_t 
       const Point peak = arc_.largest_bending();
       if (peak.time > piece_begin_ && peak.time < piece_end_) take(peak);
     }
-    most_bent_ = {most, force(most)};
+    most_bent_ = {most, force(contact, most)};
     if (!most_bent_of_all_ || most.argument > most_bent_of_all_->point.argument)
       most_bent_of_all_ = most_bent_;
   }

@@ -1,6 +1,6 @@
-/// Mode: one elastic blade in contact, of which nothing but its lift-off is to be expected, by collocation
-/// (`collocation/contact_arc.hpp`). Where something else may happen it hands the contact over to the mode
-/// `Carried`, from the start of the interval in which it may.
+/// Mode: one elastic blade in contact, or few, by collocation (`collocation/contact_arc.hpp`). Where
+/// something else may happen than a touch-down or a lift-off it hands the contacts over to the modes
+/// `Carried` and `Solved`, from the start of the interval in which it may.
 #pragma once
 
 #include <limits>
@@ -37,13 +37,16 @@ class Collocated final : public observables::MotionPiece {
         applies_(law.curve().load_angle() > 0.0),
         arc_(rotor, blades, law, unbalance, {limits.tolerance, limits.max_shortening}) {}
 
-  /// Starts at time τ of the revolution. False where more than one blade touches.
+  /// So many blades may touch.
+  static constexpr std::size_t kMostContacts = 1 + collocation::kMostFurther;
+
+  /// Starts at time τ of the revolution. False where more blades touch.
   bool start(double time, const Bodies& state, const std::vector<OpenContact>& contacts);
   /// Why it could not start: that is for another mode to find.
   [[nodiscard]] static point::StatusDetail refusal() { return point::StatusDetail::none; }
 
-  /// Goes on until the blade lifts off, the contact is handed over, time reaches `until` or the meter ends
-  /// the revolution; hands every piece of motion to the listener.
+  /// Goes on until a blade lifts off or touches down, the contacts are handed over, time reaches `until` or
+  /// the meter ends the revolution; hands every piece of motion to the listener.
   ModeEnd advance(double until, MotionListener& listener);
   void shift_time(double period);
 
@@ -60,9 +63,9 @@ class Collocated final : public observables::MotionPiece {
   void places_x(const observables::SampleTimes& times, int first, std::span<double> x) override;
   [[nodiscard]] double displacement_bound() const override { return arc_.displacement_bound(); }
   [[nodiscard]] double largest_displacement(double known, double speed_ratio) override;
-  [[nodiscard]] std::size_t contact_count() const override { return 1; }
-  [[nodiscard]] int blade(std::size_t /*contact*/) const override { return contact_.blade; }
-  [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return arc_.peaks(); }
+  [[nodiscard]] std::size_t contact_count() const override { return contacts_.size(); }
+  [[nodiscard]] int blade(std::size_t contact) const override { return contacts_[contact].blade; }
+  [[nodiscard]] bool load_peaks(std::size_t contact) const override { return arc_.peaks(blade(contact)); }
   [[nodiscard]] double normal_force(std::size_t contact, double time) override;
   [[nodiscard]] double root_strain(std::size_t contact, double time) override;
   [[nodiscard]] LargestLoad largest(observables::Load load, std::size_t contact, double known) override;
@@ -75,7 +78,8 @@ class Collocated final : public observables::MotionPiece {
 
  private:
   using Point = collocation::ContactArc::Point;
-  [[nodiscard]] contact::TipForce force(const Point& point) const;
+  [[nodiscard]] contact::TipForce force(std::size_t contact, const Point& point) const;
+  [[nodiscard]] OpenContact contact_in(std::size_t contact, const Point& point) const;
 
   const Law* law_;
   const rotor::BladeSet* blades_;
@@ -84,11 +88,11 @@ class Collocated final : public observables::MotionPiece {
   bool applies_;  ///< the column (μ = 0) has no p: all its contacts are handed over where they begin
   collocation::ContactArc arc_;
   FullState start_ = FullState::Zero();
-  OpenContact contact_{};
+  std::vector<OpenContact> contacts_;
   bool pending_ = false;  ///< an interval has been made and not been recorded to its end
   double piece_begin_ = 0.0;
   double piece_end_ = 0.0;
-  /// Where the blade is bent most, and its force there.
+  /// Where the leading blade is bent most, and its force there.
   struct MostBent {
     Point point;
     contact::TipForce force;

@@ -318,7 +318,6 @@ class Motion {
     refusal_ = point::StatusDetail::no_equilibrium;
     if (contacts_.empty()) {
       mode_ = Mode::flight;
-      handed_over_ = false;
       return true;
     }
     const bool any_rests = std::ranges::count(contacts_, 0.0, &modes::OpenContact::slip) > 0;
@@ -348,7 +347,22 @@ class Motion {
         if (bends && begin_in(Mode::carried, *carried_, contacts_)) return true;
       }
     }
+    if constexpr (Modes::kCollocates) {
+      const bool few = contacts_.size() > 1 && contacts_.size() <= Modes::Collocated::kMostContacts;
+      if (collocated_ && few && !handed_over_ && all_follow())
+        return begin_in(Mode::collocated, *collocated_, contacts_);
+    }
     return begin_in(Mode::solved, solved_, contacts_);
+  }
+
+  /// Finds the bending of all contacts, from where another mode has left it. False where one has no force.
+  [[nodiscard]] bool all_follow() {
+    return std::ranges::all_of(contacts_, [&](modes::OpenContact& open) {
+      if (open.bending == 0.0) return true;
+      const auto root = Reset::follow(law_.of(open.blade), place(open.blade), open);
+      if (root) open.bending = *root;
+      return root.has_value();
+    });
   }
 
   /// Whether the one blade in contact has just touched down, would hop less high than the tolerated error,
@@ -500,6 +514,7 @@ class Motion {
     ++work_.touchdowns;
     if (!open(blade, place(blade))) return point::StatusDetail::no_equilibrium;
     touched_down_ = true;
+    handed_over_ = false;
     tell_of_others(blade, listener);
     tell(listener, modes::Guard::touch_down, blade, contacts_.back().slip);
     return point::StatusDetail::none;
@@ -507,6 +522,7 @@ class Motion {
   void lift_off(Contact contact, modes::MotionListener& listener) {
     const int blade = contact->blade;
     ++work_.liftoffs;
+    handed_over_ = false;
     tell(listener, modes::Guard::lift_off, blade, contact->slip);
     contacts_.erase(contact);
     tell_of_others(blade, listener);
@@ -603,7 +619,7 @@ class Motion {
   point::StatusDetail refusal_ = point::StatusDetail::none;  ///< why the last mode could not begin
   WorkCounts work_;
   Mode mode_ = Mode::undecided;
-  bool handed_over_ = false;    ///< collocation has left the present contact to other modes
+  bool handed_over_ = false;    ///< collocation has left the present contacts to other modes
   bool near_fold_ = false;      ///< the first contact is about to come to the end of its branch
   bool touched_down_ = false;   ///< the present contacts began with a touch-down
   bool never_touches_ = false;  ///< proven at the start of the point: no blade can touch

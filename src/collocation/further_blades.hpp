@@ -1,0 +1,46 @@
+/// Blades in contact besides the one that leads: where they stand between two intervals, and the first guess
+/// of what they do in the next.
+#pragma once
+
+#include <array>
+
+#include "collocation/interval.hpp"
+#include "contact/elastica_contact.hpp"
+#include "rotor/bodies.hpp"
+#include "rotor/constants.hpp"
+
+namespace rubatlas::collocation {
+
+/// A blade that touches the ring.
+struct Touch {
+  int blade;
+  double slip;     ///< s = ±1
+  double bending;  ///< u; 0: it touches down
+};
+
+/// One of them where the next interval starts. p² is used, which is smooth in time where p starts from 0.
+struct FurtherStart {
+  int blade = 0;
+  double slip = 1.0;               ///< s = ±1
+  std::array<double, 2> offset{};  ///< cosine and sine of its angle from the leading blade
+  double square = 0.0;             ///< p²
+  double rate = 0.0;               ///< of p² by τ
+  double half_curvature = 0.0;     ///< half of its second derivative
+  double gap_measure = 0.0;        ///< g/Δ [m]
+  double slip_velocity = 0.0;      ///< v [m per unit τ]
+  contact::TipForce force{};       ///< where the contact, or its leader, is new
+};
+
+/// Δ/p² [m] of a blade that is hardly bent.
+double deflection_per_square(const contact::ElasticaContact& law);
+
+/// From a blade's pose and the motion there.
+FurtherStart further_start(const contact::ElasticaContact& law, const contact::Pose& pose, const Touch& touch,
+                           double speed_ratio);
+/// How p² goes on from the end of an interval, as its last three nodes have it.
+void go_on(const Interval& made, const FurtherBlade& blade, FurtherStart& start);
+
+/// The start of a further blade in an interval, and its first guess, where the guess of the times is known.
+void guess(const FurtherStart& start, const AtNodes& elapsed, FurtherBlade& blade);
+
+}  // namespace rubatlas::collocation
