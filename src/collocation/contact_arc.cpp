@@ -15,12 +15,13 @@ namespace {
 /// experiment (`README.md`). Whatever has to be accurate within an interval is solved for (`state_at`).
 constexpr double kBetweenNodes = 0.27;
 constexpr double kOrderAtEnd = 14.0;
-constexpr double kAtEnd = 1.0;        ///< tolerances: of that at the end, as far as it can be estimated
-constexpr double kClosest = 0.2;      ///< of the tolerance: what sweeps may leave
-constexpr double kMostTurning = 1.2;  ///< [rad] of one arc
-constexpr double kLongest = 3.0;      ///< arc: where friction is small, coefficients fall unevenly beyond
-constexpr double kOrder = 9.0;        ///< of the error between the nodes
-constexpr double kAim = 0.68;         ///< of the length that just keeps the bound
+constexpr double kAtEnd = 1.0;            ///< tolerances: of that at the end, as far as it can be estimated
+constexpr double kCareWithSeveral = 4.0;  ///< blades: coefficients fall less evenly
+constexpr double kClosest = 0.2;          ///< of the tolerance: what sweeps may leave
+constexpr double kMostTurning = 1.2;      ///< [rad] of one arc
+constexpr double kLongest = 3.0;          ///< arc: where friction is small, coefficients fall unevenly beyond
+constexpr double kOrder = 9.0;            ///< of the error between the nodes
+constexpr double kAim = 0.68;             ///< of the length that just keeps the bound
 constexpr double kLeastGrowth = 0.5;
 constexpr double kMostGrowth = 2.0;
 constexpr double kLeastRetry = 0.3;
@@ -280,7 +281,8 @@ double ContactArc::error_of(const Interval& interval) const {
   // Quadrature leaves out the fifteenth coefficient at the end: much less, unless coefficients hardly fall.
   const double fall_by_four = (fall * fall) * (fall * fall);
   const double at_end = last * fall_by_four * fall_by_four * kLargestIntegral;
-  return std::max(between / allowed_, at_end / (kAtEnd * limits_.tolerance));
+  const double error = std::max(between / allowed_, at_end / (kAtEnd * limits_.tolerance));
+  return interval.further_count > 0 ? kCareWithSeveral * error : error;
 }
 
 /// No slip reverses, the shaft stays within the ring and the blades within their limit.
@@ -476,8 +478,6 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   const Interval& next = trial();
   const bool reaches_zero = next.chord.time == 0.0;
   Bounds bounds = solver_.bounds(contact_, next);
-  if (!stays_valid(bounds)) return Verdict::gives_up;
-  displacement_bound_ = bounds.displacement;
   const auto first = touch_down(next, lift_off(next));
   if (!first) return Verdict::too_long;
   ending = *first;
@@ -485,7 +485,9 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   Interval& part = intervals_[made_];  // what has been made before is not asked for again
   if (in_part) {
     if (!cut(next, ending.fraction, part)) return Verdict::gives_up;
-    if (ending.kind == Kind::touch_down || !further_.empty()) bounds = solver_.bounds(contact_, part);
+    // Beyond its ending the interval is no motion.
+    if (ending.kind == Kind::touch_down || !further_.empty() || !stays_valid(bounds))
+      bounds = solver_.bounds(contact_, part);
     // The tip that touches is at the ring at the end.
     const double at_ring = 2.0 * contact_.ring_radius * limits_.tolerance;
     for (const Other& other : others_) {
@@ -494,6 +496,8 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
         return Verdict::too_long;
     }
   }
+  if (!stays_valid(bounds)) return Verdict::gives_up;
+  displacement_bound_ = bounds.displacement;
   const bool stays_bent = bounds.gap_measure > 0.0 && (begins_ || next.start_gap_measure > 0.0);
   if (ending.kind != Kind::under_load && !stays_bent) return Verdict::gives_up;
   // Time goes on.

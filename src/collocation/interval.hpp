@@ -102,6 +102,8 @@ struct Bounds {
   double displacement;   ///< largest |z| [m]
   double distance;       ///< largest |c|, of the shaft from the ring's centre [m]
   std::array<bool, kMostFurther> stays;  ///< a further blade stays bent
+
+  friend bool operator==(const Bounds&, const Bounds&) = default;
 };
 using BoundsOf = Bounds (*)(const Contact& contact, const Interval& interval);
 /// Bound of the gap [m²] of another blade, straight, whose direction is that of the leading blade turned

@@ -20,7 +20,7 @@ class IntervalBounds {
 
   RUBATLAS_INLINE Bounds bounds() const {
     const Interval& in = interval_;
-    Bounds result;
+    Bounds result{};
     const double slip = contact_.slip;
     result.slip_velocity = least(slip * in.start_slip_velocity, Number(in.slip_velocity) * slip);
     result.gap_measure = later(in.start_gap_measure, Number(in.gap_measure)).least();

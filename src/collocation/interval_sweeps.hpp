@@ -56,17 +56,24 @@ class Sweeps {
   RUBATLAS_INLINE bool solve() {
     double before = kFirstChange;
     bool light = false;
+    // With several blades changes fall unevenly, and the slopes of one that is hardly bent change too fast to
+    // be kept.
+    const bool several = interval_.further_count > 0;
+    const int full_sweeps = several ? kMostSweeps : kFullSweeps;
+    double ratio_before = kSlowest;
     for (interval_.sweeps = 1; interval_.sweeps <= kMostSweeps; ++interval_.sweeps) {
       const double change = light ? sweep<true>() : sweep<false>();
       if (!(change < kFirstChange)) return false;
       // The changes form a geometric series in the end, of which this is the rest.
       const double ratio = interval_.sweeps > 1 ? std::min(change / before, kSlowest) : kSlowest;
-      if (change * ratio <= closeness_.velocity) {
+      const double rest = change * std::max(ratio, interval_.sweeps > 2 ? ratio_before : 0.0);
+      if (rest <= closeness_.velocity && largest_step_ < kLargestStep) {
         store();
         return true;
       }
-      light = interval_.sweeps >= kFullSweeps && change < kConverging * before;
+      light = interval_.sweeps >= full_sweeps && change < kConverging * before;
       before = change;
+      ratio_before = ratio;
     }
     return false;
   }
@@ -77,7 +84,10 @@ class Sweeps {
   static constexpr int kFullSweeps = 3;        ///< with slopes of their own
   static constexpr double kConverging = 0.25;  ///< ratio of changes below which slopes may be kept
   static constexpr double kFirstChange = 1e3;  ///< [m per unit τ]: of no motion in a ring
-  static constexpr double kSlowest = 0.5;      ///< ratio of changes, where none is known
+  /// Of Newton's steps in w and p²: the next would be of its square. Velocities alone do not tell, where a
+  /// blade is so soft that it hardly moves the shaft.
+  static constexpr double kLargestStep = 1e-4;
+  static constexpr double kSlowest = 0.5;  ///< ratio of changes, where none is known
   /// Of Δ/L: below it δ/Δ is less than rounding of what it is added to.
   static constexpr double kUnbent = 1e-9;
 
@@ -297,6 +307,7 @@ class Sweeps {
     const Number residual = residual_of<kLight>(tip, bend, offset_by(er_before, offset));
     const Number step = argument * -2.0 * ((residual + tip.time_slope * time_step) / tip.argument_slope);
     tip.square = larger(tip.square + step, tip.square * kLeastLeft);
+    largest_step_ = std::max(largest_step_, magnitude(step).largest());
     return push_of(tip, bend, root(tip.square) - argument, time_step, offset_by(er_, offset));
   }
 
@@ -319,6 +330,7 @@ class Sweeps {
     // One Newton step along the normal; what follows is taken at its end.
     const Number step = residual * per_residual_;
     deviation_ = deviation_ + step;
+    largest_step_ = magnitude(step).largest();
     const Number time_step = step * in.normal.time;
     const Vector er_before = er_;
     const Turn turn(time_step * c.speed_ratio);
@@ -398,6 +410,7 @@ class Sweeps {
   Tip lead_;
   std::array<FurtherTip, kMostFurther> further_;
   Number per_residual_;  ///< Newton's step along the normal for a residual of h
+  double largest_step_ = 0.0;
 };
 
 template <std::size_t kWidth>

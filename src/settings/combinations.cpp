@@ -413,7 +413,7 @@ const MethodOfIntegration& method_of(const Scene& scene) {
                           .takes_effects = true,
                           .flies_in_closed_form = true,
                           .keeps_tolerance = true,
-                          .pair = "Radau IIA 15 where one blade touches; Dormand-Prince 8(5,3) elsewhere",
+                          .pair = "Radau IIA 15; where that gives up, Dormand-Prince 8(5,3)",
                           .guards = kLocated,
                           .force = {}},
       MethodOfIntegration{.method = Method::hybrid_54,

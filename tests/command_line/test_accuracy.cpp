@@ -113,7 +113,7 @@ TEST_F(Accuracy, AMapIsTheOneThatRunAndAnalyseMake) {
   static_cast<void>(place.write("run.json", kScene + R"(independent", "accuracy": {"tolerance": 1e-7}})"));
   ASSERT_EQ(place.rubatlas("run run.json -o run.h5 --progress off").code, 0);
   ASSERT_EQ(place.rubatlas("analyse run.h5 -o maps.h5").code, 0);
-  const auto file = study("--methods hybrid --tolerances 1e-7 --repeats 1");
+  const auto file = study("--methods collocation --tolerances 1e-7 --repeats 1");
   const auto classes = numbers(file, "/class");
   const auto displacement = numbers(file, "/max_displacement");
   const std::vector<double> of_run(classes.begin() + kPoints, classes.end());
@@ -128,8 +128,8 @@ TEST_F(Accuracy, PointsStartWhereTheSweepOfTheReferenceHasComeWithBladesAsWorn) 
   const std::string wear = R"(, "wear": {"rate": 1e-6, "carries_over": true})";
   for (const std::string& effect : {std::string(), wear}) {
     static_cast<void>(place.write("down.json", kScene + "down\"" + effect + "}"));
-    static_cast<void>(
-        place.write("run.json", kScene + R"(down", "accuracy": {"tolerance": 1e-8})" + effect + "}"));
+    static_cast<void>(place.write(
+        "run.json", kScene + R"(down", "accuracy": {"method": "hybrid", "tolerance": 1e-8})" + effect + "}"));
     ASSERT_EQ(place.rubatlas("run run.json -o run.h5 --overwrite --progress off").code, 0);
     const auto start =
         numbers(study("--methods hybrid --tolerances 1e-7 --repeats 1", "down.json"), "/start");

@@ -40,7 +40,7 @@ def scene(**changes):
 def long_scene(**changes):
     """The same lines with enough points and revolutions that something can happen in the middle."""
     return scene(grid={"speed_ratio": {"from": 0.2, "to": 0.9, "count": 60}, "damping_ratio": [0.1, 0.15, 0.2]},
-                 protocol={"transient_revolutions": 250, "sampled_revolutions": 20, "samples_per_revolution": 32},
+                 protocol={"transient_revolutions": 750, "sampled_revolutions": 20, "samples_per_revolution": 32},
                  **changes)
 
 

@@ -237,7 +237,7 @@ TEST(SceneErrors, TheRingsStiffnessNeedsTheLawThatReadsIt) {
 
 TEST(SceneErrors, AKnobIsRefusedWhereTheMethodDoesNotReadIt) {
   EXPECT_EQ(refusal_with(R"("accuracy": {"force_increment": 0.1})"),
-            "/accuracy/force_increment: 0.1 has no effect under the accuracy method \"hybrid\"; only "
+            "/accuracy/force_increment: 0.1 has no effect under the accuracy method \"collocation\"; only "
             "\"paper\" reads it");
   EXPECT_EQ(refusal_with(R"("accuracy": {"method": "fixed", "max_step": 0.1})"),
             "/accuracy/max_step: 0.1 has no effect under the accuracy method \"fixed\"; only \"paper\" or "
