@@ -30,6 +30,7 @@ constexpr double kStraight = 1e-6;    ///< [rad]: an arc that turns by less has 
 constexpr double kSteep = 0.48;       ///< sine of the slope with which an arc may be followed down to p = 0
 constexpr double kReach = 0.15;       ///< of an arc: so far above p = 0 it is stretched to reach it
 constexpr double kLongestHalf = 1.5;  ///< [τ] half of a contact, as a first estimate
+constexpr double kShortestContact = 1e-11;  ///< [τ]: below, times and gaps are rounding
 constexpr std::size_t kMostIntervals =
     1000;  ///< of a contact that is shorter or longer than it was estimated
 
@@ -372,16 +373,21 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
         late * rotor::State(end_.state[2], end_.state[3], interval.ax.at_end(), interval.ay.at_end());
     if (end_.argument > 0.0) end_.argument += late * rise;
   };
-  // To where the gap of a blade is zero to rounding.
+  // To where the gap of a blade is zero: in time, and what is left, or all where the tip hardly moves against
+  // the ring, the shortest way for the shaft.
   const auto goes_on_to_ring = [&](int blade) {
-    constexpr int kTimes = 2;
-    constexpr double kFarthest = 1e-3;  // of the interval: a graze does not tell where it ends
-    for (int i = 0; i < kTimes; ++i) {
-      const contact::BladeDirection er = blades_->direction(blade, blades_->first(end_.time));
-      const contact::Pose pose = rotor::pose_of(*rotor_, law_->geometry(), er, end_.state);
-      const double late = -pose.gap / contact::gap_rate(law_->geometry(), pose, rotor_->speed_ratio);
-      if (std::abs(late) < kFarthest * interval.elapsed.at_end()) goes_on(late);
-    }
+    constexpr double kFarthest = 1e-3;  // of the interval
+    const auto direction = [&] { return blades_->direction(blade, blades_->first(end_.time)); };
+    const auto pose = [&] { return rotor::pose_of(*rotor_, law_->geometry(), direction(), end_.state); };
+    const contact::Pose before = pose();
+    const double late = -before.gap / contact::gap_rate(law_->geometry(), before, rotor_->speed_ratio);
+    if (std::abs(late) < kFarthest * interval.elapsed.at_end()) goes_on(late);
+    const contact::BladeDirection er = direction();
+    const double x = end_.state[0] + contact_.reach * er.cosine;
+    const double y = end_.state[1] + rotor_->misalignment + contact_.reach * er.sine;
+    const double inwards = 0.5 * pose().gap / (x * x + y * y);
+    end_.state[0] -= inwards * x;
+    end_.state[1] -= inwards * y;
   };
   if (ending.kind == Kind::unbent) goes_on(-end_.argument / rise);
   if (lifts_off_ && ending.kind != Kind::under_load) end_.argument = 0.0;
@@ -525,7 +531,7 @@ void ContactArc::change_leader(std::size_t further) {
 }
 
 ContactArc::Outcome ContactArc::make() {
-  if (number_ >= kMostIntervals) return Outcome::gives_up;
+  if (number_ >= kMostIntervals || !(time_unit_ * unit_length_ > kShortestContact)) return Outcome::gives_up;
   double shortest = kShortest * length_;
   while (true) {
     if (!solve_next(shortest)) return Outcome::gives_up;
