@@ -18,26 +18,7 @@ constexpr double kOrderAtEnd = 14.0;
 constexpr double kAtEnd = 1.0;            ///< tolerances: of that at the end, as far as it can be estimated
 constexpr double kCareWithSeveral = 4.0;  ///< blades: coefficients fall less evenly
 constexpr double kClosest = 0.2;          ///< of the tolerance: what sweeps may leave
-constexpr double kMostTurning = 1.2;      ///< [rad] of one arc
-constexpr double kLongest = 3.0;          ///< arc: where friction is small, coefficients fall unevenly beyond
-constexpr double kOrder = 9.0;            ///< of the error between the nodes
-constexpr double kAim = 0.68;             ///< of the length that just keeps the bound
-constexpr double kLeastGrowth = 0.5;
-constexpr double kMostGrowth = 2.0;
-constexpr double kLeastRetry = 0.3;
-constexpr double kShortest = 1e-5;    ///< of the first arc of a contact
-constexpr double kStraight = 1e-6;    ///< [rad]: an arc that turns by less has no curvature
-constexpr double kSteep = 0.48;       ///< sine of the slope with which an arc may be followed down to p = 0
-constexpr double kReach = 0.15;       ///< of an arc: so far above p = 0 it is stretched to reach it
-constexpr double kLongestHalf = 1.5;  ///< [τ] half of a contact, as a first estimate
-constexpr double kShortestContact = 1e-11;  ///< [τ]: below, times and gaps are rounding
-constexpr std::size_t kMostIntervals =
-    1000;  ///< of a contact that is shorter or longer than it was estimated
-
-/// Without the care of `std::hypot` for numbers near overflow.
-double length_of(double x, double y) {
-  return std::sqrt(x * x + y * y);
-}
+constexpr std::size_t kMostIntervals = 1000;  ///< of a contact that is shorter or longer than was predicted
 
 }  // namespace
 
@@ -51,6 +32,7 @@ ContactArc::ContactArc(const rotor::RotorConstants& rotor, const rotor::BladeSet
       limits_(limits),
       table_(&law.curve().over_asinh()),
       solver_(interval_solver()),
+      predictor_(rotor, law),
       contact_{.reach = law.geometry().reach,
                .ring_radius = law.geometry().ring_radius,
                .closing = law.geometry().closing(),
@@ -64,7 +46,7 @@ ContactArc::ContactArc(const rotor::RotorConstants& rotor, const rotor::BladeSet
                .slip = 1.0,
                .forced = unbalance != nullptr},
       allowed_(kBetweenNodes * rotor.length_scale *
-               std::pow(limits.tolerance / rotor.length_scale, kOrder / kOrderAtEnd)),
+               std::pow(limits.tolerance / rotor.length_scale, Predictor::kOrder / kOrderAtEnd)),
       earlier_(law.geometry().reach, rotor.length_scale) {
   for (int k = 0; k < blades.count(); ++k) offsets_.push_back(blades.direction(k, {1.0, 0.0}));
   const auto& knots = table_->knots();
@@ -112,7 +94,7 @@ void ContactArc::lead(double time, const rotor::State& state, std::span<const To
     if (std::ranges::find(touching, blade, &Touch::blade) == touching.end())
       others_.push_back({blade, offset_of(blade)});
   }
-  estimate();
+  predict();
   alike_ = nullptr;
   kept_ = nullptr;
   number_ = 0;
@@ -132,85 +114,22 @@ void ContactArc::look_for_earlier() {
   kept_ = found.next;
 }
 
-/// T, and the arc with which the contact begins.
-void ContactArc::estimate() {
-  const rotor::State& state = end_.state;
-  const contact::Pose pose = rotor::pose_of(*rotor_, law_->geometry(), er_, state);
-  const double slip = contact_.slip;
-  const double speed = rotor_->speed_ratio;
-  const auto there = law_->constraint(pose, slip, table_->bending(end_.argument), speed);
-  gap_measure_ = law_->gap_per_deflection(pose, slip, table_->bending(end_.argument));
+/// What is known where the leading blade takes the lead.
+void ContactArc::predict() {
+  const contact::Pose pose = rotor::pose_of(*rotor_, law_->geometry(), er_, end_.state);
+  const double bending = table_->bending(end_.argument);
+  const auto there = law_->constraint(pose, contact_.slip, bending, rotor_->speed_ratio);
+  gap_measure_ = law_->gap_per_deflection(pose, contact_.slip, bending);
   slip_velocity_ = there.force.slip_velocity;
   std::complex<double> acceleration =
-      rotor::shaft_acceleration(*rotor_, state, contact::on_rotor(there.force, er_));
+      rotor::shaft_acceleration(*rotor_, end_.state, contact::on_rotor(there.force, er_));
   for (const FurtherStart& further : further_) {
     const contact::BladeDirection er{er_.cosine * further.offset[0] - er_.sine * further.offset[1],
                                      er_.sine * further.offset[0] + er_.cosine * further.offset[1]};
     acceleration += rotor_->force_unit * contact::on_rotor(further.force, er);
   }
   if (unbalance_ != nullptr) acceleration += unbalance_->acceleration(end_.time);
-  acceleration_ = {acceleration.real(), acceleration.imag()};
-  jerk_ = {};
-  const double rate = contact::gap_rate(law_->geometry(), pose, speed);
-  const double curvature =
-      contact::gap_curvature(law_->geometry(), er_, pose, {state[0], state[1] + rotor_->misalignment},
-                             {state[2], state[3]}, acceleration, speed);
-  // Half of the contact, as far as the gap is a parabola: from its top to where it is closed.
-  const double rate_at_end = std::sqrt(std::max(0.0, rate * rate - 2.0 * curvature * pose.gap));
-  double half = curvature < 0.0 ? std::min(-rate_at_end / curvature, kLongestHalf) : kLongestHalf;
-  if (end_.argument > 0.0) {
-    time_unit_ = half;
-    unit_length_ = 1.0;
-    length_ = share_of_first_[1];
-    curvature_ = 0.0;
-    const double argument_slope =
-        there.bending_slope * length_of(law_->curve().load_angle(), table_->bending(end_.argument));
-    const double norm = length_of(there.time_slope * time_unit_, argument_slope);
-    tangent_ = {-argument_slope / norm, there.time_slope * time_unit_ / norm};
-    return;
-  }
-
-  // The largest bending: the force takes away what the gap's rate has of energy, (dg/dτ)²/2, as the blade
-  // follows the gap with ct as it is.
-  const double along = pose.radial + contact_.reach;
-  const double per_load = 2.0 * along * rotor_->force_unit * contact_.load_unit;
-  double energy = 0.5 * rate * rate;
-  double largest = table_->knots().back().argument;
-  double gap = 0.0;
-  double load = 0.0;
-  double argument = 0.0;
-  for (const blade::BendingTable::Knot& knot : table_->knots()) {
-    const double shortening = contact_.length * knot.shortening;
-    const double deflection = contact_.length * knot.deflection;
-    const double next =
-        shortening * (2.0 * along - shortening) + deflection * (2.0 * slip * pose.tangential - deflection);
-    const double taken = (0.5 * (load + knot.load) * per_load - curvature) * (next - gap);
-    if (taken > energy) {
-      // In the first quarter of a piece energy grows as p⁴.
-      const double share = energy / taken;
-      const double part = argument == 0.0 ? std::sqrt(std::sqrt(share)) : share;
-      largest = argument + part * (knot.argument - argument);
-      gap += (argument == 0.0 ? std::sqrt(share) : share) * (next - gap);
-      break;
-    }
-    energy -= taken;
-    gap = next;
-    load = knot.load;
-    argument = knot.argument;
-  }
-  constexpr double kLeastBending = 1e-8;
-  constexpr double kRound = 1.6;  // between a parabola, 2, and the quarter of a sine, π/2
-  largest = std::max(largest, kLeastBending);
-  if (gap > 0.0 && rate > 0.0) half = std::min(half, kRound * gap / rate);
-  time_unit_ = half / largest;
-  unit_length_ = largest;
-  length_ = share_of_first_[0] * unit_length_;
-  tangent_ = {0.0, 1.0};
-  // Near the touch-down g = dg/dτ τ = 2 s ct Δ, with Δ ~ p².
-  const double deflection = deflection_per_square(*law_);
-  constexpr double kSharpest = 3.0;
-  curvature_ =
-      -std::clamp(4.0 * slip * pose.tangential * deflection / (rate * time_unit_), 0.0, kSharpest / largest);
+  predictor_.begin({end_.state, pose, er_, contact_.slip, bending, end_.argument, acceleration, there});
 }
 
 void ContactArc::start_next(Interval& next) const {
@@ -222,41 +141,9 @@ void ContactArc::start_next(Interval& next) const {
     const std::complex<double> forcing = unbalance_->acceleration(end_.time);
     next.forcing = {forcing.real(), forcing.imag()};
   }
-  next.acceleration = acceleration_;
-  next.jerk = jerk_;
   next.start_gap_measure = gap_measure_;
   next.start_slip_velocity = slip_velocity_;
   next.further_count = further_.size();
-}
-
-/// The first guess of the next interval.
-void ContactArc::plan(Interval& next, double length) const {
-  const AtNodes& node = node_tables().node;
-  const double half_turn = 0.5 * curvature_ * length;
-  const bool straight = std::abs(half_turn) < kStraight;
-  const double cosine = std::cos(half_turn);
-  const double sine = std::sin(half_turn);
-  const double chord = straight ? length : length * sine / half_turn;
-  const Tangent direction{tangent_.time * cosine - tangent_.argument * sine,
-                          tangent_.argument * cosine + tangent_.time * sine};
-  const bool reaches_zero = end_.argument > 0.0 && tangent_.argument < -kSteep &&
-                            end_.argument + chord * direction.argument < kReach * length;
-  if (reaches_zero) {
-    // Over p itself, so that the lift-off is the last node.
-    next.chord = {0.0, -end_.argument};
-    next.normal = {1.0, 0.0};
-    const double slope = tangent_.time / tangent_.argument;
-    const double bend = -curvature_ / (tangent_.argument * tangent_.argument * tangent_.argument);
-    for (std::size_t i = 0; i < kNodes; ++i) {
-      const double down = -end_.argument * node[i];
-      next.deviation[i] = time_unit_ * down * (slope + 0.5 * bend * down);
-    }
-    return;
-  }
-  next.chord = {time_unit_ * chord * direction.time, chord * direction.argument};
-  next.normal = {-time_unit_ * direction.argument, direction.time};
-  const double sagitta = -0.5 * curvature_ * chord * chord;
-  for (std::size_t i = 0; i < kNodes; ++i) next.deviation[i] = sagitta * node[i] * (1.0 - node[i]);
 }
 
 bool ContactArc::solve(Interval& interval, bool warm) {
@@ -395,39 +282,6 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
   if (touches_ >= 0) goes_on_to_ring(touches_);
 }
 
-/// Direction and curvature with which an interval ends.
-void ContactArc::take_direction(const Interval& interval) {
-  struct Place {
-    Tangent tangent;
-    double time;
-    double argument;
-  };
-  const auto place = [&](std::size_t node) {
-    const double time = interval.time_slope[node] / time_unit_;
-    const double argument = interval.argument_slope[node];
-    const double norm = length_of(time, argument);
-    return Place{
-        {time / norm, argument / norm}, interval.elapsed[node] / time_unit_, interval.argument[node]};
-  };
-  const std::array<Place, 3> last{place(kNodes - 3), place(kNodes - 2), place(kNodes - 1)};
-  const auto between = [](const Place& from, const Place& to) {
-    return length_of(to.time - from.time, to.argument - from.argument);
-  };
-  const auto turning = [](const Tangent& from, const Tangent& to) {
-    return from.time * to.argument - from.argument * to.time;
-  };
-  const double before = between(last[0], last[1]);
-  const double after = between(last[1], last[2]);
-  const double curvature_before = turning(last[0].tangent, last[1].tangent) / before;
-  const double curvature_after = turning(last[1].tangent, last[2].tangent) / after;
-  const double time_between = interval.elapsed[kNodes - 1] - interval.elapsed[kNodes - 2];
-  acceleration_ = {interval.ax.at_end(), interval.ay.at_end()};
-  jerk_ = {(interval.ax.at_end() - interval.ax[kNodes - 2]) / time_between,
-           (interval.ay.at_end() - interval.ay[kNodes - 2]) / time_between};
-  curvature_ = curvature_after + (curvature_after - curvature_before) * after / (before + after);
-  tangent_ = last[2].tangent;
-}
-
 void ContactArc::guess_further(Interval& next) const {
   AtNodes elapsed;
   const AtNodes& node = node_tables().node;
@@ -437,39 +291,30 @@ void ContactArc::guess_further(Interval& next) const {
 }
 
 /// Makes the trial a solution that is accurate enough.
-bool ContactArc::solve_next(double shortest) {
+bool ContactArc::solve_next() {
   while (true) {
     Interval& next = trial();
     start_next(next);
     const bool follows = alike_ != nullptr && number_ < alike_->count;
-    double length = 0.0;
     if (follows) {
-      length = alike_->intervals[number_].length;
+      predictor_.follow(alike_->intervals[number_].length);
       alike_->intervals[number_].guess(next);
     } else {
-      length = std::min({length_, kLongest, kMostTurning / std::max(std::abs(curvature_), kStraight)});
-      plan(next, length);
+      predictor_.guess(next);
     }
     if (!further_.empty()) guess_further(next);
     const bool solved = solve(next, follows);
-    const double error = solved ? error_of(next) : 0.0;
-    if (solved && error <= 1.0) {
-      tried_length_ = length;
-      length_ = length *
-                std::clamp(kAim * std::pow(std::max(error, 1e-12), -1.0 / kOrder), kLeastGrowth, kMostGrowth);
-      if (begins_ && !follows) {
-        double& share = share_of_first_[next.start_argument > 0.0 ? 1 : 0];
-        share = std::min(std::sqrt(share * length_ / unit_length_), 1.0);
-      }
+    const double error = solved ? error_of(next) : Predictor::kUnknownError;
+    if (error <= 1.0) {
+      predictor_.accepts(error, begins_ && !follows ? &next : nullptr);
       return true;
     }
     ++rejected_;
     if (follows) {
       leave_earlier();
-      continue;
+    } else if (!predictor_.shortens(error)) {
+      return false;
     }
-    length_ = length * (solved ? std::max(kLeastRetry, kAim * std::pow(error, -1.0 / kOrder)) : 0.5);
-    if (!(length_ > shortest)) return false;
   }
 }
 
@@ -531,12 +376,12 @@ void ContactArc::change_leader(std::size_t further) {
 }
 
 ContactArc::Outcome ContactArc::make() {
-  if (number_ >= kMostIntervals || !(time_unit_ * unit_length_ > kShortestContact)) return Outcome::gives_up;
-  double shortest = kShortest * length_;
+  if (number_ >= kMostIntervals || predictor_.is_too_short()) return Outcome::gives_up;
+  predictor_.begin_interval();
   while (true) {
-    if (!solve_next(shortest)) return Outcome::gives_up;
+    if (!solve_next()) return Outcome::gives_up;
     if (kept_ != nullptr && number_ < EarlierContact::kMostIntervals) {
-      kept_->intervals[number_].take(trial(), tried_length_);
+      kept_->intervals[number_].take(trial(), predictor_.length_of_trial());
       kept_->count = std::max(kept_->count, number_ + 1);
     }
     Ending ending;
@@ -549,12 +394,11 @@ ContactArc::Outcome ContactArc::make() {
     }
     ++rejected_;
     if (verdict == Verdict::another_leads) {
-      shortest = kShortest * length_;
-      continue;
+      predictor_.begin_interval();
+    } else {
+      leave_earlier();
+      if (!predictor_.shortens(Predictor::kUnknownError)) return Outcome::gives_up;
     }
-    leave_earlier();
-    length_ = 0.5 * tried_length_;
-    if (!(length_ > shortest)) return Outcome::gives_up;
   }
 }
 
@@ -562,12 +406,12 @@ ContactArc::Outcome ContactArc::make() {
 void ContactArc::goes_on(const Ending& ending) {
   ++number_;
   ++interval_count_;
-  rises_ = tangent_.argument > 0.0;
+  rises_ = predictor_.rises();
   end_at(made(), ending);
   gap_measure_ = made().gap_measure.at_end();
   slip_velocity_ = made().slip_velocity.at_end();
   for (std::size_t k = 0; k < further_.size(); ++k) go_on(made(), made().further[k], further_[k]);
-  if (!lifts_off_ && touches_ < 0) take_direction(made());
+  if (!lifts_off_ && touches_ < 0) predictor_.goes_on(made());
   begins_ = false;
   lead_has_changed_ = false;
 }
@@ -624,7 +468,7 @@ double ContactArc::largest_displacement(double from, double to, double known) {
   const Point point = there.fraction == first  ? solved_at(from)
                       : there.fraction == last ? solved_at(to)
                                                : solved_at_fraction(there.fraction);
-  return std::max(known, length_of(point.state[0], point.state[1]));
+  return std::max(known, std::sqrt(point.state[0] * point.state[0] + point.state[1] * point.state[1]));
 }
 
 std::array<double, 2> ContactArc::place_at(double fraction) const {

@@ -4,9 +4,7 @@
 /// The contact of one blade, which leads, is an arc in the plane (τ, p): up from the touch-down, over the
 /// largest bending, and down to the lift-off at p = 0, or at g = 0 under load on the receding side
 /// (MODEL 4.2). An interval is a stretch of this arc (`interval.hpp`). Its first guess is that of an earlier
-/// contact which began alike, or a circular arc in the plane (τ/T, p) with the direction and the curvature
-/// with which the interval before has ended; T is chosen such that the whole contact is roughly a half
-/// circle.
+/// contact which began alike, or a circular arc (`predictor.hpp`).
 ///
 /// The others are bent as the shaft's motion has it (`further_blades.hpp`). The one that lifts off next has
 /// to lead: near its lift-off its bending is no smooth function of time.
@@ -27,6 +25,7 @@
 #include "collocation/earlier_contacts.hpp"
 #include "collocation/further_blades.hpp"
 #include "collocation/interval.hpp"
+#include "collocation/predictor.hpp"
 #include "contact/elastica_contact.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/constants.hpp"
@@ -103,21 +102,14 @@ class ContactArc {
   [[nodiscard]] std::uint64_t sweeps() const { return sweeps_; }
 
  private:
-  /// Direction in the plane (τ/T, p), of length 1.
-  struct Tangent {
-    double time;
-    double argument;
-  };
-
   void lead(double time, const rotor::State& state, std::span<const Touch> touching, std::size_t leader);
-  void estimate();
+  void predict();
   [[nodiscard]] std::size_t number_of(int blade) const;
   [[nodiscard]] const Interval& made() const { return intervals_[made_]; }
   [[nodiscard]] Interval& trial() { return intervals_[1 - made_]; }
   [[nodiscard]] const Interval& trial() const { return intervals_[1 - made_]; }
   void look_for_earlier();
   void start_next(Interval& next) const;
-  void plan(Interval& next, double length) const;
   bool solve(Interval& interval, bool warm);
   [[nodiscard]] double error_of(const Interval& interval) const;
   [[nodiscard]] bool stays_valid(const Bounds& bounds) const;
@@ -134,7 +126,7 @@ class ContactArc {
   /// Whether the trial can be the next interval, up to its ending, and whether that is a stretch of it.
   enum class Verdict : std::uint8_t { holds, holds_in_part, too_long, another_leads, gives_up };
   Verdict judge(Ending& ending);
-  bool solve_next(double shortest);
+  bool solve_next();
   bool shorten(double shortest);
   void goes_on(const Ending& ending);
   void change_leader(std::size_t further);
@@ -145,7 +137,6 @@ class ContactArc {
   [[nodiscard]] Point solved_at_fraction(double fraction);
   [[nodiscard]] static Point end_of(const Interval& interval);
   void end_at(const Interval& interval, const Ending& ending);
-  void take_direction(const Interval& interval);
 
   const rotor::RotorConstants* rotor_;
   const rotor::BladeSet* blades_;
@@ -154,6 +145,7 @@ class ContactArc {
   Limits limits_;
   const blade::BendingTable* table_;
   IntervalSolver solver_;
+  Predictor predictor_;
   std::vector<contact::BladeDirection> offsets_;  ///< of the blades from blade 0's place
   /// A blade that does not touch, and its offset from the leading one.
   struct Other {
@@ -179,20 +171,9 @@ class ContactArc {
   const EarlierContact* alike_ = nullptr;  ///< is followed; null: no longer, or none
   EarlierContact* kept_ = nullptr;         ///< this contact, for later ones
   std::size_t number_ = 0;                 ///< of the next interval in the contact
-  double time_unit_ = 1.0;                 ///< T
-  Tangent tangent_{};                      ///< where the next interval starts
-  double curvature_ = 0.0;                 ///< there, in the plane (τ/T, p)
   double gap_measure_ = 0.0;               ///< there
   double slip_velocity_ = 0.0;             ///< there
-  std::array<double, 2> acceleration_{};   ///< z'' and z''' there
-  std::array<double, 2> jerk_{};
-  double unit_length_ = 1.0;  ///< of the first arc: the largest bending to be expected
-  /// Length of the first arc against that unit, as the contacts of this motion have had it so far: of
-  /// contacts that start unloaded, and under load.
-  std::array<double, 2> share_of_first_{0.5, 1.0};
-  double length_ = 1.0;        ///< of the next arc in that plane
-  double tried_length_ = 1.0;  ///< of the trial's arc
-  bool rises_ = false;         ///< the bending, where the interval starts
+  bool rises_ = false;                     ///< the bending, where the interval starts
   double displacement_bound_ = 0.0;
   std::uint64_t interval_count_ = 0;
   std::uint64_t rejected_ = 0;

@@ -1,0 +1,197 @@
+#include "collocation/predictor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "blade/bending_table.hpp"
+#include "collocation/further_blades.hpp"
+
+namespace rubatlas::collocation {
+namespace {
+
+constexpr double kMostTurning = 1.2;  ///< [rad] of one arc
+constexpr double kLongest = 3.0;      ///< arc: where friction is small, coefficients fall unevenly beyond
+constexpr double kAim = 0.68;         ///< of the length that just keeps the bound
+constexpr double kLeastGrowth = 0.5;
+constexpr double kMostGrowth = 2.0;
+constexpr double kLeastRetry = 0.3;
+constexpr double kUnsolvedRetry = 0.5;
+constexpr double kShortest = 1e-5;    ///< of the arc with which an interval is begun
+constexpr double kStraight = 1e-6;    ///< [rad]: an arc that turns by less has no curvature
+constexpr double kSteep = 0.48;       ///< sine of the slope with which an arc may be followed down to p = 0
+constexpr double kReach = 0.15;       ///< of an arc: so far above p = 0 it is stretched to reach it
+constexpr double kLongestHalf = 1.5;  ///< [τ] half of a contact, as a first estimate
+constexpr double kShortestContact = 1e-11;  ///< [τ]
+
+/// Without the care of `std::hypot` for numbers near overflow.
+double length_of(double x, double y) {
+  return std::sqrt(x * x + y * y);
+}
+
+}  // namespace
+
+void Predictor::begin(const Start& start) {
+  acceleration_ = {start.acceleration.real(), start.acceleration.imag()};
+  jerk_ = {};
+  const double speed = rotor_->speed_ratio;
+  const rotor::State& state = start.state;
+  const double rate = contact::gap_rate(law_->geometry(), start.pose, speed);
+  const double curvature = contact::gap_curvature(law_->geometry(), start.direction, start.pose,
+                                                  {state[0], state[1] + rotor_->misalignment},
+                                                  {state[2], state[3]}, start.acceleration, speed);
+  // Half of the contact, as far as the gap is a parabola: from its top to where it is closed.
+  const double rate_at_end = std::sqrt(std::max(0.0, rate * rate - 2.0 * curvature * start.pose.gap));
+  const double half = curvature < 0.0 ? std::min(-rate_at_end / curvature, kLongestHalf) : kLongestHalf;
+  if (start.argument > 0.0) {
+    begin_under_load(start, half);
+  } else {
+    begin_unloaded(start, half, rate, curvature);
+  }
+}
+
+void Predictor::begin_under_load(const Start& start, double half) {
+  time_unit_ = half;
+  unit_length_ = 1.0;
+  length_ = share_of_first_[1];
+  curvature_ = 0.0;
+  const double argument_slope =
+      start.constraint.bending_slope * length_of(law_->curve().load_angle(), start.bending);
+  const double norm = length_of(start.constraint.time_slope * time_unit_, argument_slope);
+  tangent_ = {-argument_slope / norm, start.constraint.time_slope * time_unit_ / norm};
+}
+
+/// `rate`, `curvature_of_gap`: dg/dτ, d²g/dτ².
+void Predictor::begin_unloaded(const Start& start, double half, double rate, double curvature_of_gap) {
+  // The largest bending: the force takes away what the gap's rate has of energy, (dg/dτ)²/2, as the blade
+  // follows the gap with ct as it is.
+  const double along = start.pose.radial + law_->geometry().reach;
+  const double per_load = 2.0 * along * rotor_->force_unit * law_->load_unit();
+  double energy = 0.5 * rate * rate;
+  double largest = law_->curve().over_asinh().knots().back().argument;
+  double gap = 0.0;
+  double load = 0.0;
+  double argument = 0.0;
+  for (const blade::BendingTable::Knot& knot : law_->curve().over_asinh().knots()) {
+    const double shortening = law_->length() * knot.shortening;
+    const double deflection = law_->length() * knot.deflection;
+    const double next = shortening * (2.0 * along - shortening) +
+                        deflection * (2.0 * start.slip * start.pose.tangential - deflection);
+    const double taken = (0.5 * (load + knot.load) * per_load - curvature_of_gap) * (next - gap);
+    if (taken > energy) {
+      // In the first quarter of a piece energy grows as p⁴.
+      const double share = energy / taken;
+      const double part = argument == 0.0 ? std::sqrt(std::sqrt(share)) : share;
+      largest = argument + part * (knot.argument - argument);
+      gap += (argument == 0.0 ? std::sqrt(share) : share) * (next - gap);
+      break;
+    }
+    energy -= taken;
+    gap = next;
+    load = knot.load;
+    argument = knot.argument;
+  }
+  constexpr double kLeastBending = 1e-8;
+  constexpr double kRound = 1.6;  // between a parabola, 2, and the quarter of a sine, π/2
+  largest = std::max(largest, kLeastBending);
+  if (gap > 0.0 && rate > 0.0) half = std::min(half, kRound * gap / rate);
+  time_unit_ = half / largest;
+  unit_length_ = largest;
+  length_ = share_of_first_[0] * unit_length_;
+  tangent_ = {0.0, 1.0};
+  // Near the touch-down g = dg/dτ τ = 2 s ct Δ, with Δ ~ p².
+  const double deflection = deflection_per_square(*law_);
+  constexpr double kSharpest = 3.0;
+  curvature_ = -std::clamp(4.0 * start.slip * start.pose.tangential * deflection / (rate * time_unit_), 0.0,
+                           kSharpest / largest);
+}
+
+bool Predictor::is_too_short() const {
+  return !(time_unit_ * unit_length_ > kShortestContact);
+}
+
+void Predictor::begin_interval() {
+  shortest_ = kShortest * length_;
+}
+
+void Predictor::guess(Interval& next) {
+  next.acceleration = acceleration_;
+  next.jerk = jerk_;
+  const double length =
+      std::min({length_, kLongest, kMostTurning / std::max(std::abs(curvature_), kStraight)});
+  length_of_trial_ = length;
+  const AtNodes& node = node_tables().node;
+  const double half_turn = 0.5 * curvature_ * length;
+  const bool straight = std::abs(half_turn) < kStraight;
+  const double cosine = std::cos(half_turn);
+  const double sine = std::sin(half_turn);
+  const double chord = straight ? length : length * sine / half_turn;
+  const Tangent direction{tangent_.time * cosine - tangent_.argument * sine,
+                          tangent_.argument * cosine + tangent_.time * sine};
+  const bool reaches_zero = next.start_argument > 0.0 && tangent_.argument < -kSteep &&
+                            next.start_argument + chord * direction.argument < kReach * length;
+  if (reaches_zero) {
+    // Over p itself, so that the lift-off is the last node.
+    next.chord = {0.0, -next.start_argument};
+    next.normal = {1.0, 0.0};
+    const double slope = tangent_.time / tangent_.argument;
+    const double bend = -curvature_ / (tangent_.argument * tangent_.argument * tangent_.argument);
+    for (std::size_t i = 0; i < kNodes; ++i) {
+      const double down = -next.start_argument * node[i];
+      next.deviation[i] = time_unit_ * down * (slope + 0.5 * bend * down);
+    }
+    return;
+  }
+  next.chord = {time_unit_ * chord * direction.time, chord * direction.argument};
+  next.normal = {-time_unit_ * direction.argument, direction.time};
+  const double sagitta = -0.5 * curvature_ * chord * chord;
+  for (std::size_t i = 0; i < kNodes; ++i) next.deviation[i] = sagitta * node[i] * (1.0 - node[i]);
+}
+
+void Predictor::accepts(double error, const Interval* first) {
+  length_ = length_of_trial_ *
+            std::clamp(kAim * std::pow(std::max(error, 1e-12), -1.0 / kOrder), kLeastGrowth, kMostGrowth);
+  if (first == nullptr) return;
+  double& share = share_of_first_[first->start_argument > 0.0 ? 1 : 0];
+  share = std::min(std::sqrt(share * length_ / unit_length_), 1.0);
+}
+
+bool Predictor::shortens(double error) {
+  const double less =
+      error < kUnknownError ? std::max(kLeastRetry, kAim * std::pow(error, -1.0 / kOrder)) : kUnsolvedRetry;
+  length_ = length_of_trial_ * less;
+  return length_ > shortest_;
+}
+
+void Predictor::goes_on(const Interval& interval) {
+  struct Place {
+    Tangent tangent;
+    double time;
+    double argument;
+  };
+  const auto place = [&](std::size_t node) {
+    const double time = interval.time_slope[node] / time_unit_;
+    const double argument = interval.argument_slope[node];
+    const double norm = length_of(time, argument);
+    return Place{
+        {time / norm, argument / norm}, interval.elapsed[node] / time_unit_, interval.argument[node]};
+  };
+  const std::array<Place, 3> last{place(kNodes - 3), place(kNodes - 2), place(kNodes - 1)};
+  const auto between = [](const Place& from, const Place& to) {
+    return length_of(to.time - from.time, to.argument - from.argument);
+  };
+  const auto turning = [](const Tangent& from, const Tangent& to) {
+    return from.time * to.argument - from.argument * to.time;
+  };
+  const double before = between(last[0], last[1]);
+  const double after = between(last[1], last[2]);
+  const double curvature_before = turning(last[0].tangent, last[1].tangent) / before;
+  const double curvature_after = turning(last[1].tangent, last[2].tangent) / after;
+  const double time_between = interval.elapsed[kNodes - 1] - interval.elapsed[kNodes - 2];
+  acceleration_ = {interval.ax.at_end(), interval.ay.at_end()};
+  jerk_ = {(interval.ax.at_end() - interval.ax[kNodes - 2]) / time_between,
+           (interval.ay.at_end() - interval.ay[kNodes - 2]) / time_between};
+  curvature_ = curvature_after + (curvature_after - curvature_before) * after / (before + after);
+  tangent_ = last[2].tangent;
+}
+
+}  // namespace rubatlas::collocation

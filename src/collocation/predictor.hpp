@@ -1,0 +1,85 @@
+/// The next interval of a contact, as far as it can be told from the one before: where its arc leads, and how
+/// long it may be.
+///
+/// In the plane (τ/T, p) the arc goes on as a circle, with the direction and the curvature with which the
+/// interval before has ended. T is chosen such that the whole contact is roughly a half circle.
+#pragma once
+
+#include <array>
+#include <complex>
+#include <limits>
+
+#include "collocation/interval.hpp"
+#include "contact/elastica_contact.hpp"
+#include "rotor/bodies.hpp"
+#include "rotor/constants.hpp"
+
+namespace rubatlas::collocation {
+
+class Predictor {
+ public:
+  static constexpr double kOrder = 9.0;  ///< with the length, of the error between the nodes
+  static constexpr double kUnknownError = std::numeric_limits<double>::infinity();
+
+  /// Both must outlive the predictor.
+  Predictor(const rotor::RotorConstants& rotor, const contact::ElasticaContact& law)
+      : rotor_(&rotor), law_(&law) {}
+
+  /// Where a blade takes the lead.
+  struct Start {
+    rotor::State state;
+    contact::Pose pose;                 ///< of the blade
+    contact::BladeDirection direction;  ///< er
+    double slip;                        ///< s = ±1
+    double bending;                     ///< u
+    double argument;                    ///< p
+    std::complex<double> acceleration;  ///< z'' [m per unit τ²]
+    contact::Constraint constraint;
+  };
+  void begin(const Start& start);
+  /// Times and gaps of so short a contact are rounding.
+  [[nodiscard]] bool is_too_short() const;
+
+  void begin_interval();
+  /// The first guess of the next interval, whose start is known.
+  void guess(Interval& next);
+  /// An earlier contact is followed instead, by an arc of this length.
+  void follow(double length) { length_of_trial_ = length; }
+  [[nodiscard]] double length_of_trial() const { return length_of_trial_; }
+  /// The trial has an error of so many times what is allowed. `first`: the trial, where it is the first of
+  /// its contact, and has been guessed.
+  void accepts(double error, const Interval* first);
+  /// Likewise, and the next trial is to be shorter. False where it would be too short.
+  bool shortens(double error);
+
+  /// To the end of the interval that has been made.
+  void goes_on(const Interval& made);
+  /// The bending, where the interval starts.
+  [[nodiscard]] bool rises() const { return tangent_.argument > 0.0; }
+
+ private:
+  /// Direction in the plane (τ/T, p), of length 1.
+  struct Tangent {
+    double time;
+    double argument;
+  };
+  void begin_under_load(const Start& start, double half);
+  void begin_unloaded(const Start& start, double half, double rate, double curvature_of_gap);
+
+  const rotor::RotorConstants* rotor_;
+  const contact::ElasticaContact* law_;
+  double time_unit_ = 1.0;    ///< T
+  Tangent tangent_{};         ///< where the next interval starts
+  double curvature_ = 0.0;    ///< there, in the plane (τ/T, p)
+  double unit_length_ = 1.0;  ///< of the first arc: the largest bending to be expected
+  /// Length of the first arc against that unit, as the contacts of this motion have had it so far: of
+  /// contacts that start unloaded, and under load.
+  std::array<double, 2> share_of_first_{0.5, 1.0};
+  double length_ = 1.0;           ///< of the next arc in that plane
+  double length_of_trial_ = 1.0;  ///< of the present one
+  double shortest_ = 0.0;
+  std::array<double, 2> acceleration_{};  ///< z'' and z''' there
+  std::array<double, 2> jerk_{};
+};
+
+}  // namespace rubatlas::collocation
