@@ -53,7 +53,7 @@ class Predictor {
   bool shortens(double error);
 
   /// To the end of the interval that has been made.
-  void goes_on(const Interval& made);
+  void goes_on(const Interval& interval);
   /// The bending, where the interval starts.
   [[nodiscard]] bool rises() const { return tangent_.argument > 0.0; }
 
