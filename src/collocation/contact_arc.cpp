@@ -263,18 +263,21 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
   // To where the gap of a blade is zero: in time, and what is left, or all where the tip hardly moves against
   // the ring, the shortest way for the shaft.
   const auto goes_on_to_ring = [&](int blade) {
-    constexpr double kFarthest = 1e-3;  // of the interval
+    constexpr int kTimes = 2;
+    constexpr double kFarthest = 0.1;  // of the interval
     const auto direction = [&] { return blades_->direction(blade, blades_->first(end_.time)); };
     const auto pose = [&] { return rotor::pose_of(*rotor_, law_->geometry(), direction(), end_.state); };
-    const contact::Pose before = pose();
-    const double late = -before.gap / contact::gap_rate(law_->geometry(), before, rotor_->speed_ratio);
-    if (std::abs(late) < kFarthest * interval.elapsed.at_end()) goes_on(late);
+    for (int i = 0; i < kTimes; ++i) {
+      const contact::Pose there = pose();
+      const double late = -there.gap / contact::gap_rate(law_->geometry(), there, rotor_->speed_ratio);
+      if (std::abs(late) < kFarthest * interval.elapsed.at_end()) goes_on(late);
+    }
+    const double left = pose().gap / (2.0 * contact_.ring_radius);
+    if (!(std::abs(left) < limits_.tolerance)) return;
     const contact::BladeDirection er = direction();
-    const double x = end_.state[0] + contact_.reach * er.cosine;
-    const double y = end_.state[1] + rotor_->misalignment + contact_.reach * er.sine;
-    const double inwards = 0.5 * pose().gap / (x * x + y * y);
-    end_.state[0] -= inwards * x;
-    end_.state[1] -= inwards * y;
+    end_.state[0] -= left * (end_.state[0] + contact_.reach * er.cosine) / contact_.ring_radius;
+    end_.state[1] -=
+        left * (end_.state[1] + rotor_->misalignment + contact_.reach * er.sine) / contact_.ring_radius;
   };
   if (ending.kind == Kind::unbent) goes_on(-end_.argument / rise);
   if (lifts_off_ && ending.kind != Kind::under_load) end_.argument = 0.0;
