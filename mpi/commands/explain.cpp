@@ -145,7 +145,7 @@ std::string flight_text(const settings::Scene& scene, const settings::Combinatio
                      combination.family->flight.empty() ? "" : ", ", combination.family->flight);
 }
 
-/// Whether contacts of one blade are solved by collocation: those of the paper's elastic blades with
+/// Whether contacts are solved by collocation: those of the paper's elastic blades with
 /// friction.
 bool collocates(const settings::Scene& scene, const settings::Combination& combination) {
   return combination.family->kind == settings::MotionFamily::paper_s_rotor &&
