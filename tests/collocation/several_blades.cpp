@@ -66,7 +66,7 @@ class Phases final : public modes::MotionListener {
       std::ranges::find(touching_, event.blade, &Touch::blade)->slip = event.slip;
     last_ = event;
   }
-  void revolution_ends() { last_.reset(); }
+  void drops_last_event() { last_.reset(); }
   std::vector<Phase> found;
 
  private:
@@ -137,7 +137,7 @@ std::vector<Phase> phases_of(const Rotor& rotor, const rotor::State& start) {
   constexpr int kRevolutions = 4;
   for (int i = 0; i < kRevolutions; ++i) {
     if (revolve(*motion, phases) != point::PointStatus::done) break;
-    phases.revolution_ends();
+    phases.drops_last_event();
   }
   return phases.found;
 }
