@@ -76,7 +76,9 @@ class Pieces(JobTest):
 
     def test_the_line_follows_the_branch_of_the_serial_sweep(self):
         # Through region 3 two motions coexist at some speeds. The tolerance of the comparison decides what a
-        # periodic motion is; what is periodic in the serial sweep has the same displacement here.
+        # periodic motion is; what is periodic in the serial sweep, and goes on from a periodic motion, has the same
+        # displacement here. At a speed that is periodic among aperiodic ones the last digits of an aperiodic motion
+        # decide whether the sweep finds the periodic one (jobs/README.md).
         content = line(grid={"speed_ratio": {"from": 0.3, "to": 0.7, "count": 120}, "damping_ratio": 0.1},
                        protocol={"transient_revolutions": 200, "sampled_revolutions": 100, "samples_per_revolution": 32})
         pieces = self.fill(2, content, "pieces.h5")
@@ -86,11 +88,12 @@ class Pieces(JobTest):
             self.assertNotIn("seam", file)
         moved, sections, still, where = [], *self.read(serial, "poincare", "max_displacement", "speed_ratio")
         (found,) = self.read(pieces, "max_displacement")
-        for i, record in enumerate(sections):
-            periods = [p for p in range(1, 17) if np.abs(record[p:] - record[:-p]).max() < 1e-9]
-            if periods and abs(found[i] - still[i]) > 1e-6 * still[i]:
+        periodic = [any(np.abs(record[p:] - record[:-p]).max() < 1e-9 for p in range(1, 17)) for record in sections]
+        for i, repeats in enumerate(periodic):
+            if repeats and (i == 0 or periodic[i - 1]) and abs(found[i] - still[i]) > 1e-6 * still[i]:
                 moved.append((where[i % len(where)], still[i], found[i]))
         self.assertEqual(moved, [])
+        self.assertGreater(sum(periodic), 60)
 
     def test_a_branch_that_only_the_sweep_reaches_is_repaired_to_its_end(self):
         content = line()
