@@ -83,6 +83,7 @@ void create_row_dataset(File& file, const Schema& schema, const RowDataset& rows
   if (rows.name == "restarted")
     set_flags(std::span(kValues).first(2), "continued_from_neighbour started_from_initial");
   if (rows.name == "seam") set_flags(kValues, "none agrees repaired aperiodic_on_both_sides");
+  if (!rows.flags.empty()) set_flags(std::span(kValues), rows.flags);
   if (rows.name == "status_detail") {
     std::vector<std::uint8_t> values;
     std::vector<std::string_view> meanings;

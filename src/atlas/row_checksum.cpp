@@ -52,7 +52,13 @@ Row::Row(const Schema& schema, const Origin& origin, const point::PointOutcome& 
     add(there ? remembered.first(size) : std::span<const double>(kUnchanged).first(size));
     if (there) remembered = remembered.subspan(size);
   }
-  for (const auto& row : outcome.rows) add(row);
+  for (std::size_t i = 0; i < outcome.rows.size(); ++i) {
+    if (schema.observables[i].type == NumberType::uint8) {
+      parts_.emplace_back(static_cast<std::uint8_t>(done ? outcome.rows[i].front() : 0.0));
+    } else {
+      add(outcome.rows[i]);
+    }
+  }
 }
 
 std::uint32_t Row::checksum(std::size_t part) const {

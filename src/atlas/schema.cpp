@@ -89,8 +89,12 @@ Schema schema_of(const settings::Scene& scene) {
   const auto rows_of = [&](std::string name, NumberType type, std::vector<std::string> inner,
                            std::string units, std::string long_name) {
     Shape shape = shape_over(inner);
-    return RowDataset{std::move(name),     type, std::move(inner), std::move(shape), std::move(units),
-                      std::move(long_name)};
+    return RowDataset{.name = std::move(name),
+                      .type = type,
+                      .inner_axes = std::move(inner),
+                      .shape = std::move(shape),
+                      .units = std::move(units),
+                      .long_name = std::move(long_name)};
   };
   schema.status = rows_of("status", NumberType::uint8, {}, "", "how the point ended");
   schema.status_detail = rows_of("status_detail", NumberType::uint8, {}, "", "what ended the point's motion");
@@ -109,8 +113,10 @@ Schema schema_of(const settings::Scene& scene) {
                                       remembered.units, remembered.long_name));
   }
   for (const auto& kept : observables::descriptions(scene)) {
-    schema.observables.push_back(
-        rows_of(kept.name, NumberType::float64, kept.inner_axes, kept.units, kept.long_name));
+    const NumberType type = kept.flags.empty() ? NumberType::float64 : NumberType::uint8;
+    RowDataset& rows = schema.observables.emplace_back(
+        rows_of(kept.name, type, kept.inner_axes, kept.units, kept.long_name));
+    rows.flags = kept.flags;
   }
   schema.row_checksum =
       rows_of("row_checksum", NumberType::uint32, {}, "",

@@ -24,6 +24,7 @@ struct RowDataset {
   Shape shape;                          ///< grid's extents, then the inner ones
   std::string units;
   std::string long_name;
+  std::string flags{};  ///< of an observable whose values are flags, as `observables::Description`
 };
 
 struct Schema {

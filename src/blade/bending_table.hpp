@@ -28,8 +28,9 @@ class BendingTable {
   [[nodiscard]] const Piece* pieces() const { return pieces_.data(); }
   [[nodiscard]] int last_piece() const { return static_cast<int>(pieces_.size()) - 1; }
 
-  [[nodiscard]] double bending(double p) const { return scale_ * std::sinh(p); }    ///< u
-  [[nodiscard]] double argument(double u) const { return std::asinh(u / scale_); }  ///< p
+  [[nodiscard]] double bending(double p) const { return scale_ * std::sinh(p); }        ///< u
+  [[nodiscard]] double bending_slope(double p) const { return scale_ * std::cosh(p); }  ///< du/dp
+  [[nodiscard]] double argument(double u) const { return std::asinh(u / scale_); }      ///< p
 
   /// The curve at the ends of the pieces, for estimates.
   struct Knot {

@@ -494,6 +494,11 @@ ContactArc::Point ContactArc::point_at(double fraction) const {
   return point;
 }
 
+Interval::Direction ContactArc::direction_at(double fraction) const {
+  const AtNodes basis = slope_basis_at(fraction);
+  return {sum_of_products(basis, made().time_slope), sum_of_products(basis, made().argument_slope)};
+}
+
 std::size_t ContactArc::number_of(int blade) const {
   std::size_t number = 0;
   while (further_[number].blade != blade) ++number;

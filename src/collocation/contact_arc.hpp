@@ -79,6 +79,8 @@ class ContactArc {
   /// Shaft's place x, y [m] at θ, on the interval's polynomials.
   [[nodiscard]] std::array<double, 2> place_at(double fraction) const;
   [[nodiscard]] Point point_at(double fraction) const;
+  /// dτ/dθ and dp/dθ of the leading blade there.
+  [[nodiscard]] Interval::Direction direction_at(double fraction) const;
   /// p of a blade in contact there.
   [[nodiscard]] double argument_of(int blade, const Point& point) const;
   /// Bound of p of the leading blade in the interval.
@@ -95,6 +97,8 @@ class ContactArc {
   /// The blade that leads.
   [[nodiscard]] int leader() const { return blade_; }
   [[nodiscard]] double bending(double argument) const { return table_->bending(argument); }
+  /// du/dp.
+  [[nodiscard]] double bending_slope(double argument) const { return table_->bending_slope(argument); }
 
   // What it cost.
   [[nodiscard]] std::uint64_t intervals() const { return interval_count_; }

@@ -21,6 +21,7 @@
 #include "integrate/step_factor.hpp"
 #include "modes/friction_power.hpp"
 #include "modes/motion_listener.hpp"
+#include "modes/tip_of.hpp"
 #include "modes/work_meter.hpp"
 #include "motion/point_start.hpp"
 #include "motion/work_counts.hpp"
@@ -118,6 +119,19 @@ class SteppedMotion final : public observables::MotionPiece {
   [[nodiscard]] double friction_power(std::size_t contact, double time) override {
     return modes::friction_power(law_,
                                  system_.force(open_[contact], state_at((time - begin()) / step_.size())));
+  }
+  [[nodiscard]] observables::ContactForce contact_force(std::size_t contact, double time) override {
+    const std::size_t k = open_[contact];
+    const SteppedState full = state_at((time - begin()) / step_.size());
+    const contact::TipForce force = system_.force(k, full);
+    const contact::BladeDirection er =
+        directions_.direction(blade(contact), directions_.first(full[kSteppedTime]));
+    return {contact::on_rotor(force, er), force.normal, force.slip_velocity, before_[k].slip};
+  }
+  [[nodiscard]] observables::Tip tip(int blade, double time) override {
+    const SteppedState full = state_at((time - begin()) / step_.size());
+    return modes::tip_of(law_.geometry(), system_.pose(static_cast<std::size_t>(blade), full),
+                         rotor_.speed_ratio);
   }
 
  private:

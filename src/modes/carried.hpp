@@ -39,6 +39,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
   using typename Base::FullState;
   using typename Base::Setup;
   static constexpr bool kTimeTurns = true;
+  static constexpr bool kHasPath = true;
   static constexpr bool kCoarseSizes = false;
 
   explicit Carried(const Setup& setup) : Base(setup) {

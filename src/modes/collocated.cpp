@@ -1,6 +1,7 @@
 #include "modes/collocated.hpp"
 
 #include "modes/friction_power.hpp"
+#include "modes/tip_of.hpp"
 
 namespace rubatlas::modes {
 
@@ -75,11 +76,12 @@ double Collocated::largest_displacement(double known, double /*speed_ratio*/) {
   return arc_.largest_displacement(piece_begin_, piece_end_, known);
 }
 
+contact::Pose Collocated::pose(int blade, const Point& point) const {
+  return rotor::pose_of(*rotor_, law_->geometry(), direction(blade, point.time), point.state);
+}
 contact::TipForce Collocated::force(std::size_t contact, const Point& point) const {
   const OpenContact open = contact_in(contact, point);
-  const contact::BladeDirection er = blades_->direction(open.blade, blades_->first(point.time));
-  const contact::Pose pose = rotor::pose_of(*rotor_, law_->geometry(), er, point.state);
-  return law_->constraint(pose, open.slip, open.bending, rotor_->speed_ratio).force;
+  return law_->constraint(pose(open.blade, point), open.slip, open.bending, rotor_->speed_ratio).force;
 }
 double Collocated::normal_force(std::size_t contact, double time) {
   return force(contact, arc_.solved_at(time)).normal;
@@ -89,6 +91,34 @@ double Collocated::root_strain(std::size_t contact, double time) {
 }
 double Collocated::friction_power(std::size_t contact, double time) {
   return modes::friction_power(*law_, force(contact, arc_.solved_at(time)));
+}
+observables::ContactForce Collocated::contact_force(std::size_t contact, double time) {
+  const Point point = arc_.solved_at(time);
+  const contact::TipForce tip_force = force(contact, point);
+  return {contact::on_rotor(tip_force, direction(blade(contact), point.time)), tip_force.normal,
+          tip_force.slip_velocity, contacts_[contact].slip};
+}
+observables::Tip Collocated::tip(int blade, double time) {
+  return tip_of(law_->geometry(), pose(blade, arc_.solved_at(time)), rotor_->speed_ratio);
+}
+
+bool Collocated::path(double share, observables::PathPoint& point) {
+  const double from = arc_.fraction_at(piece_begin_);
+  const double length = arc_.fraction_at(piece_end_) - from;
+  const double fraction = from + share * length;
+  const Point there = arc_.point_at(fraction);
+  const collocation::Interval::Direction rate = arc_.direction_at(fraction);
+  point.time = there.time;
+  point.time_rate = length * rate.time;
+  point.state = rotor::as_array(there.state);
+  point.contacts.clear();
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const OpenContact open = contact_in(i, there);
+    const bool leads = open.blade == arc_.leader();
+    const double bending_rate = leads ? length * rate.argument * arc_.bending_slope(there.argument) : 0.0;
+    point.contacts.push_back({open.blade, open.slip, open.bending, bending_rate, leads});
+  }
+  return true;
 }
 
 /// Force and strain grow with the bending, so that a blade that is bent less than where the load was known

@@ -70,6 +70,9 @@ class Collocated final : public observables::MotionPiece {
   [[nodiscard]] double root_strain(std::size_t contact, double time) override;
   [[nodiscard]] LargestLoad largest(observables::Load load, std::size_t contact, double known) override;
   [[nodiscard]] double friction_power(std::size_t contact, double time) override;
+  [[nodiscard]] observables::ContactForce contact_force(std::size_t contact, double time) override;
+  [[nodiscard]] observables::Tip tip(int blade, double time) override;
+  [[nodiscard]] bool path(double share, observables::PathPoint& point) override;
 
   /// Right-hand sides: one at each node in each sweep.
   [[nodiscard]] std::uint64_t evaluations() const { return collocation::kNodes * arc_.sweeps(); }
@@ -78,6 +81,10 @@ class Collocated final : public observables::MotionPiece {
 
  private:
   using Point = collocation::ContactArc::Point;
+  [[nodiscard]] contact::BladeDirection direction(int blade, double time) const {
+    return blades_->direction(blade, blades_->first(time));
+  }
+  [[nodiscard]] contact::Pose pose(int blade, const Point& point) const;
   [[nodiscard]] contact::TipForce force(std::size_t contact, const Point& point) const;
   [[nodiscard]] OpenContact contact_in(std::size_t contact, const Point& point) const;
 

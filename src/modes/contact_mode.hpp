@@ -24,6 +24,7 @@
 #include "contact/pose.hpp"
 #include "modes/guards.hpp"
 #include "modes/open_contact.hpp"
+#include "modes/tip_of.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/bodies.hpp"
@@ -93,6 +94,8 @@ class ContactMode {
   static constexpr bool kCoarseSizes = !Law::kHasBending && !Law::kLoadFollowsGap;
   /// Time is a state, which turns back where a contact ends.
   static constexpr bool kTimeTurns = false;
+  /// The path of the mode is known as `observables::PathPoint`.
+  static constexpr bool kHasPath = false;
 
   /// A guess holds the side to which a blade is bent, or the branch on which it stands: what a step that goes
   /// too far has made of it is no guess for a shorter one.
@@ -207,6 +210,17 @@ class ContactMode {
     const contact::Pose at = pose(blade, state, first);
     return {at.gap,
             contact::gap_rate(law_->of(blade).geometry(), at, blades_->angular_speed(state[rotor::kTime]))};
+  }
+  [[nodiscard]] observables::Tip tip(int blade, const FullState& state) const {
+    return tip_of(law_->of(blade).geometry(), pose(blade, state),
+                  blades_->angular_speed(state[rotor::kTime]));
+  }
+  /// What the force of an open contact in a state does to the rotor.
+  [[nodiscard]] observables::ContactForce on_rotor(std::size_t contact, const contact::TipForce& force,
+                                                   const FullState& state) const {
+    const OpenContact& open = contacts_[contact];
+    const contact::BladeDirection er = blades_->direction(open.blade, first_blade(state));
+    return {contact::on_rotor(force, er), force.normal, force.slip_velocity, open.slip};
   }
   /// |c|² − R² [m²]: the shaft's centre reaches the ring where it is positive (MODEL 5).
   [[nodiscard]] double beyond_ring(const FullState& state) const {

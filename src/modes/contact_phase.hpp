@@ -125,20 +125,51 @@ class ContactPhase final : public observables::MotionPiece {
     return modes::friction_power(mode_.law_of(contact), mode_.force(contact, full_state_at(time)));
   }
 
+  [[nodiscard]] observables::ContactForce contact_force(std::size_t contact, double time) override {
+    const FullState full = full_state_at(time);
+    return mode_.on_rotor(contact, mode_.force(contact, full), full);
+  }
+  [[nodiscard]] observables::Tip tip(int blade, double time) override {
+    return mode_.tip(blade, full_state_at(time));
+  }
+  [[nodiscard]] bool path([[maybe_unused]] double share,
+                          [[maybe_unused]] observables::PathPoint& point) override {
+    if constexpr (Mode::kHasPath) {
+      const double from = fraction_at(segment_begin_);
+      const double length = fraction_at(segment_limit_) - from;
+      const double fraction = from + share * length;
+      const FullState full = step_.at_fraction(fraction);
+      point.time = full[rotor::kTime];
+      point.time_rate = length * step_.slope(fraction, rotor::kTime);
+      point.state = rotor::as_array(rotor::shaft(rotor::bodies(full)));
+      point.contacts.clear();
+      for (std::size_t i = 0; i < mode_.contacts().size(); ++i) {
+        const bool carried = Mode::kTimeTurns && i == 0;
+        const OpenContact open = mode_.contact_in(i, full);
+        const double rate = carried ? length * step_.slope(fraction, rotor::kBending) : 0.0;
+        point.contacts.push_back({open.blade, open.slip, open.bending, rate, carried});
+      }
+      return true;
+    }
+    return false;
+  }
+
   [[nodiscard]] const Mode& mode() const { return mode_; }
   [[nodiscard]] std::uint64_t evaluations() const { return mode_.evaluations(); }
   [[nodiscard]] std::uint64_t steps() const { return step_.accepted(); }
   [[nodiscard]] std::uint64_t rejected() const { return step_.rejected(); }
 
  private:
-  [[nodiscard]] FullState full_state_at(double time) {
-    if (time >= segment_end_) return end_state();
+  /// Fraction of the step where it has reached a time.
+  [[nodiscard]] double fraction_at(double time) {
+    if (time >= segment_end_) return end_fraction_;
     const double from = step_.start()[rotor::kTime];
-    if (time <= from) return step_.start();
+    if (time <= from) return 0.0;
     if constexpr (Mode::kTimeTurns)
-      return step_.at_fraction(step_.fraction_where(rotor::kTime, time, end_fraction_, segment_end_));
-    return step_.at_fraction(end_fraction_ * (time - from) / (segment_end_ - from));
+      return step_.fraction_where(rotor::kTime, time, end_fraction_, segment_end_);
+    return end_fraction_ * (time - from) / (segment_end_ - from);
   }
+  [[nodiscard]] FullState full_state_at(double time) { return step_.at_fraction(fraction_at(time)); }
 
   /// Finds what ends the phase in the step just made, if anything does, and where; or takes the step back.
   void find_end() {

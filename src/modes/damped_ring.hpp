@@ -48,6 +48,7 @@ class DampedRing : public Solved<Law, Forcing, Blades> {
  public:
   using Base = Solved<Law, Forcing, Blades>;
   using Base::Base;
+  static constexpr bool kHasPath = false;
   using typename Base::FullState;
 
   template <class Search>

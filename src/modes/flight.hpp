@@ -14,8 +14,10 @@
 
 #include "integrate/conservative_step.hpp"
 #include "integrate/newton_between.hpp"
+#include "integrate/root_between.hpp"
 #include "modes/flight_row.hpp"
 #include "modes/state_row.hpp"
+#include "modes/tip_of.hpp"
 #include "modes/work_meter.hpp"
 #include "observables/motion_piece.hpp"
 #include "rotor/blade_set.hpp"
@@ -307,6 +309,50 @@ class TouchdownSearch {
     return stays_clear(flight, flight.start_time(), state, std::numeric_limits<double>::infinity());
   }
 
+  /// A tip at a time of the flight.
+  template <class Flight>
+  [[nodiscard]] observables::Tip tip(const Flight& flight, int blade, double time) const {
+    const contact::Geometry& geometry = law_->of(blade).geometry();
+    return tip_of(geometry, pose(geometry, blade, time, flight.state(time)), blades_->angular_speed(time));
+  }
+
+  /// The tip that passes the ring nearest between two times of the flight, nearer than `known` [m], or none.
+  template <class Flight>
+  [[nodiscard]] std::optional<observables::Pass> nearest_pass(const Flight& flight, double begin, double end,
+                                                              double known) requires kInRows<Flight> {
+    if (!row_) row_.emplace(flight.row());
+    std::optional<observables::Pass> nearest;
+    const double h = row_->spacing();
+    rotor::State state = flight.state(begin);
+    for (double time = begin; time < end; time += FlightRow::kTimes * h) {
+      flight.start_row(*row_, time, state, 0.0);
+      const contact::BladeDirection first = blades_->first(time);
+      for (int k = 0; k < blades_->count(); ++k) {
+        const contact::Geometry& geometry = law_->of(k).geometry();
+        const auto [gap, rate] = row_->gaps(geometry, blades_->direction(k, first));
+        const contact::Pose at = pose(geometry, k, time, state);
+        double gap_before = at.gap;
+        double rate_before = contact::gap_rate(geometry, at, rotor_->speed_ratio);
+        for (int i = 0; i < FlightRow::kTimes; ++i) {
+          // Tangents bound a maximum that lies between two times.
+          const double highest = std::max(gap_before + h * rate_before, gap[i] - h * rate[i]);
+          const double from = time + i * h;
+          if (rate_before > 0.0 && !(rate[i] > 0.0 && from + h < end) && from < end &&
+              highest > known * (known - 2.0 * geometry.ring_radius)) {
+            if (const auto pass = pass_between(flight, k, from, std::min(from + h, end), known)) {
+              nearest = pass;
+              known = pass->miss;
+            }
+          }
+          gap_before = gap[i];
+          rate_before = rate[i];
+        }
+      }
+      state = row_->state(FlightRow::kTimes - 1);
+    }
+    return nearest;
+  }
+
   /// Gaps evaluated, one for each blade and time, or row of times.
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
@@ -382,6 +428,26 @@ class TouchdownSearch {
     }
   }
 
+  [[nodiscard]] contact::Pose pose(const contact::Geometry& geometry, int blade, double time,
+                                   const auto& bodies) const {
+    return rotor::pose_of(*rotor_, geometry, blades_->direction(blade, blades_->first(time)),
+                          rotor::from_ring(bodies));
+  }
+
+  /// The same where a tip's radius has its one maximum between two times, if it has one there.
+  template <class Flight>
+  [[nodiscard]] std::optional<observables::Pass> pass_between(const Flight& flight, int blade, double from,
+                                                              double to, double known) const {
+    const auto rate = [&](double time) { return tip(flight, blade, time).rate; };
+    const double rate_from = rate(from);
+    const double rate_to = rate(to);
+    if (!(rate_from > 0.0 && rate_to < 0.0)) return std::nullopt;
+    const observables::Tip top =
+        tip(flight, blade, integrate::root_between(rate, from, to, rate_from, rate_to));
+    if (!(top.overlap < 0.0 && -top.overlap < known)) return std::nullopt;
+    return observables::Pass{-top.overlap, top.side};
+  }
+
   template <class Flight, class Bodies>
   [[nodiscard]] bool stays_clear(const Flight& flight, double time, const Bodies& state,
                                  double horizon) const {
@@ -408,14 +474,14 @@ class TouchdownSearch {
     const double turning = blades_->angular_speed(time);
     const double reach = geometry.reach;
     const contact::BladeDirection er = blades_->direction(blade, blades_->first(time));
-    const contact::Pose pose = rotor::pose_of(*rotor_, geometry, er, seen);
-    const double slope = contact::gap_rate(geometry, pose, turning);
+    const contact::Pose at = rotor::pose_of(*rotor_, geometry, er, seen);
+    const double slope = contact::gap_rate(geometry, at, turning);
     // Rounding may leave the gap of a blade that has just lifted off a little above zero.
-    if (pose.gap >= 0.0 && slope > 0.0) return 0.0;
-    const double value = std::min(pose.gap, 0.0);
+    if (at.gap >= 0.0 && slope > 0.0) return 0.0;
+    const double value = std::min(at.gap, 0.0);
 
     const std::complex<double> acceleration = flight.acceleration(time, state);
-    double curvature = contact::gap_curvature(geometry, er, pose, {seen[0], seen[1] + rotor_->misalignment},
+    double curvature = contact::gap_curvature(geometry, er, at, {seen[0], seen[1] + rotor_->misalignment},
                                               {seen[2], seen[3]}, acceleration, turning);
     // Where free motion grows, a bound over all the remaining time would be as large as that of its end.
     const double remaining = until - time;
@@ -424,7 +490,7 @@ class TouchdownSearch {
     const auto bound = flight.amplitude_bound(time, state, in_pieces ? renewed : remaining);  // of |z|, |c'|
     if constexpr (Blades::kRipples || Flight::kAnySupport) {
       if constexpr (Blades::kRipples) {
-        curvature += 2.0 * reach * blades_->angular_acceleration(time) * pose.tangential;
+        curvature += 2.0 * reach * blades_->angular_acceleration(time) * at.tangential;
       }
       const double step =
           integrate::conservative_step(value, slope, curvature, third_bound(flight, bound, reach));

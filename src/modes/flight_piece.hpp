@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 
 #include "modes/flight.hpp"
@@ -11,11 +12,12 @@
 
 namespace rubatlas::modes {
 
-template <class Forcing>
+/// `Search`: the search for touch-downs, which knows the tips.
+template <class Forcing, class Search>
 class FlightPiece final : public observables::MotionPiece {
  public:
-  FlightPiece(const Flight<Forcing>& flight, double begin, double end, double bound)
-      : flight_(&flight), begin_(begin), end_(end), bound_(bound) {}
+  FlightPiece(const Flight<Forcing>& flight, Search& search, double begin, double end, double bound)
+      : flight_(&flight), search_(&search), begin_(begin), end_(end), bound_(bound) {}
   [[nodiscard]] double begin() const override { return begin_; }
   [[nodiscard]] double end() const override { return end_; }
   [[nodiscard]] observables::State state(double time) override {
@@ -42,6 +44,20 @@ class FlightPiece final : public observables::MotionPiece {
   [[nodiscard]] double normal_force(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
   [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
   [[nodiscard]] double friction_power(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
+  [[nodiscard]] observables::ContactForce contact_force(std::size_t /*contact*/, double /*time*/) override {
+    return {};
+  }
+  [[nodiscard]] observables::Tip tip(int blade, double time) override {
+    return search_->tip(*flight_, blade, time);
+  }
+  [[nodiscard]] std::optional<observables::Pass> nearest_pass(
+      double known, const observables::PointConstants& point) override {
+    if constexpr (Search::template kInRows<Flight<Forcing>>) {
+      return search_->nearest_pass(*flight_, begin_, end_, known);
+    } else {
+      return MotionPiece::nearest_pass(known, point);
+    }
+  }
 
  private:
   static constexpr bool kInRows = requires(const Flight<Forcing>& flight) {
@@ -49,6 +65,7 @@ class FlightPiece final : public observables::MotionPiece {
   };
 
   const Flight<Forcing>* flight_;
+  Search* search_;
   double begin_;
   double end_;
   double bound_;  ///< of the displacement [m]

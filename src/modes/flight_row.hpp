@@ -53,16 +53,27 @@ class FlightRow {
     square_rate_ = 2.0 * (states_.x() * states_.vx() + y_ * states_.vy());
   }
 
-  /// The first of the eight intervals of the row in which a tip of this geometry may touch; kTimes: none.
-  /// `er`: direction of its blade at the start of the row.
-  [[nodiscard]] int first_doubt(const contact::Geometry& geometry, const contact::BladeDirection& er) const {
+  /// g [m²] and dg/dτ of a blade at the eight times.
+  struct Gaps {
+    Values gap;
+    Values rate;
+  };
+  /// `er`: direction of the blade at the start of the row.
+  [[nodiscard]] Gaps gaps(const contact::Geometry& geometry, const contact::BladeDirection& er) const {
     const Values cosine = er.cosine * turn_cosine_ - er.sine * turn_sine_;
     const Values sine = er.sine * turn_cosine_ + er.cosine * turn_sine_;
     const double reach = 2.0 * geometry.reach;
     const Values& x = states_.x();
-    const Values gap = square_ + (reach * (x * cosine + y_ * sine) + geometry.closing());
-    const Values rate = square_rate_ + reach * ((states_.vx() * cosine + states_.vy() * sine) +
-                                                speed_ratio_ * (y_ * cosine - x * sine));
+    return {square_ + (reach * (x * cosine + y_ * sine) + geometry.closing()),
+            square_rate_ + reach * ((states_.vx() * cosine + states_.vy() * sine) +
+                                    speed_ratio_ * (y_ * cosine - x * sine))};
+  }
+  [[nodiscard]] rotor::State state(int i) const { return states_.state(i); }
+
+  /// The first of the eight intervals of the row in which a tip of this geometry may touch; kTimes: none.
+  /// `er`: direction of its blade at the start of the row.
+  [[nodiscard]] int first_doubt(const contact::Geometry& geometry, const contact::BladeDirection& er) const {
+    const auto [gap, rate] = gaps(geometry, er);
     const contact::Pose at_start =
         contact::pose(geometry, er, start_[0], start_[1] + misalignment_, start_[2], start_[3]);
     // The tip of a blade that has just lifted off starts at the ring, up to rounding.

@@ -32,6 +32,7 @@ class FollowingRing : public Solved<Law, Forcing, Blades> {
  public:
   using Base = Solved<Law, Forcing, Blades>;
   using Base::Base;
+  static constexpr bool kHasPath = false;
   using FullState = rotor::RingContactState;
 
   bool operator()(const FullState& state, FullState& derivative) {

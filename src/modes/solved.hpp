@@ -23,6 +23,7 @@ class Solved : public ContactMode<Law, Forcing, Blades> {
   using Base = ContactMode<Law, Forcing, Blades>;
   using Base::Base;
   using typename Base::FullState;
+  static constexpr bool kHasPath = true;
 
   bool operator()(const FullState& state, FullState& derivative) {
     ++this->evaluations_;

@@ -36,6 +36,7 @@ class StickingElastic : public Solved<Law, Forcing, Blades> {
  public:
   using Base = Solved<Law, Forcing, Blades>;
   using Base::Base;
+  static constexpr bool kHasPath = false;
   using typename Base::FullState;
 
   /// The tips at rest that friction cannot hold in a state get the direction in which they slip, and are told

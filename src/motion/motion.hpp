@@ -252,8 +252,8 @@ class Motion {
       return {Guard::left_validity, -1, point::StatusDetail::shaft_at_ring};
     if (meter_.ended()) return {Guard::failed, -1, meter_.why()};
     if (end > time_) {
-      modes::FlightPiece<Forcing> piece(flight_, time_, end,
-                                        flight_.displacement_bound(time_, state_, end - time_));
+      modes::FlightPiece piece(flight_, search_, time_, end,
+                               flight_.displacement_bound(time_, state_, end - time_));
       listener.piece(piece);
       state_ = flight_.state(end);
       time_ = end;

@@ -20,7 +20,7 @@ class TouchdownsPerRevolution final : public Observable {
     return std::make_unique<TouchdownsPerRevolution>(scene);
   }
   void begin(const PointConstants& /*point*/) override { count_ = 0; }
-  void touch_down() override { ++count_; }
+  void touch_down(int /*blade*/) override { ++count_; }
   void write(std::span<double> row) override { row[0] = static_cast<double>(count_) / revolutions_; }
 
  private:

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "observables/contact_figures.hpp"
+#include "observables/grazing.hpp"
 #include "observables/inner_axis_size.hpp"
 #include "observables/max_displacement.hpp"
 #include "observables/poincare.hpp"
@@ -20,6 +21,7 @@ struct Entry {
   const char* units;
   const char* long_name;
   std::unique_ptr<Observable> (*make)(const settings::Scene&);
+  const char* flags = "";
 };
 
 /// What each word of `settings::observable_names` means, in the order of datasets and rows; `yielded`, which
@@ -51,6 +53,23 @@ const std::vector<Entry>& entries() {
        "m",
        "growth of the clearance over the point by wear, of the blade that has worn most",
        ClearanceGrowth::make},
+      {"nearest_miss",
+       {},
+       "m",
+       "smallest distance by which a tip that is not in contact passes the ring; NaN where none does",
+       NearestMiss::make},
+      {"lightest_touch",
+       {},
+       "m",
+       "smallest depth of a contact, the largest overlap of the undeformed tip within it; NaN without "
+       "contact",
+       LightestTouch::make},
+      {"grazing_side",
+       {},
+       "",
+       "side on which the nearest miss or the lightest touch, whichever is nearer to zero, would graze",
+       NearestGrazing::make,
+       kGrazingSides},
       {"yielded", {}, "1", "1 where a blade root was strained beyond validity.yield_strain", Yielded::make}};
   return kEntries;
 }
@@ -104,7 +123,7 @@ std::vector<Description> descriptions(const settings::Scene& scene) {
     if (!asked_for(entry, scene)) continue;
     std::size_t row_size = 1;
     for (const std::string& axis : entry.inner_axes) row_size *= inner_axis_size(axis, scene);
-    result.push_back({entry.name, entry.inner_axes, entry.units, entry.long_name, row_size});
+    result.push_back({entry.name, entry.inner_axes, entry.units, entry.long_name, row_size, entry.flags});
   }
   return result;
 }

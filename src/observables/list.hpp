@@ -27,13 +27,14 @@ struct InnerAxis {
   }
 };
 
-/// One dataset of the atlas: float64, shape axes × inner axes.
+/// One dataset of the atlas: float64, or u8 where its values are flags; shape axes × inner axes.
 struct Description {
   std::string name;                     ///< dataset name and the word in the scene
   std::vector<std::string> inner_axes;  ///< names, outermost first; empty: one number per point
   std::string units;
   std::string long_name;
   std::size_t row_size = 1;  ///< product of the inner extents
+  std::string flags{};       ///< what the values 0, 1, … mean, one word each; empty: they are numbers
 };
 
 /// The observables that the scene asks for, in the order of the list.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 
+#include "integrate/root_between.hpp"
 #include "observables/largest_distance.hpp"
 
 namespace rubatlas::observables {
@@ -10,6 +11,38 @@ namespace rubatlas::observables {
 double MotionPiece::largest_displacement(double known, double speed_ratio) {
   if (!(displacement_bound() > known)) return known;
   return std::max(known, largest_distance(*this, 0.0, speed_ratio));
+}
+
+std::optional<Pass> MotionPiece::nearest_pass(double known, const PointConstants& point) {
+  constexpr int kLeastIntervals = 2;  // a push of a contact is short
+  const double length = end() - begin();
+  const double spacing = spacing_of_distances(point.speed_ratio);
+  const int intervals = std::max(kLeastIntervals, static_cast<int>(std::ceil(length / spacing)));
+  std::optional<Pass> nearest;
+  for (int k = 0; k < point.blade_count; ++k) {
+    bool touches = false;
+    for (std::size_t contact = 0; contact < contact_count(); ++contact) touches |= blade(contact) == k;
+    if (touches) continue;
+    double time_before = begin();
+    Tip before = tip(k, time_before);
+    for (int i = 1; i <= intervals; ++i) {
+      const double time = i == intervals ? end() : begin() + length * i / intervals;
+      const Tip after = tip(k, time);
+      const double highest = std::max(before.overlap + before.rate * (time - time_before),
+                                      after.overlap - after.rate * (time - time_before));
+      if (before.rate > 0.0 && after.rate < 0.0 && highest > -known) {
+        const auto rate = [&](double t) { return tip(k, t).rate; };
+        const Tip top = tip(k, integrate::root_between(rate, time_before, time, before.rate, after.rate));
+        if (top.overlap < 0.0 && -top.overlap < known) {
+          known = -top.overlap;
+          nearest = Pass{known, top.side};
+        }
+      }
+      time_before = time;
+      before = after;
+    }
+  }
+  return nearest;
 }
 
 MotionPiece::LargestLoad MotionPiece::largest(Load load, std::size_t contact, double /*known*/) {

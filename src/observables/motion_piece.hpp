@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace rubatlas::observables {
 
@@ -26,6 +29,50 @@ struct SampleTimes {
 enum class Load : std::uint8_t {
   normal_force,  ///< F [N]
   root_strain    ///< bending strain at the root [-]
+};
+
+/// One grid point's constants, as far as observables need them.
+struct PointConstants {
+  double period;       ///< τ of one revolution
+  double speed_ratio;  ///< Ω [-]
+  int blade_count;
+};
+
+/// The tip of an undeformed blade against the ring.
+struct Tip {
+  double overlap;  ///< |tip| − R [m]: positive where it is beyond the ring
+  double rate;     ///< of the overlap [m per unit τ]
+  double side;     ///< s ct [m], s the direction of slip: positive approaching, negative receding (MODEL 4.2)
+};
+
+/// A tip passes the ring without contact: a local maximum of its radius.
+struct Pass {
+  double miss;  ///< R − |tip| > 0 [m]
+  double side;  ///< s ct there [m]
+};
+
+/// What a blade in contact does to the rotor.
+struct ContactForce {
+  std::complex<double> on_rotor;  ///< along x and y [N]
+  double normal;                  ///< F [N]
+  double slip_velocity;           ///< v (MODEL 4.4) [m per unit τ]
+  double slip;                    ///< s = ±1, 0 where the tip sticks
+};
+
+/// A place on the path of a piece in contact, as a function of a share θ in [0, 1] of the piece in which time
+/// and bending are smooth, also where bending is no smooth function of time.
+struct PathPoint {
+  struct Contact {
+    int blade;
+    double slip;          ///< s = ±1
+    double bending;       ///< u [-]; of a blade that is not `carried` a first guess; 0 of a rigid one
+    double bending_rate;  ///< du/dθ, where carried
+    bool carried;         ///< the bending is a coordinate of the path
+  };
+  double time = 0.0;       ///< τ of the revolution
+  double time_rate = 0.0;  ///< dτ/dθ
+  State state{};
+  std::vector<Contact> contacts;
 };
 
 /// The motion between two times of one revolution. States are exact in flight, of the step's order in
@@ -63,6 +110,15 @@ class MotionPiece {
   };
   /// The largest load of a contact in the piece; where it is not larger than `known`, any value up to that.
   [[nodiscard]] virtual LargestLoad largest(Load load, std::size_t contact, double known);
+  /// The force of a contact at a time of the piece.
+  [[nodiscard]] virtual ContactForce contact_force(std::size_t contact, double time) = 0;
+  /// A blade's tip at a time of the piece; `blade` from 0.
+  [[nodiscard]] virtual Tip tip(int blade, double time) = 0;
+  /// Of the tips that are not in contact, the one that passes the ring nearest within the piece; none where
+  /// no tip passes it nearer than `known` [m].
+  [[nodiscard]] virtual std::optional<Pass> nearest_pass(double known, const PointConstants& point);
+  /// The path at a share θ of the piece, which is in contact. False where its mode has no such path.
+  [[nodiscard]] virtual bool path(double /*share*/, PathPoint& /*point*/) { return false; }
   /// Power of friction |c F v| at its tip [J per unit τ], v the slip velocity (MODEL 4.4).
   [[nodiscard]] virtual double friction_power(std::size_t contact, double time) = 0;
 };
@@ -72,12 +128,5 @@ class MotionPiece {
 inline double spacing_of_distances(double speed_ratio) {
   return 0.125 * std::numbers::pi / std::max(1.0, std::abs(speed_ratio));
 }
-
-/// One grid point's constants, as far as observables need them.
-struct PointConstants {
-  double period;       ///< τ of one revolution
-  double speed_ratio;  ///< Ω [-]
-  int blade_count;
-};
 
 }  // namespace rubatlas::observables

@@ -14,7 +14,8 @@ class Observable {
   /// The sampled revolutions of a point start: everything gathered for the point before is cleared.
   virtual void begin(const PointConstants& point) = 0;
   virtual void piece(MotionPiece& /*piece*/) {}
-  virtual void touch_down() {}
+  virtual void touch_down(int /*blade*/) {}
+  virtual void lift_off(int /*blade*/) {}
   /// The revolution is over; `section` is the state there.
   virtual void revolution_ends(const State& /*section*/) {}
   /// The next revolution has another speed. Called only where the speed ramps.

@@ -31,8 +31,11 @@ class Recorder {
   void piece(MotionPiece& piece) {
     for (auto& observable : observables_) observable->piece(piece);
   }
-  void touch_down() {
-    for (auto& observable : observables_) observable->touch_down();
+  void touch_down(int blade) {
+    for (auto& observable : observables_) observable->touch_down(blade);
+  }
+  void lift_off(int blade) {
+    for (auto& observable : observables_) observable->lift_off(blade);
   }
   void revolution_ends(const State& section) {
     for (auto& observable : observables_) observable->revolution_ends(section);

@@ -20,7 +20,8 @@ class Recording final : public modes::MotionListener {
   explicit Recording(observables::Recorder& recorder) : recorder_(&recorder) {}
   void piece(observables::MotionPiece& piece) override { recorder_->piece(piece); }
   void event(const modes::Event& event) override {
-    if (event.kind == modes::Guard::touch_down) recorder_->touch_down();
+    if (event.kind == modes::Guard::touch_down) recorder_->touch_down(event.blade);
+    if (event.kind == modes::Guard::lift_off) recorder_->lift_off(event.blade);
   }
   void speed_changes(double speed_ratio) override { recorder_->speed_changes(speed_ratio); }
   void revolution_ends(const motion::SectionState& section) override { recorder_->revolution_ends(section); }

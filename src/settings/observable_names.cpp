@@ -5,10 +5,19 @@
 namespace rubatlas::settings {
 namespace {
 
-constexpr std::array<std::string_view, 9> kNames{
-    "poincare",         "poincare_blade_passing",    "max_displacement",
-    "spectrum",         "touchdowns_per_revolution", "max_contact_force",
-    "contact_fraction", "max_root_strain",           "clearance_growth",
+constexpr std::array<std::string_view, 12> kNames{
+    "poincare",
+    "poincare_blade_passing",
+    "max_displacement",
+    "spectrum",
+    "touchdowns_per_revolution",
+    "max_contact_force",
+    "contact_fraction",
+    "max_root_strain",
+    "clearance_growth",
+    "nearest_miss",
+    "lightest_touch",
+    "grazing_side",
 };
 
 constexpr std::array<std::string_view, 3> kDefaults{"poincare", "max_displacement", "spectrum"};

@@ -47,6 +47,15 @@ class SyntheticPiece final : public MotionPiece {
   [[nodiscard]] double friction_power(std::size_t contact, double time) override {
     return contacts_[contact].power ? contacts_[contact].power(time) : 0.0;
   }
+  [[nodiscard]] ContactForce contact_force(std::size_t contact, double time) override {
+    const double force = normal_force(contact, time);
+    return {-force, force, 0.0, 1.0};
+  }
+  [[nodiscard]] Tip tip(int blade, double time) override {
+    return tips_ ? tips_(blade, time) : Tip{-1.0, 0.0, 0.0};
+  }
+  /// Gives the piece tips; without them none comes near the ring.
+  void set_tips(std::function<Tip(int, double)> tips) { tips_ = std::move(tips); }
 
   /// How often the motion was asked for.
   [[nodiscard]] int states() const { return states_; }
@@ -57,6 +66,7 @@ class SyntheticPiece final : public MotionPiece {
   std::function<State(double)> motion_;
   std::vector<SyntheticContact> contacts_;
   double bound_;
+  std::function<Tip(int, double)> tips_;
   int states_ = 0;
 };
 

@@ -29,7 +29,7 @@ settings::Scene scene_of(int revolutions) {
 TEST(TouchdownsPerRevolution, CountsTouchDownsOverTheSampledRevolutions) {
   TouchdownsPerRevolution touchdowns(scene_of(4));
   touchdowns.begin(point_at(0.5, 3));
-  for (int i = 0; i < 6; ++i) touchdowns.touch_down();
+  for (int i = 0; i < 6; ++i) touchdowns.touch_down(i % 3);
   EXPECT_EQ(value_of(touchdowns), 1.5);
   touchdowns.begin(point_at(0.5, 3));
   EXPECT_EQ(value_of(touchdowns), 0.0);

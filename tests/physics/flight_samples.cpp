@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "contact/elastic_ring_contact.hpp"
 #include "modes/flight_piece.hpp"
 #include "observables/largest_distance.hpp"
 
@@ -31,7 +32,10 @@ void for_each_flight(Use use) {
       const auto fly = [&](const auto& forcing) {
         modes::Flight flight(constants, free, forcing);
         flight.start(between(generator, 0.0, 0.1), state);
-        use(flight, constants);
+        const rotor::BladeSet blades(3, speed);
+        const contact::ElasticRingContact law({0.1, 0.11}, 0.1, 1e4);
+        modes::TouchdownSearch<contact::ElasticRingContact> search(constants, law, blades);
+        use(flight, search, constants);
       };
       fly(rotor::NoForcing{});
       fly(rotor::RotatingUnbalance(0.1 * kSize, 0.4, speed, damping));
@@ -39,16 +43,17 @@ void for_each_flight(Use use) {
   }
 }
 
-template <class Forcing>
-modes::FlightPiece<Forcing> piece_of(const modes::Flight<Forcing>& flight, double end) {
+template <class Forcing, class Search>
+modes::FlightPiece<Forcing, Search> piece_of(const modes::Flight<Forcing>& flight, Search& search,
+                                             double end) {
   const double begin = flight.start_time();
-  return {flight, begin, end, flight.displacement_bound(begin, flight.state(begin), end - begin)};
+  return {flight, search, begin, end, flight.displacement_bound(begin, flight.state(begin), end - begin)};
 }
 
 TEST(FlightSamples, AreThoseOfTheClosedFormToRounding) {
-  for_each_flight([](const auto& flight, const rotor::RotorConstants& rotor) {
+  for_each_flight([](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
     for (const int count : {7, 64, 256, 8192}) {
-      auto piece = piece_of(flight, rotor.period());
+      auto piece = piece_of(flight, search, rotor.period());
       const observables::SampleTimes times{rotor.period(), count};
       const int first = static_cast<int>(flight.start_time() / times.spacing()) + 1;
       for (const int last : {first, first + 1, count - 1}) {
@@ -81,6 +86,10 @@ class StatesOnly final : public observables::MotionPiece {
   [[nodiscard]] double normal_force(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
   [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
   [[nodiscard]] double friction_power(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
+  [[nodiscard]] observables::ContactForce contact_force(std::size_t /*contact*/, double /*time*/) override {
+    return {};
+  }
+  [[nodiscard]] observables::Tip tip(int blade, double time) override { return piece_->tip(blade, time); }
 
  private:
   Piece* piece_;
@@ -89,9 +98,10 @@ class StatesOnly final : public observables::MotionPiece {
 TEST(FlightSamples, TheLargestDisplacementOfAFlightIsFoundWhereverItLies) {
   std::mt19937_64 generator(2);
   int inside = 0;
-  for_each_flight([&](const auto& flight, const rotor::RotorConstants& rotor) {
+  for_each_flight([&](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
     for (int i = 0; i < 200; ++i) {
-      auto piece = piece_of(flight, flight.start_time() + std::pow(10.0, between(generator, -3.0, 1.5)));
+      auto piece =
+          piece_of(flight, search, flight.start_time() + std::pow(10.0, between(generator, -3.0, 1.5)));
       StatesOnly states(piece);
       const double expected = states.largest_displacement(0.0, rotor.speed_ratio);
       EXPECT_NEAR(piece.largest_displacement(0.0, rotor.speed_ratio), expected, 1e-14 * expected)
@@ -105,6 +115,28 @@ TEST(FlightSamples, TheLargestDisplacementOfAFlightIsFoundWhereverItLies) {
     }
   });
   EXPECT_GT(inside, 1000) << "of 8000 flights that many are largest in between";
+}
+
+TEST(FlightSamples, TheTipThatPassesTheRingNearestIsTheSameInRowsOfTimesAndByStates) {
+  std::mt19937_64 generator(3);
+  int passes = 0;
+  for_each_flight([&](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
+    const observables::PointConstants point{rotor.period(), rotor.speed_ratio, 3};
+    for (int i = 0; i < 50; ++i) {
+      auto piece =
+          piece_of(flight, search, flight.start_time() + std::pow(10.0, between(generator, -3.0, 1.5)));
+      StatesOnly states(piece);
+      const auto expected = states.nearest_pass(INFINITY, point);
+      const auto found = piece.nearest_pass(INFINITY, point);
+      ASSERT_EQ(found.has_value(), expected.has_value()) << "up to " << piece.end();
+      if (!found) continue;
+      ++passes;
+      EXPECT_NEAR(found->miss, expected->miss, 1e-14 * kSize);
+      EXPECT_NEAR(found->side, expected->side, 1e-9 * kSize);
+      EXPECT_FALSE(piece.nearest_pass(0.999 * found->miss, point)) << "nothing passes nearer";
+    }
+  });
+  EXPECT_GT(passes, 500);
 }
 
 }  // namespace
