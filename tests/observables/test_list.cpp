@@ -104,7 +104,7 @@ TEST(Recorder, RowsAreThoseOfTheDescriptionsAndFilledByTheMotion) {
     SyntheticPiece contact(0.75 * point.period, point.period, motion,
                            {{0, [](double) { return 12.0; }, [](double) { return 1e-4; }}});
     recorder.piece(flight);
-    recorder.touch_down();
+    recorder.touch_down(0);
     recorder.piece(contact);
     recorder.revolution_ends(motion(point.period));
   }
@@ -132,7 +132,7 @@ TEST(Recorder, RowsOfAPointThatDidNotEndAreNotNumbers) {
   const settings::Scene scene = scene_with(all_names());
   Recorder recorder(scene);
   recorder.begin(point_at(0.5, scene.blades.count));
-  recorder.touch_down();
+  recorder.touch_down(0);
   for (const auto& row : recorder.rows(false)) {
     for (const double value : row) EXPECT_TRUE(std::isnan(value));
   }
