@@ -27,6 +27,7 @@
 #include "analysis/analyse.hpp"
 #include "atlas/environment_error.hpp"
 #include "mpi/commands/accuracy_command.hpp"
+#include "mpi/commands/branch_command.hpp"
 #include "mpi/commands/command_line.hpp"
 #include "mpi/commands/explain.hpp"
 #include "mpi/commands/merge_command.hpp"
@@ -76,6 +77,10 @@ int carry_out(const ExplainCommand& command) {
 
 int carry_out(const OrbitCommand& command) {
   return compute_orbit(command);
+}
+
+int carry_out(const BranchCommand& command) {
+  return follow_branch(command);
 }
 
 int carry_out(const AnalyseCommand& command) {

@@ -26,6 +26,8 @@ Examples:
   rubatlas explain jobs/damping.json                             effects, grid, bytes and time beforehand
   rubatlas orbit jobs/rig.json --at speed_ratio=0.304 -o orbit.h5
   rubatlas orbit jobs/damping.json --at speed_ratio=0.5,damping_ratio=0.1 --from damping.h5 -o orbit.h5
+  rubatlas branch jobs/default.json --from speed_ratio=0.62 --along speed_ratio --to 0.70 -o branch.h5
+                                                                 the orbit at 0.62, stable or not, up to 0.70
   rubatlas analyse damping.h5 -o maps.h5 --table table.md        regions, triggers and sensitivities
   rubatlas accuracy jobs/accuracy.json -o accuracy.h5            error against time, method by method
   rubatlas verify damping.h5 --recompute 50                      checksums of all rows, 50 rows once more
@@ -38,8 +40,8 @@ but some points could not be integrated; 2 wrong call or scene; 3 disk, files or
 request, --resume goes on. Any other code is not ours: mpirun ends a job that is terminated with codes of its own.
 )";
 
-constexpr std::array<std::string_view, 9> kCommands{"run",      "status", "explain", "orbit", "analyse",
-                                                    "accuracy", "verify", "merge",   "pack"};
+constexpr std::array<std::string_view, 10> kCommands{"run",     "status",   "explain", "orbit", "branch",
+                                                     "analyse", "accuracy", "verify",  "merge", "pack"};
 /// In the order of the enumeration ProgressStyle.
 constexpr std::array<std::string_view, 4> kProgressStyles{"auto", "bar", "plain", "off"};
 
@@ -135,6 +137,37 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
                     "Atlas of the scene: start from its final state at this point");
   orbit->add_flag("--overwrite", orbit_command.overwrite, "Replace an existing orbit; no other file");
 
+  BranchCommand branch_command;
+  auto* branch = program.add_subcommand(
+      "branch", "Follow periodic orbits along a quantity, stable or not, and locate bifurcations");
+  branch->add_option("SCENE", branch_command.scene, "Scene file (JSON)")->required();
+  branch
+      ->add_option(
+          "--from", branch_command.from,
+          "Where it starts: name=value[,name=value], as --at of orbit; the motion from /initial there")
+      ->delimiter(',')
+      ->type_name("NAME=VALUE");
+  branch->add_option("--along", branch_command.along, "Quantity of the grid that varies, such as speed_ratio")
+      ->required();
+  branch->add_option("--to", branch_command.to, "Where it ends; default: both ways, as far as it goes")
+      ->type_name("VALUE");
+  branch->add_flag("--both", branch_command.both, "As far to the other side, too");
+  branch->add_flag("--switch", branch_command.doubled,
+                   "At the first period doubling follow the branch of twice the period, too");
+  branch
+      ->add_option("--curve", branch_command.curve,
+                   "Follow the first bifurcation of this kind in two quantities: fold, period_doubling or "
+                   "neimark_sacker")
+      ->type_name("KIND");
+  branch->add_option("--in", branch_command.in, "The second quantity of a curve")->type_name("NAME");
+  branch->add_option("--within", branch_command.within, "Limits of the second quantity: LOW HIGH")
+      ->expected(2)
+      ->type_name("VALUE");
+  branch->add_option("--points", branch_command.points, "Most orbits of a branch; default: 2000")
+      ->check(CLI::Range(2, 1000000));
+  branch->add_option("-o,--output", branch_command.output, "Branch to write (HDF5)")->required();
+  branch->add_flag("--overwrite", branch_command.overwrite, "Replace an existing branch; no other file");
+
   AnalyseCommand analyse_command;
   auto* analyse =
       program.add_subcommand("analyse", "Classes, regions, triggers and sensitivities of an atlas");
@@ -217,6 +250,10 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   if (status->parsed()) return status_command;
   if (explain->parsed()) return explain_command;
   if (orbit->parsed()) return orbit_command;
+  if (branch->parsed()) {
+    std::ranges::sort(branch_command.within);
+    return branch_command;
+  }
   if (verify->parsed()) return verify_command;
   if (merge->parsed()) return merge_command;
   if (pack->parsed()) return pack_command;

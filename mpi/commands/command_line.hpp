@@ -31,6 +31,21 @@ struct OrbitCommand {
   bool overwrite = false;
 };
 
+struct BranchCommand {
+  std::filesystem::path scene;
+  std::vector<std::string> from;     ///< "name=value", one per parameter
+  std::string along;                 ///< name of a quantity of the grid
+  std::optional<double> to;          ///< where the branch ends, in its unit
+  bool both = false;                 ///< and as far to the other side
+  bool doubled = false;              ///< the branch that begins at the first period doubling, too
+  std::optional<std::string> curve;  ///< kind of bifurcation that is followed in two quantities
+  std::optional<std::string> in;     ///< the second of them
+  std::vector<double> within;        ///< its limits
+  int points = 2000;                 ///< most orbits of a branch
+  std::filesystem::path output;
+  bool overwrite = false;
+};
+
 struct AnalyseCommand {
   std::filesystem::path atlas;
   std::filesystem::path maps;
@@ -68,8 +83,9 @@ struct PackCommand {
   bool overwrite = false;
 };
 
-using Command = std::variant<PrintCommand, RunOptions, ExplainCommand, OrbitCommand, StatusCommand,
-                             AnalyseCommand, AccuracyCommand, VerifyCommand, MergeCommand, PackCommand>;
+using Command =
+    std::variant<PrintCommand, RunOptions, ExplainCommand, OrbitCommand, BranchCommand, StatusCommand,
+                 AnalyseCommand, AccuracyCommand, VerifyCommand, MergeCommand, PackCommand>;
 
 /// Throws UsageError with one sentence.
 Command parse_command_line(int argument_count, const char* const* arguments);

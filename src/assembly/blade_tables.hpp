@@ -5,7 +5,6 @@
 #include <memory>
 #include <tuple>
 
-#include "assembly/make_line_solver.hpp"
 #include "blade/elastica_curve.hpp"
 
 namespace rubatlas::assembly {

@@ -4,9 +4,12 @@
 
 #include <memory>
 
-#include "assembly/make_line_solver.hpp"
+#include "point/solver.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::assembly {
+
+class BladeTables;
 
 /// What a line solver is made of.
 struct LineRequest {

@@ -14,9 +14,9 @@
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
 #include "motion/point_motion.hpp"
-#include "point/line_solver.hpp"
-#include "point/point_solver.hpp"
+#include "point/solver_of_motions.hpp"
 #include "rotor/constants.hpp"
+#include "variation/blades_of_scene.hpp"
 
 namespace rubatlas::assembly {
 
@@ -36,21 +36,13 @@ std::unique_ptr<point::LineSolver> make_point_solver(const settings::Scene& line
     }
     return with(law);
   };
-  return std::make_unique<point::PointSolver>(line, std::move(make));
+  return point::solver_of_motions(line, std::move(make));
 }
 
-inline contact::Geometry geometry_of(const settings::Ring& ring, const settings::Blades& blade) {
-  return {blade.hub_radius + blade.length, ring.radius};
-}
-inline contact::ElasticRingContact elastic_ring_law(const settings::Ring& ring, const settings::Blades& blade,
-                                                    double friction) {
-  return {geometry_of(ring, blade), ring.stiffness, friction};
-}
-inline contact::ElasticaContact::Blade blade_of(const settings::Blades& blade) {
-  const double thickness = blade.thickness;
-  return {blade.length, thickness,
-          blade.youngs_modulus * blade.width * thickness * thickness * thickness / 12.0};
-}
+using variation::blade_of;
+using variation::elastic_ring_law;
+using variation::geometry_of;
+
 /// The curve of a blade: elastica or beam-column, and its axial compliance.
 inline std::shared_ptr<const blade::ElasticaCurve> curve_of(const LineRequest& request,
                                                             const settings::Blades& blade) {

@@ -22,6 +22,7 @@ struct Kind {
 
 constexpr std::array kKinds{Kind{FileKind::accuracy, "accuracy", "a study of accuracy", "/setting"},
                             Kind{FileKind::atlas, "atlas", "an atlas", "/final_state"},
+                            Kind{FileKind::branch, "branch", "a branch", "/multipliers"},
                             Kind{FileKind::maps, "maps", "maps", "/class"},
                             Kind{FileKind::orbit, "orbit", "an orbit", "/sections"},
                             Kind{FileKind::table, "table", "a table", nullptr},

@@ -330,6 +330,7 @@ class TouchdownSearch {
       for (int k = 0; k < blades_->count(); ++k) {
         const contact::Geometry& geometry = law_->of(k).geometry();
         const auto [gap, rate] = row_->gaps(geometry, blades_->direction(k, first));
+        const auto gap_at = [&](double miss) { return miss * (miss - 2.0 * geometry.ring_radius); };
         const contact::Pose at = pose(geometry, k, time, state);
         double gap_before = at.gap;
         double rate_before = contact::gap_rate(geometry, at, rotor_->speed_ratio);
@@ -338,7 +339,7 @@ class TouchdownSearch {
           const double highest = std::max(gap_before + h * rate_before, gap[i] - h * rate[i]);
           const double from = time + i * h;
           if (rate_before > 0.0 && !(rate[i] > 0.0 && from + h < end) && from < end &&
-              highest > known * (known - 2.0 * geometry.ring_radius)) {
+              highest > gap_at(std::min(known, geometry.ring_radius))) {
             if (const auto pass = pass_between(flight, k, from, std::min(from + h, end), known)) {
               nearest = pass;
               known = pass->miss;

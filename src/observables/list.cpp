@@ -4,6 +4,7 @@
 #include <array>
 
 #include "observables/contact_figures.hpp"
+#include "observables/exponents.hpp"
 #include "observables/grazing.hpp"
 #include "observables/inner_axis_size.hpp"
 #include "observables/max_displacement.hpp"
@@ -20,6 +21,7 @@ struct Entry {
   std::vector<std::string> inner_axes;
   const char* units;
   const char* long_name;
+  /// Null: kept beside the entry before, by the same object.
   std::unique_ptr<Observable> (*make)(const settings::Scene&);
   const char* flags = "";
 };
@@ -70,6 +72,21 @@ const std::vector<Entry>& entries() {
        "side on which the nearest miss or the lightest touch, whichever is nearer to zero, would graze",
        NearestGrazing::make,
        kGrazingSides},
+      {"lyapunov",
+       {"exponent"},
+       "1",
+       "Lyapunov exponents per unit tau, descending; NaN where the motion has no linearisation",
+       Lyapunov::make},
+      {"lyapunov_error",
+       {"exponent"},
+       "1",
+       "standard error of each exponent over batches of the sampled revolutions",
+       nullptr},
+      {"lyapunov_residual",
+       {},
+       "1",
+       "sum of the exponents less its exact value, -4 zeta and what slip reversals add",
+       nullptr},
       {"yielded", {}, "1", "1 where a blade root was strained beyond validity.yield_strain", Yielded::make}};
   return kEntries;
 }
@@ -93,16 +110,21 @@ InnerAxis make_axis(const std::string& name, const settings::Scene& scene) {
             "1", "blade passings since the point started"};
   }
   if (name == "blade") return {name, numbers(scene.blades.count, 1), "1", "blade, counted from 1"};
+  if (name == "exponent") return {name, numbers(4, 1), "1", "exponent, counted from 1 from the largest"};
   std::vector<double> orders(inner_axis_size(name, scene));
   for (std::size_t i = 0; i < orders.size(); ++i)
     orders[i] = static_cast<double>(i) / protocol.sampled_revolutions;
   return {name, orders, "1", "order: multiple of the speed of rotation"};
 }
 
-/// The flag comes with its limit; everything else is named by the scene.
+/// The flag comes with its limit, and what is kept beside another observable with that; everything else is
+/// named by the scene.
 bool asked_for(const Entry& entry, const settings::Scene& scene) {
   if (entry.make == Yielded::make) return scene.validity.yield_strain.has_value();
-  return std::find(scene.observables.begin(), scene.observables.end(), entry.name) != scene.observables.end();
+  const Entry* named = &entry;
+  while (named->make == nullptr) --named;
+  return std::find(scene.observables.begin(), scene.observables.end(), named->name) !=
+         scene.observables.end();
 }
 
 }  // namespace
@@ -114,6 +136,7 @@ std::size_t inner_axis_size(std::string_view name, const settings::Scene& scene)
   if (name == "section") return sections;
   if (name == "passing") return sections * blades;
   if (name == "blade") return blades;
+  if (name == "exponent") return 4;
   return static_cast<std::size_t>(scene.spectrum.max_order) * sections + 1;
 }
 
@@ -170,15 +193,20 @@ std::vector<InnerAxis> inner_axes(const settings::Scene& scene) {
 
 Recorder::Recorder(const settings::Scene& scene) : descriptions_(descriptions(scene)) {
   for (const Entry& entry : entries()) {
-    if (asked_for(entry, scene)) observables_.push_back(entry.make(scene));
+    if (!asked_for(entry, scene)) continue;
+    if (entry.make != nullptr) observables_.push_back(entry.make(scene));
+    const int beside = entry.make != nullptr ? -1 : writers_.back().beside + 1;
+    writers_.push_back({observables_.size() - 1, beside});
   }
 }
 
 Rows Recorder::rows(bool done) {
   Rows rows;
-  for (std::size_t i = 0; i < observables_.size(); ++i) {
+  for (std::size_t i = 0; i < writers_.size(); ++i) {
     std::vector<double> row(descriptions_[i].row_size, std::numeric_limits<double>::quiet_NaN());
-    if (done) observables_[i]->write(row);
+    const auto [number, beside] = writers_[i];
+    Observable& observable = *observables_[number];
+    if (done) beside < 0 ? observable.write(row) : observable.write_beside(beside, row);
     rows.push_back(std::move(row));
   }
   return rows;

@@ -16,6 +16,9 @@ class Observable {
   virtual void piece(MotionPiece& /*piece*/) {}
   virtual void touch_down(int /*blade*/) {}
   virtual void lift_off(int /*blade*/) {}
+  virtual void slip_reverses(int /*blade*/) {}
+  /// Any other event: a tip sticks or comes loose, skims or is pressed in, a blade snaps.
+  virtual void changes_otherwise() {}
   /// The revolution is over; `section` is the state there.
   virtual void revolution_ends(const State& /*section*/) {}
   /// The next revolution has another speed. Called only where the speed ramps.
@@ -25,6 +28,8 @@ class Observable {
   virtual void clearance_grows(double /*growth*/) {}
   /// The row, once all revolutions are over.
   virtual void write(std::span<double> row) = 0;
+  /// The rows that are kept beside it, where it has some, counted from 0.
+  virtual void write_beside(int /*number*/, std::span<double> /*row*/) {}
 };
 
 }  // namespace rubatlas::observables

@@ -37,6 +37,12 @@ class Recorder {
   void lift_off(int blade) {
     for (auto& observable : observables_) observable->lift_off(blade);
   }
+  void slip_reverses(int blade) {
+    for (auto& observable : observables_) observable->slip_reverses(blade);
+  }
+  void changes_otherwise() {
+    for (auto& observable : observables_) observable->changes_otherwise();
+  }
   void revolution_ends(const State& section) {
     for (auto& observable : observables_) observable->revolution_ends(section);
   }
@@ -45,6 +51,12 @@ class Recorder {
 
  private:
   std::vector<Description> descriptions_;
+  /// Who writes each of the rows: `beside` is −1 for the row of an observable itself.
+  struct Writer {
+    std::size_t observable;
+    int beside;
+  };
+  std::vector<Writer> writers_;
   std::vector<std::unique_ptr<Observable>> observables_;
   int blade_count_ = 0;
 };

@@ -1,18 +1,19 @@
-/// The interface to the physics: computes one line of the atlas, point by point.
-///
-/// A scene's choices (contact law, effects, observables) become types once, in `make_line_solver`; from there
-/// to the end of a point nothing is looked up by name. One virtual call per point.
+/// What comes of a line's points: outcomes, orbits and section maps (`solver.hpp`).
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include "modes/work_meter.hpp"
 #include "motion/point_start.hpp"
 #include "motion/work_counts.hpp"
 #include "observables/list.hpp"
+#include "observables/motion_piece.hpp"
+#include "point/solver.hpp"
 #include "point/status.hpp"
 
 namespace rubatlas::point {
@@ -49,18 +50,20 @@ struct Orbit {
   ContactSamples contacts;
 };
 
-class LineSolver {
- public:
-  virtual ~LineSolver() = default;
-
-  /// Runs transient and sampled revolutions at one speed ratio from `start`. `go_on` is asked after each
-  /// revolution and every few milliseconds within (a rank answers its messages there): false gives the point
-  /// up, whose status is then `pending`. An empty function is not called.
-  virtual PointOutcome run(double speed_ratio, const motion::PointStart& start,
-                           const modes::GoOn& go_on = {}) = 0;
-
-  /// The same motion, kept as `samples_per_revolution` samples over the sampled revolutions.
-  virtual Orbit orbit(double speed_ratio, const motion::PointStart& start) = 0;
+/// Some revolutions of a motion and how they depend on its start: what shooting for periodic orbits needs.
+struct SectionMap {
+  PointStatus status = PointStatus::pending;
+  StatusDetail detail = StatusDetail::none;
+  std::vector<motion::SectionState> sections;              ///< after each revolution
+  bool differentiable = false;                             ///< every part of the motion has a linearisation
+  Eigen::Matrix4d jacobian = Eigen::Matrix4d::Identity();  ///< of the last section by the start
+  double log_saltation = 0.0;  ///< ln|det| of the jacobian is this less 4ζ times the duration
+  std::optional<observables::Pass> nearest_pass;  ///< of the tips that do not touch
+  /// Touch-downs (blade + 1) and lift-offs −(blade + 1), in order of time.
+  std::vector<std::int32_t> events;
+  /// Of the contacts that begin and end within these revolutions the smallest depth [m]; infinity: none does.
+  double lightest_touch = std::numeric_limits<double>::infinity();
+  double lightest_side = 0.0;  ///< s ct there [m]
 };
 
 }  // namespace rubatlas::point

@@ -4,8 +4,10 @@
 #include <utility>
 
 #include "motion/changing_motion.hpp"
+#include "observables/grazing.hpp"
 #include "point/orbit_listener.hpp"
 #include "point/settling.hpp"
+#include "point/solver_of_motions.hpp"
 
 namespace rubatlas::point {
 namespace {
@@ -20,14 +22,66 @@ class Recording final : public modes::MotionListener {
   explicit Recording(observables::Recorder& recorder) : recorder_(&recorder) {}
   void piece(observables::MotionPiece& piece) override { recorder_->piece(piece); }
   void event(const modes::Event& event) override {
-    if (event.kind == modes::Guard::touch_down) recorder_->touch_down(event.blade);
-    if (event.kind == modes::Guard::lift_off) recorder_->lift_off(event.blade);
+    switch (event.kind) {
+      case modes::Guard::touch_down:
+        return recorder_->touch_down(event.blade);
+      case modes::Guard::lift_off:
+        return recorder_->lift_off(event.blade);
+      case modes::Guard::slip_reversal:
+        return recorder_->slip_reverses(event.blade);
+      default:
+        recorder_->changes_otherwise();
+    }
   }
   void speed_changes(double speed_ratio) override { recorder_->speed_changes(speed_ratio); }
   void revolution_ends(const motion::SectionState& section) override { recorder_->revolution_ends(section); }
 
  private:
   observables::Recorder* recorder_;
+};
+
+/// Follows a motion for its section map.
+class Mapping final : public modes::MotionListener {
+ public:
+  Mapping(SectionMap& map, variation::TangentFlow& flow, const observables::PointConstants& point)
+      : map_(&map), flow_(&flow), touch_(point.blade_count) {
+    miss_.begin(point);
+    touch_.begin(point);
+  }
+  void piece(observables::MotionPiece& piece) override {
+    flow_->piece(piece);
+    miss_.piece(piece);
+    touch_.piece(piece);
+  }
+  void event(const modes::Event& event) override {
+    using modes::Guard;
+    if (event.kind == Guard::touch_down || event.kind == Guard::lift_off) {
+      const bool opens = event.kind == Guard::touch_down;
+      flow_->passes_ring(event.blade);
+      map_->events.push_back(opens ? event.blade + 1 : -event.blade - 1);
+      opens ? touch_.touch_down(event.blade) : touch_.lift_off(event.blade);
+    } else if (event.kind == Guard::slip_reversal) {
+      flow_->slip_reverses(event.blade);
+    } else {
+      flow_->loses_track();
+    }
+  }
+  void finish() {
+    map_->differentiable = flow_->known();
+    map_->jacobian = flow_->tangents();
+    map_->log_saltation = flow_->log_saltation();
+    map_->nearest_pass = miss_.nearest();
+    if (const auto& lightest = touch_.lightest()) {
+      map_->lightest_touch = lightest->depth;
+      map_->lightest_side = lightest->side;
+    }
+  }
+
+ private:
+  SectionMap* map_;
+  variation::TangentFlow* flow_;
+  observables::NearestMiss miss_;
+  observables::LightestTouch touch_;
 };
 
 }  // namespace
@@ -38,6 +92,10 @@ rotor::RotorConstants constants_of(const settings::Scene& line, double speed_rat
   return {speed_ratio, line.rotor.damping_ratio, line.rotor.misalignment,
           1.0 / (line.rotor.mass * frequency * frequency),
           clearance > 0.0 ? clearance : 0.1 * line.blades.length};
+}
+
+std::unique_ptr<LineSolver> solver_of_motions(const settings::Scene& line, motion::MakeMotion make) {
+  return std::make_unique<PointSolver>(line, std::move(make));
 }
 
 PointSolver::PointSolver(const settings::Scene& line, motion::MakeMotion make)
@@ -110,6 +168,23 @@ PointSolver::Ending PointSolver::integrate(motion::PointMotion& motion, const mo
     }
   }
   return {status};
+}
+
+SectionMap PointSolver::section_map(double speed_ratio, const motion::PointStart& start, int revolutions) {
+  if (!tangent_flow_) tangent_flow_.emplace(scene_);
+  tangent_flow_->begin(speed_ratio, variation::Tangents::Identity());
+  const auto motion = motion_of(speed_ratio, start);
+  SectionMap map;
+  Mapping mapping(map, *tangent_flow_,
+                  {constants_of(scene_, speed_ratio).period(), speed_ratio, scene_.blades.count});
+  map.status = motion->start(start);
+  for (int revolution = 0; map.status == PointStatus::done && revolution < revolutions; ++revolution) {
+    map.status = motion->revolution(mapping, {}, revolution);
+    map.sections.push_back(section_of(*motion));
+  }
+  if (map.status != PointStatus::done) map.detail = motion->status_detail();
+  mapping.finish();
+  return map;
 }
 
 }  // namespace rubatlas::point

@@ -4,18 +4,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "modes/motion_listener.hpp"
 #include "motion/point_motion.hpp"
 #include "observables/recorder.hpp"
 #include "point/line_solver.hpp"
-#include "rotor/constants.hpp"
 #include "settings/scene.hpp"
+#include "variation/tangent_flow.hpp"
 
 namespace rubatlas::point {
-
-/// The constants of a line's point.
-rotor::RotorConstants constants_of(const settings::Scene& line, double speed_ratio);
 
 class PointSolver final : public LineSolver {
  public:
@@ -24,6 +22,7 @@ class PointSolver final : public LineSolver {
 
   PointOutcome run(double speed_ratio, const motion::PointStart& start, const modes::GoOn& go_on) override;
   Orbit orbit(double speed_ratio, const motion::PointStart& start) override;
+  SectionMap section_map(double speed_ratio, const motion::PointStart& start, int revolutions) override;
 
  private:
   /// How a motion ended.
@@ -41,6 +40,7 @@ class PointSolver final : public LineSolver {
   settings::Scene scene_;
   motion::MakeMotion make_;
   observables::Recorder recorder_;
+  std::optional<variation::TangentFlow> tangent_flow_;  ///< made where it is asked for
 };
 
 }  // namespace rubatlas::point

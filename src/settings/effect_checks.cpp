@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "settings/combinations.hpp"
+#include "settings/linearisation.hpp"
 #include "settings/quantity.hpp"
 #include "settings/reader.hpp"
 
@@ -115,6 +116,12 @@ void check_speed_ramp(const Scene& scene) {
   }
 }
 
+void check_exponents(const Scene& scene) {
+  if (std::ranges::count(scene.observables, "lyapunov") == 0) return;
+  if (const auto refusal = refusal_of_linearisation(scene))
+    throw SceneError(fmt::format("/observables: \"lyapunov\" is not to be had; {}", *refusal));
+}
+
 }  // namespace
 
 void check_effects(const Scene& scene) {
@@ -123,6 +130,7 @@ void check_effects(const Scene& scene) {
   check_unequal_blades(scene);
   check_wear(scene);
   check_speed_ramp(scene);
+  check_exponents(scene);
 }
 
 }  // namespace rubatlas::settings

@@ -5,7 +5,7 @@
 namespace rubatlas::settings {
 namespace {
 
-constexpr std::array<std::string_view, 12> kNames{
+constexpr std::array<std::string_view, 13> kNames{
     "poincare",
     "poincare_blade_passing",
     "max_displacement",
@@ -18,6 +18,7 @@ constexpr std::array<std::string_view, 12> kNames{
     "nearest_miss",
     "lightest_touch",
     "grazing_side",
+    "lyapunov",
 };
 
 constexpr std::array<std::string_view, 3> kDefaults{"poincare", "max_displacement", "spectrum"};

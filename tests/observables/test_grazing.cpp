@@ -11,11 +11,11 @@ namespace {
 
 constexpr double kRadius = 0.11;
 
-State at_rest(double /*time*/) {
+State resting(double /*time*/) {
   return {0, 0, 0, 0};
 }
 
-double value_of(Observable& observable) {
+double number_in(Observable& observable) {
   std::vector<double> row(1);
   observable.write(row);
   return row[0];
@@ -39,7 +39,7 @@ void hand_over(Observable& observable, double begin, double end, std::function<T
   std::vector<SyntheticContact> contacts;
   const auto none = [](double) { return 0.0; };
   for (const int blade : blades_in_contact) contacts.push_back({blade, none, none});
-  SyntheticPiece piece(begin, end, at_rest, contacts);
+  SyntheticPiece piece(begin, end, resting, contacts);
   piece.set_tips(std::move(tips));
   observable.piece(piece);
 }
@@ -51,16 +51,16 @@ TEST(NearestMiss, IsTheSmallestDistanceByWhichATipPassesTheRing) {
     return blade == 0 ? parabola(time, 3.3, -2e-3, 1e-3) : parabola(time, 7.9, -1e-3, -1e-3);
   };
   hand_over(miss, 0.0, 5.0, tips);
-  EXPECT_NEAR(value_of(miss), 2e-3, 1e-15);
+  EXPECT_NEAR(number_in(miss), 2e-3, 1e-15);
   hand_over(miss, 5.0, 10.0, tips);
-  EXPECT_NEAR(value_of(miss), 1e-3, 1e-15);
+  EXPECT_NEAR(number_in(miss), 1e-3, 1e-15);
 }
 
 TEST(NearestMiss, IsNotANumberWhereNoRadiusHasAMaximum) {
   NearestMiss miss;
   miss.begin(point_at(0.5, 1));
   hand_over(miss, 0.0, 5.0, [](int, double time) { return Tip{-1e-2 + 1e-3 * time, 1e-3, 0.0}; });
-  EXPECT_TRUE(std::isnan(value_of(miss)));
+  EXPECT_TRUE(std::isnan(number_in(miss)));
 }
 
 TEST(NearestMiss, LeavesOutTheTipThatIsInContact) {
@@ -70,7 +70,7 @@ TEST(NearestMiss, LeavesOutTheTipThatIsInContact) {
     return blade == 0 ? parabola(time, 0.5, -1e-9, 0.0) : parabola(time, 0.6, -3e-3, 0.0);
   };
   hand_over(miss, 0.0, 1.0, tips, {0});
-  EXPECT_NEAR(value_of(miss), 3e-3, 1e-15) << "the other tip passes meanwhile";
+  EXPECT_NEAR(number_in(miss), 3e-3, 1e-15) << "the other tip passes meanwhile";
 }
 
 TEST(LightestTouch, IsTheLeastOfTheLargestOverlapsOfTheContacts) {
@@ -81,12 +81,12 @@ TEST(LightestTouch, IsTheLeastOfTheLargestOverlapsOfTheContacts) {
   touch.touch_down(0);
   hand_over(touch, 0.95, 1.05, deep, {0});
   touch.lift_off(0);
-  EXPECT_NEAR(value_of(touch), 4e-3, 1e-14);
+  EXPECT_NEAR(number_in(touch), 4e-3, 1e-14);
   touch.touch_down(1);
   hand_over(touch, 3.07, 3.09, light, {1});
   hand_over(touch, 3.09, 3.13, light, {1});
   touch.lift_off(1);
-  EXPECT_NEAR(value_of(touch), 1e-3, 1e-14);
+  EXPECT_NEAR(number_in(touch), 1e-3, 1e-14);
 }
 
 TEST(LightestTouch, CountsOnlyContactsThatAreSeenWhole) {
@@ -95,10 +95,10 @@ TEST(LightestTouch, CountsOnlyContactsThatAreSeenWhole) {
   const auto overlap = [](int, double time) { return parabola(time, 1.0, 1e-4, 0.0); };
   hand_over(touch, 0.995, 1.005, overlap, {0});
   touch.lift_off(0);
-  EXPECT_TRUE(std::isnan(value_of(touch))) << "it was open when the sampled revolutions began";
+  EXPECT_TRUE(std::isnan(number_in(touch))) << "it was open when the sampled revolutions began";
   touch.touch_down(0);
   hand_over(touch, 0.995, 1.005, overlap, {0});
-  EXPECT_TRUE(std::isnan(value_of(touch))) << "it is open when they end";
+  EXPECT_TRUE(std::isnan(number_in(touch))) << "it is open when they end";
 }
 
 TEST(NearestGrazing, HasTheSideOfTheMissOrTheTouchThatIsNearerToZero) {
@@ -107,17 +107,17 @@ TEST(NearestGrazing, HasTheSideOfTheMissOrTheTouchThatIsNearerToZero) {
     hand_over(grazing, 0.0, 1.0, [=](int, double time) { return parabola(time, 0.4, -miss, side); });
   };
   grazing.begin(point_at(0.5, 1));
-  EXPECT_EQ(value_of(grazing), 0.0) << "there is neither";
+  EXPECT_EQ(number_in(grazing), 0.0) << "there is neither";
   pass(1e-3, 2e-3);
-  EXPECT_EQ(value_of(grazing), 1.0) << "approaching";
+  EXPECT_EQ(number_in(grazing), 1.0) << "approaching";
   pass(1e-4, -2e-3);
-  EXPECT_EQ(value_of(grazing), 3.0) << "receding";
+  EXPECT_EQ(number_in(grazing), 3.0) << "receding";
   pass(1e-5, 1e-14);
-  EXPECT_EQ(value_of(grazing), 2.0) << "head-on";
+  EXPECT_EQ(number_in(grazing), 2.0) << "head-on";
   grazing.touch_down(0);
   hand_over(grazing, 2.0, 2.006, [](int, double time) { return parabola(time, 2.003, 1e-6, 5e-3); }, {0});
   grazing.lift_off(0);
-  EXPECT_EQ(value_of(grazing), 1.0) << "a touch lighter than any miss";
+  EXPECT_EQ(number_in(grazing), 1.0) << "a touch lighter than any miss";
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ std::vector<std::string> all_names() {
 TEST(List, GivesEveryWordThatASceneMayUseItsMeaningInTheSameOrder) {
   std::vector<std::string> listed;
   for (const Description& description : descriptions(scene_with(all_names())))
-    listed.push_back(description.name);
+    if (!description.name.starts_with("lyapunov_")) listed.push_back(description.name);
   EXPECT_EQ(listed, all_names());
 }
 
@@ -59,7 +59,7 @@ TEST(List, RowSizesAreTheProductsOfTheirAxes) {
       product *= axis->size();
     }
     EXPECT_EQ(description.row_size, product) << description.name;
-    EXPECT_FALSE(description.units.empty()) << description.name;
+    EXPECT_EQ(description.units.empty(), !description.flags.empty()) << description.name;
     EXPECT_FALSE(description.long_name.empty()) << description.name;
   }
 }
@@ -69,7 +69,7 @@ TEST(List, AxesCountFromTheStartOfThePoint) {
   const auto axis = [&](const std::string& name) {
     return *std::find_if(axes.begin(), axes.end(), [&](const InnerAxis& a) { return a.name == name; });
   };
-  EXPECT_EQ(axes.size(), 4U) << "each once";
+  EXPECT_EQ(axes.size(), 5U) << "each once";
   EXPECT_EQ(std::get<std::vector<std::int32_t>>(axis("section").values),
             (std::vector<std::int32_t>{21, 22, 23, 24, 25}));
   const auto passings = std::get<std::vector<std::int32_t>>(axis("passing").values);
@@ -113,7 +113,10 @@ TEST(Recorder, RowsAreThoseOfTheDescriptionsAndFilledByTheMotion) {
   ASSERT_EQ(rows.size(), list.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     EXPECT_EQ(rows[i].size(), list[i].row_size) << list[i].name;
-    for (const double value : rows[i]) EXPECT_TRUE(std::isfinite(value)) << list[i].name;
+    // No tip comes near the ring here, and the contact does not end.
+    const bool absent = list[i].name == "nearest_miss" || list[i].name == "lightest_touch" ||
+                        list[i].name.starts_with("lyapunov");
+    for (const double value : rows[i]) EXPECT_EQ(std::isfinite(value), !absent) << list[i].name;
   }
   const auto row = [&](const std::string& name) {
     const auto found =

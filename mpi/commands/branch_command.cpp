@@ -1,0 +1,184 @@
+#include "mpi/commands/branch_command.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "atlas/branch_file.hpp"
+#include "atlas/output.hpp"
+#include "branch/continuation.hpp"
+#include "mpi/commands/place.hpp"
+#include "mpi/exit_code.hpp"
+#include "mpi/say.hpp"
+#include "mpi/version.hpp"
+#include "plan/grid.hpp"
+#include "settings/linearisation.hpp"
+#include "settings/nearest.hpp"
+#include "settings/quantity.hpp"
+#include "settings/reader.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+/// Newton's method closes orbits to 1e-12 of the clearance: their motions have to be as accurate.
+constexpr double kTightest = 1e-12;
+/// Of a quantity: what arclengths are counted in.
+constexpr double kShare = 0.1;
+
+/// The place of an axis that `option` names.
+std::size_t axis_of(const std::vector<settings::Axis>& axes, const std::string& name,
+                    std::string_view option) {
+  std::vector<std::string_view> names;
+  for (const auto& axis : axes) names.push_back(axis.name);
+  const auto found = std::ranges::find_if(
+      axes, [&](const settings::Axis& axis) { return axis.name == name || axis.quantity->pointer == name; });
+  if (found == axes.end()) {
+    throw UsageError(fmt::format("{} {}: no quantity of the scene's grid; they are {}; nearest: {}", option,
+                                 name, fmt::join(names, ", "), settings::nearest(name, names)));
+  }
+  return static_cast<std::size_t>(found - axes.begin());
+}
+
+/// A quantity may go as far as a scene may have it, or to the limits of the command.
+branch::Varied varied(const settings::Axis& axis, std::size_t place, double value,
+                      const std::vector<double>& within) {
+  const settings::Range& range = axis.quantity->range;
+  const double size = value != 0.0 ? std::abs(value) : std::min(1e-3 * range.high, 1.0);
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  branch::Varied result{place, kShare * size,
+                        range.low_excluded ? std::nextafter(range.low, kInfinite) : range.low,
+                        range.high_excluded ? std::nextafter(range.high, -kInfinite) : range.high};
+  if (!within.empty()) {
+    result.lowest = std::max(result.lowest, within.front());
+    result.highest = std::min(result.highest, within.back());
+  }
+  return result;
+}
+
+double limit_of(const settings::Axis& axis, double limit, std::string_view option) {
+  if (axis.quantity->range.contains(limit)) return limit;
+  throw UsageError(
+      fmt::format("{} {}: {} is a number in {}", option, limit, axis.name, axis.quantity->range.text()));
+}
+
+std::string sentence_of(const branch::Event& event, std::string_view name) {
+  std::string text = fmt::format("{} at {} = {:.10g}, period {}", branch::word_of(event.kind), name,
+                                 event.orbit.quantities.front(), event.orbit.period);
+  if (event.kind == branch::EventKind::grazing) {
+    text += event.side == observables::GrazingSide::receding ? ", on the receding side"
+                                                             : ", on the approaching side";
+  }
+  return text;
+}
+
+/// A branch both ways from its first orbit, as one.
+branch::Branch joined(branch::Branch down, branch::Branch up) {
+  if (down.orbits.empty()) return up;
+  std::ranges::reverse(down.orbits);
+  if (!up.orbits.empty()) down.orbits.pop_back();  // the first orbit of both
+  std::ranges::move(up.orbits, std::back_inserter(down.orbits));
+  std::ranges::reverse(down.events);
+  std::ranges::move(up.events, std::back_inserter(down.events));
+  return down;
+}
+
+}  // namespace
+
+int follow_branch(const BranchCommand& command) {
+  const std::string text = settings::read_text(command.scene);
+  settings::Scene scene = settings::parse_scene(text, command.scene.string());
+  if (const auto refusal = settings::refusal_of_linearisation(scene))
+    throw UsageError(fmt::format("{}: {}", command.scene.string(), *refusal));
+  const Place place = place_of(scene, command.from, "--from");
+  if (place.direction)
+    throw UsageError("--from direction: a branch has none; it is followed both ways by --both");
+  if (command.curve.has_value() != command.in.has_value())
+    throw UsageError("--curve and --in belong together: a curve of bifurcations lies in two quantities");
+  const atlas::Output output = atlas::permitted(
+      {command.output, atlas::FileKind::branch, atlas::existing(command.overwrite)}, {command.scene});
+
+  const auto axes = settings::axes_of(scene);
+  const std::vector<double> parameters = plan::values_of(place.parameters);
+  const std::size_t along = axis_of(axes, command.along, "--along");
+  const double value = parameters[along];
+  std::vector<double> within;
+  if (command.to) {
+    const double to = limit_of(axes[along], *command.to, "--to");
+    if (to == value) throw UsageError(fmt::format("--to {}: that is where the branch starts", to));
+    if (!command.both) within = {std::min(value, to), std::max(value, to)};
+  }
+  branch::Varied first = varied(axes[along], along, value, within);
+  if (command.to && command.both) {
+    const double distance = std::abs(*command.to - value);
+    first.lowest = std::max(first.lowest, value - distance);
+    first.highest = std::min(first.highest, value + distance);
+  }
+  scene.accuracy.tolerance = std::min(scene.accuracy.tolerance, kTightest);
+  scene.observables.clear();
+
+  branch::Shooting shooting(scene, parameters, {first});
+  branch::Continuation continuation(shooting);
+  const auto& initial = scene.initial;
+  const auto start = continuation.settle({initial.x, initial.y, initial.vx, initial.vy}, {value},
+                                         scene.protocol.transient_revolutions);
+  if (!start) {
+    throw UsageError(
+        fmt::format("--from {}: the motion from /initial does not settle on a periodic orbit within {} "
+                    "revolutions; choose "
+                    "another place, or a longer /protocol/transient_revolutions",
+                    fmt::join(command.from, ","), scene.protocol.transient_revolutions));
+  }
+  const double direction = command.to && *command.to < value ? -1.0 : 1.0;
+  const auto most = static_cast<std::size_t>(command.points);
+
+  atlas::BranchContents contents{{axes[along].quantity}, {}, std::nullopt, scene.accuracy.tolerance};
+  branch::Branch followed = continuation.follow(*start, direction, most);
+  if (command.both || !command.to)
+    followed = joined(continuation.follow(*start, -direction, most), std::move(followed));
+  contents.branches.push_back(std::move(followed));
+  const std::vector<branch::Event>& events = contents.branches.front().events;
+  for (const branch::Event& event : events) say_sentence(sentence_of(event, command.along));
+
+  if (command.doubled) {
+    const auto doubling = std::ranges::find(events, branch::EventKind::period_doubling, &branch::Event::kind);
+    if (doubling == events.end())
+      throw UsageError("--switch: no period doubling on this branch to switch at");
+    auto doubled = continuation.follow_doubled(*doubling, most);
+    if (!doubled) throw UsageError("--switch: the branch of doubled period could not be found");
+    for (const branch::Event& event : doubled->events) say_sentence(sentence_of(event, command.along));
+    contents.branches.push_back(std::move(*doubled));
+  }
+  if (command.curve) {
+    const auto kind = branch::kind_of(*command.curve);
+    if (!kind || *kind > branch::EventKind::neimark_sacker) {
+      throw UsageError(
+          fmt::format("--curve {}: allowed: fold, period_doubling, neimark_sacker", *command.curve));
+    }
+    const auto event = std::ranges::find(events, *kind, &branch::Event::kind);
+    if (event == events.end())
+      throw UsageError(fmt::format("--curve {}: there is none on this branch", *command.curve));
+    const std::size_t in = axis_of(axes, *command.in, "--in");
+    if (in == along) throw UsageError("--in: the same quantity as --along; a curve lies in two");
+    branch::Shooting both(
+        scene, parameters,
+        {varied(axes[along], along, value, {}), varied(axes[in], in, parameters[in], command.within)});
+    branch::Orbit from = event->orbit;
+    from.quantities.push_back(parameters[in]);
+    std::vector<branch::Orbit> curve = branch::follow_curve(both, *kind, from, most);
+    if (curve.empty()) throw UsageError("--curve: the curve could not be followed from there");
+    contents.quantities.push_back(axes[in].quantity);
+    contents.curve_of = kind;
+    contents.branches = {branch::Branch{std::move(curve), {}}};
+  }
+  std::size_t count = 0;
+  for (const branch::Branch& each : contents.branches) count += each.orbits.size();
+  atlas::write_branch(output, scene, text, contents, software());
+  say_sentence(fmt::format("{} periodic orbits in {}", count, command.output.string()));
+  return exit_code::kDone;
+}
+
+}  // namespace rubatlas::mpi

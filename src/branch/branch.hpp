@@ -1,0 +1,62 @@
+/// A branch of periodic orbits, and the bifurcations on it.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <complex>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "observables/grazing.hpp"
+#include "point/line_solver.hpp"
+
+namespace rubatlas::branch {
+
+/// A closed orbit.
+struct Orbit {
+  motion::SectionState section{};  ///< at phase 0: x, y [m], x', y' [m per unit τ]
+  std::vector<double> quantities;  ///< that vary, in their units
+  int period = 1;                  ///< in revolutions
+  point::SectionMap map;           ///< over the period
+  Eigen::Vector4cd multipliers;    ///< Floquet, the largest first
+
+  [[nodiscard]] bool is_stable() const { return std::abs(multipliers[0]) < 1.0; }
+};
+
+enum class EventKind : std::uint8_t {
+  fold = 1,             ///< a multiplier passes +1, and the branch turns back
+  period_doubling = 2,  ///< a multiplier passes −1
+  neimark_sacker = 3,   ///< a pair of complex multipliers passes the unit circle
+  grazing = 4,          ///< a tip that passes touches, or a contact vanishes
+  lost = 5              ///< the branch cannot be followed beyond, and it is none of these
+};
+inline constexpr std::string_view kEventKinds = "fold period_doubling neimark_sacker grazing lost";
+
+inline constexpr std::array<std::string_view, 5> kEventWords{"fold", "period_doubling", "neimark_sacker",
+                                                             "grazing", "lost"};
+/// The word of a kind, as `--curve` names it.
+inline std::string_view word_of(EventKind kind) {
+  return kEventWords[static_cast<std::size_t>(kind) - 1];
+}
+inline std::optional<EventKind> kind_of(std::string_view word) {
+  const auto* const found = std::ranges::find(kEventWords, word);
+  if (found == kEventWords.end()) return std::nullopt;
+  return static_cast<EventKind>(found - kEventWords.begin() + 1);
+}
+
+struct Event {
+  EventKind kind;
+  Orbit orbit;  ///< there, or the last that was found before a branch is lost
+  observables::GrazingSide side = observables::GrazingSide::none;  ///< of a grazing
+  double uncertainty = 0.0;  ///< of the first quantity: where it lies between two orbits, their distance
+};
+
+struct Branch {
+  std::vector<Orbit> orbits;  ///< along the arclength
+  std::vector<Event> events;
+};
+
+}  // namespace rubatlas::branch

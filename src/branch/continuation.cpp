@@ -1,0 +1,391 @@
+#include "branch/continuation.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace rubatlas::branch {
+namespace {
+
+constexpr double kClosed = 1e-12;      ///< of the clearance: what may be left of P^k(z) − z
+constexpr double kFirstStep = 1e-3;    ///< arclength, scaled
+constexpr double kLongestStep = 0.05;  ///< likewise
+constexpr double kShortestStep = 1e-9;
+constexpr int kMostIterations = 8;
+constexpr int kEasy = 3;  ///< iterations: the next step may be longer
+/// Of the clearance: a tip that misses, or a contact that is as deep, at the end of a bisection grazes.
+constexpr double kGrazes = 1e-4;
+
+using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+using Wide = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+
+/// The direction in which all rows vanish, of length 1, turned like `along`.
+Unknowns null_direction(const Wide& rows, const Unknowns& along) {
+  const Eigen::JacobiSVD<Eigen::MatrixXd> parts(rows, Eigen::ComputeFullV);
+  Unknowns direction = parts.matrixV().col(rows.cols() - 1);
+  return direction.dot(along) < 0.0 ? Unknowns(-direction) : direction;
+}
+
+/// One step of Newton's method on rows(U) = 0 within the plane normal to `tangent`.
+Unknowns newton_step(const Wide& rows, const Eigen::VectorXd& values, const Unknowns& tangent) {
+  Square matrix(rows.cols(), rows.cols());
+  matrix.topRows(rows.rows()) = rows;
+  matrix.bottomRows(1) = tangent.transpose();
+  Eigen::VectorXd right(rows.cols());
+  right.head(rows.rows()) = -values;
+  right[rows.cols() - 1] = 0.0;
+  return matrix.partialPivLu().solve(right);
+}
+
+/// Touch-downs of each blade in a period: they do not change but by a grazing.
+std::map<int, int> touches(const Orbit& orbit) {
+  std::map<int, int> counts;
+  for (const int event : orbit.map.events) {
+    if (event > 0) ++counts[event];
+  }
+  return counts;
+}
+
+bool same_touches(const Orbit& a, const Orbit& b) {
+  return touches(a) == touches(b);
+}
+
+}  // namespace
+
+double test_function(EventKind kind, const Eigen::Matrix4d& jacobian) {
+  if (kind == EventKind::fold) return (jacobian - Eigen::Matrix4d::Identity()).determinant();
+  if (kind == EventKind::period_doubling) return (jacobian + Eigen::Matrix4d::Identity()).determinant();
+  // Of all pairs of multipliers the product of μi μj − 1: real, since complex ones come in pairs.
+  const Eigen::Vector4cd multipliers = jacobian.eigenvalues();
+  std::complex<double> product = 1.0;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < i; ++j) product *= multipliers[i] * multipliers[j] - 1.0;
+  }
+  return product.real();
+}
+
+Continuation::Continuation(Shooting& shooting, OnOrbit on_orbit)
+    : shooting_(&shooting), on_orbit_(std::move(on_orbit)) {}
+
+std::optional<Orbit> Continuation::settle(const motion::SectionState& initial,
+                                          const std::vector<double>& quantities, int transient_revolutions) {
+  constexpr int kLongestPeriod = 16;
+  constexpr double kNear = 1e-3;  // of the clearance: close enough for Newton's method to be tried
+  Unknowns at = shooting_->scaled(initial, quantities);
+  const point::SectionMap settled = shooting_->follow(at, transient_revolutions + kLongestPeriod);
+  if (settled.status != point::PointStatus::done) return std::nullopt;
+  const auto from_end = [&](int back) {
+    return shooting_->scaled(settled.sections[settled.sections.size() - 1 - static_cast<std::size_t>(back)],
+                             quantities);
+  };
+  const Unknowns last = from_end(0);
+  for (int period = 1; period <= kLongestPeriod; ++period) {
+    const int back = std::min(period, static_cast<int>(settled.sections.size()) - 1);
+    if ((last - from_end(back)).norm() > kNear) continue;
+    shooting_->set_period(period);
+    Unknowns plane = Unknowns::Zero(shooting_->size());
+    plane[4] = 1.0;  // the first quantity stays
+    if (const auto found = correct(last, plane)) return found->orbit;
+  }
+  return std::nullopt;
+}
+
+std::optional<Continuation::State> Continuation::correct(const Unknowns& predicted, const Unknowns& tangent) {
+  Unknowns at = predicted;
+  for (iterations_ = 0; iterations_ < kMostIterations; ++iterations_) {
+    const auto orbit = shooting_->orbit(at);
+    if (!orbit) return std::nullopt;
+    const Eigen::Vector4d mismatch = shooting_->mismatch(at, *orbit);
+    if (mismatch.norm() <= kClosed) {
+      const auto along = tangent_at(at, *orbit, tangent);
+      if (!along) return std::nullopt;
+      return State{at, *orbit, *along};
+    }
+    const auto rows = shooting_->derivative(at, *orbit);
+    if (!rows) return std::nullopt;
+    const Unknowns step = newton_step(*rows, mismatch, tangent);
+    if (!step.allFinite() || step.norm() > 1.0) return std::nullopt;
+    at += step;
+  }
+  return std::nullopt;
+}
+
+std::optional<Unknowns> Continuation::tangent_at(const Unknowns& at, const Orbit& orbit,
+                                                 const Unknowns& along) {
+  const auto rows = shooting_->derivative(at, orbit);
+  if (!rows) return std::nullopt;
+  return null_direction(*rows, along);
+}
+
+Branch Continuation::follow(const Orbit& from, double direction, std::size_t most) {
+  Unknowns along = Unknowns::Zero(shooting_->size());
+  along[4] = direction;
+  shooting_->set_period(from.period);
+  const auto state = correct(shooting_->scaled(from.section, from.quantities), along);
+  if (!state) return {};
+  return follow(*state, most);
+}
+
+std::optional<Branch> Continuation::follow_doubled(const Event& doubling, std::size_t most) {
+  const Eigen::EigenSolver<Eigen::Matrix4d> parts(doubling.orbit.map.jacobian);
+  int nearest = 0;
+  for (int i = 1; i < 4; ++i) {
+    if (std::abs(parts.eigenvalues()[i] + 1.0) < std::abs(parts.eigenvalues()[nearest] + 1.0)) nearest = i;
+  }
+  Unknowns along = Unknowns::Zero(shooting_->size());
+  along.head<4>() = parts.eigenvectors().col(nearest).real();
+  along.normalize();
+  const Unknowns at = shooting_->scaled(doubling.orbit.section, doubling.orbit.quantities);
+  shooting_->set_period(2 * doubling.orbit.period);
+  // Away from the orbit itself, of which the doubled one is twice the same: too near, Newton's method falls
+  // back onto it.
+  for (const double length : {1e-3, 3e-3, 1e-2, 3e-2}) {
+    const auto state = correct(at + length * along, along);
+    if (!state) continue;
+    const motion::SectionState& half =
+        state->orbit.map.sections[static_cast<std::size_t>(doubling.orbit.period) - 1];
+    const Unknowns halfway = shooting_->scaled(half, state->orbit.quantities);
+    if ((halfway - state->at).head<4>().norm() < 0.1 * length) continue;
+    State start = *state;
+    if (start.tangent.dot(along) < 0.0) start.tangent = -start.tangent;
+    return follow(start, most);
+  }
+  return std::nullopt;
+}
+
+Branch Continuation::follow(State state, std::size_t most) {
+  Branch branch;
+  branch.orbits.push_back(state.orbit);
+  double length = kFirstStep;
+  const Unknowns first = state.at;
+  while (branch.orbits.size() < most) {
+    auto next = advance(state, length);
+    // Of two orbits that are close in arclength the tangents are alike; else the step has left the branch.
+    const bool follows = next && next->tangent.dot(state.tangent) > 0.9;
+    if (!follows) {
+      length *= 0.5;
+      if (length >= kShortestStep) continue;
+      const auto grazing = locate_grazing(state, kFirstStep);
+      branch.events.push_back(grazing.value_or(Event{EventKind::lost, state.orbit}));
+      break;
+    }
+    const bool eased = iterations_ <= kEasy;
+    if (!shooting_->in_range(next->at)) {
+      // The last orbit stands where the range ends.
+      const std::size_t number = 0;
+      const Varied& varied = shooting_->varied()[number];
+      const double limit =
+          shooting_->quantity(next->at, number) > varied.highest ? varied.highest : varied.lowest;
+      Unknowns end = next->at;
+      end[4] = limit / varied.scale;
+      Unknowns plane = Unknowns::Zero(shooting_->size());
+      plane[4] = 1.0;
+      if (const auto last = correct(end, plane)) {
+        locate(state, *last, std::max((last->at - state.at).norm(), kShortestStep), branch.events);
+        branch.orbits.push_back(last->orbit);
+      }
+      break;
+    }
+    locate(state, *next, length, branch.events);
+    state = std::move(*next);
+    branch.orbits.push_back(state.orbit);
+    if (on_orbit_) on_orbit_(state.orbit);
+    if (branch.orbits.size() > 10 && (state.at - first).norm() < 0.5 * length) break;  // it has closed
+    length = eased ? std::min(1.5 * length, kLongestStep) : length;
+  }
+  return branch;
+}
+
+double Continuation::uncertainty(const State& a, const State& b) const {
+  return std::abs(shooting_->quantity(a.at, 0) - shooting_->quantity(b.at, 0));
+}
+
+void Continuation::locate(const State& from, const State& to, double length, std::vector<Event>& events) {
+  if (!same_touches(from.orbit, to.orbit)) {
+    if (auto grazing = locate_grazing(from, length)) events.push_back(std::move(*grazing));
+  }
+  const auto find = [&](EventKind kind, auto value) {
+    const double at_start = value(from);
+    const double at_end = value(to);
+    if (!(at_start * at_end < 0.0)) return;
+    State found = from;
+    const auto at_length = [&](double part) {
+      const auto there = advance(from, part);
+      if (!there) return std::numeric_limits<double>::quiet_NaN();
+      found = *there;
+      return value(*there);
+    };
+    // Across a grazing multipliers jump, and no zero lies between.
+    double low = 0.0;
+    double high = length;
+    double value_low = at_start;
+    double value_high = at_end;
+    State state_low = from;
+    State state_high = to;
+    for (int i = 0; i < 200 && high - low > 1e-12; ++i) {
+      double part =
+          i % 2 == 0 ? (low * value_high - high * value_low) / (value_high - value_low) : 0.5 * (low + high);
+      part = std::clamp(part, low + 1e-3 * (high - low), high - 1e-3 * (high - low));
+      const double there = at_length(part);
+      if (!std::isfinite(there)) return;
+      const bool before = there * at_start > 0.0;
+      (before ? low : high) = part;
+      (before ? value_low : value_high) = there;
+      (before ? state_low : state_high) = found;
+      if (std::abs(there) < 1e-13 * (std::abs(at_start) + std::abs(at_end))) break;
+    }
+    if (kind == EventKind::neimark_sacker) {
+      // μi μj = 1 holds for a real pair, too, which is no bifurcation.
+      const auto& multipliers = found.orbit.multipliers;
+      const bool on_circle = std::ranges::any_of(multipliers, [](const std::complex<double>& multiplier) {
+        return std::abs(multiplier.imag()) > 1e-6 && std::abs(std::abs(multiplier) - 1.0) < 1e-4;
+      });
+      if (!on_circle) return;
+    }
+    // A change of sign without a zero is a jump of the multipliers at a grazing.
+    if (std::abs(value_high - value_low) > 0.1 * std::abs(at_end - at_start)) return;
+    events.push_back({kind, found.orbit, observables::GrazingSide::none, uncertainty(state_low, state_high)});
+  };
+  find(EventKind::fold, [](const State& state) { return state.tangent[4]; });
+  for (const EventKind kind : {EventKind::period_doubling, EventKind::neimark_sacker})
+    find(kind, [kind](const State& state) { return test_function(kind, state.orbit.map.jacobian); });
+}
+
+std::optional<Event> Continuation::locate_grazing(const State& from, double length) {
+  double reached = 0.0;
+  double beyond = length;
+  State last = from;
+  std::optional<State> first_beyond;
+  for (int i = 0; i < 60 && beyond - reached > 1e-13; ++i) {
+    const double part = 0.5 * (reached + beyond);
+    auto there = advance(from, part);
+    if (there && same_touches(there->orbit, from.orbit)) {
+      reached = part;
+      last = std::move(*there);
+    } else {
+      beyond = part;
+      first_beyond = std::move(there);
+    }
+  }
+  const double clearance = std::abs(shooting_->section(Unknowns::Ones(shooting_->size()))[0]);
+  Event event{EventKind::grazing, last.orbit};
+  double nearest = std::numeric_limits<double>::infinity();
+  const auto consider = [&](const Orbit& orbit) {
+    const auto take = [&](double distance, double side) {
+      if (!(distance < nearest)) return;
+      nearest = distance;
+      event.side = side > 0.0 ? observables::GrazingSide::approaching : observables::GrazingSide::receding;
+    };
+    if (orbit.map.nearest_pass) take(orbit.map.nearest_pass->miss, orbit.map.nearest_pass->side);
+    take(orbit.map.lightest_touch, orbit.map.lightest_side);
+  };
+  consider(last.orbit);
+  if (first_beyond) consider(first_beyond->orbit);
+  if (!(nearest < kGrazes * clearance)) return std::nullopt;
+  event.uncertainty =
+      first_beyond ? uncertainty(last, *first_beyond) : (beyond - reached) * shooting_->varied()[0].scale;
+  return event;
+}
+
+namespace {
+
+/// An orbit of a curve, with the direction in which the curve goes on.
+struct OnCurve {
+  Unknowns at;
+  Orbit orbit;
+  Unknowns tangent;
+};
+
+class Curve {
+ public:
+  Curve(Shooting& shooting, EventKind kind) : shooting_(&shooting), kind_(kind) {}
+
+  /// Newton's method on the orbit's equations and the test function, within the plane normal to `tangent`.
+  std::optional<OnCurve> correct(const Unknowns& predicted, const Unknowns& tangent) {
+    Unknowns at = predicted;
+    for (iterations_ = 0; iterations_ < kMostIterations; ++iterations_) {
+      const auto orbit = shooting_->orbit(at);
+      if (!orbit) return std::nullopt;
+      const auto rows = derivative(at, *orbit);
+      if (!rows) return std::nullopt;
+      Eigen::VectorXd values(5);
+      values << shooting_->mismatch(at, *orbit), test_function(kind_, orbit->map.jacobian);
+      const Unknowns step = newton_step(*rows, values, tangent);
+      if (!step.allFinite() || step.norm() > 1.0) return std::nullopt;
+      if (values.head<4>().norm() <= kClosed && step.norm() <= kLastStep)
+        return OnCurve{at, *orbit, null_direction(*rows, tangent)};
+      at += step;
+    }
+    return std::nullopt;
+  }
+  [[nodiscard]] int iterations() const { return iterations_; }
+
+ private:
+  static constexpr double kStep = 1e-6;      ///< of the differences of the test function, scaled
+  static constexpr double kLastStep = 1e-8;  ///< of Newton's method: what differences leave
+
+  std::optional<Wide> derivative(const Unknowns& at, const Orbit& orbit) {
+    const auto closing = shooting_->derivative(at, orbit);
+    if (!closing) return std::nullopt;
+    Wide rows(5, shooting_->size());
+    rows.topRows(4) = *closing;
+    for (Eigen::Index column = 0; column < shooting_->size(); ++column) {
+      double difference = 0.0;
+      for (const double side : {-1.0, 1.0}) {
+        Unknowns moved = at;
+        moved[column] += side * kStep;
+        const auto there = shooting_->orbit(moved);
+        if (!there) return std::nullopt;
+        difference += side * test_function(kind_, there->map.jacobian);
+      }
+      rows(4, column) = difference / (2.0 * kStep);
+    }
+    return rows;
+  }
+
+  Shooting* shooting_;
+  EventKind kind_;
+  int iterations_ = 0;
+};
+
+}  // namespace
+
+std::vector<Orbit> follow_curve(Shooting& shooting, EventKind kind, const Orbit& from, std::size_t most,
+                                const OnOrbit& on_orbit) {
+  shooting.set_period(from.period);
+  Curve curve(shooting, kind);
+  Unknowns along = Unknowns::Zero(shooting.size());
+  along[shooting.size() - 1] = 1.0;  // the second quantity grows at first
+  const auto start = curve.correct(shooting.scaled(from.section, from.quantities), along);
+  if (!start) return {};
+  std::vector<Orbit> orbits{start->orbit};
+  for (const double direction : {-1.0, 1.0}) {
+    OnCurve state = *start;
+    state.tangent *= direction;
+    double length = kFirstStep;
+    std::size_t count = 1;
+    while (2 * count < most && length >= kShortestStep) {
+      const auto next = curve.correct(state.at + length * state.tangent, state.tangent);
+      if (!next || !(next->tangent.dot(state.tangent) > 0.9)) {
+        length *= 0.5;
+        continue;
+      }
+      if (!shooting.in_range(next->at)) break;
+      state = *next;
+      ++count;
+      orbits.push_back(state.orbit);
+      if (on_orbit) on_orbit(state.orbit);
+      if (curve.iterations() <= kEasy) length = std::min(1.5 * length, kLongestStep);
+    }
+    // From one end of the curve to the other.
+    if (direction < 0.0) std::ranges::reverse(orbits);
+  }
+  return orbits;
+}
+
+}  // namespace rubatlas::branch

@@ -1,0 +1,124 @@
+/// Observable `lyapunov`: the Lyapunov exponents of a point, with `lyapunov_error` and `lyapunov_residual`
+/// beside it.
+///
+/// Four tangents follow the motion (`variation/tangent_flow.hpp`) and are made orthogonal again and again;
+/// the logarithms of what their lengths lose are the exponents' sums. Source: Benettin, Galgani, Giorgilli
+/// and Strelcyn, Meccanica 15 (1980); for motions with events Müller, Chaos, Solitons & Fractals 5 (1995).
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "observables/observable.hpp"
+#include "settings/scene.hpp"
+#include "variation/tangent_flow.hpp"
+
+namespace rubatlas::observables {
+
+class Lyapunov final : public Observable {
+ public:
+  explicit Lyapunov(const settings::Scene& scene)
+      : damping_ratio_(scene.rotor.damping_ratio),
+        aligning_(scene.protocol.sampled_revolutions / kPartToAlign),
+        flow_(scene) {}
+  static std::unique_ptr<Observable> make(const settings::Scene& scene) {
+    return std::make_unique<Lyapunov>(scene);
+  }
+
+  void begin(const PointConstants& point) override {
+    period_ = point.period;
+    flow_.begin(point.speed_ratio, variation::Tangents::Identity());
+    growth_.setZero();
+    growths_.clear();
+  }
+  void piece(MotionPiece& piece) override { flow_.piece(piece); }
+  void touch_down(int blade) override {
+    make_orthogonal();
+    flow_.passes_ring(blade);
+  }
+  void lift_off(int blade) override { flow_.passes_ring(blade); }
+  void slip_reverses(int blade) override { flow_.slip_reverses(blade); }
+  void changes_otherwise() override { flow_.loses_track(); }
+  void revolution_ends(const State& /*section*/) override {
+    make_orthogonal();
+    growths_.push_back(growth_);
+    growth_.setZero();
+  }
+
+  /// The exponents, per unit τ, descending; NaN where the flow has no linearisation.
+  void write(std::span<double> row) override {
+    const Growth mean = exponents();
+    std::copy(mean.begin(), mean.end(), row.begin());
+  }
+  void write_beside(int number, std::span<double> row) override {
+    number == 0 ? write_errors(row) : write_residual(row);
+  }
+
+ private:
+  using Growth = Eigen::Array4d;
+  /// One part in this many of the sampled revolutions turns the tangents into their directions.
+  static constexpr int kPartToAlign = 4;
+  static constexpr std::size_t kBatches = 10;
+
+  void make_orthogonal() {
+    const Eigen::HouseholderQR<Eigen::Matrix4d> factors(flow_.tangents());
+    growth_ += factors.matrixQR().diagonal().array().abs().log();
+    flow_.set_tangents(factors.householderQ());
+  }
+  [[nodiscard]] std::span<const Growth> counted() const {
+    return std::span(growths_).subspan(static_cast<std::size_t>(aligning_));
+  }
+  [[nodiscard]] static Growth sum(std::span<const Growth> growths) {
+    Growth total = Growth::Zero();
+    for (const Growth& growth : growths) total += growth;
+    return total;
+  }
+  [[nodiscard]] Growth exponents() const {
+    if (!flow_.known()) return Growth::Constant(std::numeric_limits<double>::quiet_NaN());
+    Growth mean = sum(counted()) / (static_cast<double>(counted().size()) * period_);
+    std::sort(mean.begin(), mean.end(), std::greater<>());
+    return mean;
+  }
+  /// Standard error of the mean over batches of revolutions.
+  void write_errors(std::span<double> row) const {
+    const std::span<const Growth> all = counted();
+    const std::size_t batches = std::min(kBatches, all.size());
+    if (!flow_.known() || batches < 2) {
+      std::ranges::fill(row, std::numeric_limits<double>::quiet_NaN());
+      return;
+    }
+    std::vector<Growth> means;
+    for (std::size_t i = 0; i < batches; ++i) {
+      const std::size_t first = i * all.size() / batches;
+      const std::size_t last = (i + 1) * all.size() / batches;
+      means.push_back(sum(all.subspan(first, last - first)) / (static_cast<double>(last - first) * period_));
+    }
+    const auto count = static_cast<double>(batches);
+    const Growth mean = sum(means) / count;
+    Growth squares = Growth::Zero();
+    for (const Growth& of_batch : means) squares += (of_batch - mean).square();
+    const Growth errors = (squares / (count * (count - 1.0))).sqrt();
+    std::copy(errors.begin(), errors.end(), row.begin());
+  }
+  /// Over all sampled revolutions, those in which the tangents turn included.
+  void write_residual(std::span<double> row) const {
+    const double duration = static_cast<double>(growths_.size()) * period_;
+    row[0] = flow_.known() ? (sum(growths_).sum() - flow_.log_saltation()) / duration + 4.0 * damping_ratio_
+                           : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  double damping_ratio_;  ///< ζ [-]
+  int aligning_;          ///< revolutions
+  variation::TangentFlow flow_;
+  double period_ = 0.0;
+  Growth growth_ = Growth::Zero();  ///< ln of the lengths, in this revolution
+  std::vector<Growth> growths_;     ///< in each revolution
+};
+
+}  // namespace rubatlas::observables

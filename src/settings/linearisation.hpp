@@ -1,0 +1,15 @@
+/// Which scenes have a linearised flow, for Lyapunov exponents and for periodic orbits found by shooting.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "settings/scene.hpp"
+
+namespace rubatlas::settings {
+
+/// Why a scene has none, as a sentence that names the place and what is allowed; nothing where it has one.
+/// Refused is what has no derivative or one that is not written yet, rather than approximated.
+std::optional<std::string> refusal_of_linearisation(const Scene& scene);
+
+}  // namespace rubatlas::settings

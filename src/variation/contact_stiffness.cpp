@@ -1,0 +1,159 @@
+#include "variation/contact_stiffness.hpp"
+
+#include <cmath>
+
+#include "settings/effects/list.hpp"
+#include "variation/blades_of_scene.hpp"
+
+namespace rubatlas::variation {
+namespace {
+
+using Contact = observables::PathPoint::Contact;
+using observables::State;
+
+Eigen::Vector2d turned_by_quarter(const Eigen::Vector2d& vector) {
+  return {-vector[1], vector[0]};
+}
+Eigen::Vector2d of_blade(const contact::BladeDirection& er, double along, double across) {
+  return {along * er.cosine - across * er.sine, along * er.sine + across * er.cosine};
+}
+/// I + sμJ.
+Eigen::Matrix2d with_friction(double friction) {
+  return (Eigen::Matrix2d() << 1.0, -friction, friction, 1.0).finished();
+}
+
+std::variant<contact::ElasticaContact, contact::ElasticRingContact> law_of(const settings::Scene& line) {
+  const double friction = line.contact.friction;
+  if (line.contact.law == settings::ContactLaw::elastic_ring)
+    return elastic_ring_law(line.ring, line.blades, friction);
+  const auto theory = line.contact.law == settings::ContactLaw::beam_column ? blade::Theory::beam_column
+                                                                            : blade::Theory::elastica;
+  return contact::ElasticaContact(geometry_of(line.ring, line.blades), blade_of(line.blades),
+                                  std::make_shared<blade::ElasticaCurve>(friction, theory));
+}
+
+}  // namespace
+
+ContactStiffness::ContactStiffness(const settings::Scene& line)
+    : law_(law_of(line)), blades_(line.blades.count, 0.0) {}
+
+void ContactStiffness::begin(const rotor::RotorConstants& rotor) {
+  rotor_ = rotor;
+  blades_ = rotor::BladeSet(blades_.count(), rotor.speed_ratio);
+}
+
+contact::BladeDirection ContactStiffness::direction(int blade, double time) const {
+  return blades_.direction(blade, blades_.first(time));
+}
+
+std::optional<ContactStiffness::TipInContact> ContactStiffness::tip(const Contact& contact, double time,
+                                                                    const State& state) const {
+  TipInContact result;
+  const contact::BladeDirection er = direction(contact.blade, time);
+  result.centre = {state[0], state[1] + rotor_.misalignment};
+  if (const auto* ring = std::get_if<contact::ElasticRingContact>(&law_)) {
+    const contact::Geometry& geometry = ring->geometry();
+    result.tip = result.centre + of_blade(er, geometry.reach, 0.0);
+    result.tip_by_u.setZero();
+    result.load = ring->stiffness() * (result.tip.norm() - geometry.ring_radius);
+    result.friction = contact.slip * ring->friction().coefficient(contact.slip, 1.0);
+    return result;
+  }
+  const auto& elastica = std::get<contact::ElasticaContact>(law_);
+  double bending = contact.bending;
+  if (!contact.carried) {
+    const contact::Pose pose = rotor::pose_of(rotor_, elastica.geometry(), er, rotor::as_state(state));
+    const auto root = elastica.solve_near(pose, contact.slip, bending);
+    if (!root) return std::nullopt;
+    bending = *root;
+  }
+  const blade::CurvePoint point = elastica.curve().at(bending);
+  const double length = elastica.length();
+  result.tip = result.centre + of_blade(er, elastica.geometry().reach - length * point.shortening,
+                                        -contact.slip * length * point.deflection);
+  result.tip_by_u =
+      of_blade(er, -length * point.shortening_slope, -contact.slip * length * point.deflection_slope);
+  result.load = elastica.load_unit() * point.load;
+  result.load_by_u = elastica.load_unit() * point.load_slope;
+  result.closing_by_u = 2.0 * result.tip.dot(result.tip_by_u);
+  result.friction = contact.slip * elastica.curve().friction();
+  return result;
+}
+
+std::optional<Eigen::Matrix2d> ContactStiffness::along_path(const observables::PathPoint& point,
+                                                            const PathScale& scale) const {
+  Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+  for (const Contact& contact : point.contacts) {
+    const auto there = tip(contact, point.time, point.state);
+    if (!there) return std::nullopt;
+    const Eigen::Vector2d& w = there->tip;
+    const double distance = w.norm();
+    const Eigen::Matrix2d turning = with_friction(there->friction);
+    if (std::holds_alternative<contact::ElasticRingContact>(law_)) {
+      const Eigen::Vector2d normal = w / distance;
+      const Eigen::Matrix2d along = normal * normal.transpose();
+      const double stiffness = std::get<contact::ElasticRingContact>(law_).stiffness();
+      sum -= point.time_rate *
+             (turning * (stiffness * along + there->load / distance * (Eigen::Matrix2d::Identity() - along)));
+      continue;
+    }
+    const Eigen::Vector2d velocity(point.state[2], point.state[3]);
+    // At fixed bending the tip moves with the shaft and turns about it.
+    const Eigen::Vector2d moves = velocity + rotor_.speed_ratio * turned_by_quarter(w - there->centre);
+    const double closing_rate = 2.0 * w.dot(moves);
+    double share = point.time_rate / there->closing_by_u;
+    if (contact.carried) {
+      const double by_time = there->closing_by_u / (scale.time_rate * scale.time_rate);
+      const double by_bending = closing_rate / (scale.bending_rate * scale.bending_rate);
+      share = (point.time_rate * by_time - contact.bending_rate * by_bending) /
+              (there->closing_by_u * by_time + closing_rate * by_bending);
+    }
+    const Eigen::Vector2d force_by_u =
+        -(turning * (there->load_by_u * w + there->load * there->tip_by_u)) / distance;
+    sum -= (point.time_rate * there->load / distance) * turning + (2.0 * share) * force_by_u * w.transpose();
+  }
+  return sum;
+}
+
+ContactStiffness::Guard ContactStiffness::gap(int blade, double time, const State& state) const {
+  const contact::Geometry& geometry =
+      std::visit([](const auto& law) -> const contact::Geometry& { return law.geometry(); }, law_);
+  const contact::BladeDirection er = direction(blade, time);
+  const contact::Pose pose = rotor::pose_of(rotor_, geometry, er, rotor::as_state(state));
+  const Eigen::Vector2d tip =
+      Eigen::Vector2d(state[0], state[1] + rotor_.misalignment) + of_blade(er, geometry.reach, 0.0);
+  Guard guard;
+  guard.gradient << 2.0 * tip.transpose(), 0.0, 0.0;
+  guard.rate = contact::gap_rate(geometry, pose, rotor_.speed_ratio);
+  return guard;
+}
+
+std::optional<ContactStiffness::Guard> ContactStiffness::slip(const Contact& contact, double time,
+                                                              const State& state,
+                                                              const Eigen::Vector2d& acceleration) const {
+  // e = c'·Jw + Ω (w − c)·w, which is v |w| (MODEL 4.4).
+  const auto there = tip(contact, time, state);
+  if (!there) return std::nullopt;
+  const double speed = rotor_.speed_ratio;
+  const Eigen::Vector2d& w = there->tip;
+  const Eigen::Vector2d& c = there->centre;
+  const Eigen::Vector2d velocity(state[2], state[3]);
+  const auto by_tip = [&](const Eigen::Vector2d& change) {
+    return velocity.dot(turned_by_quarter(change)) + speed * (2.0 * w - c).dot(change);
+  };
+  const Eigen::Vector2d turns = speed * turned_by_quarter(w - c);  // of the tip at fixed c and u
+  Eigen::Vector2d by_place = -turned_by_quarter(velocity) + speed * (w - c);
+  double by_time = by_tip(turns);
+  if (there->closing_by_u != 0.0) {
+    const double by_closing = by_tip(there->tip_by_u) / there->closing_by_u;
+    by_place -= (2.0 * by_closing) * w;
+    by_time -= (2.0 * by_closing) * w.dot(turns);
+  }
+  const Eigen::Vector2d by_velocity = turned_by_quarter(w);
+  Guard guard;
+  guard.gradient << by_place.transpose(), by_velocity.transpose();
+  guard.rate = by_place.dot(velocity) + by_velocity.dot(acceleration) + by_time;
+  return guard;
+}
+
+}  // namespace rubatlas::variation

@@ -1,0 +1,100 @@
+/// Periodic orbits followed along a quantity, and the bifurcations on the way.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "../support/point.hpp"
+#include "branch/continuation.hpp"
+#include "plan/grid.hpp"
+#include "settings/quantity.hpp"
+
+namespace rubatlas::test {
+namespace {
+
+using branch::EventKind;
+
+settings::Scene followed_rotor() {
+  settings::Scene scene = default_rotor(1);
+  scene.accuracy.tolerance = 1e-12;
+  scene.grid.speed_ratio = {0.5};
+  scene.observables.clear();
+  return scene;
+}
+
+/// Along the speed ratio from one value to the other.
+struct AlongSpeed {
+  AlongSpeed(const settings::Scene& scene, double from, double to)
+      : shooting(scene, parameters(scene, from),
+                 {{settings::axes_of(scene).size() - 1, 0.1 * from, std::min(from, to), std::max(from, to)}}),
+        continuation(shooting),
+        start(continuation.settle({}, {from}, 300)),
+        branch(start ? continuation.follow(*start, to > from ? 1.0 : -1.0, 500) : branch::Branch{}) {}
+
+  static std::vector<double> parameters(const settings::Scene& scene, double speed) {
+    std::vector<double> values;
+    for (const auto& axis : settings::axes_of(scene)) values.push_back(axis.values.front());
+    values.back() = speed;
+    return values;
+  }
+
+  branch::Shooting shooting;
+  branch::Continuation continuation;
+  std::optional<branch::Orbit> start;
+  branch::Branch branch;
+};
+
+TEST(Branch, HoldsOrbitsThatCloseAndContractByDampingAlone) {
+  const settings::Scene scene = followed_rotor();
+  const AlongSpeed along(scene, 0.42, 0.36);
+  ASSERT_TRUE(along.start);
+  EXPECT_EQ(along.start->period, 1);
+  ASSERT_GT(along.branch.orbits.size(), 3U);
+  EXPECT_EQ(along.branch.orbits.front().quantities[0], 0.42);
+  EXPECT_NEAR(along.branch.orbits.back().quantities[0], 0.36, 1e-12);
+  for (const branch::Orbit& orbit : along.branch.orbits) {
+    const auto& end = orbit.map.sections.back();
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(end[i], orbit.section[i], 2e-12 * 0.01);
+    const double duration = 2.0 * std::numbers::pi / orbit.quantities[0];
+    const double determinant = std::exp(-4.0 * scene.rotor.damping_ratio * duration);
+    EXPECT_NEAR(std::abs(orbit.multipliers.prod()) / determinant, 1.0, 1e-6);
+    EXPECT_TRUE(orbit.is_stable());
+  }
+}
+
+TEST(Branch, OfThePeriodOneMotionBelowRegionTwoEndsByGrazingOnTheRecedingSide) {
+  const AlongSpeed along(followed_rotor(), 0.42, 0.46);
+  ASSERT_TRUE(along.start);
+  const auto grazing = std::ranges::find(along.branch.events, EventKind::grazing, &branch::Event::kind);
+  ASSERT_NE(grazing, along.branch.events.end());
+  EXPECT_GT(grazing->orbit.quantities[0], 0.439) << "simulations are periodic there";
+  EXPECT_LT(grazing->orbit.quantities[0], 0.440) << "and no longer there";
+  EXPECT_EQ(grazing->side, observables::GrazingSide::receding);
+  EXPECT_LT(grazing->uncertainty, 1e-8);
+}
+
+TEST(Branch, ATestFunctionChangesItsSignWhereAMultiplierPassesTheCircle) {
+  const auto with = [](double a, double b, double c, double d) {
+    return Eigen::Vector4d(a, b, c, d).asDiagonal().toDenseMatrix();
+  };
+  EXPECT_GT(branch::test_function(EventKind::period_doubling, with(-0.9, 0.1, 0.2, 0.3)), 0.0);
+  EXPECT_LT(branch::test_function(EventKind::period_doubling, with(-1.1, 0.1, 0.2, 0.3)), 0.0);
+  EXPECT_LT(branch::test_function(EventKind::fold, with(0.9, 0.1, 0.2, 0.3)) *
+                branch::test_function(EventKind::fold, with(1.1, 0.1, 0.2, 0.3)),
+            0.0);
+  Eigen::Matrix4d turning = with(0.0, 0.0, 0.1, 0.2);
+  const auto turned = [&](double size) {
+    turning.topLeftCorner<2, 2>() << size * 0.6, -size * 0.8, size * 0.8, size * 0.6;
+    return branch::test_function(EventKind::neimark_sacker, turning);
+  };
+  EXPECT_LT(turned(0.99) * turned(1.01), 0.0);
+}
+
+TEST(Branch, IsRefusedWhereTheMotionDoesNotSettleOnAPeriodicOrbit) {
+  const AlongSpeed along(followed_rotor(), 0.5, 0.6);
+  EXPECT_FALSE(along.start) << "region 2 is chaotic";
+}
+
+}  // namespace
+}  // namespace rubatlas::test

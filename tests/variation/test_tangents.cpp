@@ -1,0 +1,126 @@
+/// The linearised flow against what it is the derivative of, and against what it must keep.
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "../support/point.hpp"
+#include "rotor/constants.hpp"
+
+namespace rubatlas::test {
+namespace {
+
+settings::Scene tight_rotor(double tolerance = 1e-12) {
+  settings::Scene scene = default_rotor(1);
+  scene.accuracy.tolerance = tolerance;
+  return scene;
+}
+settings::Scene on_elastic_ring() {
+  settings::Scene scene = tight_rotor();
+  scene.contact.law = settings::ContactLaw::elastic_ring;
+  return scene;
+}
+
+/// A state that the rotor reaches at a speed after some revolutions from rest.
+motion::SectionState reached(point::LineSolver& solver, double speed_ratio, int revolutions) {
+  return solver.section_map(speed_ratio, {}, revolutions).sections.back();
+}
+
+/// Central differences of the section map, of order 4, and the estimate of their error.
+struct Differences {
+  Eigen::Matrix4d jacobian;
+  double error;
+};
+Differences differences(point::LineSolver& solver, double speed_ratio, const motion::SectionState& start,
+                        int revolutions, double step) {
+  const auto along = [&](double size) {
+    Eigen::Matrix4d jacobian;
+    for (int column = 0; column < 4; ++column) {
+      const auto moved = [&](double by) {
+        motion::PointStart from = start;
+        from.state[static_cast<std::size_t>(column)] += by;
+        return rotor::as_state(solver.section_map(speed_ratio, from, revolutions).sections.back());
+      };
+      const rotor::State near = moved(size) - moved(-size);
+      const rotor::State far = moved(2.0 * size) - moved(-2.0 * size);
+      jacobian.col(column) = ((8.0 * near - far) / (12.0 * size)).matrix();
+    }
+    return jacobian;
+  };
+  const Eigen::Matrix4d fine = along(step);
+  return {fine, (fine - along(0.5 * step)).norm() / fine.norm()};
+}
+
+TEST(Tangents, AreTheDerivativeOfTheSectionMap) {
+  int compared = 0;
+  for (const settings::Scene& scene : {tight_rotor(), on_elastic_ring()}) {
+    const auto solver = solver_of(scene);
+    for (const double speed : {0.3, 0.36, 0.42, 0.5, 0.62, 0.75}) {
+      const motion::SectionState start = reached(*solver, speed, 37);
+      const auto map = solver->section_map(speed, start, 1);
+      ASSERT_TRUE(map.differentiable) << speed;
+      const Differences expected = differences(*solver, speed, start, 1, 1e-6 * 0.01);
+      // Where a touch-down lies within the steps the map is not as smooth as they need.
+      if (!(expected.error < 1e-7)) continue;
+      ++compared;
+      EXPECT_LE((map.jacobian - expected.jacobian).norm(), 1e-6 * expected.jacobian.norm())
+          << "speed ratio " << speed << '\n'
+          << map.jacobian << "\n\n"
+          << expected.jacobian;
+    }
+  }
+  EXPECT_GE(compared, 9);
+}
+
+TEST(Tangents, ContractPhaseVolumeByDampingAlone) {
+  for (const settings::Scene& scene : {tight_rotor(), on_elastic_ring()}) {
+    const auto solver = solver_of(scene);
+    for (const double speed : {0.3, 0.36, 0.42, 0.5, 0.62, 0.75, 0.9}) {
+      const motion::SectionState start = reached(*solver, speed, 20);
+      const auto map = solver->section_map(speed, start, 1);
+      ASSERT_TRUE(map.differentiable) << speed;
+      const double expected =
+          std::exp(-4.0 * scene.rotor.damping_ratio * 2.0 * std::numbers::pi / speed + map.log_saltation);
+      // Digits of a determinant are lost against the product of the norms.
+      const double rounding = 1e-14 * std::pow(map.jacobian.norm(), 4);
+      EXPECT_NEAR(map.jacobian.determinant(), expected, 1e-9 * expected + rounding)
+          << "speed ratio " << speed;
+    }
+  }
+}
+
+TEST(Tangents, OfTwoRevolutionsAreTheProductOfBoth) {
+  const auto solver = solver_of(tight_rotor());
+  const motion::SectionState start = reached(*solver, 0.36, 37);
+  const auto both = solver->section_map(0.36, start, 2);
+  const auto first = solver->section_map(0.36, start, 1);
+  const auto second = solver->section_map(0.36, first.sections.back(), 1);
+  const Eigen::Matrix4d product = second.jacobian * first.jacobian;
+  EXPECT_LE((both.jacobian - product).norm(), 1e-9 * product.norm());
+}
+
+TEST(Tangents, OfARotorThatNeverTouchesAreThoseOfFreeMotion) {
+  settings::Scene scene = tight_rotor();
+  scene.rotor.misalignment = 0.0;
+  const auto solver = solver_of(scene);
+  const double speed = 0.4;
+  const auto map = solver->section_map(speed, motion::SectionState{1e-3, 0.0, 0.0, 1e-3}, 1);
+  const double duration = 2.0 * std::numbers::pi / speed;
+  const double damping = scene.rotor.damping_ratio;
+  const double frequency = std::sqrt(1.0 - damping * damping);
+  const double decay = std::exp(-damping * duration);
+  const double sine = decay * std::sin(frequency * duration) / frequency;
+  const double cosine = decay * std::cos(frequency * duration);
+  EXPECT_NEAR(map.jacobian(0, 0), cosine + damping * sine, 1e-14);
+  EXPECT_NEAR(map.jacobian(0, 2), sine, 1e-14);
+  EXPECT_NEAR(map.jacobian(2, 0), -sine, 1e-14);
+  EXPECT_NEAR(map.jacobian(3, 3), cosine - damping * sine, 1e-14);
+  EXPECT_EQ(map.jacobian(0, 1), 0.0);
+}
+
+}  // namespace
+}  // namespace rubatlas::test
