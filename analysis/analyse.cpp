@@ -150,7 +150,8 @@ Findings examine(const atlas::AtlasReader& atlas) {
   if (matched) {
     found.attractor = attractors.numbers();
     if (found.scene.sweep == settings::Sweep::both) {
-      found.hysteresis = find_hysteresis(found.axes.back().values, found.motion, found.attractor);
+      found.hysteresis =
+          find_hysteresis(found.axes.back().values, found.motion, found.attractor, found.max_displacement);
     } else {
       found.basins = find_basins(starts, {status, found.motion, found.attractor, found.max_displacement});
     }

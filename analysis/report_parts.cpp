@@ -7,8 +7,8 @@
 #include <iterator>
 #include <map>
 
+#include "analysis/rules/attractors.hpp"
 #include "analysis/rules/evidence_text.hpp"
-#include "analysis/rules/same_motion.hpp"
 #include "analysis/rules/starts.hpp"
 #include "settings/quantity.hpp"
 
@@ -103,6 +103,23 @@ std::string basin_text(const Basin& basin) {
                      millimetres(basin.max_displacement));
 }
 
+/// "1 and 3 may be one motion ...", for the attractors of one set of points.
+void append_shifted(std::span<const Basin> basins, std::vector<std::string>& parts) {
+  std::vector<std::int32_t> named;
+  for (const Basin& basin : basins) {
+    std::vector<std::int32_t> alike;
+    for (const Basin& other : basins) {
+      if (may_be_shifted(basin.motion, basin.max_displacement, other.motion, other.max_displacement)) {
+        alike.push_back(other.attractor);
+      }
+    }
+    if (alike.size() < 2 || std::ranges::count(named, alike.front()) > 0) continue;
+    named.push_back(alike.front());
+    parts.push_back(fmt::format("{} are of one size, and may be one motion in which other blades touch",
+                                fmt::join(alike, ", ")));
+  }
+}
+
 /// Parameters in which the lines of the atlas differ.
 std::vector<std::size_t> swept(const Findings& found) {
   std::vector<std::size_t> result;
@@ -186,6 +203,7 @@ std::vector<std::string> basin_sentences(const Findings& found) {
     if (!place.empty()) place = ", " + place;
     std::vector<std::string> parts;
     std::transform(basin, end, std::back_inserter(parts), basin_text);
+    if (found.scene.blades.count > 1) append_shifted({basin, end}, parts);
     if (parts.size() == 1 && basin->attractor != 0) {
       ++alone;
     } else {
@@ -195,10 +213,9 @@ std::vector<std::string> basin_sentences(const Findings& found) {
     basin = end;
   }
   if (alone > 0) {
-    sentences.push_back(fmt::format("One attractor from all initial states {}.",
-                                    sentences.empty()
-                                        ? "at all parameters"
-                                        : fmt::format("at {} other combinations of parameters", alone)));
+    sentences.push_back(fmt::format(
+        "All initial states lead to one attractor at {} of the {} combinations of the other parameters.",
+        alone, starts.set_count()));
   }
   return sentences;
 }
@@ -218,8 +235,10 @@ std::vector<std::string> hysteresis_sentences(const Findings& found) {
     const auto speeds = range.speeds == 1 ? fmt::format("Ω = {:.6g}", range.from)
                                           : fmt::format("Ω from {:.6g} to {:.6g} ({} points)", range.from,
                                                         range.to, range.speeds);
+    const bool shifted = range.may_be_shifted && found.scene.blades.count > 1;
     sentences.push_back(
-        fmt::format("{}{}: up {}, down {}.", place, speeds, class_names(range.up), class_names(range.down)));
+        fmt::format("{}{}: up {}, down {}{}.", place, speeds, class_names(range.up), class_names(range.down),
+                    shifted ? ", of one size: it may be one motion in which other blades touch" : ""));
   }
   if (hysteresis.compared_aperiodic > 0) {
     sentences.push_back(

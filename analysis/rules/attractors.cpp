@@ -1,8 +1,17 @@
 #include "analysis/rules/attractors.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rubatlas::analysis {
+
+bool may_be_shifted(std::uint8_t motion, double displacement, std::uint8_t other_motion,
+                    double other_displacement) {
+  const double tolerance = kMatchingFactor * ClosingTolerance{}.relative;
+  return is_periodic(motion) && motion == other_motion &&
+         std::abs(displacement - other_displacement) <=
+             tolerance * std::max(displacement, other_displacement);
+}
 
 Attractors::Attractors(const ClosingTolerance& closing)
     : matching_{.relative = kMatchingFactor * closing.relative, .floor = kMatchingFactor * closing.floor} {}

@@ -15,6 +15,11 @@ namespace rubatlas::analysis {
 /// within one tolerance, is still up to 1/(1 - r) tolerances away from it.
 constexpr double kMatchingFactor = kUnresolvedFactor;
 
+/// Whether two different attractors may be one motion in which other blades touch: equal blades can change
+/// places, which leaves class and maximum displacement [m] as they are.
+[[nodiscard]] bool may_be_shifted(std::uint8_t motion, double displacement, std::uint8_t other_motion,
+                                  double other_displacement);
+
 /// The attractors of one set of motions, numbered from 1 in the order in which they appear.
 ///
 /// Two motions are on one attractor if they are the same (`is_same_motion`), or if a chain of motions that

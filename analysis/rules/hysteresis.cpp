@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analysis/rules/class.hpp"
+#include "analysis/rules/attractors.hpp"
 
 namespace rubatlas::analysis {
 namespace {
@@ -20,7 +20,8 @@ bool HysteresisRange::is_aperiodic() const {
 }
 
 Hysteresis find_hysteresis(std::span<const double> speed_ratio, std::span<const std::uint8_t> motion,
-                           std::span<const std::int32_t> attractor) {
+                           std::span<const std::int32_t> attractor,
+                           std::span<const double> max_displacement) {
   Hysteresis found;
   const std::size_t speeds = speed_ratio.size();
   const std::size_t of_one_direction = motion.size() / 2;
@@ -41,6 +42,8 @@ Hysteresis find_hysteresis(std::span<const double> speed_ratio, std::span<const 
     auto& range = found.ranges.back();
     range.to = speed_ratio[up % speeds];
     ++range.speeds;
+    range.may_be_shifted = range.may_be_shifted && may_be_shifted(motion[up], max_displacement[up],
+                                                                  motion[down], max_displacement[down]);
     add_once(range.up, motion[up]);
     add_once(range.down, motion[down]);
   }

@@ -15,9 +15,12 @@ struct HysteresisRange {
   double from = 0.0;     ///< first and last Ω at which they differ [-]
   double to = 0.0;
   std::size_t speeds = 0;  ///< at which they differ
-  std::vector<std::uint8_t> up =
-      {};  ///< classes of the motions of the sweep up at these speeds, each once, ascending
+  /// Classes of the motions of the sweep up at these speeds, each once, ascending.
+  std::vector<std::uint8_t> up = {};
   std::vector<std::uint8_t> down = {};  ///< the same of the sweep down
+
+  /// At all of these speeds the one motion may be the other with other blades touching (`may_be_shifted`).
+  bool may_be_shifted = true;
 
   /// Both are aperiodic at all of these speeds, so that only their statistics tell them apart.
   [[nodiscard]] bool is_aperiodic() const;
@@ -31,10 +34,12 @@ struct Hysteresis {
   std::size_t different_aperiodic = 0;  ///< of these pairs
 };
 
-/// `motion` (class) and `attractor` have one entry per point of an atlas that was swept both ways: first all
-/// lines of the sweep up, then those of the sweep down. `speed_ratio` is that of the points of a line.
+/// `motion` (class), `attractor` and `max_displacement` [m] have one entry per point of an atlas that was
+/// swept both ways: first all lines of the sweep up, then those of the sweep down. `speed_ratio` is that of
+/// the points of a line.
 [[nodiscard]] Hysteresis find_hysteresis(std::span<const double> speed_ratio,
                                          std::span<const std::uint8_t> motion,
-                                         std::span<const std::int32_t> attractor);
+                                         std::span<const std::int32_t> attractor,
+                                         std::span<const double> max_displacement);
 
 }  // namespace rubatlas::analysis
