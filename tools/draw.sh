@@ -3,11 +3,12 @@
 #
 #   tools/draw.sh ATLAS.h5 MAPS.h5 FOLDER
 #
-# Of an atlas whose initial state is an axis it draws basins.png. With several swept parameters displacement.png and sensitivity.png are along the first of them, and
-# displacement_AXIS.png, sensitivity_AXIS.png along each of the others.
+# With several swept parameters displacement.png and sensitivity.png are along the first of them, and
+# displacement_AXIS.png, sensitivity_AXIS.png along each of the others. Of an atlas whose initial state is an axis
+# there is one picture, basins.png.
 set -euo pipefail
 if [ $# -ne 3 ]; then
-  sed -n '2,7s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+  sed -n '2,8s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
   exit 2
 fi
 atlas=$1 maps=$2 folder=$3
