@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <span>
 #include <string>
 #include <utility>
 
 #include "analysis/maps_file.hpp"
 #include "analysis/report.hpp"
+#include "analysis/rules/attractors.hpp"
 #include "analysis/rules/scene_tolerances.hpp"
+#include "analysis/rules/starts.hpp"
 #include "atlas/environment_error.hpp"
 #include "atlas/output.hpp"
 #include "atlas/publish.hpp"
@@ -22,18 +25,55 @@ namespace {
 
 constexpr std::uint8_t kDone = 1;
 
-/// Class of every point of a line from one of its datasets of sections.
-std::vector<std::uint8_t> classes_of_line(const atlas::AtlasReader& atlas, const std::string& sections,
-                                          std::span<const std::uint8_t> status, std::size_t line,
+/// The sections of one point of a line.
+std::span<const double> sections_of(std::span<const double> rows, std::size_t points, std::size_t point) {
+  const std::size_t row_size = rows.size() / points;
+  return rows.subspan(point * row_size, row_size);
+}
+
+/// Class of every point of a line from the rows of one of its datasets of sections.
+std::vector<std::uint8_t> classes_of_line(std::span<const double> rows, std::span<const std::uint8_t> status,
                                           const ClosingTolerance& tolerance) {
-  const auto rows = atlas.line_rows(sections, line);
-  const std::size_t row_size = rows.size() / status.size();
   std::vector<std::uint8_t> classes(status.size(), motion_class::kNone);
   for (std::size_t i = 0; i < status.size(); ++i) {
-    if (status[i] == kDone) classes[i] = classify(std::span(rows).subspan(i * row_size, row_size), tolerance);
+    if (status[i] == kDone) classes[i] = classify(sections_of(rows, status.size(), i), tolerance);
   }
   return classes;
 }
+
+/// The attractors of an atlas, found from its motions in the order of the points.
+class AttractorsOfAtlas {
+ public:
+  explicit AttractorsOfAtlas(const Starts& starts) : starts_(starts) {}
+
+  void add(const Line& line, std::span<const double> rows, const ClosingTolerance& tolerance) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const std::size_t set = starts_.set_of(sets_.size());
+      const auto sections = sections_of(rows, line.size(), i);
+      sets_.push_back(set);
+      attractors_.try_emplace(set, tolerance)
+          .first->second.add(trace_of(line.motion[i], sections, line.max_displacement[i]), sections);
+    }
+  }
+  [[nodiscard]] std::vector<std::int32_t> numbers() const {
+    std::map<std::size_t, std::vector<std::int32_t>> left;  // of each set, in the reverse order
+    for (const auto& [set, attractors] : attractors_) {
+      left[set] = attractors.numbers();
+      std::ranges::reverse(left[set]);
+    }
+    std::vector<std::int32_t> result;
+    for (const std::size_t set : sets_) {
+      result.push_back(left[set].back());
+      left[set].pop_back();
+    }
+    return result;
+  }
+
+ private:
+  const Starts& starts_;
+  std::vector<std::size_t> sets_;  ///< of each point
+  std::map<std::size_t, Attractors> attractors_;
+};
 
 std::vector<double> displacements_of_line(const atlas::AtlasReader& atlas,
                                           std::span<const std::uint8_t> status, std::size_t line) {
@@ -69,11 +109,17 @@ Findings examine(const atlas::AtlasReader& atlas) {
   found.scene = settings::parse_scene(atlas.scene_resolved(), "scene_resolved");
   found.axes = atlas.axes();
   found.parameters = parameters_of(found.axes);
+  found.sweeps_initial_state = std::ranges::any_of(found.axes, [](const plan::Axis& axis) {
+    return is_initial_axis(axis.name) && axis.values.size() > 1;
+  });
   found.has_sections = atlas.has("poincare");
   const bool per_passing = atlas.has("poincare_blade_passing");
   const SpeedScale scale(found.scene.blades.count);
   const plan::Grid grid(found.scene);
 
+  const Starts starts(found.axes);
+  const bool matched = starts.several() && found.has_sections && atlas.has("max_displacement");
+  AttractorsOfAtlas attractors(starts);
   const auto status = atlas.status();
   for (const auto value : status) ++found.status_count.at(value);
   const std::size_t speeds = atlas.speed_count();
@@ -87,11 +133,13 @@ Findings examine(const atlas::AtlasReader& atlas) {
                 .motion_per_passing = {},
                 .max_displacement = displacements_of_line(atlas, line_status, line)};
     if (found.has_sections) {
-      points.motion = classes_of_line(atlas, "poincare", line_status, line, tolerance);
+      const auto rows = atlas.line_rows("poincare", line);
+      points.motion = classes_of_line(rows, line_status, tolerance);
+      if (matched) attractors.add(points, rows, tolerance);
     }
     if (per_passing) {
       points.motion_per_passing =
-          classes_of_line(atlas, "poincare_blade_passing", line_status, line, tolerance);
+          classes_of_line(atlas.line_rows("poincare_blade_passing", line), line_status, tolerance);
     }
     append(found.motion, points.motion);
     append(found.motion_per_passing, points.motion_per_passing);
@@ -99,6 +147,16 @@ Findings examine(const atlas::AtlasReader& atlas) {
     found.lines.push_back(summarise(std::move(points), parameters_of_line(found.axes, line), scale,
                                     negligible_displacement(own)));
   }
+  if (matched) {
+    found.attractor = attractors.numbers();
+    if (found.scene.sweep == settings::Sweep::both) {
+      found.hysteresis =
+          find_hysteresis(found.axes.back().values, found.motion, found.attractor, found.max_displacement);
+    } else {
+      found.basins = find_basins(starts, {status, found.motion, found.attractor, found.max_displacement});
+    }
+  }
+  if (found.sweeps_initial_state) return found;
   found.sensitivities = sensitivities(found.parameters, found.lines, scale);
   found.statements = judge_statements(found.scene, found.parameters, found.lines, per_passing);
   return found;

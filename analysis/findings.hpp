@@ -4,11 +4,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/paper/statements.hpp"
+#include "analysis/rules/basins.hpp"
 #include "analysis/rules/class.hpp"
+#include "analysis/rules/hysteresis.hpp"
 #include "analysis/rules/line_summary.hpp"
 #include "analysis/rules/parameter.hpp"
 #include "analysis/rules/sensitivity.hpp"
@@ -27,8 +30,15 @@ struct Findings {
   std::vector<std::uint8_t>
       motion_per_passing;                ///< class per blade passing; empty where there are no sections
   std::vector<double> max_displacement;  ///< [m] one per point; empty where the atlas has none
+  /// Attractor of every point, numbered among the points that differ in their start only; empty where there
+  /// are no such points, or where the atlas lacks sections or displacements.
+  std::vector<std::int32_t> attractor;
+  std::vector<Basin> basins;             ///< empty where the initial state is no axis
+  std::optional<Hysteresis> hysteresis;  ///< of a sweep both ways
+  bool sweeps_initial_state = false;     ///< the initial state is an axis
   bool has_sections = false;             ///< the atlas keeps `poincare`
   std::vector<LineSummary> lines;
+  // Both are about lines from one initial state, and empty where the initial state is an axis.
   std::vector<Sensitivity> sensitivities;
   std::vector<Statement> statements;
 };

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/maps_attractors.hpp"
 #include "analysis/maps_table.hpp"
 #include "atlas/hdf5.hpp"
 #include "atlas/publish.hpp"
@@ -39,16 +40,7 @@ void create_class(File& file, const std::string& name, const std::string& sectio
   Dataset dataset = file.create_dataset<std::uint8_t>(name, shape);
   dataset.write<std::uint8_t>(motion);
   for (std::size_t i = 0; i < axes.size(); ++i) dataset.attach_scale(i, axes[i]);
-  std::vector<std::uint8_t> values{motion_class::kNone};
-  std::vector<std::string> meanings{"none"};
-  for (std::uint8_t period = 1; period <= motion_class::kLongestPeriod; ++period) {
-    values.push_back(period);
-    meanings.push_back(fmt::format("period_{}", period));
-  }
-  values.insert(values.end(), {motion_class::kUnresolved, motion_class::kAperiodic});
-  meanings.insert(meanings.end(), {"unresolved", "aperiodic"});
-  dataset.set_numbers<std::uint8_t>("flag_values", values);
-  dataset.set_text("flag_meanings", fmt::format("{}", fmt::join(meanings, " ")));
+  set_class_flags(dataset);
   dataset.set_text("long_name", "class of the motion: its period in " + sections);
   dataset.set_text("units", "1");
   dataset.set_text(
@@ -56,14 +48,7 @@ void create_class(File& file, const std::string& name, const std::string& sectio
       "sections repeat within max(relative_tolerance * size of the orbit, absolute_tolerance); distance: "
       "Euclidean norm over x, y, vx, vy; size: largest norm of a sampled section state; unresolved: the "
       "orbit closes within unresolved_factor tolerances, or differs between the two halves of the record");
-  dataset.set_number("relative_tolerance", found.tolerance.front().relative);
-  std::vector<double> floors;
-  for (const auto& tolerance : found.tolerance) floors.push_back(tolerance.floor);
-  if (std::ranges::count(floors, floors.front()) == std::ssize(floors)) {
-    dataset.set_number("absolute_tolerance", floors.front());
-  } else {  // lengths are swept
-    dataset.set_numbers<double>("absolute_tolerance", floors);
-  }
+  set_tolerance(dataset, found, 1.0);
   dataset.set_number("unresolved_factor", kUnresolvedFactor);
 }
 
@@ -202,9 +187,12 @@ void write_maps(const atlas::Output& output, const Findings& found, const atlas:
     }
     if (!found.max_displacement.empty()) create_displacement(file, found, shape, axes);
     create_table(file, found);
+    if (!found.attractor.empty()) create_attractors(file, found, shape, axes);
     create_effects(file, found);
-    create_statements(file, found);
-    create_findings(file, found);
+    if (!found.statements.empty()) {
+      create_statements(file, found);
+      create_findings(file, found);
+    }
   }
   file.close();
   publication.publish();

@@ -1,8 +1,11 @@
 #include "analysis/maps_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <functional>
+#include <iterator>
 #include <span>
 #include <vector>
 
@@ -94,6 +97,30 @@ Dataset create_number_scale(File& file, const std::string& path, const std::stri
   scale.set_text("units", "1");
   scale.set_text("long_name", long_name);
   return scale;
+}
+
+void set_class_flags(Dataset& dataset) {
+  std::vector<std::uint8_t> values{motion_class::kNone};
+  std::vector<std::string> meanings{"none"};
+  for (std::uint8_t period = 1; period <= motion_class::kLongestPeriod; ++period) {
+    values.push_back(period);
+    meanings.push_back(fmt::format("period_{}", period));
+  }
+  values.insert(values.end(), {motion_class::kUnresolved, motion_class::kAperiodic});
+  meanings.insert(meanings.end(), {"unresolved", "aperiodic"});
+  dataset.set_numbers<std::uint8_t>("flag_values", values);
+  dataset.set_text("flag_meanings", fmt::format("{}", fmt::join(meanings, " ")));
+}
+
+void set_tolerance(Dataset& dataset, const Findings& found, double factor) {
+  dataset.set_number("relative_tolerance", factor * found.tolerance.front().relative);
+  std::vector<double> floors;
+  for (const auto& tolerance : found.tolerance) floors.push_back(factor * tolerance.floor);
+  if (std::ranges::count(floors, floors.front()) == std::ssize(floors)) {
+    dataset.set_number("absolute_tolerance", floors.front());
+  } else {  // lengths are swept
+    dataset.set_numbers<double>("absolute_tolerance", floors);
+  }
 }
 
 void create_table(File& file, const Findings& found) {

@@ -13,6 +13,12 @@ namespace rubatlas::analysis {
 atlas::Dataset create_number_scale(atlas::File& file, const std::string& path, const std::string& name,
                                    std::size_t size, const std::string& long_name);
 
+/// Describes the codes of motions, in a dataset of classes.
+void set_class_flags(atlas::Dataset& dataset);
+
+/// The attributes `relative_tolerance` and `absolute_tolerance`: so many closing tolerances.
+void set_tolerance(atlas::Dataset& dataset, const Findings& found, double factor);
+
 /// Creates the group with all its columns.
 void create_table(atlas::File& file, const Findings& found);
 

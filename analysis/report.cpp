@@ -24,6 +24,10 @@ constexpr std::string_view kTableKey =
     "not done begin. Triggers: Ω, rise of the displacement in mm and as a ratio. Not covered: too few points "
     "are "
     "done there.";
+constexpr std::string_view kBasinsKey =
+    "Share of the initial states, with its standard error, that leads to each attractor. No attractor: the "
+    "motion is not resolved, or the point is not done. Regions, triggers and statements are about lines from "
+    "one initial state.";
 constexpr std::string_view kStatementsKey = "Findings: + found, - not found, ? not covered by this atlas.";
 
 std::string plain_table(const Findings& found) {
@@ -88,7 +92,16 @@ std::string plain_report(const Findings& found) {
   std::string text =
       found.scene.title.empty() ? std::string{} : settings::printable(found.scene.title) + "\n\n";
   for (const auto& fact : facts(found)) text += paragraph("", fact, 2, kColumns);
+  if (found.sweeps_initial_state) {
+    text += "\nBASINS OF ATTRACTION\n" + paragraph("", kBasinsKey, 2, kColumns) + "\n";
+    for (const auto& sentence : basin_sentences(found)) text += paragraph("  ", sentence, 4, kColumns);
+    return text;
+  }
   text += "\nREGIONS AND TRIGGERS\n" + paragraph("", kTableKey, 2, kColumns) + "\n" + plain_table(found);
+  if (found.scene.sweep == settings::Sweep::both) {
+    text += "\nWHERE UP AND DOWN DIFFER\n";
+    for (const auto& sentence : hysteresis_sentences(found)) text += paragraph("  ", sentence, 4, kColumns);
+  }
   for (const auto& sensitivity : found.sensitivities) {
     text += fmt::format("\n{}\n", heading(found, sensitivity));
     for (const auto& effect : sensitivity.effects) {
@@ -121,6 +134,11 @@ std::string markdown_report(const Findings& found) {
       "{}\n# {}\n\n", atlas::kTableMark,
       found.scene.title.empty() ? "Regions and triggers" : settings::printable(found.scene.title));
   for (const auto& fact : facts(found)) text += fmt::format("- {}\n", fact);
+  if (found.sweeps_initial_state) {
+    text += fmt::format("\n## Basins of attraction\n\n{}\n\n", kBasinsKey);
+    for (const auto& sentence : basin_sentences(found)) text += fmt::format("- {}\n", sentence);
+    return text;
+  }
   text += fmt::format("\n## Regions and triggers\n\n{}\n\n", kTableKey);
   const auto header = table_header(found);
   text += fmt::format("| {} |\n|", fmt::join(header, " | "));
@@ -132,6 +150,10 @@ std::string markdown_report(const Findings& found) {
       text += fmt::format(" {}{}{} |", cell.first, cell.second.empty() ? "" : "<br>", cell.second);
     }
     text += "\n";
+  }
+  if (found.scene.sweep == settings::Sweep::both) {
+    text += "\n## Where up and down differ\n\n";
+    for (const auto& sentence : hysteresis_sentences(found)) text += fmt::format("- {}\n", sentence);
   }
   for (const auto& sensitivity : found.sensitivities) {
     text += fmt::format("\n## {}\n\n| | what happens |\n|---|---|\n", heading(found, sensitivity));

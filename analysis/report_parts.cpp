@@ -4,16 +4,25 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
+#include "analysis/rules/attractors.hpp"
 #include "analysis/rules/evidence_text.hpp"
+#include "analysis/rules/starts.hpp"
 #include "settings/quantity.hpp"
 
 namespace rubatlas::analysis {
 namespace {
 
 std::string axis_text(const Parameter& parameter) {
+  constexpr std::size_t kMostValues = 12;
   if (parameter.values.size() == 1) return parameter.text(parameter.values.front());
+  if (parameter.values.size() > kMostValues) {
+    return fmt::format("{} from {} to {} ({} values)", parameter.symbol,
+                       parameter.value_text(parameter.values.front()),
+                       parameter.value_text(parameter.values.back()), parameter.values.size());
+  }
   std::vector<std::string> values;
   for (const double value : parameter.values) values.push_back(parameter.value_text(value));
   return fmt::format("{} = {}", parameter.symbol, fmt::join(values, ", "));
@@ -80,6 +89,58 @@ std::string_view absence(Presence presence) {
   }
 }
 
+std::string class_names(std::span<const std::uint8_t> motions) {
+  std::vector<std::string> names;
+  for (const auto motion : motions) names.push_back(class_name(motion));
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+/// "period 11 from 24.1 % ± 1.1 % of the initial states, up to 11.4 mm".
+std::string basin_text(const Basin& basin) {
+  const auto share = fmt::format("{:.1f} % ± {:.1f} %", 100.0 * basin.share, 100.0 * basin.standard_error);
+  if (basin.attractor == 0) return fmt::format("no attractor from {}", share);
+  return fmt::format("attractor {}, {}, from {}, up to {}", basin.attractor, class_name(basin.motion), share,
+                     millimetres(basin.max_displacement));
+}
+
+/// "1 and 3 may be one motion ...", for the attractors of one set of points.
+void append_shifted(std::span<const Basin> basins, std::vector<std::string>& parts) {
+  std::vector<std::int32_t> named;
+  for (const Basin& basin : basins) {
+    std::vector<std::int32_t> alike;
+    for (const Basin& other : basins) {
+      if (may_be_shifted(basin.motion, basin.max_displacement, other.motion, other.max_displacement)) {
+        alike.push_back(other.attractor);
+      }
+    }
+    if (alike.size() < 2 || std::ranges::count(named, alike.front()) > 0) continue;
+    named.push_back(alike.front());
+    parts.push_back(fmt::format("{} are of one size, and may be one motion in which other blades touch",
+                                fmt::join(alike, ", ")));
+  }
+}
+
+/// Parameters in which the lines of the atlas differ.
+std::vector<std::size_t> swept(const Findings& found) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < found.parameters.size(); ++i) {
+    if (found.parameters[i].values.size() > 1) result.push_back(i);
+  }
+  return result;
+}
+
+/// "ζ = 0.05, μ = 0.2": what tells the parameters of a line, or of a point of it, from others of the atlas.
+/// `left_out` selects parameters that are not named.
+template <typename LeftOut>
+std::string place_text(const Findings& found, std::size_t line, LeftOut left_out) {
+  std::vector<std::string> parts;
+  for (const auto i : swept(found)) {
+    const auto& parameter = found.parameters[i];
+    if (!left_out(parameter.name)) parts.push_back(parameter.text(found.lines[line].parameters[i]));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 Cell region_cell(const Region& region) {
   if (!region.present()) return {std::string(absence(region.presence)), {}};
   return {extent_text(region),
@@ -90,15 +151,6 @@ Cell trigger_cell(const Trigger& trigger) {
   if (trigger.presence != Presence::present) return {std::string(absence(trigger.presence)), {}};
   return {fmt::format("{:.3f}", trigger.speed_ratio),
           fmt::format("+{} ×{:.3g}", millimetres(trigger.rise()), trigger.ratio())};
-}
-
-/// Parameters in which the lines of the atlas differ.
-std::vector<std::size_t> swept(const Findings& found) {
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < found.parameters.size(); ++i) {
-    if (found.parameters[i].values.size() > 1) result.push_back(i);
-  }
-  return result;
 }
 
 }  // namespace
@@ -128,6 +180,72 @@ std::vector<std::string> facts(const Findings& found) {
   }
   if (found.max_displacement.empty()) {
     sentences.emplace_back("The atlas has no `max_displacement`: no triggers, and no displacements.");
+  }
+  return sentences;
+}
+
+std::vector<std::string> basin_sentences(const Findings& found) {
+  std::vector<std::string> sentences;
+  if (found.attractor.empty()) {
+    return {"The atlas has not both `poincare` and `max_displacement`: no attractors."};
+  }
+  const Starts starts(found.axes);
+  const auto& speeds = found.axes.back().values;
+  // The first point of each set, from which its parameters are read.
+  std::vector<std::size_t> first(starts.set_count());
+  for (std::size_t point = found.attractor.size(); point-- > 0;) first[starts.set_of(point)] = point;
+  std::size_t alone = 0;
+  for (auto basin = found.basins.begin(); basin != found.basins.end();) {
+    const auto end =
+        std::find_if(basin, found.basins.end(), [&](const Basin& other) { return other.set != basin->set; });
+    const std::size_t point = first[basin->set];
+    auto place = place_text(found, point / speeds.size(), is_start_axis);
+    if (!place.empty()) place = ", " + place;
+    std::vector<std::string> parts;
+    std::transform(basin, end, std::back_inserter(parts), basin_text);
+    if (found.scene.blades.count > 1) append_shifted({basin, end}, parts);
+    if (parts.size() == 1 && basin->attractor != 0) {
+      ++alone;
+    } else {
+      sentences.push_back(
+          fmt::format("Ω = {:.6g}{}: {}.", speeds[point % speeds.size()], place, fmt::join(parts, "; ")));
+    }
+    basin = end;
+  }
+  if (alone > 0) {
+    sentences.push_back(fmt::format(
+        "All initial states lead to one attractor at {} of the {} combinations of the other parameters.",
+        alone, starts.set_count()));
+  }
+  return sentences;
+}
+
+std::vector<std::string> hysteresis_sentences(const Findings& found) {
+  if (!found.hysteresis) {
+    return {"The atlas has not both `poincare` and `max_displacement`: the motions are not compared."};
+  }
+  const auto& hysteresis = *found.hysteresis;
+  std::vector<std::string> sentences{fmt::format("The same motion at {} of {} points compared.",
+                                                 hysteresis.compared - hysteresis.different,
+                                                 hysteresis.compared)};
+  for (const auto& range : hysteresis.ranges) {
+    if (range.is_aperiodic()) continue;
+    auto place = place_text(found, range.line, is_start_axis);
+    if (!place.empty()) place += ", ";
+    const auto speeds = range.speeds == 1 ? fmt::format("Ω = {:.6g}", range.from)
+                                          : fmt::format("Ω from {:.6g} to {:.6g} ({} points)", range.from,
+                                                        range.to, range.speeds);
+    const bool shifted = range.may_be_shifted && found.scene.blades.count > 1;
+    sentences.push_back(
+        fmt::format("{}{}: up {}, down {}{}.", place, speeds, class_names(range.up), class_names(range.down),
+                    shifted ? ", of one size: it may be one motion in which other blades touch" : ""));
+  }
+  if (hysteresis.compared_aperiodic > 0) {
+    sentences.push_back(
+        fmt::format("Of {} pairs of aperiodic motions {} have maximum displacements that differ by more than "
+                    "{:g} standard "
+                    "errors; of pairs of one and the same motion one in twenty does.",
+                    hysteresis.compared_aperiodic, hysteresis.different_aperiodic, kStandardErrors));
   }
   return sentences;
 }

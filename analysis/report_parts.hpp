@@ -22,6 +22,13 @@ struct Cell {
 std::vector<std::string> table_header(const Findings& found);
 std::vector<std::vector<Cell>> table_rows(const Findings& found);
 
+/// Where the initial state is an axis: at which parameters which attractors are reached, and from which share
+/// of the initial states.
+std::vector<std::string> basin_sentences(const Findings& found);
+
+/// Of an atlas that was swept both ways: where the motions differ, line by line.
+std::vector<std::string> hysteresis_sentences(const Findings& found);
+
 /// "As ζ grows (μ = 0.1, me = 0 kg m, h = 1 mm)".
 std::string heading(const Findings& found, const Sensitivity& sensitivity);
 

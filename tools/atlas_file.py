@@ -85,7 +85,8 @@ def reading(path, what):
 class _Examination:
     """Compares the datasets of a file that lies on the axes of an atlas with these axes, once."""
 
-    KINDS = {"status": "u", "restarted": "u", "failed_revolution": "i", "class": "u", "class_blade_passing": "u"}
+    KINDS = {"status": "u", "restarted": "u", "failed_revolution": "i", "class": "u", "class_blade_passing": "u",
+             "attractor": "i"}
 
     def __init__(self, path, file):
         self.path, self.file = path, file
@@ -157,7 +158,7 @@ class _Examination:
         return axes
 
     def rows(self, axes, scene):
-        names = [name for name in ("class", "class_blade_passing") if name in self.file]
+        names = [name for name in ("class", "class_blade_passing", "attractor") if name in self.file]
         if "status" in self.file:
             names = ["status", "restarted", "failed_revolution", "final_state", *scene.get("observables", [])]
         for name in names:
@@ -232,7 +233,8 @@ class AtlasFile:
         """Axes with more than one value, apart from the speed ratio."""
         return [name for name in self.axes[:-1] if self.dataset(name).size > 1]
 
-    def _index(self, name, wanted):
+    def index(self, name, wanted):
+        """Place on an axis of a value, which must be there; of None that of the scene's own value."""
         values = self.axis(name)
         if wanted is None:
             section, key = SCENE_VALUE.get(name, (None, None))
@@ -254,7 +256,7 @@ class AtlasFile:
         if unknown:
             raise AtlasError(f"{self.path}: no axis {', '.join(sorted(unknown))}; "
                              f"a line is picked by {', '.join(self.axes[:-1])}")
-        return Line(self, tuple(self._index(name, wanted.get(name)) for name in self.axes[:-1]))
+        return Line(self, tuple(self.index(name, wanted.get(name)) for name in self.axes[:-1]))
 
     def lines(self, axis, **wanted):
         """All lines along one axis, in the order of its values; the other axes as in `line`."""

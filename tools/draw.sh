@@ -4,10 +4,11 @@
 #   tools/draw.sh ATLAS.h5 MAPS.h5 FOLDER
 #
 # With several swept parameters displacement.png and sensitivity.png are along the first of them, and
-# displacement_AXIS.png, sensitivity_AXIS.png along each of the others.
+# displacement_AXIS.png, sensitivity_AXIS.png along each of the others. Of an atlas whose initial state is an axis
+# there is one picture, basins.png.
 set -euo pipefail
 if [ $# -ne 3 ]; then
-  sed -n '2,7s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+  sed -n '2,8s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
   exit 2
 fi
 atlas=$1 maps=$2 folder=$3
@@ -36,6 +37,11 @@ CONTENTS
 has() { grep -qFx "has $1" <<<"$found"; }
 mkdir -p "$folder"
 
+# From many initial states: a line has one of them, and says little.
+if has basins; then
+  "$tools/basins.py" "$atlas" --maps "$maps" -o "$folder/basins.png"
+  exit
+fi
 if has poincare; then "$tools/bifurcation.py" "$atlas" -o "$folder/bifurcation.png"; fi
 if has spectrum; then "$tools/waterfall.py" "$atlas" -o "$folder/waterfall.png"; fi
 if has max_displacement; then

@@ -8,7 +8,6 @@ namespace rubatlas::analysis {
 namespace {
 
 constexpr std::size_t kParts = 10;
-constexpr double kStandardErrors = 2.0;
 
 double scatter_of_maximum(std::span<const double> sections) {
   const std::size_t count = sections.size() / kStateSize;
@@ -45,8 +44,12 @@ bool has_section(std::span<const double> sections, const std::array<double, kSta
 
 MotionTrace trace_of(std::span<const double> sections, double max_displacement,
                      const ClosingTolerance& closing) {
+  return trace_of(classify(sections, closing), sections, max_displacement);
+}
+
+MotionTrace trace_of(std::uint8_t motion, std::span<const double> sections, double max_displacement) {
   MotionTrace trace;
-  trace.motion = classify(sections, closing);
+  trace.motion = motion;
   if (trace.motion == motion_class::kNone) return trace;
   trace.max_displacement = max_displacement;
   trace.displacement_error = scatter_of_maximum(sections);

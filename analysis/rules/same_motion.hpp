@@ -9,6 +9,10 @@
 
 namespace rubatlas::analysis {
 
+/// Maximum displacements of one aperiodic motion differ by no more than this many standard errors of the
+/// difference; by more in one case of twenty.
+constexpr double kStandardErrors = 2.0;
+
 /// What of a motion is enough to recognise it.
 struct MotionTrace {
   std::uint8_t motion = motion_class::kNone;  ///< class; `kNone` where the point did not end as done
@@ -27,6 +31,10 @@ struct MotionTrace {
 /// be as long as the record.
 [[nodiscard]] MotionTrace trace_of(std::span<const double> sections, double max_displacement,
                                    const ClosingTolerance& closing);
+
+/// The same where the class of the motion is known.
+[[nodiscard]] MotionTrace trace_of(std::uint8_t motion, std::span<const double> sections,
+                                   double max_displacement);
 
 /// Whether a motion is that of another trace; `sections` are those of `one`.
 ///

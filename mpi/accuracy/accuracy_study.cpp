@@ -7,6 +7,7 @@
 
 #include "analysis/rules/class.hpp"
 #include "analysis/rules/scene_tolerances.hpp"
+#include "assembly/initial_state.hpp"
 #include "assembly/make_line_solver.hpp"
 #include "mpi/accuracy/accuracy_map.hpp"
 #include "mpi/accuracy/accuracy_settings.hpp"
@@ -159,10 +160,10 @@ class Study {
 
   /// Follows the scene's sweep with the reference, point by point.
   void find_references() {
-    const auto& initial = scene_.initial;
-    const motion::PointStart from_initial({initial.x, initial.y, initial.vx, initial.vy});
     const plan::Grid& grid = points_.grid();
     for (std::size_t line = 0; line < grid.line_count(); ++line) {
+      const motion::PointStart from_initial =
+          assembly::initial_state(scene_, grid.parameters(grid.point(line, 0)));
       motion::PointStart start = from_initial;
       for (std::size_t visit = 0; visit < grid.speed_count(); ++visit) {
         const std::size_t point = grid.point(line, visit);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "assembly/initial_state.hpp"
 #include "assembly/make_line_solver.hpp"
 #include "mpi/clock.hpp"
 #include "plan/grid.hpp"
@@ -30,9 +31,9 @@ std::optional<double> seconds_per_right_hand_side(const settings::Scene& scene, 
       std::min(kRevolutions, scene.protocol.sampled_revolutions + scene.protocol.transient_revolutions);
   const plan::Grid grid(trial);
   const std::size_t first = grid.point_count() - grid.speed_count();
-  const auto solver =
-      assembly::make_line_solver(trial, grid.parameters(first), assembly::make_blade_tables());
-  const motion::SectionState start{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
+  const auto line = grid.parameters(first);
+  const auto solver = assembly::make_line_solver(trial, line, assembly::make_blade_tables());
+  const motion::SectionState start = assembly::initial_state(trial, line);
 
   double fastest = std::numeric_limits<double>::infinity();
   for (int repetition = 0; repetition < kRepetitions; ++repetition) {

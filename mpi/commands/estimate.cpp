@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "assembly/initial_state.hpp"
 #include "assembly/make_line_solver.hpp"
 #include "mpi/clock.hpp"
 #include "mpi/commands/reach.hpp"
@@ -37,10 +38,6 @@ settings::Scene shortened(settings::Scene scene, int revolutions) {
   return scene;
 }
 
-motion::SectionState start_of(const settings::Scene& scene) {
-  return {scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
-}
-
 /// Number of revolutions of a trial; the first point has a few only.
 int trial_revolutions(const settings::Scene& scene, double budget,
                       const std::shared_ptr<assembly::BladeTables>& tables, const modes::GoOn& go_on) {
@@ -48,7 +45,7 @@ int trial_revolutions(const settings::Scene& scene, double budget,
   const auto parameters = plan::Grid(probe).parameters(0);
   const auto solver = assembly::make_line_solver(probe, parameters, tables);
   const double before = processor_seconds();
-  solver->run(parameters.speed_ratio, start_of(probe), go_on);
+  solver->run(parameters.speed_ratio, assembly::initial_state(probe, parameters), go_on);
   const double per_revolution = std::max((processor_seconds() - before) / kFewestRevolutions, 1e-9);
   return static_cast<int>(
       std::clamp<double>(kShareOfOneTrial * budget / per_revolution, kFewestRevolutions, kMostRevolutions));
@@ -67,7 +64,6 @@ CostEstimate estimate_cost(const settings::Scene& scene, double budget, const Cl
   const settings::Scene trial = shortened(scene, trial_revolutions(scene, budget, tables, go_on));
   const double scale = static_cast<double>(total_revolutions(scene)) / total_revolutions(trial);
   const plan::Grid grid(trial);
-  const motion::SectionState start = start_of(scene);
   const std::size_t most_trials = std::min(grid.point_count(), kMostTrials);
   // Multiples of the golden section are spread evenly over the grid for any number of points. A small grid is
   // computed completely, point by point.
@@ -85,6 +81,7 @@ CostEstimate estimate_cost(const settings::Scene& scene, double budget, const Cl
   for (std::size_t number = 0; number < most_trials && (number == 0 || clock() - begin < budget); ++number) {
     const auto parameters = grid.parameters(point_of(number));
     const auto solver = assembly::make_line_solver(trial, parameters, tables);
+    const auto start = assembly::initial_state(trial, parameters);
     const double before = processor_seconds();
     const auto outcome = solver->run(parameters.speed_ratio, start, go_on);
     const double seconds = processor_seconds() - before;

@@ -172,8 +172,7 @@ std::vector<std::string> doubts_about(const settings::Scene& scene) {
 }
 
 std::string likely_reason_to_leave(const settings::Scene& scene) {
-  const auto& initial = scene.initial;
-  const double start = std::hypot(initial.x, initial.y + scene.rotor.misalignment);
+  const double start = farthest_start(scene, -scene.rotor.misalignment);
   if (start >= scene.ring.radius) {
     return fmt::format("`initial` puts the shaft {} from the ring's centre, and the ring has a radius of {}",
                        length(start), length(scene.ring.radius));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assembly/initial_state.hpp"
 #include "assembly/make_line_solver.hpp"
 #include "atlas/atlas_reader.hpp"
 #include "atlas/final_states.hpp"
@@ -100,10 +101,8 @@ int compute_orbit(const OrbitCommand& command) {
     throw UsageError("--at direction means a line of an atlas; it needs --from ATLAS");
   }
   const atlas::Output output = output_of(command);
-  const auto& initial = scene.initial;
-  const motion::PointStart start = command.from
-                                       ? stored_end(scene, *command.from, place)
-                                       : motion::SectionState{initial.x, initial.y, initial.vx, initial.vy};
+  const motion::PointStart start = command.from ? stored_end(scene, *command.from, place)
+                                                : assembly::initial_state(scene, place.parameters);
 
   const auto solver = assembly::make_line_solver(scene, place.parameters, assembly::make_blade_tables());
   const point::Orbit orbit = solver->orbit(place.parameters.speed_ratio, start);

@@ -108,10 +108,19 @@ std::optional<FreeReach> reach_without_contact(const settings::Scene& scene) {
   return reach;
 }
 
+double farthest_start(const settings::Scene& scene, double height) {
+  double farthest = 0.0;
+  for (const double x : settings::values_in(scene, "/initial/x")) {
+    for (const double y : settings::values_in(scene, "/initial/y")) {
+      farthest = std::max(farthest, std::hypot(x, y - height));
+    }
+  }
+  return farthest;
+}
+
 bool has_touched(const settings::Scene& scene, const motion::WorkCounts& work) {
   if (work.touchdowns + work.liftoffs > 0) return true;
-  const auto& initial = scene.initial;
-  return work.right_hand_sides > 0 && std::hypot(initial.x, initial.y) > least_distance(scene);
+  return work.right_hand_sides > 0 && farthest_start(scene, 0.0) > least_distance(scene);
 }
 
 }  // namespace rubatlas::mpi

@@ -20,6 +20,10 @@ struct FreeReach {
 /// motion.
 std::optional<FreeReach> reach_without_contact(const settings::Scene& scene);
 
+/// Largest distance, over the grid, of the shaft at the start from a point `height` above its equilibrium
+/// [m].
+double farthest_start(const settings::Scene& scene, double height);
+
 /// Whether a blade has been in contact in motions of this work that started from the scene's `initial`. The
 /// answer is true in doubt, because methods that step through flight do not count contacts that last from the
 /// start to the end.

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "assembly/initial_state.hpp"
 #include "assembly/make_line_solver.hpp"
 #include "atlas/atlas_reader.hpp"
 #include "atlas/environment_error.hpp"
@@ -62,8 +63,6 @@ class Recomputation {
         schema_(atlas::schema_of(scene_)),
         grid_(scene_),
         pieces_(scene_),
-        initial_(
-            motion::SectionState{scene_.initial.x, scene_.initial.y, scene_.initial.vx, scene_.initial.vy}),
         status_(atlas.status()),
         seam_(scene_.pieces ? atlas.seam() : std::vector<std::uint8_t>()),
         ends_(atlas.file(), schema_) {}
@@ -73,7 +72,7 @@ class Recomputation {
     const plan::PointParameters parameters = grid_.parameters(point);
     const auto solver = assembly::make_line_solver(scene_, parameters, tables_);
     const auto start = start_of(point, *solver);
-    const auto outcome = solver->run(parameters.speed_ratio, start.value_or(initial_));
+    const auto outcome = solver->run(parameters.speed_ratio, start.value_or(initial_of(parameters)));
     const auto seam = seam_.empty() ? plan::Seam::none : static_cast<plan::Seam>(seam_[point]);
     const atlas::Row row(schema_, {.restarted = !start, .seam = seam}, outcome);
     const auto datasets = schema_.summed_datasets();
@@ -86,7 +85,11 @@ class Recomputation {
   }
 
  private:
-  /// Where a point started; empty: from the scene's `initial`.
+  [[nodiscard]] motion::PointStart initial_of(const plan::PointParameters& parameters) const {
+    return assembly::initial_state(scene_, parameters);
+  }
+
+  /// Where a point started; empty: from its initial state.
   std::optional<motion::PointStart> start_of(std::size_t point, point::LineSolver& solver) const {
     if (!grid_.points_depend_on_each_other()) return std::nullopt;
     const std::size_t line = point / grid_.speed_count();
@@ -111,9 +114,10 @@ class Recomputation {
   std::optional<motion::PointStart> end_of_run_before(std::size_t line, std::size_t visit,
                                                       point::LineSolver& solver) const {
     std::optional<motion::PointStart> end;
+    const auto initial = initial_of(grid_.parameters(grid_.point(line, visit)));
     for (std::size_t i = pieces_.run_begin(pieces_.of_visit(visit)); i < visit; ++i) {
       const double speed_ratio = grid_.parameters(grid_.point(line, i)).speed_ratio;
-      const auto outcome = solver.run(speed_ratio, end.value_or(initial_));
+      const auto outcome = solver.run(speed_ratio, end.value_or(initial));
       end.reset();
       if (outcome.status == point::PointStatus::done) end.emplace(outcome.final_state, outcome.final_memory);
     }
@@ -125,7 +129,6 @@ class Recomputation {
   atlas::Schema schema_;
   plan::Grid grid_;
   plan::Pieces pieces_;
-  motion::PointStart initial_;
   std::vector<std::uint8_t> status_;
   std::vector<std::uint8_t> seam_;  ///< empty where lines are not swept in pieces
   atlas::FinalStates ends_;

@@ -1,4 +1,5 @@
 #include "mpi/job/point_runner.hpp"
+#include "assembly/initial_state.hpp"
 #include "assembly/make_line_solver.hpp"
 
 #include <algorithm>
@@ -32,8 +33,8 @@ point::LineSolver& PointRunner::solver_of(std::size_t line) {
 
 void PointRunner::run(const Callbacks& callbacks) {
   const modes::GoOn go_on = [&] { return attend(callbacks); };
-  const motion::PointStart initial(
-      motion::SectionState{scene_.initial.x, scene_.initial.y, scene_.initial.vx, scene_.initial.vy});
+  const motion::PointStart initial =
+      assembly::initial_state(scene_, grid_.parameters(grid_.point(left_.line, 0)));
   reported_ = std::chrono::steady_clock::now();
   point::LineSolver& solver = solver_of(left_.line);
   integrating_.start();

@@ -76,8 +76,9 @@ std::span<const GridAxis> grid_axes();
 /// Name of the dimension of a quantity that is swept by its pointer: "ring_stiffness" for "/ring/stiffness".
 std::string axis_name(std::string_view pointer);
 
-/// Every quantity that `grid` may name by its pointer: the numbers that describe the machine and the effects
-/// on it, without those whose axis has a name of its own.
+/// Every quantity that `grid` may name by its pointer: the numbers that describe the machine, the effects on
+/// it and the initial state, without those whose axis has a name of its own. An axis of the initial state
+/// needs the sweep `independent`.
 std::vector<const Quantity*> sweepable_quantities();
 
 /// An axis of one scene's atlas.

@@ -396,6 +396,18 @@ void check_spectrum(const Scene& scene) {
            protocol.sampled_revolutions, protocol.samples_per_revolution, samples, kMostSamplesTogether));
 }
 
+/// Points that go on from each other do not start from `initial`.
+void check_initial_axes(const Scene& scene) {
+  if (scene.sweep == Sweep::independent) return;
+  for (const auto& swept : scene.grid.swept) {
+    if (quantity(swept.pointer).section() != "/initial") continue;
+    fail(child("/grid", swept.pointer),
+         fmt::format(R"(under the sweep "{}" only the first speed of a line would start from {}; an axis of )"
+                     R"(the initial state needs the sweep "independent")",
+                     std::get<std::string>(*quantity("/sweep").read(scene)), swept.pointer));
+  }
+}
+
 /// Pieces need a sweep, whose points go on from each other, and must be able to begin within it.
 void check_pieces(const Scene& scene) {
   if (!scene.pieces) return;
@@ -412,6 +424,7 @@ void check_together(const json& document, Scene& scene) {
   check_clearance(scene);
   check_effects(scene);
   check_spectrum(scene);
+  check_initial_axes(scene);
   check_pieces(scene);
   const int highest = scene.protocol.samples_per_revolution / 2;
   if (!document.contains("/spectrum/max_order"_json_pointer)) {

@@ -34,10 +34,10 @@ constexpr std::array kGridAxes{
     GridAxis{.name = "speed_ratio", .quantity = "/grid/speed_ratio", .values = &Grid::speed_ratio},
 };
 
-/// Sections that describe how a motion is computed and stored, not the machine. Their quantities cannot be
-/// axes of an atlas.
-constexpr std::array<std::string_view, 8> kNotSwept{"",          "/grid",     "/pieces",   "/initial",
-                                                    "/protocol", "/spectrum", "/validity", "/accuracy"};
+/// Sections that describe how a motion is computed and stored, not the machine or its start. Their quantities
+/// cannot be axes of an atlas.
+constexpr std::array<std::string_view, 7> kNotSwept{"",          "/grid",     "/pieces",  "/protocol",
+                                                    "/spectrum", "/validity", "/accuracy"};
 
 }  // namespace
 

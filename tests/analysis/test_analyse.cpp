@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -83,6 +85,92 @@ TEST_F(Analyse, WritesOneRowOfTheTablePerLine) {
   EXPECT_NEAR(column("trigger_1_rise")[0], 9.9e-3, 1e-12);
   EXPECT_EQ(maps.dataset("table1/region_3_presence").read<std::uint8_t>(), (std::vector<std::uint8_t>{2, 2}));
   EXPECT_EQ(maps.dataset("table1/region_1_from").scale_name(0), "table1/line");
+}
+
+/// A text on one line, whatever the width of its paragraphs.
+std::string on_one_line(const std::string& text) {
+  std::string line;
+  for (const char letter : text) {
+    const bool blank = letter == ' ' || letter == '\n';
+    if (!blank || (!line.empty() && line.back() != ' ')) line += blank ? ' ' : letter;
+  }
+  return line;
+}
+
+const std::string kStarts = R"({
+  "grid": {"speed_ratio": [0.3, 0.4], "/initial/x": [-1e-3, 0, 1e-3]}, "sweep": "independent",
+  "protocol": {"transient_revolutions": 2, "sampled_revolutions": 40, "samples_per_revolution": 32},
+  "observables": ["poincare", "max_displacement"]})";
+
+/// At the lower speed the shaft at rest alone leads to period 1; at the higher one all do.
+PrescribedPoint from_start(const plan::PointParameters& at) {
+  if (at.speed_ratio < 0.35 && at.swept.front() != 0.0) return {3, 1e-3};
+  return {1, 2e-3};
+}
+
+TEST_F(Analyse, FindsTheAttractorsThatInitialStatesLeadToAndTheirShares) {
+  write_atlas(file("atlas.h5"), kStarts, from_start);
+  const auto text = on_one_line(run("atlas.h5"));
+  for (const auto* part :
+       {"BASINS OF ATTRACTION",
+        "Ω = 0.3: attractor 1, period 3, from 66.7 % ± 27.2 %, up to 1 mm; attractor 2, period 1, from 33.3 "
+        "% "
+        "± 27.2 %, up to 2 mm.",
+        "All initial states lead to one attractor at 1 of the 2 combinations of the other parameters."}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\nin\n" << text;
+  }
+  EXPECT_EQ(text.find("REGIONS AND TRIGGERS"), std::string::npos) << "these are about lines from one state";
+  const auto maps = atlas::File::open_to_read(file("maps.h5"));
+  const auto attractor = maps.dataset("attractor");
+  EXPECT_EQ(attractor.shape(), (atlas::Shape{3, 1, 1, 1, 1, 2}));
+  EXPECT_EQ(attractor.scale_name(0), "initial_x");
+  EXPECT_EQ(attractor.read<std::int32_t>(), (std::vector<std::int32_t>{1, 1, 2, 1, 1, 1}));
+  EXPECT_DOUBLE_EQ(attractor.number("relative_tolerance"), 1e-4);
+  EXPECT_DOUBLE_EQ(attractor.number("absolute_tolerance"), 100.0 * 100.0 * 1e-9 * 0.01);
+  EXPECT_EQ(attractor.number("standard_errors"), 2.0);
+  EXPECT_EQ(maps.dataset("basins/speed_ratio").read<double>(), (std::vector<double>{0.3, 0.3, 0.4}));
+  EXPECT_EQ(maps.dataset("basins/attractor").read<std::int32_t>(), (std::vector<std::int32_t>{1, 2, 1}));
+  EXPECT_EQ(maps.dataset("basins/class").read<std::uint8_t>(), (std::vector<std::uint8_t>{3, 1, 1}));
+  EXPECT_EQ(maps.dataset("basins/points").read<std::int32_t>(), (std::vector<std::int32_t>{2, 1, 3}));
+  EXPECT_DOUBLE_EQ(maps.dataset("basins/share").read<double>()[0], 2.0 / 3.0);
+  EXPECT_DOUBLE_EQ(maps.dataset("basins/standard_error").read<double>()[0], std::sqrt(2.0 / 27.0));
+  EXPECT_EQ(maps.dataset("basins/standard_error").read<double>()[2], 0.0);
+  EXPECT_EQ(maps.dataset("table1/initial_x").read<double>(), (std::vector<double>{-1e-3, 0.0, 1e-3}));
+}
+
+TEST_F(Analyse, AnAtlasWithoutDisplacementsHasNoAttractorsAndSaysSo) {
+  write_atlas(file("atlas.h5"), with(kStarts, R"(, "max_displacement")", ""), from_start);
+  const auto text = on_one_line(run("atlas.h5"));
+  EXPECT_NE(text.find("The atlas has not both `poincare` and `max_displacement`: no attractors."),
+            std::string::npos)
+      << text;
+}
+
+TEST_F(Analyse, FindsWhereTheSweepsUpAndDownEndOnOtherMotions) {
+  const auto scene = with(with(with(kStarts, R"("independent")", R"("both")"),
+                               R"(, "/initial/x": [-1e-3, 0, 1e-3])", R"(, "damping_ratio": [0.1, 0.2])"),
+                          "[0.3, 0.4]", R"({"from": 0.3, "to": 0.8, "count": 6})");
+  std::size_t point = 0;
+  write_atlas(file("atlas.h5"), scene, [&](const plan::PointParameters& at) -> PrescribedPoint {
+    const bool down = point++ >= 12;
+    const bool within = at.damping_ratio > 0.15 && at.speed_ratio > 0.45 && at.speed_ratio < 0.65;
+    if (within) return {static_cast<std::uint8_t>(down ? 5 : 2), down ? 3e-3 : 1e-3};
+    return {1, 1e-3};
+  });
+  const auto text = on_one_line(run("atlas.h5", file("table.md")));
+  const std::string range = "ζ = 0.2, Ω from 0.5 to 0.6 (2 points): up period 2, down period 5.";
+  EXPECT_NE(text.find("WHERE UP AND DOWN DIFFER The same motion at 10 of 12 points compared. " + range),
+            std::string::npos)
+      << text;
+  const auto maps = atlas::File::open_to_read(file("maps.h5"));
+  EXPECT_EQ(maps.dataset("hysteresis/damping_ratio").read<double>(), (std::vector<double>{0.2}));
+  EXPECT_EQ(maps.dataset("hysteresis/from").read<double>(), (std::vector<double>{0.5}));
+  EXPECT_EQ(maps.dataset("hysteresis/to").read<double>(), (std::vector<double>{0.6}));
+  EXPECT_EQ(maps.dataset("hysteresis/points").read<std::int32_t>(), (std::vector<std::int32_t>{2}));
+  EXPECT_EQ(maps.dataset("hysteresis/up").read<std::uint8_t>(), (std::vector<std::uint8_t>{2}));
+  EXPECT_EQ(maps.dataset("hysteresis/down").read<std::uint8_t>(), (std::vector<std::uint8_t>{5}));
+  const auto attractor = maps.dataset("attractor").read<std::int32_t>();
+  EXPECT_EQ(std::ranges::count(attractor, 2), 2) << "the down sweep's, where it differs";
 }
 
 TEST_F(Analyse, AnAxisNamedByItsPointerIsAParameterAsAnyOther) {

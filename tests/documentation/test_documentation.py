@@ -35,6 +35,8 @@ def clone(folder):
     (folder / "atlases").mkdir()
     shutil.copy(TINY / "atlas.h5", folder / "atlases" / "quick.h5")
     shutil.copy(TINY / "maps.h5", folder / "atlases" / "quick_maps.h5")
+    for name in ("basins.h5", "basins_maps.h5"):
+        shutil.copy(TINY / name, folder / "atlases")
 
 
 class Documentation(unittest.TestCase):

@@ -42,24 +42,29 @@ TEST(PointerAxes, StandBeforeTheNamedOnesSortedByTheNamesOfTheirDimensions) {
   EXPECT_EQ(axes_of(scene)[5].values, (std::vector<double>{0.1, 0.2}));
 }
 
-TEST(PointerAxes, EveryNumberOfTheMachineCanBeSweptAndNothingElse) {
+const std::string kFromTheStart = R"("sweep": "independent", )";
+
+TEST(PointerAxes, EveryNumberOfTheMachineAndOfTheInitialStateCanBeSweptAndNothingElse) {
   const auto allowed = sweepable_quantities();
   const auto is_allowed = [&](std::string_view pointer) {
     return std::ranges::any_of(allowed, [&](const auto* entry) { return entry->pointer == pointer; });
   };
-  for (const auto* pointer : {"/rotor/mass", "/rotor/natural_frequency", "/rotor/misalignment",
-                              "/blades/length", "/blades/width", "/blades/youngs_modulus",
-                              "/blades/hub_radius", "/ring/radius", "/ring/stiffness", "/unbalance/phase"}) {
+  for (const auto* pointer :
+       {"/rotor/mass", "/rotor/natural_frequency", "/rotor/misalignment", "/blades/length", "/blades/width",
+        "/blades/youngs_modulus", "/blades/hub_radius", "/ring/radius", "/ring/stiffness", "/unbalance/phase",
+        "/initial/x", "/initial/y", "/initial/vx", "/initial/vy"}) {
     EXPECT_TRUE(is_allowed(pointer)) << pointer;
   }
   for (const auto* pointer : {"/blades/count", "/blades/thickness", "/contact/law", "/contact/friction",
-                              "/unbalance/moment", "/rotor/damping_ratio", "/grid/speed_ratio", "/initial/x",
+                              "/unbalance/moment", "/rotor/damping_ratio", "/grid/speed_ratio",
                               "/validity/max_shortening", "/accuracy/tolerance", "/title"}) {
     EXPECT_FALSE(is_allowed(pointer)) << pointer;
   }
   for (const auto* entry : allowed) {
-    const std::string chosen =
-        entry->pointer == "/ring/stiffness" || entry->section() == "/contact_damping" ? kRigid : "";
+    const std::string chosen = entry->pointer == "/ring/stiffness" || entry->section() == "/contact_damping"
+                                   ? kRigid
+                               : entry->section() == "/initial" ? kFromTheStart
+                                                                : "";
     // Blades must fit into the ring, and something must be left of each.
     const double value = entry->section() == "/blades"           ? 0.01
                          : entry->section() == "/unequal_blades" ? 1e-5
@@ -69,6 +74,33 @@ TEST(PointerAxes, EveryNumberOfTheMachineCanBeSweptAndNothingElse) {
         parse_scene(scene_with_axes(fmt::format(R"("{}": [{}])", entry->pointer, value), chosen));
     EXPECT_EQ(std::get<double>(entry->read(read).value()), value) << entry->pointer;
   }
+}
+
+TEST(PointerAxes, TheInitialStateIsAnAxisWhereEveryPointStartsFromIt) {
+  const Scene scene = parse_scene(
+      scene_with_axes(R"("/initial/vx": [0, 0.002], "/initial/x": {"from": -0.001, "to": 0.001, "count": 3})",
+                      kFromTheStart));
+  EXPECT_EQ(axes_of(scene)[0].name, "initial_vx");
+  EXPECT_EQ(axes_of(scene)[1].name, "initial_x");
+  EXPECT_EQ(axes_of(scene)[1].values, (std::vector<double>{-0.001, 0.0, 0.001}));
+  EXPECT_EQ(scene.initial.x, -0.001);
+  const std::string resolved = resolved_json(scene);
+  EXPECT_EQ(resolved_json(parse_scene(resolved)), resolved);
+  EXPECT_EQ(quantity_of_axis("initial_vx"), &quantity("/initial/vx"));
+}
+
+TEST(PointerAxes, TheInitialStateIsNoAxisOfASweepWhosePointsGoOnFromEachOther) {
+  for (const std::string sweep : {"up", "down", "both"}) {
+    EXPECT_EQ(
+        refusal(scene_with_axes(R"("/rotor/mass": [1, 2], "/initial/vy": [0, 0.001])",
+                                fmt::format(R"("sweep": "{}", )", sweep))),
+        fmt::format("/grid/~1initial~1vy: under the sweep \"{}\" only the first speed of a line would start "
+                    "from /initial/vy; an axis of the initial state needs the sweep \"independent\"",
+                    sweep));
+  }
+  EXPECT_NE(refusal_of_axis(R"("/initial/x": 0)"), "accepted") << "a sweep goes up unless the scene says so";
+  EXPECT_EQ(refusal(scene_with_axes(R"("/initial/x": [0, 2000])", kFromTheStart)),
+            "/grid/~1initial~1x/1: 2000 is outside [-1000, 1000] m; horizontal displacement at the start");
 }
 
 TEST(PointerAxes, ASweptQuantityIsPresentWithTheFirstOfItsValues) {
@@ -119,7 +151,7 @@ TEST(PointerAxes, AnUnknownPointerNamesTheNearestThatCanBeSwept) {
   EXPECT_TRUE(text.ends_with("; nearest: /ring/stiffness")) << text;
   EXPECT_TRUE(refusal_of_axis(R"("/contact/fricton": 0.1)").ends_with("; nearest: friction"));
   for (const std::string pointer :
-       {"/initial/x", "/blades/count", "/accuracy/tolerance", "/title", "/", "//"}) {
+       {"/protocol/sampled_revolutions", "/blades/count", "/accuracy/tolerance", "/title", "/", "//"}) {
     EXPECT_NE(refusal_of_axis(fmt::format(R"("{}": 1)", pointer))
                   .find(": no quantity that can be swept, with the value 1"),
               std::string::npos)

@@ -17,5 +17,8 @@ cd "$folder"
 "$program" run "$here/rings.json" -o rings.h5 --overwrite --progress off
 "$program" analyse rings.h5 -o rings_maps.h5 >/dev/null
 "$program" orbit "$here/rings.json" --at speed_ratio=0.4,damping_ratio=0.1,ring_radius=0.1095 -o rings_orbit.h5
+# An atlas whose initial state is an axis.
+"$program" run "$here/basins.json" -o basins.h5 --overwrite --progress off
+"$program" analyse basins.h5 -o basins_maps.h5 >/dev/null
 "$program" accuracy "$here/tiny_accuracy.json" -o accuracy.h5 --methods hybrid --tolerances 1e-5,1e-7,1e-9 \
   --repeats 1 --progress off

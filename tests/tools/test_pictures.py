@@ -87,6 +87,37 @@ class ToolsPictures(unittest.TestCase):
     def test_the_blade_is_drawn(self):
         self.expect_picture("blade.py", TINY / "atlas.h5")
 
+    def test_basins_of_attraction_are_drawn(self):
+        self.expect_picture("basins.py", TINY / "basins.h5", "--maps", TINY / "basins_maps.h5", "--dpi", 100, colours=10)
+
+    def test_a_pixel_of_a_basin_has_the_colour_of_its_attractor(self):
+        figure = Figure("basins", TINY / "basins.h5", "--maps", TINY / "basins_maps.h5")
+        self.assertIn("Initial x [mm]", figure.texts())
+        self.assertIn("Initial vx [mm]", figure.texts())
+        with AtlasFile(TINY / "basins_maps.h5") as maps:
+            motion, attractor = (maps.dataset(name)[:, :, 0, 0, 0, 0, :] for name in ("class", "attractor"))
+        self.assertEqual(motion.shape, (5, 7, 2))  # initial_vx, initial_x, speed_ratio
+        self.assertEqual(set(attractor[:, :, 0].ravel()), {1})
+        self.assertLessEqual({1, 11}, set(motion[:, :, 1].ravel()))
+        colour = {kind: style.matplotlib.colors.to_rgb(shade) for _, shade, first, last in style.CLASSES
+                  for kind in range(first, last + 1)}
+        for speed, panel in enumerate(figure.figure.axes):
+            wanted = [[colour[kind] for kind in row] for row in motion[:, :, speed]]
+            np.testing.assert_array_equal(panel.images[0].get_array(), wanted)
+            left, right, bottom, top = panel.images[0].get_extent()
+            np.testing.assert_allclose([left, right, bottom, top], [-0.5, 6.5, 3.25, 10.75])  # mm, half a step around
+
+    def test_attractors_of_one_class_have_colours_of_their_own(self):
+        basins = importlib.import_module("basins")
+        found = basins.entries(np.array([[1, 2], [3, 3]]), np.array([[7, 7], [1, 1]]))
+        self.assertEqual([(number, kind) for number, kind, _ in found], [(1, 7), (2, 7), (3, 1)])
+        self.assertEqual(len({colour for _, _, colour in found}), 3)
+
+    def test_basins_need_an_axis_of_the_initial_state(self):
+        ended = run("basins.py", TINY / "atlas.h5", "--maps", TINY / "maps.h5", "-o", "none.png")
+        self.assertEqual(ended.returncode, 2)
+        self.assertRegex(ended.stderr, r"^basins.py: .*: no axis of the initial state is left to draw over; the atlas has .*\n$")
+
     def test_an_effect_is_drawn_beside_its_absence(self):
         self.expect_picture("effect.py", TINY / "gravity.h5", "--without", TINY / "atlas.h5", "--dpi", 100)
 
@@ -156,6 +187,12 @@ class ToolsPictures(unittest.TestCase):
             self.assertEqual((ended.returncode, ended.stderr), (0, ""))
             names = sorted(path.stem for path in pathlib.Path(folder).glob("*.png"))
         self.assertEqual(names, ["bifurcation", "blade", "displacement", "sensitivity", "sensitivity_blade_passing", "waterfall"])
+
+    def test_of_many_initial_states_the_basins_are_drawn(self):
+        with tempfile.TemporaryDirectory() as folder:
+            ended = run("draw.sh", TINY / "basins.h5", TINY / "basins_maps.h5", folder)
+            self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+            self.assertEqual([path.name for path in pathlib.Path(folder).iterdir()], ["basins.png"])
 
     def test_all_pictures_are_drawn_where_a_quantity_is_swept_by_its_pointer(self):
         with tempfile.TemporaryDirectory() as folder:
