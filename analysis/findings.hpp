@@ -4,10 +4,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/paper/statements.hpp"
+#include "analysis/rules/borders.hpp"
 #include "analysis/rules/class.hpp"
 #include "analysis/rules/line_summary.hpp"
 #include "analysis/rules/parameter.hpp"
@@ -31,6 +33,7 @@ struct Findings {
   std::vector<LineSummary> lines;
   std::vector<Sensitivity> sensitivities;
   std::vector<Statement> statements;
+  std::optional<EdgeTable> edges{};  ///< where they have been computed (`rubatlas edges`)
 };
 
 }  // namespace rubatlas::analysis

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/edges_report.hpp"
 #include "analysis/report_parts.hpp"
 #include "analysis/text_layout.hpp"
 #include "atlas/output.hpp"
@@ -21,7 +22,8 @@ constexpr std::size_t kColumns = 110;
 constexpr std::string_view kTableKey =
     "Regions: first and last Ω, aperiodic share, peak displacement; an Ω in parentheses is where points that "
     "are "
-    "not done begin. Triggers: Ω, rise of the displacement in mm and as a ratio. Not covered: too few points "
+    "not done begin, and digits in parentheses are the uncertainty of an edge. Triggers: Ω, rise of the "
+    "displacement in mm and as a ratio. Not covered: too few points "
     "are "
     "done there.";
 constexpr std::string_view kStatementsKey = "Findings: + found, - not found, ? not covered by this atlas.";
@@ -89,6 +91,7 @@ std::string plain_report(const Findings& found) {
       found.scene.title.empty() ? std::string{} : settings::printable(found.scene.title) + "\n\n";
   for (const auto& fact : facts(found)) text += paragraph("", fact, 2, kColumns);
   text += "\nREGIONS AND TRIGGERS\n" + paragraph("", kTableKey, 2, kColumns) + "\n" + plain_table(found);
+  if (found.edges) text += "\nEDGES\n" + edges_report(found);
   for (const auto& sensitivity : found.sensitivities) {
     text += fmt::format("\n{}\n", heading(found, sensitivity));
     for (const auto& effect : sensitivity.effects) {
@@ -132,6 +135,10 @@ std::string markdown_report(const Findings& found) {
       text += fmt::format(" {}{}{} |", cell.first, cell.second.empty() ? "" : "<br>", cell.second);
     }
     text += "\n";
+  }
+  if (found.edges) {
+    text += "\n## Edges\n\n";
+    for (const auto& sentence : edge_sentences(found)) text += fmt::format("- {}\n", sentence);
   }
   for (const auto& sensitivity : found.sensitivities) {
     text += fmt::format("\n## {}\n\n| | what happens |\n|---|---|\n", heading(found, sensitivity));
