@@ -85,6 +85,8 @@ void create_edges(File& file, const Findings& found) {
   Columns columns(file, edges.size());
   columns.create("line", column<std::int32_t>(edges, [](const Edge& edge) { return edge.line; }),
                  "number of the line in the atlas, C order");
+  columns.create("border", column<std::int32_t>(edges, [](const Edge& edge) { return edge.border; }),
+                 "number of the border of the atlas at which it was found; a border may have several edges");
   for (std::size_t i = 0; i < found.parameters.size(); ++i) {
     const auto& axis = found.axes[i];
     auto values =
@@ -117,7 +119,7 @@ void create_edges(File& file, const Findings& found) {
                  column<std::uint8_t>(edges, [](const Edge& edge) { return edge.region_begins; }),
                  "number of the region that begins here, 0 for none");
   columns.create("points", column<std::int32_t>(edges, [](const Edge& edge) { return edge.points; }),
-                 "points that were computed for it");
+                 "points that were computed for its border");
 }
 
 void write_edges(const atlas::Output& output, const Findings& found, const atlas::AtlasReader& atlas,
@@ -157,6 +159,7 @@ EdgeTable read_edges(const std::filesystem::path& path, const Findings& found,
     return file.dataset(std::string("/edges/") + column).read<T>();
   };
   const auto lines = read("line", std::int32_t{});
+  const auto borders = read("border", std::int32_t{});
   const auto lower = read("lower", double{});
   const auto upper = read("upper", double{});
   const auto kind = read("kind", std::uint8_t{});
@@ -168,6 +171,7 @@ EdgeTable read_edges(const std::filesystem::path& path, const Findings& found,
   const auto points = read("points", std::int32_t{});
   for (std::size_t i = 0; i < lines.size(); ++i) {
     table.edges.push_back({.line = static_cast<std::size_t>(lines[i]),
+                           .border = static_cast<std::size_t>(borders[i]),
                            .kind = static_cast<BorderKind>(kind[i]),
                            .motion_below = below[i],
                            .motion_above = above[i],

@@ -4,8 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
+#include <string_view>
 
 #include "analysis/rules/evidence_text.hpp"
 #include "analysis/text_layout.hpp"
@@ -28,11 +31,12 @@ std::string line_text(const Findings& found, std::size_t line) {
   return texts.empty() ? "" : fmt::format("{}: ", fmt::join(texts, ", "));
 }
 
-/// "region 2 ends and region 3 begins"; empty within a region.
+/// "region 2 ends and region 3 begins".
 std::string subject_of(const Edge& edge) {
   std::vector<std::string> texts;
   if (edge.region_ends > 0) texts.push_back(fmt::format("region {} ends", edge.region_ends));
   if (edge.region_begins > 0) texts.push_back(fmt::format("region {} begins", edge.region_begins));
+  if (texts.empty()) texts.emplace_back("the motion changes");
   return fmt::format("{}", fmt::join(texts, " and "));
 }
 
@@ -107,23 +111,32 @@ void add_both_ways(const Findings& found, std::vector<std::string>& sentences) {
 
 std::vector<std::string> edge_sentences(const Findings& found) {
   std::vector<std::string> sentences;
+  const auto& edges = found.edges->edges;
+  const auto is_of_region = [](const Edge& edge) { return edge.region_begins > 0 || edge.region_ends > 0; };
   std::size_t points = 0;
+  std::size_t borders = 0;
   std::array<std::size_t, 4> counts{};
-  for (const auto& edge : found.edges->edges) {
-    points += edge.points;
-    ++counts.at(static_cast<std::size_t>(edge.outcome));
-    if (edge.region_begins == 0 && edge.region_ends == 0) continue;
-    sentences.push_back(line_text(found, edge.line) + text_of(edge, found) + ".");
+  for (std::size_t first = 0; first < edges.size(); ++borders) {
+    std::size_t end = first;
+    while (end < edges.size() && edges[end].border == edges[first].border) ++end;
+    const auto all = std::span(edges).subspan(first, end - first);
+    points += all.front().points;
+    for (const auto& edge : all) {
+      ++counts.at(static_cast<std::size_t>(edge.outcome));
+      // What a border of a region passes through is told too.
+      if (std::ranges::any_of(all, is_of_region))
+        sentences.push_back(line_text(found, edge.line) + text_of(edge, found) + ".");
+    }
+    first = end;
   }
   add_both_ways(found, sentences);
   const auto& [sharp, slow, divided, overrun] = counts;
   sentences.push_back(
-      fmt::format("{} edge{}{}: {} sharp, within {:g}; {} where motions settle too slowly; {} that divide{}; "
-                  "{} that depend{} on the steps "
-                  "of the sweep; {} points computed.",
-                  found.edges->edges.size(), found.edges->edges.size() == 1 ? "" : "s",
-                  found.edges->only_regions ? " of regions" : "", sharp, found.edges->resolution, slow,
-                  divided, divided == 1 ? "s" : "", overrun, overrun == 1 ? "s" : "", points));
+      fmt::format("Edges: {} at {} borders{}: {} sharp, within {:g}; {} where motions settle too slowly; {} "
+                  "that go on dividing; {} that "
+                  "shorter steps of the sweep pass; {} points computed.",
+                  edges.size(), borders, found.edges->only_regions ? " of regions" : "", sharp,
+                  found.edges->resolution, slow, divided, overrun, points));
   return sentences;
 }
 

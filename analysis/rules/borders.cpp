@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "analysis/rules/class.hpp"
 
 namespace rubatlas::analysis {
@@ -26,15 +29,40 @@ BorderKind kind_of_border(std::uint8_t below, std::uint8_t above) {
   return is_periodic(below) ? BorderKind::onset : BorderKind::end;
 }
 
-void note_regions(Edge& edge, const Line& line, const std::array<Region, 4>& regions, const Border& border) {
+void note_regions(Border& border, const Line& line, const std::array<Region, 4>& regions) {
   for (std::size_t i = 0; i < regions.size(); ++i) {
     const Region& region = regions[i];
     const auto number = static_cast<std::uint8_t>(i + 1);
     if (!region.present()) continue;
-    if (!region.begins_at_gap && line.speed_ratio[border.above] == region.from) edge.region_begins = number;
+    if (!region.begins_at_gap && line.speed_ratio[border.above] == region.from) border.region_begins = number;
     if (i > 0 && !region.ends_at_gap && line.speed_ratio[border.below] == region.to)
-      edge.region_ends = number;
+      border.region_ends = number;
   }
+}
+
+std::vector<Edge> edges_of(std::size_t line, std::size_t number, const Border& border,
+                           const EdgeSearch& search) {
+  std::vector<Edge> edges;
+  for (const auto& found : search.edges()) {
+    Edge edge{.line = line,
+              .border = number,
+              .motion_below = found.near_motion,
+              .motion_above = found.far_motion,
+              .lower = found.near_speed,
+              .upper = found.far_speed,
+              .outcome = found.outcome,
+              .points = search.points()};
+    if (!search.is_ascending()) {
+      std::swap(edge.motion_below, edge.motion_above);
+      std::swap(edge.lower, edge.upper);
+    }
+    edge.kind = kind_of_border(edge.motion_below, edge.motion_above);
+    edges.push_back(edge);
+  }
+  if (!search.is_ascending()) std::ranges::reverse(edges);
+  edges.front().region_ends = border.region_ends;
+  edges.back().region_begins = border.region_begins;
+  return edges;
 }
 
 void narrow_ends(std::array<Region, 4>& regions, const Edge& edge) {

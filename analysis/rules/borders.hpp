@@ -32,6 +32,8 @@ enum class BorderKind : std::uint8_t {
 struct Border {
   std::size_t below = 0;
   std::size_t above = 0;
+  std::uint8_t region_ends = 0;    ///< number of the region that ends here, 0 for none
+  std::uint8_t region_begins = 0;  ///< number of the region that begins here, 0 for none
 };
 
 /// All borders of a line, ascending in Ω. `motion`: one class per point, `kLeftValidity` where the motion
@@ -40,9 +42,10 @@ struct Border {
 
 [[nodiscard]] BorderKind kind_of_border(std::uint8_t below, std::uint8_t above);
 
-/// An edge of a line, ascending in Ω.
+/// An edge of a line.
 struct Edge {
-  std::size_t line = 0;  ///< of the atlas
+  std::size_t line = 0;    ///< of the atlas
+  std::size_t border = 0;  ///< number of the border where it was found, which may have several edges
   BorderKind kind = BorderKind::period;
   std::uint8_t motion_below = 0;   ///< class up to `lower`
   std::uint8_t motion_above = 0;   ///< class from `upper` on
@@ -51,7 +54,7 @@ struct Edge {
   double lower = kNotANumber;      ///< Ω [-]
   double upper = kNotANumber;      ///< Ω [-]
   EdgeOutcome outcome = EdgeOutcome::sharp;
-  std::size_t points = 0;  ///< that were computed for it
+  std::size_t points = 0;  ///< that were computed for the border
 };
 
 /// The edges of an atlas.
@@ -61,9 +64,14 @@ struct EdgeTable {
   std::vector<Edge> edges{};  ///< ascending in line and Ω
 };
 
-/// Which regions end and begin at a border. Region 1 ends at a trigger, which is no change of motion, and a
-/// region that is open at a gap has no end there.
-void note_regions(Edge& edge, const Line& line, const std::array<Region, 4>& regions, const Border& border);
+/// Notes which regions end and begin at a border. Region 1 ends at a trigger, which is no change of motion,
+/// and a region that is open at a gap has no end there.
+void note_regions(Border& border, const Line& line, const std::array<Region, 4>& regions);
+
+/// The edges of a border as a search has found them, ascending in Ω. Of several, a region that ends there
+/// ends at the first, where its motion ends, and one that begins there begins at the last.
+[[nodiscard]] std::vector<Edge> edges_of(std::size_t line, std::size_t number, const Border& border,
+                                         const EdgeSearch& search);
 
 /// Writes an edge of a line into the regions that end or begin at it (`Region::from_between`, `to_between`).
 void narrow_ends(std::array<Region, 4>& regions, const Edge& edge);

@@ -26,28 +26,40 @@ EdgeSearch::EdgeSearch(std::span<const double> speed_ratio, std::span<const std:
   last_motion_ = motion.back();
 }
 
-std::size_t EdgeSearch::last_of_first() const {
-  std::size_t place = 0;
-  while (place + 1 < tried_.size() && tried_[place + 1].motion == tried_.front().motion) ++place;
-  return place;
+std::vector<EdgeSearch::Change> EdgeSearch::changes() const {
+  std::vector<Change> found;
+  std::size_t before = 0;
+  for (std::size_t i = 1; i < tried_.size(); ++i) {
+    if (tried_[i].motion == motion_class::kUnresolved) continue;
+    if (tried_[i].motion != tried_[before].motion) found.push_back({before, i});
+    before = i;
+  }
+  return found;
 }
 
-std::size_t EdgeSearch::first_of_last() const {
-  std::size_t place = tried_.size() - 1;
-  while (place > 0 && tried_[place].motion == last_motion_ && tried_[place - 1].motion == last_motion_)
-    --place;
-  return place;
+bool EdgeSearch::alternates(std::span<const Change> changes) const {
+  return std::ranges::any_of(changes, [&](const Change& change) {
+    const auto motion = tried_[change.far].motion;
+    return std::ranges::any_of(changes, [&](const Change& other) {
+      return other.near < change.far && tried_[other.near].motion == motion;
+    });
+  });
 }
 
 std::vector<std::size_t> EdgeSearch::intervals() const {
-  if (tried_.back().motion != last_motion_) return {};  // nothing between is the edge that was looked for
-  const std::size_t near = last_of_first();
-  const std::size_t far = first_of_last() - 1;
-  return near == far ? std::vector{near} : std::vector{near, far};
+  std::vector<std::size_t> sides;
+  if (has_lost_its_end()) return sides;
+  const auto all = changes();
+  if (alternates(all)) return {all.front().near, all.back().far - 1};
+  for (const auto& [near, far] : all) {
+    sides.push_back(near);
+    if (far != near + 1) sides.push_back(far - 1);
+  }
+  return sides;
 }
 
-double EdgeSearch::length(std::size_t near_side) const {
-  return std::abs(tried_[near_side + 1].speed_ratio - tried_[near_side].speed_ratio);
+double EdgeSearch::length(std::size_t near) const {
+  return std::abs(tried_[near + 1].speed_ratio - tried_[near].speed_ratio);
 }
 
 std::vector<EdgeRequest> EdgeSearch::next() const {
@@ -73,7 +85,7 @@ std::vector<EdgeRequest> EdgeSearch::next() const {
 void EdgeSearch::take(std::span<const std::uint8_t> motion) {
   const auto requests = next();
   if (motion.size() != requests.size()) throw std::invalid_argument("a round has one class for each point");
-  const bool ascending = tried_.back().speed_ratio > tried_.front().speed_ratio;
+  const bool ascending = is_ascending();
   for (std::size_t i = 0; i < requests.size(); ++i) {
     const Tried found{requests[i].speed_ratio, motion[i], count_++, requests[i].from};
     const auto place = std::ranges::find_if(tried_, [&](const Tried& tried) {
@@ -87,17 +99,30 @@ void EdgeSearch::take(std::span<const std::uint8_t> motion) {
   }
 }
 
-EdgeOutcome EdgeSearch::outcome() const {
-  if (tried_.back().motion != last_motion_) {
-    return tried_.back().motion == tried_.front().motion ? EdgeOutcome::overrun : EdgeOutcome::divided;
+FoundEdge EdgeSearch::edge_between(std::size_t near, std::size_t far, EdgeOutcome outcome) const {
+  return {tried_[near].speed_ratio, tried_[far].speed_ratio, tried_[near].motion, tried_[far].motion,
+          outcome};
+}
+
+std::vector<FoundEdge> EdgeSearch::edges() const {
+  const auto all = changes();
+  if (has_lost_its_end()) {
+    const std::size_t last = tried_.size() - 1;
+    auto edge = edge_between(all.empty() ? last : all.front().near, last, EdgeOutcome::overrun);
+    edge.far_motion = last_motion_;
+    return {edge};
   }
-  const std::size_t first = last_of_first() + 1;
-  const std::size_t end = first_of_last();
-  if (first == end) return length(first - 1) <= resolution_ ? EdgeOutcome::sharp : EdgeOutcome::divided;
-  const auto between = std::span(tried_).subspan(first, end - first);
-  const bool all_unresolved = std::ranges::all_of(
-      between, [](const Tried& tried) { return tried.motion == motion_class::kUnresolved; });
-  return all_unresolved ? EdgeOutcome::slow : EdgeOutcome::divided;
+  const auto sides = intervals();
+  const bool is_narrow =
+      std::ranges::all_of(sides, [&](std::size_t near) { return length(near) <= resolution_; });
+  if (alternates(all) || !is_narrow) {
+    return {edge_between(all.front().near, all.back().far, EdgeOutcome::divided)};
+  }
+  std::vector<FoundEdge> edges;
+  for (const auto& [near, far] : all) {
+    edges.push_back(edge_between(near, far, far == near + 1 ? EdgeOutcome::sharp : EdgeOutcome::slow));
+  }
+  return edges;
 }
 
 std::size_t EdgeSearch::expected_points() const {

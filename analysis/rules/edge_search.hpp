@@ -1,12 +1,15 @@
-/// The search for an edge: where, between two neighbouring speeds of a line with different motions, the one
-/// motion ends and the other begins.
+/// The search for the edges at a border: where, between two neighbouring speeds of a line with different
+/// motions, the one motion ends and the other begins.
 ///
 /// The search asks for points in rounds and is told their classes; it computes none itself. It keeps all
-/// tried speeds in the order of the sweep. The motion of the first of them ends within one interval of
-/// neighbours, that of the last begins within one. These two intervals, which are the same one as long as no
-/// other motion has been found between, are divided into four in each round, until both are as short as asked
-/// for. Three points a round, because the halves of bisection always agree with one border, also where
-/// motions alternate; quarters show it.
+/// tried speeds in the order of the sweep. Wherever two successive ones differ in class, an edge lies
+/// between; unresolved ones are evidence for neither side. Each round divides the intervals at the sides of
+/// the edges into four, until all are as short as asked for. Three points a round, because the halves of
+/// bisection always agree with one edge, also where motions alternate; quarters show it. Other motions that
+/// come to light in between have edges of their own, so that a cascade of period doublings within one step of
+/// the grid becomes its edges. Where a motion comes back after another one, as around the windows of chaotic
+/// motion, the border goes on dividing. Only the first and the last side are then narrowed down: the extent
+/// of the border.
 ///
 /// Along a sweep a point starts from the end of the point before it, and which motion it finds may depend on
 /// how far away that is. Each point therefore starts from the tried speed next to its interval, on the side
@@ -24,9 +27,9 @@ namespace rubatlas::analysis {
 
 /// What is known of an edge. The numbers are those of the flags in EDGES.h5.
 enum class EdgeOutcome : std::uint8_t {
-  sharp = 0,    ///< one motion up to `lower`, the other from `upper` on
+  sharp = 0,    ///< one motion up to its near side, the other from its far side on
   slow = 1,     ///< between them motions are unresolved: they settle too slowly, or change, in the protocol
-  divided = 2,  ///< between them other motions are found, or the two alternate
+  divided = 2,  ///< between them motions come and go
   overrun = 3,  ///< a sweep in shorter steps has not left the first motion at the last speed
 };
 
@@ -34,6 +37,15 @@ enum class EdgeOutcome : std::uint8_t {
 struct EdgeRequest {
   double speed_ratio = 0.0;  ///< Ω [-]
   std::size_t from = 0;      ///< number of the tried speed from whose end the sweep arrives
+};
+
+/// An edge as it was found, in the order of the sweep.
+struct FoundEdge {
+  double near_speed = 0.0;  ///< Ω [-] of the last speed with the motion before it
+  double far_speed = 0.0;   ///< Ω [-] of the first speed with the motion behind it
+  std::uint8_t near_motion = 0;
+  std::uint8_t far_motion = 0;
+  EdgeOutcome outcome = EdgeOutcome::sharp;
 };
 
 class EdgeSearch {
@@ -53,11 +65,11 @@ class EdgeSearch {
   /// The classes found at `next()`, in its order, which get the next numbers.
   void take(std::span<const std::uint8_t> motion);
 
-  [[nodiscard]] EdgeOutcome outcome() const;
-  /// Last speed, in the order of the sweep, up to which every tried speed has the first motion.
-  [[nodiscard]] double first_motion_to() const { return tried_[last_of_first()].speed_ratio; }
-  /// First speed from which on every tried speed has the last motion. Of an `overrun` the last speed.
-  [[nodiscard]] double last_motion_from() const { return tried_[first_of_last()].speed_ratio; }
+  /// The edges in the order of the sweep, one at least; a single one where it goes on dividing or was
+  /// overrun. Between the sides of an edge all tried speeds are unresolved, unless it goes on dividing.
+  [[nodiscard]] std::vector<FoundEdge> edges() const;
+  /// True where the sweep goes up.
+  [[nodiscard]] bool is_ascending() const { return tried_.back().speed_ratio > tried_.front().speed_ratio; }
   /// Points that have been computed.
   [[nodiscard]] std::size_t points() const { return count_ - given_; }
   /// Points that are still needed if nothing unexpected is found.
@@ -71,11 +83,20 @@ class EdgeSearch {
     std::size_t from;  ///< number of the one from whose end it started
   };
 
-  [[nodiscard]] std::size_t last_of_first() const;
-  [[nodiscard]] std::size_t first_of_last() const;
-  /// Places of the near sides of the one or two intervals.
+  /// Places of tried speeds on both sides of an edge, with nothing but unresolved ones in between.
+  struct Change {
+    std::size_t near;
+    std::size_t far;
+  };
+  [[nodiscard]] std::vector<Change> changes() const;
+  /// Whether a motion comes back behind another one.
+  [[nodiscard]] bool alternates(std::span<const Change> changes) const;
+  /// Places of the near sides of the intervals that are narrowed down.
   [[nodiscard]] std::vector<std::size_t> intervals() const;
-  [[nodiscard]] double length(std::size_t near_side) const;
+  /// True where the sweep has not found the last motion at the last speed again.
+  [[nodiscard]] bool has_lost_its_end() const { return tried_.back().motion != last_motion_; }
+  [[nodiscard]] FoundEdge edge_between(std::size_t near, std::size_t far, EdgeOutcome outcome) const;
+  [[nodiscard]] double length(std::size_t near) const;
 
   std::vector<Tried> tried_;  ///< in the order of the sweep
   std::uint8_t last_motion_ = 0;

@@ -25,6 +25,7 @@ std::string_view absence_text(Presence presence) {
 
 std::string speed_text(const Interval& between) {
   constexpr int kMostDigits = 15;
+  constexpr double kNoise = 1e-6;  // of the numbers themselves, in units of the last digit
   const double half = 0.5 * (between.upper - between.lower);
   if (!(half > 0.0)) return fmt::format("{}", between.lower);
   const int digits = std::clamp(static_cast<int>(-std::floor(std::log10(half))), 0, kMostDigits);
@@ -32,7 +33,7 @@ std::string speed_text(const Interval& between) {
   const double middle = 0.5 * (between.upper + between.lower);
   // Rounding moves the middle: the uncertainty covers both ends all the same.
   const double rounded = std::abs(std::round(middle * unit) - middle * unit);
-  return fmt::format("{:.{}f}({:.0f})", middle, digits, std::ceil(half * unit + rounded));
+  return fmt::format("{:.{}f}({:.0f})", middle, digits, std::ceil(half * unit + rounded - kNoise));
 }
 
 std::string extent_text(const Region& region) {

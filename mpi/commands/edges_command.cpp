@@ -8,7 +8,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -37,16 +36,17 @@
 namespace rubatlas::mpi {
 namespace {
 
-/// Edges that are looked for at the same time: enough to keep many ranks busy, and few enough that the states
+/// Borders that are searched at the same time: enough to keep many ranks busy, and few enough that the states
 /// of their points fit into memory and into a message.
-constexpr std::size_t kEdgesAtOnce = 4096;
+constexpr std::size_t kBordersAtOnce = 4096;
 
 /// Speeds are not told apart more closely than this.
 constexpr double kFinestResolution = 1e-12;
 
-/// An edge that is being looked for, with the ends of the points that have been tried for it.
+/// A border whose edges are being looked for, with the ends of the points that have been tried for it.
 struct Hunt {
-  analysis::Edge edge;
+  std::size_t line = 0;
+  analysis::Border border;
   analysis::EdgeSearch search;
   std::vector<std::optional<motion::PointStart>> ends;  ///< by their numbers; none: the point is not done
 };
@@ -77,12 +77,12 @@ std::vector<std::uint8_t> motions_of(const analysis::Line& line, std::span<const
 }
 
 /// The points of a border in the order of the sweep, and where they ended.
-Hunt begin_hunt(analysis::Edge edge, const analysis::Border& border, std::span<const double> speeds,
+Hunt begin_hunt(std::size_t line, const analysis::Border& border, std::span<const double> speeds,
                 std::span<const std::uint8_t> motion, const plan::Grid& grid,
                 const atlas::FinalStates& stored, double resolution) {
   std::vector<std::size_t> places;
   for (std::size_t i = border.below; i <= border.above; ++i) places.push_back(i);
-  if (grid.direction(edge.line) == plan::Direction::down) std::ranges::reverse(places);
+  if (grid.direction(line) == plan::Direction::down) std::ranges::reverse(places);
   std::vector<double> tried_speeds;
   std::vector<std::uint8_t> tried_motions;
   std::vector<std::optional<motion::PointStart>> ends;
@@ -91,10 +91,10 @@ Hunt begin_hunt(analysis::Edge edge, const analysis::Border& border, std::span<c
     tried_motions.push_back(motion[i]);
     ends.emplace_back();
     if (motion[i] != analysis::motion_class::kLeftValidity) {
-      ends.back() = stored.of(edge.line * speeds.size() + i);
+      ends.back() = stored.of(line * speeds.size() + i);
     }
   }
-  return {edge,
+  return {line, border,
           analysis::EdgeSearch(tried_speeds, tried_motions, resolution, grid.points_depend_on_each_other()),
           std::move(ends)};
 }
@@ -125,15 +125,11 @@ Preparation prepare(const EdgesCommand& command) {
   for (std::size_t line = 0; line < found.lines.size(); ++line) {
     const auto& summary = found.lines[line];
     const auto motion = motions_of(summary.line, std::span(status).subspan(line * speeds, speeds));
-    for (const auto& border : analysis::find_borders(motion)) {
-      analysis::Edge edge{.line = line,
-                          .kind = analysis::kind_of_border(motion[border.below], motion[border.above]),
-                          .motion_below = motion[border.below],
-                          .motion_above = motion[border.above]};
-      analysis::note_regions(edge, summary.line, summary.regions, border);
-      if (command.only_regions && edge.region_begins == 0 && edge.region_ends == 0) continue;
+    for (auto& border : analysis::find_borders(motion)) {
+      analysis::note_regions(border, summary.line, summary.regions);
+      if (command.only_regions && border.region_begins == 0 && border.region_ends == 0) continue;
       preparation.hunts.push_back(
-          begin_hunt(edge, border, summary.line.speed_ratio, motion, grid, stored, command.resolution));
+          begin_hunt(line, border, summary.line.speed_ratio, motion, grid, stored, command.resolution));
     }
   }
   return preparation;
@@ -161,9 +157,9 @@ class Leader {
 
   /// Returns false where a point was given up.
   bool run(int ranks) {
-    for (std::size_t first = 0; first < hunts_.size(); first += kEdgesAtOnce) {
+    for (std::size_t first = 0; first < hunts_.size(); first += kBordersAtOnce) {
       const std::span all(hunts_);
-      const auto some = all.subspan(first, std::min(kEdgesAtOnce, all.size() - first));
+      const auto some = all.subspan(first, std::min(kBordersAtOnce, all.size() - first));
       if (!narrow_down(some, ranks)) return false;
       for (auto& hunt : some) hunt.ends.clear();
     }
@@ -222,7 +218,7 @@ class Leader {
       for (const auto& request : hunt.search.next()) {
         const auto& from = hunt.ends[request.from];
         const bool goes_on = swept_ && from.has_value();
-        points.push_back({.line = hunt.edge.line,
+        points.push_back({.line = hunt.line,
                           .speed_ratio = request.speed_ratio,
                           .from_initial = static_cast<std::uint8_t>(goes_on ? 0 : 1),
                           .start = goes_on ? *from : motion::PointStart{}});
@@ -258,12 +254,10 @@ class Leader {
 
 void note_results(Preparation& preparation) {
   auto edges = *preparation.found.edges;
-  for (auto& hunt : preparation.hunts) {
-    std::tie(hunt.edge.lower, hunt.edge.upper) =
-        std::minmax(hunt.search.first_motion_to(), hunt.search.last_motion_from());
-    hunt.edge.outcome = hunt.search.outcome();
-    hunt.edge.points = hunt.search.points();
-    edges.edges.push_back(hunt.edge);
+  for (std::size_t i = 0; i < preparation.hunts.size(); ++i) {
+    const auto& hunt = preparation.hunts[i];
+    for (const auto& edge : analysis::edges_of(hunt.line, i, hunt.border, hunt.search))
+      edges.edges.push_back(edge);
   }
   analysis::enter_edges(preparation.found, std::move(edges));
 }

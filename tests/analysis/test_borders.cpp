@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "analysis/rules/evidence_text.hpp"
@@ -48,16 +50,18 @@ TEST(Borders, KnowTheRegionsThatEndAndBeginThere) {
   auto regions = find_regions(line, kThreeBlades, triggers);
   std::size_t begins = 0;
   std::size_t ends = 0;
-  for (const auto& border : find_borders(line.motion)) {
-    Edge edge;
-    note_regions(edge, line, regions, border);
+  for (auto& border : find_borders(line.motion)) {
+    note_regions(border, line, regions);
+    const std::array speeds{line.speed_ratio[border.below], line.speed_ratio[border.above]};
+    const std::array motions{line.motion[border.below], line.motion[border.above]};
+    const auto edges = edges_of(0, 7, border, EdgeSearch(speeds, motions, 1.0, true));
+    ASSERT_EQ(edges.size(), 1U);
+    const Edge& edge = edges.front();
     if (edge.region_begins > 0) {
       begins = 10 * begins + edge.region_begins;
-      EXPECT_EQ(line.speed_ratio[border.above], regions[edge.region_begins - 1U].from);
+      EXPECT_EQ(edge.upper, regions[edge.region_begins - 1U].from);
     }
     if (edge.region_ends > 0) ends = 10 * ends + edge.region_ends;
-    edge.lower = line.speed_ratio[border.below];
-    edge.upper = line.speed_ratio[border.above];
     narrow_ends(regions, edge);
   }
   EXPECT_EQ(begins, 234U);
@@ -67,8 +71,27 @@ TEST(Borders, KnowTheRegionsThatEndAndBeginThere) {
   EXPECT_EQ(regions[1].to_between.lower, regions[2].from_between.lower);
 }
 
+TEST(Borders, OfSeveralEdgesARegionEndsAtTheFirstAndBeginsAtTheLast) {
+  // Of a sweep down: period 1 above, period 2, then aperiodic motion.
+  const Border border{.below = 10, .above = 12, .region_ends = 2, .region_begins = 3};
+  const EdgeSearch search(std::vector{0.6, 0.59, 0.58}, std::vector<std::uint8_t>{1, 2, 255}, 0.1, true);
+  const auto edges = edges_of(4, 7, border, search);
+  ASSERT_EQ(edges.size(), 2U);
+  EXPECT_EQ(edges[0].lower, 0.58);
+  EXPECT_EQ(edges[0].motion_below, 255);
+  EXPECT_EQ(edges[0].motion_above, 2);
+  EXPECT_EQ(edges[0].kind, BorderKind::end);
+  EXPECT_EQ(edges[0].region_ends, 2);
+  EXPECT_EQ(edges[0].region_begins, 0);
+  EXPECT_EQ(edges[1].upper, 0.6);
+  EXPECT_EQ(edges[1].kind, BorderKind::period);
+  EXPECT_EQ(edges[1].region_begins, 3);
+  EXPECT_EQ(edges[1].border, 7U);
+  EXPECT_EQ(edges[1].line, 4U);
+}
+
 TEST(Borders, AreQuotedWithTheUncertaintyOfTheirLastDigit) {
-  EXPECT_EQ(speed_text({0.4393410, 0.4393419}), "0.4393414(5)");
+  EXPECT_EQ(speed_text({0.4393411, 0.4393419}), "0.4393415(4)");
   EXPECT_EQ(speed_text({0.25, 0.75}), "0.5(3)");
   EXPECT_EQ(speed_text({0.44, 0.44}), "0.44");
   // Rounding included, the interval is covered.

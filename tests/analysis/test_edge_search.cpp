@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <stdexcept>
@@ -35,6 +36,11 @@ std::size_t carry_out(EdgeSearch& search, std::vector<double> speeds, std::vecto
   return rounds;
 }
 
+FoundEdge only_edge(const EdgeSearch& search) {
+  EXPECT_EQ(search.edges().size(), 1U);
+  return search.edges().front();
+}
+
 Finds by_speed(const std::function<std::uint8_t(double)>& motion) {
   return [motion](double speed, double, std::uint8_t) { return motion(speed); };
 }
@@ -46,10 +52,10 @@ TEST(EdgeSearch, FindsAnEdgeToTheResolution) {
     EdgeSearch search(speeds, motions, kResolution, true);
     EXPECT_EQ(search.expected_points(), 15U);
     carry_out(search, speeds, motions, by_speed([&](double speed) { return speed < edge ? 1 : 255; }));
-    EXPECT_EQ(search.outcome(), EdgeOutcome::sharp);
-    EXPECT_LT(search.first_motion_to(), edge);
-    EXPECT_GE(search.last_motion_from(), edge);
-    EXPECT_LE(search.last_motion_from() - search.first_motion_to(), kResolution);
+    EXPECT_EQ(only_edge(search).outcome, EdgeOutcome::sharp);
+    EXPECT_LT(only_edge(search).near_speed, edge);
+    EXPECT_GE(only_edge(search).far_speed, edge);
+    EXPECT_LE(only_edge(search).far_speed - only_edge(search).near_speed, kResolution);
     EXPECT_LE(search.points(), 16U);  // five rounds of three, and once more from next to the edge
     EXPECT_EQ(search.expected_points(), 0U);
   }
@@ -63,15 +69,15 @@ TEST(EdgeSearch, OfASweepDownArrivesFromAbove) {
     EXPECT_GT(from, speed);
     return speed > 0.4402 ? 1 : 255;
   });
-  EXPECT_EQ(search.outcome(), EdgeOutcome::sharp);
-  EXPECT_GT(search.first_motion_to(), 0.4402);
-  EXPECT_LE(search.last_motion_from(), 0.4402);
+  EXPECT_EQ(only_edge(search).outcome, EdgeOutcome::sharp);
+  EXPECT_GT(only_edge(search).near_speed, 0.4402);
+  EXPECT_LE(only_edge(search).far_speed, 0.4402);
 }
 
 TEST(EdgeSearch, AsksForNothingWhereTheGridIsFineEnough) {
   EdgeSearch search(std::vector{0.44, 0.441}, std::vector<std::uint8_t>{1, 2}, 1e-3 + 1e-12, true);
   EXPECT_TRUE(search.next().empty());
-  EXPECT_EQ(search.outcome(), EdgeOutcome::sharp);
+  EXPECT_EQ(only_edge(search).outcome, EdgeOutcome::sharp);
   EXPECT_EQ(search.points(), 0U);
 }
 
@@ -84,9 +90,9 @@ TEST(EdgeSearch, FollowsAMotionThatOnlyShortStepsKeep) {
     const bool keeps = there == 1 && speed < 0.4408 && speed - from < 0.3 * (0.4408 - from) + kResolution;
     return keeps ? 1 : 255;
   });
-  EXPECT_EQ(search.outcome(), EdgeOutcome::sharp);
-  EXPECT_NEAR(search.first_motion_to(), 0.4408, 2.0 * kResolution);
-  EXPECT_LE(search.last_motion_from() - search.first_motion_to(), kResolution);
+  EXPECT_EQ(only_edge(search).outcome, EdgeOutcome::sharp);
+  EXPECT_NEAR(only_edge(search).near_speed, 0.4408, 2.0 * kResolution);
+  EXPECT_LE(only_edge(search).far_speed - only_edge(search).near_speed, kResolution);
 }
 
 TEST(EdgeSearch, SaysWhereShorterStepsPassTheLastSpeed) {
@@ -96,8 +102,8 @@ TEST(EdgeSearch, SaysWhereShorterStepsPassTheLastSpeed) {
   carry_out(search, speeds, motions, [](double speed, double from, std::uint8_t there) -> std::uint8_t {
     return there == 1 && speed - from < 8e-4 ? 1 : 255;
   });
-  EXPECT_EQ(search.outcome(), EdgeOutcome::overrun);
-  EXPECT_EQ(search.last_motion_from(), 0.441);
+  EXPECT_EQ(only_edge(search).outcome, EdgeOutcome::overrun);
+  EXPECT_EQ(only_edge(search).far_speed, 0.441);
 }
 
 TEST(EdgeSearch, WithoutASweepTriesNoSpeedTwice) {
@@ -105,7 +111,7 @@ TEST(EdgeSearch, WithoutASweepTriesNoSpeedTwice) {
   const std::vector<std::uint8_t> motions{1, 255};
   EdgeSearch search(speeds, motions, kResolution, false);
   carry_out(search, speeds, motions, by_speed([](double speed) { return speed < 0.4401 ? 1 : 255; }));
-  EXPECT_EQ(search.outcome(), EdgeOutcome::sharp);
+  EXPECT_EQ(only_edge(search).outcome, EdgeOutcome::sharp);
   EXPECT_EQ(search.points(), 15U);
 }
 
@@ -118,24 +124,60 @@ TEST(EdgeSearch, ReportsMotionsThatSettleTooSlowlyWithTheirExtent) {
               return speed < 0.66043 ? 1 : 2;
             }));
   // Seen only if a quarter, or a quarter of it, falls there.
-  EXPECT_EQ(search.outcome(), EdgeOutcome::slow);
-  EXPECT_NEAR(search.first_motion_to(), 0.66041, kResolution);
-  EXPECT_NEAR(search.last_motion_from(), 0.66045, kResolution);
+  EXPECT_EQ(only_edge(search).outcome, EdgeOutcome::slow);
+  EXPECT_NEAR(only_edge(search).near_speed, 0.66041, kResolution);
+  EXPECT_NEAR(only_edge(search).far_speed, 0.66045, kResolution);
 }
 
-TEST(EdgeSearch, ReportsABorderThatDividesWithItsExtent) {
-  // Chaos with a window of period 3 in it, and periodic motion that comes back before the last border.
+TEST(EdgeSearch, FindsTheEdgesOfACascadeWithinOneStepOfTheGrid) {
   const std::vector<double> speeds{0.5, 0.501};
   const std::vector<std::uint8_t> motions{1, 255};
   EdgeSearch search(speeds, motions, kResolution, true);
   carry_out(search, speeds, motions, by_speed([](double speed) -> std::uint8_t {
               if (speed < 0.50021) return 1;
-              if (speed < 0.50047) return 255;
-              return speed < 0.50083 ? 1 : 255;
+              if (speed < 0.50067) return 2;
+              return speed < 0.50077 ? 4 : 255;
             }));
-  EXPECT_EQ(search.outcome(), EdgeOutcome::divided);
-  EXPECT_NEAR(search.first_motion_to(), 0.50021, kResolution);
-  EXPECT_NEAR(search.last_motion_from(), 0.50083, kResolution);
+  const auto edges = search.edges();
+  ASSERT_EQ(edges.size(), 3U);
+  const std::array places{0.50021, 0.50067, 0.50077};
+  const std::array<std::uint8_t, 3> behind{2, 4, 255};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(edges[i].outcome, EdgeOutcome::sharp);
+    EXPECT_LT(edges[i].near_speed, places[i]);
+    EXPECT_GE(edges[i].far_speed, places[i]);
+    EXPECT_LE(edges[i].far_speed - edges[i].near_speed, kResolution);
+    EXPECT_EQ(edges[i].far_motion, behind[i]);
+  }
+}
+
+TEST(EdgeSearch, ReportsABorderThatGoesOnDividingWithItsExtent) {
+  // Between 0.50021 and 0.50083 windows of period 3 and of period 1 follow each other closely.
+  const std::vector<double> speeds{0.5, 0.501};
+  const std::vector<std::uint8_t> motions{1, 255};
+  EdgeSearch search(speeds, motions, kResolution, true);
+  carry_out(search, speeds, motions, by_speed([](double speed) -> std::uint8_t {
+              if (speed < 0.50021) return 1;
+              if (speed >= 0.50083) return 255;
+              const double place = (speed - 0.50021) / 3.1e-5;
+              return place - std::floor(place) < 0.6 ? 3 : 1;
+            }));
+  EXPECT_EQ(only_edge(search).outcome, EdgeOutcome::divided);
+  EXPECT_NEAR(only_edge(search).near_speed, 0.50021, kResolution);
+  EXPECT_NEAR(only_edge(search).far_speed, 0.50083, kResolution);
+  EXPECT_LT(search.points(), EdgeSearch::kMostPoints);
+}
+
+TEST(EdgeSearch, TellsNothingFromAMotionThatIsUnresolvedForAWhile) {
+  const std::vector<double> speeds{0.5, 0.501};
+  const std::vector<std::uint8_t> motions{255, 1};
+  EdgeSearch search(speeds, motions, kResolution, true);
+  carry_out(search, speeds, motions, by_speed([](double speed) -> std::uint8_t {
+              if (speed > 0.50022 && speed < 0.50028) return motion_class::kUnresolved;
+              return speed < 0.50067 ? 255 : 1;
+            }));
+  EXPECT_EQ(only_edge(search).outcome, EdgeOutcome::sharp);
+  EXPECT_NEAR(only_edge(search).near_speed, 0.50067, kResolution);
 }
 
 TEST(EdgeSearch, TakesUnresolvedPointsOfTheGridForWhatTheyAre) {
@@ -146,9 +188,9 @@ TEST(EdgeSearch, TakesUnresolvedPointsOfTheGridForWhatTheyAre) {
               if (speed < 0.503) return 1;
               return speed < 0.5222 ? motion_class::kUnresolved : 2;
             }));
-  EXPECT_EQ(search.outcome(), EdgeOutcome::slow);
-  EXPECT_NEAR(search.first_motion_to(), 0.503, kResolution);
-  EXPECT_NEAR(search.last_motion_from(), 0.5222, kResolution);
+  EXPECT_EQ(only_edge(search).outcome, EdgeOutcome::slow);
+  EXPECT_NEAR(only_edge(search).near_speed, 0.503, kResolution);
+  EXPECT_NEAR(only_edge(search).far_speed, 0.5222, kResolution);
 }
 
 TEST(EdgeSearch, EndsWhereEverySpeedHasAMotionOfItsOwn) {
@@ -161,7 +203,7 @@ TEST(EdgeSearch, EndsWhereEverySpeedHasAMotionOfItsOwn) {
     return turn == 0 ? 1 : turn == 1 ? 255 : 3;
   });
   EXPECT_LE(search.points(), EdgeSearch::kMostPoints + 6);
-  EXPECT_NE(search.outcome(), EdgeOutcome::sharp);
+  EXPECT_NE(only_edge(search).outcome, EdgeOutcome::sharp);
 }
 
 TEST(EdgeSearch, RefusesWhatIsNoBorder) {
