@@ -104,13 +104,22 @@ FoundEdge EdgeSearch::edge_between(std::size_t near, std::size_t far, EdgeOutcom
           outcome};
 }
 
+FoundEdge EdgeSearch::last_edge(std::span<const Change> changes) const {
+  const std::size_t last = tried_.size() - 1;
+  std::size_t near = changes.empty() ? last : changes.front().near;
+  while (tried_[near].motion != tried_.front().motion) --near;
+  const auto outcome = near == last                                       ? EdgeOutcome::overrun
+                       : tried_[last].motion == motion_class::kUnresolved ? EdgeOutcome::slow
+                                                                          : EdgeOutcome::divided;
+  auto edge = edge_between(near, last, outcome);
+  edge.far_motion = last_motion_;
+  return edge;
+}
+
 std::vector<FoundEdge> EdgeSearch::edges() const {
   const auto all = changes();
   if (has_lost_its_end()) {
-    const std::size_t last = tried_.size() - 1;
-    auto edge = edge_between(all.empty() ? last : all.front().near, last, EdgeOutcome::overrun);
-    edge.far_motion = last_motion_;
-    return {edge};
+    return {last_edge(all)};
   }
   const auto sides = intervals();
   const bool is_narrow =

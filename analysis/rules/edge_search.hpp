@@ -95,6 +95,8 @@ class EdgeSearch {
   [[nodiscard]] std::vector<std::size_t> intervals() const;
   /// True where the sweep has not found the last motion at the last speed again.
   [[nodiscard]] bool has_lost_its_end() const { return tried_.back().motion != last_motion_; }
+  /// The edge up to the last speed where the sweep has found another motion there.
+  [[nodiscard]] FoundEdge last_edge(std::span<const Change> changes) const;
   [[nodiscard]] FoundEdge edge_between(std::size_t near, std::size_t far, EdgeOutcome outcome) const;
   [[nodiscard]] double length(std::size_t near) const;
 
