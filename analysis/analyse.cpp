@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "analysis/edges_file.hpp"
 #include "analysis/maps_file.hpp"
 #include "analysis/report.hpp"
 #include "analysis/rules/attractors.hpp"
@@ -162,17 +163,25 @@ Findings examine(const atlas::AtlasReader& atlas) {
   return found;
 }
 
+void enter_edges(Findings& found, EdgeTable edges) {
+  for (const auto& edge : edges.edges) narrow_ends(found.lines.at(edge.line).regions, edge);
+  found.edges = std::move(edges);
+}
+
 void analyse(const std::filesystem::path& atlas, const std::filesystem::path& maps,
-             const std::optional<std::filesystem::path>& table, bool overwrite) {
+             const std::optional<std::filesystem::path>& table, bool overwrite,
+             const std::optional<std::filesystem::path>& edges) {
   const auto existing = atlas::existing(overwrite);
-  const auto maps_output = atlas::permitted({maps, atlas::FileKind::maps, existing}, {atlas});
+  std::vector<std::filesystem::path> others{atlas};
+  if (edges) others.push_back(*edges);
+  const auto maps_output = atlas::permitted({maps, atlas::FileKind::maps, existing}, others);
+  others.push_back(maps_output.path);
   std::optional<atlas::Output> table_output;
-  if (table) {
-    table_output = atlas::permitted({*table, atlas::FileKind::table, existing}, {atlas, maps_output.path});
-  }
+  if (table) table_output = atlas::permitted({*table, atlas::FileKind::table, existing}, others);
   const atlas::AtlasReader reader(atlas);
   atlas::require_sound_rows(reader);
-  const auto found = examine(reader);
+  auto found = examine(reader);
+  if (edges) enter_edges(found, read_edges(*edges, found, reader));
   write_maps(maps_output, found, reader, atlas.filename().string());
   if (table_output) atlas::publish_text(*table_output, markdown_report(found));
   const auto text = plain_report(found);

@@ -10,6 +10,7 @@
 
 #include "analysis/paper/statements.hpp"
 #include "analysis/rules/basins.hpp"
+#include "analysis/rules/borders.hpp"
 #include "analysis/rules/class.hpp"
 #include "analysis/rules/hysteresis.hpp"
 #include "analysis/rules/line_summary.hpp"
@@ -41,6 +42,7 @@ struct Findings {
   // Both are about lines from one initial state, and empty where the initial state is an axis.
   std::vector<Sensitivity> sensitivities;
   std::vector<Statement> statements;
+  std::optional<EdgeTable> edges{};  ///< where they have been computed (`rubatlas edges`)
 };
 
 }  // namespace rubatlas::analysis

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/edges_file.hpp"
 #include "analysis/maps_attractors.hpp"
 #include "analysis/maps_table.hpp"
 #include "atlas/hdf5.hpp"
@@ -193,6 +194,7 @@ void write_maps(const atlas::Output& output, const Findings& found, const atlas:
       create_statements(file, found);
       create_findings(file, found);
     }
+    if (found.edges) create_edges(file, found);
   }
   file.close();
   publication.publish();

@@ -37,6 +37,18 @@ std::vector<Column> columns_of(const Findings& found) {
     };
     add("from", "1", "first speed ratio; NaN unless present", &Region::from);
     add("to", "1", "last speed ratio; NaN unless present", &Region::to);
+    if (found.edges) {
+      const auto add_end = [&](const char* name, const char* meaning, Interval Region::*end,
+                               double Interval::*side) {
+        columns.push_back({fmt::format("region_{}_{}", i + 1, name), "1",
+                           fmt::format("region {}: {}; NaN where no edge is known", i + 1, meaning),
+                           [i, end, side](const LineSummary& line) { return line.regions[i].*end.*side; }});
+      };
+      add_end("from_lower", "speed ratio above which it begins", &Region::from_between, &Interval::lower);
+      add_end("from_upper", "speed ratio below which it begins", &Region::from_between, &Interval::upper);
+      add_end("to_lower", "speed ratio above which it ends", &Region::to_between, &Interval::lower);
+      add_end("to_upper", "speed ratio below which it ends", &Region::to_between, &Interval::upper);
+    }
     add("aperiodic_share", "1", "share of aperiodic points among the periodic and aperiodic ones",
         &Region::aperiodic_share);
     add("peak_displacement", "m", "largest displacement", &Region::peak_displacement);

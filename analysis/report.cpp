@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/edges_report.hpp"
 #include "analysis/report_parts.hpp"
 #include "analysis/text_layout.hpp"
 #include "atlas/output.hpp"
@@ -21,7 +22,8 @@ constexpr std::size_t kColumns = 110;
 constexpr std::string_view kTableKey =
     "Regions: first and last Ω, aperiodic share, peak displacement; an Ω in parentheses is where points that "
     "are "
-    "not done begin. Triggers: Ω, rise of the displacement in mm and as a ratio. Not covered: too few points "
+    "not done begin, and digits in parentheses are the uncertainty of an edge. Triggers: Ω, rise of the "
+    "displacement in mm and as a ratio. Not covered: too few points "
     "are "
     "done there.";
 constexpr std::string_view kBasinsKey =
@@ -102,6 +104,7 @@ std::string plain_report(const Findings& found) {
     text += "\nWHERE UP AND DOWN DIFFER\n";
     for (const auto& sentence : hysteresis_sentences(found)) text += paragraph("  ", sentence, 4, kColumns);
   }
+  if (found.edges) text += "\nEDGES\n" + edges_report(found);
   for (const auto& sensitivity : found.sensitivities) {
     text += fmt::format("\n{}\n", heading(found, sensitivity));
     for (const auto& effect : sensitivity.effects) {
@@ -154,6 +157,10 @@ std::string markdown_report(const Findings& found) {
   if (found.scene.sweep == settings::Sweep::both) {
     text += "\n## Where up and down differ\n\n";
     for (const auto& sentence : hysteresis_sentences(found)) text += fmt::format("- {}\n", sentence);
+  }
+  if (found.edges) {
+    text += "\n## Edges\n\n";
+    for (const auto& sentence : edge_sentences(found)) text += fmt::format("- {}\n", sentence);
   }
   for (const auto& sensitivity : found.sensitivities) {
     text += fmt::format("\n## {}\n\n| | what happens |\n|---|---|\n", heading(found, sensitivity));

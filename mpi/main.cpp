@@ -6,6 +6,7 @@
 //      explain  scene → plan → what it would be                        (explain)
 //      orbit    scene → one point in full                              (orbit_command)
 //      analyse  atlas → classes, regions, triggers, sensitivities      (analysis)
+//      edges    atlas → new points → where motions change              (edges_command)
 //      verify   atlas → are its rows what was computed?                (verify_command)
 //      merge    atlases of parts → one atlas                           (merge_command)
 //      pack     atlas → smaller copy                                   (pack_command)
@@ -29,6 +30,7 @@
 #include "mpi/commands/accuracy_command.hpp"
 #include "mpi/commands/branch_command.hpp"
 #include "mpi/commands/command_line.hpp"
+#include "mpi/commands/edges_command.hpp"
 #include "mpi/commands/explain.hpp"
 #include "mpi/commands/merge_command.hpp"
 #include "mpi/commands/orbit_command.hpp"
@@ -84,8 +86,12 @@ int carry_out(const BranchCommand& command) {
 }
 
 int carry_out(const AnalyseCommand& command) {
-  analysis::analyse(command.atlas, command.maps, command.table, command.overwrite);
+  analysis::analyse(command.atlas, command.maps, command.table, command.overwrite, command.edges);
   return exit_code::kDone;
+}
+
+int carry_out(const EdgesCommand& command) {
+  return find_edges(command);
 }
 
 int carry_out(const AccuracyCommand& command) {
@@ -147,6 +153,7 @@ int carry_out_command_line(int argument_count, const char* const* arguments) {
   }
   if (command) {
     if (const auto* options = std::get_if<RunOptions>(&*command)) return run(*options);
+    if (const auto* edges = std::get_if<EdgesCommand>(&*command)) return find_edges(*edges);
   }
   return on_one_rank([&] {
     if (mistake) std::rethrow_exception(mistake);

@@ -20,6 +20,14 @@ constexpr double kAperiodicMajority = 0.5;
 /// the range from here to the second trigger.
 constexpr double kBetweenTriggers = 0.5;
 
+/// Between which speeds Ω [-] an end lies; NaN where only the grid's points are known.
+struct Interval {
+  double lower = kNotANumber;
+  double upper = kNotANumber;
+
+  [[nodiscard]] bool is_known() const { return lower <= upper; }
+};
+
 struct Region {
   Presence presence = Presence::not_covered;
   double from = kNotANumber;                 ///< Ω [-] of the first point
@@ -32,6 +40,10 @@ struct Region {
   /// known points.
   bool begins_at_gap = false;
   bool ends_at_gap = false;
+
+  /// Its ends as new points between those of the grid have narrowed them down (borders.hpp).
+  Interval from_between{};
+  Interval to_between{};
 
   [[nodiscard]] bool present() const { return presence == Presence::present; }
   /// Extent in Ω [-]; 0 where the region is absent or merged, NaN where it is not covered or open.

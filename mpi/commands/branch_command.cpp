@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 
+#include "assembly/initial_state.hpp"
 #include "atlas/branch_file.hpp"
 #include "atlas/output.hpp"
 #include "branch/continuation.hpp"
@@ -122,8 +123,7 @@ int follow_branch(const BranchCommand& command) {
 
   branch::Shooting shooting(scene, parameters, {first});
   branch::Continuation continuation(shooting);
-  const auto& initial = scene.initial;
-  const auto start = continuation.settle({initial.x, initial.y, initial.vx, initial.vy}, {value},
+  const auto start = continuation.settle(assembly::initial_state(scene, place.parameters), {value},
                                          scene.protocol.transient_revolutions);
   if (!start) {
     throw UsageError(

@@ -29,6 +29,8 @@ Examples:
   rubatlas branch jobs/default.json --from speed_ratio=0.62 --along speed_ratio --to 0.70 -o branch.h5
                                                                  the orbit at 0.62, stable or not, up to 0.70
   rubatlas analyse damping.h5 -o maps.h5 --table table.md        regions, triggers and sensitivities
+  mpirun -n 4 rubatlas edges damping.h5 --to 1e-6                 edges between motions, into damping_edges.h5
+  rubatlas analyse damping.h5 --edges damping_edges.h5 -o maps.h5 regions with the uncertainty of their ends
   rubatlas accuracy jobs/accuracy.json -o accuracy.h5            error against time, method by method
   rubatlas verify damping.h5 --recompute 50                      checksums of all rows, 50 rows once more
   rubatlas run jobs/damping.json -o two.h5 --part 2/7            a seventh of the lines
@@ -40,8 +42,8 @@ but some points could not be integrated; 2 wrong call or scene; 3 disk, files or
 request, --resume goes on. Any other code is not ours: mpirun ends a job that is terminated with codes of its own.
 )";
 
-constexpr std::array<std::string_view, 10> kCommands{"run",     "status",   "explain", "orbit", "branch",
-                                                     "analyse", "accuracy", "verify",  "merge", "pack"};
+constexpr std::array<std::string_view, 11> kCommands{
+    "run", "status", "explain", "orbit", "branch", "analyse", "edges", "accuracy", "verify", "merge", "pack"};
 /// In the order of the enumeration ProgressStyle.
 constexpr std::array<std::string_view, 4> kProgressStyles{"auto", "bar", "plain", "off"};
 
@@ -174,8 +176,25 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   analyse->add_option("ATLAS", analyse_command.atlas, "Atlas (HDF5)")->required();
   analyse->add_option("-o,--output", analyse_command.maps, "Maps to write (HDF5)")->required();
   analyse->add_option("--table", analyse_command.table, "Write the table to this file too (Markdown)");
+  analyse->add_option(
+      "--edges", analyse_command.edges,
+      "Edges of the atlas, as rubatlas edges writes them: the table quotes their uncertainty");
   analyse->add_flag("--overwrite", analyse_command.overwrite,
                     "Replace existing maps and table; no other files");
+
+  EdgesCommand edges_command;
+  auto* edges = program.add_subcommand(
+      "edges", "Narrow down where motions change along the speed, by new points; alone or under mpirun");
+  edges->add_option("ATLAS", edges_command.atlas, "Atlas (HDF5)")->required();
+  edges->add_option("-o,--output", edges_command.output,
+                    "Edges to write (HDF5); default: ATLAS_edges.h5 beside ATLAS.h5");
+  edges
+      ->add_option("--to", edges_command.resolution,
+                   "Longest interval of the speed ratio within which an edge is known; default: 1e-6")
+      ->type_name("INTERVAL");
+  edges->add_flag("--regions", edges_command.only_regions, "Only edges at which a region begins or ends");
+  add_progress(edges);
+  edges->add_flag("--overwrite", edges_command.overwrite, "Replace existing edges; no other file");
 
   AccuracyCommand accuracy_command;
   auto* accuracy =
@@ -257,6 +276,10 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   if (verify->parsed()) return verify_command;
   if (merge->parsed()) return merge_command;
   if (pack->parsed()) return pack_command;
+  if (edges->parsed()) {
+    edges_command.progress = progress_style(progress);
+    return edges_command;
+  }
   if (accuracy->parsed()) {
     accuracy_command.progress = progress_style(progress);
     return accuracy_command;

@@ -50,7 +50,17 @@ struct AnalyseCommand {
   std::filesystem::path atlas;
   std::filesystem::path maps;
   std::optional<std::filesystem::path> table;
+  std::optional<std::filesystem::path> edges;  ///< that `edges` has written
   bool overwrite = false;
+};
+
+struct EdgesCommand {
+  std::filesystem::path atlas;
+  std::optional<std::filesystem::path> output;  ///< none: ATLAS_edges.h5 beside ATLAS.h5
+  double resolution = 1e-6;                     ///< longest interval [-] of a sharp edge
+  bool only_regions = false;                    ///< only edges at which a region begins or ends
+  bool overwrite = false;
+  ProgressStyle progress = ProgressStyle::automatic;
 };
 
 struct StatusCommand {
@@ -85,7 +95,7 @@ struct PackCommand {
 
 using Command =
     std::variant<PrintCommand, RunOptions, ExplainCommand, OrbitCommand, BranchCommand, StatusCommand,
-                 AnalyseCommand, AccuracyCommand, VerifyCommand, MergeCommand, PackCommand>;
+                 AnalyseCommand, EdgesCommand, AccuracyCommand, VerifyCommand, MergeCommand, PackCommand>;
 
 /// Throws UsageError with one sentence.
 Command parse_command_line(int argument_count, const char* const* arguments);

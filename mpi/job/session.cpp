@@ -73,13 +73,22 @@ std::string Session::broadcast(const std::string& text) const {
 
 std::vector<std::string> Session::gather(const std::string& text) const {
   if (!parallel_) return {text};
-  constexpr std::size_t kLength = 64;
-  std::array<char, kLength> mine{};
-  text.copy(mine.data(), kLength - 1);
-  std::vector<char> all(rank_ == 0 ? kLength * static_cast<std::size_t>(size_) : 0);
-  MPI_Gather(mine.data(), kLength, MPI_CHAR, all.data(), kLength, MPI_CHAR, 0, MPI_COMM_WORLD);
+  const int length = static_cast<int>(text.size());
+  std::vector<int> lengths(rank_ == 0 ? static_cast<std::size_t>(size_) : 0);
+  MPI_Gather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
+  std::vector<int> places;
+  int end = 0;
+  for (const int one : lengths) {
+    places.push_back(end);
+    end += one;
+  }
+  std::string all(static_cast<std::size_t>(end), '\0');
+  MPI_Gatherv(text.data(), length, MPI_CHAR, all.data(), lengths.data(), places.data(), MPI_CHAR, 0,
+              MPI_COMM_WORLD);
   std::vector<std::string> texts;
-  for (std::size_t at = 0; at < all.size(); at += kLength) texts.emplace_back(&all[at]);
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    texts.push_back(all.substr(static_cast<std::size_t>(places[i]), static_cast<std::size_t>(lengths[i])));
+  }
   return texts;
 }
 

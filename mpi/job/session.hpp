@@ -34,7 +34,7 @@ class Session {
   /// Rank 0's value and text, on every rank.
   [[nodiscard]] int broadcast(int value) const;
   [[nodiscard]] std::string broadcast(const std::string& text) const;
-  /// One short text per rank, in order, on rank 0; empty on the others.
+  /// One text per rank, in order, on rank 0; none on the others.
   [[nodiscard]] std::vector<std::string> gather(const std::string& text) const;
   /// A barrier whose waiting ranks sleep instead of polling.
   void wait_for_all() const;

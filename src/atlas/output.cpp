@@ -24,6 +24,7 @@ constexpr std::array kKinds{Kind{FileKind::accuracy, "accuracy", "a study of acc
                             Kind{FileKind::atlas, "atlas", "an atlas", "/final_state"},
                             Kind{FileKind::branch, "branch", "a branch", "/multipliers"},
                             Kind{FileKind::maps, "maps", "maps", "/class"},
+                            Kind{FileKind::edges, "edges", "edges", nullptr},
                             Kind{FileKind::orbit, "orbit", "an orbit", "/sections"},
                             Kind{FileKind::table, "table", "a table", nullptr},
                             Kind{FileKind::record, "record", "a record of runs", nullptr}};
@@ -100,9 +101,10 @@ const char* what_else(std::filesystem::file_type type) {
 void require_replaceable(const Wish& wish) {
   const auto found = kind_of(wish.path);
   if (found == wish.kind) return;
+  const bool is_plural = wish.kind == FileKind::maps || wish.kind == FileKind::edges;
   throw OutputRefusal(fmt::format("{} is {}, and --overwrite replaces {} by {} only", wish.path.string(),
                                   found ? words_of(*found) : "no file of rubatlas that can be read",
-                                  words_of(wish.kind), wish.kind == FileKind::maps ? "maps" : "another"));
+                                  words_of(wish.kind), is_plural ? words_of(wish.kind) : "another"));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ class OutputRefusal : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-enum class FileKind : std::uint8_t { atlas, maps, orbit, accuracy, branch, table, record };
+enum class FileKind : std::uint8_t { atlas, maps, edges, orbit, accuracy, branch, table, record };
 
 /// "an atlas", "maps", ...
 const char* words_of(FileKind kind);

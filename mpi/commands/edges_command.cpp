@@ -1,0 +1,323 @@
+#include "mpi/commands/edges_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/analyse.hpp"
+#include "analysis/edges_file.hpp"
+#include "analysis/edges_report.hpp"
+#include "analysis/rules/borders.hpp"
+#include "analysis/rules/edge_search.hpp"
+#include "atlas/atlas_reader.hpp"
+#include "atlas/final_states.hpp"
+#include "atlas/output.hpp"
+#include "atlas/schema.hpp"
+#include "atlas/verify.hpp"
+#include "mpi/clock.hpp"
+#include "mpi/exit_code.hpp"
+#include "mpi/failure.hpp"
+#include "mpi/job/progress.hpp"
+#include "mpi/job/rounds.hpp"
+#include "mpi/job/session.hpp"
+#include "mpi/job/signals.hpp"
+#include "mpi/say.hpp"
+#include "mpi/version.hpp"
+#include "plan/grid.hpp"
+#include "settings/reader.hpp"
+
+namespace rubatlas::mpi {
+namespace {
+
+/// Borders that are searched at the same time: enough to keep many ranks busy, and few enough that the states
+/// of their points fit into memory and into a message.
+constexpr std::size_t kBordersAtOnce = 4096;
+
+/// Speeds are not told apart more closely than this.
+constexpr double kFinestResolution = 1e-12;
+
+/// A border whose edges are being looked for, with the ends of the points that have been tried for it.
+struct Hunt {
+  std::size_t line = 0;
+  analysis::Border border;
+  analysis::EdgeSearch search;
+  std::vector<std::optional<motion::PointStart>> ends;  ///< by their numbers; none: the point is not done
+};
+
+/// What rank 0 has when the first round begins.
+struct Preparation {
+  atlas::Output output{std::filesystem::path()};
+  std::optional<atlas::AtlasReader> atlas;
+  analysis::Findings found;
+  std::vector<Hunt> hunts;
+};
+
+std::filesystem::path output_of(const EdgesCommand& command) {
+  if (command.output) return *command.output;
+  auto path = command.atlas;
+  path.replace_filename(command.atlas.stem().string() + "_edges.h5");
+  return path;
+}
+
+/// Classes of a line as borders are found from them: with a class of its own for points that left the model.
+std::vector<std::uint8_t> motions_of(const analysis::Line& line, std::span<const std::uint8_t> status) {
+  std::vector<std::uint8_t> motion = line.motion;
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    if (static_cast<point::PointStatus>(status[i]) == point::PointStatus::left_validity)
+      motion[i] = analysis::motion_class::kLeftValidity;
+  }
+  return motion;
+}
+
+/// The points of a border in the order of the sweep, and where they ended.
+Hunt begin_hunt(std::size_t line, const analysis::Border& border, std::span<const double> speeds,
+                std::span<const std::uint8_t> motion, const plan::Grid& grid,
+                const atlas::FinalStates& stored, double resolution) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = border.below; i <= border.above; ++i) places.push_back(i);
+  if (grid.direction(line) == plan::Direction::down) std::ranges::reverse(places);
+  std::vector<double> tried_speeds;
+  std::vector<std::uint8_t> tried_motions;
+  std::vector<std::optional<motion::PointStart>> ends;
+  for (const std::size_t i : places) {
+    tried_speeds.push_back(speeds[i]);
+    tried_motions.push_back(motion[i]);
+    ends.emplace_back();
+    if (motion[i] != analysis::motion_class::kLeftValidity) {
+      ends.back() = stored.of(line * speeds.size() + i);
+    }
+  }
+  return {line, border,
+          analysis::EdgeSearch(tried_speeds, tried_motions, resolution, grid.points_depend_on_each_other()),
+          std::move(ends)};
+}
+
+Preparation prepare(const EdgesCommand& command) {
+  if (!(command.resolution >= kFinestResolution && command.resolution <= 1.0)) {
+    throw UsageError(
+        fmt::format("--to {}: outside [{}, 1]; longest interval of the speed ratio within which "
+                    "an edge is known",
+                    command.resolution, kFinestResolution));
+  }
+  Preparation preparation;
+  preparation.output = atlas::permitted(
+      {output_of(command), atlas::FileKind::edges, atlas::existing(command.overwrite)}, {command.atlas});
+  const auto& atlas = preparation.atlas.emplace(command.atlas);
+  if (!atlas.has("poincare")) {
+    throw UsageError(fmt::format("{} has no edges: it keeps no sections; add \"poincare\" to /observables",
+                                 command.atlas.string()));
+  }
+  atlas::require_sound_rows(atlas);
+  auto& found = preparation.found = analysis::examine(atlas);
+  found.edges = analysis::EdgeTable{.resolution = command.resolution, .only_regions = command.only_regions};
+
+  const plan::Grid grid(found.scene);
+  const atlas::FinalStates stored(atlas.file(), atlas::schema_of(found.scene));
+  const auto status = atlas.status();
+  const std::size_t speeds = grid.speed_count();
+  for (std::size_t line = 0; line < found.lines.size(); ++line) {
+    const auto& summary = found.lines[line];
+    const auto motion = motions_of(summary.line, std::span(status).subspan(line * speeds, speeds));
+    for (auto& border : analysis::find_borders(motion)) {
+      analysis::note_regions(border, summary.line, summary.regions);
+      if (command.only_regions && border.region_begins == 0 && border.region_ends == 0) continue;
+      preparation.hunts.push_back(
+          begin_hunt(line, border, summary.line.speed_ratio, motion, grid, stored, command.resolution));
+    }
+  }
+  return preparation;
+}
+
+/// The class of a computed point, as searches take it. A point that could not be integrated is evidence for
+/// no motion.
+std::uint8_t motion_of(const RoundResult& result) {
+  switch (result.status) {
+    case point::PointStatus::done:
+      return result.motion;
+    case point::PointStatus::left_validity:
+      return analysis::motion_class::kLeftValidity;
+    default:
+      return analysis::motion_class::kUnresolved;
+  }
+}
+
+/// Carries out the searches of all edges on rank 0, round by round. The searches do not know of each other; a
+/// round has the points of all of them.
+class Leader {
+ public:
+  Leader(Rounds& rounds, std::vector<Hunt>& hunts, bool swept, ProgressStyle style)
+      : rounds_(rounds), hunts_(hunts), swept_(swept), progress_(style) {}
+
+  /// Returns false where a point was given up.
+  bool run(int ranks) {
+    for (std::size_t first = 0; first < hunts_.size(); first += kBordersAtOnce) {
+      const std::span all(hunts_);
+      const auto some = all.subspan(first, std::min(kBordersAtOnce, all.size() - first));
+      if (!narrow_down(some, ranks)) return false;
+      for (auto& hunt : some) hunt.ends.clear();
+    }
+    return true;
+  }
+
+  /// To be called once, on success or not: the other ranks leave.
+  void dismiss() { rounds_.compute({}, {}, {}); }
+
+  Standing finish() {
+    standing_.seconds = seconds_since(began_);
+    progress_.finish(standing_);
+    return standing_;
+  }
+
+ private:
+  bool narrow_down(std::span<Hunt> hunts, int ranks) {
+    while (true) {
+      const auto points = next_round(hunts);
+      standing_.total = standing_.finished + expected_points();
+      if (points.empty()) break;
+      const auto before = standing_;
+      const auto results = rounds_.compute(
+          points,
+          [&] {
+            if (progress_.is_due()) show();
+            return !stop_requested();
+          },
+          // Until the round is over, the other ranks are taken to be as far as this one.
+          [&](const RoundResult&) {
+            standing_.finished = std::min(standing_.finished + static_cast<std::size_t>(ranks),
+                                          before.finished + points.size());
+            standing_.computed = standing_.finished;
+          });
+      standing_ = before;
+      if (!take(hunts, results)) return false;
+    }
+    return true;
+  }
+
+  void show() {
+    standing_.seconds = seconds_since(began_);
+    progress_.show(standing_);
+  }
+
+  [[nodiscard]] std::size_t expected_points() const {
+    std::size_t points = 0;
+    for (const auto& hunt : hunts_)
+      points += std::max(hunt.search.expected_points(), hunt.search.next().size());
+    return points;
+  }
+
+  [[nodiscard]] std::vector<RoundPoint> next_round(std::span<const Hunt> hunts) const {
+    std::vector<RoundPoint> points;
+    for (const auto& hunt : hunts) {
+      for (const auto& request : hunt.search.next()) {
+        const auto& from = hunt.ends[request.from];
+        const bool goes_on = swept_ && from.has_value();
+        points.push_back({.line = hunt.line,
+                          .speed_ratio = request.speed_ratio,
+                          .from_initial = static_cast<std::uint8_t>(goes_on ? 0 : 1),
+                          .start = goes_on ? *from : motion::PointStart{}});
+      }
+    }
+    return points;
+  }
+
+  bool take(std::span<Hunt> hunts, std::span<const RoundResult> results) {
+    auto next = results.begin();
+    for (auto& hunt : hunts) {
+      std::vector<std::uint8_t> motions;
+      for (std::size_t left = hunt.search.next().size(); left > 0; --left, ++next) {
+        if (next->status == point::PointStatus::pending) return false;
+        standing_.count(next->status);
+        ++standing_.computed;
+        motions.push_back(motion_of(*next));
+        const bool done = next->status == point::PointStatus::done;
+        hunt.ends.push_back(done ? std::optional(next->end) : std::nullopt);
+      }
+      hunt.search.take(motions);
+    }
+    return true;
+  }
+
+  Rounds& rounds_;
+  std::vector<Hunt>& hunts_;
+  bool swept_;
+  Progress progress_;
+  Standing standing_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
+void note_results(Preparation& preparation) {
+  auto edges = *preparation.found.edges;
+  for (std::size_t i = 0; i < preparation.hunts.size(); ++i) {
+    const auto& hunt = preparation.hunts[i];
+    for (const auto& edge : analysis::edges_of(hunt.line, i, hunt.border, hunt.search))
+      edges.edges.push_back(edge);
+  }
+  analysis::enter_edges(preparation.found, std::move(edges));
+}
+
+int lead(const EdgesCommand& command, Preparation& preparation, const Session& session, Rounds& rounds) {
+  const bool swept = plan::Grid(preparation.found.scene).points_depend_on_each_other();
+  Leader leader(rounds, preparation.hunts, swept, command.progress);
+  const bool complete = leader.run(session.size());
+  leader.dismiss();
+  if (!complete) {
+    say_sentence(fmt::format("stopped; {} has not been written", preparation.output.path.string()));
+    return exit_code::kInterrupted;
+  }
+  note_results(preparation);
+  analysis::write_edges(preparation.output, preparation.found, *preparation.atlas,
+                        command.atlas.filename().string(), software());
+  const auto standing = leader.finish();
+  fmt::print("{}", analysis::edges_report(preparation.found));
+  return exit_code_of(standing);
+}
+
+}  // namespace
+
+int find_edges(const EdgesCommand& command) {
+  note_stop_signals();
+  const Session session;
+  const bool leading = session.rank() == 0;
+
+  // Rank 0 alone reads the atlas. All ranks end together where it refuses.
+  Preparation preparation;
+  int code = exit_code::kDone;
+  if (leading) {
+    try {
+      session.require_one_job();
+      preparation = prepare(command);
+    } catch (...) {
+      code = report_failure(std::current_exception());
+    }
+  }
+  session.wait_for_all();
+  code = session.broadcast(code);
+  if (code != exit_code::kDone) return code;
+
+  try {
+    const auto text = session.broadcast(leading ? preparation.atlas->scene_resolved() : std::string());
+    Rounds rounds(session, settings::parse_scene(text, "/scene_resolved"));
+    if (leading) {
+      code = lead(command, preparation, session, rounds);
+    } else {
+      rounds.take_part([] { return !stop_requested(); });
+    }
+  } catch (...) {
+    code = report_failure(std::current_exception());
+    session.abort(code);
+    return code;
+  }
+  session.wait_for_all();
+  code = session.broadcast(code);
+  session.wait_for_all();
+  return code;
+}
+
+}  // namespace rubatlas::mpi
