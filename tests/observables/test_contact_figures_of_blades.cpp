@@ -13,11 +13,11 @@ namespace {
 
 using Row = std::vector<double>;
 
-State at_rest(double /*time*/) {
+State standing(double /*time*/) {
   return {0, 0, 0, 0};
 }
 
-settings::Scene scene_of(int revolutions) {
+settings::Scene three_blades(int revolutions) {
   settings::Scene scene;
   scene.blades.count = 3;
   scene.rotor.natural_frequency = 20.0;
@@ -25,7 +25,7 @@ settings::Scene scene_of(int revolutions) {
   return scene;
 }
 
-Row row_of(Observable& observable) {
+Row row_of_blades(Observable& observable) {
   Row row(3);
   observable.write(row);
   return row;
@@ -40,7 +40,7 @@ void two_revolutions(Observable& observable, const PointConstants& point) {
     const auto force = [part, begin](double t) {
       return std::sqrt(std::fmax(0.0, (t - begin) * (begin + part - t)));
     };
-    return SyntheticPiece(begin, begin + part, at_rest, {{blade, force, [](double) { return 0.0; }}});
+    return SyntheticPiece(begin, begin + part, standing, {{blade, force, [](double) { return 0.0; }}});
   };
   for (int r = 0; r < 2; ++r) {
     SyntheticPiece first = touches(1, 0.0);
@@ -53,7 +53,7 @@ void two_revolutions(Observable& observable, const PointConstants& point) {
       observable.piece(second);
       observable.lift_off(2);
     }
-    SyntheticPiece flight((r == 0 ? 2 : 1) * part, point.period, at_rest);
+    SyntheticPiece flight((r == 0 ? 2 : 1) * part, point.period, standing);
     observable.piece(flight);
     observable.revolution_ends({});
   }
@@ -62,10 +62,10 @@ void two_revolutions(Observable& observable, const PointConstants& point) {
 TEST(ContactFiguresOfBlades, TellTheBladesApart) {
   const PointConstants point = point_at(0.5, 3);
   const double part = 0.1 * point.period;
-  const settings::Scene scene = scene_of(2);
+  const settings::Scene scene = three_blades(2);
   TouchdownsOfBlades touchdowns(scene);
   two_revolutions(touchdowns, point);
-  EXPECT_EQ(row_of(touchdowns), (Row{0.0, 1.0, 0.5}));
+  EXPECT_EQ(row_of_blades(touchdowns), (Row{0.0, 1.0, 0.5}));
   ContactFractionOfBlades fraction(scene);
   two_revolutions(fraction, point);
   ImpulseOfBlades impulse(scene);
@@ -76,21 +76,21 @@ TEST(ContactFiguresOfBlades, TellTheBladesApart) {
   for (const int blade : {0, 1, 2}) {
     const auto k = static_cast<std::size_t>(blade);
     const double share = 1.0 - 0.5 * std::abs(blade - 1) - (blade == 0 ? 0.5 : 0.0);
-    EXPECT_NEAR(row_of(fraction)[k], 0.1 * share, 1e-15);
-    EXPECT_NEAR(row_of(impulse)[k], whole * share, 1e-9 * whole);
-    EXPECT_NEAR(row_of(peak)[k], blade == 0 ? 0.0 : 0.5 * part, 1e-10);
+    EXPECT_NEAR(row_of_blades(fraction)[k], 0.1 * share, 1e-15);
+    EXPECT_NEAR(row_of_blades(impulse)[k], whole * share, 1e-9 * whole);
+    EXPECT_NEAR(row_of_blades(peak)[k], blade == 0 ? 0.0 : 0.5 * part, 1e-10);
   }
   fraction.begin(point);
-  SyntheticPiece flight(0.0, point.period, at_rest);
+  SyntheticPiece flight(0.0, point.period, standing);
   fraction.piece(flight);
-  EXPECT_EQ(row_of(fraction), (Row{0.0, 0.0, 0.0})) << "the point before is forgotten";
+  EXPECT_EQ(row_of_blades(fraction), (Row{0.0, 0.0, 0.0})) << "the point before is forgotten";
 }
 
 TEST(ApproachSpeed, IsTheLargestRateOfATipWhereItTouchesDown) {
-  ApproachSpeed speed(scene_of(1));
+  ApproachSpeed speed(three_blades(1));
   speed.begin(point_at(0.5, 3));
   const auto piece = [&speed](double begin, double end, double rate_of_blade_1) {
-    SyntheticPiece stretch(begin, end, at_rest);
+    SyntheticPiece stretch(begin, end, standing);
     stretch.set_tips([=](int blade, double time) {
       return Tip{0.0, blade == 1 ? rate_of_blade_1 - (time - begin) : 1.0, 0.0};
     });

@@ -15,7 +15,7 @@ using Complex = std::complex<double>;
 constexpr double kMass = 2.0;
 constexpr double kFrequency = 20.0;
 
-double value_of(Observable& observable) {
+double mean_of(Observable& observable) {
   std::vector<double> row(1);
   observable.write(row);
   return row[0];
@@ -44,7 +44,7 @@ TEST(ViscousPower, IsTheDampingTimesTheMeanSquareOfTheVelocity) {
   feed(power, point_at(speed, 3), 4, motion);
   const double damping = 2.0 * 0.15 * kMass * kFrequency;  // c [N s/m]
   const double square = kFrequency * kFrequency * speed * speed * (1e-6 + 9.0 * 1.6e-7);
-  EXPECT_NEAR(value_of(power), damping * square, 1e-13 * damping * square);
+  EXPECT_NEAR(mean_of(power), damping * square, 1e-13 * damping * square);
 }
 
 TEST(ViscousPower, OfAnOverdampedShaftThatCreepsBackIsTheEnergyThatItLoses) {
@@ -60,7 +60,7 @@ TEST(ViscousPower, OfAnOverdampedShaftThatCreepsBackIsTheEnergyThatItLoses) {
   power.piece(piece);
   const double stiffness = kMass * kFrequency * kFrequency;
   const double energy = 0.5 * stiffness * 1e-6 * (1.0 + rate * rate);
-  EXPECT_NEAR(value_of(power), energy / (point.period / kFrequency), 1e-12 * energy);
+  EXPECT_NEAR(mean_of(power), energy / (point.period / kFrequency), 1e-12 * energy);
 }
 
 /// A tip that is pushed and rubs while the shaft moves along a line.
@@ -84,7 +84,7 @@ TEST(FrictionPower, IsTheMeanOfFrictionTimesSlipOverAllTips) {
   power.piece(both);
   power.piece(flight);
   const double expected = 0.2 * 2.0 * 3.0 * 0.1 * 0.02 * kFrequency;
-  EXPECT_NEAR(value_of(power), expected, 1e-14 * expected);
+  EXPECT_NEAR(mean_of(power), expected, 1e-14 * expected);
 }
 
 TEST(DeformationPower, IsWhatContactsTakeFromShaftAndDriveLessFriction) {
@@ -97,7 +97,7 @@ TEST(DeformationPower, IsWhatContactsTakeFromShaftAndDriveLessFriction) {
   SyntheticPiece piece(0.0, point.period, moving, {contact});
   power.piece(piece);
   const double expected = -(-3.0 * 0.01 - 1.0 * 0.02 + 0.5 * 0.04) - 0.1 * 3.0 * 0.02;
-  EXPECT_NEAR(value_of(power), kFrequency * expected, 1e-14);
+  EXPECT_NEAR(mean_of(power), kFrequency * expected, 1e-14);
 }
 
 TEST(DriveTorque, BearsTheTorqueOfContacts) {
@@ -112,7 +112,7 @@ TEST(DriveTorque, BearsTheTorqueOfContacts) {
   torque.piece(piece);
   torque.piece(flight);
   torque.revolution_ends({});
-  EXPECT_NEAR(value_of(torque), 0.15 / point.period, 1e-15);
+  EXPECT_NEAR(mean_of(torque), 0.15 / point.period, 1e-15);
 }
 
 /// The steady whirl of an unbalanced shaft: what drives it is lost in the damper.
@@ -130,8 +130,8 @@ TEST(DriveTorque, OfASteadyWhirlIsTheViscousPowerOverTheSpeed) {
     ViscousPower viscous(scene);
     feed(torque, point_at(speed, 3), 3, motion);
     feed(viscous, point_at(speed, 3), 3, motion);
-    const double power = value_of(viscous);
-    EXPECT_NEAR(value_of(torque) * speed * kFrequency, power, 1e-12 * power) << speed;
+    const double power = mean_of(viscous);
+    EXPECT_NEAR(mean_of(torque) * speed * kFrequency, power, 1e-12 * power) << speed;
   }
 }
 
@@ -154,7 +154,7 @@ TEST(DriveTorque, OfAnUnbalanceIsItsMomentTimesTheAccelerationAcrossIt) {
   const double mean = -2e-3 * other * other * (std::cos(angle) - std::cos(angle + rate * point.period)) /
                       (rate * point.period);
   const double expected = 1e-3 * kFrequency * kFrequency * mean;
-  EXPECT_NEAR(value_of(torque), expected, 1e-12 * std::abs(expected));
+  EXPECT_NEAR(mean_of(torque), expected, 1e-12 * std::abs(expected));
 }
 
 }  // namespace
