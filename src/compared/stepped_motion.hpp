@@ -19,7 +19,7 @@
 #include "compared/stepped_system.hpp"
 #include "integrate/runge_kutta.hpp"
 #include "integrate/step_factor.hpp"
-#include "modes/friction_power.hpp"
+#include "modes/contact_force.hpp"
 #include "modes/motion_listener.hpp"
 #include "modes/tip_of.hpp"
 #include "modes/work_meter.hpp"
@@ -116,17 +116,15 @@ class SteppedMotion final : public observables::MotionPiece {
   [[nodiscard]] double root_strain(std::size_t contact, double time) override {
     return system_.force(open_[contact], state_at((time - begin()) / step_.size())).root_strain;
   }
-  [[nodiscard]] double friction_power(std::size_t contact, double time) override {
-    return modes::friction_power(law_,
-                                 system_.force(open_[contact], state_at((time - begin()) / step_.size())));
-  }
   [[nodiscard]] observables::ContactForce contact_force(std::size_t contact, double time) override {
     const std::size_t k = open_[contact];
     const SteppedState full = state_at((time - begin()) / step_.size());
     const contact::TipForce force = system_.force(k, full);
     const contact::BladeDirection er =
         directions_.direction(blade(contact), directions_.first(full[kSteppedTime]));
-    return {contact::on_rotor(force, er), force.normal, force.slip_velocity, before_[k].slip};
+    const double slip = before_[k].slip;
+    return modes::contact_force(force, {slip, modes::friction_coefficient(law_, force, slip)}, er,
+                                system_.pose(k, full), rotor_.speed_ratio);
   }
   [[nodiscard]] observables::Tip tip(int blade, double time) override {
     const SteppedState full = state_at((time - begin()) / step_.size());

@@ -1,6 +1,6 @@
 #include "modes/collocated.hpp"
 
-#include "modes/friction_power.hpp"
+#include "modes/contact_force.hpp"
 #include "modes/tip_of.hpp"
 
 namespace rubatlas::modes {
@@ -67,9 +67,13 @@ OpenContact Collocated::contact_at(std::size_t contact, double time) const {
   return contact_in(contact, arc_.point_at(arc_.fraction_at(time)));
 }
 
-void Collocated::places_x(const observables::SampleTimes& times, int first, std::span<double> x) {
-  for (std::size_t i = 0; i < x.size(); ++i)
-    x[i] = arc_.place_at(arc_.fraction_at(times[first + static_cast<int>(i)]))[0];
+void Collocated::places(const observables::SampleTimes& times, int first, std::span<double> x,
+                        std::span<double> y) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const auto place = arc_.place_at(arc_.fraction_at(times[first + static_cast<int>(i)]));
+    x[i] = place[0];
+    if (!y.empty()) y[i] = place[1];
+  }
 }
 
 double Collocated::largest_displacement(double known, double /*speed_ratio*/) {
@@ -89,14 +93,13 @@ double Collocated::normal_force(std::size_t contact, double time) {
 double Collocated::root_strain(std::size_t contact, double time) {
   return force(contact, arc_.solved_at(time)).root_strain;
 }
-double Collocated::friction_power(std::size_t contact, double time) {
-  return modes::friction_power(*law_, force(contact, arc_.solved_at(time)));
-}
 observables::ContactForce Collocated::contact_force(std::size_t contact, double time) {
   const Point point = arc_.solved_at(time);
   const contact::TipForce tip_force = force(contact, point);
-  return {contact::on_rotor(tip_force, direction(blade(contact), point.time)), tip_force.normal,
-          tip_force.slip_velocity, contacts_[contact].slip};
+  const double slip = contacts_[contact].slip;
+  const int blade = contacts_[contact].blade;
+  return modes::contact_force(tip_force, {slip, friction_coefficient(*law_, tip_force, slip)},
+                              direction(blade, point.time), pose(blade, point), rotor_->speed_ratio);
 }
 observables::Tip Collocated::tip(int blade, double time) {
   return tip_of(law_->geometry(), pose(blade, arc_.solved_at(time)), rotor_->speed_ratio);

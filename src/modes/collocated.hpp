@@ -60,7 +60,8 @@ class Collocated final : public observables::MotionPiece {
   [[nodiscard]] double begin() const override { return piece_begin_; }
   [[nodiscard]] double end() const override { return piece_end_; }
   [[nodiscard]] observables::State state(double time) override { return rotor::as_array(state_at(time)); }
-  void places_x(const observables::SampleTimes& times, int first, std::span<double> x) override;
+  void places(const observables::SampleTimes& times, int first, std::span<double> x,
+              std::span<double> y) override;
   [[nodiscard]] double displacement_bound() const override { return arc_.displacement_bound(); }
   [[nodiscard]] double largest_displacement(double known, double speed_ratio) override;
   [[nodiscard]] std::size_t contact_count() const override { return contacts_.size(); }
@@ -69,7 +70,6 @@ class Collocated final : public observables::MotionPiece {
   [[nodiscard]] double normal_force(std::size_t contact, double time) override;
   [[nodiscard]] double root_strain(std::size_t contact, double time) override;
   [[nodiscard]] LargestLoad largest(observables::Load load, std::size_t contact, double known) override;
-  [[nodiscard]] double friction_power(std::size_t contact, double time) override;
   [[nodiscard]] observables::ContactForce contact_force(std::size_t contact, double time) override;
   [[nodiscard]] observables::Tip tip(int blade, double time) override;
   [[nodiscard]] bool path(double share, observables::PathPoint& point) override;

@@ -22,6 +22,7 @@
 
 #include "contact/friction_law.hpp"
 #include "contact/pose.hpp"
+#include "modes/contact_force.hpp"
 #include "modes/guards.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/tip_of.hpp"
@@ -215,12 +216,18 @@ class ContactMode {
     return tip_of(law_->of(blade).geometry(), pose(blade, state),
                   blades_->angular_speed(state[rotor::kTime]));
   }
-  /// What the force of an open contact in a state does to the rotor.
+  /// c [-] of an open contact under `force` in a state.
+  [[nodiscard]] double friction_of(std::size_t contact, const contact::TipForce& force,
+                                   const FullState& /*state*/) const {
+    return friction_coefficient(law_of(contact), force, contacts_[contact].slip);
+  }
+  /// What such a contact does to the rotor.
   [[nodiscard]] observables::ContactForce on_rotor(std::size_t contact, const contact::TipForce& force,
-                                                   const FullState& state) const {
+                                                   double coefficient, const FullState& state) const {
     const OpenContact& open = contacts_[contact];
-    const contact::BladeDirection er = blades_->direction(open.blade, first_blade(state));
-    return {contact::on_rotor(force, er), force.normal, force.slip_velocity, open.slip};
+    const contact::BladeDirection first = first_blade(state);
+    return modes::contact_force(force, {open.slip, coefficient}, blades_->direction(open.blade, first),
+                                pose(open.blade, state, first), blades_->angular_speed(state[rotor::kTime]));
   }
   /// |c|² − R² [m²]: the shaft's centre reaches the ring where it is positive (MODEL 5).
   [[nodiscard]] double beyond_ring(const FullState& state) const {

@@ -12,7 +12,6 @@
 
 #include "integrate/controlled_step.hpp"
 #include "modes/contact_mode.hpp"
-#include "modes/friction_power.hpp"
 #include "modes/guard_search.hpp"
 #include "modes/motion_listener.hpp"
 #include "observables/motion_piece.hpp"
@@ -121,13 +120,10 @@ class ContactPhase final : public observables::MotionPiece {
   [[nodiscard]] double root_strain(std::size_t contact, double time) override {
     return mode_.force(contact, full_state_at(time)).root_strain;
   }
-  [[nodiscard]] double friction_power(std::size_t contact, double time) override {
-    return modes::friction_power(mode_.law_of(contact), mode_.force(contact, full_state_at(time)));
-  }
-
   [[nodiscard]] observables::ContactForce contact_force(std::size_t contact, double time) override {
     const FullState full = full_state_at(time);
-    return mode_.on_rotor(contact, mode_.force(contact, full), full);
+    const contact::TipForce force = mode_.force(contact, full);
+    return mode_.on_rotor(contact, force, mode_.friction_of(contact, force, full), full);
   }
   [[nodiscard]] observables::Tip tip(int blade, double time) override {
     return mode_.tip(blade, full_state_at(time));

@@ -106,20 +106,22 @@ class Flight {
     return FlightRow(*rotor_, *free_, *forcing_);
   }
 
-  /// x [m] at the times from number `first` on, which lie in this flight.
-  void places_x(const observables::SampleTimes& times, int first,
-                std::span<double> x) const requires FliesInRows<Forcing> {
+  /// x, and y unless it is empty [m], at the times from number `first` on, which lie in this flight.
+  void places(const observables::SampleTimes& times, int first, std::span<double> x,
+              std::span<double> y) const requires FliesInRows<Forcing> {
     constexpr int kRowsFromClosedForm = 16;  // rounding of each row adds up
     StateRow& row = row_of(sample_row_, times.spacing());
     int number = first;
     rotor::State at = state(times[number]);
-    x.front() = at[0];
-    x = x.subspan(1);
-    for (int rows = 1; !x.empty(); ++rows) {
+    x[0] = at[0];
+    if (!y.empty()) y[0] = at[1];
+    std::size_t done = 1;
+    for (int rows = 1; done < x.size(); ++rows) {
       start_row(row, times[number], at);
-      const std::size_t count = std::min<std::size_t>(StateRow::kTimes, x.size());
-      std::copy_n(row.x().data(), count, x.data());
-      x = x.subspan(count);
+      const std::size_t count = std::min<std::size_t>(StateRow::kTimes, x.size() - done);
+      std::copy_n(row.x().data(), count, &x[done]);
+      if (!y.empty()) std::copy_n(row.y().data(), count, &y[done]);
+      done += count;
       number += static_cast<int>(count);
       at = rows % kRowsFromClosedForm == 0 ? state(times[number]) : row.state(StateRow::kTimes - 1);
     }

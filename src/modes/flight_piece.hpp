@@ -23,11 +23,12 @@ class FlightPiece final : public observables::MotionPiece {
   [[nodiscard]] observables::State state(double time) override {
     return rotor::as_array(rotor::shaft(flight_->state(time)));
   }
-  void places_x(const observables::SampleTimes& times, int first, std::span<double> x) override {
+  void places(const observables::SampleTimes& times, int first, std::span<double> x,
+              std::span<double> y) override {
     if constexpr (kInRows) {
-      flight_->places_x(times, first, x);
+      flight_->places(times, first, x, y);
     } else {
-      MotionPiece::places_x(times, first, x);
+      MotionPiece::places(times, first, x, y);
     }
   }
   [[nodiscard]] double displacement_bound() const override { return bound_; }
@@ -43,7 +44,6 @@ class FlightPiece final : public observables::MotionPiece {
   [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return false; }
   [[nodiscard]] double normal_force(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
   [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
-  [[nodiscard]] double friction_power(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
   [[nodiscard]] observables::ContactForce contact_force(std::size_t /*contact*/, double /*time*/) override {
     return {};
   }

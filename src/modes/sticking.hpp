@@ -98,6 +98,12 @@ class Sticking : public ContactMode<Law, Forcing, Blades> {
     return result;
   }
 
+  [[nodiscard]] double friction_of(std::size_t contact, const contact::TipForce& force,
+                                   const FullState& state) const {
+    return this->contacts_[contact].slip == 0.0 ? coefficient(contact, state)
+                                                : Base::friction_of(contact, force, state);
+  }
+
   /// Puts the stuck tips of a state back to v = 0, the shortest way.
   void project(FullState& state) const {
     std::array<Stuck, kMostStuck> tips{};

@@ -83,6 +83,14 @@ class StickingElastic : public Solved<Law, Forcing, Blades> {
     this->pay_curves();
     return result;
   }
+  /// c [-] that holds a tip at rest, or under which it slips.
+  [[nodiscard]] double friction_of(std::size_t contact, const contact::TipForce& force,
+                                   const FullState& state) const {
+    const OpenContact& open = this->contacts_[contact];
+    if (open.slip != 0.0) return Base::friction_of(contact, force, state);
+    const auto there = rest(open, state);
+    return there ? there->blade.coefficient : 0.0;
+  }
   /// The force of tips that are all at rest is smooth.
   template <class Step>
   [[nodiscard]] double scaled_error(const Step& step) const {

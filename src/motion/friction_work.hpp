@@ -1,11 +1,12 @@
 /// The work of friction at each tip over one revolution, from the pieces of its motion.
 #pragma once
 
-#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "integrate/integral.hpp"
 #include "modes/motion_listener.hpp"
 #include "observables/motion_piece.hpp"
 
@@ -26,17 +27,12 @@ class FrictionWork final : public modes::MotionListener {
 
   void piece(observables::MotionPiece& piece) override {
     listener_->piece(piece);
-    const double begin = piece.begin();
-    const double length = piece.end() - begin;
     for (std::size_t contact = 0; contact < piece.contact_count(); ++contact) {
-      // τ = begin + length q²(3 − 2q): where a tip touches down or lifts off the force varies like a square
-      // root of the time (MODEL 3.3), and is smooth in q.
-      const auto power = [&](double q) {
-        return 6.0 * q * (1.0 - q) *
-               piece.friction_power(contact, begin + length * (q * q * (3.0 - 2.0 * q)));
+      const auto power = [&](double time) {
+        return std::abs(piece.contact_force(contact, time).friction_power());
       };
       work_[static_cast<std::size_t>(piece.blade(contact))] +=
-          length * boost::math::quadrature::gauss<double, kPoints>::integrate(power, 0.0, 1.0);
+          integrate::integral_with_root_ends<kPoints>(power, piece.begin(), piece.end());
     }
   }
   void event(const modes::Event& event) override { listener_->event(event); }

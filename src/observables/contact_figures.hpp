@@ -1,5 +1,5 @@
 /// Observables of the contacts: `touchdowns_per_revolution`, `contact_fraction`, the peaks
-/// `max_contact_force` and `max_root_strain`, and `clearance_growth`.
+/// `max_contact_force`, `max_root_strain` and `max_root_stress`, and `clearance_growth`.
 #pragma once
 
 #include <algorithm>
@@ -79,6 +79,25 @@ class ContactPeak final : public Observable {
 
 using MaxContactForce = ContactPeak<Load::normal_force>;
 using MaxRootStrain = ContactPeak<Load::root_strain>;
+
+/// Largest bending stress at the root of a blade [Pa]: E times the strain.
+class MaxRootStress final : public Observable {
+ public:
+  explicit MaxRootStress(const settings::Scene& scene) : youngs_modulus_(scene.blades.youngs_modulus) {}
+  static std::unique_ptr<Observable> make(const settings::Scene& scene) {
+    return std::make_unique<MaxRootStress>(scene);
+  }
+  void begin(const PointConstants& point) override { strain_.begin(point); }
+  void piece(MotionPiece& piece) override { strain_.piece(piece); }
+  void write(std::span<double> row) override {
+    strain_.write(row);
+    row[0] *= youngs_modulus_;
+  }
+
+ private:
+  double youngs_modulus_;  ///< E [Pa]
+  MaxRootStrain strain_;
+};
 
 /// The flag of `validity.yield_strain`: 1 where a blade's root has been strained beyond it, else 0.
 class Yielded final : public Observable {

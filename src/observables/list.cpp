@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <array>
 
+#include "observables/approach_speed.hpp"
 #include "observables/contact_figures.hpp"
+#include "observables/contact_figures_of_blades.hpp"
 #include "observables/exponents.hpp"
 #include "observables/grazing.hpp"
 #include "observables/inner_axis_size.hpp"
 #include "observables/max_displacement.hpp"
 #include "observables/poincare.hpp"
 #include "observables/poincare_blade_passing.hpp"
+#include "observables/powers.hpp"
 #include "observables/recorder.hpp"
 #include "observables/spectrum.hpp"
 
@@ -87,6 +90,45 @@ const std::vector<Entry>& entries() {
        "1",
        "sum of the exponents less its exact value, -4 zeta and what slip reversals add",
        nullptr},
+      {"full_spectrum",
+       {"whirl_order"},
+       "m",
+       "radii of the circles that make up the whirl x + iy",
+       FullSpectrumOfDisplacement::make},
+      {"friction_power", {}, "W", "mean power of friction at the tips", FrictionPower::make},
+      {"viscous_power", {}, "W", "mean power of the shaft's viscous damping", ViscousPower::make},
+      {"deformation_power",
+       {},
+       "W",
+       "mean power of the normal forces of contacts, which bend blades and push the ring",
+       DeformationPower::make},
+      {"drive_torque", {}, "N m", "mean torque that keeps the speed constant", DriveTorque::make},
+      {"touchdowns_of_blades",
+       {"blade"},
+       "1",
+       "touch-downs of each blade per revolution",
+       TouchdownsOfBlades::make},
+      {"contact_fraction_of_blades",
+       {"blade"},
+       "1",
+       "share of time that each blade is in contact",
+       ContactFractionOfBlades::make},
+      {"impulse_of_blades",
+       {"blade"},
+       "N s",
+       "impulse of the normal force on each blade per revolution",
+       ImpulseOfBlades::make},
+      {"max_contact_force_of_blades",
+       {"blade"},
+       "N",
+       "largest normal force on each blade",
+       MaxContactForceOfBlades::make},
+      {"approach_speed",
+       {},
+       "m/s",
+       "largest speed of a tip towards the ring where it touches down",
+       ApproachSpeed::make},
+      {"max_root_stress", {}, "Pa", "largest bending stress at a blade root", MaxRootStress::make},
       {"yielded", {}, "1", "1 where a blade root was strained beyond validity.yield_strain", Yielded::make}};
   return kEntries;
 }
@@ -111,10 +153,14 @@ InnerAxis make_axis(const std::string& name, const settings::Scene& scene) {
   }
   if (name == "blade") return {name, numbers(scene.blades.count, 1), "1", "blade, counted from 1"};
   if (name == "exponent") return {name, numbers(4, 1), "1", "exponent, counted from 1 from the largest"};
+  const bool signs = name == "whirl_order";
+  const double first = signs ? -scene.spectrum.max_order * protocol.sampled_revolutions : 0.0;
   std::vector<double> orders(inner_axis_size(name, scene));
   for (std::size_t i = 0; i < orders.size(); ++i)
-    orders[i] = static_cast<double>(i) / protocol.sampled_revolutions;
-  return {name, orders, "1", "order: multiple of the speed of rotation"};
+    orders[i] = (first + static_cast<double>(i)) / protocol.sampled_revolutions;
+  return {name, orders, "1",
+          signs ? "order: multiple of the speed of rotation; positive with the rotation, negative against it"
+                : "order: multiple of the speed of rotation"};
 }
 
 /// The flag comes with its limit, and what is kept beside another observable with that; everything else is
@@ -137,7 +183,8 @@ std::size_t inner_axis_size(std::string_view name, const settings::Scene& scene)
   if (name == "passing") return sections * blades;
   if (name == "blade") return blades;
   if (name == "exponent") return 4;
-  return static_cast<std::size_t>(scene.spectrum.max_order) * sections + 1;
+  const std::size_t orders = static_cast<std::size_t>(scene.spectrum.max_order) * sections + 1;
+  return name == "whirl_order" ? 2 * orders - 1 : orders;
 }
 
 std::vector<Description> descriptions(const settings::Scene& scene) {

@@ -57,6 +57,11 @@ struct ContactForce {
   double normal;                  ///< F [N]
   double slip_velocity;           ///< v (MODEL 4.4) [m per unit τ]
   double slip;                    ///< s = ±1, 0 where the tip sticks
+  double friction;                ///< c [-]: the ring pulls at the tip with −c F along t (MODEL 4.3)
+  double torque;                  ///< of the force about the shaft's centre, along +z [N m]
+
+  /// c F v, what friction takes from the motion [J per unit τ].
+  [[nodiscard]] double friction_power() const { return friction * normal * slip_velocity; }
 };
 
 /// A place on the path of a piece in contact, as a function of a share θ in [0, 1] of the piece in which time
@@ -85,9 +90,14 @@ class MotionPiece {
   [[nodiscard]] virtual double begin() const = 0;
   [[nodiscard]] virtual double end() const = 0;
   [[nodiscard]] virtual State state(double time) = 0;
-  /// x at the times from number `first` on, which lie in the piece: for spectra, as good as dense output is.
-  virtual void places_x(const SampleTimes& times, int first, std::span<double> x) {
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = state(times[first + static_cast<int>(i)])[0];
+  /// x, and y unless it is empty, at the times from number `first` on, which lie in the piece: for spectra,
+  /// as good as dense output is.
+  virtual void places(const SampleTimes& times, int first, std::span<double> x, std::span<double> y) {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const State at = state(times[first + static_cast<int>(i)]);
+      x[i] = at[0];
+      if (!y.empty()) y[i] = at[1];
+    }
   }
   /// Bound of the displacement over the piece [m]; infinity where none is known.
   [[nodiscard]] virtual double displacement_bound() const = 0;
@@ -119,8 +129,6 @@ class MotionPiece {
   [[nodiscard]] virtual std::optional<Pass> nearest_pass(double known, const PointConstants& point);
   /// The path at a share θ of the piece, which is in contact. False where its mode has no such path.
   [[nodiscard]] virtual bool path(double /*share*/, PathPoint& /*point*/) { return false; }
-  /// Power of friction |c F v| at its tip [J per unit τ], v the slip velocity (MODEL 4.4).
-  [[nodiscard]] virtual double friction_power(std::size_t contact, double time) = 0;
 };
 
 /// Between two times that are no further apart [τ] a distance has at most one maximum: an eighth of the

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -98,6 +99,31 @@ void check_wear(const Scene& scene) {
   }
 }
 
+/// What an observable has no meaning beside.
+void check_observables(const Scene& scene) {
+  struct Refusal {
+    std::string_view observable;
+    bool applies;
+    std::string_view sentence;
+  };
+  const bool supported = scene.support.has_value();
+  const bool ripples = scene.speed_ripple.has_value();
+  constexpr std::string_view kOtherDamping = "does not know what the matrices of /support take and give";
+  constexpr std::string_view kConstantSpeed = "is that of a constant speed, not of /speed_ripple";
+  const std::array refusals{
+      Refusal{"viscous_power", supported, kOtherDamping},
+      Refusal{"drive_torque", supported, kOtherDamping},
+      Refusal{"drive_torque", ripples, kConstantSpeed},
+      Refusal{"deformation_power", ripples, kConstantSpeed},
+      Refusal{"max_root_stress", scene.contact.law == ContactLaw::elastic_ring,
+              R"(is that of blades that bend; under the contact law "elastic_ring" they are rigid)"},
+  };
+  for (const Refusal& refusal : refusals) {
+    if (refusal.applies && std::ranges::count(scene.observables, refusal.observable) > 0)
+      throw SceneError(fmt::format("/observables: \"{}\" {}", refusal.observable, refusal.sentence));
+  }
+}
+
 /// The speed at the end of a ramp over all sampled revolutions must be one that a grid may have.
 void check_speed_ramp(const Scene& scene) {
   if (!scene.speed_ramp) return;
@@ -131,6 +157,7 @@ void check_effects(const Scene& scene) {
   check_wear(scene);
   check_speed_ramp(scene);
   check_exponents(scene);
+  check_observables(scene);
 }
 
 }  // namespace rubatlas::settings

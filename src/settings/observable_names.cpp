@@ -5,7 +5,7 @@
 namespace rubatlas::settings {
 namespace {
 
-constexpr std::array<std::string_view, 13> kNames{
+constexpr std::array<std::string_view, 24> kNames{
     "poincare",
     "poincare_blade_passing",
     "max_displacement",
@@ -19,6 +19,17 @@ constexpr std::array<std::string_view, 13> kNames{
     "lightest_touch",
     "grazing_side",
     "lyapunov",
+    "full_spectrum",
+    "friction_power",
+    "viscous_power",
+    "deformation_power",
+    "drive_torque",
+    "touchdowns_of_blades",
+    "contact_fraction_of_blades",
+    "impulse_of_blades",
+    "max_contact_force_of_blades",
+    "approach_speed",
+    "max_root_stress",
 };
 
 constexpr std::array<std::string_view, 3> kDefaults{"poincare", "max_displacement", "spectrum"};

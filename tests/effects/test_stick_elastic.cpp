@@ -90,7 +90,7 @@ class RestWatch final : public modes::MotionListener {
       for (int i = 0; i <= 4; ++i) {
         const double time = piece.begin() + (piece.end() - piece.begin()) * i / 4;
         EXPECT_GE(piece.normal_force(0, time), 0.0);
-        power = std::max(power, piece.friction_power(0, time));
+        power = std::max(power, std::abs(piece.contact_force(0, time).friction_power()));
         ++looks;
       }
     }

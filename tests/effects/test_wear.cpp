@@ -36,8 +36,9 @@ TEST(Wear, WorkOfATipThatTouchesAndLeavesLikeASquareRootIsSummedToTenDigits) {
   constexpr double kEnd = 0.7;
   observables::SyntheticPiece piece(
       0.0, kEnd, [](double) { return observables::State{}; },
-      {{.blade = 1, .force = {}, .strain = {}, .peaks = true, .power = [](double time) {
-          return std::sqrt(time * (kEnd - time));
+      {{.blade = 1, .force = {}, .strain = {}, .peaks = true, .action = [](double time) {
+          return observables::ContactForce{
+              .normal = std::sqrt(time * (kEnd - time)), .slip_velocity = -1.0, .friction = 1.0};
         }}});
   motion::FrictionWork meter(3);
   modes::MotionListener nobody;

@@ -15,7 +15,10 @@ ALWAYS = {"status": ([], "|u1"), "status_detail": ([], "|u1"), "restarted": ([],
           "final_state": (["component"], "<f8")}
 IF_ASKED = {"poincare": ["section", "component"], "poincare_blade_passing": ["passing", "component"],
             "max_displacement": [], "spectrum": ["order"], "touchdowns_per_revolution": [], "max_contact_force": [],
-            "contact_fraction": [], "max_root_strain": [], "clearance_growth": []}
+            "contact_fraction": [], "max_root_strain": [], "clearance_growth": [],
+            "full_spectrum": ["whirl_order"], "friction_power": [], "viscous_power": [], "deformation_power": [], "drive_torque": [],
+            "touchdowns_of_blades": ["blade"], "contact_fraction_of_blades": ["blade"], "impulse_of_blades": ["blade"],
+            "max_contact_force_of_blades": ["blade"], "approach_speed": [], "max_root_stress": []}
 # What effects remember from point to point, where they act:
 # the quantity whose zero is its absence, dataset and inner axis of each.
 MEMORIES = {"wear": ("rate", "final_state_wear", "blade"),

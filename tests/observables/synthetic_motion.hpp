@@ -17,8 +17,9 @@ struct SyntheticContact {
   int blade = 0;
   std::function<double(double)> force;
   std::function<double(double)> strain;
-  bool peaks = true;                              ///< the load rises and falls again within the piece
-  std::function<double(double)> power = nullptr;  ///< of friction; none: it does no work
+  bool peaks = true;  ///< the load rises and falls again within the piece
+  /// All that the force does; none: it pushes along x, and does not rub.
+  std::function<ContactForce(double)> action = nullptr;
 };
 
 class SyntheticPiece final : public MotionPiece {
@@ -44,12 +45,10 @@ class SyntheticPiece final : public MotionPiece {
   [[nodiscard]] double root_strain(std::size_t contact, double time) override {
     return contacts_[contact].strain(time);
   }
-  [[nodiscard]] double friction_power(std::size_t contact, double time) override {
-    return contacts_[contact].power ? contacts_[contact].power(time) : 0.0;
-  }
   [[nodiscard]] ContactForce contact_force(std::size_t contact, double time) override {
+    if (contacts_[contact].action) return contacts_[contact].action(time);
     const double force = normal_force(contact, time);
-    return {-force, force, 0.0, 1.0};
+    return {-force, force, 0.0, 1.0, 0.0, 0.0};
   }
   [[nodiscard]] Tip tip(int blade, double time) override {
     return tips_ ? tips_(blade, time) : Tip{-1.0, 0.0, 0.0};

@@ -108,5 +108,16 @@ TEST(MaxRootStrain, LooksAtTheStrainNotAtTheForce) {
   EXPECT_NEAR(value_of(peak), 2e-3, 1e-14);
 }
 
+TEST(MaxRootStress, IsTheStrainTimesTheModulus) {
+  settings::Scene scene = scene_of(1);
+  scene.blades.youngs_modulus = 70e9;
+  MaxRootStress peak(scene);
+  peak.begin(point_at(0.5, 3));
+  SyntheticPiece piece(0.0, std::numbers::pi, at_rest,
+                       {{0, [](double) { return 50.0; }, [](double t) { return 2e-3 * std::sin(t); }}});
+  peak.piece(piece);
+  EXPECT_NEAR(value_of(peak), 140e6, 1e-3);
+}
+
 }  // namespace
 }  // namespace rubatlas::observables

@@ -69,7 +69,7 @@ TEST(List, AxesCountFromTheStartOfThePoint) {
   const auto axis = [&](const std::string& name) {
     return *std::find_if(axes.begin(), axes.end(), [&](const InnerAxis& a) { return a.name == name; });
   };
-  EXPECT_EQ(axes.size(), 5U) << "each once";
+  EXPECT_EQ(axes.size(), 7U) << "each once";
   EXPECT_EQ(std::get<std::vector<std::int32_t>>(axis("section").values),
             (std::vector<std::int32_t>{21, 22, 23, 24, 25}));
   const auto passings = std::get<std::vector<std::int32_t>>(axis("passing").values);

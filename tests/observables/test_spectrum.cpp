@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <vector>
 
 #include "observables/spectrum.hpp"
@@ -65,6 +66,57 @@ TEST(SpectrumOfDisplacement, ForgetsThePointBefore) {
     spectrum.write(row);
     EXPECT_NEAR(row[10], size, 1e-13 * size);
     EXPECT_NEAR(row[0], 0.0, 1e-13 * size);
+  }
+}
+
+std::vector<double> full_spectrum_of(const settings::Scene& scene, double speed_ratio,
+                                     const std::function<State(double)>& motion) {
+  FullSpectrumOfDisplacement spectrum(scene);
+  PointConstants point = point_at(std::abs(speed_ratio), 3);
+  point.speed_ratio = speed_ratio;
+  feed(spectrum, point, kRevolutions, motion);
+  std::vector<double> row(static_cast<std::size_t>(2 * scene.spectrum.max_order * kRevolutions + 1));
+  spectrum.write(row);
+  return row;
+}
+
+TEST(FullSpectrum, TellsForwardFromBackwardWhirl) {
+  for (const double speed : {0.62, -0.62}) {
+    const auto motion = [speed](double time) {
+      const std::complex<double> z =
+          std::complex<double>(1e-3, -2e-3) + std::polar(3e-3, speed * time + 0.3) +
+          std::polar(5e-4, -speed * time - 0.1) + std::polar(7e-5, -2.5 * speed * time);
+      return State{z.real(), z.imag(), 0, 0};
+    };
+    const auto row = full_spectrum_of(scene_of(256, 12), speed, motion);
+    ASSERT_EQ(row.size(), 241U);
+    for (int i = 0; i < 241; ++i) {
+      const int line = i - 120;
+      const double expected = line == 0     ? std::hypot(1e-3, 2e-3)
+                              : line == 10  ? 3e-3
+                              : line == -10 ? 5e-4
+                              : line == -25 ? 7e-5
+                                            : 0.0;
+      EXPECT_NEAR(row[static_cast<std::size_t>(i)], expected, 1e-16)
+          << "order " << line / 10.0 << " at speed ratio " << speed;
+    }
+  }
+}
+
+TEST(FullSpectrum, HasHalfOfEachAmplitudeOfAMotionAlongXOnEitherSide) {
+  const auto motion = [](double time) {
+    return State{1e-3 + 2e-3 * std::cos(0.5 * time) + 4e-4 * std::sin(1.7 * 0.5 * time) +
+                     3e-3 * std::cos(4 * 0.5 * time),
+                 0, 0, 0};
+  };
+  const settings::Scene scene = scene_of(8, 4);  // the last order is that of Nyquist
+  const auto amplitude = spectrum_of(scene, 0.5, motion);
+  const auto radius = full_spectrum_of(scene, 0.5, motion);
+  const std::size_t middle = amplitude.size() - 1;
+  EXPECT_EQ(radius[middle], amplitude[0]);
+  for (std::size_t i = 1; i <= middle; ++i) {
+    EXPECT_EQ(radius[middle + i], radius[middle - i]);
+    EXPECT_NEAR(radius[middle + i] + radius[middle - i], amplitude[i], 1e-17) << i;
   }
 }
 

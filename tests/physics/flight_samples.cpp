@@ -59,11 +59,17 @@ TEST(FlightSamples, AreThoseOfTheClosedFormToRounding) {
       for (const int last : {first, first + 1, count - 1}) {
         if (last >= count) continue;
         std::vector<double> x(static_cast<std::size_t>(last - first + 1));
-        piece.places_x(times, first, x);
+        std::vector<double> y(x.size());
+        std::vector<double> x_alone(x.size());
+        piece.places(times, first, x, y);
+        piece.places(times, first, x_alone, {});
+        EXPECT_EQ(x, x_alone);
         double largest = 0.0;
-        for (int i = first; i <= last; ++i)
-          largest =
-              std::max(largest, std::abs(x[static_cast<std::size_t>(i - first)] - flight.state(times[i])[0]));
+        for (int i = first; i <= last; ++i) {
+          const auto sample = static_cast<std::size_t>(i - first);
+          const rotor::State exact = flight.state(times[i]);
+          largest = std::max({largest, std::abs(x[sample] - exact[0]), std::abs(y[sample] - exact[1])});
+        }
         EXPECT_LE(largest, 1e-14 * kSize) << "speed ratio " << rotor.speed_ratio << ", damping ratio "
                                           << rotor.damping_ratio << ", " << count << " samples to " << last;
       }
@@ -85,7 +91,6 @@ class StatesOnly final : public observables::MotionPiece {
   [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return false; }
   [[nodiscard]] double normal_force(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
   [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
-  [[nodiscard]] double friction_power(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
   [[nodiscard]] observables::ContactForce contact_force(std::size_t /*contact*/, double /*time*/) override {
     return {};
   }

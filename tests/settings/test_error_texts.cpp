@@ -276,7 +276,11 @@ TEST(SceneErrors, ObservablesComeFromTheirList) {
   const std::string list =
       "\"poincare\", \"poincare_blade_passing\", \"max_displacement\", \"spectrum\", "
       "\"touchdowns_per_revolution\", "
-      "\"max_contact_force\", \"contact_fraction\", \"max_root_strain\", \"clearance_growth\"";
+      "\"max_contact_force\", \"contact_fraction\", \"max_root_strain\", \"clearance_growth\", "
+      "\"nearest_miss\", \"lightest_touch\", \"grazing_side\", \"full_spectrum\", \"friction_power\", "
+      "\"viscous_power\", \"deformation_power\", \"drive_torque\", \"touchdowns_of_blades\", "
+      "\"contact_fraction_of_blades\", "
+      "\"impulse_of_blades\", \"max_contact_force_of_blades\", \"approach_speed\", \"max_root_stress\"";
   EXPECT_EQ(refusal_with(R"("observables": ["poincare", "spectrm"])"),
             "/observables/1: \"spectrm\" is not one of " + list + "; nearest: \"spectrum\"");
   EXPECT_EQ(refusal_with(R"("observables": [3])"), "/observables/0: 3 is not one of " + list);
@@ -284,6 +288,18 @@ TEST(SceneErrors, ObservablesComeFromTheirList) {
             "/observables: \"spectrum\" is not a list of " + list);
   EXPECT_EQ(refusal_with(R"("observables": ["spectrum", "spectrum"])"),
             "/observables/1: \"spectrum\" stands twice; once is allowed");
+}
+
+TEST(SceneErrors, ObservablesThatTheRotorDoesNotHaveAreRefused) {
+  EXPECT_EQ(refusal_with(R"("contact": {"law": "elastic_ring"}, "observables": ["max_root_stress"])"),
+            "/observables: \"max_root_stress\" is that of blades that bend; under the contact law "
+            "\"elastic_ring\" they are rigid");
+  EXPECT_EQ(refusal_with(R"("support": {"stiffness_xx": 10.0}, "observables": ["drive_torque"])"),
+            "/observables: \"drive_torque\" does not know what the matrices of /support take and give");
+  EXPECT_EQ(refusal_with(R"("support": {"stiffness_xx": 10.0}, "observables": ["viscous_power"])"),
+            "/observables: \"viscous_power\" does not know what the matrices of /support take and give");
+  EXPECT_EQ(refusal_with(R"("speed_ripple": {"amplitude": 0.1}, "observables": ["deformation_power"])"),
+            "/observables: \"deformation_power\" is that of a constant speed, not of /speed_ripple");
 }
 
 TEST(SceneErrors, LongValuesAreCutInMessages) {

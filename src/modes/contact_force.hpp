@@ -1,0 +1,50 @@
+/// What a tip's force does to the rotor, under any contact law, as observables see it.
+#pragma once
+
+#include <complex>
+
+#include "contact/pose.hpp"
+#include "observables/motion_piece.hpp"
+
+namespace rubatlas::modes {
+
+/// c [-] of a tip that slips in the direction s, under the contact law of its blade (MODEL 4.3).
+template <class Law>
+double friction_coefficient(const Law& law, const contact::TipForce& force, double slip) {
+  if constexpr (requires { law.friction().coefficient(force.slip_velocity, slip); }) {
+    return law.friction().coefficient(force.slip_velocity, slip);
+  } else {
+    return slip * law.curve().friction();
+  }
+}
+
+/// How a tip rubs.
+struct Rubbing {
+  double slip;         ///< s = ±1, 0 where it sticks
+  double coefficient;  ///< c [-]
+};
+
+/// `at`, `er`: where the blade stands; `angular_speed`: of the rotor, per unit τ.
+///
+/// Fk = −F (n + c t), and the deformed tip stands at rk = |rk| n from the ring's centre. Seen from the
+/// shaft's centre c it stands at rk − c, of which (rk − c)·t = −c·t, and Ω (rk − c)·n = v − c'·t (MODEL 4.4).
+/// Hence the torque (rk − c) × Fk = −F c·t − c F (v − c'·t)/Ω, whatever bends or yields.
+inline observables::ContactForce contact_force(const contact::TipForce& force, const Rubbing& rubbing,
+                                               const contact::BladeDirection& er, const contact::Pose& at,
+                                               double angular_speed) {
+  // All along and across the blade.
+  using Complex = std::complex<double>;
+  const Complex normal = -Complex(force.radial, force.tangential) / Complex(1.0, rubbing.coefficient);  // F n
+  const Complex tangent(-normal.imag(), normal.real());                                                 // F t
+  const auto along_tangent = [&](double radial, double tangential) {
+    return radial * tangent.real() + tangential * tangent.imag();
+  };
+  const double slips_by_turning =
+      force.normal * force.slip_velocity - along_tangent(at.radial_velocity, at.tangential_velocity);
+  const double torque =
+      -along_tangent(at.radial, at.tangential) - rubbing.coefficient * slips_by_turning / angular_speed;
+  return {contact::on_rotor(force, er), force.normal, force.slip_velocity, rubbing.slip,
+          rubbing.coefficient,          torque};
+}
+
+}  // namespace rubatlas::modes
