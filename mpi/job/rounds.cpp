@@ -7,6 +7,7 @@
 
 #include "analysis/rules/class.hpp"
 #include "analysis/rules/scene_tolerances.hpp"
+#include "assembly/initial_state.hpp"
 #include "observables/list.hpp"
 #include "plan/scene_of_line.hpp"
 
@@ -49,12 +50,11 @@ RoundResult Rounds::compute(const RoundPoint& point, const GoOn& go_on) {
   if (!line_ || line_->line != point.line) {
     const auto parameters = grid_.parameters(grid_.point(point.line, 0));
     line_.emplace(LineSolver{point.line, plan::scene_of_line(scene_, parameters),
-                             assembly::make_line_solver(scene_, parameters, tables_)});
+                             assembly::make_line_solver(scene_, parameters, tables_),
+                             assembly::initial_state(scene_, parameters)});
   }
-  const auto& initial = line_->scene.initial;
-  const motion::PointStart rest(motion::SectionState{initial.x, initial.y, initial.vx, initial.vy});
   const auto outcome =
-      line_->solver->run(point.speed_ratio, point.from_initial != 0 ? rest : point.start, go_on);
+      line_->solver->run(point.speed_ratio, point.from_initial != 0 ? line_->initial : point.start, go_on);
   RoundResult result{.status = outcome.status, .motion = 0, .end = {}};
   if (outcome.status != point::PointStatus::done) return result;
   result.motion = analysis::classify(outcome.rows[sections_], analysis::closing_tolerance(line_->scene));

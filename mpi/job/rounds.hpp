@@ -55,6 +55,7 @@ class Rounds {
     std::uint64_t line = 0;
     settings::Scene scene;
     std::unique_ptr<point::LineSolver> solver;
+    motion::PointStart initial;  ///< of points that start anew
   };
 
   RoundResult compute(const RoundPoint& point, const GoOn& go_on);

@@ -22,6 +22,14 @@ Eigen::Matrix2d with_friction(double friction) {
   return (Eigen::Matrix2d() << 1.0, -friction, friction, 1.0).finished();
 }
 
+/// A table takes longer than a short motion, and lines that are computed one after the other mostly share it.
+std::shared_ptr<const blade::ElasticaCurve> curve_of(double friction, blade::Theory theory) {
+  thread_local std::shared_ptr<const blade::ElasticaCurve> last;
+  if (!last || last->friction() != friction || last->theory() != theory)
+    last = std::make_shared<const blade::ElasticaCurve>(friction, theory);
+  return last;
+}
+
 std::variant<contact::ElasticaContact, contact::ElasticRingContact> law_of(const settings::Scene& line) {
   const double friction = line.contact.friction;
   if (line.contact.law == settings::ContactLaw::elastic_ring)
@@ -29,7 +37,7 @@ std::variant<contact::ElasticaContact, contact::ElasticRingContact> law_of(const
   const auto theory = line.contact.law == settings::ContactLaw::beam_column ? blade::Theory::beam_column
                                                                             : blade::Theory::elastica;
   return contact::ElasticaContact(geometry_of(line.ring, line.blades), blade_of(line.blades),
-                                  std::make_shared<blade::ElasticaCurve>(friction, theory));
+                                  curve_of(friction, theory));
 }
 
 }  // namespace

@@ -277,7 +277,8 @@ TEST(SceneErrors, ObservablesComeFromTheirList) {
       "\"poincare\", \"poincare_blade_passing\", \"max_displacement\", \"spectrum\", "
       "\"touchdowns_per_revolution\", "
       "\"max_contact_force\", \"contact_fraction\", \"max_root_strain\", \"clearance_growth\", "
-      "\"nearest_miss\", \"lightest_touch\", \"grazing_side\", \"full_spectrum\", \"friction_power\", "
+      "\"nearest_miss\", \"lightest_touch\", \"grazing_side\", \"lyapunov\", \"full_spectrum\", "
+      "\"friction_power\", "
       "\"viscous_power\", \"deformation_power\", \"drive_torque\", \"touchdowns_of_blades\", "
       "\"contact_fraction_of_blades\", "
       "\"impulse_of_blades\", \"max_contact_force_of_blades\", \"approach_speed\", \"max_root_stress\"";
@@ -288,6 +289,17 @@ TEST(SceneErrors, ObservablesComeFromTheirList) {
             "/observables: \"spectrum\" is not a list of " + list);
   EXPECT_EQ(refusal_with(R"("observables": ["spectrum", "spectrum"])"),
             "/observables/1: \"spectrum\" stands twice; once is allowed");
+}
+
+TEST(SceneErrors, ExponentsAreRefusedWhereTheMotionHasNoLinearisedFlow) {
+  EXPECT_EQ(
+      refusal_with(R"("wear": {"rate": 1e-9}, "observables": ["lyapunov"])"),
+      "/observables: \"lyapunov\" is not to be had; /wear: the motion under this effect has no linearised "
+      "flow here; it is known with /unbalance, /gravity and /side_load only");
+  EXPECT_EQ(
+      refusal_with(R"("accuracy": {"method": "fixed"}, "observables": ["lyapunov"])"),
+      "/observables: \"lyapunov\" is not to be had; /accuracy/method: its steps do not follow the path of "
+      "a contact; a linearised flow needs \"collocation\", \"hybrid\", \"hybrid_54\" or \"hybrid_32\"");
 }
 
 TEST(SceneErrors, ObservablesThatTheRotorDoesNotHaveAreRefused) {
