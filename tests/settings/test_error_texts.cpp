@@ -277,7 +277,8 @@ TEST(SceneErrors, ObservablesComeFromTheirList) {
       "\"poincare\", \"poincare_blade_passing\", \"max_displacement\", \"spectrum\", "
       "\"touchdowns_per_revolution\", "
       "\"max_contact_force\", \"contact_fraction\", \"max_root_strain\", \"clearance_growth\", "
-      "\"nearest_miss\", \"lightest_touch\", \"grazing_side\", \"full_spectrum\", \"friction_power\", "
+      "\"nearest_miss\", \"lightest_touch\", \"grazing_side\", \"lyapunov\", \"full_spectrum\", "
+      "\"friction_power\", "
       "\"viscous_power\", \"deformation_power\", \"drive_torque\", \"touchdowns_of_blades\", "
       "\"contact_fraction_of_blades\", "
       "\"impulse_of_blades\", \"max_contact_force_of_blades\", \"approach_speed\", \"max_root_stress\"";
