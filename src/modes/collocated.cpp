@@ -94,18 +94,33 @@ double Collocated::root_strain(std::size_t contact, double time) {
   return force(contact, arc_.solved_at(time)).root_strain;
 }
 observables::ContactForce Collocated::contact_force(std::size_t contact, double time) {
-  const Point point = arc_.solved_at(time);
+  return contact_force(contact, arc_.solved_at(time));
+}
+observables::ContactForce Collocated::contact_force(std::size_t contact, const Point& point) const {
   const contact::TipForce tip_force = force(contact, point);
-  const double slip = contacts_[contact].slip;
-  const int blade = contacts_[contact].blade;
-  return modes::contact_force(tip_force, {slip, friction_coefficient(*law_, tip_force, slip)},
-                              direction(blade, point.time), pose(blade, point), rotor_->speed_ratio);
+  const auto& open = contacts_[contact];
+  return modes::contact_force(tip_force, {open.slip, friction_coefficient(*law_, tip_force, open.slip)},
+                              direction(open.blade, point.time), pose(open.blade, point),
+                              rotor_->speed_ratio);
 }
 observables::Tip Collocated::tip(int blade, double time) {
   return tip_of(law_->geometry(), pose(blade, arc_.solved_at(time)), rotor_->speed_ratio);
 }
 
 bool Collocated::path(double share, observables::PathPoint& point) {
+  place_on_path(share, point);
+  return true;
+}
+
+bool Collocated::forces_on_path(double share, observables::PathPoint& point,
+                                std::vector<observables::ContactForce>& forces) {
+  const Point there = place_on_path(share, point);
+  forces.clear();
+  for (std::size_t i = 0; i < contacts_.size(); ++i) forces.push_back(contact_force(i, there));
+  return true;
+}
+
+Collocated::Point Collocated::place_on_path(double share, observables::PathPoint& point) const {
   const double from = arc_.fraction_at(piece_begin_);
   const double length = arc_.fraction_at(piece_end_) - from;
   const double fraction = from + share * length;
@@ -121,7 +136,7 @@ bool Collocated::path(double share, observables::PathPoint& point) {
     const double bending_rate = leads ? length * rate.argument * arc_.bending_slope(there.argument) : 0.0;
     point.contacts.push_back({open.blade, open.slip, open.bending, bending_rate, leads});
   }
-  return true;
+  return there;
 }
 
 /// Force and strain grow with the bending, so that a blade that is bent less than where the load was known

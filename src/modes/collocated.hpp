@@ -73,6 +73,8 @@ class Collocated final : public observables::MotionPiece {
   [[nodiscard]] observables::ContactForce contact_force(std::size_t contact, double time) override;
   [[nodiscard]] observables::Tip tip(int blade, double time) override;
   [[nodiscard]] bool path(double share, observables::PathPoint& point) override;
+  [[nodiscard]] bool forces_on_path(double share, observables::PathPoint& point,
+                                    std::vector<observables::ContactForce>& forces) override;
 
   /// Right-hand sides: one at each node in each sweep.
   [[nodiscard]] std::uint64_t evaluations() const { return collocation::kNodes * arc_.sweeps(); }
@@ -87,6 +89,9 @@ class Collocated final : public observables::MotionPiece {
   [[nodiscard]] contact::Pose pose(int blade, const Point& point) const;
   [[nodiscard]] contact::TipForce force(std::size_t contact, const Point& point) const;
   [[nodiscard]] OpenContact contact_in(std::size_t contact, const Point& point) const;
+  [[nodiscard]] observables::ContactForce contact_force(std::size_t contact, const Point& point) const;
+  /// The place on the interval at a share of the piece, which goes into `point` too.
+  Point place_on_path(double share, observables::PathPoint& point) const;
 
   const Law* law_;
   const rotor::BladeSet* blades_;

@@ -121,9 +121,7 @@ class ContactPhase final : public observables::MotionPiece {
     return mode_.force(contact, full_state_at(time)).root_strain;
   }
   [[nodiscard]] observables::ContactForce contact_force(std::size_t contact, double time) override {
-    const FullState full = full_state_at(time);
-    const contact::TipForce force = mode_.force(contact, full);
-    return mode_.on_rotor(contact, force, mode_.friction_of(contact, force, full), full);
+    return contact_force(contact, full_state_at(time));
   }
   [[nodiscard]] observables::Tip tip(int blade, double time) override {
     return mode_.tip(blade, full_state_at(time));
@@ -131,20 +129,18 @@ class ContactPhase final : public observables::MotionPiece {
   [[nodiscard]] bool path([[maybe_unused]] double share,
                           [[maybe_unused]] observables::PathPoint& point) override {
     if constexpr (Mode::kHasPath) {
-      const double from = fraction_at(segment_begin_);
-      const double length = fraction_at(segment_limit_) - from;
-      const double fraction = from + share * length;
-      const FullState full = step_.at_fraction(fraction);
-      point.time = full[rotor::kTime];
-      point.time_rate = length * step_.slope(fraction, rotor::kTime);
-      point.state = rotor::as_array(rotor::shaft(rotor::bodies(full)));
-      point.contacts.clear();
-      for (std::size_t i = 0; i < mode_.contacts().size(); ++i) {
-        const bool carried = Mode::kTimeTurns && i == 0;
-        const OpenContact open = mode_.contact_in(i, full);
-        const double rate = carried ? length * step_.slope(fraction, rotor::kBending) : 0.0;
-        point.contacts.push_back({open.blade, open.slip, open.bending, rate, carried});
-      }
+      place_on_path(share, point);
+      return true;
+    }
+    return false;
+  }
+  [[nodiscard]] bool forces_on_path(
+      [[maybe_unused]] double share, [[maybe_unused]] observables::PathPoint& point,
+      [[maybe_unused]] std::vector<observables::ContactForce>& forces) override {
+    if constexpr (Mode::kHasPath) {
+      const FullState full = place_on_path(share, point);
+      forces.clear();
+      for (std::size_t i = 0; i < mode_.contacts().size(); ++i) forces.push_back(contact_force(i, full));
       return true;
     }
     return false;
@@ -166,6 +162,28 @@ class ContactPhase final : public observables::MotionPiece {
     return end_fraction_ * (time - from) / (segment_end_ - from);
   }
   [[nodiscard]] FullState full_state_at(double time) { return step_.at_fraction(fraction_at(time)); }
+  [[nodiscard]] observables::ContactForce contact_force(std::size_t contact, const FullState& full) const {
+    const contact::TipForce force = mode_.force(contact, full);
+    return mode_.on_rotor(contact, force, mode_.friction_of(contact, force, full), full);
+  }
+  /// The state at a share of the piece, which goes into `point` too.
+  FullState place_on_path(double share, observables::PathPoint& point) {
+    const double from = fraction_at(segment_begin_);
+    const double length = fraction_at(segment_limit_) - from;
+    const double fraction = from + share * length;
+    const FullState full = step_.at_fraction(fraction);
+    point.time = full[rotor::kTime];
+    point.time_rate = length * step_.slope(fraction, rotor::kTime);
+    point.state = rotor::as_array(rotor::shaft(rotor::bodies(full)));
+    point.contacts.clear();
+    for (std::size_t i = 0; i < mode_.contacts().size(); ++i) {
+      const bool carried = Mode::kTimeTurns && i == 0;
+      const OpenContact open = mode_.contact_in(i, full);
+      const double rate = carried ? length * step_.slope(fraction, rotor::kBending) : 0.0;
+      point.contacts.push_back({open.blade, open.slip, open.bending, rate, carried});
+    }
+    return full;
+  }
 
   /// Finds what ends the phase in the step just made, if anything does, and where; or takes the step back.
   void find_end() {

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "integrate/integral.hpp"
 #include "modes/motion_listener.hpp"
 #include "observables/motion_piece.hpp"
+#include "observables/places_in_piece.hpp"
 
 namespace rubatlas::motion {
 
@@ -27,24 +27,20 @@ class FrictionWork final : public modes::MotionListener {
 
   void piece(observables::MotionPiece& piece) override {
     listener_->piece(piece);
-    for (std::size_t contact = 0; contact < piece.contact_count(); ++contact) {
-      const auto power = [&](double time) {
-        return std::abs(piece.contact_force(contact, time).friction_power());
-      };
-      work_[static_cast<std::size_t>(piece.blade(contact))] +=
-          integrate::integral_with_root_ends<kPoints>(power, piece.begin(), piece.end());
-    }
+    places_.with_forces(piece, [&](const observables::PlacesInPiece::Place& place) {
+      for (std::size_t contact = 0; contact < place.forces.size(); ++contact) {
+        work_[static_cast<std::size_t>(piece.blade(contact))] +=
+            std::abs(place.weight * place.forces[contact].friction_power());
+      }
+    });
   }
   void event(const modes::Event& event) override { listener_->event(event); }
   void speed_changes(double speed_ratio) override { listener_->speed_changes(speed_ratio); }
 
  private:
-  /// A piece is at most one step, of a method of order 8 at most, in which the power changes little: 10
-  /// points leave an error of 1e-10 of the work.
-  static constexpr unsigned kPoints = 10;
-
   modes::MotionListener* listener_ = nullptr;
   std::vector<double> work_;
+  observables::PlacesInPiece places_;
 };
 
 }  // namespace rubatlas::motion

@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include "integrate/integral.hpp"
 #include "observables/observable.hpp"
+#include "observables/places_in_piece.hpp"
 #include "settings/scene.hpp"
 
 namespace rubatlas::observables {
@@ -77,17 +77,16 @@ class ImpulseOfBlades final : public OfBlades {
     return std::make_unique<ImpulseOfBlades>(scene);
   }
   void piece(MotionPiece& piece) override {
-    for (std::size_t contact = 0; contact < piece.contact_count(); ++contact) {
-      of(piece.blade(contact)) += integrate::integral_with_root_ends<kPoints>(
-          [&](double time) { return piece.normal_force(contact, time); }, piece.begin(), piece.end());
-    }
+    places_.with_forces(piece, [&](const PlacesInPiece::Place& place) {
+      for (std::size_t contact = 0; contact < place.forces.size(); ++contact)
+        of(piece.blade(contact)) += place.weight * place.forces[contact].normal;
+    });
   }
   void write(std::span<double> row) override { write_shares(row, time_unit_, revolutions()); }
 
  private:
-  static constexpr unsigned kPoints = 10;  ///< as of the work of friction (`motion/friction_work.hpp`)
-
   double time_unit_;  ///< 1/ωn [s]
+  PlacesInPiece places_;
 };
 
 /// Largest normal force on each blade [N].

@@ -129,6 +129,11 @@ class MotionPiece {
   [[nodiscard]] virtual std::optional<Pass> nearest_pass(double known, const PointConstants& point);
   /// The path at a share θ of the piece, which is in contact. False where its mode has no such path.
   [[nodiscard]] virtual bool path(double /*share*/, PathPoint& /*point*/) { return false; }
+  /// The same with the forces of the contacts there.
+  [[nodiscard]] virtual bool forces_on_path(double /*share*/, PathPoint& /*point*/,
+                                            std::vector<ContactForce>& /*forces*/) {
+    return false;
+  }
 };
 
 /// Between two times that are no further apart [τ] a distance has at most one maximum: an eighth of the

@@ -5,46 +5,21 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstddef>
 #include <memory>
 #include <optional>
 
-#include "integrate/integral.hpp"
 #include "observables/observable.hpp"
+#include "observables/places_in_piece.hpp"
 #include "settings/scene.hpp"
 
 namespace rubatlas::observables {
 
-/// The mean over the sampled revolutions of a rate, which is handed over as integrals over pieces.
-class MeanOverPieces {
+/// The mean over the sampled revolutions of what is added up over places of their pieces.
+class MeanOverTime {
  public:
   void begin() {
     sum_ = 0.0;
     time_ = 0.0;
-  }
-  /// Adds what a rate of each contact, a function of its force and the state, amounts to in a piece.
-  template <class Rate>
-  void add_of_contacts(MotionPiece& piece, const Rate& rate) {
-    for (std::size_t contact = 0; contact < piece.contact_count(); ++contact) {
-      const auto at = [&](double time) { return rate(piece, piece.contact_force(contact, time), time); };
-      sum_ += integrate::integral_with_root_ends<kPoints>(at, piece.begin(), piece.end());
-    }
-  }
-  /// The same of a rate that is a function of state and time, in contact or in flight. `fastest`: frequency
-  /// or rate of decay of the motion in flight.
-  template <class Rate>
-  void add_of_state(MotionPiece& piece, double fastest, const Rate& rate) {
-    const auto at = [&](double time) { return rate(piece.state(time), time); };
-    if (piece.contact_count() > 0) {
-      sum_ += integrate::integral_with_root_ends<kPoints>(at, piece.begin(), piece.end());
-      return;
-    }
-    const double length = piece.end() - piece.begin();
-    const int stretches = std::max(1, static_cast<int>(std::ceil(length * fastest / kStretch)));
-    for (int i = 0; i < stretches; ++i) {
-      sum_ += integrate::integral<kPoints>(at, piece.begin() + length * i / stretches,
-                                           piece.begin() + length * (i + 1) / stretches);
-    }
   }
   void add(double amount) { sum_ += amount; }
   void time_passes(const MotionPiece& piece) { time_ += piece.end() - piece.begin(); }
@@ -52,11 +27,6 @@ class MeanOverPieces {
   [[nodiscard]] double value() const { return sum_ / time_; }
 
  private:
-  /// As in `motion/friction_work.hpp`; and of an oscillation over half of its period, the square of which
-  /// goes through one whole period, they leave 1e-14.
-  static constexpr unsigned kPoints = 10;
-  static constexpr double kStretch = std::numbers::pi;
-
   double sum_ = 0.0;
   double time_ = 0.0;  ///< τ
 };
@@ -70,15 +40,17 @@ class FrictionPower final : public Observable {
   }
   void begin(const PointConstants& /*point*/) override { mean_.begin(); }
   void piece(MotionPiece& piece) override {
-    mean_.add_of_contacts(
-        piece, [](MotionPiece&, const ContactForce& force, double) { return force.friction_power(); });
+    places_.with_forces(piece, [this](const PlacesInPiece::Place& place) {
+      for (const ContactForce& force : place.forces) mean_.add(place.weight * force.friction_power());
+    });
     mean_.time_passes(piece);
   }
   void write(std::span<double> row) override { row[0] = frequency_ * mean_.value(); }
 
  private:
   double frequency_;  ///< ωn [rad/s]
-  MeanOverPieces mean_;
+  PlacesInPiece places_;
+  MeanOverTime mean_;
 };
 
 /// What the shaft's viscous damping takes, c |z'|² ωn² = 2ζ m ωn³ |z'|² [W].
@@ -95,11 +67,13 @@ class ViscousPower final : public Observable {
     speed_changes(point);
   }
   void speed_changes(const PointConstants& point) override {
-    fastest_ = std::max({1.0, std::abs(point.speed_ratio), 2.0 * damping_ratio_});
+    fastest_ = 2.0 * std::max({1.0, std::abs(point.speed_ratio), 2.0 * damping_ratio_});
   }
   void piece(MotionPiece& piece) override {
-    mean_.add_of_state(piece, fastest_,
-                       [](const State& state, double) { return state[2] * state[2] + state[3] * state[3]; });
+    places_.states(piece, fastest_, [this](const PlacesInPiece::Place& place) {
+      const State& state = place.state;
+      mean_.add(place.weight * (state[2] * state[2] + state[3] * state[3]));
+    });
     mean_.time_passes(piece);
   }
   void write(std::span<double> row) override { row[0] = unit_ * mean_.value(); }
@@ -107,8 +81,9 @@ class ViscousPower final : public Observable {
  private:
   double damping_ratio_;  ///< ζ [-]
   double unit_;           ///< [W per (m per unit τ)²]
-  double fastest_ = 1.0;
-  MeanOverPieces mean_;
+  double fastest_ = 2.0;  ///< frequency or rate of decay of |z'|²
+  PlacesInPiece places_;
+  MeanOverTime mean_;
 };
 
 /// What the contacts take from the motion besides friction [W]: the work of their normal forces, which bend
@@ -125,10 +100,12 @@ class DeformationPower final : public Observable {
   }
   void speed_changes(const PointConstants& point) override { speed_ratio_ = point.speed_ratio; }
   void piece(MotionPiece& piece) override {
-    mean_.add_of_contacts(piece, [this](MotionPiece& at, const ContactForce& force, double time) {
-      const State state = at.state(time);
-      const double of_shaft = force.on_rotor.real() * state[2] + force.on_rotor.imag() * state[3];
-      return -(of_shaft + speed_ratio_ * force.torque) - force.friction_power();
+    places_.with_forces(piece, [this](const PlacesInPiece::Place& place) {
+      for (const ContactForce& force : place.forces) {
+        const double of_shaft =
+            force.on_rotor.real() * place.state[2] + force.on_rotor.imag() * place.state[3];
+        mean_.add(-place.weight * (of_shaft + speed_ratio_ * force.torque + force.friction_power()));
+      }
     });
     mean_.time_passes(piece);
   }
@@ -137,7 +114,8 @@ class DeformationPower final : public Observable {
  private:
   double frequency_;  ///< ωn [rad/s]
   double speed_ratio_ = 0.0;
-  MeanOverPieces mean_;
+  PlacesInPiece places_;
+  MeanOverTime mean_;
 };
 
 /// The torque that keeps the speed constant, −Σ (rk − c) × Fk + me u × z'' ωn² [N m], along +z. u =
@@ -160,14 +138,16 @@ class DriveTorque final : public Observable {
   }
   void speed_changes(const PointConstants& point) override { speed_ratio_ = point.speed_ratio; }
   void piece(MotionPiece& piece) override {
-    mean_.add_of_contacts(piece,
-                          [](MotionPiece&, const ContactForce& force, double) { return -force.torque; });
+    places_.with_forces(piece, [this](const PlacesInPiece::Place& place) {
+      for (const ContactForce& force : place.forces) mean_.add(-place.weight * force.torque);
+    });
     mean_.time_passes(piece);
     if (unbalance_ == 0.0) return;
     if (!before_) before_ = piece.state(piece.begin());
-    const double fastest = std::max({1.0, std::abs(speed_ratio_), damping_ratio_});
-    mean_.add_of_state(piece, fastest, [this](const State& state, double time) {
-      return speed_ratio_ * along(unbalance_ * std::polar(1.0, speed_ratio_ * time), state);
+    const double fastest = std::max({2.0, 2.0 * std::abs(speed_ratio_), 2.0 * damping_ratio_});
+    places_.states(piece, fastest, [this](const PlacesInPiece::Place& place) {
+      const std::complex<double> u = unbalance_ * std::polar(1.0, speed_ratio_ * place.time);
+      mean_.add(place.weight * speed_ratio_ * along(u, place.state));
     });
   }
   /// u has turned round once.
@@ -188,7 +168,8 @@ class DriveTorque final : public Observable {
   std::complex<double> unbalance_ = 0.0;  ///< me ωn² e^{iγ} [N]
   double speed_ratio_ = 0.0;
   std::optional<State> before_;  ///< at the start of the revolution
-  MeanOverPieces mean_;
+  PlacesInPiece places_;
+  MeanOverTime mean_;
 };
 
 }  // namespace rubatlas::observables
