@@ -17,7 +17,6 @@
 namespace rubatlas::analysis {
 namespace {
 
-constexpr std::size_t kColumns = 110;
 constexpr std::string_view kDirection = "direction";
 
 /// Values of the swept parameters: "ζ = 0.1, up: "; empty where the atlas has one line.

@@ -18,7 +18,6 @@
 namespace rubatlas::analysis {
 namespace {
 
-constexpr std::size_t kColumns = 110;
 constexpr std::string_view kTableKey =
     "Regions: first and last Ω, aperiodic share, peak displacement; an Ω in parentheses is where points that "
     "are "

@@ -7,6 +7,9 @@
 
 namespace rubatlas::analysis {
 
+/// Width of a text for the terminal.
+constexpr std::size_t kColumns = 110;
+
 /// Characters of a UTF-8 text.
 [[nodiscard]] std::size_t character_count(std::string_view text);
 

@@ -44,7 +44,7 @@ constexpr std::size_t kBordersAtOnce = 4096;
 constexpr double kFinestResolution = 1e-12;
 
 /// A border whose edges are being looked for, with the ends of the points that have been tried for it.
-struct Hunt {
+struct SearchedBorder {
   std::size_t line = 0;
   analysis::Border border;
   analysis::EdgeSearch search;
@@ -52,14 +52,14 @@ struct Hunt {
 };
 
 /// What rank 0 has when the first round begins.
-struct Preparation {
+struct EdgesTask {
   atlas::Output output{std::filesystem::path()};
   std::optional<atlas::AtlasReader> atlas;
   analysis::Findings found;
-  std::vector<Hunt> hunts;
+  std::vector<SearchedBorder> borders;
 };
 
-std::filesystem::path output_of(const EdgesCommand& command) {
+std::filesystem::path edges_output(const EdgesCommand& command) {
   if (command.output) return *command.output;
   auto path = command.atlas;
   path.replace_filename(command.atlas.stem().string() + "_edges.h5");
@@ -77,9 +77,9 @@ std::vector<std::uint8_t> motions_of(const analysis::Line& line, std::span<const
 }
 
 /// The points of a border in the order of the sweep, and where they ended.
-Hunt begin_hunt(std::size_t line, const analysis::Border& border, std::span<const double> speeds,
-                std::span<const std::uint8_t> motion, const plan::Grid& grid,
-                const atlas::FinalStates& stored, double resolution) {
+SearchedBorder begin_search(std::size_t line, const analysis::Border& border, std::span<const double> speeds,
+                            std::span<const std::uint8_t> motion, const plan::Grid& grid,
+                            const atlas::FinalStates& stored, double resolution) {
   std::vector<std::size_t> places;
   for (std::size_t i = border.below; i <= border.above; ++i) places.push_back(i);
   if (grid.direction(line) == plan::Direction::down) std::ranges::reverse(places);
@@ -99,23 +99,23 @@ Hunt begin_hunt(std::size_t line, const analysis::Border& border, std::span<cons
           std::move(ends)};
 }
 
-Preparation prepare(const EdgesCommand& command) {
+EdgesTask prepare_edges(const EdgesCommand& command) {
   if (!(command.resolution >= kFinestResolution && command.resolution <= 1.0)) {
     throw UsageError(
         fmt::format("--to {}: outside [{}, 1]; longest interval of the speed ratio within which "
                     "an edge is known",
                     command.resolution, kFinestResolution));
   }
-  Preparation preparation;
-  preparation.output = atlas::permitted(
-      {output_of(command), atlas::FileKind::edges, atlas::existing(command.overwrite)}, {command.atlas});
-  const auto& atlas = preparation.atlas.emplace(command.atlas);
+  EdgesTask task;
+  task.output = atlas::permitted(
+      {edges_output(command), atlas::FileKind::edges, atlas::existing(command.overwrite)}, {command.atlas});
+  const auto& atlas = task.atlas.emplace(command.atlas);
   if (!atlas.has("poincare")) {
     throw UsageError(fmt::format("{} has no edges: it keeps no sections; add \"poincare\" to /observables",
                                  command.atlas.string()));
   }
   atlas::require_sound_rows(atlas);
-  auto& found = preparation.found = analysis::examine(atlas);
+  auto& found = task.found = analysis::examine(atlas);
   found.edges = analysis::EdgeTable{.resolution = command.resolution, .only_regions = command.only_regions};
 
   const plan::Grid grid(found.scene);
@@ -128,11 +128,11 @@ Preparation prepare(const EdgesCommand& command) {
     for (auto& border : analysis::find_borders(motion)) {
       analysis::note_regions(border, summary.line, summary.regions);
       if (command.only_regions && border.region_begins == 0 && border.region_ends == 0) continue;
-      preparation.hunts.push_back(
-          begin_hunt(line, border, summary.line.speed_ratio, motion, grid, stored, command.resolution));
+      task.borders.push_back(
+          begin_search(line, border, summary.line.speed_ratio, motion, grid, stored, command.resolution));
     }
   }
-  return preparation;
+  return task;
 }
 
 /// The class of a computed point, as searches take it. A point that could not be integrated is evidence for
@@ -152,16 +152,16 @@ std::uint8_t motion_of(const RoundResult& result) {
 /// round has the points of all of them.
 class Leader {
  public:
-  Leader(Rounds& rounds, std::vector<Hunt>& hunts, bool swept, ProgressStyle style)
-      : rounds_(rounds), hunts_(hunts), swept_(swept), progress_(style) {}
+  Leader(Rounds& rounds, std::vector<SearchedBorder>& borders, bool swept, ProgressStyle style)
+      : rounds_(rounds), borders_(borders), swept_(swept), progress_(style) {}
 
   /// Returns false where a point was given up.
   bool run(int ranks) {
-    for (std::size_t first = 0; first < hunts_.size(); first += kBordersAtOnce) {
-      const std::span all(hunts_);
+    for (std::size_t first = 0; first < borders_.size(); first += kBordersAtOnce) {
+      const std::span all(borders_);
       const auto some = all.subspan(first, std::min(kBordersAtOnce, all.size() - first));
       if (!narrow_down(some, ranks)) return false;
-      for (auto& hunt : some) hunt.ends.clear();
+      for (auto& searched : some) searched.ends.clear();
     }
     return true;
   }
@@ -176,9 +176,9 @@ class Leader {
   }
 
  private:
-  bool narrow_down(std::span<Hunt> hunts, int ranks) {
+  bool narrow_down(std::span<SearchedBorder> some, int ranks) {
     while (true) {
-      const auto points = next_round(hunts);
+      const auto points = next_round(some);
       standing_.total = standing_.finished + expected_points();
       if (points.empty()) break;
       const auto before = standing_;
@@ -195,7 +195,7 @@ class Leader {
             standing_.computed = standing_.finished;
           });
       standing_ = before;
-      if (!take(hunts, results)) return false;
+      if (!take(some, results)) return false;
     }
     return true;
   }
@@ -207,18 +207,18 @@ class Leader {
 
   [[nodiscard]] std::size_t expected_points() const {
     std::size_t points = 0;
-    for (const auto& hunt : hunts_)
-      points += std::max(hunt.search.expected_points(), hunt.search.next().size());
+    for (const auto& searched : borders_)
+      points += std::max(searched.search.expected_points(), searched.search.next().size());
     return points;
   }
 
-  [[nodiscard]] std::vector<RoundPoint> next_round(std::span<const Hunt> hunts) const {
+  [[nodiscard]] std::vector<RoundPoint> next_round(std::span<const SearchedBorder> some) const {
     std::vector<RoundPoint> points;
-    for (const auto& hunt : hunts) {
-      for (const auto& request : hunt.search.next()) {
-        const auto& from = hunt.ends[request.from];
+    for (const auto& searched : some) {
+      for (const auto& request : searched.search.next()) {
+        const auto& from = searched.ends[request.from];
         const bool goes_on = swept_ && from.has_value();
-        points.push_back({.line = hunt.line,
+        points.push_back({.line = searched.line,
                           .speed_ratio = request.speed_ratio,
                           .from_initial = static_cast<std::uint8_t>(goes_on ? 0 : 1),
                           .start = goes_on ? *from : motion::PointStart{}});
@@ -227,55 +227,54 @@ class Leader {
     return points;
   }
 
-  bool take(std::span<Hunt> hunts, std::span<const RoundResult> results) {
+  bool take(std::span<SearchedBorder> some, std::span<const RoundResult> results) {
     auto next = results.begin();
-    for (auto& hunt : hunts) {
+    for (auto& searched : some) {
       std::vector<std::uint8_t> motions;
-      for (std::size_t left = hunt.search.next().size(); left > 0; --left, ++next) {
+      for (std::size_t left = searched.search.next().size(); left > 0; --left, ++next) {
         if (next->status == point::PointStatus::pending) return false;
         standing_.count(next->status);
         ++standing_.computed;
         motions.push_back(motion_of(*next));
         const bool done = next->status == point::PointStatus::done;
-        hunt.ends.push_back(done ? std::optional(next->end) : std::nullopt);
+        searched.ends.push_back(done ? std::optional(next->end) : std::nullopt);
       }
-      hunt.search.take(motions);
+      searched.search.take(motions);
     }
     return true;
   }
 
   Rounds& rounds_;
-  std::vector<Hunt>& hunts_;
+  std::vector<SearchedBorder>& borders_;
   bool swept_;
   Progress progress_;
   Standing standing_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
-void note_results(Preparation& preparation) {
-  auto edges = *preparation.found.edges;
-  for (std::size_t i = 0; i < preparation.hunts.size(); ++i) {
-    const auto& hunt = preparation.hunts[i];
-    for (const auto& edge : analysis::edges_of(hunt.line, i, hunt.border, hunt.search))
+void note_results(EdgesTask& task) {
+  auto edges = *task.found.edges;
+  for (std::size_t i = 0; i < task.borders.size(); ++i) {
+    const auto& searched = task.borders[i];
+    for (const auto& edge : analysis::edges_of(searched.line, i, searched.border, searched.search))
       edges.edges.push_back(edge);
   }
-  analysis::enter_edges(preparation.found, std::move(edges));
+  analysis::enter_edges(task.found, std::move(edges));
 }
 
-int lead(const EdgesCommand& command, Preparation& preparation, const Session& session, Rounds& rounds) {
-  const bool swept = plan::Grid(preparation.found.scene).points_depend_on_each_other();
-  Leader leader(rounds, preparation.hunts, swept, command.progress);
+int lead_edges(const EdgesCommand& command, EdgesTask& task, const Session& session, Rounds& rounds) {
+  const bool swept = plan::Grid(task.found.scene).points_depend_on_each_other();
+  Leader leader(rounds, task.borders, swept, command.progress);
   const bool complete = leader.run(session.size());
   leader.dismiss();
   if (!complete) {
-    say_sentence(fmt::format("stopped; {} has not been written", preparation.output.path.string()));
+    say_sentence(fmt::format("stopped; {} has not been written", task.output.path.string()));
     return exit_code::kInterrupted;
   }
-  note_results(preparation);
-  analysis::write_edges(preparation.output, preparation.found, *preparation.atlas,
-                        command.atlas.filename().string(), software());
+  note_results(task);
+  analysis::write_edges(task.output, task.found, *task.atlas, command.atlas.filename().string(), software());
   const auto standing = leader.finish();
-  fmt::print("{}", analysis::edges_report(preparation.found));
+  fmt::print("{}", analysis::edges_report(task.found));
   return exit_code_of(standing);
 }
 
@@ -287,12 +286,12 @@ int find_edges(const EdgesCommand& command) {
   const bool leading = session.rank() == 0;
 
   // Rank 0 alone reads the atlas. All ranks end together where it refuses.
-  Preparation preparation;
+  EdgesTask task;
   int code = exit_code::kDone;
   if (leading) {
     try {
       session.require_one_job();
-      preparation = prepare(command);
+      task = prepare_edges(command);
     } catch (...) {
       code = report_failure(std::current_exception());
     }
@@ -302,10 +301,10 @@ int find_edges(const EdgesCommand& command) {
   if (code != exit_code::kDone) return code;
 
   try {
-    const auto text = session.broadcast(leading ? preparation.atlas->scene_resolved() : std::string());
+    const auto text = session.broadcast(leading ? task.atlas->scene_resolved() : std::string());
     Rounds rounds(session, settings::parse_scene(text, "/scene_resolved"));
     if (leading) {
-      code = lead(command, preparation, session, rounds);
+      code = lead_edges(command, task, session, rounds);
     } else {
       rounds.take_part([] { return !stop_requested(); });
     }

@@ -14,7 +14,7 @@
 namespace rubatlas::mpi {
 namespace {
 
-constexpr const char* kSections = "poincare";
+constexpr const char* kObserved = "poincare";
 
 template <typename T>
 std::string to_bytes(std::span<const T> values) {
@@ -33,7 +33,7 @@ std::vector<T> from_bytes(const std::string& bytes) {
 
 /// To observe a motion never changes it.
 settings::Scene with_sections_only(settings::Scene scene) {
-  scene.observables = {kSections};
+  scene.observables = {kObserved};
   return scene;
 }
 
@@ -42,7 +42,7 @@ settings::Scene with_sections_only(settings::Scene scene) {
 Rounds::Rounds(const Session& session, const settings::Scene& scene)
     : session_(session), scene_(with_sections_only(scene)), grid_(scene_) {
   const auto rows = observables::descriptions(scene_);
-  const auto place = std::ranges::find(rows, kSections, [](const auto& row) { return row.name; });
+  const auto place = std::ranges::find(rows, kObserved, [](const auto& row) { return row.name; });
   sections_ = static_cast<std::size_t>(place - rows.begin());
 }
 

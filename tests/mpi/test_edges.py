@@ -69,10 +69,10 @@ class Edges(EdgesTest):
             with self.subTest(scene=name):
                 atlas = self.fill(2, content, f"{name}.h5")
                 before = atlas.read_bytes()
-                alone = self.edges(None, atlas, f"{name}0.h5")
+                alone = self.edges(None, atlas, f"{name}0.h5", "--to", "1e-4")
                 self.assertGreater(len(self.rows(alone)["line"]), 3)
                 for ranks in (1, 2, 3):
-                    self.assertTrue(alone.read_bytes() == self.edges(ranks, atlas, f"{name}{ranks}.h5").read_bytes(),
+                    self.assertTrue(alone.read_bytes() == self.edges(ranks, atlas, f"{name}{ranks}.h5", "--to", "1e-4").read_bytes(),
                                     f"{ranks} ranks make other edges")
                 self.assertEqual(before, atlas.read_bytes(), "the atlas is only read")
 
