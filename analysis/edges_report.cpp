@@ -19,11 +19,11 @@ namespace {
 
 constexpr std::string_view kDirection = "direction";
 
-/// Values of the swept parameters: "ζ = 0.1, up: "; empty where the atlas has one line.
-std::string line_text(const Findings& found, std::size_t line) {
+/// Values of the swept parameters, possibly without one: "ζ = 0.1, up: "; empty where the atlas has one line.
+std::string line_text(const Findings& found, std::size_t line, std::string_view without = "") {
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < found.parameters.size(); ++i) {
-    if (found.parameters[i].values.size() > 1) {
+    if (found.parameters[i].values.size() > 1 && found.parameters[i].name != without) {
       texts.push_back(found.parameters[i].text(found.lines[line].parameters[i]));
     }
   }
@@ -66,9 +66,8 @@ std::string text_of(const Edge& edge, const Findings& found) {
   }
   const bool up = plan::Grid(found.scene).direction(edge.line) == plan::Direction::up;
   return fmt::format(
-      "{} where the atlas's step left {} near Ω = {:.6g}; a sweep in shorter steps still follows it there",
-      subject_of(edge), motion_text(up ? edge.motion_below : edge.motion_above),
-      up ? edge.upper : edge.lower);
+      "{} {}, or behind it: a sweep in shorter steps finds at Ω = {:.6g} another motion than the atlas: {}",
+      subject_of(edge), place, up ? edge.upper : edge.lower, sides_of(edge));
 }
 
 const Edge* find_edge(const Findings& found, std::size_t line, std::uint8_t Edge::*role,
@@ -100,7 +99,7 @@ void add_both_ways(const Findings& found, std::vector<std::string>& sentences) {
     for (std::uint8_t region = 1; region <= 4; ++region) {
       for (const auto role : {&Edge::region_begins, &Edge::region_ends}) {
         auto text = both_ways(found, line, line + lines, role, region);
-        if (!text.empty()) sentences.push_back(line_text(found, line) + text + ".");
+        if (!text.empty()) sentences.push_back(line_text(found, line, kDirection) + text + ".");
       }
     }
   }
@@ -133,7 +132,7 @@ std::vector<std::string> edge_sentences(const Findings& found) {
   sentences.push_back(
       fmt::format("Edges: {} at {} borders{}: {} sharp, within {:g}; {} where motions settle too slowly; {} "
                   "that go on dividing; {} that "
-                  "shorter steps of the sweep pass; {} points computed.",
+                  "depend on the steps of the sweep; {} points computed.",
                   edges.size(), borders, found.edges->only_regions ? " of regions" : "", sharp,
                   found.edges->resolution, slow, divided, overrun, points));
   return sentences;

@@ -108,9 +108,8 @@ FoundEdge EdgeSearch::last_edge(std::span<const Change> changes) const {
   const std::size_t last = tried_.size() - 1;
   std::size_t near = changes.empty() ? last : changes.front().near;
   while (tried_[near].motion != tried_.front().motion) --near;
-  const auto outcome = near == last                                       ? EdgeOutcome::overrun
-                       : tried_[last].motion == motion_class::kUnresolved ? EdgeOutcome::slow
-                                                                          : EdgeOutcome::divided;
+  const bool is_unresolved = tried_[last].motion == motion_class::kUnresolved;
+  const auto outcome = is_unresolved ? EdgeOutcome::slow : EdgeOutcome::overrun;
   auto edge = edge_between(near, last, outcome);
   edge.far_motion = last_motion_;
   return edge;

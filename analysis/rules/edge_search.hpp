@@ -30,7 +30,8 @@ enum class EdgeOutcome : std::uint8_t {
   sharp = 0,    ///< one motion up to its near side, the other from its far side on
   slow = 1,     ///< between them motions are unresolved: they settle too slowly, or change, in the protocol
   divided = 2,  ///< between them motions come and go
-  overrun = 3,  ///< a sweep in shorter steps has not left the first motion at the last speed
+  overrun =
+      3,  ///< in shorter steps the sweep finds another motion at the last speed than the atlas has there
 };
 
 /// A speed that is to be tried next.

@@ -106,6 +106,17 @@ TEST(EdgeSearch, SaysWhereShorterStepsPassTheLastSpeed) {
   EXPECT_EQ(only_edge(search).far_speed, 0.441);
 }
 
+TEST(EdgeSearch, SaysWhereShorterStepsFindAThirdMotionAtTheLastSpeed) {
+  const std::vector<double> speeds{0.44, 0.441};
+  const std::vector<std::uint8_t> motions{1, 255};
+  EdgeSearch search(speeds, motions, kResolution, true);
+  carry_out(search, speeds, motions,
+            by_speed([](double speed) -> std::uint8_t { return speed < 0.4403 ? 1 : 3; }));
+  EXPECT_EQ(only_edge(search).outcome, EdgeOutcome::overrun);
+  EXPECT_NEAR(only_edge(search).near_speed, 0.4403, kResolution);
+  EXPECT_EQ(only_edge(search).far_motion, 255);
+}
+
 TEST(EdgeSearch, SaysWhereTheLastSpeedIsUnresolvedInShorterSteps) {
   const std::vector<double> speeds{0.44, 0.441};
   const std::vector<std::uint8_t> motions{1, 255};
