@@ -15,9 +15,9 @@ namespace rubatlas::atlas {
 namespace {
 
 /// Datasets over one axis.
-class Columns {
+class BranchColumns {
  public:
-  Columns(File& file, std::string group, const Dataset& axis)
+  BranchColumns(File& file, std::string group, const Dataset& axis)
       : file_(&file), group_(std::move(group)), axis_(&axis) {}
 
   template <Number T>
@@ -54,13 +54,13 @@ std::vector<std::int32_t> counted(std::size_t count, std::int32_t first) {
 }
 
 /// Inner axes that orbits and events share.
-struct Scales {
+struct StateScales {
   Dataset component;
   Dataset multiplier;
   Dataset part;
 };
 
-void write_orbits(const Columns& columns, const Scales& scales, const BranchContents& contents,
+void write_orbits(const BranchColumns& columns, const StateScales& scales, const BranchContents& contents,
                   const std::vector<const branch::Orbit*>& orbits, const std::vector<std::int32_t>& branch) {
   const auto each = [&](auto value) {
     std::vector<decltype(value(*orbits.front()))> values;
@@ -142,7 +142,7 @@ void write_branch(const Output& output, const settings::Scene& scene, const std:
     }
   }
   {
-    const Scales scales{
+    const StateScales scales{
         create_inner_scale(file, {"component", std::vector<std::string>{"x", "y", "vx", "vy"}, "1",
                                   "displacement from equilibrium and its derivative by tau"}),
         create_inner_scale(file, {"multiplier", counted(4, 1), "1", "multiplier, the largest first"}),
@@ -150,12 +150,12 @@ void write_branch(const Output& output, const settings::Scene& scene, const std:
             file, {"part", std::vector<std::string>{"real", "imaginary"}, "1", "part of a complex number"})};
     const Dataset point = create_inner_scale(
         file, {"point", counted(orbits.size(), 0), "1", "number of the orbit, along the branch"});
-    write_orbits(Columns(file, "", point), scales, contents, orbits, of_orbits);
+    write_orbits(BranchColumns(file, "", point), scales, contents, orbits, of_orbits);
     if (!events.empty()) {
       file.create_group("/events");
       const Dataset event =
           create_inner_scale(file, {"event", counted(events.size(), 0), "1", "number of the bifurcation"});
-      const Columns columns(file, "/events/", event);
+      const BranchColumns columns(file, "/events/", event);
       write_orbits(columns, scales, contents, at_events, of_events);
       std::vector<std::uint8_t> kinds;
       std::vector<std::uint8_t> sides;

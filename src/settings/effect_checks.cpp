@@ -101,7 +101,7 @@ void check_wear(const Scene& scene) {
 
 /// What an observable has no meaning beside.
 void check_observables(const Scene& scene) {
-  struct Refusal {
+  struct Meaningless {
     std::string_view observable;
     bool applies;
     std::string_view sentence;
@@ -111,14 +111,14 @@ void check_observables(const Scene& scene) {
   constexpr std::string_view kOtherDamping = "does not know what the matrices of /support take and give";
   constexpr std::string_view kConstantSpeed = "is that of a constant speed, not of /speed_ripple";
   const std::array refusals{
-      Refusal{"viscous_power", supported, kOtherDamping},
-      Refusal{"drive_torque", supported, kOtherDamping},
-      Refusal{"drive_torque", ripples, kConstantSpeed},
-      Refusal{"deformation_power", ripples, kConstantSpeed},
-      Refusal{"max_root_stress", scene.contact.law == ContactLaw::elastic_ring,
-              R"(is that of blades that bend; under the contact law "elastic_ring" they are rigid)"},
+      Meaningless{"viscous_power", supported, kOtherDamping},
+      Meaningless{"drive_torque", supported, kOtherDamping},
+      Meaningless{"drive_torque", ripples, kConstantSpeed},
+      Meaningless{"deformation_power", ripples, kConstantSpeed},
+      Meaningless{"max_root_stress", scene.contact.law == ContactLaw::elastic_ring,
+                  R"(is that of blades that bend; under the contact law "elastic_ring" they are rigid)"},
   };
-  for (const Refusal& refusal : refusals) {
+  for (const Meaningless& refusal : refusals) {
     if (refusal.applies && std::ranges::count(scene.observables, refusal.observable) > 0)
       throw SceneError(fmt::format("/observables: \"{}\" {}", refusal.observable, refusal.sentence));
   }

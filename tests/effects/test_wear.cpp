@@ -37,8 +37,11 @@ TEST(Wear, WorkOfATipThatTouchesAndLeavesLikeASquareRootIsSummedToTenDigits) {
   observables::SyntheticPiece piece(
       0.0, kEnd, [](double) { return observables::State{}; },
       {{.blade = 1, .force = {}, .strain = {}, .peaks = true, .action = [](double time) {
-          return observables::ContactForce{
-              .normal = std::sqrt(time * (kEnd - time)), .slip_velocity = -1.0, .friction = 1.0};
+          observables::ContactForce force{};
+          force.normal = std::sqrt(time * (kEnd - time));
+          force.slip_velocity = -1.0;
+          force.friction = 1.0;
+          return force;
         }}});
   motion::FrictionWork meter(3);
   modes::MotionListener nobody;

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "../support/point.hpp"
+#include "assembly/blade_tables.hpp"
 #include "blade/elastica.hpp"
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
