@@ -52,15 +52,11 @@ TEST(CommandLine, AWrongCallIsOneSentenceAndExitCodeTwo) {
     return ending.messages;
   };
   EXPECT_EQ(says(""),
-            "rubatlas: no command; commands are run, status, explain, orbit, analyse, accuracy, verify, "
-            "merge, pack; "
-            "rubatlas --help "
-            "shows what is "
-            "possible\n");
+            "rubatlas: no command; commands are run, status, explain, orbit, branch, analyse, edges, "
+            "accuracy, verify, merge, pack; rubatlas --help shows what is possible\n");
   EXPECT_EQ(says("rnu s.json"),
-            "rubatlas: unknown command rnu; commands are run, status, explain, orbit, analyse, accuracy, "
-            "verify, merge, pack; "
-            "nearest: run\n");
+            "rubatlas: unknown command rnu; commands are run, status, explain, orbit, branch, analyse, "
+            "edges, accuracy, verify, merge, pack; nearest: run\n");
   EXPECT_EQ(says("run s.json"),
             "rubatlas: --output is required; rubatlas run --help shows what is possible\n");
   EXPECT_EQ(says("run -o a.h5"), "rubatlas: SCENE is required; rubatlas run --help shows what is possible\n");

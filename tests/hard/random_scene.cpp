@@ -194,8 +194,22 @@ void draw_effects(Draw& draw, json& scene, bool in_proportion) {
   }
 }
 
+/// Takes out the observable that the reader names as one without a meaning in this scene; false where it
+/// names none.
+bool take_out_observable(json& scene, std::string_view said) {
+  constexpr std::string_view kBegin = "/observables: \"";
+  if (!said.starts_with(kBegin)) return false;
+  said.remove_prefix(kBegin.size());
+  const std::string name(said.substr(0, said.find('"')));
+  json& observables = scene["observables"];
+  const auto named = std::ranges::find(observables, json(name));
+  if (named == observables.end()) return false;
+  observables.erase(named);
+  return true;
+}
+
 /// An effect that does not go with the rest of a scene (errors that leave nothing of a blade, two laws of
-/// friction) is taken out again. Any other word of the reader is a test's failure.
+/// friction) is taken out again, and so is an observable. Any other word of the reader is a test's failure.
 std::string without_what_does_not_fit(json scene) {
   while (true) {
     std::string text = scene.dump();
@@ -204,6 +218,7 @@ std::string without_what_does_not_fit(json scene) {
       return text;
     } catch (const settings::SceneError& error) {
       const std::string said = error.what();
+      if (take_out_observable(scene, said)) continue;
       const auto sections = effect_sections();
       const auto blamed = std::ranges::find_if(sections, [&](std::string_view section) {
         return said.starts_with(section) && said.find("is outside") == std::string::npos;
