@@ -103,6 +103,41 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
+/// Side of the nearest miss of each point; 0 where a touch is nearer to grazing, since `/grazing_side` is
+/// then that of the touch.
+std::vector<std::uint8_t> miss_sides(const atlas::AtlasReader& atlas, std::span<const double> nearest_miss) {
+  if (!atlas.has("grazing_side") || !atlas.has("lightest_touch")) return {};
+  const auto sides = atlas.rows("grazing_side");
+  const auto touches = atlas.rows("lightest_touch");
+  std::vector<std::uint8_t> result(sides.size(), 0);
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (nearest_miss[i] <= touches[i] || std::isnan(touches[i]))
+      result[i] = static_cast<std::uint8_t>(sides[i]);
+  }
+  return result;
+}
+
+Margins margins_of(const atlas::AtlasReader& atlas, const Findings& found,
+                   std::span<const std::uint8_t> status) {
+  MarginRows rows{.motion = border_motions(found.motion, status), .nearest_miss = {}, .miss_side = {}};
+  if (atlas.has("nearest_miss")) {
+    rows.nearest_miss = atlas.rows("nearest_miss");
+    rows.miss_side = miss_sides(atlas, rows.nearest_miss);
+  }
+  return find_margins(found.axes, rows, found.lines);
+}
+
+std::vector<ExponentCheck> check_exponents(const atlas::AtlasReader& atlas,
+                                           std::span<const std::uint8_t> motion) {
+  const auto exponents = atlas.rows("lyapunov");
+  const auto errors = atlas.rows("lyapunov_error");
+  const std::size_t per_point = exponents.size() / motion.size();
+  std::vector<ExponentCheck> checks;
+  for (std::size_t i = 0; i < motion.size(); ++i)
+    checks.push_back(check_exponent(motion[i], exponents[i * per_point], errors[i * per_point]));
+  return checks;
+}
+
 }  // namespace
 
 Findings examine(const atlas::AtlasReader& atlas) {
@@ -114,6 +149,7 @@ Findings examine(const atlas::AtlasReader& atlas) {
     return is_initial_axis(axis.name) && axis.values.size() > 1;
   });
   found.has_sections = atlas.has("poincare");
+  found.keeps_nearest_miss = atlas.has("nearest_miss");
   const bool per_passing = atlas.has("poincare_blade_passing");
   const SpeedScale scale(found.scene.blades.count);
   const plan::Grid grid(found.scene);
@@ -157,6 +193,9 @@ Findings examine(const atlas::AtlasReader& atlas) {
       found.basins = find_basins(starts, {status, found.motion, found.attractor, found.max_displacement});
     }
   }
+  if (found.has_sections) found.margins = margins_of(atlas, found, status);
+  if (found.has_sections && atlas.has("lyapunov"))
+    found.exponent_check = check_exponents(atlas, found.motion);
   if (found.sweeps_initial_state) return found;
   found.sensitivities = sensitivities(found.parameters, found.lines, scale);
   found.statements = judge_statements(found.scene, found.parameters, found.lines, per_passing);

@@ -10,6 +10,7 @@
 #include <span>
 #include <string_view>
 
+#include "analysis/report_parts.hpp"
 #include "analysis/rules/evidence_text.hpp"
 #include "analysis/text_layout.hpp"
 #include "plan/grid.hpp"
@@ -18,26 +19,6 @@ namespace rubatlas::analysis {
 namespace {
 
 constexpr std::string_view kDirection = "direction";
-
-/// Values of the swept parameters, possibly without one: "ζ = 0.1, up: "; empty where the atlas has one line.
-std::string line_text(const Findings& found, std::size_t line, std::string_view without = "") {
-  std::vector<std::string> texts;
-  for (std::size_t i = 0; i < found.parameters.size(); ++i) {
-    if (found.parameters[i].values.size() > 1 && found.parameters[i].name != without) {
-      texts.push_back(found.parameters[i].text(found.lines[line].parameters[i]));
-    }
-  }
-  return texts.empty() ? "" : fmt::format("{}: ", fmt::join(texts, ", "));
-}
-
-/// "region 2 ends and region 3 begins".
-std::string subject_of(const Edge& edge) {
-  std::vector<std::string> texts;
-  if (edge.region_ends > 0) texts.push_back(fmt::format("region {} ends", edge.region_ends));
-  if (edge.region_begins > 0) texts.push_back(fmt::format("region {} begins", edge.region_begins));
-  if (texts.empty()) texts.emplace_back("the motion changes");
-  return fmt::format("{}", fmt::join(texts, " and "));
-}
 
 /// "at Ω = 0.4393415(5)" or "between Ω = 0.439341 and 0.440121".
 std::string place_of(const Edge& edge, double resolution) {
@@ -54,20 +35,21 @@ std::string text_of(const Edge& edge, const Findings& found) {
   const auto place = place_of(edge, found.edges->resolution);
   switch (edge.outcome) {
     case EdgeOutcome::sharp:
-      return fmt::format("{} {}: {}", subject_of(edge), place, sides_of(edge));
+      return fmt::format("{} {}: {}", border_text(edge.region_ends, edge.region_begins), place,
+                         sides_of(edge));
     case EdgeOutcome::slow:
       return fmt::format("{} {}, where motions settle too slowly for their class to be known: {}",
-                         subject_of(edge), place, sides_of(edge));
+                         border_text(edge.region_ends, edge.region_begins), place, sides_of(edge));
     case EdgeOutcome::divided:
       return fmt::format("{} {}, where motions alternate, and the border goes on dividing: {}",
-                         subject_of(edge), place, sides_of(edge));
+                         border_text(edge.region_ends, edge.region_begins), place, sides_of(edge));
     case EdgeOutcome::overrun:
       break;
   }
   const bool up = plan::Grid(found.scene).direction(edge.line) == plan::Direction::up;
   return fmt::format(
       "{} {}, or behind it: a sweep in shorter steps finds at Ω = {:.6g} another motion than the atlas: {}",
-      subject_of(edge), place, up ? edge.upper : edge.lower, sides_of(edge));
+      border_text(edge.region_ends, edge.region_begins), place, up ? edge.upper : edge.lower, sides_of(edge));
 }
 
 const Edge* find_edge(const Findings& found, std::size_t line, std::uint8_t Edge::*role,

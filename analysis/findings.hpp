@@ -12,8 +12,10 @@
 #include "analysis/rules/basins.hpp"
 #include "analysis/rules/borders.hpp"
 #include "analysis/rules/class.hpp"
+#include "analysis/rules/exponent_check.hpp"
 #include "analysis/rules/hysteresis.hpp"
 #include "analysis/rules/line_summary.hpp"
+#include "analysis/rules/margin_map.hpp"
 #include "analysis/rules/parameter.hpp"
 #include "analysis/rules/sensitivity.hpp"
 #include "plan/grid.hpp"
@@ -38,11 +40,14 @@ struct Findings {
   std::optional<Hysteresis> hysteresis;  ///< of a sweep both ways
   bool sweeps_initial_state = false;     ///< the initial state is an axis
   bool has_sections = false;             ///< the atlas keeps `poincare`
+  bool keeps_nearest_miss = false;       ///< the atlas keeps `nearest_miss`
   std::vector<LineSummary> lines;
   // Both are about lines from one initial state, and empty where the initial state is an axis.
   std::vector<Sensitivity> sensitivities;
   std::vector<Statement> statements;
-  std::optional<EdgeTable> edges{};  ///< where they have been computed (`rubatlas edges`)
+  std::optional<Margins> margins{};             ///< where motions have classes
+  std::vector<ExponentCheck> exponent_check{};  ///< one per point; empty where the atlas has no exponents
+  std::optional<EdgeTable> edges{};             ///< where they have been computed (`rubatlas edges`)
 };
 
 }  // namespace rubatlas::analysis

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/maps_datasets.hpp"
 #include "analysis/maps_table.hpp"
 #include "analysis/rules/attractors.hpp"
 #include "analysis/rules/starts.hpp"
@@ -17,36 +18,6 @@ namespace {
 using atlas::Dataset;
 using atlas::File;
 using atlas::Shape;
-
-/// A group whose datasets have one entry per row.
-class Rows {
- public:
-  Rows(File& file, const std::string& group, const std::string& row, std::size_t size,
-       const std::string& long_name)
-      : file_(file), group_(group), size_(size) {
-    file_.create_group(group).set_text("long_name", long_name);
-    scale_.push_back(create_number_scale(file_, fmt::format("{}/{}", group_, row), row, size_,
-                                         fmt::format("number of the {}", row)));
-  }
-
-  template <typename T, typename Value>
-  Dataset add(const std::string& name, const std::string& units, const std::string& long_name, Value value) {
-    std::vector<T> values;
-    for (std::size_t i = 0; i < size_; ++i) values.push_back(value(i));
-    Dataset dataset = file_.create_dataset<T>(fmt::format("{}/{}", group_, name), {size_});
-    dataset.template write<T>(values);
-    dataset.attach_scale(0, scale_.front());
-    dataset.set_text("units", units);
-    dataset.set_text("long_name", long_name);
-    return dataset;
-  }
-
- private:
-  File& file_;
-  std::string group_;
-  std::size_t size_;
-  std::vector<Dataset> scale_;  ///< one
-};
 
 void create_basins(File& file, const Findings& found) {
   const auto& basins = found.basins;
@@ -111,13 +82,10 @@ void create_hysteresis(File& file, const Findings& found) {
 }  // namespace
 
 void create_attractors(File& file, const Findings& found, const Shape& shape, std::span<const Dataset> axes) {
-  Dataset dataset = file.create_dataset<std::int32_t>("attractor", shape);
-  dataset.write<std::int32_t>(found.attractor);
-  for (std::size_t i = 0; i < axes.size(); ++i) dataset.attach_scale(i, axes[i]);
-  dataset.set_text("units", "1");
-  dataset.set_text("long_name",
-                   "number of the attractor among the points that differ in their start only, from 1 in the "
-                   "order of the points; 0: none");
+  Dataset dataset = create_map<std::int32_t>(
+      file, "attractor", shape, axes, found.attractor, "1",
+      "number of the attractor among the points that differ in their start only, from 1 in the "
+      "order of the points; 0: none");
   dataset.set_text(
       "matching",
       "periodic motions are on one attractor if they have one period and share a section within "

@@ -11,6 +11,8 @@
 
 #include "analysis/edges_file.hpp"
 #include "analysis/maps_attractors.hpp"
+#include "analysis/maps_datasets.hpp"
+#include "analysis/maps_margins.hpp"
 #include "analysis/maps_table.hpp"
 #include "atlas/hdf5.hpp"
 #include "atlas/publish.hpp"
@@ -38,12 +40,9 @@ std::vector<Dataset> create_axes(File& file, std::span<const plan::Axis> axes) {
 
 void create_class(File& file, const std::string& name, const std::string& sections, const Findings& found,
                   std::span<const std::uint8_t> motion, const Shape& shape, std::span<const Dataset> axes) {
-  Dataset dataset = file.create_dataset<std::uint8_t>(name, shape);
-  dataset.write<std::uint8_t>(motion);
-  for (std::size_t i = 0; i < axes.size(); ++i) dataset.attach_scale(i, axes[i]);
+  Dataset dataset = create_map<std::uint8_t>(file, name, shape, axes, motion, "1",
+                                             "class of the motion: its period in " + sections);
   set_class_flags(dataset);
-  dataset.set_text("long_name", "class of the motion: its period in " + sections);
-  dataset.set_text("units", "1");
   dataset.set_text(
       "tolerance",
       "sections repeat within max(relative_tolerance * size of the orbit, absolute_tolerance); distance: "
@@ -155,15 +154,6 @@ void create_findings(File& file, const Findings& found) {
   holds_dataset.set_text("long_name", "whether it was found");
 }
 
-void create_displacement(File& file, const Findings& found, const Shape& shape,
-                         std::span<const Dataset> axes) {
-  Dataset dataset = file.create_dataset<double>("max_displacement", shape);
-  dataset.write<double>(found.max_displacement);
-  for (std::size_t i = 0; i < axes.size(); ++i) dataset.attach_scale(i, axes[i]);
-  dataset.set_text("units", "m");
-  dataset.set_text("long_name", "largest displacement, as in the atlas; NaN where the point is not done");
-}
-
 }  // namespace
 
 void write_maps(const atlas::Output& output, const Findings& found, const atlas::AtlasReader& atlas,
@@ -186,9 +176,14 @@ void write_maps(const atlas::Output& output, const Findings& found, const atlas:
       create_class(file, "class_blade_passing", "blade passings", found, found.motion_per_passing, shape,
                    axes);
     }
-    if (!found.max_displacement.empty()) create_displacement(file, found, shape, axes);
+    if (!found.max_displacement.empty()) {
+      create_map<double>(file, "max_displacement", shape, axes, found.max_displacement, "m",
+                         "largest displacement, as in the atlas; NaN where the point is not done");
+    }
     create_table(file, found);
     if (!found.attractor.empty()) create_attractors(file, found, shape, axes);
+    if (found.margins) create_margins(file, found, shape, axes);
+    if (!found.exponent_check.empty()) create_exponent_check(file, found, shape, axes);
     create_effects(file, found);
     if (!found.statements.empty()) {
       create_statements(file, found);

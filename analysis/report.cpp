@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analysis/edges_report.hpp"
+#include "analysis/grazing_report.hpp"
 #include "analysis/report_parts.hpp"
 #include "analysis/text_layout.hpp"
 #include "atlas/output.hpp"
@@ -103,6 +104,10 @@ std::string plain_report(const Findings& found) {
     text += "\nWHERE UP AND DOWN DIFFER\n";
     for (const auto& sentence : hysteresis_sentences(found)) text += paragraph("  ", sentence, 4, kColumns);
   }
+  if (const auto sentences = grazing_sentences(found); !sentences.empty()) {
+    text += "\nHOW FAR FROM GRAZING\n";
+    for (const auto& sentence : sentences) text += paragraph("  ", sentence, 4, kColumns);
+  }
   if (found.edges) text += "\nEDGES\n" + edges_report(found);
   for (const auto& sensitivity : found.sensitivities) {
     text += fmt::format("\n{}\n", heading(found, sensitivity));
@@ -156,6 +161,10 @@ std::string markdown_report(const Findings& found) {
   if (found.scene.sweep == settings::Sweep::both) {
     text += "\n## Where up and down differ\n\n";
     for (const auto& sentence : hysteresis_sentences(found)) text += fmt::format("- {}\n", sentence);
+  }
+  if (const auto sentences = grazing_sentences(found); !sentences.empty()) {
+    text += "\n## How far from grazing\n\n";
+    for (const auto& sentence : sentences) text += fmt::format("- {}\n", sentence);
   }
   if (found.edges) {
     text += "\n## Edges\n\n";

@@ -153,6 +153,27 @@ Cell trigger_cell(const Trigger& trigger) {
           fmt::format("+{} ×{:.3g}", millimetres(trigger.rise()), trigger.ratio())};
 }
 
+/// How class and largest exponent agree, with the first speeds at which they do not.
+std::string exponents_text(const Findings& found) {
+  std::map<ExponentCheck, std::size_t> counts;
+  std::vector<std::string> places;
+  constexpr std::size_t kMostPlaces = 5;
+  const auto& speeds = found.axes.back().values;
+  for (std::size_t point = 0; point < found.exponent_check.size(); ++point) {
+    ++counts[found.exponent_check[point]];
+    if (found.exponent_check[point] != ExponentCheck::disagrees || places.size() == kMostPlaces) continue;
+    const auto line = place_text(found, point / speeds.size(), [](std::string_view) { return false; });
+    places.push_back(
+        fmt::format("Ω = {:.6g}{}{}", speeds[point % speeds.size()], line.empty() ? "" : " at ", line));
+  }
+  const std::size_t disagree = counts[ExponentCheck::disagrees];
+  return fmt::format(
+      "Largest exponent: agrees with the class at {} points, zero within two standard errors at {}, "
+      "disagrees at {}{}{}{}.",
+      counts[ExponentCheck::agrees], counts[ExponentCheck::undecided], disagree, disagree > 0 ? ": " : "",
+      fmt::join(places, "; "), disagree > places.size() ? "; …" : "");
+}
+
 }  // namespace
 
 std::string contact_law(const settings::Scene& scene) {
@@ -178,6 +199,7 @@ std::vector<std::string> facts(const Findings& found) {
   if (!found.motion_per_passing.empty()) {
     sentences.push_back(classes_text(found.motion_per_passing, "blade passing"));
   }
+  if (!found.exponent_check.empty()) sentences.push_back(exponents_text(found));
   if (found.max_displacement.empty()) {
     sentences.emplace_back("The atlas has no `max_displacement`: no triggers, and no displacements.");
   }
@@ -276,6 +298,19 @@ std::vector<std::vector<Cell>> table_rows(const Findings& found) {
                     region_cell(line.regions[3])});
   }
   return rows;
+}
+
+std::string line_text(const Findings& found, std::size_t line, std::string_view without) {
+  const auto place = place_text(found, line, [&](std::string_view name) { return name == without; });
+  return place.empty() ? place : place + ": ";
+}
+
+std::string border_text(std::uint8_t region_ends, std::uint8_t region_begins) {
+  std::vector<std::string> texts;
+  if (region_ends > 0) texts.push_back(fmt::format("region {} ends", region_ends));
+  if (region_begins > 0) texts.push_back(fmt::format("region {} begins", region_begins));
+  if (texts.empty()) texts.emplace_back("the motion changes");
+  return fmt::format("{}", fmt::join(texts, " and "));
 }
 
 std::string heading(const Findings& found, const Sensitivity& sensitivity) {

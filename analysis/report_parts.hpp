@@ -1,6 +1,8 @@
 /// Sentences and table cells that the plain text and the Markdown share, without any layout.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,6 +30,13 @@ std::vector<std::string> basin_sentences(const Findings& found);
 
 /// Of an atlas that was swept both ways: where the motions differ, line by line.
 std::vector<std::string> hysteresis_sentences(const Findings& found);
+
+/// Values of the swept parameters of a line, possibly without one: "ζ = 0.1, up: "; empty where the atlas has
+/// one line.
+std::string line_text(const Findings& found, std::size_t line, std::string_view without = "");
+
+/// "region 2 ends and region 3 begins", from the numbers of the regions, 0 for none.
+std::string border_text(std::uint8_t region_ends, std::uint8_t region_begins);
 
 /// "As ζ grows (μ = 0.1, me = 0 kg m, h = 1 mm)".
 std::string heading(const Findings& found, const Sensitivity& sensitivity);

@@ -9,6 +9,15 @@
 
 namespace rubatlas::analysis {
 
+std::vector<std::uint8_t> border_motions(std::vector<std::uint8_t> classes,
+                                         std::span<const std::uint8_t> status) {
+  constexpr std::uint8_t kLeft = 2;  // of the atlas' flags
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    if (status[i] == kLeft) classes[i] = motion_class::kLeftValidity;
+  }
+  return classes;
+}
+
 std::vector<Border> find_borders(std::span<const std::uint8_t> motion) {
   std::vector<Border> borders;
   const std::size_t none = motion.size();

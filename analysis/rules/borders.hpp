@@ -36,6 +36,11 @@ struct Border {
   std::uint8_t region_begins = 0;  ///< number of the region that begins here, 0 for none
 };
 
+/// Classes as borders are found from them: with a class of its own for points that left the model's validity.
+/// `status` as in the atlas, one per class.
+[[nodiscard]] std::vector<std::uint8_t> border_motions(std::vector<std::uint8_t> classes,
+                                                       std::span<const std::uint8_t> status);
+
 /// All borders of a line, ascending in Ω. `motion`: one class per point, `kLeftValidity` where the motion
 /// left the model's validity; a point whose class is `kNone` is not known, and no border goes across it.
 [[nodiscard]] std::vector<Border> find_borders(std::span<const std::uint8_t> motion);

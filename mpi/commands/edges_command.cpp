@@ -66,16 +66,6 @@ std::filesystem::path edges_output(const EdgesCommand& command) {
   return path;
 }
 
-/// Classes of a line as borders are found from them: with a class of its own for points that left the model.
-std::vector<std::uint8_t> motions_of(const analysis::Line& line, std::span<const std::uint8_t> status) {
-  std::vector<std::uint8_t> motion = line.motion;
-  for (std::size_t i = 0; i < motion.size(); ++i) {
-    if (static_cast<point::PointStatus>(status[i]) == point::PointStatus::left_validity)
-      motion[i] = analysis::motion_class::kLeftValidity;
-  }
-  return motion;
-}
-
 /// The points of a border in the order of the sweep, and where they ended.
 SearchedBorder begin_search(std::size_t line, const analysis::Border& border, std::span<const double> speeds,
                             std::span<const std::uint8_t> motion, const plan::Grid& grid,
@@ -124,7 +114,8 @@ EdgesTask prepare_edges(const EdgesCommand& command) {
   const std::size_t speeds = grid.speed_count();
   for (std::size_t line = 0; line < found.lines.size(); ++line) {
     const auto& summary = found.lines[line];
-    const auto motion = motions_of(summary.line, std::span(status).subspan(line * speeds, speeds));
+    const auto motion =
+        analysis::border_motions(summary.line.motion, std::span(status).subspan(line * speeds, speeds));
     for (auto& border : analysis::find_borders(motion)) {
       analysis::note_regions(border, summary.line, summary.regions);
       if (command.only_regions && border.region_begins == 0 && border.region_ends == 0) continue;

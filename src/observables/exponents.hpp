@@ -37,7 +37,9 @@ class Lyapunov final : public Observable {
     growth_.setZero();
     growths_.clear();
   }
-  void piece(MotionPiece& piece) override { flow_.piece(piece); }
+  void piece(MotionPiece& piece) override {
+    flow_.piece(piece, [this] { make_orthogonal(); });
+  }
   void touch_down(int blade) override {
     make_orthogonal();
     flow_.passes_ring(blade);

@@ -87,11 +87,16 @@ void TangentFlow::begin(double speed_ratio, const Tangents& tangents) {
   log_saltation_ = 0.0;
 }
 
-void TangentFlow::piece(observables::MotionPiece& piece) {
+void TangentFlow::piece(observables::MotionPiece& piece, const std::function<void()>& between) {
   if (!known_) return;
   if (!events_.empty()) jump(piece, force_in(piece, piece.begin()));
   if (piece.contact_count() == 0) {
-    fly(piece.end() - piece.begin());
+    double left = piece.end() - piece.begin();
+    for (const double longest = longest_flight(); between && left > longest; left -= longest) {
+      fly(longest);
+      between();
+    }
+    fly(left);
     contacts_.clear();
     force_.setZero();
   } else {
@@ -106,6 +111,14 @@ Eigen::Vector2d TangentFlow::force_in(observables::MotionPiece& piece, double ti
     sum += Eigen::Vector2d(force.real(), force.imag());
   }
   return sum;
+}
+
+double TangentFlow::longest_flight() const {
+  // Free motion decays as e^{-rate τ}, and rates differ by no more than the fastest of them.
+  constexpr double kMostDecay = 20.0;  // leaves half of the digits of a double
+  const double damping = free_.damping_ratio();
+  const double fastest = damping + std::sqrt(std::max(0.0, damping * damping - 1.0));
+  return kMostDecay / fastest;
 }
 
 void TangentFlow::fly(double duration) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "observables/motion_piece.hpp"
@@ -26,7 +27,9 @@ class TangentFlow {
 
   /// A point at the speed ratio Ω starts, or goes on, with these tangents.
   void begin(double speed_ratio, const Tangents& tangents);
-  void piece(observables::MotionPiece& piece);
+  /// `between` is called again and again during a long flight, while no tangent has become so small, or so
+  /// nearly parallel to another, that its direction is lost; it may set other tangents.
+  void piece(observables::MotionPiece& piece, const std::function<void()>& between = {});
   /// Between two pieces: a blade touches down or lifts off; the slip of a tip turns round.
   void passes_ring(int blade) { events_.push_back({blade, false}); }
   void slip_reverses(int blade) { events_.push_back({blade, true}); }
@@ -46,6 +49,8 @@ class TangentFlow {
     bool of_slip;
   };
   void fly(double duration);
+  /// Longest flight over which tangents that were orthogonal keep their directions.
+  [[nodiscard]] double longest_flight() const;
   void follow(observables::MotionPiece& piece);
   void jump(observables::MotionPiece& piece, const Eigen::Vector2d& force);
   [[nodiscard]] static Eigen::Vector2d force_in(observables::MotionPiece& piece, double time);
