@@ -30,8 +30,8 @@ class Margins(JobTest):
             return file["speed_ratio"][...][file["class"][...].ravel() == 1]
 
     def test_both_ends_of_region_2_are_foretold_from_steps_of_a_thousandth(self):
-        speeds = [*np.arange(430, 446), *np.arange(580, 612)]
-        path, text = self.maps(self.fill(2, rotor([float(speed) / 1000 for speed in speeds]), "coarse.h5"), "coarse_maps.h5")
+        coarse = self.fill(2, rotor({"from": 0.42, "to": 0.62, "count": 201}), "coarse.h5")
+        path, text = self.maps(coarse, "coarse_maps.h5")
         with h5py.File(path, "r") as file:
             found = {name: file["grazings"][name][...] for name in file["grazings"]}
         begins = found["region_begins"] == 2
@@ -42,7 +42,7 @@ class Margins(JobTest):
         above = self.period_one("above", {"from": 0.595, "to": 0.596, "count": 41}, "down")
         self.assertLess(abs(found["speed_ratio"][begins] - below.max()), 1e-4)
         self.assertLess(abs(found["speed_ratio"][ends] - above.min()), 1e-4)
-        self.assertIn("region 2 begins by grazing on the receding side at Ω = 0.43934", " ".join(text.split()))
+        self.assertIn("region 2 begins by grazing on the receding side at Ω = 0.439338(", " ".join(text.split()))
 
     def test_maps_have_a_distance_for_every_parameter_that_is_swept(self):
         grid = {"speed_ratio": {"from": 0.42, "to": 0.45, "count": 7}, "damping_ratio": [0.1, 0.2]}
@@ -55,7 +55,7 @@ class Margins(JobTest):
             classes = file["class"][...].ravel().reshape(2, 7)
             distance = file["margins/speed_ratio"]
             self.assertEqual(distance.shape, shape)
-            self.assertEqual(distance.attrs["units"], b"1")
+            self.assertEqual(distance.attrs["units"], "1")
             for line, values in zip(classes, distance[...].reshape(2, 7)):
                 changes = np.flatnonzero(np.diff(line.astype(int)) != 0)
                 self.assertEqual(np.isnan(values).all(), len(changes) == 0)
