@@ -133,6 +133,7 @@ std::vector<ExponentCheck> check_exponents(const atlas::AtlasReader& atlas,
   const auto errors = atlas.rows("lyapunov_error");
   const std::size_t per_point = exponents.size() / motion.size();
   std::vector<ExponentCheck> checks;
+  checks.reserve(motion.size());
   for (std::size_t i = 0; i < motion.size(); ++i)
     checks.push_back(check_exponent(motion[i], exponents[i * per_point], errors[i * per_point]));
   return checks;

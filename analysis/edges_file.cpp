@@ -50,6 +50,7 @@ class Columns {
 template <typename T, typename Value>
 std::vector<T> column(const std::vector<Edge>& edges, Value value) {
   std::vector<T> values;
+  values.reserve(edges.size());
   for (const auto& edge : edges) values.push_back(static_cast<T>(value(edge)));
   return values;
 }

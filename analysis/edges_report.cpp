@@ -18,8 +18,6 @@
 namespace rubatlas::analysis {
 namespace {
 
-constexpr std::string_view kDirection = "direction";
-
 /// "at Ω = 0.4393415(5)" or "between Ω = 0.439341 and 0.440121".
 std::string place_of(const Edge& edge, double resolution) {
   if (edge.outcome == EdgeOutcome::sharp) return "at Ω = " + speed_text({edge.lower, edge.upper});
@@ -75,13 +73,13 @@ std::string both_ways(const Findings& found, std::size_t up_line, std::size_t do
 }
 
 void add_both_ways(const Findings& found, std::vector<std::string>& sentences) {
-  if (found.axes.front().name != kDirection) return;
+  if (found.axes.front().name != plan::kDirectionAxis) return;
   const std::size_t lines = found.lines.size() / 2;
   for (std::size_t line = 0; line < lines; ++line) {
     for (std::uint8_t region = 1; region <= 4; ++region) {
       for (const auto role : {&Edge::region_begins, &Edge::region_ends}) {
         auto text = both_ways(found, line, line + lines, role, region);
-        if (!text.empty()) sentences.push_back(line_text(found, line, kDirection) + text + ".");
+        if (!text.empty()) sentences.push_back(line_text(found, line, plan::kDirectionAxis) + text + ".");
       }
     }
   }

@@ -43,6 +43,7 @@ class Rows {
   atlas::Dataset add(const std::string& name, const std::string& units, const std::string& long_name,
                      Value value) {
     std::vector<T> values;
+    values.reserve(size_);
     for (std::size_t i = 0; i < size_; ++i) values.push_back(value(i));
     atlas::Dataset dataset = file_.create_dataset<T>(fmt::format("{}/{}", group_, name), {size_});
     dataset.template write<T>(values);

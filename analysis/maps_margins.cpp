@@ -75,6 +75,7 @@ void create_margins(File& file, const Findings& found, const Shape& shape, std::
 void create_exponent_check(File& file, const Findings& found, const Shape& shape,
                            std::span<const Dataset> axes) {
   std::vector<std::uint8_t> values;
+  values.reserve(found.exponent_check.size());
   for (const ExponentCheck check : found.exponent_check) values.push_back(static_cast<std::uint8_t>(check));
   Dataset dataset =
       create_map<std::uint8_t>(file, "exponent_check", shape, axes, values, "1",

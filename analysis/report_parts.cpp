@@ -222,7 +222,7 @@ std::vector<std::string> basin_sentences(const Findings& found) {
         std::find_if(basin, found.basins.end(), [&](const Basin& other) { return other.set != basin->set; });
     const std::size_t point = first[basin->set];
     auto place = place_text(found, point / speeds.size(), is_start_axis);
-    if (!place.empty()) place = ", " + place;
+    if (!place.empty()) place.insert(0, ", ");
     std::vector<std::string> parts;
     std::transform(basin, end, std::back_inserter(parts), basin_text);
     if (found.scene.blades.count > 1) append_shifted({basin, end}, parts);

@@ -86,7 +86,7 @@ class _Examination:
     """Compares the datasets of a file that lies on the axes of an atlas with these axes, once."""
 
     KINDS = {"status": "u", "restarted": "u", "failed_revolution": "i", "class": "u", "class_blade_passing": "u",
-             "attractor": "i"}
+             "attractor": "i", "grazing_side": "u"}
 
     def __init__(self, path, file):
         self.path, self.file = path, file

@@ -53,7 +53,8 @@ bool Evidence::fits(const Parameter& parameter, double value) const {
   // An optional axis with one value is the scene's own value, which has already been compared with the rotor.
   const bool in_every_atlas =
       std::ranges::count(settings::grid_axes(), parameter.name, &settings::GridAxis::name) > 0;
-  const bool own_value = !in_every_atlas && parameter.name != "direction" && parameter.values.size() == 1;
+  const bool own_value =
+      !in_every_atlas && parameter.name != plan::kDirectionAxis && parameter.values.size() == 1;
   const auto* quantity = settings::quantity_of_axis(parameter.name);
   const std::string_view pointer = quantity == nullptr ? std::string_view{} : quantity->pointer;
   return own_value || rotor_.agrees(pointer, value, rotor_.usual(parameter.name));

@@ -127,6 +127,7 @@ std::vector<FoundEdge> EdgeSearch::edges() const {
     return {edge_between(all.front().near, all.back().far, EdgeOutcome::divided)};
   }
   std::vector<FoundEdge> edges;
+  edges.reserve(all.size());
   for (const auto& [near, far] : all) {
     edges.push_back(edge_between(near, far, far == near + 1 ? EdgeOutcome::sharp : EdgeOutcome::slow));
   }
@@ -137,8 +138,10 @@ std::size_t EdgeSearch::expected_points() const {
   std::size_t expected = 0;
   if (points() >= kMostPoints) return expected;
   for (const std::size_t place : intervals()) {
-    for (double left = length(place); left > resolution_; left /= static_cast<double>(kDivision)) {
+    double left = length(place);
+    while (left > resolution_) {
       expected += kDivision - 1;
+      left /= static_cast<double>(kDivision);
     }
   }
   return expected;

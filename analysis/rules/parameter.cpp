@@ -25,7 +25,7 @@ Parameter parameter_of(const plan::Axis& axis) {
 }  // namespace
 
 std::string Parameter::value_text(double value) const {
-  if (name == "direction") return value == 0.0 ? "up" : "down";
+  if (name == plan::kDirectionAxis) return value == 0.0 ? "up" : "down";
   const auto number = fmt::format("{:.6g}", factor * value);
   return unit.empty() ? number : number + " " + unit;
 }

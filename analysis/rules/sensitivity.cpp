@@ -170,7 +170,7 @@ std::vector<Sensitivity> sensitivities(std::span<const Parameter> parameters,
                                        std::span<const LineSummary> lines, SpeedScale scale) {
   std::vector<Sensitivity> result;
   for (std::size_t axis = 0; axis < parameters.size(); ++axis) {
-    if (parameters[axis].values.size() < 2 || parameters[axis].name == "direction") continue;
+    if (parameters[axis].values.size() < 2 || parameters[axis].name == plan::kDirectionAxis) continue;
     for (const auto& start : lines) {
       if (start.parameters[axis] != parameters[axis].values.front()) continue;
       Sensitivity sensitivity{.parameter = axis, .fixed = fixed_text(parameters, axis, start)};

@@ -10,7 +10,7 @@ bool is_initial_axis(std::string_view name) {
 }
 
 bool is_start_axis(std::string_view name) {
-  return name == "direction" || is_initial_axis(name);
+  return name == plan::kDirectionAxis || is_initial_axis(name);
 }
 
 Starts::Starts(std::span<const plan::Axis> axes) {

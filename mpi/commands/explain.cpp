@@ -14,6 +14,7 @@
 #include "atlas/schema.hpp"
 #include "mpi/commands/estimate.hpp"
 #include "mpi/commands/explain_effects.hpp"
+#include "mpi/commands/explain_observables.hpp"
 #include "mpi/commands/explain_text.hpp"
 #include "mpi/commands/memory_need.hpp"
 #include "mpi/commands/notes.hpp"
@@ -359,6 +360,7 @@ std::string explain(const settings::Scene& scene, double measured_for, const Clo
   describe_machine(scene, text);
   describe_effects(scene, go_on, text);
   describe_kernel(scene, text);
+  describe_observables(scene, go_on, text);
   describe_grid(scene, grid, text);
   describe_file(scene, text);
   describe_time(scene, grid, cost, text);

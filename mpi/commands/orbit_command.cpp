@@ -24,8 +24,6 @@
 namespace rubatlas::mpi {
 namespace {
 
-constexpr std::string_view kDirection = "direction";
-
 /// The values of an axis next to a value that it does not have, for the message.
 std::string nearest_values(const std::vector<double>& values, double wanted) {
   const auto above = std::lower_bound(values.begin(), values.end(), wanted);
@@ -41,14 +39,14 @@ std::string no_such_point(const atlas::AtlasReader& atlas, const std::filesystem
   const auto values = plan::values_of(parameters);
   auto next = values.begin();
   for (const auto& axis : atlas.axes()) {
-    if (axis.name == kDirection) continue;
+    if (axis.name == plan::kDirectionAxis) continue;
     const double wanted = *next++;
     const bool present = std::any_of(axis.values.begin(), axis.values.end(), [&](double value) {
       return std::abs(value - wanted) <= kSame * std::max(std::abs(value), std::abs(wanted));
     });
     if (!present) {
       return fmt::format("{} has no point at {}={}; it has {}; {}", path.string(), axis.name, wanted,
-                         values_text(axis.values), nearest_values(axis.values, wanted));
+                         choices_text(axis.values), nearest_values(axis.values, wanted));
     }
   }
   return fmt::format("{} has no such point", path.string());
@@ -62,7 +60,7 @@ motion::PointStart stored_end(const settings::Scene& scene, const std::filesyste
   if (!difference.empty()) {
     throw UsageError(fmt::format("{} was made from another scene: {}", path.string(), difference));
   }
-  const bool both = atlas.axes().front().name == kDirection;
+  const bool both = atlas.axes().front().name == plan::kDirectionAxis;
   if (both && !place.direction) {
     throw UsageError(
         fmt::format("{} was swept both ways; add --at direction=up or --at direction=down", path.string()));

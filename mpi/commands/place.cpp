@@ -15,8 +15,6 @@
 namespace rubatlas::mpi {
 namespace {
 
-constexpr std::string_view kDirection = "direction";
-
 /// One "name=value" of the command line, checked against the table of quantities.
 struct Choice {
   std::string name;
@@ -28,7 +26,7 @@ std::vector<std::string_view> parameter_names(const std::vector<settings::Axis>&
   names.reserve(axes.size() + 1);
   for (const auto& axis : axes) names.push_back(axis.name);
   std::reverse(names.begin(), names.end());  // the speed ratio first
-  names.push_back(kDirection);
+  names.push_back(plan::kDirectionAxis);
   return names;
 }
 
@@ -53,7 +51,7 @@ Choice parse_choice(const std::string& text, const std::vector<settings::Axis>& 
         "{} {}: unknown name {}; names are {}; {}", option, text, choice.name, fmt::join(names, ", "),
         symbol.empty() ? fmt::format("nearest: {}", settings::nearest(choice.name, names)) : symbol));
   }
-  if (choice.name == kDirection) {
+  if (choice.name == plan::kDirectionAxis) {
     if (word != "up" && word != "down")
       throw UsageError(fmt::format("{} {}: direction is up or down", option, text));
     choice.value = word == "down" ? 1.0 : 0.0;
@@ -90,7 +88,7 @@ const Choice* find_choice(const std::vector<Choice>& choices, std::string_view n
 
 }  // namespace
 
-std::string values_text(const std::vector<double>& values) {
+std::string choices_text(const std::vector<double>& values) {
   constexpr std::size_t kFew = 10;
   if (values.size() <= kFew) return fmt::format("{}", fmt::join(values, ", "));
   return fmt::format("{} values from {} to {}", values.size(), values.front(), values.back());
@@ -104,7 +102,7 @@ Place place_of(const settings::Scene& scene, const std::vector<std::string>& at,
     const auto* choice = find_choice(choices, axis.name);
     if (choice == nullptr && axis.values.size() > 1) {
       throw UsageError(fmt::format("which {}? The grid has {}; add {} {}=VALUE", axis.name,
-                                   values_text(axis.values), option, axis.name));
+                                   choices_text(axis.values), option, axis.name));
     }
     values.push_back(choice != nullptr ? choice->value : axis.values.front());
   }
@@ -115,7 +113,7 @@ Place place_of(const settings::Scene& scene, const std::vector<std::string>& at,
         "{}: the blades do not fit into the ring there; radius must be hub_radius + length at least",
         option));
   }
-  if (const auto* choice = find_choice(choices, kDirection)) {
+  if (const auto* choice = find_choice(choices, plan::kDirectionAxis)) {
     place.direction = choice->value == 0.0 ? plan::Direction::up : plan::Direction::down;
   }
   return place;

@@ -23,6 +23,6 @@ struct Place {
 Place place_of(const settings::Scene& scene, const std::vector<std::string>& at, std::string_view option);
 
 /// The range of values, or all values where they are few.
-std::string values_text(const std::vector<double>& values);
+std::string choices_text(const std::vector<double>& values);
 
 }  // namespace rubatlas::mpi

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <functional>
-#include <numeric>
 #include <span>
 
 #include "atlas/hdf5.hpp"
@@ -31,12 +30,6 @@ class Writer {
   }
 
   Dataset scale(const observables::InnerAxis& axis) { return create_inner_scale(file_, axis); }
-
-  static std::vector<std::int32_t> counted(std::size_t count, std::int32_t first) {
-    std::vector<std::int32_t> values(count);
-    std::iota(values.begin(), values.end(), first);
-    return values;
-  }
 
   void words_of_settings(const std::string& name, const std::string& long_name,
                          std::string AccuracySetting::*member) {
@@ -223,16 +216,14 @@ void write_trajectories(Writer& writer, const settings::Scene& scene, const Accu
       [](const AccuracyPoint& point) { return point.horizon; });
   horizon.set_number("tolerance", study.horizon_tolerance);
   writer.starts();
-  const Dataset first =
-      writer.scale({"first_section", Writer::counted(longest(&AccuracyRun::first_sections), 1), "1",
-                    "revolutions since the point started"});
+  const Dataset first = writer.scale({"first_section", counted(longest(&AccuracyRun::first_sections), 1), "1",
+                                      "revolutions since the point started"});
   writer.sections("first_sections", "state at phase 0 after the first revolutions", first,
                   &AccuracyRun::first_sections);
   const std::size_t kept = longest(&AccuracyRun::last_sections);
   const int revolutions = scene.protocol.transient_revolutions + scene.protocol.sampled_revolutions;
-  const Dataset last =
-      writer.scale({"last_section", Writer::counted(kept, revolutions - static_cast<int>(kept) + 1), "1",
-                    "revolutions since the point started"});
+  const Dataset last = writer.scale({"last_section", counted(kept, revolutions - static_cast<int>(kept) + 1),
+                                     "1", "revolutions since the point started"});
   writer.sections("last_sections", "state at phase 0 after the last revolutions", last,
                   &AccuracyRun::last_sections);
 }

@@ -102,7 +102,8 @@ std::array<double, 4> AtlasReader::final_state(std::size_t point) const {
 std::optional<std::size_t> AtlasReader::find(const plan::PointParameters& parameters,
                                              plan::Direction direction) const {
   std::vector<double> wanted = plan::values_of(parameters);
-  if (axes_.front().name == "direction") wanted.insert(wanted.begin(), static_cast<double>(direction));
+  if (axes_.front().name == plan::kDirectionAxis)
+    wanted.insert(wanted.begin(), static_cast<double>(direction));
   if (wanted.size() != axes_.size()) return std::nullopt;
   std::size_t point = 0;
   for (std::size_t i = 0; i < axes_.size(); ++i) {

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <span>
 
 #include "atlas/hdf5.hpp"
@@ -46,12 +45,6 @@ class BranchColumns {
   std::string group_;
   const Dataset* axis_;
 };
-
-std::vector<std::int32_t> counted(std::size_t count, std::int32_t first) {
-  std::vector<std::int32_t> values(count);
-  std::iota(values.begin(), values.end(), first);
-  return values;
-}
 
 /// Inner axes that orbits and events share.
 struct StateScales {

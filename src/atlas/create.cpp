@@ -32,7 +32,7 @@ void create_grid_scales(File& file, const Schema& schema, Scales& scales) {
     scale.make_scale(axis.name);
     scale.set_text("units", axis.units);
     scale.set_text("long_name", axis.long_name);
-    if (axis.name == "direction") {
+    if (axis.name == plan::kDirectionAxis) {
       scale.set_numbers<double>("flag_values", axis.values);
       scale.set_text("flag_meanings", "up down");
     }

@@ -1,8 +1,16 @@
 #include "atlas/inner_scale.hpp"
 
+#include <numeric>
 #include <span>
 
 namespace rubatlas::atlas {
+
+std::vector<std::int32_t> counted(std::size_t count, std::int32_t first) {
+  std::vector<std::int32_t> values(count);
+  std::iota(values.begin(), values.end(), first);
+  return values;
+}
+
 namespace {
 
 template <Number T>

@@ -1,6 +1,5 @@
 #include "atlas/orbit_file.hpp"
 
-#include <numeric>
 #include <span>
 
 #include "atlas/hdf5.hpp"
@@ -26,13 +25,6 @@ void write_array(File& file, const std::string& name, const std::vector<double>&
   dataset.attach_scale(1, inner);
   dataset.set_text("units", units);
   dataset.set_text("long_name", long_name);
-}
-
-/// Consecutive numbers from `first` on, as the values of a scale.
-std::vector<std::int32_t> counted(std::size_t count, std::int32_t first) {
-  std::vector<std::int32_t> values(count);
-  std::iota(values.begin(), values.end(), first);
-  return values;
 }
 
 template <Number T>

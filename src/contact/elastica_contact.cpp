@@ -39,11 +39,20 @@ std::optional<double> ElasticBladeContact<Ring, kRelease>::solve(const Pose& at,
       step *= 0.5;
       at_low = function(step);
     } while (at_low <= 0.0 && step > high * 1e-12);
-    if (at_low <= 0.0) return 0.0;
+    if (at_low <= 0.0) return bending_at_ring(at, slip, high);
     low = step;
     if (function(2.0 * step) < 0.0) high = 2.0 * step;
   }
   return integrate::root_between(function, low, high, at_low, function(high));
+}
+
+template <class Ring, Release kRelease>
+double ElasticBladeContact<Ring, kRelease>::bending_at_ring(const Pose& at, double slip, double high) const {
+  const auto measure = [&](double bending) { return gap_per_deflection(at, slip, bending); };
+  const double at_zero = measure(0.0);
+  const double at_high = measure(high);
+  if (!(at_zero < 0.0 && at_high > 0.0)) return 0.0;
+  return integrate::root_between(measure, 0.0, high, at_zero, at_high);
 }
 
 template <class Ring, Release kRelease>

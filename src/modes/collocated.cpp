@@ -124,7 +124,7 @@ Collocated::Point Collocated::place_on_path(double share, observables::PathPoint
   const double from = arc_.fraction_at(piece_begin_);
   const double length = arc_.fraction_at(piece_end_) - from;
   const double fraction = from + share * length;
-  const Point there = arc_.point_at(fraction);
+  Point there = arc_.point_at(fraction);
   const collocation::Interval::Direction rate = arc_.direction_at(fraction);
   point.time = there.time;
   point.time_rate = length * rate.time;

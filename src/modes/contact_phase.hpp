@@ -171,7 +171,7 @@ class ContactPhase final : public observables::MotionPiece {
     const double from = fraction_at(segment_begin_);
     const double length = fraction_at(segment_limit_) - from;
     const double fraction = from + share * length;
-    const FullState full = step_.at_fraction(fraction);
+    FullState full = step_.at_fraction(fraction);
     point.time = full[rotor::kTime];
     point.time_rate = length * step_.slope(fraction, rotor::kTime);
     point.state = rotor::as_array(rotor::shaft(rotor::bodies(full)));

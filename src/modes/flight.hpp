@@ -326,7 +326,10 @@ class TouchdownSearch {
     std::optional<observables::Pass> nearest;
     const double h = row_->spacing();
     rotor::State state = flight.state(begin);
-    for (double time = begin; time < end; time += FlightRow::kTimes * h) {
+    const double row_length = FlightRow::kTimes * h;
+    const auto rows = static_cast<std::int64_t>(std::ceil((end - begin) / row_length));
+    for (std::int64_t number = 0; number < rows; ++number) {
+      const double time = begin + static_cast<double>(number) * row_length;
       flight.start_row(*row_, time, state, 0.0);
       const contact::BladeDirection first = blades_->first(time);
       for (int k = 0; k < blades_->count(); ++k) {

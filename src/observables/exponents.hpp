@@ -99,7 +99,8 @@ class Lyapunov final : public Observable {
     for (std::size_t i = 0; i < batches; ++i) {
       const std::size_t first = i * all.size() / batches;
       const std::size_t last = (i + 1) * all.size() / batches;
-      means.push_back(sum(all.subspan(first, last - first)) / (static_cast<double>(last - first) * period_));
+      means.emplace_back(sum(all.subspan(first, last - first)) /
+                         (static_cast<double>(last - first) * period_));
     }
     const auto count = static_cast<double>(batches);
     const Growth mean = sum(means) / count;

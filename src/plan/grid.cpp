@@ -32,8 +32,10 @@ PointParameters parameters_at(std::span<const double> values) {
 Grid::Grid(const settings::Scene& scene)
     : sweep_(scene.sweep), chained_(scene.sweep != settings::Sweep::independent) {
   if (sweep_ == settings::Sweep::both) {
-    axes_.push_back(
-        {"direction", {0.0, 1.0}, "1", "direction of the sweep along the speed ratio: 0 up, 1 down"});
+    axes_.push_back({std::string(kDirectionAxis),
+                     {0.0, 1.0},
+                     "1",
+                     "direction of the sweep along the speed ratio: 0 up, 1 down"});
   }
   for (auto& axis : settings::axes_of(scene)) {
     axes_.push_back({std::move(axis.name), std::move(axis.values), std::string(axis.quantity->unit),

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "settings/scene.hpp"
@@ -41,6 +42,9 @@ struct Axis {
   std::string units;
   std::string long_name;
 };
+
+/// Name of the axis of an atlas that is swept both ways.
+inline constexpr std::string_view kDirectionAxis = "direction";
 
 class Grid {
  public:

@@ -155,25 +155,26 @@ void TangentFlow::follow(observables::MotionPiece& piece) {
   const Eigen::Matrix<double, 2, kSize> velocity = tangents_.bottomRows<2>();
   const double damping = 2.0 * free_.damping_ratio();
 
-  constexpr int kUnknowns = 2 * kStages;
+  constexpr Eigen::Index kUnknowns = 2 * kStages;
   Eigen::Matrix<double, kUnknowns, kUnknowns> matrix =
       Eigen::Matrix<double, kUnknowns, kUnknowns>::Identity();
   Eigen::Matrix<double, kUnknowns, kSize> right;
-  for (int i = 0; i < kStages; ++i) {
+  for (Eigen::Index i = 0; i < kStages; ++i) {
     const auto of_force = stiffness_.along_path(points[static_cast<std::size_t>(i)], scale);
     if (!of_force || !of_force->allFinite()) return loses_track();
     const Eigen::Matrix2d stiffness = force_unit_ * *of_force - time_rate[i] * Eigen::Matrix2d::Identity();
     const Eigen::Matrix2d resistance = (damping * time_rate[i]) * Eigen::Matrix2d::Identity();
-    for (int j = 0; j < kStages; ++j) {
+    for (Eigen::Index j = 0; j < kStages; ++j) {
       matrix.block<2, 2>(2 * i, 2 * j) -=
           of_acceleration(i, j) * stiffness - method.integral(i, j) * resistance;
     }
     right.middleRows<2>(2 * i) = stiffness * (place + elapsed[i] * velocity) - resistance * velocity;
   }
   const Eigen::Matrix<double, kUnknowns, kSize> acceleration = matrix.partialPivLu().solve(right);
-  for (int i = 0; i < kStages; ++i) {
+  for (Eigen::Index i = 0; i < kStages; ++i) {
     Eigen::Matrix<double, 2, kSize> there = velocity;
-    for (int j = 0; j < kStages; ++j) there += method.integral(i, j) * acceleration.middleRows<2>(2 * j);
+    for (Eigen::Index j = 0; j < kStages; ++j)
+      there += method.integral(i, j) * acceleration.middleRows<2>(2 * j);
     tangents_.topRows<2>() += (method.weight[i] * time_rate[i]) * there;
     tangents_.bottomRows<2>() += method.weight[i] * acceleration.middleRows<2>(2 * i);
   }

@@ -96,6 +96,16 @@ TEST(Explain, ListsEveryEffectWithWhatItCostsAndWhetherFlightStaysExact) {
   });
 }
 
+TEST(Explain, SaysWhatEachObservableAddsToTheTime) {
+  const std::string text = explained(R"({"grid": {"speed_ratio": 0.36},
+    "observables": ["poincare", "spectrum", "lyapunov"]})",
+                                     "1");
+  if (holds(line_of(text, "each"), "motions take too long")) return;  // a matter of the clock
+  EXPECT_TRUE(holds(line_of(text, "each"), "measured: what it alone adds")) << text;
+  EXPECT_TRUE(holds(line_of(text, "poincare"), "next to nothing")) << text;
+  EXPECT_TRUE(holds(line_of(text, "lyapunov"), " %")) << "four tangents are not for nothing: " << text;
+}
+
 /// Explained with the sections, without time to measure anything.
 std::string explained_at_once(const std::string& sections) {
   const auto scene = settings::parse_scene(

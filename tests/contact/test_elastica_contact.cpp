@@ -184,6 +184,22 @@ TEST(ElasticaContact, ForceIsFiniteAtTouchDownOnTheRecedingSide) {
   }
 }
 
+TEST(ElasticaContact, ForceSetsInAsFarPastTopDeadCentreHoweverLittleThatIs) {
+  // At g = 0 the force is in proportion to the distance from top dead centre, also where h rises by less than
+  // g is known by before it falls.
+  const ElasticaContact law = kDefaultRotor.contact(0.1);
+  const auto force = [&](double lateral, double gap) {
+    const Pose at{0.01, -lateral, 0.0, 0.0, gap};
+    const auto root = law.solve(at, 1.0);
+    return root ? law.constraint(at, 1.0, *root, 0.3).force.normal : -1.0;
+  };
+  const double per_lateral = force(1e-7, 0.0) / 1e-7;
+  EXPECT_GT(per_lateral, 0.0);
+  for (const double lateral : {1e-8, 4e-10, 1e-12})
+    EXPECT_NEAR(force(lateral, -1e-18), per_lateral * lateral, 1e-3 * per_lateral * lateral) << lateral;
+  EXPECT_EQ(force(0.0, -1e-18), 0.0) << "head-on the force sets in from zero";
+}
+
 TEST(ElasticaContact, ColumnJumpsToTheEulerLoadAtTouchDown) {
   const ElasticaContact law = kDefaultRotor.contact(0.0);
   for (const double lateral : {0.0, 1e-3}) {

@@ -145,6 +145,24 @@ point::PointOutcome locked_whirl(double depth) {
   return outcome;
 }
 
+TEST(Grazing, ATipThatTouchesAHairPastTopDeadCentreIsPressedIn) {
+  // Half a nanometre past: the force sets in with 1e-5 N, by less than the rounding of the gap.
+  settings::Scene scene = default_rotor(1);
+  scene.rotor.damping_ratio = 0.06;
+  for (const auto method : {settings::Method::hybrid, settings::Method::collocation}) {
+    for (const double tolerance : {1e-8, 1e-9, 1e-10, 1e-11}) {
+      scene.accuracy = {.method = method, .tolerance = tolerance};
+      const auto outcome = run(
+          scene, 0.68770856507230261,
+          {-0.00037071892797697713, -0.0024190551723511453, 5.656755988111379e-05, -0.0014636350087912776});
+      expect_an_honest_end(scene, outcome);
+      EXPECT_EQ(outcome.status, point::PointStatus::done);
+      EXPECT_EQ(outcome.work.touchdowns, 3);
+      EXPECT_NEAR(outcome.final_state[0], 1.77006612e-4, 1e-10) << tolerance;
+    }
+  }
+}
+
 TEST(Grazing, ABladeThatStaysJustBelowTheRingNeverTouchesAtLittleCost) {
   // Bounds on slope and curvature give steps that shrink with the distance; that the amplitude does not grow
   // is what ends the search.
