@@ -336,6 +336,8 @@ class TouchdownSearch {
         const contact::Geometry& geometry = law_->of(k).geometry();
         const auto [gap, rate] = row_->gaps(geometry, blades_->direction(k, first));
         const auto gap_at = [&](double miss) { return miss * (miss - 2.0 * geometry.ring_radius); };
+        // A gap that has no room to grow so far on either side of any of the times: mostly.
+        if ((gap + h * rate.abs()).maxCoeff() <= gap_at(std::min(known, geometry.ring_radius))) continue;
         const contact::Pose at = pose(geometry, k, time, state);
         double gap_before = at.gap;
         double rate_before = contact::gap_rate(geometry, at, rotor_->speed_ratio);

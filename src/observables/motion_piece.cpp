@@ -14,10 +14,10 @@ double MotionPiece::largest_displacement(double known, double speed_ratio) {
 }
 
 std::optional<Pass> MotionPiece::nearest_pass(double known, const PointConstants& point) {
-  constexpr int kLeastIntervals = 2;  // a push of a contact is short
+  // A step in contact is short, and its ends cost little to read.
   const double length = end() - begin();
   const double spacing = spacing_of_distances(point.speed_ratio);
-  const int intervals = std::max(kLeastIntervals, static_cast<int>(std::ceil(length / spacing)));
+  const int intervals = std::max(1, static_cast<int>(std::ceil(length / spacing)));
   std::optional<Pass> nearest;
   for (int k = 0; k < point.blade_count; ++k) {
     bool touches = false;
