@@ -61,18 +61,32 @@ def draw_curve(branch, figure):
     return f"curve of {branch.attribute('curve').replace('_', ' ')}"
 
 
+def stretches(stable, parameter, values, events):
+    """(stable or not, parameter, value) of each stretch of one stability; neighbours meet at the bifurcation between them."""
+    begins = [0, *(1 + np.flatnonzero(stable[1:] != stable[:-1])), len(stable)]
+    joints = []
+    for after in begins[1:-1]:
+        low, high = sorted(parameter[after - 1:after + 1])
+        between = [*events[(events >= low) & (events <= high)], 0.5 * (low + high)][0]
+        share = (between - parameter[after - 1]) / (parameter[after] - parameter[after - 1] or 1.0)
+        joints.append(([between], [values[after - 1] + share * (values[after] - values[after - 1])]))
+    for number, (first, end) in enumerate(zip(begins[:-1], begins[1:])):
+        parts = [*joints[max(0, number - 1):number], (parameter[first:end], values[first:end]), *joints[number:number + 1]]
+        yield stable[first], *(np.concatenate(part) for part in zip(*parts))
+
+
 def draw_branch(branch, figure):
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(3, 2))
     number, stable = branch["branch"], branch["stability"] == 1
     parameter, size = branch["parameter"], size_of(branch["section"])
+    events = branch["events/parameter"] if "events/kind" in branch else np.array([])
     largest = np.hypot(*np.moveaxis(branch["multipliers"][:, 0], -1, 0))
     for which in np.unique(number):
+        here = number == which
         colour = style.CYCLE[int(which) % len(style.CYCLE)]
-        for of_kind, line, width in ((stable, "-", 1.8), (~stable, ":", 1.1)):
-            here = number == which
-            for panel, values in ((upper, size), (lower, largest)):
-                panel.plot(np.where(here & of_kind, parameter, np.nan)[here], np.where(of_kind, values, np.nan)[here],
-                           line, color=colour, lw=width)
+        for panel, values in ((upper, size), (lower, largest)):
+            for is_stable, along, value in stretches(stable[here], parameter[here], values[here], events):
+                panel.plot(along, value, "-" if is_stable else ":", color=colour, lw=1.8 if is_stable else 1.1)
     if "events/kind" in branch:
         kinds, where = branch["events/kind"], branch["events/parameter"]
         sizes = size_of(branch["events/section"])

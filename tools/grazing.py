@@ -24,7 +24,7 @@ SPEED_RATIO, DAMPING, NATURAL_FREQUENCY = 0.5, 0.1, 10.0
 RING, REACH, MISALIGNMENT = 0.11, 0.1, 0.01001  # R, rh + L, y0 [m]: the default rotor (src/model.md, 6.1)
 SIDES = {"approaching": (1e-3, style.BLUE, "o"), "head-on": (0.0, style.GREEN, "s"), "receding": (-1e-3, style.VERMILION, "^")}
 LAWS = {"elastica": "elastic blades", "elastic_ring": "rigid blades, elastic ring"}
-DEPTHS = np.logspace(-6, -13, 15)  # [m]
+DEPTHS = np.logspace(-6, -12, 13)  # [m]; below it the kicks of a ring that yields are lost in rounding
 GRAZING_TIME = 0.5 * np.pi / SPEED_RATIO  # the blade points along y
 
 

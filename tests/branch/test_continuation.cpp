@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "branch/continuation.hpp"
@@ -73,6 +74,54 @@ TEST(Branch, OfThePeriodOneMotionBelowRegionTwoEndsByGrazingOnTheRecedingSide) {
   EXPECT_LT(grazing->orbit.quantities[0], 0.440) << "and no longer there";
   EXPECT_EQ(grazing->side, observables::GrazingSide::receding);
   EXPECT_LT(grazing->uncertainty, 1e-8);
+}
+
+/// A stretch of orbits of which every one closes.
+void expect_closed_orbits(const branch::Branch& branch) {
+  for (const branch::Orbit& orbit : branch.orbits) {
+    const auto& end = orbit.map.sections.back();
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(end[i], orbit.section[i], 2e-12 * 0.01);
+  }
+}
+
+TEST(Branch, GoesOnThroughAGrazingOnTheApproachingSideAndAroundTheFoldBehindIt) {
+  // Near 1/3 the motion doubles its period, unstable orbits go on through a grazing and turn back right
+  // behind.
+  const AlongSpeed below(followed_rotor(), 0.29, 0.34);
+  ASSERT_TRUE(below.start);
+  expect_closed_orbits(below.branch);
+  std::vector<EventKind> kinds;
+  for (const auto& event : below.branch.events) kinds.push_back(event.kind);
+  ASSERT_GE(kinds.size(), 4U);
+  EXPECT_EQ((std::vector<EventKind>(kinds.begin(), kinds.begin() + 4)),
+            (std::vector<EventKind>{EventKind::period_doubling, EventKind::period_doubling,
+                                    EventKind::grazing, EventKind::fold}));
+  const auto& events = below.branch.events;
+  EXPECT_EQ(events[2].side, observables::GrazingSide::approaching);
+  const double grazing = events[2].orbit.quantities[0];
+  const double fold = events[3].orbit.quantities[0];
+  EXPECT_GT(fold, grazing);
+  EXPECT_LT(fold - grazing, 1e-5);
+  EXPECT_NEAR(events[3].orbit.multipliers[0].real(), 1.0, 1e-3) << "at a fold a multiplier is one";
+  const auto farthest = std::ranges::max_element(
+      below.branch.orbits, {}, [](const branch::Orbit& orbit) { return orbit.quantities[0]; });
+  EXPECT_LE(farthest->quantities[0], fold + 1e-12) << "no orbit beyond the fold";
+  EXPECT_LT(below.branch.orbits.back().quantities[0], fold) << "the branch has turned back";
+}
+
+TEST(Branch, OfManyBladesAndWithLittleDampingHoldsOrbitsThatClose) {
+  settings::Scene many = followed_rotor();
+  many.blades.count = 50;
+  many.contact.law = settings::ContactLaw::elastic_ring;
+  settings::Scene light = followed_rotor();
+  light.rotor.damping_ratio = 0.03;
+  light.contact.law = settings::ContactLaw::elastic_ring;
+  for (const auto& [scene, from, to] : {std::tuple{many, 0.6, 0.62}, std::tuple{light, 0.25, 0.24}}) {
+    const AlongSpeed along(scene, from, to);
+    ASSERT_TRUE(along.start) << scene.blades.count << " blades";
+    ASSERT_GT(along.branch.orbits.size(), 2U);
+    expect_closed_orbits(along.branch);
+  }
 }
 
 TEST(Branch, ATestFunctionChangesItsSignWhereAMultiplierPassesTheCircle) {

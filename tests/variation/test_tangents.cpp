@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "../support/point.hpp"
-#include "rotor/constants.hpp"
+#include "../support/section_differences.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -28,31 +28,6 @@ settings::Scene on_elastic_ring() {
 /// A state that the rotor reaches at a speed after some revolutions from rest.
 motion::SectionState reached(point::LineSolver& solver, double speed_ratio, int revolutions) {
   return solver.section_map(speed_ratio, {}, revolutions).sections.back();
-}
-
-/// Central differences of the section map, of order 4, and the estimate of their error.
-struct Differences {
-  Eigen::Matrix4d jacobian;
-  double error;
-};
-Differences differences(point::LineSolver& solver, double speed_ratio, const motion::SectionState& start,
-                        int revolutions, double step) {
-  const auto along = [&](double size) {
-    Eigen::Matrix4d jacobian;
-    for (int column = 0; column < 4; ++column) {
-      const auto moved = [&](double by) {
-        motion::PointStart from = start;
-        from.state[static_cast<std::size_t>(column)] += by;
-        return rotor::as_state(solver.section_map(speed_ratio, from, revolutions).sections.back());
-      };
-      const rotor::State near = moved(size) - moved(-size);
-      const rotor::State far = moved(2.0 * size) - moved(-2.0 * size);
-      jacobian.col(column) = ((8.0 * near - far) / (12.0 * size)).matrix();
-    }
-    return jacobian;
-  };
-  const Eigen::Matrix4d fine = along(step);
-  return {fine, (fine - along(0.5 * step)).norm() / fine.norm()};
 }
 
 TEST(Tangents, AreTheDerivativeOfTheSectionMap) {
