@@ -34,6 +34,7 @@ constexpr double kShare = 0.1;
 std::size_t axis_of(const std::vector<settings::Axis>& axes, const std::string& name,
                     std::string_view option) {
   std::vector<std::string_view> names;
+  names.reserve(axes.size());
   for (const auto& axis : axes) names.push_back(axis.name);
   const auto found = std::ranges::find_if(
       axes, [&](const settings::Axis& axis) { return axis.name == name || axis.quantity->pointer == name; });

@@ -155,7 +155,7 @@ void TangentFlow::follow(observables::MotionPiece& piece) {
   const Eigen::Matrix<double, 2, kSize> velocity = tangents_.bottomRows<2>();
   const double damping = 2.0 * free_.damping_ratio();
 
-  constexpr Eigen::Index kUnknowns = 2 * kStages;
+  constexpr Eigen::Index kUnknowns = Eigen::Index{2} * kStages;
   Eigen::Matrix<double, kUnknowns, kUnknowns> matrix =
       Eigen::Matrix<double, kUnknowns, kUnknowns>::Identity();
   Eigen::Matrix<double, kUnknowns, kSize> right;

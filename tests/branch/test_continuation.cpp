@@ -91,6 +91,7 @@ TEST(Branch, GoesOnThroughAGrazingOnTheApproachingSideAndAroundTheFoldBehindIt) 
   ASSERT_TRUE(below.start);
   expect_closed_orbits(below.branch);
   std::vector<EventKind> kinds;
+  kinds.reserve(below.branch.events.size());
   for (const auto& event : below.branch.events) kinds.push_back(event.kind);
   ASSERT_GE(kinds.size(), 4U);
   EXPECT_EQ((std::vector<EventKind>(kinds.begin(), kinds.begin() + 4)),
