@@ -92,7 +92,8 @@ TEST_P(EnergyBalance, OfAPeriodicMotionClosesToNineDigits) {
   const std::size_t last = static_cast<std::size_t>(c.revolutions) - 1;
   bool repeats = false;
   for (std::size_t k = 1; k <= last; ++k)
-    repeats |= largest_difference(section(sections, k), first) < 1e-11 && c.revolutions % k == 0;
+    repeats |=
+        largest_difference(section(sections, k), first) < 1e-11 && c.revolutions % static_cast<int>(k) == 0;
   ASSERT_TRUE(repeats);
   ASSERT_GT(rows.at("touchdowns_per_revolution")[0], 0.0);
 
