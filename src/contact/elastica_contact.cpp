@@ -39,7 +39,7 @@ std::optional<double> ElasticBladeContact<Ring, kRelease>::solve(const Pose& at,
       step *= 0.5;
       at_low = function(step);
     } while (at_low <= 0.0 && step > high * 1e-12);
-    if (at_low <= 0.0) return bending_at_ring(at, slip, high);
+    if (at_low <= 0.0) return at.gap >= -kGapRounding ? bending_at_ring(at, slip, high) : 0.0;
     low = step;
     if (function(2.0 * step) < 0.0) high = 2.0 * step;
   }
