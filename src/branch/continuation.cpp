@@ -12,9 +12,9 @@
 namespace rubatlas::branch {
 namespace {
 
-constexpr double kClosed = 1e-12;      ///< of the clearance: what may be left of P^k(z) − z
-constexpr double kFirstStep = 1e-3;    ///< arclength, scaled
-constexpr double kLongestStep = 0.05;  ///< likewise
+constexpr double kClosed = 1e-12;        ///< of the clearance: what may be left of P^k(z) − z
+constexpr double kFirstStep = 1e-3;      ///< arclength, scaled
+constexpr double kLongestStep = 0.05;    ///< likewise
 constexpr double kLongestOnCurve = 0.5;  ///< a curve has no bifurcations to be stepped over
 constexpr double kShortestStep = 1e-9;
 constexpr int kMostIterations = 8;

@@ -481,7 +481,7 @@ class TouchdownSearch {
       const double miss = std::min(known, radius);
       if (rate_before > 0.0 && rate <= 0.0 && highest > miss * (miss - 2.0 * radius)) {
         const double from = row.begin + i * h;
-        const double guess = from + h * rate_before / (rate_before - rate);
+        const double guess = from + h * top_of_cubic({gap_before, rate_before}, {gap, rate}, h);
         if (const auto pass = pass_between(flight, blade, {from, from + h, guess}, end, known)) {
           nearest = pass;
           known = pass->miss;
@@ -491,6 +491,16 @@ class TouchdownSearch {
       rate_before = rate;
     }
     return nearest;
+  }
+
+  /// Share of the time h between two values with their slopes, the first of which rises and the second falls,
+  /// where the cubic through them is largest.
+  static double top_of_cubic(const integrate::ValueAndSlope& first, const integrate::ValueAndSlope& second,
+                             double h) {
+    const double mean = (second.value - first.value) / h;
+    const double square = 3.0 * (first.slope + second.slope - 2.0 * mean);
+    const double linear = 6.0 * mean - 4.0 * first.slope - 2.0 * second.slope;
+    return 2.0 * first.slope / (std::sqrt(linear * linear - 4.0 * square * first.slope) - linear);
   }
 
   /// Two times between which a tip's radius has its one maximum, and about when.
@@ -520,7 +530,7 @@ class TouchdownSearch {
       between.to = end;
       between.guess = std::min(between.guess, 0.5 * (between.from + end));
     }
-    constexpr double kClosest = 1e-5;  // of the time between: a maximum is flat
+    constexpr double kClosest = 1e-6;  // of the time between: the error left is of the second order of that
     const double time = integrate::newton_between(rate, between.from, between.to, between.guess, false,
                                                   kClosest * (between.to - between.from));
     const observables::Tip top = tip(flight, blade, time);

@@ -68,10 +68,13 @@ class LightestTouch final : public Observable {
     lightest_.reset();
     std::ranges::fill(open_, std::nullopt);
   }
-  void touch_down(int blade) override { open_[static_cast<std::size_t>(blade)] = Touch{0.0, 0.0}; }
+  void touch_down(int blade) override { open_[static_cast<std::size_t>(blade)] = Touch{kUnseen, 0.0}; }
   void lift_off(int blade) override {
     std::optional<Touch>& touch = open_[static_cast<std::size_t>(blade)];
-    if (touch && (!lightest_ || touch->depth < lightest_->depth)) lightest_ = touch;
+    if (touch && touch->depth > kUnseen) {
+      touch->depth = std::max(touch->depth, 0.0);  // of a tip that barely touches it may be rounded
+      if (!lightest_ || touch->depth < lightest_->depth) lightest_ = touch;
+    }
     touch.reset();
   }
   void piece(MotionPiece& piece) override {
@@ -90,6 +93,8 @@ class LightestTouch final : public Observable {
   [[nodiscard]] const std::optional<Touch>& lightest() const { return lightest_; }
 
  private:
+  static constexpr double kUnseen = -std::numeric_limits<double>::infinity();
+
   std::vector<std::optional<Touch>> open_;  ///< of each blade, the contact that it is in since its touch-down
   std::optional<Touch> lightest_;
 };
