@@ -137,8 +137,8 @@ TEST(FlightSamples, TheTipThatPassesTheRingNearestIsTheSameInRowsOfTimesAndBySta
       if (!found) continue;
       ++passes;
       EXPECT_NEAR(found->miss, expected->miss, 1e-14 * kSize);
-      // Where a maximum lies is known to the root of the rounding of its value, and to the cube root where its
-      // curvature vanishes, as it nearly does in one of these flights.
+      // Where a maximum lies is known to the root of the rounding of its value, and to the cube root where
+      // its curvature vanishes, as it nearly does in one of these flights.
       EXPECT_NEAR(found->side, expected->side, 1e-6 * kSize);
       EXPECT_FALSE(piece.nearest_pass(0.999 * found->miss, point)) << "nothing passes nearer";
     }
