@@ -132,10 +132,12 @@ function rangeOf(arrays, share = 0.05) {
   return [low - share * (high - low), high + share * (high - low)];
 }
 
+const powerOfTen = (exponent) => (Number.isInteger(exponent) ? `10${[...String(exponent)].map((digit) => (digit === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit])).join('')}` : '');
+
 class Chart {
-  /// `name` of the exported files; `height` in pixels; `equal`: one scale for both axes.
-  constructor(holder, {name, xLabel, yLabel, height = 250, equal = false, xTicks = null, yTicks = null, click = null}) {
-    Object.assign(this, {holder, name, xLabel, yLabel, height, equal, xTicks, yTicks, click});
+  /// `name` of the exported files; `height` in pixels; `equal`: one scale for both axes; `decades`: y is a power of ten.
+  constructor(holder, {name, xLabel, yLabel, height = 250, equal = false, xTicks = null, yTicks = null, decades = false, click = null}) {
+    Object.assign(this, {holder, name, xLabel, yLabel, height, equal, xTicks, yTicks, decades, click});
     this.layers = [];
     this.view = {x: [0, 1], y: [0, 1]};
     this.zoomed = null;
@@ -148,7 +150,7 @@ class Chart {
       scale: side, stroke: () => quiet(), label, labelSize: 20, labelFont: '12px system-ui, sans-serif', font: '11px system-ui, sans-serif', size: side === 'x' ? 34 : 52,
       grid: {stroke: () => rule(), width: 1}, ticks: {stroke: () => rule(), width: 1, size: 4}, space: side === 'x' ? 60 : 32,
       splits: ticks ? () => ticks.places : undefined,
-      values: ticks ? (chart, splits) => splits.map((at) => ticks.words[ticks.places.indexOf(at)]) : (chart, splits) => splits.map((value) => shown(value, 6)),
+      values: ticks ? (chart, splits) => splits.map((at) => ticks.words[ticks.places.indexOf(at)]) : (chart, splits) => splits.map((value) => (side === 'y' && this.decades ? powerOfTen(value) : shown(value, 6))),
     };
   }
   build() {

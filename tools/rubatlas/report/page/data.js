@@ -101,7 +101,8 @@ const CLASSES = [
   [5, 16, 'period 5 to 16', PURPLE], [254, 254, 'unresolved', '#a0a0a0'], [255, 255, 'aperiodic', '#1a1a2e']];
 /// What a flag is drawn in: words and colours of the values that occur.
 function flagColours(map) {
-  if (map.name.startsWith('class')) return CLASSES;
+  // On a dark ground the darkest class is indigo.
+  if (map.name.startsWith('class')) return dark.matches ? CLASSES.map((entry) => (entry[0] === 255 ? [255, 255, entry[2], '#5f5fa8'] : entry)) : CLASSES;
   if (map.name === 'status') return [[1, 1, 'done', '#c6e2f5'], ...Object.entries(MISSING).map(([value, [colour, word]]) => [+value, +value, word, colour])];
   return Object.entries(map.flags).map(([value, word], index) => [+value, +value, word, ['#d9dde3', ...CYCLE][index % 7]]);
 }

@@ -13,13 +13,14 @@ function firstState() {
     const usual = atlas.scene[section]?.[key] ?? axis.values[0];
     return axis.values.reduce((best, value, at) => (Math.abs(value - usual) < Math.abs(axis.values[best] - usual) ? at : best), 0);
   });
-  // The point of largest displacement on the scene's own line says more than the corner of the map.
-  const all = values.max_displacement;
+  // The periodic motion of largest displacement on the scene's own line says more than the corner of the map.
+  const size = (index) => {
+    const point = pointAt([...state.place.slice(0, SPEED), index]);
+    const periodic = !values.class || (values.class[point] >= 1 && values.class[point] <= 16);
+    return values.status[point] === 1 && periodic && values.max_displacement ? values.max_displacement[point] : -1;
+  };
   let best = Math.floor(sizes[SPEED] / 2);
-  for (let i = 0; all && i < sizes[SPEED]; ++i) {
-    const at = (index) => { const value = all[pointAt([...state.place.slice(0, SPEED), index])]; return Number.isNaN(value) ? -1 : value; };
-    if (at(i) > at(best)) best = i;
-  }
+  for (let i = 0; i < sizes[SPEED]; ++i) if (size(i) > size(best)) best = i;
   state.place[SPEED] = best;
 }
 function readAddress() {

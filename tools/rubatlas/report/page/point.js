@@ -89,8 +89,7 @@ class PointView {
   constructor(state) {
     this.state = state;
     this.charts = {};
-    const holder = byId('charts');
-    const add = (key, heading, origin, options) => {
+    const add = (key, heading, origin, options, holder = byId('charts')) => {
       const box = element('div', {class: 'plot'});
       const buttons = element('span', {class: 'export'});
       const badge = element('span', {class: `badge ${origin === COMPUTED ? 'computed' : ''}`, text: origin});
@@ -104,7 +103,7 @@ class PointView {
     };
     const speed = labelOf(axes[SPEED]);
     if (atlas.lines.poincare) {
-      add('bifurcation', 'Sections over the speed', FROM_ATLAS, {xLabel: speed, yLabel: 'x at the sections [mm]', click: (x) => this.walkTo?.(x)});
+      add('bifurcation', 'Sections over the speed', FROM_ATLAS, {xLabel: speed, yLabel: 'x at the sections [mm]', click: (x) => this.walkTo?.(x)}, byId('line-charts'));
       const choose = element('select', {'aria-label': 'component of the sections', onchange: (event) => { this.component = Number(event.target.value); this.drawLine(); }},
         element('option', {value: 0, text: 'x'}), element('option', {value: 1, text: 'y'}));
       this.charts.bifurcation.card.querySelector('.bar').insertBefore(choose, this.charts.bifurcation.badge);
@@ -112,7 +111,7 @@ class PointView {
     add('poincare', 'Poincaré section', FROM_ATLAS, {xLabel: 'x [mm]', yLabel: 'y [mm]', equal: true});
     add('orbit', 'Orbit of the shaft', COMPUTED, {xLabel: 'x [mm]', yLabel: 'y [mm]', equal: true});
     add('forces', 'Forces on the blades', COMPUTED, {xLabel: 'Revolutions', yLabel: 'Normal force [N]'});
-    add('spectrum', 'Spectrum of x', FROM_ATLAS, {xLabel: 'Order: multiple of the speed of rotation', yLabel: 'Amplitude [mm], powers of ten'});
+    add('spectrum', 'Spectrum of x', FROM_ATLAS, {xLabel: 'Order: multiple of the speed of rotation', yLabel: 'Amplitude [mm]', decades: true});
     if (atlas.lines.spectrum) add('waterfall', 'Waterfall: spectrum over the speed', FROM_ATLAS, {xLabel: speed, yLabel: 'Frequency over natural frequency', click: (x) => this.walkTo?.(x)});
     this.component = 0;
     this.result = null;
@@ -134,7 +133,7 @@ class PointView {
     badge.classList.toggle('computed', Boolean(own));
     const pairs = [];
     const coordinates = own ? OWN.map(({name, symbol, units, long}) => [`${long} ${symbol}`, withUnits(own[name], units, 6)])
-      : axes.map((axis, i) => [`${capital(words(axis.name))} ${axis.symbol}`.trim(), axis.name === 'direction' ? axisWord(axis, this.state.place[i]) : withUnits(axis.values[this.state.place[i]], axis.units, 6)]);
+      : axes.map((axis, i) => [`${capital(words(axis.name))} ${axis.symbol}`.trim(), axis.name === 'direction' ? axisWord(axis, this.state.place[i]) : withUnits(axis.values[this.state.place[i]], axis.units, 6)]).reverse();
     if (own) {
       const result = this.result;
       if (result && !result.orbit) pairs.push(['Status', result.error]);
@@ -321,8 +320,8 @@ class PointView {
     const layers = [];
     if (orbit) {
       const clearance = 1e3 * (wanted.ring_radius - wanted.hub_radius - wanted.blade_length);
-      if (clearance > 0) layers.push({kind: 'circle', x: 0, y: -1e3 * wanted.misalignment, radius: clearance, colour: quiet(), width: 1, dash: [5, 4]});
       layers.push({kind: 'line', x, y, colour: strong(), width: 1});
+      if (clearance > 0) layers.push({kind: 'circle', x: 0, y: -1e3 * wanted.misalignment, radius: clearance, colour: ink(), width: 1.2, dash: [5, 4]});
     }
     this.orbitLayers = layers;
     const [rangeX, rangeY] = [rangeOf([x], 0.12), rangeOf([y], 0.12)];
@@ -373,5 +372,5 @@ const OWN = [
   {name: 'friction', symbol: 'μ', long: 'Friction', units: '-', axis: 'friction', low: () => 0, high: () => 1, limit: [0, 2]},
   {name: 'unbalance', symbol: 'me', long: 'Unbalance', units: 'kg m', axis: 'unbalance', low: () => 0, high: (value) => Math.max(1e-4, 2 * value), limit: [0, 1e6]},
   {name: 'thickness', symbol: 'h', long: 'Thickness', units: 'm', axis: 'thickness', low: (value) => value / 4, high: (value) => 3 * value, limit: [1e-9, 1e3]},
-  {name: 'misalignment', symbol: 'y0', long: 'Misalignment', units: 'm', axis: 'rotor_misalignment', low: (value) => 0.9 * value, high: (value) => 1.1 * value, limit: [-1e3, 1e3]},
+  {name: 'misalignment', symbol: 'y0', long: 'Misalignment', units: 'm', axis: 'rotor_misalignment', low: (value) => 0.95 * value, high: (value) => 1.05 * value, limit: [-1e3, 1e3]},
 ];
