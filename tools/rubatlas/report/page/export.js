@@ -10,7 +10,7 @@ function save(name, blob) {
   document.body.append(link);
   link.click();
   link.remove();
-  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
 }
 /// Columns as text, with a decimal point and all digits whatever the locale.
 function csvText(columns) {

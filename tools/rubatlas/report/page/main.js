@@ -64,7 +64,7 @@ function withTransient(wanted, needed, mayStop = false) {
 let asked = 0, running = false, again = false;
 /// Computes what is selected; while an answer is on its way only the last question counts.
 async function compute() {
-  if (computer.why) { view.showComputed(null); return; }
+  if (computer.why) { view.showComputed(null); document.documentElement.dataset.computed = ++asked; return; }
   if (running) { again = true; return; }
   running = true;
   do {
