@@ -262,7 +262,10 @@ class PointView {
     if (computed) layers.push({kind: 'dots', ...computed, colour: VERMILION, size: 3});
     const {chart, note, badge} = this.charts.poincare;
     const x = layers.flatMap((layer) => [layer.x]), y = layers.flatMap((layer) => [layer.y]);
-    const around = (all) => { const [low, high] = rangeOf(all, 0.15); const least = 1e-6; return high - low < least ? [(low + high) / 2 - least, (low + high) / 2 + least] : [low, high]; };
+    // Sections of a periodic motion are one dot: the width of the picture is a share of their distance from rest, not of rounding.
+    const size = [...x, ...y].reduce((most, all) => all.reduce((a, b) => Math.max(a, Math.abs(b)), most), 0);
+    const least = Math.max(1e-2 * size, 1e-9);
+    const around = (all) => { const [low, high] = rangeOf(all, 0.15); return high - low < least ? [(low + high) / 2 - least, (low + high) / 2 + least] : [low, high]; };
     chart.show({layers, x: around(x), y: around(y), csv: () => ({...(own ? {atlas_x_mm: own.x.map((value) => Number(value.toPrecision(8))), atlas_y_mm: own.y.map((value) => Number(value.toPrecision(8)))} : {}),
       ...(computed ? {computed_x_mm: computed.x, computed_y_mm: computed.y} : {})})});
     badge.textContent = own && computed ? 'atlas and page' : own ? FROM_ATLAS : COMPUTED;

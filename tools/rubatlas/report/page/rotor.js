@@ -93,10 +93,16 @@ class Rotor {
     const {request} = this;
     const now = this.now = this.present();
     const radius = request.ring_radius;
-    // The view closes in on the top of the ring, where a rotor that is lifted towards it touches first.
-    const up = request.misalignment < 0 ? -1 : 1;
+    // The view closes in on the ring where an undeformed blade is nearest to it, or furthest beyond it.
+    const reach = request.hub_radius + request.blade_length;
+    const places = now.blades.map((_, i) => {
+      const angle = request.speed_ratio * this.time + 2 * Math.PI * i / this.orbit.blades;
+      return [now.x + reach * Math.cos(angle), now.y + request.misalignment + reach * Math.sin(angle)];
+    });
+    const nearest = places.reduce((best, place) => (Math.hypot(...place) > Math.hypot(...best) ? place : best));
+    const toward = Math.atan2(nearest[1], nearest[0]);
     const near = Math.min(this.zoom, 1);
-    const focus = [0, -request.misalignment + up * near * radius];
+    const focus = [near * radius * Math.cos(toward), near * radius * Math.sin(toward) - request.misalignment];
     const scale = side * unit / (2.3 * radius) * 10 ** this.zoom;
     const middle = side * unit / 2;
     const to = (x, y) => [middle + (x - focus[0]) * scale, middle - (y - focus[1]) * scale];
@@ -105,9 +111,9 @@ class Rotor {
     pen.clipped(0, 0, side * unit, side * unit, () => {
       // A circle that is far larger than the picture is drawn as the arc that can be seen.
       const arc = [];
-      const reach = Math.min(Math.PI, 4 * side * unit / (radius * scale));
+      const spread = Math.min(Math.PI, 4 * side * unit / (radius * scale));
       for (let i = -120; i <= 120; ++i) {
-        const angle = up * Math.PI / 2 + reach * i / 120;
+        const angle = toward + spread * i / 120;
         arc.push([ring[0] + radius * scale * Math.cos(angle), ring[1] - radius * scale * Math.sin(angle)]);
       }
       pen.line(arc, {colour: ink(), width: 3});
