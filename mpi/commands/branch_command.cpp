@@ -49,7 +49,8 @@ std::size_t axis_of(const std::vector<settings::Axis>& axes, const std::string& 
 branch::Varied varied(const settings::Axis& axis, std::size_t place, double value,
                       const std::vector<double>& within) {
   const settings::Range& range = axis.quantity->range;
-  const double size = value != 0.0 ? std::abs(value) : std::min(1e-3 * range.high, 1.0);
+  const double largest = within.empty() ? std::min(1e-3 * range.high, 1.0) : std::abs(within.back());
+  const double size = value != 0.0 ? std::abs(value) : largest;
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   branch::Varied result{place, kShare * size,
                         range.low_excluded ? std::nextafter(range.low, kInfinite) : range.low,
@@ -77,6 +78,19 @@ std::string sentence_of(const branch::Event& event, std::string_view name) {
   return text;
 }
 
+/// The event of a kind that lies nearest to where the branch was begun; null: there is none.
+const branch::Event* nearest_event(const std::vector<branch::Event>& events, branch::EventKind kind,
+                                   double value) {
+  const branch::Event* nearest = nullptr;
+  const auto distance = [&](const branch::Event& event) {
+    return std::abs(event.orbit.quantities.front() - value);
+  };
+  for (const branch::Event& event : events) {
+    if (event.kind == kind && (nearest == nullptr || distance(event) < distance(*nearest))) nearest = &event;
+  }
+  return nearest;
+}
+
 /// A branch both ways from its first orbit, as one.
 branch::Branch joined(branch::Branch down, branch::Branch up) {
   if (down.orbits.empty()) return up;
@@ -93,7 +107,7 @@ branch::Branch joined(branch::Branch down, branch::Branch up) {
 int follow_branch(const BranchCommand& command) {
   const std::string text = settings::read_text(command.scene);
   settings::Scene scene = settings::parse_scene(text, command.scene.string());
-  if (const auto refusal = settings::refusal_of_linearisation(scene))
+  if (const auto refusal = settings::refusal_of_shooting(scene))
     throw UsageError(fmt::format("{}: {}", command.scene.string(), *refusal));
   const Place place = place_of(scene, command.from, "--from");
   if (place.direction)
@@ -140,14 +154,14 @@ int follow_branch(const BranchCommand& command) {
   branch::Branch followed = continuation.follow(*start, direction, most);
   if (command.both || !command.to)
     followed = joined(continuation.follow(*start, -direction, most), std::move(followed));
+  contents.branches.reserve(2);  // `events` stay where they are
   contents.branches.push_back(std::move(followed));
   const std::vector<branch::Event>& events = contents.branches.front().events;
   for (const branch::Event& event : events) say_sentence(sentence_of(event, command.along));
 
   if (command.doubled) {
-    const auto doubling = std::ranges::find(events, branch::EventKind::period_doubling, &branch::Event::kind);
-    if (doubling == events.end())
-      throw UsageError("--switch: no period doubling on this branch to switch at");
+    const branch::Event* doubling = nearest_event(events, branch::EventKind::period_doubling, value);
+    if (doubling == nullptr) throw UsageError("--switch: no period doubling on this branch to switch at");
     auto doubled = continuation.follow_doubled(*doubling, most);
     if (!doubled) throw UsageError("--switch: the branch of doubled period could not be found");
     for (const branch::Event& event : doubled->events) say_sentence(sentence_of(event, command.along));
@@ -159,8 +173,8 @@ int follow_branch(const BranchCommand& command) {
       throw UsageError(
           fmt::format("--curve {}: allowed: fold, period_doubling, neimark_sacker", *command.curve));
     }
-    const auto event = std::ranges::find(events, *kind, &branch::Event::kind);
-    if (event == events.end())
+    const branch::Event* event = nearest_event(events, *kind, value);
+    if (event == nullptr)
       throw UsageError(fmt::format("--curve {}: there is none on this branch", *command.curve));
     const std::size_t in = axis_of(axes, *command.in, "--in");
     if (in == along) throw UsageError("--in: the same quantity as --along; a curve lies in two");

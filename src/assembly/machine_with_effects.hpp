@@ -12,9 +12,9 @@
 #include "rotor/harmonic.hpp"
 #include "rotor/rippled_unbalance.hpp"
 #include "rotor/rippling_blades.hpp"
-#include "rotor/support_matrices.hpp"
 #include "settings/effects/list.hpp"
 #include "settings/scene.hpp"
+#include "variation/support_of_scene.hpp"
 
 namespace rubatlas::assembly {
 
@@ -79,17 +79,7 @@ class AnyMachine final : public MachineWithEffects {
     return {angles(), speed_ratio, line_.speed_ripple.value_or(effects::SpeedRipple{})};
   }
   [[nodiscard]] modes::SupportedShaft forcing(double speed_ratio) const {
-    const effects::Support added = line_.support.value_or(effects::Support{});
-    const double frequency = line_.rotor.natural_frequency;
-    const double stiffness = line_.rotor.mass * frequency * frequency;
-    const double damping = line_.rotor.mass * frequency;
-    rotor::SupportMatrices matrices = rotor::isotropic_shaft(line_.rotor.damping_ratio);
-    Eigen::Matrix2d more;
-    more << added.stiffness_xx, added.stiffness_xy, added.stiffness_yx, added.stiffness_yy;
-    matrices.stiffness += more / stiffness;
-    more << added.damping_xx, added.damping_xy, added.damping_yx, added.damping_yy;
-    matrices.damping += more / damping;
-    matrices = rotor::with_rotating_damping(matrices, 0.5 * added.rotating_damping / damping, speed_ratio);
+    const rotor::SupportMatrices matrices = variation::support_of(line_, speed_ratio);
     std::vector<rotor::HarmonicForcing> forcing;
     for (const auto& term : harmonics(speed_ratio)) {
       forcing.push_back({term.acceleration(0.0), term.frequency()});

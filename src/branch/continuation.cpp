@@ -15,6 +15,7 @@ namespace {
 constexpr double kClosed = 1e-12;      ///< of the clearance: what may be left of P^k(z) − z
 constexpr double kFirstStep = 1e-3;    ///< arclength, scaled
 constexpr double kLongestStep = 0.05;  ///< likewise
+constexpr double kLongestOnCurve = 0.5;  ///< a curve has no bifurcations to be stepped over
 constexpr double kShortestStep = 1e-9;
 constexpr int kMostIterations = 8;
 constexpr int kEasy = 3;  ///< iterations: the next step may be longer
@@ -380,7 +381,7 @@ std::vector<Orbit> follow_curve(Shooting& shooting, EventKind kind, const Orbit&
       ++count;
       orbits.push_back(state.orbit);
       if (on_orbit) on_orbit(state.orbit);
-      if (curve.iterations() <= kEasy) length = std::min(1.5 * length, kLongestStep);
+      if (curve.iterations() <= kEasy) length = std::min(1.5 * length, kLongestOnCurve);
     }
     // From one end of the curve to the other.
     if (direction < 0.0) std::ranges::reverse(orbits);

@@ -196,9 +196,12 @@ ContactArc::Ending ContactArc::lift_off(const Interval& interval) const {
 }
 
 /// The first touch-down of another blade, if it comes before this ending. None where it cannot be told.
-std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interval, Ending before) const {
+std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interval, Ending before) {
+  gap_bound_of_others_ = -std::numeric_limits<double>::infinity();
   for (const Other& other : others_) {
-    if (solver_.largest_gap(contact_, interval, other.offset) < 0.0) continue;
+    const double bound = solver_.largest_gap(contact_, interval, other.offset);
+    gap_bound_of_others_ = std::max(gap_bound_of_others_, bound);
+    if (bound < 0.0) continue;
     const auto clear_of_ring = [&](double x, double y, double er_x, double er_y) {
       const double centre = y + contact_.misalignment;
       const double along = er_x * other.offset[0] - er_y * other.offset[1];
@@ -344,10 +347,11 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
       bounds = solver_.bounds(contact_, part);
     // The tip that touches is at the ring at the end.
     const double at_ring = 2.0 * contact_.ring_radius * limits_.tolerance;
+    gap_bound_of_others_ = -std::numeric_limits<double>::infinity();
     for (const Other& other : others_) {
-      if (!(solver_.largest_gap(contact_, part, other.offset) <
-            (other.blade == ending.blade ? at_ring : 0.0)))
-        return Verdict::too_long;
+      const double bound = solver_.largest_gap(contact_, part, other.offset);
+      gap_bound_of_others_ = std::max(gap_bound_of_others_, bound);
+      if (!(bound < (other.blade == ending.blade ? at_ring : 0.0))) return Verdict::too_long;
     }
   }
   if (!stays_valid(bounds)) return Verdict::gives_up;
@@ -507,6 +511,15 @@ std::size_t ContactArc::number_of(int blade) const {
 
 double ContactArc::argument_of(int blade, const Point& point) const {
   return blade == blade_ ? point.argument : std::sqrt(std::max(0.0, point.squares[number_of(blade)]));
+}
+
+std::optional<TipTop> ContactArc::top_of_tip(int blade) const {
+  const auto top = [&](const std::array<double, 2>& offset) {
+    return collocation::top_of_tip(contact_, made(), offset);
+  };
+  if (blade == blade_) return top({1.0, 0.0});
+  const auto other = std::ranges::find(others_, blade, &Other::blade);
+  return other != others_.end() ? top(other->offset) : top(further_[number_of(blade)].offset);
 }
 
 bool ContactArc::peaks() const {

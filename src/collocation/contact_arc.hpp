@@ -25,6 +25,7 @@
 #include "collocation/earlier_contacts.hpp"
 #include "collocation/further_blades.hpp"
 #include "collocation/interval.hpp"
+#include "collocation/interval_samples.hpp"
 #include "collocation/predictor.hpp"
 #include "contact/elastica_contact.hpp"
 #include "rotor/blade_set.hpp"
@@ -88,6 +89,12 @@ class ContactArc {
   /// The bending of the leading blade, or of another, passes its largest value within the interval.
   [[nodiscard]] bool peaks() const;
   [[nodiscard]] bool peaks(int blade) const;
+  /// Bound of the gaps of the blades that do not touch, within the interval [m²].
+  [[nodiscard]] double gap_bound_of_others() const { return gap_bound_of_others_; }
+  /// Where the tip of a blade, straight, is farthest out within the interval, if it is there.
+  [[nodiscard]] std::optional<TipTop> top_of_tip(int blade) const;
+  /// At θ, or close by: the end of the stretch up to there, solved for itself.
+  [[nodiscard]] Point solved_at_fraction(double fraction);
   /// Bound of |z| in the interval [m].
   [[nodiscard]] double displacement_bound() const { return displacement_bound_; }
 
@@ -126,7 +133,7 @@ class ContactArc {
     int blade = -1;
   };
   [[nodiscard]] Ending lift_off(const Interval& interval) const;
-  [[nodiscard]] std::optional<Ending> touch_down(const Interval& interval, Ending before) const;
+  [[nodiscard]] std::optional<Ending> touch_down(const Interval& interval, Ending before);
   /// Whether the trial can be the next interval, up to its ending, and whether that is a stretch of it.
   enum class Verdict : std::uint8_t { holds, holds_in_part, too_long, another_leads, gives_up };
   Verdict judge(Ending& ending);
@@ -137,8 +144,6 @@ class ContactArc {
   void leave_earlier();
   void guess_further(Interval& next) const;
   bool cut(const Interval& whole, double fraction, Interval& shorter);
-  /// At θ, or close by: the end of the stretch up to there, solved for itself.
-  [[nodiscard]] Point solved_at_fraction(double fraction);
   [[nodiscard]] static Point end_of(const Interval& interval);
   void end_at(const Interval& interval, const Ending& ending);
 
@@ -179,6 +184,7 @@ class ContactArc {
   double slip_velocity_ = 0.0;             ///< there
   bool rises_ = false;                     ///< the bending, where the interval starts
   double displacement_bound_ = 0.0;
+  double gap_bound_of_others_ = 0.0;
   std::uint64_t interval_count_ = 0;
   std::uint64_t rejected_ = 0;
   std::uint64_t sweeps_ = 0;

@@ -146,6 +146,51 @@ Farthest farthest(const Interval& interval, double from, double to) {
   return {most.fraction, std::sqrt(most.square)};
 }
 
+std::optional<TipTop> top_of_tip(const Contact& contact, const Interval& interval,
+                                 const std::array<double, 2>& offset) {
+  const auto along = [&](double er_x, double er_y) {
+    return std::array{er_x * offset[0] - er_y * offset[1], er_y * offset[0] + er_x * offset[1]};
+  };
+  // Half of dg/dτ (MODEL 2): c·c' + (rh + L)(c'·er + Ω c·et).
+  const auto rate = [&](double x, double y, double vx, double vy, double er_x, double er_y) {
+    const auto er = along(er_x, er_y);
+    const double centre = y + contact.misalignment;
+    return x * vx + centre * vy +
+           contact.reach * (vx * er[0] + vy * er[1] + contact.speed_ratio * (centre * er[0] - x * er[1]));
+  };
+  const auto& start = interval.start;
+  double before = rate(start[0], start[1], start[2], start[3], interval.blade[0], interval.blade[1]);
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    const double after = rate(interval.x[i], interval.y[i], interval.vx[i], interval.vy[i],
+                              interval.blade_x[i], interval.blade_y[i]);
+    if (before > 0.0 && after <= 0.0) {
+      const AtPlaces& place = node_tables().place;
+      const std::array<AtPlaces, 6> values{at_places(start[0], interval.x),
+                                           at_places(start[1], interval.y),
+                                           at_places(start[2], interval.vx),
+                                           at_places(start[3], interval.vy),
+                                           at_places(interval.blade[0], interval.blade_x),
+                                           at_places(interval.blade[1], interval.blade_y)};
+      std::array<double, 6> there{};
+      const auto rate_at = [&](double fraction) {
+        const AtPlaces basis = basis_at(fraction);
+        for (std::size_t k = 0; k < values.size(); ++k) there[k] = sum_of_products(basis, values[k]);
+        return rate(there[0], there[1], there[2], there[3], there[4], there[5]);
+      };
+      const double fraction =
+          integrate::root_between(rate_at, place[i], place[i + 1], before, after, kBitsOfTop);
+      rate_at(fraction);
+      const auto er = along(there[4], there[5]);
+      const double centre = there[1] + contact.misalignment;
+      return TipTop{fraction, there[0] * there[0] + centre * centre +
+                                  2.0 * contact.reach * (there[0] * er[0] + centre * er[1]) +
+                                  contact.closing};
+    }
+    before = after;
+  }
+  return std::nullopt;
+}
+
 void read_stretch(const Interval& interval, double fraction, Interval& stretch) {
   const NodeTables& tables = node_tables();
   std::array<AtNodes, kPlaces> basis;

@@ -1,7 +1,9 @@
 /// Reading the polynomials of an interval between its nodes.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 
 #include "collocation/interval.hpp"
 
@@ -24,6 +26,16 @@ struct Farthest {
   double displacement;  ///< |z| [m], as the interval's polynomials have it
 };
 Farthest farthest(const Interval& interval, double from, double to);
+
+/// Where the tip of a straight blade is farthest out, of a tip that comes nearer to the ring before and moves
+/// away after.
+struct TipTop {
+  double fraction;  ///< θ
+  double gap;       ///< g [m²], as the interval's polynomials have it
+};
+/// `offset`: cosine and sine of the blade's angle from the leading one.
+std::optional<TipTop> top_of_tip(const Contact& contact, const Interval& interval,
+                                 const std::array<double, 2>& offset);
 
 /// Sets the places and velocities of a stretch to those of the interval up to θ, as a first guess.
 void read_stretch(const Interval& interval, double fraction, Interval& stretch);

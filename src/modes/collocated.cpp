@@ -1,4 +1,5 @@
 #include "modes/collocated.hpp"
+#include <algorithm>
 
 #include "modes/contact_force.hpp"
 #include "modes/tip_of.hpp"
@@ -103,8 +104,41 @@ observables::ContactForce Collocated::contact_force(std::size_t contact, const P
                               direction(open.blade, point.time), pose(open.blade, point),
                               rotor_->speed_ratio);
 }
+observables::Tip Collocated::tip(int blade, const Point& point) const {
+  return tip_of(law_->geometry(), pose(blade, point), rotor_->speed_ratio);
+}
 observables::Tip Collocated::tip(int blade, double time) {
-  return tip_of(law_->geometry(), pose(blade, arc_.solved_at(time)), rotor_->speed_ratio);
+  return tip(blade, arc_.solved_at(time));
+}
+
+std::optional<observables::Pass> Collocated::nearest_pass(double known,
+                                                          const observables::PointConstants& point) {
+  if (!is_whole()) return MotionPiece::nearest_pass(known, point);
+  const double radius = law_->geometry().ring_radius;
+  const auto gap_at = [&](double miss) { return miss * (miss - 2.0 * radius); };
+  std::optional<observables::Pass> nearest;
+  if (arc_.gap_bound_of_others() <= gap_at(std::min(known, radius))) return nearest;
+  for (int k = 0; k < point.blade_count; ++k) {
+    if (std::ranges::find(contacts_, k, &OpenContact::blade) != contacts_.end()) continue;
+    const auto top = arc_.top_of_tip(k);
+    if (!top || top->gap <= gap_at(std::min(known, radius))) continue;
+    const observables::Tip there = tip(k, arc_.solved_at_fraction(top->fraction));
+    if (!(there.overlap < 0.0 && -there.overlap < known)) continue;
+    known = -there.overlap;
+    nearest = observables::Pass{known, there.side};
+  }
+  return nearest;
+}
+
+observables::Tip Collocated::deepest(std::size_t contact, double enough) {
+  if (!is_whole()) return MotionPiece::deepest(contact, enough);
+  const int number = blade(contact);
+  const observables::Tip at_end = tip(number, arc_.end());
+  if (at_end.rate >= 0.0) return at_end;
+  const auto top = arc_.top_of_tip(number);
+  if (!top) return at_end;
+  const bool deep = top->gap > enough * (enough + 2.0 * law_->geometry().ring_radius);
+  return tip(number, deep ? arc_.point_at(top->fraction) : arc_.solved_at_fraction(top->fraction));
 }
 
 bool Collocated::path(double share, observables::PathPoint& point) {

@@ -72,6 +72,9 @@ class Collocated final : public observables::MotionPiece {
   [[nodiscard]] LargestLoad largest(observables::Load load, std::size_t contact, double known) override;
   [[nodiscard]] observables::ContactForce contact_force(std::size_t contact, double time) override;
   [[nodiscard]] observables::Tip tip(int blade, double time) override;
+  [[nodiscard]] std::optional<observables::Pass> nearest_pass(
+      double known, const observables::PointConstants& point) override;
+  [[nodiscard]] observables::Tip deepest(std::size_t contact, double enough) override;
   [[nodiscard]] bool path(double share, observables::PathPoint& point) override;
   [[nodiscard]] bool forces_on_path(double share, observables::PathPoint& point,
                                     std::vector<observables::ContactForce>& forces) override;
@@ -87,6 +90,11 @@ class Collocated final : public observables::MotionPiece {
     return blades_->direction(blade, blades_->first(time));
   }
   [[nodiscard]] contact::Pose pose(int blade, const Point& point) const;
+  [[nodiscard]] observables::Tip tip(int blade, const Point& point) const;
+  /// The piece is an interval, and not a part of one.
+  [[nodiscard]] bool is_whole() const {
+    return piece_begin_ == arc_.start().time && piece_end_ == arc_.end().time;
+  }
   [[nodiscard]] contact::TipForce force(std::size_t contact, const Point& point) const;
   [[nodiscard]] OpenContact contact_in(std::size_t contact, const Point& point) const;
   [[nodiscard]] observables::ContactForce contact_force(std::size_t contact, const Point& point) const;

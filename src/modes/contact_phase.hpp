@@ -174,7 +174,9 @@ class ContactPhase final : public observables::MotionPiece {
     FullState full = step_.at_fraction(fraction);
     point.time = full[rotor::kTime];
     point.time_rate = length * step_.slope(fraction, rotor::kTime);
-    point.state = rotor::as_array(rotor::shaft(rotor::bodies(full)));
+    const auto bodies = rotor::bodies(full);
+    point.state = rotor::as_array(rotor::shaft(bodies));
+    if constexpr (requires { rotor::ring(bodies); }) point.ring = rotor::as_array(rotor::ring(bodies));
     point.contacts.clear();
     for (std::size_t i = 0; i < mode_.contacts().size(); ++i) {
       const bool carried = Mode::kTimeTurns && i == 0;

@@ -319,44 +319,27 @@ class TouchdownSearch {
   }
 
   /// The tip that passes the ring nearest between two times of the flight, nearer than `known` [m], or none.
+  /// Once this has been asked for, the search keeps the gaps that it finds.
   template <class Flight>
   [[nodiscard]] std::optional<observables::Pass> nearest_pass(const Flight& flight, double begin, double end,
                                                               double known) requires kInRows<Flight> {
-    if (!row_) row_.emplace(flight.row());
+    keeps_rows_ = true;
+    const rotor::State state = flight.state(begin);
+    if (!rows_reach(begin, state, end)) look_along(flight, begin, state, end);
     std::optional<observables::Pass> nearest;
-    const double h = row_->spacing();
-    rotor::State state = flight.state(begin);
-    const double row_length = FlightRow::kTimes * h;
-    const auto rows = static_cast<std::int64_t>(std::ceil((end - begin) / row_length));
-    for (std::int64_t number = 0; number < rows; ++number) {
-      const double time = begin + static_cast<double>(number) * row_length;
-      flight.start_row(*row_, time, state, 0.0);
-      const contact::BladeDirection first = blades_->first(time);
+    auto next = gaps_.begin();
+    for (const KeptRow& row : rows_) {
+      if (!(row.begin < end)) break;
       for (int k = 0; k < blades_->count(); ++k) {
-        const contact::Geometry& geometry = law_->of(k).geometry();
-        const auto [gap, rate] = row_->gaps(geometry, blades_->direction(k, first));
-        const auto gap_at = [&](double miss) { return miss * (miss - 2.0 * geometry.ring_radius); };
-        // A gap that has no room to grow so far on either side of any of the times: mostly.
-        if ((gap + h * rate.abs()).maxCoeff() <= gap_at(std::min(known, geometry.ring_radius))) continue;
-        const contact::Pose at = pose(geometry, k, time, state);
-        double gap_before = at.gap;
-        double rate_before = contact::gap_rate(geometry, at, rotor_->speed_ratio);
-        for (int i = 0; i < FlightRow::kTimes; ++i) {
-          // Tangents bound a maximum that lies between two times.
-          const double highest = std::max(gap_before + h * rate_before, gap[i] - h * rate[i]);
-          const double from = time + i * h;
-          if (rate_before > 0.0 && !(rate[i] > 0.0 && from + h < end) && from < end &&
-              highest > gap_at(std::min(known, geometry.ring_radius))) {
-            if (const auto pass = pass_between(flight, k, from, std::min(from + h, end), known)) {
-              nearest = pass;
-              known = pass->miss;
-            }
-          }
-          gap_before = gap[i];
-          rate_before = rate[i];
+        const FlightRow::Gaps& gaps = *next++;
+        FlightRow::Values rate_before;
+        rate_before << gaps.rate_before, gaps.rate.head(FlightRow::kTimes - 1);
+        if (!((rate_before > 0.0) && (gaps.rate <= 0.0)).any()) continue;  // mostly
+        if (const auto pass = nearest_top(flight, row, k, gaps, end, known)) {
+          nearest = pass;
+          known = pass->miss;
         }
       }
-      state = row_->state(FlightRow::kTimes - 1);
     }
     return nearest;
   }
@@ -386,6 +369,7 @@ class TouchdownSearch {
                                         WorkMeter& meter) {
     if (!row_) row_.emplace(flight.row());
     double time = flight.start_time();
+    forget_rows(state);
     const double bound = fourth_bound(flight, flight.amplitude_bound(time, state, until - time));
     const std::int64_t price = price_of_state(flight) + blades_->count() * WorkPrice::kGap;
     while (time < until) {
@@ -395,10 +379,13 @@ class TouchdownSearch {
       const contact::BladeDirection first = blades_->first(time);
       int doubt = FlightRow::kTimes;
       for (int k = 0; k < blades_->count(); ++k) {
-        const int of_blade = row_->first_doubt(law_->of(k).geometry(), blades_->direction(k, first));
+        const FlightRow::Gaps gaps = gaps_of(k, first);
+        const int of_blade = row_->first_doubt(gaps);
         clear_until_[static_cast<std::size_t>(k)] = of_blade;
         doubt = std::min(doubt, of_blade);
+        if (keeps_rows_) gaps_.push_back(gaps);
       }
+      if (keeps_rows_) rows_.push_back({time, std::min(doubt + 1, FlightRow::kTimes)});
       time += doubt * row_->spacing();
       state = flight.state(time);
       if (doubt == FlightRow::kTimes) continue;
@@ -442,16 +429,101 @@ class TouchdownSearch {
                           rotor::from_ring(bodies));
   }
 
-  /// The same where a tip's radius has its one maximum between two times, if it has one there.
+  /// Begins to keep rows of a flight from a state on.
+  void forget_rows(const rotor::State& state) {
+    rows_.clear();
+    gaps_.clear();
+    rows_state_ = state;
+  }
+  /// Of a blade, at the times of the row; `first`: where blade 0 stands at its start.
+  [[nodiscard]] FlightRow::Gaps gaps_of(int blade, const contact::BladeDirection& first) const {
+    return row_->gaps(law_->of(blade).geometry(), blades_->direction(blade, first));
+  }
+  /// Rows are kept from this state on as far as `end`.
+  [[nodiscard]] bool rows_reach(double begin, const rotor::State& state, double end) const {
+    return !rows_.empty() && rows_.front().begin == begin && (rows_state_ == state).all() &&
+           rows_.back().begin + rows_.back().intervals * row_->spacing() >= end;
+  }
+  /// Keeps rows between two times, without a search.
   template <class Flight>
-  [[nodiscard]] std::optional<observables::Pass> pass_between(const Flight& flight, int blade, double from,
-                                                              double to, double known) const {
-    const auto rate = [&](double time) { return tip(flight, blade, time).rate; };
-    const double rate_from = rate(from);
-    const double rate_to = rate(to);
-    if (!(rate_from > 0.0 && rate_to < 0.0)) return std::nullopt;
-    const observables::Tip top =
-        tip(flight, blade, integrate::root_between(rate, from, to, rate_from, rate_to));
+  void look_along(const Flight& flight, double begin, rotor::State state, double end) {
+    if (!row_) row_.emplace(flight.row());
+    forget_rows(state);
+    const double length = FlightRow::kTimes * row_->spacing();
+    for (double time = begin; time < end; time = begin + static_cast<double>(rows_.size()) * length) {
+      flight.start_row(*row_, time, state, 0.0);
+      const contact::BladeDirection first = blades_->first(time);
+      for (int k = 0; k < blades_->count(); ++k) gaps_.push_back(gaps_of(k, first));
+      rows_.push_back({time, FlightRow::kTimes});
+      state = row_->state(FlightRow::kTimes - 1);
+    }
+  }
+
+  struct KeptRow {
+    double begin;   ///< τ of the revolution
+    int intervals;  ///< of the row that belong to the flight's way; the next row goes on after them
+  };
+  /// Of the tops of a blade's gap in a row the one nearest to the ring, before `end` and nearer than `known`.
+  template <class Flight>
+  [[nodiscard]] std::optional<observables::Pass> nearest_top(const Flight& flight, const KeptRow& row,
+                                                             int blade, const FlightRow::Gaps& gaps,
+                                                             double end, double known) const {
+    const double radius = law_->of(blade).geometry().ring_radius;
+    const double h = row_->spacing();
+    std::optional<observables::Pass> nearest;
+    double gap_before = gaps.before;
+    double rate_before = gaps.rate_before;
+    for (int i = 0; i < row.intervals && row.begin + i * h < end; ++i) {
+      const double gap = gaps.gap[i];
+      const double rate = gaps.rate[i];
+      // Tangents bound a maximum that lies between two times.
+      const double highest = std::max(gap_before + h * rate_before, gap - h * rate);
+      const double miss = std::min(known, radius);
+      if (rate_before > 0.0 && rate <= 0.0 && highest > miss * (miss - 2.0 * radius)) {
+        const double from = row.begin + i * h;
+        const double guess = from + h * rate_before / (rate_before - rate);
+        if (const auto pass = pass_between(flight, blade, {from, from + h, guess}, end, known)) {
+          nearest = pass;
+          known = pass->miss;
+        }
+      }
+      gap_before = gap;
+      rate_before = rate;
+    }
+    return nearest;
+  }
+
+  /// Two times between which a tip's radius has its one maximum, and about when.
+  struct TopBetween {
+    double from;
+    double to;
+    double guess;
+  };
+  /// The pass of that tip there, if it comes before `end` and nearer than `known`.
+  template <class Flight>
+  [[nodiscard]] std::optional<observables::Pass> pass_between(const Flight& flight, int blade,
+                                                              TopBetween between, double end,
+                                                              double known) const {
+    const contact::Geometry& geometry = law_->of(blade).geometry();
+    const auto rate = [&](double time) {
+      const rotor::State at = flight.state(time);
+      const contact::BladeDirection er = blades_->direction(blade, blades_->first(time));
+      const contact::Pose there = rotor::pose_of(*rotor_, geometry, er, at);
+      const double turning = blades_->angular_speed(time);
+      return integrate::ValueAndSlope{
+          contact::gap_rate(geometry, there, turning),
+          contact::gap_curvature(geometry, er, there, {at[0], at[1] + rotor_->misalignment}, {at[2], at[3]},
+                                 flight.acceleration(time, at), turning)};
+    };
+    if (end < between.to) {
+      if (!(rate(end).value < 0.0)) return std::nullopt;
+      between.to = end;
+      between.guess = std::min(between.guess, 0.5 * (between.from + end));
+    }
+    constexpr double kClosest = 1e-5;  // of the time between: a maximum is flat
+    const double time = integrate::newton_between(rate, between.from, between.to, between.guess, false,
+                                                  kClosest * (between.to - between.from));
+    const observables::Tip top = tip(flight, blade, time);
     if (!(top.overlap < 0.0 && -top.overlap < known)) return std::nullopt;
     return observables::Pass{-top.overlap, top.side};
   }
@@ -570,6 +642,11 @@ class TouchdownSearch {
   double turning_weight_;
   std::vector<double> clear_until_;
   std::optional<FlightRow> row_;
+  // What was found along the flight, where it is kept: gaps row by row, and in them blade by blade.
+  bool keeps_rows_ = false;
+  rotor::State rows_state_ = rotor::State::Zero();  ///< of the shaft at the first of the rows
+  std::vector<KeptRow> rows_;
+  std::vector<FlightRow::Gaps> gaps_;
   std::uint64_t evaluations_ = 0;
 };
 

@@ -53,39 +53,40 @@ class FlightRow {
     square_rate_ = 2.0 * (states_.x() * states_.vx() + y_ * states_.vy());
   }
 
-  /// g [m²] and dg/dτ of a blade at the eight times.
+  /// g [m²] and dg/dτ of a blade at the start of the row and at its eight times.
   struct Gaps {
+    double before;
+    double rate_before;
     Values gap;
     Values rate;
   };
   /// `er`: direction of the blade at the start of the row.
   [[nodiscard]] Gaps gaps(const contact::Geometry& geometry, const contact::BladeDirection& er) const {
+    const contact::Pose at_start =
+        contact::pose(geometry, er, start_[0], start_[1] + misalignment_, start_[2], start_[3]);
     const Values cosine = er.cosine * turn_cosine_ - er.sine * turn_sine_;
     const Values sine = er.sine * turn_cosine_ + er.cosine * turn_sine_;
     const double reach = 2.0 * geometry.reach;
     const Values& x = states_.x();
-    return {square_ + (reach * (x * cosine + y_ * sine) + geometry.closing()),
+    return {at_start.gap, contact::gap_rate(geometry, at_start, speed_ratio_),
+            square_ + (reach * (x * cosine + y_ * sine) + geometry.closing()),
             square_rate_ + reach * ((states_.vx() * cosine + states_.vy() * sine) +
                                     speed_ratio_ * (y_ * cosine - x * sine))};
   }
   [[nodiscard]] rotor::State state(int i) const { return states_.state(i); }
 
-  /// The first of the eight intervals of the row in which a tip of this geometry may touch; kTimes: none.
-  /// `er`: direction of its blade at the start of the row.
-  [[nodiscard]] int first_doubt(const contact::Geometry& geometry, const contact::BladeDirection& er) const {
-    const auto [gap, rate] = gaps(geometry, er);
-    const contact::Pose at_start =
-        contact::pose(geometry, er, start_[0], start_[1] + misalignment_, start_[2], start_[3]);
+  /// The first of the eight intervals of the row in which a tip with these gaps may touch; kTimes: none.
+  [[nodiscard]] int first_doubt(const Gaps& gaps) const {
     // The tip of a blade that has just lifted off starts at the ring, up to rounding.
-    double before = std::min(at_start.gap, 0.0);
-    double rate_before = contact::gap_rate(geometry, at_start, speed_ratio_);
+    double before = std::min(gaps.before, 0.0);
+    double rate_before = gaps.rate_before;
     const double third = spacing() / 3.0;
-    Values inner = gap - third * rate;
+    Values inner = gaps.gap - third * gaps.rate;
     for (int i = 0; i < kTimes; ++i) {
       const double first = before + third * rate_before;
-      if (!(std::max(first, inner[i]) + remainder_ < 0.0 && gap[i] < 0.0)) return i;
-      before = gap[i];
-      rate_before = rate[i];
+      if (!(std::max(first, inner[i]) + remainder_ < 0.0 && gaps.gap[i] < 0.0)) return i;
+      before = gaps.gap[i];
+      rate_before = gaps.rate[i];
     }
     return kTimes;
   }

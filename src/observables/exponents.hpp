@@ -1,9 +1,10 @@
 /// Observable `lyapunov`: the Lyapunov exponents of a point, with `lyapunov_error` and `lyapunov_residual`
 /// beside it.
 ///
-/// Four tangents follow the motion (`variation/tangent_flow.hpp`) and are made orthogonal again and again;
-/// the logarithms of what their lengths lose are the exponents' sums. Source: Benettin, Galgani, Giorgilli
-/// and Strelcyn, Meccanica 15 (1980); for motions with events Müller, Chaos, Solitons & Fractals 5 (1995).
+/// Four tangents, or eight where the ring is a body, follow the motion (`variation/tangent_flow.hpp`) and are
+/// made orthogonal again and again; the logarithms of what their lengths lose are the exponents' sums.
+/// Source: Benettin, Galgani, Giorgilli and Strelcyn, Meccanica 15 (1980); for motions with events Müller,
+/// Chaos, Solitons & Fractals 5 (1995).
 #pragma once
 
 #include <Eigen/Core>
@@ -24,17 +25,15 @@ namespace rubatlas::observables {
 class Lyapunov final : public Observable {
  public:
   explicit Lyapunov(const settings::Scene& scene)
-      : damping_ratio_(scene.rotor.damping_ratio),
-        aligning_(scene.protocol.sampled_revolutions / kPartToAlign),
-        flow_(scene) {}
+      : aligning_(scene.protocol.sampled_revolutions / kPartToAlign), flow_(scene) {}
   static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<Lyapunov>(scene);
   }
 
   void begin(const PointConstants& point) override {
     period_ = point.period;
-    flow_.begin(point.speed_ratio, variation::Tangents::Identity());
-    growth_.setZero();
+    flow_.begin(point.speed_ratio);
+    growth_.setZero(flow_.tangents().rows());
     growths_.clear();
   }
   void piece(MotionPiece& piece) override {
@@ -63,13 +62,13 @@ class Lyapunov final : public Observable {
   }
 
  private:
-  using Growth = Eigen::Array4d;
+  using Growth = Eigen::Array<double, Eigen::Dynamic, 1, Eigen::ColMajor, 2 * variation::kMostCoordinates, 1>;
   /// One part in this many of the sampled revolutions turns the tangents into their directions.
   static constexpr int kPartToAlign = 4;
   static constexpr std::size_t kBatches = 10;
 
   void make_orthogonal() {
-    const Eigen::HouseholderQR<Eigen::Matrix4d> factors(flow_.tangents());
+    const Eigen::HouseholderQR<variation::Tangents> factors(flow_.tangents());
     growth_ += factors.matrixQR().diagonal().array().abs().log();
     flow_.set_tangents(factors.householderQ());
   }
@@ -77,12 +76,12 @@ class Lyapunov final : public Observable {
     return std::span(growths_).subspan(static_cast<std::size_t>(aligning_));
   }
   [[nodiscard]] static Growth sum(std::span<const Growth> growths) {
-    Growth total = Growth::Zero();
+    Growth total = Growth::Zero(growths.front().size());
     for (const Growth& growth : growths) total += growth;
     return total;
   }
   [[nodiscard]] Growth exponents() const {
-    if (!flow_.known()) return Growth::Constant(std::numeric_limits<double>::quiet_NaN());
+    if (!flow_.known()) return Growth::Constant(growth_.size(), std::numeric_limits<double>::quiet_NaN());
     Growth mean = sum(counted()) / (static_cast<double>(counted().size()) * period_);
     std::sort(mean.begin(), mean.end(), std::greater<>());
     return mean;
@@ -104,7 +103,7 @@ class Lyapunov final : public Observable {
     }
     const auto count = static_cast<double>(batches);
     const Growth mean = sum(means) / count;
-    Growth squares = Growth::Zero();
+    Growth squares = Growth::Zero(mean.size());
     for (const Growth& of_batch : means) squares += (of_batch - mean).square();
     const Growth errors = (squares / (count * (count - 1.0))).sqrt();
     std::copy(errors.begin(), errors.end(), row.begin());
@@ -112,16 +111,16 @@ class Lyapunov final : public Observable {
   /// Over all sampled revolutions, those in which the tangents turn included.
   void write_residual(std::span<double> row) const {
     const double duration = static_cast<double>(growths_.size()) * period_;
-    row[0] = flow_.known() ? (sum(growths_).sum() - flow_.log_saltation()) / duration + 4.0 * damping_ratio_
-                           : std::numeric_limits<double>::quiet_NaN();
+    row[0] = flow_.known()
+                 ? (sum(growths_).sum() - flow_.log_saltation()) / duration - flow_.phase_volume_rate()
+                 : std::numeric_limits<double>::quiet_NaN();
   }
 
-  double damping_ratio_;  ///< ζ [-]
-  int aligning_;          ///< revolutions
+  int aligning_;  ///< revolutions
   variation::TangentFlow flow_;
   double period_ = 0.0;
-  Growth growth_ = Growth::Zero();  ///< ln of the lengths, in this revolution
-  std::vector<Growth> growths_;     ///< in each revolution
+  Growth growth_;                ///< ln of the lengths, in this revolution
+  std::vector<Growth> growths_;  ///< in each revolution
 };
 
 }  // namespace rubatlas::observables

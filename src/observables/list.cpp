@@ -88,7 +88,7 @@ const std::vector<Entry>& entries() {
       {"lyapunov_residual",
        {},
        "1",
-       "sum of the exponents less its exact value, -4 zeta and what slip reversals add",
+       "sum of the exponents less its exact value, that of the damping and what slip reversals add",
        nullptr},
       {"full_spectrum",
        {"whirl_order"},
@@ -152,7 +152,10 @@ InnerAxis make_axis(const std::string& name, const settings::Scene& scene) {
             "1", "blade passings since the point started"};
   }
   if (name == "blade") return {name, numbers(scene.blades.count, 1), "1", "blade, counted from 1"};
-  if (name == "exponent") return {name, numbers(4, 1), "1", "exponent, counted from 1 from the largest"};
+  if (name == "exponent") {
+    return {name, numbers(static_cast<int>(inner_axis_size(name, scene)), 1), "1",
+            "exponent, counted from 1 from the largest"};
+  }
   const bool signs = name == "whirl_order";
   const double first = signs ? -scene.spectrum.max_order * protocol.sampled_revolutions : 0.0;
   std::vector<double> orders(inner_axis_size(name, scene));
@@ -182,7 +185,7 @@ std::size_t inner_axis_size(std::string_view name, const settings::Scene& scene)
   if (name == "section") return sections;
   if (name == "passing") return sections * blades;
   if (name == "blade") return blades;
-  if (name == "exponent") return 4;
+  if (name == "exponent") return effects::acts<&effects::Effects::ring_body>(scene) ? 8 : 4;
   const std::size_t orders = static_cast<std::size_t>(scene.spectrum.max_order) * sections + 1;
   return name == "whirl_order" ? 2 * orders - 1 : orders;
 }

@@ -45,6 +45,17 @@ std::optional<Pass> MotionPiece::nearest_pass(double known, const PointConstants
   return nearest;
 }
 
+Tip MotionPiece::deepest(std::size_t contact, double enough) {
+  constexpr unsigned kBits = 20;  // of the time; a maximum is flat, so its value has twice as many
+  const int number = blade(contact);
+  const Tip at_end = tip(number, end());
+  if (at_end.rate >= 0.0 || at_end.overlap > enough) return at_end;
+  const Tip at_begin = tip(number, begin());
+  if (!(at_begin.rate > 0.0)) return at_end;
+  const auto rate = [&](double time) { return tip(number, time).rate; };
+  return tip(number, integrate::root_between(rate, begin(), end(), at_begin.rate, at_end.rate, kBits));
+}
+
 MotionPiece::LargestLoad MotionPiece::largest(Load load, std::size_t contact, double /*known*/) {
   const auto at = [&](double time) {
     return load == Load::normal_force ? normal_force(contact, time) : root_strain(contact, time);

@@ -77,6 +77,7 @@ struct PathPoint {
   double time = 0.0;       ///< τ of the revolution
   double time_rate = 0.0;  ///< dτ/dθ
   State state{};
+  State ring{};  ///< as `state`, of a ring that is a body; zero of one that rests
   std::vector<Contact> contacts;
 };
 
@@ -127,6 +128,9 @@ class MotionPiece {
   /// Of the tips that are not in contact, the one that passes the ring nearest within the piece; none where
   /// no tip passes it nearer than `known` [m].
   [[nodiscard]] virtual std::optional<Pass> nearest_pass(double known, const PointConstants& point);
+  /// Where the undeformed tip of a blade in contact overlaps the ring most within the piece, the place where
+  /// it begins left out. Where the overlap is beyond `enough` [m] it may be less accurate.
+  [[nodiscard]] virtual Tip deepest(std::size_t contact, double enough);
   /// The path at a share θ of the piece, which is in contact. False where its mode has no such path.
   [[nodiscard]] virtual bool path(double /*share*/, PathPoint& /*point*/) { return false; }
   /// The same with the forces of the contacts there.

@@ -15,6 +15,7 @@
 #include "observables/motion_piece.hpp"
 #include "point/solver.hpp"
 #include "point/status.hpp"
+#include "variation/tangents.hpp"
 
 namespace rubatlas::point {
 
@@ -54,10 +55,11 @@ struct Orbit {
 struct SectionMap {
   PointStatus status = PointStatus::pending;
   StatusDetail detail = StatusDetail::none;
-  std::vector<motion::SectionState> sections;              ///< after each revolution
-  bool differentiable = false;                             ///< every part of the motion has a linearisation
-  Eigen::Matrix4d jacobian = Eigen::Matrix4d::Identity();  ///< of the last section by the start
-  double log_saltation = 0.0;  ///< ln|det| of the jacobian is this less 4ζ times the duration
+  std::vector<motion::SectionState> sections;  ///< after each revolution
+  bool differentiable = false;                 ///< every part of the motion has a linearisation
+  variation::Tangents jacobian;                ///< of the last section by the start
+  double log_saltation =
+      0.0;  ///< ln|det| of the jacobian is this and the phase volume's rate times the duration
   std::optional<observables::Pass> nearest_pass;  ///< of the tips that do not touch
   /// Touch-downs (blade + 1) and lift-offs −(blade + 1), in order of time.
   std::vector<std::int32_t> events;

@@ -43,9 +43,8 @@ class Recording final : public modes::MotionListener {
 /// Follows a motion for its section map.
 class Mapping final : public modes::MotionListener {
  public:
-  Mapping(SectionMap& map, variation::TangentFlow& flow, const settings::Scene& line,
-          const observables::PointConstants& point)
-      : map_(&map), flow_(&flow), miss_(line), touch_(point.blade_count) {
+  Mapping(SectionMap& map, variation::TangentFlow& flow, const observables::PointConstants& point)
+      : map_(&map), flow_(&flow), touch_(point.blade_count) {
     miss_.begin(point);
     touch_.begin(point);
   }
@@ -60,7 +59,6 @@ class Mapping final : public modes::MotionListener {
       const bool opens = event.kind == Guard::touch_down;
       flow_->passes_ring(event.blade);
       map_->events.push_back(opens ? event.blade + 1 : -event.blade - 1);
-      opens ? miss_.touch_down(event.blade) : miss_.lift_off(event.blade);
       opens ? touch_.touch_down(event.blade) : touch_.lift_off(event.blade);
     } else if (event.kind == Guard::slip_reversal) {
       flow_->slip_reverses(event.blade);
@@ -174,10 +172,10 @@ PointSolver::Ending PointSolver::integrate(motion::PointMotion& motion, const mo
 
 SectionMap PointSolver::section_map(double speed_ratio, const motion::PointStart& start, int revolutions) {
   if (!tangent_flow_) tangent_flow_.emplace(scene_);
-  tangent_flow_->begin(speed_ratio, variation::Tangents::Identity());
+  tangent_flow_->begin(speed_ratio);
   const auto motion = motion_of(speed_ratio, start);
   SectionMap map;
-  Mapping mapping(map, *tangent_flow_, scene_,
+  Mapping mapping(map, *tangent_flow_,
                   {constants_of(scene_, speed_ratio).period(), speed_ratio, scene_.blades.count});
   map.status = motion->start(start);
   for (int revolution = 0; map.status == PointStatus::done && revolution < revolutions; ++revolution) {

@@ -12,6 +12,10 @@
 #include "settings/quantity.hpp"
 
 namespace rubatlas::settings {
+bool ring_has_no_mass(const Scene& scene) {
+  return scene.ring_body && std::ranges::min(values_in(scene, "/ring_body/mass")) == 0.0;
+}
+
 namespace {
 
 using effects::Effects;
@@ -35,10 +39,6 @@ bool is_beam_column(const Scene& scene) {
 }
 bool method_takes_no_effects(const Scene& scene) {
   return !method_of(scene).takes_effects;
-}
-/// The ring has no mass at some point of the grid.
-bool ring_has_no_mass(const Scene& scene) {
-  return scene.ring_body && std::ranges::min(values_in(scene, "/ring_body/mass")) == 0.0;
 }
 bool ring_without_mass_under_elastic_blades(const Scene& scene) {
   return ring_has_no_mass(scene) && !is_rigid(scene);

@@ -73,6 +73,9 @@ constexpr EffectSet effect_set() {
 /// Effects whose section the scene has, whatever their strength.
 EffectSet given(const Scene& scene);
 
+/// The ring is a body without mass at some point of the grid.
+bool ring_has_no_mass(const Scene& scene);
+
 /// Effects that have nothing to act on without friction: no tip sticks, and there is no friction to be
 /// regularised.
 constexpr EffectSet kNeedFriction =

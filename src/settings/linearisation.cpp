@@ -9,13 +9,20 @@ namespace rubatlas::settings {
 
 std::optional<std::string> refusal_of_linearisation(const Scene& scene) {
   using effects::Effects;
-  constexpr EffectSet kLinearised = effect_set<&Effects::unbalance, &Effects::gravity, &Effects::side_load>();
+  constexpr EffectSet kLinearised = effect_set<&Effects::unbalance, &Effects::gravity, &Effects::side_load,
+                                               &Effects::support, &Effects::ring_body>();
   const EffectSet others = given(scene) - kLinearised;
   if (!others.empty()) {
     return fmt::format(
-        "{}: the motion under this effect has no linearised flow here; it is known with /unbalance, /gravity "
-        "and /side_load only",
+        "{}: the motion under this effect has no linearised flow here; it is known with /unbalance, "
+        "/gravity, /side_load, /support and /ring_body only",
         others.sections().front());
+  }
+  if (ring_has_no_mass(scene)) {
+    return std::string(
+        "/ring_body/mass: a ring without mass stands where the blades push it, and has no linearised flow "
+        "here; "
+        "allowed: a mass above 0");
   }
   switch (scene.accuracy.method) {
     case Method::hybrid:
@@ -29,6 +36,16 @@ std::optional<std::string> refusal_of_linearisation(const Scene& scene) {
           "\"collocation\", "
           "\"hybrid\", \"hybrid_54\" or \"hybrid_32\"");
   }
+}
+
+std::optional<std::string> refusal_of_shooting(const Scene& scene) {
+  if (scene.ring_body) {
+    return std::string(
+        "/ring_body: periodic orbits are found by the state of the shaft at a section, which is not all of "
+        "it "
+        "where the ring is a body");
+  }
+  return refusal_of_linearisation(scene);
 }
 
 }  // namespace rubatlas::settings

@@ -11,5 +11,7 @@ namespace rubatlas::settings {
 /// Why a scene has none, as a sentence that names the place and what is allowed; nothing where it has one.
 /// Refused is what has no derivative or one that is not written yet, rather than approximated.
 std::optional<std::string> refusal_of_linearisation(const Scene& scene);
+/// The same for periodic orbits by shooting.
+std::optional<std::string> refusal_of_shooting(const Scene& scene);
 
 }  // namespace rubatlas::settings

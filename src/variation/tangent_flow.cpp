@@ -1,21 +1,23 @@
 #include "variation/tangent_flow.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <complex>
+#include <span>
 #include <utility>
 
 #include "settings/effects/list.hpp"
+#include "variation/support_of_scene.hpp"
 
 namespace rubatlas::variation {
 namespace {
 
 /// As many as nodes of a collocated contact: order 16, so that what is left is that of the path.
 constexpr int kStages = 8;
-constexpr int kSize = 4;  ///< of the shaft's state
 
 /// Gauss's method: stages at the Gauss points, each with the integrals of the polynomial through all of them.
 struct Gauss {
@@ -49,19 +51,36 @@ const Gauss& gauss() {
   return kGauss;
 }
 
+/// The shaft as the ring sees it.
+observables::State seen(const observables::PathPoint& at) {
+  observables::State result = at.state;
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] -= at.ring[i];
+  return result;
+}
+
+/// Rates at which free motion with these coefficients decays: real parts of the roots of s² + c s + k.
+std::array<double, 2> decays(double damping, double stiffness) {
+  const double half = 0.5 * damping;
+  const double spread = std::sqrt(std::max(0.0, half * half - stiffness));
+  return {half - spread, half + spread};
+}
+
 }  // namespace
 
 TangentFlow::TangentFlow(const settings::Scene& line)
     : force_unit_(1.0 / (line.rotor.mass * line.rotor.natural_frequency * line.rotor.natural_frequency)),
       misalignment_(line.rotor.misalignment),
       free_(line.rotor.damping_ratio),
-      stiffness_(line) {
+      contact_(line) {
   using effects::Effects;
   if (effects::acts<&Effects::unbalance>(line)) {
     specific_moment_ = line.unbalance->moment / line.rotor.mass;
     phase_ = line.unbalance->phase;
   }
+  if (effects::acts<&Effects::support>(line)) supported_ = line;
   const double frequency = line.rotor.natural_frequency;
+  if (effects::acts<&Effects::ring_body>(line))
+    ring_.emplace(line.ring_body->mass, 1.0 / line.ring_body->compliance, line.ring_body->damping, frequency);
   const auto add = [&](const auto& load) {
     const std::complex<double> deflection = load->deflection(1.0 / force_unit_, frequency);
     static_load_ += Eigen::Vector2d(deflection.real(), deflection.imag());
@@ -76,15 +95,25 @@ Eigen::Vector2d TangentFlow::forcing(double time) const {
          specific_moment_ * speed_ratio_ * speed_ratio_ * Eigen::Vector2d(std::cos(angle), std::sin(angle));
 }
 
-void TangentFlow::begin(double speed_ratio, const Tangents& tangents) {
-  stiffness_.begin({speed_ratio, free_.damping_ratio(), misalignment_, force_unit_, 1.0});
+void TangentFlow::begin(double speed_ratio) {
+  contact_.begin({speed_ratio, free_.damping_ratio(), misalignment_, force_unit_, 1.0});
   speed_ratio_ = speed_ratio;
-  tangents_ = tangents;
+  shaft_ = rotor::isotropic_shaft(free_.damping_ratio());
+  if (supported_) {
+    shaft_ = support_of(*supported_, speed_ratio);
+    support_.emplace(shaft_.stiffness, shaft_.damping, std::span<const rotor::HarmonicForcing>());
+  }
+  const Eigen::Index size = ring_ ? 8 : 4;
+  tangents_ = Tangents::Identity(size, size);
   events_.clear();
   force_.setZero();
-  contacts_.clear();
+  point_.contacts.clear();
   known_ = true;
   log_saltation_ = 0.0;
+}
+
+double TangentFlow::phase_volume_rate() const {
+  return (ring_ ? ring_->phase_volume_rate() : 0.0) - shaft_.damping.trace();
 }
 
 void TangentFlow::piece(observables::MotionPiece& piece, const std::function<void()>& between) {
@@ -97,10 +126,10 @@ void TangentFlow::piece(observables::MotionPiece& piece, const std::function<voi
       between();
     }
     fly(left);
-    contacts_.clear();
+    point_.contacts.clear();
     force_.setZero();
   } else {
-    follow(piece);
+    ring_ ? follow<4>(piece) : follow<2>(piece);
   }
 }
 
@@ -114,22 +143,109 @@ Eigen::Vector2d TangentFlow::force_in(observables::MotionPiece& piece, double ti
 }
 
 double TangentFlow::longest_flight() const {
-  // Free motion decays as e^{-rate τ}, and rates differ by no more than the fastest of them.
+  // Parts of free motion decay as e^{-rate τ}, or grow.
   constexpr double kMostDecay = 20.0;  // leaves half of the digits of a double
-  const double damping = free_.damping_ratio();
-  const double fastest = damping + std::sqrt(std::max(0.0, damping * damping - 1.0));
-  return kMostDecay / fastest;
+  double slowest = 0.0;
+  double fastest = 0.0;
+  const auto take = [&](double rate) {
+    slowest = std::min(slowest, rate);
+    fastest = std::max(fastest, rate);
+  };
+  if (support_) {
+    for (const std::complex<double>& root : support_->system_matrix().eigenvalues()) take(-root.real());
+  } else {
+    for (const double rate : decays(2.0 * free_.damping_ratio(), 1.0)) take(rate);
+  }
+  if (ring_) {
+    const double frequency = ring_->frequency();
+    for (const double rate : decays(2.0 * ring_->damping_ratio() * frequency, frequency * frequency))
+      take(rate);
+  }
+  return kMostDecay / (fastest - slowest);
 }
 
 void TangentFlow::fly(double duration) {
-  const auto [cosine, sine] = free_.kernel(duration);
-  const double damping = free_.damping_ratio();
-  const Eigen::Matrix<double, 2, kSize> place = tangents_.topRows<2>();
-  const Eigen::Matrix<double, 2, kSize> velocity = tangents_.bottomRows<2>();
-  tangents_.topRows<2>() = cosine * place + sine * (velocity + damping * place);
-  tangents_.bottomRows<2>() = cosine * velocity - sine * (place + damping * velocity);
+  const Eigen::Index velocities = tangents_.rows() / 2;
+  if (support_) {
+    for (auto tangent : tangents_.colwise()) {
+      rotor::LinearSupport::State shaft;
+      shaft << tangent.segment<2>(0), tangent.segment<2>(velocities);
+      shaft = support_->state(0.0, shaft, duration);
+      tangent.segment<2>(0) = shaft.head<2>();
+      tangent.segment<2>(velocities) = shaft.tail<2>();
+    }
+  } else {
+    const auto [cosine, sine] = free_.kernel(duration);
+    const double damping = free_.damping_ratio();
+    const auto place = tangents_.topRows<2>().eval();
+    const auto velocity = tangents_.middleRows<2>(velocities).eval();
+    tangents_.topRows<2>() = cosine * place + sine * (velocity + damping * place);
+    tangents_.middleRows<2>(velocities) = cosine * velocity - sine * (place + damping * velocity);
+  }
+  if (!ring_) return;
+  for (auto tangent : tangents_.colwise()) {
+    rotor::RingBody::State ring;
+    ring << tangent.segment<2>(2).array(), tangent.segment<2>(velocities + 2).array();
+    ring = ring_->free(ring, duration);
+    tangent.segment<2>(2) = ring.head<2>();
+    tangent.segment<2>(velocities + 2) = ring.tail<2>();
+  }
 }
 
+template <int kCoordinates>
+Eigen::Matrix<double, kCoordinates, kCoordinates> TangentFlow::stiffness() const {
+  Eigen::Matrix<double, kCoordinates, kCoordinates> result =
+      Eigen::Matrix<double, kCoordinates, kCoordinates>::Zero();
+  result.template topLeftCorner<2, 2>() = shaft_.stiffness;
+  if constexpr (kCoordinates > 2)
+    result.template bottomRightCorner<2, 2>().diagonal().setConstant(ring_->frequency() * ring_->frequency());
+  return result;
+}
+template <int kCoordinates>
+Eigen::Matrix<double, kCoordinates, kCoordinates> TangentFlow::resistance() const {
+  Eigen::Matrix<double, kCoordinates, kCoordinates> result =
+      Eigen::Matrix<double, kCoordinates, kCoordinates>::Zero();
+  result.template topLeftCorner<2, 2>() = shaft_.damping;
+  if constexpr (kCoordinates > 2)
+    result.template bottomRightCorner<2, 2>().diagonal().setConstant(2.0 * ring_->damping_ratio() *
+                                                                     ring_->frequency());
+  return result;
+}
+
+TangentFlow::Coordinates TangentFlow::accelerated_by(const Eigen::Vector2d& force) const {
+  Coordinates result(tangents_.rows() / 2);
+  result.head<2>() = force_unit_ * force;
+  if (ring_) result.tail<2>() = -ring_->force_unit() * force;
+  return result;
+}
+
+Eigen::RowVectorXd TangentFlow::by_coordinates(const Eigen::RowVector4d& by_seen) const {
+  const Eigen::Index velocities = tangents_.rows() / 2;
+  Eigen::RowVectorXd result(tangents_.rows());
+  result.segment<2>(0) = by_seen.head<2>();
+  result.segment<2>(velocities) = by_seen.tail<2>();
+  if (ring_) {
+    result.segment<2>(2) = -by_seen.head<2>();
+    result.segment<2>(velocities + 2) = -by_seen.tail<2>();
+  }
+  return result;
+}
+
+Eigen::Vector2d TangentFlow::seen_acceleration(const observables::PathPoint& at,
+                                               const Eigen::Vector2d& force) const {
+  const Eigen::Vector2d place(at.state[0], at.state[1]);
+  const Eigen::Vector2d velocity(at.state[2], at.state[3]);
+  Eigen::Vector2d result =
+      force_unit_ * force + forcing(at.time) - shaft_.damping * velocity - shaft_.stiffness * place;
+  if (ring_) {
+    const rotor::RingBody::State ring(at.ring.data());
+    const std::complex<double> moves = ring_->acceleration(ring, {-force[0], -force[1]});
+    result -= Eigen::Vector2d(moves.real(), moves.imag());
+  }
+  return result;
+}
+
+template <int kCoordinates>
 void TangentFlow::follow(observables::MotionPiece& piece) {
   const Gauss& method = gauss();
   std::array<observables::PathPoint, kStages> points;
@@ -137,6 +253,7 @@ void TangentFlow::follow(observables::MotionPiece& piece) {
   for (int i = 0; i < kStages; ++i) {
     observables::PathPoint& point = points[static_cast<std::size_t>(i)];
     if (!piece.path(method.node[i], point)) return loses_track();
+    point.state = seen(point);
     scale.time_rate = std::max(scale.time_rate, std::abs(point.time_rate));
     for (const auto& contact : point.contacts)
       scale.bending_rate = std::max(scale.bending_rate, std::abs(contact.bending_rate));
@@ -151,65 +268,73 @@ void TangentFlow::follow(observables::MotionPiece& piece) {
   const Stages of_place = method.integral * time_rate.asDiagonal();
   const Stages of_acceleration = of_place * method.integral;
   const Eigen::Matrix<double, kStages, 1> elapsed = of_place.rowwise().sum();
-  const Eigen::Matrix<double, 2, kSize> place = tangents_.topRows<2>();
-  const Eigen::Matrix<double, 2, kSize> velocity = tangents_.bottomRows<2>();
-  const double damping = 2.0 * free_.damping_ratio();
+  constexpr Eigen::Index kColumns = Eigen::Index{2} * kCoordinates;
+  using Rows = Eigen::Matrix<double, kCoordinates, kColumns>;
+  using Matrix = Eigen::Matrix<double, kCoordinates, kCoordinates>;
+  const Rows place = tangents_.template topRows<kCoordinates>();
+  const Rows velocity = tangents_.template bottomRows<kCoordinates>();
+  const Matrix of_bodies = stiffness<kCoordinates>();
+  const Matrix damping = resistance<kCoordinates>();
 
-  constexpr Eigen::Index kUnknowns = Eigen::Index{2} * kStages;
+  constexpr Eigen::Index kUnknowns = Eigen::Index{kCoordinates} * kStages;
   Eigen::Matrix<double, kUnknowns, kUnknowns> matrix =
       Eigen::Matrix<double, kUnknowns, kUnknowns>::Identity();
-  Eigen::Matrix<double, kUnknowns, kSize> right;
+  Eigen::Matrix<double, kUnknowns, kColumns> right;
   for (Eigen::Index i = 0; i < kStages; ++i) {
-    const auto of_force = stiffness_.along_path(points[static_cast<std::size_t>(i)], scale);
+    const auto of_force = contact_.along_path(points[static_cast<std::size_t>(i)], scale);
     if (!of_force || !of_force->allFinite()) return loses_track();
-    const Eigen::Matrix2d stiffness = force_unit_ * *of_force - time_rate[i] * Eigen::Matrix2d::Identity();
-    const Eigen::Matrix2d resistance = (damping * time_rate[i]) * Eigen::Matrix2d::Identity();
+    Matrix stiffness = -time_rate[i] * of_bodies;
+    stiffness.template topLeftCorner<2, 2>() += force_unit_ * *of_force;
+    if constexpr (kCoordinates > 2) {
+      stiffness.template topRightCorner<2, 2>() -= force_unit_ * *of_force;
+      stiffness.template bottomLeftCorner<2, 2>() -= ring_->force_unit() * *of_force;
+      stiffness.template bottomRightCorner<2, 2>() += ring_->force_unit() * *of_force;
+    }
+    const Matrix resistance = time_rate[i] * damping;
     for (Eigen::Index j = 0; j < kStages; ++j) {
-      matrix.block<2, 2>(2 * i, 2 * j) -=
+      matrix.template block<kCoordinates, kCoordinates>(kCoordinates * i, kCoordinates * j) -=
           of_acceleration(i, j) * stiffness - method.integral(i, j) * resistance;
     }
-    right.middleRows<2>(2 * i) = stiffness * (place + elapsed[i] * velocity) - resistance * velocity;
+    right.template middleRows<kCoordinates>(kCoordinates * i) =
+        stiffness * (place + elapsed[i] * velocity) - resistance * velocity;
   }
-  const Eigen::Matrix<double, kUnknowns, kSize> acceleration = matrix.partialPivLu().solve(right);
+  const Eigen::Matrix<double, kUnknowns, kColumns> acceleration = matrix.partialPivLu().solve(right);
   for (Eigen::Index i = 0; i < kStages; ++i) {
-    Eigen::Matrix<double, 2, kSize> there = velocity;
+    Rows there = velocity;
     for (Eigen::Index j = 0; j < kStages; ++j)
-      there += method.integral(i, j) * acceleration.middleRows<2>(2 * j);
-    tangents_.topRows<2>() += (method.weight[i] * time_rate[i]) * there;
-    tangents_.bottomRows<2>() += method.weight[i] * acceleration.middleRows<2>(2 * i);
+      there += method.integral(i, j) * acceleration.template middleRows<kCoordinates>(kCoordinates * j);
+    tangents_.template topRows<kCoordinates>() += (method.weight[i] * time_rate[i]) * there;
+    tangents_.template bottomRows<kCoordinates>() +=
+        method.weight[i] * acceleration.template middleRows<kCoordinates>(kCoordinates * i);
   }
 
   force_ = force_in(piece, piece.end());
   if (!piece.path(1.0, point_)) return loses_track();
-  contacts_ = point_.contacts;
 }
 
 void TangentFlow::jump(observables::MotionPiece& piece, const Eigen::Vector2d& force) {
-  const Eigen::Vector2d change = force_unit_ * (force - force_);
+  const Coordinates change = accelerated_by(force - force_);
   const std::vector<Event> events = std::exchange(events_, {});
-  if (change == Eigen::Vector2d::Zero()) return;
+  if (change.isZero(0.0)) return;
   if (events.size() > 1) return loses_track();
   const auto [blade, of_slip] = events.front();
-  const double time = piece.begin();
-  const observables::State state = piece.state(time);
+  observables::PathPoint at = point_;  // the end of the contact, where flight follows
+  if (piece.contact_count() > 0 && !piece.path(0.0, at)) return loses_track();
   ContactStiffness::Guard guard;
   if (of_slip) {
-    const auto contact = std::ranges::find(contacts_, blade, &observables::PathPoint::Contact::blade);
-    if (contact == contacts_.end()) return loses_track();
-    const double damping = 2.0 * free_.damping_ratio();
-    const Eigen::Vector2d acceleration = force_unit_ * force_ + forcing(time) -
-                                         damping * Eigen::Vector2d(state[2], state[3]) -
-                                         Eigen::Vector2d(state[0], state[1]);
-    const auto slip = stiffness_.slip(*contact, time, state, acceleration);
+    const auto contact = std::ranges::find(point_.contacts, blade, &observables::PathPoint::Contact::blade);
+    if (contact == point_.contacts.end()) return loses_track();
+    const auto slip = contact_.slip(*contact, piece.begin(), seen(at), seen_acceleration(at, force_));
     if (!slip) return loses_track();
     guard = *slip;
   } else {
-    guard = stiffness_.gap(blade, time, state);
+    guard = contact_.gap(blade, piece.begin(), seen(at));
   }
-  const Eigen::RowVector4d change_of_time = guard.gradient / guard.rate;
-  tangents_.bottomRows<2>() += change * (change_of_time * tangents_);
+  const Eigen::RowVectorXd change_of_time = by_coordinates(guard.gradient) / guard.rate;
+  const Eigen::Index velocities = tangents_.rows() / 2;
+  tangents_.bottomRows(velocities) += change * (change_of_time * tangents_).eval();
   // det(I + (0, Δa) ∇eᵀ/ė) = 1 + ∇eᵀ (0, Δa) / ė.
-  log_saltation_ += std::log(std::abs(1.0 + change_of_time.tail<2>().dot(change)));
+  log_saltation_ += std::log(std::abs(1.0 + change_of_time.tail(velocities).dot(change)));
 }
 
 }  // namespace rubatlas::variation

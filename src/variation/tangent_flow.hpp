@@ -1,7 +1,9 @@
 /// The linearised flow along a motion: how small differences of the state grow from its start.
 ///
-/// In flight the closed form of free motion; in contact the variational equation
-///     δz'' + 2ζ δz' + δz = K δz / (m ωn²)
+/// With q = (x, y), or (x, y, rx, ry) where the ring is a body, the motion is q'' + C q' + S q = B f(G q) +
+/// …, f the force on the rotor and G q the shaft's place as the ring sees it. In flight the closed form of
+/// free motion; in contact the variational equation
+///     δq'' + C δq' + S δq = B K G δq,   K = df/dc,
 /// along the path of the contact (`contact_stiffness.hpp`), by Gauss's method of order 16; at an event e = 0
 /// where the acceleration jumps by Δa the saltation matrix I + (0, Δa) ∇eᵀ / ė. Source: Müller, Calculation
 /// of Lyapunov exponents for dynamic systems with discontinuities (1995); Hairer, Nørsett, Wanner, II.7.
@@ -9,24 +11,26 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "observables/motion_piece.hpp"
 #include "rotor/free_motion.hpp"
+#include "rotor/linear_support.hpp"
+#include "rotor/ring_body.hpp"
+#include "rotor/support_matrices.hpp"
 #include "settings/scene.hpp"
 #include "variation/contact_stiffness.hpp"
+#include "variation/tangents.hpp"
 
 namespace rubatlas::variation {
-
-/// δ(x, y, x', y') at the end against that at the start, column by column.
-using Tangents = Eigen::Matrix4d;
 
 class TangentFlow {
  public:
   explicit TangentFlow(const settings::Scene& line);
 
-  /// A point at the speed ratio Ω starts, or goes on, with these tangents.
-  void begin(double speed_ratio, const Tangents& tangents);
+  /// A point at the speed ratio Ω starts, with unit tangents.
+  void begin(double speed_ratio);
   /// `between` is called again and again during a long flight, while no tangent has become so small, or so
   /// nearly parallel to another, that its direction is lost; it may set other tangents.
   void piece(observables::MotionPiece& piece, const std::function<void()>& between = {});
@@ -40,22 +44,39 @@ class TangentFlow {
   [[nodiscard]] bool known() const { return known_; }
   [[nodiscard]] const Tangents& tangents() const { return tangents_; }
   void set_tangents(const Tangents& tangents) { tangents_ = tangents; }
-  /// Sum of ln|det| of the saltations so far: what the flow contracts besides e^{−4ζτ}.
+  /// Sum of ln|det| of the saltations so far: what the flow contracts besides `phase_volume_rate`.
   [[nodiscard]] double log_saltation() const { return log_saltation_; }
+  /// d/dτ of the logarithm of phase volume between events: −4ζ of the plain shaft, −tr C of any.
+  [[nodiscard]] double phase_volume_rate() const;
 
  private:
   struct Event {
     int blade;
     bool of_slip;
   };
+  using Coordinates = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMostCoordinates, 1>;
+
   void fly(double duration);
   /// Longest flight over which tangents that were orthogonal keep their directions.
   [[nodiscard]] double longest_flight() const;
+  template <int kCoordinates>
   void follow(observables::MotionPiece& piece);
   void jump(observables::MotionPiece& piece, const Eigen::Vector2d& force);
+  /// S and C, with rows and columns of the ring behind those of the shaft.
+  template <int kCoordinates>
+  [[nodiscard]] Eigen::Matrix<double, kCoordinates, kCoordinates> stiffness() const;
+  template <int kCoordinates>
+  [[nodiscard]] Eigen::Matrix<double, kCoordinates, kCoordinates> resistance() const;
+  /// B f [m per unit τ²], `force` in N.
+  [[nodiscard]] Coordinates accelerated_by(const Eigen::Vector2d& force) const;
+  /// Slopes by the state as the ring sees it, as slopes by (q, q').
+  [[nodiscard]] Eigen::RowVectorXd by_coordinates(const Eigen::RowVector4d& by_seen) const;
+  /// z'' less r'' of the bodies under the force on the rotor [m per unit τ²].
+  [[nodiscard]] Eigen::Vector2d seen_acceleration(const observables::PathPoint& at,
+                                                  const Eigen::Vector2d& force) const;
   [[nodiscard]] static Eigen::Vector2d force_in(observables::MotionPiece& piece, double time);
 
-  /// Acceleration by all that does not depend on the shaft's place [m per unit τ²].
+  /// Acceleration of the shaft by all that does not depend on its place [m per unit τ²].
   [[nodiscard]] Eigen::Vector2d forcing(double time) const;
 
   double force_unit_;                                      ///< 1/(m ωn²) [m/N]
@@ -65,12 +86,15 @@ class TangentFlow {
   double speed_ratio_ = 0.0;                               ///< Ω [-]
   Eigen::Vector2d static_load_ = Eigen::Vector2d::Zero();  ///< deflection under it [m]
   rotor::FreeMotion free_;
-  ContactStiffness stiffness_;
-  Tangents tangents_ = Tangents::Identity();
-  std::vector<Event> events_;                              ///< since the last piece
-  Eigen::Vector2d force_ = Eigen::Vector2d::Zero();        ///< at the end of the last piece [N]
-  std::vector<observables::PathPoint::Contact> contacts_;  ///< there
-  observables::PathPoint point_;
+  std::optional<settings::Scene> supported_;     ///< the line, where the shaft has another support
+  std::optional<rotor::LinearSupport> support_;  ///< at Ω
+  std::optional<rotor::RingBody> ring_;
+  rotor::SupportMatrices shaft_;  ///< of the shaft, at Ω
+  ContactStiffness contact_;
+  Tangents tangents_;
+  std::vector<Event> events_;                        ///< since the last piece
+  Eigen::Vector2d force_ = Eigen::Vector2d::Zero();  ///< at the end of the last piece [N]
+  observables::PathPoint point_;                     ///< there
   bool known_ = true;
   double log_saltation_ = 0.0;
 };

@@ -62,9 +62,12 @@ class Documentation(unittest.TestCase):
     def test_every_block_of_the_tools_readme_runs(self):
         self.expect_blocks_run("tools/README.md", at_least=3)
 
+    def test_every_block_of_the_tutorial_runs(self):
+        self.expect_blocks_run("jobs/tutorial.md", at_least=6)
+
     def test_other_languages_are_marked_or_plain(self):
-        for page in sorted(ROOT.rglob("README.md")):
-            if any(part.startswith(("build", ".")) for part in page.relative_to(ROOT).parts):
+        for page in sorted(ROOT.rglob("*.md")):
+            if any(part.startswith(("build", ".")) or part == "atlases" for part in page.relative_to(ROOT).parts):
                 continue
             for block in BLOCK.finditer(page.read_text()):
                 with self.subTest(page=str(page), block=block["text"][:60]):

@@ -45,7 +45,7 @@ void hand_over(Observable& observable, double begin, double end, std::function<T
 }
 
 TEST(NearestMiss, IsTheSmallestDistanceByWhichATipPassesTheRing) {
-  NearestMiss miss{settings::Scene{}};
+  NearestMiss miss;
   miss.begin(point_at(0.5, 2));
   const auto tips = [](int blade, double time) {
     return blade == 0 ? parabola(time, 3.3, -2e-3, 1e-3) : parabola(time, 7.9, -1e-3, -1e-3);
@@ -57,14 +57,14 @@ TEST(NearestMiss, IsTheSmallestDistanceByWhichATipPassesTheRing) {
 }
 
 TEST(NearestMiss, IsNotANumberWhereNoRadiusHasAMaximum) {
-  NearestMiss miss{settings::Scene{}};
+  NearestMiss miss;
   miss.begin(point_at(0.5, 1));
   hand_over(miss, 0.0, 5.0, [](int, double time) { return Tip{-1e-2 + 1e-3 * time, 1e-3, 0.0}; });
   EXPECT_TRUE(std::isnan(number_in(miss)));
 }
 
 TEST(NearestMiss, LeavesOutTheTipThatIsInContact) {
-  NearestMiss miss{settings::Scene{}};
+  NearestMiss miss;
   miss.begin(point_at(0.5, 2));
   const auto tips = [](int blade, double time) {
     return blade == 0 ? parabola(time, 0.5, -1e-9, 0.0) : parabola(time, 0.6, -3e-3, 0.0);

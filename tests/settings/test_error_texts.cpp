@@ -295,7 +295,11 @@ TEST(SceneErrors, ExponentsAreRefusedWhereTheMotionHasNoLinearisedFlow) {
   EXPECT_EQ(
       refusal_with(R"("wear": {"rate": 1e-9}, "observables": ["lyapunov"])"),
       "/observables: \"lyapunov\" is not to be had; /wear: the motion under this effect has no linearised "
-      "flow here; it is known with /unbalance, /gravity and /side_load only");
+      "flow here; it is known with /unbalance, /gravity, /side_load, /support and /ring_body only");
+  EXPECT_EQ(refusal_with(R"("contact": {"law": "elastic_ring"}, "ring_body": {"mass": 0.0},
+                            "observables": ["lyapunov"])"),
+            "/observables: \"lyapunov\" is not to be had; /ring_body/mass: a ring without mass stands where the "
+            "blades push it, and has no linearised flow here; allowed: a mass above 0");
   EXPECT_EQ(
       refusal_with(R"("accuracy": {"method": "fixed"}, "observables": ["lyapunov"])"),
       "/observables: \"lyapunov\" is not to be had; /accuracy/method: its steps do not follow the path of "

@@ -67,6 +67,35 @@ TEST(Lyapunov, TheSumIsThatOfTheDampingWhereNoSlipReverses) {
   }
 }
 
+TEST(Lyapunov, ARingThatIsABodyAddsItsOwnFour) {
+  settings::Scene scene = with_exponents(0, 100);
+  scene.rotor.misalignment = 0.0;
+  scene.ring_body = effects::RingBody{.mass = 0.5, .compliance = 1e-3, .damping = 4.0};
+  const Exponents found = exponents(scene, 0.4, {1e-3, 0.0, 0.0, 0.0});
+  ASSERT_EQ(found.values.size(), 8U);
+  // c_r/(2 m_r ωn), of the ring that nothing touches.
+  const double of_ring = 4.0 / (2.0 * 0.5 * 10.0);
+  const double turning = 2.0 / (75.0 * 2.0 * std::numbers::pi / 0.4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(found.values[i], -0.1, turning);
+    EXPECT_NEAR(found.values[4 + i], -of_ring, turning);
+  }
+  EXPECT_NEAR(found.residual, 0.0, 1e-12);
+}
+
+TEST(Lyapunov, TheSumIsThatOfTheDampersOnAnySupportAndInARingThatIsABody) {
+  settings::Scene supported = with_exponents(100, 50);
+  supported.support = effects::Support{.stiffness_xx = 20.0, .damping_yy = 0.5, .rotating_damping = 0.3};
+  settings::Scene in_ring = with_exponents(100, 50);
+  in_ring.ring_body = effects::RingBody{.mass = 0.5, .compliance = 1e-4, .damping = 3.0};
+  for (const settings::Scene& scene : {supported, in_ring}) {
+    for (const double speed : {0.31, 0.36, 0.5, 0.62}) {
+      const Exponents found = exponents(scene, speed);
+      EXPECT_LE(std::abs(found.residual), 1e-6) << "speed ratio " << speed;
+    }
+  }
+}
+
 TEST(Lyapunov, TheLargestIsNegativeOnPeriodicMotionsAndPositiveOnChaoticOnes) {
   const settings::Scene scene = with_exponents(300, 300);
   for (const double speed : {0.2, 0.36, 0.42, 0.62})

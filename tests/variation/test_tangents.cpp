@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -95,6 +96,79 @@ TEST(Tangents, OfARotorThatNeverTouchesAreThoseOfFreeMotion) {
   EXPECT_NEAR(map.jacobian(2, 0), -sine, 1e-14);
   EXPECT_NEAR(map.jacobian(3, 3), cosine - damping * sine, 1e-14);
   EXPECT_EQ(map.jacobian(0, 1), 0.0);
+}
+
+settings::Scene on_support() {
+  settings::Scene scene = tight_rotor();
+  // Anisotropic, with a seal, and with damping that turns with the rotor.
+  scene.support = effects::Support{.stiffness_xx = 20.0,
+                                   .stiffness_xy = 4.0,
+                                   .stiffness_yx = -4.0,
+                                   .damping_yy = 0.5,
+                                   .rotating_damping = 0.3};
+  return scene;
+}
+
+TEST(Tangents, OnAnySupportAreTheDerivativeOfTheSectionMap) {
+  int compared = 0;
+  for (const auto law : {settings::ContactLaw::elastica, settings::ContactLaw::elastic_ring}) {
+    settings::Scene scene = on_support();
+    scene.contact.law = law;
+    const auto solver = solver_of(scene);
+    for (const double speed : {0.31, 0.45, 0.62, 0.75}) {
+      const motion::SectionState start = reached(*solver, speed, 37);
+      const auto map = solver->section_map(speed, start, 1);
+      ASSERT_TRUE(map.differentiable) << speed;
+      const Differences expected = differences(*solver, speed, start, 1, 1e-6 * 0.01);
+      if (!(expected.error < 1e-7)) continue;
+      ++compared;
+      EXPECT_LE((map.jacobian - expected.jacobian).norm(), 1e-6 * expected.jacobian.norm()) << speed;
+    }
+  }
+  EXPECT_GE(compared, 4);
+}
+
+settings::Scene in_ring_body(settings::ContactLaw law) {
+  settings::Scene scene = tight_rotor();
+  scene.contact.law = law;
+  scene.unbalance = effects::Unbalance{.moment = 1e-4, .phase = 0.3};
+  scene.ring_body = effects::RingBody{.mass = 0.4, .compliance = 2e-4, .damping = 3.0};
+  return scene;
+}
+
+TEST(Tangents, OfARotorInARingThatIsABodyAreTheDerivativeOfTheMotionOfBoth) {
+  int compared = 0;
+  for (const auto law : {settings::ContactLaw::elastica, settings::ContactLaw::elastic_ring}) {
+    const settings::Scene scene = in_ring_body(law);
+    const auto solver = solver_of(scene);
+    for (const double speed : {0.31, 0.45, 0.62, 0.75}) {
+      // Places of shaft and ring, then their velocities, as the tangents have them.
+      const auto map = [&](const Eigen::VectorXd& from) -> Eigen::VectorXd {
+        const std::array<double, 4> ring{from[2], from[3], from[6], from[7]};
+        const auto end = solver->run(
+            speed, motion::PointStart({from[0], from[1], from[4], from[5]}, motion::Memory(ring)));
+        EXPECT_EQ(end.status, point::PointStatus::done);
+        const auto& shaft = end.final_state;
+        const auto after = end.final_memory.view();
+        return Eigen::Vector<double, 8>(shaft[0], shaft[1], after[0], after[1], shaft[2], shaft[3], after[2],
+                                        after[3]);
+      };
+      Eigen::VectorXd start = Eigen::VectorXd::Zero(8);
+      for (int revolution = 0; revolution < 11; ++revolution) start = map(start);
+      const std::array<double, 4> ring{start[2], start[3], start[6], start[7]};
+      const auto found = solver->section_map(
+          speed, motion::PointStart({start[0], start[1], start[4], start[5]}, motion::Memory(ring)), 1);
+      ASSERT_TRUE(found.differentiable) << speed;
+      const Differences expected = differences(map, start, 1e-6 * 0.01);
+      if (!(expected.error < 1e-7)) continue;
+      ++compared;
+      EXPECT_LE((found.jacobian - expected.jacobian).norm(), 1e-6 * expected.jacobian.norm())
+          << "speed ratio " << speed << '\n'
+          << found.jacobian << "\n\n"
+          << expected.jacobian;
+    }
+  }
+  EXPECT_GE(compared, 4);
 }
 
 }  // namespace

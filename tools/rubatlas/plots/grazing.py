@@ -1,7 +1,6 @@
-#!/usr/bin/python3
 """How hard a grazing contact kicks the rotor, on the three sides of top dead centre, over the depth of the contact.
 
-  tools/grazing.py build/rubatlas -o PICTURE.png [--table]
+  rubatlas-plot grazing build/rubatlas -o PICTURE.png [--table]
 
 An experiment: the program computes one revolution of the default rotor with one blade, from initial states that free motion
 leads to a contact of a given depth d, on the approaching side (s ct = 1 mm), head-on (ct = 0) and on the receding side
@@ -16,9 +15,9 @@ import tempfile
 import h5py
 import numpy as np
 
-import command_line
-import style
-from atlas_file import AtlasError
+from rubatlas import command_line
+from rubatlas import style
+from rubatlas.atlas_file import AtlasError
 
 SPEED_RATIO, DAMPING, NATURAL_FREQUENCY = 0.5, 0.1, 10.0
 RING, REACH, MISALIGNMENT = 0.11, 0.1, 0.01001  # R, rh + L, y0 [m]: the default rotor (src/model.md, 6.1)
@@ -110,7 +109,7 @@ def draw(options):
         print(*table(kicks), sep="\n")
 
 
-if __name__ == "__main__":
+def main(arguments_given):
     arguments = command_line.parser(__doc__, source="RUBATLAS", line=False)
     arguments.add_argument("--table", action="store_true", help="print the slopes as a table")
-    command_line.run(draw, arguments.parse_args())
+    command_line.run(draw, arguments.parse_args(arguments_given))

@@ -6,7 +6,7 @@ import pathlib
 import sys
 import tempfile
 
-from atlas_file import AtlasError
+from rubatlas.atlas_file import AtlasError
 
 LINE_AXES = ["damping_ratio", "friction", "unbalance", "thickness", "direction"]
 

@@ -1,17 +1,16 @@
-#!/usr/bin/python3
 """Sensitivity map: maximum displacement, and class of motion, over the speed ratio and one parameter.
 
-  tools/sensitivity.py ATLAS.h5 -o PICTURE.png [--maps MAPS.h5] [--along damping_ratio] [--passing]
+  rubatlas-plot map ATLAS.h5 -o PICTURE.png [--maps MAPS.h5] [--along damping_ratio] [--passing]
 
 The classes come from the file that `rubatlas analyse ATLAS.h5 -o MAPS.h5` writes; without it only the displacement is
 drawn. Rows are as high as each other, whatever the distance of their values.
 """
 import numpy as np
 
-import command_line
-import style
-from atlas_file import AtlasError, AtlasFile
-from same_scene import require_same
+from rubatlas import command_line
+from rubatlas import style
+from rubatlas.atlas_file import AtlasError, AtlasFile
+from rubatlas.same_scene import require_same
 
 
 def draw(options):
@@ -68,9 +67,9 @@ def draw(options):
         style.save(figure, options)
 
 
-if __name__ == "__main__":
+def main(arguments_given):
     arguments = command_line.parser(__doc__)
     arguments.add_argument("--maps", metavar="MAPS.h5", help="draw the classes too")
     arguments.add_argument("--along", metavar="AXIS", help="the parameter to draw over (default: the first swept one)")
     arguments.add_argument("--passing", action="store_true", help="classes per blade passing")
-    command_line.run(draw, arguments.parse_args())
+    command_line.run(draw, arguments.parse_args(arguments_given))

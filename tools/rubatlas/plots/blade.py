@@ -1,17 +1,16 @@
-#!/usr/bin/python3
 """Force and displacement of the blade's tip, for the blade and the friction of an atlas (as the paper's Fig. 2).
 
-  tools/blade.py ATLAS.h5 -o PICTURE.png [--thickness 0.0005] [--friction 0.1]
+  rubatlas-plot blade ATLAS.h5 -o PICTURE.png [--thickness 0.0005] [--friction 0.1]
 
 Left the axial shortening, right the lateral deflection, over the axial load; the dashed line is the Euler load of the
 frictionless blade. One curve per friction coefficient of the atlas, or the one that is named.
 """
 import numpy as np
 
-import command_line
-import elastica
-import style
-from atlas_file import AtlasError, AtlasFile
+from rubatlas import command_line
+from rubatlas import elastica
+from rubatlas import style
+from rubatlas.atlas_file import AtlasError, AtlasFile
 
 
 def draw(options):
@@ -50,5 +49,5 @@ def draw(options):
         style.save(figure, options)
 
 
-if __name__ == "__main__":
-    command_line.run(draw, command_line.parser(__doc__).parse_args())
+def main(arguments_given):
+    command_line.run(draw, command_line.parser(__doc__).parse_args(arguments_given))

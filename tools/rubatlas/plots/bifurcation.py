@@ -1,16 +1,15 @@
-#!/usr/bin/python3
 """Bifurcation diagram: Poincaré sections and maximum displacement over the speed ratio (as the paper's Fig. 3).
 
-  tools/bifurcation.py ATLAS.h5 -o PICTURE.png [--damping_ratio 0.1 ...] [--passing]
+  rubatlas-plot bifurcation ATLAS.h5 -o PICTURE.png [--damping_ratio 0.1 ...] [--passing]
 
 Every dot is one section of the sampled revolutions: one dot is a motion that repeats itself each revolution, k dots
 one that takes k revolutions, a cloud one that never repeats itself.
 """
 import numpy as np
 
-import command_line
-import style
-from atlas_file import AtlasFile
+from rubatlas import command_line
+from rubatlas import style
+from rubatlas.atlas_file import AtlasFile
 
 
 def draw(options):
@@ -44,7 +43,7 @@ def draw(options):
         style.save(figure, options)
 
 
-if __name__ == "__main__":
+def main(arguments_given):
     arguments = command_line.parser(__doc__)
     arguments.add_argument("--passing", action="store_true", help="sections at every blade passing")
-    command_line.run(draw, arguments.parse_args())
+    command_line.run(draw, arguments.parse_args(arguments_given))

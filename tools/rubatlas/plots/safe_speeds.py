@@ -1,7 +1,6 @@
-#!/usr/bin/python3
 """Speeds at which a rotor keeps given limits for all values of the other quantities, as bands.
 
-  tools/safe_speeds.py ATLAS.h5 -o PICTURE.png --keep "max_displacement<=0.012" --keep "max_root_strain<=0.002"
+  rubatlas-plot safe_speeds ATLAS.h5 -o PICTURE.png --keep "max_displacement<=0.012" --keep "max_root_strain<=0.002"
                        [--keep "nearest_miss>=1e-4"] [--maps MAPS.h5 --keep "margin>=0.01" --keep "class<=1"]
                        [--operate 0.64] [--json BANDS.json] [--damping_ratio 0.1 ...]
 
@@ -24,10 +23,10 @@ import tempfile
 
 import numpy as np
 
-import command_line
-import style
-from atlas_file import DONE, AtlasError, AtlasFile
-from same_scene import require_same
+from rubatlas import command_line
+from rubatlas import style
+from rubatlas.atlas_file import DONE, AtlasError, AtlasFile
+from rubatlas.same_scene import require_same
 
 KEEPS = {"<=": operator.le, ">=": operator.ge}
 # Datasets in which NaN means that there is nothing to keep away from.
@@ -252,11 +251,11 @@ def draw(options):
         print(*sentences(result), sep="\n")
 
 
-if __name__ == "__main__":
+def main(arguments_given):
     arguments = command_line.parser(__doc__)
     arguments.add_argument("--keep", action="append", required=True, metavar="LIMIT",
                            help='a limit such as "max_displacement<=0.012"; may be repeated')
     arguments.add_argument("--maps", metavar="MAPS.h5", help="maps of the atlas, for limits on margin and class")
     arguments.add_argument("--operate", type=float, metavar="SPEED_RATIO", help="an operating speed, for its margins")
     arguments.add_argument("--json", metavar="BANDS.json", help="the bands as a file too")
-    command_line.run(draw, arguments.parse_args())
+    command_line.run(draw, arguments.parse_args(arguments_given))

@@ -1,7 +1,6 @@
-#!/usr/bin/python3
 """Waterfall: the spectrum of x over the speed ratio, with the places of the orders 1 to 3, n and 2n.
 
-  tools/waterfall.py ATLAS.h5 -o PICTURE.png [--damping_ratio 0.1 ...] [--max_frequency 4]
+  rubatlas-plot waterfall ATLAS.h5 -o PICTURE.png [--damping_ratio 0.1 ...] [--max_frequency 4]
 
 Orders become frequencies, order times speed ratio, in units of the rotor's natural frequency: a motion that is tied to
 the rotation lies on oblique lines, one that is tied to the rotor stands upright. Marks on the borders, which leave the data
@@ -9,9 +8,9 @@ free, say where the lines of the orders 1, 2, 3 and of the blade passings (n bla
 """
 import numpy as np
 
-import command_line
-import style
-from atlas_file import AtlasFile
+from rubatlas import command_line
+from rubatlas import style
+from rubatlas.atlas_file import AtlasFile
 
 
 def by_frequency(speed, order, amplitude, edges):
@@ -91,7 +90,7 @@ def draw(options):
         style.save(figure, options)
 
 
-if __name__ == "__main__":
+def main(arguments_given):
     arguments = command_line.parser(__doc__)
     arguments.add_argument("--max_frequency", type=float, help="right end, in natural frequencies (default: 4 or less)")
-    command_line.run(draw, arguments.parse_args())
+    command_line.run(draw, arguments.parse_args(arguments_given))

@@ -1,7 +1,6 @@
-#!/usr/bin/python3
 """Work-precision diagrams of a study of accuracy, and the table that says what accuracy costs.
 
-  tools/accuracy.py ACCURACY.h5 -o FOLDER [--map MAP.h5] [--reference orbits.json] [--page README.md]
+  rubatlas-plot accuracy ACCURACY.h5 -o FOLDER [--map MAP.h5] [--reference orbits.json] [--page README.md]
 
 Draws FOLDER/accuracy.png, the error of trajectories over time and work, and FOLDER/accuracy_map.png, the error of a map,
 from what `rubatlas accuracy` has written; prints the table in Markdown. A second study, of more points, may serve for the
@@ -12,11 +11,11 @@ import pathlib
 
 import numpy as np
 
-import command_line
-import style
-from accuracy_file import AccuracyFile
-from atlas_file import AtlasError
-from same_scene import require_same_machine
+from rubatlas import command_line
+from rubatlas import style
+from rubatlas.accuracy_file import AccuracyFile
+from rubatlas.atlas_file import AtlasError
+from rubatlas.same_scene import require_same_machine
 
 # A colour and a mark for each method, so that either distinguishes the lines.
 LOOKS = {"hybrid": (style.BLUE, "o"), "collocation": (style.PURPLE, "*"), "hybrid_54": (style.SKY, "s"),
@@ -230,6 +229,6 @@ def parser():
     return result
 
 
-if __name__ == "__main__":
-    chosen = parser().parse_args()
+def main(arguments_given):
+    chosen = parser().parse_args(arguments_given)
     command_line.end_on_mistakes(lambda: draw(chosen))

@@ -1,7 +1,6 @@
-#!/usr/bin/python3
 """Orbit of one grid point with its Poincaré sections, and the force on each blade.
 
-  tools/orbit.py ORBIT.h5 -o PICTURE.png [--revolutions 3]
+  rubatlas-plot orbit ORBIT.h5 -o PICTURE.png [--revolutions 3]
 
 The circle is the clearance: as long as the shaft centre stays inside, no blade can touch, wherever it points. The
 forces are those of the last revolutions, contact by contact from touch-down to lift-off.
@@ -11,9 +10,9 @@ import json
 import h5py
 import numpy as np
 
-import command_line
-import style
-from atlas_file import DONE, UNREADABLE, AtlasError, clearance_of, printable, swept_pointers, text, with_values
+from rubatlas import command_line
+from rubatlas import style
+from rubatlas.atlas_file import DONE, UNREADABLE, AtlasError, clearance_of, printable, swept_pointers, text, with_values
 
 
 DATASETS = ("time", "state", "force", "sections", "contact_number", "contact_blade", "contact_time", "contact_force")
@@ -102,7 +101,7 @@ def draw(options):
     style.save(figure, options)
 
 
-if __name__ == "__main__":
+def main(arguments_given):
     arguments = command_line.parser(__doc__, source="ORBIT.h5", line=False)
     arguments.add_argument("--revolutions", type=int, default=3, help="how many of the last to show forces of")
-    command_line.run(draw, arguments.parse_args())
+    command_line.run(draw, arguments.parse_args(arguments_given))

@@ -1,7 +1,6 @@
-#!/usr/bin/python3
 """The paper's statements against contact law, stiffness of the ring and other open quantities: which findings hold where.
 
-  tools/statement_map.py MAPS.h5 [MAPS.h5 ...] -o PICTURE.png [--statements P1,P2,P3,P4,P5,P8] [--counts]
+  rubatlas-plot statement_map MAPS.h5 [MAPS.h5 ...] -o PICTURE.png [--statements P1,P2,P3,P4,P5,P8] [--counts]
 
 Each file is one that `rubatlas analyse` writes; a column is one setting of what its grid leaves open (one stiffness of
 the ring, say), a row is one finding of a statement. The text in a cell is the number that the finding rests on. Below
@@ -13,9 +12,9 @@ import re
 
 import numpy as np
 
-import command_line
-import style
-from atlas_file import AtlasError, reading, text
+from rubatlas import command_line
+from rubatlas import style
+from rubatlas.atlas_file import AtlasError, reading, text
 
 NOT_COVERED, YES, NO = 0, 1, 2
 COLOURS = {YES: "#8fd1b8", NO: "#eba27a", NOT_COVERED: "#ececf1", None: "#ffffff"}
@@ -141,12 +140,12 @@ def draw(options):
     style.save(figure, options)
 
 
-if __name__ == "__main__":
+def main(arguments_given):
     arguments = command_line.parser(__doc__, source="MAPS.h5", line=False)
     arguments.add_argument("more", nargs="*", metavar="MAPS.h5")
     arguments.add_argument("--statements", default="P1,P2,P3,P4,P5,P6,P8", help="which, separated by commas")
     arguments.add_argument("--counts", action="store_true", help="print the counts as a Markdown table too")
     arguments.add_argument("--title", default="What the paper says of Fig. 4, by contact law")
-    chosen = arguments.parse_args()
+    chosen = arguments.parse_args(arguments_given)
     chosen.maps = [chosen.source, *chosen.more]
     command_line.run(draw, chosen)

@@ -1,7 +1,6 @@
-#!/usr/bin/python3
 """A branch of periodic orbits: size of the orbit over the quantity that varies, stable or not, with its bifurcations.
 
-  tools/branch.py BRANCH.h5 -o PICTURE.png
+  rubatlas-plot branch BRANCH.h5 -o PICTURE.png
 
 BRANCH.h5 is what `rubatlas branch` writes. Above, the section's distance from the centre; below, the largest
 multiplier. Stable orbits are drawn as full lines, unstable ones dotted. A curve of bifurcations is drawn in the plane
@@ -11,9 +10,9 @@ import json
 
 import numpy as np
 
-import command_line
-import style
-from atlas_file import AtlasError, printable, reading, text
+from rubatlas import command_line
+from rubatlas import style
+from rubatlas.atlas_file import AtlasError, printable, reading, text
 
 # Marks of the kinds of events, as the file numbers them.
 MARKS = {1: ("fold", "s", style.GREEN), 2: ("period doubling", "D", style.VERMILION),
@@ -111,6 +110,6 @@ def draw(options):
     style.save(figure, options)
 
 
-if __name__ == "__main__":
+def main(arguments_given):
     arguments = command_line.parser(__doc__, source="BRANCH.h5", line=False)
-    command_line.run(draw, arguments.parse_args())
+    command_line.run(draw, arguments.parse_args(arguments_given))

@@ -1,14 +1,13 @@
-#!/usr/bin/python3
 """Maximum displacement over the clearance, along the speed ratio (as the paper's Fig. 10a).
 
-  tools/displacement.py ATLAS.h5 -o PICTURE.png [--along damping_ratio] [--friction 0.1 ...]
+  rubatlas-plot displacement ATLAS.h5 -o PICTURE.png [--along damping_ratio] [--friction 0.1 ...]
 
 One curve per value of the swept parameter; above 1 the rotor moves further than the gap between blade and ring. Speeds
 without a motion are shaded, the fainter the fewer lines have none there.
 """
-import command_line
-import style
-from atlas_file import AtlasError, AtlasFile
+from rubatlas import command_line
+from rubatlas import style
+from rubatlas.atlas_file import AtlasError, AtlasFile
 
 
 def draw(options):
@@ -45,8 +44,8 @@ def draw(options):
         style.save(figure, options)
 
 
-if __name__ == "__main__":
+def main(arguments_given):
     arguments = command_line.parser(__doc__)
     arguments.add_argument("--along", metavar="AXIS", help="the parameter with one curve per value "
                                                            "(default: the first swept one)")
-    command_line.run(draw, arguments.parse_args())
+    command_line.run(draw, arguments.parse_args(arguments_given))

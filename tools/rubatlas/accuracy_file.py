@@ -7,7 +7,7 @@ import json
 import h5py
 import numpy as np
 
-from atlas_file import DONE, UNREADABLE, AtlasError, clearance_of, printable, swept_pointers, text, with_values
+from rubatlas.atlas_file import DONE, UNREADABLE, AtlasError, clearance_of, printable, swept_pointers, text, with_values
 
 # Parameters of a reference case, and where a resolved scene states them.
 PARAMETERS = {"R": "/ring/radius", "L": "/blades/length", "rh": "/blades/hub_radius", "m": "/rotor/mass",

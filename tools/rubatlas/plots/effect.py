@@ -1,17 +1,16 @@
-#!/usr/bin/python3
 """How an effect changes a bifurcation diagram: the same scene without it and with it, side by side.
 
-  tools/effect.py WITH.h5 --without WITHOUT.h5 -o PICTURE.png [--damping_ratio 0.1 ...]
+  rubatlas-plot effect WITH.h5 --without WITHOUT.h5 -o PICTURE.png [--damping_ratio 0.1 ...]
 
 Above, y at the Poincaré sections; below, the maximum displacement, on the right with that of the left behind it.
 jobs/effects.sh makes both atlases from a scene that has an effect, and draws them.
 """
 import numpy as np
 
-import command_line
-import style
-from atlas_file import AtlasFile
-from same_scene import require_without_effect
+from rubatlas import command_line
+from rubatlas import style
+from rubatlas.atlas_file import AtlasFile
+from rubatlas.same_scene import require_without_effect
 
 
 def draw(options):
@@ -43,7 +42,7 @@ def draw(options):
         style.save(figure, options)
 
 
-if __name__ == "__main__":
+def main(arguments_given):
     arguments = command_line.parser(__doc__, source="WITH.h5")
     arguments.add_argument("--without", required=True, metavar="WITHOUT.h5", help="atlas of the scene without the effect")
-    command_line.run(draw, arguments.parse_args())
+    command_line.run(draw, arguments.parse_args(arguments_given))

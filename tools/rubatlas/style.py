@@ -4,14 +4,12 @@ Colours are those of Okabe and Ito, which people with any of the common colour d
 `viridis`, which grows evenly in lightness.
 """
 import matplotlib
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.patches import Patch
 
-matplotlib.use("Agg")  # pictures go to files; no display is needed
-import matplotlib.pyplot as plt  # noqa: E402
-import numpy as np  # noqa: E402
-from matplotlib.patches import Patch  # noqa: E402
-
-import command_line  # noqa: E402
-from atlas_file import INTEGRATOR_FAILED, LEFT_VALIDITY, PENDING, SYMBOL  # noqa: E402
+from rubatlas import command_line
+from rubatlas.atlas_file import INTEGRATOR_FAILED, LEFT_VALIDITY, PENDING, SYMBOL
 
 INK = "#1a1a2e"
 BLUE, ORANGE, GREEN, VERMILION, PURPLE, SKY, YELLOW, GREY = (
@@ -35,7 +33,8 @@ CLASSES = [
     ("aperiodic", INK, 255, 255),
 ]
 
-plt.rcParams.update({
+#: How figures and axes are made; of axes that a caller brings along only what is drawn into them is ours.
+SETTINGS = {
     "figure.dpi": 100, "figure.constrained_layout.use": True,
     "font.size": 9.5, "axes.titlesize": 10, "axes.labelsize": 9.5, "legend.fontsize": 8.5,
     "xtick.labelsize": 8.5, "ytick.labelsize": 8.5, "text.color": INK, "axes.labelcolor": INK,
@@ -43,7 +42,7 @@ plt.rcParams.update({
     "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.8,
     "axes.grid": True, "grid.color": "#e4e4ea", "grid.linewidth": 0.6, "axes.axisbelow": True,
     "svg.hashsalt": "rubatlas", "axes.prop_cycle": plt.cycler(color=CYCLE), "lines.linewidth": 1.1, "legend.frameon": False,
-})
+}
 
 # Metres make poor tick labels here: lengths are drawn in millimetres, times in their own unit.
 _DRAWN = {"m": ("mm", 1e3)}

@@ -1,7 +1,6 @@
-#!/usr/bin/python3
 """Basins of attraction: which attractor each initial state leads to, speed by speed.
 
-  tools/basins.py ATLAS.h5 --maps MAPS.h5 -o PICTURE.png [--at initial_y=0.001] [--at speed_ratio=0.438] [--friction 0.1 ...]
+  rubatlas-plot basins ATLAS.h5 --maps MAPS.h5 -o PICTURE.png [--at initial_y=0.001] [--at speed_ratio=0.438] [--friction 0.1 ...]
 
 The atlas has axes of the initial state; MAPS.h5 is what `rubatlas analyse ATLAS.h5 -o MAPS.h5` writes. Each speed has a
 panel over two axes of the initial state (nine speeds at most, evenly chosen); a single axis is drawn over the speed
@@ -10,10 +9,10 @@ ratio. Attractors have the colours of their classes, and further ones of the sam
 import numpy as np
 from matplotlib.patches import Patch
 
-import command_line
-import style
-from atlas_file import AtlasError, AtlasFile
-from same_scene import require_same
+from rubatlas import command_line
+from rubatlas import style
+from rubatlas.atlas_file import AtlasError, AtlasFile
+from rubatlas.same_scene import require_same
 
 MOST_PANELS = 9
 
@@ -98,7 +97,7 @@ def draw(options):
         style.save(figure, options)
 
 
-if __name__ == "__main__":
+def main(arguments_given):
     arguments = command_line.parser(__doc__)
     arguments.add_argument("--maps", metavar="MAPS.h5", required=True, help="the attractors")
-    command_line.run(draw, arguments.parse_args())
+    command_line.run(draw, arguments.parse_args(arguments_given))

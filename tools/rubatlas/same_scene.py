@@ -1,5 +1,5 @@
 """Whether two files are of the same scene. Every tool that draws two files together checks this first."""
-from atlas_file import AtlasError
+from rubatlas.atlas_file import AtlasError
 
 # Keys that do not influence the motions of an atlas.
 WORDS = ("title", "reference")
