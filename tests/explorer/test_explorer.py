@@ -304,8 +304,8 @@ class Explorer(unittest.TestCase):
 
     def test_the_shape_of_a_blade_ends_where_the_closed_form_says(self):
         import sys
-        sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tools/rubatlas")]
-        import elastica
+        sys.path.insert(0, str(ROOT / "tools"))
+        from rubatlas import elastica
         friction, excess = 0.1, np.array([1e-3, 0.05, 0.3])
         load, shortening, deflection = elastica.curve(friction, excess)
         half_angle = 0.5 * np.arctan(friction)

@@ -11,11 +11,11 @@ import os
 import pathlib
 import tempfile
 
-import command_line
-from atlas_file import AtlasError, AtlasFile
+from rubatlas import command_line
+from rubatlas.atlas_file import AtlasError, AtlasFile
 
-from .contents import contents
-from .page import GENERATOR, page
+from rubatlas.report.contents import contents
+from rubatlas.report.page import GENERATOR, page
 
 CLONE = pathlib.Path(__file__).resolve().parents[3]
 

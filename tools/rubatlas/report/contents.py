@@ -12,8 +12,8 @@ import zlib
 
 import numpy as np
 
-from atlas_file import DONE, SCENE_VALUE, SYMBOL, printable, swept_pointers, text
-from same_scene import MACHINE, POINTS, WORDS, require_same
+from rubatlas.atlas_file import DONE, SCENE_VALUE, SYMBOL, printable, swept_pointers, text
+from rubatlas.same_scene import MACHINE, POINTS, WORDS, require_same
 
 # Laws and sections of a scene that the solver in the page knows. Everything else is an effect that it does not.
 LAWS_IN_PAGE = ("elastica", "elastic_ring")
