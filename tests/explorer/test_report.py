@@ -2,12 +2,20 @@
 import json
 import pathlib
 import re
+import sys
 import tempfile
 import unittest
+
+from unittest import mock
 
 import h5py
 import numpy as np
 from reports import ROOT, SOLVER, TINY, made, report, run, tiny
+
+sys.path.insert(0, str(ROOT / "tools"))
+
+from rubatlas.atlas_file import AtlasError, AtlasFile  # noqa: E402
+from rubatlas.report import contents  # noqa: E402
 
 FOLDER = ROOT / "tools/rubatlas/report"
 
@@ -68,6 +76,24 @@ class Report(unittest.TestCase):
     def test_as_many_sections_as_fit_are_kept(self):
         ended = report(TINY / "atlas.h5", "-o", self.folder / "report.html", "--solver", SOLVER)
         self.assertIn("16 of 16 sections", ended.stdout)
+
+    def expect_size(self, most_bytes):
+        """What a report of the tiny atlas keeps with so many bytes for its numbers."""
+        with mock.patch.object(contents, "MOST_BYTES", most_bytes), AtlasFile(TINY / "atlas.h5") as atlas:
+            result, blocks = contents.contents(atlas, None, None)
+        self.assertLessEqual(blocks.size, most_bytes)
+        return result["lines"]
+
+    def test_sections_that_do_not_fit_are_left_out_from_the_first_on(self):
+        kept = [self.expect_size(size)["poincare"]["sections"] for size in (1_000_000, 15_000, 12_000)]
+        self.assertEqual(kept[0], 16)
+        self.assertLess(kept[1], kept[0])
+        self.assertLess(kept[2], kept[1])
+        self.assertGreaterEqual(kept[2], 1)
+
+    def test_an_atlas_that_is_too_large_is_refused(self):
+        with self.assertRaisesRegex(AtlasError, "108 points are too many for one page"):
+            self.expect_size(1000)
 
     def test_the_same_atlas_gives_the_same_bytes(self):
         first = tiny(self.folder).read_bytes()

@@ -1,9 +1,10 @@
-/// The solver as a WebAssembly module: one point of a scene from numbers to its orbit, for the explorer's page.
+/// The solver as a WebAssembly module: one point of a scene from numbers to its orbit, for the explorer's
+/// page.
 ///
-/// The page writes a request, calls `compute`, and reads arrays from the module's memory. Settings, motions and the
-/// protocol of a point are those of the program, compiled from the same sources; this file fills a scene from numbers
-/// instead of from JSON, and adds how far each blade bends, for the drawing. The scene is the paper's rotor: no effect
-/// besides the unbalance, method `hybrid`.
+/// The page writes a request, calls `compute`, and reads arrays from the module's memory. Settings, motions
+/// and the protocol of a point are those of the program, compiled from the same sources; this file fills a
+/// scene from numbers instead of from JSON, and adds how far each blade bends, for the drawing. The scene is
+/// the paper's rotor: no effect besides the unbalance, method `hybrid`.
 
 #include <algorithm>
 #include <array>
@@ -36,11 +37,13 @@ Rows Recorder::rows(bool /*done*/) {
 extern "C" void* __cxa_allocate_exception(std::size_t /*size*/) {  // NOLINT(bugprone-reserved-identifier)
   __builtin_trap();
 }
-extern "C" void __cxa_throw(void* /*thrown*/, void* /*type*/, void (* /*destroy*/)(void*)) {  // NOLINT(bugprone-reserved-identifier)
+extern "C" void __cxa_throw(void* /*thrown*/, void* /*type*/,
+                            void (* /*destroy*/)(void*)) {  // NOLINT(bugprone-reserved-identifier)
   __builtin_trap();
 }
 // The module has one thread, which ends with the page: nothing is left to destroy.
-extern "C" int __cxa_thread_atexit(void (* /*destroy*/)(void*), void* /*object*/, void* /*library*/) {  // NOLINT(bugprone-reserved-identifier)
+extern "C" int __cxa_thread_atexit(void (* /*destroy*/)(void*), void* /*object*/,
+                                   void* /*library*/) {  // NOLINT(bugprone-reserved-identifier)
   return 0;
 }
 
@@ -50,43 +53,48 @@ using namespace rubatlas;
 
 /// What the page asks for. Numbers only, so that a script can write it; SI units.
 struct Request {
-  double speed_ratio;             ///< Ω [-]
-  double damping_ratio;           ///< ζ [-]
-  double friction;                ///< μ [-]
-  double unbalance;               ///< me [kg m]
-  double unbalance_phase;         ///< γ [rad]
-  double thickness;               ///< h [m]
-  double misalignment;            ///< y0 [m]
-  double mass;                    ///< m [kg]
-  double natural_frequency;       ///< ωn [rad/s]
-  double blade_count;             ///< n [-]
-  double blade_length;            ///< L [m]
-  double blade_width;             ///< b [m]
-  double youngs_modulus;          ///< E [Pa]
-  double hub_radius;              ///< rh [m]
-  double ring_radius;             ///< R [m]
-  double ring_stiffness;          ///< kr [N/m]
-  double contact_law;             ///< 0 elastica, 1 elastic_ring (`settings::ContactLaw`)
-  double max_shortening;          ///< limit of δ/L [-]
-  double tolerance;               ///< local error of a step relative to the clearance
-  std::array<double, 4> start;    ///< x, y [m], dx/dτ, dy/dτ [m]
+  double speed_ratio;           ///< Ω [-]
+  double damping_ratio;         ///< ζ [-]
+  double friction;              ///< μ [-]
+  double unbalance;             ///< me [kg m]
+  double unbalance_phase;       ///< γ [rad]
+  double thickness;             ///< h [m]
+  double misalignment;          ///< y0 [m]
+  double mass;                  ///< m [kg]
+  double natural_frequency;     ///< ωn [rad/s]
+  double blade_count;           ///< n [-]
+  double blade_length;          ///< L [m]
+  double blade_width;           ///< b [m]
+  double youngs_modulus;        ///< E [Pa]
+  double hub_radius;            ///< rh [m]
+  double ring_radius;           ///< R [m]
+  double ring_stiffness;        ///< kr [N/m]
+  double contact_law;           ///< 0 elastica, 1 elastic_ring (`settings::ContactLaw`)
+  double max_shortening;        ///< limit of δ/L [-]
+  double tolerance;             ///< local error of a step relative to the clearance
+  std::array<double, 4> start;  ///< x, y [m], dx/dτ, dy/dτ [m]
   double transient_revolutions;
   double sampled_revolutions;
   double samples_per_revolution;
-  double stop_when_periodic;      ///< 0 or 1
+  double stop_when_periodic;  ///< 0 or 1
 };
 static_assert(sizeof(Request) % sizeof(double) == 0);
 
 Request request;
 point::Orbit orbit;
-std::vector<double> tip_slopes;  ///< θ(L) [rad] of each blade at each time of the orbit; 0 where it is straight
+std::vector<double>
+    tip_slopes;  ///< θ(L) [rad] of each blade at each time of the orbit; 0 where it is straight
 assembly::BladeTables* tables = nullptr;
 
 settings::Scene scene_of(const Request& from) {
   settings::Scene scene;
   scene.rotor = {from.mass, from.natural_frequency, from.damping_ratio, from.misalignment};
-  scene.blades = {static_cast<int>(from.blade_count), from.blade_length,   from.blade_width, from.thickness,
-                  from.youngs_modulus,                from.hub_radius};
+  scene.blades = {static_cast<int>(from.blade_count),
+                  from.blade_length,
+                  from.blade_width,
+                  from.thickness,
+                  from.youngs_modulus,
+                  from.hub_radius};
   scene.ring = {from.ring_radius, from.ring_stiffness};
   scene.contact = {static_cast<settings::ContactLaw>(from.contact_law), from.friction};
   // An unbalance of zero is the absent effect, as in a line of an atlas.
@@ -114,19 +122,21 @@ bool acceptable(const Request& given) {
          positive(given.ring_radius, kLongest) && positive(given.ring_stiffness, 1e15) &&
          (given.contact_law == 0.0 || given.contact_law == 1.0) && positive(given.max_shortening, 0.75) &&
          within(given.tolerance, 1e-13, 1e-2) &&
-         std::all_of(given.start.begin(), given.start.end(), [](double value) { return std::isfinite(value); }) &&
+         std::all_of(given.start.begin(), given.start.end(),
+                     [](double value) { return std::isfinite(value); }) &&
          within(given.transient_revolutions, 0.0, 1e5) && within(given.sampled_revolutions, 1.0, 1e4) &&
-         within(given.samples_per_revolution, 2.0, 4096.0) && given.ring_radius >= given.hub_radius + given.blade_length;
+         within(given.samples_per_revolution, 2.0, 4096.0) &&
+         given.ring_radius >= given.hub_radius + given.blade_length;
 }
 
-/// The bending of a blade that touches: the root of h (MODEL 4) along its curve, for a slip direction s. The curve
-/// starts at h = g > 0 and has one root.
+/// The bending of a blade that touches: the root of h (MODEL 4) along its curve, for a slip direction s. The
+/// curve starts at h = g > 0 and has one root.
 struct Bend {
   double load;       ///< F [N]
   double tip_slope;  ///< θ(L) [rad], positive to the side to which friction pushes the tip
 };
-Bend bend_of(const settings::Scene& scene, const blade::ElasticaCurve& curve, double radial, double tangential,
-             double slip) {
+Bend bend_of(const settings::Scene& scene, const blade::ElasticaCurve& curve, double radial,
+             double tangential, double slip) {
   const settings::Blades& blades = scene.blades;
   const auto h = [&](double bending) {
     const blade::CurvePoint at = curve.at(bending);
@@ -187,7 +197,8 @@ RUBATLAS_EXPORT(request_numbers) double* request_numbers() {
 RUBATLAS_EXPORT(request_size) int request_size() {
   return static_cast<int>(sizeof(Request) / sizeof(double));
 }
-/// Computes the request. Returns the status of the point (`point::PointStatus`), −1 for a request that no scene may make.
+/// Computes the request. Returns the status of the point (`point::PointStatus`), −1 for a request that no
+/// scene may make.
 RUBATLAS_EXPORT(compute) int compute() {
   if (!acceptable(request)) return -1;
   if (tables == nullptr) tables = new assembly::BladeTables;
@@ -206,7 +217,8 @@ RUBATLAS_EXPORT(ending_size) int ending_size() {
 RUBATLAS_EXPORT(failed_revolution) int failed_revolution() {
   return orbit.failed_revolution;
 }
-/// Arrays of the last orbit. Sections and states are x, y, dx/dτ, dy/dτ; forces and slopes have one number per blade.
+/// Arrays of the last orbit. Sections and states are x, y, dx/dτ, dy/dτ; forces and slopes have one number
+/// per blade.
 RUBATLAS_EXPORT(section_count) int section_count() {
   return static_cast<int>(orbit.sections.size());
 }

@@ -12,7 +12,7 @@ import zlib
 
 import numpy as np
 
-from rubatlas.atlas_file import DONE, SCENE_VALUE, SYMBOL, printable, swept_pointers, text
+from rubatlas.atlas_file import DONE, SCENE_VALUE, SYMBOL, AtlasError, printable, swept_pointers, text
 from rubatlas.same_scene import MACHINE, POINTS, WORDS, require_same
 
 # Laws and sections of a scene that the solver in the page knows. Everything else is an effect that it does not.
@@ -23,8 +23,9 @@ SECTIONS_IN_PAGE = {*WORDS, *POINTS, *MACHINE, "pieces", "unbalance"}
 MOST_BYTES = 17_000_000
 # Maps of an atlas with more points are single precision.
 MOST_POINTS_IN_FULL = 30_000
-# Spectral lines of a waterfall are gathered into bins of this order; a bin holds the largest of its lines.
-WIDTH_OF_BIN = 0.02
+# Spectral lines are gathered into bins this many orders wide, the first width with which the spectra take no more than half of the bytes;
+# a bin holds the largest of its lines.
+WIDTHS_OF_BINS = (0.02, 0.05, 0.1, 0.25)
 # Amplitudes are kept as 16 bits of their logarithm over this range below the largest of the atlas.
 DECADES_OF_SPECTRUM = 8.0
 
@@ -144,9 +145,19 @@ def lines_of(atlas, blocks):
 
 
 def spectra(atlas, blocks, done):
+    for width in WIDTHS_OF_BINS:
+        trial = Blocks()
+        result = binned_spectra(atlas, trial, done, width)
+        if trial.size <= 0.5 * (MOST_BYTES - blocks.size):
+            blocks.texts.update(trial.texts)
+            return result
+    return None
+
+
+def binned_spectra(atlas, blocks, done, width):
     orders = atlas.axis("order")
     dataset = atlas.dataset("spectrum")
-    bins = np.floor(orders / WIDTH_OF_BIN + 0.5).astype(int)
+    bins = np.floor(orders / width + 0.5).astype(int)
     starts = np.flatnonzero(np.diff(bins, prepend=-1))
     count = len(done)
     lines = []
@@ -162,8 +173,8 @@ def spectra(atlas, blocks, done):
     codes = np.round(decades / DECADES_OF_SPECTRUM * 65535.0).astype("<u2")
     for line in range(count):
         lines.append(blocks.add(f"spectrum/{line}", codes[line]))
-    return {"orders": [float(order) for order in bins[starts] * WIDTH_OF_BIN], "lines": lines, "largest": largest,
-            "decades": DECADES_OF_SPECTRUM, "units": atlas.units("spectrum"), "width": WIDTH_OF_BIN}
+    return {"orders": [float(order) for order in bins[starts] * width], "lines": lines, "largest": largest,
+            "decades": DECADES_OF_SPECTRUM, "units": atlas.units("spectrum"), "width": width}
 
 
 # --- words ---
@@ -236,6 +247,8 @@ def contents(atlas, maps, solver):
         "runs": runs_beside(atlas.path),
         "not_computed": why_not_computed(atlas.scene, solver),
     }
+    if blocks.size > MOST_BYTES:
+        raise AtlasError(f"{atlas.path}: {status.size} points are too many for one page; a report holds some hundred thousand")
     result["lines"] = lines_of(atlas, blocks)
     if not result["not_computed"]:
         blocks.texts["solver"] = base64.b64encode(zlib.compress(solver, 9)).decode("ascii")
