@@ -125,8 +125,7 @@ bool acceptable(const Request& given) {
          std::all_of(given.start.begin(), given.start.end(),
                      [](double value) { return std::isfinite(value); }) &&
          within(given.transient_revolutions, 0.0, 1e5) && within(given.sampled_revolutions, 1.0, 1e4) &&
-         within(given.samples_per_revolution, 2.0, 4096.0) &&
-         given.ring_radius >= given.hub_radius + given.blade_length;
+         within(given.samples_per_revolution, 2.0, 4096.0);
 }
 
 /// The bending of a blade that touches: the root of h (MODEL 4) along its curve, for a slip direction s. The

@@ -94,6 +94,8 @@ def maps_of(atlas, maps, blocks):
         for name in ("class", "class_blade_passing"):
             if name in maps:
                 add(name, maps, maps.dataset(name), maps.dataset(name)[...])
+        if "attractor" in maps:
+            add("attractor", maps, maps.dataset("attractor"), maps.dataset("attractor")[...].astype(float))
     add("status", atlas, atlas.dataset("status"), atlas.dataset("status")[...])
     for name in sorted(atlas.scene.get("observables", [])):
         dataset = atlas.dataset(name)

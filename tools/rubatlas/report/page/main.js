@@ -4,8 +4,10 @@ const state = {quantity: null, x: SPEED, y: 0, place: [], own: null, start: 'atl
 
 function firstState() {
   state.quantity = (mapNamed('class') || mapNamed('max_displacement') || atlas.maps[0]).name;
-  const others = axes.map((_, i) => i).filter((i) => i !== SPEED);
-  state.y = others.reduce((best, i) => (sizes[i] > sizes[best] ? i : best), others[others.length - 1] ?? SPEED);
+  // Over the speed and the axis with most values, or over the two axes with most values where there are few speeds.
+  const bySize = axes.map((_, i) => i).sort((one, other) => sizes[other] - sizes[one] || other - one);
+  state.x = sizes[SPEED] >= 6 || sizes[bySize[1]] === 1 ? SPEED : bySize[0];
+  state.y = bySize.find((i) => i !== state.x);
   state.place = axes.map((axis, i) => {
     if (i === SPEED) return 0;
     if (!axis.pointer) return 0;
@@ -317,7 +319,8 @@ async function open() {
   await view.showAtlas();
   view.showComputed(null);
   document.documentElement.dataset.ready = Math.round(performance.now());
-  await computer.start();
+  await computer.start(requestAt(state.place));
+  byId('charts').classList.toggle('atlas-only', Boolean(computer.why));
   byId('own').hidden = Boolean(computer.why);
   byId('rotor-controls').hidden = Boolean(computer.why);
   byId('rotor').hidden = Boolean(computer.why);

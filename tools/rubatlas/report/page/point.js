@@ -41,7 +41,8 @@ class Computer {
     this.waiting = new Map();
     this.number = 0;
   }
-  async start() {
+  /// `near`: a request like the first that will be asked.
+  async start(near) {
     if (this.why) return;
     try {
       if (typeof WebAssembly !== 'object' || typeof Worker !== 'function') throw new Error('this browser runs no WebAssembly');
@@ -51,7 +52,7 @@ class Computer {
       this.worker.onerror = (event) => { event.preventDefault(); for (const {reject} of this.waiting.values()) reject(new Error(event.message || 'the worker does not start')); this.waiting.clear(); };
       await this.ask({module: await unpacked('solver')});
       // The browser translates the module in full when it runs first: a point that nobody waits for.
-      await this.ask({wanted: {...requestAt(axes.map(() => 0)), sampled_revolutions: 20}, maxOrder: 1});
+      await this.ask({wanted: {...near, transient_revolutions: 0, sampled_revolutions: 30}, maxOrder: 1});
     } catch (error) {
       this.why = `The page cannot compute points of its own (${error.message}). Everything shown comes from the atlas.`;
       this.worker = null;
@@ -190,7 +191,7 @@ class PointView {
         this.dots = {x, y};
         this.dotsOf = `${this.opened.number}/${this.component}`;
       }
-      this.charts.bifurcation.chart.show({layers: [{kind: 'dots', ...this.dots, colour: strong(), size: 1}, cursor], x: across, y: rangeOf([this.dots.y]), keepZoom: true,
+      this.charts.bifurcation.chart.show({layers: [{kind: 'dots', ...this.dots, colour: strong(), size: this.dots.x.length > 20000 ? 1 : this.dots.x.length > 3000 ? 1.5 : 2.5}, cursor], x: across, y: rangeOf([this.dots.y]), keepZoom: true,
         yLabel: `${'xy'[this.component]} at the sections [mm]`, csv: () => ({speed_ratio: this.dots.x, [`${'xy'[this.component]}_mm`]: this.dots.y.map((value) => Number(value.toPrecision(8)))})});
     }
     if (this.charts.waterfall && this.opened.spectrum) this.drawWaterfall(across, cursor);

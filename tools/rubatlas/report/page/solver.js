@@ -51,7 +51,7 @@ async function makeSolver(bytes) {
       await start();  // a module that has trapped is not used again
       throw error;
     }
-    if (status < 0) return {status, ending: 'a value is outside the range of the solver'};
+    if (status < 0) throw new Error('a value is outside the range of the solver');
     const blades = wanted.blade_count;
     const times = calls.time_count();
     const samples = calls.contact_sample_count();

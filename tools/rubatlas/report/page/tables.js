@@ -26,6 +26,9 @@ function table1() {
   const row = atlas.table1;
   if (!row) return [element('p', {class: 'quiet', text: 'The report was made without maps (rubatlas analyse).'})];
   const parts = ['region_1', 'trigger_1', 'region_2', 'region_3', 'trigger_2', 'region_4'].filter((name) => row[`${name}_presence`]);
+  if (parts.every((name) => row[`${name}_presence`].every((presence) => presence === 'not covered'))) {
+    return [element('p', {class: 'quiet', text: 'No line of this atlas covers a region or a trigger.'})];
+  }
   const swept = axes.slice(0, SPEED).filter((axis) => axis.values.length > 1 && row[axis.name]);
   const rows = row.line.map((_, line) => [...swept.map((axis) => withUnits(row[axis.name][line], axis.units, 4)),
     ...parts.map((name) => (name.startsWith('region') ? regionCell(row, name, line) : triggerCell(row, name, line)))]);
