@@ -19,7 +19,7 @@ study jobs/accuracy.json -o "$folder/trajectories.h5"
 study jobs/accuracy_map.json -o "$folder/map.h5" --methods collocation,hybrid,fixed --steps 2e-2,1e-2 --repeats 1
 
 draw() {
-  tools/accuracy.py "$folder/trajectories.h5" --map "$folder/map.h5" --reference tests/reference/orbits.json "$@"
+  tools/rubatlas-plot accuracy "$folder/trajectories.h5" --map "$folder/map.h5" --reference tests/reference/orbits.json "$@"
 }
 if [ "$publish" = yes ]; then
   draw -o tools/pictures --dpi 75 --page README.md

@@ -54,7 +54,7 @@ del content[effect]
 json.dump(content, open(plain, "w", encoding="utf-8"), indent=2)' "$(jobs/effect_of.py "$scene")" "$scene" "$without.json"
   atlas "$scene" "$with.h5"
   atlas "$without.json" "$without.h5"
-  tools/effect.py "$with.h5" --without "$without.h5" --dpi 60 -o "$with.png"
+  tools/rubatlas-plot effect "$with.h5" --without "$without.h5" --dpi 60 -o "$with.png"
   [ "$publish" = no ] || cp "$with.png" tools/pictures/
   [ -s "$table" ] || regions "$without" HEAD >>"$table"
   # Most scenes are the default rotor without their effect: that row once.

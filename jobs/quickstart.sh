@@ -1,5 +1,5 @@
 #!/bin/bash
-# From a fresh clone to an atlas, its Table 1 and its pictures:
+# From a fresh clone to an atlas, its Table 1, its pictures and a report to explore it:
 #
 #   ./jobs/quickstart.sh                  runs jobs/quick.json
 #   ./jobs/quickstart.sh jobs/rig.json    runs another scene
@@ -22,6 +22,7 @@ atlas=atlases/$name.h5
 maps=atlases/${name}_maps.h5
 table=atlases/${name}_table1.md
 pictures=atlases/$name
+report=atlases/$name.html
 say() { printf '\n== %s\n' "$*"; }
 
 say "1/5 Packages"
@@ -30,7 +31,7 @@ say "1/5 Packages"
 say "2/5 Build, in build/"
 # A build tree that is already there (made by tests/run.sh, say) keeps its options: nothing is compiled twice.
 [ -e build/CMakeCache.txt ] || cmake -S . -B build -G Ninja -DRUBATLAS_TESTS=OFF
-cmake --build build --target rubatlas
+cmake --build build --target rubatlas rubatlas_wasm
 
 say "3/5 Run $name on $(nproc) cores"
 mkdir -p "$pictures"
@@ -55,12 +56,14 @@ summary=$(build/rubatlas analyse "$atlas" -o "$maps" --table "$table" --overwrit
 
 say "5/5 Draw"
 tools/draw.sh "$atlas" "$maps" "$pictures"
+tools/rubatlas-report "$atlas" --maps "$maps" -o "$report"
 
 say "Done in $((SECONDS / 60)) min $((SECONDS % 60)) s"
 printf '%s\n\n' "$summary"
 echo "Atlas:    $atlas"
 echo "Maps:     $maps"
 echo "Table 1:  $table"
+echo "Report:   $report (opens in a browser)"
 echo "Pictures:"
 ls -1 "$pictures"/*.png
 exit "$run_code"

@@ -32,7 +32,7 @@ for name in fig4_elastica fig4_elastic_ring fig4_stiffness fig4_phase_elastica f
   fi
   build/rubatlas analyse "atlases/$name.h5" -o "atlases/${name}_maps.h5" --table "atlases/$name.md" --overwrite >/dev/null
 done
-tools/statement_map.py atlases/fig4_{elastica,elastic_ring,stiffness}_maps.h5 -o pictures/statement_map.png --counts --dpi 75
-tools/statement_map.py atlases/fig4_phase_{elastica,elastic_ring}_maps.h5 -o pictures/statement_map_phase.png --counts \
+tools/rubatlas-plot statement_map atlases/fig4_{elastica,elastic_ring,stiffness}_maps.h5 -o pictures/statement_map.png --counts --dpi 75
+tools/rubatlas-plot statement_map atlases/fig4_phase_{elastica,elastic_ring}_maps.h5 -o pictures/statement_map_phase.png --counts \
   --dpi 75 --statements P1,P2,P3,P4,P8 --title "What the paper says of Fig. 4, by phase of the unbalance and direction"
 if $publish; then cp pictures/statement_map.png pictures/statement_map_phase.png tools/pictures/; fi

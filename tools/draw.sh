@@ -19,9 +19,9 @@ found=$(/usr/bin/python3 - "$tools" "$atlas" "$maps" <<'CONTENTS'
 import sys
 sys.path.insert(0, sys.argv[1])
 sys.argv[0] = "draw.sh"
-import command_line
-from atlas_file import AtlasFile
-from same_scene import require_same
+from rubatlas import command_line
+from rubatlas.atlas_file import AtlasFile
+from rubatlas.same_scene import require_same
 
 def contents():
     with AtlasFile(sys.argv[2]) as atlas, AtlasFile(sys.argv[3]) as maps:
@@ -39,22 +39,22 @@ mkdir -p "$folder"
 
 # From many initial states: a line has one of them, and says little.
 if has basins; then
-  "$tools/basins.py" "$atlas" --maps "$maps" -o "$folder/basins.png"
+  "$tools/rubatlas-plot" basins "$atlas" --maps "$maps" -o "$folder/basins.png"
   exit
 fi
-if has poincare; then "$tools/bifurcation.py" "$atlas" -o "$folder/bifurcation.png"; fi
-if has spectrum; then "$tools/waterfall.py" "$atlas" -o "$folder/waterfall.png"; fi
+if has poincare; then "$tools/rubatlas-plot" bifurcation "$atlas" -o "$folder/bifurcation.png"; fi
+if has spectrum; then "$tools/rubatlas-plot" waterfall "$atlas" -o "$folder/waterfall.png"; fi
 if has max_displacement; then
   mapfile -t axes < <(sed -n 's/^along //p' <<<"$found")
   for axis in "${axes[@]:-}"; do  # at least once: without a swept parameter there is one line to draw
     along=() name=
     if [ -n "$axis" ]; then along=(--along "$axis"); fi
     if [ "$axis" != "${axes[0]-}" ]; then name=_$axis; fi
-    "$tools/displacement.py" "$atlas" "${along[@]}" -o "$folder/displacement$name.png"
-    "$tools/sensitivity.py" "$atlas" --maps "$maps" "${along[@]}" -o "$folder/sensitivity$name.png"
+    "$tools/rubatlas-plot" displacement "$atlas" "${along[@]}" -o "$folder/displacement$name.png"
+    "$tools/rubatlas-plot" map "$atlas" --maps "$maps" "${along[@]}" -o "$folder/sensitivity$name.png"
     if has class_blade_passing; then
-      "$tools/sensitivity.py" "$atlas" --maps "$maps" --passing "${along[@]}" -o "$folder/sensitivity_blade_passing$name.png"
+      "$tools/rubatlas-plot" map "$atlas" --maps "$maps" --passing "${along[@]}" -o "$folder/sensitivity_blade_passing$name.png"
     fi
   done
 fi
-if has blade_curve; then "$tools/blade.py" "$atlas" -o "$folder/blade.png"; fi
+if has blade_curve; then "$tools/rubatlas-plot" blade "$atlas" -o "$folder/blade.png"; fi

@@ -65,6 +65,9 @@ class Documentation(unittest.TestCase):
     def test_every_block_of_the_tutorial_runs(self):
         self.expect_blocks_run("jobs/tutorial.md", at_least=6)
 
+    def test_every_block_of_the_report_readme_runs(self):
+        self.expect_blocks_run("tools/rubatlas/report/README.md", at_least=1)
+
     def test_other_languages_are_marked_or_plain(self):
         for page in sorted(ROOT.rglob("*.md")):
             if any(part.startswith(("build", ".")) or part == "atlases" for part in page.relative_to(ROOT).parts):

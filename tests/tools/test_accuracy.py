@@ -12,15 +12,15 @@ ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
 ORBITS = ROOT / "tests/reference/orbits.json"
 sys.path.insert(0, str(ROOT / "tools"))
-import accuracy  # noqa: E402
-import style  # noqa: E402
-from accuracy_file import AccuracyFile  # noqa: E402
-from atlas_file import AtlasError  # noqa: E402
+from rubatlas.plots import accuracy  # noqa: E402
+from rubatlas import style  # noqa: E402
+from rubatlas.accuracy_file import AccuracyFile  # noqa: E402
+from rubatlas.atlas_file import AtlasError  # noqa: E402
 
 
 def run(*arguments):
     """Runs the tool as its user does."""
-    return subprocess.run([ROOT / "tools/accuracy.py", *map(str, arguments)], capture_output=True, text=True, check=False)
+    return subprocess.run([ROOT / "tools/rubatlas-plot", "accuracy", *map(str, arguments)], capture_output=True, text=True, check=False)
 
 
 def study_with(**data):
@@ -134,7 +134,7 @@ class ToolsAccuracy(unittest.TestCase):
                                     ((TINY / "accuracy.h5", "--reference", page), "not reference data")):
             ended = run(*arguments, "-o", self.folder)
             self.assertEqual(ended.returncode, 2)
-            self.assertTrue(ended.stderr.startswith("accuracy.py: ") and sentence in ended.stderr, ended.stderr)
+            self.assertTrue(ended.stderr.startswith("rubatlas-plot accuracy: ") and sentence in ended.stderr, ended.stderr)
             self.assertEqual(ended.stderr.count("\n"), 1, ended.stderr)
         self.assertEqual(page.read_text(), "no marks")
 

@@ -12,7 +12,7 @@ import numpy as np
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
 sys.path.insert(0, str(ROOT / "tools"))
-from atlas_file import AtlasError, AtlasFile  # noqa: E402
+from rubatlas.atlas_file import AtlasError, AtlasFile  # noqa: E402
 
 
 class ToolsAtlasFile(unittest.TestCase):

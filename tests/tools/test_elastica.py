@@ -9,7 +9,7 @@ import numpy as np
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 sys.path.insert(0, str(ROOT / "tools"))
-import elastica  # noqa: E402
+from rubatlas import elastica  # noqa: E402
 
 # A picture needs three digits; that the closed form is free of cancellation shows in nine.
 RELATIVE = 1e-9

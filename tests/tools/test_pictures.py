@@ -13,22 +13,24 @@ import numpy as np
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
 sys.path.insert(0, str(ROOT / "tools"))
-import command_line  # noqa: E402
-import same_scene  # noqa: E402
-import style  # noqa: E402
-from atlas_file import AtlasError, AtlasFile  # noqa: E402
+from rubatlas import command_line  # noqa: E402
+from rubatlas import same_scene  # noqa: E402
+from rubatlas import style  # noqa: E402
+from rubatlas.atlas_file import AtlasError, AtlasFile  # noqa: E402
+from rubatlas.plots import KINDS  # noqa: E402
 
 
 def run(tool, *arguments):
     """Runs a tool as its user does."""
-    return subprocess.run([ROOT / "tools" / tool, *map(str, arguments)], capture_output=True, text=True, check=False)
+    command = [ROOT / "tools/draw.sh"] if tool == "draw.sh" else [ROOT / "tools/rubatlas-plot", tool]
+    return subprocess.run([*command, *map(str, arguments)], capture_output=True, text=True, check=False)
 
 
 class Figure:
     """A picture caught just before it is written, to look at what it holds."""
 
     def __init__(self, tool, *arguments):
-        module = importlib.import_module(tool)
+        module = importlib.import_module(f"rubatlas.plots.{tool}")
         caught = []
         keep, style.save = style.save, lambda figure, options: caught.append(figure)
         try:
@@ -67,28 +69,28 @@ class ToolsPictures(unittest.TestCase):
         self.assertGreater(len(np.unique(coded)), colours)
 
     def test_the_bifurcation_diagram_is_drawn(self):
-        self.expect_picture("bifurcation.py", TINY / "atlas.h5")
+        self.expect_picture("bifurcation", TINY / "atlas.h5")
 
     def test_the_bifurcation_diagram_is_drawn_per_blade_passing(self):
-        self.expect_picture("bifurcation.py", TINY / "atlas.h5", "--passing")
+        self.expect_picture("bifurcation", TINY / "atlas.h5", "--passing")
 
     def test_the_waterfall_is_drawn(self):
-        self.expect_picture("waterfall.py", TINY / "atlas.h5", "--damping_ratio", 0.05, colours=100)
+        self.expect_picture("waterfall", TINY / "atlas.h5", "--damping_ratio", 0.05, colours=100)
 
     def test_the_displacement_is_drawn(self):
-        self.expect_picture("displacement.py", TINY / "atlas.h5")
+        self.expect_picture("displacement", TINY / "atlas.h5")
 
     def test_the_sensitivity_map_is_drawn(self):
-        self.expect_picture("sensitivity.py", TINY / "atlas.h5", "--maps", TINY / "maps.h5", colours=50)
+        self.expect_picture("map", TINY / "atlas.h5", "--maps", TINY / "maps.h5", colours=50)
 
     def test_the_orbit_is_drawn(self):
-        self.expect_picture("orbit.py", TINY / "orbit.h5")
+        self.expect_picture("orbit", TINY / "orbit.h5")
 
     def test_the_blade_is_drawn(self):
-        self.expect_picture("blade.py", TINY / "atlas.h5")
+        self.expect_picture("blade", TINY / "atlas.h5")
 
     def test_basins_of_attraction_are_drawn(self):
-        self.expect_picture("basins.py", TINY / "basins.h5", "--maps", TINY / "basins_maps.h5", "--dpi", 100, colours=10)
+        self.expect_picture("basins", TINY / "basins.h5", "--maps", TINY / "basins_maps.h5", "--dpi", 100, colours=10)
 
     def test_a_pixel_of_a_basin_has_the_colour_of_its_attractor(self):
         figure = Figure("basins", TINY / "basins.h5", "--maps", TINY / "basins_maps.h5")
@@ -108,18 +110,18 @@ class ToolsPictures(unittest.TestCase):
             np.testing.assert_allclose([left, right, bottom, top], [-0.5, 6.5, 3.25, 10.75])  # mm, half a step around
 
     def test_attractors_of_one_class_have_colours_of_their_own(self):
-        basins = importlib.import_module("basins")
+        basins = importlib.import_module("rubatlas.plots.basins")
         found = basins.entries(np.array([[1, 2], [3, 3]]), np.array([[7, 7], [1, 1]]))
         self.assertEqual([(number, kind) for number, kind, _ in found], [(1, 7), (2, 7), (3, 1)])
         self.assertEqual(len({colour for _, _, colour in found}), 3)
 
     def test_basins_need_an_axis_of_the_initial_state(self):
-        ended = run("basins.py", TINY / "atlas.h5", "--maps", TINY / "maps.h5", "-o", "none.png")
+        ended = run("basins", TINY / "atlas.h5", "--maps", TINY / "maps.h5", "-o", "none.png")
         self.assertEqual(ended.returncode, 2)
-        self.assertRegex(ended.stderr, r"^basins.py: .*: no axis of the initial state is left to draw over; the atlas has .*\n$")
+        self.assertRegex(ended.stderr, r"^rubatlas-plot basins: .*: no axis of the initial state is left to draw over; the atlas has .*\n$")
 
     def test_an_effect_is_drawn_beside_its_absence(self):
-        self.expect_picture("effect.py", TINY / "gravity.h5", "--without", TINY / "atlas.h5", "--dpi", 100)
+        self.expect_picture("effect", TINY / "gravity.h5", "--without", TINY / "atlas.h5", "--dpi", 100)
 
     def test_forces_of_an_orbit_are_drawn_up_to_their_peaks(self):
         forces = Figure("orbit", TINY / "orbit.h5", "--revolutions", 16).figure.axes[1]
@@ -150,7 +152,7 @@ class ToolsPictures(unittest.TestCase):
             self.assertTrue(line.get_ydata()[0] in (low, top) or line.get_xdata()[0] == right)
 
     def test_orders_of_any_number_of_blades_have_one_mark_each(self):
-        waterfall = importlib.import_module("waterfall")
+        waterfall = importlib.import_module("rubatlas.plots.waterfall")
         self.assertEqual(waterfall.order_names(1), {1: "1× = n", 2: "2× = 2n", 3: "3×"})
         self.assertEqual(waterfall.order_names(5), {1: "1×", 2: "2×", 3: "3×", 5: "5× = n", 10: "10× = 2n"})
 
@@ -172,14 +174,14 @@ class ToolsPictures(unittest.TestCase):
         self.assertEqual(len(style.edges_of([0.3])), 2)
 
     def test_the_map_of_statements_is_drawn(self):
-        self.expect_picture("statement_map.py", TINY / "maps.h5", TINY / "rings_maps.h5", colours=10)
+        self.expect_picture("statement_map", TINY / "maps.h5", TINY / "rings_maps.h5", colours=10)
 
     def test_every_picture_has_its_command(self):
-        tools = sorted(path.name for path in (ROOT / "tools").glob("*.py") if os.access(path, os.X_OK))
-        drawn = (ROOT / "tools" / "draw.sh").read_text() + (ROOT / "tools" / "README.md").read_text()
-        self.assertGreaterEqual(len(tools), 6)
-        for tool in tools:
-            self.assertIn(tool, drawn)
+        pages = (ROOT / "tools/draw.sh").read_text() + (ROOT / "tools/README.md").read_text()
+        for kind in KINDS:
+            self.assertIn(f"rubatlas-plot {kind} ", pages.replace('rubatlas-plot" ', "rubatlas-plot "))
+            module = importlib.import_module(f"rubatlas.plots.{kind}")
+            self.assertTrue(module.__doc__ and module.main)
 
     def test_all_pictures_of_an_atlas_are_drawn_at_once(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -201,7 +203,7 @@ class ToolsPictures(unittest.TestCase):
             names = sorted(path.stem for path in pathlib.Path(folder).glob("*.png"))
         self.assertEqual(names, ["bifurcation", "blade", "displacement", "displacement_damping_ratio", "sensitivity",
                                  "sensitivity_damping_ratio", "waterfall"])
-        self.assertIn("Ring radius [mm]", Figure("sensitivity", TINY / "rings.h5").texts())
+        self.assertIn("Ring radius [mm]", Figure("map", TINY / "rings.h5").texts())
         self.assertIn("ring radius 0.11 m", Figure("bifurcation", TINY / "rings.h5", "--at", "ring_radius=0.11").texts())
 
     def test_a_displacement_is_drawn_over_the_clearance_of_its_own_line(self):
@@ -220,7 +222,7 @@ class ToolsPictures(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             pictures = [pathlib.Path(folder) / name for name in ("a.png", "b.png")]
             for picture in pictures:
-                run("displacement.py", TINY / "atlas.h5", "-o", picture)
+                run("displacement", TINY / "atlas.h5", "-o", picture)
             self.assertEqual(pictures[0].read_bytes(), pictures[1].read_bytes())
 
     def test_the_title_says_which_line_is_drawn(self):
@@ -233,7 +235,7 @@ class ToolsPictures(unittest.TestCase):
         texts = Figure("bifurcation", TINY / "atlas.h5").texts()
         self.assertIn("Speed ratio Ω [-]", texts)
         self.assertIn("max. displacement [mm]", texts)
-        self.assertIn("Damping ratio ζ [-]", Figure("sensitivity", TINY / "atlas.h5").texts())
+        self.assertIn("Damping ratio ζ [-]", Figure("map", TINY / "atlas.h5").texts())
 
     def test_the_dots_are_the_sections_of_the_atlas(self):
         figure = Figure("bifurcation", TINY / "atlas.h5", "--damping_ratio", 0.1).figure
@@ -244,7 +246,7 @@ class ToolsPictures(unittest.TestCase):
             np.testing.assert_array_equal(drawn, 1e3 * sections[:, :, component].ravel())
 
     def test_the_map_has_one_row_per_value_of_the_parameter(self):
-        figure = Figure("sensitivity", TINY / "atlas.h5", "--maps", TINY / "maps.h5").figure
+        figure = Figure("map", TINY / "atlas.h5", "--maps", TINY / "maps.h5").figure
         image = figure.axes[0].images[0].get_array()
         with AtlasFile(TINY / "atlas.h5") as atlas:
             wanted = [1e3 * atlas.line(damping_ratio=value).rows("max_displacement") for value in (0.05, 0.1, 0.2)]
@@ -252,7 +254,7 @@ class ToolsPictures(unittest.TestCase):
         np.testing.assert_array_equal(np.ma.filled(image, np.nan), np.maximum(wanted, 1e-3 * largest))
 
     def test_points_without_a_motion_are_covered_and_said_to_be_so(self):
-        figure = Figure("sensitivity", TINY / "atlas.h5", "--maps", TINY / "maps.h5")
+        figure = Figure("map", TINY / "atlas.h5", "--maps", TINY / "maps.h5")
         with AtlasFile(TINY / "atlas.h5") as atlas:
             missing = np.array([line.status() for line in atlas.lines("damping_ratio")]) == 2
         self.assertTrue(missing.any() and not missing.all())
@@ -260,7 +262,7 @@ class ToolsPictures(unittest.TestCase):
         self.assertIn("left the model's validity", figure.texts())
 
     def test_the_waterfall_puts_a_line_at_its_order_times_the_speed(self):
-        waterfall = importlib.import_module("waterfall")
+        waterfall = importlib.import_module("rubatlas.plots.waterfall")
         order, speed = np.arange(0, 121) / 10.0, np.array([0.2, 0.5])
         amplitude = np.zeros((2, 121))
         amplitude[:, 30] = 1.0  # order 3
@@ -272,16 +274,16 @@ class ToolsPictures(unittest.TestCase):
             self.assertTrue(len(lit) and np.all(np.abs(lit - 3.0 * ratio) <= 0.5 * 0.1 * ratio + 0.01), lit)
 
     def test_the_waterfall_keeps_the_height_of_a_narrow_line(self):
-        waterfall = importlib.import_module("waterfall")
+        waterfall = importlib.import_module("rubatlas.plots.waterfall")
         order, amplitude = np.arange(0, 1201) / 100.0, np.full((1, 1201), 1e-6)
         amplitude[0, 100] = 0.7
         shown = waterfall.by_frequency(np.array([0.5]), order, amplitude, np.linspace(0.0, 4.0, 41))
         self.assertEqual(shown.max(), 0.7)
 
     def test_a_mistake_is_one_sentence_and_exit_code_2(self):
-        ended = run("bifurcation.py", TINY / "atlas.h5", "-o", "none.png", "--damping_ratio", "0.7")
+        ended = run("bifurcation", TINY / "atlas.h5", "-o", "none.png", "--damping_ratio", "0.7")
         self.assertEqual(ended.returncode, 2)
-        self.assertRegex(ended.stderr, r"^bifurcation.py: .*damping_ratio 0.7 is not in this atlas, which has 0.05, 0.1, 0.2\n$")
+        self.assertRegex(ended.stderr, r"^rubatlas-plot bifurcation: .*damping_ratio 0.7 is not in this atlas, which has 0.05, 0.1, 0.2\n$")
 
 
 class ToolsOutputs(unittest.TestCase):
@@ -294,10 +296,10 @@ class ToolsOutputs(unittest.TestCase):
     def tearDown(self):
         self.temporary.cleanup()
 
-    def expect_refusal(self, output, sentence, tool="displacement.py", source=TINY / "atlas.h5", arguments=()):
+    def expect_refusal(self, output, sentence, tool="displacement", source=TINY / "atlas.h5", arguments=()):
         ended = run(tool, source, *arguments, "-o", output)
         self.assertEqual((ended.returncode, ended.stdout), (2, ""), ended.stderr)
-        self.assertRegex(ended.stderr, rf"^{tool}: .*{sentence}.*\n$")
+        self.assertRegex(ended.stderr, rf"^rubatlas-plot {tool}: .*{sentence}.*\n$")
         self.assertEqual(ended.stderr.count("\n"), 1, ended.stderr)
 
     def test_an_unknown_ending_is_refused(self):
@@ -313,7 +315,7 @@ class ToolsOutputs(unittest.TestCase):
             path = self.folder / f"a.{kind}"
             contents = []
             for _ in range(2):
-                self.assertEqual(run("displacement.py", TINY / "atlas.h5", "--dpi", 50, "-o", path).returncode, 0)
+                self.assertEqual(run("displacement", TINY / "atlas.h5", "--dpi", 50, "-o", path).returncode, 0)
                 contents.append(path.read_bytes())
             self.assertEqual(contents[0], contents[1], kind)
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["a.pdf", "a.png", "a.svg"])
@@ -338,11 +340,11 @@ class ToolsOutputs(unittest.TestCase):
 
     def test_a_study_of_accuracy_keeps_other_files_too(self):
         (self.folder / "accuracy.png").write_text("my notes")
-        ended = run("accuracy.py", TINY / "accuracy.h5", "-o", self.folder)
+        ended = run("accuracy", TINY / "accuracy.h5", "-o", self.folder)
         self.assertEqual(ended.returncode, 2)
-        self.assertRegex(ended.stderr, r"^accuracy.py: .*is no picture.*\n$")
+        self.assertRegex(ended.stderr, r"^rubatlas-plot accuracy: .*is no picture.*\n$")
         (self.folder / "file").write_text("")
-        ended = run("accuracy.py", TINY / "accuracy.h5", "-o", self.folder / "file")
+        ended = run("accuracy", TINY / "accuracy.h5", "-o", self.folder / "file")
         self.assertEqual((ended.returncode, ended.stderr.count("\n")), (3, 1), ended.stderr)
 
 
@@ -351,24 +353,24 @@ class ToolsSameScene(unittest.TestCase):
 
     def expect_refusal(self, tool, sentence, *arguments):
         with tempfile.TemporaryDirectory() as folder:
-            ended = run(tool, *arguments, *(["-o", pathlib.Path(folder) / "a.png"] if tool.endswith(".py") else [folder]))
+            ended = run(tool, *arguments, *(["-o", pathlib.Path(folder) / "a.png"] if tool != "draw.sh" else [folder]))
             self.assertEqual(list(pathlib.Path(folder).iterdir()), [])
         self.assertEqual((ended.returncode, ended.stdout), (2, ""), ended.stderr)
-        self.assertRegex(ended.stderr, rf"^{tool}: .*{sentence}\n$")
+        self.assertRegex(ended.stderr, rf"^{tool if tool == 'draw.sh' else 'rubatlas-plot ' + tool}: .*{sentence}\n$")
 
     def test_maps_of_another_atlas_are_refused(self):
         sentence = "rings_maps.h5 was not made from the scene of .*atlas.h5: /grid/.* is .* here and .* there"
-        self.expect_refusal("sensitivity.py", sentence, TINY / "atlas.h5", "--maps", TINY / "rings_maps.h5")
+        self.expect_refusal("map", sentence, TINY / "atlas.h5", "--maps", TINY / "rings_maps.h5")
         self.expect_refusal("draw.sh", sentence, TINY / "atlas.h5", TINY / "rings_maps.h5")
 
     def test_maps_of_the_same_grid_but_another_rotor_are_refused(self):
-        self.expect_refusal("sensitivity.py", "/gravity is there here and absent there", TINY / "gravity.h5", "--maps",
+        self.expect_refusal("map", "/gravity is there here and absent there", TINY / "gravity.h5", "--maps",
                             TINY / "maps.h5")
 
     def test_an_effect_is_compared_with_its_own_absence_only(self):
-        self.expect_refusal("effect.py", "nothing is left out", TINY / "atlas.h5", "--without", TINY / "atlas.h5")
-        self.expect_refusal("effect.py", "nothing is left out", TINY / "atlas.h5", "--without", TINY / "gravity.h5")
-        self.expect_refusal("effect.py", "/grid/~1ring~1radius is absent here and .* there", TINY / "gravity.h5",
+        self.expect_refusal("effect", "nothing is left out", TINY / "atlas.h5", "--without", TINY / "atlas.h5")
+        self.expect_refusal("effect", "nothing is left out", TINY / "atlas.h5", "--without", TINY / "gravity.h5")
+        self.expect_refusal("effect", "/grid/~1ring~1radius is absent here and .* there", TINY / "gravity.h5",
                             "--without", TINY / "rings.h5")
 
     def test_the_title_is_no_part_of_what_must_agree(self):

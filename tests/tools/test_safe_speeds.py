@@ -21,7 +21,7 @@ class SafeSpeeds(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def run_tool(self, *arguments):
-        return subprocess.run([ROOT / "tools" / "safe_speeds.py", TINY / "atlas.h5", "-o", self.folder / "safe.png", *map(str, arguments)],
+        return subprocess.run([ROOT / "tools" / "rubatlas-plot", "safe_speeds", TINY / "atlas.h5", "-o", self.folder / "safe.png", *map(str, arguments)],
                               capture_output=True, text=True, check=False)
 
     def bands(self, *arguments):

@@ -12,8 +12,8 @@ import numpy as np
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
 sys.path.insert(0, str(ROOT / "tools"))
-import statement_map  # noqa: E402
-from atlas_file import AtlasError  # noqa: E402
+from rubatlas.plots import statement_map  # noqa: E402
+from rubatlas.atlas_file import AtlasError  # noqa: E402
 
 SCENE = '{"contact": {"law": "elastic_ring"}}'
 # Two settings, as `rubatlas analyse` writes them: name, setting, verdict, findings (holds, claim, brief).
@@ -82,10 +82,10 @@ class StatementMap(unittest.TestCase):
     def test_another_file_is_refused_in_one_sentence(self):
         with self.assertRaisesRegex(AtlasError, "no /findings"):
             statement_map.columns_of(TINY / "orbit.h5", ["P1"])
-        ended = subprocess.run([ROOT / "tools/statement_map.py", TINY / "atlas.h5", "-o", "none.png"],
+        ended = subprocess.run([ROOT / "tools/rubatlas-plot", "statement_map", TINY / "atlas.h5", "-o", "none.png"],
                                capture_output=True, text=True, check=False)
         self.assertEqual(ended.returncode, 2)
-        self.assertTrue(ended.stderr.startswith("statement_map.py: "), ended.stderr)
+        self.assertTrue(ended.stderr.startswith("rubatlas-plot statement_map: "), ended.stderr)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,93 @@
+"""A headless Chromium with a report in it."""
+import pathlib
+import time
+
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
+
+LONGEST_WAIT = 120  # s; for hangs alone
+
+
+class Browser:
+    """`downloads`: the folder to which exports go."""
+
+    def __init__(self, downloads, width=1400, height=1000):
+        options = webdriver.ChromeOptions()
+        for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--hide-scrollbars", "--force-prefers-reduced-motion"):
+            options.add_argument(argument)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+        self.driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+        self.downloads = pathlib.Path(downloads)
+        self.command("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(downloads))
+        self.resize(width, height)
+
+    def command(self, name, **parameters):
+        return self.driver.execute_cdp_cmd(name, parameters)
+
+    def resize(self, width, height=1000):
+        self.command("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+
+    def run(self, script, *arguments):
+        return self.driver.execute_script(script, *arguments)
+
+    def wait_for(self, script, *arguments):
+        """Waits until the script returns something true, and returns it."""
+        end = time.monotonic() + LONGEST_WAIT
+        while time.monotonic() < end:
+            result = self.run(f"return {script}", *arguments)
+            if result:
+                return result
+            time.sleep(0.05)
+        raise AssertionError(f"never true: {script}")
+
+    def open(self, path, address=""):
+        """A report, with all that it shows at first."""
+        self.driver.get("about:blank")
+        self.driver.get(f"file://{path}{address}")
+        self.wait_for("document.documentElement.dataset.computer")
+
+    def find(self, selector):
+        return self.driver.find_element(By.CSS_SELECTOR, selector)
+
+    def text(self, selector):
+        return self.run("return document.querySelector(arguments[0]).textContent", selector)
+
+    def dataset(self, name):
+        return self.run("return document.documentElement.dataset[arguments[0]]", name)
+
+    def facts(self):
+        """What the point's card lists."""
+        return self.run("return Object.fromEntries([...document.querySelectorAll('#facts dl > div')].map((one) =>"
+                        " [one.querySelector('dt').textContent, one.querySelector('dd').textContent]))")
+
+    def computes(self, act):
+        """Does something after which the page computes, and waits for the answer."""
+        before = self.dataset("computed") or "0"
+        act()
+        self.wait_for("Number(document.documentElement.dataset.computed) > Number(arguments[0])", before)
+
+    def exported(self, kind, subject):
+        """The file that a button of a panel saves."""
+        for old in self.downloads.iterdir():
+            old.unlink()
+        button = self.find(f"button[aria-label='{kind} of {subject}']")
+        self.run("arguments[0].scrollIntoView({block: 'center'})", button)
+        button.click()  # as a user does: Chromium holds back the eleventh file that a script saves by itself
+        end = time.monotonic() + LONGEST_WAIT
+        while time.monotonic() < end:
+            files = [one for one in self.downloads.iterdir() if not one.name.endswith((".crdownload", ".tmp")) and one.stat().st_size]
+            if files:
+                return files[0]
+            time.sleep(0.05)
+        raise AssertionError(f"{kind} of {subject} was not saved")
+
+    def pixels(self, selector):
+        """The picture on a canvas, to compare with another time's."""
+        return self.run("return document.querySelector(arguments[0]).toDataURL()", selector)
+
+    def log(self):
+        return [entry["message"] for entry in self.driver.get_log("browser")]
+
+    def close(self):
+        self.driver.quit()

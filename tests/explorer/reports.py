@@ -1,0 +1,40 @@
+"""Reports for the tests: of the tiny atlas, and of small atlases with scenes of their own."""
+import json
+import os
+import pathlib
+import subprocess
+
+ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
+PROGRAM = pathlib.Path(os.environ["RUBATLAS_PROGRAM"])
+TINY = PROGRAM.parent / "tests/tiny_atlas"
+SOLVER = PROGRAM.parent / "rubatlas.wasm"
+COMMAND = ROOT / "tools/rubatlas-report"
+
+
+def report(*arguments):
+    """The command, ended."""
+    return subprocess.run(["/usr/bin/python3", COMMAND, *map(str, arguments)], capture_output=True, text=True, check=False)
+
+
+def made(output, source, *arguments, solver=True):
+    """A report at `output`, which must come into being."""
+    ended = report(source, "-o", output, *(["--solver", SOLVER] if solver else []), *arguments)
+    if ended.returncode != 0:
+        raise AssertionError(ended.stderr)
+    return pathlib.Path(output)
+
+
+def tiny(folder):
+    return made(folder / "tiny.html", TINY / "atlas.h5", "--maps", TINY / "maps.h5")
+
+
+def run(folder, name, scene):
+    """An atlas of a scene, computed by the program."""
+    path = folder / f"{name}.json"
+    path.write_text(json.dumps(scene))
+    atlas = folder / f"{name}.h5"
+    ended = subprocess.run([PROGRAM, "run", path, "-o", atlas, "--overwrite", "--progress", "off"], capture_output=True, text=True,
+                           check=False)
+    if ended.returncode != 0:
+        raise AssertionError(ended.stderr)
+    return atlas

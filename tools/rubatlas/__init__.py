@@ -1,0 +1,1 @@
+"""Reads, queries and draws atlases of a rotor with rubbing blades, which the program rubatlas computes."""

@@ -1,0 +1,130 @@
+"""What the commands of this folder share: arguments, the choice of a line, the rule for outputs, and exit codes."""
+import argparse
+import io
+import os
+import pathlib
+import sys
+import tempfile
+
+from rubatlas.atlas_file import AtlasError
+
+LINE_AXES = ["damping_ratio", "friction", "unbalance", "thickness", "direction"]
+
+# The first bytes of a picture of each kind. An SVG is recognised by the word in its first lines.
+PICTURES = {".png": (b"\x89PNG\r\n",), ".pdf": (b"%PDF-",), ".svg": (b"<?xml", b"<svg")}
+
+
+def parser(description, source="ATLAS.h5", line=True):
+    """Parser with the file to read, `-o`, and (where a line is drawn) one option per axis that picks it."""
+    result = argparse.ArgumentParser(description=description.strip().splitlines()[0],
+                                     epilog="\n".join(description.strip().splitlines()[1:]),
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    result.add_argument("source", metavar=source)
+    result.add_argument("-o", "--output", required=True, metavar="PICTURE.png", help="PNG, SVG or PDF, by its ending")
+    result.add_argument("--dpi", type=float, default=150.0, help="resolution (default: 150)")
+    if line:
+        group = result.add_argument_group("which line (default: the scene's own values)")
+        for axis in LINE_AXES:
+            group.add_argument(f"--{axis}", metavar="up|down" if axis == "direction" else "VALUE")
+        group.add_argument("--at", action="append", default=[], metavar="NAME=VALUE",
+                           help="a value on any other axis of the atlas, such as ring_stiffness=1e4; may be repeated")
+    return result
+
+
+def wanted(options, axes):
+    """The axes that the user has named, as arguments of `AtlasFile.line`."""
+    named = {axis: getattr(options, axis) for axis in LINE_AXES if getattr(options, axis, None) is not None}
+    for choice in getattr(options, "at", []):
+        name, equals, value = choice.partition("=")
+        if not equals:
+            raise AtlasError(f"--at {choice}: not of the form NAME=VALUE")
+        named[name] = value
+    try:
+        return {axis: value if axis == "direction" else float(value) for axis, value in named.items()}
+    except ValueError as error:
+        raise AtlasError(f"{error}; a line is picked by numbers on {', '.join(axes)}") from None
+
+
+# --- what is written ---
+
+def is_picture(path):
+    """True where a file's content, not its name, is that of a picture."""
+    with open(path, "rb") as file:
+        begin = file.read(512)
+    kinds = [start for starts in PICTURES.values() for start in starts if begin.startswith(start)]
+    return bool(kinds) and (kinds[0] != b"<?xml" or b"<svg" in begin or b"DOCTYPE svg" in begin)
+
+
+def inputs(options):
+    """Every file that the options name besides the output."""
+    given = [value for name, value in vars(options).items() if name != "output"]
+    files = [one for value in given for one in (value if isinstance(value, list) else [value])]
+    return [one for one in files if isinstance(one, (str, pathlib.Path)) and os.path.exists(one)]
+
+
+def require_picture_place(path, options):
+    """A picture may be written to `path`: its ending names a kind, its folder is there, and what it replaces is a picture."""
+    path = pathlib.Path(path)
+    if path.suffix.lower() not in PICTURES:
+        raise AtlasError(f"-o {path}: a picture ends in {', '.join(PICTURES)}, not in "
+                         f"{repr(path.suffix) if path.suffix else 'nothing'}")
+    if not path.parent.is_dir():
+        raise AtlasError(f"-o {path}: there is no folder {path.parent}")
+    if not path.exists():
+        return
+    for source in inputs(options):
+        if os.path.samefile(path, source):
+            raise AtlasError(f"-o {path}: the picture would replace {source}, which it is made from")
+    if not path.is_file():
+        raise AtlasError(f"-o {path}: this is no file that a picture could replace")
+    try:
+        replaceable = is_picture(path)
+    except OSError as error:
+        raise AtlasError(f"-o {path}: {error.strerror}") from None
+    if not replaceable:
+        raise AtlasError(f"-o {path}: this file is there and is no picture; a picture replaces pictures only")
+
+
+def write_picture(figure, options):
+    """The figure as a file of the kind that the ending names, complete or not at all; the same data give the same bytes."""
+    path = pathlib.Path(options.output)
+    require_picture_place(path, options)
+    undated = {".png": {"Software": None}, ".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
+    kind = path.suffix.lower()
+    content = io.BytesIO()
+    figure.savefig(content, format=kind[1:], dpi=options.dpi, metadata=undated[kind])
+    with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f".{path.name}.", delete=False) as file:
+        try:
+            file.write(content.getvalue())
+            file.flush()
+            mask = os.umask(0)
+            os.umask(mask)
+            os.chmod(file.name, 0o666 & ~mask)
+            os.replace(file.name, path)
+        except BaseException:
+            os.unlink(file.name)
+            raise
+
+
+# --- how a command ends ---
+
+def end_on_mistakes(work):
+    """Runs `work`; a mistake is one sentence on stderr and exit code 2, a refusal by the system 3, never a traceback."""
+    name = pathlib.Path(sys.argv[0]).name
+    try:
+        work()
+    except AtlasError as error:
+        print(f"{name}: {error}", file=sys.stderr)
+        sys.exit(2)
+    except OSError as error:
+        print(f"{name}: {error.filename or ''}: {error.strerror or error}".replace(": :", ":"), file=sys.stderr)
+        sys.exit(3)
+
+
+def run(draw, options):
+    """Draws, and says where the picture is."""
+    def work():
+        require_picture_place(options.output, options)  # before the work, which may take a while
+        draw(options)
+    end_on_mistakes(work)
+    print(options.output)

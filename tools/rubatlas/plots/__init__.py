@@ -1,0 +1,18 @@
+"""Pictures of atlases, orbits, branches and studies; each kind is one module with `main(arguments)` and `draw(options)`."""
+
+#: Kind → what it shows. The commands, the gallery and their tests go by this list.
+KINDS = {
+    "bifurcation": "x and y at the Poincaré sections, and the maximum displacement, over the speed ratio",
+    "waterfall": "spectrum of x over the speed ratio",
+    "displacement": "maximum displacement over the clearance, one curve per value of a parameter",
+    "map": "maximum displacement and class of motion over the speed ratio and a parameter",
+    "orbit": "orbit of one point with its sections, and the force on each blade",
+    "blade": "a blade's shortening and deflection over its load",
+    "safe_speeds": "bands of the speed ratio that keep given limits, with separation margins",
+    "basins": "the attractor that each initial state leads to",
+    "branch": "periodic orbits over a quantity, stable or not, with their bifurcations; curves of bifurcations",
+    "effect": "sections and maximum displacement without an effect and with it",
+    "grazing": "how hard a grazing contact kicks the rotor, by an experiment with the program",
+    "statement_map": "the findings of the paper's statements, by contact law and other quantities",
+    "accuracy": "error over CPU time and right-hand sides, method by method",
+}

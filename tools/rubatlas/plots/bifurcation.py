@@ -1,0 +1,49 @@
+"""Bifurcation diagram: Poincaré sections and maximum displacement over the speed ratio (as the paper's Fig. 3).
+
+  rubatlas-plot bifurcation ATLAS.h5 -o PICTURE.png [--damping_ratio 0.1 ...] [--passing]
+
+Every dot is one section of the sampled revolutions: one dot is a motion that repeats itself each revolution, k dots
+one that takes k revolutions, a cloud one that never repeats itself.
+"""
+import numpy as np
+
+from rubatlas import command_line
+from rubatlas import style
+from rubatlas.atlas_file import AtlasFile
+
+
+def draw(options):
+    with AtlasFile(options.source) as atlas:
+        line = atlas.line(**command_line.wanted(options, atlas.axes))
+        name = "poincare_blade_passing" if options.passing else "poincare"
+        sections, speed = line.rows(name), atlas.axis("speed_ratio")
+        with_displacement = "max_displacement" in atlas
+
+        heights = [3, 3, 2] if with_displacement else [3, 3]
+        figure, panels = style.plt.subplots(len(heights), 1, sharex=True, figsize=(8.5, 1.05 * sum(heights) + 0.6),
+                                            gridspec_kw={"height_ratios": heights})
+        units, factor = style.drawn(atlas.units(name))
+        repeated = np.repeat(speed, sections.shape[1])
+        for panel, component, colour in zip(panels, (0, 1), (style.BLUE, style.VERMILION)):
+            panel.plot(repeated, factor * sections[:, :, component].ravel(), ".", color=colour, markersize=1.3,
+                       markeredgewidth=0, alpha=0.6, rasterized=True)
+            panel.set_ylabel(f"{'xy'[component]} at the section [{units}]")
+        if with_displacement:
+            units, factor = style.drawn(atlas.units("max_displacement"))
+            panels[2].plot(speed, factor * line.rows("max_displacement"), color=style.INK, lw=0.9)
+            panels[2].set_ylabel(f"max. displacement [{units}]")
+            panels[2].set_ylim(bottom=0)
+        handles = style.mark_missing(panels, speed, line.status())
+        if handles:
+            panels[0].legend(handles=handles, loc="upper left")
+        panels[-1].set_xlabel(style.label(atlas, "speed_ratio"))
+        panels[-1].set_xlim(speed[0], speed[-1])
+        once = "blade passing" if options.passing else "revolution"
+        style.title(figure, atlas, f"One dot per {once}: {line.describe()}")
+        style.save(figure, options)
+
+
+def main(arguments_given):
+    arguments = command_line.parser(__doc__)
+    arguments.add_argument("--passing", action="store_true", help="sections at every blade passing")
+    command_line.run(draw, arguments.parse_args(arguments_given))

@@ -1,0 +1,115 @@
+"""A branch of periodic orbits: size of the orbit over the quantity that varies, stable or not, with its bifurcations.
+
+  rubatlas-plot branch BRANCH.h5 -o PICTURE.png
+
+BRANCH.h5 is what `rubatlas branch` writes. Above, the section's distance from the centre; below, the largest
+multiplier. Stable orbits are drawn as full lines, unstable ones dotted. A curve of bifurcations is drawn in the plane
+of its two quantities.
+"""
+import json
+
+import numpy as np
+
+from rubatlas import command_line
+from rubatlas import style
+from rubatlas.atlas_file import AtlasError, printable, reading, text
+
+# Marks of the kinds of events, as the file numbers them.
+MARKS = {1: ("fold", "s", style.GREEN), 2: ("period doubling", "D", style.VERMILION),
+         3: ("Neimark-Sacker", "^", style.PURPLE), 4: ("grazing", "o", style.ORANGE), 5: ("lost", "x", style.GREY)}
+
+
+class BranchFile:
+    """A branch, read whole, with what `style` asks of an atlas."""
+
+    def __init__(self, path):
+        self.path = str(path)
+        with reading(path, "a branch that `rubatlas branch` has written") as file:
+            if text(file.attrs.get("kind", "")) != "branch":
+                raise AtlasError(f"{path}: this is no branch; `rubatlas branch` writes one")
+            self.attributes = dict(file.attrs)
+            self.scene = json.loads(file["scene_resolved"][()])
+            names = []
+            file.visit(names.append)
+            self.data = {name: file[name][()] for name in names if hasattr(file[name], "dtype")}
+
+    def __contains__(self, name):
+        return name in self.data
+
+    def __getitem__(self, name):
+        return self.data[name]
+
+    def attribute(self, name):
+        return printable(self.attributes.get(name, ""))
+
+    def name_of(self, which):
+        """The quantity that the attribute `along` or `in` points to."""
+        return self.attribute(which).rsplit("/", 1)[-1].replace("_", " ")
+
+
+def size_of(orbits):
+    """Distance of the section from the centre [mm]."""
+    return 1e3 * np.hypot(*np.moveaxis(np.asarray(orbits)[:, :2], -1, 0))
+
+
+def draw_curve(branch, figure):
+    panel = figure.subplots()
+    panel.plot(branch["second_parameter"], branch["parameter"], color=style.BLUE)
+    panel.set_xlabel(branch.name_of("in"))
+    panel.set_ylabel(branch.name_of("along"))
+    return f"curve of {branch.attribute('curve').replace('_', ' ')}"
+
+
+def stretches(stable, parameter, values, events):
+    """(stable or not, parameter, value) of each stretch of one stability; neighbours meet at the bifurcation between them."""
+    begins = [0, *(1 + np.flatnonzero(stable[1:] != stable[:-1])), len(stable)]
+    joints = []
+    for after in begins[1:-1]:
+        low, high = sorted(parameter[after - 1:after + 1])
+        between = [*events[(events >= low) & (events <= high)], 0.5 * (low + high)][0]
+        share = (between - parameter[after - 1]) / (parameter[after] - parameter[after - 1] or 1.0)
+        joints.append(([between], [values[after - 1] + share * (values[after] - values[after - 1])]))
+    for number, (first, end) in enumerate(zip(begins[:-1], begins[1:])):
+        parts = [*joints[max(0, number - 1):number], (parameter[first:end], values[first:end]), *joints[number:number + 1]]
+        yield stable[first], *(np.concatenate(part) for part in zip(*parts))
+
+
+def draw_branch(branch, figure):
+    upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(3, 2))
+    number, stable = branch["branch"], branch["stability"] == 1
+    parameter, size = branch["parameter"], size_of(branch["section"])
+    events = branch["events/parameter"] if "events/kind" in branch else np.array([])
+    largest = np.hypot(*np.moveaxis(branch["multipliers"][:, 0], -1, 0))
+    for which in np.unique(number):
+        here = number == which
+        colour = style.CYCLE[int(which) % len(style.CYCLE)]
+        for panel, values in ((upper, size), (lower, largest)):
+            for is_stable, along, value in stretches(stable[here], parameter[here], values[here], events):
+                panel.plot(along, value, "-" if is_stable else ":", color=colour, lw=1.8 if is_stable else 1.1)
+    if "events/kind" in branch:
+        kinds, where = branch["events/kind"], branch["events/parameter"]
+        sizes = size_of(branch["events/section"])
+        for kind in np.unique(kinds):
+            label, mark, colour = MARKS[int(kind)]
+            upper.plot(where[kinds == kind], sizes[kinds == kind], mark, color=colour, ms=5, label=label, zorder=3)
+        upper.legend()
+    lower.axhline(1.0, color=style.INK, lw=0.8)
+    lower.set_yscale("log")
+    upper.set_ylabel("Section's distance [mm]")
+    lower.set_ylabel("Largest multiplier")
+    lower.set_xlabel(branch.name_of("along"))
+    periods = ", ".join(str(period) for period in np.unique(branch["period"]))
+    return f"periodic orbits of period {periods}; full: stable, dotted: unstable"
+
+
+def draw(options):
+    branch = BranchFile(options.source)
+    figure = style.plt.figure(figsize=(9.0, 6.0))
+    what = draw_curve(branch, figure) if "second_parameter" in branch else draw_branch(branch, figure)
+    style.title(figure, branch, what)
+    style.save(figure, options)
+
+
+def main(arguments_given):
+    arguments = command_line.parser(__doc__, source="BRANCH.h5", line=False)
+    command_line.run(draw, arguments.parse_args(arguments_given))

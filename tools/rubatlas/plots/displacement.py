@@ -1,0 +1,51 @@
+"""Maximum displacement over the clearance, along the speed ratio (as the paper's Fig. 10a).
+
+  rubatlas-plot displacement ATLAS.h5 -o PICTURE.png [--along damping_ratio] [--friction 0.1 ...]
+
+One curve per value of the swept parameter; above 1 the rotor moves further than the gap between blade and ring. Speeds
+without a motion are shaded, the fainter the fewer lines have none there.
+"""
+from rubatlas import command_line
+from rubatlas import style
+from rubatlas.atlas_file import AtlasError, AtlasFile
+
+
+def draw(options):
+    with AtlasFile(options.source) as atlas:
+        wanted = command_line.wanted(options, atlas.axes)
+        swept = [axis for axis in atlas.swept_axes() if axis not in wanted]
+        along = options.along or (swept[0] if swept else None)
+        if along is not None and along not in atlas.axes[:-1]:
+            raise AtlasError(f"{along} is no axis of {options.source}, which has {', '.join(atlas.axes[:-1])}")
+        lines = atlas.lines(along, **wanted) if along else [atlas.line(**wanted)]
+        clearances = [line.clearance for line in lines]
+        if min(clearances) <= 0:
+            raise AtlasError(f"{options.source}: this rotor has no clearance to relate the displacement to")
+        speed = atlas.axis("speed_ratio")
+
+        figure, panel = style.plt.subplots(figsize=(9.5, 4.6))
+        # Ordered values get ordered colours; the map ends in a yellow that is too light for a thin line.
+        colours = style.plt.get_cmap(style.SEQUENTIAL)([0.92 * i / max(1, len(lines) - 1) for i in range(len(lines))])
+        for line, colour in zip(lines, colours):
+            name = line.describe(without=[axis for axis in atlas.axes[:-1] if axis != along]) if along else None
+            panel.plot(speed, line.rows("max_displacement") / line.clearance, color=colour, lw=0.9, label=name)
+        gaps = style.mark_missing(panel, speed, [line.status() for line in lines])
+        panel.axhline(1.0, color=style.GREY, lw=0.8, ls=(0, (4, 3)))
+        panel.set_xlabel(style.label(atlas, "speed_ratio"))
+        panel.set_ylabel("Maximum displacement / clearance [-]")
+        panel.set_xlim(speed[0], speed[-1])
+        panel.set_ylim(bottom=0)
+        named = panel.get_legend_handles_labels()[0] if along else []
+        if named or gaps:
+            panel.legend(handles=[*named, *gaps], loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        fixed = lines[0].describe(without=[along] if along else [])
+        widths = " to ".join(dict.fromkeys(f"{1e3 * width:g}" for width in (min(clearances), max(clearances))))
+        style.title(figure, atlas, f"{fixed}; clearance {widths} mm")
+        style.save(figure, options)
+
+
+def main(arguments_given):
+    arguments = command_line.parser(__doc__)
+    arguments.add_argument("--along", metavar="AXIS", help="the parameter with one curve per value "
+                                                           "(default: the first swept one)")
+    command_line.run(draw, arguments.parse_args(arguments_given))

@@ -1,0 +1,107 @@
+"""Orbit of one grid point with its Poincaré sections, and the force on each blade.
+
+  rubatlas-plot orbit ORBIT.h5 -o PICTURE.png [--revolutions 3]
+
+The circle is the clearance: as long as the shaft centre stays inside, no blade can touch, wherever it points. The
+forces are those of the last revolutions, contact by contact from touch-down to lift-off.
+"""
+import json
+
+import h5py
+import numpy as np
+
+from rubatlas import command_line
+from rubatlas import style
+from rubatlas.atlas_file import DONE, UNREADABLE, AtlasError, clearance_of, printable, swept_pointers, text, with_values
+
+
+DATASETS = ("time", "state", "force", "sections", "contact_number", "contact_blade", "contact_time", "contact_force")
+
+
+class OrbitFile:
+    """An orbit as `rubatlas orbit` writes it, read whole, with what `style` asks of an atlas."""
+
+    def __init__(self, path):
+        self.path = path
+        try:
+            with h5py.File(path, "r") as file:
+                self.data = {name: file[name][...] for name in DATASETS}
+                self.units = {name: text(file[name].attrs["units"]) for name in self.data}
+                self.attributes = dict(file.attrs)
+                self.scene = json.loads(file["scene_resolved"][()])
+        except UNREADABLE:
+            raise AtlasError(f"{path}: not an orbit that `rubatlas orbit` has written, or damaged") from None
+        self.further_axes = sorted(swept_pointers(self.scene))
+        self.scene = with_values(self.scene, self.attributes)
+        if self.attributes["status"] != DONE:
+            raise AtlasError(f"{path}: no orbit to draw; the motion ended in revolution "
+                             f"{self.attributes['failed_revolution']} with status {self.attributes['status']} "
+                             f"({text(self.attributes['status_meanings'])})")
+
+    def attribute(self, name):
+        return printable(self.attributes.get(name, ""))
+
+    def contacts(self, blade, since):
+        """Time and force over all contacts of a blade that end after `since`: each from 0 to 0, NaN in between."""
+        mine = self.data["contact_blade"] == blade
+        time, force = self.data["contact_time"][mine], self.data["contact_force"][mine]
+        begins = np.flatnonzero(np.diff(self.data["contact_number"][mine], prepend=-1))
+        pieces = [(np.empty(0), np.empty(0))]
+        for first, last in zip(begins, [*begins[1:], len(time)]):
+            if time[last - 1] < since:
+                continue
+            own = time[first:last]
+            pieces.append((np.concatenate([own[:1], own, own[-1:], [np.nan]]),
+                           np.concatenate([[0.0], force[first:last], [0.0, np.nan]])))
+        return np.concatenate([one for one, _ in pieces]), np.concatenate([one for _, one in pieces])
+
+    def describe(self):
+        names = ("speed_ratio", "damping_ratio", "friction", "unbalance", "thickness", *self.further_axes)
+        units = {"unbalance": " kg m", "thickness": " m"}
+        words = [f"{name.replace('_', ' ')} {self.attributes[name]:g}{units.get(name, '')}" for name in names]
+        return ",\n".join(", ".join(words[first:first + 3]) for first in range(0, len(words), 3))  # half a picture wide
+
+
+def draw(options):
+    orbit = OrbitFile(options.source)
+    scene = orbit.scene
+    units, factor = style.drawn(orbit.units["state"])
+    x, y = factor * orbit.data["state"][:, 0], factor * orbit.data["state"][:, 1]
+    sections = factor * orbit.data["sections"]
+    clearance = clearance_of(scene)
+    ring_centre = -scene["rotor"]["misalignment"]
+
+    figure, (plane, forces) = style.plt.subplots(1, 2, figsize=(10.0, 4.9), gridspec_kw={"width_ratios": [1, 1.1]})
+    plane.plot(x, y, color=style.BLUE, lw=0.45, alpha=0.45, label="orbit")
+    plane.plot(sections[:, 0], sections[:, 1], "o", color=style.VERMILION,
+               markersize=3.2, markeredgewidth=0, label="section, once per revolution")
+    angle = np.linspace(0.0, 2.0 * np.pi, 361)
+    plane.plot(factor * clearance * np.cos(angle), factor * (ring_centre + clearance * np.sin(angle)), color=style.GREY,
+               lw=1.0, ls=(0, (4, 3)), label=f"clearance {1e3 * clearance:g} mm")
+    plane.set_aspect("equal")
+    plane.set_xlabel(f"x [{units}]")
+    plane.set_ylabel(f"y [{units}]")
+    plane.legend(loc="upper left", bbox_to_anchor=(0.0, -0.12), ncol=3, columnspacing=1.0, handlelength=1.6)
+
+    period = 2.0 * np.pi / float(orbit.attributes["speed_ratio"])
+    revolution = orbit.data["time"] / period
+    last = revolution >= revolution[-1] - options.revolutions
+    for blade in range(orbit.data["force"].shape[1]):
+        time, force = orbit.contacts(blade + 1, orbit.data["time"][last][0])
+        peak = f", up to {np.nanmax(force):.4g} {orbit.units['contact_force']}" if len(force) else ", no contact"
+        forces.plot(time / period, force, lw=1.0, color=style.CYCLE[blade % len(style.CYCLE)],
+                    label=f"blade {blade + 1}{peak}")
+    forces.set_xlabel("Time [revolutions]")
+    forces.set_ylabel(f"Normal force on a blade [{orbit.units['contact_force']}]")
+    forces.set_ylim(bottom=0)
+    forces.set_xlim(revolution[last][0], revolution[-1])
+    if orbit.data["force"].shape[1] <= 8:
+        forces.legend(loc="upper left", bbox_to_anchor=(0.0, -0.12), ncol=2)
+    style.title(figure, orbit, orbit.describe())
+    style.save(figure, options)
+
+
+def main(arguments_given):
+    arguments = command_line.parser(__doc__, source="ORBIT.h5", line=False)
+    arguments.add_argument("--revolutions", type=int, default=3, help="how many of the last to show forces of")
+    command_line.run(draw, arguments.parse_args(arguments_given))

@@ -1,0 +1,96 @@
+"""Waterfall: the spectrum of x over the speed ratio, with the places of the orders 1 to 3, n and 2n.
+
+  rubatlas-plot waterfall ATLAS.h5 -o PICTURE.png [--damping_ratio 0.1 ...] [--max_frequency 4]
+
+Orders become frequencies, order times speed ratio, in units of the rotor's natural frequency: a motion that is tied to
+the rotation lies on oblique lines, one that is tied to the rotor stands upright. Marks on the borders, which leave the data
+free, say where the lines of the orders 1, 2, 3 and of the blade passings (n blades: n and 2n) enter and leave.
+"""
+import numpy as np
+
+from rubatlas import command_line
+from rubatlas import style
+from rubatlas.atlas_file import AtlasFile
+
+
+def by_frequency(speed, order, amplitude, edges):
+    """Regrids each speed's line spectrum to frequency bins; a bin holds the largest amplitude that falls into it.
+
+    Averages would sink a sharp line where bins are wider than the spacing of the orders. A bin without a line, where
+    they are narrower, takes the line nearest to its middle. Returns (speeds, bins); 0 beyond the highest order.
+    """
+    middle = 0.5 * (edges[1:] + edges[:-1])
+    result = np.zeros((len(speed), len(middle)))
+    for row, (ratio, spectrum) in enumerate(zip(speed, amplitude)):
+        frequency = order * ratio
+        nearest = np.clip(np.rint(middle / (ratio * order[1])).astype(int), 0, len(order) - 1)
+        result[row] = np.where(middle <= frequency[-1], spectrum[nearest], 0.0)
+        bins = np.digitize(frequency, edges) - 1
+        inside = (bins >= 0) & (bins < len(middle))
+        np.maximum.at(result[row], bins[inside], spectrum[inside])
+    return result
+
+
+def order_names(blades):
+    """The marked orders with their labels: 1x, 2x, 3x, and those of the blade passings."""
+    names = {order: f"{order}×" for order in (1, 2, 3)}
+    for times, order in ((1, blades), (2, 2 * blades)):
+        names[order] = f"{order}× = {'' if times == 1 else times}n"
+    return dict(sorted(names.items()))
+
+
+def mark_orders(panel, top, blades):
+    """Ticks outside the panel where the lines of the orders enter below and leave above or on the right."""
+    low, high = panel.get_ylim()
+    for order, name in order_names(blades).items():
+        blade_passing = order in (blades, 2 * blades)
+        look = dict(color=style.VERMILION if blade_passing else style.INK, clip_on=False, ms=7.0, mew=1.3, ls="none")
+        if order * low < top:
+            panel.plot([max(order * low, 0.0)], [low], marker=style.matplotlib.markers.TICKDOWN, **{**look, "ms": 5.0})
+        above = order * high <= top
+        place = (order * high, high) if above else (top, top / order)
+        if place[1] < low:
+            continue
+        marker = style.matplotlib.markers.TICKUP if above else style.matplotlib.markers.TICKRIGHT
+        panel.plot([place[0]], [place[1]], marker=marker, **look)
+        panel.annotate(name, place, xytext=(0, 9) if above else (9, 0), textcoords="offset points", fontsize=8.5,
+                       ha="center" if above else "left", va="bottom" if above else "center", color=look["color"],
+                       annotation_clip=False)
+
+
+def draw(options):
+    with AtlasFile(options.source) as atlas:
+        line = atlas.line(**command_line.wanted(options, atlas.axes))
+        speed, order, amplitude = atlas.axis("speed_ratio"), atlas.axis("order"), line.rows("spectrum")
+        units, factor = style.drawn(atlas.units("spectrum"))
+        top = options.max_frequency or min(4.0, order[-1] * speed[-1])
+        edges = np.linspace(0.0, top, 501)
+        amplitude[:, 0] = 0.0 * amplitude[:, 0]  # the mean position is no vibration; no motion stays NaN
+        shown = factor * by_frequency(speed, order, amplitude, edges)
+        largest = np.nanmax(shown, initial=0.0)
+        floor = 1e-6 * largest if largest > 0 else 1e-12
+
+        figure, panel = style.plt.subplots(figsize=(8.5, 6.2))
+        half = 0.5 * (speed[1] - speed[0]) if len(speed) > 1 else 0.01
+        colours = style.plt.get_cmap("magma").copy()
+        colours.set_bad("#dcdce4")
+        image = panel.imshow(np.ma.masked_invalid(np.maximum(shown, floor)), origin="lower", aspect="auto",
+                             extent=(0.0, top, speed[0] - half, speed[-1] + half), cmap=colours,
+                             norm=style.matplotlib.colors.LogNorm(floor, max(largest, 10 * floor)),
+                             interpolation="nearest")
+        panel.grid(False)
+        panel.set_xlim(0.0, top)
+        panel.set_ylim(speed[0] - half, speed[-1] + half)
+        panel.tick_params(axis="x", pad=7.0)  # the marks stand between
+        mark_orders(panel, top, line.scene["blades"]["count"])
+        panel.set_xlabel("Frequency / natural frequency [-]")
+        panel.set_ylabel(style.label(atlas, "speed_ratio"))
+        figure.colorbar(image, ax=panel, pad=0.02, label=f"{atlas.long_name('spectrum')} [{units}]")
+        style.title(figure, atlas, line.describe() + "\n\n")
+        style.save(figure, options)
+
+
+def main(arguments_given):
+    arguments = command_line.parser(__doc__)
+    arguments.add_argument("--max_frequency", type=float, help="right end, in natural frequencies (default: 4 or less)")
+    command_line.run(draw, arguments.parse_args(arguments_given))

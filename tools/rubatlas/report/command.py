@@ -1,0 +1,120 @@
+"""Makes one HTML file of an atlas: maps, every point with its sections and spectra, and the solver to compute further ones.
+
+  tools/rubatlas-report ATLAS.h5 [-o REPORT.html] [--maps MAPS.h5] [--solver RUBATLAS.wasm | --without-solver]
+
+The file needs no server and no network: a double click opens it. Maps (`rubatlas analyse`) are taken from ATLAS_maps.h5 beside
+the atlas where --maps does not name them, the solver from build/rubatlas.wasm of the clone.
+"""
+import argparse
+import contextlib
+import os
+import pathlib
+import tempfile
+
+from rubatlas import command_line
+from rubatlas.atlas_file import AtlasError, AtlasFile
+
+from rubatlas.report.contents import contents
+from rubatlas.report.page import GENERATOR, page
+
+CLONE = pathlib.Path(__file__).resolve().parents[3]
+
+
+def is_report(path):
+    with open(path, "rb") as file:
+        return GENERATOR.encode() in file.read(2048)
+
+
+def require_report_place(path, inputs):
+    """A report may be written to `path`: its folder is there, and what it replaces is a report."""
+    path = pathlib.Path(path)
+    if path.suffix.lower() not in (".html", ".htm"):
+        raise AtlasError(f"-o {path}: a report ends in .html, not in {repr(path.suffix) if path.suffix else 'nothing'}")
+    if not path.parent.is_dir():
+        raise AtlasError(f"-o {path}: there is no folder {path.parent}")
+    if not path.exists():
+        return
+    for source in inputs:
+        if os.path.exists(source) and os.path.samefile(path, source):
+            raise AtlasError(f"-o {path}: the report would replace {source}, which it is made from")
+    if not path.is_file():
+        raise AtlasError(f"-o {path}: this is no file that a report could replace")
+    if not is_report(path):
+        raise AtlasError(f"-o {path}: this file is there and is no report; a report replaces reports only")
+
+
+def write(path, content):
+    """The file complete or not at all."""
+    path = pathlib.Path(path)
+    with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f".{path.name}.", delete=False) as file:
+        try:
+            file.write(content.encode("utf-8"))
+            file.flush()
+            mask = os.umask(0)
+            os.umask(mask)
+            os.chmod(file.name, 0o666 & ~mask)
+            os.replace(file.name, path)
+        except BaseException:
+            os.unlink(file.name)
+            raise
+
+
+def maps_of(options):
+    """Path of the maps: as named, else beside the atlas where they are there."""
+    if options.maps is not None:
+        return options.maps
+    source = pathlib.Path(options.source)
+    beside = source.with_name(f"{source.stem}_maps.h5")
+    return str(beside) if beside.is_file() else None
+
+
+def solver_of(options):
+    """Bytes of the solver: of the file that is named, else of the clone's build, else none."""
+    if options.without_solver:
+        return None
+    path = pathlib.Path(options.solver) if options.solver else CLONE / "build" / "rubatlas.wasm"
+    if not path.is_file():
+        if options.solver:
+            raise AtlasError(f"--solver {path}: no such file; `cmake --build build --target rubatlas_wasm` makes build/rubatlas.wasm")
+        return None
+    content = path.read_bytes()
+    if not content.startswith(b"\0asm"):
+        raise AtlasError(f"{path}: not a WebAssembly module")
+    return content
+
+
+def make(options):
+    maps_path = maps_of(options)
+    require_report_place(options.output, [options.source, *([maps_path] if maps_path else [])])
+    solver = solver_of(options)
+    with contextlib.ExitStack() as stack:
+        atlas = stack.enter_context(AtlasFile(options.source))
+        if "status" not in atlas:
+            raise AtlasError(f"{options.source}: no /status; a report is made of an atlas, and its maps are named with --maps")
+        maps = stack.enter_context(AtlasFile(maps_path)) if maps_path else None
+        result, blocks = contents(atlas, maps, solver)
+    content = page(result, blocks)
+    write(options.output, content)
+    said = f"{options.output}: {len(content.encode()) / 1e6:.1f} MB, "
+    kept = result["lines"]["poincare"]
+    said += f"{kept['sections']} of {kept['of']} sections a point" if kept else "without sections"
+    if result["not_computed"]:
+        said += f". {result['not_computed']}"
+    print(said)
+
+
+def main():
+    """The command `rubatlas-report`."""
+    parser = argparse.ArgumentParser(prog="rubatlas-report", description=__doc__.strip().splitlines()[0],
+                                     epilog="\n".join(__doc__.strip().splitlines()[1:]),
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("source", metavar="ATLAS.h5")
+    parser.add_argument("-o", "--output", metavar="REPORT.html", help="default: ATLAS.html in the present folder")
+    parser.add_argument("--maps", metavar="MAPS.h5", help="maps of this atlas; default: ATLAS_maps.h5 beside it, if it is there")
+    solver = parser.add_mutually_exclusive_group()
+    solver.add_argument("--solver", metavar="RUBATLAS.wasm", help="default: build/rubatlas.wasm of the clone, if it is there")
+    solver.add_argument("--without-solver", action="store_true", help="the page computes nothing")
+    options = parser.parse_args()
+    if options.output is None:
+        options.output = pathlib.Path(options.source).stem + ".html"
+    command_line.end_on_mistakes(lambda: make(options))

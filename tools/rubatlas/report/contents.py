@@ -1,0 +1,257 @@
+"""What of an atlas goes into a report: texts and tables as JSON, numbers as compressed blocks.
+
+A block is a typed array, zlib and base64, that the page unpacks when it needs it. Numbers that are only drawn are
+float32; states from which the page computes on are float64. Sections and spectra come line by line, so that a page opens without
+unpacking all of them, and as many sections as the size of the file allows.
+"""
+import base64
+import json
+import math
+import os
+import zlib
+
+import numpy as np
+
+from rubatlas.atlas_file import DONE, SCENE_VALUE, SYMBOL, AtlasError, printable, swept_pointers, text
+from rubatlas.same_scene import MACHINE, POINTS, WORDS, require_same
+
+# Laws and sections of a scene that the solver in the page knows. Everything else is an effect that it does not.
+LAWS_IN_PAGE = ("elastica", "elastic_ring")
+SECTIONS_IN_PAGE = {*WORDS, *POINTS, *MACHINE, "pieces", "unbalance"}
+
+# Bytes of all blocks; with the page's own half megabyte and the solver the file stays below 20 MB.
+MOST_BYTES = 17_000_000
+# Maps of an atlas with more points are single precision.
+MOST_POINTS_IN_FULL = 30_000
+# Spectral lines are gathered into bins this many orders wide, the first width with which the spectra take no more than half of the bytes;
+# a bin holds the largest of its lines.
+WIDTHS_OF_BINS = (0.02, 0.05, 0.1, 0.25)
+# Amplitudes are kept as 16 bits of their logarithm over this range below the largest of the atlas.
+DECADES_OF_SPECTRUM = 8.0
+
+
+class Blocks:
+    """Typed arrays by name, as the page unpacks them."""
+
+    def __init__(self):
+        self.texts = {}
+
+    def add(self, name, values):
+        packed = zlib.compress(np.ascontiguousarray(values).tobytes(), 9)
+        self.texts[name] = base64.b64encode(packed).decode("ascii")
+        kind = {"f4": "Float32Array", "f8": "Float64Array", "u1": "Uint8Array", "u2": "Uint16Array"}[values.dtype.str[1:]]
+        return {"block": name, "kind": kind, "shape": list(values.shape)}
+
+    @property
+    def size(self):
+        return sum(map(len, self.texts.values()))
+
+
+def number(value):
+    """A number as JSON has it: none for NaN and infinity."""
+    value = float(value)
+    return value if math.isfinite(value) else None
+
+
+def flags_of(dataset):
+    """Words of a dataset whose values are flags, by value; none where they are numbers."""
+    meanings = text(dataset.attrs.get("flag_meanings", "")).split()
+    if not meanings:
+        return None
+    values = np.atleast_1d(dataset.attrs.get("flag_values", np.arange(len(meanings))))
+    return {str(int(value)): word.replace("_", " ") for value, word in zip(values, meanings)}
+
+
+# --- axes and maps ---
+
+def axes_of(atlas):
+    pointers = {**SCENE_VALUE, "speed_ratio": None, **swept_pointers(atlas.scene)}
+    result = []
+    for name in atlas.axes:
+        values = atlas.axis(name)
+        result.append({"name": name, "symbol": SYMBOL.get(name, ""), "units": atlas.units(name), "long_name": atlas.long_name(name),
+                       "values": [float(value) for value in values], "pointer": pointers.get(name)})
+    return result
+
+
+def maps_of(atlas, maps, blocks):
+    """Everything with one number per point: what a map can show, a query can ask and a point's facts list."""
+    shape = atlas.dataset("status").shape
+    done = atlas.dataset("status")[...] == DONE
+    result = []
+
+    def add(name, source, dataset, values, long_name=None, masked=True):
+        flags = flags_of(dataset)
+        if flags is None:
+            values = np.where(done, values, np.nan) if masked else values
+            values = values.astype("<f8" if values.size <= MOST_POINTS_IN_FULL else "<f4")
+        else:
+            values = values.astype("u1")
+        result.append({"name": name, "units": source.units(dataset.name), "long_name": long_name or source.long_name(dataset.name),
+                       "flags": flags, **blocks.add(name, values.ravel())})
+
+    if maps is not None:
+        for name in ("class", "class_blade_passing"):
+            if name in maps:
+                add(name, maps, maps.dataset(name), maps.dataset(name)[...])
+        if "attractor" in maps:
+            add("attractor", maps, maps.dataset("attractor"), maps.dataset("attractor")[...].astype(float))
+    add("status", atlas, atlas.dataset("status"), atlas.dataset("status")[...])
+    for name in sorted(atlas.scene.get("observables", [])):
+        dataset = atlas.dataset(name)
+        if dataset.shape == shape:
+            add(name, atlas, dataset, dataset[...])
+        elif name == "lyapunov":
+            add(name, atlas, dataset, dataset[..., 0], "largest Lyapunov exponent per unit tau; positive: chaotic")
+    if "restarted" in atlas:
+        add("restarted", atlas, atlas.dataset("restarted"), atlas.dataset("restarted")[...])
+    if maps is not None and "margins" in maps:
+        for name in sorted(maps.file["margins"]):
+            dataset = maps.file["margins"][name]
+            if dataset.shape == shape:
+                # The distance along the speed is called margin alone, as in the limits of safe speeds.
+                add("margin" if name == "speed_ratio" else f"margin_{name}", maps, dataset, dataset[...])
+    return result
+
+
+# --- lines ---
+
+def lines_of(atlas, blocks):
+    """Poincaré sections (x, y of the last ones) and spectra, a block for each line of the atlas."""
+    done = atlas.dataset("status")[...] == DONE
+    count = int(np.prod(done.shape[:-1]))
+    speeds = done.shape[-1]
+    result = {"poincare": None, "spectrum": None}
+    if "spectrum" in atlas.scene.get("observables", []):
+        result["spectrum"] = spectra(atlas, blocks, done.reshape(count, speeds))
+    if "poincare" in atlas.scene.get("observables", []):
+        dataset = atlas.dataset("poincare")
+        kept = dataset.shape[-2]
+        while True:
+            trial = Blocks()
+            lines = []
+            for line in range(count):
+                index = np.unravel_index(line, done.shape[:-1])
+                values = dataset[index][:, -kept:, :2].astype("<f4")
+                values[~done[index]] = np.nan
+                lines.append(trial.add(f"poincare/{line}", values))
+                if trial.size + blocks.size > MOST_BYTES:
+                    break
+            if trial.size + blocks.size <= MOST_BYTES or kept == 1:
+                break
+            kept = max(1, kept // 2)
+        if trial.size + blocks.size <= MOST_BYTES:
+            blocks.texts.update(trial.texts)
+            result["poincare"] = {"sections": kept, "of": int(dataset.shape[-2]), "lines": lines}
+    return result
+
+
+def spectra(atlas, blocks, done):
+    for width in WIDTHS_OF_BINS:
+        trial = Blocks()
+        result = binned_spectra(atlas, trial, done, width)
+        if trial.size <= 0.5 * (MOST_BYTES - blocks.size):
+            blocks.texts.update(trial.texts)
+            return result
+    return None
+
+
+def binned_spectra(atlas, blocks, done, width):
+    orders = atlas.axis("order")
+    dataset = atlas.dataset("spectrum")
+    bins = np.floor(orders / width + 0.5).astype(int)
+    starts = np.flatnonzero(np.diff(bins, prepend=-1))
+    count = len(done)
+    lines = []
+    binned = np.empty((count, done.shape[1], len(starts)), dtype="f4")
+    for line in range(count):
+        values = dataset[np.unravel_index(line, atlas.dataset("status").shape[:-1])]
+        values = np.where(done[line][:, None], values, 0.0)
+        binned[line] = np.maximum.reduceat(values, starts, axis=1)
+    largest = float(binned.max(initial=0.0))
+    if not largest > 0.0:
+        return None
+    decades = np.log10(np.maximum(binned / largest, 10.0**-DECADES_OF_SPECTRUM)) + DECADES_OF_SPECTRUM
+    codes = np.round(decades / DECADES_OF_SPECTRUM * 65535.0).astype("<u2")
+    for line in range(count):
+        lines.append(blocks.add(f"spectrum/{line}", codes[line]))
+    return {"orders": [float(order) for order in bins[starts] * width], "lines": lines, "largest": largest,
+            "decades": DECADES_OF_SPECTRUM, "units": atlas.units("spectrum"), "width": width}
+
+
+# --- words ---
+
+def group(maps, name):
+    """The columns of a table of the maps, as lists."""
+    if maps is None or name not in maps.file:
+        return None
+    columns = {}
+    for key, dataset in maps.file[name].items():
+        values = dataset[...]
+        flags = flags_of(dataset)
+        if values.dtype.kind in "SO":
+            columns[key] = [printable(value) for value in values]
+        elif flags is not None:
+            columns[key] = [flags.get(str(int(value)), str(int(value))) for value in values]
+        else:
+            columns[key] = [number(value) for value in values]
+    return columns
+
+
+def runs_beside(path):
+    """What the program has written of its runs beside the atlas; nothing where that is not there or not readable."""
+    try:
+        with open(f"{path}.run.json", encoding="utf-8") as file:
+            runs = json.load(file)["runs"]
+        return [{key: run.get(key) for key in ("started", "finished", "processor", "ranks", "points_computed", "wall_seconds")}
+                for run in runs]
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return []
+
+
+def why_not_computed(scene, solver):
+    """Why the page computes no points of its own; empty where it does."""
+    effects = sorted(set(scene) - SECTIONS_IN_PAGE)
+    if effects:
+        return (f"The page computes the rotor with unbalance only, and this scene has more: {', '.join(effects)}. "
+                "Everything shown comes from the atlas.")
+    if scene["contact"].get("law", "elastica") not in LAWS_IN_PAGE:
+        return (f"The page computes the contact laws {' and '.join(LAWS_IN_PAGE)}, and this scene has "
+                f"{scene['contact']['law']}. Everything shown comes from the atlas.")
+    if solver is None:
+        return "This report was made without the solver. Everything shown comes from the atlas."
+    return ""
+
+
+def contents(atlas, maps, solver):
+    """The JSON of a report, and its blocks. `solver`: bytes of the WebAssembly module, or none."""
+    if maps is not None:
+        require_same(atlas.path, atlas.scene, maps.path, maps.scene)
+    blocks = Blocks()
+    status = atlas.dataset("status")[...]
+    meanings = flags_of(atlas.dataset("status"))
+    result = {
+        "title": printable(atlas.scene.get("title") or os.path.basename(atlas.path)),
+        "reference": printable(atlas.scene.get("reference", "")),
+        "file": os.path.basename(atlas.path),
+        "maps_file": os.path.basename(maps.path) if maps is not None else None,
+        "scene": atlas.scene,
+        "axes": axes_of(atlas),
+        "maps": maps_of(atlas, maps, blocks),
+        "final_state": blocks.add("final_state", atlas.dataset("final_state")[...].astype("<f8").reshape(-1)),
+        "points": {word: int((status == int(value)).sum()) for value, word in meanings.items()},
+        "table1": group(maps, "table1"),
+        "statements": group(maps, "statements"),
+        "findings": group(maps, "findings"),
+        "effects": group(maps, "effects"),
+        "provenance": {name: atlas.attribute(name) for name in ("software", "software_version", "git_commit", "compiler",
+                                                                "schema_version")},
+        "runs": runs_beside(atlas.path),
+        "not_computed": why_not_computed(atlas.scene, solver),
+    }
+    if blocks.size > MOST_BYTES:
+        raise AtlasError(f"{atlas.path}: {status.size} points are too many for one page; a report holds some hundred thousand")
+    result["lines"] = lines_of(atlas, blocks)
+    if not result["not_computed"]:
+        blocks.texts["solver"] = base64.b64encode(zlib.compress(solver, 9)).decode("ascii")
+    return result, blocks

@@ -1,0 +1,38 @@
+// --- PNG, SVG and CSV of what is shown. ---
+
+/// One line under every exported picture: what it was made from.
+function credit() {
+  const {software, software_version: version, git_commit: commit} = atlas.provenance;
+  return [atlas.title, atlas.file, `${software} ${version} (${(commit || '').slice(0, 10)})`].filter(Boolean).join(' · ');
+}
+function save(name, blob) {
+  const link = element('a', {href: URL.createObjectURL(blob), download: name});
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+}
+/// Columns as text, with a decimal point and all digits whatever the locale.
+function csvText(columns) {
+  const names = Object.keys(columns);
+  const quoted = (value) => {
+    if (typeof value === 'number') return Number.isNaN(value) ? '' : String(value);
+    return /[",\n]/.test(value) ? `"${String(value).replace(/"/g, '""')}"` : String(value);
+  };
+  const rows = [names.map(quoted).join(',')];
+  const count = Math.max(0, ...names.map((name) => columns[name].length));
+  for (let i = 0; i < count; ++i) rows.push(names.map((name) => (i < columns[name].length ? quoted(columns[name][i]) : '')).join(','));
+  return `${rows.join('\n')}\n`;
+}
+/// Buttons for what `subject` shows: an object with `name`, `png(title)`, `svg(title)` and `csv()`.
+function exportButtons(holder, subject, title) {
+  const stem = () => `${atlas.file.replace(/\.h5$/, '')}_${subject.name}`;
+  const kinds = {
+    PNG: () => subject.png(title()).toBlob((blob) => save(`${stem()}.png`, blob)),
+    SVG: () => save(`${stem()}.svg`, new Blob([subject.svg(title())], {type: 'image/svg+xml'})),
+    CSV: () => save(`${stem()}.csv`, new Blob([csvText(typeof subject.csv === 'function' ? subject.csv() : subject.csv)], {type: 'text/csv'})),
+  };
+  for (const [kind, act] of Object.entries(kinds)) {
+    holder.append(element('button', {type: 'button', class: 'small', 'aria-label': `${kind} of ${subject.name}`, text: kind, onclick: act}));
+  }
+}

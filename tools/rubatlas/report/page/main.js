@@ -1,0 +1,334 @@
+// --- What is selected, how it is changed, and the address that keeps it. ---
+
+const state = {quantity: null, x: SPEED, y: 0, place: [], own: null, start: 'atlas', query: ''};
+
+function firstState() {
+  state.quantity = (mapNamed('class') || mapNamed('max_displacement') || atlas.maps[0]).name;
+  // Over the speed and the axis with most values, or over the two axes with most values where there are few speeds.
+  const bySize = axes.map((_, i) => i).sort((one, other) => sizes[other] - sizes[one] || other - one);
+  state.x = sizes[SPEED] >= 6 || sizes[bySize[1]] === 1 ? SPEED : bySize[0];
+  state.y = bySize.find((i) => i !== state.x);
+  state.place = axes.map((axis, i) => {
+    if (i === SPEED) return 0;
+    if (!axis.pointer) return 0;
+    const [section, key] = axis.pointer;
+    const usual = atlas.scene[section]?.[key] ?? axis.values[0];
+    return axis.values.reduce((best, value, at) => (Math.abs(value - usual) < Math.abs(axis.values[best] - usual) ? at : best), 0);
+  });
+  // The periodic motion of largest displacement on the scene's own line says more than the corner of the map.
+  const size = (index) => {
+    const point = pointAt([...state.place.slice(0, SPEED), index]);
+    const periodic = !values.class || (values.class[point] >= 1 && values.class[point] <= 16);
+    return values.status[point] === 1 && periodic && values.max_displacement ? values.max_displacement[point] : -1;
+  };
+  let best = Math.floor(sizes[SPEED] / 2);
+  for (let i = 0; i < sizes[SPEED]; ++i) if (size(i) > size(best)) best = i;
+  state.place[SPEED] = best;
+}
+function readAddress() {
+  const given = new URLSearchParams(location.hash.slice(1));
+  if (mapNamed(given.get('map'))) state.quantity = given.get('map');
+  const axisNamed = (name) => axes.findIndex((axis) => axis.name === name);
+  for (const side of ['x', 'y']) if (axisNamed(given.get(side)) >= 0) state[side] = axisNamed(given.get(side));
+  const at = (given.get('at') ?? '').split(',').map(Number);
+  if (at.length === axes.length && at.every((index, i) => Number.isInteger(index) && index >= 0 && index < sizes[i])) state.place = at;
+  state.query = given.get('where') ?? '';
+  state.start = given.get('from') === 'initial' ? 'initial' : 'atlas';
+  const own = (given.get('own') ?? '').split(',').map(Number);
+  state.own = given.get('own') && own.length === OWN.length && own.every((value, i) => value >= OWN[i].limit[0] && value <= OWN[i].limit[1])
+    ? Object.fromEntries(OWN.map(({name}, i) => [name, own[i]])) : null;
+}
+function writeAddress() {
+  const given = new URLSearchParams({map: state.quantity, x: axes[state.x].name, y: axes[state.y].name, at: state.place.join(',')});
+  if (state.query) given.set('where', state.query);
+  if (state.own) given.set('own', OWN.map(({name}) => state.own[name]).join(','));
+  if (state.start !== 'atlas') given.set('from', state.start);
+  const hash = `#${given}`;
+  if (hash !== location.hash) history.replaceState(null, '', hash);
+}
+
+let map, view;
+const computer = new Computer();
+
+function askedFor() {
+  const wanted = requestAt(state.place);
+  const fromAtlas = values.status[pointAt(state.place)] === 1 && state.start === 'atlas';
+  if (fromAtlas) [wanted.x, wanted.y, wanted.vx, wanted.vy] = finalStates.subarray(4 * pointAt(state.place), 4 * pointAt(state.place) + 4);
+  if (!state.own) return fromAtlas || state.start === 'initial' ? withTransient(wanted, !fromAtlas) : null;
+  return withTransient({...wanted, ...state.own}, true, fromAtlas);
+}
+function withTransient(wanted, needed, mayStop = false) {
+  if (!needed) return wanted;
+  // From a neighbour's motion the transient ends where the sections repeat; from the initial state it is the protocol of the scene.
+  return {...wanted, transient_revolutions: Math.min(atlas.scene.protocol.transient_revolutions, LONGEST_TRANSIENT), stop_when_periodic: mayStop ? 1 : 0};
+}
+
+let asked = 0, running = false, again = false;
+/// Computes what is selected; while an answer is on its way only the last question counts.
+async function compute() {
+  if (computer.why) { view.showComputed(null); document.documentElement.dataset.computed = ++asked; return; }
+  if (running) { again = true; return; }
+  running = true;
+  do {
+    again = false;
+    const wanted = askedFor();
+    const own = Boolean(state.own);
+    if (!wanted) { view.showComputed(null); byId('own-status').textContent = 'The atlas has no motion in this cell; a start from the initial state shows what ends it.'; break; }
+    try {
+      const begin = performance.now();
+      const answer = await computer.ask({wanted, maxOrder: atlas.scene.spectrum?.max_order ?? 12});
+      if (again) continue;
+      view.showComputed({...answer, wanted, sections: answer.orbit.sections});
+      tell(answer, wanted, own, performance.now() - begin);
+    } catch (error) {
+      view.showComputed({error: error.message, wanted});
+      byId('own-status').textContent = `Not computed: ${error.message}.`;
+    }
+  } while (again);
+  running = false;
+  document.documentElement.dataset.computed = ++asked;
+}
+function tell(answer, wanted, own, waited) {
+  const {orbit} = answer;
+  byId('answer-time').textContent = `answered in ${shown(waited / 1000, 2)} s`;
+  const start = state.start === 'initial' ? 'from the scene’s initial state' : own ? 'from the motion of the selected cell' : 'from the state that the atlas stores';
+  const transient = wanted.transient_revolutions ? `, after ${wanted.stop_when_periodic ? 'up to ' : ''}${wanted.transient_revolutions} revolutions of transient` : '';
+  byId('own-status').textContent = orbit.status === 1 ? `Computed in this page ${start}${transient}: ${view.result.sections.length / 4} sections.`
+    : `Computed in this page ${start}: no motion, ${orbit.ending}.`;
+}
+/// Goes on from where the last answer ended, and adds its sections.
+async function more() {
+  const before = view.result;
+  if (!before?.orbit || before.orbit.status !== 1 || running) return;
+  running = true;
+  const last = before.sections.length - 4;
+  const [x, y, vx, vy] = before.sections.subarray(last, last + 4);
+  const wanted = {...before.wanted, x, y, vx, vy, transient_revolutions: 0, stop_when_periodic: 0};
+  try {
+    const answer = await computer.ask({wanted, maxOrder: atlas.scene.spectrum?.max_order ?? 12});
+    const sections = new Float64Array(before.sections.length + answer.orbit.sections.length);
+    sections.set(before.sections);
+    sections.set(answer.orbit.sections, before.sections.length);
+    view.showComputed({...answer, wanted, sections});
+    byId('own-status').textContent = answer.orbit.status === 1 ? `Continued: ${sections.length / 4} sections.` : `Continued: ${answer.orbit.ending}.`;
+  } catch (error) {
+    byId('own-status').textContent = `Not computed: ${error.message}.`;
+  }
+  running = false;
+  document.documentElement.dataset.computed = ++asked;
+  if (again) compute();
+}
+
+async function selected({keepOwn = false} = {}) {
+  if (!keepOwn) state.own = null;
+  writeAddress();
+  showSliders();
+  showOwn();
+  view.result = null;
+  view.showFacts();
+  map.draw();
+  await view.showAtlas();
+  await compute();
+}
+
+// --- the map's controls ---
+
+function fillControls() {
+  const quantity = byId('map-quantity');
+  for (const one of atlas.maps) quantity.append(element('option', {value: one.name, text: mapLabel(one)}));
+  for (const [side, other] of [['x', 'y'], ['y', 'x']]) {
+    const select = byId(`map-${side}`);
+    axes.forEach((axis, i) => select.append(element('option', {value: i, text: labelOf(axis)})));
+    select.onchange = () => {
+      if (Number(select.value) === state[other]) state[other] = state[side];
+      state[side] = Number(select.value);
+      showControls();
+      map.chart.zoomed = null;
+      map.draw();
+      writeAddress();
+    };
+  }
+  quantity.onchange = () => { state.quantity = quantity.value; map.draw(); writeAddress(); };
+}
+function showControls() {
+  byId('map-quantity').value = state.quantity;
+  byId('map-x').value = state.x;
+  byId('map-y').value = state.y;
+  showSliders();
+}
+/// A slider for every axis that is swept and not drawn; the values of the others in words.
+function showSliders() {
+  const holder = byId('map-sliders');
+  holder.replaceChildren();
+  axes.forEach((axis, i) => {
+    if (i === state.x || i === state.y || sizes[i] === 1) return;
+    const word = element('output', {text: axis.name === 'direction' ? axisWord(axis, state.place[i]) : withUnits(axis.values[state.place[i]], axis.units, 5)});
+    holder.append(element('label', {}, `${capital(words(axis.name))} ${axis.symbol} `, element('input', {type: 'range', min: 0, max: sizes[i] - 1, value: state.place[i], 'data-axis': axis.name, oninput: (event) => {
+      state.place[i] = Number(event.target.value);
+      word.textContent = axis.name === 'direction' ? axisWord(axis, state.place[i]) : withUnits(axis.values[state.place[i]], axis.units, 5);
+      state.own = null;
+      writeAddress();
+      map.draw();
+    }, onchange: () => selected()}), word));
+  });
+}
+function mark() {
+  const said = byId('query-answer');
+  try {
+    map.marks = state.query.trim() ? marked(state.query) : null;
+    const count = map.marks ? map.marks.reduce((sum, one) => sum + one, 0) : 0;
+    said.textContent = map.marks ? `${shown(count, 9)} of ${shown(pointCount, 9)} points are marked.` : '';
+    said.classList.remove('wrong');
+  } catch (error) {
+    if (!(error instanceof QueryError)) throw error;
+    map.marks = null;
+    said.textContent = error.message;
+    said.classList.add('wrong');
+  }
+  map.draw();
+}
+
+// --- sliders of a point off the grid ---
+
+function fillOwn() {
+  const holder = byId('own-sliders');
+  const usual = requestAt(state.place);
+  for (const quantity of OWN) {
+    const {name, symbol, long, units} = quantity;
+    const swept = axes.find((axis) => axis.name === quantity.axis);
+    const [unit, factor] = drawn(units);
+    const ends = swept && swept.values.length > 1 ? [swept.values[0], swept.values[swept.values.length - 1]] : [quantity.low(usual[name]), quantity.high(usual[name])];
+    const [low, high] = [Math.min(...ends) * factor, Math.max(...ends) * factor || 1];
+    const range = element('input', {type: 'range', min: low, max: high, step: (high - low) / 2000, 'aria-label': `${long} ${symbol}`, 'data-own': name});
+    const field = element('input', {type: 'number', min: quantity.limit[0] * factor, max: quantity.limit[1] * factor, step: 'any', 'aria-label': `${long} ${symbol}${unit && unit !== '1' ? ` in ${unit}` : ''}`, 'data-own-number': name});
+    const change = (text) => {
+      const value = Number(text) / factor;
+      if (text === '' || !(value >= quantity.limit[0] && value <= quantity.limit[1])) {
+        byId('own-status').textContent = `${long}: ${text || 'nothing'} is outside [${quantity.limit[0] * factor}, ${quantity.limit[1] * factor}]${unit && unit !== '1' ? ` ${unit}` : ''}.`;
+        return;
+      }
+      state.own = {...ownValues(), [name]: value};
+      writeAddress();
+      showOwn(name);
+      view.showFacts();
+      view.drawLine();
+      compute();
+    };
+    range.oninput = () => change(range.value);
+    field.onchange = () => change(field.value);
+    holder.append(element('label', {class: 'own'}, element('span', {text: `${long} ${symbol}${unit && unit !== '1' ? ` [${unit}]` : ''}`}), range, field));
+  }
+  byId('back').onclick = () => selected();
+  byId('more').onclick = () => more();
+  byId('own-start').onchange = (event) => { state.start = event.target.value; writeAddress(); compute(); };
+}
+function ownValues() {
+  if (state.own) return state.own;
+  const usual = requestAt(state.place);
+  return Object.fromEntries(OWN.map(({name}) => [name, usual[name]]));
+}
+function showOwn() {
+  const now = ownValues();
+  for (const {name, units} of OWN) {
+    const factor = drawn(units)[1];
+    const range = document.querySelector(`[data-own=${name}]`), field = document.querySelector(`[data-own-number=${name}]`);
+    if (!range) return;
+    if (document.activeElement !== range) range.value = now[name] * factor;
+    field.value = Number((now[name] * factor).toPrecision(12));
+  }
+  byId('own-start').value = state.start;
+  byId('back').disabled = !state.own;
+}
+
+// --- keys ---
+
+function walk(axis, step) {
+  const next = state.place[axis] + step;
+  if (next < 0 || next >= sizes[axis]) return;
+  state.place[axis] = next;
+  selected();
+}
+function onKey(event) {
+  const {target, key} = event;
+  if (key === 'Escape') { target.blur?.(); return; }
+  if (target.closest('input, select, textarea, button, summary') || event.ctrlKey || event.metaKey || event.altKey) return;
+  const far = event.shiftKey ? 10 : 1;
+  const acts = {
+    ArrowLeft: () => walk(state.x, -far), ArrowRight: () => walk(state.x, far), ArrowUp: () => walk(state.y, 1), ArrowDown: () => walk(state.y, -1),
+    ' ': () => togglePlay(), t: () => view.rotor.step(), T: () => view.rotor.step(), q: () => byId('query').focus(), Q: () => byId('query').focus(),
+  };
+  if (!acts[key]) return;
+  event.preventDefault();
+  acts[key]();
+}
+function togglePlay() {
+  const {rotor} = view;
+  if (rotor.playing) rotor.pause(); else rotor.play();
+  showPlaying();
+}
+function showPlaying() {
+  byId('play').textContent = view.rotor.playing ? 'Pause' : 'Play';
+  byId('play').setAttribute('aria-pressed', view.rotor.playing);
+}
+
+function fillRotor() {
+  const {rotor} = view;
+  rotor.moved = (now) => view.markOrbit(now);
+  byId('play').onclick = togglePlay;
+  byId('step').onclick = () => { rotor.step(); showPlaying(); };
+  byId('trail').onchange = (event) => { rotor.trail = event.target.checked; rotor.draw(); };
+  const rate = () => {
+    rotor.secondsPerRevolution = 10 ** Number(byId('rate').value);
+    byId('rate-shown').textContent = `${shown(rotor.secondsPerRevolution, 2)} s a revolution`;
+  };
+  const zoom = () => { rotor.zoom = Number(byId('zoom').value); byId('zoom-shown').textContent = `×${shown(10 ** rotor.zoom, 2)}`; rotor.draw(); };
+  byId('rate').oninput = rate;
+  byId('zoom').oninput = zoom;
+  rate();
+  zoom();
+}
+
+async function open() {
+  document.title = atlas.title;
+  byId('title').textContent = atlas.title;
+  byId('reference').textContent = atlas.reference;
+  const swept = axes.filter((axis) => axis.values.length > 1).map((axis) => `${shown(axis.values.length, 7)} × ${words(axis.name)}${axis.symbol ? ` ${axis.symbol}` : ''}`);
+  byId('summary').textContent = `${shown(pointCount, 9)} points: ${swept.join(', ')} · law ${atlas.scene.contact.law}, ${atlas.scene.blades.count} blades`;
+  await openMaps();
+  firstState();
+  readAddress();
+  view = new PointView(state);
+  view.computer = computer;
+  view.walkTo = (speed) => { state.place[SPEED] = axes[SPEED].values.reduce((best, value, i, all) => (Math.abs(value - speed) < Math.abs(all[best] - speed) ? i : best), 0); selected(); };
+  map = new AtlasMap(state, (place) => { state.place = place; selected(); byId('map').focus({preventScroll: true}); });
+  exportButtons(document.querySelector('[data-export=map]'), map, () => `${mapLabel(mapNamed(state.quantity))} · ${view.describe()}`);
+  fillControls();
+  showControls();
+  fillOwn();
+  fillRotor();
+  showTables();
+  byId('query').value = state.query;
+  byId('query-form').onsubmit = (event) => { event.preventDefault(); state.query = byId('query').value; writeAddress(); mark(); };
+  document.addEventListener('keydown', onKey);
+  dark.addEventListener('change', () => { map.chart.build(); map.draw(); for (const {chart} of Object.values(view.charts)) chart.build(); view.drawLine(); view.showComputed(view.result); });
+  window.addEventListener('hashchange', () => { firstState(); readAddress(); showControls(); byId('query').value = state.query; mark(); selected({keepOwn: true}); });
+  if (state.query) mark();
+  showOwn();
+  view.showFacts();
+  map.draw();
+  await view.showAtlas();
+  view.showComputed(null);
+  document.documentElement.dataset.ready = Math.round(performance.now());
+  await computer.start(requestAt(state.place));
+  byId('charts').classList.toggle('atlas-only', Boolean(computer.why));
+  byId('own').hidden = Boolean(computer.why);
+  byId('rotor-controls').hidden = Boolean(computer.why);
+  byId('rotor').hidden = Boolean(computer.why);
+  byId('not-computed').hidden = !computer.why;
+  byId('not-computed').textContent = computer.why;
+  document.querySelector('[data-export=rotor]').hidden = Boolean(computer.why);
+  view.rotor.fit();
+  await compute();
+  document.documentElement.dataset.computer = computer.why ? 'none' : 'there';
+}
+open();

@@ -1,0 +1,200 @@
+// --- The rotor, moving: shaft, blades, ring and contact forces, seen along the shaft. ---
+
+class Rotor {
+  constructor(canvas, status) {
+    this.canvas = canvas;
+    this.status = status;
+    this.name = 'rotor';
+    this.orbit = null;
+    this.time = 0;
+    this.playing = false;
+    this.secondsPerRevolution = 4;
+    this.zoom = 0;
+    this.trail = true;
+    this.frames = 0;
+    this.moved = () => {};
+    new ResizeObserver(() => this.fit()).observe(canvas.parentElement);
+  }
+  fit() {
+    const side = Math.min(this.canvas.parentElement.clientWidth, 430);
+    this.canvas.style.width = this.canvas.style.height = `${side}px`;
+    this.canvas.width = this.canvas.height = Math.round(side * devicePixelRatio);
+    this.draw();
+  }
+  /// `request` is what the orbit was computed from.
+  show(orbit, request) {
+    this.orbit = orbit;
+    this.request = request;
+    this.time = 0;
+    if (!orbit) { this.pause(); this.draw(); return; }
+    this.period = 2 * Math.PI / request.speed_ratio;
+    this.duration = orbit.time.length * (orbit.time[1] - orbit.time[0]);
+    this.largestForce = orbit.force.reduce((most, force) => Math.max(most, force), 0);
+    const starts = new Map();
+    orbit.contact.number.forEach((number, i) => { if (!starts.has(number)) starts.set(number, orbit.contact.time[i]); });
+    // A contact that is open when the orbit begins has touched down before.
+    this.touchDowns = [...starts.values()].filter((time) => time > 0).sort((a, b) => a - b);
+    this.draw();
+  }
+  play() {
+    if (this.playing || !this.orbit) return;
+    this.playing = true;
+    this.last = performance.now();
+    requestAnimationFrame((now) => this.tick(now));
+  }
+  pause() { this.playing = false; }
+  tick(now) {
+    if (!this.playing || !this.orbit) return;
+    this.time = (this.time + (now - this.last) / 1000 / this.secondsPerRevolution * this.period) % this.duration;
+    this.last = now;
+    this.draw();
+    requestAnimationFrame((later) => this.tick(later));
+  }
+  step() {
+    if (!this.orbit || !this.touchDowns.length) return;
+    this.pause();
+    // Just after the touch-down, where the force is there.
+    const later = this.touchDowns.find((time) => time > this.time + 1e-9 * this.duration);
+    this.time = (later ?? this.touchDowns[0]) + 1e-6 * this.period;
+    this.draw();
+  }
+  /// State, forces and slopes at the present time, between the samples of the orbit.
+  present() {
+    const {orbit} = this;
+    const count = orbit.time.length;
+    const at = Math.min(this.time / this.duration * count, count - 1);
+    const low = Math.min(Math.floor(at), count - 2), share = at - low;
+    const mix = (array, width, i) => array[width * low + i] + share * (array[width * (low + 1) + i] - array[width * low + i]);
+    const blades = Array.from({length: orbit.blades}, (_, i) => {
+      const ends = [orbit.force[orbit.blades * low + i], orbit.force[orbit.blades * (low + 1) + i]];
+      return {force: ends[0] > 0 && ends[1] > 0 ? mix(orbit.force, orbit.blades, i) : ends[share < 0.5 ? 0 : 1],
+        slope: ends[0] > 0 && ends[1] > 0 ? mix(orbit.tipSlope, orbit.blades, i) : orbit.tipSlope[orbit.blades * (low + (share < 0.5 ? 0 : 1)) + i]};
+    });
+    return {x: mix(orbit.state, 4, 0), y: mix(orbit.state, 4, 1), low, blades};
+  }
+  draw() {
+    const context = this.canvas.getContext('2d');
+    context.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    this.paint(new CanvasPen(context, devicePixelRatio), this.canvas.width / devicePixelRatio);
+    ++this.frames;
+    this.canvas.dataset.frames = this.frames;
+    this.canvas.dataset.time = this.orbit ? this.time : '';
+    if (this.orbit) {
+      const revolution = this.time / this.period;
+      const loads = this.now.blades.map((blade, i) => [i, blade.force]).filter(([, force]) => force > 0);
+      const touching = loads.map(([i, force]) => `blade ${i + 1} ${withUnits(force, 'N', 3)}`).join(', ');
+      this.status.textContent = `revolution ${shown(1 + Math.floor(revolution), 4)}, ${shown(Math.floor(360 * (revolution % 1)), 3)}° · ${touching ? `in contact: ${touching}` : 'no contact'}`;
+      this.moved(this.now);
+    } else this.status.textContent = '';
+  }
+  paint(pen, side) {
+    const unit = pen.scale;
+    if (!this.orbit) return;
+    const {request} = this;
+    const now = this.now = this.present();
+    const radius = request.ring_radius;
+    // The view closes in on the ring where an undeformed blade is nearest to it, or furthest beyond it.
+    const reach = request.hub_radius + request.blade_length;
+    const places = now.blades.map((_, i) => {
+      const angle = request.speed_ratio * this.time + 2 * Math.PI * i / this.orbit.blades;
+      return [now.x + reach * Math.cos(angle), now.y + request.misalignment + reach * Math.sin(angle)];
+    });
+    const nearest = places.reduce((best, place) => (Math.hypot(...place) > Math.hypot(...best) ? place : best));
+    const toward = Math.atan2(nearest[1], nearest[0]);
+    const near = Math.min(this.zoom, 1);
+    const focus = [near * radius * Math.cos(toward), near * radius * Math.sin(toward) - request.misalignment];
+    const scale = side * unit / (2.3 * radius) * 10 ** this.zoom;
+    const middle = side * unit / 2;
+    const to = (x, y) => [middle + (x - focus[0]) * scale, middle - (y - focus[1]) * scale];
+    const ring = to(0, -request.misalignment);
+    const grey = quiet();
+    pen.clipped(0, 0, side * unit, side * unit, () => {
+      // A circle that is far larger than the picture is drawn as the arc that can be seen.
+      const arc = [];
+      const spread = Math.min(Math.PI, 4 * side * unit / (radius * scale));
+      for (let i = -120; i <= 120; ++i) {
+        const angle = toward + spread * i / 120;
+        arc.push([ring[0] + radius * scale * Math.cos(angle), ring[1] - radius * scale * Math.sin(angle)]);
+      }
+      pen.line(arc, {colour: ink(), width: 3});
+      const cross = 5 * unit;
+      pen.line([[ring[0] - cross, ring[1]], [ring[0] + cross, ring[1]], [NaN, NaN], [ring[0], ring[1] - cross], [ring[0], ring[1] + cross]], {colour: grey});
+      if (this.trail) {
+        const path = [];
+        const samples = Math.round(this.orbit.time.length * this.period / this.duration);
+        for (let i = Math.max(0, now.low - 2 * samples); i <= now.low; ++i) path.push(to(this.orbit.state[4 * i], this.orbit.state[4 * i + 1]));
+        pen.line(path, {colour: strong(), width: 1.5});
+      }
+      const stiffness = request.youngs_modulus * request.blade_width * request.thickness ** 3 / 12;
+      now.tips = [];
+      now.blades.forEach((blade, i) => {
+        const angle = request.speed_ratio * this.time + 2 * Math.PI * i / this.orbit.blades;
+        const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+        const load = blade.force * request.blade_length ** 2 / stiffness;
+        const shape = blade.slope ? bladeShape(load, request.friction, blade.slope) : [[0, 0], [1, 0]];
+        const points = shape.map(([along, across]) => {
+          const outward = request.hub_radius + request.blade_length * along, aside = -request.blade_length * across;
+          return [now.x + outward * cos - aside * sin, now.y + outward * sin + aside * cos];
+        });
+        pen.line(points.map(([x, y]) => to(x, y)), {colour: cycle()[i % 6], width: 3});
+        const tip = points[points.length - 1];
+        now.tips.push(tip);
+        if (blade.force > 0 && this.largestForce > 0) this.arrow(pen, to(...tip), tip, blade.force, side * unit);
+      });
+      const hub = Math.max(request.hub_radius * scale, 7 * unit);
+      pen.circle(...to(now.x, now.y), hub, {colour: ink(), width: 1.5, fill: ground()});
+      pen.dots([to(now.x, now.y)], {colour: ink(), size: 4});
+      // A mark between blade 1 and the hub's centre shows how the rotor turns.
+      const turn = request.speed_ratio * this.time;
+      const centre = to(now.x, now.y);
+      pen.line([centre, [centre[0] + hub * Math.cos(turn), centre[1] - hub * Math.sin(turn)]], {colour: cycle()[0], width: 2});
+    });
+    pen.text(this.zoom > 0 ? `×${shown(10 ** this.zoom, 3)}` : '', 8 * unit, 14 * unit, {colour: grey});
+  }
+  /// The force of the ring on a tip, −F n − s μ F t.
+  arrow(pen, [x, y], tip, force, side) {
+    const outward = Math.atan2(tip[1] + this.request.misalignment, tip[0]);
+    const length = 0.22 * side * force / this.largestForce;
+    const direction = [-Math.cos(outward), Math.sin(outward)];
+    const head = [x + length * direction[0], y + length * direction[1]];
+    const wing = 5 * pen.scale;
+    const colour = VERMILION;
+    pen.line([[x, y], head], {colour, width: 2});
+    const across = [-direction[1], direction[0]];
+    pen.line([[head[0] - wing * (direction[0] - across[0] * 0.6), head[1] - wing * (direction[1] - across[1] * 0.6)], head,
+      [head[0] - wing * (direction[0] + across[0] * 0.6), head[1] - wing * (direction[1] + across[1] * 0.6)]], {colour, width: 2});
+  }
+  csv() {
+    const {orbit} = this;
+    const columns = {tau: [], x_m: [], y_m: [], vx_m: [], vy_m: []};
+    for (let i = 0; i < orbit.blades; ++i) columns[`force_of_blade_${i + 1}_N`] = [];
+    orbit.time.forEach((time, i) => {
+      columns.tau.push(time);
+      ['x_m', 'y_m', 'vx_m', 'vy_m'].forEach((name, part) => columns[name].push(orbit.state[4 * i + part]));
+      for (let blade = 0; blade < orbit.blades; ++blade) columns[`force_of_blade_${blade + 1}_N`].push(orbit.force[orbit.blades * i + blade]);
+    });
+    return columns;
+  }
+  svg(title) {
+    const side = 430;
+    const pen = new SvgPen(side, side + 44);
+    this.paint(pen, side);
+    pen.text(title, 8, side + 14, {colour: ink(), size: 12});
+    pen.text(credit(), 8, side + 34, {colour: quiet(), size: 9});
+    return pen.finish(ground());
+  }
+  png(title) {
+    const canvas = element('canvas');
+    const side = 430, ratio = 2;
+    canvas.width = side * ratio;
+    canvas.height = (side + 44) * ratio;
+    const context = canvas.getContext('2d');
+    context.fillStyle = ground();
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    const pen = new CanvasPen(context, ratio);
+    this.paint(pen, side);
+    pen.text(title, 8 * ratio, (side + 14) * ratio, {colour: ink(), size: 12});
+    pen.text(credit(), 8 * ratio, (side + 34) * ratio, {colour: quiet(), size: 9});
+    return canvas;
+  }
+}
