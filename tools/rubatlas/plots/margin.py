@@ -24,7 +24,9 @@ def into(panel, atlas, maps, along, wanted, name="speed_ratio"):
         raise AtlasError(f"{maps.path}: it has no /margins/{name}; `rubatlas analyse` writes margins along axes with several values")
     along, lines, place = rows_of(atlas, along, wanted)
     values = np.abs(np.array([maps.file[f"margins/{name}"][line.index] for line in lines], dtype=float))
-    least = np.nanmin(values[values > 0], initial=1.0)
+    # A border is known to half a step of the speed; what is nearer than a tenth of a step is rounding, and would use up the colours.
+    speed = atlas.axis("speed_ratio")
+    least = 0.1 * np.diff(speed).min() if len(speed) > 1 else 1e-6
     image = panel.imshow(np.ma.masked_invalid(np.maximum(values, least)), cmap=style.SEQUENTIAL,
                          norm=style.matplotlib.colors.LogNorm(least, max(np.nanmax(values, initial=least), 2.0 * least)), **place)
     panel.imshow(style.missing_image(np.array([line.status() for line in lines])), **place)
