@@ -10,11 +10,11 @@ packages="g++ make cmake ninja-build pkg-config git ca-certificates
   openmpi-bin libopenmpi-dev libhdf5-openmpi-dev zlib1g-dev libeigen3-dev libfftw3-dev nlohmann-json3-dev libcli11-dev
   libfmt-dev libboost-dev
   clang-16 lld-16 wasi-libc libc++-16-dev-wasm32 libc++abi-16-dev-wasm32 libclang-rt-16-dev-wasm32
-  python3 python3-numpy python3-h5py python3-matplotlib python3-xarray python3-h5netcdf"
+  python3 python3-numpy python3-h5py python3-matplotlib python3-xarray python3-h5netcdf python3-pip python3-setuptools python3-wheel"
 case "${1-}" in
   "") ;;
   --tests) packages="$packages libgtest-dev libbenchmark-dev clang clang-format clang-tidy libclang-rt-dev
-    llvm hdf5-tools netcdf-bin slurm-wlm iproute2 chromium chromium-driver python3-selenium" ;;
+    llvm hdf5-tools netcdf-bin slurm-wlm iproute2 chromium chromium-driver python3-selenium mypy python3-venv python3-nbconvert python3-ipykernel" ;;
   --bench) packages="$packages libgtest-dev libbenchmark-dev libsundials-dev valgrind" ;;
   *)
     echo "install.sh: $1 is not an option; allowed: --tests, --bench" >&2

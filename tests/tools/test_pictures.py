@@ -35,7 +35,7 @@ class Figure:
         keep, style.save = style.save, lambda figure, options: caught.append(figure)
         try:
             parser = command_line.parser(module.__doc__)
-            for option in ("--maps", "--along"):
+            for option in ("--maps", "--along", "--curve"):
                 parser.add_argument(option)
             parser.add_argument("--passing", action="store_true")
             parser.add_argument("--max_frequency", type=float)
@@ -82,6 +82,12 @@ class ToolsPictures(unittest.TestCase):
 
     def test_the_sensitivity_map_is_drawn(self):
         self.expect_picture("map", TINY / "atlas.h5", "--maps", TINY / "maps.h5", colours=50)
+
+    def test_margins_are_drawn(self):
+        self.expect_picture("margin", TINY / "atlas.h5", "--maps", TINY / "maps.h5", colours=50)
+
+    def test_the_spectrum_of_a_point_is_drawn(self):
+        self.expect_picture("spectrum", TINY / "atlas.h5", "--speed_ratio", 0.6)
 
     def test_the_orbit_is_drawn(self):
         self.expect_picture("orbit", TINY / "orbit.h5")

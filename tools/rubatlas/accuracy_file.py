@@ -109,7 +109,7 @@ class AccuracyFile:
         except (OSError, ValueError, KeyError) as error:
             raise AtlasError(f"{path}: not reference data ({error})") from None
         points, starts = self.points(), self.data["start"].reshape(-1, 4)
-        found = {}
+        found: dict[int, dict] = {}
         if self.scene["contact"]["law"] != "elastica":
             return found
         for case in cases:

@@ -12,6 +12,7 @@ status is not "done" means nothing, so everything is read through `/status` here
 import contextlib
 import json
 import os
+import pathlib
 import re
 
 import h5py
@@ -48,6 +49,13 @@ def with_values(scene, values):
 def clearance_of(scene):
     """δc = R − rh − L [m], the radial gap between ring and blade tip of the centred rotor."""
     return scene["ring"]["radius"] - scene["blades"]["hub_radius"] - scene["blades"]["length"]
+
+
+def beside(path, what):
+    """ATLAS_maps.h5 (or _edges) beside ATLAS.h5, where it is there; else None."""
+    source = pathlib.Path(path)
+    place = source.with_name(f"{source.stem}_{what}.h5")
+    return str(place) if place.is_file() else None
 
 
 class AtlasError(Exception):

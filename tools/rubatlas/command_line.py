@@ -6,7 +6,7 @@ import pathlib
 import sys
 import tempfile
 
-from rubatlas.atlas_file import AtlasError
+from rubatlas.atlas_file import AtlasError, beside
 
 LINE_AXES = ["damping_ratio", "friction", "unbalance", "thickness", "direction"]
 
@@ -29,6 +29,20 @@ def parser(description, source="ATLAS.h5", line=True):
         group.add_argument("--at", action="append", default=[], metavar="NAME=VALUE",
                            help="a value on any other axis of the atlas, such as ring_stiffness=1e4; may be repeated")
     return result
+
+
+def add_maps(arguments, what):
+    """The option that names the maps of the atlas."""
+    arguments.add_argument("--maps", metavar="MAPS.h5", help=f"maps of the atlas (`rubatlas analyse`), {what}; "
+                                                             "default: ATLAS_maps.h5 beside the atlas, if it is there")
+
+
+def maps_of(options, required=False):
+    """Path of the maps: as named, else beside the atlas; None where there are none, unless they are required."""
+    path = options.maps or beside(options.source, "maps")
+    if path is None and required:
+        raise AtlasError(f"{options.source}: no maps beside it; `rubatlas analyse` makes them, and --maps names them")
+    return path
 
 
 def wanted(options, axes):

@@ -6,6 +6,8 @@ KINDS = {
     "waterfall": "spectrum of x over the speed ratio",
     "displacement": "maximum displacement over the clearance, one curve per value of a parameter",
     "map": "maximum displacement and class of motion over the speed ratio and a parameter",
+    "margin": "distance to the nearest change of motion, and to the predicted grazing, over the speed ratio and a parameter",
+    "spectrum": "spectrum of x of one point",
     "orbit": "orbit of one point with its sections, and the force on each blade",
     "blade": "a blade's shortening and deflection over its load",
     "safe_speeds": "bands of the speed ratio that keep given limits, with separation margins",

@@ -1,11 +1,13 @@
 """Basins of attraction: which attractor each initial state leads to, speed by speed.
 
-  rubatlas-plot basins ATLAS.h5 --maps MAPS.h5 -o PICTURE.png [--at initial_y=0.001] [--at speed_ratio=0.438] [--friction 0.1 ...]
+  rubatlas-plot basins ATLAS.h5 -o PICTURE.png [--maps MAPS.h5] [--at initial_y=0.001] [--at speed_ratio=0.438] [--friction 0.1 ...]
 
 The atlas has axes of the initial state; MAPS.h5 is what `rubatlas analyse ATLAS.h5 -o MAPS.h5` writes. Each speed has a
 panel over two axes of the initial state (nine speeds at most, evenly chosen); a single axis is drawn over the speed
 ratio. Attractors have the colours of their classes, and further ones of the same class colours of their own.
 """
+from typing import Any
+
 import numpy as np
 from matplotlib.patches import Patch
 
@@ -53,7 +55,7 @@ def place_of(atlas, horizontal, vertical):
 
 
 def draw(options):
-    with AtlasFile(options.source) as atlas, AtlasFile(options.maps) as maps:
+    with AtlasFile(options.source) as atlas, AtlasFile(command_line.maps_of(options, required=True)) as maps:
         require_same(atlas.path, atlas.scene, maps.path, maps.scene)
         wanted = command_line.wanted(options, atlas.axes)
         starts = [name for name in atlas.axes if name.startswith("initial_") and len(atlas.axis(name)) > 1]
@@ -74,7 +76,7 @@ def draw(options):
                                      ((atlas, "status"), (maps, "class"), (maps, "attractor")))
 
         over_speed = horizontal == "speed_ratio"
-        panels = [(slice(None), None)] if over_speed else \
+        panels: list[tuple[Any, str | None]] = [(slice(None), None)] if over_speed else \
             [((slice(None), slice(None), place), f"Ω = {speed[place]:g}") for place in places]
         columns = min(3, len(panels))
         rows = -(-len(panels) // columns)
@@ -99,5 +101,5 @@ def draw(options):
 
 def main(arguments_given):
     arguments = command_line.parser(__doc__)
-    arguments.add_argument("--maps", metavar="MAPS.h5", required=True, help="the attractors")
+    command_line.add_maps(arguments, "which have the attractors")
     command_line.run(draw, arguments.parse_args(arguments_given))

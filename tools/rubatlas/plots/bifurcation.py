@@ -12,22 +12,33 @@ from rubatlas import style
 from rubatlas.atlas_file import AtlasFile
 
 
+COLOURS = {"x": style.BLUE, "y": style.VERMILION}
+
+
+def into(panel, line, component="x", name="poincare"):
+    """One component of the sections over the speed ratio."""
+    atlas = line.atlas
+    units, factor = style.drawn(atlas.units(name))
+    sections = line.rows(name)[:, :, "xy".index(component)]
+    panel.plot(np.repeat(atlas.axis("speed_ratio"), sections.shape[1]), factor * sections.ravel(), ".", color=COLOURS[component],
+               markersize=1.3, markeredgewidth=0, alpha=0.6, rasterized=True)
+    panel.set_ylabel(f"{component} at the section [{units}]")
+    panel.set_xlabel(style.label(atlas, "speed_ratio"))
+
+
 def draw(options):
     with AtlasFile(options.source) as atlas:
         line = atlas.line(**command_line.wanted(options, atlas.axes))
         name = "poincare_blade_passing" if options.passing else "poincare"
-        sections, speed = line.rows(name), atlas.axis("speed_ratio")
+        speed = atlas.axis("speed_ratio")
         with_displacement = "max_displacement" in atlas
 
         heights = [3, 3, 2] if with_displacement else [3, 3]
         figure, panels = style.plt.subplots(len(heights), 1, sharex=True, figsize=(8.5, 1.05 * sum(heights) + 0.6),
                                             gridspec_kw={"height_ratios": heights})
-        units, factor = style.drawn(atlas.units(name))
-        repeated = np.repeat(speed, sections.shape[1])
-        for panel, component, colour in zip(panels, (0, 1), (style.BLUE, style.VERMILION)):
-            panel.plot(repeated, factor * sections[:, :, component].ravel(), ".", color=colour, markersize=1.3,
-                       markeredgewidth=0, alpha=0.6, rasterized=True)
-            panel.set_ylabel(f"{'xy'[component]} at the section [{units}]")
+        for panel, component in zip(panels, "xy"):
+            into(panel, line, component, name)
+            panel.set_xlabel("")
         if with_displacement:
             units, factor = style.drawn(atlas.units("max_displacement"))
             panels[2].plot(speed, factor * line.rows("max_displacement"), color=style.INK, lw=0.9)

@@ -13,39 +13,52 @@ from rubatlas import style
 from rubatlas.atlas_file import AtlasError, AtlasFile
 
 
+NAMES = {"shortening": "Axial shortening δ [mm]", "deflection": "Lateral deflection Δ [mm]"}
+
+
+def into(panel, line, what="shortening", every_friction=True):
+    """Shortening or deflection of a blade over its load, a curve for each friction of the atlas."""
+    atlas = line.atlas
+    if atlas.scene["contact"]["law"] != "elastica":
+        raise AtlasError(f"{atlas.path}: its contact law is {atlas.scene['contact']['law']}, "
+                         "under which blades are rigid; only elastica has curves to draw")
+    blades = line.scene["blades"]
+    length, thickness = blades["length"], float(line.value("thickness"))
+    rigidity = blades["youngs_modulus"] * blades["width"] * thickness**3 / 12.0  # EI [N m²]
+    unit = rigidity / length**2  # the force that F L²/EI counts [N]
+    frictions = atlas.axis("friction") if every_friction else [float(line.value("friction"))]
+    colours = style.plt.get_cmap(style.SEQUENTIAL)(np.linspace(0.0, 0.88, len(frictions)))
+    for friction, colour in zip(frictions, colours):
+        load, shortening, deflection = elastica.up_to_shortening(friction, limit_of(atlas))
+        values = shortening if what == "shortening" else deflection
+        if friction == 0.0:
+            load[0] = elastica.EULER_LOAD  # a column stands straight below it
+            load, values = (np.concatenate([[0.0], each]) for each in (load, values))
+        panel.plot(unit * load, 1e3 * length * values, color=colour, label=f"friction {friction:g}")
+    euler = elastica.EULER_LOAD * unit
+    panel.axvline(euler, color=style.GREY, lw=0.9, ls=(0, (4, 3)), label=f"Euler load {euler:.3g} N")
+    panel.set_xlabel("Axial load F [N]")
+    panel.set_ylabel(NAMES[what])
+    panel.set_xlim(left=0)
+    panel.set_ylim(bottom=0)
+
+
+def limit_of(atlas):
+    """δ/L up to which a blade is drawn."""
+    return atlas.scene.get("validity", {}).get("max_shortening", 0.5)
+
+
 def draw(options):
     with AtlasFile(options.source) as atlas:
-        if atlas.scene["contact"]["law"] != "elastica":
-            raise AtlasError(f"{options.source}: its contact law is {atlas.scene['contact']['law']}, "
-                             "under which blades are rigid; only elastica has curves to draw")
         wanted = command_line.wanted(options, atlas.axes)
         line = atlas.line(**wanted)
-        blades = line.scene["blades"]
-        length, thickness = blades["length"], float(line.value("thickness"))
-        rigidity = blades["youngs_modulus"] * blades["width"] * thickness**3 / 12.0  # EI [N m²]
-        unit = rigidity / length**2  # the force that F L²/EI counts [N]
-        euler = elastica.EULER_LOAD * unit
-        limit = atlas.scene.get("validity", {}).get("max_shortening", 0.5)
-        frictions = [float(line.value("friction"))] if "friction" in wanted else atlas.axis("friction")
-
         figure, panels = style.plt.subplots(1, 2, sharex=True, figsize=(9.0, 4.2))
-        colours = style.plt.get_cmap(style.SEQUENTIAL)(np.linspace(0.0, 0.88, len(frictions)))
-        for friction, colour in zip(frictions, colours):
-            load, shortening, deflection = elastica.up_to_shortening(friction, limit)
-            if friction == 0.0:
-                load[0] = elastica.EULER_LOAD  # a column stands straight below it
-                load, shortening, deflection = (np.concatenate([[0.0], values]) for values in (load, shortening, deflection))
-            for panel, values in zip(panels, (shortening, deflection)):
-                panel.plot(unit * load, 1e3 * length * values, color=colour, label=f"friction {friction:g}")
-        for panel, name in zip(panels, ("Axial shortening δ [mm]", "Lateral deflection Δ [mm]")):
-            panel.axvline(euler, color=style.GREY, lw=0.9, ls=(0, (4, 3)), label=f"Euler load {euler:.3g} N")
-            panel.set_xlabel("Axial load F [N]")
-            panel.set_ylabel(name)
-            panel.set_xlim(left=0)
-            panel.set_ylim(bottom=0)
+        for panel, what in zip(panels, NAMES):
+            into(panel, line, what, every_friction="friction" not in wanted)
         panels[0].legend(loc="upper left")
-        style.title(figure, atlas, f"Blade {1e3 * length:g} × {1e3 * blades['width']:g} × {1e3 * thickness:g} mm, "
-                                   f"up to δ/L = {limit:g}")
+        blades = line.scene["blades"]
+        size = " × ".join(f"{1e3 * value:g}" for value in (blades["length"], blades["width"], float(line.value("thickness"))))
+        style.title(figure, atlas, f"Blade {size} mm, up to δ/L = {limit_of(atlas):g}")
         style.save(figure, options)
 
 

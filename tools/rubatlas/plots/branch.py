@@ -29,7 +29,7 @@ class BranchFile:
                 raise AtlasError(f"{path}: this is no branch; `rubatlas branch` writes one")
             self.attributes = dict(file.attrs)
             self.scene = json.loads(file["scene_resolved"][()])
-            names = []
+            names: list[str] = []
             file.visit(names.append)
             self.data = {name: file[name][()] for name in names if hasattr(file[name], "dtype")}
 

@@ -10,31 +10,41 @@ from rubatlas import style
 from rubatlas.atlas_file import AtlasError, AtlasFile
 
 
+def into(panel, atlas, along, wanted):
+    """One curve for each value of `along`, or one curve; returns the lines and the marks of speeds without a motion."""
+    if along is not None and along not in atlas.axes[:-1]:
+        raise AtlasError(f"{along} is no axis of {atlas.path}, which has {', '.join(atlas.axes[:-1])}")
+    lines = atlas.lines(along, **wanted) if along else [atlas.line(**wanted)]
+    if min(line.clearance for line in lines) <= 0:
+        raise AtlasError(f"{atlas.path}: this rotor has no clearance to relate the displacement to")
+    speed = atlas.axis("speed_ratio")
+    # Ordered values get ordered colours; the map ends in a yellow that is too light for a thin line.
+    colours = style.plt.get_cmap(style.SEQUENTIAL)([0.92 * i / max(1, len(lines) - 1) for i in range(len(lines))])
+    for line, colour in zip(lines, colours):
+        name = line.describe(without=[axis for axis in atlas.axes[:-1] if axis != along]) if along else None
+        panel.plot(speed, line.rows("max_displacement") / line.clearance, color=colour, lw=0.9, label=name)
+    gaps = style.mark_missing(panel, speed, [line.status() for line in lines])
+    panel.axhline(1.0, color=style.GREY, lw=0.8, ls=(0, (4, 3)))
+    panel.set_xlabel(style.label(atlas, "speed_ratio"))
+    panel.set_ylabel("Maximum displacement / clearance [-]")
+    panel.set_xlim(speed[0], speed[-1])
+    panel.set_ylim(bottom=0)
+    return lines, gaps
+
+
+def along_of(atlas, along, wanted):
+    """The parameter to draw along: the one that is named, or the first that is swept."""
+    swept = [axis for axis in atlas.swept_axes() if axis not in wanted]
+    return along or (swept[0] if swept else None)
+
+
 def draw(options):
     with AtlasFile(options.source) as atlas:
         wanted = command_line.wanted(options, atlas.axes)
-        swept = [axis for axis in atlas.swept_axes() if axis not in wanted]
-        along = options.along or (swept[0] if swept else None)
-        if along is not None and along not in atlas.axes[:-1]:
-            raise AtlasError(f"{along} is no axis of {options.source}, which has {', '.join(atlas.axes[:-1])}")
-        lines = atlas.lines(along, **wanted) if along else [atlas.line(**wanted)]
-        clearances = [line.clearance for line in lines]
-        if min(clearances) <= 0:
-            raise AtlasError(f"{options.source}: this rotor has no clearance to relate the displacement to")
-        speed = atlas.axis("speed_ratio")
-
+        along = along_of(atlas, options.along, wanted)
         figure, panel = style.plt.subplots(figsize=(9.5, 4.6))
-        # Ordered values get ordered colours; the map ends in a yellow that is too light for a thin line.
-        colours = style.plt.get_cmap(style.SEQUENTIAL)([0.92 * i / max(1, len(lines) - 1) for i in range(len(lines))])
-        for line, colour in zip(lines, colours):
-            name = line.describe(without=[axis for axis in atlas.axes[:-1] if axis != along]) if along else None
-            panel.plot(speed, line.rows("max_displacement") / line.clearance, color=colour, lw=0.9, label=name)
-        gaps = style.mark_missing(panel, speed, [line.status() for line in lines])
-        panel.axhline(1.0, color=style.GREY, lw=0.8, ls=(0, (4, 3)))
-        panel.set_xlabel(style.label(atlas, "speed_ratio"))
-        panel.set_ylabel("Maximum displacement / clearance [-]")
-        panel.set_xlim(speed[0], speed[-1])
-        panel.set_ylim(bottom=0)
+        lines, gaps = into(panel, atlas, along, wanted)
+        clearances = [line.clearance for line in lines]
         named = panel.get_legend_handles_labels()[0] if along else []
         if named or gaps:
             panel.legend(handles=[*named, *gaps], loc="upper left", bbox_to_anchor=(1.0, 1.0))

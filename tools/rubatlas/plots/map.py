@@ -1,75 +1,123 @@
 """Sensitivity map: maximum displacement, and class of motion, over the speed ratio and one parameter.
 
-  rubatlas-plot map ATLAS.h5 -o PICTURE.png [--maps MAPS.h5] [--along damping_ratio] [--passing]
+  rubatlas-plot map ATLAS.h5 -o PICTURE.png [--maps MAPS.h5] [--curve CURVE.h5] [--along damping_ratio] [--passing]
 
 The classes come from the file that `rubatlas analyse ATLAS.h5 -o MAPS.h5` writes; without it only the displacement is
 drawn. Rows are as high as each other, whatever the distance of their values.
 """
+import contextlib
+
 import numpy as np
 
 from rubatlas import command_line
 from rubatlas import style
 from rubatlas.atlas_file import AtlasError, AtlasFile
+from rubatlas.plots.branch import BranchFile
+from rubatlas.plots.displacement import along_of
 from rubatlas.same_scene import require_same
 
 
-def draw(options):
-    with AtlasFile(options.source) as atlas:
-        wanted = command_line.wanted(options, atlas.axes)
-        swept = [axis for axis in atlas.swept_axes() if axis not in wanted]
-        along = options.along or (swept[0] if swept else atlas.axes[-2])
-        if along not in atlas.axes[:-1]:
-            raise AtlasError(f"{along} is no axis of {options.source}, which has {', '.join(atlas.axes[:-1])}")
-        lines, speed = atlas.lines(along, **wanted), atlas.axis("speed_ratio")
-        units, factor = style.drawn(atlas.units("max_displacement"))
-        displacement = factor * np.array([line.rows("max_displacement") for line in lines])
-        status = np.array([line.status() for line in lines])
-        classes = None
-        if options.maps:
-            with AtlasFile(options.maps) as maps:
-                require_same(atlas.path, atlas.scene, maps.path, maps.scene)
-                name = "class_blade_passing" if options.passing else "class"
-                classes = np.array([line.raw(name) for line in maps.lines(along, **wanted)])
+def rows_of(atlas, along, wanted):
+    """The lines along a parameter, and where an image of them lies."""
+    if along is None:
+        along = atlas.axes[-2]
+    if along not in atlas.axes[:-1]:
+        raise AtlasError(f"{along} is no axis of {atlas.path}, which has {', '.join(atlas.axes[:-1])}")
+    lines, speed = atlas.lines(along, **wanted), atlas.axis("speed_ratio")
+    half = 0.5 * (speed[1] - speed[0]) if len(speed) > 1 else 0.01
+    place = {"origin": "lower", "aspect": "auto", "interpolation": "nearest",
+             "extent": (speed[0] - half, speed[-1] + half, -0.5, len(lines) - 0.5)}
+    return along, lines, place
 
-        count = 1 if classes is None else 2
+
+def finish(panel, atlas, along, count):
+    """Ticks at the values of the parameter, which are drawn as far apart as each other."""
+    values, scale = atlas.axis(along), style.drawn(atlas.units(along))[1]
+    panel.grid(False)
+    panel.set_yticks(range(count), [format(scale * value, "g") for value in values])
+    panel.set_yticks(np.arange(count - 1) + 0.5, minor=True)
+    panel.grid(True, axis="y", which="minor", color="white", lw=1.2)
+    panel.tick_params(which="minor", length=0)
+    panel.set_axisbelow(False)
+    panel.set_ylabel(style.label(atlas, along))
+    panel.set_xlabel(style.label(atlas, "speed_ratio"))
+
+
+def into(panel, atlas, along, wanted, name="max_displacement"):
+    """A quantity with one value per point over the speed ratio and a parameter; returns the image, for a colour bar."""
+    along, lines, place = rows_of(atlas, along, wanted)
+    factor = style.drawn(atlas.units(name))[1]
+    values = factor * np.array([line.rows(name) for line in lines])
+    if values.ndim != 2:
+        raise AtlasError(f"{name}: more than one number per point; a map needs one")
+    # Logarithmic, over three decades: the small motion below the first trigger has a structure of its own.
+    largest = np.nanmax(values, initial=0.0) or 1.0
+    image = panel.imshow(np.ma.masked_invalid(np.maximum(values, 1e-3 * largest)), cmap=style.SEQUENTIAL,
+                         norm=style.matplotlib.colors.LogNorm(1e-3 * largest, largest), **place)
+    panel.imshow(style.missing_image(np.array([line.status() for line in lines])), **place)
+    finish(panel, atlas, along, len(lines))
+    return image
+
+
+def classes_into(panel, atlas, maps, along, wanted, passing=False):
+    """The class of motion likewise; returns the entries of its legend."""
+    require_same(atlas.path, atlas.scene, maps.path, maps.scene)
+    along, lines, place = rows_of(atlas, along, wanted)
+    name = "class_blade_passing" if passing else "class"
+    classes = np.array([line.raw(name) for line in maps.lines(along, **wanted)])
+    image, handles = style.class_image(classes, np.array([line.status() for line in lines]))
+    panel.imshow(image, **place)
+    panel.set_title("Class of motion, in blade passings" if passing else "Class of motion, in revolutions",
+                    loc="left", fontsize=9, color="#55556a")
+    finish(panel, atlas, along, len(lines))
+    return handles
+
+
+def curve_into(panels, atlas, along, curve):
+    """A curve of bifurcations (`rubatlas branch --curve`) over a map: the border of a region."""
+    if "second_parameter" not in curve:
+        raise AtlasError(f"{curve.path}: a branch, not a curve in two quantities; `rubatlas branch --curve` makes one")
+    quantity = curve.name_of("in").replace(" ", "_")
+    if curve.name_of("along") != "speed ratio" or {"moment": "unbalance"}.get(quantity, quantity) != along:
+        raise AtlasError(f"{curve.path}: a curve in {curve.name_of('along')} and {curve.name_of('in')}, not in speed ratio and {along}")
+    values = atlas.axis(along)
+    order = np.argsort(curve["second_parameter"])
+    where = np.interp(curve["second_parameter"][order], values, np.arange(len(values)), left=np.nan, right=np.nan)
+    for panel in panels:
+        panel.plot(curve["parameter"][order], where, color=style.VERMILION, lw=1.8, label=curve.attribute("curve").replace("_", " "))
+    panels[0].legend(loc="lower right", frameon=True)
+
+
+def draw(options):
+    with contextlib.ExitStack() as files:
+        atlas = files.enter_context(AtlasFile(options.source))
+        maps_path = command_line.maps_of(options)
+        maps = files.enter_context(AtlasFile(maps_path)) if maps_path else None
+        wanted = command_line.wanted(options, atlas.axes)
+        along, lines, _ = rows_of(atlas, along_of(atlas, options.along, wanted), wanted)
+        count = 1 if maps is None else 2
         figure = style.plt.figure(figsize=(9.5, 1.3 + count * max(1.6, 0.32 * len(lines) + 0.6)))
         grid = figure.add_gridspec(count, 2, width_ratios=[1, 0.02])
         panels = [figure.add_subplot(grid[row, 0]) for row in range(count)]
         sides = [figure.add_subplot(grid[row, 1]) for row in range(count)]
-        half = 0.5 * (speed[1] - speed[0]) if len(speed) > 1 else 0.01
-        place = dict(origin="lower", aspect="auto", interpolation="nearest",
-                     extent=(speed[0] - half, speed[-1] + half, -0.5, len(lines) - 0.5))
-        # Logarithmic, over three decades: the small motion below the first trigger has a structure of its own.
-        largest = np.nanmax(displacement, initial=0.0) or 1.0
-        image = panels[0].imshow(np.ma.masked_invalid(np.maximum(displacement, 1e-3 * largest)), cmap=style.SEQUENTIAL,
-                                 norm=style.matplotlib.colors.LogNorm(1e-3 * largest, largest), **place)
-        panels[0].imshow(style.missing_image(status), **place)
-        figure.colorbar(image, cax=sides[0], label=f"Max. displacement [{units}]")
-        if classes is not None:
-            class_image, handles = style.class_image(classes, status)
-            panels[1].imshow(class_image, **place)
-            panels[1].set_title("Class of motion, in blade passings" if options.passing else
-                                "Class of motion, in revolutions", loc="left", fontsize=9, color="#55556a")
+        image = into(panels[0], atlas, along, wanted)
+        figure.colorbar(image, cax=sides[0], label=f"Max. displacement [{style.drawn(atlas.units('max_displacement'))[0]}]")
+        if maps is not None:
+            handles = classes_into(panels[1], atlas, maps, along, wanted, options.passing)
             sides[1].legend(handles=handles, loc="center left", bbox_to_anchor=(-0.5, 0.5))
             sides[1].set_axis_off()
             panels[0].tick_params(labelbottom=False)
-        values, scale = atlas.axis(along), style.drawn(atlas.units(along))[1]
-        for panel in panels:
-            panel.grid(False)
-            panel.set_yticks(range(len(lines)), [format(scale * value, "g") for value in values])
-            panel.set_yticks(np.arange(len(lines) - 1) + 0.5, minor=True)
-            panel.grid(True, axis="y", which="minor", color="white", lw=1.2)
-            panel.tick_params(which="minor", length=0)
-            panel.set_axisbelow(False)
-            panel.set_ylabel(style.label(atlas, along))
-        panels[-1].set_xlabel(style.label(atlas, "speed_ratio"))
+            panels[0].set_xlabel("")
+        if options.curve:
+            curve_into(panels, atlas, along, BranchFile(options.curve))
         style.title(figure, atlas, lines[0].describe(without=[along]))
         style.save(figure, options)
 
 
 def main(arguments_given):
     arguments = command_line.parser(__doc__)
-    arguments.add_argument("--maps", metavar="MAPS.h5", help="draw the classes too")
+    command_line.add_maps(arguments, "to draw the classes too")
     arguments.add_argument("--along", metavar="AXIS", help="the parameter to draw over (default: the first swept one)")
     arguments.add_argument("--passing", action="store_true", help="classes per blade passing")
+    arguments.add_argument("--curve", metavar="BRANCH.h5", help="draw a curve of bifurcations over the map")
     command_line.run(draw, arguments.parse_args(arguments_given))

@@ -62,16 +62,13 @@ class OrbitFile:
         return ",\n".join(", ".join(words[first:first + 3]) for first in range(0, len(words), 3))  # half a picture wide
 
 
-def draw(options):
-    orbit = OrbitFile(options.source)
-    scene = orbit.scene
+def plane_into(plane, orbit):
+    """The orbit, its sections, and the clearance circle."""
     units, factor = style.drawn(orbit.units["state"])
     x, y = factor * orbit.data["state"][:, 0], factor * orbit.data["state"][:, 1]
     sections = factor * orbit.data["sections"]
-    clearance = clearance_of(scene)
-    ring_centre = -scene["rotor"]["misalignment"]
-
-    figure, (plane, forces) = style.plt.subplots(1, 2, figsize=(10.0, 4.9), gridspec_kw={"width_ratios": [1, 1.1]})
+    clearance = clearance_of(orbit.scene)
+    ring_centre = -orbit.scene["rotor"]["misalignment"]
     plane.plot(x, y, color=style.BLUE, lw=0.45, alpha=0.45, label="orbit")
     plane.plot(sections[:, 0], sections[:, 1], "o", color=style.VERMILION,
                markersize=3.2, markeredgewidth=0, label="section, once per revolution")
@@ -81,11 +78,13 @@ def draw(options):
     plane.set_aspect("equal")
     plane.set_xlabel(f"x [{units}]")
     plane.set_ylabel(f"y [{units}]")
-    plane.legend(loc="upper left", bbox_to_anchor=(0.0, -0.12), ncol=3, columnspacing=1.0, handlelength=1.6)
 
+
+def forces_into(forces, orbit, revolutions=3):
+    """The force on each blade over the last revolutions."""
     period = 2.0 * np.pi / float(orbit.attributes["speed_ratio"])
     revolution = orbit.data["time"] / period
-    last = revolution >= revolution[-1] - options.revolutions
+    last = revolution >= revolution[-1] - revolutions
     for blade in range(orbit.data["force"].shape[1]):
         time, force = orbit.contacts(blade + 1, orbit.data["time"][last][0])
         peak = f", up to {np.nanmax(force):.4g} {orbit.units['contact_force']}" if len(force) else ", no contact"
@@ -95,6 +94,14 @@ def draw(options):
     forces.set_ylabel(f"Normal force on a blade [{orbit.units['contact_force']}]")
     forces.set_ylim(bottom=0)
     forces.set_xlim(revolution[last][0], revolution[-1])
+
+
+def draw(options):
+    orbit = OrbitFile(options.source)
+    figure, (plane, forces) = style.plt.subplots(1, 2, figsize=(10.0, 4.9), gridspec_kw={"width_ratios": [1, 1.1]})
+    plane_into(plane, orbit)
+    plane.legend(loc="upper left", bbox_to_anchor=(0.0, -0.12), ncol=3, columnspacing=1.0, handlelength=1.6)
+    forces_into(forces, orbit, options.revolutions)
     if orbit.data["force"].shape[1] <= 8:
         forces.legend(loc="upper left", bbox_to_anchor=(0.0, -0.12), ncol=2)
     style.title(figure, orbit, orbit.describe())

@@ -41,8 +41,8 @@ class Limit:
     def __init__(self, text):
         parts = re.fullmatch(r"\s*(\w+)\s*(<=|>=)\s*(\S+)\s*", text)
         try:
-            self.name, self.sign, self.bound = parts[1], parts[2], float(parts[3])
-        except (TypeError, ValueError):
+            self.name, self.sign, self.bound = parts.group(1), parts.group(2), float(parts.group(3))  # type: ignore[union-attr]
+        except (AttributeError, ValueError):
             raise AtlasError(f"--keep {text}: not of the form NAME<=NUMBER or NAME>=NUMBER") from None
         self.text = f"{self.name} {'≤' if self.sign == '<=' else '≥'} {self.bound:g}"
 
@@ -53,8 +53,7 @@ class Limit:
     def worst(self, values):
         """The value of the line that is nearest to breaking the limit, speed by speed."""
         with np.errstate(all="ignore"):
-            reduce = np.fmax if self.sign == "<=" else np.fmin
-            return reduce.reduce(values, axis=0)
+            return np.fmax.reduce(values, axis=0) if self.sign == "<=" else np.fmin.reduce(values, axis=0)
 
 
 def lines_of(atlas, wanted):
@@ -233,7 +232,8 @@ def draw(options):
     limits = [Limit(text) for text in options.keep]
     with contextlib.ExitStack() as files:
         atlas = files.enter_context(AtlasFile(options.source))
-        maps = files.enter_context(AtlasFile(options.maps)) if options.maps else None
+        maps_path = command_line.maps_of(options)
+        maps = files.enter_context(AtlasFile(maps_path)) if maps_path else None
         if maps:
             require_same(atlas.path, atlas.scene, maps.path, maps.scene)
         wanted = command_line.wanted(options, atlas.axes)
@@ -255,7 +255,7 @@ def main(arguments_given):
     arguments = command_line.parser(__doc__)
     arguments.add_argument("--keep", action="append", required=True, metavar="LIMIT",
                            help='a limit such as "max_displacement<=0.012"; may be repeated')
-    arguments.add_argument("--maps", metavar="MAPS.h5", help="maps of the atlas, for limits on margin and class")
+    command_line.add_maps(arguments, "for limits on margin and class")
     arguments.add_argument("--operate", type=float, metavar="SPEED_RATIO", help="an operating speed, for its margins")
     arguments.add_argument("--json", metavar="BANDS.json", help="the bands as a file too")
     command_line.run(draw, arguments.parse_args(arguments_given))

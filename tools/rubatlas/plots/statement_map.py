@@ -42,7 +42,7 @@ def columns_of(path, statements):
         read = {name: [text(value) for value in file[name][()]] for name in
                 ("statements/name", "statements/setting", "findings/claim", "findings/brief")}
         verdict, holds, owner = (file[name][()] for name in ("statements/verdict", "findings/holds", "findings/statement"))
-    columns = {}
+    columns: dict[str, Column] = {}
     for index, (name, setting) in enumerate(zip(read["statements/name"], read["statements/setting"])):
         if name in statements and (setting or verdict[index]):
             own = columns.setdefault(setting, Column(law, setting))
@@ -56,7 +56,7 @@ def columns_of(path, statements):
 
 def rows_of(columns, statements):
     """All findings of the columns, statement by statement, in the order in which they are judged."""
-    rows = []
+    rows: list[tuple[str, str]] = []
     for statement in statements:
         for column in columns:
             last = len(rows)

@@ -6,6 +6,8 @@ Orders become frequencies, order times speed ratio, in units of the rotor's natu
 the rotation lies on oblique lines, one that is tied to the rotor stands upright. Marks on the borders, which leave the data
 free, say where the lines of the orders 1, 2, 3 and of the blade passings (n blades: n and 2n) enter and leave.
 """
+from typing import Any
+
 import numpy as np
 
 from rubatlas import command_line
@@ -44,7 +46,7 @@ def mark_orders(panel, top, blades):
     low, high = panel.get_ylim()
     for order, name in order_names(blades).items():
         blade_passing = order in (blades, 2 * blades)
-        look = dict(color=style.VERMILION if blade_passing else style.INK, clip_on=False, ms=7.0, mew=1.3, ls="none")
+        look: dict[str, Any] = dict(color=style.VERMILION if blade_passing else style.INK, clip_on=False, ms=7.0, mew=1.3, ls="none")
         if order * low < top:
             panel.plot([max(order * low, 0.0)], [low], marker=style.matplotlib.markers.TICKDOWN, **{**look, "ms": 5.0})
         above = order * high <= top
@@ -58,34 +60,43 @@ def mark_orders(panel, top, blades):
                        annotation_clip=False)
 
 
+def into(panel, line, max_frequency=None):
+    """The spectra of a line over frequency and speed ratio; returns the image, for a colour bar."""
+    atlas = line.atlas
+    speed, order, amplitude = atlas.axis("speed_ratio"), atlas.axis("order"), line.rows("spectrum")
+    factor = style.drawn(atlas.units("spectrum"))[1]
+    top = max_frequency or min(4.0, order[-1] * speed[-1])
+    edges = np.linspace(0.0, top, 501)
+    amplitude[:, 0] = 0.0 * amplitude[:, 0]  # the mean position is no vibration; no motion stays NaN
+    shown = factor * by_frequency(speed, order, amplitude, edges)
+    largest = np.nanmax(shown, initial=0.0)
+    floor = 1e-6 * largest if largest > 0 else 1e-12
+    half = 0.5 * (speed[1] - speed[0]) if len(speed) > 1 else 0.01
+    colours = style.plt.get_cmap("magma").copy()
+    colours.set_bad("#dcdce4")
+    image = panel.imshow(np.ma.masked_invalid(np.maximum(shown, floor)), origin="lower", aspect="auto",
+                         extent=(0.0, top, speed[0] - half, speed[-1] + half), cmap=colours,
+                         norm=style.matplotlib.colors.LogNorm(floor, max(largest, 10 * floor)), interpolation="nearest")
+    panel.grid(False)
+    panel.set_xlim(0.0, top)
+    panel.set_ylim(speed[0] - half, speed[-1] + half)
+    panel.tick_params(axis="x", pad=7.0)  # the marks stand between
+    mark_orders(panel, top, line.scene["blades"]["count"])
+    panel.set_xlabel("Frequency / natural frequency [-]")
+    panel.set_ylabel(style.label(atlas, "speed_ratio"))
+    return image
+
+
+def bar_label(atlas):
+    return f"{atlas.long_name('spectrum')} [{style.drawn(atlas.units('spectrum'))[0]}]"
+
+
 def draw(options):
     with AtlasFile(options.source) as atlas:
         line = atlas.line(**command_line.wanted(options, atlas.axes))
-        speed, order, amplitude = atlas.axis("speed_ratio"), atlas.axis("order"), line.rows("spectrum")
-        units, factor = style.drawn(atlas.units("spectrum"))
-        top = options.max_frequency or min(4.0, order[-1] * speed[-1])
-        edges = np.linspace(0.0, top, 501)
-        amplitude[:, 0] = 0.0 * amplitude[:, 0]  # the mean position is no vibration; no motion stays NaN
-        shown = factor * by_frequency(speed, order, amplitude, edges)
-        largest = np.nanmax(shown, initial=0.0)
-        floor = 1e-6 * largest if largest > 0 else 1e-12
-
         figure, panel = style.plt.subplots(figsize=(8.5, 6.2))
-        half = 0.5 * (speed[1] - speed[0]) if len(speed) > 1 else 0.01
-        colours = style.plt.get_cmap("magma").copy()
-        colours.set_bad("#dcdce4")
-        image = panel.imshow(np.ma.masked_invalid(np.maximum(shown, floor)), origin="lower", aspect="auto",
-                             extent=(0.0, top, speed[0] - half, speed[-1] + half), cmap=colours,
-                             norm=style.matplotlib.colors.LogNorm(floor, max(largest, 10 * floor)),
-                             interpolation="nearest")
-        panel.grid(False)
-        panel.set_xlim(0.0, top)
-        panel.set_ylim(speed[0] - half, speed[-1] + half)
-        panel.tick_params(axis="x", pad=7.0)  # the marks stand between
-        mark_orders(panel, top, line.scene["blades"]["count"])
-        panel.set_xlabel("Frequency / natural frequency [-]")
-        panel.set_ylabel(style.label(atlas, "speed_ratio"))
-        figure.colorbar(image, ax=panel, pad=0.02, label=f"{atlas.long_name('spectrum')} [{units}]")
+        image = into(panel, line, options.max_frequency)
+        figure.colorbar(image, ax=panel, pad=0.02, label=bar_label(atlas))
         style.title(figure, atlas, line.describe() + "\n\n")
         style.save(figure, options)
 

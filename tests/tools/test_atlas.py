@@ -1,0 +1,217 @@
+"""The package as its users call it: what an atlas answers is what its files hold."""
+import json
+import os
+import pathlib
+import shutil
+import sys
+import tempfile
+import unittest
+
+import h5py
+import numpy as np
+
+ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
+TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
+sys.path.insert(0, str(ROOT / "tools"))
+import matplotlib  # noqa: E402
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+import rubatlas  # noqa: E402
+from rubatlas.program import find_program  # noqa: E402
+
+TWO_POINTS = {"title": "Two points", "grid": {"speed_ratio": [0.3, 0.4]}, "protocol": {"transient_revolutions": 5, "sampled_revolutions": 4}}
+
+
+class WithFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.addCleanup(plt.close, "all")
+
+
+class AtlasQuestions(WithFolder):
+    def setUp(self):
+        super().setUp()
+        self.atlas = rubatlas.open(TINY / "atlas.h5", maps=TINY / "maps.h5")
+        with h5py.File(TINY / "atlas.h5") as file, h5py.File(TINY / "maps.h5") as maps:
+            self.speed, self.status = file["speed_ratio"][...], file["status"][0, 0, 0]
+            self.displacement = np.where(self.status == 1, file["max_displacement"][0, 0, 0], np.nan)
+            self.sections, self.motion = file["poincare"][0, 0, 0], maps["class"][0, 0, 0]
+            self.margin = maps["margins/speed_ratio"][0, 0, 0]
+
+    def test_rows_that_are_not_done_hold_no_numbers(self):
+        self.assertTrue((self.status != 1).any())
+        np.testing.assert_array_equal(self.atlas["max_displacement"], self.displacement)
+        np.testing.assert_array_equal(np.isnan(self.atlas["poincare"]).any(axis=(2, 3)), self.status != 1)
+        self.assertEqual(len(self.atlas), (self.status == 1).sum())
+
+    def test_maps_are_joined_and_units_are_those_of_the_file(self):
+        np.testing.assert_array_equal(self.atlas["class"] == "unresolved", (self.motion == 254) & (self.status == 1))
+        np.testing.assert_array_equal(self.atlas["margin"], np.where(self.status == 1, self.margin, np.nan))
+        self.assertEqual((self.atlas["max_displacement"].units, self.atlas["speed_ratio"].units), ("m", "-"))
+        self.assertEqual(self.atlas.dataset["max_displacement"].dims, ("damping_ratio", "speed_ratio"))
+
+    def test_maps_beside_the_atlas_are_found_and_those_of_another_are_refused(self):
+        shutil.copy(TINY / "atlas.h5", self.folder / "a.h5")
+        self.assertNotIn("class", rubatlas.open(self.folder / "a.h5"))
+        shutil.copy(TINY / "maps.h5", self.folder / "a_maps.h5")
+        self.assertIn("class", rubatlas.open(self.folder / "a.h5"))
+        with self.assertRaisesRegex(rubatlas.AtlasError, "was not made from the scene"):
+            rubatlas.open(TINY / "atlas.h5", maps=TINY / "rings_maps.h5")
+
+    def test_a_selection_has_the_numbers_of_its_points(self):
+        chosen = self.atlas.sel(damping_ratio=0.2, speed_ratio=slice(0.3, 0.5))
+        inside = (self.speed >= 0.3) & (self.speed <= 0.5)
+        self.assertTrue(0 < inside.sum() < len(self.speed))
+        np.testing.assert_array_equal(chosen["max_displacement"], self.displacement[2, inside])
+        np.testing.assert_array_equal(chosen["poincare"].sel(component="x"), self.sections[2, inside, :, 0])
+        np.testing.assert_array_equal(self.atlas.sel(damping_ratio=[0.05, 0.2])["max_displacement"], self.displacement[[0, 2]])
+        with self.assertRaisesRegex(rubatlas.AtlasError, "damping_ratio 0.7 is not in this atlas"):
+            self.atlas.sel(damping_ratio=0.7)
+        with self.assertRaisesRegex(rubatlas.AtlasError, "dampng: no axis"):
+            self.atlas.sel(dampng=0.7)
+
+    def test_a_line_has_the_scenes_own_values(self):
+        np.testing.assert_array_equal(self.atlas.line()["max_displacement"], self.displacement[1])
+        np.testing.assert_array_equal(self.atlas.line(damping_ratio=0.05)["max_displacement"], self.displacement[0])
+
+    def test_a_condition_leaves_the_points_at_which_it_holds(self):
+        kept = self.atlas.where("class == 'unresolved' and max_displacement > 5e-3")
+        wanted = (self.status == 1) & (self.motion == 254) & (self.displacement > 5e-3)
+        self.assertTrue(0 < wanted.sum() < wanted.size)
+        np.testing.assert_array_equal(np.isfinite(kept["max_displacement"]), wanted)
+        found = list(kept.points())
+        self.assertEqual(len(found), wanted.sum())
+        self.assertTrue(all(point["class"] == "unresolved" and point["max_displacement"] > 5e-3 for point in found))
+        self.assertEqual(len(kept.where("speed_ratio < 0")), 0)
+        with self.assertRaisesRegex(rubatlas.AtlasError, "the nearest name is max_displacement"):
+            self.atlas.where("max_displacment > 1")
+
+    def test_bands_are_the_runs_of_neighbouring_points_of_one_line(self):
+        bands = self.atlas.line(damping_ratio=0.05).where("class == 'unresolved'").bands()
+        inside = np.zeros(len(self.speed), dtype=bool)
+        for low, high in bands:
+            inside |= (self.speed >= low) & (self.speed <= high)
+        np.testing.assert_array_equal(inside, (self.motion[0] == 254) & (self.status[0] == 1))
+        self.assertTrue(inside.any() and all(one[1] < other[0] for one, other in zip(bands, bands[1:])))
+        with self.assertRaisesRegex(rubatlas.AtlasError, "damping_ratio still has several values"):
+            self.atlas.bands()
+
+    def test_safe_speeds_keep_the_limits_on_every_line_of_the_selection(self):
+        for atlas, lines in ((self.atlas, slice(None)), (self.atlas.sel(damping_ratio=0.2), slice(2, 3))):
+            safe = ((self.displacement <= 8e-3) & ~(self.margin < 0.02) & (self.status == 1))[lines].all(axis=0)
+            inside = np.zeros(len(self.speed), dtype=bool)
+            for band in atlas.safe_speeds(max_displacement=8e-3, margin=0.02)["bands"]:
+                inside |= (self.speed >= band["from"]) & (self.speed <= band["to"])
+            self.assertTrue(safe.any())
+            np.testing.assert_array_equal(inside, safe)
+        with self.assertRaisesRegex(rubatlas.AtlasError, "no limit is given"):
+            self.atlas.safe_speeds()
+
+    def test_edges_lie_beside_the_atlas_or_are_not_there(self):
+        self.assertIsNone(self.atlas.edges)
+        shutil.copy(TINY / "atlas.h5", self.folder / "a.h5")
+        with h5py.File(self.folder / "a_edges.h5", "w") as file:
+            file["edges/lower"], file["edges/upper"] = [0.3, 0.5], [0.31, 0.51]
+        np.testing.assert_array_equal(rubatlas.open(self.folder / "a.h5").edges["upper"], [0.31, 0.51])
+
+    def test_an_orbit_starts_from_the_state_that_the_atlas_keeps(self):
+        orbit = self.atlas.orbit(0.3, damping_ratio=0.2)
+        place = int(np.argmin(abs(self.speed - 0.3)))
+        with h5py.File(TINY / "atlas.h5") as file:
+            start = file["final_state"][0, 0, 0, 2, place]
+        np.testing.assert_array_equal(orbit.attributes["start"], start)
+        self.assertEqual(orbit.attributes["damping_ratio"], 0.2)
+
+    def test_an_orbit_that_is_stored_is_read_and_one_of_another_point_is_kept(self):
+        path = self.folder / "orbit.h5"
+        self.atlas.orbit(0.3, path=path)
+        content = path.read_bytes()
+        again = self.atlas.sel(damping_ratio=0.1).orbit(0.3, path=path, )
+        self.assertEqual((again.attributes["damping_ratio"], path.read_bytes()), (0.1, content))
+        with self.assertRaisesRegex(rubatlas.AtlasError, "an orbit at another damping ratio, 0.1; choose another path"):
+            self.atlas.orbit(0.3, path=path, damping_ratio=0.2)
+        self.assertEqual(path.read_bytes(), content)
+
+    def test_a_file_that_is_no_atlas_is_said_to_be_none(self):
+        with self.assertRaisesRegex(rubatlas.AtlasError, "no such file"):
+            rubatlas.open("nowhere.h5")
+        with self.assertRaisesRegex(rubatlas.AtlasError, "not a readable HDF5 file"):
+            rubatlas.open(__file__)
+
+
+class AtlasRuns(WithFolder):
+    def test_a_scene_is_written_run_by_several_ranks_analysed_and_opened(self):
+        atlas = rubatlas.run(TWO_POINTS, self.folder / "two.h5", ranks=2)
+        self.assertEqual((len(atlas), atlas["class"].dims), (2, ("speed_ratio",)))
+        self.assertEqual(json.loads((self.folder / "two.json").read_text()), TWO_POINTS)
+        before = (self.folder / "two.h5").read_bytes()
+        self.assertEqual(len(rubatlas.run(TWO_POINTS, self.folder / "two.h5")), 2)
+        self.assertEqual((self.folder / "two.h5").read_bytes(), before)
+
+    def test_an_atlas_of_another_scene_is_kept(self):
+        rubatlas.run(TWO_POINTS, self.folder / "two.h5")
+        before = (self.folder / "two.h5").read_bytes()
+        for scene_is_there in (True, False):
+            with self.assertRaisesRegex(rubatlas.AtlasError, "scene"):
+                rubatlas.run({**TWO_POINTS, "grid": {"speed_ratio": [0.3, 0.5]}}, self.folder / "two.h5")
+            self.assertEqual((self.folder / "two.h5").read_bytes(), before)
+            if scene_is_there:
+                (self.folder / "two.json").unlink()
+
+    def test_a_wrong_scene_is_answered_with_the_programs_own_sentence(self):
+        with self.assertRaisesRegex(rubatlas.AtlasError, "frictoin"):
+            rubatlas.run({**TWO_POINTS, "contact": {"frictoin": 0.1}}, self.folder / "two.h5")
+        self.assertFalse((self.folder / "two.h5").exists())
+
+    def test_the_program_is_that_of_the_argument_the_environment_the_path_or_the_clone(self):
+        kept = dict(os.environ)
+        self.addCleanup(lambda: (os.environ.clear(), os.environ.update(kept)))
+        program = pathlib.Path(os.environ["RUBATLAS_PROGRAM"])
+        (self.folder / "rubatlas").symlink_to(program)
+        self.assertEqual(find_program(self.folder / "rubatlas"), self.folder / "rubatlas")
+        self.assertEqual(find_program(), program)
+        del os.environ["RUBATLAS_PROGRAM"]
+        os.environ["PATH"] = f"{self.folder}:{os.environ['PATH']}"
+        self.assertEqual(find_program(), self.folder / "rubatlas")
+        with self.assertRaisesRegex(rubatlas.AtlasError, "program=.*RUBATLAS_PROGRAM.*PATH.*clone"):
+            find_program(self.folder / "none")
+
+
+class AtlasPlots(WithFolder):
+    def setUp(self):
+        super().setUp()
+        self.atlas = rubatlas.open(TINY / "atlas.h5", maps=TINY / "maps.h5")
+
+    def test_every_picture_is_drawn_into_the_axes_that_are_given_and_into_its_own(self):
+        plots = {"bifurcation": {}, "waterfall": {}, "displacement": {}, "map": {}, "margin": {}, "spectrum": {"speed_ratio": 0.6},
+                 "blade": {}, "orbit": {"speed_ratio": 0.3}}
+        for name, arguments in plots.items():
+            with self.subTest(name=name):
+                figure, own = plt.subplots()
+                drawn = getattr(self.atlas.plot, name)(ax=own, **arguments)
+                self.assertIs(drawn, own)
+                self.assertTrue(drawn.lines or drawn.images or drawn.collections)
+                self.assertRegex(f"{drawn.get_xlabel()} {drawn.get_ylabel()}", r"\[.+\]")
+                self.assertIsNot(getattr(self.atlas.plot, name)(**arguments).figure, figure)
+
+    def test_a_picture_of_a_selection_is_that_of_its_line(self):
+        drawn = self.atlas.sel(damping_ratio=0.2).plot.bifurcation(component="y").lines[0].get_ydata()
+        np.testing.assert_array_equal(drawn, 1e3 * self.atlas.sel(damping_ratio=0.2)["poincare"].values[:, :, 1].ravel())
+
+    def test_classes_are_drawn_as_a_map_too(self):
+        self.assertEqual(self.atlas.plot.map(quantity="class").get_title(loc="left"), "Class of motion, in revolutions")
+        with self.assertRaisesRegex(rubatlas.AtlasError, "needs the atlas' maps"):
+            rubatlas.open(TINY / "atlas.h5").plot.margin()
+
+    def test_pictures_leave_the_callers_settings_alone(self):
+        before = dict(matplotlib.rcParams)
+        self.atlas.plot.displacement()
+        self.assertEqual(dict(matplotlib.rcParams), before)
+
+
+if __name__ == "__main__":
+    unittest.main()

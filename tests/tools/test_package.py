@@ -1,0 +1,98 @@
+"""The package as a package: it installs without a network, its types and its examples hold, its tour runs."""
+import doctest
+import importlib
+import json
+import os
+import pathlib
+import pkgutil
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
+PROGRAM = pathlib.Path(os.environ["RUBATLAS_PROGRAM"])
+TINY = PROGRAM.parent / "tests/tiny_atlas"
+TOOLS = ROOT / "tools"
+sys.path.insert(0, str(TOOLS))
+import rubatlas  # noqa: E402
+
+# What is meant to be imported by others has types throughout; the modules behind it are checked where they have them.
+TYPED = ("__init__", "atlas", "program", "query", "plots/axes")
+
+
+def modules():
+    """Names of all modules of the package but the report's."""
+    return [found.name for found in pkgutil.walk_packages(rubatlas.__path__, "rubatlas.") if not found.name.startswith("rubatlas.report")]
+
+
+class Package(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def expect_success(self, *command, **options):
+        ended = subprocess.run(list(map(str, command)), capture_output=True, text=True, check=False, **options)
+        self.assertEqual(ended.returncode, 0, ended.stdout[-3000:] + ended.stderr[-3000:])
+        return ended.stdout
+
+    def test_installs_into_a_fresh_environment_without_a_network(self):
+        shutil.copytree(TOOLS, self.folder / "tools")  # setuptools writes beside its sources
+        self.expect_success("/usr/bin/python3", "-m", "venv", "--system-site-packages", self.folder / "venv")
+        venv = self.folder / "venv/bin"
+        self.expect_success(venv / "pip", "install", "-q", "--no-build-isolation", "--no-index", self.folder / "tools")
+        elsewhere = {"cwd": self.folder, "env": {**os.environ, "PYTHONPATH": ""}}
+        found = self.expect_success(venv / "python", "-c", "import rubatlas, sys; print(rubatlas.__file__); "
+                                    "print(len(rubatlas.open(sys.argv[1])))", TINY / "atlas.h5", **elsewhere).split()
+        self.assertTrue(pathlib.Path(found[0]).is_relative_to(self.folder / "venv"))
+        self.assertEqual(int(found[1]), len(rubatlas.open(TINY / "atlas.h5")))
+        self.expect_success(venv / "rubatlas-plot", "displacement", TINY / "atlas.h5", "-o", self.folder / "a.svg", **elsewhere)
+        self.assertIn(b"<svg", (self.folder / "a.svg").read_bytes())
+
+    def test_the_types_of_what_others_import_are_complete(self):
+        self.expect_success("/usr/bin/python3", "-m", "mypy", "--strict", "--ignore-missing-imports", "--allow-untyped-calls",
+                            "--implicit-reexport", "--follow-imports=silent", "--cache-dir", self.folder,
+                            *(f"rubatlas/{name}.py" for name in TYPED), cwd=TOOLS)
+
+    def test_the_types_of_all_modules_agree(self):
+        self.expect_success("/usr/bin/python3", "-m", "mypy", "--ignore-missing-imports", "--check-untyped-defs", "--cache-dir", self.folder,
+                            "rubatlas", cwd=TOOLS)
+
+    def test_the_examples_of_all_modules_hold(self):
+        examples = 0
+        for name in modules():
+            with self.subTest(module=name):
+                result = doctest.testmod(importlib.import_module(name))
+                self.assertEqual(result.failed, 0)
+                examples += result.attempted
+        self.assertGreaterEqual(examples, 5)
+
+    def test_nothing_in_the_package_imports_from_the_tests(self):
+        sources = list((TOOLS / "rubatlas").rglob("*.py"))
+        self.assertGreater(len(sources), 20)
+        for source in sources:
+            self.assertNotRegex(source.read_text(), r"(?m)^\s*(from|import) tests\b", str(source))
+
+    def test_the_tour_runs_from_its_first_cell_to_its_last(self):
+        (self.folder / "tools").mkdir()
+        shutil.copy(TOOLS / "tour.ipynb", self.folder / "tools")
+        (self.folder / "tools/rubatlas").symlink_to(TOOLS / "rubatlas")
+        (self.folder / "atlases").mkdir()
+        for name, source in (("quick.h5", "atlas.h5"), ("quick_maps.h5", "maps.h5")):
+            shutil.copy(TINY / source, self.folder / "atlases" / name)
+        ran = json.loads(self.expect_success("/usr/bin/python3", "-m", "nbconvert", "--to", "notebook", "--execute", "--stdout",
+                                             self.folder / "tools/tour.ipynb", cwd=self.folder,
+                                             env={**os.environ, "HOME": str(self.folder), "JUPYTER_PLATFORM_DIRS": "1"}))
+        code = [cell for cell in ran["cells"] if cell["cell_type"] == "code"]
+        self.assertGreaterEqual(len(code), 6)
+        self.assertGreaterEqual(sum("image/png" in output.get("data", {}) for cell in code for output in cell["outputs"]), 3)
+
+    def test_the_tour_is_kept_without_its_results(self):
+        for cell in json.loads((TOOLS / "tour.ipynb").read_text())["cells"]:
+            self.assertFalse(cell.get("outputs") or cell.get("execution_count"))
+
+
+if __name__ == "__main__":
+    unittest.main()

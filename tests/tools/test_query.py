@@ -1,0 +1,63 @@
+"""Conditions as text: what holds, what is refused, and with which words."""
+import os
+import pathlib
+import sys
+import unittest
+
+import numpy as np
+
+ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
+sys.path.insert(0, str(ROOT / "tools"))
+from rubatlas.query import Name, QueryError, evaluate  # noqa: E402
+
+SPEED = np.array([0.2, 0.3, 0.4, 0.5])
+NAMES = {"speed_ratio": Name(SPEED), "max_displacement": Name(np.array([1e-3, np.nan, 6e-3, 9e-3])),
+         "class": Name(np.array([1, 0, 255, 2]), {0: "none", 1: "period 1", 2: "period 2", 255: "aperiodic"})}
+
+
+class Query(unittest.TestCase):
+    def expect(self, condition, wanted):
+        np.testing.assert_array_equal(evaluate(condition, NAMES), np.array(wanted, dtype=bool), condition)
+
+    def test_comparisons_are_those_of_the_numbers(self):
+        self.expect("max_displacement > 5e-3", [0, 0, 1, 1])
+        self.expect("0.25 < speed_ratio <= 0.4", [0, 1, 1, 0])
+        self.expect("2 * speed_ratio - 0.1 >= 1 - speed_ratio ** 2 / 1", SPEED * 2 - 0.1 >= 1 - SPEED**2)
+        self.expect("-speed_ratio < -(0.3)", [0, 0, 1, 1])
+
+    def test_words_are_compared_with_flags(self):
+        self.expect("class == 'aperiodic'", [0, 0, 1, 0])
+        self.expect('"period 2" != class', [1, 1, 1, 0])
+        self.expect("class <= 2", [1, 1, 0, 1])
+
+    def test_conditions_are_joined_with_the_usual_precedence(self):
+        self.expect("class == 'aperiodic' or class == 'period 2' and speed_ratio < 0.1", [0, 0, 1, 0])
+        self.expect("not (class == 'aperiodic' or speed_ratio < 0.25)", [0, 1, 0, 1])
+
+    def test_a_comparison_with_what_is_not_there_is_false_and_unequal_is_true(self):
+        self.expect("max_displacement < 1", [1, 0, 1, 1])
+        self.expect("max_displacement == max_displacement", [1, 0, 1, 1])
+        self.expect("max_displacement != max_displacement", [0, 1, 0, 0])
+
+    def test_the_word_class_may_stand_in_quotes(self):
+        with self.assertRaisesRegex(QueryError, "'class' is no value of class; the nearest is"):
+            evaluate("class == 'class'", NAMES)
+
+    def test_an_unknown_name_is_answered_with_the_nearest(self):
+        with self.assertRaisesRegex(QueryError, "^max_displacment > 1: max_displacment is not in this atlas; the nearest name is max_displacement$"):
+            evaluate("max_displacment > 1", NAMES)
+        with self.assertRaisesRegex(QueryError, "'aperiodc' is no value of class; the nearest is 'aperiodic'$"):
+            evaluate("class == 'aperiodc'", NAMES)
+
+    def test_whatever_is_not_in_the_grammar_is_refused_and_not_executed(self):
+        for text in ("", "speed_ratio", "speed_ratio >", "1 + 1", "'aperiodic'", "class < 'aperiodic'", "speed_ratio == 'aperiodic'",
+                     "__import__('os').system('true') == 0", "speed_ratio.real > 0", "[1][0] > 0", "(lambda: 1)() > 0", "speed_ratio in (1, 2)",
+                     "speed_ratio is 1", "speed_ratio > True", "speed_ratio & 1 > 0", "(x := 1) > 0", "f'{1}' == class", "speed_ratio > 1; 2",
+                     "('a' + 1) > 2", "speed_ratio > 1j", "(" * 300 + "1" + ")" * 300 + " > 0", "not " * 5000 + "1 > 0", "class_ == 1 or speed > 0"):
+            with self.subTest(text=text[:60]), self.assertRaises(QueryError) as caught:
+                evaluate(text, NAMES)
+            self.assertNotIn("\n", str(caught.exception))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,344 @@
+"""An atlas to ask: an xarray Dataset behind it, masked by status, joined with the maps of `rubatlas analyse`.
+
+    import rubatlas
+    atlas = rubatlas.open("quick.h5")
+    calm = atlas.sel(damping_ratio=0.1, speed_ratio=slice(0.3, 0.5)).where("class == 'period 1'")
+    print(calm["max_displacement"].max().item())
+"""
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import pathlib
+import tempfile
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+import xarray
+
+from rubatlas import program as rubatlas_program
+from rubatlas import query
+from rubatlas.atlas_file import DIRECTIONS, DONE, AtlasError, AtlasFile, beside, reading, text
+from rubatlas.plots.axes import Plots
+from rubatlas.plots.orbit import OrbitFile
+from rubatlas.plots.safe_speeds import MAY_NOT_OCCUR, Judgement, Limit, bands_of
+from rubatlas.program import Path
+from rubatlas.same_scene import require_same
+
+# What the maps have for each point besides the margins.
+_OF_MAPS = ("class", "class_blade_passing", "attractor", "exponent_check")
+
+
+def _words(attributes: Mapping[str, Any]) -> dict[int, str]:
+    """Words of a dataset whose values are flags; empty where they are numbers."""
+    meanings = text(attributes.get("flag_meanings", "")).split()
+    values = np.atleast_1d(attributes.get("flag_values", np.arange(len(meanings))))
+    return {int(value): word.replace("_", " ") for value, word in zip(values, meanings)}
+
+
+def _quantity(source: AtlasFile, dataset: Any, axes: list[str]) -> xarray.Variable:
+    attributes = {"units": source.units(dataset.name), "long_name": source.long_name(dataset.name)}
+    words = _words(dataset.attrs)
+    if words:
+        attributes |= {"flag_values": list(words), "flag_meanings": " ".join(word.replace(" ", "_") for word in words.values())}
+    return xarray.Variable(axes, dataset[...], attributes)
+
+
+def _joined(atlas: AtlasFile, maps: AtlasFile | None) -> dict[str, xarray.Variable]:
+    """Everything with one number per point."""
+    shape = atlas.dataset("status").shape
+    found = {"status": _quantity(atlas, atlas.dataset("status"), atlas.axes)}
+    for name in atlas.scene.get("observables", []):
+        dataset = atlas.dataset(name)
+        if dataset.shape == shape:
+            found[name] = _quantity(atlas, dataset, atlas.axes)
+    if maps is None:
+        return found
+    for name in _OF_MAPS:
+        if name in maps:
+            found[name] = _quantity(maps, maps.dataset(name), atlas.axes)
+    for name, dataset in maps.file.get("margins", {}).items():
+        # The distance along the speed is called margin alone, as in the limits of safe speeds.
+        found["margin" if name == "speed_ratio" else f"margin_{name}"] = _quantity(maps, dataset, atlas.axes)
+    return found
+
+
+def _edges(path: str) -> xarray.Dataset:
+    """The group /edges of maps or of a file of `rubatlas edges`, one row per edge."""
+    with reading(path, "a file of edges that `rubatlas edges` has written") as file:
+        group = file["edges"]
+        columns = {name: xarray.Variable(("edge",), dataset[...], {"units": text(dataset.attrs.get("units", "1")),
+                                                                   "long_name": text(dataset.attrs.get("long_name", name))})
+                   for name, dataset in group.items() if dataset.ndim == 1 and dataset.dtype.kind in "fiu" and name != "edge"}
+    return xarray.Dataset(columns)
+
+
+def _flat(values: xarray.DataArray, chosen: xarray.DataArray) -> xarray.DataArray:
+    """Numbers where a point is chosen, NaN elsewhere, with what the file says of them."""
+    masked: xarray.DataArray = values.astype(float).where(chosen)
+    masked.attrs.update(values.attrs)
+    return masked
+
+
+class Atlas:
+    """Points of an atlas, or a selection of them.
+
+    `dataset` is an xarray Dataset over the axes of the grid; what is not done, or not selected, is NaN, and the words of flags (class,
+    grazing side) are strings. Quantities with more than one number per point (sections, spectra) are read when they are asked for:
+    `atlas["poincare"]`.
+    """
+
+    def __init__(self, path: Path, maps: Path | None = None, program: Path | None = None) -> None:
+        self.path = str(path)
+        self.program = program
+        maps = maps if maps is not None else beside(path, "maps")
+        self.maps_path = None if maps is None else str(maps)
+        with AtlasFile(self.path) as atlas:
+            self.scene: dict[str, Any] = atlas.scene
+            self.axes: list[str] = atlas.axes
+            axes = {name: xarray.Variable((name,), atlas.axis(name), {"units": atlas.units(name), "long_name": atlas.long_name(name)})
+                    for name in atlas.axes}
+            if self.maps_path is None:
+                quantities = _joined(atlas, None)
+            else:
+                with AtlasFile(self.maps_path) as mapped:
+                    require_same(self.path, self.scene, self.maps_path, mapped.scene)
+                    quantities = _joined(atlas, mapped)
+            title = text(self.scene.get("title", ""))
+        # An axis with one value is no dimension but a number beside the data; the speed ratio always is one.
+        single = {name: 0 for name in self.axes[:-1] if axes[name].size == 1}
+        self._raw = xarray.Dataset(quantities, axes, {"title": title, "source": self.path}).isel(single)
+        self._chosen = xarray.DataArray(self._raw["status"] == DONE)
+
+    def _with(self, raw: xarray.Dataset, chosen: xarray.DataArray) -> Atlas:
+        result = object.__new__(Atlas)
+        result.__dict__.update(self.__dict__)
+        result._raw, result._chosen = raw, chosen
+        return result
+
+    # --- what is there ---
+
+    def __len__(self) -> int:
+        """Points that are done and selected."""
+        return int(self._chosen.sum())
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._raw or name in self.scene.get("observables", [])
+
+    def __repr__(self) -> str:
+        grid = ", ".join(f"{name} {self._raw[name].size}" for name in self.axes if name in self._raw.dims)
+        return f"<Atlas {self.path}: {len(self)} points of {grid or 'one'}; {', '.join(map(str, self._raw.data_vars))}>"
+
+    @property
+    def dataset(self) -> xarray.Dataset:
+        """Everything with one value per point, masked."""
+        return xarray.Dataset({name: self[str(name)] for name in self._raw.data_vars}, attrs=self._raw.attrs)
+
+    def __getitem__(self, name: str) -> xarray.DataArray:
+        """One quantity, masked: NaN, or an empty word, where the point is not done or not selected."""
+        if name in self._raw.coords:
+            return self._raw[name]
+        if name not in self._raw:
+            return self._rows(name)
+        values = self._raw[name]
+        words = _words(values.attrs)
+        if not words:
+            return _flat(values, self._chosen)
+        longest = max(map(len, words.values()))
+        named = np.full(values.shape, "", dtype=f"U{longest}")
+        for number, word in words.items():
+            named[values.values == number] = word
+        return values.copy(data=np.where(self._chosen.values, named, ""))
+
+    def _rows(self, name: str) -> xarray.DataArray:
+        """A quantity with several numbers per point, of the selected points only."""
+        if name not in self.scene.get("observables", []):
+            raise AtlasError(f"{name}: not in {self.path}, which has {', '.join([*map(str, self._raw.data_vars), *self._larger()])}")
+        with AtlasFile(self.path) as atlas:
+            dataset = atlas.dataset(name)
+            inner = [dataset.dims[i][0].name.strip("/") for i in range(len(self.axes), dataset.ndim)]
+            values, places = dataset, []
+            for axis in self.axes:
+                wanted = np.atleast_1d(self._raw[axis].values)
+                places.append(np.searchsorted(atlas.axis(axis), wanted))
+            read = values[tuple(slice(place[0], place[-1] + 1) for place in places)]
+            read = read[np.ix_(*(place - place[0] for place in places), *(range(size) for size in read.shape[len(places):]))]
+            coordinates = {axis: atlas.axis(axis) for axis in inner}
+            attributes = {"units": atlas.units(name), "long_name": atlas.long_name(name)}
+        for axis, numbers in coordinates.items():
+            if numbers.dtype.kind == "S":
+                coordinates[axis] = np.char.decode(numbers)
+        found = xarray.DataArray(read, {**{axis: np.atleast_1d(self._raw[axis].values) for axis in self.axes}, **coordinates},
+                                 [*self.axes, *inner], name, attributes)
+        gone = [axis for axis in self.axes if axis not in self._raw.dims]
+        return _flat(found.squeeze(gone), self._chosen)
+
+    def _larger(self) -> list[str]:
+        return [name for name in self.scene.get("observables", []) if name not in self._raw]
+
+    # --- choosing ---
+
+    def _place(self, axis: str, wanted: Any) -> Any:
+        if axis not in self._raw.dims:
+            raise AtlasError(f"{axis}: no axis of {self.path}, which has {', '.join(map(str, self._raw.dims))}")
+        values = self._raw[axis].values
+        if isinstance(wanted, slice):
+            low = -np.inf if wanted.start is None else wanted.start
+            high = np.inf if wanted.stop is None else wanted.stop
+            return np.flatnonzero((values >= low) & (values <= high))
+        if isinstance(wanted, (list, tuple, np.ndarray)):
+            return [self._place(axis, one) for one in wanted]
+        if axis == "direction" and wanted in DIRECTIONS:
+            wanted = DIRECTIONS.index(wanted)
+        place = int(np.argmin(np.abs(values - float(wanted))))
+        # The axis holds decimals as binary64; nine digits distinguish neighbours and allow for rounding.
+        if abs(values[place] - wanted) > 1e-9 * max(abs(wanted), abs(values[place])):
+            few = ", ".join(format(value, "g") for value in values[max(0, place - 2):place + 3])
+            raise AtlasError(f"{axis} {wanted:g} is not in this atlas, which has {'' if len(values) < 6 else 'nearby '}{few}")
+        return place
+
+    def sel(self, **wanted: Any) -> Atlas:
+        """The points at values of axes: a number, a list of numbers, or a slice with both ends included."""
+        places = {axis: self._place(axis, value) for axis, value in wanted.items()}
+        return self._with(self._raw.isel(places), self._chosen.isel(places))
+
+    def line(self, **wanted: Any) -> Atlas:
+        """All speeds at given values of other axes; an axis that is not given has the scene's own value."""
+        with AtlasFile(self.path) as atlas:
+            line = atlas.line(**{**self.picked, **wanted})
+            values = {axis: float(line.value(axis)) for axis in self.axes[:-1]}
+        return self.sel(**{axis: value for axis, value in values.items() if axis in self._raw.dims})
+
+    @property
+    def picked(self) -> dict[str, float]:
+        """Axes other than the speed ratio that have one value here, with that value."""
+        return {axis: float(self._raw[axis]) for axis in self.axes[:-1] if axis not in self._raw.dims}
+
+    def where(self, condition: str) -> Atlas:
+        """The points at which a condition holds, as text (the grammar: `rubatlas.query`)."""
+        names: dict[str, query.Name] = {}
+        for name, values in self._raw.data_vars.items():
+            words = _words(values.attrs)
+            names[str(name)] = query.Name(values.values, words) if words else query.Name(self[str(name)].values)
+        for axis in self.axes:
+            here = self._raw[axis]
+            along = here.values if here.ndim == 0 else here.broadcast_like(self._chosen).transpose(*self._chosen.dims).values
+            names[axis] = query.Name(along, dict(enumerate(DIRECTIONS)) if axis == "direction" else None)
+        holds = np.broadcast_to(query.evaluate(condition, names), self._chosen.shape)
+        return self._with(self._raw, self._chosen & holds)
+
+    def points(self) -> Iterator[dict[str, Any]]:
+        """Each selected point: its place on the axes and every quantity with one value per point."""
+        data = self.dataset
+        for place in np.argwhere(self._chosen.values):
+            here = data.isel(dict(zip(self._chosen.dims, place)))
+            yield {str(name): here[name].item() for name in [*self.axes, *data.data_vars]}
+
+    # --- questions ---
+
+    def bands(self) -> list[tuple[float, float]]:
+        """From and to of each run of neighbouring speeds at which a selected point is, of one line."""
+        if self._chosen.ndim != 1 or self._chosen.dims != ("speed_ratio",):
+            raise AtlasError(f"bands: {', '.join(str(axis) for axis in self._chosen.dims if axis != 'speed_ratio')} still has several values; "
+                             "bands are those of one line, which line(...) or sel(...) picks")
+        speed = self._raw["speed_ratio"].values
+        return [(float(speed[first]), float(speed[last])) for first, last in bands_of(self._chosen.values)]
+
+    @property
+    def edges(self) -> xarray.Dataset | None:
+        """Where motions change, narrowed down (`rubatlas edges`): of ATLAS_edges.h5 beside the atlas, or of the maps; else None."""
+        place = beside(self.path, "edges")
+        if place is not None:
+            return _edges(str(place))
+        if self.maps_path is not None:
+            with AtlasFile(self.maps_path) as maps:
+                there = "edges" in maps
+            if there:
+                return _edges(self.maps_path)
+        return None
+
+    def safe_speeds(self, *keep: str, operate: float | None = None, **limits: float) -> dict[str, Any]:
+        """Bands of the speed ratio in which every line of the selection keeps the limits, with margins in percent of speed.
+
+        A name with a number limits the quantity from above, `max_displacement=3e-3`, and a distance to danger (`margin`,
+        `nearest_miss`, `lightest_touch`) from below; texts such as "class<=2" say which. `operate`: a speed ratio to judge.
+        """
+        texts = [*keep, *(f"{name}{'>=' if name in MAY_NOT_OCCUR else '<='}{bound!r}" for name, bound in limits.items())]
+        if not texts:
+            raise AtlasError("safe_speeds: no limit is given; for example max_displacement=3e-3")
+        wanted = [Limit(one) for one in texts]
+        with contextlib.ExitStack() as files:
+            atlas = files.enter_context(AtlasFile(self.path))
+            maps = files.enter_context(AtlasFile(self.maps_path)) if self.maps_path is not None else None
+            several = [axis for axis in self.axes[:-1] if axis in self._raw.dims and self._raw[axis].size < atlas.axis(axis).size]
+            if several:
+                raise AtlasError(f"safe_speeds: {', '.join(several)} has some of its values; one value, or all of them, can be judged")
+            judgement = Judgement(atlas, maps, wanted, self.picked)
+        result: dict[str, Any] = {"limits": [limit.text for limit in judgement.limits], "bands": judgement.bands()}
+        if operate is not None:
+            result["operate"] = judgement.at(operate)
+        return result
+
+    def orbit(self, speed_ratio: float, path: Path | None = None, **at: float) -> OrbitFile:
+        """The orbit of a point, with its sections and the force on each blade: the one stored in `path`, else computed by the program.
+
+        At a speed of the grid it starts from the point's stored state, so that it shows the atlas' own motion; between the speeds
+        from the scene's `initial`. With `path` it is kept there; a file of another point is refused, not replaced.
+        """
+        with AtlasFile(self.path) as atlas:
+            scene = text(atlas.file["scene"][()])
+            speed = atlas.axis("speed_ratio")
+            others = {axis: value for axis, value in {**self.picked, **at}.items() if axis != "direction"}
+            usual = {axis: float(atlas.line().value(axis)) for axis in atlas.axes[:-1] if axis != "direction"}
+            unknown = [axis for axis in at if axis not in atlas.axes]
+            if unknown:
+                raise AtlasError(f"orbit: no axis {', '.join(unknown)}; {self.path} has {', '.join(atlas.axes)}")
+            values = {**usual, **others, "speed_ratio": float(speed_ratio)}
+            stored = all(np.isclose(atlas.axis(axis), value, rtol=1e-9, atol=0.0).any() for axis, value in values.items())
+            direction: Any = {**self.picked, **at}.get("direction", 0)
+            if stored:
+                values["speed_ratio"] = float(speed[np.argmin(abs(speed - speed_ratio))])
+        if path is not None and os.path.exists(path):
+            found = OrbitFile(path)
+            differing = [axis for axis, value in values.items() if not np.isclose(float(found.attributes[axis]), value, rtol=1e-9, atol=0.0)]
+            if differing:
+                raise AtlasError(f"{path}: an orbit at another {differing[0].replace('_', ' ')}, "
+                                 f"{float(found.attributes[differing[0]]):g}; choose another path")
+            return found
+        named = ",".join(f"{axis}={value!r}" for axis, value in values.items())
+        if stored and "direction" in self.axes:
+            named += f",direction={direction if direction in DIRECTIONS else DIRECTIONS[int(direction)]}"
+        with tempfile.TemporaryDirectory() as folder:
+            place = pathlib.Path(folder) / "scene.json"
+            place.write_text(scene, encoding="utf-8")
+            target = pathlib.Path(folder) / "orbit.h5" if path is None else pathlib.Path(path)
+            rubatlas_program.call(["orbit", place, "--at", named, "-o", target, *(["--from", self.path] if stored else [])], self.program)
+            return OrbitFile(target)
+
+    @property
+    def plot(self) -> Plots:
+        """Pictures as methods that draw into axes and return them: `atlas.plot.bifurcation(damping_ratio=0.1)`."""
+        return Plots(self)
+
+
+def open(path: Path, maps: Path | None = None, program: Path | None = None) -> Atlas:  # noqa: A001  # pylint: disable=redefined-builtin
+    """An atlas, with the maps beside it (ATLAS_maps.h5) or those that are named."""
+    return Atlas(path, maps, program)
+
+
+def run(scene: Mapping[str, Any], output: Path, ranks: int = 1, program: Path | None = None) -> Atlas:
+    """Writes the scene beside `output`, runs the program, or goes on with what is there, analyses, and opens the atlas.
+
+    The scene is that of the program, as a dict. An atlas of another scene is refused, not replaced.
+    """
+    place = pathlib.Path(output)
+    scene_place = place.with_suffix(".json")
+    content = json.dumps(scene, indent=2) + "\n"
+    if scene_place.exists() and scene_place.read_text(encoding="utf-8") != content:
+        raise AtlasError(f"{scene_place}: another scene is there; choose another output")
+    scene_place.write_text(content, encoding="utf-8")
+    rubatlas_program.call(["run", scene_place, "-o", place, "--resume", "--progress", "off"], program, ranks)
+    rubatlas_program.call(["analyse", place, "-o", place.with_name(f"{place.stem}_maps.h5"), "--overwrite"], program)
+    return Atlas(place, program=program)

@@ -1,0 +1,111 @@
+"""Pictures as methods of an atlas. Each draws into one matplotlib axes, its own or the caller's, and returns it, so that they compose:
+
+    figure, (left, right) = plt.subplots(1, 2)
+    atlas.plot.bifurcation(ax=left, damping_ratio=0.1)
+    atlas.plot.map(ax=right)
+"""
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import matplotlib
+import matplotlib.pyplot as plt
+from matplotlib.axes import Axes
+
+from rubatlas import style
+from rubatlas.atlas_file import AtlasError, AtlasFile
+from rubatlas.plots import bifurcation, blade, displacement, margin, orbit, spectrum, waterfall
+from rubatlas.plots import map as map_of
+
+if TYPE_CHECKING:
+    from rubatlas.atlas import Atlas
+
+
+@contextlib.contextmanager
+def _panel(ax: Axes | None) -> Iterator[Axes]:
+    """The caller's axes, or new ones as our pictures have them."""
+    with matplotlib.rc_context(style.SETTINGS):
+        yield plt.subplots()[1] if ax is None else ax
+
+
+class Plots:
+    """`atlas.plot`. Values of axes pick the line: `damping_ratio=0.1`; an axis that is
+    not given has the value that was selected, else the scene's own."""
+
+    def __init__(self, atlas: Atlas) -> None:
+        self._atlas = atlas
+
+    @contextlib.contextmanager
+    def _maps(self) -> Iterator[AtlasFile]:
+        if self._atlas.maps_path is None:
+            raise AtlasError(f"{self._atlas.path}: this picture needs the atlas' maps; `rubatlas analyse` makes them, open(maps=...) names them")
+        with AtlasFile(self._atlas.maps_path) as maps:
+            yield maps
+
+    def bifurcation(self, ax: Axes | None = None, component: str = "x", **line: Any) -> Axes:
+        """x or y at the sections, one dot for each revolution, over the speed ratio."""
+        line = {**self._atlas.picked, **line}
+        with _panel(ax) as panel, AtlasFile(self._atlas.path) as atlas:
+            bifurcation.into(panel, atlas.line(**line), component)
+            return panel
+
+    def waterfall(self, ax: Axes | None = None, max_frequency: float | None = None, **line: Any) -> Axes:
+        """The spectrum over frequency and speed ratio."""
+        line = {**self._atlas.picked, **line}
+        with _panel(ax) as panel, AtlasFile(self._atlas.path) as atlas:
+            image = waterfall.into(panel, atlas.line(**line), max_frequency)
+            panel.figure.colorbar(image, ax=panel, pad=0.02, label=waterfall.bar_label(atlas))
+            return panel
+
+    def displacement(self, ax: Axes | None = None, along: str | None = None, **line: Any) -> Axes:
+        """Maximum displacement over the clearance, one curve for each value of a parameter."""
+        line = {**self._atlas.picked, **line}
+        with _panel(ax) as panel, AtlasFile(self._atlas.path) as atlas:
+            displacement.into(panel, atlas, displacement.along_of(atlas, along, line), line)
+            return panel
+
+    def map(self, ax: Axes | None = None, quantity: str = "max_displacement", along: str | None = None, **line: Any) -> Axes:
+        """A quantity, or "class", over the speed ratio and a parameter."""
+        line = {**self._atlas.picked, **line}
+        with _panel(ax) as panel, AtlasFile(self._atlas.path) as atlas:
+            along = displacement.along_of(atlas, along, line)
+            if quantity in ("class", "class_blade_passing"):
+                with self._maps() as maps:
+                    handles = map_of.classes_into(panel, atlas, maps, along, line, quantity != "class")
+                panel.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.0, 1.0))
+            else:
+                image = map_of.into(panel, atlas, along, line, quantity)
+                label = f"{quantity.replace('_', ' ')} [{style.drawn(atlas.units(quantity))[0]}]"
+                panel.figure.colorbar(image, ax=panel, pad=0.02, label=label)
+            return panel
+
+    def margin(self, ax: Axes | None = None, name: str = "speed_ratio", along: str | None = None, **line: Any) -> Axes:
+        """Distance to the nearest change of motion, or ("speed_ratio_to_grazing") to the predicted grazing."""
+        line = {**self._atlas.picked, **line}
+        with _panel(ax) as panel, AtlasFile(self._atlas.path) as atlas, self._maps() as maps:
+            image = margin.into(panel, atlas, maps, displacement.along_of(atlas, along, line), line, name)
+            panel.figure.colorbar(image, ax=panel, pad=0.02, label="Margin in Ω [-]")
+            return panel
+
+    def spectrum(self, speed_ratio: float, ax: Axes | None = None, **line: Any) -> Axes:
+        """The spectrum of the point at the grid's nearest speed."""
+        line = {**self._atlas.picked, **line}
+        with _panel(ax) as panel, AtlasFile(self._atlas.path) as atlas:
+            spectrum.into(panel, atlas.line(**line), speed_ratio)
+            return panel
+
+    def blade(self, ax: Axes | None = None, what: str = "shortening", **line: Any) -> Axes:
+        """Shortening or deflection of a blade over its load."""
+        line = {**self._atlas.picked, **line}
+        with _panel(ax) as panel, AtlasFile(self._atlas.path) as atlas:
+            blade.into(panel, atlas.line(**line), what, every_friction="friction" not in line)
+            return panel
+
+    def orbit(self, speed_ratio: float, ax: Axes | None = None, **at: Any) -> Axes:
+        """The orbit of a point, which the program computes, with its sections and the clearance circle."""
+        computed = self._atlas.orbit(speed_ratio, **at)
+        with _panel(ax) as panel:
+            orbit.plane_into(panel, computed)
+            return panel

@@ -1,0 +1,54 @@
+"""How far every point is from a change of motion, and from the predicted grazing, over the speed ratio and a parameter.
+
+  rubatlas-plot margin ATLAS.h5 -o PICTURE.png [--maps MAPS.h5] [--along damping_ratio] [--friction 0.1 ...]
+
+Above, the distance in speed ratio to the nearest border between two classes of motion; below, where the maps have it, that to where the
+trend of the nearest miss reaches zero. Dark is near.
+"""
+import numpy as np
+
+from rubatlas import command_line
+from rubatlas import style
+from rubatlas.atlas_file import AtlasError, AtlasFile
+from rubatlas.plots.displacement import along_of
+from rubatlas.plots.map import finish, rows_of
+from rubatlas.same_scene import require_same
+
+NAMES = {"speed_ratio": "Distance in Ω to the nearest change of motion", "speed_ratio_to_grazing": "Distance in Ω to the predicted grazing"}
+
+
+def into(panel, atlas, maps, along, wanted, name="speed_ratio"):
+    """A margin of the maps; returns the image, for a colour bar."""
+    require_same(atlas.path, atlas.scene, maps.path, maps.scene)
+    if f"margins/{name}" not in maps:
+        raise AtlasError(f"{maps.path}: it has no /margins/{name}; `rubatlas analyse` writes margins along axes with several values")
+    along, lines, place = rows_of(atlas, along, wanted)
+    values = np.abs(np.array([maps.file[f"margins/{name}"][line.index] for line in lines], dtype=float))
+    # A border is known to half a step of the speed; what is nearer than a tenth of a step is rounding, and would use up the colours.
+    speed = atlas.axis("speed_ratio")
+    least = 0.1 * np.diff(speed).min() if len(speed) > 1 else 1e-6
+    image = panel.imshow(np.ma.masked_invalid(np.maximum(values, least)), cmap=style.SEQUENTIAL,
+                         norm=style.matplotlib.colors.LogNorm(least, max(np.nanmax(values, initial=least), 2.0 * least)), **place)
+    panel.imshow(style.missing_image(np.array([line.status() for line in lines])), **place)
+    panel.set_title(NAMES[name], loc="left", fontsize=9, color="#55556a")
+    finish(panel, atlas, along, len(lines))
+    return image
+
+
+def draw(options):
+    with AtlasFile(options.source) as atlas, AtlasFile(command_line.maps_of(options, required=True)) as maps:
+        wanted = command_line.wanted(options, atlas.axes)
+        along, lines, _ = rows_of(atlas, along_of(atlas, options.along, wanted), wanted)
+        names = [name for name in NAMES if f"margins/{name}" in maps] or ["speed_ratio"]
+        figure, panels = style.plt.subplots(len(names), 1, figsize=(9.5, 1.3 + len(names) * max(1.6, 0.32 * len(lines) + 0.6)), squeeze=False)
+        for panel, name in zip(panels[:, 0], names):
+            figure.colorbar(into(panel, atlas, maps, along, wanted, name), ax=panel, pad=0.01, label="Margin in Ω [-]")
+        style.title(figure, atlas, panels[0, 0].get_title(loc="left") + ": " + lines[0].describe(without=[along]))
+        style.save(figure, options)
+
+
+def main(arguments_given):
+    arguments = command_line.parser(__doc__)
+    command_line.add_maps(arguments, "which have the margins")
+    arguments.add_argument("--along", metavar="AXIS", help="the parameter to draw over (default: the first swept one)")
+    command_line.run(draw, arguments.parse_args(arguments_given))
