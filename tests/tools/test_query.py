@@ -1,4 +1,5 @@
 """Conditions as text: what holds, what is refused, and with which words."""
+import json
 import os
 import pathlib
 import sys
@@ -38,6 +39,19 @@ class Query(unittest.TestCase):
         self.expect("max_displacement < 1", [1, 0, 1, 1])
         self.expect("max_displacement == max_displacement", [1, 0, 1, 1])
         self.expect("max_displacement != max_displacement", [0, 1, 0, 0])
+
+    def test_it_is_the_grammar_of_the_explorer(self):
+        table = json.loads((ROOT / "tests/explorer/query_cases.json").read_text(encoding="utf-8"))
+        names = {name: Name(np.array([np.nan if value is None else value for value in given["values"]]),
+                            {int(number): word for number, word in given.get("flags", {}).items()} or None)
+                 for name, given in table["names"].items()}
+        for case in table["cases"]:
+            with self.subTest(case["query"]):
+                if "holds" in case:
+                    np.testing.assert_array_equal(evaluate(case["query"], names), np.array(case["holds"], dtype=bool))
+                else:
+                    with self.assertRaises(QueryError):
+                        evaluate(case["query"], names)
 
     def test_the_word_class_may_stand_in_quotes(self):
         with self.assertRaisesRegex(QueryError, "'class' is no value of class; the nearest is"):
