@@ -22,7 +22,7 @@ draw() {
   tools/rubatlas-plot accuracy "$folder/trajectories.h5" --map "$folder/map.h5" --reference tests/reference/orbits.json "$@"
 }
 if [ "$publish" = yes ]; then
-  draw -o tools/pictures --dpi 75 --page README.md
+  draw -o tools/pictures --dpi 75 --page jobs/README.md
 else
   draw -o "$folder"
 fi

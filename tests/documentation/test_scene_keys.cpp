@@ -1,4 +1,4 @@
-// The table of the scene's keys in README.md is the reader's own table: where this test fails, it prints the
+// The table of the scene's keys in src/settings/README.md is the reader's own table: where this test fails, it prints the
 // text that belongs between the two marks.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -77,7 +77,7 @@ std::string table() {
 }
 
 TEST(SceneKeys, TheReadmeShowsTheTableOfTheReader) {
-  const std::string shown = documentation::between_marks("README.md", "scene keys");
+  const std::string shown = documentation::between_marks("src/settings/README.md", "scene keys");
   EXPECT_EQ(shown, table()) << "\nbetween the marks belongs:\n" << table();
 }
 

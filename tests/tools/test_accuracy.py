@@ -123,7 +123,7 @@ class ToolsAccuracy(unittest.TestCase):
 
     def copy_of_readme(self):
         path = self.folder / "README.md"
-        path.write_text((ROOT / "README.md").read_text())
+        path.write_text((ROOT / "jobs/README.md").read_text())
         return path
 
     def test_a_mistake_is_one_sentence_and_exit_code_2(self):
