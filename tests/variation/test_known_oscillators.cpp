@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
 #include <complex>
+#include <cstdint>
 #include <functional>
 #include <numbers>
 #include <unsupported/Eigen/MatrixFunctions>
@@ -19,11 +21,17 @@ namespace rubatlas::test {
 namespace {
 
 constexpr double kDamping = 0.07;
-constexpr double kClearance = 0.01;  ///< [m]: from the shaft's place of rest to where the tip meets the ring
 constexpr double kNearlyAtRest = 1e-12;  ///< Ω of a blade that stands on the x axis
 
-/// One rigid blade along x. `stiffness`: of the ring, in that of the shaft.
-settings::Scene shaft_before_a_wall(double stiffness) {
+/// Where the tip meets the ring, from the shaft's place of rest [m]; and the ring's stiffness, in that of the
+/// shaft.
+struct Wall {
+  double place = 0.01;
+  double stiffness = 0.0;
+};
+
+/// One rigid blade along x.
+settings::Scene shaft_before(const Wall& wall) {
   settings::Scene scene = default_rotor(1);
   scene.contact.law = settings::ContactLaw::elastic_ring;
   scene.contact.friction = 0.0;
@@ -31,32 +39,40 @@ settings::Scene shaft_before_a_wall(double stiffness) {
   scene.rotor.misalignment = 0.0;
   scene.rotor.damping_ratio = kDamping;
   const double frequency = scene.rotor.natural_frequency;
-  scene.ring.stiffness = stiffness * scene.rotor.mass * frequency * frequency;
+  scene.ring.stiffness = wall.stiffness * scene.rotor.mass * frequency * frequency;
+  scene.ring.radius = scene.blades.hub_radius + scene.blades.length + wall.place;
   return scene;
 }
 
-/// x'' + 2ζ x' + (1 + κ) x = κ δc, κ the wall's stiffness in that of the shaft, or 0 away from it.
+/// s'' + 2ζ s' + (1 + κ) s = −(place of the wall), s the shaft's way beyond the wall, κ the wall's stiffness,
+/// or 0 away from it.
 class AlongX final : public observables::MotionPiece {
  public:
-  AlongX(double begin, double end, double stiffness, double x, double velocity)
+  enum class Phase : std::uint8_t { flight, contact };
+  AlongX(double begin, double end, const Wall& wall, Phase phase, double beyond, double velocity)
       : begin_(begin),
         end_(end),
-        stiffness_(stiffness),
-        rest_(stiffness * kClearance / (1.0 + stiffness)),
-        frequency_(std::sqrt(1.0 + stiffness - kDamping * kDamping)),
-        x_(x - rest_),
+        wall_(wall.place),
+        stiffness_(phase == Phase::contact ? wall.stiffness : 0.0),
+        rest_(-wall_ / (1.0 + stiffness_)),
+        frequency_(std::sqrt(1.0 + stiffness_ - kDamping * kDamping)),
+        from_rest_(beyond - rest_),
         velocity_(velocity) {}
 
-  [[nodiscard]] double begin() const override { return begin_; }
-  [[nodiscard]] double end() const override { return end_; }
-  [[nodiscard]] observables::State state(double time) override {
+  /// s and s' [m, m per unit τ]: with more digits than the place, where the wall is stiff.
+  [[nodiscard]] std::array<double, 2> beyond(double time) const {
     const double elapsed = time - begin_;
     const double decay = std::exp(-kDamping * elapsed);
     const double cosine = decay * std::cos(frequency_ * elapsed);
     const double sine = decay * std::sin(frequency_ * elapsed) / frequency_;
-    const double square = 1.0 + stiffness_;
-    return {rest_ + cosine * x_ + sine * (velocity_ + kDamping * x_), 0.0,
-            cosine * velocity_ - sine * (square * x_ + kDamping * velocity_), 0.0};
+    return {rest_ + cosine * from_rest_ + sine * (velocity_ + kDamping * from_rest_),
+            cosine * velocity_ - sine * ((1.0 + stiffness_) * from_rest_ + kDamping * velocity_)};
+  }
+  [[nodiscard]] double begin() const override { return begin_; }
+  [[nodiscard]] double end() const override { return end_; }
+  [[nodiscard]] observables::State state(double time) override {
+    const auto [place, velocity] = beyond(time);
+    return {wall_ + place, 0.0, velocity, 0.0};
   }
   [[nodiscard]] double displacement_bound() const override { return 1.0; }
   [[nodiscard]] std::size_t contact_count() const override { return stiffness_ > 0.0 ? 1 : 0; }
@@ -64,7 +80,7 @@ class AlongX final : public observables::MotionPiece {
   [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return true; }
   [[nodiscard]] double normal_force(std::size_t /*contact*/, double time) override {
     constexpr double kShaft = 100.0;  // m ωn² [N/m]
-    return kShaft * stiffness_ * (state(time)[0] - kClearance);
+    return kShaft * stiffness_ * beyond(time)[0];
   }
   [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
   [[nodiscard]] observables::ContactForce contact_force(std::size_t contact, double time) override {
@@ -72,8 +88,8 @@ class AlongX final : public observables::MotionPiece {
     return {-force, force, 0.0, 1.0, 0.0, 0.0};
   }
   [[nodiscard]] observables::Tip tip(int /*blade*/, double time) override {
-    const observables::State at = state(time);
-    return {at[0] - kClearance, at[2], 0.0};
+    const auto [place, velocity] = beyond(time);
+    return {place, velocity, 0.0};
   }
   [[nodiscard]] bool path(double share, observables::PathPoint& point) override {
     point.time_rate = end_ - begin_;
@@ -83,17 +99,17 @@ class AlongX final : public observables::MotionPiece {
     if (stiffness_ > 0.0) point.contacts.push_back({0, 1.0, 0.0, 0.0, false});
     return true;
   }
-  /// The first time after the beginning at which the shaft is at the wall.
-  [[nodiscard]] double reaches_wall() {
-    double low = begin_ + 1e-3 / frequency_;
-    const bool inside = state(low)[0] < kClearance;
-    const double step = 1e-3 / frequency_;
-    double high = low;
-    while ((state(high)[0] < kClearance) == inside) high += step;
-    low = high - step;
-    for (int i = 0; i < 60; ++i) {
+  /// The first time after the beginning at which the shaft is at the wall; `step`: shorter than it stays
+  /// away.
+  [[nodiscard]] double reaches_wall(double step) {
+    const auto inside = [&](double time) { return beyond(time)[0] < 0.0; };
+    double low = begin_ + step;
+    const bool side = inside(low);
+    while (inside(low + step) == side) low += step;
+    double high = low + step;
+    for (int i = 0; i < 80; ++i) {
       const double middle = 0.5 * (low + high);
-      ((state(middle)[0] < kClearance) == inside ? low : high) = middle;
+      (inside(middle) == side ? low : high) = middle;
     }
     return high;
   }
@@ -101,10 +117,11 @@ class AlongX final : public observables::MotionPiece {
  private:
   double begin_;
   double end_;
+  double wall_;  ///< [m]
   double stiffness_;
-  double rest_;       ///< [m]
+  double rest_;       ///< s at rest [m]
   double frequency_;  ///< of the damped motion
-  double x_;          ///< from there
+  double from_rest_;  ///< at the beginning [m]
   double velocity_;
 };
 
@@ -119,8 +136,7 @@ Eigen::Matrix2d exponential(double stiffness, double duration) {
   return (system * duration).eval().exp();
 }
 
-/// Flies from rest at `start` to the wall, is pressed in and let go; the tangents of contact alone, or of
-/// all.
+/// Flies to the wall, is pressed in and let go; the tangents of contact alone, and of all.
 struct Bounce {
   Eigen::Matrix2d all;
   Eigen::Matrix2d contact;
@@ -129,41 +145,43 @@ struct Bounce {
   double approach_speed;   ///< [m per unit τ]
   double departure_speed;  ///< likewise, away from the wall
 };
-Bounce bounce(double stiffness, double start) {
-  variation::TangentFlow flow(shaft_before_a_wall(stiffness));
+Bounce bounce(const Wall& wall, double start, double velocity = 0.0, double flight_step = 1e-3) {
+  using Phase = AlongX::Phase;
+  variation::TangentFlow flow(shaft_before(wall));
   flow.begin(kNearlyAtRest);
-  AlongX probe(0.0, 10.0, 0.0, start, 0.0);
-  const double touches = probe.reaches_wall();
-  AlongX flight(0.0, touches, 0.0, start, 0.0);
+  const double touches =
+      AlongX(0.0, 10.0, wall, Phase::flight, start - wall.place, velocity).reaches_wall(flight_step);
+  AlongX flight(0.0, touches, wall, Phase::flight, start - wall.place, velocity);
   flow.piece(flight);
   const Eigen::Matrix2d before = along_x(flow.tangents());
   flow.passes_ring(0);
   const double approach = flight.state(touches)[2];
-  AlongX pressed(touches, touches + 10.0, stiffness, kClearance, approach);
-  const double leaves = pressed.reaches_wall();
+  const double contact_step = 1e-3 / std::sqrt(1.0 + wall.stiffness);
+  const double leaves =
+      AlongX(touches, touches + 10.0, wall, Phase::contact, 0.0, approach).reaches_wall(contact_step);
   // In pieces, as an integrator makes them.
   constexpr int kPieces = 4;
-  observables::State at{kClearance, 0.0, approach, 0.0};
+  std::array<double, 2> at{0.0, approach};
   for (int i = 0; i < kPieces; ++i) {
     const double begin = touches + (leaves - touches) * i / kPieces;
     const double end = touches + (leaves - touches) * (i + 1) / kPieces;
-    AlongX piece(begin, end, stiffness, at[0], at[2]);
-    at = piece.state(end);
+    AlongX piece(begin, end, wall, Phase::contact, at[0], at[1]);
+    at = piece.beyond(end);
     flow.piece(piece);
   }
   flow.passes_ring(0);
-  AlongX after(leaves, leaves + 1e-12, 0.0, at[0], at[2]);
+  AlongX after(leaves, leaves, wall, Phase::flight, at[0], at[1]);
   flow.piece(after);
   EXPECT_TRUE(flow.known());
   const Eigen::Matrix2d all = along_x(flow.tangents());
-  return {all, all * before.inverse(), touches, leaves - touches, approach, -at[2]};
+  return {all, all * before.inverse(), touches, leaves - touches, approach, -at[1]};
 }
 
 /// Shaw and Holmes, A periodically forced piecewise linear oscillator, J. Sound Vib. 90 (1983): the force is
 /// continuous at the wall, so that the linearised map is the product of those of the linear pieces.
 TEST(KnownOscillators, OfAPiecewiseLinearOscillatorTheTangentsAreTheProductOfThoseOfItsPieces) {
   for (const double stiffness : {0.5, 3.0, 40.0, 1000.0}) {
-    const Bounce found = bounce(stiffness, -0.03);
+    const Bounce found = bounce({.stiffness = stiffness}, -0.03);
     const Eigen::Matrix2d expected = exponential(stiffness, found.pressed) * exponential(0.0, found.flight);
     EXPECT_LE((found.all - expected).norm(), 1e-11 * expected.norm()) << stiffness;
   }
@@ -174,11 +192,11 @@ TEST(KnownOscillators, OfAPiecewiseLinearOscillatorTheTangentsAreTheProductOfTho
 /// ((−r, 0), ((a⁺ + r a⁻)/v, −r)), a± the accelerations just after and before.
 TEST(KnownOscillators, OfAWallThatBecomesRigidTheTangentsBecomeThoseOfAnImpact) {
   double last = 0.0;
-  for (const double stiffness : {1e4, 1e6, 1e8}) {
-    const Bounce found = bounce(stiffness, -0.03);
+  for (const double stiffness : {1e3, 1e5, 1e7}) {
+    const Bounce found = bounce({.stiffness = stiffness}, -0.03);
     const double restitution = found.departure_speed / found.approach_speed;
-    const double before = -kClearance - 2.0 * kDamping * found.approach_speed;
-    const double after = -kClearance + 2.0 * kDamping * found.departure_speed;
+    const double before = -Wall().place - 2.0 * kDamping * found.approach_speed;
+    const double after = -Wall().place + 2.0 * kDamping * found.departure_speed;
     const Eigen::Matrix2d impact = (Eigen::Matrix2d() << -restitution, 0.0,
                                     (after + restitution * before) / found.approach_speed, -restitution)
                                        .finished();
@@ -192,9 +210,34 @@ TEST(KnownOscillators, OfAWallThatBecomesRigidTheTangentsBecomeThoseOfAnImpact) 
   EXPECT_LT(last, 1e-5);
 }
 
+/// Guckenheimer and Holmes, Nonlinear Oscillations, Dynamical Systems, and Bifurcations of Vector Fields,
+/// section 2.4: a ball that leaves a rigid table with the speed v comes back after T = 2v/a. With places in
+/// v²/a and speeds in v a hop and an impact without loss have the linear map ((−1, −2), (2, 3)), whose
+/// multipliers are both one.
+TEST(KnownOscillators, OfAHopThatIsSmallAgainstTheLoadTheTangentsBecomeThoseOfABouncingBall) {
+  double last = 0.0;
+  for (const double speed : {1e-2, 1e-3}) {
+    // The shaft's spring presses it, 1 cm from its place of rest, against the wall.
+    const Wall wall{.place = -0.01, .stiffness = 1e14};
+    const double load = -wall.place;
+    const double velocity = speed * load;
+    const Bounce found = bounce(wall, wall.place, -velocity, 0.1 * speed);
+    EXPECT_NEAR(found.flight, 2.0 * velocity / load, speed * found.flight);
+    const Eigen::Vector2d units(velocity * velocity / load, velocity);
+    const Eigen::Matrix2d scaled = units.cwiseInverse().asDiagonal() * found.all * units.asDiagonal();
+    const double error = (scaled - (Eigen::Matrix2d() << -1.0, -2.0, 2.0, 3.0).finished()).norm();
+    // Damping is left, in proportion to the time of a hop.
+    if (last > 0.0) {
+      EXPECT_NEAR(last / error, 10.0, 0.5);
+    }
+    last = error;
+  }
+  EXPECT_LT(last, 1e-2);
+}
+
 /// Without damping such a wall keeps phase volume, and the determinant of an impact is r².
 TEST(KnownOscillators, OfAPieceInContactPhaseVolumeContractsByDampingAlone) {
-  const Bounce found = bounce(200.0, -0.02);
+  const Bounce found = bounce({.stiffness = 200.0}, -0.02);
   EXPECT_NEAR(found.all.determinant(), std::exp(-2.0 * kDamping * (found.flight + found.pressed)), 1e-12);
 }
 
