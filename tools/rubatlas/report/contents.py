@@ -65,7 +65,7 @@ def flags_of(dataset):
 # --- axes and maps ---
 
 def axes_of(atlas):
-    pointers = {**SCENE_VALUE, "speed_ratio": None, **swept_pointers(atlas.scene)}
+    pointers: dict[str, tuple[str, str] | None] = {**SCENE_VALUE, "speed_ratio": None, **swept_pointers(atlas.scene)}
     result = []
     for name in atlas.axes:
         values = atlas.axis(name)
@@ -121,7 +121,7 @@ def lines_of(atlas, blocks):
     done = atlas.dataset("status")[...] == DONE
     count = int(np.prod(done.shape[:-1]))
     speeds = done.shape[-1]
-    result = {"poincare": None, "spectrum": None}
+    result: dict[str, dict | None] = {"poincare": None, "spectrum": None}
     if "spectrum" in atlas.scene.get("observables", []):
         result["spectrum"] = spectra(atlas, blocks, done.reshape(count, speeds))
     if "poincare" in atlas.scene.get("observables", []):
