@@ -99,17 +99,11 @@ def require_picture_place(path, options):
         raise AtlasError(f"-o {path}: this file is there and is no picture; a picture replaces pictures only")
 
 
-def write_picture(figure, options):
-    """The figure as a file of the kind that the ending names, complete or not at all; the same data give the same bytes."""
-    path = pathlib.Path(options.output)
-    require_picture_place(path, options)
-    undated = {".png": {"Software": None}, ".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
-    kind = path.suffix.lower()
-    content = io.BytesIO()
-    figure.savefig(content, format=kind[1:], dpi=options.dpi, metadata=undated[kind])
+def write_complete(path, content):
+    """Bytes as a file, complete or not at all."""
     with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f".{path.name}.", delete=False) as file:
         try:
-            file.write(content.getvalue())
+            file.write(content)
             file.flush()
             mask = os.umask(0)
             os.umask(mask)
@@ -118,6 +112,17 @@ def write_picture(figure, options):
         except BaseException:
             os.unlink(file.name)
             raise
+
+
+def write_picture(figure, options):
+    """The figure as a file of the kind that the ending names, complete or not at all; the same data give the same bytes."""
+    path = pathlib.Path(options.output)
+    require_picture_place(path, options)
+    undated = {".png": {"Software": None}, ".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
+    kind = path.suffix.lower()
+    content = io.BytesIO()
+    figure.savefig(content, format=kind[1:], dpi=options.dpi, metadata=undated[kind])
+    write_complete(path, content.getvalue())
 
 
 # --- how a command ends ---

@@ -9,10 +9,9 @@ import argparse
 import contextlib
 import os
 import pathlib
-import tempfile
 
 from rubatlas import command_line
-from rubatlas.atlas_file import AtlasError, AtlasFile
+from rubatlas.atlas_file import AtlasError, AtlasFile, beside
 
 from rubatlas.report.contents import contents
 from rubatlas.report.page import GENERATOR, page
@@ -43,29 +42,9 @@ def require_report_place(path, inputs):
         raise AtlasError(f"-o {path}: this file is there and is no report; a report replaces reports only")
 
 
-def write(path, content):
-    """The file complete or not at all."""
-    path = pathlib.Path(path)
-    with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f".{path.name}.", delete=False) as file:
-        try:
-            file.write(content.encode("utf-8"))
-            file.flush()
-            mask = os.umask(0)
-            os.umask(mask)
-            os.chmod(file.name, 0o666 & ~mask)
-            os.replace(file.name, path)
-        except BaseException:
-            os.unlink(file.name)
-            raise
-
-
 def maps_of(options):
     """Path of the maps: as named, else beside the atlas where they are there."""
-    if options.maps is not None:
-        return options.maps
-    source = pathlib.Path(options.source)
-    beside = source.with_name(f"{source.stem}_maps.h5")
-    return str(beside) if beside.is_file() else None
+    return options.maps if options.maps is not None else beside(options.source, "maps")
 
 
 def solver_of(options):
@@ -94,7 +73,7 @@ def make(options):
         maps = stack.enter_context(AtlasFile(maps_path)) if maps_path else None
         result, blocks = contents(atlas, maps, solver)
     content = page(result, blocks)
-    write(options.output, content)
+    command_line.write_complete(pathlib.Path(options.output), content.encode("utf-8"))
     said = f"{options.output}: {len(content.encode()) / 1e6:.1f} MB, "
     kept = result["lines"]["poincare"]
     said += f"{kept['sections']} of {kept['of']} sections a point" if kept else "without sections"
