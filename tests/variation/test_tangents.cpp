@@ -31,22 +31,30 @@ motion::SectionState reached(point::LineSolver& solver, double speed_ratio, int 
   return solver.section_map(speed_ratio, {}, revolutions).sections.back();
 }
 
+/// Holds the tangents of a revolution against differences of the same motion. False where the differences do
+/// not tell: where a touch-down lies within their steps the motion is not as smooth as they need.
+bool are_held_against(const point::SectionMap& found, const Differences& expected, double speed_ratio) {
+  EXPECT_TRUE(found.differentiable) << speed_ratio;
+  if (!(expected.error < 1e-7)) return false;
+  EXPECT_LE((found.jacobian - expected.jacobian).norm(), 1e-6 * expected.jacobian.norm())
+      << "speed ratio " << speed_ratio << '\n'
+      << found.jacobian << "\n\n"
+      << expected.jacobian;
+  return true;
+}
+/// The same of the section map of the shaft.
+bool are_held_against_differences(point::LineSolver& solver, double speed_ratio) {
+  const motion::SectionState start = reached(solver, speed_ratio, 37);
+  return are_held_against(solver.section_map(speed_ratio, start, 1),
+                          differences(solver, speed_ratio, start, 1, 1e-6 * 0.01), speed_ratio);
+}
+
 TEST(Tangents, AreTheDerivativeOfTheSectionMap) {
   int compared = 0;
   for (const settings::Scene& scene : {tight_rotor(), on_elastic_ring()}) {
     const auto solver = solver_of(scene);
     for (const double speed : {0.3, 0.36, 0.42, 0.5, 0.62, 0.75}) {
-      const motion::SectionState start = reached(*solver, speed, 37);
-      const auto map = solver->section_map(speed, start, 1);
-      ASSERT_TRUE(map.differentiable) << speed;
-      const Differences expected = differences(*solver, speed, start, 1, 1e-6 * 0.01);
-      // Where a touch-down lies within the steps the map is not as smooth as they need.
-      if (!(expected.error < 1e-7)) continue;
-      ++compared;
-      EXPECT_LE((map.jacobian - expected.jacobian).norm(), 1e-6 * expected.jacobian.norm())
-          << "speed ratio " << speed << '\n'
-          << map.jacobian << "\n\n"
-          << expected.jacobian;
+      if (are_held_against_differences(*solver, speed)) ++compared;
     }
   }
   EXPECT_GE(compared, 9);
@@ -116,13 +124,7 @@ TEST(Tangents, OnAnySupportAreTheDerivativeOfTheSectionMap) {
     scene.contact.law = law;
     const auto solver = solver_of(scene);
     for (const double speed : {0.31, 0.45, 0.62, 0.75}) {
-      const motion::SectionState start = reached(*solver, speed, 37);
-      const auto map = solver->section_map(speed, start, 1);
-      ASSERT_TRUE(map.differentiable) << speed;
-      const Differences expected = differences(*solver, speed, start, 1, 1e-6 * 0.01);
-      if (!(expected.error < 1e-7)) continue;
-      ++compared;
-      EXPECT_LE((map.jacobian - expected.jacobian).norm(), 1e-6 * expected.jacobian.norm()) << speed;
+      if (are_held_against_differences(*solver, speed)) ++compared;
     }
   }
   EXPECT_GE(compared, 4);
@@ -158,14 +160,7 @@ TEST(Tangents, OfARotorInARingThatIsABodyAreTheDerivativeOfTheMotionOfBoth) {
       const std::array<double, 4> ring{start[2], start[3], start[6], start[7]};
       const auto found = solver->section_map(
           speed, motion::PointStart({start[0], start[1], start[4], start[5]}, motion::Memory(ring)), 1);
-      ASSERT_TRUE(found.differentiable) << speed;
-      const Differences expected = differences(map, start, 1e-6 * 0.01);
-      if (!(expected.error < 1e-7)) continue;
-      ++compared;
-      EXPECT_LE((found.jacobian - expected.jacobian).norm(), 1e-6 * expected.jacobian.norm())
-          << "speed ratio " << speed << '\n'
-          << found.jacobian << "\n\n"
-          << expected.jacobian;
+      if (are_held_against(found, differences(map, start, 1e-6 * 0.01), speed)) ++compared;
     }
   }
   EXPECT_GE(compared, 4);
