@@ -450,7 +450,9 @@ class TouchdownSearch {
     if (!row_) row_.emplace(flight.row());
     forget_rows(state);
     const double length = FlightRow::kTimes * row_->spacing();
-    for (double time = begin; time < end; time = begin + static_cast<double>(rows_.size()) * length) {
+    const auto count = static_cast<std::int64_t>(std::ceil((end - begin) / length));
+    for (std::int64_t number = 0; number < count; ++number) {
+      const double time = begin + static_cast<double>(number) * length;
       flight.start_row(*row_, time, state, 0.0);
       const contact::BladeDirection first = blades_->first(time);
       for (int k = 0; k < blades_->count(); ++k) gaps_.push_back(gaps_of(k, first));
