@@ -58,6 +58,15 @@ observables::State seen(const observables::PathPoint& at) {
   return result;
 }
 
+/// A matrix of the shaft, and behind it where there is a ring that is a body a number times the unit matrix.
+template <int kCoordinates>
+Eigen::Matrix<double, kCoordinates, kCoordinates> of_bodies(const Eigen::Matrix2d& of_shaft, double of_ring) {
+  Eigen::Matrix<double, kCoordinates, kCoordinates> result =
+      of_ring * Eigen::Matrix<double, kCoordinates, kCoordinates>::Identity();
+  result.template topLeftCorner<2, 2>() = of_shaft;
+  return result;
+}
+
 /// Rates at which free motion with these coefficients decays: real parts of the roots of s² + c s + k.
 std::array<double, 2> decays(double damping, double stiffness) {
   const double half = 0.5 * damping;
@@ -192,26 +201,6 @@ void TangentFlow::fly(double duration) {
   }
 }
 
-template <int kCoordinates>
-Eigen::Matrix<double, kCoordinates, kCoordinates> TangentFlow::stiffness() const {
-  Eigen::Matrix<double, kCoordinates, kCoordinates> result =
-      Eigen::Matrix<double, kCoordinates, kCoordinates>::Zero();
-  result.template topLeftCorner<2, 2>() = shaft_.stiffness;
-  if constexpr (kCoordinates > 2)
-    result.template bottomRightCorner<2, 2>().diagonal().setConstant(ring_->frequency() * ring_->frequency());
-  return result;
-}
-template <int kCoordinates>
-Eigen::Matrix<double, kCoordinates, kCoordinates> TangentFlow::resistance() const {
-  Eigen::Matrix<double, kCoordinates, kCoordinates> result =
-      Eigen::Matrix<double, kCoordinates, kCoordinates>::Zero();
-  result.template topLeftCorner<2, 2>() = shaft_.damping;
-  if constexpr (kCoordinates > 2)
-    result.template bottomRightCorner<2, 2>().diagonal().setConstant(2.0 * ring_->damping_ratio() *
-                                                                     ring_->frequency());
-  return result;
-}
-
 TangentFlow::Coordinates TangentFlow::accelerated_by(const Eigen::Vector2d& force) const {
   Coordinates result(tangents_.rows() / 2);
   result.head<2>() = force_unit_ * force;
@@ -273,8 +262,10 @@ void TangentFlow::follow(observables::MotionPiece& piece) {
   using Matrix = Eigen::Matrix<double, kCoordinates, kCoordinates>;
   const Rows place = tangents_.template topRows<kCoordinates>();
   const Rows velocity = tangents_.template bottomRows<kCoordinates>();
-  const Matrix of_bodies = stiffness<kCoordinates>();
-  const Matrix damping = resistance<kCoordinates>();
+  const double frequency = ring_ ? ring_->frequency() : 0.0;
+  const double decay = ring_ ? 2.0 * ring_->damping_ratio() * frequency : 0.0;
+  const Matrix restoring = of_bodies<kCoordinates>(shaft_.stiffness, frequency * frequency);
+  const Matrix damping = of_bodies<kCoordinates>(shaft_.damping, decay);
 
   constexpr Eigen::Index kUnknowns = Eigen::Index{kCoordinates} * kStages;
   Eigen::Matrix<double, kUnknowns, kUnknowns> matrix =
@@ -283,7 +274,7 @@ void TangentFlow::follow(observables::MotionPiece& piece) {
   for (Eigen::Index i = 0; i < kStages; ++i) {
     const auto of_force = contact_.along_path(points[static_cast<std::size_t>(i)], scale);
     if (!of_force || !of_force->allFinite()) return loses_track();
-    Matrix stiffness = -time_rate[i] * of_bodies;
+    Matrix stiffness = -time_rate[i] * restoring;
     stiffness.template topLeftCorner<2, 2>() += force_unit_ * *of_force;
     if constexpr (kCoordinates > 2) {
       stiffness.template topRightCorner<2, 2>() -= force_unit_ * *of_force;

@@ -62,11 +62,6 @@ class TangentFlow {
   template <int kCoordinates>
   void follow(observables::MotionPiece& piece);
   void jump(observables::MotionPiece& piece, const Eigen::Vector2d& force);
-  /// S and C, with rows and columns of the ring behind those of the shaft.
-  template <int kCoordinates>
-  [[nodiscard]] Eigen::Matrix<double, kCoordinates, kCoordinates> stiffness() const;
-  template <int kCoordinates>
-  [[nodiscard]] Eigen::Matrix<double, kCoordinates, kCoordinates> resistance() const;
   /// B f [m per unit τ²], `force` in N.
   [[nodiscard]] Coordinates accelerated_by(const Eigen::Vector2d& force) const;
   /// Slopes by the state as the ring sees it, as slopes by (q, q').
