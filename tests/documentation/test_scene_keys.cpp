@@ -1,5 +1,5 @@
-// The table of the scene's keys in src/settings/README.md is the reader's own table: where this test fails, it prints the
-// text that belongs between the two marks.
+// The table of the scene's keys in src/settings/README.md is the reader's own table: where this test fails,
+// it prints the text that belongs between the two marks.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
