@@ -202,6 +202,22 @@ class AtlasPlots(WithFolder):
         drawn = self.atlas.sel(damping_ratio=0.2).plot.bifurcation(component="y").lines[0].get_ydata()
         np.testing.assert_array_equal(drawn, 1e3 * self.atlas.sel(damping_ratio=0.2)["poincare"].values[:, :, 1].ravel())
 
+    def test_points_that_are_not_chosen_stay_blank(self):
+        chosen = self.atlas.sel(damping_ratio=0.1, speed_ratio=slice(0.3, 0.6)).where("max_displacement > 2e-3")
+        panel = chosen.plot.displacement()
+        speed, shown = panel.lines[0].get_data()
+        expected = np.isin(speed, [point["speed_ratio"] for point in chosen.points()])
+        self.assertTrue(0 < expected.sum() < len(speed))
+        np.testing.assert_array_equal(np.isfinite(shown), expected)
+        np.testing.assert_allclose(panel.get_xlim(), [0.3, 0.6], atol=0.02)
+        for quantity in ("max_displacement", "class"):
+            rows = self.atlas.sel(damping_ratio=[0.05, 0.2]).plot.map(quantity=quantity)
+            self.assertEqual([tick.get_text() for tick in rows.get_yticklabels()], ["0.05", "0.2"])
+
+    def test_a_line_that_is_not_selected_is_refused_rather_than_drawn_blank(self):
+        with self.assertRaisesRegex(rubatlas.AtlasError, "damping_ratio 0.1: this selection has 0.2 alone"):
+            self.atlas.sel(damping_ratio=0.2).plot.bifurcation(damping_ratio=0.1)
+
     def test_classes_are_drawn_as_a_map_too(self):
         self.assertEqual(self.atlas.plot.map(quantity="class").get_title(loc="left"), "Class of motion, in revolutions")
         with self.assertRaisesRegex(rubatlas.AtlasError, "needs the atlas' maps"):

@@ -236,6 +236,16 @@ class Atlas:
             here = data.isel(dict(zip(self._chosen.dims, place)))
             yield {str(name): here[name].item() for name in [*self.axes, *data.data_vars]}
 
+    @property
+    def chosen_of_grid(self) -> np.ndarray[Any, np.dtype[np.bool_]]:
+        """Which points of the whole grid are selected: what pictures show."""
+        with AtlasFile(self.path) as atlas:
+            axes = [atlas.axis(axis) for axis in self.axes]
+        chosen = np.zeros([len(axis) for axis in axes], dtype=bool)
+        places = [np.searchsorted(axis, np.atleast_1d(self._raw[name].values)) for name, axis in zip(self.axes, axes)]
+        chosen[np.ix_(*places)] = self._chosen.values.reshape([len(place) for place in places])
+        return chosen
+
     # --- questions ---
 
     def bands(self) -> list[tuple[float, float]]:

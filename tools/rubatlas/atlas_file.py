@@ -183,8 +183,10 @@ class _Examination:
 class AtlasFile:
     """An atlas (or a file on the same axes, such as the maps that `rubatlas analyse` writes), open for reading."""
 
-    def __init__(self, path):
+    def __init__(self, path, chosen=None):
+        """`chosen`: which points of the grid to show, of its shape; without it all of them."""
         self.path = str(path)
+        self.chosen = chosen
         with contextlib.ExitStack() as stack:
             self.file = stack.enter_context(reading(self.path, "a readable HDF5 file of rubatlas"))
             examination = _Examination(self.path, self.file)
@@ -267,8 +269,9 @@ class AtlasFile:
         return Line(self, tuple(self.index(name, wanted.get(name)) for name in self.axes[:-1]))
 
     def lines(self, axis, **wanted):
-        """All lines along one axis, in the order of its values; the other axes as in `line`."""
-        return [self.line(**{**wanted, axis: value}) for value in self.axis(axis)]
+        """All lines along one axis, in the order of its values; the other axes as in `line`. Lines of which no point is chosen are left out."""
+        lines = [self.line(**{**wanted, axis: value}) for value in self.axis(axis)]
+        return [line for line in lines if line.chosen().any()] or lines
 
 
 class Line:
@@ -294,10 +297,16 @@ class Line:
     def status(self):
         return self.atlas.dataset("status")[self.index]
 
+    def chosen(self):
+        """Which of its points are to be shown."""
+        if self.atlas.chosen is None:
+            return np.ones(len(self.atlas.axis("speed_ratio")), dtype=bool)
+        return self.atlas.chosen[self.index]
+
     def rows(self, name):
-        """Rows of an observable, (speeds, ...); NaN throughout where the point is not done."""
+        """Rows of an observable, (speeds, ...); NaN throughout where the point is not done or not chosen."""
         values = self.atlas.dataset(name)[self.index].astype(float)
-        values[self.status() != DONE] = np.nan
+        values[(self.status() != DONE) | ~self.chosen()] = np.nan
         return values
 
     def raw(self, name):

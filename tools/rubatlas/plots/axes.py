@@ -32,7 +32,7 @@ def _panel(ax: Axes | None) -> Iterator[Axes]:
 
 class Plots:
     """`atlas.plot`. Values of axes pick the line: `damping_ratio=0.1`; an axis that is
-    not given has the value that was selected, else the scene's own."""
+    not given has the value that was selected, else the scene's own. Points that `sel` or `where` has not chosen stay blank."""
 
     def __init__(self, atlas: Atlas) -> None:
         self._atlas = atlas
@@ -44,32 +44,51 @@ class Plots:
         with AtlasFile(self._atlas.maps_path) as maps:
             yield maps
 
+    def _file(self) -> AtlasFile:
+        return AtlasFile(self._atlas.path, self._atlas.chosen_of_grid)
+
+    def _picked(self, line: dict[str, Any]) -> dict[str, Any]:
+        """Values of axes that pick the line: those of the selection, and those that are asked for."""
+        picked = self._atlas.picked
+        for axis, value in line.items():
+            if axis in picked and axis != "direction" and abs(picked[axis] - value) > 1e-9 * abs(value):
+                raise AtlasError(f"{axis} {value:g}: this selection has {picked[axis]:g} alone")
+        return {**picked, **line}
+
+    def _at_selected_speeds(self, panel: Axes) -> Axes:
+        """The panel, with its limits at the selected speeds where these are fewer than the grid's."""
+        speeds = self._atlas.dataset["speed_ratio"].values
+        with self._file() as atlas:
+            if len(speeds) < len(atlas.axis("speed_ratio")) and len(speeds) > 1:
+                panel.set_xlim(speeds[0], speeds[-1])
+        return panel
+
     def bifurcation(self, ax: Axes | None = None, component: str = "x", **line: Any) -> Axes:
         """x or y at the sections, one dot for each revolution, over the speed ratio."""
-        line = {**self._atlas.picked, **line}
-        with _panel(ax) as panel, AtlasFile(self._atlas.path) as atlas:
+        line = self._picked(line)
+        with _panel(ax) as panel, self._file() as atlas:
             bifurcation.into(panel, atlas.line(**line), component)
-            return panel
+            return self._at_selected_speeds(panel)
 
     def waterfall(self, ax: Axes | None = None, max_frequency: float | None = None, **line: Any) -> Axes:
         """The spectrum over frequency and speed ratio."""
-        line = {**self._atlas.picked, **line}
-        with _panel(ax) as panel, AtlasFile(self._atlas.path) as atlas:
+        line = self._picked(line)
+        with _panel(ax) as panel, self._file() as atlas:
             image = waterfall.into(panel, atlas.line(**line), max_frequency)
             panel.figure.colorbar(image, ax=panel, pad=0.02, label=waterfall.bar_label(atlas))
             return panel
 
     def displacement(self, ax: Axes | None = None, along: str | None = None, **line: Any) -> Axes:
         """Maximum displacement over the clearance, one curve for each value of a parameter."""
-        line = {**self._atlas.picked, **line}
-        with _panel(ax) as panel, AtlasFile(self._atlas.path) as atlas:
+        line = self._picked(line)
+        with _panel(ax) as panel, self._file() as atlas:
             displacement.into(panel, atlas, displacement.along_of(atlas, along, line), line)
-            return panel
+            return self._at_selected_speeds(panel)
 
     def map(self, ax: Axes | None = None, quantity: str = "max_displacement", along: str | None = None, **line: Any) -> Axes:
         """A quantity, or "class", over the speed ratio and a parameter."""
-        line = {**self._atlas.picked, **line}
-        with _panel(ax) as panel, AtlasFile(self._atlas.path) as atlas:
+        line = self._picked(line)
+        with _panel(ax) as panel, self._file() as atlas:
             along = displacement.along_of(atlas, along, line)
             if quantity in ("class", "class_blade_passing"):
                 with self._maps() as maps:
@@ -79,27 +98,27 @@ class Plots:
                 image = map_of.into(panel, atlas, along, line, quantity)
                 label = f"{quantity.replace('_', ' ')} [{style.drawn(atlas.units(quantity))[0]}]"
                 panel.figure.colorbar(image, ax=panel, pad=0.02, label=label)
-            return panel
+            return self._at_selected_speeds(panel)
 
     def margin(self, ax: Axes | None = None, name: str = "speed_ratio", along: str | None = None, **line: Any) -> Axes:
         """Distance to the nearest change of motion, or ("speed_ratio_to_grazing") to the predicted grazing."""
-        line = {**self._atlas.picked, **line}
-        with _panel(ax) as panel, AtlasFile(self._atlas.path) as atlas, self._maps() as maps:
+        line = self._picked(line)
+        with _panel(ax) as panel, self._file() as atlas, self._maps() as maps:
             image = margin.into(panel, atlas, maps, displacement.along_of(atlas, along, line), line, name)
             panel.figure.colorbar(image, ax=panel, pad=0.02, label="Margin in Ω [-]")
-            return panel
+            return self._at_selected_speeds(panel)
 
     def spectrum(self, speed_ratio: float, ax: Axes | None = None, **line: Any) -> Axes:
         """The spectrum of the point at the grid's nearest speed."""
-        line = {**self._atlas.picked, **line}
-        with _panel(ax) as panel, AtlasFile(self._atlas.path) as atlas:
+        line = self._picked(line)
+        with _panel(ax) as panel, self._file() as atlas:
             spectrum.into(panel, atlas.line(**line), speed_ratio)
             return panel
 
     def blade(self, ax: Axes | None = None, what: str = "shortening", **line: Any) -> Axes:
         """Shortening or deflection of a blade over its load."""
-        line = {**self._atlas.picked, **line}
-        with _panel(ax) as panel, AtlasFile(self._atlas.path) as atlas:
+        line = self._picked(line)
+        with _panel(ax) as panel, self._file() as atlas:
             blade.into(panel, atlas.line(**line), what, every_friction="friction" not in line)
             return panel
 

@@ -30,9 +30,10 @@ def rows_of(atlas, along, wanted):
     return along, lines, place
 
 
-def finish(panel, atlas, along, count):
+def finish(panel, atlas, along, lines):
     """Ticks at the values of the parameter, which are drawn as far apart as each other."""
-    values, scale = atlas.axis(along), style.drawn(atlas.units(along))[1]
+    count, scale = len(lines), style.drawn(atlas.units(along))[1]
+    values = [line.value(along) for line in lines]
     panel.grid(False)
     panel.set_yticks(range(count), [format(scale * value, "g") for value in values])
     panel.set_yticks(np.arange(count - 1) + 0.5, minor=True)
@@ -55,7 +56,7 @@ def into(panel, atlas, along, wanted, name="max_displacement"):
     image = panel.imshow(np.ma.masked_invalid(np.maximum(values, 1e-3 * largest)), cmap=style.SEQUENTIAL,
                          norm=style.matplotlib.colors.LogNorm(1e-3 * largest, largest), **place)
     panel.imshow(style.missing_image(np.array([line.status() for line in lines])), **place)
-    finish(panel, atlas, along, len(lines))
+    finish(panel, atlas, along, lines)
     return image
 
 
@@ -64,12 +65,12 @@ def classes_into(panel, atlas, maps, along, wanted, passing=False):
     require_same(atlas.path, atlas.scene, maps.path, maps.scene)
     along, lines, place = rows_of(atlas, along, wanted)
     name = "class_blade_passing" if passing else "class"
-    classes = np.array([line.raw(name) for line in maps.lines(along, **wanted)])
+    classes = np.array([np.where(line.chosen(), maps.dataset(name)[line.index], 0) for line in lines])
     image, handles = style.class_image(classes, np.array([line.status() for line in lines]))
     panel.imshow(image, **place)
     panel.set_title("Class of motion, in blade passings" if passing else "Class of motion, in revolutions",
                     loc="left", fontsize=9, color="#55556a")
-    finish(panel, atlas, along, len(lines))
+    finish(panel, atlas, along, lines)
     return handles
 
 

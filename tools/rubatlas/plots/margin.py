@@ -23,7 +23,7 @@ def into(panel, atlas, maps, along, wanted, name="speed_ratio"):
     if f"margins/{name}" not in maps:
         raise AtlasError(f"{maps.path}: it has no /margins/{name}; `rubatlas analyse` writes margins along axes with several values")
     along, lines, place = rows_of(atlas, along, wanted)
-    values = np.abs(np.array([maps.file[f"margins/{name}"][line.index] for line in lines], dtype=float))
+    values = np.abs(np.array([np.where(line.chosen(), maps.file[f"margins/{name}"][line.index], np.nan) for line in lines]))
     # A border is known to half a step of the speed; what is nearer than a tenth of a step is rounding, and would use up the colours.
     speed = atlas.axis("speed_ratio")
     least = 0.1 * np.diff(speed).min() if len(speed) > 1 else 1e-6
@@ -31,7 +31,7 @@ def into(panel, atlas, maps, along, wanted, name="speed_ratio"):
                          norm=style.matplotlib.colors.LogNorm(least, max(np.nanmax(values, initial=least), 2.0 * least)), **place)
     panel.imshow(style.missing_image(np.array([line.status() for line in lines])), **place)
     panel.set_title(NAMES[name], loc="left", fontsize=9, color="#55556a")
-    finish(panel, atlas, along, len(lines))
+    finish(panel, atlas, along, lines)
     return image
 
 
