@@ -126,6 +126,9 @@ int follow_branch(const BranchCommand& command) {
     const double to = limit_of(axes[along], *command.to, "--to");
     if (to == value) throw UsageError(fmt::format("--to {}: that is where the branch starts", to));
     if (!command.both) within = {std::min(value, to), std::max(value, to)};
+  } else if (axes[along].values.size() > 1) {
+    const auto [low, high] = std::ranges::minmax(axes[along].values);
+    within = {std::min(value, low), std::max(value, high)};
   }
   branch::Varied first = varied(axes[along], along, value, within);
   if (command.to && command.both) {

@@ -151,7 +151,9 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
       ->type_name("NAME=VALUE");
   branch->add_option("--along", branch_command.along, "Quantity of the grid that varies, such as speed_ratio")
       ->required();
-  branch->add_option("--to", branch_command.to, "Where it ends; default: both ways, as far as it goes")
+  branch
+      ->add_option("--to", branch_command.to,
+                   "Where it ends; default: both ways, over the scene's grid, or as far as it goes")
       ->type_name("VALUE");
   branch->add_flag("--both", branch_command.both, "As far to the other side, too");
   branch->add_flag("--switch", branch_command.doubled,

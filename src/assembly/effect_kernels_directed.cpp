@@ -1,16 +1,16 @@
 // Elastic blades whose load has a direction of its own, or a friction law with a velocity.
 
 #include "assembly/effect_kernels.hpp"
-#include "assembly/friction_choice.hpp"
 #include "contact/directed_elastica.hpp"
 #include "motion/modes_of_inclined_loads.hpp"
+#include "variation/friction_of_scene.hpp"
 
 namespace rubatlas::assembly {
 
 std::unique_ptr<point::LineSolver> make_directed_elastic_blades(const FamilyRequest& request) {
   const settings::Scene& line = request.line;
   const auto with_direction = [&]<class Direction>() {
-    return with_friction(request, [&](const auto& friction) {
+    return variation::with_friction(line, request.combination.consumed, [&](const auto& friction) {
       using Law = contact::DirectedElastica<Direction, std::remove_cvref_t<decltype(friction)>>;
       return with_law(request, [&](const settings::Blades& blade) {
         return Law(geometry_of(line.ring, blade), blade_of(blade), friction);

@@ -89,9 +89,10 @@ void write_orbits(const BranchColumns& columns, const StateScales& scales, const
                         return static_cast<std::uint8_t>(orbit.is_stable() ? 1 : 0);
                       }),
                       kFlags, "unstable stable", "whether all multipliers lie within the unit circle");
-  columns.write_flags(
-      "admissible", std::vector<std::uint8_t>(orbits.size(), 1), kFlags, "no yes",
-      "whether no other tip touches: proven, since every orbit is a motion with all its touch-downs");
+  columns.write_flags("admissible", each([](const branch::Orbit& orbit) {
+                        return static_cast<std::uint8_t>(orbit.admissible ? 1 : 0);
+                      }),
+                      kFlags, "no yes", "whether no other tip touches, as the search for touch-downs proves");
   columns.write<double>("nearest_miss", each([](const branch::Orbit& orbit) {
                           return orbit.map.nearest_pass ? orbit.map.nearest_pass->miss
                                                         : std::numeric_limits<double>::quiet_NaN();

@@ -81,7 +81,7 @@ InclinedPoint integrate(double modulus, double amplitude) {
   const double inverse_arc = 1.0 / arc;
   const double arc_slope = measure_slope.sum();
   InclinedPoint point;
-  point.load = arc * arc;
+  point.load = {arc * arc, 2.0 * arc * arc_slope, 2.0 * arc * inverse_cosine_b};
   point.curvature = 2.0 * modulus * clamp_sine * arc;
   point.load_angle = {2.0 * std::asin(sine_b), 2.0 * clamp_cosine * inverse_cosine_b,
                       -2.0 * modulus * clamp_sine * inverse_cosine_b};

@@ -25,7 +25,7 @@ struct Inclined {
 };
 
 struct InclinedPoint {
-  double load;          ///< P L² / EI = q² [-], never negative
+  Inclined load;        ///< P L² / EI = q² [-], never negative
   double curvature;     ///< θ'(0) L [-] at the clamp, signed as κ
   Inclined load_angle;  ///< b [rad]
   Inclined shortening;  ///< δ / L [-]

@@ -6,21 +6,27 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <numeric>
 #include <utility>
 
 namespace rubatlas::branch {
 namespace {
 
-constexpr double kClosed = 1e-12;        ///< of the clearance: what may be left of P^k(z) − z
 constexpr double kFirstStep = 1e-3;      ///< arclength, scaled
 constexpr double kLongestStep = 0.05;    ///< likewise
 constexpr double kLongestOnCurve = 0.5;  ///< a curve has no bifurcations to be stepped over
 constexpr double kShortestStep = 1e-9;
+constexpr double kBehindGrazing = 1e-7;
 constexpr int kMostIterations = 8;
 constexpr int kEasy = 3;  ///< iterations: the next step may be longer
 /// Of the clearance: a tip that misses, or a contact that is as deep, at the end of a bisection grazes.
 constexpr double kGrazes = 1e-4;
+/// In clearances per unit τ: a tip that touches down more slowly, and ever more so along the branch, grazes.
+/// There its place is known to rounding, which over the speed makes 1e-10 of a time.
+constexpr double kGrazingSpeed = 1e-5;
+constexpr double kFirstSpeed = 1e-4;    ///< of a touch-down that is new, likewise
+constexpr double kSame = 1e-4;          ///< scaled: orbits that are nearer to each other are of one branch
+constexpr double kNearlyClosed = 1e-2;  ///< in clearances: an orbit with such a touch-down closes nearly
 
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 using Wide = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
@@ -43,13 +49,9 @@ Unknowns newton_step(const Wide& rows, const Eigen::VectorXd& values, const Unkn
   return matrix.partialPivLu().solve(right);
 }
 
-/// Touch-downs of each blade in a period: they do not change but by a grazing.
-std::map<int, int> touches(const Orbit& orbit) {
-  std::map<int, int> counts;
-  for (const int event : orbit.map.events) {
-    if (event > 0) ++counts[event];
-  }
-  return counts;
+/// Touch-downs from cut to cut: their number does not change but by a grazing.
+std::ptrdiff_t touches(const Orbit& orbit) {
+  return std::ranges::count_if(orbit.map.events, [](std::int32_t event) { return event > 0; });
 }
 
 bool same_touches(const Orbit& a, const Orbit& b) {
@@ -58,11 +60,13 @@ bool same_touches(const Orbit& a, const Orbit& b) {
 
 }  // namespace
 
-double test_function(EventKind kind, const Eigen::Matrix4d& jacobian) {
-  if (kind == EventKind::fold) return (jacobian - Eigen::Matrix4d::Identity()).determinant();
-  if (kind == EventKind::period_doubling) return (jacobian + Eigen::Matrix4d::Identity()).determinant();
+double test_function(EventKind kind, const Orbit& orbit) {
+  if (kind == EventKind::fold) return (orbit.forward - orbit.backward).determinant();
+  // A multiplier between cuts of which an even number make a period is positive there, where it is real.
+  if (kind == EventKind::period_doubling)
+    return orbit.cuts % 2 == 0 ? 1.0 : (orbit.forward + orbit.backward).determinant();
   // Of all pairs of multipliers the product of μi μj − 1: real, since complex ones come in pairs.
-  const Eigen::Vector4cd multipliers = jacobian.eigenvalues();
+  const Eigen::Vector4cd& multipliers = orbit.multipliers;
   std::complex<double> product = 1.0;
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < i; ++j) product *= multipliers[i] * multipliers[j] - 1.0;
@@ -77,6 +81,7 @@ std::optional<Orbit> Continuation::settle(const motion::SectionState& initial,
                                           const std::vector<double>& quantities, int transient_revolutions) {
   constexpr int kLongestPeriod = 16;
   constexpr double kNear = 1e-3;  // of the clearance: close enough for Newton's method to be tried
+  shooting_->cut_at_section();
   Unknowns at = shooting_->scaled(initial, quantities);
   const point::SectionMap settled = shooting_->follow(at, transient_revolutions + kLongestPeriod);
   if (settled.status != point::PointStatus::done) return std::nullopt;
@@ -101,15 +106,14 @@ std::optional<Continuation::State> Continuation::correct(const Unknowns& predict
   for (iterations_ = 0; iterations_ < kMostIterations; ++iterations_) {
     const auto orbit = shooting_->orbit(at);
     if (!orbit) return std::nullopt;
-    const Eigen::Vector4d mismatch = shooting_->mismatch(at, *orbit);
-    if (mismatch.norm() <= kClosed) {
+    if (shooting_->closes(at, *orbit)) {
       const auto along = tangent_at(at, *orbit, tangent);
       if (!along) return std::nullopt;
       return State{at, *orbit, *along};
     }
     const auto rows = shooting_->derivative(at, *orbit);
     if (!rows) return std::nullopt;
-    const Unknowns step = newton_step(*rows, mismatch, tangent);
+    const Unknowns step = newton_step(*rows, orbit->mismatch, tangent);
     if (!step.allFinite() || step.norm() > 1.0) return std::nullopt;
     at += step;
   }
@@ -127,13 +131,19 @@ Branch Continuation::follow(const Orbit& from, double direction, std::size_t mos
   Unknowns along = Unknowns::Zero(shooting_->size());
   along[4] = direction;
   shooting_->set_period(from.period);
+  shooting_->cut_at_section();
   const auto state = correct(shooting_->scaled(from.section, from.quantities), along);
   if (!state) return {};
   return follow(*state, most);
 }
 
 std::optional<Branch> Continuation::follow_doubled(const Event& doubling, std::size_t most) {
-  const Eigen::EigenSolver<Eigen::Matrix4d> parts(doubling.orbit.map.jacobian);
+  shooting_->cut_at_section();
+  shooting_->set_period(doubling.orbit.period);
+  const Unknowns at = shooting_->scaled(doubling.orbit.section, doubling.orbit.quantities);
+  const auto single = shooting_->orbit(at);
+  if (!single) return std::nullopt;
+  const Eigen::EigenSolver<Eigen::Matrix4d> parts(single->map.jacobian);
   int nearest = 0;
   for (int i = 1; i < 4; ++i) {
     if (std::abs(parts.eigenvalues()[i] + 1.0) < std::abs(parts.eigenvalues()[nearest] + 1.0)) nearest = i;
@@ -141,7 +151,6 @@ std::optional<Branch> Continuation::follow_doubled(const Event& doubling, std::s
   Unknowns along = Unknowns::Zero(shooting_->size());
   along.head<4>() = parts.eigenvectors().col(nearest).real();
   along.normalize();
-  const Unknowns at = shooting_->scaled(doubling.orbit.section, doubling.orbit.quantities);
   shooting_->set_period(2 * doubling.orbit.period);
   // Away from the orbit itself, of which the doubled one is twice the same: too near, Newton's method falls
   // back onto it.
@@ -163,20 +172,22 @@ Branch Continuation::follow(State state, std::size_t most) {
   Branch branch;
   branch.orbits.push_back(state.orbit);
   double length = kFirstStep;
-  const Unknowns first = state.at;
+  const auto in_section = [&](const Orbit& orbit) {
+    return shooting_->scaled(orbit.section, orbit.quantities);
+  };
+  // Where the branch comes back to, it has closed: its first orbit, or where it went on behind a grazing.
+  const Unknowns first = in_section(state.orbit);
+  std::vector<Unknowns> behind_grazings;
   while (branch.orbits.size() < most) {
-    auto next = advance(state, length);
-    // Of two orbits that are close in arclength the tangents are alike; else the step has left the branch.
-    const bool follows = next && next->tangent.dot(state.tangent) > 0.9;
-    if (!follows) {
-      length *= 0.5;
-      if (length >= kShortestStep) continue;
-      const auto grazing = locate_grazing(state, kFirstStep);
-      branch.events.push_back(grazing.value_or(Event{EventKind::lost, state.orbit}));
-      break;
+    std::optional<State> next;
+    if (!vanishes(state)) {
+      length = std::min(length, longest_step(state));
+      next = advance(state, length);
+      // Of two orbits that are close in arclength the tangents are alike; else the step has left the branch.
+      if (next && !(next->tangent.dot(state.tangent) > 0.9)) next.reset();
     }
     const bool eased = iterations_ <= kEasy;
-    if (!shooting_->in_range(next->at)) {
+    if (next && !shooting_->in_range(next->at)) {
       // The last orbit stands where the range ends.
       const std::size_t number = 0;
       const Varied& varied = shooting_->varied()[number];
@@ -186,20 +197,72 @@ Branch Continuation::follow(State state, std::size_t most) {
       end[4] = limit / varied.scale;
       Unknowns plane = Unknowns::Zero(shooting_->size());
       plane[4] = 1.0;
-      if (const auto last = correct(end, plane)) {
+      if (const auto last = correct(end, plane); last && same_touches(state.orbit, last->orbit)) {
         locate(state, *last, std::max((last->at - state.at).norm(), kShortestStep), branch.events);
         branch.orbits.push_back(last->orbit);
+        break;
       }
-      break;
+      // A grazing lies before the end of the range.
+    }
+    std::optional<Grazing> within;
+    if (next && !same_touches(state.orbit, next->orbit)) {
+      // Touch-downs change at a grazing, or else the step has left the branch. Right behind a grazing the
+      // branch may turn: it goes on from there by small steps.
+      within = locate_grazing(state, length);
+      next = within ? within->behind : std::nullopt;
+      if (next) length = within->length;
+    }
+    if (!next) {
+      length *= 0.5;
+      if (length >= kShortestStep && !vanishes(state)) continue;
+      auto found = locate_grazing(state, kFirstStep);
+      const auto grazing = found ? std::optional(std::move(found->event)) : std::nullopt;
+      auto beyond = grazing ? beyond_grazing(*grazing, state) : std::nullopt;
+      // A contact that becomes light is followed to where it vanishes.
+      const bool lightens = beyond && shooting_->cut() && beyond->tangent[kApproachSpeed] < 0.0;
+      if (!lightens) branch.events.push_back(grazing.value_or(Event{EventKind::lost, state.orbit}));
+      if (!beyond) break;
+      const Unknowns place = in_section(beyond->orbit);
+      const bool known = std::ranges::any_of(
+          behind_grazings, [&](const Unknowns& other) { return (place - other).norm() < kSame; });
+      if (known) break;
+      behind_grazings.push_back(place);
+      state = std::move(*beyond);
+      branch.orbits.push_back(state.orbit);
+      length = kFirstStep;
+      continue;
     }
     locate(state, *next, length, branch.events);
+    if (within) add_grazing(std::move(within->event), branch.events);
     state = std::move(*next);
     branch.orbits.push_back(state.orbit);
     if (on_orbit_) on_orbit_(state.orbit);
-    if (branch.orbits.size() > 10 && (state.at - first).norm() < 0.5 * length) break;  // it has closed
+    if (branch.orbits.size() > 10 && (in_section(state.orbit) - first).norm() < 0.5 * length) break;
+    if (within) length = kBehindGrazing;
     length = eased ? std::min(1.5 * length, kLongestStep) : length;
   }
   return branch;
+}
+
+void Continuation::add_grazing(Event grazing, std::vector<Event>& events) const {
+  // Blades that are alike graze at once, but for rounding.
+  constexpr double kAtOnce = 1e-9;
+  const double scale = shooting_->varied()[0].scale;
+  const bool known =
+      !events.empty() && events.back().kind == EventKind::grazing &&
+      std::abs(events.back().orbit.quantities[0] - grazing.orbit.quantities[0]) < kAtOnce * scale;
+  if (!known) events.push_back(std::move(grazing));
+}
+
+bool Continuation::vanishes(const State& state) const {
+  return shooting_->cut() && state.at[kApproachSpeed] < kGrazingSpeed && state.tangent[kApproachSpeed] < 0.0;
+}
+
+double Continuation::longest_step(const State& from) const {
+  // Towards a grazing at the cut, step by step to a third of the approach speed.
+  const double falls = -from.tangent[kApproachSpeed];
+  return shooting_->cut() && falls > 0.0 ? 0.7 * from.at[kApproachSpeed] / falls
+                                         : std::numeric_limits<double>::infinity();
 }
 
 double Continuation::uncertainty(const State& a, const State& b) const {
@@ -207,9 +270,6 @@ double Continuation::uncertainty(const State& a, const State& b) const {
 }
 
 void Continuation::locate(const State& from, const State& to, double length, std::vector<Event>& events) {
-  if (!same_touches(from.orbit, to.orbit)) {
-    if (auto grazing = locate_grazing(from, length)) events.push_back(std::move(*grazing));
-  }
   const auto find = [&](EventKind kind, auto value) {
     const double at_start = value(from);
     const double at_end = value(to);
@@ -254,10 +314,11 @@ void Continuation::locate(const State& from, const State& to, double length, std
   };
   find(EventKind::fold, [](const State& state) { return state.tangent[4]; });
   for (const EventKind kind : {EventKind::period_doubling, EventKind::neimark_sacker})
-    find(kind, [kind](const State& state) { return test_function(kind, state.orbit.map.jacobian); });
+    find(kind, [kind](const State& state) { return test_function(kind, state.orbit); });
 }
 
-std::optional<Event> Continuation::locate_grazing(const State& from, double length) {
+std::optional<Continuation::Grazing> Continuation::locate_grazing(const State& from, double length) {
+  if (vanishes(from)) return Grazing{at_grazing_touch(from), std::nullopt, 0.0};
   double reached = 0.0;
   double beyond = length;
   State last = from;
@@ -273,7 +334,8 @@ std::optional<Event> Continuation::locate_grazing(const State& from, double leng
       first_beyond = std::move(there);
     }
   }
-  const double clearance = std::abs(shooting_->section(Unknowns::Ones(shooting_->size()))[0]);
+  // Two orbits that are not the same branch's tell nothing of what is between them.
+  if (first_beyond && !((first_beyond->at - last.at).norm() < kSame)) return std::nullopt;
   Event event{EventKind::grazing, last.orbit};
   double nearest = std::numeric_limits<double>::infinity();
   const auto consider = [&](const Orbit& orbit) {
@@ -287,10 +349,81 @@ std::optional<Event> Continuation::locate_grazing(const State& from, double leng
   };
   consider(last.orbit);
   if (first_beyond) consider(first_beyond->orbit);
-  if (!(nearest < kGrazes * clearance)) return std::nullopt;
+  if (!(nearest < kGrazes * shooting_->length())) return std::nullopt;
   event.uncertainty =
       first_beyond ? uncertainty(last, *first_beyond) : (beyond - reached) * shooting_->varied()[0].scale;
+  extrapolate(last, event);
+  return Grazing{std::move(event), std::move(first_beyond), beyond};
+}
+
+void Continuation::extrapolate(const State& last, Event& event) {
+  constexpr double kBack = 1e-5;  // arclength over which the miss is straight
+  const auto miss = [](const State& state) {
+    return state.orbit.map.nearest_pass ? state.orbit.map.nearest_pass->miss
+                                        : std::numeric_limits<double>::quiet_NaN();
+  };
+  const auto before = advance(last, -kBack);
+  if (!before || !same_touches(before->orbit, last.orbit)) return;
+  const double change =
+      miss(last) / (miss(*before) - miss(last)) * (last.orbit.quantities[0] - before->orbit.quantities[0]);
+  if (!(std::abs(change) < kBack * shooting_->varied()[0].scale)) return;
+  event.orbit.quantities[0] += change;
+  event.uncertainty = std::max(event.uncertainty, std::abs(change));
+}
+
+Event Continuation::at_grazing_touch(const State& from) {
+  // The contact vanishes where the approach speed does; from here to there the branch is straight.
+  const double way = -from.at[kApproachSpeed] / from.tangent[kApproachSpeed];
+  Event event{EventKind::grazing, from.orbit,
+              from.orbit.map.lightest_side > 0.0 ? observables::GrazingSide::approaching
+                                                 : observables::GrazingSide::receding};
+  const Varied& varied = shooting_->varied()[0];
+  const double change = way * from.tangent[4] * varied.scale;
+  event.orbit.quantities[0] += change;
+  event.uncertainty = std::abs(change);
   return event;
+}
+
+std::optional<Continuation::State> Continuation::beyond_grazing(const Event& grazing, const State& before) {
+  const auto cut = shooting_->cut();
+  auto state = vanishes(before) ? without_touch(grazing, before) : with_touch(grazing);
+  if (!state) cut ? shooting_->cut_at(*cut) : shooting_->cut_at_section();
+  return state;
+}
+
+std::optional<Continuation::State> Continuation::with_touch(const Event& grazing) {
+  const point::SectionMap& map = grazing.orbit.map;
+  const bool touches =
+      map.lightest_place && !(map.nearest_pass && map.nearest_pass->miss < map.lightest_touch);
+  const auto& place = touches ? map.lightest_place : map.nearest_place;
+  if (!place) return std::nullopt;
+  Unknowns along = Unknowns::Zero(shooting_->size());
+  along[kApproachSpeed] = touches ? -1.0 : 1.0;
+  Unknowns at = shooting_->scaled(*place, grazing.orbit.quantities);
+  if (!touches) at[kApproachSpeed] = kFirstSpeed;
+  for (const int passings : shooting_->passings_of_periods()) {
+    shooting_->cut_at({place->blade, place->revolution, passings});
+    // Blades that are alike may touch one after the other: a shorter part of the orbit closes in itself then.
+    const auto orbit = shooting_->orbit(at);
+    if (!orbit || orbit->mismatch.norm() > kNearlyClosed) continue;
+    if (auto state = correct(at, along); state && state->orbit.admissible) return state;
+  }
+  return std::nullopt;
+}
+
+std::optional<Continuation::State> Continuation::without_touch(const Event& grazing, const State& before) {
+  const std::ptrdiff_t remaining = before.orbit.cuts * (touches(before.orbit) - 1);
+  shooting_->cut_at_section();
+  Unknowns along = Unknowns::Zero(shooting_->size());
+  for (const double distance : {1e-6, 1e-5, 1e-4}) {
+    for (const double direction : {-1.0, 1.0}) {
+      Unknowns at = shooting_->scaled(before.orbit.section, grazing.orbit.quantities);
+      at[4] += direction * distance;
+      along[4] = direction;
+      if (auto state = correct(at, along); state && touches(state->orbit) == remaining) return state;
+    }
+  }
+  return std::nullopt;
 }
 
 namespace {
@@ -315,10 +448,10 @@ class Curve {
       const auto rows = derivative(at, *orbit);
       if (!rows) return std::nullopt;
       Eigen::VectorXd values(5);
-      values << shooting_->mismatch(at, *orbit), test_function(kind_, orbit->map.jacobian);
+      values << orbit->mismatch, test_function(kind_, *orbit);
       const Unknowns step = newton_step(*rows, values, tangent);
       if (!step.allFinite() || step.norm() > 1.0) return std::nullopt;
-      if (values.head<4>().norm() <= kClosed && step.norm() <= kLastStep)
+      if (shooting_->closes(at, *orbit) && step.norm() <= kLastStep)
         return OnCurve{at, *orbit, null_direction(*rows, tangent)};
       at += step;
     }
@@ -342,7 +475,7 @@ class Curve {
         moved[column] += side * kStep;
         const auto there = shooting_->orbit(moved);
         if (!there) return std::nullopt;
-        difference += side * test_function(kind_, there->map.jacobian);
+        difference += side * test_function(kind_, *there);
       }
       rows(4, column) = difference / (2.0 * kStep);
     }
@@ -359,6 +492,7 @@ class Curve {
 std::vector<Orbit> follow_curve(Shooting& shooting, EventKind kind, const Orbit& from, std::size_t most,
                                 const OnOrbit& on_orbit) {
   shooting.set_period(from.period);
+  shooting.cut_at_section();
   Curve curve(shooting, kind);
   Unknowns along = Unknowns::Zero(shooting.size());
   along[shooting.size() - 1] = 1.0;  // the second quantity grows at first

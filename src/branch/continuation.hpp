@@ -47,8 +47,29 @@ class Continuation {
   [[nodiscard]] std::optional<Unknowns> tangent_at(const Unknowns& at, const Orbit& orbit,
                                                    const Unknowns& along);
   [[nodiscard]] Branch follow(State state, std::size_t most);
+  void add_grazing(Event grazing, std::vector<Event>& events) const;
+  /// The touch-down at which the orbit is cut is about to vanish.
+  [[nodiscard]] bool vanishes(const State& state) const;
+  [[nodiscard]] double longest_step(const State& from) const;
+  /// Adds the bifurcations of a step.
   void locate(const State& from, const State& to, double length, std::vector<Event>& events);
-  [[nodiscard]] std::optional<Event> locate_grazing(const State& from, double length);
+  /// A grazing ahead of an orbit, and, if the branch goes on there, the first orbit behind it and the
+  /// arclength to that.
+  struct Grazing {
+    Event event;
+    std::optional<State> behind;
+    double length;
+  };
+  [[nodiscard]] std::optional<Grazing> locate_grazing(const State& from, double length);
+  /// Moves a grazing from the last orbit before it to where the miss, straight along the branch, is zero.
+  void extrapolate(const State& last, Event& event);
+  /// Where the touch-down at which the orbit is cut vanishes, ahead of an orbit that is near.
+  [[nodiscard]] Event at_grazing_touch(const State& from);
+  /// Where the branch goes on behind a grazing at which the section map ends: with the new touch, or without
+  /// the one that has vanished. Cuts the orbit accordingly.
+  [[nodiscard]] std::optional<State> beyond_grazing(const Event& grazing, const State& before);
+  [[nodiscard]] std::optional<State> with_touch(const Event& grazing);
+  [[nodiscard]] std::optional<State> without_touch(const Event& grazing, const State& before);
   [[nodiscard]] double uncertainty(const State& a, const State& b) const;
 
   Shooting* shooting_;
@@ -57,7 +78,7 @@ class Continuation {
 };
 
 /// Test functions: each changes its sign where the bifurcation is.
-double test_function(EventKind kind, const Eigen::Matrix4d& jacobian);
+double test_function(EventKind kind, const Orbit& orbit);
 
 /// A curve of bifurcations of one kind in two quantities, from one of them on, both ways. The shooting varies
 /// both. Orbits along the curve; empty where the first cannot be found.

@@ -344,7 +344,7 @@ void DirectedElastica<Direction, FrictionLaw>::set_force(const Pose& at, double 
   const double normal_tangential = b * inverse_distance;
   const double c = there.coefficient;
   // F = P / sqrt(1 + c²); on the rotor −F n − c F t.
-  const double load = load_unit_ * there.blade.load / std::sqrt(1.0 + c * c);
+  const double load = load_unit_ * there.blade.load.value / std::sqrt(1.0 + c * c);
   const double friction = c * load;
   force.radial = -load * normal_radial + friction * normal_tangential;
   force.tangential = -load * normal_tangential - friction * normal_radial;

@@ -77,6 +77,8 @@ class DirectedElastica {
   using OfBlade = DirectedElastica;
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const FrictionLaw& friction() const { return friction_; }
+  [[nodiscard]] double length() const { return length_; }        ///< L [m]
+  [[nodiscard]] double load_unit() const { return load_unit_; }  ///< EI / L² [N]
   /// How often equilibria have been evaluated.
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
   /// The same blade, shorter at its tip by `lost` [m].

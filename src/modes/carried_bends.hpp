@@ -39,6 +39,7 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
   using Constraint = typename Law::OfBlade::Constraint;
   static constexpr double kSmallestSize = 1e-12;
   static constexpr bool kTimeTurns = true;
+  static constexpr bool kHasPath = true;
   static constexpr bool kCoarseSizes = false;
 
   explicit CarriedBends(const Setup& setup) : Base(setup) {

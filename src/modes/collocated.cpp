@@ -122,10 +122,11 @@ std::optional<observables::Pass> Collocated::nearest_pass(double known,
     if (std::ranges::find(contacts_, k, &OpenContact::blade) != contacts_.end()) continue;
     const auto top = arc_.top_of_tip(k);
     if (!top || top->gap <= gap_at(std::min(known, radius))) continue;
-    const observables::Tip there = tip(k, arc_.solved_at_fraction(top->fraction));
+    const Point at = arc_.solved_at_fraction(top->fraction);
+    const observables::Tip there = tip(k, at);
     if (!(there.overlap < 0.0 && -there.overlap < known)) continue;
     known = -there.overlap;
-    nearest = observables::Pass{known, there.side};
+    nearest = observables::Pass{known, there.side, k, at.time};
   }
   return nearest;
 }

@@ -179,10 +179,17 @@ class ContactPhase final : public observables::MotionPiece {
     if constexpr (requires { rotor::ring(bodies); }) point.ring = rotor::as_array(rotor::ring(bodies));
     point.contacts.clear();
     for (std::size_t i = 0; i < mode_.contacts().size(); ++i) {
-      const bool carried = Mode::kTimeTurns && i == 0;
       const OpenContact open = mode_.contact_in(i, full);
-      const double rate = carried ? length * step_.slope(fraction, rotor::kBending) : 0.0;
-      point.contacts.push_back({open.blade, open.slip, open.bending, rate, carried});
+      const auto rate = [&](int component) { return length * step_.slope(fraction, component); };
+      if constexpr (requires { Mode::modulus_of(i); }) {
+        point.contacts.push_back({open.blade, open.slip, 0.0, 0.0, true, open.bend.modulus,
+                                  open.bend.amplitude, rate(Mode::modulus_of(i)),
+                                  rate(Mode::amplitude_of(i))});
+      } else {
+        const bool carried = Mode::kTimeTurns && i == 0;
+        point.contacts.push_back(
+            {open.blade, open.slip, open.bending, carried ? rate(rotor::kBending) : 0.0, carried});
+      }
     }
     return full;
   }

@@ -21,6 +21,7 @@
 #include "integrate/dormand_prince_853.hpp"
 #include "modes/flight_piece.hpp"
 #include "modes/motion_listener.hpp"
+#include "modes/touchdown_search.hpp"
 #include "motion/contact_reset.hpp"
 #include "motion/modes_of.hpp"
 #include "motion/work_counts.hpp"
@@ -73,15 +74,20 @@ class Motion {
   Motion& operator=(const Motion&) = delete;
 
   /// Starts at phase 0; blades with g > 0 are in contact (MODEL 4.4).
-  point::PointStatus start(const Bodies& state) {
+  point::PointStatus start(const Bodies& state) { return start(state, 0.0, kNoBlade); }
+  /// Starts at time τ of the first revolution, where the tip of `touching` stands on the ring and touches
+  /// down.
+  point::PointStatus start(const Bodies& state, double time, int touching) {
     state_ = state;
-    time_ = 0.0;
+    time_ = time;
     mode_ = Mode::undecided;
     contacts_.clear();
     for (int k = 0; k < blades_.count(); ++k) {
       const TipPlace at = place(k);
-      if (at.pose.gap > 0.0 && !open(k, at)) return ends(point::StatusDetail::no_equilibrium);
+      const bool touches = k == touching || at.pose.gap > 0.0;
+      if (touches && !open(k, at)) return ends(point::StatusDetail::no_equilibrium);
     }
+    touched_down_ = touching != kNoBlade;
     if (!place_ring()) return ends(point::StatusDetail::ring_unbalanced);
     if constexpr (requires { flight_.resolves(0.0); }) {
       if (!flight_.resolves(rotor_.period())) return ends(point::StatusDetail::beyond_precision);
@@ -591,6 +597,8 @@ class Motion {
   /// reversals of randomly kicked rotors all cycles this short belonged to such sequences
   /// (`modes/README.md`).
   static constexpr double kShortestCycle = 1e-9;
+
+  static constexpr int kNoBlade = -1;
 
   rotor::RotorConstants rotor_;
   rotor::FreeMotion free_;

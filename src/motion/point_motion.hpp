@@ -26,6 +26,11 @@ class PointMotion {
   virtual ~PointMotion() = default;
 
   virtual point::PointStatus start(const PointStart& start) = 0;
+  /// Starts where a blade touches down. Throws std::logic_error for a machine that changes, and for methods
+  /// that ours is compared with.
+  virtual point::PointStatus start_at_touch_down(const TouchdownStart& /*start*/) {
+    throw std::logic_error("this motion does not start at a touch-down");
+  }
   /// The next revolution. `number` counts from the first sampled revolution and is negative in the transient.
   virtual point::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
                                         int number) = 0;
@@ -58,15 +63,18 @@ class TypedMotion final : public PointMotion {
   explicit TypedMotion(Arguments&&... arguments) : motion_(std::forward<Arguments>(arguments)...) {}
 
   point::PointStatus start(const PointStart& start) override {
-    rotor::ShaftAndRing bodies = rotor::ShaftAndRing::Zero();
-    bodies.head<4>() = rotor::as_state(start.state);
+    const rotor::ShaftAndRing bodies = bodies_of(start);
     if constexpr (kHasRing) {
-      // Without a memory the ring starts at its place of rest, without velocity.
-      const std::span<const double> ring = start.memory.view();
-      if (!ring.empty()) bodies.tail<4>() = rotor::State(ring.data());
       return motion_.start(bodies);
     } else {
       return motion_.start(rotor::shaft(bodies));
+    }
+  }
+  point::PointStatus start_at_touch_down(const TouchdownStart& start) override {
+    if constexpr (requires { motion_.start(motion_.state(), 0.0, 0); } && !kHasRing) {
+      return motion_.start(rotor::shaft(bodies_of(start)), start.time, start.blade);
+    } else {
+      return PointMotion::start_at_touch_down(start);
     }
   }
   point::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
@@ -100,6 +108,15 @@ class TypedMotion final : public PointMotion {
  private:
   static constexpr bool kHasRing =
       std::is_same_v<std::remove_cvref_t<decltype(std::declval<Motion>().state())>, rotor::ShaftAndRing>;
+
+  static rotor::ShaftAndRing bodies_of(const PointStart& start) {
+    rotor::ShaftAndRing bodies = rotor::ShaftAndRing::Zero();
+    bodies.head<4>() = rotor::as_state(start.state);
+    // Without a memory the ring starts at its place of rest, without velocity.
+    const std::span<const double> ring = start.memory.view();
+    if (kHasRing && !ring.empty()) bodies.tail<4>() = rotor::State(ring.data());
+    return bodies;
+  }
 
   Motion motion_;
 };

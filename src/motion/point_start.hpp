@@ -42,4 +42,10 @@ struct PointStart {
   Memory memory;  ///< empty: as new
 };
 
+/// A start at a touch-down: `state` is that of the shaft there, as the tip of the blade comes to the ring.
+struct TouchdownStart : PointStart {
+  double time = 0.0;  ///< τ of the first revolution
+  int blade = 0;      ///< from 0
+};
+
 }  // namespace rubatlas::motion

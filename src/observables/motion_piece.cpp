@@ -32,10 +32,11 @@ std::optional<Pass> MotionPiece::nearest_pass(double known, const PointConstants
                                       after.overlap - after.rate * (time - time_before));
       if (before.rate > 0.0 && after.rate < 0.0 && highest > -known) {
         const auto rate = [&](double t) { return tip(k, t).rate; };
-        const Tip top = tip(k, integrate::root_between(rate, time_before, time, before.rate, after.rate));
+        const double time_of_top = integrate::root_between(rate, time_before, time, before.rate, after.rate);
+        const Tip top = tip(k, time_of_top);
         if (top.overlap < 0.0 && -top.overlap < known) {
           known = -top.overlap;
-          nearest = Pass{known, top.side};
+          nearest = Pass{known, top.side, k, time_of_top};
         }
       }
       time_before = time;

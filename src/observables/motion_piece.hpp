@@ -49,6 +49,8 @@ struct Tip {
 struct Pass {
   double miss;  ///< R − |tip| > 0 [m]
   double side;  ///< s ct there [m]
+  int blade;    ///< from 0
+  double time;  ///< τ of the revolution
 };
 
 /// What a blade in contact does to the rotor.
@@ -73,6 +75,9 @@ struct PathPoint {
     double bending;       ///< u [-]; of a blade that is not `carried` a first guess; 0 of a rigid one
     double bending_rate;  ///< du/dθ, where carried
     bool carried;         ///< the bending is a coordinate of the path
+    /// Of a blade under an inclined load, whose κ and φ are both coordinates of the path, in place of u.
+    double modulus = 0.0, amplitude = 0.0;            ///< κ, φ
+    double modulus_rate = 0.0, amplitude_rate = 0.0;  ///< their rates by θ
   };
   double time = 0.0;       ///< τ of the revolution
   double time_rate = 0.0;  ///< dτ/dθ

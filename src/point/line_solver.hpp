@@ -51,6 +51,14 @@ struct Orbit {
   ContactSamples contacts;
 };
 
+/// A tip that touches down, or passes the ring.
+struct TipAtRing {
+  int blade;                   ///< from 0
+  int revolution;              ///< from 0, of the map
+  double time;                 ///< τ of that revolution
+  motion::SectionState state;  ///< of the shaft there
+};
+
 /// Some revolutions of a motion and how they depend on its start: what shooting for periodic orbits needs.
 struct SectionMap {
   PointStatus status = PointStatus::pending;
@@ -58,14 +66,34 @@ struct SectionMap {
   std::vector<motion::SectionState> sections;  ///< after each revolution
   bool differentiable = false;                 ///< every part of the motion has a linearisation
   variation::Tangents jacobian;                ///< of the last section by the start
-  double log_saltation =
-      0.0;  ///< ln|det| of the jacobian is this and the phase volume's rate times the duration
+  /// ln|det| of the jacobian is this and the phase volume's rate times the duration.
+  double log_volume = 0.0;
   std::optional<observables::Pass> nearest_pass;  ///< of the tips that do not touch
+  std::optional<TipAtRing> nearest_place;         ///< where it passes
   /// Touch-downs (blade + 1) and lift-offs −(blade + 1), in order of time.
   std::vector<std::int32_t> events;
   /// Of the contacts that begin and end within these revolutions the smallest depth [m]; infinity: none does.
   double lightest_touch = std::numeric_limits<double>::infinity();
-  double lightest_side = 0.0;  ///< s ct there [m]
+  double lightest_side = 0.0;               ///< s ct there [m]
+  std::optional<TipAtRing> lightest_place;  ///< where it touches down
+};
+
+/// The blade that stands, after so many passings of blades, where `blade` has stood.
+inline int in_place_of(int blade, int passings, int count, double speed_ratio) {
+  const int turned = (speed_ratio > 0.0 ? blade - passings : blade + passings) % count;
+  return turned < 0 ? turned + count : turned;
+}
+
+/// The motion from a touch-down to the time of the same touch-down some passings of blades later, smooth
+/// through grazing: the flight that leads there goes on in closed form, whether or not a tip touches in it.
+struct TouchdownMap {
+  /// `jacobian`: of `end` by the state at the start, at fixed times, that at the start in contact already.
+  SectionMap map;
+  bool complete = false;                  ///< there is such a flight
+  bool admissible = false;                ///< no tip touches in it before
+  motion::SectionState end{};             ///< of the shaft at its end
+  std::array<double, 4> rate_at_start{};  ///< d/dτ of the state at the start, in contact
+  std::array<double, 4> rate_at_end{};    ///< d/dτ of `end`, in flight
 };
 
 }  // namespace rubatlas::point

@@ -1,6 +1,8 @@
 #include "point/point_solver.hpp"
 
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "motion/changing_motion.hpp"
@@ -43,45 +45,161 @@ class Recording final : public modes::MotionListener {
 /// Follows a motion for its section map.
 class Mapping final : public modes::MotionListener {
  public:
-  Mapping(SectionMap& map, variation::TangentFlow& flow, const observables::PointConstants& point)
-      : map_(&map), flow_(&flow), touch_(point.blade_count) {
+  Mapping(variation::TangentFlow& flow, const observables::PointConstants& point)
+      : flow_(&flow), touch_(point.blade_count), opened_(static_cast<std::size_t>(point.blade_count)) {
     miss_.begin(point);
     touch_.begin(point);
   }
   void piece(observables::MotionPiece& piece) override {
     flow_->piece(piece);
+    const double before = miss_.nearest() ? miss_.nearest()->miss : std::numeric_limits<double>::infinity();
     miss_.piece(piece);
+    if (const auto& pass = miss_.nearest(); pass && pass->miss < before)
+      nearest_place_ = TipAtRing{pass->blade, revolution_, pass->time, piece.state(pass->time)};
     touch_.piece(piece);
   }
   void event(const modes::Event& event) override {
     using modes::Guard;
-    if (event.kind == Guard::touch_down || event.kind == Guard::lift_off) {
-      const bool opens = event.kind == Guard::touch_down;
+    if (event.kind == Guard::touch_down) {
       flow_->passes_ring(event.blade);
-      map_->events.push_back(opens ? event.blade + 1 : -event.blade - 1);
-      opens ? touch_.touch_down(event.blade) : touch_.lift_off(event.blade);
+      touches_down({event.blade, revolution_, event.time, rotor::as_array(event.state)});
+    } else if (event.kind == Guard::lift_off) {
+      flow_->passes_ring(event.blade);
+      events_.push_back(-event.blade - 1);
+      const double before = lightest_depth();
+      touch_.lift_off(event.blade);
+      if (lightest_depth() < before) lightest_place_ = opened_[static_cast<std::size_t>(event.blade)];
     } else if (event.kind == Guard::slip_reversal) {
       flow_->slip_reverses(event.blade);
     } else {
       flow_->loses_track();
     }
   }
-  void finish() {
-    map_->differentiable = flow_->known();
-    map_->jacobian = flow_->tangents();
-    map_->log_saltation = flow_->log_saltation();
-    map_->nearest_pass = miss_.nearest();
+  /// A contact begins, of which the flow knows nothing yet or need not know.
+  void touches_down(const TipAtRing& place) {
+    events_.push_back(place.blade + 1);
+    touch_.touch_down(place.blade);
+    opened_[static_cast<std::size_t>(place.blade)] = place;
+  }
+  void revolution_ends(const motion::SectionState& section) override {
+    sections_.push_back(section);
+    ++revolution_;
+  }
+  [[nodiscard]] int revolution() const { return revolution_; }
+  /// What has been found so far.
+  [[nodiscard]] SectionMap map() const {
+    SectionMap map;
+    map.sections = sections_;
+    map.differentiable = flow_->known();
+    map.jacobian = flow_->tangents();
+    map.log_volume = flow_->log_volume();
+    map.nearest_pass = miss_.nearest();
+    map.nearest_place = nearest_place_;
+    map.events = events_;
     if (const auto& lightest = touch_.lightest()) {
-      map_->lightest_touch = lightest->depth;
-      map_->lightest_side = lightest->side;
+      map.lightest_touch = lightest->depth;
+      map.lightest_side = lightest->side;
+      map.lightest_place = lightest_place_;
     }
+    return map;
   }
 
  private:
-  SectionMap* map_;
+  [[nodiscard]] double lightest_depth() const {
+    return touch_.lightest() ? touch_.lightest()->depth : std::numeric_limits<double>::infinity();
+  }
+
   variation::TangentFlow* flow_;
   observables::NearestMiss miss_;
   observables::LightestTouch touch_;
+  std::vector<TipAtRing> opened_;  ///< of each blade, the last touch-down
+  std::optional<TipAtRing> nearest_place_;
+  std::optional<TipAtRing> lightest_place_;
+  std::vector<motion::SectionState> sections_;
+  std::vector<std::int32_t> events_;
+  int revolution_ = 0;
+};
+
+/// Follows a motion from a touch-down to the flight that leads to the next, some passings of blades later.
+class Returning final : public modes::MotionListener {
+ public:
+  Returning(variation::TangentFlow& flow, const observables::PointConstants& point,
+            const motion::TouchdownStart& start, int passings)
+      : flow_(&flow),
+        mapping_(flow, point),
+        start_(start),
+        period_(point.period),
+        end_(start.time + point.period * passings / point.blade_count),
+        longest_way_(kLongestWay * point.period / point.blade_count),
+        blade_(in_place_of(start.blade, passings, point.blade_count, point.speed_ratio)) {
+    mapping_.touches_down({start.blade, 0, start.time, start.state});
+  }
+  void piece(observables::MotionPiece& piece) override {
+    if (!begun_) {
+      std::complex<double> force;
+      for (std::size_t contact = 0; contact < piece.contact_count(); ++contact)
+        force += piece.contact_force(contact, piece.begin()).on_rotor;
+      rate_at_start_ = flow_->rate(start_.time, start_.state, force);
+      begun_ = true;
+    }
+    mapping_.piece(piece);
+    arriving_.reset();
+    if (piece.contact_count() > 0) return;
+    const double target = end_ - mapping_.revolution() * period_;
+    const double distance = std::max({0.0, piece.begin() - target, target - piece.end()});
+    if (distance > longest_way_) return;
+    TouchdownMap map;
+    map.map = mapping_.map();
+    map.map.jacobian = flow_->after_flight(target - piece.end());
+    map.complete = true;
+    map.admissible = distance <= kTimeOfTouchdown * period_;
+    map.end = piece.state(target);
+    map.rate_at_start = rate_at_start_;
+    map.rate_at_end = flow_->rate(target, map.end, 0.0);
+    arriving_ = Arrival{map, distance, false};
+    consider();
+  }
+  void event(const modes::Event& event) override {
+    if (arriving_ && event.kind == modes::Guard::touch_down && event.blade == blade_) {
+      arriving_->touches = true;
+      consider();
+    }
+    arriving_.reset();
+    mapping_.event(event);
+  }
+  void revolution_ends(const motion::SectionState& section) override { mapping_.revolution_ends(section); }
+  [[nodiscard]] TouchdownMap map() const { return found_ ? found_->map : TouchdownMap{}; }
+
+ private:
+  static constexpr double kLongestWay = 0.25;  ///< from passing to passing, beyond the end of a flight
+  static constexpr double kTimeOfTouchdown =
+      1e-6;  ///< of a revolution: the flight ends by the touch-down itself
+
+  struct Arrival {
+    TouchdownMap map;
+    double distance;  ///< of the time from the flight [τ]
+    bool touches;     ///< the flight ends by a touch-down of the blade
+  };
+  /// Of all flights the one that ends by the touch-down of the blade, or else holds the time; the nearest in
+  /// time.
+  void consider() {
+    const auto before = [](const Arrival& a, const Arrival& b) {
+      return a.touches != b.touches ? a.touches : a.distance < b.distance;
+    };
+    if (!found_ || before(*arriving_, *found_)) found_ = arriving_;
+  }
+
+  variation::TangentFlow* flow_;
+  Mapping mapping_;
+  motion::TouchdownStart start_;
+  double period_;
+  double end_;          ///< τ from the start of the first revolution
+  double longest_way_;  ///< [τ]
+  int blade_;           ///< that comes to the ring there
+  bool begun_ = false;
+  std::array<double, 4> rate_at_start_{};
+  std::optional<Arrival> arriving_;  ///< the flight that has just ended
+  std::optional<Arrival> found_;
 };
 
 }  // namespace
@@ -112,7 +230,7 @@ std::unique_ptr<motion::PointMotion> PointSolver::motion_of(double speed_ratio,
 PointOutcome PointSolver::run(double speed_ratio, const motion::PointStart& start, const modes::GoOn& go_on) {
   const auto motion = motion_of(speed_ratio, start);
   Recording recording(recorder_);
-  recorder_.begin({constants_of(scene_, speed_ratio).period(), speed_ratio, scene_.blades.count});
+  recorder_.begin(point_of(speed_ratio));
   const Ending ending = integrate(*motion, start, recording, go_on);
   PointOutcome outcome;
   outcome.status = ending.status;
@@ -171,20 +289,43 @@ PointSolver::Ending PointSolver::integrate(motion::PointMotion& motion, const mo
 }
 
 SectionMap PointSolver::section_map(double speed_ratio, const motion::PointStart& start, int revolutions) {
+  const auto motion = motion_of(speed_ratio, start);
+  Mapping mapping(tangents_at(speed_ratio), point_of(speed_ratio));
+  const PointStatus status = follow(*motion, motion->start(start), mapping, revolutions);
+  SectionMap map = mapping.map();
+  map.status = status;
+  if (status != PointStatus::done) map.detail = motion->status_detail();
+  return map;
+}
+
+TouchdownMap PointSolver::touchdown_map(double speed_ratio, const motion::TouchdownStart& start,
+                                        int passings) {
+  const auto motion = motion_of(speed_ratio, start);
+  Returning returning(tangents_at(speed_ratio), point_of(speed_ratio), start, passings);
+  const int revolutions = passings / scene_.blades.count + 2;  // the last of them holds the end
+  const PointStatus status = follow(*motion, motion->start_at_touch_down(start), returning, revolutions);
+  TouchdownMap map = returning.map();
+  // Whatever happens after the flight does not count.
+  map.map.status = map.complete ? PointStatus::done : status;
+  if (map.map.status != PointStatus::done) map.map.detail = motion->status_detail();
+  return map;
+}
+
+variation::TangentFlow& PointSolver::tangents_at(double speed_ratio) {
   if (!tangent_flow_) tangent_flow_.emplace(scene_);
   tangent_flow_->begin(speed_ratio);
-  const auto motion = motion_of(speed_ratio, start);
-  SectionMap map;
-  Mapping mapping(map, *tangent_flow_,
-                  {constants_of(scene_, speed_ratio).period(), speed_ratio, scene_.blades.count});
-  map.status = motion->start(start);
-  for (int revolution = 0; map.status == PointStatus::done && revolution < revolutions; ++revolution) {
-    map.status = motion->revolution(mapping, {}, revolution);
-    map.sections.push_back(section_of(*motion));
+  return *tangent_flow_;
+}
+observables::PointConstants PointSolver::point_of(double speed_ratio) const {
+  return {constants_of(scene_, speed_ratio).period(), speed_ratio, scene_.blades.count};
+}
+PointStatus PointSolver::follow(motion::PointMotion& motion, PointStatus status,
+                                modes::MotionListener& listener, int revolutions) {
+  for (int revolution = 0; status == PointStatus::done && revolution < revolutions; ++revolution) {
+    status = motion.revolution(listener, {}, revolution);
+    listener.revolution_ends(section_of(motion));
   }
-  if (map.status != PointStatus::done) map.detail = motion->status_detail();
-  mapping.finish();
-  return map;
+  return status;
 }
 
 }  // namespace rubatlas::point

@@ -23,6 +23,7 @@ class PointSolver final : public LineSolver {
   PointOutcome run(double speed_ratio, const motion::PointStart& start, const modes::GoOn& go_on) override;
   Orbit orbit(double speed_ratio, const motion::PointStart& start) override;
   SectionMap section_map(double speed_ratio, const motion::PointStart& start, int revolutions) override;
+  TouchdownMap touchdown_map(double speed_ratio, const motion::TouchdownStart& start, int passings) override;
 
  private:
   /// How a motion ended.
@@ -32,6 +33,12 @@ class PointSolver final : public LineSolver {
     std::int32_t failed_revolution = -1;
   };
 
+  /// The linearised flow, at the start of a motion.
+  variation::TangentFlow& tangents_at(double speed_ratio);
+  [[nodiscard]] observables::PointConstants point_of(double speed_ratio) const;
+  /// So many revolutions of a motion that has started with this status.
+  static PointStatus follow(motion::PointMotion& motion, PointStatus status, modes::MotionListener& listener,
+                            int revolutions);
   [[nodiscard]] std::unique_ptr<motion::PointMotion> motion_of(double speed_ratio,
                                                                const motion::PointStart& start) const;
   Ending integrate(motion::PointMotion& motion, const motion::PointStart& start,

@@ -12,6 +12,7 @@ namespace rubatlas::point {
 struct PointOutcome;
 struct Orbit;
 struct SectionMap;
+struct TouchdownMap;
 
 class LineSolver {
  public:
@@ -26,9 +27,14 @@ class LineSolver {
   /// The same motion, kept as `samples_per_revolution` samples over the sampled revolutions.
   virtual Orbit orbit(double speed_ratio, const motion::PointStart& start) = 0;
 
-  /// So many revolutions from `start`, and their derivative by the shaft's state there. Only for scenes with
-  /// `variation::has_tangents`.
+  /// So many revolutions from `start`, and their derivative by the shaft's state there. Only for scenes that
+  /// `settings::refusal_of_linearisation` does not refuse.
   virtual SectionMap section_map(double speed_ratio, const motion::PointStart& start, int revolutions) = 0;
+
+  /// From a touch-down on over so many passings of blades, to where the blade that is then in its place comes
+  /// to the ring. Only for scenes that `settings::refusal_of_shooting` does not refuse.
+  virtual TouchdownMap touchdown_map(double speed_ratio, const motion::TouchdownStart& start,
+                                     int passings) = 0;
 };
 
 }  // namespace rubatlas::point

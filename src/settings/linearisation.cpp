@@ -9,13 +9,14 @@ namespace rubatlas::settings {
 
 std::optional<std::string> refusal_of_linearisation(const Scene& scene) {
   using effects::Effects;
-  constexpr EffectSet kLinearised = effect_set<&Effects::unbalance, &Effects::gravity, &Effects::side_load,
-                                               &Effects::support, &Effects::ring_body>();
+  constexpr EffectSet kLinearised =
+      effect_set<&Effects::unbalance, &Effects::gravity, &Effects::side_load, &Effects::support,
+                 &Effects::ring_body, &Effects::regularised_friction, &Effects::stribeck>();
   const EffectSet others = given(scene) - kLinearised;
   if (!others.empty()) {
     return fmt::format(
         "{}: the motion under this effect has no linearised flow here; it is known with /unbalance, "
-        "/gravity, /side_load, /support and /ring_body only",
+        "/gravity, /side_load, /support, /ring_body, /regularised_friction and /stribeck only",
         others.sections().front());
   }
   if (ring_has_no_mass(scene)) {

@@ -1,9 +1,13 @@
 #include "variation/contact_stiffness.hpp"
 
 #include <cmath>
+#include <utility>
 
+#include "settings/combinations.hpp"
 #include "settings/effects/list.hpp"
 #include "variation/blades_of_scene.hpp"
+#include "variation/directed_stiffness.hpp"
+#include "variation/friction_of_scene.hpp"
 
 namespace rubatlas::variation {
 namespace {
@@ -18,7 +22,7 @@ Eigen::Vector2d of_blade(const contact::BladeDirection& er, double along, double
   return {along * er.cosine - across * er.sine, along * er.sine + across * er.cosine};
 }
 /// I + sμJ.
-Eigen::Matrix2d with_friction(double friction) {
+Eigen::Matrix2d turned_by_friction(double friction) {
   return (Eigen::Matrix2d() << 1.0, -friction, friction, 1.0).finished();
 }
 
@@ -30,20 +34,27 @@ std::shared_ptr<const blade::ElasticaCurve> curve_of(double friction, blade::The
   return last;
 }
 
-std::variant<contact::ElasticaContact, contact::ElasticRingContact> law_of(const settings::Scene& line) {
-  const double friction = line.contact.friction;
-  if (line.contact.law == settings::ContactLaw::elastic_ring)
-    return elastic_ring_law(line.ring, line.blades, friction);
-  const auto theory = line.contact.law == settings::ContactLaw::beam_column ? blade::Theory::beam_column
-                                                                            : blade::Theory::elastica;
-  return contact::ElasticaContact(geometry_of(line.ring, line.blades), blade_of(line.blades),
-                                  curve_of(friction, theory));
-}
-
 }  // namespace
 
+ContactStiffness::Law ContactStiffness::law_of(const settings::Scene& line) {
+  const contact::Geometry geometry = geometry_of(line.ring, line.blades);
+  return with_friction(line, settings::acting(line), [&]<class Friction>(const Friction& friction) -> Law {
+    if (line.contact.law == settings::ContactLaw::elastic_ring)
+      return RigidBlade{line.ring.stiffness, friction};
+    if constexpr (Friction::kDependsOnVelocity) {
+      return DirectedBlade(
+          contact::DirectedElastica<contact::AxialLoad, Friction>(geometry, blade_of(line.blades), friction));
+    } else {
+      const auto theory = line.contact.law == settings::ContactLaw::beam_column ? blade::Theory::beam_column
+                                                                                : blade::Theory::elastica;
+      return contact::ElasticaContact(geometry, blade_of(line.blades),
+                                      curve_of(line.contact.friction, theory));
+    }
+  });
+}
+
 ContactStiffness::ContactStiffness(const settings::Scene& line)
-    : law_(law_of(line)), blades_(line.blades.count, 0.0) {}
+    : geometry_(geometry_of(line.ring, line.blades)), law_(law_of(line)), blades_(line.blades.count, 0.0) {}
 
 void ContactStiffness::begin(const rotor::RotorConstants& rotor) {
   rotor_ = rotor;
@@ -59,25 +70,22 @@ std::optional<ContactStiffness::TipInContact> ContactStiffness::tip(const Contac
   TipInContact result;
   const contact::BladeDirection er = direction(contact.blade, time);
   result.centre = {state[0], state[1] + rotor_.misalignment};
-  if (const auto* ring = std::get_if<contact::ElasticRingContact>(&law_)) {
-    const contact::Geometry& geometry = ring->geometry();
-    result.tip = result.centre + of_blade(er, geometry.reach, 0.0);
+  if (std::holds_alternative<RigidBlade>(law_)) {
+    result.tip = result.centre + of_blade(er, geometry_.reach, 0.0);
     result.tip_by_u.setZero();
-    result.load = ring->stiffness() * (result.tip.norm() - geometry.ring_radius);
-    result.friction = contact.slip * ring->friction().coefficient(contact.slip, 1.0);
     return result;
   }
   const auto& elastica = std::get<contact::ElasticaContact>(law_);
   double bending = contact.bending;
   if (!contact.carried) {
-    const contact::Pose pose = rotor::pose_of(rotor_, elastica.geometry(), er, rotor::as_state(state));
+    const contact::Pose pose = rotor::pose_of(rotor_, geometry_, er, rotor::as_state(state));
     const auto root = elastica.solve_near(pose, contact.slip, bending);
     if (!root) return std::nullopt;
     bending = *root;
   }
   const blade::CurvePoint point = elastica.curve().at(bending);
   const double length = elastica.length();
-  result.tip = result.centre + of_blade(er, elastica.geometry().reach - length * point.shortening,
+  result.tip = result.centre + of_blade(er, geometry_.reach - length * point.shortening,
                                         -contact.slip * length * point.deflection);
   result.tip_by_u =
       of_blade(er, -length * point.shortening_slope, -contact.slip * length * point.deflection_slope);
@@ -88,23 +96,60 @@ std::optional<ContactStiffness::TipInContact> ContactStiffness::tip(const Contac
   return result;
 }
 
-std::optional<Eigen::Matrix2d> ContactStiffness::along_path(const observables::PathPoint& point,
-                                                            const PathScale& scale) const {
-  Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+ForceSlopes ContactStiffness::of_rigid_blade(const RigidBlade& law, const Contact& contact, double time,
+                                             const State& state) const {
+  const Eigen::Vector2d to_tip = of_blade(direction(contact.blade, time), geometry_.reach, 0.0);
+  const Eigen::Vector2d w = Eigen::Vector2d(state[0], state[1] + rotor_.misalignment) + to_tip;
+  const Eigen::Vector2d velocity(state[2], state[3]);
+  const double distance = w.norm();
+  const Eigen::Vector2d normal = w / distance;
+  const Eigen::Vector2d tangent = turned_by_quarter(normal);
+  const Eigen::Matrix2d along = normal * normal.transpose();
+  const Eigen::Matrix2d across = Eigen::Matrix2d::Identity() - along;
+  const double load = law.stiffness * (distance - geometry_.ring_radius);
+  // v = c'·Jn + Ω (w − c)·n (MODEL 4.4), n the normal.
+  const double slip_velocity = velocity.dot(tangent) + rotor_.speed_ratio * to_tip.dot(normal);
+  const auto [coefficient, slope] = std::visit(
+      [&](const auto& friction) {
+        return std::pair(friction.coefficient(slip_velocity, contact.slip),
+                         friction.slope(slip_velocity, contact.slip));
+      },
+      law.friction);
+  const Eigen::RowVector2d velocity_by_place =
+      (rotor_.speed_ratio * to_tip - turned_by_quarter(velocity)).transpose() * across / distance;
+  ForceSlopes slopes;
+  slopes.by_place = -turned_by_friction(coefficient) * (law.stiffness * along + load / distance * across) -
+                    load * slope * tangent * velocity_by_place;
+  slopes.by_velocity = -load * slope * tangent * tangent.transpose();
+  return slopes;
+}
+
+std::optional<ForceSlopes> ContactStiffness::along_path(const observables::PathPoint& point,
+                                                        const PathScale& scale,
+                                                        const Eigen::Vector2d& acceleration) const {
+  ForceSlopes sum;
   for (const Contact& contact : point.contacts) {
+    if (const auto* rigid = std::get_if<RigidBlade>(&law_)) {
+      const ForceSlopes slopes = of_rigid_blade(*rigid, contact, point.time, point.state);
+      sum += {point.time_rate * slopes.by_place, point.time_rate * slopes.by_velocity};
+      continue;
+    }
+    if (const auto* directed = std::get_if<DirectedBlade>(&law_)) {
+      const contact::BladeDirection er = direction(contact.blade, point.time);
+      const DirectedContact at{er,
+                               rotor::pose_of(rotor_, geometry_, er, rotor::as_state(point.state)),
+                               rotor_.speed_ratio,
+                               acceleration,
+                               point.time_rate,
+                               &contact};
+      sum += std::visit([&](const auto& law) { return slopes_of_directed_blade(law, at, scale); }, *directed);
+      continue;
+    }
     const auto there = tip(contact, point.time, point.state);
     if (!there) return std::nullopt;
     const Eigen::Vector2d& w = there->tip;
     const double distance = w.norm();
-    const Eigen::Matrix2d turning = with_friction(there->friction);
-    if (std::holds_alternative<contact::ElasticRingContact>(law_)) {
-      const Eigen::Vector2d normal = w / distance;
-      const Eigen::Matrix2d along = normal * normal.transpose();
-      const double stiffness = std::get<contact::ElasticRingContact>(law_).stiffness();
-      sum -= point.time_rate *
-             (turning * (stiffness * along + there->load / distance * (Eigen::Matrix2d::Identity() - along)));
-      continue;
-    }
+    const Eigen::Matrix2d turning = turned_by_friction(there->friction);
     const Eigen::Vector2d velocity(point.state[2], point.state[3]);
     // At fixed bending the tip moves with the shaft and turns about it.
     const Eigen::Vector2d moves = velocity + rotor_.speed_ratio * turned_by_quarter(w - there->centre);
@@ -118,21 +163,20 @@ std::optional<Eigen::Matrix2d> ContactStiffness::along_path(const observables::P
     }
     const Eigen::Vector2d force_by_u =
         -(turning * (there->load_by_u * w + there->load * there->tip_by_u)) / distance;
-    sum -= (point.time_rate * there->load / distance) * turning + (2.0 * share) * force_by_u * w.transpose();
+    sum.by_place -=
+        (point.time_rate * there->load / distance) * turning + (2.0 * share) * force_by_u * w.transpose();
   }
   return sum;
 }
 
 ContactStiffness::Guard ContactStiffness::gap(int blade, double time, const State& state) const {
-  const contact::Geometry& geometry =
-      std::visit([](const auto& law) -> const contact::Geometry& { return law.geometry(); }, law_);
   const contact::BladeDirection er = direction(blade, time);
-  const contact::Pose pose = rotor::pose_of(rotor_, geometry, er, rotor::as_state(state));
+  const contact::Pose pose = rotor::pose_of(rotor_, geometry_, er, rotor::as_state(state));
   const Eigen::Vector2d tip =
-      Eigen::Vector2d(state[0], state[1] + rotor_.misalignment) + of_blade(er, geometry.reach, 0.0);
+      Eigen::Vector2d(state[0], state[1] + rotor_.misalignment) + of_blade(er, geometry_.reach, 0.0);
   Guard guard;
   guard.gradient << 2.0 * tip.transpose(), 0.0, 0.0;
-  guard.rate = contact::gap_rate(geometry, pose, rotor_.speed_ratio);
+  guard.rate = contact::gap_rate(geometry_, pose, rotor_.speed_ratio);
   return guard;
 }
 

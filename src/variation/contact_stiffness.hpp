@@ -1,4 +1,4 @@
-/// How the force of a contact, and the guard of its slip, change with the place of the shaft.
+/// How the force of a contact, and the guard of its slip, change with place and velocity of the shaft.
 ///
 /// In the frame of the ring the tip lies at w = a er + b et, c + (rh+L−δ) er − sΔ et (MODEL 2). The rotor
 /// feels
@@ -11,6 +11,9 @@
 ///     (df/dc) τ_θ = f_c τ_θ − λ f_u h_cᵀ,   λ = τ_θ / h_u = −u_θ / h_τ,
 /// which is regular unless the tip grazes, where both h_u and h_τ vanish. Source: the variational equation of
 /// a constrained system, by implicit differentiation.
+///
+/// Friction that depends on the slip velocity, c(v) in place of sμ, adds df/dc'. Rigid blades have both in
+/// closed form; elastic blades then have two unknowns, κ and φ (`directed_stiffness.hpp`).
 #pragma once
 
 #include <Eigen/Core>
@@ -18,32 +21,34 @@
 #include <optional>
 #include <variant>
 
-#include "contact/elastic_ring_contact.hpp"
+#include "contact/directed_elastica.hpp"
 #include "contact/elastica_contact.hpp"
+#include "contact/friction_law.hpp"
 #include "observables/motion_piece.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/constants.hpp"
 #include "settings/scene.hpp"
 
+#include "variation/force_slopes.hpp"
+
 namespace rubatlas::variation {
 
 class ContactStiffness {
  public:
-  /// `line`: the scene with the line's values. Its blades are equal, its law is elastica, beam-column or
-  /// elastic ring, as `settings` allows it for exponents.
+  /// `line`: the scene with the line's values. Its blades are equal, its law and friction as
+  /// `settings::refusal_of_linearisation` allows them.
   explicit ContactStiffness(const settings::Scene& line);
 
   /// A speed ratio Ω of the line.
   void begin(const rotor::RotorConstants& rotor);
 
-  /// (df/dc) τ_θ, summed over the contacts of a place on the path [N/m]. `scale`: sizes of τ_θ and u_θ on the
-  /// piece, against which their errors count. Nothing where a blade has no force.
-  struct PathScale {
-    double time_rate = 1.0;
-    double bending_rate = 1.0;
-  };
-  [[nodiscard]] std::optional<Eigen::Matrix2d> along_path(const observables::PathPoint& point,
-                                                          const PathScale& scale) const;
+  /// Slopes of the force, times τ_θ, summed over the contacts of a place on the path. `acceleration` of the
+  /// shaft there [m per unit τ²] is read only where `needs_acceleration`. Nothing where a blade has no force.
+  [[nodiscard]] std::optional<ForceSlopes> along_path(const observables::PathPoint& point,
+                                                      const PathScale& scale,
+                                                      const Eigen::Vector2d& acceleration) const;
+  /// The bending of a blade changes with the acceleration of the shaft, through the slip velocity.
+  [[nodiscard]] bool needs_acceleration() const { return std::holds_alternative<DirectedBlade>(law_); }
 
   /// A guard e of a blade: its gradient by the shaft's state, and its rate along the motion.
   struct Guard {
@@ -59,7 +64,8 @@ class ContactStiffness {
                                           const Eigen::Vector2d& acceleration) const;
 
  private:
-  /// A tip in contact. `by_u`: slopes by the bending; zero of rigid blades.
+  /// A tip in contact, of which `by_u` are slopes by the bending. Of a rigid one its place alone; not of a
+  /// directed blade.
   struct TipInContact {
     Eigen::Vector2d centre;     ///< c [m]
     Eigen::Vector2d tip;        ///< w [m]
@@ -73,7 +79,23 @@ class ContactStiffness {
                                                 const observables::State& state) const;
   [[nodiscard]] contact::BladeDirection direction(int blade, double time) const;
 
-  std::variant<contact::ElasticaContact, contact::ElasticRingContact> law_;
+  /// Rigid blades on the elastic ring.
+  struct RigidBlade {
+    double stiffness;  ///< kr [N/m]
+    std::variant<contact::CoulombFriction, contact::RegularisedFriction, contact::StribeckFriction> friction;
+  };
+  /// Elastic blades with friction that depends on the slip velocity.
+  using DirectedBlade =
+      std::variant<contact::DirectedElastica<contact::AxialLoad, contact::RegularisedFriction>,
+                   contact::DirectedElastica<contact::AxialLoad, contact::StribeckFriction>>;
+  using Law = std::variant<contact::ElasticaContact, RigidBlade, DirectedBlade>;
+  static Law law_of(const settings::Scene& line);
+  [[nodiscard]] ForceSlopes of_rigid_blade(const RigidBlade& law,
+                                           const observables::PathPoint::Contact& contact, double time,
+                                           const observables::State& state) const;
+
+  contact::Geometry geometry_;
+  Law law_;
   rotor::RotorConstants rotor_{};
   rotor::BladeSet blades_;
 };

@@ -118,7 +118,7 @@ void TangentFlow::begin(double speed_ratio) {
   force_.setZero();
   point_.contacts.clear();
   known_ = true;
-  log_saltation_ = 0.0;
+  log_volume_ = 0.0;
 }
 
 double TangentFlow::phase_volume_rate() const {
@@ -173,10 +173,11 @@ double TangentFlow::longest_flight() const {
   return kMostDecay / (fastest - slowest);
 }
 
-void TangentFlow::fly(double duration) {
-  const Eigen::Index velocities = tangents_.rows() / 2;
+Tangents TangentFlow::after_flight(double duration) const {
+  Tangents tangents = tangents_;
+  const Eigen::Index velocities = tangents.rows() / 2;
   if (support_) {
-    for (auto tangent : tangents_.colwise()) {
+    for (auto tangent : tangents.colwise()) {
       rotor::LinearSupport::State shaft;
       shaft << tangent.segment<2>(0), tangent.segment<2>(velocities);
       shaft = support_->state(0.0, shaft, duration);
@@ -186,19 +187,20 @@ void TangentFlow::fly(double duration) {
   } else {
     const auto [cosine, sine] = free_.kernel(duration);
     const double damping = free_.damping_ratio();
-    const auto place = tangents_.topRows<2>().eval();
-    const auto velocity = tangents_.middleRows<2>(velocities).eval();
-    tangents_.topRows<2>() = cosine * place + sine * (velocity + damping * place);
-    tangents_.middleRows<2>(velocities) = cosine * velocity - sine * (place + damping * velocity);
+    const auto place = tangents.topRows<2>().eval();
+    const auto velocity = tangents.middleRows<2>(velocities).eval();
+    tangents.topRows<2>() = cosine * place + sine * (velocity + damping * place);
+    tangents.middleRows<2>(velocities) = cosine * velocity - sine * (place + damping * velocity);
   }
-  if (!ring_) return;
-  for (auto tangent : tangents_.colwise()) {
+  if (!ring_) return tangents;
+  for (auto tangent : tangents.colwise()) {
     rotor::RingBody::State ring;
     ring << tangent.segment<2>(2).array(), tangent.segment<2>(velocities + 2).array();
     ring = ring_->free(ring, duration);
     tangent.segment<2>(2) = ring.head<2>();
     tangent.segment<2>(velocities + 2) = ring.tail<2>();
   }
+  return tangents;
 }
 
 TangentFlow::Coordinates TangentFlow::accelerated_by(const Eigen::Vector2d& force) const {
@@ -234,18 +236,41 @@ Eigen::Vector2d TangentFlow::seen_acceleration(const observables::PathPoint& at,
   return result;
 }
 
+std::array<double, 4> TangentFlow::rate(double time, const observables::State& state,
+                                        const std::complex<double>& force) const {
+  observables::PathPoint at;
+  at.time = time;
+  at.state = state;
+  const Eigen::Vector2d acceleration = seen_acceleration(at, {force.real(), force.imag()});
+  return {state[2], state[3], acceleration[0], acceleration[1]};
+}
+
 template <int kCoordinates>
 void TangentFlow::follow(observables::MotionPiece& piece) {
   const Gauss& method = gauss();
-  std::array<observables::PathPoint, kStages> points;
-  ContactStiffness::PathScale scale{0.0, 0.0};
+  struct Stage {
+    observables::PathPoint point;
+    Eigen::Vector2d acceleration = Eigen::Vector2d::Zero();  ///< where it is needed
+  };
+  std::array<Stage, kStages> stages;
+  std::vector<observables::ContactForce> forces;
+  PathScale scale{0.0, 0.0};
   for (int i = 0; i < kStages; ++i) {
-    observables::PathPoint& point = points[static_cast<std::size_t>(i)];
-    if (!piece.path(method.node[i], point)) return loses_track();
+    auto& [point, acceleration] = stages[static_cast<std::size_t>(i)];
+    if (contact_.needs_acceleration()) {
+      if (!piece.forces_on_path(method.node[i], point, forces)) return loses_track();
+      std::complex<double> sum;
+      for (const observables::ContactForce& force : forces) sum += force.on_rotor;
+      acceleration = seen_acceleration(point, {sum.real(), sum.imag()});
+    } else if (!piece.path(method.node[i], point)) {
+      return loses_track();
+    }
     point.state = seen(point);
     scale.time_rate = std::max(scale.time_rate, std::abs(point.time_rate));
-    for (const auto& contact : point.contacts)
-      scale.bending_rate = std::max(scale.bending_rate, std::abs(contact.bending_rate));
+    for (const auto& contact : point.contacts) {
+      for (const double rate : {contact.bending_rate, contact.modulus_rate, contact.amplitude_rate})
+        scale.bending_rate = std::max(scale.bending_rate, std::abs(rate));
+    }
   }
   if (scale.bending_rate == 0.0) scale.bending_rate = 1.0;
 
@@ -253,7 +278,7 @@ void TangentFlow::follow(observables::MotionPiece& piece) {
   // unknown: W = w0 + A a, Q = q0 + A τ_θ W, A the integrals.
   using Stages = Eigen::Matrix<double, kStages, kStages>;
   Eigen::Matrix<double, kStages, 1> time_rate;
-  for (int i = 0; i < kStages; ++i) time_rate[i] = points[static_cast<std::size_t>(i)].time_rate;
+  for (int i = 0; i < kStages; ++i) time_rate[i] = stages[static_cast<std::size_t>(i)].point.time_rate;
   const Stages of_place = method.integral * time_rate.asDiagonal();
   const Stages of_acceleration = of_place * method.integral;
   const Eigen::Matrix<double, kStages, 1> elapsed = of_place.rowwise().sum();
@@ -272,16 +297,23 @@ void TangentFlow::follow(observables::MotionPiece& piece) {
       Eigen::Matrix<double, kUnknowns, kUnknowns>::Identity();
   Eigen::Matrix<double, kUnknowns, kColumns> right;
   for (Eigen::Index i = 0; i < kStages; ++i) {
-    const auto of_force = contact_.along_path(points[static_cast<std::size_t>(i)], scale);
-    if (!of_force || !of_force->allFinite()) return loses_track();
+    const auto& [point, shaft_acceleration] = stages[static_cast<std::size_t>(i)];
+    const auto of_force = contact_.along_path(point, scale, shaft_acceleration);
+    if (!of_force || !of_force->by_place.allFinite() || !of_force->by_velocity.allFinite())
+      return loses_track();
     Matrix stiffness = -time_rate[i] * restoring;
-    stiffness.template topLeftCorner<2, 2>() += force_unit_ * *of_force;
-    if constexpr (kCoordinates > 2) {
-      stiffness.template topRightCorner<2, 2>() -= force_unit_ * *of_force;
-      stiffness.template bottomLeftCorner<2, 2>() -= ring_->force_unit() * *of_force;
-      stiffness.template bottomRightCorner<2, 2>() += ring_->force_unit() * *of_force;
-    }
-    const Matrix resistance = time_rate[i] * damping;
+    Matrix resistance = time_rate[i] * damping;
+    const auto add = [&](Matrix& to, const Eigen::Matrix2d& slope) {
+      to.template topLeftCorner<2, 2>() += force_unit_ * slope;
+      if constexpr (kCoordinates > 2) {
+        to.template topRightCorner<2, 2>() -= force_unit_ * slope;
+        to.template bottomLeftCorner<2, 2>() -= ring_->force_unit() * slope;
+        to.template bottomRightCorner<2, 2>() += ring_->force_unit() * slope;
+      }
+    };
+    add(stiffness, of_force->by_place);
+    add(resistance, -of_force->by_velocity);
+    log_volume_ += method.weight[i] * (time_rate[i] * damping - resistance).trace();
     for (Eigen::Index j = 0; j < kStages; ++j) {
       matrix.template block<kCoordinates, kCoordinates>(kCoordinates * i, kCoordinates * j) -=
           of_acceleration(i, j) * stiffness - method.integral(i, j) * resistance;
@@ -325,7 +357,7 @@ void TangentFlow::jump(observables::MotionPiece& piece, const Eigen::Vector2d& f
   const Eigen::Index velocities = tangents_.rows() / 2;
   tangents_.bottomRows(velocities) += change * (change_of_time * tangents_).eval();
   // det(I + (0, Δa) ∇eᵀ/ė) = 1 + ∇eᵀ (0, Δa) / ė.
-  log_saltation_ += std::log(std::abs(1.0 + change_of_time.tail(velocities).dot(change)));
+  log_volume_ += std::log(std::abs(1.0 + change_of_time.tail(velocities).dot(change)));
 }
 
 }  // namespace rubatlas::variation

@@ -3,13 +3,15 @@
 /// With q = (x, y), or (x, y, rx, ry) where the ring is a body, the motion is q'' + C q' + S q = B f(G q) +
 /// …, f the force on the rotor and G q the shaft's place as the ring sees it. In flight the closed form of
 /// free motion; in contact the variational equation
-///     δq'' + C δq' + S δq = B K G δq,   K = df/dc,
+///     δq'' + C δq' + S δq = B (K G δq + D G δq'),   K = df/dc, D = df/dc',
 /// along the path of the contact (`contact_stiffness.hpp`), by Gauss's method of order 16; at an event e = 0
 /// where the acceleration jumps by Δa the saltation matrix I + (0, Δa) ∇eᵀ / ė. Source: Müller, Calculation
 /// of Lyapunov exponents for dynamic systems with discontinuities (1995); Hairer, Nørsett, Wanner, II.7.
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <complex>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -44,10 +46,17 @@ class TangentFlow {
   [[nodiscard]] bool known() const { return known_; }
   [[nodiscard]] const Tangents& tangents() const { return tangents_; }
   void set_tangents(const Tangents& tangents) { tangents_ = tangents; }
-  /// Sum of ln|det| of the saltations so far: what the flow contracts besides `phase_volume_rate`.
-  [[nodiscard]] double log_saltation() const { return log_saltation_; }
+  /// The logarithm of what phase volume has grown by so far besides `phase_volume_rate`: sum of ln|det| of
+  /// the saltations, and the integral of tr BDG where friction depends on the slip velocity.
+  [[nodiscard]] double log_volume() const { return log_volume_; }
   /// d/dτ of the logarithm of phase volume between events: −4ζ of the plain shaft, −tr C of any.
   [[nodiscard]] double phase_volume_rate() const;
+
+  /// The tangents after a flight of this duration from here, which may be negative.
+  [[nodiscard]] Tangents after_flight(double duration) const;
+  /// d/dτ of the shaft's state at a time, under a force [N].
+  [[nodiscard]] std::array<double, 4> rate(double time, const observables::State& state,
+                                           const std::complex<double>& force) const;
 
  private:
   struct Event {
@@ -56,7 +65,7 @@ class TangentFlow {
   };
   using Coordinates = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMostCoordinates, 1>;
 
-  void fly(double duration);
+  void fly(double duration) { tangents_ = after_flight(duration); }
   /// Longest flight over which tangents that were orthogonal keep their directions.
   [[nodiscard]] double longest_flight() const;
   template <int kCoordinates>
@@ -91,7 +100,7 @@ class TangentFlow {
   Eigen::Vector2d force_ = Eigen::Vector2d::Zero();  ///< at the end of the last piece [N]
   observables::PathPoint point_;                     ///< there
   bool known_ = true;
-  double log_saltation_ = 0.0;
+  double log_volume_ = 0.0;
 };
 
 }  // namespace rubatlas::variation

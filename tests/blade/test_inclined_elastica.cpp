@@ -31,8 +31,8 @@ TEST(InclinedElastica, IsTheBladeOfTheModelWhereTheLoadBendsIt) {
           std::atan2(std::sqrt(std::sin((tip + beta) / 2) * std::sin(bending * (bending / (tip + beta)) / 2)),
                      std::sin(beta / 2));
       const InclinedPoint point = inclined_equilibrium(modulus, amplitude);
-      const auto axial =
-          static_cast<long double>(point.load) * std::cos(std::atan(static_cast<long double>(friction)));
+      const auto axial = static_cast<long double>(point.load.value) *
+                         std::cos(std::atan(static_cast<long double>(friction)));
       const auto error = [&](long double value, long double reference) {
         return static_cast<double>(std::abs(value / reference - 1));
       };
@@ -59,15 +59,15 @@ TEST(InclinedElastica, BladesBentAgainstTheirLoadFollowLegendresIntegrals) {
       const double mean_sine = 2 * modulus * std::sin(amplitude) / q;
       const double b = 2 * std::asin(modulus * std::cos(amplitude));
       const InclinedPoint point = inclined_equilibrium(modulus, amplitude);
-      EXPECT_NEAR(point.load, q * q, 1e-14 * q * q);
+      EXPECT_NEAR(point.load.value, q * q, 1e-14 * q * q);
       EXPECT_NEAR(point.load_angle.value, b, 1e-15);
       EXPECT_NEAR(point.shortening.value, 1 - (mean_cosine * std::cos(b) + mean_sine * std::sin(b)), 3e-15);
       EXPECT_NEAR(point.deflection.value, mean_sine * std::cos(b) - mean_cosine * std::sin(b), 3e-15);
       // Moment of the tip load about the clamp.
-      EXPECT_NEAR(
-          point.curvature,
-          point.load * (std::cos(b) * point.deflection.value + std::sin(b) * (1 - point.shortening.value)),
-          2e-14 * point.load);
+      EXPECT_NEAR(point.curvature,
+                  point.load.value *
+                      (std::cos(b) * point.deflection.value + std::sin(b) * (1 - point.shortening.value)),
+                  2e-14 * point.load.value);
     }
   }
 }
@@ -80,14 +80,14 @@ TEST(InclinedElastica, ColumnWhoseLoadPointsAtAFixedPoleBucklesLater) {
   for (double amplitude = 1.6; amplitude < 3.13; amplitude += 0.1) {
     const InclinedPoint point = inclined_equilibrium(1e-6, amplitude);
     const double pole = point.deflection.value / -point.load_angle.value;  // p/L
-    const double q = std::sqrt(point.load);
+    const double q = std::sqrt(point.load.value);
     EXPECT_NEAR(std::tan(q) / q, 1 - pole, 1e-9 * pole) << amplitude;
-    EXPECT_GT(point.load, before);
-    before = point.load;
+    EXPECT_GT(point.load.value, before);
+    before = point.load.value;
   }
-  EXPECT_NEAR(inclined_equilibrium(1e-6, kPi / 2).load, kPi * kPi / 4, 1e-10);
+  EXPECT_NEAR(inclined_equilibrium(1e-6, kPi / 2).load.value, kPi * kPi / 4, 1e-10);
   const InclinedPoint last = inclined_equilibrium(1e-6, 3.14);
-  EXPECT_NEAR(last.load, kPi * kPi, 0.011);
+  EXPECT_NEAR(last.load.value, kPi * kPi, 0.011);
   EXPECT_NEAR(last.deflection.value / -last.load_angle.value, 1.0, 1e-3);
 }
 
@@ -99,17 +99,17 @@ TEST(InclinedElastica, SlopesAreTheDerivatives) {
                (12 * step);
       };
       const InclinedPoint here = inclined_equilibrium(modulus, amplitude);
-      for (const auto member :
-           {&InclinedPoint::load_angle, &InclinedPoint::shortening, &InclinedPoint::deflection}) {
+      for (const auto member : {&InclinedPoint::load, &InclinedPoint::load_angle, &InclinedPoint::shortening,
+                                &InclinedPoint::deflection}) {
         const auto by_modulus = [&](double step) {
           return (inclined_equilibrium(modulus + step, amplitude).*member).value;
         };
         const auto by_amplitude = [&](double step) {
           return (inclined_equilibrium(modulus, amplitude + step).*member).value;
         };
-        EXPECT_NEAR((here.*member).by_modulus, difference(by_modulus, 1e-3), 1e-8)
+        EXPECT_NEAR((here.*member).by_modulus, difference(by_modulus, 2e-4), 1e-8)
             << modulus << ", " << amplitude;
-        EXPECT_NEAR((here.*member).by_amplitude, difference(by_amplitude, 1e-3), 1e-8)
+        EXPECT_NEAR((here.*member).by_amplitude, difference(by_amplitude, 2e-4), 1e-8)
             << modulus << ", " << amplitude;
       }
     }
@@ -120,7 +120,7 @@ TEST(InclinedElastica, MirroredBladeHasTheMirroredShapeToTheLastBit) {
   for (const double amplitude : {1e-5, 0.5, 1.7, 3.0}) {
     const InclinedPoint one = inclined_equilibrium(0.3, amplitude);
     const InclinedPoint other = inclined_equilibrium(-0.3, amplitude);
-    EXPECT_EQ(other.load, one.load);
+    EXPECT_EQ(other.load.value, one.load.value);
     EXPECT_EQ(other.load_angle.value, -one.load_angle.value);
     EXPECT_EQ(other.shortening.value, one.shortening.value);
     EXPECT_EQ(other.deflection.value, -one.deflection.value);

@@ -220,7 +220,8 @@ TEST(DirectedElastica, RootFromANeighbourIsTheRootFromScratch) {
       if (!root) continue;
       const auto one = law.constraint(at, slip, 0.5, *root);
       const auto other = law.constraint(at, slip, 0.5, *near);
-      ASSERT_NEAR(other.blade.load, one.blade.load, 1e-11 * one.blade.load) << friction << ", " << i;
+      ASSERT_NEAR(other.blade.load.value, one.blade.load.value, 1e-11 * one.blade.load.value)
+          << friction << ", " << i;
       ASSERT_NEAR(other.tangential, one.tangential, 1e-13) << friction << ", " << i;
       ++compared;
     }

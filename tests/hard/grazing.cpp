@@ -9,7 +9,7 @@
 #include "../support/point.hpp"
 #include "contact/elastic_ring_contact.hpp"
 #include "honest_end.hpp"
-#include "modes/flight.hpp"
+#include "modes/touchdown_search.hpp"
 #include "rotor/free_motion.hpp"
 
 namespace rubatlas::test {

@@ -68,7 +68,7 @@ TEST(Tangents, ContractPhaseVolumeByDampingAlone) {
       const auto map = solver->section_map(speed, start, 1);
       ASSERT_TRUE(map.differentiable) << speed;
       const double expected =
-          std::exp(-4.0 * scene.rotor.damping_ratio * 2.0 * std::numbers::pi / speed + map.log_saltation);
+          std::exp(-4.0 * scene.rotor.damping_ratio * 2.0 * std::numbers::pi / speed + map.log_volume);
       // Digits of a determinant are lost against the product of the norms.
       const double rounding = 1e-14 * std::pow(map.jacobian.norm(), 4);
       EXPECT_NEAR(map.jacobian.determinant(), expected, 1e-9 * expected + rounding)
@@ -128,6 +128,47 @@ TEST(Tangents, OnAnySupportAreTheDerivativeOfTheSectionMap) {
     }
   }
   EXPECT_GE(compared, 4);
+}
+
+/// Rotors whose friction depends on the slip velocity, slowly enough that it does in every contact.
+std::vector<settings::Scene> with_friction_that_depends_on_velocity() {
+  std::vector<settings::Scene> scenes;
+  for (const auto law : {settings::ContactLaw::elastica, settings::ContactLaw::elastic_ring}) {
+    settings::Scene regularised = tight_rotor();
+    regularised.contact.law = law;
+    regularised.regularised_friction = effects::RegularisedFriction{.velocity = 0.4};
+    settings::Scene stribeck = tight_rotor();
+    stribeck.contact.law = law;
+    stribeck.stribeck =
+        effects::Stribeck{.static_friction = 0.3, .velocity = 0.5, .regularising_velocity = 0.1};
+    scenes.insert(scenes.end(), {regularised, stribeck});
+  }
+  return scenes;
+}
+
+TEST(Tangents, UnderFrictionThatDependsOnVelocityAreTheDerivativeOfTheSectionMap) {
+  for (const settings::Scene& scene : with_friction_that_depends_on_velocity()) {
+    int compared = 0;
+    const auto solver = solver_of(scene);
+    for (const double speed : {0.31, 0.45, 0.62, 0.75}) {
+      if (are_held_against_differences(*solver, speed)) ++compared;
+    }
+    EXPECT_GE(compared, 2);
+  }
+}
+
+TEST(Tangents, UnderFrictionThatDependsOnVelocityContractPhaseVolumeByItToo) {
+  for (const settings::Scene& scene : with_friction_that_depends_on_velocity()) {
+    const auto solver = solver_of(scene);
+    for (const double speed : {0.31, 0.45, 0.62, 0.75}) {
+      const auto map = solver->section_map(speed, reached(*solver, speed, 20), 1);
+      ASSERT_TRUE(map.differentiable) << speed;
+      EXPECT_GT(std::abs(map.log_volume), 1e-6) << "friction takes part";
+      const double damping = -4.0 * scene.rotor.damping_ratio * 2.0 * std::numbers::pi / speed;
+      EXPECT_NEAR(std::log(std::abs(map.jacobian.determinant())), damping + map.log_volume, 1e-8)
+          << "speed ratio " << speed;
+    }
+  }
 }
 
 settings::Scene in_ring_body(settings::ContactLaw law) {
