@@ -10,7 +10,7 @@ namespace rubatlas::assembly {
 std::unique_ptr<point::LineSolver> make_directed_elastic_blades(const FamilyRequest& request) {
   const settings::Scene& line = request.line;
   const auto with_direction = [&]<class Direction>() {
-    return variation::with_friction(line, request.combination.consumed, [&](const auto& friction) {
+    return variation::with_friction(line, [&](const auto& friction) {
       using Law = contact::DirectedElastica<Direction, std::remove_cvref_t<decltype(friction)>>;
       return with_law(request, [&](const settings::Blades& blade) {
         return Law(geometry_of(line.ring, blade), blade_of(blade), friction);

@@ -9,7 +9,7 @@ namespace rubatlas::assembly {
 
 std::unique_ptr<point::LineSolver> make_rigid_blades(const FamilyRequest& request) {
   const settings::Scene& line = request.line;
-  return variation::with_friction(line, request.combination.consumed, [&](const auto& friction) {
+  return variation::with_friction(line, [&](const auto& friction) {
     return with_law(request, [&](const settings::Blades& blade) {
       return contact::RigidBladeContact(geometry_of(line.ring, blade), line.ring.stiffness, friction);
     });

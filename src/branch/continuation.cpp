@@ -24,7 +24,6 @@ constexpr double kGrazes = 1e-4;
 /// In clearances per unit τ: a tip that touches down more slowly, and ever more so along the branch, grazes.
 /// There its place is known to rounding, which over the speed makes 1e-10 of a time.
 constexpr double kGrazingSpeed = 1e-5;
-constexpr double kFirstSpeed = 1e-4;    ///< of a touch-down that is new, likewise
 constexpr double kSame = 1e-4;          ///< scaled: orbits that are nearer to each other are of one branch
 constexpr double kNearlyClosed = 1e-2;  ///< in clearances: an orbit with such a touch-down closes nearly
 
@@ -193,16 +192,17 @@ Branch Continuation::follow(State state, std::size_t most) {
       const Varied& varied = shooting_->varied()[number];
       const double limit =
           shooting_->quantity(next->at, number) > varied.highest ? varied.highest : varied.lowest;
-      Unknowns end = next->at;
-      end[4] = limit / varied.scale;
+      const double share = (limit / varied.scale - state.at[4]) / (next->at[4] - state.at[4]);
       Unknowns plane = Unknowns::Zero(shooting_->size());
       plane[4] = 1.0;
-      if (const auto last = correct(end, plane); last && same_touches(state.orbit, last->orbit)) {
-        locate(state, *last, std::max((last->at - state.at).norm(), kShortestStep), branch.events);
+      const auto last = correct(state.at + share * (next->at - state.at), plane);
+      const double way = last ? (last->at - state.at).norm() : length;
+      if (last && way <= length && same_touches(state.orbit, last->orbit)) {
+        locate(state, *last, std::max(way, kShortestStep), branch.events);
         branch.orbits.push_back(last->orbit);
         break;
       }
-      // A grazing lies before the end of the range.
+      next.reset();  // another branch, or a grazing before the end of the range
     }
     std::optional<Grazing> within;
     if (next && !same_touches(state.orbit, next->orbit)) {
@@ -400,13 +400,20 @@ std::optional<Continuation::State> Continuation::with_touch(const Event& grazing
   Unknowns along = Unknowns::Zero(shooting_->size());
   along[kApproachSpeed] = touches ? -1.0 : 1.0;
   Unknowns at = shooting_->scaled(*place, grazing.orbit.quantities);
-  if (!touches) at[kApproachSpeed] = kFirstSpeed;
-  for (const int passings : shooting_->passings_of_periods()) {
-    shooting_->cut_at({place->blade, place->revolution, passings});
-    // Blades that are alike may touch one after the other: a shorter part of the orbit closes in itself then.
-    const auto orbit = shooting_->orbit(at);
-    if (!orbit || orbit->mismatch.norm() > kNearlyClosed) continue;
-    if (auto state = correct(at, along); state && state->orbit.admissible) return state;
+  const std::vector<int> periods = shooting_->passings_of_periods();
+  for (const double speed : {1e-4, 3e-5}) {
+    if (!touches) at[kApproachSpeed] = speed;
+    for (const int passings : periods) {
+      shooting_->cut_at({place->blade, place->revolution, passings});
+      // Blades that are alike may touch one after the other: a shorter part of the orbit closes in itself
+      // then.
+      if (passings < periods.back()) {
+        const auto orbit = shooting_->orbit(at);
+        if (!orbit || orbit->mismatch.norm() > kNearlyClosed) continue;
+      }
+      if (auto state = correct(at, along); state && state->orbit.admissible) return state;
+    }
+    if (touches) break;
   }
   return std::nullopt;
 }

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "settings/combinations.hpp"
 #include "settings/effects/list.hpp"
 #include "variation/blades_of_scene.hpp"
 #include "variation/directed_stiffness.hpp"
@@ -38,7 +37,7 @@ std::shared_ptr<const blade::ElasticaCurve> curve_of(double friction, blade::The
 
 ContactStiffness::Law ContactStiffness::law_of(const settings::Scene& line) {
   const contact::Geometry geometry = geometry_of(line.ring, line.blades);
-  return with_friction(line, settings::acting(line), [&]<class Friction>(const Friction& friction) -> Law {
+  return with_friction(line, [&]<class Friction>(const Friction& friction) -> Law {
     if (line.contact.law == settings::ContactLaw::elastic_ring)
       return RigidBlade{line.ring.stiffness, friction};
     if constexpr (Friction::kDependsOnVelocity) {

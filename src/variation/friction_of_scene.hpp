@@ -2,26 +2,25 @@
 #pragma once
 
 #include "contact/friction_law.hpp"
-#include "settings/combinations.hpp"
+#include "settings/effects/list.hpp"
 #include "settings/scene.hpp"
 
 namespace rubatlas::variation {
 
-/// Calls `use` with the friction law of a line on which these effects act; velocities become metres per unit
-/// τ.
+/// Calls `use` with the friction law of a line; velocities become metres per unit τ.
 template <class Use>
-auto with_friction(const settings::Scene& line, settings::EffectSet acting, Use use) {
+auto with_friction(const settings::Scene& line, Use use) {
   using effects::Effects;
   const double per_time = 1.0 / line.rotor.natural_frequency;
   const double friction = line.contact.friction;
-  if (acting.contains<&Effects::stribeck>()) {
+  if (effects::acts<&Effects::stribeck>(line)) {
     const effects::Stribeck& law = *line.stribeck;
     return use(contact::StribeckFriction{law.static_friction, friction, law.velocity * per_time,
                                          law.regularising_velocity * per_time});
   }
-  if (acting.contains<&Effects::regularised_friction>()) {
+  // Without friction there is nothing to be regularised.
+  if (effects::acts<&Effects::regularised_friction>(line) && friction != 0.0)
     return use(contact::RegularisedFriction{friction, line.regularised_friction->velocity * per_time});
-  }
   return use(contact::CoulombFriction{friction});
 }
 

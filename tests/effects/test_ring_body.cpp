@@ -14,6 +14,7 @@
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
 #include "modes/ring_flight.hpp"
+#include "modes/touchdown_search.hpp"
 #include "motion/modes_of_axial_loads.hpp"
 #include "motion/modes_of_rigid_blades.hpp"
 #include "motion/motion.hpp"

@@ -15,6 +15,7 @@
 #include "contact/elastic_ring_contact.hpp"
 #include "effect_scene.hpp"
 #include "modes/supported_flight.hpp"
+#include "modes/touchdown_search.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/blade_set.hpp"
 

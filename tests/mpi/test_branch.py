@@ -22,16 +22,29 @@ class Branch(JobTest):
             file.visit(names.append)
             return {name: file[name][()] for name in names if isinstance(file[name], h5py.Dataset)}
 
-    def test_both_ends_of_region_two_graze_on_the_receding_side(self):
-        for start, end in ((0.42, 0.4393376950), (0.62, 0.5954369945)):
-            said = self.branch("--from", f"speed_ratio={start}", "--along", "speed_ratio", "--to",
-                               str(0.46 if end > start else 0.55))
-            found = self.rows()
-            self.assertIn("on the receding side", said)
-            self.assertEqual(list(found["events/kind"]), [4])
-            self.assertEqual(list(found["events/grazing_side"]), [3])
-            self.assertAlmostEqual(found["events/parameter"][0], end, delta=1e-8)
-            self.assertLess(found["events/uncertainty"][0], 1e-8)
+    def grazings(self):
+        found = self.rows()
+        at = found["events/kind"] == 4
+        self.assertEqual(set(found["events/grazing_side"][at]), {3}, "the receding side")
+        self.assertLess(max(found["events/uncertainty"][at]), 1e-7)
+        return list(found["events/parameter"][at])
+
+    def test_region_two_lies_between_two_grazings_and_one_branch_of_unstable_orbits_leads_from_one_to_the_other(self):
+        said = self.branch("--from", "speed_ratio=0.42", "--along", "speed_ratio", "--to", "0.46")
+        self.assertIn("on the receding side", said)
+        first, = self.grazings()
+        self.assertAlmostEqual(first, 0.439338032, delta=1e-8)
+        found = self.rows()
+        self.assertEqual(found["parameter"][-1], 0.46)
+        self.assertTrue(((found["stability"] == 1) == (found["parameter"] <= first)).all(), "unstable behind the grazing")
+        self.branch("--from", "speed_ratio=0.62", "--along", "speed_ratio", "--to", "0.43")
+        last, again = self.grazings()
+        self.assertAlmostEqual(last, 0.595436672, delta=1e-8)
+        self.assertAlmostEqual(again, first, delta=1e-8, msg="the same grazing, from where the contact vanishes")
+        found = self.rows()
+        self.assertEqual(found["admissible"].min(), 1)
+        self.assertEqual(found["parameter"][-1], 0.43)
+        self.assertEqual(found["stability"][-1], 1)
 
     def test_region_four_begins_with_a_period_doubling_at_which_the_branch_can_be_switched(self):
         self.branch("--from", "speed_ratio=0.67", "--along", "speed_ratio", "--to", "0.70", "--switch")

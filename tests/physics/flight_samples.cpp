@@ -8,6 +8,7 @@
 
 #include "contact/elastic_ring_contact.hpp"
 #include "modes/flight_piece.hpp"
+#include "modes/touchdown_search.hpp"
 #include "observables/largest_distance.hpp"
 
 namespace rubatlas::test {

@@ -47,6 +47,9 @@ class BranchFile:
         return self.attribute(which).rsplit("/", 1)[-1].replace("_", " ")
 
 
+JUMP = 100.0  # of a value, between two orbits that are neighbours
+
+
 def size_of(orbits):
     """Distance of the section from the centre [mm]."""
     return 1e3 * np.hypot(*np.moveaxis(np.asarray(orbits)[:, :2], -1, 0))
@@ -61,14 +64,17 @@ def draw_curve(branch, figure):
 
 
 def stretches(stable, parameter, values, events):
-    """(stable or not, parameter, value) of each stretch of one stability; neighbours meet at the bifurcation between them."""
+    """(stable or not, parameter, value) of each stretch of one stability; neighbours meet at the bifurcation between them, unless the value
+    jumps there, as multipliers do at a grazing."""
     begins = [0, *(1 + np.flatnonzero(stable[1:] != stable[:-1])), len(stable)]
     joints = []
     for after in begins[1:-1]:
         low, high = sorted(parameter[after - 1:after + 1])
         between = [*events[(events >= low) & (events <= high)], 0.5 * (low + high)][0]
         share = (between - parameter[after - 1]) / (parameter[after] - parameter[after - 1] or 1.0)
-        joints.append(([between], [values[after - 1] + share * (values[after] - values[after - 1])]))
+        before, behind = values[after - 1:after + 1]
+        met = max(before, behind) < JUMP * min(before, behind)
+        joints.append(([between], [before + share * (behind - before)]) if met else ([], []))
     for number, (first, end) in enumerate(zip(begins[:-1], begins[1:])):
         parts = [*joints[max(0, number - 1):number], (parameter[first:end], values[first:end]), *joints[number:number + 1]]
         yield stable[first], *(np.concatenate(part) for part in zip(*parts))
