@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace rubatlas::branch {
@@ -174,7 +173,6 @@ Branch Continuation::follow(State state, std::size_t most) {
   const auto in_section = [&](const Orbit& orbit) {
     return shooting_->scaled(orbit.section, orbit.quantities);
   };
-  // Where the branch comes back to, it has closed: its first orbit, or where it went on behind a grazing.
   const Unknowns first = in_section(state.orbit);
   std::vector<Unknowns> behind_grazings;
   while (branch.orbits.size() < most) {
@@ -187,18 +185,8 @@ Branch Continuation::follow(State state, std::size_t most) {
     }
     const bool eased = iterations_ <= kEasy;
     if (next && !shooting_->in_range(next->at)) {
-      // The last orbit stands where the range ends.
-      const std::size_t number = 0;
-      const Varied& varied = shooting_->varied()[number];
-      const double limit =
-          shooting_->quantity(next->at, number) > varied.highest ? varied.highest : varied.lowest;
-      const double share = (limit / varied.scale - state.at[4]) / (next->at[4] - state.at[4]);
-      Unknowns plane = Unknowns::Zero(shooting_->size());
-      plane[4] = 1.0;
-      const auto last = correct(state.at + share * (next->at - state.at), plane);
-      const double way = last ? (last->at - state.at).norm() : length;
-      if (last && way <= length && same_touches(state.orbit, last->orbit)) {
-        locate(state, *last, std::max(way, kShortestStep), branch.events);
+      if (const auto last = at_end_of_range(state, *next)) {
+        locate(state, *last, std::max((last->at - state.at).norm(), kShortestStep), branch.events);
         branch.orbits.push_back(last->orbit);
         break;
       }
@@ -215,19 +203,15 @@ Branch Continuation::follow(State state, std::size_t most) {
     if (!next) {
       length *= 0.5;
       if (length >= kShortestStep && !vanishes(state)) continue;
-      auto found = locate_grazing(state, kFirstStep);
-      const auto grazing = found ? std::optional(std::move(found->event)) : std::nullopt;
-      auto beyond = grazing ? beyond_grazing(*grazing, state) : std::nullopt;
-      // A contact that becomes light is followed to where it vanishes.
-      const bool lightens = beyond && shooting_->cut() && beyond->tangent[kApproachSpeed] < 0.0;
-      if (!lightens) branch.events.push_back(grazing.value_or(Event{EventKind::lost, state.orbit}));
-      if (!beyond) break;
-      const Unknowns place = in_section(beyond->orbit);
-      const bool known = std::ranges::any_of(
+      auto behind = go_on_behind_grazing(state, branch.events);
+      if (!behind) break;
+      // A branch that has come back to where it went on before has closed.
+      const Unknowns place = in_section(behind->orbit);
+      const bool closed = std::ranges::any_of(
           behind_grazings, [&](const Unknowns& other) { return (place - other).norm() < kSame; });
-      if (known) break;
+      if (closed) break;
       behind_grazings.push_back(place);
-      state = std::move(*beyond);
+      state = std::move(*behind);
       branch.orbits.push_back(state.orbit);
       length = kFirstStep;
       continue;
@@ -242,6 +226,34 @@ Branch Continuation::follow(State state, std::size_t most) {
     length = eased ? std::min(1.5 * length, kLongestStep) : length;
   }
   return branch;
+}
+
+std::optional<Continuation::State> Continuation::at_end_of_range(const State& inside, const State& outside) {
+  const Varied& varied = shooting_->varied()[0];
+  const double limit =
+      (shooting_->quantity(outside.at, 0) > varied.highest ? varied.highest : varied.lowest) / varied.scale;
+  const Unknowns way = outside.at - inside.at;
+  Unknowns plane = Unknowns::Zero(shooting_->size());
+  plane[4] = 1.0;
+  auto last = correct(inside.at + (limit - inside.at[4]) / way[4] * way, plane);
+  const bool between = last && (last->at - inside.at).norm() <= way.norm();
+  return between && same_touches(inside.orbit, last->orbit) ? last : std::nullopt;
+}
+
+std::optional<Continuation::State> Continuation::go_on_behind_grazing(const State& before,
+                                                                      std::vector<Event>& events) {
+  const auto grazing = locate_grazing(before, kFirstStep);
+  if (!grazing) {
+    events.push_back({EventKind::lost, before.orbit});
+    return std::nullopt;
+  }
+  const auto cut = shooting_->cut();
+  auto behind = vanishes(before) ? without_touch(grazing->event, before) : with_touch(grazing->event);
+  if (!behind) cut ? shooting_->cut_at(*cut) : shooting_->cut_at_section();
+  // A contact that becomes light is followed to where it vanishes, which is the grazing.
+  const bool lightens = behind && shooting_->cut() && behind->tangent[kApproachSpeed] < 0.0;
+  if (!lightens) events.push_back(grazing->event);
+  return behind;
 }
 
 void Continuation::add_grazing(Event grazing, std::vector<Event>& events) const {
@@ -372,23 +384,19 @@ void Continuation::extrapolate(const State& last, Event& event) {
 }
 
 Event Continuation::at_grazing_touch(const State& from) {
-  // The contact vanishes where the approach speed does; from here to there the branch is straight.
-  const double way = -from.at[kApproachSpeed] / from.tangent[kApproachSpeed];
+  // The contact vanishes where the approach speed does, and the branch is nearly straight up to there.
+  const auto vanishing_at = [&](const State& state) {
+    const double way = -state.at[kApproachSpeed] / state.tangent[kApproachSpeed];
+    return (state.at[4] + way * state.tangent[4]) * shooting_->varied()[0].scale;
+  };
   Event event{EventKind::grazing, from.orbit,
               from.orbit.map.lightest_side > 0.0 ? observables::GrazingSide::approaching
                                                  : observables::GrazingSide::receding};
-  const Varied& varied = shooting_->varied()[0];
-  const double change = way * from.tangent[4] * varied.scale;
-  event.orbit.quantities[0] += change;
-  event.uncertainty = std::abs(change);
+  const double value = vanishing_at(from);
+  const auto nearer = advance(from, longest_step(from));
+  event.uncertainty = std::abs(value - (nearer ? vanishing_at(*nearer) : from.orbit.quantities[0]));
+  event.orbit.quantities[0] = value;
   return event;
-}
-
-std::optional<Continuation::State> Continuation::beyond_grazing(const Event& grazing, const State& before) {
-  const auto cut = shooting_->cut();
-  auto state = vanishes(before) ? without_touch(grazing, before) : with_touch(grazing);
-  if (!state) cut ? shooting_->cut_at(*cut) : shooting_->cut_at_section();
-  return state;
 }
 
 std::optional<Continuation::State> Continuation::with_touch(const Event& grazing) {

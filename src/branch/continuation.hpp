@@ -47,6 +47,8 @@ class Continuation {
   [[nodiscard]] std::optional<Unknowns> tangent_at(const Unknowns& at, const Orbit& orbit,
                                                    const Unknowns& along);
   [[nodiscard]] Branch follow(State state, std::size_t most);
+  /// The orbit where the first quantity's range ends, between an orbit in it and one beyond.
+  [[nodiscard]] std::optional<State> at_end_of_range(const State& inside, const State& outside);
   void add_grazing(Event grazing, std::vector<Event>& events) const;
   /// The touch-down at which the orbit is cut is about to vanish.
   [[nodiscard]] bool vanishes(const State& state) const;
@@ -66,8 +68,8 @@ class Continuation {
   /// Where the touch-down at which the orbit is cut vanishes, ahead of an orbit that is near.
   [[nodiscard]] Event at_grazing_touch(const State& from);
   /// Where the branch goes on behind a grazing at which the section map ends: with the new touch, or without
-  /// the one that has vanished. Cuts the orbit accordingly.
-  [[nodiscard]] std::optional<State> beyond_grazing(const Event& grazing, const State& before);
+  /// the one that has vanished. Cuts the orbit accordingly. Adds the grazing, or that the branch is lost.
+  [[nodiscard]] std::optional<State> go_on_behind_grazing(const State& before, std::vector<Event>& events);
   [[nodiscard]] std::optional<State> with_touch(const Event& grazing);
   [[nodiscard]] std::optional<State> without_touch(const Event& grazing, const State& before);
   [[nodiscard]] double uncertainty(const State& a, const State& b) const;

@@ -111,9 +111,8 @@ class Lyapunov final : public Observable {
   /// Over all sampled revolutions, those in which the tangents turn included.
   void write_residual(std::span<double> row) const {
     const double duration = static_cast<double>(growths_.size()) * period_;
-    row[0] = flow_.known()
-                 ? (sum(growths_).sum() - flow_.log_volume()) / duration - flow_.phase_volume_rate()
-                 : std::numeric_limits<double>::quiet_NaN();
+    row[0] = flow_.known() ? (sum(growths_).sum() - flow_.log_volume()) / duration - flow_.phase_volume_rate()
+                           : std::numeric_limits<double>::quiet_NaN();
   }
 
   int aligning_;  ///< revolutions

@@ -122,8 +122,7 @@ TEST(HardTangents, AreTheDerivativeOfTheSectionMapForRotorsOfEveryKind) {
       EXPECT_LE((map.jacobian - expected.jacobian).norm(),
                 (1e-6 + expected.error) * expected.jacobian.norm());
       const double damping = one.scene.rotor.damping_ratio;
-      const double contraction =
-          -4.0 * damping * 2.0 * std::numbers::pi / one.speed_ratio + map.log_volume;
+      const double contraction = -4.0 * damping * 2.0 * std::numbers::pi / one.speed_ratio + map.log_volume;
       const double rounding = 1e-14 * std::pow(map.jacobian.norm(), 4);
       EXPECT_NEAR(map.jacobian.determinant(), std::exp(contraction), 1e-9 * std::exp(contraction) + rounding);
     }
