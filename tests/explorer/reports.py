@@ -11,9 +11,9 @@ SOLVER = PROGRAM.parent / "rubatlas.wasm"
 COMMAND = ROOT / "tools/rubatlas-report"
 
 
-def report(*arguments):
+def report(*arguments, environment=None):
     """The command, ended."""
-    return subprocess.run(["/usr/bin/python3", COMMAND, *map(str, arguments)], capture_output=True, text=True, check=False)
+    return subprocess.run(["/usr/bin/python3", COMMAND, *map(str, arguments)], env=environment, capture_output=True, text=True, check=False)
 
 
 def made(output, source, *arguments, solver=True):

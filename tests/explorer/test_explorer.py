@@ -3,15 +3,17 @@ import csv
 import json
 import pathlib
 import re
+import subprocess
 import tempfile
 import time
 import unittest
+import urllib.parse
 import xml.etree.ElementTree
 
 import h5py
 import numpy as np
 from browser import Browser
-from reports import ROOT, TINY, made, run, tiny
+from reports import PROGRAM, ROOT, TINY, made, run, tiny
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.keys import Keys
 
@@ -88,13 +90,13 @@ class Explorer(unittest.TestCase):
         self.assertEqual(self.browser.log(), [])
 
     def test_every_kind_of_atlas_opens(self):
-        for name, options in (("rings", ["--maps", TINY / "rings_maps.h5"]), ("basins", ["--maps", TINY / "basins_maps.h5"]), ("gravity", [])):
+        for name, options in (("rings", ["--maps", TINY / "rings_maps.h5"]), ("basins", ["--maps", TINY / "basins_maps.h5"]), ("gravity", ["--orbits", "4"])):
             with self.subTest(name):
                 self.open(report=made(self.folder / f"{name}.html", TINY / f"{name}.h5", *options))
                 self.press(Keys.ARROW_RIGHT)
                 self.assertEqual(self.browser.log(), [])
 
-    def test_where_the_solver_does_not_know_the_scene_the_page_says_so_and_all_else_works(self):
+    def test_where_the_solver_does_not_know_the_scene_the_page_says_so_and_shows_the_orbits_that_the_program_computed(self):
         self.open(report=made(self.folder / "gravity.html", TINY / "gravity.h5"))
         self.assertIn("gravity", self.browser.text("#not-computed"))
         self.assertTrue(self.browser.find("#not-computed").is_displayed())
@@ -102,11 +104,40 @@ class Explorer(unittest.TestCase):
         self.click_cell(0.5, 0.5)
         self.assertEqual(self.browser.facts()["Status"], "done")
         self.assertGreater(len(columns(self.browser.exported("CSV", "poincare"))["atlas_x_mm"]), 0)
+        self.assertEqual(self.browser.text("#chart-orbit .badge"), "computed by the program")
+        place = urllib.parse.parse_qs(urllib.parse.urlsplit(self.browser.driver.current_url).fragment)["at"][0].split(",")
+        with h5py.File(TINY / "gravity.h5") as atlas:
+            at = ",".join(f"{axis}={float(atlas[axis][int(index)])!r}" for axis, index in zip(("damping_ratio", "speed_ratio"), place[-2:]))
+        orbit = self.folder / "gravity_orbit.h5"
+        subprocess.run([PROGRAM, "orbit", ROOT / "tests/tools/gravity.json", "--at", at, "--from", TINY / "gravity.h5", "-o", orbit],
+                       check=True, capture_output=True)
+        shown = columns(self.browser.exported("CSV", "rotor"))
+        with h5py.File(orbit) as file:
+            last, stride = len(shown["tau"]), max(1, len(file["time"]) // len(file["sections"]) // 128)
+            for part, name in enumerate(("x_m", "y_m", "vx_m", "vy_m")):
+                np.testing.assert_allclose(np.array(shown[name], float), file["state"][::stride, part][-last:], rtol=1e-6, atol=1e-9)
+            np.testing.assert_allclose(np.array(shown["force_of_blade_1_N"], float), file["force"][::stride, 0][-last:], rtol=1e-6)
+        before = self.browser.pixels("#rotor")
+        self.browser.find("#play").click()
+        self.browser.wait_for("Number(document.getElementById('rotor').dataset.time) > 0.2")
+        self.browser.find("#play").click()
+        self.assertNotEqual(self.browser.pixels("#rotor"), before)
+        self.assertEqual(self.browser.log(), [])
+
+    def without_web_assembly(self):
+        script = self.browser.command("Page.addScriptToEvaluateOnNewDocument", source="delete window.WebAssembly")
+        self.addCleanup(self.browser.command, "Page.removeScriptToEvaluateOnNewDocument", **script)
+
+    def test_a_point_whose_orbit_is_not_in_the_report_names_the_nearest_that_is(self):
+        self.without_web_assembly()
+        self.open(report=made(self.folder / "two_orbits.html", TINY / "atlas.h5", "--maps", TINY / "maps.h5", "--orbits", "2"))
+        self.assertIn("orbits from the program, which computed those of 2 points", self.browser.text("#not-computed"))
+        self.open("#at=0,0,0,1,17", self.folder / "two_orbits.html")
+        self.assertRegex(self.browser.text("#rotor-status"), "no orbit of this point; the nearest with one: .*Ω 0[.][0-9]+")
         self.assertEqual(self.browser.log(), [])
 
     def test_without_web_assembly_all_that_comes_from_the_atlas_works(self):
-        script = self.browser.command("Page.addScriptToEvaluateOnNewDocument", source="delete window.WebAssembly")
-        self.addCleanup(self.browser.command, "Page.removeScriptToEvaluateOnNewDocument", **script)
+        self.without_web_assembly()
         self.open()
         self.assertEqual(self.browser.dataset("computer"), "none")
         self.assertIn("runs no WebAssembly", self.browser.text("#not-computed"))
@@ -312,9 +343,12 @@ class Explorer(unittest.TestCase):
         slope = 2 * np.arcsin(np.sin(half_angle) + excess) - 2 * half_angle
         self.browser.driver.get("about:blank")
         for i in range(3):
+            self.assertAlmostEqual(self.browser.run((PAGE / "elastica.js").read_text() + "return tipSlope(...arguments)", load[i], friction), slope[i], delta=1e-3)
             for side in (1.0, -1.0):
-                points = self.browser.run((PAGE / "elastica.js").read_text() + "return bladeShape(...arguments)", load[i], friction, side * slope[i])
-                # A picture's width has a thousand pixels.
+                # The orbit says the load; that the tip is on the ring says the side. A picture's width has a thousand pixels.
+                points = self.browser.run((PAGE / "elastica.js").read_text() +
+                                          "return bentBlade(arguments[0], arguments[1], [1, -1], ([along, across]) => across - arguments[2])",
+                                          load[i], friction, side * deflection[i])
                 self.assertAlmostEqual(points[-1][0], 1 - shortening[i], delta=1e-3)
                 self.assertAlmostEqual(points[-1][1], side * deflection[i], delta=1e-3)
 

@@ -3,8 +3,8 @@
 ///
 /// The page writes a request, calls `compute`, and reads arrays from the module's memory. Settings, motions
 /// and the protocol of a point are those of the program, compiled from the same sources; this file fills a
-/// scene from numbers instead of from JSON, and adds how far each blade bends, for the drawing. The scene is
-/// the paper's rotor: no effect besides the unbalance, method `hybrid`.
+/// scene from numbers instead of from JSON. The scene is the paper's rotor: no effect besides the unbalance,
+/// method `hybrid`.
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <numbers>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -82,8 +81,6 @@ static_assert(sizeof(Request) % sizeof(double) == 0);
 
 Request request;
 point::Orbit orbit;
-std::vector<double>
-    tip_slopes;  ///< θ(L) [rad] of each blade at each time of the orbit; 0 where it is straight
 assembly::BladeTables* tables = nullptr;
 
 settings::Scene scene_of(const Request& from) {
@@ -128,59 +125,6 @@ bool acceptable(const Request& given) {
          within(given.samples_per_revolution, 2.0, 4096.0);
 }
 
-/// The bending of a blade that touches: the root of h (MODEL 4) along its curve, for a slip direction s. The
-/// curve starts at h = g > 0 and has one root.
-struct Bend {
-  double load;       ///< F [N]
-  double tip_slope;  ///< θ(L) [rad], positive to the side to which friction pushes the tip
-};
-Bend bend_of(const settings::Scene& scene, const blade::ElasticaCurve& curve, double radial,
-             double tangential, double slip) {
-  const settings::Blades& blades = scene.blades;
-  const auto h = [&](double bending) {
-    const blade::CurvePoint at = curve.at(bending);
-    const double outward = radial + blades.hub_radius + blades.length * (1.0 - at.shortening);
-    const double across = tangential - slip * blades.length * at.deflection;
-    return outward * outward + across * across - scene.ring.radius * scene.ring.radius;
-  };
-  double low = 0.0;
-  double high = curve.end();
-  if (!(h(low) > 0.0) || !(h(high) < 0.0)) return {0.0, 0.0};
-  constexpr int kHalvings = 52;  // of an interval of order one, to the last bit
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (low + high);
-    (h(middle) > 0.0 ? low : high) = middle;
-  }
-  const double stiffness = blades.youngs_modulus * blades.width * std::pow(blades.thickness, 3) / 12.0;
-  const double load = curve.at(high).load * stiffness / (blades.length * blades.length);
-  // ψL² = u² + β² at the tip, and θL = ψL − β.
-  const double angle = curve.load_angle();
-  return {load, slip * high * high / (std::hypot(high, angle) + angle)};
-}
-
-/// Tip slopes of the blades that bear a force.
-void find_tip_slopes(const settings::Scene& scene, double speed_ratio) {
-  tip_slopes.assign(orbit.force.size(), 0.0);
-  if (scene.contact.law == settings::ContactLaw::elastic_ring) return;  // its blades are rigid
-  const auto curve = tables->curve(scene.contact.friction);
-  const auto count = static_cast<std::size_t>(scene.blades.count);
-  for (std::size_t i = 0; i < orbit.force.size(); ++i) {
-    const double force = orbit.force[i];
-    if (!(force > 0.0)) continue;
-    const auto& state = orbit.state[i / count];
-    const double angle = speed_ratio * orbit.time[i / count] +
-                         2.0 * std::numbers::pi * static_cast<double>(i % count) / static_cast<double>(count);
-    const double y = state[1] + scene.rotor.misalignment;
-    const double radial = state[0] * std::cos(angle) + y * std::sin(angle);
-    const double tangential = y * std::cos(angle) - state[0] * std::sin(angle);
-    // The orbit does not keep s: of the two directions it is the one whose force is the orbit's.
-    const Bend forward = bend_of(scene, *curve, radial, tangential, 1.0);
-    const Bend backward = bend_of(scene, *curve, radial, tangential, -1.0);
-    const bool is_forward = std::abs(forward.load - force) <= std::abs(backward.load - force);
-    tip_slopes[i] = (is_forward ? forward : backward).tip_slope;
-  }
-}
-
 template <class Values>
 const void* address(const Values& values) {
   return values.data();
@@ -203,7 +147,6 @@ RUBATLAS_EXPORT(compute) int compute() {
   if (tables == nullptr) tables = new assembly::BladeTables;
   const settings::Scene scene = scene_of(request);
   orbit = assembly::make_hybrid({scene, *tables})->orbit(request.speed_ratio, request.start);
-  find_tip_slopes(scene, request.speed_ratio);
   return static_cast<int>(orbit.status);
 }
 /// What ended the point that `compute` has computed last: its text, and how long that is.
@@ -216,8 +159,7 @@ RUBATLAS_EXPORT(ending_size) int ending_size() {
 RUBATLAS_EXPORT(failed_revolution) int failed_revolution() {
   return orbit.failed_revolution;
 }
-/// Arrays of the last orbit. Sections and states are x, y, dx/dτ, dy/dτ; forces and slopes have one number
-/// per blade.
+/// Arrays of the last orbit. Sections and states are x, y, dx/dτ, dy/dτ; forces have one number per blade.
 RUBATLAS_EXPORT(section_count) int section_count() {
   return static_cast<int>(orbit.sections.size());
 }
@@ -235,9 +177,6 @@ RUBATLAS_EXPORT(states) const void* states() {
 }
 RUBATLAS_EXPORT(forces) const void* forces() {
   return address(orbit.force);
-}
-RUBATLAS_EXPORT(slopes) const void* slopes() {
-  return address(tip_slopes);
 }
 RUBATLAS_EXPORT(contact_sample_count) int contact_sample_count() {
   return static_cast<int>(orbit.contacts.time.size());

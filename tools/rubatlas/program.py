@@ -14,13 +14,12 @@ def find_program(program: Path | None = None) -> pathlib.Path:
     """The program: the argument, RUBATLAS_PROGRAM of the environment, `rubatlas` on the PATH, or build/rubatlas of the clone that
     this package lies in."""
     clone = pathlib.Path(__file__).resolve().parents[2] / "build" / "rubatlas"
-    for place in (program, os.environ.get("RUBATLAS_PROGRAM"), shutil.which("rubatlas"), clone):
+    named = program or os.environ.get("RUBATLAS_PROGRAM")
+    for place in [named] if named else [shutil.which("rubatlas"), clone]:
         if place is not None and os.access(place, os.X_OK):
             return pathlib.Path(place)
-        if place is not None and place is program:
-            break
-    named = f"{program}: no program that can be run" if program is not None else "the program rubatlas is not found"
-    raise AtlasError(f"{named}; name it by program=, by RUBATLAS_PROGRAM in the environment, on the PATH, or build it in the clone")
+    what = f"{named}: no program that can be run" if named else "the program rubatlas is not found"
+    raise AtlasError(f"{what}; name it by program=, by RUBATLAS_PROGRAM in the environment, on the PATH, or build it in the clone")
 
 
 def call(arguments: Sequence[Path], program: Path | None = None, ranks: int = 1) -> str:

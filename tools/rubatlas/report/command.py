@@ -1,9 +1,10 @@
 """Makes one HTML file of an atlas: maps, every point with its sections and spectra, and the solver to compute further ones.
 
-  tools/rubatlas-report ATLAS.h5 [-o REPORT.html] [--maps MAPS.h5] [--solver RUBATLAS.wasm | --without-solver]
+  tools/rubatlas-report ATLAS.h5 [-o REPORT.html] [--maps MAPS.h5] [--solver RUBATLAS.wasm | --without-solver] [--orbits COUNT]
 
 The file needs no server and no network: a double click opens it. Maps (`rubatlas analyse`) are taken from ATLAS_maps.h5 beside
-the atlas where --maps does not name them, the solver from build/rubatlas.wasm of the clone.
+the atlas where --maps does not name them, the solver from build/rubatlas.wasm of the clone. Where the page cannot compute a scene, the program
+computes orbits of some of its points.
 """
 import argparse
 import contextlib
@@ -13,7 +14,7 @@ import pathlib
 from rubatlas import command_line
 from rubatlas.atlas_file import AtlasError, AtlasFile, beside
 
-from rubatlas.report.contents import contents
+from rubatlas.report.contents import ORBITS, contents
 from rubatlas.report.page import GENERATOR, page
 
 CLONE = pathlib.Path(__file__).resolve().parents[3]
@@ -71,15 +72,21 @@ def make(options):
         if "status" not in atlas:
             raise AtlasError(f"{options.source}: no /status; a report is made of an atlas, and its maps are named with --maps")
         maps = stack.enter_context(AtlasFile(maps_path)) if maps_path else None
-        result, blocks = contents(atlas, maps, solver)
+        result, blocks = contents(atlas, maps, solver, options.orbits)
     content = page(result, blocks)
     command_line.write_complete(pathlib.Path(options.output), content.encode("utf-8"))
     said = f"{options.output}: {len(content.encode()) / 1e6:.1f} MB, "
     kept = result["lines"]["poincare"]
     said += f"{kept['sections']} of {kept['of']} sections a point" if kept else "without sections"
-    if result["not_computed"]:
-        said += f". {result['not_computed']}"
-    print(said)
+    if result["orbits"] or result["not_computed"]:
+        said += f", {len(result['orbits'])} orbits"
+    print(" ".join([f"{said}.", *(why for why in (result["not_computed"], result["no_orbits"]) if why)]))
+
+
+def orbit_count(word):
+    if not word.isdecimal():
+        raise argparse.ArgumentTypeError(f"{word} is no whole number")
+    return int(word)
 
 
 def main():
@@ -93,6 +100,8 @@ def main():
     solver = parser.add_mutually_exclusive_group()
     solver.add_argument("--solver", metavar="RUBATLAS.wasm", help="default: build/rubatlas.wasm of the clone, if it is there")
     solver.add_argument("--without-solver", action="store_true", help="the page computes nothing")
+    parser.add_argument("--orbits", metavar="COUNT", type=orbit_count,
+                        help=f"orbits that the program computes now, of points spread over the atlas; default: {ORBITS} where the page cannot compute them, else 0")
     options = parser.parse_args()
     if options.output is None:
         options.output = pathlib.Path(options.source).stem + ".html"

@@ -2,7 +2,8 @@
 
 A block is a typed array, zlib and base64, that the page unpacks when it needs it. Numbers that are only drawn are
 float32; states from which the page computes on are float64. Sections and spectra come line by line, so that a page opens without
-unpacking all of them, and as many sections as the size of the file allows.
+unpacking all of them, and as many sections as the size of the file allows. Where the page cannot compute, orbits of some points that the program computes
+are part of it.
 """
 import base64
 import json
@@ -13,6 +14,7 @@ import zlib
 import numpy as np
 
 from rubatlas.atlas_file import DONE, SCENE_VALUE, SYMBOL, AtlasError, printable, swept_pointers, text
+from rubatlas.report.orbits import orbits_of
 from rubatlas.same_scene import MACHINE, POINTS, WORDS, require_same
 
 # Laws and sections of a scene that the solver in the page knows. Everything else is an effect that it does not.
@@ -26,6 +28,8 @@ MOST_POINTS_IN_FULL = 30_000
 # Spectral lines are gathered into bins this many orders wide, the first width with which the spectra take no more than half of the bytes;
 # a bin holds the largest of its lines.
 WIDTHS_OF_BINS = (0.02, 0.05, 0.1, 0.25)
+# So many orbits the program computes for a page that computes none: some tenths of a second each.
+ORBITS = 200
 # Amplitudes are kept as 16 bits of their logarithm over this range below the largest of the atlas.
 DECADES_OF_SPECTRUM = 8.0
 
@@ -213,18 +217,30 @@ def why_not_computed(scene, solver):
     """Why the page computes no points of its own; empty where it does."""
     effects = sorted(set(scene) - SECTIONS_IN_PAGE)
     if effects:
-        return (f"The page computes the rotor with unbalance only, and this scene has more: {', '.join(effects)}. "
-                "Everything shown comes from the atlas.")
+        return f"The page computes the rotor with unbalance only, and this scene has more: {', '.join(effects)}."
     if scene["contact"].get("law", "elastica") not in LAWS_IN_PAGE:
         return (f"The page computes the contact laws {' and '.join(LAWS_IN_PAGE)}, and this scene has "
-                f"{scene['contact']['law']}. Everything shown comes from the atlas.")
+                f"{scene['contact']['law']}.")
     if solver is None:
-        return "This report was made without the solver. Everything shown comes from the atlas."
+        return "This report was made without the solver."
     return ""
 
 
-def contents(atlas, maps, solver):
-    """The JSON of a report, and its blocks. `solver`: bytes of the WebAssembly module, or none."""
+def add_orbits(result, blocks, atlas, count):
+    """Orbits that the program computes: `count` of them, or, where that is None, those of a page that computes none itself."""
+    wanted = count if count is not None else ORBITS if result["not_computed"] else 0
+    if wanted == 0:
+        return
+    try:
+        result["orbits"] = orbits_of(atlas, wanted, 0.6 * (MOST_BYTES - blocks.size), blocks)
+    except AtlasError as error:
+        if count is not None:
+            raise
+        result["no_orbits"] = str(error)
+
+
+def contents(atlas, maps, solver, orbits=None):
+    """The JSON of a report, and its blocks. `solver`: bytes of the WebAssembly module, or none. `orbits`: see `add_orbits`."""
     if maps is not None:
         require_same(atlas.path, atlas.scene, maps.path, maps.scene)
     blocks = Blocks()
@@ -248,9 +264,12 @@ def contents(atlas, maps, solver):
                                                                 "schema_version")},
         "runs": runs_beside(atlas.path),
         "not_computed": why_not_computed(atlas.scene, solver),
+        "orbits": [],
+        "no_orbits": "",
     }
     if blocks.size > MOST_BYTES:
         raise AtlasError(f"{atlas.path}: {status.size} points are too many for one page; a report holds some hundred thousand")
+    add_orbits(result, blocks, atlas, orbits)
     result["lines"] = lines_of(atlas, blocks)
     if not result["not_computed"]:
         blocks.texts["solver"] = base64.b64encode(zlib.compress(solver, 9)).decode("ascii")

@@ -39,6 +39,20 @@ async function openMaps() {
   finalStates = await numbers(atlas.final_state);
 }
 
+// Orbits that the program has computed, by point.
+const orbitsByPoint = new Map(atlas.orbits.map((entry) => [entry.point, entry]));
+/// The orbit of a point as the solver gives one, from time 0; none where the file has none. `period`: of a revolution, in τ.
+async function storedOrbit(point, period) {
+  const entry = orbitsByPoint.get(point);
+  if (!entry) return null;
+  const all = await numbers(entry);
+  let taken = 0;
+  const next = (count) => all.subarray(taken, taken += count);
+  const {samples, times, blades, contact_samples: count} = entry;
+  return {status: 1, blades, samples, time: Float64Array.from({length: times}, (_, i) => i * period / samples), state: next(4 * times), force: next(blades * times),
+    contact: {number: next(count), blade: next(count), time: next(count).map((revolutions) => revolutions * period), force: next(count)}};
+}
+
 // --- How numbers and names look. The locale is the browser's; lengths are shown in millimetres. ---
 
 const DRAWN = {m: ['mm', 1e3], 'kg m': ['g mm', 1e6]};

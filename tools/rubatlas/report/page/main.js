@@ -24,6 +24,8 @@ function firstState() {
   let best = Math.floor(sizes[SPEED] / 2);
   for (let i = 0; i < sizes[SPEED]; ++i) if (size(i) > size(best)) best = i;
   state.place[SPEED] = best;
+  // A page that shows stored orbits begins at one.
+  if (atlas.not_computed && atlas.orbits.length && !orbitsByPoint.has(pointAt(state.place))) state.place = nearestWithOrbit(pointAt(state.place));
 }
 function readAddress() {
   const given = new URLSearchParams(location.hash.slice(1));
@@ -64,9 +66,23 @@ function withTransient(wanted, needed, mayStop = false) {
 }
 
 let asked = 0, running = false, again = false;
+/// What the program has computed of the selected point, in a page that computes nothing.
+async function showStored() {
+  const wanted = requestAt(state.place);
+  const point = pointAt(state.place);
+  const orbit = await storedOrbit(point, 2 * Math.PI / wanted.speed_ratio);
+  if (point !== pointAt(state.place)) return;
+  const missing = atlas.orbits.length ? `This report has no orbit of this point; the nearest with one: ${view.describe(nearestWithOrbit(point))}.` : '';
+  view.showComputed(orbit && {orbit, wanted}, missing);
+  document.documentElement.dataset.computed = ++asked;
+}
+function nearestWithOrbit(point) {
+  const distance = (other) => Math.abs(other - point) + (lineOf(other) === lineOf(point) ? 0 : pointCount);
+  return placeOf(atlas.orbits.map((entry) => entry.point).reduce((best, other) => (distance(other) < distance(best) ? other : best)));
+}
 /// Computes what is selected; while an answer is on its way only the last question counts.
 async function compute() {
-  if (computer.why) { view.showComputed(null); document.documentElement.dataset.computed = ++asked; return; }
+  if (computer.why) return showStored();
   if (running) { again = true; return; }
   running = true;
   do {
@@ -298,7 +314,6 @@ async function open() {
   firstState();
   readAddress();
   view = new PointView(state);
-  view.computer = computer;
   view.walkTo = (speed) => { state.place[SPEED] = axes[SPEED].values.reduce((best, value, i, all) => (Math.abs(value - speed) < Math.abs(all[best] - speed) ? i : best), 0); selected(); };
   map = new AtlasMap(state, (place) => { state.place = place; selected(); byId('map').focus({preventScroll: true}); });
   exportButtons(document.querySelector('[data-export=map]'), map, () => `${mapLabel(mapNamed(state.quantity))} · ${view.describe()}`);
@@ -320,14 +335,11 @@ async function open() {
   view.showComputed(null);
   document.documentElement.dataset.ready = Math.round(performance.now());
   await computer.start(requestAt(state.place));
-  byId('charts').classList.toggle('atlas-only', Boolean(computer.why));
   byId('own').hidden = Boolean(computer.why);
-  byId('rotor-controls').hidden = Boolean(computer.why);
-  byId('rotor').hidden = Boolean(computer.why);
+  document.querySelector('.rotor').classList.toggle('alone', Boolean(computer.why));
   byId('not-computed').hidden = !computer.why;
-  byId('not-computed').textContent = computer.why;
-  document.querySelector('[data-export=rotor]').hidden = Boolean(computer.why);
-  view.rotor.fit();
+  byId('not-computed').textContent = `${computer.why} ${computer.instead}`;
+  view.showMotion(computer);
   await compute();
   document.documentElement.dataset.computer = computer.why ? 'none' : 'there';
 }

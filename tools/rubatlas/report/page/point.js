@@ -54,9 +54,15 @@ class Computer {
       // The browser translates the module in full when it runs first: a point that nobody waits for.
       await this.ask({wanted: {...near, transient_revolutions: 0, sampled_revolutions: 30}, maxOrder: 1});
     } catch (error) {
-      this.why = `The page cannot compute points of its own (${error.message}). Everything shown comes from the atlas.`;
+      this.why = `The page cannot compute points of its own (${error.message}).`;
       this.worker = null;
     }
+  }
+  /// What a page that computes nothing shows instead.
+  get instead() {
+    const count = atlas.orbits.length;
+    return count ? `What is shown comes from the atlas, and orbits from the program, which computed those of ${count} points from the atlas' states when this page was made.`
+      : 'Everything shown comes from the atlas.';
   }
   ask(message) {
     return new Promise((resolve, reject) => {
@@ -84,7 +90,7 @@ function periodOf(sections) {
   return 0;
 }
 
-const FROM_ATLAS = 'from the atlas', COMPUTED = 'computed in this page';
+const FROM_ATLAS = 'from the atlas', COMPUTED = 'computed in this page', FROM_PROGRAM = 'computed by the program';
 
 class PointView {
   constructor(state) {
@@ -119,11 +125,25 @@ class PointView {
     this.rotor = new Rotor(byId('rotor'), byId('rotor-status'));
     exportButtons(document.querySelector('[data-export=rotor]'), this.rotor, () => this.describe());
   }
+  /// Orbit, forces and the moving rotor are there where the page computes them, or the program has.
+  showMotion(computer) {
+    const there = !computer.why || atlas.orbits.length > 0;
+    byId('charts').classList.toggle('atlas-only', !there);
+    for (const {card, badge} of [this.charts.orbit, this.charts.forces]) {
+      card.hidden = !there;
+      badge.textContent = computer.why ? FROM_PROGRAM : COMPUTED;
+    }
+    this.charts.spectrum.card.hidden = Boolean(computer.why) && !atlas.lines.spectrum;
+    for (const one of [byId('rotor'), byId('rotor-controls'), document.querySelector('[data-export=rotor]')]) one.hidden = !there;
+    this.rotor.fit();
+  }
   get point() { return pointAt(this.state.place); }
-  describe() {
+  /// The point in words; `place`: a cell, the selected point by default.
+  describe(place) {
     const {own} = this.state;
-    if (own) return OWN.map(({name, symbol, units}) => `${symbol} ${withUnits(own[name], units, 5)}`).join(', ');
-    return axes.map((axis, i) => `${axis.symbol || words(axis.name)} ${axis.name === 'direction' ? axisWord(axis, this.state.place[i]) : withUnits(axis.values[this.state.place[i]], axis.units, 5)}`).join(', ');
+    if (own && !place) return OWN.map(({name, symbol, units}) => `${symbol} ${withUnits(own[name], units, 5)}`).join(', ');
+    const at = place ?? this.state.place;
+    return axes.map((axis, i) => `${axis.symbol || words(axis.name)} ${axis.name === 'direction' ? axisWord(axis, at[i]) : withUnits(axis.values[at[i]], axis.units, 5)}`).join(', ');
   }
   showFacts() {
     const {own} = this.state;
@@ -146,7 +166,7 @@ class PointView {
         const touches = this.rotor.touchDowns?.length ?? 0;
         pairs.push(['Sections', period ? `repeat every ${period === 1 ? 'revolution' : `${period} revolutions`}` : 'no period up to 16'],
           ['Largest displacement, sampled', withUnits(largest, 'm')], ['Largest force, sampled', withUnits(orbit.force.reduce((a, b) => Math.max(a, b), 0), 'N')],
-          ['Touch-downs per revolution', shown(touches / (orbit.time.length / SAMPLES))]);
+          ['Touch-downs per revolution', shown(touches / (orbit.time.length / orbit.samples))]);
       } else if (result) pairs.push(['Status', `left off in revolution ${result.orbit.failedRevolution + 1}: ${result.orbit.ending}`]);
     } else {
       for (const map of atlas.maps) {
@@ -304,20 +324,18 @@ class PointView {
 
   // --- computed ---
 
-  /// Shows an answer of the solver; null while there is none.
-  showComputed(result) {
+  /// Shows an answer of the solver, or an orbit of the program; null while there is none, and `missing` says why.
+  showComputed(result, missing = '') {
     this.result = result;
     const orbit = result?.orbit?.status === 1 ? result.orbit : null;
-    this.rotor.show(orbit, result?.wanted);
+    this.rotor.show(orbit, result?.wanted, missing);
     this.drawOrbit(orbit);
     this.drawForces(orbit, result?.wanted);
     if (this.opened) this.drawPoint();
     this.showFacts();
   }
   drawOrbit(orbit) {
-    const {chart, note, card} = this.charts.orbit;
-    card.hidden = Boolean(this.computer.why);
-    if (card.hidden) return;
+    const {chart, note} = this.charts.orbit;
     const x = [], y = [];
     for (let i = 0; orbit && i < orbit.time.length; ++i) { x.push(1e3 * orbit.state[4 * i]); y.push(1e3 * orbit.state[4 * i + 1]); }
     const wanted = this.result?.wanted;
@@ -331,22 +349,20 @@ class PointView {
     const [rangeX, rangeY] = [rangeOf([x], 0.12), rangeOf([y], 0.12)];
     this.orbitView = {x: rangeX, y: rangeY, csv: () => ({x_mm: x, y_mm: y})};
     chart.show({layers, ...this.orbitView});
-    note.textContent = orbit ? `${orbit.time.length / SAMPLES} revolutions; dashed: the circle at which a blade that points outwards touches` : this.result?.orbit?.ending ? `no motion: ${this.result.orbit.ending}` : 'no motion to show';
+    note.textContent = orbit ? `${orbit.time.length / orbit.samples} revolutions; dashed: the circle at which a blade that points outwards touches` : this.result?.orbit?.ending ? `no motion: ${this.result.orbit.ending}` : 'no motion to show';
   }
   /// Where the animation is, on the orbit.
   markOrbit(now) {
-    if (this.computer.why || !this.orbitView) return;
+    if (!this.orbitView) return;
     const {chart} = this.charts.orbit;
     chart.layers = [...this.orbitLayers, {kind: 'dots', x: [1e3 * now.x], y: [1e3 * now.y], colour: VERMILION, size: 8}];
     chart.plot.redraw(false);
   }
   drawForces(orbit, wanted) {
-    const {chart, card, note} = this.charts.forces;
-    card.hidden = Boolean(this.computer.why);
-    if (card.hidden) return;
+    const {chart, note} = this.charts.forces;
     const layers = [];
     const period = orbit ? 2 * Math.PI / wanted.speed_ratio : 1;
-    const total = orbit ? orbit.time.length / SAMPLES : 4;
+    const total = orbit ? orbit.time.length / orbit.samples : 4;
     const from = Math.max(0, total - 4);
     const csv = {blade: [], tau: [], force_N: []};
     if (orbit) {

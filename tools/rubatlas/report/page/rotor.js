@@ -12,6 +12,7 @@ class Rotor {
     this.zoom = 0;
     this.trail = true;
     this.frames = 0;
+    this.missing = '';
     this.moved = () => {};
     new ResizeObserver(() => this.fit()).observe(canvas.parentElement);
   }
@@ -21,9 +22,10 @@ class Rotor {
     this.canvas.width = this.canvas.height = Math.round(side * devicePixelRatio);
     this.draw();
   }
-  /// `request` is what the orbit was computed from.
-  show(orbit, request) {
+  /// `request` is what the orbit was computed from; `missing`: what is said where there is none.
+  show(orbit, request, missing) {
     this.orbit = orbit;
+    this.missing = missing;
     this.request = request;
     this.time = 0;
     if (!orbit) { this.pause(); this.draw(); return; }
@@ -58,7 +60,13 @@ class Rotor {
     this.time = (later ?? this.touchDowns[0]) + 1e-6 * this.period;
     this.draw();
   }
-  /// State, forces and slopes at the present time, between the samples of the orbit.
+  /// The angle of rotation φ; a speed ripple makes it run ahead and fall behind (model, section 7.5).
+  angle(time) {
+    const turned = this.request.speed_ratio * time;
+    const {amplitude = 0, order = 1, phase = 0} = atlas.scene.speed_ripple ?? {};
+    return turned + amplitude / order * (Math.sin(order * turned + phase) - Math.sin(phase));
+  }
+  /// State and forces at the present time, between the samples of the orbit.
   present() {
     const {orbit} = this;
     const count = orbit.time.length;
@@ -67,8 +75,7 @@ class Rotor {
     const mix = (array, width, i) => array[width * low + i] + share * (array[width * (low + 1) + i] - array[width * low + i]);
     const blades = Array.from({length: orbit.blades}, (_, i) => {
       const ends = [orbit.force[orbit.blades * low + i], orbit.force[orbit.blades * (low + 1) + i]];
-      return {force: ends[0] > 0 && ends[1] > 0 ? mix(orbit.force, orbit.blades, i) : ends[share < 0.5 ? 0 : 1],
-        slope: ends[0] > 0 && ends[1] > 0 ? mix(orbit.tipSlope, orbit.blades, i) : orbit.tipSlope[orbit.blades * (low + (share < 0.5 ? 0 : 1)) + i]};
+      return {force: ends[0] > 0 && ends[1] > 0 ? mix(orbit.force, orbit.blades, i) : ends[share < 0.5 ? 0 : 1], angle: this.angle(this.time) + 2 * Math.PI * i / orbit.blades};
     });
     return {x: mix(orbit.state, 4, 0), y: mix(orbit.state, 4, 1), low, blades};
   }
@@ -85,7 +92,7 @@ class Rotor {
       const touching = loads.map(([i, force]) => `blade ${i + 1} ${withUnits(force, 'N', 3)}`).join(', ');
       this.status.textContent = `revolution ${shown(1 + Math.floor(revolution), 4)}, ${shown(Math.floor(360 * (revolution % 1)), 3)}° · ${touching ? `in contact: ${touching}` : 'no contact'}`;
       this.moved(this.now);
-    } else this.status.textContent = '';
+    } else this.status.textContent = this.missing;
   }
   paint(pen, side) {
     const unit = pen.scale;
@@ -95,10 +102,7 @@ class Rotor {
     const radius = request.ring_radius;
     // The view closes in on the ring where an undeformed blade is nearest to it, or furthest beyond it.
     const reach = request.hub_radius + request.blade_length;
-    const places = now.blades.map((_, i) => {
-      const angle = request.speed_ratio * this.time + 2 * Math.PI * i / this.orbit.blades;
-      return [now.x + reach * Math.cos(angle), now.y + request.misalignment + reach * Math.sin(angle)];
-    });
+    const places = now.blades.map(({angle}) => [now.x + reach * Math.cos(angle), now.y + request.misalignment + reach * Math.sin(angle)]);
     const nearest = places.reduce((best, place) => (Math.hypot(...place) > Math.hypot(...best) ? place : best));
     const toward = Math.atan2(nearest[1], nearest[0]);
     const near = Math.min(this.zoom, 1);
@@ -125,17 +129,14 @@ class Rotor {
         for (let i = Math.max(0, now.low - 2 * samples); i <= now.low; ++i) path.push(to(this.orbit.state[4 * i], this.orbit.state[4 * i + 1]));
         pen.line(path, {colour: strong(), width: 1.5});
       }
-      const stiffness = request.youngs_modulus * request.blade_width * request.thickness ** 3 / 12;
       now.tips = [];
       now.blades.forEach((blade, i) => {
-        const angle = request.speed_ratio * this.time + 2 * Math.PI * i / this.orbit.blades;
-        const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
-        const load = blade.force * request.blade_length ** 2 / stiffness;
-        const shape = blade.slope ? bladeShape(load, request.friction, blade.slope) : [[0, 0], [1, 0]];
-        const points = shape.map(([along, across]) => {
+        const [cos, sin] = [Math.cos(blade.angle), Math.sin(blade.angle)];
+        const place = ([along, across]) => {
           const outward = request.hub_radius + request.blade_length * along, aside = -request.blade_length * across;
           return [now.x + outward * cos - aside * sin, now.y + outward * sin + aside * cos];
-        });
+        };
+        const points = this.shape(blade.force, place).map(place);
         pen.line(points.map(([x, y]) => to(x, y)), {colour: cycle()[i % 6], width: 3});
         const tip = points[points.length - 1];
         now.tips.push(tip);
@@ -145,11 +146,22 @@ class Rotor {
       pen.circle(...to(now.x, now.y), hub, {colour: ink(), width: 1.5, fill: ground()});
       pen.dots([to(now.x, now.y)], {colour: ink(), size: 4});
       // A mark between blade 1 and the hub's centre shows how the rotor turns.
-      const turn = request.speed_ratio * this.time;
+      const turn = now.blades[0].angle;
       const centre = to(now.x, now.y);
       pen.line([centre, [centre[0] + hub * Math.cos(turn), centre[1] - hub * Math.sin(turn)]], {colour: cycle()[0], width: 2});
     });
     pen.text(this.zoom > 0 ? `×${shown(10 ** this.zoom, 3)}` : '', 8 * unit, 14 * unit, {colour: grey});
+  }
+  /// A blade that bears a force; `place` says where a point of it is.
+  shape(force, place) {
+    const {request} = this;
+    const {contact, yielding_ring: yielding, regularised_friction: turning, stribeck, stick} = atlas.scene;
+    if (!(force > 0) || contact.law === 'elastic_ring') return [[0, 0], [1, 0]];  // rigid blades stay straight
+    const stiffness = request.youngs_modulus * request.blade_width * request.thickness ** 3 / 12;
+    const radius = request.ring_radius + (yielding?.compliance ?? 0) * force;
+    const miss = (tip) => { const [x, y] = place(tip); return Math.hypot(x, y + request.misalignment) - radius; };
+    const shares = turning || stribeck || stick ? Array.from({length: 17}, (_, i) => 1 - i / 8) : [1, -1];
+    return bentBlade(force * request.blade_length ** 2 / stiffness, request.friction, shares, miss);
   }
   /// The force of the ring on a tip, −F n − s μ F t.
   arrow(pen, [x, y], tip, force, side) {

@@ -60,11 +60,11 @@ async function makeSolver(bytes) {
       ending: status === DONE ? '' : new TextDecoder().decode(new Uint8Array(calls.memory.buffer, calls.ending(), calls.ending_size())),
       failedRevolution: calls.failed_revolution(),
       blades,
+      samples: wanted.samples_per_revolution,
       sections: doubles(calls.sections(), 4 * calls.section_count()),
       time: doubles(calls.times(), times),
       state: doubles(calls.states(), 4 * times),
       force: doubles(calls.forces(), blades * times),
-      tipSlope: doubles(calls.slopes(), blades * times),
       contact: {
         number: integers(calls.contact_numbers(), samples),
         blade: integers(calls.contact_blades(), samples),
