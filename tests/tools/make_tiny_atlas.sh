@@ -7,12 +7,12 @@ scene=$here/tiny.json
 rm -rf "$folder"
 mkdir -p "$folder"
 cd "$folder"
-# Exit code 1: some points leave the model, which the readers of an atlas have to cope with.
-"$program" run "$scene" -o atlas.h5 --overwrite --progress off || [ $? = 1 ]
+# Some points leave the model, which the readers of an atlas have to cope with.
+"$program" run "$scene" -o atlas.h5 --overwrite --progress off
 "$program" analyse atlas.h5 -o maps.h5 --table table1.md >/dev/null
 "$program" orbit "$scene" --at speed_ratio=0.3,damping_ratio=0.1 -o orbit.h5
 # The same rotor with an effect.
-"$program" run "$here/gravity.json" -o gravity.h5 --overwrite --progress off || [ $? = 1 ]
+"$program" run "$here/gravity.json" -o gravity.h5 --overwrite --progress off
 # An atlas with an axis that its scene names by a JSON pointer.
 "$program" run "$here/rings.json" -o rings.h5 --overwrite --progress off
 "$program" analyse rings.h5 -o rings_maps.h5 >/dev/null

@@ -25,6 +25,8 @@ class ToolsAtlasFile(unittest.TestCase):
     def test_what_is_not_named_has_the_scenes_own_value(self):
         with AtlasFile(TINY / "atlas.h5") as atlas:
             self.assertEqual(atlas.line().value("damping_ratio"), 0.1)
+        with AtlasFile(TINY / "rings.h5") as atlas:
+            self.assertEqual(atlas.line().value("ring_radius"), 0.11)  # not the first of the grid
 
     def test_a_quantity_swept_by_its_pointer_is_the_lines_own(self):
         with AtlasFile(TINY / "rings.h5") as atlas:

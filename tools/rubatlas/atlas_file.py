@@ -247,9 +247,7 @@ class AtlasFile:
         """Place on an axis of a value, which must be there; of None that of the scene's own value."""
         values = self.axis(name)
         if wanted is None:
-            section, key = SCENE_VALUE.get(name, (None, None))
-            usual = (self.scene.get(section) or {}).get(key, values[0])
-            return int(np.argmin(np.abs(values - usual)))
+            return int(np.argmin(np.abs(values - self.own_value(name))))
         if name == "direction" and wanted in DIRECTIONS:
             wanted = DIRECTIONS.index(wanted)
         wanted = float(wanted)
@@ -259,6 +257,14 @@ class AtlasFile:
             listed = ", ".join(format(value, "g") for value in values)
             raise AtlasError(f"{self.path}: {name} {wanted:g} is not in this atlas, which has {listed}")
         return index
+
+    def own_value(self, name):
+        """The scene's own value of what an axis sweeps; the axis' first value where the scene names none."""
+        pointers = swept_pointers(self.scene)
+        # /scene_resolved has the first value of the grid at such a pointer; what the scene says there is in /scene alone.
+        scene = self.scene if name not in pointers else json.loads(text(self.file["scene"][()])) if "scene" in self.file else {}
+        section, key = {**SCENE_VALUE, **pointers}.get(name, (None, None))
+        return (scene.get(section) or {}).get(key, self.axis(name)[0])
 
     def line(self, **wanted):
         """The line at the given values, e.g. `damping_ratio=0.1`; an axis that is not given has the scene's own value."""

@@ -15,7 +15,8 @@ def find_program(program: Path | None = None) -> pathlib.Path:
     this package lies in."""
     clone = pathlib.Path(__file__).resolve().parents[2] / "build" / "rubatlas"
     named = program or os.environ.get("RUBATLAS_PROGRAM")
-    for place in [named] if named else [shutil.which("rubatlas"), clone]:
+    places: list[Path | None] = [named] if named else [shutil.which("rubatlas"), clone]
+    for place in places:
         if place is not None and os.access(place, os.X_OK):
             return pathlib.Path(place)
     what = f"{named}: no program that can be run" if named else "the program rubatlas is not found"

@@ -13,7 +13,7 @@ import zlib
 
 import numpy as np
 
-from rubatlas.atlas_file import DONE, SCENE_VALUE, SYMBOL, AtlasError, printable, swept_pointers, text
+from rubatlas.atlas_file import DONE, SCENE_VALUE, SYMBOL, AtlasError, printable, swept_pointers, text, with_values
 from rubatlas.report.orbits import orbits_of
 from rubatlas.same_scene import MACHINE, POINTS, WORDS, require_same
 
@@ -251,7 +251,7 @@ def contents(atlas, maps, solver, orbits=None):
         "reference": printable(atlas.scene.get("reference", "")),
         "file": os.path.basename(atlas.path),
         "maps_file": os.path.basename(maps.path) if maps is not None else None,
-        "scene": atlas.scene,
+        "scene": with_values(atlas.scene, {name: atlas.own_value(name) for name in swept_pointers(atlas.scene)}),
         "axes": axes_of(atlas),
         "maps": maps_of(atlas, maps, blocks),
         "final_state": blocks.add("final_state", atlas.dataset("final_state")[...].astype("<f8").reshape(-1)),

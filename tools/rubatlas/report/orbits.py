@@ -51,9 +51,8 @@ def orbits_of(atlas, count, most_bytes, blocks):
     def computed(point):
         index = np.unravel_index(point, status.shape)
         values = {name: float(atlas.axis(name)[place]) for name, place in zip(atlas.axes, index)}
-        speed = values.pop("speed_ratio")
         try:
-            return shown_part(source.orbit(speed, **values))
+            return shown_part(source.orbit(values.pop("speed_ratio"), None, **values))
         except AtlasError:
             return None  # the motion goes on from the point's last state, and may leave the model then
 
