@@ -108,6 +108,11 @@ class AtlasQuestions(WithFolder):
                 inside |= (self.speed >= band["from"]) & (self.speed <= band["to"])
             self.assertTrue(safe.any())
             np.testing.assert_array_equal(inside, safe)
+        some = self.atlas.sel(damping_ratio=[0.1, 0.2], speed_ratio=slice(0.4, None)).where("class == 'period 1' or class == 'period 2'")
+        chosen = (((self.status == 1) & (self.motion >= 1) & (self.motion <= 2))[1:]).all(axis=0) & (self.speed >= 0.4)
+        kept = some.safe_speeds(max_displacement=1.0)["bands"]
+        np.testing.assert_array_equal(np.any([(self.speed >= band["from"]) & (self.speed <= band["to"]) for band in kept], axis=0), chosen)
+        self.assertEqual(kept[0]["below"]["broken"], ["not selected"])
         with self.assertRaisesRegex(rubatlas.AtlasError, "no limit is given"):
             self.atlas.safe_speeds()
 

@@ -159,10 +159,7 @@ class Atlas:
         with AtlasFile(self.path) as atlas:
             dataset = atlas.dataset(name)
             inner = [dataset.dims[i][0].name.strip("/") for i in range(len(self.axes), dataset.ndim)]
-            values, places = dataset, []
-            for axis in self.axes:
-                wanted = np.atleast_1d(self._raw[axis].values)
-                places.append(np.searchsorted(atlas.axis(axis), wanted))
+            values, places = dataset, self._places(atlas)
             read = values[tuple(slice(place[0], place[-1] + 1) for place in places)]
             read = read[np.ix_(*(place - place[0] for place in places), *(range(size) for size in read.shape[len(places):]))]
             coordinates = {axis: atlas.axis(axis) for axis in inner}
@@ -240,11 +237,18 @@ class Atlas:
     def chosen_of_grid(self) -> np.ndarray[Any, np.dtype[np.bool_]]:
         """Which points of the whole grid are selected: what pictures show."""
         with AtlasFile(self.path) as atlas:
-            axes = [atlas.axis(axis) for axis in self.axes]
-        chosen = np.zeros([len(axis) for axis in axes], dtype=bool)
-        places = [np.searchsorted(axis, np.atleast_1d(self._raw[name].values)) for name, axis in zip(self.axes, axes)]
-        chosen[np.ix_(*places)] = self._chosen.values.reshape([len(place) for place in places])
-        return chosen
+            return self._over_grid(atlas, self._chosen.values)
+
+    def _places(self, atlas: AtlasFile) -> list[np.ndarray[Any, Any]]:
+        """Where the values of each axis are on the axis of the file."""
+        return [np.searchsorted(atlas.axis(axis), np.atleast_1d(self._raw[axis].values)) for axis in self.axes]
+
+    def _over_grid(self, atlas: AtlasFile, chosen: np.ndarray[Any, Any]) -> np.ndarray[Any, np.dtype[np.bool_]]:
+        """Points of this selection as points of the whole grid."""
+        places = self._places(atlas)
+        result = np.zeros([len(atlas.axis(axis)) for axis in self.axes], dtype=bool)
+        result[np.ix_(*places)] = chosen.reshape([len(place) for place in places])
+        return result
 
     # --- questions ---
 
@@ -272,6 +276,7 @@ class Atlas:
     def safe_speeds(self, *keep: str, operate: float | None = None, **limits: float) -> dict[str, Any]:
         """Bands of the speed ratio in which every line of the selection keeps the limits, with margins in percent of speed.
 
+        A speed at which a point of a line is not selected is in no band, and ends one as openly as the grid's end does.
         A name with a number limits the quantity from above, `max_displacement=3e-3`, and a distance to danger (`margin`,
         `nearest_miss`, `lightest_touch`) from below; texts such as "class<=2" say which. `operate`: a speed ratio to judge.
         """
@@ -282,10 +287,10 @@ class Atlas:
         with contextlib.ExitStack() as files:
             atlas = files.enter_context(AtlasFile(self.path))
             maps = files.enter_context(AtlasFile(self.maps_path)) if self.maps_path is not None else None
-            several = [axis for axis in self.axes[:-1] if axis in self._raw.dims and self._raw[axis].size < atlas.axis(axis).size]
-            if several:
-                raise AtlasError(f"safe_speeds: {', '.join(several)} has some of its values; one value, or all of them, can be judged")
-            judgement = Judgement(atlas, maps, wanted, self.picked)
+            speeds = np.arange(len(atlas.axis("speed_ratio")))
+            # A point that is not done is not unselected: it is judged, as one that is not done.
+            selected = self._over_grid(atlas, self._chosen.values | (self._raw["status"].values != DONE))
+            judgement = Judgement(atlas, maps, wanted, np.ix_(*self._places(atlas)[:-1], speeds), selected)
         result: dict[str, Any] = {"limits": [limit.text for limit in judgement.limits], "bands": judgement.bands()}
         if operate is not None:
             result["operate"] = judgement.at(operate)

@@ -33,6 +33,7 @@ KEEPS = {"<=": operator.le, ">=": operator.ge}
 MAY_NOT_OCCUR = ("nearest_miss", "lightest_touch", "margin")
 OF_MAPS = {"margin": "margins/speed_ratio", "class": "class"}
 NOT_DONE = "not done"
+NOT_SELECTED = "not selected"
 
 
 class Limit:
@@ -96,11 +97,14 @@ def margin_percent(low, high):
 
 
 class Judgement:
-    """Which limits are kept where."""
+    """Which limits are kept where.
 
-    def __init__(self, atlas, maps, limits, wanted):
+    `chosen`: the lines to judge, as an index of the grid with all speeds. `selected`: the points of the grid to judge; a speed at which
+    a line is not selected is in no band.
+    """
+
+    def __init__(self, atlas, maps, limits, chosen, selected=None):
         self.speed = atlas.axis("speed_ratio")
-        chosen = lines_of(atlas, wanted)
         self.values, self.units, broken = [], [], []
         for limit in limits:
             values, status, units = rows(atlas, maps, limit, chosen)
@@ -110,11 +114,14 @@ class Judgement:
         self.status = status
         self.undone = (status != DONE).any(axis=0)
         self.broken = np.array(broken)
-        self.safe = ~self.broken.any(axis=0) & ~self.undone
+        self.unselected = np.zeros(len(self.speed), dtype=bool) if selected is None else ~selected[chosen].reshape(status.shape).all(axis=0)
+        self.safe = ~self.broken.any(axis=0) & ~self.undone & ~self.unselected
         self.limits = limits
 
     def reasons(self, place):
         """What is not kept at a speed."""
+        if self.unselected[place]:
+            return [NOT_SELECTED]
         reasons = [limit.text for limit, broken in zip(self.limits, self.broken[:, place]) if broken]
         return reasons + [NOT_DONE] if self.undone[place] else reasons
 
@@ -123,7 +130,7 @@ class Judgement:
         if not 0 <= place < len(self.speed):
             return {"open": True, "broken": []}
         reasons = self.reasons(place)
-        return {"speed_ratio": float(self.speed[place]), "open": reasons == [NOT_DONE], "broken": reasons}
+        return {"speed_ratio": float(self.speed[place]), "open": reasons in ([NOT_DONE], [NOT_SELECTED]), "broken": reasons}
 
     def bands(self):
         found = []
@@ -152,8 +159,8 @@ class Judgement:
 def end_text(side, end):
     if not end["broken"]:
         return f"{side}: the grid ends"
-    if end["broken"] == [NOT_DONE]:
-        return f"{side}: not done at {end['speed_ratio']:g}"
+    if end["broken"] in ([NOT_DONE], [NOT_SELECTED]):
+        return f"{side}: {end['broken'][0]} at {end['speed_ratio']:g}"
     return f"{side}: not {' and not '.join(end['broken'])} at {end['speed_ratio']:g}"
 
 
@@ -237,7 +244,7 @@ def draw(options):
         if maps:
             require_same(atlas.path, atlas.scene, maps.path, maps.scene)
         wanted = command_line.wanted(options, atlas.axes)
-        judgement = Judgement(atlas, maps, limits, wanted)
+        judgement = Judgement(atlas, maps, limits, lines_of(atlas, wanted))
         held = [f"{name.replace('_', ' ')} {value:g}" if name != "direction" else f"swept {value}" for name, value in wanted.items()]
         every = [name.replace("_", " ") for name in atlas.swept_axes() if name not in wanted]
         fixed = ", ".join([*held, *([f"every {' and '.join(every)}"] if every else [])]) or "the one line of the atlas"
