@@ -1,19 +1,17 @@
 """What of an atlas goes into a report: texts and tables as JSON, numbers as compressed blocks.
 
-A block is a typed array, zlib and base64, that the page unpacks when it needs it. Numbers that are only drawn are
-float32; states from which the page computes on are float64. Sections and spectra come line by line, so that a page opens without
-unpacking all of them, and as many sections as the size of the file allows. Where the page cannot compute, orbits of some points that the program computes
-are part of it.
+Numbers that are only drawn are float32; states from which the page computes on are float64. Sections and spectra come line by line, so
+that a page opens without unpacking all of them, and as many sections as the size of the file allows. Where the page cannot compute,
+orbits of some points that the program computes are part of it.
 """
-import base64
 import json
 import math
 import os
-import zlib
 
 import numpy as np
 
 from rubatlas.atlas_file import DONE, SCENE_VALUE, SYMBOL, AtlasError, printable, swept_pointers, text, with_values
+from rubatlas.report.blocks import Blocks
 from rubatlas.report.orbits import orbits_of
 from rubatlas.same_scene import MACHINE, POINTS, WORDS, require_same
 
@@ -32,23 +30,6 @@ WIDTHS_OF_BINS = (0.02, 0.05, 0.1, 0.25)
 ORBITS = 200
 # Amplitudes are kept as 16 bits of their logarithm over this range below the largest of the atlas.
 DECADES_OF_SPECTRUM = 8.0
-
-
-class Blocks:
-    """Typed arrays by name, as the page unpacks them."""
-
-    def __init__(self):
-        self.texts = {}
-
-    def add(self, name, values):
-        packed = zlib.compress(np.ascontiguousarray(values).tobytes(), 9)
-        self.texts[name] = base64.b64encode(packed).decode("ascii")
-        kind = {"f4": "Float32Array", "f8": "Float64Array", "u1": "Uint8Array", "u2": "Uint16Array"}[values.dtype.str[1:]]
-        return {"block": name, "kind": kind, "shape": list(values.shape)}
-
-    @property
-    def size(self):
-        return sum(map(len, self.texts.values()))
 
 
 def number(value):
@@ -272,5 +253,5 @@ def contents(atlas, maps, solver, orbits=None):
     add_orbits(result, blocks, atlas, orbits)
     result["lines"] = lines_of(atlas, blocks)
     if not result["not_computed"]:
-        blocks.texts["solver"] = base64.b64encode(zlib.compress(solver, 9)).decode("ascii")
+        blocks.keep("solver", solver)
     return result, blocks

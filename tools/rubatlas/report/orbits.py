@@ -9,6 +9,7 @@ import numpy as np
 from rubatlas.atlas import Atlas
 from rubatlas.atlas_file import DONE, AtlasError
 from rubatlas.program import find_program
+from rubatlas.report.blocks import Blocks
 
 # What a page shows of an orbit: its last revolutions, with at least so many samples in each.
 REVOLUTIONS = 8
@@ -62,7 +63,7 @@ def orbits_of(atlas, count, most_bytes, blocks):
         for number, (point, part) in enumerate(zip(points, threads.map(computed, points)), 1):
             if part is not None:
                 numbers, shape = part
-                trial = type(blocks)()
+                trial = Blocks()
                 found.append((trial, {"point": int(point), **shape, **trial.add(f"orbit/{point}", numbers)}))
             if sys.stderr.isatty():
                 print(f"\rorbit {number} of {len(points)}", end="" if number < len(points) else "\n", file=sys.stderr, flush=True)
