@@ -187,6 +187,23 @@ class Explorer(unittest.TestCase):
         self.assertEqual(self.browser.facts(), facts)
         self.assertEqual(self.browser.pixels("#map canvas"), picture)
 
+    def test_an_address_that_asks_for_nonsense_opens_the_page(self):
+        for address in ("#where=constructor > 1", "#where=" + 4000 * "(", "#x=damping_ratio&y=damping_ratio", "#x=damping_ratio", "#at=9,9,9,9,9"):
+            with self.subTest(address[:30]):
+                self.open(address)
+                self.assertNotEqual(*(self.browser.run(f"return document.getElementById('map-{side}').value") for side in "xy"))
+                self.assertEqual(self.browser.facts()["Status"], "done")
+        self.assertEqual(self.browser.log(), [])
+
+    def test_keys_that_follow_each_other_at_once_end_at_the_last_points_own_sections(self):
+        self.open("#at=0,0,0,1,17")
+        self.browser.run("document.activeElement.blur()")
+        self.browser.run("for (const key of ['ArrowUp', 'ArrowDown']) document.body.dispatchEvent(new KeyboardEvent('keydown', {key, bubbles: true}))")
+        time.sleep(1.0)
+        table = columns(self.browser.exported("CSV", "poincare"))
+        with h5py.File(TINY / "atlas.h5") as atlas:
+            np.testing.assert_allclose(np.array(table["atlas_x_mm"], float), 1e3 * atlas["poincare"][0, 0, 0, 1, 17, -16:, 0], rtol=1e-6)
+
     def test_every_quantity_is_drawn_over_every_pair_of_axes(self):
         self.open(report=made(self.folder / "rings.html", TINY / "rings.h5", "--maps", TINY / "rings_maps.h5"))
         pictures = set()
@@ -207,9 +224,10 @@ class Explorer(unittest.TestCase):
         field = self.browser.find("#query")
         field.send_keys("class == 'period 1' and max_displacement > 5e-3", Keys.ENTER)
         with h5py.File(TINY / "atlas.h5") as atlas, h5py.File(TINY / "maps.h5") as maps:
+            done = int((atlas["status"][...] == 1).sum())
             expected = int(((maps["class"][...] == 1) & (atlas["max_displacement"][...] > 5e-3) & (atlas["status"][...] == 1)).sum())
         self.assertGreater(expected, 0)
-        self.assertTrue(self.browser.text("#query-answer").startswith(f"{expected} of 108 "), self.browser.text("#query-answer"))
+        self.assertTrue(self.browser.text("#query-answer").startswith(f"{expected} of {done} points that are done "), self.browser.text("#query-answer"))
         self.assertNotEqual(self.browser.pixels("#map canvas"), plain)
         self.assertIn("where=", self.browser.driver.current_url)
 
@@ -330,6 +348,7 @@ class Explorer(unittest.TestCase):
         self.browser.find("#step").click()
         at = float(self.browser.run("return document.getElementById('rotor').dataset.time"))
         self.assertLess(min(abs(start - at) for start in starts), 1e-3)
+        self.assertIn("in contact", self.browser.text("#rotor-status"))
         self.browser.find("#step").click()
         self.assertGreater(float(self.browser.run("return document.getElementById('rotor').dataset.time")), at)
 

@@ -100,6 +100,49 @@ class AtlasQuestions(WithFolder):
         with self.assertRaisesRegex(rubatlas.AtlasError, "damping_ratio still has several values"):
             self.atlas.bands()
 
+    def test_bands_do_not_join_speeds_that_are_not_neighbours(self):
+        line = self.atlas.line(damping_ratio=0.2)
+        chosen = self.speed[[4, 3, 9]]
+        self.assertEqual(line.sel(speed_ratio=list(chosen)).bands(), [(self.speed[3], self.speed[4]), (self.speed[9], self.speed[9])])
+        self.assertEqual(line.sel(speed_ratio=self.speed[5]).bands(), [(self.speed[5], self.speed[5])])
+
+    def test_values_that_are_not_there_or_no_values_are_refused_in_words(self):
+        for wanted in (float("nan"), "much", None, slice("a", None)):
+            with self.assertRaisesRegex(rubatlas.AtlasError, "damping_ratio"):
+                self.atlas.sel(damping_ratio=wanted)
+            with self.assertRaisesRegex(rubatlas.AtlasError, "friction"):
+                self.atlas.sel(friction=wanted)
+        with self.assertRaisesRegex(rubatlas.AtlasError, "damping_ratio nan is not in this atlas"):
+            self.atlas.line(damping_ratio=float("nan"))
+        for draw, words in ((lambda plot: plot.bifurcation(component="z"), "x or y"), (lambda plot: plot.blade(what="length"), "shortening and deflection"),
+                            (lambda plot: plot.map(quantity="status"), "words, not numbers")):
+            with self.assertRaisesRegex(rubatlas.AtlasError, words):
+                draw(self.atlas.plot)
+        with self.assertRaisesRegex(rubatlas.AtlasError, "these are the maps of an atlas"):
+            rubatlas.open(TINY / "maps.h5")
+
+    def test_a_value_that_the_selection_has_alone_may_be_named_again(self):
+        self.assertEqual(len(self.atlas.sel(friction=0.1)), len(self.atlas))
+        with self.assertRaisesRegex(rubatlas.AtlasError, "this selection has 0.1 alone"):
+            self.atlas.sel(friction=0.2)
+
+    def test_rows_of_any_selection_are_read(self):
+        self.assertEqual(self.atlas.sel(speed_ratio=slice(2, 3))["poincare"].sizes["speed_ratio"], 0)
+        turned = self.atlas.sel(damping_ratio=[0.2, 0.1])["poincare"].values
+        np.testing.assert_array_equal(turned[0], self.atlas.sel(damping_ratio=0.2)["poincare"].values)
+        self.atlas.sel(speed_ratio=self.speed[5]).plot.bifurcation()
+        self.assertIn("damping", self.atlas.plot.margin(name="damping_ratio").get_title(loc="left"))
+
+    def test_a_motion_without_a_class_and_one_that_leaves_the_model_are_not_safe(self):
+        line = self.atlas.line(damping_ratio=0.05)
+        bands = line.safe_speeds("class<=255")["bands"]
+        inside = np.any([(self.speed >= band["from"]) & (self.speed <= band["to"]) for band in bands], axis=0)
+        np.testing.assert_array_equal(inside, self.motion[0] > 0)
+        ends = [end for band in bands for end in (band["below"], band["above"]) if "speed_ratio" in end]
+        self.assertTrue(any("the motion leaves the model" in end["broken"] for end in ends))
+        for end in ends:
+            self.assertEqual(end["open"], self.status[0, np.argmin(abs(self.speed - end["speed_ratio"]))] not in (1, 2))
+
     def test_safe_speeds_keep_the_limits_on_every_line_of_the_selection(self):
         for atlas, lines in ((self.atlas, slice(None)), (self.atlas.sel(damping_ratio=0.2), slice(2, 3))):
             safe = ((self.displacement <= 8e-3) & ~(self.margin < 0.02) & (self.status == 1))[lines].all(axis=0)
@@ -157,6 +200,18 @@ class AtlasRuns(WithFolder):
         self.assertEqual(len(rubatlas.run(TWO_POINTS, self.folder / "two.h5")), 2)
         self.assertEqual((self.folder / "two.h5").read_bytes(), before)
 
+    def test_a_scene_that_is_refused_does_not_stand_in_the_way_of_the_next(self):
+        place = self.folder / "small.h5"
+        with self.assertRaises(rubatlas.AtlasError):
+            rubatlas.run({"grid": {"sped_ratio": 0.3}}, place)
+        self.assertEqual(list(self.folder.iterdir()), [])
+        for scene, output, ranks, words in (({"grid": object()}, place, 1, "not one of JSON"), ({}, self.folder / "no/small.h5", 1, "no folder"),
+                                            ({"grid": {"speed_ratio": 0.3}}, place, 0, "at least one")):
+            with self.assertRaisesRegex(rubatlas.AtlasError, words):
+                rubatlas.run(scene, output, ranks)
+        protocol = {"transient_revolutions": 2, "sampled_revolutions": 2}
+        self.assertEqual(len(rubatlas.run({"grid": {"speed_ratio": np.array([0.3, 0.4])}, "protocol": protocol}, place)), 2)
+
     def test_an_atlas_of_another_scene_is_kept(self):
         rubatlas.run(TWO_POINTS, self.folder / "two.h5")
         before = (self.folder / "two.h5").read_bytes()
@@ -182,7 +237,7 @@ class AtlasRuns(WithFolder):
         del os.environ["RUBATLAS_PROGRAM"]
         os.environ["PATH"] = f"{self.folder}:{os.environ['PATH']}"
         self.assertEqual(find_program(), self.folder / "rubatlas")
-        with self.assertRaisesRegex(rubatlas.AtlasError, "program=.*RUBATLAS_PROGRAM.*PATH.*clone"):
+        with self.assertRaisesRegex(rubatlas.AtlasError, "RUBATLAS_PROGRAM.*program=.*PATH.*clone"):
             find_program(self.folder / "none")
 
 

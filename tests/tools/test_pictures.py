@@ -308,6 +308,17 @@ class ToolsOutputs(unittest.TestCase):
         self.assertRegex(ended.stderr, rf"^rubatlas-plot {tool}: .*{sentence}.*\n$")
         self.assertEqual(ended.stderr.count("\n"), 1, ended.stderr)
 
+    def test_numbers_that_draw_nothing_are_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            output = pathlib.Path(folder) / "picture.png"
+            for tool, source, option in (("displacement", "atlas.h5", "--dpi"), ("orbit", "orbit.h5", "--revolutions")):
+                for value in ("0", "-2", "nan", "1e9"):
+                    with self.subTest(option + value):
+                        ended = run(tool, TINY / source, f"{option}={value}", "-o", output)
+                        self.assertEqual(ended.returncode, 2)
+                        self.assertIn(f"{option}: {value} is no", ended.stderr)
+                        self.assertFalse(output.exists())
+
     def test_an_unknown_ending_is_refused(self):
         for name in ("a.jpeg", "a", "a.h5"):
             self.expect_refusal(self.folder / name, "a picture ends in .png, .pdf, .svg")

@@ -20,7 +20,7 @@ import xarray
 
 from rubatlas import program as rubatlas_program
 from rubatlas import query
-from rubatlas.atlas_file import DIRECTIONS, DONE, AtlasError, AtlasFile, beside, reading, text
+from rubatlas.atlas_file import DIRECTIONS, DONE, AtlasError, AtlasFile, beside, number_of, reading, text, words_of
 from rubatlas.plots.axes import Plots
 from rubatlas.plots.orbit import OrbitFile
 from rubatlas.plots.safe_speeds import MAY_NOT_OCCUR, Judgement, Limit, bands_of
@@ -31,16 +31,9 @@ from rubatlas.same_scene import require_same
 _OF_MAPS = ("class", "class_blade_passing", "attractor", "exponent_check")
 
 
-def _words(attributes: Mapping[str, Any]) -> dict[int, str]:
-    """Words of a dataset whose values are flags; empty where they are numbers."""
-    meanings = text(attributes.get("flag_meanings", "")).split()
-    values = np.atleast_1d(attributes.get("flag_values", np.arange(len(meanings))))
-    return {int(value): word.replace("_", " ") for value, word in zip(values, meanings)}
-
-
 def _quantity(source: AtlasFile, dataset: Any, axes: list[str]) -> xarray.Variable:
     attributes = {"units": source.units(dataset.name), "long_name": source.long_name(dataset.name)}
-    words = _words(dataset.attrs)
+    words = words_of(dataset.attrs)
     if words:
         attributes |= {"flag_values": list(words), "flag_meanings": " ".join(word.replace(" ", "_") for word in words.values())}
     return xarray.Variable(axes, dataset[...], attributes)
@@ -143,7 +136,7 @@ class Atlas:
         if name not in self._raw:
             return self._rows(name)
         values = self._raw[name]
-        words = _words(values.attrs)
+        words = words_of(values.attrs)
         if not words:
             return _flat(values, self._chosen)
         longest = max(map(len, words.values()))
@@ -160,8 +153,9 @@ class Atlas:
             dataset = atlas.dataset(name)
             inner = [dataset.dims[i][0].name.strip("/") for i in range(len(self.axes), dataset.ndim)]
             values, places = dataset, self._places(atlas)
-            read = values[tuple(slice(place[0], place[-1] + 1) for place in places)]
-            read = read[np.ix_(*(place - place[0] for place in places), *(range(size) for size in read.shape[len(places):]))]
+            least = [min(place, default=0) for place in places]
+            read = values[tuple(slice(low, max(place, default=-1) + 1) for low, place in zip(least, places))]
+            read = read[np.ix_(*(place - low for low, place in zip(least, places)), *(np.arange(size) for size in read.shape[len(places):]))]
             coordinates = {axis: atlas.axis(axis) for axis in inner}
             attributes = {"units": atlas.units(name), "long_name": atlas.long_name(name)}
         for axis, numbers in coordinates.items():
@@ -178,27 +172,35 @@ class Atlas:
     # --- choosing ---
 
     def _place(self, axis: str, wanted: Any) -> Any:
+        """Where a value, a list or a slice is on an axis; None where the selection has that value alone."""
+        if axis in self.picked:
+            value = DIRECTIONS.index(wanted) if axis == "direction" and wanted in DIRECTIONS else wanted
+            if isinstance(value, slice) or not abs(self.picked[axis] - number_of(axis, value)) <= 1e-9 * abs(self.picked[axis]):
+                raise AtlasError(f"{axis} {wanted}: this selection has {self.picked[axis]:g} alone")
+            return None
         if axis not in self._raw.dims:
             raise AtlasError(f"{axis}: no axis of {self.path}, which has {', '.join(map(str, self._raw.dims))}")
         values = self._raw[axis].values
         if isinstance(wanted, slice):
-            low = -np.inf if wanted.start is None else wanted.start
-            high = np.inf if wanted.stop is None else wanted.stop
+            low = -np.inf if wanted.start is None else number_of(axis, wanted.start)
+            high = np.inf if wanted.stop is None else number_of(axis, wanted.stop)
             return np.flatnonzero((values >= low) & (values <= high))
         if isinstance(wanted, (list, tuple, np.ndarray)):
             return [self._place(axis, one) for one in wanted]
         if axis == "direction" and wanted in DIRECTIONS:
             wanted = DIRECTIONS.index(wanted)
-        place = int(np.argmin(np.abs(values - float(wanted))))
+        wanted = number_of(axis, wanted)
+        place = int(np.argmin(np.abs(values - wanted)))
         # The axis holds decimals as binary64; nine digits distinguish neighbours and allow for rounding.
-        if abs(values[place] - wanted) > 1e-9 * max(abs(wanted), abs(values[place])):
+        if not abs(values[place] - wanted) <= 1e-9 * max(abs(wanted), abs(values[place])):
             few = ", ".join(format(value, "g") for value in values[max(0, place - 2):place + 3])
             raise AtlasError(f"{axis} {wanted:g} is not in this atlas, which has {'' if len(values) < 6 else 'nearby '}{few}")
         return place
 
     def sel(self, **wanted: Any) -> Atlas:
         """The points at values of axes: a number, a list of numbers, or a slice with both ends included."""
-        places = {axis: self._place(axis, value) for axis, value in wanted.items()}
+        found = {axis: self._place(axis, value) for axis, value in wanted.items()}
+        places = {axis: place for axis, place in found.items() if place is not None}
         return self._with(self._raw.isel(places), self._chosen.isel(places))
 
     def line(self, **wanted: Any) -> Atlas:
@@ -217,7 +219,7 @@ class Atlas:
         """The points at which a condition holds, as text (the grammar: `rubatlas.query`)."""
         names: dict[str, query.Name] = {}
         for name, values in self._raw.data_vars.items():
-            words = _words(values.attrs)
+            words = words_of(values.attrs)
             names[str(name)] = query.Name(values.values, words) if words else query.Name(self[str(name)].values)
         for axis in self.axes:
             here = self._raw[axis]
@@ -254,11 +256,13 @@ class Atlas:
 
     def bands(self) -> list[tuple[float, float]]:
         """From and to of each run of neighbouring speeds at which a selected point is, of one line."""
-        if self._chosen.ndim != 1 or self._chosen.dims != ("speed_ratio",):
-            raise AtlasError(f"bands: {', '.join(str(axis) for axis in self._chosen.dims if axis != 'speed_ratio')} still has several values; "
-                             "bands are those of one line, which line(...) or sel(...) picks")
-        speed = self._raw["speed_ratio"].values
-        return [(float(speed[first]), float(speed[last])) for first, last in bands_of(self._chosen.values)]
+        several = [str(axis) for axis in self._chosen.dims if axis != "speed_ratio"]
+        if several:
+            raise AtlasError(f"bands: {', '.join(several)} still has several values; bands are those of one line, which line(...) or sel(...) picks")
+        with AtlasFile(self.path) as atlas:
+            speed = atlas.axis("speed_ratio")
+        chosen = self.chosen_of_grid.reshape(-1, len(speed)).any(axis=0)
+        return [(float(speed[first]), float(speed[last])) for first, last in bands_of(chosen)]
 
     @property
     def edges(self) -> xarray.Dataset | None:
@@ -330,7 +334,7 @@ class Atlas:
             place.write_text(scene, encoding="utf-8")
             target = pathlib.Path(folder) / "orbit.h5" if path is None else pathlib.Path(path)
             rubatlas_program.call(["orbit", place, "--at", named, "-o", target, *(["--from", self.path] if stored else [])], self.program)
-            return OrbitFile(target)
+            return OrbitFile(target, f"the orbit at {named}")
 
     @property
     def plot(self) -> Plots:
@@ -349,11 +353,22 @@ def run(scene: Mapping[str, Any], output: Path, ranks: int = 1, program: Path | 
     The scene is that of the program, as a dict. An atlas of another scene is refused, not replaced.
     """
     place = pathlib.Path(output)
+    if not place.parent.is_dir():
+        raise AtlasError(f"{place}: there is no folder {place.parent}")
     scene_place = place.with_suffix(".json")
-    content = json.dumps(scene, indent=2) + "\n"
-    if scene_place.exists() and scene_place.read_text(encoding="utf-8") != content:
+    try:
+        content = json.dumps(scene, indent=2, default=lambda value: value.tolist()) + "\n"  # arrays and numbers of numpy
+    except (AttributeError, TypeError, ValueError) as error:
+        raise AtlasError(f"the scene is not one of JSON: {error}") from None
+    new = not scene_place.exists()
+    if not new and scene_place.read_text(encoding="utf-8") != content:
         raise AtlasError(f"{scene_place}: another scene is there; choose another output")
     scene_place.write_text(content, encoding="utf-8")
-    rubatlas_program.call(["run", scene_place, "-o", place, "--resume", "--progress", "off"], program, ranks)
+    try:
+        rubatlas_program.call(["run", scene_place, "-o", place, "--resume", "--progress", "off"], program, ranks)
+    except AtlasError:
+        if new and not place.exists():
+            scene_place.unlink()  # refused: the next one may be right
+        raise
     rubatlas_program.call(["analyse", place, "-o", place.with_name(f"{place.stem}_maps.h5"), "--overwrite"], program)
     return Atlas(place, program=program)

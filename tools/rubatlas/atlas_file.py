@@ -32,6 +32,22 @@ DIRECTIONS = ["up", "down"]
 SYMBOL = {"speed_ratio": "Ω", "damping_ratio": "ζ", "friction": "μ", "unbalance": "me", "thickness": "h"}
 
 
+def words_of(attributes):
+    """Words of a dataset whose values are flags, by value; empty where they are numbers."""
+    meanings = text(attributes.get("flag_meanings", "")).split()
+    values = np.atleast_1d(attributes.get("flag_values", np.arange(len(meanings))))
+    return {int(value): word.replace("_", " ") for value, word in zip(values, meanings)}
+
+
+def number_of(axis, wanted):
+    """A value on an axis as a number."""
+    try:
+        return float(wanted)
+    except (TypeError, ValueError):
+        words = f" or one of {', '.join(DIRECTIONS)}" if axis == "direction" else ""
+        raise AtlasError(f"{axis} {wanted!r}: a number{words} is wanted") from None
+
+
 def swept_pointers(scene):
     """Axes that the scene's grid names by a JSON pointer: name of the dimension → (section, key)."""
     return {key.strip("/").replace("/", "_"): tuple(key.strip("/").split("/"))
@@ -207,6 +223,8 @@ class AtlasFile:
     def dataset(self, name):
         """The dataset of that name; AtlasError names the observables that the atlas has instead."""
         if name not in self.file:
+            if "status" not in self.file and "class" in self.file:
+                raise AtlasError(f"{self.path}: no /{name}; these are the maps of an atlas, which is what should be named")
             kept = [key for key in self.file if self._is_row_dataset(key)]
             raise AtlasError(f"{self.path}: /{name} is not in this file, which has {', '.join(kept)}; "
                              "name it among the scene's observables")
@@ -250,10 +268,10 @@ class AtlasFile:
             return int(np.argmin(np.abs(values - self.own_value(name))))
         if name == "direction" and wanted in DIRECTIONS:
             wanted = DIRECTIONS.index(wanted)
-        wanted = float(wanted)
+        wanted = number_of(name, wanted)
         index = int(np.argmin(np.abs(values - wanted)))
         # The axis holds decimals as binary64; nine digits distinguish neighbours and allow for rounding.
-        if abs(values[index] - wanted) > 1e-9 * max(abs(wanted), abs(values[index])):
+        if not abs(values[index] - wanted) <= 1e-9 * max(abs(wanted), abs(values[index])):
             listed = ", ".join(format(value, "g") for value in values)
             raise AtlasError(f"{self.path}: {name} {wanted:g} is not in this atlas, which has {listed}")
         return index

@@ -1,6 +1,7 @@
 """What the commands of this folder share: arguments, the choice of a line, the rule for outputs, and exit codes."""
 import argparse
 import io
+import math
 import os
 import pathlib
 import sys
@@ -14,6 +15,19 @@ LINE_AXES = ["damping_ratio", "friction", "unbalance", "thickness", "direction"]
 PICTURES = {".png": (b"\x89PNG\r\n",), ".pdf": (b"%PDF-",), ".svg": (b"<?xml", b"<svg")}
 
 
+def positive(kind, most=math.inf):
+    """The type of an option that is a number above zero, and at most `most`."""
+    def read(word):
+        try:
+            value = kind(word)
+        except ValueError:
+            value = 0
+        if not 0 < value <= most:
+            raise argparse.ArgumentTypeError(f"{word} is no {'whole ' if kind is int else ''}number above 0{f' and up to {most}' if most < math.inf else ''}")
+        return value
+    return read
+
+
 def parser(description, source="ATLAS.h5", line=True):
     """Parser with the file to read, `-o`, and (where a line is drawn) one option per axis that picks it."""
     result = argparse.ArgumentParser(description=description.strip().splitlines()[0],
@@ -21,7 +35,7 @@ def parser(description, source="ATLAS.h5", line=True):
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     result.add_argument("source", metavar=source)
     result.add_argument("-o", "--output", required=True, metavar="PICTURE.png", help="PNG, SVG or PDF, by its ending")
-    result.add_argument("--dpi", type=float, default=150.0, help="resolution (default: 150)")
+    result.add_argument("--dpi", type=positive(float, 2400), default=150.0, help="resolution (default: 150)")
     if line:
         group = result.add_argument_group("which line (default: the scene's own values)")
         for axis in LINE_AXES:

@@ -20,11 +20,13 @@ def find_program(program: Path | None = None) -> pathlib.Path:
         if place is not None and os.access(place, os.X_OK):
             return pathlib.Path(place)
     what = f"{named}: no program that can be run" if named else "the program rubatlas is not found"
-    raise AtlasError(f"{what}; name it by program=, by RUBATLAS_PROGRAM in the environment, on the PATH, or build it in the clone")
+    raise AtlasError(f"{what}; name it by RUBATLAS_PROGRAM in the environment or by program=, put it on the PATH, or build it in the clone")
 
 
 def call(arguments: Sequence[Path], program: Path | None = None, ranks: int = 1) -> str:
     """Runs the program and returns what it prints; AtlasError with its own sentence where it refuses."""
+    if ranks < 1:
+        raise AtlasError(f"ranks {ranks}: at least one")
     command = [str(find_program(program)), *map(str, arguments)]
     environment = dict(os.environ)
     if ranks > 1:

@@ -5,7 +5,7 @@
     value       number | name of a map or an axis | 'word of a flag' | value + value (also - * / ** and a leading - or +)
 
 Numbers are in SI units. A word in quotes is compared by == and != with a map of flags: class == 'aperiodic',
-status == 'done', direction == 'up'. A comparison with what is not there (NaN) is false, != true. The text is never
+status == 'done', direction == 'up'. A comparison with what is not there (NaN) is false, != true. `Atlas.where` chooses points that are done alone. The text is never
 executed: Python's parser makes a tree of it, and only the nodes above are understood.
 
 >>> import numpy as np
@@ -46,6 +46,8 @@ class Name:
 
 # The word `class` is a name here and a keyword of Python; no name of an atlas ends in an underscore.
 _CLASS, _CLASS_IN_PYTHON = "class", "class_"
+# What `rubatlas analyse` adds to an atlas.
+_OF_MAPS = ("class", "class_blade_passing", "attractor", "margin")
 
 _ARITHMETIC: dict[type[ast.operator], Callable[[Array, Array], Array]] = {
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv, ast.Pow: operator.pow}
@@ -110,6 +112,11 @@ class _Evaluation:
 
     def named(self, name: str) -> _Value:
         if name not in self.names:
+            flag = next((one for one, known in self.names.items() if name in (known.flags or {}).values()), None)
+            if flag is not None:
+                raise QueryError(f"{name} is a word of {flag}; words stand in quotes, as in {flag} == '{name}'")
+            if name in _OF_MAPS:
+                raise QueryError(f"{name} is in the maps of an atlas (rubatlas analyse), which are not here")
             raise QueryError(f"{name} is not in this atlas; the nearest name is {nearest(name, self.names)}")
         known = self.names[name]
         return _Value(numbers=known.values, flags=known.flags, name=name)

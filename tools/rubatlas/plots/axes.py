@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Any
 
 import matplotlib
 import matplotlib.pyplot as plt
+import numpy as np
 from matplotlib.axes import Axes
 
 from rubatlas import style
-from rubatlas.atlas_file import AtlasError, AtlasFile
+from rubatlas.atlas_file import AtlasError, AtlasFile, number_of, words_of
 from rubatlas.plots import bifurcation, blade, displacement, margin, orbit, spectrum, waterfall
 from rubatlas.plots import map as map_of
 
@@ -51,13 +52,13 @@ class Plots:
         """Values of axes that pick the line: those of the selection, and those that are asked for."""
         picked = self._atlas.picked
         for axis, value in line.items():
-            if axis in picked and axis != "direction" and abs(picked[axis] - value) > 1e-9 * abs(value):
-                raise AtlasError(f"{axis} {value:g}: this selection has {picked[axis]:g} alone")
+            if axis in picked and axis != "direction" and not abs(picked[axis] - number_of(axis, value)) <= 1e-9 * abs(picked[axis]):
+                raise AtlasError(f"{axis} {value}: this selection has {picked[axis]:g} alone")
         return {**picked, **line}
 
     def _at_selected_speeds(self, panel: Axes) -> Axes:
         """The panel, with its limits at the selected speeds where these are fewer than the grid's."""
-        speeds = self._atlas.dataset["speed_ratio"].values
+        speeds = np.atleast_1d(self._atlas.dataset["speed_ratio"].values)
         with self._file() as atlas:
             if len(speeds) < len(atlas.axis("speed_ratio")) and len(speeds) > 1:
                 panel.set_xlim(speeds[0], speeds[-1])
@@ -94,6 +95,8 @@ class Plots:
                 with self._maps() as maps:
                     handles = map_of.classes_into(panel, atlas, maps, along, line, quantity != "class")
                 panel.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.0, 1.0))
+            elif words_of(atlas.dataset(quantity).attrs):
+                raise AtlasError(f"{quantity}: words, not numbers; a map draws class, class_blade_passing or a quantity of numbers")
             else:
                 image = map_of.into(panel, atlas, along, line, quantity)
                 label = f"{quantity.replace('_', ' ')} [{style.drawn(atlas.units(quantity))[0]}]"
@@ -105,7 +108,7 @@ class Plots:
         line = self._picked(line)
         with _panel(ax) as panel, self._file() as atlas, self._maps() as maps:
             image = margin.into(panel, atlas, maps, displacement.along_of(atlas, along, line), line, name)
-            panel.figure.colorbar(image, ax=panel, pad=0.02, label="Margin in Ω [-]")
+            panel.figure.colorbar(image, ax=panel, pad=0.02, label=margin.label(maps, name))
             return self._at_selected_speeds(panel)
 
     def spectrum(self, speed_ratio: float, ax: Axes | None = None, **line: Any) -> Axes:

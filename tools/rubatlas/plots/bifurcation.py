@@ -9,7 +9,7 @@ import numpy as np
 
 from rubatlas import command_line
 from rubatlas import style
-from rubatlas.atlas_file import AtlasFile
+from rubatlas.atlas_file import AtlasError, AtlasFile
 
 
 COLOURS = {"x": style.BLUE, "y": style.VERMILION}
@@ -18,6 +18,8 @@ COLOURS = {"x": style.BLUE, "y": style.VERMILION}
 def into(panel, line, component="x", name="poincare"):
     """One component of the sections over the speed ratio."""
     atlas = line.atlas
+    if component not in COLOURS:
+        raise AtlasError(f"component {component!r}: x or y")
     units, factor = style.drawn(atlas.units(name))
     sections = line.rows(name)[:, :, "xy".index(component)]
     panel.plot(np.repeat(atlas.axis("speed_ratio"), sections.shape[1]), factor * sections.ravel(), ".", color=COLOURS[component],

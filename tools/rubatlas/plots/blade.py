@@ -19,6 +19,8 @@ NAMES = {"shortening": "Axial shortening δ [mm]", "deflection": "Lateral deflec
 def into(panel, line, what="shortening", every_friction=True):
     """Shortening or deflection of a blade over its load, a curve for each friction of the atlas."""
     atlas = line.atlas
+    if what not in NAMES:
+        raise AtlasError(f"{what!r}: a blade's picture is one of {' and '.join(NAMES)}")
     if atlas.scene["contact"]["law"] != "elastica":
         raise AtlasError(f"{atlas.path}: its contact law is {atlas.scene['contact']['law']}, "
                          "under which blades are rigid; only elastica has curves to draw")

@@ -11,7 +11,7 @@ import numpy as np
 
 from rubatlas import command_line
 from rubatlas import style
-from rubatlas.atlas_file import AtlasError, AtlasFile
+from rubatlas.atlas_file import DIRECTIONS, AtlasError, AtlasFile
 from rubatlas.plots.branch import BranchFile
 from rubatlas.plots.displacement import along_of
 from rubatlas.same_scene import require_same
@@ -35,7 +35,7 @@ def finish(panel, atlas, along, lines):
     count, scale = len(lines), style.drawn(atlas.units(along))[1]
     values = [line.value(along) for line in lines]
     panel.grid(False)
-    panel.set_yticks(range(count), [format(scale * value, "g") for value in values])
+    panel.set_yticks(range(count), [DIRECTIONS[int(value)] if along == "direction" else format(scale * value, "g") for value in values])
     panel.set_yticks(np.arange(count - 1) + 0.5, minor=True)
     panel.grid(True, axis="y", which="minor", color="white", lw=1.2)
     panel.tick_params(which="minor", length=0)

@@ -17,6 +17,11 @@ from rubatlas.same_scene import require_same
 NAMES = {"speed_ratio": "Distance in Ω to the nearest change of motion", "speed_ratio_to_grazing": "Distance in Ω to the predicted grazing"}
 
 
+def label(maps, name):
+    """Of a margin's colour bar."""
+    return "Margin in Ω [-]" if name in NAMES else f"Margin [{maps.units(f'margins/{name}')}]"
+
+
 def into(panel, atlas, maps, along, wanted, name="speed_ratio"):
     """A margin of the maps; returns the image, for a colour bar."""
     require_same(atlas.path, atlas.scene, maps.path, maps.scene)
@@ -25,12 +30,12 @@ def into(panel, atlas, maps, along, wanted, name="speed_ratio"):
     along, lines, place = rows_of(atlas, along, wanted)
     values = np.abs(np.array([np.where(line.chosen(), maps.file[f"margins/{name}"][line.index], np.nan) for line in lines]))
     # A border is known to half a step of the speed; what is nearer than a tenth of a step is rounding, and would use up the colours.
-    speed = atlas.axis("speed_ratio")
-    least = 0.1 * np.diff(speed).min() if len(speed) > 1 else 1e-6
+    steps = np.diff(atlas.axis(name if name in atlas.axes else "speed_ratio"))
+    least = 0.1 * np.abs(steps).min() if len(steps) else 1e-6
     image = panel.imshow(np.ma.masked_invalid(np.maximum(values, least)), cmap=style.SEQUENTIAL,
                          norm=style.matplotlib.colors.LogNorm(least, max(np.nanmax(values, initial=least), 2.0 * least)), **place)
     panel.imshow(style.missing_image(np.array([line.status() for line in lines])), **place)
-    panel.set_title(NAMES[name], loc="left", fontsize=9, color="#55556a")
+    panel.set_title(NAMES.get(name, f"Distance to the nearest change of motion along {name.replace('_', ' ')}"), loc="left", fontsize=9, color="#55556a")
     finish(panel, atlas, along, lines)
     return image
 
@@ -42,7 +47,7 @@ def draw(options):
         names = [name for name in NAMES if f"margins/{name}" in maps] or ["speed_ratio"]
         figure, panels = style.plt.subplots(len(names), 1, figsize=(9.5, 1.3 + len(names) * max(1.6, 0.32 * len(lines) + 0.6)), squeeze=False)
         for panel, name in zip(panels[:, 0], names):
-            figure.colorbar(into(panel, atlas, maps, along, wanted, name), ax=panel, pad=0.01, label="Margin in Ω [-]")
+            figure.colorbar(into(panel, atlas, maps, along, wanted, name), ax=panel, pad=0.01, label=label(maps, name))
         style.title(figure, atlas, panels[0, 0].get_title(loc="left") + ": " + lines[0].describe(without=[along]))
         style.save(figure, options)
 

@@ -21,8 +21,10 @@ DATASETS = ("time", "state", "force", "sections", "contact_number", "contact_bla
 class OrbitFile:
     """An orbit as `rubatlas orbit` writes it, read whole, with what `style` asks of an atlas."""
 
-    def __init__(self, path):
+    def __init__(self, path, name=None):
+        """`name`: what errors call it, the path by default."""
         self.path = path
+        name = name or path
         try:
             with h5py.File(path, "r") as file:
                 self.data = {name: file[name][...] for name in DATASETS}
@@ -30,13 +32,12 @@ class OrbitFile:
                 self.attributes = dict(file.attrs)
                 self.scene = json.loads(file["scene_resolved"][()])
         except UNREADABLE:
-            raise AtlasError(f"{path}: not an orbit that `rubatlas orbit` has written, or damaged") from None
+            raise AtlasError(f"{name}: not an orbit that `rubatlas orbit` has written, or damaged") from None
         self.further_axes = sorted(swept_pointers(self.scene))
         self.scene = with_values(self.scene, self.attributes)
         if self.attributes["status"] != DONE:
-            raise AtlasError(f"{path}: no orbit to draw; the motion ended in revolution "
-                             f"{self.attributes['failed_revolution']} with status {self.attributes['status']} "
-                             f"({text(self.attributes['status_meanings'])})")
+            raise AtlasError(f"{name}: no orbit to draw; the motion ended in revolution {self.attributes['failed_revolution']}: "
+                             f"{text(self.attributes['status_detail_meaning'])}")
 
     def attribute(self, name):
         return printable(self.attributes.get(name, ""))
@@ -110,5 +111,5 @@ def draw(options):
 
 def main(arguments_given):
     arguments = command_line.parser(__doc__, source="ORBIT.h5", line=False)
-    arguments.add_argument("--revolutions", type=int, default=3, help="how many of the last to show forces of")
+    arguments.add_argument("--revolutions", type=command_line.positive(int), default=3, help="how many of the last to show forces of")
     command_line.run(draw, arguments.parse_args(arguments_given))

@@ -11,7 +11,7 @@ tip passes the ring, a margin where the motion never changes. A point that is no
 
 A band reaches from its first to its last safe speed of the grid; nothing is said of the step beyond. Its separation margin is
 the percentage by which the speed may be off on either side at its middle, and that of --operate the percentage to the
-nearest speed that is not safe. An end is open where the grid ends, or where points are not done.
+nearest speed that is not safe. An end is open where the grid ends, or where points are not done. Where a motion leaves the model it is not.
 """
 import contextlib
 import json
@@ -25,15 +25,15 @@ import numpy as np
 
 from rubatlas import command_line
 from rubatlas import style
-from rubatlas.atlas_file import DONE, AtlasError, AtlasFile
+from rubatlas.atlas_file import DONE, LEFT_VALIDITY, AtlasError, AtlasFile
 from rubatlas.same_scene import require_same
 
 KEEPS = {"<=": operator.le, ">=": operator.ge}
 # Datasets in which NaN means that there is nothing to keep away from.
 MAY_NOT_OCCUR = ("nearest_miss", "lightest_touch", "margin")
 OF_MAPS = {"margin": "margins/speed_ratio", "class": "class"}
-NOT_DONE = "not done"
-NOT_SELECTED = "not selected"
+# Why a speed is in no band, besides the limits. What is not done or not selected is not known to be dangerous, so that a band is open there.
+LEFT, NOT_DONE, NOT_SELECTED = "the motion leaves the model", "not done", "not selected"
 
 
 class Limit:
@@ -81,6 +81,8 @@ def rows(atlas, maps, limit, chosen):
         raise AtlasError(f"--keep {limit.text}: /{name} has more than one number per point")
     status = atlas.dataset("status")[...][chosen]
     values = np.where(status == DONE, dataset[...][chosen].astype(float), np.nan)
+    if limit.name == "class":
+        values[values == 0] = np.nan  # no class was found, which keeps no limit
     speeds = values.shape[-1]
     return values.reshape(-1, speeds), status.reshape(-1, speeds), source.units(name)
 
@@ -112,10 +114,11 @@ class Judgement:
             self.units.append(units)
             broken.append(((status == DONE) & ~limit.keeps(values)).any(axis=0))
         self.status = status
-        self.undone = (status != DONE).any(axis=0)
+        self.left = (status == LEFT_VALIDITY).any(axis=0)
+        self.undone = ((status != DONE) & (status != LEFT_VALIDITY)).any(axis=0)
         self.broken = np.array(broken)
         self.unselected = np.zeros(len(self.speed), dtype=bool) if selected is None else ~selected[chosen].reshape(status.shape).all(axis=0)
-        self.safe = ~self.broken.any(axis=0) & ~self.undone & ~self.unselected
+        self.safe = ~self.broken.any(axis=0) & ~self.left & ~self.undone & ~self.unselected
         self.limits = limits
 
     def reasons(self, place):
@@ -123,7 +126,8 @@ class Judgement:
         if self.unselected[place]:
             return [NOT_SELECTED]
         reasons = [limit.text for limit, broken in zip(self.limits, self.broken[:, place]) if broken]
-        return reasons + [NOT_DONE] if self.undone[place] else reasons
+        others = [LEFT] if self.left[place] else []
+        return reasons + others + ([NOT_DONE] if self.undone[place] else [])
 
     def beyond(self, place):
         """What ends a band at its neighbour `place`; nothing beyond the grid."""
@@ -159,9 +163,8 @@ class Judgement:
 def end_text(side, end):
     if not end["broken"]:
         return f"{side}: the grid ends"
-    if end["broken"] in ([NOT_DONE], [NOT_SELECTED]):
-        return f"{side}: {end['broken'][0]} at {end['speed_ratio']:g}"
-    return f"{side}: not {' and not '.join(end['broken'])} at {end['speed_ratio']:g}"
+    reasons = [reason if reason in (LEFT, NOT_DONE, NOT_SELECTED) else f"not {reason}" for reason in end["broken"]]
+    return f"{side}: {' and '.join(reasons)} at {end['speed_ratio']:g}"
 
 
 def sentences(result):

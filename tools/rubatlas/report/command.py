@@ -80,7 +80,11 @@ def make(options):
     said += f"{kept['sections']} of {kept['of']} sections a point" if kept else "without sections"
     if result["orbits"] or result["not_computed"]:
         said += f", {len(result['orbits'])} orbits"
-    print(" ".join([f"{said}.", *(why for why in (result["not_computed"], result["no_orbits"]) if why)]))
+    if result["not_computed"]:
+        said += f". {result['not_computed']}"
+    if result["no_orbits"]:
+        said += f" No orbits: {result['no_orbits']}."
+    print(said)
 
 
 def orbit_count(word):

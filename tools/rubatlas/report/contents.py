@@ -10,7 +10,7 @@ import os
 
 import numpy as np
 
-from rubatlas.atlas_file import DONE, SCENE_VALUE, SYMBOL, AtlasError, printable, swept_pointers, text, with_values
+from rubatlas.atlas_file import DONE, SCENE_VALUE, SYMBOL, AtlasError, printable, swept_pointers, with_values, words_of
 from rubatlas.report.blocks import Blocks
 from rubatlas.report.orbits import orbits_of
 from rubatlas.same_scene import MACHINE, POINTS, WORDS, require_same
@@ -39,12 +39,8 @@ def number(value):
 
 
 def flags_of(dataset):
-    """Words of a dataset whose values are flags, by value; none where they are numbers."""
-    meanings = text(dataset.attrs.get("flag_meanings", "")).split()
-    if not meanings:
-        return None
-    values = np.atleast_1d(dataset.attrs.get("flag_values", np.arange(len(meanings))))
-    return {str(int(value)): word.replace("_", " ") for value, word in zip(values, meanings)}
+    """Words of a dataset whose values are flags, by value as JSON has it; none where they are numbers."""
+    return {str(value): word for value, word in words_of(dataset.attrs).items()} or None
 
 
 # --- axes and maps ---
@@ -81,7 +77,9 @@ def maps_of(atlas, maps, blocks):
                 add(name, maps, maps.dataset(name), maps.dataset(name)[...])
         if "attractor" in maps:
             add("attractor", maps, maps.dataset("attractor"), maps.dataset("attractor")[...].astype(float))
-    add("status", atlas, atlas.dataset("status"), atlas.dataset("status")[...])
+    for name in ("status", "status_detail"):
+        if name in atlas:
+            add(name, atlas, atlas.dataset(name), atlas.dataset(name)[...])
     for name in sorted(atlas.scene.get("observables", [])):
         dataset = atlas.dataset(name)
         if dataset.shape == shape:
@@ -203,7 +201,7 @@ def why_not_computed(scene, solver):
         return (f"The page computes the contact laws {' and '.join(LAWS_IN_PAGE)}, and this scene has "
                 f"{scene['contact']['law']}.")
     if solver is None:
-        return "This report was made without the solver."
+        return "This report was made without the solver, which `cmake --build build --target rubatlas_wasm` makes and --solver names."
     return ""
 
 

@@ -1,6 +1,5 @@
 """Orbits for pages that cannot compute them: the program computes them while a report is made."""
 import concurrent.futures
-import math
 import os
 import sys
 
@@ -30,7 +29,6 @@ def shown_part(orbit):
     In this order: state (sample, 4), force (sample, blade), then number, blade, time in revolutions and force of each sample of a contact.
     """
     time, state, force = (orbit.data[name] for name in ("time", "state", "force"))
-    period = 2.0 * math.pi / float(orbit.attributes["speed_ratio"])
     revolutions = min(REVOLUTIONS, len(orbit.data["sections"]))
     each = len(time) // len(orbit.data["sections"])
     stride = max(1, each // SAMPLES) if each % SAMPLES == 0 else 1
@@ -38,7 +36,9 @@ def shown_part(orbit):
     inside = orbit.data["contact_time"] >= time[first]
     contact = {name: orbit.data[f"contact_{name}"][inside] for name in ("number", "blade", "time", "force")}
     numbers = np.unique(contact["number"], return_inverse=True)[1]
-    columns = [state[first::stride], force[first::stride], numbers, contact["blade"] - 1, (contact["time"] - time[first]) / period, contact["force"]]
+    # Samples are equal parts of a revolution, also where a ramp makes one shorter than the other.
+    turned = np.interp(contact["time"], np.append(time, 2.0 * time[-1] - time[-2]), np.arange(len(time) + 1) / each) - first / each
+    columns = [state[first::stride], force[first::stride], numbers, contact["blade"] - 1, turned, contact["force"]]
     flat = np.concatenate([np.ravel(column) for column in columns]).astype("<f4")
     return flat, {"samples": each // stride, "times": revolutions * (each // stride), "blades": force.shape[1], "contact_samples": len(numbers)}
 

@@ -32,6 +32,7 @@ function readAddress() {
   if (mapNamed(given.get('map'))) state.quantity = given.get('map');
   const axisNamed = (name) => axes.findIndex((axis) => axis.name === name);
   for (const side of ['x', 'y']) if (axisNamed(given.get(side)) >= 0) state[side] = axisNamed(given.get(side));
+  if (state.x === state.y) state[given.has('x') ? 'y' : 'x'] = axes.map((_, i) => i).filter((i) => i !== state.x).sort((one, other) => sizes[other] - sizes[one])[0];
   const at = (given.get('at') ?? '').split(',').map(Number);
   if (at.length === axes.length && at.every((index, i) => Number.isInteger(index) && index >= 0 && index < sizes[i])) state.place = at;
   state.query = given.get('where') ?? '';
@@ -52,9 +53,10 @@ function writeAddress() {
 let map, view;
 const computer = new Computer();
 
+const startsFromCell = () => values.status[pointAt(state.place)] === 1 && state.start === 'atlas';
 function askedFor() {
   const wanted = requestAt(state.place);
-  const fromAtlas = values.status[pointAt(state.place)] === 1 && state.start === 'atlas';
+  const fromAtlas = startsFromCell();
   if (fromAtlas) [wanted.x, wanted.y, wanted.vx, wanted.vy] = finalStates.subarray(4 * pointAt(state.place), 4 * pointAt(state.place) + 4);
   if (!state.own) return fromAtlas || state.start === 'initial' ? withTransient(wanted, !fromAtlas) : null;
   return withTransient({...wanted, ...state.own}, true, fromAtlas);
@@ -107,7 +109,7 @@ async function compute() {
 function tell(answer, wanted, own, waited) {
   const {orbit} = answer;
   byId('answer-time').textContent = `answered in ${shown(waited / 1000, 2)} s`;
-  const start = state.start === 'initial' ? 'from the scene’s initial state' : own ? 'from the motion of the selected cell' : 'from the state that the atlas stores';
+  const start = !startsFromCell() ? 'from the scene’s initial state' : own ? 'from the motion of the selected cell' : 'from the state that the atlas stores';
   const transient = wanted.transient_revolutions ? `, after ${wanted.stop_when_periodic ? 'up to ' : ''}${wanted.transient_revolutions} revolutions of transient` : '';
   byId('own-status').textContent = orbit.status === 1 ? `Computed in this page ${start}${transient}: ${view.result.sections.length / 4} sections.`
     : `Computed in this page ${start}: no motion, ${orbit.ending}.`;
@@ -193,12 +195,12 @@ function mark() {
   try {
     map.marks = state.query.trim() ? marked(state.query) : null;
     const count = map.marks ? map.marks.reduce((sum, one) => sum + one, 0) : 0;
-    said.textContent = map.marks ? `${shown(count, 9)} of ${shown(pointCount, 9)} points are marked.` : '';
+    said.textContent = map.marks ? `${shown(count, 9)} of ${shown(values.status.filter((status) => status === 1).length, 9)} points that are done are marked.` : '';
     said.classList.remove('wrong');
   } catch (error) {
-    if (!(error instanceof QueryError)) throw error;
+    if (!(error instanceof QueryError || error instanceof RangeError)) throw error;
     map.marks = null;
-    said.textContent = error.message;
+    said.textContent = error instanceof RangeError ? 'the condition is nested too deeply' : error.message;
     said.classList.add('wrong');
   }
   map.draw();
@@ -219,8 +221,9 @@ function fillOwn() {
     const field = element('input', {type: 'number', min: quantity.limit[0] * factor, max: quantity.limit[1] * factor, step: 'any', 'aria-label': `${long} ${symbol}${unit && unit !== '1' ? ` in ${unit}` : ''}`, 'data-own-number': name});
     const change = (text) => {
       const value = Number(text) / factor;
-      if (text === '' || !(value >= quantity.limit[0] && value <= quantity.limit[1])) {
-        byId('own-status').textContent = `${long}: ${text || 'nothing'} is outside [${quantity.limit[0] * factor}, ${quantity.limit[1] * factor}]${unit && unit !== '1' ? ` ${unit}` : ''}.`;
+      const ends = quantity.limit.map((end) => Number((end * factor).toPrecision(12)));
+      if (text === '' || !(Number(text) >= ends[0] && Number(text) <= ends[1])) {
+        byId('own-status').textContent = `${long}: ${text || 'nothing'} is outside [${ends.join(', ')}]${unit && unit !== '1' ? ` ${unit}` : ''}.`;
         return;
       }
       state.own = {...ownValues(), [name]: value};
@@ -259,15 +262,15 @@ function showOwn() {
 // --- keys ---
 
 function walk(axis, step) {
-  const next = state.place[axis] + step;
-  if (next < 0 || next >= sizes[axis]) return;
+  const next = Math.min(Math.max(state.place[axis] + step, 0), sizes[axis] - 1);
+  if (next === state.place[axis]) return;
   state.place[axis] = next;
   selected();
 }
 function onKey(event) {
   const {target, key} = event;
   if (key === 'Escape') { target.blur?.(); return; }
-  if (target.closest('input, select, textarea, button, summary') || event.ctrlKey || event.metaKey || event.altKey) return;
+  if (target.closest('input, select, textarea, button, summary, .scroll, pre') || event.ctrlKey || event.metaKey || event.altKey) return;
   const far = event.shiftKey ? 10 : 1;
   const acts = {
     ArrowLeft: () => walk(state.x, -far), ArrowRight: () => walk(state.x, far), ArrowUp: () => walk(state.y, 1), ArrowDown: () => walk(state.y, -1),
@@ -309,7 +312,7 @@ async function open() {
   byId('title').textContent = atlas.title;
   byId('reference').textContent = atlas.reference;
   const swept = axes.filter((axis) => axis.values.length > 1).map((axis) => `${shown(axis.values.length, 7)} × ${words(axis.name)}${axis.symbol ? ` ${axis.symbol}` : ''}`);
-  byId('summary').textContent = `${shown(pointCount, 9)} points: ${swept.join(', ')} · law ${atlas.scene.contact.law}, ${atlas.scene.blades.count} blades`;
+  byId('summary').textContent = `${shown(pointCount, 9)} ${pointCount === 1 ? 'point' : `points: ${swept.join(', ')}`} · law ${atlas.scene.contact.law}, ${atlas.scene.blades.count} blades`;
   await openMaps();
   firstState();
   readAddress();

@@ -61,8 +61,10 @@ class Computer {
   /// What a page that computes nothing shows instead.
   get instead() {
     const count = atlas.orbits.length;
-    return count ? `What is shown comes from the atlas, and orbits from the program, which computed those of ${count} points from the atlas' states when this page was made.`
-      : 'Everything shown comes from the atlas.';
+    const undrawn = {ring_body: 'the ring at rest', wear: 'blades without their wear', unequal_blades: 'blades without their errors'};
+    const drawn = Object.keys(undrawn).filter((effect) => effect in atlas.scene).map((effect) => undrawn[effect]);
+    return (count && drawn.length ? `The moving rotor is drawn with ${drawn.join(' and ')}. ` : '') + (count ? `What is shown comes from the atlas, and orbits from the program, which computed those of ${count} points from the atlas' states when this page was made.`
+      : 'Everything shown comes from the atlas.');
   }
   ask(message) {
     return new Promise((resolve, reject) => {
@@ -171,7 +173,7 @@ class PointView {
     } else {
       for (const map of atlas.maps) {
         const value = values[map.name][this.point];
-        if (map.name === 'restarted') continue;
+        if (map.name === 'restarted' || (map.name === 'status_detail' && values.status[this.point] === 1)) continue;
         if (map.flags) pairs.push([capital(words(map.name)), map.flags[value] ?? 'none']);
         else if (Number.isFinite(value)) pairs.push([capital(words(map.name)), withUnits(value, map.units)]);
       }
@@ -188,7 +190,9 @@ class PointView {
     return {poincare: poincare ? await numbers(poincare.lines[number]) : null, spectrum: spectrum ? await numbers(spectrum.lines[number]) : null, number};
   }
   async showAtlas() {
-    this.opened = await this.line();
+    const opened = await this.line();
+    if (opened.number !== lineOf(this.point)) return;  // another line has been chosen while this one was unpacked
+    this.opened = opened;
     this.drawLine();
     this.drawPoint();
   }

@@ -41,6 +41,15 @@ function tokensOf(text) {
 const COMPARE = {'<': (a, b) => a < b, '<=': (a, b) => a <= b, '>': (a, b) => a > b, '>=': (a, b) => a >= b, '==': (a, b) => a === b, '!=': (a, b) => a !== b};
 const ARITHMETIC = {'+': (a, b) => a + b, '-': (a, b) => a - b, '*': (a, b) => a * b, '/': (a, b) => a / b, '**': (a, b) => a ** b};
 
+// What `rubatlas analyse` adds to an atlas.
+const OF_MAPS = ['class', 'class_blade_passing', 'attractor', 'margin'];
+function unknownName(name, names) {
+  const flag = Object.keys(names).find((one) => Object.values(names[one].flags ?? {}).includes(name));
+  if (flag) return `${name} is a word of ${flag}; words stand in quotes, as in ${flag} == '${name}'`;
+  if (OF_MAPS.includes(name)) return `${name} is in the maps of an atlas (rubatlas analyse), which are not here`;
+  return `${name} is not in this atlas; the nearest name is ${nearest(name, Object.keys(names))}`;
+}
+
 /// A condition as a function of a point's number. `names`: for each name a function of the point, and its flags where it has them.
 function parseQuery(text, names) {
   const tokens = tokensOf(text);
@@ -60,8 +69,8 @@ function parseQuery(text, names) {
     if (token.kind === 'number') return {type: 'number', of: () => token.value};
     if (token.kind === 'word') return {type: 'word', word: token.text};
     if (token.kind === 'name') {
+      if (!Object.hasOwn(names, token.text)) throw new QueryError(unknownName(token.text, names));
       const known = names[token.text];
-      if (!known) throw new QueryError(`${token.text} is not in this atlas; the nearest name is ${nearest(token.text, Object.keys(names))}`);
       return {type: known.flags ? 'flag' : 'number', of: known.of, flags: known.flags, name: token.text};
     }
     const inner = disjunction();

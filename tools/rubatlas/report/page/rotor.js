@@ -32,10 +32,16 @@ class Rotor {
     this.period = 2 * Math.PI / request.speed_ratio;
     this.duration = orbit.time.length * (orbit.time[1] - orbit.time[0]);
     this.largestForce = orbit.force.reduce((most, force) => Math.max(most, force), 0);
-    const starts = new Map();
-    orbit.contact.number.forEach((number, i) => { if (!starts.has(number)) starts.set(number, orbit.contact.time[i]); });
+    const {number, blade, time, force} = orbit.contact;
+    const contacts = new Map();
+    number.forEach((contact, i) => {
+      if (!contacts.has(contact)) contacts.set(contact, {blade: blade[i], times: [], forces: []});
+      contacts.get(contact).times.push(time[i]);
+      contacts.get(contact).forces.push(force[i]);
+    });
+    this.contacts = [...contacts.values()];
     // A contact that is open when the orbit begins has touched down before.
-    this.touchDowns = [...starts.values()].filter((time) => time > 0).sort((a, b) => a - b);
+    this.touchDowns = this.contacts.map(({times}) => times[0]).filter((first) => first > 0).sort((a, b) => a - b);
     this.draw();
   }
   play() {
@@ -66,6 +72,15 @@ class Rotor {
     const {amplitude = 0, order = 1, phase = 0} = atlas.scene.speed_ripple ?? {};
     return turned + amplitude / order * (Math.sin(order * turned + phase) - Math.sin(phase));
   }
+  /// The force on a blade at the present time, from the samples of its contacts, which are closer together than those of the orbit.
+  force(blade) {
+    const open = this.contacts.find((one) => one.blade === blade && one.times[0] <= this.time && this.time <= one.times[one.times.length - 1]);
+    if (!open) return 0;
+    const {times, forces} = open;
+    const later = Math.max(1, times.findIndex((time) => time >= this.time));
+    if (times.length === 1) return forces[0];
+    return forces[later - 1] + (this.time - times[later - 1]) / (times[later] - times[later - 1] || 1) * (forces[later] - forces[later - 1]);
+  }
   /// State and forces at the present time, between the samples of the orbit.
   present() {
     const {orbit} = this;
@@ -73,10 +88,7 @@ class Rotor {
     const at = Math.min(this.time / this.duration * count, count - 1);
     const low = Math.min(Math.floor(at), count - 2), share = at - low;
     const mix = (array, width, i) => array[width * low + i] + share * (array[width * (low + 1) + i] - array[width * low + i]);
-    const blades = Array.from({length: orbit.blades}, (_, i) => {
-      const ends = [orbit.force[orbit.blades * low + i], orbit.force[orbit.blades * (low + 1) + i]];
-      return {force: ends[0] > 0 && ends[1] > 0 ? mix(orbit.force, orbit.blades, i) : ends[share < 0.5 ? 0 : 1], angle: this.angle(this.time) + 2 * Math.PI * i / orbit.blades};
-    });
+    const blades = Array.from({length: orbit.blades}, (_, i) => ({force: this.force(i), angle: this.angle(this.time) + 2 * Math.PI * i / orbit.blades}));
     return {x: mix(orbit.state, 4, 0), y: mix(orbit.state, 4, 1), low, blades};
   }
   draw() {
@@ -178,6 +190,7 @@ class Rotor {
   }
   csv() {
     const {orbit} = this;
+    if (!orbit) return {};
     const columns = {tau: [], x_m: [], y_m: [], vx_m: [], vy_m: []};
     for (let i = 0; i < orbit.blades; ++i) columns[`force_of_blade_${i + 1}_N`] = [];
     orbit.time.forEach((time, i) => {
