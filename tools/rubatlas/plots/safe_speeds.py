@@ -44,7 +44,7 @@ class Limit:
         try:
             self.name, self.sign, self.bound = parts.group(1), parts.group(2), float(parts.group(3))  # type: ignore[union-attr]
         except (AttributeError, ValueError):
-            raise AtlasError(f"--keep {text}: not of the form NAME<=NUMBER or NAME>=NUMBER") from None
+            raise AtlasError(f"limit {text}: not of the form NAME<=NUMBER or NAME>=NUMBER") from None
         self.text = f"{self.name} {'≤' if self.sign == '<=' else '≥'} {self.bound:g}"
 
     def keeps(self, values):
@@ -70,15 +70,15 @@ def rows(atlas, maps, limit, chosen):
     """The values of a limit's dataset on the chosen lines, (lines, speeds), NaN where the point is not done; and their unit."""
     if limit.name in OF_MAPS:
         if maps is None:
-            raise AtlasError(f"--keep {limit.text}: this is in the maps of the atlas; name them with --maps")
+            raise AtlasError(f"limit {limit.text}: this is in the maps of the atlas, which `rubatlas analyse` makes and --maps (maps=) names")
         if OF_MAPS[limit.name] not in maps:
-            raise AtlasError(f"--keep {limit.text}: {maps.path} has no /{OF_MAPS[limit.name]}")
+            raise AtlasError(f"limit {limit.text}: {maps.path} has no /{OF_MAPS[limit.name]}")
         source, name = maps, OF_MAPS[limit.name]
     else:
         source, name = atlas, limit.name
     dataset = source.dataset(name)
     if dataset.ndim != len(atlas.axes):
-        raise AtlasError(f"--keep {limit.text}: /{name} has more than one number per point")
+        raise AtlasError(f"limit {limit.text}: /{name} has more than one number per point")
     status = atlas.dataset("status")[...][chosen]
     values = np.where(status == DONE, dataset[...][chosen].astype(float), np.nan)
     if limit.name == "class":
@@ -148,7 +148,7 @@ class Judgement:
     def at(self, speed_ratio):
         """How an operating speed stands: in which band, and how far in percent the nearest speeds are that are not safe."""
         if not self.speed[0] <= speed_ratio <= self.speed[-1]:
-            raise AtlasError(f"--operate {speed_ratio:g}: outside the atlas, which has speed ratios from "
+            raise AtlasError(f"operating speed {speed_ratio:g}: outside the atlas, which has speed ratios from "
                              f"{self.speed[0]:g} to {self.speed[-1]:g}")
         band = next((band for band in self.bands() if band["from"] <= speed_ratio <= band["to"]), None)
         if band is None:
