@@ -20,7 +20,7 @@ import xarray
 
 from rubatlas import program as rubatlas_program
 from rubatlas import query
-from rubatlas.atlas_file import DIRECTIONS, DONE, AtlasError, AtlasFile, beside, number_of, reading, text, words_of
+from rubatlas.atlas_file import DIRECTIONS, DONE, AtlasError, AtlasFile, beside, number_of, reading, same_value, text, words_of
 from rubatlas.plots.axes import Plots
 from rubatlas.plots.orbit import OrbitFile
 from rubatlas.plots.safe_speeds import MAY_NOT_OCCUR, Judgement, Limit, bands_of
@@ -175,7 +175,7 @@ class Atlas:
         """Where a value, a list or a slice is on an axis; None where the selection has that value alone."""
         if axis in self.picked:
             value = DIRECTIONS.index(wanted) if axis == "direction" and wanted in DIRECTIONS else wanted
-            if isinstance(value, slice) or not abs(self.picked[axis] - number_of(axis, value)) <= 1e-9 * abs(self.picked[axis]):
+            if isinstance(value, slice) or not same_value(self.picked[axis], number_of(axis, value)):
                 raise AtlasError(f"{axis} {wanted}: this selection has {self.picked[axis]:g} alone")
             return None
         if axis not in self._raw.dims:
@@ -191,8 +191,7 @@ class Atlas:
             wanted = DIRECTIONS.index(wanted)
         wanted = number_of(axis, wanted)
         place = int(np.argmin(np.abs(values - wanted)))
-        # The axis holds decimals as binary64; nine digits distinguish neighbours and allow for rounding.
-        if not abs(values[place] - wanted) <= 1e-9 * max(abs(wanted), abs(values[place])):
+        if not same_value(values[place], wanted):
             few = ", ".join(format(value, "g") for value in values[max(0, place - 2):place + 3])
             raise AtlasError(f"{axis} {wanted:g} is not in this atlas, which has {'' if len(values) < 6 else 'nearby '}{few}")
         return place

@@ -48,6 +48,12 @@ def number_of(axis, wanted):
         raise AtlasError(f"{axis} {wanted!r}: a number{words} is wanted") from None
 
 
+def same_value(one, other):
+    """Whether two numbers are one value of an axis, which holds decimals as binary64: nine digits distinguish neighbours and allow for
+    rounding. NaN is no value."""
+    return abs(one - other) <= 1e-9 * max(abs(one), abs(other))
+
+
 def swept_pointers(scene):
     """Axes that the scene's grid names by a JSON pointer: name of the dimension → (section, key)."""
     return {key.strip("/").replace("/", "_"): tuple(key.strip("/").split("/"))
@@ -270,8 +276,7 @@ class AtlasFile:
             wanted = DIRECTIONS.index(wanted)
         wanted = number_of(name, wanted)
         index = int(np.argmin(np.abs(values - wanted)))
-        # The axis holds decimals as binary64; nine digits distinguish neighbours and allow for rounding.
-        if not abs(values[index] - wanted) <= 1e-9 * max(abs(wanted), abs(values[index])):
+        if not same_value(values[index], wanted):
             listed = ", ".join(format(value, "g") for value in values)
             raise AtlasError(f"{self.path}: {name} {wanted:g} is not in this atlas, which has {listed}")
         return index

@@ -16,7 +16,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rubatlas import style
-from rubatlas.atlas_file import AtlasError, AtlasFile, number_of, words_of
+from rubatlas.atlas_file import AtlasError, AtlasFile, number_of, same_value, words_of
 from rubatlas.plots import bifurcation, blade, displacement, margin, orbit, spectrum, waterfall
 from rubatlas.plots import map as map_of
 
@@ -52,7 +52,7 @@ class Plots:
         """Values of axes that pick the line: those of the selection, and those that are asked for."""
         picked = self._atlas.picked
         for axis, value in line.items():
-            if axis in picked and axis != "direction" and not abs(picked[axis] - number_of(axis, value)) <= 1e-9 * abs(picked[axis]):
+            if axis in picked and axis != "direction" and not same_value(picked[axis], number_of(axis, value)):
                 raise AtlasError(f"{axis} {value}: this selection has {picked[axis]:g} alone")
         return {**picked, **line}
 
