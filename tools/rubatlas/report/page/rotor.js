@@ -112,10 +112,17 @@ class Rotor {
     const {request} = this;
     const now = this.now = this.present();
     const radius = request.ring_radius;
-    // The view closes in on the ring where an undeformed blade is nearest to it, or furthest beyond it.
-    const reach = request.hub_radius + request.blade_length;
-    const places = now.blades.map(({angle}) => [now.x + reach * Math.cos(angle), now.y + request.misalignment + reach * Math.sin(angle)]);
-    const nearest = places.reduce((best, place) => (Math.hypot(...place) > Math.hypot(...best) ? place : best));
+    const shapes = now.blades.map(({angle, force}) => {
+      const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+      const place = ([along, across]) => {
+        const outward = request.hub_radius + request.blade_length * along, aside = -request.blade_length * across;
+        return [now.x + outward * cos - aside * sin, now.y + outward * sin + aside * cos];
+      };
+      return this.shape(force, place).map(place);
+    });
+    now.tips = shapes.map((points) => points[points.length - 1]);
+    // The view closes in on the ring where a tip is nearest to it, or furthest beyond it.
+    const nearest = now.tips.map(([x, y]) => [x, y + request.misalignment]).reduce((best, tip) => (Math.hypot(...tip) > Math.hypot(...best) ? tip : best));
     const toward = Math.atan2(nearest[1], nearest[0]);
     const near = Math.min(this.zoom, 1);
     const focus = [near * radius * Math.cos(toward), near * radius * Math.sin(toward) - request.misalignment];
@@ -141,17 +148,9 @@ class Rotor {
         for (let i = Math.max(0, now.low - 2 * samples); i <= now.low; ++i) path.push(to(this.orbit.state[4 * i], this.orbit.state[4 * i + 1]));
         pen.line(path, {colour: strong(), width: 1.5});
       }
-      now.tips = [];
       now.blades.forEach((blade, i) => {
-        const [cos, sin] = [Math.cos(blade.angle), Math.sin(blade.angle)];
-        const place = ([along, across]) => {
-          const outward = request.hub_radius + request.blade_length * along, aside = -request.blade_length * across;
-          return [now.x + outward * cos - aside * sin, now.y + outward * sin + aside * cos];
-        };
-        const points = this.shape(blade.force, place).map(place);
-        pen.line(points.map(([x, y]) => to(x, y)), {colour: cycle()[i % 6], width: 3});
-        const tip = points[points.length - 1];
-        now.tips.push(tip);
+        pen.line(shapes[i].map(([x, y]) => to(x, y)), {colour: cycle()[i % 6], width: 3});
+        const tip = now.tips[i];
         if (blade.force > 0 && this.largestForce > 0) this.arrow(pen, to(...tip), tip, blade.force, side * unit);
       });
       const hub = Math.max(request.hub_radius * scale, 7 * unit);
