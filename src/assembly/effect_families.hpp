@@ -17,7 +17,6 @@ struct FamilyRequest : LineRequest {
 std::unique_ptr<point::LineSolver> make_rigid_blades(const FamilyRequest& request);
 std::unique_ptr<point::LineSolver> make_sticking_rigid_blades(const FamilyRequest& request);
 std::unique_ptr<point::LineSolver> make_elastic_blades(const FamilyRequest& request);
-std::unique_ptr<point::LineSolver> make_elastic_blades_released_at_fold(const FamilyRequest& request);
 std::unique_ptr<point::LineSolver> make_directed_elastic_blades(const FamilyRequest& request);
 std::unique_ptr<point::LineSolver> make_sticking_elastic_blades(const FamilyRequest& request);
 std::unique_ptr<point::LineSolver> make_blades_on_damped_ring(const FamilyRequest& request);

@@ -9,18 +9,15 @@ namespace rubatlas::assembly {
 
 std::unique_ptr<point::LineSolver> make_directed_elastic_blades(const FamilyRequest& request) {
   const settings::Scene& line = request.line;
-  const auto with_direction = [&]<class Direction>() {
-    return variation::with_friction(line, [&](const auto& friction) {
-      using Law = contact::DirectedElastica<Direction, std::remove_cvref_t<decltype(friction)>>;
-      return with_law(request, [&](const settings::Blades& blade) {
-        return Law(geometry_of(line.ring, blade), blade_of(blade), friction);
-      });
+  const auto direction = request.combination.consumed.contains<&effects::Effects::load_direction>()
+                             ? contact::LoadDirection::normal
+                             : contact::LoadDirection::axial;
+  return variation::with_friction(line, [&](const auto& friction) {
+    using Law = contact::DirectedElastica<std::remove_cvref_t<decltype(friction)>>;
+    return with_law(request, [&](const settings::Blades& blade) {
+      return Law(direction, geometry_of(line.ring, blade), blade_of(blade), friction);
     });
-  };
-  if (request.combination.consumed.contains<&effects::Effects::load_direction>()) {
-    return with_direction.template operator()<contact::NormalLoad>();
-  }
-  return with_direction.template operator()<contact::AxialLoad>();
+  });
 }
 
 }  // namespace rubatlas::assembly

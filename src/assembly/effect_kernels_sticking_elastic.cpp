@@ -10,9 +10,9 @@ std::unique_ptr<point::LineSolver> make_sticking_elastic_blades(const FamilyRequ
   const settings::Scene& line = request.line;
   const double friction = line.contact.friction;
   const contact::StickingFriction sticking{friction, line.stick->static_ratio * friction};
-  using Law = contact::DirectedElastica<contact::AxialLoad, contact::StickingFriction>;
+  using Law = contact::DirectedElastica<contact::StickingFriction>;
   return with_law(request, [&](const settings::Blades& blade) {
-    return Law(geometry_of(line.ring, blade), blade_of(blade), sticking);
+    return Law(contact::LoadDirection::axial, geometry_of(line.ring, blade), blade_of(blade), sticking);
   });
 }
 

@@ -43,8 +43,6 @@ std::unique_ptr<point::LineSolver> make(const FamilyRequest& request) {
       return make_sticking_rigid_blades(request);
     case elastic_blades:
       return make_elastic_blades(request);
-    case elastic_blades_released_at_fold:
-      return make_elastic_blades_released_at_fold(request);
     case directed_elastic_blades:
       return make_directed_elastic_blades(request);
     case sticking_elastic_blades:

@@ -1,5 +1,6 @@
 /// The methods of integration for the paper's rotor, one function and one file each: `method_<name>.cpp`
-/// compiles the motions of its method for every law and forcing, and nothing else does.
+/// compiles the motions of its method for every law and forcing, and nothing else does. Those that only
+/// comparisons ask for stand in `compared`.
 #pragma once
 
 #include <memory>

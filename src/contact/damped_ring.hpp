@@ -27,7 +27,6 @@ class RigidBladeOnDampedRing {
  public:
   static constexpr bool kHasBending = false;
   static constexpr bool kElastic = false;
-  static constexpr bool kReleasesAtFold = false;
   static constexpr bool kHasSlipState = true;
   static constexpr bool kLoadFollowsGap = false;
   static constexpr bool kOnDampedRing = true;
@@ -67,7 +66,6 @@ class ElasticBladeOnDampedRing {
  public:
   static constexpr bool kHasBending = false;
   static constexpr bool kElastic = true;
-  static constexpr bool kReleasesAtFold = false;
   static constexpr bool kHasSlipState = true;
   static constexpr bool kLoadFollowsGap = false;
   static constexpr bool kOnDampedRing = true;

@@ -18,9 +18,9 @@ constexpr unsigned kCoefficientBits = 40;    ///< of c, which Newton's method on
 
 }  // namespace
 
-template <class Direction, class FrictionLaw>
-auto DirectedElastica<Direction, FrictionLaw>::newton(const Pose& at, double slip, double angular_speed,
-                                                      Bend bend) const -> std::optional<Bend> {
+template <class FrictionLaw>
+auto DirectedElastica<FrictionLaw>::newton(const Pose& at, double slip, double angular_speed, Bend bend) const
+    -> std::optional<Bend> {
   constexpr double kFarthest = 4.0;  // factor by which one step may shrink κ or φ
   const double side = std::copysign(1.0, bend.modulus);
   double previous = std::numeric_limits<double>::infinity();
@@ -59,11 +59,10 @@ auto DirectedElastica<Direction, FrictionLaw>::newton(const Pose& at, double sli
   return std::nullopt;
 }
 
-template <class Direction, class FrictionLaw>
-std::optional<double> DirectedElastica<Direction, FrictionLaw>::amplitude_of(const Pose& at, double slip,
-                                                                             double angular_speed,
-                                                                             double modulus,
-                                                                             double guess) const {
+template <class FrictionLaw>
+std::optional<double> DirectedElastica<FrictionLaw>::amplitude_of(const Pose& at, double slip,
+                                                                  double angular_speed, double modulus,
+                                                                  double guess) const {
   constexpr double kRounding = 1e-15;  // of d
   constexpr double kSmallStep = 1e-8;  // of φ: the next one is a rounding error
   // d falls from A − b of the unloaded blade (φ = 0), so that it has a root between the two ends or none.
@@ -99,8 +98,8 @@ std::optional<double> DirectedElastica<Direction, FrictionLaw>::amplitude_of(con
 /// Walks along the equilibria on one side under a given friction coefficient. The parameter of the walk is
 /// the angle A = 2 asin |κ| of the tip against its load. It starts at the unloaded blade (A = b, or 0 for a
 /// column), or at the fold where the equilibria against the side of the load begin.
-template <class Direction, class FrictionLaw>
-class DirectedElastica<Direction, FrictionLaw>::Walk {
+template <class FrictionLaw>
+class DirectedElastica<FrictionLaw>::Walk {
  public:
   Walk(const DirectedElastica& law, const Pose& at, double slip, double angular_speed, double side)
       : law_(law),
@@ -215,14 +214,13 @@ class DirectedElastica<Direction, FrictionLaw>::Walk {
   double at_low_ = 0.0, at_high_ = 0.0;
 };
 
-template <class Direction, class FrictionLaw>
-auto DirectedElastica<Direction, FrictionLaw>::solve_for_coefficient(const Pose& at, double slip,
-                                                                     double angular_speed, double side) const
-    -> std::optional<Bend> {
+template <class FrictionLaw>
+auto DirectedElastica<FrictionLaw>::solve_for_coefficient(const Pose& at, double slip, double angular_speed,
+                                                          double side) const -> std::optional<Bend> {
   constexpr int kSteps = 8;  // from the coefficient of the undeformed tip to the largest
   constexpr int kHalvings = 40;
   const auto at_coefficient = [&](double coefficient) {
-    const DirectedElastica<Direction, CoulombFriction> law(geometry_, {length_, 0.0, 1.0}, {coefficient});
+    const DirectedElastica<CoulombFriction> law(direction_, geometry_, {length_, 0.0, 1.0}, {coefficient});
     const auto found = law.solve(at, 1.0, angular_speed, side);
     evaluations_ += law.evaluations();
     return found;
@@ -236,7 +234,7 @@ auto DirectedElastica<Direction, FrictionLaw>::solve_for_coefficient(const Pose&
     return coefficient - constraint_or_unloaded(at, slip, angular_speed, *bend).coefficient;
   };
   const double start =
-      direction(at, slip, angular_speed, at.radial + geometry_.reach, at.tangential).coefficient;
+      load_angle(at, slip, angular_speed, at.radial + geometry_.reach, at.tangential).coefficient;
   double low = start;
   double at_low = excess(low);
   if (at_low == 0.0) return bend;
@@ -272,16 +270,15 @@ auto DirectedElastica<Direction, FrictionLaw>::solve_for_coefficient(const Pose&
   return newton(at, slip, angular_speed, *bend);
 }
 
-template <class Direction, class FrictionLaw>
-auto DirectedElastica<Direction, FrictionLaw>::follow_coefficient(const Pose& at, double slip,
-                                                                  double angular_speed, Bend bend) const
-    -> std::optional<Bend> {
+template <class FrictionLaw>
+auto DirectedElastica<FrictionLaw>::follow_coefficient(const Pose& at, double slip, double angular_speed,
+                                                       Bend bend) const -> std::optional<Bend> {
   constexpr double kFirstStep = 1e-3;  // of the largest c
   constexpr int kDoublings = 11;       // from one end of its range to the other
   const double largest = friction_.largest();
   bool lost = false;
   const auto excess = [&](double coefficient) {
-    const DirectedElastica<Direction, CoulombFriction> law(geometry_, {length_, 0.0, 1.0}, {coefficient});
+    const DirectedElastica<CoulombFriction> law(direction_, geometry_, {length_, 0.0, 1.0}, {coefficient});
     const auto root = law.newton(at, slip, angular_speed, bend);
     evaluations_ += law.evaluations();
     lost = lost || !root;
@@ -306,9 +303,9 @@ auto DirectedElastica<Direction, FrictionLaw>::follow_coefficient(const Pose& at
   return newton(at, slip, angular_speed, bend);
 }
 
-template <class Direction, class FrictionLaw>
-auto DirectedElastica<Direction, FrictionLaw>::solve(const Pose& at, double slip, double angular_speed,
-                                                     double side) const -> std::optional<Bend> {
+template <class FrictionLaw>
+auto DirectedElastica<FrictionLaw>::solve(const Pose& at, double slip, double angular_speed,
+                                          double side) const -> std::optional<Bend> {
   if constexpr (FrictionLaw::kDependsOnVelocity) {
     return solve_for_coefficient(at, slip, angular_speed, side);
   } else {
@@ -317,9 +314,9 @@ auto DirectedElastica<Direction, FrictionLaw>::solve(const Pose& at, double slip
   }
 }
 
-template <class Direction, class FrictionLaw>
-auto DirectedElastica<Direction, FrictionLaw>::solve_near(const Pose& at, double slip, double angular_speed,
-                                                          const Bend& near) const -> std::optional<Bend> {
+template <class FrictionLaw>
+auto DirectedElastica<FrictionLaw>::solve_near(const Pose& at, double slip, double angular_speed,
+                                               const Bend& near) const -> std::optional<Bend> {
   Bend start = near;
   const double side = std::copysign(1.0, near.modulus);
   if (!(near.amplitude > 0.0)) {
@@ -334,9 +331,9 @@ auto DirectedElastica<Direction, FrictionLaw>::solve_near(const Pose& at, double
   return root ? root : solve(at, slip, angular_speed, side);
 }
 
-template <class Direction, class FrictionLaw>
-void DirectedElastica<Direction, FrictionLaw>::set_force(const Pose& at, double angular_speed,
-                                                         const Constraint& there, TipForce& force) const {
+template <class FrictionLaw>
+void DirectedElastica<FrictionLaw>::set_force(const Pose& at, double angular_speed, const Constraint& there,
+                                              TipForce& force) const {
   const double a = there.radial;
   const double b = there.tangential;
   const double inverse_distance = 1.0 / std::sqrt(a * a + b * b);
@@ -356,9 +353,9 @@ void DirectedElastica<Direction, FrictionLaw>::set_force(const Pose& at, double 
       angular_speed * ((a - at.radial) * normal_radial + (b - at.tangential) * normal_tangential);
 }
 
-template <class Direction, class FrictionLaw>
-auto DirectedElastica<Direction, FrictionLaw>::rest(const Pose& at, double angular_speed,
-                                                    const Bend& near) const -> std::optional<Rest> {
+template <class FrictionLaw>
+auto DirectedElastica<FrictionLaw>::rest(const Pose& at, double angular_speed, const Bend& near) const
+    -> std::optional<Rest> {
   constexpr int kSteps = 8;                        // where Newton's method does not converge at once
   constexpr std::uint64_t kEvaluationsOfHold = 8;  // as a rule, of Newton's method on both unknowns
   if (!(near.amplitude > 0.0)) return std::nullopt;
@@ -368,12 +365,12 @@ auto DirectedElastica<Direction, FrictionLaw>::rest(const Pose& at, double angul
   const auto place = resting_normal_angle(geometry_, at, angular_speed, from);
   if (!place) return std::nullopt;
   evaluations_ += kEvaluationsOfHold;
-  auto resting = hold<Direction>(geometry_, length_, at, *place, near);
+  auto resting = hold(direction_, geometry_, length_, at, *place, near);
   if (!resting) {
     Bend bend = near;
     for (int i = 0; i <= kSteps; ++i) {
       evaluations_ += kEvaluationsOfHold;
-      resting = hold<Direction>(geometry_, length_, at, from + (*place - from) * i / kSteps, bend);
+      resting = hold(direction_, geometry_, length_, at, from + (*place - from) * i / kSteps, bend);
       if (!resting) return std::nullopt;
       bend = resting->bend;
     }
@@ -381,10 +378,9 @@ auto DirectedElastica<Direction, FrictionLaw>::rest(const Pose& at, double angul
   return Rest{*resting, firmness(*resting, geometry_, at, angular_speed, *place)};
 }
 
-template <class Direction, class FrictionLaw>
-bool DirectedElastica<Direction, FrictionLaw>::respond_at_rest(const Pose& at, double angular_speed,
-                                                               double& bending, double& amplitude,
-                                                               TipForce& force) const {
+template <class FrictionLaw>
+bool DirectedElastica<FrictionLaw>::respond_at_rest(const Pose& at, double angular_speed, double& bending,
+                                                    double& amplitude, TipForce& force) const {
   const auto there = rest(at, angular_speed, {bending, amplitude});
   if (!there) return false;
   bending = there->blade.bend.modulus;
@@ -395,17 +391,16 @@ bool DirectedElastica<Direction, FrictionLaw>::respond_at_rest(const Pose& at, d
   return true;
 }
 
-template <class Direction, class FrictionLaw>
-bool DirectedElastica<Direction, FrictionLaw>::respond(const Pose& at, double slip, double angular_speed,
-                                                       double& bending, double& amplitude,
-                                                       TipForce& force) const {
+template <class FrictionLaw>
+bool DirectedElastica<FrictionLaw>::respond(const Pose& at, double slip, double angular_speed,
+                                            double& bending, double& amplitude, TipForce& force) const {
   if constexpr (kHoldsTips) {
     if (slip == 0.0) return respond_at_rest(at, angular_speed, bending, amplitude, force);
   }
   const double first = first_load_angle(at, slip, angular_speed);
   double side = first != 0.0 ? std::copysign(1.0, first) : slip;
   bool known = bending != 0.0;
-  if constexpr (kRemembersSide) {
+  if (remembers_side()) {
     if (known) side = std::copysign(1.0, bending);
   } else {
     known = known && side * bending > 0.0;
@@ -418,11 +413,9 @@ bool DirectedElastica<Direction, FrictionLaw>::respond(const Pose& at, double sl
   if (beyond_end) mirrored.gap = -at.gap;
   auto root = known ? solve_near(mirrored, slip, angular_speed, {bending, amplitude})
                     : solve(mirrored, slip, angular_speed, side);
-  if constexpr (kRemembersSide) {
-    if (!root) {  // it snaps through
-      side = -side;
-      root = solve(mirrored, slip, angular_speed, side);
-    }
+  if (!root && remembers_side()) {  // it snaps through
+    side = -side;
+    root = solve(mirrored, slip, angular_speed, side);
   }
   if (!root) return false;
   bending = root->modulus;
@@ -436,13 +429,8 @@ bool DirectedElastica<Direction, FrictionLaw>::respond(const Pose& at, double sl
   return true;
 }
 
-template class DirectedElastica<AxialLoad, CoulombFriction>;
-template class DirectedElastica<AxialLoad, RegularisedFriction>;
-template class DirectedElastica<AxialLoad, StribeckFriction>;
-template class DirectedElastica<AxialLoad, StickingFriction>;
-template class DirectedElastica<NormalLoad, CoulombFriction>;
-template class DirectedElastica<NormalLoad, StickingFriction>;
-template class DirectedElastica<NormalLoad, RegularisedFriction>;
-template class DirectedElastica<NormalLoad, StribeckFriction>;
+template class DirectedElastica<CoulombFriction>;
+template class DirectedElastica<StickingFriction>;
+template class DirectedElastica<VelocityFriction>;
 
 }  // namespace rubatlas::contact

@@ -4,21 +4,21 @@
 /// The ring acts on the tip with −F n − c F t: n the normal where the deformed tip stands, (cos α, sin α)
 /// along and across the blade, t = n turned by +90°, c the signed friction coefficient. Along and across the
 /// blade that is one load P = F sqrt(1 + c²) at the angle b against the axis,
-///     b = α + atan c   (NormalLoad: as it is)      b = atan c   (AxialLoad: MODEL 3.1, α left out),
+///     b = α + atan c   (normal: as it is)      b = atan c   (axial: MODEL 3.1, α left out),
 /// and the blade is the elastica under an inclined load. The unknowns are its κ and φ
 /// (blade/inclined_elastica.hpp); the equations are the contact equation h(κ, φ) = 0 (MODEL 4) and the
 /// direction of the load
 ///     d(κ, φ) = b(κ, φ) − [α] − atan c(v) = 0,
-/// where α, under NormalLoad only, and the slip velocity v (MODEL 4.4) follow from the place of the tip.
+/// where α, under the normal load only, and the slip velocity v (MODEL 4.4) follow from the place of the tip.
 ///
 /// Sides. Under an axial load with friction the blade bends to the side to which friction pushes it. Where b
 /// passes through zero (the normal turns, or c(v) changes sign) a blade that is bent stays bent to its side,
 /// held there by the load that bends it, until its equilibrium ends in a fold and it snaps through. So the
 /// side is a discrete state, as with any column; the sign of `bending` keeps it. A blade that has just
 /// touched has no side yet (`bending` = 0). It bends to the side of its first load, the sign of b of the
-/// undeformed tip, or to the side of s where that b is exactly 0. With AxialLoad and CoulombFriction b never
-/// passes through zero, and the side is always that of s (MODEL 2). Where tips stick, the c of a tip at rest
-/// passes through zero, and the side is a discrete state, too.
+/// undeformed tip, or to the side of s where that b is exactly 0. Under an axial load with CoulombFriction b
+/// never passes through zero, and the side is always that of s (MODEL 2). Where tips stick, the c of a tip at
+/// rest passes through zero, and the side is a discrete state, too.
 #pragma once
 
 #include <algorithm>
@@ -36,17 +36,7 @@
 
 namespace rubatlas::contact {
 
-/// The paper's small-angle assumption: the normal load presses along the undeformed blade, friction across
-/// it.
-struct AxialLoad {
-  static constexpr bool kFollowsNormal = false;
-};
-/// The load as the ring gives it, along the normal and tangent at the deformed tip.
-struct NormalLoad {
-  static constexpr bool kFollowsNormal = true;
-};
-
-template <class Direction, class FrictionLaw>
+template <class FrictionLaw>
 class DirectedElastica {
  public:
   /// The law solves for the blade's equilibrium at the rotor's position. (`bending` is the first guess, and
@@ -54,19 +44,18 @@ class DirectedElastica {
   static constexpr bool kHasBending = false;
   /// The blade bends, so that its slip velocity jumps where friction reverses.
   static constexpr bool kElastic = true;
-  static constexpr bool kReleasesAtFold = false;
   static constexpr bool kHasSlipState = FrictionLaw::kHasSlipState;
   static constexpr bool kLoadFollowsGap = false;
   /// The law also finds the force of a tip at rest (s = 0).
   static constexpr bool kHoldsTips = requires(const FrictionLaw& friction) { friction.largest_holding; };
-  /// Does a contact remember the side to which its blade is bent?
-  static constexpr bool kRemembersSide =
-      Direction::kFollowsNormal || !FrictionLaw::kHasSlipState || kHoldsTips;
+  /// A contact may remember the side to which its blade is bent (`remembers_side`).
+  static constexpr bool kMayRememberSide = true;
 
   using Blade = ElasticaContact::Blade;
 
-  DirectedElastica(Geometry geometry, Blade blade, FrictionLaw friction)
-      : geometry_(geometry),
+  DirectedElastica(LoadDirection direction, Geometry geometry, Blade blade, FrictionLaw friction)
+      : direction_(direction),
+        geometry_(geometry),
         length_(blade.length),
         load_unit_(blade.bending_stiffness / (blade.length * blade.length)),
         strain_unit_(0.5 * blade.thickness / blade.length),
@@ -83,15 +72,19 @@ class DirectedElastica {
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
   /// The same blade, shorter at its tip by `lost` [m].
   [[nodiscard]] DirectedElastica shortened(double lost) const {
-    return {{geometry_.reach - lost, geometry_.ring_radius},
+    return {direction_,
+            {geometry_.reach - lost, geometry_.ring_radius},
             {length_ - lost, 2.0 * strain_unit_ * length_, load_unit_ * length_ * length_},
             friction_};
   }
 
   /// The same blade under another friction law.
   template <class OtherFriction>
-  [[nodiscard]] DirectedElastica<Direction, OtherFriction> with_friction(OtherFriction friction) const {
-    return {geometry_, {length_, 2.0 * strain_unit_ * length_, load_unit_ * length_ * length_}, friction};
+  [[nodiscard]] DirectedElastica<OtherFriction> with_friction(OtherFriction friction) const {
+    return {direction_,
+            geometry_,
+            {length_, 2.0 * strain_unit_ * length_, load_unit_ * length_ * length_},
+            friction};
   }
 
   using Bend = blade::Bend;
@@ -133,7 +126,7 @@ class DirectedElastica {
     result.residual_by_modulus = twice * (a * point.shortening.by_modulus + b * point.deflection.by_modulus);
     result.residual_by_amplitude =
         twice * (a * point.shortening.by_amplitude + b * point.deflection.by_amplitude);
-    const LoadDirection load = direction(at, slip, angular_speed, a, b);
+    const LoadAngle load = load_angle(at, slip, angular_speed, a, b);
     result.coefficient = load.coefficient;
     result.misdirection = point.load_angle.value - load.angle;
     // dα = (a db − b da)/|r|², and da = −L dδ, db = −L dD.
@@ -192,7 +185,7 @@ class DirectedElastica {
     Drift result{2.0 * (a * along + b * across), 0.0};
     const double inverse_square = 1.0 / (a * a + b * b);
     const double moment = a * across - b * along;
-    if constexpr (Direction::kFollowsNormal) result.misdirection -= moment * inverse_square;
+    if (follows_normal()) result.misdirection -= moment * inverse_square;
     if constexpr (FrictionLaw::kDependsOnVelocity) {
       const double along_rate = acceleration.real() + 2.0 * angular_speed * at.tangential_velocity -
                                 angular_speed * angular_speed * at.radial +
@@ -244,28 +237,34 @@ class DirectedElastica {
 
   /// b of the undeformed blade [rad]; a blade that has just touched bends to the side of its sign.
   [[nodiscard]] double first_load_angle(const Pose& at, double slip, double angular_speed) const {
-    return direction(at, slip, angular_speed, at.radial + geometry_.reach, at.tangential).angle;
+    return load_angle(at, slip, angular_speed, at.radial + geometry_.reach, at.tangential).angle;
   }
 
  private:
-  template <class, class>
+  template <class>
   friend class DirectedElastica;
 
+  [[nodiscard]] bool follows_normal() const { return direction_ == LoadDirection::normal; }
+  /// Does a contact remember the side to which its blade is bent?
+  [[nodiscard]] bool remembers_side() const {
+    return follows_normal() || !FrictionLaw::kHasSlipState || kHoldsTips;
+  }
+
   class Walk;
-  struct LoadDirection {
+  struct LoadAngle {
     double angle;            ///< [α] + atan c [rad]
     double angle_by_normal;  ///< its derivative by α [-]
     double coefficient;      ///< c [-]
   };
 
-  /// Direction of the load on a tip that stands at (a, b) along and across the blade. The slip velocity
+  /// Angle of the load on a tip that stands at (a, b) along and across the blade. The slip velocity
   /// depends on the tip's place only through the direction of the normal: v = (c' − Ω ez × c)·t + Ω R on the
   /// ring.
-  [[nodiscard]] LoadDirection direction(const Pose& at, double slip, double angular_speed, double a,
-                                        double b) const {
+  [[nodiscard]] LoadAngle load_angle(const Pose& at, double slip, double angular_speed, double a,
+                                     double b) const {
     double normal_angle = 0.0;
     double by_normal = 0.0;
-    if constexpr (Direction::kFollowsNormal) {
+    if (follows_normal()) {
       normal_angle = std::atan2(b, a);
       by_normal = 1.0;
     }
@@ -307,6 +306,7 @@ class DirectedElastica {
                                                    double modulus, double guess) const;
   void set_force(const Pose& at, double angular_speed, const Constraint& there, TipForce& force) const;
 
+  LoadDirection direction_;
   Geometry geometry_;
   double length_;
   double load_unit_;    ///< EI / L² [N]

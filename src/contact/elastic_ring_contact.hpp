@@ -17,8 +17,6 @@ class RigidBladeContact {
   static constexpr bool kHasBending = false;
   /// The blade does not bend, so that its slip velocity does not jump where friction reverses.
   static constexpr bool kElastic = false;
-  /// The force ends where the tip leaves the ring.
-  static constexpr bool kReleasesAtFold = false;
   static constexpr bool kHasSlipState = FrictionLaw::kHasSlipState;
   static constexpr bool kLoadFollowsGap = true;
 

@@ -15,12 +15,10 @@ constexpr double kGapRounding = 1e-17;  ///< [m²]: g where a touch-down has bee
 
 }  // namespace
 
-template <class Ring, Release kRelease>
-std::optional<double> ElasticBladeContact<Ring, kRelease>::solve(const Pose& at, double slip) const {
+template <class Ring>
+std::optional<double> ElasticBladeContact<Ring>::solve(const Pose& at, double slip) const {
   if (has_branches_) return solve_on_branches(at, slip);
-  if constexpr (kReleasesAtFold) {
-    if (at.gap < -kGapRounding) return solve_beyond_ring(at, slip);
-  }
+  if (releases_at_fold() && at.gap < -kGapRounding) return solve_beyond_ring(at, slip);
   const auto& knots = curve_->knots();
   // The residual is positive from the unloaded blade on (g > 0; on the receding side it first rises) and
   // falls through zero once: walk up the curve until it has.
@@ -46,8 +44,8 @@ std::optional<double> ElasticBladeContact<Ring, kRelease>::solve(const Pose& at,
   return integrate::root_between(function, low, high, at_low, function(high));
 }
 
-template <class Ring, Release kRelease>
-double ElasticBladeContact<Ring, kRelease>::bending_at_ring(const Pose& at, double slip, double high) const {
+template <class Ring>
+double ElasticBladeContact<Ring>::bending_at_ring(const Pose& at, double slip, double high) const {
   const auto measure = [&](double bending) { return gap_per_deflection(at, slip, bending); };
   const double at_zero = measure(0.0);
   const double at_high = measure(high);
@@ -55,9 +53,8 @@ double ElasticBladeContact<Ring, kRelease>::bending_at_ring(const Pose& at, doub
   return integrate::root_between(measure, 0.0, high, at_zero, at_high);
 }
 
-template <class Ring, Release kRelease>
-std::optional<double> ElasticBladeContact<Ring, kRelease>::solve_beyond_ring(const Pose& at,
-                                                                             double slip) const {
+template <class Ring>
+std::optional<double> ElasticBladeContact<Ring>::solve_beyond_ring(const Pose& at, double slip) const {
   // h is negative at the unloaded blade, rises up to the fold and falls from there on.
   constexpr double kNextToUnloaded = 1e-6;  // of the first piece
   const auto& knots = curve_->knots();
@@ -86,8 +83,8 @@ std::optional<double> ElasticBladeContact<Ring, kRelease>::solve_beyond_ring(con
   return integrate::root_between(function, fold, knot->bending, at_fold, function(knot->bending));
 }
 
-template <class Ring, Release kRelease>
-auto ElasticBladeContact<Ring, kRelease>::branches(const Pose& at, double slip) const -> Branches {
+template <class Ring>
+auto ElasticBladeContact<Ring>::branches(const Pose& at, double slip) const -> Branches {
   const auto& knots = curve_->knots();
   const auto rise_at = [&](double bending) { return rise(at, slip, curve_at(bending)); };
   Branches found;
@@ -140,9 +137,9 @@ auto ElasticBladeContact<Ring, kRelease>::branches(const Pose& at, double slip) 
   return found;
 }
 
-template <class Ring, Release kRelease>
-std::optional<double> ElasticBladeContact<Ring, kRelease>::root_on(const Pose& at, double slip,
-                                                                   const Branch& branch) const {
+template <class Ring>
+std::optional<double> ElasticBladeContact<Ring>::root_on(const Pose& at, double slip,
+                                                         const Branch& branch) const {
   const auto function = [&](double bending) { return residual(at, slip, curve_at(bending)); };
   const auto& knots = curve_->knots();
   const double at_begin = function(branch.begin);
@@ -164,9 +161,8 @@ std::optional<double> ElasticBladeContact<Ring, kRelease>::root_on(const Pose& a
   return integrate::root_between(function, low, high, function(low), at_high);
 }
 
-template <class Ring, Release kRelease>
-std::optional<double> ElasticBladeContact<Ring, kRelease>::solve_on_branches(const Pose& at,
-                                                                             double slip) const {
+template <class Ring>
+std::optional<double> ElasticBladeContact<Ring>::solve_on_branches(const Pose& at, double slip) const {
   // An undeformed tip that has left the ring has a contact on the bent branch only.
   const bool outside = at.gap < -kGapRounding;
   if (!carried_ && !outside && straight_load(at) <= blade::kEulerLoad) return 0.0;
@@ -178,23 +174,22 @@ std::optional<double> ElasticBladeContact<Ring, kRelease>::solve_on_branches(con
   return std::nullopt;
 }
 
-template <class Ring, Release kRelease>
-bool ElasticBladeContact<Ring, kRelease>::stands_beyond_fold(const Pose& at, double slip,
-                                                             double bending) const {
+template <class Ring>
+bool ElasticBladeContact<Ring>::stands_beyond_fold(const Pose& at, double slip, double bending) const {
   if (bending == 0.0) return false;
   if (!carried_) return true;
   const Branches all = branches(at, slip);
   return all.count > 0 && all.list[all.of(bending)].begin > 0.0;
 }
 
-template <class Ring, Release kRelease>
-auto ElasticBladeContact<Ring, kRelease>::incline(const Pose& at, double slip,
-                                                  const blade::CurvePoint& point) const -> Incline {
+template <class Ring>
+auto ElasticBladeContact<Ring>::incline(const Pose& at, double slip, const blade::CurvePoint& point) const
+    -> Incline {
   const double along = at.radial + blade_.geometry.reach - blade_.length * point.shortening;
   const double across = slip * (at.tangential - slip * blade_.length * point.deflection);
   double parts = 2.0 * blade_.length *
                  (std::abs(along * point.shortening_slope) + std::abs(across * point.deflection_slope));
-  if constexpr (Ring::kYields) {
+  if constexpr (Ring::kMayYield) {
     parts += 2.0 * blade_.yield_unit * (blade_.geometry.ring_radius + blade_.yield_unit * point.load) *
              point.load_slope;
   }
@@ -202,9 +197,9 @@ auto ElasticBladeContact<Ring, kRelease>::incline(const Pose& at, double slip,
   return {unit * slope(at, slip, point), unit * parts};
 }
 
-template <class Ring, Release kRelease>
-std::optional<double> ElasticBladeContact<Ring, kRelease>::solve_near_on_branch(const Pose& at, double slip,
-                                                                                double bending) const {
+template <class Ring>
+std::optional<double> ElasticBladeContact<Ring>::solve_near_on_branch(const Pose& at, double slip,
+                                                                      double bending) const {
   if (bending == 0.0) {
     if (!carried_ && straight_load(at) <= blade::kEulerLoad) return 0.0;
     // What starts from the unloaded blade, or the column where it buckles without a jump.
@@ -239,9 +234,9 @@ std::optional<double> ElasticBladeContact<Ring, kRelease>::solve_near_on_branch(
   return all.count > 0 ? root_on(at, slip, all.list[all.of(from)]) : std::nullopt;
 }
 
-template <class Ring, Release kRelease>
-std::optional<double> ElasticBladeContact<Ring, kRelease>::snap(const Pose& at, double slip, double bending,
-                                                                double angular_speed) const {
+template <class Ring>
+std::optional<double> ElasticBladeContact<Ring>::snap(const Pose& at, double slip, double bending,
+                                                      double angular_speed) const {
   const Branches all = branches(at, slip);
   std::size_t next = all.of(bending);
   if (!carried_ && bending == 0.0) {
@@ -258,9 +253,9 @@ std::optional<double> ElasticBladeContact<Ring, kRelease>::snap(const Pose& at, 
   return next < all.count ? root_on(at, slip, all.list[next]) : std::nullopt;
 }
 
-template <class Ring, Release kRelease>
-std::optional<double> ElasticBladeContact<Ring, kRelease>::solve_near(const Pose& at, double slip,
-                                                                      double bending) const {
+template <class Ring>
+std::optional<double> ElasticBladeContact<Ring>::solve_near(const Pose& at, double slip,
+                                                            double bending) const {
   if (has_branches_) return solve_near_on_branch(at, slip, bending);
   // Newton on the falling branch. Its floor is the rounding of g against the slope, so it ends when a step no
   // longer shrinks; a step that leaves the branch hands over to the bracketing solver.
@@ -280,9 +275,9 @@ std::optional<double> ElasticBladeContact<Ring, kRelease>::solve_near(const Pose
   return solve(at, slip);
 }
 
-template <class Ring, Release kRelease>
-bool ElasticBladeContact<Ring, kRelease>::respond(const Pose& at, double slip, double angular_speed,
-                                                  double& bending, TipForce& force) const {
+template <class Ring>
+bool ElasticBladeContact<Ring>::respond(const Pose& at, double slip, double angular_speed, double& bending,
+                                        TipForce& force) const {
   // Beyond a lift-off on the approaching side the gap is negative and no positive load exists. There the load
   // is continued as an odd function of the gap (at μ = 0, where it does not vanish at lift-off, as an even
   // one).
@@ -312,9 +307,9 @@ bool ElasticBladeContact<Ring, kRelease>::respond(const Pose& at, double slip, d
   return true;
 }
 
-template <class Ring, Release kRelease>
-bool ElasticBladeContact<Ring, kRelease>::respond_upwards(const Pose& at, double slip, double angular_speed,
-                                                          double increment, TipForce& force) const {
+template <class Ring>
+bool ElasticBladeContact<Ring>::respond_upwards(const Pose& at, double slip, double angular_speed,
+                                                double increment, TipForce& force) const {
   constexpr double kShareOfIncrement = 0.05;  // how closely the curve's point stands for the load
   constexpr double kFirstBending = 1e-3;      // of β: there F ~ u² still
   // From the unloaded blade F grows like u²; at μ = 0 the column stays straight up to its Euler load.
@@ -355,9 +350,7 @@ bool ElasticBladeContact<Ring, kRelease>::respond_upwards(const Pose& at, double
   return true;
 }
 
-template class ElasticBladeContact<RigidRing, Release::at_ring>;
-template class ElasticBladeContact<RigidRing, Release::at_fold>;
-template class ElasticBladeContact<YieldingRing, Release::at_ring>;
-template class ElasticBladeContact<YieldingRing, Release::at_fold>;
+template class ElasticBladeContact<PaperRing>;
+template class ElasticBladeContact<AnyRing>;
 
 }  // namespace rubatlas::contact

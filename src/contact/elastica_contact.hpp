@@ -5,10 +5,10 @@
 /// that an integrator carries along with the bending parameter u as a state (`constraint`), and as an
 /// equation to solve for u where several blades share the rotor (`solve`).
 ///
-/// Two things are chosen by type, and cost nothing where they are not: a ring that yields under each tip, in
-/// series with the blade,
+/// The paper's ring is a type of its own and costs nothing. `AnyRing` may yield under each tip, in series
+/// with the blade,
 ///     h = a² + b² − (R + F/kr)²
-/// and where a contact ends (`Release`).
+/// and says where a contact ends (`Release`).
 ///
 /// Branches. Where something gives way in series with the bending (axial compliance, a ring that yields) h
 /// may fall with the load, rise and fall again on the receding side: the blade stands compressed, or bent,
@@ -26,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -34,18 +35,23 @@
 
 namespace rubatlas::contact {
 
-struct RigidRing {
-  static constexpr bool kYields = false;
-};
-struct YieldingRing {
-  static constexpr bool kYields = true;
-  double stiffness;  ///< kr > 0 [N/m], under each tip by itself (MODEL 4.7)
-};
-
 /// Where a contact ends.
 enum class Release : std::uint8_t {
   at_ring,  ///< where the undeformed tip leaves the ring, g = 0 (MODEL 4.1)
   at_fold   ///< where the force does: at u = 0, or at the fold ∂h/∂u = 0 beyond which there is no root
+};
+
+/// The paper's ring: rigid, and a contact ends at it.
+struct PaperRing {
+  static constexpr bool kMayYield = false;
+  static constexpr Release release = Release::at_ring;
+};
+/// Any ring, and either end of a contact.
+struct AnyRing {
+  static constexpr bool kMayYield = true;
+  double stiffness = std::numeric_limits<double>::infinity();  ///< kr > 0 [N/m], under each tip by itself
+                                                               ///< (MODEL 4.7); infinite: rigid
+  Release release = Release::at_ring;
 };
 
 /// What a law knows of an elastic blade.
@@ -75,13 +81,13 @@ struct ElasticBladeInRing {
 
 /// h = a² + b² − (R + F/kr)² [m²] (MODEL 4.1) of a blade at `at` that is bent to `point`, written from g, so
 /// that a light contact keeps its digits. `Point`: of the curve or one of its knots.
-template <bool kRingYields, class Point>
+template <bool kRingMayYield, class Point>
 double residual_of(const ElasticBladeInRing& blade, const Pose& at, double slip, const Point& point) {
   const double shortening = blade.length * point.shortening;  // δ
   const double deflection = blade.length * point.deflection;  // Δ
   double residual = at.gap + shortening * (shortening - 2.0 * (at.radial + blade.geometry.reach)) +
                     deflection * (deflection - 2.0 * slip * at.tangential);
-  if constexpr (kRingYields) {
+  if constexpr (kRingMayYield) {
     const double yielding = blade.yield_unit * point.load;  // F/kr
     residual -= yielding * (2.0 * blade.geometry.ring_radius + yielding);
   }
@@ -89,11 +95,11 @@ double residual_of(const ElasticBladeInRing& blade, const Pose& at, double slip,
 }
 
 /// ∂h/∂u [m²] there, where the tip lies at (a, b) along and across the blade, seen from the ring's centre.
-template <bool kRingYields, class Point>
+template <bool kRingMayYield, class Point>
 double bending_slope_of(const ElasticBladeInRing& blade, double a, double b, double slip,
                         const Point& point) {
   double slope = (-2.0 * blade.length) * (a * point.shortening_slope + slip * b * point.deflection_slope);
-  if constexpr (kRingYields) {
+  if constexpr (kRingMayYield) {
     slope -= 2.0 * blade.yield_unit * (blade.geometry.ring_radius + blade.yield_unit * point.load) *
              point.load_slope;
   }
@@ -101,7 +107,7 @@ double bending_slope_of(const ElasticBladeInRing& blade, double a, double b, dou
 }
 
 /// The contact equation and the force of the tip (MODEL 4.1 to 4.4) there.
-template <bool kRingYields>
+template <bool kRingMayYield>
 Constraint constraint_of(const ElasticBladeInRing& blade, const Pose& at, double slip,
                          const blade::CurvePoint& point, double angular_speed) {
   const double reach = blade.geometry.reach;
@@ -110,8 +116,8 @@ Constraint constraint_of(const ElasticBladeInRing& blade, const Pose& at, double
   const double a = at.radial + reach - shortening;
   const double b = at.tangential - slip * deflection;
   Constraint result{};
-  result.residual = residual_of<kRingYields>(blade, at, slip, point);
-  result.bending_slope = bending_slope_of<kRingYields>(blade, a, b, slip, point);
+  result.residual = residual_of<kRingMayYield>(blade, at, slip, point);
+  result.bending_slope = bending_slope_of<kRingMayYield>(blade, a, b, slip, point);
   result.time_slope = 2.0 * a * (at.radial_velocity + angular_speed * at.tangential) +
                       2.0 * b * (at.tangential_velocity - angular_speed * at.radial);
   const double inverse_distance = 1.0 / std::sqrt(a * a + b * b);
@@ -133,15 +139,13 @@ Constraint constraint_of(const ElasticBladeInRing& blade, const Pose& at, double
   return result;
 }
 
-template <class Ring, Release kRelease>
+template <class Ring>
 class ElasticBladeContact {
  public:
   /// An open contact is described by its bending parameter u.
   static constexpr bool kHasBending = true;
   /// The blade bends, so that its slip velocity jumps where friction turns round.
   static constexpr bool kElastic = true;
-  /// A contact on the receding side goes on while it has a force, with g < 0.
-  static constexpr bool kReleasesAtFold = kRelease == Release::at_fold;
   /// Friction takes its sign from a discrete state (MODEL 4.4).
   static constexpr bool kHasSlipState = true;
   /// The load is largest where the gap is.
@@ -149,7 +153,7 @@ class ElasticBladeContact {
   /// Whether a motion is to be ready for branches that end. Axial compliance comes with the curve: the
   /// paper's blades may have it only as one of `UnequalBlades`, so that without it nothing of this is
   /// compiled.
-  static constexpr bool kMayHaveBranches = Ring::kYields || kReleasesAtFold;
+  static constexpr bool kMayHaveBranches = Ring::kMayYield;
 
   using Blade = ElasticBlade;
 
@@ -161,10 +165,11 @@ class ElasticBladeContact {
                0.5 * blade.thickness / blade.length,
                curve->friction(),
                0.0},
+        ring_(ring),
         axial_unit_(blade.length * curve->axial_compliance()),
         curve_(std::move(curve)) {
-    if constexpr (Ring::kYields) blade_.yield_unit = blade_.load_unit / ring.stiffness;
-    has_branches_ = axial_unit_ > 0.0 || Ring::kYields;
+    if constexpr (Ring::kMayYield) blade_.yield_unit = blade_.load_unit / ring.stiffness;
+    has_branches_ = axial_unit_ > 0.0 || blade_.yield_unit > 0.0;
     carried_ = blade_.friction > 0.0 || !has_branches_;
     if (blade_.friction > 0.0) {
       const double per_lateral = 3.0 / (blade_.friction * blade_.length);
@@ -186,9 +191,7 @@ class ElasticBladeContact {
   [[nodiscard]] ElasticBladeContact shortened(double lost) const {
     const Blade blade{blade_.length - lost, 2.0 * blade_.strain_unit * blade_.length,
                       blade_.load_unit * blade_.length * blade_.length};
-    Ring ring{};
-    if constexpr (Ring::kYields) ring.stiffness = blade_.load_unit / blade_.yield_unit;
-    return {{blade_.geometry.reach - lost, blade_.geometry.ring_radius}, blade, curve_, ring};
+    return {{blade_.geometry.reach - lost, blade_.geometry.ring_radius}, blade, curve_, ring_};
   }
 
   /// The same blade in a ring of another radius [m], its evaluations not yet counted.
@@ -199,6 +202,8 @@ class ElasticBladeContact {
     return other;
   }
 
+  /// Whether a contact on the receding side goes on while it has a force, with g < 0.
+  [[nodiscard]] bool releases_at_fold() const { return ring_.release == Release::at_fold; }
   /// A contact can be carried along h = 0 by its bending parameter from its touch-down on; else it is to be
   /// solved for.
   [[nodiscard]] bool carried() const { return carried_; }
@@ -242,7 +247,7 @@ class ElasticBladeContact {
     }
     double result = 2.0 * slip * at.tangential - deflection +
                     shortening / deflection * (2.0 * (at.radial + blade_.geometry.reach) - shortening);
-    if constexpr (Ring::kYields) {
+    if constexpr (Ring::kMayYield) {
       const double yielding = blade_.yield_unit * point.load;  // F/kr
       result += yielding / deflection * (2.0 * blade_.geometry.ring_radius + yielding);
     }
@@ -289,7 +294,7 @@ class ElasticBladeContact {
  private:
   [[nodiscard]] Constraint constraint_at(const Pose& at, double slip, const blade::CurvePoint& point,
                                          double angular_speed) const {
-    return constraint_of<Ring::kYields>(blade_, at, slip, point, angular_speed);
+    return constraint_of<Ring::kMayYield>(blade_, at, slip, point, angular_speed);
   }
 
   [[nodiscard]] blade::CurvePoint curve_at(double bending) const {
@@ -299,13 +304,13 @@ class ElasticBladeContact {
   /// h and ∂h/∂u alone. `point`: of the curve or one of its knots.
   template <class Point>
   [[nodiscard]] double residual(const Pose& at, double slip, const Point& point) const {
-    return residual_of<Ring::kYields>(blade_, at, slip, point);
+    return residual_of<Ring::kMayYield>(blade_, at, slip, point);
   }
   template <class Point>
   [[nodiscard]] double slope(const Pose& at, double slip, const Point& point) const {
     const double a = at.radial + blade_.geometry.reach - blade_.length * point.shortening;
     const double b = at.tangential - slip * blade_.length * point.deflection;
-    return bending_slope_of<Ring::kYields>(blade_, a, b, slip, point);
+    return bending_slope_of<Ring::kMayYield>(blade_, a, b, slip, point);
   }
 
   /// F L²/EI of a straight column whose tip lies on the ring: the smaller root of h = 0, which is quadratic
@@ -361,6 +366,7 @@ class ElasticBladeContact {
   [[nodiscard]] Incline incline(const Pose& at, double slip, const blade::CurvePoint& point) const;
 
   ElasticBladeInRing blade_;
+  [[no_unique_address]] Ring ring_;
   double axial_unit_;          ///< L ε [m]: axial shortening under F = EI/L²
   double axial_relief_ = 0.0;  ///< 3ε/μ [-]
   double ring_relief_ = 0.0;   ///< 3 EI R / (μ L³ kr) [m]
@@ -371,6 +377,6 @@ class ElasticBladeContact {
 };
 
 /// Elastic blades in a rigid ring, released where the undeformed tip leaves it: the paper's law.
-using ElasticaContact = ElasticBladeContact<RigidRing, Release::at_ring>;
+using ElasticaContact = ElasticBladeContact<PaperRing>;
 
 }  // namespace rubatlas::contact

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace rubatlas::contact {
 
@@ -95,6 +96,28 @@ struct StribeckFriction {
     return -2.0 * ratio / stribeck_velocity * excess * share +
            (kinetic_friction + excess) * (1.0 - share * share) / regularising_velocity;
   }
+};
+
+/// A law that depends on the slip velocity, chosen at run time: a motion is compiled once for both.
+class VelocityFriction {
+ public:
+  static constexpr bool kHasSlipState = false;
+  static constexpr bool kDependsOnVelocity = true;
+
+  VelocityFriction(const RegularisedFriction& law) : law_(law) {}
+  VelocityFriction(const StribeckFriction& law) : law_(law) {}
+  [[nodiscard]] double largest() const {
+    return std::visit([](const auto& law) { return law.largest(); }, law_);
+  }
+  [[nodiscard]] double coefficient(double velocity, double slip) const {
+    return std::visit([&](const auto& law) { return law.coefficient(velocity, slip); }, law_);
+  }
+  [[nodiscard]] double slope(double velocity, double slip) const {
+    return std::visit([&](const auto& law) { return law.slope(velocity, slip); }, law_);
+  }
+
+ private:
+  std::variant<RegularisedFriction, StribeckFriction> law_;
 };
 
 }  // namespace rubatlas::contact

@@ -6,8 +6,14 @@
 
 #include <cmath>
 #include <complex>
+#include <cstdint>
 
 namespace rubatlas::contact {
+
+/// How the ring loads an elastic blade. `axial`: the paper's small-angle assumption, the normal load presses
+/// along the undeformed blade, friction across it. `normal`: along the normal and tangent at the deformed
+/// tip.
+enum class LoadDirection : std::uint8_t { axial, normal };
 
 /// The undeformed blade and the ring.
 struct Geometry {

@@ -17,20 +17,22 @@
 
 namespace rubatlas::contact {
 
-/// None for blades with axial compliance or small slopes, where the place of the tip is not a function of κ
-/// and φ.
-inline std::optional<DirectedElastica<AxialLoad, StickingFriction>> resting_law(const ElasticaContact& law) {
+/// None for small slopes, and where axial compliance or a ring that yields gives way besides: there the place
+/// of the tip is not a function of κ and φ. Nor for blades that are released at the fold.
+template <class Ring>
+std::optional<DirectedElastica<StickingFriction>> resting_law(const ElasticBladeContact<Ring>& law) {
   const blade::ElasticaCurve& curve = law.curve();
-  if (curve.theory() != blade::Theory::elastica || curve.axial_compliance() != 0.0 || !law.carried())
+  if (curve.theory() != blade::Theory::elastica || law.has_branches() || law.releases_at_fold() ||
+      !law.carried())
     return std::nullopt;
   const double length = law.length();
-  return DirectedElastica<AxialLoad, StickingFriction>(
-      law.geometry(), {length, 2.0 * length * law.strain_unit(), law.load_unit() * length * length},
+  return DirectedElastica<StickingFriction>(
+      LoadDirection::axial, law.geometry(),
+      {length, 2.0 * length * law.strain_unit(), law.load_unit() * length * length},
       {curve.friction(), curve.friction()});
 }
-template <class Direction>
-std::optional<DirectedElastica<Direction, StickingFriction>> resting_law(
-    const DirectedElastica<Direction, CoulombFriction>& law) {
+inline std::optional<DirectedElastica<StickingFriction>> resting_law(
+    const DirectedElastica<CoulombFriction>& law) {
   return law.with_friction(StickingFriction{law.friction().friction, law.friction().friction});
 }
 template <class Law>

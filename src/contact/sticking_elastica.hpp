@@ -69,9 +69,8 @@ struct RestingBlade {
 
 /// Blade of length L [m] with its tip at the normal angle α on the ring, found by Newton's method from a
 /// neighbouring bend and on its side; none where the method does not converge to a blade under pressure.
-template <class Direction>
-std::optional<RestingBlade> hold(const Geometry& geometry, double length, const Pose& at, double normal_angle,
-                                 const blade::Bend& near) {
+inline std::optional<RestingBlade> hold(LoadDirection direction, const Geometry& geometry, double length,
+                                        const Pose& at, double normal_angle, const blade::Bend& near) {
   constexpr double kLeast = 0.25;  // factors by which a step may change κ and φ
   constexpr double kMost = 4.0;
   const double a = geometry.ring_radius * std::cos(normal_angle);
@@ -110,7 +109,7 @@ std::optional<RestingBlade> hold(const Geometry& geometry, double length, const 
     // The rounding of δ limits the accuracy of a light contact; the steps then no longer shrink.
     if (size < 1e-9 || (size < 1e-5 && size >= 0.5 * previous)) {
       const double load_angle = 2.0 * std::asin(bend.modulus * std::cos(bend.amplitude));
-      const double angle = Direction::kFollowsNormal ? load_angle - normal_angle : load_angle;
+      const double angle = direction == LoadDirection::normal ? load_angle - normal_angle : load_angle;
       if (!(std::cos(angle) > 0.0)) return std::nullopt;  // the ring would have to pull
       return RestingBlade{bend, std::tan(angle), determinant};
     }

@@ -14,7 +14,6 @@ template <class Law>
 class UnequalBlades {
  public:
   static constexpr bool kHasBending = Law::kHasBending;
-  static constexpr bool kReleasesAtFold = Law::kReleasesAtFold;
   static constexpr bool kHasSlipState = Law::kHasSlipState;
   static constexpr bool kLoadFollowsGap = Law::kLoadFollowsGap;
   static constexpr bool kMayHaveBranches = Law::kHasBending;

@@ -202,7 +202,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
       search.ends_latest(
           fraction, {ends ? (lifts_off_ ? Guard::lift_off : Guard::snap) : Guard::horizon, carried().blade});
     // Where the force ends from a finite value it does so before its fold, and that before u = 0.
-    if (ends && !Law::kReleasesAtFold) lift_off_under_load(search);
+    if (ends && !carried_law_->releases_at_fold()) lift_off_under_load(search);
     search.looks_no_further();
     if (ends)
       search.of_contact(0).end_slip_velocity = force(0, step.at_fraction(search.last())).slip_velocity;
@@ -216,7 +216,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
       if (!blade.open) {
         touch_down(*this, search, k);
       } else if (k == carried().blade) {
-        if (!lifts_off_ && !Law::kReleasesAtFold) lift_off(search);
+        if (!lifts_off_ && !carried_law_->releases_at_fold()) lift_off(search);
       } else if (!lifts_off_ && this->ends_at_ring(k, step.at_fraction(search.last()))) {
         lift_off_at_ring(*this, search, k);
       }
@@ -322,7 +322,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
   template <class Step>
   [[nodiscard]] bool passes_release(const Step& step) const {
     if constexpr (kBesideOthers) {
-      if (!Law::kReleasesAtFold && !may_snap()) return false;
+      if (!carried_law_->releases_at_fold() && !may_snap()) return false;
       return carried_law_->fold_measure(step.end()[rotor::kBending], last_.bending_slope) > 0.0;
     }
     return false;
@@ -356,7 +356,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
   /// the root.
   template <class Step>
   [[nodiscard]] bool passes_fold(const Step& step) const {
-    return !Law::kReleasesAtFold && !may_snap() && root_lost(step) && !passes_lift_off(step) &&
+    return !carried_law_->releases_at_fold() && !may_snap() && root_lost(step) && !passes_lift_off(step) &&
            step.size() > Base::kFoldResolution * scale(step.start()[rotor::kBending]);
   }
   /// A step that has passed the fold at which a branch ends, and the one where the next begins: its end does

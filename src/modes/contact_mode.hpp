@@ -246,7 +246,7 @@ class ContactMode {
 
  protected:
   static constexpr bool kRemembers = kMayHaveBranches<Law> || requires {
-    requires Law::OfBlade::kRemembersSide;
+    requires Law::OfBlade::kMayRememberSide;
   };
   static constexpr double kAimBehind = 1.05;       ///< of the way to lift-off
   static constexpr double kFromTouchDown = 0.01;   ///< of dτ/dσ at the end of a step, that at its start
@@ -289,15 +289,17 @@ class ContactMode {
       const auto& law = law_->of(lost.blade);
       // A column that stands straight has no bending to carry along.
       const bool carries = law.carried() || lost.bending > 0.0;
-      if (carries && (Law::kReleasesAtFold || law.has_branches())) return lost.blade;
+      if (carries && (law.releases_at_fold() || law.has_branches())) return lost.blade;
     }
     return -1;
   }
   /// Whether the contact of a blade whose force is found where it stands ends at g = 0 there.
   [[nodiscard]] bool ends_at_ring(int blade, const FullState& state) const {
-    if constexpr (Law::kReleasesAtFold) {
+    if constexpr (Law::kHasBending) {
+      const auto& law = law_->of(blade);
+      if (!law.releases_at_fold()) return true;
       const auto open = std::ranges::find(contacts_, blade, &OpenContact::blade);
-      return law_->of(blade).ends_unloaded(pose(blade, state), open->slip, open->bending);
+      return law.ends_unloaded(pose(blade, state), open->slip, open->bending);
     }
     return true;
   }

@@ -80,7 +80,7 @@ requires Blade::kHasBending struct ContactReset<Blade> {
       contact.bending = 0.0;
       return outside ? Standing::free : Standing::stands;
     }
-    if (outside && !Blade::kReleasesAtFold) return Standing::free;
+    if (outside && !blade.releases_at_fold()) return Standing::free;
     const auto root = contact.bending > 0.0 ? follow(blade, at, contact) : blade.solve(at.pose, contact.slip);
     if (!root) return outside ? Standing::free : Standing::lost;
     contact.bending = *root;

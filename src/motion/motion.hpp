@@ -378,7 +378,8 @@ class Motion {
     if (!touched_down || contacts_.size() != 1) return false;
     // A blade released at the fold returns from a finite distance, and the force of a compressed column
     // starts from zero: neither hops without end.
-    if (Law::kReleasesAtFold || !law_.of(contacts_.front().blade).carried()) return false;
+    const auto& law = law_.of(contacts_.front().blade);
+    if (law.releases_at_fold() || !law.carried()) return false;
     return skimming_->mode().begins(unbent(), contacts_.front(), kUnresolvedHop * limits_.tolerance);
   }
 
@@ -388,6 +389,11 @@ class Motion {
     return {rotor::pose_of(rotor_, law_.of(blade).geometry(), blades_.direction(blade, blades_.first(time_)),
                            rotor::from_ring(state_)),
             blades_.angular_speed(time_)};
+  }
+  /// Whether the contact of a blade goes on beyond the ring while it has a force.
+  [[nodiscard]] bool released_at_fold(int blade) const {
+    if constexpr (Law::kHasBending) return law_.of(blade).releases_at_fold();
+    return false;
   }
   [[nodiscard]] rotor::FullStateOf<Forcing> unbent() const { return rotor::full_state(state_, time_, 0.0); }
 
@@ -577,7 +583,7 @@ class Motion {
         contact->slip = -contact->slip;
         if (!bend_anew(*contact)) {
           // A tip that was held beyond the ring is free where the reversed friction cannot hold it.
-          if (!Law::kReleasesAtFold || place(contact->blade).pose.gap >= 0.0)
+          if (!released_at_fold(contact->blade) || place(contact->blade).pose.gap >= 0.0)
             return point::StatusDetail::no_equilibrium;
           tell(listener, modes::Guard::slip_reversal, contact->blade, contact->slip);
           lift_off(contact, listener);

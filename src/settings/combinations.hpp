@@ -94,7 +94,6 @@ enum class MotionFamily : std::uint8_t {
   rigid_blades,
   sticking_rigid_blades,
   elastic_blades,
-  elastic_blades_released_at_fold,
   directed_elastic_blades,
   sticking_elastic_blades,
   blades_on_damped_ring,

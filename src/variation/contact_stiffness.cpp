@@ -41,8 +41,7 @@ ContactStiffness::Law ContactStiffness::law_of(const settings::Scene& line) {
     if (line.contact.law == settings::ContactLaw::elastic_ring)
       return RigidBlade{line.ring.stiffness, friction};
     if constexpr (Friction::kDependsOnVelocity) {
-      return DirectedBlade(
-          contact::DirectedElastica<contact::AxialLoad, Friction>(geometry, blade_of(line.blades), friction));
+      return DirectedBlade(contact::LoadDirection::axial, geometry, blade_of(line.blades), friction);
     } else {
       const auto theory = line.contact.law == settings::ContactLaw::beam_column ? blade::Theory::beam_column
                                                                                 : blade::Theory::elastica;
@@ -141,7 +140,7 @@ std::optional<ForceSlopes> ContactStiffness::along_path(const observables::PathP
                                acceleration,
                                point.time_rate,
                                &contact};
-      sum += std::visit([&](const auto& law) { return slopes_of_directed_blade(law, at, scale); }, *directed);
+      sum += slopes_of_directed_blade(*directed, at, scale);
       continue;
     }
     const auto there = tip(contact, point.time, point.state);

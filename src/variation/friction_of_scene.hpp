@@ -15,12 +15,13 @@ auto with_friction(const settings::Scene& line, Use use) {
   const double friction = line.contact.friction;
   if (effects::acts<&Effects::stribeck>(line)) {
     const effects::Stribeck& law = *line.stribeck;
-    return use(contact::StribeckFriction{law.static_friction, friction, law.velocity * per_time,
-                                         law.regularising_velocity * per_time});
+    return use(contact::VelocityFriction(contact::StribeckFriction{
+        law.static_friction, friction, law.velocity * per_time, law.regularising_velocity * per_time}));
   }
   // Without friction there is nothing to be regularised.
   if (effects::acts<&Effects::regularised_friction>(line) && friction != 0.0)
-    return use(contact::RegularisedFriction{friction, line.regularised_friction->velocity * per_time});
+    return use(contact::VelocityFriction(
+        contact::RegularisedFriction{friction, line.regularised_friction->velocity * per_time}));
   return use(contact::CoulombFriction{friction});
 }
 

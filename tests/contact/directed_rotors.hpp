@@ -3,15 +3,22 @@
 
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "contact/directed_elastica.hpp"
 #include "rotors.hpp"
 
 namespace rubatlas::contact {
 
-template <class Direction, class FrictionLaw>
-DirectedElastica<Direction, FrictionLaw> directed(const TestRotor& rotor, FrictionLaw friction) {
-  return {rotor.geometry(),
+/// The law's friction: those that depend on the velocity are chosen at run time.
+template <class FrictionLaw>
+using Compiled = std::conditional_t<FrictionLaw::kDependsOnVelocity, VelocityFriction, FrictionLaw>;
+
+template <class FrictionLaw>
+DirectedElastica<Compiled<FrictionLaw>> directed(LoadDirection direction, const TestRotor& rotor,
+                                                 FrictionLaw friction) {
+  return {direction,
+          rotor.geometry(),
           {rotor.length, rotor.thickness, rotor.load_unit() * rotor.length * rotor.length},
           friction};
 }

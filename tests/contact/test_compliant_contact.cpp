@@ -13,9 +13,8 @@ namespace rubatlas::contact {
 namespace {
 
 using blade::Theory;
-using InYieldingRing = ElasticBladeContact<YieldingRing, Release::at_ring>;
-using ReleasedAtFold = ElasticBladeContact<RigidRing, Release::at_fold>;
-using InYieldingRingReleasedAtFold = ElasticBladeContact<YieldingRing, Release::at_fold>;
+using InAnyRing = ElasticBladeContact<AnyRing>;
+constexpr AnyRing kReleasedAtFold{.release = Release::at_fold};
 
 constexpr double kYoungsModulus = 206e9;
 constexpr double kWidth = 0.01;
@@ -161,7 +160,7 @@ TEST(YieldingRing, HoldsTheTipWhereItYieldsTo) {
   for (const double friction : {0.0, 0.01, 0.1, 0.5}) {
     for (const double share : {0.0, 1.0}) {
       for (const double stiffness : {1e2, 1e4, 1e6}) {
-        const InYieldingRing law = make<InYieldingRing>({friction, share}, YieldingRing{stiffness});
+        const InAnyRing law = make<InAnyRing>({friction, share}, AnyRing{stiffness});
         RandomContacts contacts(kDefaultRotor, 0.2, 22);
         for (int i = 0; i < 300; ++i) {
           const Pose at = contacts.next();
@@ -188,9 +187,8 @@ TEST(YieldingRing, HoldsTheTipWhereItYieldsTo) {
 TEST(YieldingRing, IsTheRigidRingInTheLimitToFirstOrder) {
   RandomContacts contacts(kDefaultRotor, 0.2, 23);
   const ElasticaContact rigid = make({0.1});
-  std::vector<InYieldingRing> laws;
-  for (const double stiffness : {1e7, 1e8, 1e9})
-    laws.push_back(make<InYieldingRing>({0.1}, YieldingRing{stiffness}));
+  std::vector<InAnyRing> laws;
+  for (const double stiffness : {1e7, 1e8, 1e9}) laws.push_back(make<InAnyRing>({0.1}, AnyRing{stiffness}));
   int compared = 0;
   for (int i = 0; i < 400; ++i) {
     const Pose at = contacts.next();
@@ -214,14 +212,11 @@ TEST(YieldingRing, UnderAStiffBladeIsTheElasticRing) {
   constexpr double kStiffness = 1e4;
   RandomContacts contacts(kDefaultRotor, 0.1, 24);
   const ElasticRingContact ring(kDefaultRotor.geometry(), kStiffness, 0.0);
-  const InYieldingRing column =
-      make<InYieldingRing>({0.0, 0.0, Theory::elastica, 0.01}, YieldingRing{kStiffness});
+  const InAnyRing column = make<InAnyRing>({0.0, 0.0, Theory::elastica, 0.01}, AnyRing{kStiffness});
   // With friction a blade bends by μF L³/(3 EI); the thicker blades below bend less and less.
   const ElasticRingContact rubbed(kDefaultRotor.geometry(), kStiffness, 0.1);
-  const InYieldingRing stiff =
-      make<InYieldingRing>({0.1, 0.0, Theory::elastica, 0.05}, YieldingRing{kStiffness});
-  const InYieldingRing stiffer =
-      make<InYieldingRing>({0.1, 0.0, Theory::elastica, 0.5}, YieldingRing{kStiffness});
+  const InAnyRing stiff = make<InAnyRing>({0.1, 0.0, Theory::elastica, 0.05}, AnyRing{kStiffness});
+  const InAnyRing stiffer = make<InAnyRing>({0.1, 0.0, Theory::elastica, 0.5}, AnyRing{kStiffness});
   for (int i = 0; i < 300; ++i) {
     const Pose at = contacts.next();
     const TipForce expected = force_at(ring, at);
@@ -242,8 +237,8 @@ TEST(YieldingRing, AddsItsComplianceToTheBladesUnderSmallLoads) {
   const BladeCase column{0.0, 1.0};
   const BladeCase rubbed{0.1, 1.0};
   const double compliance = kDefaultRotor.length / column.axial_stiffness() + 1 / kStiffness;
-  const InYieldingRing straight = make<InYieldingRing>(column, YieldingRing{kStiffness});
-  const InYieldingRing bent = make<InYieldingRing>(rubbed, YieldingRing{kStiffness});
+  const InAnyRing straight = make<InAnyRing>(column, AnyRing{kStiffness});
+  const InAnyRing bent = make<InAnyRing>(rubbed, AnyRing{kStiffness});
   for (const double penetration : {1e-12, 1e-14}) {
     EXPECT_NEAR(force_at(straight, pressed(penetration)).normal * compliance / penetration, 1.0, 1e-10);
     EXPECT_NEAR(force_at(bent, pressed(penetration)).normal * compliance / penetration, 1.0,
@@ -258,7 +253,7 @@ TEST(YieldingRing, AddsItsComplianceToTheBladesUnderSmallLoads) {
 }
 
 TEST(YieldingRing, SlopesOfTheConstraintAreItsDerivatives) {
-  const InYieldingRing law = make<InYieldingRing>({0.1, 1.0}, YieldingRing{1e3});
+  const InAnyRing law = make<InAnyRing>({0.1, 1.0}, AnyRing{1e3});
   RandomContacts contacts(kDefaultRotor, 0.2, 25);
   for (int i = 0; i < 500; ++i) {
     const Pose at = contacts.next();
@@ -275,7 +270,7 @@ TEST(YieldingRing, SlopesOfTheConstraintAreItsDerivatives) {
 
 TEST(ReleaseAtFold, HoldsTheTipBeyondTheRingAsLongAsThereIsAForce) {
   for (const double friction : {0.0, 0.01, 0.1, 0.5}) {
-    const ReleasedAtFold law = make<ReleasedAtFold>({friction});
+    const InAnyRing law = make<InAnyRing>({friction}, kReleasedAtFold);
     for (const double lateral : {-1e-4, -1e-3, -5e-3}) {
       // From the ring outwards to the fold, which the root approaches like a square root.
       double gap = 0.0;
@@ -314,7 +309,7 @@ TEST(ReleaseAtFold, HoldsTheTipBeyondTheRingAsLongAsThereIsAForce) {
 
 TEST(ReleaseAtFold, IsTheSameLawWhileTheTipIsInTheRing) {
   for (const double friction : {0.0, 0.1}) {
-    const ReleasedAtFold fold = make<ReleasedAtFold>({friction});
+    const InAnyRing fold = make<InAnyRing>({friction}, kReleasedAtFold);
     const ElasticaContact ring = make({friction});
     RandomContacts contacts(kDefaultRotor, 0.35, 26);
     for (int i = 0; i < 1000; ++i) {
@@ -326,8 +321,8 @@ TEST(ReleaseAtFold, IsTheSameLawWhileTheTipIsInTheRing) {
 }
 
 TEST(ReleaseAtFold, NeverHoldsATipOnTheApproachingSide) {
-  const ReleasedAtFold law = make<ReleasedAtFold>({0.1});
-  const auto yielding = make<InYieldingRingReleasedAtFold>({0.1, 1.0}, YieldingRing{1e4});
+  const InAnyRing law = make<InAnyRing>({0.1}, kReleasedAtFold);
+  const auto yielding = make<InAnyRing>({0.1, 1.0}, AnyRing{1e4, Release::at_fold});
   for (const double lateral : {1e-6, 1e-3, 5e-3}) {
     for (const double gap : {-1e-15, -1e-9, -1e-6}) {
       Pose at = pressed(0.0, lateral);
@@ -368,7 +363,7 @@ struct Scanned {
   double low, high;
   double begin, end;
 };
-std::vector<Scanned> scan(const InYieldingRing& law, const Pose& at, double slip) {
+std::vector<Scanned> scan(const InAnyRing& law, const Pose& at, double slip) {
   constexpr int kPoints = 6000;
   const double first = 1e-4 * law.curve().knots()[1].bending;
   const double ratio = law.curve().end() / first;
@@ -393,7 +388,7 @@ std::vector<Scanned> scan(const InYieldingRing& law, const Pose& at, double slip
 TEST(Branches, LoadIncreasedFromZeroMeetsTheRootOfANewContactFirst) {
   int several = 0;
   for (const CompliantCase& given : kCompliantCases) {
-    const auto law = make<InYieldingRing>(given.blade, YieldingRing{given.ring_stiffness});
+    const auto law = make<InAnyRing>(given.blade, AnyRing{given.ring_stiffness});
     RandomContacts random(kDefaultRotor, 0.2, 31);
     for (int i = 0; i < 60; ++i) {
       const Pose at = receding(given, random);
@@ -420,7 +415,7 @@ TEST(Branches, ARootIsFollowedOnItsOwnBranchFromAnywhereOnIt) {
   int followed = 0;
   for (const CompliantCase& given : kCompliantCases) {
     if (given.blade.friction == 0.0) continue;
-    const auto law = make<InYieldingRing>(given.blade, YieldingRing{given.ring_stiffness});
+    const auto law = make<InAnyRing>(given.blade, AnyRing{given.ring_stiffness});
     RandomContacts random(kDefaultRotor, 0.2, 32);
     for (int i = 0; i < 60; ++i) {
       const Pose at = receding(given, random);
@@ -448,7 +443,7 @@ struct Swept {
   double snap_out = 0.0;             ///< cr of the last snap on the way out [m]
   int snaps = 0;
 };
-Swept press_in_and_out(const InYieldingRing& law, double deepest, double lateral, int steps) {
+Swept press_in_and_out(const InAnyRing& law, double deepest, double lateral, int steps) {
   Swept swept;
   Pose at = pressed(1e-9, lateral);
   double bending = law.solve(at, 1.0).value();
@@ -478,7 +473,7 @@ Swept press_in_and_out(const InYieldingRing& law, double deepest, double lateral
 
 TEST(Branches, AColumnOnTheRecedingSideBucklesAtItsEulerLoadAndStraightensBelowIt) {
   const BladeCase blade{0.0, 1.0};
-  const auto law = make<InYieldingRing>(blade, YieldingRing{1e5});
+  const auto law = make<InAnyRing>(blade, AnyRing{1e5});
   constexpr double kLateral = -3e-3;
   constexpr double kDeepest = 1e-3;
   constexpr int kSteps = 4000;
@@ -493,7 +488,7 @@ TEST(Branches, AColumnOnTheRecedingSideBucklesAtItsEulerLoadAndStraightensBelowI
 }
 
 TEST(Branches, ABladeThatBendsSnapsBothWaysWithHysteresis) {
-  const auto law = make<InYieldingRing>({0.1, 1.0}, YieldingRing{1e5});
+  const auto law = make<InAnyRing>({0.1, 1.0}, AnyRing{1e5});
   constexpr double kLateral = -3.985e-3;
   constexpr double kDeepest = 4e-5;
   constexpr int kSteps = 4000;
@@ -531,7 +526,7 @@ TEST(CompliantBlades, ForceSteppedUpwardsEndsAtTheRoot) {
     for (const Theory theory : {Theory::elastica, Theory::beam_column}) {
       expect_steps_up_to_the_root(make({friction, 1.0, theory}), 0.3);
       expect_steps_up_to_the_root(make({friction, 0.0, theory}), 0.3);
-      expect_steps_up_to_the_root(make<InYieldingRing>({friction, 1.0, theory}, YieldingRing{1e4}), 0.3);
+      expect_steps_up_to_the_root(make<InAnyRing>({friction, 1.0, theory}, AnyRing{1e4}), 0.3);
     }
   }
 }

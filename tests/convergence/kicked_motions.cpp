@@ -97,8 +97,7 @@ TEST(KickedMotion, OfBladesUnderTheNormalLoadErrsByItsTolerance) {
     SCOPED_TRACE(index);
     expect_that_error_follows_tolerance(kicked(index), [](const HardRotor& rotor, const State& start) {
       const contact::CoulombFriction friction{rotor.friction};
-      return one_revolution(
-          rotor, directed_law<contact::CoulombFriction, contact::NormalLoad>(rotor, friction), start);
+      return one_revolution(rotor, directed_law(rotor, friction, contact::LoadDirection::normal), start);
     });
   }
 }

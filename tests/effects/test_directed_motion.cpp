@@ -96,12 +96,10 @@ TEST(DirectedMotion, StatusOfAPredictableMotionDoesNotHangOnTheTolerance) {
     if (i % 4 == 0) same = ends_alike(rotor, directed_law(rotor, regularised), start);
     if (i % 4 == 1) same = ends_alike(rotor, directed_law(rotor, stribeck), start);
     if (i % 4 == 2) {
-      same = ends_alike(
-          rotor, directed_law<contact::RegularisedFriction, contact::NormalLoad>(rotor, regularised), start);
+      same = ends_alike(rotor, directed_law(rotor, regularised, contact::LoadDirection::normal), start);
     }
     if (i % 4 == 3) {
-      same = ends_alike(rotor, directed_law<contact::StribeckFriction, contact::NormalLoad>(rotor, stribeck),
-                        start);
+      same = ends_alike(rotor, directed_law(rotor, stribeck, contact::LoadDirection::normal), start);
     }
     alike += same ? 1 : 0;
   }

@@ -161,9 +161,9 @@ TEST(Guards, SlipOfATipThatIsHeldUntilItsForceEndsMayDipBelowZero) {
   rotor.friction = 0.45;
   const State start{0.0015771167237649975, -0.0022065293944549345, 0.029356464879735131,
                     -0.023620726224428068};
-  const contact::ElasticBladeContact<contact::RigidRing, contact::Release::at_fold> law(
+  const contact::ElasticBladeContact<contact::AnyRing> law(
       rotor.geometry(), {rotor.length, rotor.thickness, rotor.bending_stiffness},
-      std::make_shared<blade::ElasticaCurve>(rotor.friction));
+      std::make_shared<blade::ElasticaCurve>(rotor.friction), {.release = contact::Release::at_fold});
   const auto motion = [&](double tolerance) {
     rotor.tolerance = tolerance;
     return follow(rotor, law, kNoForcing, start, 1, kNoPiece);

@@ -20,13 +20,11 @@ namespace rubatlas::test {
 namespace {
 
 using blade::Theory;
+using contact::AnyRing;
 using contact::ElasticaContact;
 using contact::Release;
-using contact::RigidRing;
-using contact::YieldingRing;
-using ReleasedAtFold = contact::ElasticBladeContact<RigidRing, Release::at_fold>;
-using InYieldingRing = contact::ElasticBladeContact<YieldingRing, Release::at_ring>;
-using InYieldingRingReleasedAtFold = contact::ElasticBladeContact<YieldingRing, Release::at_fold>;
+using InAnyRing = contact::ElasticBladeContact<AnyRing>;
+constexpr AnyRing kReleasedAtFold{.release = Release::at_fold};
 
 constexpr contact::Geometry kGeometry{0.1, 0.11};
 constexpr double kLength = 0.1;
@@ -135,8 +133,7 @@ TEST(CompliantBlades, InAStiffRingMoveLikeInARigidOneToFirstOrder) {
     const rotor::State exact = run(make<ElasticaContact>(friction, 0.0), 0.62, 2).state;
     double before = 0.0;
     for (const double stiffness : {1e9, 1e10, 1e11}) {
-      const auto with =
-          run(make<InYieldingRing>(friction, 0.0, Theory::elastica, YieldingRing{stiffness}), 0.62, 2);
+      const auto with = run(make<InAnyRing>(friction, 0.0, Theory::elastica, AnyRing{stiffness}), 0.62, 2);
       ASSERT_EQ(with.status, point::PointStatus::done);
       const double off = difference(with.state, exact);
       if (before > 0.0) {
@@ -203,18 +200,20 @@ int expect_both_forms_agree(const Law& law, double speed_ratio, int blades, doub
 
 TEST(CompliantBlades, CarriedAndSolvedContactsAgree) {
   constexpr double kAllowed = 1e-9;  // of τ: the solved form has no order where a contact begins head-on
-  const YieldingRing ring{1e5};
+  const AnyRing ring{1e5};
   for (const double speed : {0.36, 0.62}) {
     EXPECT_GT(expect_both_forms_agree(make<ElasticaContact>(0.1, 1.0), speed, 10, kAllowed), 10);
     EXPECT_GT(
         expect_both_forms_agree(make<ElasticaContact>(0.1, 0.0, Theory::beam_column), speed, 10, kAllowed),
         10);
-    EXPECT_GT(
-        expect_both_forms_agree(make<InYieldingRing>(0.1, 1.0, Theory::elastica, ring), speed, 10, kAllowed),
-        10);
-    EXPECT_GT(expect_both_forms_agree(make<ReleasedAtFold>(0.1, 0.0), speed, 10, kAllowed), 10);
-    EXPECT_GT(expect_both_forms_agree(make<InYieldingRingReleasedAtFold>(0.1, 1.0, Theory::beam_column, ring),
-                                      speed, 10, kAllowed),
+    EXPECT_GT(expect_both_forms_agree(make<InAnyRing>(0.1, 1.0, Theory::elastica, ring), speed, 10, kAllowed),
+              10);
+    EXPECT_GT(expect_both_forms_agree(make<InAnyRing>(0.1, 0.0, Theory::elastica, kReleasedAtFold), speed, 10,
+                                      kAllowed),
+              10);
+    EXPECT_GT(expect_both_forms_agree(
+                  make<InAnyRing>(0.1, 1.0, Theory::beam_column, AnyRing{ring.stiffness, Release::at_fold}),
+                  speed, 10, kAllowed),
               10);
   }
 }
@@ -269,11 +268,12 @@ Releases expect_releases_at_the_fold(const Law& law, double speed_ratio, int bla
 TEST(ReleaseAtFold, EndsContactsWhereTheForceDoes) {
   Releases all;
   int in_yielding_ring = 0;
-  const auto yielding = make<InYieldingRingReleasedAtFold>(0.1, 1.0, Theory::elastica, YieldingRing{1e7});
+  const auto yielding = make<InAnyRing>(0.1, 1.0, Theory::elastica, AnyRing{1e7, Release::at_fold});
   for (const auto& [speed, blades] : {std::pair{0.36, 10}, std::pair{0.5, 3}, std::pair{0.75, 10},
                                       std::pair{0.3, 10}, std::pair{0.36, 20}, std::pair{0.9, 10}}) {
     for (const double friction : {0.0, 0.1, 0.3}) {
-      const auto found = expect_releases_at_the_fold(make<ReleasedAtFold>(friction, 0.0), speed, blades, 10);
+      const auto found = expect_releases_at_the_fold(
+          make<InAnyRing>(friction, 0.0, Theory::elastica, kReleasedAtFold), speed, blades, 10);
       all.at_fold += found.at_fold;
       all.beside_others += found.beside_others;
     }
@@ -287,7 +287,7 @@ TEST(ReleaseAtFold, EndsContactsWhereTheForceDoes) {
 TEST(ReleaseAtFold, LetsContactsLastLongerOnTheRecedingSide) {
   for (const auto& [speed, blades] : {std::pair{0.36, 10}, std::pair{0.5, 3}, std::pair{0.75, 3}}) {
     const auto ring = run(make<ElasticaContact>(0.1, 0.0), speed, 10, blades);
-    const auto fold = run(make<ReleasedAtFold>(0.1, 0.0), speed, 10, blades);
+    const auto fold = run(make<InAnyRing>(0.1, 0.0, Theory::elastica, kReleasedAtFold), speed, 10, blades);
     const auto& events = ring.witness.events;
     const auto recedes = [speed = speed, blades = blades](const modes::Event& event) {
       return event.kind == modes::Guard::lift_off &&
@@ -315,7 +315,7 @@ std::vector<modes::Event> snaps_of(const Run<Law>& motion) {
 }
 
 TEST(Branches, AMotionGoesOnThroughTheFoldOfABladeInAYieldingRing) {
-  const auto law = make<InYieldingRing>(0.1, 0.0, Theory::elastica, YieldingRing{1e5});
+  const auto law = make<InAnyRing>(0.1, 0.0, Theory::elastica, AnyRing{1e5});
   const auto motion = run(law, 0.45, 3);
   EXPECT_EQ(motion.status, point::PointStatus::done);
   const auto snaps = snaps_of(motion);
@@ -337,7 +337,7 @@ TEST(Branches, AMotionGoesOnThroughTheFoldOfABladeInAYieldingRing) {
 }
 
 TEST(Branches, ABladeSnapsAtItsFoldBesideAnotherOneWhateverTheTolerance) {
-  const auto law = make<InYieldingRing>(0.1, 0.0, Theory::elastica, YieldingRing{1e4});
+  const auto law = make<InAnyRing>(0.1, 0.0, Theory::elastica, AnyRing{1e4});
   rotor::State start;
   start << 2e-3, -1e-3, 0.02, 0.03;
   const auto fine = snaps_of(run(law, 0.315, 1, 3, 1e-15, start));
@@ -365,7 +365,7 @@ TEST(Branches, NoMotionIsLostAtAFold) {
 }
 
 TEST(Branches, AColumnBucklesAndStraightensAtTheSameTimesWhateverTheTolerance) {
-  const auto law = make<InYieldingRing>(0.0, 0.0, Theory::elastica, YieldingRing{1e5});
+  const auto law = make<InAnyRing>(0.0, 0.0, Theory::elastica, AnyRing{1e5});
   rotor::State start;
   start << -0.0010026794376224251, -0.0039731201235519171, 0.020789851758929081, 0.02654179434526615;
   const auto fine = snaps_of(run(law, 0.208, 1, 10, 1e-15, start));
@@ -381,7 +381,7 @@ TEST(Branches, AColumnBucklesAndStraightensAtTheSameTimesWhateverTheTolerance) {
 
 TEST(Branches, AContactThatIsOpenAtTheStartStandsOnTheRootThatLoadFromZeroMeetsFirst) {
   // Receding, lightly in, where the blade could be compressed or bent.
-  const auto law = make<InYieldingRing>(0.02, 1.0, Theory::elastica, YieldingRing{1e5});
+  const auto law = make<InAnyRing>(0.02, 1.0, Theory::elastica, AnyRing{1e5});
   const double tangential = -0.0142;
   const double penetration = 2e-5;
   const double radius = kGeometry.ring_radius + penetration;

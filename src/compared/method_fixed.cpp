@@ -1,7 +1,7 @@
 // `fixed`: classical Runge–Kutta in equal steps, a whole number of them in a revolution; contact by the sign
 // of g in each stage, events nowhere. What people write first.
 
-#include "assembly/stepped_method.hpp"
+#include "compared/stepped_method.hpp"
 #include "integrate/classical_runge_kutta.hpp"
 
 namespace rubatlas::assembly {

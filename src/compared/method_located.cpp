@@ -2,7 +2,7 @@
 // and slip reversals are found by sign changes over a step and located on dense output, and the force is
 // solved for in each stage. What a good general library for differential equations does.
 
-#include "assembly/stepped_method.hpp"
+#include "compared/stepped_method.hpp"
 #include "integrate/dormand_prince_54.hpp"
 
 namespace rubatlas::assembly {

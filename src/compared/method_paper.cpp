@@ -3,7 +3,7 @@
 // neither the pair nor the increment: Fehlberg's 4(5), whose solution is of order 4, and the increment of the
 // scene.
 
-#include "assembly/stepped_method.hpp"
+#include "compared/stepped_method.hpp"
 #include "integrate/fehlberg_45.hpp"
 
 namespace rubatlas::assembly {
