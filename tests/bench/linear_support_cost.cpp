@@ -1,5 +1,5 @@
 /// What flight on a general linear support costs: nanoseconds per state, bound and construction, for 0 … 32
-/// harmonic terms, on one core. Asks nothing; prints the table of src/rotor/README.md.
+/// harmonic terms, on one core. Asks nothing; prints the table of linear_support.md.
 #include <fmt/format.h>
 
 #include <chrono>

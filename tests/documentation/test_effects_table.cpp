@@ -1,5 +1,5 @@
-// The table of effects in src/settings/effects/README.md is the list's own: where this test fails, it prints
-// the text that belongs between the two marks.
+// The table of effects in src/settings/effects/equations.md is the list's own: where this test fails, it
+// prints the text that belongs between the two marks.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -26,17 +26,19 @@ std::string table() {
   return text;
 }
 
-TEST(EffectsTable, TheReadmeShowsTheTableOfTheList) {
-  const std::string shown = documentation::between_marks("src/settings/effects/README.md", "effects");
+TEST(EffectsTable, ThePageShowsTheTableOfTheList) {
+  const std::string shown = documentation::between_marks("src/settings/effects/equations.md", "effects");
   EXPECT_EQ(shown, table()) << "\nbetween the marks belongs:\n" << table();
 }
 
-TEST(EffectsTable, TheReadmeShowsThePictureOfEveryEffect) {
+TEST(EffectsTable, TheReadmeLinksToSceneAndPictureOfEveryEffect) {
   const std::string page = documentation::text_of("src/settings/effects/README.md");
   for_each_effect([&]<auto Effect>() {
     std::string name(Settings<Effect>::kDescription.section.substr(1));
     std::replace(name.begin(), name.end(), '/', '_');
-    EXPECT_NE(page.find("](../../../tools/pictures/effect_" + name + ".png)"), std::string::npos) << name;
+    for (const auto& link :
+         {"](../../../tools/pictures/effect_" + name + ".png)", "](../../../jobs/effect_" + name + ".json)"})
+      EXPECT_NE(page.find(link), std::string::npos) << link;
   });
 }
 

@@ -1,4 +1,4 @@
-// The table of the scene's keys in src/settings/README.md is the reader's own table: where this test fails,
+// The table of the scene's keys in src/settings/keys.md is the reader's own table: where this test fails,
 // it prints the text that belongs between the two marks.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -54,6 +54,8 @@ std::string allowed_text(const Quantity& quantity) {
   return words;
 }
 
+constexpr std::size_t kLineWidth = 120;  ///< of the pages [columns]
+
 std::string table() {
   std::string text = "| key | symbol | meaning | unit | allowed | default |\n|---|---|---|---|---|---|\n";
   for (const auto& quantity : quantities()) {
@@ -65,19 +67,27 @@ std::string table() {
   const auto axes = grid_axes();
   for (std::size_t i = axes.size(); i-- > 0;)
     text += fmt::format("`{}`{}", axes[i].name, i == 0 ? ".\n" : ", ");
-  text += "\nObservables: ";
   const auto names = observable_names();
   const auto defaults = default_observable_names();
+  std::string line = "Observables:";
+  text += "\n";
   for (std::size_t i = 0; i < names.size(); ++i) {
     const bool kept = std::find(defaults.begin(), defaults.end(), names[i]) != defaults.end();
-    text += fmt::format("{}`{}`{}{}", kept ? "**" : "", names[i], kept ? "**" : "",
-                        i + 1 == names.size() ? ".\n" : ", ");
+    const std::string word =
+        fmt::format("{0}`{1}`{0}{2}", kept ? "**" : "", names[i], i + 1 == names.size() ? "." : ",");
+    if (line.size() + 1 + word.size() > kLineWidth) {
+      text += line + "\n";
+      line = word;
+    } else {
+      line += " " + word;
+    }
   }
+  text += line + "\n";
   return text;
 }
 
-TEST(SceneKeys, TheReadmeShowsTheTableOfTheReader) {
-  const std::string shown = documentation::between_marks("src/settings/README.md", "scene keys");
+TEST(SceneKeys, ThePageShowsTheTableOfTheReader) {
+  const std::string shown = documentation::between_marks("src/settings/keys.md", "scene keys");
   EXPECT_EQ(shown, table()) << "\nbetween the marks belongs:\n" << table();
 }
 
