@@ -78,7 +78,7 @@ class Pieces(JobTest):
         # Through region 3 two motions coexist at some speeds. The tolerance of the comparison decides what a
         # periodic motion is; what is periodic in the serial sweep, and goes on from a periodic motion, has the same
         # displacement here. At a speed that is periodic among aperiodic ones the last digits of an aperiodic motion
-        # decide whether the sweep finds the periodic one (jobs/README.md).
+        # decide whether the sweep finds the periodic one (jobs/studies/pieces.md).
         content = line(grid={"speed_ratio": {"from": 0.3, "to": 0.7, "count": 120}, "damping_ratio": 0.1},
                        protocol={"transient_revolutions": 200, "sampled_revolutions": 100, "samples_per_revolution": 32})
         pieces = self.fill(2, content, "pieces.h5")

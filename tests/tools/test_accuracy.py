@@ -117,14 +117,11 @@ class ToolsAccuracy(unittest.TestCase):
         ended = run(TINY / "accuracy.h5", "-o", self.folder, "--page", page)
         self.assertEqual(page.read_text(), f"before\n{accuracy.BEGIN}\n{ended.stdout}{accuracy.END}\nafter\n")
 
-    def test_the_readme_has_room_for_the_table(self):
-        accuracy.put_into_page(self.copy_of_readme(), "table")
-        self.assertIn(f"{accuracy.BEGIN}\ntable\n{accuracy.END}", (self.folder / "README.md").read_text())
-
-    def copy_of_readme(self):
-        path = self.folder / "README.md"
-        path.write_text((ROOT / "jobs/README.md").read_text())
-        return path
+    def test_the_page_of_the_study_has_room_for_the_table(self):
+        page = self.folder / "page.md"
+        page.write_text((ROOT / "jobs/studies/accuracy.md").read_text())
+        accuracy.put_into_page(page, "table")
+        self.assertIn(f"{accuracy.BEGIN}\ntable\n{accuracy.END}", page.read_text())
 
     def test_a_mistake_is_one_sentence_and_exit_code_2(self):
         page = self.folder / "page.md"
