@@ -91,7 +91,8 @@ class Documentation(unittest.TestCase):
         self.assertGreaterEqual(len(scenes), 12)
         for scene in scenes:
             with self.subTest(scene=scene.name):
-                ended = subprocess.run([PROGRAM, "explain", scene, "--measure", "0.05"], capture_output=True, text=True, check=False)
+                ended = subprocess.run([PROGRAM, "explain", scene, "--measure", "0.05"], capture_output=True, text=True,
+                                       check=False)
                 self.assertEqual((ended.returncode, ended.stderr), (0, ""))
                 self.assertTrue(ended.stdout.strip())
 
