@@ -6,8 +6,8 @@
 #   ./jobs/effects.sh gravity wear ...    these
 #   ./jobs/effects.sh --publish [...]     also renews tools/pictures/effect_<name>.png
 #
-# Atlases go to atlases/, pictures beside them, the table to atlases/effects.md. The scene without the effect is the same
-# file without its section.
+# Atlases go to atlases/, pictures beside them, the table to atlases/effects.md. The scene without the effect is the
+# same file without its section.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 [ "${1-}" != --help ] || { sed -n '2,11s/^# \{0,1\}//p' jobs/effects.sh; exit 0; }

@@ -62,8 +62,14 @@ class Documentation(unittest.TestCase):
     def test_every_block_of_the_tools_readme_runs(self):
         self.expect_blocks_run("tools/README.md", at_least=3)
 
+    def test_every_block_of_the_gallery_runs(self):
+        self.expect_blocks_run("tools/gallery.md", at_least=10)
+
     def test_every_block_of_the_tutorial_runs(self):
         self.expect_blocks_run("jobs/tutorial.md", at_least=6)
+
+    def test_every_block_of_the_page_of_maps_runs(self):
+        self.expect_blocks_run("analysis/maps.md", at_least=1)
 
     def test_every_block_of_the_report_readme_runs(self):
         self.expect_blocks_run("tools/rubatlas/report/README.md", at_least=1)

@@ -186,7 +186,7 @@ class ToolsPictures(unittest.TestCase):
         self.expect_picture("statement_map", TINY / "maps.h5", TINY / "rings_maps.h5", colours=10)
 
     def test_every_picture_has_its_command(self):
-        pages = (ROOT / "tools/draw.sh").read_text() + (ROOT / "tools/README.md").read_text()
+        pages = (ROOT / "tools/draw.sh").read_text() + (ROOT / "tools/gallery.md").read_text()
         for kind in KINDS:
             self.assertIn(f"rubatlas-plot {kind} ", pages.replace('rubatlas-plot" ', "rubatlas-plot "))
             module = importlib.import_module(f"rubatlas.plots.{kind}")
