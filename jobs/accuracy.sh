@@ -1,8 +1,8 @@
 #!/bin/bash
-# What accuracy costs: runs both studies, draws them and prints the table. Minutes of one core that has nothing else to do.
+# What accuracy costs: runs both studies, draws them and prints the table. Minutes of a core with nothing else to do.
 #
 #   ./jobs/accuracy.sh              into atlases/accuracy
-#   ./jobs/accuracy.sh --publish    and into the README: its table, and the pictures in tools/pictures
+#   ./jobs/accuracy.sh --publish    and into jobs/studies/accuracy.md: its table, and the pictures in tools/pictures
 set -euo pipefail
 case "$#,${1-}" in
   0,) publish=no ;;
@@ -19,10 +19,11 @@ study jobs/accuracy.json -o "$folder/trajectories.h5"
 study jobs/accuracy_map.json -o "$folder/map.h5" --methods collocation,hybrid,fixed --steps 2e-2,1e-2 --repeats 1
 
 draw() {
-  tools/rubatlas-plot accuracy "$folder/trajectories.h5" --map "$folder/map.h5" --reference tests/reference/orbits.json "$@"
+  tools/rubatlas-plot accuracy "$folder/trajectories.h5" --map "$folder/map.h5" \
+    --reference tests/reference/orbits.json "$@"
 }
 if [ "$publish" = yes ]; then
-  draw -o tools/pictures --dpi 75 --page jobs/README.md
+  draw -o tools/pictures --dpi 75 --page jobs/studies/accuracy.md
 else
   draw -o "$folder"
 fi

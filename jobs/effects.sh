@@ -6,10 +6,11 @@
 #   ./jobs/effects.sh gravity wear ...    these
 #   ./jobs/effects.sh --publish [...]     also renews tools/pictures/effect_<name>.png
 #
-# Atlases go to atlases/, pictures beside them, the table to atlases/effects.md. The scene without the effect is the same file without its section.
+# Atlases go to atlases/, pictures beside them, the table to atlases/effects.md. The scene without the effect is the
+# same file without its section.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-[ "${1-}" != --help ] || { sed -n '2,10s/^# \{0,1\}//p' jobs/effects.sh; exit 0; }
+[ "${1-}" != --help ] || { sed -n '2,11s/^# \{0,1\}//p' jobs/effects.sh; exit 0; }
 publish=no
 [ "${1-}" != --publish ] || { publish=yes; shift; }
 program=${RUBATLAS:-build/rubatlas}
@@ -51,7 +52,8 @@ import json, sys
 effect, scene, plain = sys.argv[1:]
 content = json.load(open(scene, encoding="utf-8"))
 del content[effect]
-json.dump(content, open(plain, "w", encoding="utf-8"), indent=2)' "$(jobs/effect_of.py "$scene")" "$scene" "$without.json"
+json.dump(content, open(plain, "w", encoding="utf-8"), indent=2)' \
+    "$(jobs/effect_of.py "$scene")" "$scene" "$without.json"
   atlas "$scene" "$with.h5"
   atlas "$without.json" "$without.h5"
   tools/rubatlas-plot effect "$with.h5" --without "$without.h5" --dpi 60 -o "$with.png"

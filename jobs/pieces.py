@@ -86,7 +86,8 @@ def main():
     with tempfile.TemporaryDirectory(prefix="rubatlas_pieces_") as scratch:
         directory = options.keep or pathlib.Path(scratch)
         directory.mkdir(parents=True, exist_ok=True)
-        print("| scene | points | other class | periodic, and moved | replaced | more work |\n|---|---|---|---|---|---|")
+        print("| scene | points | other class | periodic, and moved | replaced | more work |")
+        print("|---|---|---|---|---|---|")
         for path in options.scenes or sorted(ROOT.glob("jobs/*.json")):
             if line := row(path, options, directory):
                 print(line, flush=True)

@@ -3,10 +3,10 @@
 #
 #   sbatch -n 64 jobs/slurm.sh jobs/damping.json [ATLAS.h5]
 #
-# The atlas goes to atlases/<scene>.h5 unless named. Submit the same line again to complete an interrupted run: points that
-# are there are never repeated. With RUBATLAS_REQUEUE=1 in the environment of sbatch the job does so itself at its time
-# limit. With a number of parts behind the atlas each job of an array computes the part of its task number, into an atlas of
-# its own (jobs/slurm_array.sh submits such an array). The program must have been built (jobs/systems.md says how on a cluster).
+# The atlas goes to atlases/<scene>.h5 unless named. Submit the same line again to complete an interrupted run: points
+# that are there are never repeated. With RUBATLAS_REQUEUE=1 in the environment of sbatch the job does so itself at its
+# time limit. With a number of parts behind the atlas each job of an array computes the part of its task number, into an
+# atlas of its own (jobs/slurm_array.sh submits it). jobs/systems.md says how to build the program on a cluster.
 #SBATCH --job-name=rubatlas
 #SBATCH --time=08:00:00
 #SBATCH --cpus-per-task=1

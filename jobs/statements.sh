@@ -24,15 +24,19 @@ program=build/rubatlas
 mkdir -p atlases pictures
 for name in fig4_elastica fig4_elastic_ring fig4_stiffness fig4_phase_elastica fig4_phase_elastic_ring; do
   code=0
-  complete_atlas "jobs/$name.json" "atlases/$name.h5" auto mpirun -q --oversubscribe --bind-to none -n "$(nproc)" || code=$?
+  complete_atlas "jobs/$name.json" "atlases/$name.h5" auto \
+    mpirun -q --oversubscribe --bind-to none -n "$(nproc)" || code=$?
   # Exit code 10: some points could not be integrated; the others are judged.
   if [ "$code" != 0 ] && [ "$code" != 10 ]; then
     echo "statements.sh: atlases/$name.h5 is not complete; to go on: jobs/statements.sh $*" >&2
     exit "$code"
   fi
-  build/rubatlas analyse "atlases/$name.h5" -o "atlases/${name}_maps.h5" --table "atlases/$name.md" --overwrite >/dev/null
+  build/rubatlas analyse "atlases/$name.h5" -o "atlases/${name}_maps.h5" --table "atlases/$name.md" --overwrite \
+    >/dev/null
 done
-tools/rubatlas-plot statement_map atlases/fig4_{elastica,elastic_ring,stiffness}_maps.h5 -o pictures/statement_map.png --counts --dpi 75
-tools/rubatlas-plot statement_map atlases/fig4_phase_{elastica,elastic_ring}_maps.h5 -o pictures/statement_map_phase.png --counts \
-  --dpi 75 --statements P1,P2,P3,P4,P8 --title "What the paper says of Fig. 4, by phase of the unbalance and direction"
+tools/rubatlas-plot statement_map atlases/fig4_{elastica,elastic_ring,stiffness}_maps.h5 \
+  -o pictures/statement_map.png --counts --dpi 75
+tools/rubatlas-plot statement_map atlases/fig4_phase_{elastica,elastic_ring}_maps.h5 \
+  -o pictures/statement_map_phase.png --counts --dpi 75 --statements P1,P2,P3,P4,P8 \
+  --title "What the paper says of Fig. 4, by phase of the unbalance and direction"
 if $publish; then cp pictures/statement_map.png pictures/statement_map_phase.png tools/pictures/; fi

@@ -6,8 +6,8 @@ import unittest
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 
-# The one table of who depends on whom, in the order of the flow: a folder sees itself and what stands here, a folder with
-# all that is in it or one header.
+# The one table of who depends on whom, in the order of the flow: a folder sees itself and what stands here, a folder
+# with all that is in it or one header.
 MAY_INCLUDE = {
     "src/settings/effects": ["settings/range.hpp"],
     "src/settings": ["settings/effects"],
@@ -24,12 +24,15 @@ MAY_INCLUDE = {
     "src/motion": ["settings", "contact", "rotor", "integrate", "observables/motion_piece.hpp",
                    "observables/places_in_piece.hpp", "modes",
                    "point/status.hpp"],
-    "src/point": ["settings", "rotor", "variation", "observables", "modes/motion_listener.hpp", "modes/work_meter.hpp", "motion"],
+    "src/point": ["settings", "rotor", "variation", "observables", "modes/motion_listener.hpp", "modes/work_meter.hpp",
+                  "motion"],
     "src/compared": ["settings", "contact", "rotor", "integrate", "observables/motion_piece.hpp", "modes", "motion",
                      "point/status.hpp"],
-    "src/assembly": ["settings", "plan", "blade", "contact", "rotor", "integrate", "variation", "modes", "motion", "point",
+    "src/assembly": ["settings", "plan", "blade", "contact", "rotor", "integrate", "variation", "modes", "motion",
+                     "point",
                      "compared"],
-    "src/branch": ["settings", "plan", "contact/pose.hpp", "rotor", "variation/blades_of_scene.hpp", "observables/grazing.hpp", "point",
+    "src/branch": ["settings", "plan", "contact/pose.hpp", "rotor", "variation/blades_of_scene.hpp",
+                   "observables/grazing.hpp", "point",
                    "assembly"],
     "src/atlas": ["settings", "plan", "observables", "point/line_solver.hpp", "point/status.hpp", "branch/branch.hpp"],
     "analysis/rules": ["settings", "plan", "atlas"],
@@ -37,7 +40,8 @@ MAY_INCLUDE = {
     "analysis": ["settings", "plan", "atlas", "analysis/rules", "analysis/paper"],
     "mpi/job": ["settings", "plan", "observables", "modes/work_meter.hpp", "point", "assembly", "atlas",
                 "analysis/rules", "mpi"],
-    "mpi/accuracy": ["settings", "plan", "observables", "point", "assembly", "atlas/accuracy_file.hpp", "analysis", "mpi"],
+    "mpi/accuracy": ["settings", "plan", "observables", "point", "assembly", "atlas/accuracy_file.hpp", "analysis",
+                     "mpi"],
     "mpi/commands": ["settings", "plan", "observables", "modes/work_meter.hpp", "point", "assembly", "branch",
                      "atlas", "analysis", "mpi"],
     "mpi": ["settings", "atlas", "analysis/analyse.hpp", "mpi/job", "mpi/accuracy", "mpi/commands"],
@@ -130,7 +134,8 @@ class Architecture(unittest.TestCase):
         self.expect_none(departures, "big libraries stay in their folders")
 
     def test_every_source_includes_its_own_header_first(self):
-        sources = [path for path in files(".cpp") if path.parts[0] != "tests" and (ROOT / path).with_suffix(".hpp").exists()]
+        sources = [path for path in files(".cpp") if path.parts[0] != "tests"
+                   and (ROOT / path).with_suffix(".hpp").exists()]
         self.assertGreater(len(sources), 50)
         self.expect_none((f"{path} begins with {includes(path)[0]}" for path in sources
                           if includes(path)[0] != str(path.with_suffix(".hpp")).removeprefix("src/")),

@@ -23,8 +23,8 @@ def measured(build, name):
 def main():
     build = pathlib.Path(sys.argv[1])
     whole = measured(build, "whole")
-    print("| left out of the build | instructions a right-hand side | a revolution | the program with all, a right-hand side "
-          "| apart | atlas |\n|---|---|---|---|---|---|")
+    print("| left out of the build | instructions a right-hand side | a revolution "
+          "| the program with all, a right-hand side | apart | atlas |\n|---|---|---|---|---|---|")
     apart = []
     for effect in sys.argv[2:]:
         without = measured(build, f"without_{effect}")

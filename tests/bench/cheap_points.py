@@ -2,9 +2,9 @@
 
     /usr/bin/python3 tests/bench/cheap_points.py 1,2,4,8,16,32,64 PROGRAM...
 
-A hundred lines of a thousand points, one sampled revolution each; no blade reaches the ring. Each program in turn for each
-number of ranks. 0 ranks: without mpirun. Points a second and the microseconds of processor time a point, of all ranks and of
-mpirun together, their start and end included; the second number is of use on a busy machine too.
+A hundred lines of a thousand points, one sampled revolution each; no blade reaches the ring. Each program in turn for
+each number of ranks. 0 ranks: without mpirun. Points a second and the microseconds of processor time a point, of all
+ranks and of mpirun together, their start and end included; the second number is of use on a busy machine too.
 """
 import json
 import os
@@ -34,7 +34,8 @@ def measure(program, ranks, directory):
     launcher = ["mpirun", "-q", "--oversubscribe", "--bind-to", "none", "-n", str(ranks)] if ranks else []
     atlas = directory / "atlas.h5"
     before = processor_seconds()
-    subprocess.run([*launcher, program, "run", directory / "scene.json", "-o", atlas, "--overwrite", "--progress", "off"],
+    subprocess.run([*launcher, program, "run", directory / "scene.json", "-o", atlas, "--overwrite", "--progress",
+                    "off"],
                    env=ENVIRONMENT, stderr=subprocess.DEVNULL, check=True)
     record = json.loads(pathlib.Path(f"{atlas}.run.json").read_text())["runs"][-1]
     return record["points_per_second"], 1e6 * (processor_seconds() - before) / (LINES * SPEEDS)

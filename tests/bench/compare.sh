@@ -25,7 +25,8 @@ git diff --quiet HEAD -- src CMakeLists.txt || changed=", with changes"
   echo "# Side by side, as measured"
   echo
   echo "Made by \`./tests/bench/compare.sh $*\` at commit $(git rev-parse --short HEAD)$changed, on one core of"
-  echo "$processor (family $family, $(nproc) cores), g++ $(g++ -dumpfullversion), $(date -u +%Y-%m-%d). What the columns mean: README.md."
+  echo "$processor (family $family, $(nproc) cores), g++ $(g++ -dumpfullversion), $(date -u +%Y-%m-%d)."
+  echo "What the columns mean: [bench](README.md)."
   echo
   "$build/tests/bench/compare" "$@"
 } >"$build/comparison.md"

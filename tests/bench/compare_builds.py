@@ -3,13 +3,13 @@
 
     /usr/bin/python3 tests/bench/compare_builds.py OLD NEW [--speeds 9] [--revolutions 140] [SCENE.json...]
 
-OLD and NEW are two programs `rubatlas`, each with a method of integration where one is named: build/rubatlas=hybrid. Each
-scene is thinned out: that many speed ratios of its range, the first and the last value of every other axis, that many
-revolutions, of which the last two sevenths are sampled. Columns: points; points whose sections agree byte by byte; points
-whose status differs; points whose class of motion differs, as `analyse` of NEW has it; the largest distance of the
-sets of sections of points that are periodic in both, in units of accuracy.tolerance times the clearance; and how many times as fast
-NEW is, by the processor time that its ranks have spent on points. A scene that one of the two refuses, since it does not
-know an effect of it, has a row without numbers.
+OLD and NEW are two programs `rubatlas`, each with a method of integration where one is named: build/rubatlas=hybrid.
+Each scene is thinned out: that many speed ratios of its range, the first and the last value of every other axis, that
+many revolutions, of which the last two sevenths are sampled. Columns: points; points whose sections agree byte by byte;
+points whose status differs; points whose class of motion differs, as `analyse` of NEW has it; the largest distance of
+the sets of sections of points that are periodic in both, in units of accuracy.tolerance times the clearance; and how
+many times as fast NEW is, by the processor time that its ranks have spent on points. A scene that one of the two
+refuses, since it does not know an effect of it, has a row without numbers.
 """
 import argparse
 import json
@@ -40,7 +40,8 @@ def thinned(scene, speeds, revolutions):
         grid[name] = [round(value, 6) for value in chosen] if name == "speed_ratio" else chosen
     observables = ["poincare", "max_displacement"]
     sampled = 2 * revolutions // 7
-    protocol = {**scene.get("protocol", {}), "transient_revolutions": revolutions - sampled, "sampled_revolutions": sampled}
+    protocol = {**scene.get("protocol", {}), "transient_revolutions": revolutions - sampled,
+                "sampled_revolutions": sampled}
     return {**scene, "grid": grid, "observables": observables, "protocol": protocol}
 
 
@@ -118,7 +119,8 @@ def main():
     parser.add_argument("--speeds", type=int, default=9)
     parser.add_argument("--revolutions", type=int, default=140)
     options = parser.parse_intermixed_args()
-    print("| scene | points | same bytes | other status | other class | periodic: apart, tolerances | times as fast |\n|---|--:|--:|--:|--:|--:|--:|")
+    print("| scene | points | same bytes | other status | other class | periodic: apart, tolerances | times as fast |\n"
+          "|---|--:|--:|--:|--:|--:|--:|")
     for path in options.scenes or sorted((ROOT / "jobs").glob("*.json")):
         with tempfile.TemporaryDirectory() as folder:
             try:

@@ -22,7 +22,9 @@ def read_profile(path):
 def short(function):
     """Without namespaces, which fill a line and say little."""
     function = re.sub(r"Eigen::Array<double, (\d), 1, 0, \d, 1>", r"Array\1", function)
-    function = re.sub(r"rubatlas::|Eigen::internal::|\b(?:assembly|modes|motion|point|rotor|contact|integrate|effects|observables|blade)::|std::", "", function)
+    function = re.sub(r"rubatlas::|Eigen::internal::|std::|"
+                      r"\b(?:assembly|modes|motion|point|rotor|contact|integrate|effects|observables|blade)::",
+                      "", function)
     return function if len(function) <= LONGEST_NAME else function[: LONGEST_NAME - 1] + "…"
 
 

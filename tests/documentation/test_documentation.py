@@ -62,8 +62,14 @@ class Documentation(unittest.TestCase):
     def test_every_block_of_the_tools_readme_runs(self):
         self.expect_blocks_run("tools/README.md", at_least=3)
 
+    def test_every_block_of_the_gallery_runs(self):
+        self.expect_blocks_run("tools/gallery.md", at_least=10)
+
     def test_every_block_of_the_tutorial_runs(self):
         self.expect_blocks_run("jobs/tutorial.md", at_least=6)
+
+    def test_every_block_of_the_page_of_maps_runs(self):
+        self.expect_blocks_run("analysis/maps.md", at_least=1)
 
     def test_every_block_of_the_report_readme_runs(self):
         self.expect_blocks_run("tools/rubatlas/report/README.md", at_least=1)
@@ -91,7 +97,8 @@ class Documentation(unittest.TestCase):
         self.assertGreaterEqual(len(scenes), 12)
         for scene in scenes:
             with self.subTest(scene=scene.name):
-                ended = subprocess.run([PROGRAM, "explain", scene, "--measure", "0.05"], capture_output=True, text=True, check=False)
+                ended = subprocess.run([PROGRAM, "explain", scene, "--measure", "0.05"], capture_output=True, text=True,
+                                       check=False)
                 self.assertEqual((ended.returncode, ended.stderr), (0, ""))
                 self.assertTrue(ended.stdout.strip())
 

@@ -1,5 +1,5 @@
-// The table of the paper's statements in analysis/README.md is the program's own: where this test fails, it
-// prints the text that belongs between the two marks.
+// The table in analysis/paper/statements.md is the program's own: where this test fails, it prints the text that
+// belongs between the two marks.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@ std::string table() {
   return text;
 }
 
-TEST(StatementsTable, TheReadmeShowsTheTableOfTheList) {
-  const std::string shown = documentation::between_marks("analysis/README.md", "statements");
+TEST(StatementsTable, ThePageShowsTheTableOfTheList) {
+  const std::string shown = documentation::between_marks("analysis/paper/statements.md", "statements");
   EXPECT_EQ(shown, table()) << "\nbetween the marks belongs:\n" << table();
 }
 

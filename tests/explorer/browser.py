@@ -14,7 +14,8 @@ class Browser:
 
     def __init__(self, downloads, width=1400, height=1000):
         options = webdriver.ChromeOptions()
-        for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--hide-scrollbars", "--force-prefers-reduced-motion"):
+        for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                         "--hide-scrollbars", "--force-prefers-reduced-motion"):
             options.add_argument(argument)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         self.driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
@@ -26,7 +27,8 @@ class Browser:
         return self.driver.execute_cdp_cmd(name, parameters)
 
     def resize(self, width, height=1000):
-        self.command("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+        self.command("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
+                     mobile=False)
 
     def run(self, script, *arguments):
         return self.driver.execute_script(script, *arguments)
@@ -76,7 +78,8 @@ class Browser:
         button.click()  # as a user does: Chromium holds back the eleventh file that a script saves by itself
         end = time.monotonic() + LONGEST_WAIT
         while time.monotonic() < end:
-            files = [one for one in self.downloads.iterdir() if not one.name.endswith((".crdownload", ".tmp")) and one.stat().st_size]
+            files = [one for one in self.downloads.iterdir() if not one.name.endswith((".crdownload", ".tmp"))
+                     and one.stat().st_size]
             if files:
                 return files[0]
             time.sleep(0.05)

@@ -13,7 +13,8 @@ COMMAND = ROOT / "tools/rubatlas-report"
 
 def report(*arguments, environment=None):
     """The command, ended."""
-    return subprocess.run(["/usr/bin/python3", COMMAND, *map(str, arguments)], env=environment, capture_output=True, text=True, check=False)
+    return subprocess.run(["/usr/bin/python3", COMMAND, *map(str, arguments)], env=environment, capture_output=True,
+                          text=True, check=False)
 
 
 def made(output, source, *arguments, solver=True):
@@ -33,7 +34,8 @@ def run(folder, name, scene):
     path = folder / f"{name}.json"
     path.write_text(json.dumps(scene))
     atlas = folder / f"{name}.h5"
-    ended = subprocess.run([PROGRAM, "run", path, "-o", atlas, "--overwrite", "--progress", "off"], capture_output=True, text=True,
+    ended = subprocess.run([PROGRAM, "run", path, "-o", atlas, "--overwrite", "--progress", "off"], capture_output=True,
+                           text=True,
                            check=False)
     if ended.returncode != 0:
         raise AssertionError(ended.stderr)

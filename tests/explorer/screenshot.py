@@ -1,4 +1,7 @@
-"""A picture of a report as a browser shows it, with a blade in contact: screenshot.py REPORT.html PICTURE.png [ADDRESS]"""
+"""A picture of a report as a browser shows it, with a blade in contact:
+
+    screenshot.py REPORT.html PICTURE.png [ADDRESS]
+"""
 import base64
 import pathlib
 import sys
@@ -21,7 +24,8 @@ def draw(report, picture, address=""):
             browser.wait_for("/ [2-9]\\d(\\.\\d+)? N/.test(document.getElementById('rotor-status').textContent)")
             browser.find("#play").click()
             browser.run("document.activeElement.blur()")
-            shot = browser.command("Page.captureScreenshot", format="png", clip={"x": 0, "y": 0, "width": 1400, "height": HEIGHT, "scale": 0.75})
+            shot = browser.command("Page.captureScreenshot", format="png",
+                                   clip={"x": 0, "y": 0, "width": 1400, "height": HEIGHT, "scale": 0.75})
             pathlib.Path(picture).write_bytes(base64.b64decode(shot["data"]))
         finally:
             browser.close()

@@ -35,7 +35,8 @@ class Report(unittest.TestCase):
 
     def test_a_report_refers_to_nothing_outside_of_itself(self):
         content = tiny(self.folder).read_text()
-        self.assertEqual(re.findall(r"<(?:link|iframe|img|object|embed|base)\b|\ssrc=|\shref=\"http|@import|url\((?!#)", content), [])
+        self.assertEqual(re.findall(r"<(?:link|iframe|img|object|embed|base)\b|\ssrc=|\shref=\"http|@import|url\((?!#)",
+                                    content), [])
         self.assertIn("default-src 'none'", content)
 
     def test_a_report_replaces_a_report_and_no_other_file(self):
@@ -64,9 +65,11 @@ class Report(unittest.TestCase):
         self.expect_refusal("a report is made of an atlas", TINY / "maps.h5", "-o", self.folder / "report.html")
 
     def test_a_file_that_is_no_solver_is_refused(self):
-        self.expect_refusal("not a WebAssembly module", TINY / "atlas.h5", "-o", self.folder / "report.html", "--solver",
+        self.expect_refusal("not a WebAssembly module", TINY / "atlas.h5", "-o", self.folder / "report.html",
+                            "--solver",
                             TINY / "table1.md")
-        self.expect_refusal("no such file", TINY / "atlas.h5", "-o", self.folder / "report.html", "--solver", self.folder / "no.wasm")
+        self.expect_refusal("no such file", TINY / "atlas.h5", "-o", self.folder / "report.html", "--solver",
+                            self.folder / "no.wasm")
 
     def test_a_scene_that_the_page_cannot_compute_has_the_orbits_of_the_program(self):
         ended = report(TINY / "gravity.h5", "-o", self.folder / "report.html", "--solver", SOLVER)
@@ -144,7 +147,8 @@ class Report(unittest.TestCase):
         self.assertTrue(lock["packages"]["node_modules/uplot"]["integrity"].startswith("sha512-"))
 
     def test_an_atlas_without_sections_and_spectra_has_a_report(self):
-        atlas = run(self.folder, "plain", {"grid": {"speed_ratio": [0.3, 0.4]}, "protocol": {"transient_revolutions": 2, "sampled_revolutions": 2},
+        atlas = run(self.folder, "plain", {"grid": {"speed_ratio": [0.3, 0.4]},
+                                           "protocol": {"transient_revolutions": 2, "sampled_revolutions": 2},
                                            "observables": ["max_displacement"]})
         ended = report(atlas, "-o", self.folder / "report.html", "--without-solver")
         self.assertEqual(ended.returncode, 0, ended.stderr)

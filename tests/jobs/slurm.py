@@ -1,4 +1,4 @@
-"""A Slurm of its own for a test: controller, one node and munge on the loopback, with all their files in one directory."""
+"""A Slurm of its own for a test: controller, one node and munge on the loopback, all their files in one directory."""
 import os
 import pwd
 import shutil
@@ -85,7 +85,8 @@ class Slurm:
         self.wait_until(lambda: (self.directory / "munge.socket").exists(), "munged opens no socket")
         self.start("slurmctld", "-D")
         self.start("slurmd", "-D")
-        self.wait_until(lambda: "idle" in self.call("sinfo", "-h", "-o", "%T").stdout, "Slurm's node does not become idle")
+        self.wait_until(lambda: "idle" in self.call("sinfo", "-h", "-o", "%T").stdout,
+                        "Slurm's node does not become idle")
 
     def start(self, *command):
         log = open(self.directory / f"{command[0]}.out", "wb")
@@ -109,7 +110,8 @@ class Slurm:
 
     def call(self, *command, **more):
         """A command of Slurm to its end, in the directory `cwd` of the caller's choice."""
-        return subprocess.run([*map(str, command)], capture_output=True, text=True, stdin=subprocess.DEVNULL, check=False,
+        return subprocess.run([*map(str, command)], capture_output=True, text=True, stdin=subprocess.DEVNULL,
+                              check=False,
                               timeout=120, **{"env": self.environment, **more})
 
     def state(self, job):

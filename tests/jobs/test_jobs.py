@@ -77,7 +77,8 @@ class Jobs(unittest.TestCase):
         """Starts a script in a session of its own, waits for the atlas, lets `send` disturb the script's process,
         and returns its exit code and what it has said."""
         with subprocess.Popen([*map(str, command)], cwd=self.folder, env=environment(**more), stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True) as job:
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                              start_new_session=True) as job:
             until = time.monotonic() + PATIENCE
             while not (self.folder / atlas).exists() and time.monotonic() < until and job.poll() is None:
                 time.sleep(0.05)
@@ -87,7 +88,8 @@ class Jobs(unittest.TestCase):
         return job.returncode, said
 
     def interrupt_slurm(self, send):
-        return self.interrupt(["bash", ROOT / "jobs/slurm.sh", ROOT / "jobs/damping.json", "atlas.h5"], "atlas.h5", send)
+        return self.interrupt(["bash", ROOT / "jobs/slurm.sh", ROOT / "jobs/damping.json", "atlas.h5"], "atlas.h5",
+                              send)
 
     def points_computed(self, atlas):
         with h5py.File(self.folder / atlas) as file:

@@ -77,7 +77,8 @@ class SlurmJobs(unittest.TestCase):
         found = []
         for entry in pathlib.Path("/proc").glob("[0-9]*"):
             try:
-                if os.readlink(entry / "cwd") == str(self.folder) and os.readlink(entry / "exe") == str(PROGRAM.resolve()):
+                folder, program = os.readlink(entry / "cwd"), os.readlink(entry / "exe")
+                if folder == str(self.folder) and program == str(PROGRAM.resolve()):
                     found.append(int(entry.name))
             except OSError:
                 pass  # gone in the meantime
@@ -86,9 +87,11 @@ class SlurmJobs(unittest.TestCase):
     def test_a_job_at_its_time_limit_is_requeued_and_goes_on_to_the_same_bytes(self):
         whole = self.whole(scene(40, 50))
         # The signal of a limit of a minute comes a minute before it: when Slurm looks for the first time.
-        job = self.submitted("sbatch", "--parsable", "-n", "2", "--time=1", "--signal=B:USR1@60", "jobs/slurm.sh", "scene.json",
+        job = self.submitted("sbatch", "--parsable", "-n", "2", "--time=1", "--signal=B:USR1@60", "jobs/slurm.sh",
+                             "scene.json",
                              "atlas.h5", RUBATLAS_REQUEUE="1").strip()
-        # Slurm looks at time limits twice a minute. The ranks stand still until then, so that they are at work on any machine.
+        # Slurm looks at time limits twice a minute. The ranks stand still until then, so that they are at work on any
+        # machine.
         self.wait_until((self.folder / "atlas.h5.run.json").exists, "the job does not begin", pause=0.005)
         ranks = self.ranks()
         self.assertEqual(len(ranks), 2)
@@ -98,14 +101,15 @@ class SlurmJobs(unittest.TestCase):
         self.wait_until(lambda: "Forwarding signal 10" in said.read_text(), "no signal at the time limit")
         for rank in ranks:
             os.kill(rank, signal.SIGCONT)
-        # For some seconds the job waits in the queue. It then has time enough on a machine that is busy with other tests, too.
+        # For some seconds the job waits in the queue. It then has time enough, on a busy machine too.
         self.wait_until(lambda: self.slurm.state(job) == {"PENDING"}, "the job is not requeued")
         self.assertEqual(self.call("scontrol", "update", f"JobId={job}", "TimeLimit=60").returncode, 0)
         said = self.wait_for_completion(job)
         self.assertIn("stopped and resumable; to go on: sbatch -n 2 jobs/slurm.sh scene.json atlas.h5", said)
         self.assertTrue(said.endswith("done: atlas.h5\n"), said)
         runs = self.runs("atlas.h5")
-        self.assertEqual([(run["exit_code"], run["resumed"], run["ranks"]) for run in runs], [(75, True, 2), (0, True, 2)])
+        self.assertEqual([(run["exit_code"], run["resumed"], run["ranks"]) for run in runs],
+                         [(75, True, 2), (0, True, 2)])
         self.assertEqual(sum(run["points_computed"] for run in runs), 160, "no point was computed twice")
         self.assertTrue((self.folder / "atlas.h5").read_bytes() == whole, "the atlas has other bytes")
 
@@ -121,7 +125,8 @@ class SlurmJobs(unittest.TestCase):
         self.assertEqual([run["part"] for run in self.runs("atlas.h5")], ["1/3", "2/3", "3/3"])
 
     def srun(self, ranks, mpi):
-        return self.call("srun", "-n", ranks, f"--mpi={mpi}", PROGRAM, "run", "scene.json", "-o", "atlas.h5", "--progress",
+        return self.call("srun", "-n", ranks, f"--mpi={mpi}", PROGRAM, "run", "scene.json", "-o", "atlas.h5",
+                         "--progress",
                          "off")
 
     def test_srun_without_pmi_is_refused_by_each_of_its_tasks(self):
@@ -129,8 +134,8 @@ class SlurmJobs(unittest.TestCase):
         job = self.srun(3, "none")
         self.assertEqual(job.returncode, 3, job.stderr)
         for task in range(3):
-            self.assertIn(f"rubatlas: this is task {task} of the 3 of a Slurm job, and none of them knows of the others",
-                          job.stderr)
+            self.assertIn(f"rubatlas: this is task {task} of the 3 of a Slurm job, and none of them knows of "
+                          "the others", job.stderr)
         self.assertFalse((self.folder / "atlas.h5").exists())
 
     def test_srun_with_pmix_starts_ranks_of_one_job(self):

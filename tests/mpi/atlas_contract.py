@@ -10,13 +10,15 @@ import numpy as np
 
 GRID_AXES = ["thickness", "unbalance", "friction", "damping_ratio", "speed_ratio"]
 ROOT_ATTRIBUTES = ["Conventions", "schema_version", "software", "software_version", "git_commit", "compiler"]
-ALWAYS = {"status": ([], "|u1"), "status_detail": ([], "|u1"), "restarted": ([], "|u1"), "failed_revolution": ([], "<i4"),
+ALWAYS = {"status": ([], "|u1"), "status_detail": ([], "|u1"), "restarted": ([], "|u1"),
+          "failed_revolution": ([], "<i4"),
           "row_checksum": ([], "<u4"),
           "final_state": (["component"], "<f8")}
 IF_ASKED = {"poincare": ["section", "component"], "poincare_blade_passing": ["passing", "component"],
             "max_displacement": [], "spectrum": ["order"], "touchdowns_per_revolution": [], "max_contact_force": [],
             "contact_fraction": [], "max_root_strain": [], "clearance_growth": [],
-            "full_spectrum": ["whirl_order"], "friction_power": [], "viscous_power": [], "deformation_power": [], "drive_torque": [],
+            "full_spectrum": ["whirl_order"], "friction_power": [], "viscous_power": [], "deformation_power": [],
+            "drive_torque": [],
             "touchdowns_of_blades": ["blade"], "contact_fraction_of_blades": ["blade"], "impulse_of_blades": ["blade"],
             "max_contact_force_of_blades": ["blade"], "approach_speed": [], "max_root_stress": []}
 # What effects remember from point to point, where they act:
@@ -73,8 +75,10 @@ def departures(path):
         for name, (inner, kind) in rows.items():
             dataset = atlas[name]
             need(dataset.dtype.str == kind, f"/{name} is {dataset.dtype.str}, not {kind}")
-            need(dataset.shape == shape + tuple(atlas[axis].size for axis in inner), f"/{name} has shape {dataset.shape}")
-            need("long_name" in dataset.attrs and (kind != "<f8" or "units" in dataset.attrs), f"/{name} says too little")
+            need(dataset.shape == shape + tuple(atlas[axis].size for axis in inner),
+                 f"/{name} has shape {dataset.shape}")
+            need("long_name" in dataset.attrs and (kind != "<f8" or "units" in dataset.attrs),
+                 f"/{name} says too little")
             for place, axis in enumerate(axes + inner):
                 scales = [scale.name for scale in dataset.dims[place].values()]
                 need(scales == [f"/{axis}"], f"axis {place} of /{name} runs along {scales}, not along /{axis}")
@@ -86,7 +90,8 @@ def departures(path):
         for axis in {axis for inner, _ in rows.values() for axis in inner} | set(axes):
             need(h5py.h5ds.is_scale(atlas[axis].id), f"/{axis} is no dimension scale")
             need({"units", "long_name"} <= set(atlas[axis].attrs), f"/{axis} says too little")
-        need([word.decode() for word in atlas["component"][...]] == ["x", "y", "vx", "vy"], "/component has other words")
+        need([word.decode() for word in atlas["component"][...]] == ["x", "y", "vx", "vy"],
+             "/component has other words")
         if "section" in atlas:
             protocol = scene["protocol"]
             first, count = protocol["transient_revolutions"] + 1, protocol["sampled_revolutions"]
@@ -106,7 +111,8 @@ def departures(path):
         need((failure[np.isin(status, FAILED)] >= 0).all(), "/failed_revolution does not count where a point failed")
         detail = atlas["status_detail"]
         named = detail.attrs.get("flag_values")
-        need(len(named) == len(detail.attrs.get("flag_meanings", "").split()), "the meanings of /status_detail are not declared")
+        need(len(named) == len(detail.attrs.get("flag_meanings", "").split()),
+             "the meanings of /status_detail are not declared")
         need(np.isin(detail[...], named).all(), "/status_detail has an unknown code")
         need((np.asarray(detail[...] != 0) == np.isin(status, FAILED)).all(), "/status_detail does not go with /status")
         finished = status != PENDING

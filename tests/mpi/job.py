@@ -64,7 +64,8 @@ class JobTest(unittest.TestCase):
 
     def execute(self, ranks, *arguments, **environment):
         """Runs to the end; the completed process has its text in stdout and stderr."""
-        job = subprocess.run(command(ranks, *arguments), env={**ENVIRONMENT, **AT_ITS_END, **environment}, cwd=self.directory,
+        job = subprocess.run(command(ranks, *arguments), env={**ENVIRONMENT, **AT_ITS_END, **environment},
+                             cwd=self.directory,
                              capture_output=True, timeout=TIME_LIMIT, check=False)
         # Decoded here: Python's own text mode would turn the carriage returns of a progress bar into newlines.
         job.stdout, job.stderr = job.stdout.decode(), job.stderr.decode()
@@ -78,12 +79,13 @@ class JobTest(unittest.TestCase):
         return atlas
 
     def start(self, ranks, content, atlas, *options, **environment):
-        """Starts a job and returns at once. Its statuses follow their rows at once: whoever waits for one sees it come."""
+        """Starts a job and returns at once. Its statuses follow their rows at once: who waits for one sees it come."""
         for option, value in (("--progress", "off"), ("--batch-milliseconds", "0")):
             if option not in options:
                 options = (*options, option, value)
         job = subprocess.Popen(command(ranks, "run", self.write_scene(content), "-o", atlas, *options),
-                               env={**ENVIRONMENT, **environment}, cwd=self.directory, stderr=subprocess.PIPE, text=True)
+                               env={**ENVIRONMENT, **environment}, cwd=self.directory, stderr=subprocess.PIPE,
+                               text=True)
         self.addCleanup(lambda: (job.poll() is None and job.kill(), job.wait(), job.stderr.close()))
         return job
 

@@ -36,7 +36,8 @@ class Branch(JobTest):
         self.assertAlmostEqual(first, 0.439338032, delta=1e-8)
         found = self.rows()
         self.assertEqual(found["parameter"][-1], 0.46)
-        self.assertTrue(((found["stability"] == 1) == (found["parameter"] <= first)).all(), "unstable behind the grazing")
+        self.assertTrue(((found["stability"] == 1) == (found["parameter"] <= first)).all(),
+                        "unstable behind the grazing")
         self.branch("--from", "speed_ratio=0.62", "--along", "speed_ratio", "--to", "0.43")
         last, again = self.grazings()
         self.assertAlmostEqual(last, 0.595436672, delta=1e-8)

@@ -1,4 +1,4 @@
-"""Borders between motions are narrowed down by new points: where a fine sweep has them, with the same bytes for any ranks."""
+"""Borders between motions are narrowed down by new points: where a fine sweep has them, same bytes for any ranks."""
 import os
 import signal
 import subprocess
@@ -64,7 +64,8 @@ class Edges(EdgesTest):
             self.assertLess(lower - last, speeds[1] - speeds[0])
 
     def test_any_number_of_ranks_finds_the_same_bytes(self):
-        for name, content in (("up", short()), ("both", short(sweep="both")), ("independent", short(sweep="independent")),
+        for name, content in (("up", short()), ("both", short(sweep="both")),
+                              ("independent", short(sweep="independent")),
                               ("wear", short(wear={"rate": 1e-6, "carries_over": True}))):
             with self.subTest(scene=name):
                 atlas = self.fill(2, content, f"{name}.h5")
@@ -72,7 +73,8 @@ class Edges(EdgesTest):
                 alone = self.edges(None, atlas, f"{name}0.h5", "--to", "1e-4")
                 self.assertGreater(len(self.rows(alone)["line"]), 3)
                 for ranks in (1, 2, 3):
-                    self.assertTrue(alone.read_bytes() == self.edges(ranks, atlas, f"{name}{ranks}.h5", "--to", "1e-4").read_bytes(),
+                    self.assertTrue(alone.read_bytes() == self.edges(ranks, atlas, f"{name}{ranks}.h5", "--to",
+                                                                     "1e-4").read_bytes(),
                                     f"{ranks} ranks make other edges")
                 self.assertEqual(before, atlas.read_bytes(), "the atlas is only read")
 
@@ -147,7 +149,8 @@ class Edges(EdgesTest):
                 self.assert_refused(edges("nowhere.h5"), 3, "nowhere.h5", "No such file")
                 self.assert_refused(edges("edges.h5"), 3, "edges.h5")
         analyse = lambda *options: self.execute(None, "analyse", *options)
-        self.assert_refused(analyse(other, "--edges", "edges.h5", "-o", "m.h5"), 2, "edges.h5 was made from another scene", "/sweep")
+        self.assert_refused(analyse(other, "--edges", "edges.h5", "-o", "m.h5"), 2,
+                            "edges.h5 was made from another scene", "/sweep")
         self.assert_refused(analyse(atlas, "--edges", other, "-o", "m.h5"), 2, "other.h5 is no file of edges")
         self.assert_refused(analyse(atlas, "--edges", "edges.h5", "-o", "edges.h5", "--overwrite"), 2, "the same file")
         self.assertEqual(sorted(os.listdir(self.directory)), before)
@@ -157,7 +160,8 @@ class Edges(EdgesTest):
         before = sorted(os.listdir(self.directory))
         for ranks, number, code in ((None, signal.SIGTERM, 75), (2, signal.SIGUSR1, 75), (2, signal.SIGKILL, None)):
             with self.subTest(ranks=ranks, signal=number):
-                job = subprocess.Popen(command(ranks, "edges", atlas, "--to", "1e-12", "--progress", "off"), env=ENVIRONMENT,
+                job = subprocess.Popen(command(ranks, "edges", atlas, "--to", "1e-12", "--progress", "off"),
+                                       env=ENVIRONMENT,
                                        cwd=self.directory, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
                 time.sleep(1.5)
                 self.assertIsNone(job.poll(), "it still computes")

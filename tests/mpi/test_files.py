@@ -78,7 +78,8 @@ class Outputs(FileTest):
         self.assert_refused(self.execute(None, *arguments), 2, "maps.h5 exists", "--overwrite")
         self.assertEqual(self.execute(None, *arguments, "--overwrite").returncode, 0)
         before = atlas.read_bytes()
-        for wrong in (("-o", atlas.name), ("-o", "scene.json"), ("-o", "table.md"), ("-o", "maps.h5", "--table", "maps.h5"),
+        for wrong in (("-o", atlas.name), ("-o", "scene.json"), ("-o", "table.md"),
+                      ("-o", "maps.h5", "--table", "maps.h5"),
                       ("-o", "maps.h5", "--table", "scene.json")):
             job = self.execute(None, "analyse", atlas.name, *wrong, "--overwrite")
             self.assert_refused(job, 2)
@@ -177,15 +178,19 @@ class Damage(FileTest):
         cases = {
             "/status": [replace("status", data=np.uint8(1)), replace("status", data=np.zeros(shape)),
                         replace("status", data=np.zeros((3, 12), np.uint8)), replace("status", data=b"text"),
-                        set_to("status", (0, 0, 0, 1, 4), 7), lambda file: file["status"].dims[4].detach_scale(file["speed_ratio"])],
+                        set_to("status", (0, 0, 0, 1, 4), 7),
+                        lambda file: file["status"].dims[4].detach_scale(file["speed_ratio"])],
             "/poincare": [replace("poincare", data=b"a text"), replace("poincare", data=np.zeros((*shape, 8, 3))),
                           replace("poincare", data=np.zeros((*shape, 8, 4), np.float32)), external, soft,
                           lambda file: file["poincare"].dims[5].detach_scale(file["section"]),
                           replace("poincare", shape=(*shape, 8, 4), dtype="<f8", external=[("rows.bin", 0, 10**6)])],
-            "/final_state": [set_to("final_state", (0, 0, 0, 2, 3, 1), np.nan), replace("final_state", data=np.zeros(4))],
-            "/speed_ratio": [shift_axis, lambda file: file.__delitem__("speed_ratio"), replace("speed_ratio", data=np.zeros(11))],
+            "/final_state": [set_to("final_state", (0, 0, 0, 2, 3, 1), np.nan),
+                             replace("final_state", data=np.zeros(4))],
+            "/speed_ratio": [shift_axis, lambda file: file.__delitem__("speed_ratio"),
+                             replace("speed_ratio", data=np.zeros(11))],
             "/scene_resolved": [set_scene("no JSON"), set_scene("{}"), set_scene("[1]")],
-            "/row_checksum": [lambda file: file.__delitem__("row_checksum"), replace("row_checksum", data=np.zeros(shape))],
+            "/row_checksum": [lambda file: file.__delitem__("row_checksum"),
+                              replace("row_checksum", data=np.zeros(shape))],
         }
         for name, changes in cases.items():
             for number, change in enumerate(changes):
@@ -242,7 +247,9 @@ class Damage(FileTest):
             file["final_state"][0, 0, 0, 1, 5, 0] += 1e-12
         self.damaged(change)
         job = self.execute(2, "run", "scene.json", "-o", "bad.h5", "--resume")
-        self.assert_refused(job, 3, "bad.h5 is damaged: the row at speed_ratio=0.5181818181818182, damping_ratio=0.15 does not have its checksum")
+        self.assert_refused(job, 3,
+                            "bad.h5 is damaged: the row at speed_ratio=0.5181818181818182, damping_ratio=0.15 "
+                            "does not have its checksum")
 
     def test_an_atlas_of_the_version_before_goes_on_by_the_method_that_it_names(self):
         by_hybrid = scene(sweep="up", accuracy={"method": "hybrid"})
@@ -277,7 +284,8 @@ class Verify(FileTest):
                                      "7 of 7 computed again have the same bits\n")
 
     def test_points_outside_the_model_are_verified_like_all_others(self):
-        self.fill(None, scene(sweep="up", grid={"speed_ratio": {"from": 0.2, "to": 1.2, "count": 12}, "damping_ratio": 0.02}))
+        self.fill(None,
+                  scene(sweep="up", grid={"speed_ratio": {"from": 0.2, "to": 1.2, "count": 12}, "damping_ratio": 0.02}))
         job = self.execute(None, "verify", "atlas.h5", "--recompute", "100")
         self.assertEqual((job.returncode, job.stderr), (0, ""))
         self.assertIn("12 of 12 computed again", job.stdout)
@@ -293,7 +301,9 @@ class Verify(FileTest):
         self.assertNotIn("does not have its checksum", job.stderr)
         job = self.execute(None, "verify", "atlas.h5", "--recompute", "36")
         self.assertEqual(job.returncode, 3)
-        self.assertRegex(job.stderr, r"computed again, the row at speed_ratio=[0-9.]+, damping_ratio=0.2 differs in /max_displacement\n")
+        self.assertRegex(job.stderr,
+                         r"computed again, the row at speed_ratio=[0-9.]+, damping_ratio=0.2 differs in "
+                         r"/max_displacement\n")
         self.assertIn("35 of 36 computed again have the same bits", job.stdout)
 
     def test_many_damaged_rows_are_counted(self):

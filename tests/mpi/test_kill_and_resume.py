@@ -72,7 +72,8 @@ class KillAndResume(JobTest):
             self.assertEqual(file["max_displacement"][kept], -1.0)
             file["max_displacement"][kept] = value
             file["row_checksum"][kept] = computed_checksum(file, kept)
-        self.assertEqual(h5py.File(marked, "r")["poincare"][...].tobytes(), h5py.File(whole, "r")["poincare"][...].tobytes())
+        self.assertEqual(h5py.File(marked, "r")["poincare"][...].tobytes(),
+                         h5py.File(whole, "r")["poincare"][...].tobytes())
         self.assert_no_wrong_row(marked, whole)
 
 

@@ -39,7 +39,8 @@ class Outcomes(JobTest):
     def test_a_point_that_cannot_be_integrated_ends_the_job_with_10_and_says_which_and_why(self):
         # A damping that no double can add to the shaft's on one half of the lines; on the other a low damping ratio at
         # high speed leaves the model.
-        content = scene(grid={"speed_ratio": [0.3, 0.5, 1.1], "damping_ratio": [0.02, 0.1], "/support/damping_xx": [0, 1e15]},
+        content = scene(grid={"speed_ratio": [0.3, 0.5, 1.1], "damping_ratio": [0.02, 0.1],
+                              "/support/damping_xx": [0, 1e15]},
                         protocol={"transient_revolutions": 2, "sampled_revolutions": 12, "samples_per_revolution": 32})
         files = []
         for ranks in (None, 2):
@@ -47,8 +48,10 @@ class Outcomes(JobTest):
             job = self.execute(ranks, "run", self.write_scene(content), "-o", name)
             self.assertEqual(job.returncode, 10, job.stderr)
             with h5py.File(self.directory / name, "r") as atlas:
-                status, detail, revolution = (atlas[of][...].reshape(2, 6) for of in ("status", "status_detail", "failed_revolution"))
-                names = dict(zip(atlas["status_detail"].attrs["flag_values"], atlas["status_detail"].attrs["flag_meanings"].split()))
+                status, detail, revolution = (atlas[of][...].reshape(2, 6)
+                                              for of in ("status", "status_detail", "failed_revolution"))
+                names = dict(zip(atlas["status_detail"].attrs["flag_values"],
+                                 atlas["status_detail"].attrs["flag_meanings"].split()))
                 displacement = atlas["max_displacement"][...].reshape(2, 6)
             self.assertEqual(status[1].tolist(), [INTEGRATOR_FAILED] * 6)
             self.assertEqual([names[number] for number in detail[1]], ["beyond_precision"] * 6)

@@ -19,7 +19,8 @@ from test_wear import wearing
 
 def five_lines(**changes):
     """Five lines of the default rotor, on two of which some points leave the model's validity."""
-    return scene(grid={"speed_ratio": {"from": 0.2, "to": 0.9, "count": 6}, "damping_ratio": [*FAILING, 0.15, 0.2]}, **changes)
+    return scene(grid={"speed_ratio": {"from": 0.2, "to": 0.9, "count": 6}, "damping_ratio": [*FAILING, 0.15, 0.2]},
+                 **changes)
 
 
 def two_long_lines():
@@ -32,7 +33,8 @@ class PartTest(JobTest):
     def part(self, content, number, count, ranks=None, code=0):
         """Computes a part; returns its name."""
         name = f"part{number}of{count}.h5"
-        job = self.execute(ranks, "run", self.write_scene(content), "-o", name, "--part", f"{number}/{count}", "--progress", "off")
+        job = self.execute(ranks, "run", self.write_scene(content), "-o", name, "--part", f"{number}/{count}",
+                           "--progress", "off")
         self.assertEqual(job.returncode, code, job.stderr)
         return name
 
@@ -56,7 +58,8 @@ class Parts(PartTest):
         for sweep, count in (("up", 5), ("both", 3), ("independent", 2)):
             with self.subTest(sweep=sweep, parts=count):
                 content = five_lines(sweep=sweep)
-                names = [self.part(content, number, count, ranks=2 if number == 1 else None) for number in range(1, count + 1)]
+                names = [self.part(content, number, count, ranks=2 if number == 1 else None)
+                         for number in range(1, count + 1)]
                 self.assert_merged(self.fill(None, content, f"{sweep}.h5"), names[::-1])
 
     def test_one_rank_of_several_merges(self):
@@ -124,7 +127,8 @@ class Parts(PartTest):
         job = self.merge([names[3], names[0]])
         self.assertEqual(job.returncode, 75)
         self.assertEqual(job.stderr, "rubatlas: missing: parts 2/5, 3/5, 5/5\n")
-        self.assertRegex(job.stdout, r"^merged\.h5: 12 of 30 points: .*; 18 pending: `rubatlas run SCENE -o merged\.h5 --resume`")
+        self.assertRegex(job.stdout,
+                         r"^merged\.h5: 12 of 30 points: .*; 18 pending: `rubatlas run SCENE -o merged\.h5 --resume`")
         self.assertEqual(departures(self.directory / "merged.h5"), [])
         self.assert_same_bytes(self.fill(None, content, "whole.h5"), self.fill(2, content, "merged.h5", "--resume"))
 
@@ -138,7 +142,8 @@ class Parts(PartTest):
 
     def parts_with_rows_of(self, sampled):
         """Motions that never touch cost little, however long their rows: 13 000 revolutions are 0.4 MB."""
-        return self.parts(scene(grid={"speed_ratio": {"from": 0.1, "to": 0.2, "count": 60}, "damping_ratio": [0.1, 0.2]},
+        return self.parts(scene(grid={"speed_ratio": {"from": 0.1, "to": 0.2, "count": 60},
+                                      "damping_ratio": [0.1, 0.2]},
                                 rotor={"misalignment": 0.0}, observables=["poincare"],
                                 protocol={"transient_revolutions": 0, "sampled_revolutions": sampled,
                                           "samples_per_revolution": 32}), 2)
@@ -158,7 +163,8 @@ class Parts(PartTest):
     def test_a_merge_takes_little_memory(self):
         def most_memory(sampled):
             names = self.parts_with_rows_of(sampled)
-            script = ("import resource, subprocess, sys; subprocess.run(sys.argv[1:], check=True, stdout=subprocess.DEVNULL);"
+            script = ("import resource, subprocess, sys;"
+                      " subprocess.run(sys.argv[1:], check=True, stdout=subprocess.DEVNULL);"
                       "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)")
             job = subprocess.run(["/usr/bin/python3", "-c", script, PROGRAM, "merge", *names, "-o", "merged.h5"],
                                  cwd=self.directory, capture_output=True, text=True, check=False)
@@ -196,7 +202,8 @@ class Refusals(PartTest):
 
     def test_a_dry_run_of_a_part_counts_its_points(self):
         job = self.execute(None, "run", self.write_scene(five_lines()), "-o", "a.h5", "--part", "2/3", "--dry-run")
-        self.assertIn("Dry run: 12 points would be computed into a.h5 (part 2/3 of the scene: lines 2 to 3 of 5)", job.stdout)
+        self.assertIn("Dry run: 12 points would be computed into a.h5 (part 2/3 of the scene: lines 2 to 3 of 5)",
+                      job.stdout)
 
     def test_what_does_not_belong_together_is_not_merged(self):
         first, second = self.parts(five_lines(), 2)
@@ -204,16 +211,19 @@ class Refusals(PartTest):
         third = self.part(five_lines(), 3, 3)
         (self.directory / "letter.h5").write_text("a letter")
         before = self.names()
-        self.assert_refused(self.merge([first, second, first]), 2, "part1of2.h5 and part1of2.h5 have the same lines: each is part 1/2")
+        self.assert_refused(self.merge([first, second, first]), 2,
+                            "part1of2.h5 and part1of2.h5 have the same lines: each is part 1/2")
         self.assert_refused(self.merge([first, third]), 2, "part1of2.h5 is part 1/2 and part3of3.h5 is part 3/3",
                             "not parts of one division")
-        self.assert_refused(self.merge([first, other]), 2, "part2of3.h5 was made from another scene than part1of2.h5", "/sweep")
+        self.assert_refused(self.merge([first, other]), 2, "part2of3.h5 was made from another scene than part1of2.h5",
+                            "/sweep")
         self.assert_refused(self.merge([first, "letter.h5"]), 3, "letter.h5", "cannot be opened")
         self.assert_refused(self.merge([first, "nowhere.h5"]), 3, "nowhere.h5", "No such file")
         self.assert_refused(self.merge([first, second], first), 2, "the same file")
         self.assert_refused(self.merge([first, second], first, "--overwrite"), 2, "the same file")
         self.assert_refused(self.merge([first, second], other), 2, "part2of3.h5 exists; --overwrite replaces it")
-        self.assert_refused(self.merge([first, second], "letter.h5", "--overwrite"), 2, "letter.h5 is no file of rubatlas")
+        self.assert_refused(self.merge([first, second], "letter.h5", "--overwrite"), 2,
+                            "letter.h5 is no file of rubatlas")
         self.assert_refused(self.merge([first, second], "nowhere/merged.h5"), 3, "No such file or directory")
         self.assertEqual(self.names(), before)
 
@@ -224,8 +234,9 @@ class Refusals(PartTest):
         self.change_header(second, commit, b"0" * len(commit))
         job = self.merge([second, first])
         self.assertEqual(job.returncode, 0)
-        self.assertRegex(job.stderr, f"^rubatlas: part1of2.h5 was begun by commit {commit.decode()} .*, part2of2.h5 by 0+ .*: points may differ "
-                         "in the last digits")
+        self.assertRegex(job.stderr,
+                         f"^rubatlas: part1of2.h5 was begun by commit {commit.decode()} .*, part2of2.h5 by 0+ .*: "
+                         "points may differ in the last digits")
         self.assertEqual(h5py.File(self.directory / "merged.h5").attrs["git_commit"].encode(), commit)
 
     def change_header(self, name, old, new):
@@ -233,7 +244,8 @@ class Refusals(PartTest):
         content = bytearray((self.directory / name).read_bytes().replace(old, new))
         place = content.index(b"rubatlas header\n") + 16
         count, = struct.unpack_from("<I", content, place + 4)
-        left_out = sorted([(20, 24), (place, place + 4), *struct.iter_unpack("<QQ", content[place + 8:place + 8 + 16 * count])])
+        left_out = sorted([(20, 24), (place, place + 4),
+                           *struct.iter_unpack("<QQ", content[place + 8:place + 8 + 16 * count])])
         checksum, at = 0, 0
         for begin, end in [*left_out, (len(content), len(content))]:
             checksum = zlib.crc32(content[at:begin], checksum)
@@ -247,7 +259,8 @@ class Refusals(PartTest):
         with h5py.File(self.directory / second, "r+") as file:
             file["max_displacement"][0, 0, 0, 3, 2] += 1e-9
         before = self.names()
-        self.assert_refused(self.merge([first, second]), 3, "part2of2.h5 is damaged: the row at speed_ratio=0.48", "damping_ratio=0.15")
+        self.assert_refused(self.merge([first, second]), 3, "part2of2.h5 is damaged: the row at speed_ratio=0.48",
+                            "damping_ratio=0.15")
         with h5py.File(self.directory / "sound.h5", "r+") as file:
             file["max_displacement"].attrs["long_name"] = "something else"
         self.assert_refused(self.merge([first, "sound.h5"]), 3, "sound.h5 is damaged", "something besides its rows")
@@ -262,7 +275,8 @@ class Packed(PartTest):
         loose = self.fill(None, five_lines(), "loose.h5")
         job = self.pack("loose.h5", "-o", "tight.h5")
         self.assertEqual((job.returncode, job.stderr), (0, ""))
-        self.assertRegex(job.stdout, r"^tight\.h5: [\d.]+ kB \(\d+ % of the [\d.]+ kB of loose\.h5\); all rows of its 30 finished")
+        self.assertRegex(job.stdout,
+                         r"^tight\.h5: [\d.]+ kB \(\d+ % of the [\d.]+ kB of loose\.h5\); all rows of its 30 finished")
         tight = self.directory / "tight.h5"
         self.assertEqual(departures(tight), [])
         with h5py.File(loose) as before, h5py.File(tight) as file:
@@ -308,11 +322,13 @@ class Packed(PartTest):
         before = self.names()
         self.assert_refused(self.pack("whole.h5", "-o", "whole.h5", "--overwrite"), 2, "the same file")
         self.assert_refused(self.pack("whole.h5", "-o", "letter.h5"), 2, "letter.h5 exists; --overwrite replaces it")
-        self.assert_refused(self.pack("whole.h5", "-o", "letter.h5", "--overwrite"), 2, "letter.h5 is no file of rubatlas")
+        self.assert_refused(self.pack("whole.h5", "-o", "letter.h5", "--overwrite"), 2,
+                            "letter.h5 is no file of rubatlas")
         self.assert_refused(self.pack("letter.h5", "-o", "packed.h5"), 3, "letter.h5", "cannot be opened")
         with h5py.File(self.directory / "whole.h5", "r+") as file:
             file["final_state"][0, 0, 0, 4, 5, 0] += 1e-9
-        self.assert_refused(self.pack("whole.h5", "-o", "packed.h5"), 3, "whole.h5 is damaged: the row at speed_ratio=0.9")
+        self.assert_refused(self.pack("whole.h5", "-o", "packed.h5"), 3,
+                            "whole.h5 is damaged: the row at speed_ratio=0.9")
         self.assertEqual(self.names(), before)
 
     def test_damage_in_a_packed_atlas_is_found(self):

@@ -78,9 +78,10 @@ class Pieces(JobTest):
         # Through region 3 two motions coexist at some speeds. The tolerance of the comparison decides what a
         # periodic motion is; what is periodic in the serial sweep, and goes on from a periodic motion, has the same
         # displacement here. At a speed that is periodic among aperiodic ones the last digits of an aperiodic motion
-        # decide whether the sweep finds the periodic one (jobs/README.md).
+        # decide whether the sweep finds the periodic one (jobs/studies/pieces.md).
         content = line(grid={"speed_ratio": {"from": 0.3, "to": 0.7, "count": 120}, "damping_ratio": 0.1},
-                       protocol={"transient_revolutions": 200, "sampled_revolutions": 100, "samples_per_revolution": 32})
+                       protocol={"transient_revolutions": 200, "sampled_revolutions": 100,
+                                 "samples_per_revolution": 32})
         pieces = self.fill(2, content, "pieces.h5")
         del content["pieces"]
         serial = self.fill(2, content, "serial.h5")
@@ -102,7 +103,8 @@ class Pieces(JobTest):
         for of_line in np.flatnonzero(seam.reshape(2, -1)[:, 10] == REPAIRED):
             run = seam.reshape(2, -1)[of_line]
             self.assertTrue((run[10:np.flatnonzero(run[10:] != REPAIRED)[0] + 10] == REPAIRED).all())
-        np.testing.assert_array_equal(np.flatnonzero(restarted), [0, 60], "only the ends of the lines start from `initial`")
+        np.testing.assert_array_equal(np.flatnonzero(restarted), [0, 60],
+                                      "only the ends of the lines start from `initial`")
         first_of_pieces = seam.reshape(2, -1)[:, 10::10]
         self.assertTrue((first_of_pieces != NONE).all(), "every seam was compared")
 

@@ -67,7 +67,8 @@ class PointerAxes(JobTest):
         path = self.write_scene(scene(grid={"speed_ratio": SPEEDS, "/ring/radius": [0.105, 0.12],
                                             "/blades/length": [0.09, 0.108]}))
         atlas = self.directory / "atlas.h5"
-        self.assert_refused(self.execute(2, "run", path, "-o", atlas), 2, "/grid/~1ring~1radius: ", "must fit into the ring")
+        self.assert_refused(self.execute(2, "run", path, "-o", atlas), 2, "/grid/~1ring~1radius: ",
+                            "must fit into the ring")
         self.assertFalse(atlas.exists())
 
 

@@ -16,7 +16,7 @@ BLOCK = 512  # B; what a disk writes as a whole
 
 
 class Log:
-    """What one process has written into the atlas: entries (offset, bytes), or None where it was brought to the disk."""
+    """What one process has written into the atlas: entries (offset, bytes), or None where it was flushed to disk."""
 
     def __init__(self, path):
         with open(path, "rb") as file:
@@ -55,7 +55,8 @@ class PowerCut(JobTest):
                        "RECORDED_LOG": str(self.directory / "log")}
         job = subprocess.run(command(ranks, "run", self.write_scene(content), "-o", atlas, "--progress", "off",
                                      "--batch-milliseconds", "0"),
-                             env=environment, cwd=self.directory, capture_output=True, text=True, check=False, timeout=120)
+                             env=environment, cwd=self.directory, capture_output=True, text=True, check=False,
+                             timeout=120)
         self.assertEqual(job.returncode, 0, job.stderr)
         logs = [Log(path) for path in sorted(glob.glob(str(self.directory / "log.*")))]
         self.assertEqual(len(logs), ranks or 1, "every process writes its own rows")

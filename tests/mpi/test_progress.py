@@ -43,7 +43,9 @@ class Progress(JobTest):
     def test_the_last_line_is_a_summary(self):
         for ranks in (None, 2):
             last = self.say("plain", ranks).splitlines()[-1]
-            self.assertRegex(last, r"^rubatlas: 36 of 36 points: 36 done, 0 outside the model, 0 failed; 36 computed in [\d.]+ s, [\d.]+ points/s$")
+            self.assertRegex(last,
+                             r"^rubatlas: 36 of 36 points: 36 done, 0 outside the model, 0 failed; "
+                             r"36 computed in [\d.]+ s, [\d.]+ points/s$")
 
     def test_a_pipe_gets_lines_without_carriage_returns(self):
         self.assertNotIn("\r", self.say("auto"))

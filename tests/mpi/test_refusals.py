@@ -28,7 +28,8 @@ class Refusals(JobTest):
         atlas = self.fill(None, scene())
         before = atlas.read_bytes()
         for ranks in (None, 2):
-            self.assert_refused(self.run_job(ranks, self.write_scene(scene())), 2, "atlas.h5", "--resume", "--overwrite")
+            self.assert_refused(self.run_job(ranks, self.write_scene(scene())), 2, "atlas.h5", "--resume",
+                                "--overwrite")
         self.assertEqual(atlas.read_bytes(), before)
 
     def test_overwrite_replaces_an_atlas_and_its_record(self):
@@ -95,7 +96,8 @@ class Refusals(JobTest):
 
     def test_a_file_that_is_no_atlas_is_not_resumed(self):
         (self.directory / "atlas.h5").write_text("a letter")
-        self.assert_refused(self.run_job(2, self.write_scene(scene()), "--resume"), 3, "atlas.h5", "cannot be opened: it is damaged")
+        self.assert_refused(self.run_job(2, self.write_scene(scene()), "--resume"), 3, "atlas.h5",
+                            "cannot be opened: it is damaged")
         self.assertEqual((self.directory / "atlas.h5").read_text(), "a letter")
 
     def test_a_second_run_on_the_same_atlas_is_kept_out(self):
@@ -110,7 +112,8 @@ class Refusals(JobTest):
         path = self.write_scene(scene())
         slurm = {"SLURM_PROCID": "1", "SLURM_NTASKS": "4"}
         arguments = ("run", path, "-o", "atlas.h5")
-        self.assert_refused(self.execute(None, *arguments, **slurm), 3, "task 1 of the 4", "mpirun -n 4", "srun --mpi=pmix")
+        self.assert_refused(self.execute(None, *arguments, **slurm), 3, "task 1 of the 4", "mpirun -n 4",
+                            "srun --mpi=pmix")
         # Singletons of an MPI that does not speak with this Slurm.
         self.assert_refused(self.execute(None, *arguments, **slurm, PMI_RANK="1"), 3, "task 1 of the 4")
         self.assertEqual(self.left_behind(), [])

@@ -62,7 +62,8 @@ class Size(JobTest):
 
     def check(self, side, speeds):
         content, atlas = idle_scene(side, speeds), self.directory / "atlas.h5"
-        said = subprocess.run([PROGRAM, "explain", self.write_scene(content)], capture_output=True, text=True, check=True)
+        said = subprocess.run([PROGRAM, "explain", self.write_scene(content)], capture_output=True, text=True,
+                              check=True)
         of_point, of_line = map(int, re.search(r"\((\d+) bytes a point, (\d+) a line\)", said.stdout).groups())
         bound = (of_point * speeds + of_line) * side**2
         few = self.memory(None, idle_scene(40, 1), self.directory / "few.h5")
@@ -83,7 +84,8 @@ class Size(JobTest):
 
     def test_a_grid_that_memory_cannot_hold_is_refused_before_an_atlas_is_created(self):
         path = self.write_scene(idle_scene(4000, 1))
-        job = subprocess.run(["bash", "-c", f'ulimit -v 2000000; exec "{PROGRAM}" run "{path}" -o atlas.h5'], cwd=self.directory,
+        job = subprocess.run(["bash", "-c", f'ulimit -v 2000000; exec "{PROGRAM}" run "{path}" -o atlas.h5'],
+                             cwd=self.directory,
                              env=ENVIRONMENT, text=True, capture_output=True, check=False)
         self.assert_refused(job, 3, "too large for the memory of ", "in the first rank ", "bytes a point")
         self.assertEqual(os.listdir(self.directory), ["scene.json"])

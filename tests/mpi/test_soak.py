@@ -1,7 +1,7 @@
 """Jobs are killed at random moments, again and again: ranks, mpirun, or all of them, creation and closing included.
 
-After every kill the atlas is readable and has no wrong row; in the end it has the bytes of an uninterrupted run. What is
-killed and when follows from a seed, RUBATLAS_SOAK_SEED in the environment; the machine's own timing does not.
+After every kill the atlas is readable and has no wrong row; in the end it has the bytes of an uninterrupted run. What
+is killed and when follows from a seed, RUBATLAS_SOAK_SEED in the environment; the machine's own timing does not.
 """
 import os
 import pathlib
@@ -73,7 +73,8 @@ class Soak(JobTest):
                     verified = self.execute(None, "verify", atlas)
                     self.assertEqual(verified.returncode, 0, verified.stderr)
                 if trial.begins_anew or done == kills or self.is_complete(atlas):
-                    self.assert_same_bytes(whole[which], self.fill(trial.ranks_to_the_end, contents[which], atlas.name, "--resume"))
+                    self.assert_same_bytes(whole[which],
+                                           self.fill(trial.ranks_to_the_end, contents[which], atlas.name, "--resume"))
                     atlas.unlink()
             self.assertLess(number, 3 * kills + 20, "most jobs end before they are killed")
         self.assertGreater(at_work, kills // 5, "many kills hit a job at work")
@@ -118,7 +119,8 @@ class Soak(JobTest):
         try:
             job.wait(timeout=10)
         except subprocess.TimeoutExpired:
-            # Where a rank dies in MPI_Init, the mpirun of Open MPI 4.1 sometimes waits for itself in PMIx_server_finalize.
+            # Where a rank dies in MPI_Init, the mpirun of Open MPI 4.1 sometimes waits for itself in
+            # PMIx_server_finalize.
             self.assertTrue(ranks, "a process without mpirun has not ended")
             job.kill()
             job.wait()

@@ -14,7 +14,8 @@ from job import ENVIRONMENT, JobTest, PENDING, long_scene, ranks_of, scene, wait
 
 def endless_scene():
     """Two points of hours each."""
-    content = scene(protocol={"transient_revolutions": 100000000, "sampled_revolutions": 1, "samples_per_revolution": 32},
+    content = scene(protocol={"transient_revolutions": 100000000, "sampled_revolutions": 1,
+                              "samples_per_revolution": 32},
                     sweep="independent")
     content["grid"] = {"speed_ratio": [0.3, 0.62]}
     return content
@@ -88,7 +89,8 @@ class Stop(JobTest):
                 self.stop(ranks, signal.SIGUSR1, "stopped here.h5")
                 named, = re.findall(r"^rubatlas: stopping.*; to go on: (.*)$", self.said, re.MULTILINE)
                 self.assertEqual(named.startswith("mpirun -n 2 "), ranks == 2)
-                again = subprocess.run(named.replace("mpirun ", "mpirun --oversubscribe ", 1), shell=True, cwd=self.directory,
+                again = subprocess.run(named.replace("mpirun ", "mpirun --oversubscribe ", 1), shell=True,
+                                       cwd=self.directory,
                                        env=ENVIRONMENT, capture_output=True, text=True, timeout=60, check=False)
                 self.assertEqual(again.returncode, 0, again.stderr)
                 with h5py.File(self.directory / "stopped here.h5") as file:

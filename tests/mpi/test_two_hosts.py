@@ -32,11 +32,14 @@ class Hosts:
         try:
             for name in NAMES:
                 # The shell reports when it is in its namespaces, and holds them until its input ends.
-                holder = subprocess.Popen(["unshare", "--net", "--uts", "sh", "-c", f"hostname {name} && echo ready; read end"],
-                                          stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                holder = subprocess.Popen(["unshare", "--net", "--uts", "sh", "-c",
+                                           f"hostname {name} && echo ready; read end"],
+                                          stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                          text=True)
                 self.processes.append(holder)
                 if holder.stdout.readline() != "ready\n":
-                    raise unittest.SkipTest(f"this machine makes no network namespaces: {holder.stderr.readline().strip()}")
+                    reason = holder.stderr.readline().strip()
+                    raise unittest.SkipTest(f"this machine makes no network namespaces: {reason}")
             left, right = (holder.pid for holder in self.processes)
             self.configure("ip", "link", "add", "cable", "netns", str(left), "type", "veth", "peer", "name", "cable",
                            "netns", str(right))
@@ -49,7 +52,8 @@ class Hosts:
             raise
         self.agent = directory / "agent.sh"
         self.agent.write_text(AGENT.format(cases="\n".join(
-            f"  {address}) exec {' '.join(self.enter(host))} sh -c \"$*\" ;;" for host, address in enumerate(ADDRESSES))))
+            f"  {address}) exec {' '.join(self.enter(host))} sh -c \"$*\" ;;"
+            for host, address in enumerate(ADDRESSES))))
         self.agent.chmod(0o755)
 
     def enter(self, host):
@@ -59,7 +63,8 @@ class Hosts:
     def configure(*command):
         ended = subprocess.run(command, capture_output=True, text=True, check=False)
         if ended.returncode != 0:
-            raise unittest.SkipTest(f"this machine connects no network namespaces: {' '.join(command)}: {ended.stderr.strip()}")
+            raise unittest.SkipTest("this machine connects no network namespaces: "
+                                    f"{' '.join(command)}: {ended.stderr.strip()}")
 
     def close(self):
         for process in self.processes:
@@ -72,8 +77,10 @@ class TwoHosts(JobTest):
         self.addCleanup(hosts.close)
         whole = self.fill(None, scene(), "whole.h5")
         # Each host may run two ranks, and takes part with its only interface to the other.
-        launcher = [*hosts.enter(0), "mpirun", "-q", "-n", "4", "--host", ",".join(address + ":2" for address in ADDRESSES),
-                    "--bind-to", "none", "--mca", "plm_rsh_agent", str(hosts.agent), "--mca", "oob_tcp_if_include", "cable",
+        launcher = [*hosts.enter(0), "mpirun", "-q", "-n", "4", "--host",
+                    ",".join(address + ":2" for address in ADDRESSES),
+                    "--bind-to", "none", "--mca", "plm_rsh_agent", str(hosts.agent), "--mca", "oob_tcp_if_include",
+                    "cable",
                     "--mca", "btl_tcp_if_include", "cable", "--mca", "plm", "rsh", "--mca", "btl", "tcp,self,vader"]
         job = subprocess.run([*launcher, PROGRAM, "run", "scene.json", "-o", "shared.h5", "--progress", "off"],
                              cwd=self.directory, env={**ENVIRONMENT, **AT_ITS_END}, capture_output=True, text=True,

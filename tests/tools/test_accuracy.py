@@ -20,7 +20,8 @@ from rubatlas.atlas_file import AtlasError  # noqa: E402
 
 def run(*arguments):
     """Runs the tool as its user does."""
-    return subprocess.run([ROOT / "tools/rubatlas-plot", "accuracy", *map(str, arguments)], capture_output=True, text=True, check=False)
+    return subprocess.run([ROOT / "tools/rubatlas-plot", "accuracy", *map(str, arguments)], capture_output=True,
+                          text=True, check=False)
 
 
 def study_with(**data):
@@ -89,8 +90,10 @@ class ToolsAccuracy(unittest.TestCase):
 
     def test_the_sentence_names_tolerance_time_and_the_price_of_ten_times_more(self):
         times = np.ones((4, 1, 1, 1, 1, 4)) * np.array([9.0, 2e-3, 4e-3, 5e-3]).reshape(4, 1, 1, 1, 1, 1)
-        study = study_with(map_error_beyond_chaos=[0, 0.1, 0, 0], tolerance=[1e-9, 1e-6, 1e-7, 1e-8], cpu_time_min=times)
-        self.assertEqual(accuracy.sentence(study), "For a map you can trust, use tolerance 1e-07; it costs 4.0 ms a point; "
+        study = study_with(map_error_beyond_chaos=[0, 0.1, 0, 0], tolerance=[1e-9, 1e-6, 1e-7, 1e-8],
+                           cpu_time_min=times)
+        self.assertEqual(accuracy.sentence(study),
+                         "For a map you can trust, use tolerance 1e-07; it costs 4.0 ms a point; "
                                                    "ten times more accurate costs 25 % more.")
 
     def test_a_setting_that_lost_a_point_has_no_cost_to_compare(self):
@@ -117,14 +120,11 @@ class ToolsAccuracy(unittest.TestCase):
         ended = run(TINY / "accuracy.h5", "-o", self.folder, "--page", page)
         self.assertEqual(page.read_text(), f"before\n{accuracy.BEGIN}\n{ended.stdout}{accuracy.END}\nafter\n")
 
-    def test_the_readme_has_room_for_the_table(self):
-        accuracy.put_into_page(self.copy_of_readme(), "table")
-        self.assertIn(f"{accuracy.BEGIN}\ntable\n{accuracy.END}", (self.folder / "README.md").read_text())
-
-    def copy_of_readme(self):
-        path = self.folder / "README.md"
-        path.write_text((ROOT / "jobs/README.md").read_text())
-        return path
+    def test_the_page_of_the_study_has_room_for_the_table(self):
+        page = self.folder / "page.md"
+        page.write_text((ROOT / "jobs/studies/accuracy.md").read_text())
+        accuracy.put_into_page(page, "table")
+        self.assertIn(f"{accuracy.BEGIN}\ntable\n{accuracy.END}", page.read_text())
 
     def test_a_mistake_is_one_sentence_and_exit_code_2(self):
         page = self.folder / "page.md"
@@ -134,7 +134,8 @@ class ToolsAccuracy(unittest.TestCase):
                                     ((TINY / "accuracy.h5", "--reference", page), "not reference data")):
             ended = run(*arguments, "-o", self.folder)
             self.assertEqual(ended.returncode, 2)
-            self.assertTrue(ended.stderr.startswith("rubatlas-plot accuracy: ") and sentence in ended.stderr, ended.stderr)
+            self.assertTrue(ended.stderr.startswith("rubatlas-plot accuracy: ") and sentence in ended.stderr,
+                            ended.stderr)
             self.assertEqual(ended.stderr.count("\n"), 1, ended.stderr)
         self.assertEqual(page.read_text(), "no marks")
 

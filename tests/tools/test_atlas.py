@@ -21,7 +21,8 @@ import matplotlib.pyplot as plt  # noqa: E402
 import rubatlas  # noqa: E402
 from rubatlas.program import find_program  # noqa: E402
 
-TWO_POINTS = {"title": "Two points", "grid": {"speed_ratio": [0.3, 0.4]}, "protocol": {"transient_revolutions": 5, "sampled_revolutions": 4}}
+TWO_POINTS = {"title": "Two points", "grid": {"speed_ratio": [0.3, 0.4]},
+              "protocol": {"transient_revolutions": 5, "sampled_revolutions": 4}}
 
 
 class WithFolder(unittest.TestCase):
@@ -68,7 +69,8 @@ class AtlasQuestions(WithFolder):
         self.assertTrue(0 < inside.sum() < len(self.speed))
         np.testing.assert_array_equal(chosen["max_displacement"], self.displacement[2, inside])
         np.testing.assert_array_equal(chosen["poincare"].sel(component="x"), self.sections[2, inside, :, 0])
-        np.testing.assert_array_equal(self.atlas.sel(damping_ratio=[0.05, 0.2])["max_displacement"], self.displacement[[0, 2]])
+        np.testing.assert_array_equal(self.atlas.sel(damping_ratio=[0.05, 0.2])["max_displacement"],
+                                      self.displacement[[0, 2]])
         with self.assertRaisesRegex(rubatlas.AtlasError, "damping_ratio 0.7 is not in this atlas"):
             self.atlas.sel(damping_ratio=0.7)
         with self.assertRaisesRegex(rubatlas.AtlasError, "dampng: no axis"):
@@ -103,7 +105,8 @@ class AtlasQuestions(WithFolder):
     def test_bands_do_not_join_speeds_that_are_not_neighbours(self):
         line = self.atlas.line(damping_ratio=0.2)
         chosen = self.speed[[4, 3, 9]]
-        self.assertEqual(line.sel(speed_ratio=list(chosen)).bands(), [(self.speed[3], self.speed[4]), (self.speed[9], self.speed[9])])
+        self.assertEqual(line.sel(speed_ratio=list(chosen)).bands(),
+                         [(self.speed[3], self.speed[4]), (self.speed[9], self.speed[9])])
         self.assertEqual(line.sel(speed_ratio=self.speed[5]).bands(), [(self.speed[5], self.speed[5])])
 
     def test_values_that_are_not_there_or_no_values_are_refused_in_words(self):
@@ -114,7 +117,8 @@ class AtlasQuestions(WithFolder):
                 self.atlas.sel(friction=wanted)
         with self.assertRaisesRegex(rubatlas.AtlasError, "damping_ratio nan is not in this atlas"):
             self.atlas.line(damping_ratio=float("nan"))
-        for draw, words in ((lambda plot: plot.bifurcation(component="z"), "x or y"), (lambda plot: plot.blade(what="length"), "shortening and deflection"),
+        for draw, words in ((lambda plot: plot.bifurcation(component="z"), "x or y"),
+                            (lambda plot: plot.blade(what="length"), "shortening and deflection"),
                             (lambda plot: plot.map(quantity="status"), "words, not numbers")):
             with self.assertRaisesRegex(rubatlas.AtlasError, words):
                 draw(self.atlas.plot)
@@ -151,10 +155,12 @@ class AtlasQuestions(WithFolder):
                 inside |= (self.speed >= band["from"]) & (self.speed <= band["to"])
             self.assertTrue(safe.any())
             np.testing.assert_array_equal(inside, safe)
-        some = self.atlas.sel(damping_ratio=[0.1, 0.2], speed_ratio=slice(0.4, None)).where("class == 'period 1' or class == 'period 2'")
+        some = self.atlas.sel(damping_ratio=[0.1, 0.2],
+                              speed_ratio=slice(0.4, None)).where("class == 'period 1' or class == 'period 2'")
         chosen = (((self.status == 1) & (self.motion >= 1) & (self.motion <= 2))[1:]).all(axis=0) & (self.speed >= 0.4)
         kept = some.safe_speeds(max_displacement=1.0)["bands"]
-        np.testing.assert_array_equal(np.any([(self.speed >= band["from"]) & (self.speed <= band["to"]) for band in kept], axis=0), chosen)
+        np.testing.assert_array_equal(np.any([(self.speed >= band["from"]) & (self.speed <= band["to"])
+                                              for band in kept], axis=0), chosen)
         self.assertEqual(kept[0]["below"]["broken"], ["not selected"])
         with self.assertRaisesRegex(rubatlas.AtlasError, "no limit is given"):
             self.atlas.safe_speeds()
@@ -205,12 +211,14 @@ class AtlasRuns(WithFolder):
         with self.assertRaises(rubatlas.AtlasError):
             rubatlas.run({"grid": {"sped_ratio": 0.3}}, place)
         self.assertEqual(list(self.folder.iterdir()), [])
-        for scene, output, ranks, words in (({"grid": object()}, place, 1, "not one of JSON"), ({}, self.folder / "no/small.h5", 1, "no folder"),
+        for scene, output, ranks, words in (({"grid": object()}, place, 1, "not one of JSON"),
+                                            ({}, self.folder / "no/small.h5", 1, "no folder"),
                                             ({"grid": {"speed_ratio": 0.3}}, place, 0, "at least one")):
             with self.assertRaisesRegex(rubatlas.AtlasError, words):
                 rubatlas.run(scene, output, ranks)
         protocol = {"transient_revolutions": 2, "sampled_revolutions": 2}
-        self.assertEqual(len(rubatlas.run({"grid": {"speed_ratio": np.array([0.3, 0.4])}, "protocol": protocol}, place)), 2)
+        self.assertEqual(len(rubatlas.run({"grid": {"speed_ratio": np.array([0.3, 0.4])}, "protocol": protocol},
+                                          place)), 2)
 
     def test_an_atlas_of_another_scene_is_kept(self):
         rubatlas.run(TWO_POINTS, self.folder / "two.h5")
@@ -247,7 +255,8 @@ class AtlasPlots(WithFolder):
         self.atlas = rubatlas.open(TINY / "atlas.h5", maps=TINY / "maps.h5")
 
     def test_every_picture_is_drawn_into_the_axes_that_are_given_and_into_its_own(self):
-        plots = {"bifurcation": {}, "waterfall": {}, "displacement": {}, "map": {}, "margin": {}, "spectrum": {"speed_ratio": 0.6},
+        plots = {"bifurcation": {}, "waterfall": {}, "displacement": {}, "map": {}, "margin": {},
+                 "spectrum": {"speed_ratio": 0.6},
                  "blade": {}, "orbit": {"speed_ratio": 0.3}}
         for name, arguments in plots.items():
             with self.subTest(name=name):
@@ -260,7 +269,8 @@ class AtlasPlots(WithFolder):
 
     def test_a_picture_of_a_selection_is_that_of_its_line(self):
         drawn = self.atlas.sel(damping_ratio=0.2).plot.bifurcation(component="y").lines[0].get_ydata()
-        np.testing.assert_array_equal(drawn, 1e3 * self.atlas.sel(damping_ratio=0.2)["poincare"].values[:, :, 1].ravel())
+        np.testing.assert_array_equal(drawn,
+                                      1e3 * self.atlas.sel(damping_ratio=0.2)["poincare"].values[:, :, 1].ravel())
 
     def test_points_that_are_not_chosen_stay_blank(self):
         chosen = self.atlas.sel(damping_ratio=0.1, speed_ratio=slice(0.3, 0.6)).where("max_displacement > 2e-3")

@@ -15,7 +15,8 @@ from rubatlas.plots import grazing  # noqa: E402
 class GrazingKick(unittest.TestCase):
     def test_grows_with_the_depth_as_the_side_of_the_contact_says(self):
         kicks = grazing.measure(PROGRAM)
-        for law, side, exponent in (("elastica", "approaching", 1.5), ("elastica", "receding", 0.5), ("elastic_ring", "approaching", 1.5),
+        for law, side, exponent in (("elastica", "approaching", 1.5), ("elastica", "receding", 0.5),
+                                    ("elastic_ring", "approaching", 1.5),
                                     ("elastic_ring", "head-on", 1.5), ("elastic_ring", "receding", 1.5)):
             self.assertAlmostEqual(grazing.slopes(kicks[law, side])[-1], exponent, delta=1e-3)
         # Head-on the force is the larger part of the tip's acceleration down to depths of a nanometre, and the
@@ -27,14 +28,16 @@ class GrazingKick(unittest.TestCase):
     def test_the_experiment_is_drawn(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "grazing.png"
-            ended = subprocess.run([ROOT / "tools" / "rubatlas-plot", "grazing", PROGRAM, "-o", path, "--table"], capture_output=True, text=True, check=False)
+            ended = subprocess.run([ROOT / "tools" / "rubatlas-plot", "grazing", PROGRAM, "-o", path, "--table"],
+                                   capture_output=True, text=True, check=False)
             self.assertEqual((ended.returncode, ended.stderr), (0, ""))
             self.assertIn("| `elastica`", ended.stdout)
             self.assertTrue(path.read_bytes().startswith(b"\x89PNG"))
 
     def test_another_file_in_place_of_the_program_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:
-            ended = subprocess.run([ROOT / "tools" / "rubatlas-plot", "grazing", pathlib.Path(folder) / "none", "-o", pathlib.Path(folder) / "a.png"],
+            ended = subprocess.run([ROOT / "tools" / "rubatlas-plot", "grazing", pathlib.Path(folder) / "none", "-o",
+                                    pathlib.Path(folder) / "a.png"],
                                    capture_output=True, text=True, check=False)
             self.assertEqual((ended.returncode, ended.stderr.count("\n")), (2, 1))
 

@@ -24,7 +24,8 @@ TYPED = ("__init__", "atlas", "program", "query", "plots/axes")
 
 def modules():
     """Names of all modules of the package but the report's."""
-    return [found.name for found in pkgutil.walk_packages(rubatlas.__path__, "rubatlas.") if not found.name.startswith("rubatlas.report")]
+    return [found.name for found in pkgutil.walk_packages(rubatlas.__path__, "rubatlas.")
+            if not found.name.startswith("rubatlas.report")]
 
 
 class Package(unittest.TestCase):
@@ -48,16 +49,19 @@ class Package(unittest.TestCase):
                                     "print(len(rubatlas.open(sys.argv[1])))", TINY / "atlas.h5", **elsewhere).split()
         self.assertTrue(pathlib.Path(found[0]).is_relative_to(self.folder / "venv"))
         self.assertEqual(int(found[1]), len(rubatlas.open(TINY / "atlas.h5")))
-        self.expect_success(venv / "rubatlas-plot", "displacement", TINY / "atlas.h5", "-o", self.folder / "a.svg", **elsewhere)
+        self.expect_success(venv / "rubatlas-plot", "displacement", TINY / "atlas.h5", "-o", self.folder / "a.svg",
+                            **elsewhere)
         self.assertIn(b"<svg", (self.folder / "a.svg").read_bytes())
 
     def test_the_types_of_what_others_import_are_complete(self):
-        self.expect_success("/usr/bin/python3", "-m", "mypy", "--strict", "--ignore-missing-imports", "--allow-untyped-calls",
+        self.expect_success("/usr/bin/python3", "-m", "mypy", "--strict", "--ignore-missing-imports",
+                            "--allow-untyped-calls",
                             "--implicit-reexport", "--follow-imports=silent", "--cache-dir", self.folder,
                             *(f"rubatlas/{name}.py" for name in TYPED), cwd=TOOLS)
 
     def test_the_types_of_all_modules_agree(self):
-        self.expect_success("/usr/bin/python3", "-m", "mypy", "--ignore-missing-imports", "--check-untyped-defs", "--cache-dir", self.folder,
+        self.expect_success("/usr/bin/python3", "-m", "mypy", "--ignore-missing-imports", "--check-untyped-defs",
+                            "--cache-dir", self.folder,
                             "rubatlas", cwd=TOOLS)
 
     def test_the_examples_of_all_modules_hold(self):
@@ -82,12 +86,15 @@ class Package(unittest.TestCase):
         (self.folder / "atlases").mkdir()
         for name, source in (("quick.h5", "atlas.h5"), ("quick_maps.h5", "maps.h5")):
             shutil.copy(TINY / source, self.folder / "atlases" / name)
-        ran = json.loads(self.expect_success("/usr/bin/python3", "-m", "nbconvert", "--to", "notebook", "--execute", "--stdout",
+        ran = json.loads(self.expect_success("/usr/bin/python3", "-m", "nbconvert", "--to", "notebook", "--execute",
+                                             "--stdout",
                                              self.folder / "tools/tour.ipynb", cwd=self.folder,
-                                             env={**os.environ, "HOME": str(self.folder), "JUPYTER_PLATFORM_DIRS": "1"}))
+                                             env={**os.environ, "HOME": str(self.folder),
+                                                  "JUPYTER_PLATFORM_DIRS": "1"}))
         code = [cell for cell in ran["cells"] if cell["cell_type"] == "code"]
         self.assertGreaterEqual(len(code), 6)
-        self.assertGreaterEqual(sum("image/png" in output.get("data", {}) for cell in code for output in cell["outputs"]), 3)
+        self.assertGreaterEqual(sum("image/png" in output.get("data", {}) for cell in code
+                                    for output in cell["outputs"]), 3)
 
     def test_the_tour_is_kept_without_its_results(self):
         for cell in json.loads((TOOLS / "tour.ipynb").read_text())["cells"]:

@@ -124,7 +124,9 @@ class ToolsPictures(unittest.TestCase):
     def test_basins_need_an_axis_of_the_initial_state(self):
         ended = run("basins", TINY / "atlas.h5", "--maps", TINY / "maps.h5", "-o", "none.png")
         self.assertEqual(ended.returncode, 2)
-        self.assertRegex(ended.stderr, r"^rubatlas-plot basins: .*: no axis of the initial state is left to draw over; the atlas has .*\n$")
+        self.assertRegex(ended.stderr,
+                         r"^rubatlas-plot basins: .*: no axis of the initial state is left to draw over; "
+                         r"the atlas has .*\n$")
 
     def test_an_effect_is_drawn_beside_its_absence(self):
         self.expect_picture("effect", TINY / "gravity.h5", "--without", TINY / "atlas.h5", "--dpi", 100)
@@ -142,7 +144,8 @@ class ToolsPictures(unittest.TestCase):
             gaps = np.flatnonzero(np.isnan(drawn))  # each contact rises from zero and returns to it
             np.testing.assert_array_equal(drawn[gaps - 1], 0.0)
             np.testing.assert_array_equal(drawn[np.concatenate([[0], gaps[:-1] + 1])], 0.0)
-        self.assertGreater(max(np.diff(line.get_ydata()[~np.isnan(line.get_ydata())]).size for line in forces.lines), 50)
+        self.assertGreater(max(np.diff(line.get_ydata()[~np.isnan(line.get_ydata())]).size for line in forces.lines),
+                           50)
 
     def test_the_waterfall_marks_the_orders_of_the_blade_passings_beside_the_data(self):
         panel = Figure("waterfall", TINY / "atlas.h5").figure.axes[0]
@@ -183,7 +186,7 @@ class ToolsPictures(unittest.TestCase):
         self.expect_picture("statement_map", TINY / "maps.h5", TINY / "rings_maps.h5", colours=10)
 
     def test_every_picture_has_its_command(self):
-        pages = (ROOT / "tools/draw.sh").read_text() + (ROOT / "tools/README.md").read_text()
+        pages = (ROOT / "tools/draw.sh").read_text() + (ROOT / "tools/gallery.md").read_text()
         for kind in KINDS:
             self.assertIn(f"rubatlas-plot {kind} ", pages.replace('rubatlas-plot" ', "rubatlas-plot "))
             module = importlib.import_module(f"rubatlas.plots.{kind}")
@@ -194,7 +197,8 @@ class ToolsPictures(unittest.TestCase):
             ended = run("draw.sh", TINY / "atlas.h5", TINY / "maps.h5", folder)
             self.assertEqual((ended.returncode, ended.stderr), (0, ""))
             names = sorted(path.stem for path in pathlib.Path(folder).glob("*.png"))
-        self.assertEqual(names, ["bifurcation", "blade", "displacement", "sensitivity", "sensitivity_blade_passing", "waterfall"])
+        self.assertEqual(names, ["bifurcation", "blade", "displacement", "sensitivity", "sensitivity_blade_passing",
+                                 "waterfall"])
 
     def test_of_many_initial_states_the_basins_are_drawn(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -210,7 +214,8 @@ class ToolsPictures(unittest.TestCase):
         self.assertEqual(names, ["bifurcation", "blade", "displacement", "displacement_damping_ratio", "sensitivity",
                                  "sensitivity_damping_ratio", "waterfall"])
         self.assertIn("Ring radius [mm]", Figure("map", TINY / "rings.h5").texts())
-        self.assertIn("ring radius 0.11 m", Figure("bifurcation", TINY / "rings.h5", "--at", "ring_radius=0.11").texts())
+        self.assertIn("ring radius 0.11 m",
+                      Figure("bifurcation", TINY / "rings.h5", "--at", "ring_radius=0.11").texts())
 
     def test_a_displacement_is_drawn_over_the_clearance_of_its_own_line(self):
         figure = Figure("displacement", TINY / "rings.h5", "--damping_ratio", 0.1)
@@ -289,7 +294,9 @@ class ToolsPictures(unittest.TestCase):
     def test_a_mistake_is_one_sentence_and_exit_code_2(self):
         ended = run("bifurcation", TINY / "atlas.h5", "-o", "none.png", "--damping_ratio", "0.7")
         self.assertEqual(ended.returncode, 2)
-        self.assertRegex(ended.stderr, r"^rubatlas-plot bifurcation: .*damping_ratio 0.7 is not in this atlas, which has 0.05, 0.1, 0.2\n$")
+        self.assertRegex(ended.stderr,
+                         r"^rubatlas-plot bifurcation: .*damping_ratio 0.7 is not in this atlas, "
+                         r"which has 0.05, 0.1, 0.2\n$")
 
 
 class ToolsOutputs(unittest.TestCase):
@@ -338,7 +345,8 @@ class ToolsOutputs(unittest.TestCase):
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["a.pdf", "a.png", "a.svg"])
 
     def test_a_file_that_is_no_picture_is_kept_whatever_its_name(self):
-        for name, content in (("notes.png", b"my notes"), ("empty.svg", b""), ("data.svg", b"<?xml version='1.0'?><data/>")):
+        for name, content in (("notes.png", b"my notes"), ("empty.svg", b""),
+                              ("data.svg", b"<?xml version='1.0'?><data/>")):
             path = self.folder / name
             path.write_bytes(content)
             self.expect_refusal(path, "is no picture; a picture replaces pictures only")

@@ -58,16 +58,22 @@ class Query(unittest.TestCase):
             evaluate("class == 'class'", NAMES)
 
     def test_an_unknown_name_is_answered_with_the_nearest(self):
-        with self.assertRaisesRegex(QueryError, "^max_displacment > 1: max_displacment is not in this atlas; the nearest name is max_displacement$"):
+        with self.assertRaisesRegex(QueryError,
+                                    "^max_displacment > 1: max_displacment is not in this atlas; the nearest name is "
+                                    "max_displacement$"):
             evaluate("max_displacment > 1", NAMES)
         with self.assertRaisesRegex(QueryError, "'aperiodc' is no value of class; the nearest is 'aperiodic'$"):
             evaluate("class == 'aperiodc'", NAMES)
 
     def test_whatever_is_not_in_the_grammar_is_refused_and_not_executed(self):
-        for text in ("", "speed_ratio", "speed_ratio >", "1 + 1", "'aperiodic'", "class < 'aperiodic'", "speed_ratio == 'aperiodic'",
-                     "__import__('os').system('true') == 0", "speed_ratio.real > 0", "[1][0] > 0", "(lambda: 1)() > 0", "speed_ratio in (1, 2)",
-                     "speed_ratio is 1", "speed_ratio > True", "speed_ratio & 1 > 0", "(x := 1) > 0", "f'{1}' == class", "speed_ratio > 1; 2",
-                     "('a' + 1) > 2", "speed_ratio > 1j", "(" * 300 + "1" + ")" * 300 + " > 0", "not " * 5000 + "1 > 0", "class_ == 1 or speed > 0"):
+        for text in ("", "speed_ratio", "speed_ratio >", "1 + 1", "'aperiodic'", "class < 'aperiodic'",
+                     "speed_ratio == 'aperiodic'",
+                     "__import__('os').system('true') == 0", "speed_ratio.real > 0", "[1][0] > 0", "(lambda: 1)() > 0",
+                     "speed_ratio in (1, 2)",
+                     "speed_ratio is 1", "speed_ratio > True", "speed_ratio & 1 > 0", "(x := 1) > 0", "f'{1}' == class",
+                     "speed_ratio > 1; 2",
+                     "('a' + 1) > 2", "speed_ratio > 1j", "(" * 300 + "1" + ")" * 300 + " > 0", "not " * 5000 + "1 > 0",
+                     "class_ == 1 or speed > 0"):
             with self.subTest(text=text[:60]), self.assertRaises(QueryError) as caught:
                 evaluate(text, NAMES)
             self.assertNotIn("\n", str(caught.exception))

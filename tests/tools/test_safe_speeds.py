@@ -21,7 +21,8 @@ class SafeSpeeds(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def run_tool(self, *arguments):
-        return subprocess.run([ROOT / "tools" / "rubatlas-plot", "safe_speeds", TINY / "atlas.h5", "-o", self.folder / "safe.png", *map(str, arguments)],
+        return subprocess.run([ROOT / "tools" / "rubatlas-plot", "safe_speeds", TINY / "atlas.h5", "-o",
+                               self.folder / "safe.png", *map(str, arguments)],
                               capture_output=True, text=True, check=False)
 
     def bands(self, *arguments):
@@ -43,7 +44,8 @@ class SafeSpeeds(unittest.TestCase):
     def test_bands_are_the_speeds_at_which_every_line_keeps_every_limit(self):
         result, _ = self.bands("--keep", "max_displacement<=0.008", "--keep", "max_contact_force<=200")
         with h5py.File(TINY / "atlas.h5") as atlas:
-            kept = (atlas["status"][...] == DONE) & (atlas["max_displacement"][...] <= 0.008) & (atlas["max_contact_force"][...] <= 200)
+            kept = (atlas["status"][...] == DONE) & (atlas["max_displacement"][...] <=
+                                                     0.008) & (atlas["max_contact_force"][...] <= 200)
         safe = kept.reshape(-1, kept.shape[-1]).all(axis=0)
         self.assertTrue(0 < safe.sum() < len(safe))
         np.testing.assert_array_equal(self.speeds_in(result), safe)
@@ -59,7 +61,8 @@ class SafeSpeeds(unittest.TestCase):
     def test_the_margin_is_the_percentage_of_speed_to_either_end(self):
         result, text = self.bands("--keep", "max_displacement<=0.008", "--damping_ratio", "0.1")
         band = result["bands"][0]
-        again, _ = self.bands("--keep", "max_displacement<=0.008", "--damping_ratio", "0.1", "--operate", band["middle"])
+        again, _ = self.bands("--keep", "max_displacement<=0.008", "--damping_ratio", "0.1", "--operate",
+                              band["middle"])
         self.assertAlmostEqual(again["operate"]["below_percent"], band["margin_percent"], places=9)
         self.assertAlmostEqual(again["operate"]["above_percent"], band["margin_percent"], places=9)
         self.assertIn(f"±{band['margin_percent']:.1f} %", text)
@@ -67,7 +70,8 @@ class SafeSpeeds(unittest.TestCase):
         self.assertTrue(band["below"]["open"], "the grid begins there")
 
     def test_limits_on_margin_and_class_are_those_of_the_maps(self):
-        result, _ = self.bands("--maps", TINY / "maps.h5", "--keep", "class<=1", "--keep", "margin>=0.03", "--damping_ratio", "0.1")
+        result, _ = self.bands("--maps", TINY / "maps.h5", "--keep", "class<=1", "--keep", "margin>=0.03",
+                               "--damping_ratio", "0.1")
         with h5py.File(TINY / "maps.h5") as maps:
             line = (0, 0, 0, 1)
             margin = maps["margins/speed_ratio"][line]

@@ -67,7 +67,8 @@ class StatementMap(unittest.TestCase):
     def test_columns_stand_in_the_order_of_their_numbers_upward_sweeps_first(self):
         def column(setting):
             return statement_map.Column("elastica", setting)
-        settings = ["kr = 300 N/m", "kr = 1000 N/m", "kr = 3e+06 N/m", "direction = up, γ = 0.5", "direction = down, γ = 0"]
+        settings = ["kr = 300 N/m", "kr = 1000 N/m", "kr = 3e+06 N/m", "direction = up, γ = 0.5",
+                    "direction = down, γ = 0"]
         ordered = sorted(map(column, settings[::-1]), key=statement_map.place)
         self.assertEqual([one.setting for one in ordered if "kr" in one.setting], settings[:3])
         self.assertEqual(ordered[-1].setting, "direction = down, γ = 0")
