@@ -33,7 +33,7 @@ esac
 not_in() {
   list=$1
   shift
-  printf '%s\n' "$@" | grep -vxF "$list" || true
+  printf '%s\n' "$list" -- "$@" | awk '$0 == "--" { asked = 1; next } !asked { has[$0] } asked && NF && !($0 in has)'
 }
 # What compiles the solver of a report's page, with clang N.
 wasm() { echo "clang-$1 lld-$1 libc++-$1-dev-wasm32 libc++abi-$1-dev-wasm32 libclang-rt-$1-dev-wasm32 wasi-libc"; }
