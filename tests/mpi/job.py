@@ -2,6 +2,7 @@
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -21,6 +22,8 @@ PROGRAM = os.environ["RUBATLAS_PROGRAM"]
 PENDING, DONE, LEFT_VALIDITY, INTEGRATOR_FAILED = 0, 1, 2, 3
 TIME_LIMIT = 120  # s; a job that hangs fails its test instead of the whole suite
 
+_version = subprocess.run(["mpirun", "--version"], stdout=subprocess.PIPE, text=True, check=True).stdout
+OPEN_MPI = int(re.search(r"\) (\d+)\.", _version)[1])
 # Where a job ends with another code than 0, Open MPI 4.1 waits a second before it ends ranks that have ended by themselves.
 AT_ITS_END = {"OMPI_MCA_odls_base_sigkill_timeout": "0"}
 
