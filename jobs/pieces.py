@@ -43,7 +43,7 @@ def sweep(scene, pieces, name, directory, ranks):
     """Atlas, classes and work of a scene in these pieces."""
     path, atlas, maps = (directory / f"{name}{end}" for end in (".json", ".h5", "_maps.h5"))
     path.write_text(json.dumps({**scene, "pieces": pieces}))
-    launcher = ["mpirun", "-q", "-n", str(ranks), "--oversubscribe", "--bind-to", "none"] if ranks > 1 else []
+    launcher = ["mpirun", "-n", str(ranks), "--oversubscribe", "--bind-to", "none"] if ranks > 1 else []
     subprocess.run([*launcher, PROGRAM, "run", path, "-o", atlas, "--resume", "--progress", "off"], check=False)
     subprocess.run([PROGRAM, "analyse", atlas, "-o", maps, "--overwrite"], check=True, stdout=subprocess.DEVNULL)
     runs = json.loads(pathlib.Path(f"{atlas}.run.json").read_text())["runs"]

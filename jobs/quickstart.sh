@@ -42,7 +42,7 @@ if [ -t 2 ]; then progress=bar; fi
 . jobs/complete_atlas.sh
 program=build/rubatlas
 run_code=0
-complete_atlas "$scene" "$atlas" "$progress" mpirun -q -n "$(nproc)" --oversubscribe --bind-to none || run_code=$?
+complete_atlas "$scene" "$atlas" "$progress" mpirun -n "$(nproc)" --oversubscribe --bind-to none || run_code=$?
 case $run_code in
   0) ;;
   10) echo "Some points could not be integrated; the atlas says which, in /status." ;;

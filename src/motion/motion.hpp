@@ -46,28 +46,20 @@ class Motion {
         blades_(std::move(blades)),
         flight_(rotor_, free_, forcing_),
         search_(rotor_, law_, blades_),
-        solved_(setup(law_)) {
+        solved_(setup(law_)),
+        carried_(made<decltype(carried_)>(&law_)),
+        skimming_(made<decltype(skimming_)>(&law_)),
+        sticking_(made<decltype(sticking_)>(&law_)),
+        judge_(made<decltype(judge_)>(&law_)),
+        ring_placer_(made<decltype(ring_placer_)>(&law_)),
+        resting_law_(law_of_rest()),
+        resting_judge_(made<decltype(resting_judge_)>(resting_law_ ? &*resting_law_ : nullptr)),
+        resting_(made<decltype(resting_)>(resting_law_ ? &*resting_law_ : nullptr)) {
     if constexpr (Modes::kCollocates) {
       const rotor::Harmonic* unbalance = nullptr;
       if constexpr (Forcing::kPresent) unbalance = &forcing_;
       if (law_.carried()) collocated_.emplace(rotor_, blades_, law_, unbalance, limits_, meter_);
     }
-    if constexpr (Modes::kCarries) {
-      carried_.emplace(setup(law_));
-      skimming_.emplace(setup(law_));
-    }
-    if constexpr (Modes::kSticks) {
-      judge_.emplace(setup(law_));
-      sticking_.emplace(setup(law_));
-    }
-    if constexpr (Modes::kRests) {
-      if (auto law_of_rest = resting_law(law_, blades_.count())) {
-        resting_law_.emplace(std::move(*law_of_rest));
-        resting_judge_.emplace(setup(*resting_law_));
-        resting_.emplace(setup(*resting_law_));
-      }
-    }
-    if constexpr (Modes::kRingFollows) ring_placer_.emplace(setup(law_));
     contacts_.reserve(static_cast<std::size_t>(blades_.count()));
   }
   Motion(const Motion&) = delete;  // members hold pointers to each other
@@ -206,6 +198,18 @@ class Motion {
   template <class AnyLaw>
   [[nodiscard]] modes::ContactSetup<AnyLaw, Forcing, Blades> setup(const AnyLaw& law) {
     return {&rotor_, &blades_, &law, &forcing_, limits_, &meter_};
+  }
+  /// A part of the motion, made where it occurs and there is a law for it.
+  template <class Part, class AnyLaw>
+  [[nodiscard]] Part made(const AnyLaw* law) {
+    if constexpr (std::is_same_v<typename Part::value_type, std::monostate>)
+      return Part();
+    else
+      return law != nullptr ? Part(std::in_place, setup(*law)) : Part();
+  }
+  [[nodiscard]] Optional<Modes::kRests, typename Modes::RestingLaw> law_of_rest() const {
+    if constexpr (Modes::kRests) return resting_law(law_, blades_.count());
+    return {};
   }
 
   point::PointStatus ends(point::StatusDetail why) {

@@ -147,6 +147,10 @@ json parse_document(std::string_view text, std::string_view name) {
   if (const auto nul = text.find('\0'); nul != std::string_view::npos) {
     throw SceneError(fmt::format("{}: not JSON: a NUL byte", place(text, name, nul + 1)));
   }
+  // The library's versions place this error differently.
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    throw SceneError(fmt::format("{}: not JSON: the text is empty", place(text, name, 1)));
+  }
   TreeBuilder builder(text, name);
   json::sax_parse(text, &builder);
   return builder.take();

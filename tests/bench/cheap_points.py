@@ -31,7 +31,7 @@ def processor_seconds():
 
 
 def measure(program, ranks, directory):
-    launcher = ["mpirun", "-q", "--oversubscribe", "--bind-to", "none", "-n", str(ranks)] if ranks else []
+    launcher = ["mpirun", "--oversubscribe", "--bind-to", "none", "-n", str(ranks)] if ranks else []
     atlas = directory / "atlas.h5"
     before = processor_seconds()
     subprocess.run([*launcher, program, "run", directory / "scene.json", "-o", atlas, "--overwrite", "--progress",

@@ -8,8 +8,13 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from mpi_environment import CROWDED  # noqa: E402
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 PROGRAM = pathlib.Path(os.environ["RUBATLAS_PROGRAM"])
@@ -17,13 +22,6 @@ TINY = PROGRAM.parent / "tests/tiny_atlas"
 
 BLOCK = re.compile(r"(?:^<!-- not run: (?P<reason>[^>]+) -->\n)?^```(?P<language>\w+)\n(?P<text>.*?)^```", re.M | re.S)
 RUNS = {"sh": ["bash", "-euo", "pipefail", "-c"], "python": ["/usr/bin/python3", "-c"]}
-
-
-def environment():
-    """As on a machine of one's own: root is allowed to call mpirun, also with more ranks than cores."""
-    return {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-            "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_hwloc_base_binding_policy": "none",
-            "OMPI_MCA_btl_vader_single_copy_mechanism": "none", "MPLBACKEND": "Agg"}
 
 
 def clone(folder):
@@ -50,7 +48,7 @@ class Documentation(unittest.TestCase):
                 if block["reason"] or block["language"] not in RUNS:
                     continue
                 with self.subTest(block=block["text"]):
-                    ended = subprocess.run([*RUNS[block["language"]], block["text"]], cwd=folder, env=environment(),
+                    ended = subprocess.run([*RUNS[block["language"]], block["text"]], cwd=folder, env={**CROWDED, "MPLBACKEND": "Agg"},
                                            stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
                     self.assertEqual(ended.returncode, 0, ended.stdout[-2000:] + ended.stderr[-2000:])
                 ran += 1

@@ -1,11 +1,13 @@
 """A headless Chromium with a report in it."""
 import pathlib
 import time
+import unittest
 
 from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 
+DRIVER = pathlib.Path("/usr/bin/chromedriver")
 LONGEST_WAIT = 120  # s; for hangs alone
 
 
@@ -13,12 +15,14 @@ class Browser:
     """`downloads`: the folder to which exports go."""
 
     def __init__(self, downloads, width=1400, height=1000):
+        if not DRIVER.exists():
+            raise unittest.SkipTest(f"this machine has no {DRIVER} (Debian's package chromium-driver)")
         options = webdriver.ChromeOptions()
         for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
                          "--hide-scrollbars", "--force-prefers-reduced-motion"):
             options.add_argument(argument)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-        self.driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+        self.driver = webdriver.Chrome(service=Service(str(DRIVER)), options=options)
         self.downloads = pathlib.Path(downloads)
         self.command("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(downloads))
         self.resize(width, height)

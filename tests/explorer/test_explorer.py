@@ -13,7 +13,7 @@ import xml.etree.ElementTree
 import h5py
 import numpy as np
 from browser import Browser
-from reports import PROGRAM, ROOT, TINY, made, run, tiny
+from reports import PROGRAM, ROOT, TINY, WITHOUT_SOLVER, made, run, tiny
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.keys import Keys
 
@@ -35,6 +35,8 @@ def columns(path):
 class Explorer(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
+        if WITHOUT_SOLVER:
+            raise unittest.SkipTest(WITHOUT_SOLVER)
         holder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(holder.cleanup)
         cls.folder = pathlib.Path(holder.name)

@@ -72,7 +72,7 @@ class Report(unittest.TestCase):
                             self.folder / "no.wasm")
 
     def test_a_scene_that_the_page_cannot_compute_has_the_orbits_of_the_program(self):
-        ended = report(TINY / "gravity.h5", "-o", self.folder / "report.html", "--solver", SOLVER)
+        ended = report(TINY / "gravity.h5", "-o", self.folder / "report.html", *SOLVER)
         self.assertEqual(ended.returncode, 0, ended.stderr)
         self.assertIn("this scene has more: gravity", ended.stdout)
         with h5py.File(TINY / "gravity.h5") as atlas:
@@ -81,7 +81,7 @@ class Report(unittest.TestCase):
         orbits = int(re.search(r"(\d+) orbits", ended.stdout)[1])
         self.assertLessEqual(orbits, done)
         self.assertGreater(orbits, 0.8 * done)
-        ended = report(TINY / "gravity.h5", "-o", self.folder / "report.html", "--solver", SOLVER, "--orbits", "3")
+        ended = report(TINY / "gravity.h5", "-o", self.folder / "report.html", *SOLVER, "--orbits", "3")
         self.assertIn(" 3 orbits", ended.stdout)
 
     def test_without_the_program_a_report_has_no_orbits_and_says_so(self):
@@ -101,7 +101,7 @@ class Report(unittest.TestCase):
             self.assertIn(f"--orbits: {word} is no whole number", ended.stderr)
 
     def test_as_many_sections_as_fit_are_kept(self):
-        ended = report(TINY / "atlas.h5", "-o", self.folder / "report.html", "--solver", SOLVER)
+        ended = report(TINY / "atlas.h5", "-o", self.folder / "report.html", *SOLVER)
         self.assertIn("16 of 16 sections", ended.stdout)
 
     def expect_size(self, most_bytes):

@@ -6,11 +6,16 @@ import re
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
 
 from slurm import Slurm
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from mpi_environment import CROWDED  # noqa: E402
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 PROGRAM = pathlib.Path(os.environ["RUBATLAS_PROGRAM"])
@@ -25,6 +30,12 @@ def scene(points, revolutions):
             "spectrum": {"max_order": 4}}
 
 
+def has_to_stop(process):
+    """True where SIGUSR1 waits for a process that stands still."""
+    pending, = re.findall(r"^ShdPnd:\s*(\w+)", pathlib.Path(f"/proc/{process}/status").read_text(), re.M)
+    return bool(int(pending, 16) & 1 << signal.SIGUSR1 - 1)
+
+
 class SlurmJobs(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="rubatlas_"))
@@ -33,10 +44,7 @@ class SlurmJobs(unittest.TestCase):
         self.slurm = Slurm(self.folder / "slurm")
         self.addCleanup(self.slurm.close)
         (self.folder / "jobs").symlink_to(ROOT / "jobs")
-        # As in jobs/mpi_environment.sh; more ranks than cores are welcome.
-        self.environment = {**self.slurm.environment, "OMPI_ALLOW_RUN_AS_ROOT": "1", "RUBATLAS": str(PROGRAM),
-                            "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
-                            "OMPI_MCA_hwloc_base_binding_policy": "none", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
+        self.environment = {**CROWDED, **self.slurm.environment, "RUBATLAS": str(PROGRAM)}
 
     def call(self, *command, **more):
         return self.slurm.call(*command, cwd=self.folder, env={**self.environment, **more})
@@ -97,8 +105,7 @@ class SlurmJobs(unittest.TestCase):
         self.assertEqual(len(ranks), 2)
         for rank in ranks:
             os.kill(rank, signal.SIGSTOP)
-        said = self.folder / f"slurm-{job}.out"
-        self.wait_until(lambda: "Forwarding signal 10" in said.read_text(), "no signal at the time limit")
+        self.wait_until(lambda: all(map(has_to_stop, ranks)), "no signal at the time limit")
         for rank in ranks:
             os.kill(rank, signal.SIGCONT)
         # For some seconds the job waits in the queue. It then has time enough, on a busy machine too.
