@@ -238,24 +238,29 @@ class Explorer(unittest.TestCase):
 
     def test_queries_mean_what_the_table_of_cases_says(self):
         table = json.loads((ROOT / "tests/explorer/query_cases.json").read_text())
+        grammar = json.loads((ROOT / "tools/rubatlas/query_grammar.json").read_text())
+        extension = table["extension"]
+        extended = {**grammar, **extension, "tokens": {**grammar["tokens"], **extension["tokens"]}}
         self.browser.driver.get("about:blank")
-        for case in table["cases"]:
-            with self.subTest(case["query"]):
-                found = self.browser.run((PAGE / "query.js").read_text() + """
-                    const [names, query, count] = arguments;
-                    const known = Object.fromEntries(Object.entries(names).map(([name, {values, flags}]) =>
-                      [name, {of: (point) => values[point] ?? NaN, flags: flags ?? null}]));
-                    try {
-                      const holds = parseQuery(query, known);
-                      return {holds: Array.from({length: count}, (_, point) => Boolean(holds(point)))};
-                    } catch (error) {
-                      if (!(error instanceof QueryError)) throw error;
-                      return {error: error.message};
-                    }""", table["names"], case["query"], 4)
-                if "error" in case:
-                    self.assertIn(case["error"], found.get("error", "no error"))
-                else:
-                    self.assertEqual(found.get("holds", found), case["holds"])
+        for cases, known in ((table["cases"], grammar), (table["cases_of_the_extension"], extended), (table["trees"], grammar)):
+            found = self.browser.run((PAGE / "query.js").read_text() + """
+                const [names, cases, grammar] = arguments;
+                const known = Object.fromEntries(Object.entries(names).map(([name, {values, flags}]) =>
+                  [name, {of: (point) => values[point] ?? NaN, flags: flags ?? null}]));
+                return cases.map(({query, tree}) => {
+                  try {
+                    if (tree) return {query, tree: queryTree(query, grammar)};
+                    const holds = parseQuery(query, known, grammar);
+                    return {query, holds: [0, 1, 2, 3].map((point) => Boolean(holds(point)))};
+                  } catch (error) {
+                    if (!(error instanceof QueryError)) throw error;
+                    return {query, error: error.message};
+                  }
+                });""", table["names"], cases, known)
+            self.assertEqual(len(found), len(cases))
+            for answer, case in zip(found, cases):
+                with self.subTest(case["query"]):
+                    self.assertEqual(answer, case)
 
     # --- computing ---
 

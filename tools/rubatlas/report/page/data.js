@@ -1,6 +1,7 @@
 // --- The atlas in this file: metadata at once, blocks of numbers when they are needed. ---
 
 const atlas = JSON.parse(document.getElementById('atlas').textContent);
+const queryGrammar = JSON.parse(document.getElementById('query-grammar').textContent);
 const KINDS = {Float32Array, Float64Array, Uint8Array, Uint16Array};
 
 async function unpacked(name) {

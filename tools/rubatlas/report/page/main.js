@@ -198,9 +198,9 @@ function mark() {
     said.textContent = map.marks ? `${shown(count, 9)} of ${shown(values.status.filter((status) => status === 1).length, 9)} points that are done are marked.` : '';
     said.classList.remove('wrong');
   } catch (error) {
-    if (!(error instanceof QueryError || error instanceof RangeError)) throw error;
+    if (!(error instanceof QueryError)) throw error;
     map.marks = null;
-    said.textContent = error instanceof RangeError ? 'the condition is nested too deeply' : error.message;
+    said.textContent = error.message;
     said.classList.add('wrong');
   }
   map.draw();
