@@ -11,6 +11,7 @@ import os
 import numpy as np
 
 from rubatlas.atlas_file import DONE, SCENE_VALUE, SYMBOL, AtlasError, printable, swept_pointers, with_values, words_of
+from rubatlas.elastica import angles_from_tip
 from rubatlas.report.blocks import Blocks
 from rubatlas.report.orbits import orbits_of
 from rubatlas.same_scene import MACHINE, POINTS, WORDS, require_same
@@ -28,6 +29,9 @@ MOST_POINTS_IN_FULL = 30_000
 WIDTHS_OF_BINS = (0.02, 0.05, 0.1, 0.25)
 # So many orbits the program computes for a page that computes none: some tenths of a second each.
 ORBITS = 200
+# The table that the page draws blades from ends above the angle [rad] and the length of a blade that is shortened by its
+# whole length. Angles are closest where a blade begins to buckle.
+LAST_OF_SHAPES, ANGLES_OF_SHAPES, LENGTHS_OF_SHAPES = 3.0, 120, 30
 # Amplitudes are kept as 16 bits of their logarithm over this range below the largest of the atlas.
 DECADES_OF_SPECTRUM = 8.0
 
@@ -162,6 +166,13 @@ def binned_spectra(atlas, blocks, done, width):
             "decades": DECADES_OF_SPECTRUM, "units": atlas.units("spectrum"), "width": width}
 
 
+def shapes_of_blades():
+    """What the page draws blades in contact from."""
+    tips = LAST_OF_SHAPES * np.linspace(0.0, 1.0, ANGLES_OF_SHAPES + 1) ** 2
+    lengths = np.linspace(0.0, LAST_OF_SHAPES, LENGTHS_OF_SHAPES + 1)
+    return {"step": float(lengths[1]), "angles": np.round(angles_from_tip(tips, lengths), 6).tolist()}
+
+
 # --- words ---
 
 def group(maps, name):
@@ -242,6 +253,7 @@ def contents(atlas, maps, solver, orbits=None):
         "provenance": {name: atlas.attribute(name) for name in ("software", "software_version", "git_commit", "compiler",
                                                                 "schema_version")},
         "runs": runs_beside(atlas.path),
+        "elastica": shapes_of_blades(),
         "not_computed": why_not_computed(atlas.scene, solver),
         "orbits": [],
         "no_orbits": "",

@@ -172,7 +172,8 @@ class Rotor {
     const radius = request.ring_radius + (yielding?.compliance ?? 0) * force;
     const miss = (tip) => { const [x, y] = place(tip); return Math.hypot(x, y + request.misalignment) - radius; };
     const shares = turning || stribeck || stick ? Array.from({length: 17}, (_, i) => 1 - i / 8) : [1, -1];
-    return bentBlade(force * request.blade_length ** 2 / stiffness, request.friction, shares, miss);
+    const load = force * request.blade_length ** 2 / stiffness;
+    return bentBlade(atlas.elastica, load, request.friction, shares, miss);
   }
   /// The force of the ring on a tip, −F n − s μ F t.
   arrow(pen, [x, y], tip, force, side) {
