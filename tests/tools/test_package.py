@@ -1,4 +1,5 @@
 """The package as a package: it installs without a network, its types and its examples hold, its tour runs."""
+import ast
 import doctest
 import importlib
 import json
@@ -20,6 +21,19 @@ import rubatlas  # noqa: E402
 
 # What is meant to be imported by others has types throughout; the modules behind it are checked where they have them.
 TYPED = ("__init__", "atlas", "program", "query", "plots/axes")
+
+
+def imported(path):
+    """Names of the modules that a file imports, wherever in it; of `from a import b` both a.b and, where b is none, a."""
+    names = set()
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            names |= {one.name for one in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            below = {f"{node.module}.{one.name}" for one in node.names}
+            there = {one for one in below if (TOOLS / f"{one.replace('.', '/')}.py").is_file()}
+            names |= below if there == below else {*there, node.module}
+    return names
 
 
 def modules():
@@ -68,6 +82,19 @@ class Package(unittest.TestCase):
                 self.assertEqual(result.failed, 0)
                 examples += result.attempted
         self.assertGreaterEqual(examples, 5)
+
+    def test_no_module_imports_one_that_imports_it(self):
+        names = {path: ".".join(path.relative_to(TOOLS).with_suffix("").parts).removesuffix(".__init__")
+                 for path in (TOOLS / "rubatlas").rglob("*.py")}
+        imports = {name: imported(path) & set(names.values()) for path, name in names.items()}
+        self.assertGreater(sum(map(len, imports.values())), 50)
+        for name in sorted(names.values()):
+            reached, ahead = set(), [name]
+            while ahead:
+                further = imports[ahead.pop()] - reached
+                reached |= further
+                ahead += further
+            self.assertNotIn(name, reached)
 
     def test_nothing_in_the_package_imports_from_the_tests(self):
         sources = list((TOOLS / "rubatlas").rglob("*.py"))

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
+import xarray
 from matplotlib.axes import Axes
 
 from rubatlas import style
@@ -20,8 +21,20 @@ from rubatlas.atlas_file import AtlasError, AtlasFile, number_of, same_value, wo
 from rubatlas.plots import bifurcation, blade, displacement, margin, orbit, spectrum, waterfall
 from rubatlas.plots import map as map_of
 
-if TYPE_CHECKING:
-    from rubatlas.atlas import Atlas
+
+class Selection(Protocol):
+    """What a picture needs of the `Atlas` that it is drawn from."""
+
+    path: str
+    maps_path: str | None
+
+    @property
+    def dataset(self) -> xarray.Dataset: ...
+    @property
+    def picked(self) -> dict[str, float]: ...
+    @property
+    def chosen_of_grid(self) -> np.ndarray[Any, np.dtype[np.bool_]]: ...
+    def orbit(self, speed_ratio: float, path: None = None, **at: float) -> orbit.OrbitFile: ...
 
 
 @contextlib.contextmanager
@@ -35,7 +48,7 @@ class Plots:
     """`atlas.plot`. Values of axes pick the line: `damping_ratio=0.1`; an axis that is
     not given has the value that was selected, else the scene's own. Points that `sel` or `where` has not chosen stay blank."""
 
-    def __init__(self, atlas: Atlas) -> None:
+    def __init__(self, atlas: Selection) -> None:
         self._atlas = atlas
 
     @contextlib.contextmanager
