@@ -27,6 +27,8 @@ def by_frequency(speed, order, amplitude, edges):
         frequency = order * ratio
         nearest = np.clip(np.rint(middle / (ratio * order[1])).astype(int), 0, len(order) - 1)
         result[row] = np.where(middle <= frequency[-1], spectrum[nearest], 0.0)
+        if np.isnan(spectrum).any():
+            continue  # no motion
         bins = np.digitize(frequency, edges) - 1
         inside = (bins >= 0) & (bins < len(middle))
         np.maximum.at(result[row], bins[inside], spectrum[inside])
