@@ -1,4 +1,4 @@
-"""Pictures as methods of an atlas. Each draws into one matplotlib axes, its own or the caller's, and returns it, so that they compose:
+"""Pictures as methods of an atlas. Each draws into one matplotlib axes, its own or the caller's, and returns it:
 
     figure, (left, right) = plt.subplots(1, 2)
     atlas.plot.bifurcation(ax=left, damping_ratio=0.1)
@@ -45,8 +45,8 @@ def _panel(ax: Axes | None) -> Iterator[Axes]:
 
 
 class Plots:
-    """`atlas.plot`. Values of axes pick the line: `damping_ratio=0.1`; an axis that is
-    not given has the value that was selected, else the scene's own. Points that `sel` or `where` has not chosen stay blank."""
+    """`atlas.plot`. Values of axes pick the line: `damping_ratio=0.1`; an axis that is not given has the value that was
+    selected, else the scene's own. Points that `sel` or `where` has not chosen stay blank."""
 
     def __init__(self, atlas: Selection) -> None:
         self._atlas = atlas
@@ -54,7 +54,8 @@ class Plots:
     @contextlib.contextmanager
     def _maps(self) -> Iterator[AtlasFile]:
         if self._atlas.maps_path is None:
-            raise AtlasError(f"{self._atlas.path}: this picture needs the atlas' maps; `rubatlas analyse` makes them, open(maps=...) names them")
+            raise AtlasError(f"{self._atlas.path}: this picture needs the atlas' maps; `rubatlas analyse` makes them, "
+                             "open(maps=...) names them")
         with AtlasFile(self._atlas.maps_path) as maps:
             yield maps
 
@@ -99,7 +100,8 @@ class Plots:
             displacement.into(panel, atlas, displacement.along_of(atlas, along, line), line)
             return self._at_selected_speeds(panel)
 
-    def map(self, ax: Axes | None = None, quantity: str = "max_displacement", along: str | None = None, **line: Any) -> Axes:
+    def map(self, ax: Axes | None = None, quantity: str = "max_displacement", along: str | None = None,
+            **line: Any) -> Axes:
         """A quantity, or "class", over the speed ratio and a parameter."""
         line = self._picked(line)
         with _panel(ax) as panel, self._file() as atlas:
@@ -109,7 +111,8 @@ class Plots:
                     handles = map_of.classes_into(panel, atlas, maps, along, line, quantity != "class")
                 panel.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.0, 1.0))
             elif words_of(atlas.dataset(quantity).attrs):
-                raise AtlasError(f"{quantity}: words, not numbers; a map draws class, class_blade_passing or a quantity of numbers")
+                raise AtlasError(f"{quantity}: words, not numbers; a map draws class, class_blade_passing or a "
+                                 "quantity of numbers")
             else:
                 image = map_of.into(panel, atlas, along, line, quantity)
                 label = f"{quantity.replace('_', ' ')} [{style.drawn(atlas.units(quantity))[0]}]"

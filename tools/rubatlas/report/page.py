@@ -1,7 +1,7 @@
 """Puts a report together: the page's sources, the plotting library and the data in one HTML file.
 
-Nothing of the data is ever part of the markup. JSON and blocks stand in script elements of types that no browser runs, with `<` escaped, so
-that no text of a scene can end its element; the page shows texts as text.
+Nothing of the data is ever part of the markup. JSON and blocks stand in script elements of types that no browser runs,
+with `<` escaped, so that no text of a scene can end its element; the page shows texts as text.
 """
 import json
 import pathlib
