@@ -1,12 +1,12 @@
 // --- The shape of a blade: the elastica between hub and tip, from a table that the report brings along. ---
 //
-// All blades are parts of one family of curves. `angles` is a table of a curve's angle to the force that the ring exerts:
-// a row for each angle at the tip, a column for each length from the tip in units of √(EI / force), `step` apart. In these
-// units the angle's second derivative is −sin of it, which goes into the interpolation.
+// All blades are parts of one family of curves. `angles` is a table of a curve's angle to the force that the ring
+// exerts: a row for each angle at the tip, a column for each length from the tip in units of √(EI / force), `step`
+// apart. In these units the angle's second derivative is −sin of it, which goes into the interpolation.
 
 const SEGMENTS = 24;
 
-/// Points (along the undeformed blade, across it) of a blade of length 1 under the load f = F L²/EI, bent by a friction of μ.
+/// Points (along the undeformed blade, across it) of a blade of length 1 under the load f = F L²/EI with friction μ.
 function bladeShape({step, angles}, load, friction) {
   const lean = Math.atan(friction);  // of the force against the undeformed blade
   const length = Math.sqrt(load / Math.cos(lean));
@@ -29,8 +29,9 @@ function bladeShape({step, angles}, load, friction) {
   }
   return points;
 }
-/// The blade in contact: bent to that side, by that share of the friction, with which its tip is nearest to where `miss`
-/// of a point is zero. An orbit keeps the normal force alone; `shares` are the candidates, 1 and −1 where a tip slips.
+/// The blade in contact: bent to that side, by that share of the friction, with which its tip is nearest to where
+/// `miss` of a point is zero. An orbit keeps the normal force alone; `shares` are the candidates, 1 and −1 where a tip
+/// slips.
 function bentBlade(table, load, friction, shares, miss) {
   const shapes = shares.map((share) => bladeShape(table, load, Math.abs(share) * friction)
     .map(([along, across]) => [along, share < 0 ? -across : across]));
