@@ -66,7 +66,8 @@ STAYS_IN = {
     "experimental/simd": ["src/collocation/nodes_in_lanes.hpp"],
 }
 
-TOP_LEVEL = {"CMakeLists.txt", "README.md", "LICENSE", "src", "mpi", "analysis", "tests", "jobs", "tools"}
+TOP_LEVEL = {"CMakeLists.txt", "README.md", "LICENSE", "CITATION.cff", "CHANGELOG.md", "src", "mpi", "analysis", "tests",
+             "jobs", "tools"}
 MADE_HERE = {"build", "atlases"}  # and build-*: none of them is under version control
 NAMES_THAT_SAY_NOTHING = {"utils", "util", "helpers", "helper", "manager", "common", "misc", "stuff", "tools"}
 

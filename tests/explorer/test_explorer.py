@@ -4,6 +4,7 @@ import json
 import pathlib
 import re
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -16,6 +17,11 @@ from browser import Browser
 from reports import PROGRAM, ROOT, TINY, WITHOUT_SOLVER, made, run, tiny
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.keys import Keys
+
+sys.path.insert(0, str(ROOT / "tools"))
+
+from rubatlas import elastica  # noqa: E402
+from rubatlas.report import contents  # noqa: E402
 
 PAGE = ROOT / "tools/rubatlas/report/page"
 CLEARANCE = 0.01  # m, of the default rotor
@@ -263,24 +269,30 @@ class Explorer(unittest.TestCase):
 
     def test_queries_mean_what_the_table_of_cases_says(self):
         table = json.loads((ROOT / "tests/explorer/query_cases.json").read_text())
+        grammar = json.loads((ROOT / "tools/rubatlas/query_grammar.json").read_text())
+        extension = table["extension"]
+        extended = {**grammar, **extension, "tokens": {**grammar["tokens"], **extension["tokens"]}}
         self.browser.driver.get("about:blank")
-        for case in table["cases"]:
-            with self.subTest(case["query"]):
-                found = self.browser.run((PAGE / "query.js").read_text() + """
-                    const [names, query, count] = arguments;
-                    const known = Object.fromEntries(Object.entries(names).map(([name, {values, flags}]) =>
-                      [name, {of: (point) => values[point] ?? NaN, flags: flags ?? null}]));
-                    try {
-                      const holds = parseQuery(query, known);
-                      return {holds: Array.from({length: count}, (_, point) => Boolean(holds(point)))};
-                    } catch (error) {
-                      if (!(error instanceof QueryError)) throw error;
-                      return {error: error.message};
-                    }""", table["names"], case["query"], 4)
-                if "error" in case:
-                    self.assertIn(case["error"], found.get("error", "no error"))
-                else:
-                    self.assertEqual(found.get("holds", found), case["holds"])
+        for cases, known in ((table["cases"], grammar), (table["cases_of_the_extension"], extended),
+                             (table["trees"], grammar)):
+            found = self.browser.run((PAGE / "query.js").read_text() + """
+                const [names, cases, grammar] = arguments;
+                const known = Object.fromEntries(Object.entries(names).map(([name, {values, flags}]) =>
+                  [name, {of: (point) => values[point] ?? NaN, flags: flags ?? null}]));
+                return cases.map(({query, tree}) => {
+                  try {
+                    if (tree) return {query, tree: queryTree(query, grammar)};
+                    const holds = parseQuery(query, known, grammar);
+                    return {query, holds: [0, 1, 2, 3].map((point) => Boolean(holds(point)))};
+                  } catch (error) {
+                    if (!(error instanceof QueryError)) throw error;
+                    return {query, error: error.message};
+                  }
+                });""", table["names"], cases, known)
+            self.assertEqual(len(found), len(cases))
+            for answer, case in zip(found, cases):
+                with self.subTest(case["query"]):
+                    self.assertEqual(answer, case)
 
     # --- computing ---
 
@@ -386,27 +398,28 @@ class Explorer(unittest.TestCase):
         self.assertGreater(float(self.browser.run("return document.getElementById('rotor').dataset.time")), at)
 
     def test_the_shape_of_a_blade_ends_where_the_closed_form_says(self):
-        import sys
-        sys.path.insert(0, str(ROOT / "tools"))
-        from rubatlas import elastica
-        friction, excess = 0.1, np.array([1e-3, 0.05, 0.3])
-        load, shortening, deflection = elastica.curve(friction, excess)
-        half_angle = 0.5 * np.arctan(friction)
-        slope = 2 * np.arcsin(np.sin(half_angle) + excess) - 2 * half_angle
+        excess = np.array([1e-3, 0.05, 0.3])
         self.browser.driver.get("about:blank")
-        for i in range(3):
-            self.assertAlmostEqual(self.browser.run((PAGE / "elastica.js").read_text() +
-                                                    "return tipSlope(...arguments)", load[i], friction), slope[i],
-                                   delta=1e-3)
-            for side in (1.0, -1.0):
-                # The orbit says the load; that the tip is on the ring says the side. A picture's width has a
-                # thousand pixels.
-                points = self.browser.run((PAGE / "elastica.js").read_text() +
-                                          "return bentBlade(arguments[0], arguments[1], [1, -1], "
-                                          "([along, across]) => across - arguments[2])",
-                                          load[i], friction, side * deflection[i])
-                self.assertAlmostEqual(points[-1][0], 1 - shortening[i], delta=1e-3)
-                self.assertAlmostEqual(points[-1][1], side * deflection[i], delta=1e-3)
+        for friction in (0.02, 0.1, 1.0):
+            for load, shortening, deflection in zip(*elastica.curve(friction, excess)):
+                for side in (1.0, -1.0):
+                    # The orbit says the load; that the tip is on the ring says the side. A picture is a thousand pixels
+                    # wide.
+                    points = self.browser.run((PAGE / "elastica.js").read_text() + """
+                        const [table, load, friction, deflection] = arguments;
+                        return bentBlade(table, load, friction, [1, -1], ([along, across]) => across - deflection)
+                        """, contents.shapes_of_blades(), load, friction, side * deflection)
+                    self.assertAlmostEqual(points[-1][0], 1 - shortening, delta=1e-3)
+                    self.assertAlmostEqual(points[-1][1], side * deflection, delta=1e-3)
+
+    def test_a_blade_without_friction_stands_straight_below_the_load_of_euler(self):
+        self.browser.driver.get("about:blank")
+        for share, bent in ((0.0, False), (0.99, False), (1.1, True)):
+            across = self.browser.run((PAGE / "elastica.js").read_text() +
+                                      "return bladeShape(...arguments).map(([, across]) => across)",
+                                      contents.shapes_of_blades(), share * elastica.EULER_LOAD, 0.0)
+            self.assertEqual(max(across) > 0.2, bent)
+            self.assertTrue(bent or max(across) == 0.0)
 
     # --- files ---
 

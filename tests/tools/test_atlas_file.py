@@ -128,7 +128,7 @@ class ToolsAtlasFile(unittest.TestCase):
 
     def test_the_clearance_is_that_of_the_scene(self):
         with AtlasFile(TINY / "atlas.h5") as atlas:
-            self.assertAlmostEqual(atlas.clearance, 0.01, delta=1e-15)
+            self.assertAlmostEqual(atlas.line().clearance, 0.01, delta=1e-15)
 
 
 if __name__ == "__main__":

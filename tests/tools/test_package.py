@@ -1,15 +1,19 @@
 """The package as a package: it installs without a network, its types and its examples hold, its tour runs."""
+import ast
 import doctest
+import email
 import importlib
 import json
 import os
 import pathlib
 import pkgutil
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
+import zipfile
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 PROGRAM = pathlib.Path(os.environ["RUBATLAS_PROGRAM"])
@@ -20,6 +24,19 @@ import rubatlas  # noqa: E402
 
 # What is meant to be imported by others has types throughout; the modules behind it are checked where they have them.
 TYPED = ("__init__", "atlas", "program", "query", "plots/axes")
+
+
+def imported(path):
+    """Names of the modules that a file imports, wherever in it; of `from a import b` both a.b and, where b is none, a."""
+    names = set()
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            names |= {one.name for one in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            below = {f"{node.module}.{one.name}" for one in node.names}
+            there = {one for one in below if (TOOLS / f"{one.replace('.', '/')}.py").is_file()}
+            names |= below if there == below else {*there, node.module}
+    return names
 
 
 def modules():
@@ -53,6 +70,37 @@ class Package(unittest.TestCase):
                             **elsewhere)
         self.assertIn(b"<svg", (self.folder / "a.svg").read_bytes())
 
+    def test_a_wheel_holds_what_the_package_needs_and_names_what_it_imports(self):
+        shutil.copytree(TOOLS, self.folder / "tools")
+        self.expect_success("/usr/bin/python3", "-m", "pip", "wheel", "-q", "--no-build-isolation", "--no-index", "--no-deps",
+                            "-w", self.folder, self.folder / "tools")
+        wheel, = self.folder.glob("*.whl")
+        with zipfile.ZipFile(wheel) as archive:
+            held = set(archive.namelist())
+            about = email.message_from_bytes(archive.read(f"rubatlas-{rubatlas.__version__}.dist-info/METADATA"))
+        wanted = [path for path in (TOOLS / "rubatlas").rglob("*.*") if path.suffix in (".py", ".js", ".html", ".css", ".json")
+                  and path.name not in ("package.json", "package-lock.json")]  # where uPlot comes from
+        self.assertGreater(len(wanted), 45)
+        self.assertLessEqual({str(path.relative_to(TOOLS)) for path in wanted}, held)
+        self.assertIn(f"rubatlas-{rubatlas.__version__}.dist-info/LICENSE", held)
+        self.assertEqual(about.get_payload(), (TOOLS / "README.md").read_text())
+        needed = {re.match(r"[A-Za-z0-9_-]+", line)[0] for line in about.get_all("Requires-Dist") if "extra ==" not in line}
+        roots = {name.split(".")[0] for path in (TOOLS / "rubatlas").rglob("*.py") for name in imported(path)}
+        self.assertEqual(needed, roots - set(sys.stdlib_module_names) - {"rubatlas"})
+
+        # The commands run from what was installed, with nothing of the source around.
+        shutil.rmtree(self.folder / "tools")
+        self.expect_success("/usr/bin/python3", "-m", "pip", "install", "-q", "--no-index", "--no-deps", "--target",
+                            self.folder / "there", wheel)
+        elsewhere = {"cwd": self.folder, "env": {**os.environ, "PYTHONPATH": str(self.folder / "there")}}
+        place = self.expect_success("/usr/bin/python3", "-c", "import rubatlas; print(rubatlas.__file__)", **elsewhere).strip()
+        self.assertTrue(pathlib.Path(place).is_relative_to(self.folder / "there"))
+        commands = self.folder / "there/bin"
+        self.expect_success("/usr/bin/python3", commands / "rubatlas-plot", "blade", TINY / "atlas.h5", "-o", "a.png", **elsewhere)
+        self.expect_success("/usr/bin/python3", commands / "rubatlas-report", TINY / "atlas.h5", "-o", "a.html",
+                            "--without-solver", **elsewhere)
+        self.assertGreater((self.folder / "a.html").stat().st_size, 200_000)
+
     def test_the_types_of_what_others_import_are_complete(self):
         self.expect_success("/usr/bin/python3", "-m", "mypy", "--strict", "--ignore-missing-imports",
                             "--allow-untyped-calls",
@@ -72,6 +120,19 @@ class Package(unittest.TestCase):
                 self.assertEqual(result.failed, 0)
                 examples += result.attempted
         self.assertGreaterEqual(examples, 5)
+
+    def test_no_module_imports_one_that_imports_it(self):
+        names = {path: ".".join(path.relative_to(TOOLS).with_suffix("").parts).removesuffix(".__init__")
+                 for path in (TOOLS / "rubatlas").rglob("*.py")}
+        imports = {name: imported(path) & set(names.values()) for path, name in names.items()}
+        self.assertGreater(sum(map(len, imports.values())), 50)
+        for name in sorted(names.values()):
+            reached, ahead = set(), [name]
+            while ahead:
+                further = imports[ahead.pop()] - reached
+                reached |= further
+                ahead += further
+            self.assertNotIn(name, reached)
 
     def test_nothing_in_the_package_imports_from_the_tests(self):
         sources = list((TOOLS / "rubatlas").rglob("*.py"))

@@ -93,7 +93,7 @@ class AccuracyFile:
         return self.done[:, points].all(axis=1)
 
     def worst_error(self, points):
-        """Largest trajectory error over some points, one number per setting; NaN where a point did not run to the end."""
+        """Largest trajectory error over some points, a number per setting; NaN where a point did not run to the end."""
         return worst(self._flat("trajectory_error")[:, points])
 
     def clearance(self, point):

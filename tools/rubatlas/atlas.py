@@ -20,7 +20,8 @@ import xarray
 
 from rubatlas import program as rubatlas_program
 from rubatlas import query
-from rubatlas.atlas_file import DIRECTIONS, DONE, AtlasError, AtlasFile, beside, number_of, reading, same_value, text, words_of
+from rubatlas.atlas_file import (DIRECTIONS, DONE, AtlasError, AtlasFile, beside, number_of, reading, same_value, text,
+                                 words_of)
 from rubatlas.plots.axes import Plots
 from rubatlas.plots.orbit import OrbitFile
 from rubatlas.plots.safe_speeds import MAY_NOT_OCCUR, Judgement, Limit, bands_of
@@ -35,7 +36,8 @@ def _quantity(source: AtlasFile, dataset: Any, axes: list[str]) -> xarray.Variab
     attributes = {"units": source.units(dataset.name), "long_name": source.long_name(dataset.name)}
     words = words_of(dataset.attrs)
     if words:
-        attributes |= {"flag_values": list(words), "flag_meanings": " ".join(word.replace(" ", "_") for word in words.values())}
+        attributes |= {"flag_values": list(words),
+                       "flag_meanings": " ".join(word.replace(" ", "_") for word in words.values())}
     return xarray.Variable(axes, dataset[...], attributes)
 
 
@@ -62,9 +64,11 @@ def _edges(path: str) -> xarray.Dataset:
     """The group /edges of maps or of a file of `rubatlas edges`, one row per edge."""
     with reading(path, "a file of edges that `rubatlas edges` has written") as file:
         group = file["edges"]
-        columns = {name: xarray.Variable(("edge",), dataset[...], {"units": text(dataset.attrs.get("units", "1")),
-                                                                   "long_name": text(dataset.attrs.get("long_name", name))})
-                   for name, dataset in group.items() if dataset.ndim == 1 and dataset.dtype.kind in "fiu" and name != "edge"}
+        datasets = {name: dataset for name, dataset in group.items()
+                    if dataset.ndim == 1 and dataset.dtype.kind in "fiu" and name != "edge"}
+        columns = {name: xarray.Variable(("edge",), dataset[...], {
+            "units": text(dataset.attrs.get("units", "1")), "long_name": text(dataset.attrs.get("long_name", name))})
+                   for name, dataset in datasets.items()}
     return xarray.Dataset(columns)
 
 
@@ -78,9 +82,9 @@ def _flat(values: xarray.DataArray, chosen: xarray.DataArray) -> xarray.DataArra
 class Atlas:
     """Points of an atlas, or a selection of them.
 
-    `dataset` is an xarray Dataset over the axes of the grid; what is not done, or not selected, is NaN, and the words of flags (class,
-    grazing side) are strings. Quantities with more than one number per point (sections, spectra) are read when they are asked for:
-    `atlas["poincare"]`.
+    `dataset` is an xarray Dataset over the axes of the grid; what is not done, or not selected, is NaN, and the words
+    of flags (class, grazing side) are strings. Quantities with more than one number per point (sections, spectra) are
+    read when they are asked for: `atlas["poincare"]`.
     """
 
     def __init__(self, path: Path, maps: Path | None = None, program: Path | None = None) -> None:
@@ -91,7 +95,8 @@ class Atlas:
         with AtlasFile(self.path) as atlas:
             self.scene: dict[str, Any] = atlas.scene
             self.axes: list[str] = atlas.axes
-            axes = {name: xarray.Variable((name,), atlas.axis(name), {"units": atlas.units(name), "long_name": atlas.long_name(name)})
+            axes = {name: xarray.Variable((name,), atlas.axis(name),
+                                          {"units": atlas.units(name), "long_name": atlas.long_name(name)})
                     for name in atlas.axes}
             if self.maps_path is None:
                 quantities = _joined(atlas, None)
@@ -148,20 +153,23 @@ class Atlas:
     def _rows(self, name: str) -> xarray.DataArray:
         """A quantity with several numbers per point, of the selected points only."""
         if name not in self.scene.get("observables", []):
-            raise AtlasError(f"{name}: not in {self.path}, which has {', '.join([*map(str, self._raw.data_vars), *self._larger()])}")
+            there = ", ".join([*map(str, self._raw.data_vars), *self._larger()])
+            raise AtlasError(f"{name}: not in {self.path}, which has {there}")
         with AtlasFile(self.path) as atlas:
             dataset = atlas.dataset(name)
             inner = [dataset.dims[i][0].name.strip("/") for i in range(len(self.axes), dataset.ndim)]
             values, places = dataset, self._places(atlas)
             least = [min(place, default=0) for place in places]
             read = values[tuple(slice(low, max(place, default=-1) + 1) for low, place in zip(least, places))]
-            read = read[np.ix_(*(place - low for low, place in zip(least, places)), *(np.arange(size) for size in read.shape[len(places):]))]
+            read = read[np.ix_(*(place - low for low, place in zip(least, places)),
+                               *(np.arange(size) for size in read.shape[len(places):]))]
             coordinates = {axis: atlas.axis(axis) for axis in inner}
             attributes = {"units": atlas.units(name), "long_name": atlas.long_name(name)}
         for axis, numbers in coordinates.items():
             if numbers.dtype.kind == "S":
                 coordinates[axis] = np.char.decode(numbers)
-        found = xarray.DataArray(read, {**{axis: np.atleast_1d(self._raw[axis].values) for axis in self.axes}, **coordinates},
+        found = xarray.DataArray(read,
+                                 {**{axis: np.atleast_1d(self._raw[axis].values) for axis in self.axes}, **coordinates},
                                  [*self.axes, *inner], name, attributes)
         gone = [axis for axis in self.axes if axis not in self._raw.dims]
         return _flat(found.squeeze(gone), self._chosen)
@@ -193,7 +201,8 @@ class Atlas:
         place = int(np.argmin(np.abs(values - wanted)))
         if not same_value(values[place], wanted):
             few = ", ".join(format(value, "g") for value in values[max(0, place - 2):place + 3])
-            raise AtlasError(f"{axis} {wanted:g} is not in this atlas, which has {'' if len(values) < 6 else 'nearby '}{few}")
+            nearby = "" if len(values) < 6 else "nearby "
+            raise AtlasError(f"{axis} {wanted:g} is not in this atlas, which has {nearby}{few}")
         return place
 
     def sel(self, **wanted: Any) -> Atlas:
@@ -222,8 +231,9 @@ class Atlas:
             names[str(name)] = query.Name(values.values, words) if words else query.Name(self[str(name)].values)
         for axis in self.axes:
             here = self._raw[axis]
-            along = here.values if here.ndim == 0 else here.broadcast_like(self._chosen).transpose(*self._chosen.dims).values
-            names[axis] = query.Name(along, dict(enumerate(DIRECTIONS)) if axis == "direction" else None)
+            if here.ndim > 0:
+                here = here.broadcast_like(self._chosen).transpose(*self._chosen.dims)
+            names[axis] = query.Name(here.values, dict(enumerate(DIRECTIONS)) if axis == "direction" else None)
         holds = np.broadcast_to(query.evaluate(condition, names), self._chosen.shape)
         return self._with(self._raw, self._chosen & holds)
 
@@ -257,7 +267,8 @@ class Atlas:
         """From and to of each run of neighbouring speeds at which a selected point is, of one line."""
         several = [str(axis) for axis in self._chosen.dims if axis != "speed_ratio"]
         if several:
-            raise AtlasError(f"bands: {', '.join(several)} still has several values; bands are those of one line, which line(...) or sel(...) picks")
+            raise AtlasError(f"bands: {', '.join(several)} still has several values; bands are those of one line, "
+                             "which line(...) or sel(...) picks")
         with AtlasFile(self.path) as atlas:
             speed = atlas.axis("speed_ratio")
         chosen = self.chosen_of_grid.reshape(-1, len(speed)).any(axis=0)
@@ -265,7 +276,8 @@ class Atlas:
 
     @property
     def edges(self) -> xarray.Dataset | None:
-        """Where motions change, narrowed down (`rubatlas edges`): of ATLAS_edges.h5 beside the atlas, or of the maps; else None."""
+        """Where motions change, narrowed down (`rubatlas edges`): of ATLAS_edges.h5 beside the atlas, else of the maps;
+        None without either."""
         place = beside(self.path, "edges")
         if place is not None:
             return _edges(str(place))
@@ -277,13 +289,15 @@ class Atlas:
         return None
 
     def safe_speeds(self, *keep: str, operate: float | None = None, **limits: float) -> dict[str, Any]:
-        """Bands of the speed ratio in which every line of the selection keeps the limits, with margins in percent of speed.
+        """Bands of the speed ratio in which every line of the selection keeps the limits, and margins in percent.
 
         A speed at which a point of a line is not selected is in no band, and ends one as openly as the grid's end does.
-        A name with a number limits the quantity from above, `max_displacement=3e-3`, and a distance to danger (`margin`,
-        `nearest_miss`, `lightest_touch`) from below; texts such as "class<=2" say which. `operate`: a speed ratio to judge.
+        A name with a number limits the quantity from above, `max_displacement=3e-3`, and a distance to danger
+        (`margin`, `nearest_miss`, `lightest_touch`) from below; texts such as "class<=2" say which. `operate`: a speed
+        ratio to judge.
         """
-        texts = [*keep, *(f"{name}{'>=' if name in MAY_NOT_OCCUR else '<='}{bound!r}" for name, bound in limits.items())]
+        texts = [*keep, *(f"{name}{'>=' if name in MAY_NOT_OCCUR else '<='}{bound!r}"
+                          for name, bound in limits.items())]
         if not texts:
             raise AtlasError("safe_speeds: no limit is given; for example max_displacement=3e-3")
         wanted = [Limit(one) for one in texts]
@@ -300,10 +314,11 @@ class Atlas:
         return result
 
     def orbit(self, speed_ratio: float, path: Path | None = None, **at: float) -> OrbitFile:
-        """The orbit of a point, with its sections and the force on each blade: the one stored in `path`, else computed by the program.
+        """The orbit of a point, with sections and the force on each blade: from `path`, else computed by the program.
 
-        At a speed of the grid it starts from the point's stored state, so that it shows the atlas' own motion; between the speeds
-        from the scene's `initial`. With `path` it is kept there; a file of another point is refused, not replaced.
+        At a speed of the grid it starts from the point's stored state, so that it shows the atlas' own motion; between
+        the speeds from the scene's `initial`. With `path` it is kept there; a file of another point is refused, not
+        replaced.
         """
         with AtlasFile(self.path) as atlas:
             scene = text(atlas.file["scene"][()])
@@ -314,13 +329,15 @@ class Atlas:
             if unknown:
                 raise AtlasError(f"orbit: no axis {', '.join(unknown)}; {self.path} has {', '.join(atlas.axes)}")
             values = {**usual, **others, "speed_ratio": float(speed_ratio)}
-            stored = all(np.isclose(atlas.axis(axis), value, rtol=1e-9, atol=0.0).any() for axis, value in values.items())
+            stored = all(np.isclose(atlas.axis(axis), value, rtol=1e-9, atol=0.0).any()
+                         for axis, value in values.items())
             direction: Any = {**self.picked, **at}.get("direction", 0)
             if stored:
                 values["speed_ratio"] = float(speed[np.argmin(abs(speed - speed_ratio))])
         if path is not None and os.path.exists(path):
             found = OrbitFile(path)
-            differing = [axis for axis, value in values.items() if not np.isclose(float(found.attributes[axis]), value, rtol=1e-9, atol=0.0)]
+            differing = [axis for axis, value in values.items()
+                         if not np.isclose(float(found.attributes[axis]), value, rtol=1e-9, atol=0.0)]
             if differing:
                 raise AtlasError(f"{path}: an orbit at another {differing[0].replace('_', ' ')}, "
                                  f"{float(found.attributes[differing[0]]):g}; choose another path")
@@ -332,7 +349,8 @@ class Atlas:
             place = pathlib.Path(folder) / "scene.json"
             place.write_text(scene, encoding="utf-8")
             target = pathlib.Path(folder) / "orbit.h5" if path is None else pathlib.Path(path)
-            rubatlas_program.call(["orbit", place, "--at", named, "-o", target, *(["--from", self.path] if stored else [])], self.program)
+            rubatlas_program.call(["orbit", place, "--at", named, "-o", target,
+                                   *(["--from", self.path] if stored else [])], self.program)
             return OrbitFile(target, f"the orbit at {named}")
 
     @property
@@ -341,7 +359,8 @@ class Atlas:
         return Plots(self)
 
 
-def open(path: Path, maps: Path | None = None, program: Path | None = None) -> Atlas:  # noqa: A001  # pylint: disable=redefined-builtin
+def open(  # noqa: A001  # pylint: disable=redefined-builtin
+        path: Path, maps: Path | None = None, program: Path | None = None) -> Atlas:
     """An atlas, with the maps beside it (ATLAS_maps.h5) or those that are named."""
     return Atlas(path, maps, program)
 
@@ -356,7 +375,8 @@ def run(scene: Mapping[str, Any], output: Path, ranks: int = 1, program: Path | 
         raise AtlasError(f"{place}: there is no folder {place.parent}")
     scene_place = place.with_suffix(".json")
     try:
-        content = json.dumps(scene, indent=2, default=lambda value: value.tolist()) + "\n"  # arrays and numbers of numpy
+        # Arrays and numbers of numpy are lists and numbers.
+        content = json.dumps(scene, indent=2, default=lambda value: value.tolist()) + "\n"
     except (AttributeError, TypeError, ValueError) as error:
         raise AtlasError(f"the scene is not one of JSON: {error}") from None
     new = not scene_place.exists()

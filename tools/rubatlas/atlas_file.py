@@ -49,8 +49,8 @@ def number_of(axis, wanted):
 
 
 def same_value(one, other):
-    """Whether two numbers are one value of an axis, which holds decimals as binary64: nine digits distinguish neighbours and allow for
-    rounding. NaN is no value."""
+    """Whether two numbers are one value of an axis, which holds decimals as binary64: nine digits distinguish
+    neighbours and allow for rounding. NaN is no value."""
     return abs(one - other) <= 1e-9 * max(abs(one), abs(other))
 
 
@@ -100,7 +100,7 @@ UNREADABLE = (OSError, KeyError, ValueError, RuntimeError, TypeError, IndexError
 
 @contextlib.contextmanager
 def reading(path, what):
-    """The HDF5 file at `path`, open within the block; anything that cannot be read is an AtlasError that says that the file is not `what`."""
+    """The HDF5 file at `path`, open within the block; one that cannot be read is an AtlasError: it is not `what`."""
     if not os.path.exists(path):
         raise AtlasError(f"{path}: no such file")
     if not os.path.isfile(path):
@@ -166,7 +166,8 @@ class _Examination:
         try:
             scene = json.loads(text(dataset[()]))
             # The attributes that pictures need.
-            for part, key in (("rotor", "damping_ratio"), ("blades", "length"), ("ring", "radius"), ("contact", "friction"),
+            for part, key in (("rotor", "damping_ratio"), ("blades", "length"), ("ring", "radius"),
+                              ("contact", "friction"),
                               ("protocol", "transient_revolutions"), ("grid", "speed_ratio")):
                 scene[part][key]
             return scene
@@ -230,7 +231,8 @@ class AtlasFile:
         """The dataset of that name; AtlasError names the observables that the atlas has instead."""
         if name not in self.file:
             if "status" not in self.file and "class" in self.file:
-                raise AtlasError(f"{self.path}: no /{name}; these are the maps of an atlas, which is what should be named")
+                raise AtlasError(f"{self.path}: no /{name}; these are the maps of an atlas, "
+                                 "which is what should be named")
             kept = [key for key in self.file if self._is_row_dataset(key)]
             raise AtlasError(f"{self.path}: /{name} is not in this file, which has {', '.join(kept)}; "
                              "name it among the scene's observables")
@@ -258,11 +260,6 @@ class AtlasFile:
         """Root attribute as text, empty where it is not there."""
         return printable(self.file.attrs.get(name, ""))
 
-    @property
-    def clearance(self):
-        """δc of the scene [m]; where lengths are swept, that of its first line; each line has its own."""
-        return clearance_of(self.scene)
-
     def swept_axes(self):
         """Axes with more than one value, apart from the speed ratio."""
         return [name for name in self.axes[:-1] if self.dataset(name).size > 1]
@@ -284,13 +281,15 @@ class AtlasFile:
     def own_value(self, name):
         """The scene's own value of what an axis sweeps; the axis' first value where the scene names none."""
         pointers = swept_pointers(self.scene)
-        # /scene_resolved has the first value of the grid at such a pointer; what the scene says there is in /scene alone.
-        scene = self.scene if name not in pointers else json.loads(text(self.file["scene"][()])) if "scene" in self.file else {}
+        scene = self.scene
+        if name in pointers:
+            # /scene_resolved has the grid's first value there; what the scene itself says is in /scene alone.
+            scene = json.loads(text(self.file["scene"][()])) if "scene" in self.file else {}
         section, key = {**SCENE_VALUE, **pointers}.get(name, (None, None))
         return (scene.get(section) or {}).get(key, self.axis(name)[0])
 
     def line(self, **wanted):
-        """The line at the given values, e.g. `damping_ratio=0.1`; an axis that is not given has the scene's own value."""
+        """The line at the given values, e.g. `damping_ratio=0.1`; other axes have the scene's own value."""
         unknown = set(wanted) - set(self.axes[:-1])
         if unknown:
             raise AtlasError(f"{self.path}: no axis {', '.join(sorted(unknown))}; "
@@ -298,7 +297,8 @@ class AtlasFile:
         return Line(self, tuple(self.index(name, wanted.get(name)) for name in self.axes[:-1]))
 
     def lines(self, axis, **wanted):
-        """All lines along one axis, in the order of its values; the other axes as in `line`. Lines of which no point is chosen are left out."""
+        """All lines along one axis, in the order of its values, without those of which no point is chosen; the other
+        axes as in `line`."""
         lines = [self.line(**{**wanted, axis: value}) for value in self.axis(axis)]
         return [line for line in lines if line.chosen().any()] or lines
 

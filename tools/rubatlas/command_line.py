@@ -23,7 +23,8 @@ def positive(kind, most=math.inf):
         except ValueError:
             value = 0
         if not 0 < value <= most:
-            raise argparse.ArgumentTypeError(f"{word} is no {'whole ' if kind is int else ''}number above 0{f' and up to {most}' if most < math.inf else ''}")
+            number, limit = "whole number" if kind is int else "number", f" and up to {most}" if most < math.inf else ""
+            raise argparse.ArgumentTypeError(f"{word} is no {number} above 0{limit}")
         return value
     return read
 
@@ -91,7 +92,7 @@ def inputs(options):
 
 
 def require_picture_place(path, options):
-    """A picture may be written to `path`: its ending names a kind, its folder is there, and what it replaces is a picture."""
+    """A picture may be written to `path`: its ending names a kind, its folder is there, it replaces only a picture."""
     path = pathlib.Path(path)
     if path.suffix.lower() not in PICTURES:
         raise AtlasError(f"-o {path}: a picture ends in {', '.join(PICTURES)}, not in "
@@ -129,7 +130,8 @@ def write_complete(path, content):
 
 
 def write_picture(figure, options):
-    """The figure as a file of the kind that the ending names, complete or not at all; the same data give the same bytes."""
+    """The figure as a file of the kind that the ending names, complete or not at all; the same data give the same
+    bytes."""
     path = pathlib.Path(options.output)
     require_picture_place(path, options)
     undated = {".png": {"Software": None}, ".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
@@ -142,7 +144,7 @@ def write_picture(figure, options):
 # --- how a command ends ---
 
 def end_on_mistakes(work):
-    """Runs `work`; a mistake is one sentence on stderr and exit code 2, a refusal by the system 3, never a traceback."""
+    """Runs `work`; a mistake is a sentence on stderr and exit code 2, a refusal by the system 3, never a traceback."""
     name = pathlib.Path(sys.argv[0]).name
     try:
         work()

@@ -1,15 +1,15 @@
 """The blade as a large-deflection cantilever, in closed form, with numpy alone.
 
-The program has its own elastica, in C++; this one is for drawing the curves from an atlas without it, and is tested
-against the same reference data.
+The program has its own elastica, in C++; this one is for drawing, and is tested against the same reference data. A
+report's page draws blades from the table `angles_from_tip`.
 
 With β = atan μ and the parameter κ from sin(β/2) (no load) to 1: sin(ψ/2) = κ sin χ along the blade, from χ0 at the
 hub, sin χ0 = sin(β/2)/κ, to π/2 at the tip, and θ = ψ − β is the slope. Then
 
     q = ∫ dχ / sqrt(1 − κ² sin²χ),   F L²/EI = q² cos β,   δ/L = 1 − mean cos θ,   Δ/L = mean sin θ
 
-which are the differences of Legendre's integrals (src/model.md, 3.2), written as one integral each: nothing cancels near zero load.
-At μ = 0 the same formulas describe a column that stands straight up to the Euler load.
+which are the differences of Legendre's integrals (src/model.md, 3.2), written as one integral each: nothing cancels
+near zero load. At μ = 0 the same formulas describe a column that stands straight up to the Euler load.
 """
 import numpy as np
 
@@ -44,19 +44,6 @@ def curve(friction, excess):
     return q[:, 0] ** 2 * np.cos(2.0 * half_angle), shortening, deflection
 
 
-def at_load(friction, load):
-    """δ/L and Δ/L at one load F L²/EI, by bisection in the logarithm of κ − sin(β/2) along the rising curve."""
-    low, high = -80.0, np.log(0.999 - np.sin(0.5 * np.arctan(friction)))
-    for _ in range(200):
-        middle = 0.5 * (low + high)
-        if curve(friction, np.exp(middle))[0][0] < load:
-            low = middle
-        else:
-            high = middle
-    _, shortening, deflection = curve(friction, np.exp(0.5 * (low + high)))
-    return shortening[0], deflection[0]
-
-
 def up_to_shortening(friction, limit, count=400):
     """The curve from no load to δ/L = `limit` (at most 0.9), with points spaced so that it draws smoothly."""
     largest = 0.95 - np.sin(0.5 * np.arctan(friction))
@@ -64,3 +51,18 @@ def up_to_shortening(friction, limit, count=400):
     load, shortening, deflection = curve(friction, excess)
     inside = shortening <= limit
     return tuple(np.concatenate([[0.0], values[inside]]) for values in (load, shortening, deflection))
+
+
+def angles_from_tip(tips, lengths):
+    """Angles ψ between blade and force, a row for each at the tip (below π) and a column for each length from there.
+
+    Lengths are in units of √(EI/force), the force being F/cos β: a blade ends at the hub where ψ = β, at the length q.
+    """
+    alpha = np.linspace(0.0, np.pi, 4001)
+    rows = []
+    for kappa in np.sin(0.5 * np.asarray(tips)):
+        sine = kappa * np.cos(alpha)
+        stretch = 1.0 / np.sqrt(1.0 - sine**2)
+        length = np.concatenate([[0.0], np.cumsum(0.5 * (stretch[1:] + stretch[:-1]) * np.diff(alpha))])
+        rows.append(np.interp(lengths, length, 2.0 * np.arcsin(sine)))
+    return np.array(rows)

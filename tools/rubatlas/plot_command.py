@@ -10,7 +10,8 @@ from rubatlas.plots import KINDS
 def usage():
     width = max(map(len, KINDS))
     kinds = "\n".join(f"  {kind:{width}}  {what}" for kind, what in KINDS.items())
-    return f"usage: rubatlas-plot KIND FILE ... -o PICTURE\n\nkinds:\n{kinds}\n\nrubatlas-plot KIND --help describes the options of a kind."
+    return (f"usage: rubatlas-plot KIND FILE ... -o PICTURE\n\nkinds:\n{kinds}\n\n"
+            "rubatlas-plot KIND --help describes the options of a kind.")
 
 
 def main():

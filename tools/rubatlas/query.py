@@ -1,15 +1,20 @@
-"""Conditions on the points of an atlas, as text: the grammar of `Atlas.where` and of the explorer's search field.
+"""Conditions on the points of an atlas, as text: what `Atlas.where` and the search field of a report's page understand.
 
     condition   comparison | condition and condition | condition or condition | not condition | ( condition )
     comparison  value < value (also <= > >= == !=), chained as in 0.3 < speed_ratio < 0.5
-    value       number | name of a map or an axis | 'word of a flag' | value + value (also - * / ** and a leading - or +)
+    value       number | name of a map or an axis | 'word of a flag' | value + value (also - * / **) | - value | + value
 
 Numbers are in SI units. A word in quotes is compared by == and != with a map of flags: class == 'aperiodic',
-status == 'done', direction == 'up'. A comparison with what is not there (NaN) is false, != true. `Atlas.where` chooses points that are done alone. The text is never
-executed: Python's parser makes a tree of it, and only the nodes above are understood.
+status == 'done', direction == 'up'. A comparison with what is not there (NaN) is false, != true. `Atlas.where`
+chooses points that are done alone. The text is never executed.
+
+The grammar is data: tokens, operators and sentences stand in query_grammar.json, and this file and the page's query.js
+read them by the same rule. An operator joins operands whose operators have a higher level. One that joins from the left
+takes all operands at its level, `chain` compares each operand with the next, and `right` joins from the right.
 
 >>> import numpy as np
->>> names = {"speed_ratio": Name(np.array([0.3, 0.4, 0.5])), "class": Name(np.array([1, 255, 2]), {1: "period 1", 2: "period 2", 255: "aperiodic"})}
+>>> names = {"speed_ratio": Name(np.array([0.3, 0.4, 0.5])),
+...          "class": Name(np.array([1, 255, 2]), {1: "period 1", 2: "period 2", 255: "aperiodic"})}
 >>> evaluate("class != 'aperiodic' and 0.2 < speed_ratio < 0.45", names)
 array([ True, False, False])
 >>> evaluate("speed > 0.4", names)
@@ -17,11 +22,14 @@ Traceback (most recent call last):
     ...
 rubatlas.query.QueryError: speed > 0.4: speed is not in this atlas; the nearest name is speed_ratio
 """
-import ast
+from __future__ import annotations
+
 import dataclasses
-import difflib
 import functools
+import json
 import operator
+import pathlib
+import re
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
@@ -30,6 +38,19 @@ import numpy as np
 from rubatlas.atlas_file import AtlasError
 
 Array = np.ndarray[Any, np.dtype[Any]]
+# ["number", 0.3], ["name", "class"], ["word", "aperiodic"], ["before", "-", tree], or
+# ["between", tree, ["<", tree], ["<", tree]] with all operands that operators of one level join.
+Tree = list[Any]
+
+GRAMMAR: dict[str, Any] = json.loads(pathlib.Path(__file__).with_name("query_grammar.json").read_text(encoding="utf-8"))
+
+# What the operators do, by the names that the grammar gives it.
+_DOES: dict[str, Callable[..., Any]] = {
+    "or": operator.or_, "and": operator.and_, "not": operator.invert, "negate": operator.neg, "keep": operator.pos,
+    "less": operator.lt, "at_most": operator.le, "greater": operator.gt, "at_least": operator.ge,
+    "equal": operator.eq, "differ": operator.ne,
+    "add": operator.add, "subtract": operator.sub, "multiply": operator.mul, "divide": operator.truediv,
+    "power": operator.pow}
 
 
 class QueryError(AtlasError):
@@ -44,135 +65,186 @@ class Name:
     flags: Mapping[int, str] | None = None
 
 
-# The word `class` is a name here and a keyword of Python; no name of an atlas ends in an underscore.
-_CLASS, _CLASS_IN_PYTHON = "class", "class_"
-# What `rubatlas analyse` adds to an atlas.
-_OF_MAPS = ("class", "class_blade_passing", "attractor", "margin")
+@dataclasses.dataclass(frozen=True)
+class _Value:
+    """What a tree stands for. `kind`: number, flag (numbers with words), word or condition."""
 
-_ARITHMETIC: dict[type[ast.operator], Callable[[Array, Array], Array]] = {
-    ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv, ast.Pow: operator.pow}
-_COMPARE: dict[type[ast.cmpop], Callable[[Any, Any], Any]] = {
-    ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge, ast.Eq: operator.eq, ast.NotEq: operator.ne}
+    kind: str
+    values: Any = None
+    flags: Mapping[int, str] = dataclasses.field(default_factory=dict)
+    text: str = ""
 
 
 def nearest(word: str, known: Iterable[str]) -> str:
-    """The known word that is most like another one.
+    """The known word that has most pairs of letters in common with another one.
 
     >>> nearest("max_displacment", ["max_contact_force", "max_displacement"])
     'max_displacement'
     """
-    return max(known, key=lambda one: (difflib.SequenceMatcher(None, word.lower(), one.lower()).ratio(), one.startswith(word)))
+    def pairs(text: str) -> set[str]:
+        return {f" {text} "[i:i + 2].lower() for i in range(len(text) + 1)}
+
+    return max(known, key=lambda one: len(pairs(word) & pairs(one)) / (len(pairs(word)) + len(pairs(one))))
 
 
-@dataclasses.dataclass(frozen=True)
-class _Value:
-    """A value of the grammar: numbers, with their name where they are a map of flags, or a word in quotes."""
+def _refusal(grammar: dict[str, Any], sentence: str, **facts: Any) -> QueryError:
+    return QueryError(grammar["sentences"][sentence].format(**facts))
 
-    numbers: Array | None = None
-    flags: Mapping[int, str] | None = None
-    name: str = ""
-    word: str | None = None
+
+def _tokens(text: str, grammar: dict[str, Any]) -> list[tuple[str, str]]:
+    """The text as (kind of token, its text), ending with the kind "end"."""
+    result, at = [], 0
+    while at < len(text):
+        matches = ((kind, re.compile(pattern).match(text, at)) for kind, pattern in grammar["tokens"].items())
+        kind, found = next(((kind, found[0]) for kind, found in matches if found), ("", ""))
+        if not found:
+            raise _refusal(grammar, "unknown_sign", rest=text[at:].split()[0])
+        if kind != "space":
+            result.append((kind, found if kind == "word" else grammar["synonyms"].get(found, found)))
+        at += len(found)
+    if len(result) > grammar["longest"]:
+        raise _refusal(grammar, "too_long", longest=grammar["longest"])
+    return [*result, ("end", grammar["sentences"]["the_end"])]
+
+
+class _Parser:
+    """Makes the tree of a condition; names and kinds are not looked at yet."""
+
+    def __init__(self, text: str, grammar: dict[str, Any]):
+        self.grammar, self.tokens, self.at = grammar, _tokens(text, grammar), 0
+
+    @property
+    def found(self) -> str:
+        return self.tokens[self.at][1]
+
+    def take(self) -> str:
+        self.at += 1
+        return self.tokens[self.at - 1][1]
+
+    def rule(self, table: str) -> Any:
+        """What a table of the grammar says of the next token; none of a word in quotes, and of what is not in it."""
+        return None if self.tokens[self.at][0] == "word" else self.grammar[table].get(self.found)
+
+    def whole(self) -> Tree:
+        if self.tokens[0][0] == "end":
+            raise _refusal(self.grammar, "empty")
+        tree = self.expression(0, 0)
+        if self.tokens[self.at][0] != "end":
+            before = self.tokens[self.at - 1][1]
+            raise _refusal(self.grammar, "after_the_end", found=self.found, before=before)
+        return tree
+
+    def expression(self, level: int, depth: int) -> Tree:
+        """An operand, and what operators of this level and of higher ones join to it."""
+        if depth > self.grammar["deepest"]:
+            raise _refusal(self.grammar, "too_deep")
+        tree = self.operand(depth + 1)
+        while (rule := self.rule("between")) and rule["level"] >= level:
+            tree = ["between", tree]
+            least = rule["level"] + (0 if rule["joins"] == "right" else 1)
+            while (self.rule("between") or {}).get("level") == rule["level"]:
+                tree.append([self.take(), self.expression(least, depth + 1)])
+        return tree
+
+    def operand(self, depth: int) -> Tree:
+        kind = self.tokens[self.at][0]
+        if rule := self.rule("before"):
+            return ["before", self.take(), self.expression(rule["level"], depth)]
+        if bracket := self.rule("brackets"):
+            self.take()
+            inner = self.expression(0, depth)
+            if self.found != bracket:
+                raise _refusal(self.grammar, "unclosed", bracket=bracket, found=self.found)
+            self.take()
+            return inner
+        if kind in ("sign", "end") or self.rule("between"):
+            raise _refusal(self.grammar, "missing", found=self.found)
+        token = self.take()
+        if kind != "number":
+            return [kind, token[1:-1] if kind == "word" else token]
+        factor = self.rule("units")
+        if factor:
+            self.take()
+        return [kind, float(token) * (factor or 1.0)]
+
+
+def parse(text: str, grammar: dict[str, Any] = GRAMMAR) -> Tree:
+    """The tree of a condition."""
+    return _Parser(text, grammar).whole()
 
 
 class _Evaluation:
-    """Walks the tree of a condition. Conditions become arrays of bool, values become `_Value`s."""
+    """Walks a tree. Conditions become arrays of bool, numbers arrays of float."""
 
-    def __init__(self, names: Mapping[str, Name]):
-        self.names = names
+    def __init__(self, names: Mapping[str, Name], grammar: dict[str, Any]):
+        self.names, self.grammar = names, grammar
 
-    def condition(self, node: ast.expr) -> Array:
-        match node:
-            case ast.BoolOp(op=op, values=parts):
-                join = operator.and_ if isinstance(op, ast.And) else operator.or_
-                return functools.reduce(join, (self.condition(part) for part in parts))
-            case ast.UnaryOp(op=ast.Not(), operand=operand):
-                return ~self.condition(operand)
-            case ast.Compare(left=left, ops=signs, comparators=others):
-                values = [self.value(part) for part in (left, *others)]
-                parts_kept = [self.compared(sign, one, other) for sign, one, other in zip(signs, values, values[1:])]
-                return functools.reduce(operator.and_, parts_kept)
-        raise QueryError(f"{_shown(node)} is no condition; a condition compares values, as in max_displacement > 5e-3")
-
-    def value(self, node: ast.expr) -> _Value:
-        match node:
-            case ast.Constant(value=str(word)):
-                return _Value(word=word)
-            case ast.Constant(value=number) if isinstance(number, (int, float)) and not isinstance(number, bool):
-                return _Value(numbers=np.asarray(float(number)))
-            case ast.Name(id=name):
-                return self.named(_CLASS if name == _CLASS_IN_PYTHON else name)
-            case ast.UnaryOp(op=ast.USub(), operand=operand):
-                return _Value(numbers=-self.numbers(operand))
-            case ast.UnaryOp(op=ast.UAdd(), operand=operand):
-                return _Value(numbers=self.numbers(operand))
-            case ast.BinOp(left=left, op=sign, right=right) if type(sign) in _ARITHMETIC:
-                with np.errstate(all="ignore"):
-                    return _Value(numbers=_ARITHMETIC[type(sign)](self.numbers(left), self.numbers(right)))
-        raise QueryError(f"{_shown(node)} is no value; allowed: numbers, names, words in quotes, + - * / **")
+    def value(self, tree: Tree) -> _Value:
+        match tree:
+            case ["number", number]:
+                return _Value("number", np.float64(number))
+            case ["word", word]:
+                return _Value("word", text=word)
+            case ["name", name]:
+                return self.named(name)
+            case ["before", sign, operand]:
+                rule = self.grammar["before"][sign]
+                inner = self.operand(rule, sign, "after", self.value(operand))
+                return _Value(rule["gives"], _DOES[rule["does"]](inner))
+        _, first, *rest = tree
+        left, compared = self.value(first), []
+        for sign, operand in rest:
+            rule, right = self.grammar["between"][sign], self.value(operand)
+            result = _Value(rule["gives"], self.joined(rule, sign, left, right))
+            chain = rule["joins"] == "chain"
+            compared += [result.values] if chain else []
+            left = right if chain else result
+        return _Value("condition", functools.reduce(operator.and_, compared)) if compared else left
 
     def named(self, name: str) -> _Value:
-        if name not in self.names:
-            flag = next((one for one, known in self.names.items() if name in (known.flags or {}).values()), None)
-            if flag is not None:
-                raise QueryError(f"{name} is a word of {flag}; words stand in quotes, as in {flag} == '{name}'")
-            if name in _OF_MAPS:
-                raise QueryError(f"{name} is in the maps of an atlas (rubatlas analyse), which are not here")
-            raise QueryError(f"{name} is not in this atlas; the nearest name is {nearest(name, self.names)}")
-        known = self.names[name]
-        return _Value(numbers=known.values, flags=known.flags, name=name)
+        if name in self.names:
+            known = self.names[name]
+            values = np.asarray(known.values, dtype=float)
+            return _Value("number", values) if known.flags is None else _Value("flag", values, known.flags, name)
+        flag = next((one for one, known in self.names.items() if name in (known.flags or {}).values()), None)
+        if flag is not None:
+            raise _refusal(self.grammar, "without_quotes", name=name, flag=flag)
+        if name in self.grammar["names_of_maps"]:
+            raise _refusal(self.grammar, "without_maps", name=name)
+        raise _refusal(self.grammar, "unknown_name", name=name, nearest=nearest(name, self.names))
 
-    def numbers(self, node: ast.expr) -> Array:
-        value = self.value(node)
-        if value.numbers is None:
-            raise QueryError(f"'{value.word}' is a word, not a number")
-        return value.numbers.astype(float)
+    def operand(self, rule: dict[str, Any], sign: str, place: str, value: _Value) -> Any:
+        """The numbers or the condition that an operator takes; a map of flags is numbers, too."""
+        if rule["takes"] != ("number" if value.kind == "flag" else value.kind):
+            kind, wanted = (self.grammar["kinds"][one] for one in (value.kind, rule["takes"]))
+            raise _refusal(self.grammar, f"operand_{place}", sign=sign, kind=kind, wanted=wanted)
+        return value.values
 
-    def compared(self, sign: ast.cmpop, left: _Value, right: _Value) -> Array:
-        if type(sign) not in _COMPARE:
-            raise QueryError("values are compared by < <= > >= == !=")
-        compare = _COMPARE[type(sign)]
-        if left.word is not None or right.word is not None:
-            flag, word = (right, left.word) if left.word is not None else (left, right.word)
-            if flag.flags is None or flag.numbers is None or not isinstance(sign, (ast.Eq, ast.NotEq)):
-                raise QueryError(f"'{word}' is compared by == or != with a map of classes")
+    def joined(self, rule: dict[str, Any], sign: str, left: _Value, right: _Value) -> Any:
+        if "words" in rule and "word" in (left.kind, right.kind):
+            flag, word = (right, left.text) if left.kind == "word" else (left, right.text)
+            if flag.kind != "flag" or not rule["words"]:
+                raise _refusal(self.grammar, "words_are_compared", word=word)
             code = next((code for code, meaning in flag.flags.items() if meaning == word), None)
             if code is None:
-                raise QueryError(f"'{word}' is no value of {flag.name}; the nearest is '{nearest(str(word), flag.flags.values())}'")
-            return np.asarray(compare(flag.numbers, code))
-        with np.errstate(invalid="ignore"):
-            return np.asarray(compare(left.numbers, right.numbers))
+                likely = nearest(word, flag.flags.values())
+                raise _refusal(self.grammar, "unknown_word", word=word, name=flag.text, nearest=likely)
+            return _DOES[rule["does"]](flag.values, code)
+        operands = self.operand(rule, sign, "before", left), self.operand(rule, sign, "after", right)
+        with np.errstate(all="ignore"):
+            return _DOES[rule["does"]](*operands)
+
+    def condition(self, tree: Tree) -> Array:
+        whole = self.value(tree)
+        if whole.kind != "condition":
+            raise _refusal(self.grammar, "no_condition", kind=self.grammar["kinds"][whole.kind])
+        return np.asarray(whole.values)
 
 
-def _shown(node: ast.expr) -> str:
-    return ast.unparse(node).replace(_CLASS_IN_PYTHON, _CLASS)
-
-
-def _python(text: str) -> str:
-    """The condition as Python can parse it: outside of words in quotes, `class` becomes a name."""
-    parts, quote, word = [], "", ""
-    for character in f"{text} ":
-        if not quote and (character.isalnum() or character == "_"):
-            word += character
-            continue
-        parts.append(_CLASS_IN_PYTHON if word == _CLASS else word)
-        word = ""
-        if character in "'\"" and quote in ("", character):
-            quote = "" if quote else character
-        parts.append(character)
-    return "".join(parts).strip()
-
-
-def evaluate(text: str, names: Mapping[str, Name]) -> Array:
+def evaluate(text: str, names: Mapping[str, Name], grammar: dict[str, Any] = GRAMMAR) -> Array:
     """Where a condition holds: an array of bool, in the shape to which the arrays of its names broadcast."""
-    if not text.strip():
-        raise QueryError("the condition is empty; a condition compares values, as in max_displacement > 5e-3")
     try:
-        tree = ast.parse(_python(text), mode="eval")
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        raise QueryError(f"{text}: not a condition; as in class == 'aperiodic' and max_displacement > 5e-3") from None
-    try:
-        return _Evaluation(names).condition(tree.body)
+        return _Evaluation(names, grammar).condition(parse(text, grammar))
     except QueryError as error:
-        raise QueryError(f"{text}: {error}") from None
-    except RecursionError:
-        raise QueryError(f"{text[:60]} …: the condition is nested too deeply") from None
+        shown = " ".join(text.split())
+        raise QueryError(f"{shown if len(shown) < 300 else f'{shown[:60]} …'}: {error}".removeprefix(": ")) from None

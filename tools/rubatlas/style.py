@@ -41,7 +41,8 @@ SETTINGS = {
     "axes.edgecolor": "#55556a", "xtick.color": "#55556a", "ytick.color": "#55556a",
     "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.8,
     "axes.grid": True, "grid.color": "#e4e4ea", "grid.linewidth": 0.6, "axes.axisbelow": True,
-    "svg.hashsalt": "rubatlas", "axes.prop_cycle": plt.cycler(color=CYCLE), "lines.linewidth": 1.1, "legend.frameon": False,
+    "svg.hashsalt": "rubatlas", "axes.prop_cycle": plt.cycler(color=CYCLE), "lines.linewidth": 1.1,
+    "legend.frameon": False,
 }
 
 # Metres make poor tick labels here: lengths are drawn in millimetres, times in their own unit.
@@ -94,7 +95,8 @@ def mark_missing(axes, speed, status):
             for one in np.atleast_1d(axes):
                 one.axvspan(border[first], border[last], color=colour, alpha=0.25 + 0.75 * share[first], lw=0, zorder=0)
         if share.any():
-            handles.append(Patch(color=colour, label=text + ("\n(fainter: some lines only)" if len(status) > 1 else "")))
+            handles.append(Patch(color=colour,
+                                 label=text + ("\n(fainter: some lines only)" if len(status) > 1 else "")))
     return handles
 
 

@@ -1,4 +1,4 @@
-"""Pictures of atlases, orbits, branches and studies; each kind is one module with `main(arguments)` and `draw(options)`."""
+"""Pictures of atlases, orbits, branches and studies: each kind a module with `main(arguments)` and `draw(options)`."""
 
 #: Kind → what it shows. The commands, the gallery and their tests go by this list.
 KINDS = {
@@ -6,7 +6,7 @@ KINDS = {
     "waterfall": "spectrum of x over the speed ratio",
     "displacement": "maximum displacement over the clearance, one curve per value of a parameter",
     "map": "maximum displacement and class of motion over the speed ratio and a parameter",
-    "margin": "distance to the nearest change of motion, and to the predicted grazing, over the speed ratio and a parameter",
+    "margin": "distance to the nearest change of motion and to the predicted grazing, over speed ratio and a parameter",
     "spectrum": "spectrum of x of one point",
     "orbit": "orbit of one point with its sections, and the force on each blade",
     "blade": "a blade's shortening and deflection over its load",

@@ -2,9 +2,10 @@
 
   rubatlas-plot accuracy ACCURACY.h5 -o FOLDER [--map MAP.h5] [--reference orbits.json] [--page README.md]
 
-Draws FOLDER/accuracy.png, the error of trajectories over time and work, and FOLDER/accuracy_map.png, the error of a map,
-from what `rubatlas accuracy` has written; prints the table in Markdown. A second study, of more points, may serve for the
-map; reference data are those of tests/reference. With --page the table replaces the one between the page's two marks.
+Draws FOLDER/accuracy.png, the error of trajectories over time and work, and FOLDER/accuracy_map.png, the error of a
+map, from what `rubatlas accuracy` has written; prints the table in Markdown. A second study, of more points, may serve
+for the map; reference data are those of tests/reference. With --page the table replaces the one between the page's two
+marks.
 """
 import argparse
 import pathlib
@@ -19,7 +20,8 @@ from rubatlas.same_scene import require_same_machine
 
 # A colour and a mark for each method, so that either distinguishes the lines.
 LOOKS = {"hybrid": (style.BLUE, "o"), "collocation": (style.PURPLE, "*"), "hybrid_54": (style.SKY, "s"),
-         "hybrid_32": (style.GREEN, "^"), "located": (style.ORANGE, "D"), "paper": (style.VERMILION, "v"), "fixed": (style.INK, "P")}
+         "hybrid_32": (style.GREEN, "^"), "located": (style.ORANGE, "D"), "paper": (style.VERMILION, "v"),
+         "fixed": (style.INK, "P")}
 BEGIN, END = "<!-- accuracy: begin -->", "<!-- accuracy: end -->"
 USUAL = ("collocation", "hybrid")  # the default method, and the one that stands in for it in a study without it
 MOST_UNDECIDED = 0.01  # share of points: a map of which more is undecided at the tightest setting shows no limit
@@ -37,7 +39,8 @@ def draw_lines(axes, study, cost, error, floor, width=1.4, **look):
         colour, mark = LOOKS.get(method, (style.GREY, "x"))
         for number, settings in enumerate(study.ladders(method)):
             axes.plot(cost[settings], np.maximum(error[settings], floor), color=colour, marker=mark, markersize=4.5,
-                      lw=2.0 * width if method == usual_method(study) else width, label=method if number == 0 else None, **look)
+                      lw=2.0 * width if method == usual_method(study) else width, label=method if number == 0 else None,
+                      **look)
 
 
 def as_output(options, name):
@@ -46,7 +49,7 @@ def as_output(options, name):
 
 
 def draw_trajectories(study, options):
-    """Error against CPU time and right-hand sides: above for predictable points, below within the horizon of the others."""
+    """Error against CPU time and right-hand sides: above of predictable points, below within the others' horizon."""
     known = "predictable to the end:\nlargest error / clearance"
     groups = [(study.predictable(), known),
               (~study.predictable(), "not predictable, within the horizon:\nlargest error / clearance")]
@@ -59,7 +62,8 @@ def draw_trajectories(study, options):
         for axes, cost in zip(row, costs):
             draw_lines(axes, study, cost, error, SMALLEST_DRAWN)
             if options.reference and words is known:
-                axes.plot(cost[1:], study.error_against(options.reference, points)[1:], ls="none", marker="x", markersize=5.0,
+                axes.plot(cost[1:], study.error_against(options.reference, points)[1:], ls="none", marker="x",
+                          markersize=5.0,
                           color=style.INK, zorder=5)
             axes.set_xscale("log")
             axes.set_yscale("log")
@@ -106,9 +110,10 @@ def draw_map(study, options):
 
 
 def trusted(study):
-    """The loosest setting of the usual method from which on the map does not change; None if it changes at every setting.
+    """The loosest setting of the usual method from which on the map does not change; None if it always changes.
 
-    What still differs at the tightest setting is not an error of the looser ones: a point at the edge of two classes, say.
+    What still differs at the tightest setting is not an error of the looser ones: a point at the edge of two classes,
+    say.
     """
     ladder = study.of(usual_method(study))
     share = study["map_error_beyond_chaos"][ladder]
@@ -126,7 +131,8 @@ def sentence(maps):
     time = 1e3 * maps.mean("cpu_time_min", everywhere)
     chosen = maps["tolerance"][setting]
     text = f"For a map you can trust, use tolerance {chosen:.0e}; it costs {time[setting]:.1f} ms a point"
-    tighter = [other for other in maps.of(usual_method(maps)) if np.isclose(maps["tolerance"][other], chosen / 10.0, rtol=1e-6, atol=0.0)]
+    tighter = [other for other in maps.of(usual_method(maps))
+               if np.isclose(maps["tolerance"][other], chosen / 10.0, rtol=1e-6, atol=0.0)]
     if tighter:
         text += f"; ten times more accurate costs {100.0 * (time[tighter[0]] / time[setting] - 1.0):.0f} % more"
     return text + "."
@@ -177,7 +183,8 @@ def method_table(study, goal):
         times = f"{time[setting] / time[best[usual]]:.3g} ×" if best[usual] is not None else "-"
         rows.append([f"`{method}`", study.knobs(setting), f"{error[setting]:.1e}", f"{time[setting]:.3g}",
                      f"{calls[setting]:.2g}", times])
-    return markdown(["method", "knobs", "trajectory error / δc", "ms a point", "right-hand sides", f"time of `{usual}`"], rows)
+    return markdown(["method", "knobs", "trajectory error / δc", "ms a point", "right-hand sides",
+                     f"time of `{usual}`"], rows)
 
 
 def markdown(head, rows):
@@ -188,7 +195,8 @@ def markdown(head, rows):
 def report(study, maps, options):
     """The text of the README."""
     return "\n\n".join([sentence(maps), ladder_table(study, maps, options.reference),
-                        f"The cheapest setting of each method with an error of at most {options.goal:.0e} of the clearance, "
+                        f"The cheapest setting of each method with an error of at most {options.goal:.0e} of the "
+                         "clearance, "
                         "or its best one:", method_table(study, options.goal)])
 
 

@@ -1,4 +1,4 @@
-"""Pictures as methods of an atlas. Each draws into one matplotlib axes, its own or the caller's, and returns it, so that they compose:
+"""Pictures as methods of an atlas. Each draws into one matplotlib axes, its own or the caller's, and returns it:
 
     figure, (left, right) = plt.subplots(1, 2)
     atlas.plot.bifurcation(ax=left, damping_ratio=0.1)
@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
+import xarray
 from matplotlib.axes import Axes
 
 from rubatlas import style
@@ -20,8 +21,20 @@ from rubatlas.atlas_file import AtlasError, AtlasFile, number_of, same_value, wo
 from rubatlas.plots import bifurcation, blade, displacement, margin, orbit, spectrum, waterfall
 from rubatlas.plots import map as map_of
 
-if TYPE_CHECKING:
-    from rubatlas.atlas import Atlas
+
+class Selection(Protocol):
+    """What a picture needs of the `Atlas` that it is drawn from."""
+
+    path: str
+    maps_path: str | None
+
+    @property
+    def dataset(self) -> xarray.Dataset: ...
+    @property
+    def picked(self) -> dict[str, float]: ...
+    @property
+    def chosen_of_grid(self) -> np.ndarray[Any, np.dtype[np.bool_]]: ...
+    def orbit(self, speed_ratio: float, path: None = None, **at: float) -> orbit.OrbitFile: ...
 
 
 @contextlib.contextmanager
@@ -32,16 +45,17 @@ def _panel(ax: Axes | None) -> Iterator[Axes]:
 
 
 class Plots:
-    """`atlas.plot`. Values of axes pick the line: `damping_ratio=0.1`; an axis that is
-    not given has the value that was selected, else the scene's own. Points that `sel` or `where` has not chosen stay blank."""
+    """`atlas.plot`. Values of axes pick the line: `damping_ratio=0.1`; an axis that is not given has the value that was
+    selected, else the scene's own. Points that `sel` or `where` has not chosen stay blank."""
 
-    def __init__(self, atlas: Atlas) -> None:
+    def __init__(self, atlas: Selection) -> None:
         self._atlas = atlas
 
     @contextlib.contextmanager
     def _maps(self) -> Iterator[AtlasFile]:
         if self._atlas.maps_path is None:
-            raise AtlasError(f"{self._atlas.path}: this picture needs the atlas' maps; `rubatlas analyse` makes them, open(maps=...) names them")
+            raise AtlasError(f"{self._atlas.path}: this picture needs the atlas' maps; `rubatlas analyse` makes them, "
+                             "open(maps=...) names them")
         with AtlasFile(self._atlas.maps_path) as maps:
             yield maps
 
@@ -86,7 +100,8 @@ class Plots:
             displacement.into(panel, atlas, displacement.along_of(atlas, along, line), line)
             return self._at_selected_speeds(panel)
 
-    def map(self, ax: Axes | None = None, quantity: str = "max_displacement", along: str | None = None, **line: Any) -> Axes:
+    def map(self, ax: Axes | None = None, quantity: str = "max_displacement", along: str | None = None,
+            **line: Any) -> Axes:
         """A quantity, or "class", over the speed ratio and a parameter."""
         line = self._picked(line)
         with _panel(ax) as panel, self._file() as atlas:
@@ -96,7 +111,8 @@ class Plots:
                     handles = map_of.classes_into(panel, atlas, maps, along, line, quantity != "class")
                 panel.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.0, 1.0))
             elif words_of(atlas.dataset(quantity).attrs):
-                raise AtlasError(f"{quantity}: words, not numbers; a map draws class, class_blade_passing or a quantity of numbers")
+                raise AtlasError(f"{quantity}: words, not numbers; a map draws class, class_blade_passing or a "
+                                 "quantity of numbers")
             else:
                 image = map_of.into(panel, atlas, along, line, quantity)
                 label = f"{quantity.replace('_', ' ')} [{style.drawn(atlas.units(quantity))[0]}]"

@@ -1,6 +1,7 @@
 """Basins of attraction: which attractor each initial state leads to, speed by speed.
 
-  rubatlas-plot basins ATLAS.h5 -o PICTURE.png [--maps MAPS.h5] [--at initial_y=0.001] [--at speed_ratio=0.438] [--friction 0.1 ...]
+  rubatlas-plot basins ATLAS.h5 -o PICTURE.png [--maps MAPS.h5] [--at initial_y=0.001] [--at speed_ratio=0.438]
+                       [--friction 0.1 ...]
 
 The atlas has axes of the initial state; MAPS.h5 is what `rubatlas analyse ATLAS.h5 -o MAPS.h5` writes. Each speed has a
 panel over two axes of the initial state (nine speeds at most, evenly chosen); a single axis is drawn over the speed

@@ -22,7 +22,8 @@ def into(panel, line, component="x", name="poincare"):
         raise AtlasError(f"component {component!r}: x or y")
     units, factor = style.drawn(atlas.units(name))
     sections = line.rows(name)[:, :, "xy".index(component)]
-    panel.plot(np.repeat(atlas.axis("speed_ratio"), sections.shape[1]), factor * sections.ravel(), ".", color=COLOURS[component],
+    panel.plot(np.repeat(atlas.axis("speed_ratio"), sections.shape[1]), factor * sections.ravel(), ".",
+               color=COLOURS[component],
                markersize=1.3, markeredgewidth=0, alpha=0.6, rasterized=True)
     panel.set_ylabel(f"{component} at the section [{units}]")
     panel.set_xlabel(style.label(atlas, "speed_ratio"))

@@ -59,7 +59,8 @@ def draw(options):
             into(panel, line, what, every_friction="friction" not in wanted)
         panels[0].legend(loc="upper left")
         blades = line.scene["blades"]
-        size = " × ".join(f"{1e3 * value:g}" for value in (blades["length"], blades["width"], float(line.value("thickness"))))
+        size = " × ".join(f"{1e3 * value:g}"
+                          for value in (blades["length"], blades["width"], float(line.value("thickness"))))
         style.title(figure, atlas, f"Blade {size} mm, up to δ/L = {limit_of(atlas):g}")
         style.save(figure, options)
 

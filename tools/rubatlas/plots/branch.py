@@ -64,8 +64,8 @@ def draw_curve(branch, figure):
 
 
 def stretches(stable, parameter, values, events):
-    """(stable or not, parameter, value) of each stretch of one stability; neighbours meet at the bifurcation between them, unless the value
-    jumps there, as multipliers do at a grazing."""
+    """(stable or not, parameter, value) of each stretch of one stability; neighbours meet at the bifurcation between
+    them, unless the value jumps there, as multipliers do at a grazing."""
     begins = [0, *(1 + np.flatnonzero(stable[1:] != stable[:-1])), len(stable)]
     joints = []
     for after in begins[1:-1]:
@@ -76,7 +76,8 @@ def stretches(stable, parameter, values, events):
         met = max(before, behind) < JUMP * min(before, behind)
         joints.append(([between], [before + share * (behind - before)]) if met else ([], []))
     for number, (first, end) in enumerate(zip(begins[:-1], begins[1:])):
-        parts = [*joints[max(0, number - 1):number], (parameter[first:end], values[first:end]), *joints[number:number + 1]]
+        parts = [*joints[max(0, number - 1):number], (parameter[first:end], values[first:end]),
+                 *joints[number:number + 1]]
         yield stable[first], *(np.concatenate(part) for part in zip(*parts))
 
 

@@ -44,5 +44,6 @@ def draw(options):
 
 def main(arguments_given):
     arguments = command_line.parser(__doc__, source="WITH.h5")
-    arguments.add_argument("--without", required=True, metavar="WITHOUT.h5", help="atlas of the scene without the effect")
+    arguments.add_argument("--without", required=True, metavar="WITHOUT.h5",
+                           help="atlas of the scene without the effect")
     command_line.run(draw, arguments.parse_args(arguments_given))

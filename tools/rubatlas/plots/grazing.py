@@ -2,10 +2,10 @@
 
   rubatlas-plot grazing build/rubatlas -o PICTURE.png [--table]
 
-An experiment: the program computes one revolution of the default rotor with one blade, from initial states that free motion
-leads to a contact of a given depth d, on the approaching side (s ct = 1 mm), head-on (ct = 0) and on the receding side
-(s ct = -1 mm), for both contact laws. The kick is the velocity by which the end of the revolution differs from free motion, taken
-back to the time of the grazing. `--table` prints slopes, d(log kick)/d(log d), as a table.
+An experiment: the program computes one revolution of the default rotor with one blade, from initial states that free
+motion leads to a contact of a given depth d, on the approaching side (s ct = 1 mm), head-on (ct = 0) and on the
+receding side (s ct = -1 mm), for both contact laws. The kick is the velocity by which the end of the revolution differs
+from free motion, taken back to the time of the grazing. `--table` prints slopes, d(log kick)/d(log d), as a table.
 """
 import json
 import pathlib
@@ -21,7 +21,8 @@ from rubatlas.atlas_file import AtlasError
 
 SPEED_RATIO, DAMPING, NATURAL_FREQUENCY = 0.5, 0.1, 10.0
 RING, REACH, MISALIGNMENT = 0.11, 0.1, 0.01001  # R, rh + L, y0 [m]: the default rotor (src/model.md, 6.1)
-SIDES = {"approaching": (1e-3, style.BLUE, "o"), "head-on": (0.0, style.GREEN, "s"), "receding": (-1e-3, style.VERMILION, "^")}
+SIDES = {"approaching": (1e-3, style.BLUE, "o"), "head-on": (0.0, style.GREEN, "s"),
+         "receding": (-1e-3, style.VERMILION, "^")}
 LAWS = {"elastica": "elastic blades", "elastic_ring": "rigid blades, elastic ring"}
 DEPTHS = np.logspace(-6, -12, 13)  # [m]; below it the kicks of a ring that yields are lost in rounding
 GRAZING_TIME = 0.5 * np.pi / SPEED_RATIO  # the blade points along y
@@ -62,7 +63,8 @@ def kick(program, folder, law, depth, side):
         raise AtlasError(f"{program}: {ended.stderr.strip() or f'exit code {ended.returncode}'}")
     with h5py.File(atlas) as file:
         if file["touchdowns_per_revolution"][...].ravel()[0] != 1.0:
-            raise AtlasError(f"a grazing of depth {depth:g} m on the side {side:g} m is not the one contact of its revolution")
+            raise AtlasError(f"a grazing of depth {depth:g} m on the side {side:g} m is not the one contact of its "
+                             "revolution")
         x, y, vx, vy = file["final_state"][...].ravel()
     rest = 2.0 * np.pi / SPEED_RATIO - GRAZING_TIME
     difference = np.array([x + 1j * y, vx + 1j * vy]) - free_motion(rest) @ at_grazing
@@ -97,7 +99,8 @@ def draw(options):
     for panel, (law, words) in zip(panels, LAWS.items()):
         for name, (_, colour, marker) in SIDES.items():
             slope = slopes(kicks[law, name])[-1]
-            panel.loglog(1e3 * DEPTHS, 1e3 * kicks[law, name], marker, color=colour, ms=4, label=f"{name}: slope {slope:.3f}")
+            panel.loglog(1e3 * DEPTHS, 1e3 * kicks[law, name], marker, color=colour, ms=4,
+                         label=f"{name}: slope {slope:.3f}")
             panel.loglog(1e3 * DEPTHS, 1e3 * kicks[law, name][-1] * (DEPTHS / DEPTHS[-1])**slope, color=colour, lw=0.7)
         panel.set_title(words, loc="left", fontsize=9, color="#55556a")
         panel.set_xlabel("Depth of the contact [mm]")

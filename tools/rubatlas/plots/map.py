@@ -35,7 +35,8 @@ def finish(panel, atlas, along, lines):
     count, scale = len(lines), style.drawn(atlas.units(along))[1]
     values = [line.value(along) for line in lines]
     panel.grid(False)
-    panel.set_yticks(range(count), [DIRECTIONS[int(value)] if along == "direction" else format(scale * value, "g") for value in values])
+    panel.set_yticks(range(count), [DIRECTIONS[int(value)] if along == "direction" else format(scale * value, "g")
+                                    for value in values])
     panel.set_yticks(np.arange(count - 1) + 0.5, minor=True)
     panel.grid(True, axis="y", which="minor", color="white", lw=1.2)
     panel.tick_params(which="minor", length=0)
@@ -80,12 +81,14 @@ def curve_into(panels, atlas, along, curve):
         raise AtlasError(f"{curve.path}: a branch, not a curve in two quantities; `rubatlas branch --curve` makes one")
     quantity = curve.name_of("in").replace(" ", "_")
     if curve.name_of("along") != "speed ratio" or {"moment": "unbalance"}.get(quantity, quantity) != along:
-        raise AtlasError(f"{curve.path}: a curve in {curve.name_of('along')} and {curve.name_of('in')}, not in speed ratio and {along}")
+        raise AtlasError(f"{curve.path}: a curve in {curve.name_of('along')} and {curve.name_of('in')}, "
+                         f"not in speed ratio and {along}")
     values = atlas.axis(along)
     order = np.argsort(curve["second_parameter"])
     where = np.interp(curve["second_parameter"][order], values, np.arange(len(values)), left=np.nan, right=np.nan)
     for panel in panels:
-        panel.plot(curve["parameter"][order], where, color=style.VERMILION, lw=1.8, label=curve.attribute("curve").replace("_", " "))
+        panel.plot(curve["parameter"][order], where, color=style.VERMILION, lw=1.8,
+                   label=curve.attribute("curve").replace("_", " "))
     panels[0].legend(loc="lower right", frameon=True)
 
 
@@ -102,7 +105,8 @@ def draw(options):
         panels = [figure.add_subplot(grid[row, 0]) for row in range(count)]
         sides = [figure.add_subplot(grid[row, 1]) for row in range(count)]
         image = into(panels[0], atlas, along, wanted)
-        figure.colorbar(image, cax=sides[0], label=f"Max. displacement [{style.drawn(atlas.units('max_displacement'))[0]}]")
+        figure.colorbar(image, cax=sides[0],
+                        label=f"Max. displacement [{style.drawn(atlas.units('max_displacement'))[0]}]")
         if maps is not None:
             handles = classes_into(panels[1], atlas, maps, along, wanted, options.passing)
             sides[1].legend(handles=handles, loc="center left", bbox_to_anchor=(-0.5, 0.5))

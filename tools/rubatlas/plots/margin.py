@@ -2,8 +2,8 @@
 
   rubatlas-plot margin ATLAS.h5 -o PICTURE.png [--maps MAPS.h5] [--along damping_ratio] [--friction 0.1 ...]
 
-Above, the distance in speed ratio to the nearest border between two classes of motion; below, where the maps have it, that to where the
-trend of the nearest miss reaches zero. Dark is near.
+Above, the distance in speed ratio to the nearest border between two classes of motion; below, where the maps have it,
+that to where the trend of the nearest miss reaches zero. Dark is near.
 """
 import numpy as np
 
@@ -14,7 +14,8 @@ from rubatlas.plots.displacement import along_of
 from rubatlas.plots.map import finish, rows_of
 from rubatlas.same_scene import require_same
 
-NAMES = {"speed_ratio": "Distance in Ω to the nearest change of motion", "speed_ratio_to_grazing": "Distance in Ω to the predicted grazing"}
+NAMES = {"speed_ratio": "Distance in Ω to the nearest change of motion",
+         "speed_ratio_to_grazing": "Distance in Ω to the predicted grazing"}
 
 
 def label(maps, name):
@@ -26,16 +27,21 @@ def into(panel, atlas, maps, along, wanted, name="speed_ratio"):
     """A margin of the maps; returns the image, for a colour bar."""
     require_same(atlas.path, atlas.scene, maps.path, maps.scene)
     if f"margins/{name}" not in maps:
-        raise AtlasError(f"{maps.path}: it has no /margins/{name}; `rubatlas analyse` writes margins along axes with several values")
+        raise AtlasError(f"{maps.path}: it has no /margins/{name}; `rubatlas analyse` writes margins along axes with "
+                         "several values")
     along, lines, place = rows_of(atlas, along, wanted)
-    values = np.abs(np.array([np.where(line.chosen(), maps.file[f"margins/{name}"][line.index], np.nan) for line in lines]))
-    # A border is known to half a step of the speed; what is nearer than a tenth of a step is rounding, and would use up the colours.
+    values = np.abs(np.array([np.where(line.chosen(), maps.file[f"margins/{name}"][line.index], np.nan)
+                              for line in lines]))
+    # A border is known to half a step of the speed; what is nearer than a tenth of a step is rounding, and would use
+    # up the colours.
     steps = np.diff(atlas.axis(name if name in atlas.axes else "speed_ratio"))
     least = 0.1 * np.abs(steps).min() if len(steps) else 1e-6
+    most = max(np.nanmax(values, initial=least), 2.0 * least)
     image = panel.imshow(np.ma.masked_invalid(np.maximum(values, least)), cmap=style.SEQUENTIAL,
-                         norm=style.matplotlib.colors.LogNorm(least, max(np.nanmax(values, initial=least), 2.0 * least)), **place)
+                         norm=style.matplotlib.colors.LogNorm(least, most), **place)
     panel.imshow(style.missing_image(np.array([line.status() for line in lines])), **place)
-    panel.set_title(NAMES.get(name, f"Distance to the nearest change of motion along {name.replace('_', ' ')}"), loc="left", fontsize=9, color="#55556a")
+    panel.set_title(NAMES.get(name, f"Distance to the nearest change of motion along {name.replace('_', ' ')}"),
+                    loc="left", fontsize=9, color="#55556a")
     finish(panel, atlas, along, lines)
     return image
 
@@ -45,7 +51,8 @@ def draw(options):
         wanted = command_line.wanted(options, atlas.axes)
         along, lines, _ = rows_of(atlas, along_of(atlas, options.along, wanted), wanted)
         names = [name for name in NAMES if f"margins/{name}" in maps] or ["speed_ratio"]
-        figure, panels = style.plt.subplots(len(names), 1, figsize=(9.5, 1.3 + len(names) * max(1.6, 0.32 * len(lines) + 0.6)), squeeze=False)
+        size = 9.5, 1.3 + len(names) * max(1.6, 0.32 * len(lines) + 0.6)
+        figure, panels = style.plt.subplots(len(names), 1, figsize=size, squeeze=False)
         for panel, name in zip(panels[:, 0], names):
             figure.colorbar(into(panel, atlas, maps, along, wanted, name), ax=panel, pad=0.01, label=label(maps, name))
         style.title(figure, atlas, panels[0, 0].get_title(loc="left") + ": " + lines[0].describe(without=[along]))

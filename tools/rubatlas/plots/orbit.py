@@ -36,8 +36,8 @@ class OrbitFile:
         self.further_axes = sorted(swept_pointers(self.scene))
         self.scene = with_values(self.scene, self.attributes)
         if self.attributes["status"] != DONE:
-            raise AtlasError(f"{name}: no orbit to draw; the motion ended in revolution {self.attributes['failed_revolution']}: "
-                             f"{text(self.attributes['status_detail_meaning'])}")
+            revolution, why = (self.attributes[one] for one in ("failed_revolution", "status_detail_meaning"))
+            raise AtlasError(f"{name}: no orbit to draw; the motion ended in revolution {revolution}: {text(why)}")
 
     def attribute(self, name):
         return printable(self.attributes.get(name, ""))
@@ -111,5 +111,6 @@ def draw(options):
 
 def main(arguments_given):
     arguments = command_line.parser(__doc__, source="ORBIT.h5", line=False)
-    arguments.add_argument("--revolutions", type=command_line.positive(int), default=3, help="how many of the last to show forces of")
+    arguments.add_argument("--revolutions", type=command_line.positive(int), default=3,
+                           help="how many of the last to show forces of")
     command_line.run(draw, arguments.parse_args(arguments_given))

@@ -4,14 +4,16 @@
                        [--keep "nearest_miss>=1e-4"] [--maps MAPS.h5 --keep "margin>=0.01" --keep "class<=1"]
                        [--operate 0.64] [--json BANDS.json] [--damping_ratio 0.1 ...]
 
-A limit names a dataset of the atlas with one number per point, in its own unit, or one of the maps that `rubatlas analyse`
-writes: `class`, or `margin`, the distance in speed ratio to the nearest change of motion. A speed is safe if every line of the
-atlas, or every one at the values named by options, keeps every limit there. What does not occur keeps its limit: a miss where no
-tip passes the ring, a margin where the motion never changes. A point that is not done keeps none.
+A limit names a dataset of the atlas with one number per point, in its own unit, or one of the maps that `rubatlas
+analyse` writes: `class`, or `margin`, the distance in speed ratio to the nearest change of motion. A speed is safe if
+every line of the atlas, or every one at the values named by options, keeps every limit there. What does not occur keeps
+its limit: a miss where no tip passes the ring, a margin where the motion never changes. A point that is not done keeps
+none.
 
-A band reaches from its first to its last safe speed of the grid; nothing is said of the step beyond. Its separation margin is
-the percentage by which the speed may be off on either side at its middle, and that of --operate the percentage to the
-nearest speed that is not safe. An end is open where the grid ends, or where points are not done. Where a motion leaves the model it is not.
+A band reaches from its first to its last safe speed of the grid; nothing is said of the step beyond. Its separation
+margin is the percentage by which the speed may be off on either side at its middle, and that of --operate the
+percentage to the nearest speed that is not safe. An end is open where the grid ends, or where points are not done.
+Where a motion leaves the model it is not.
 """
 import contextlib
 import json
@@ -32,7 +34,8 @@ KEEPS = {"<=": operator.le, ">=": operator.ge}
 # Datasets in which NaN means that there is nothing to keep away from.
 MAY_NOT_OCCUR = ("nearest_miss", "lightest_touch", "margin")
 OF_MAPS = {"margin": "margins/speed_ratio", "class": "class"}
-# Why a speed is in no band, besides the limits. What is not done or not selected is not known to be dangerous, so that a band is open there.
+# Why a speed is in no band, besides the limits. What is not done or not selected is not known to be dangerous, so that
+# a band is open there.
 LEFT, NOT_DONE, NOT_SELECTED = "the motion leaves the model", "not done", "not selected"
 
 
@@ -42,8 +45,9 @@ class Limit:
     def __init__(self, text):
         parts = re.fullmatch(r"\s*(\w+)\s*(<=|>=)\s*(\S+)\s*", text)
         try:
-            self.name, self.sign, self.bound = parts.group(1), parts.group(2), float(parts.group(3))  # type: ignore[union-attr]
-        except (AttributeError, ValueError):
+            self.name, self.sign = parts[1], parts[2]  # type: ignore[index]
+            self.bound = float(parts[3])  # type: ignore[index]
+        except (TypeError, ValueError):
             raise AtlasError(f"limit {text}: not of the form NAME<=NUMBER or NAME>=NUMBER") from None
         self.text = f"{self.name} {'≤' if self.sign == '<=' else '≥'} {self.bound:g}"
 
@@ -61,16 +65,20 @@ def lines_of(atlas, wanted):
     """Places of all lines at the values that the user has named."""
     unknown = set(wanted) - set(atlas.axes[:-1])
     if unknown:
-        raise AtlasError(f"{atlas.path}: no axis {', '.join(sorted(unknown))}; a line is picked by {', '.join(atlas.axes[:-1])}")
-    choices = [[atlas.index(name, wanted[name])] if name in wanted else range(len(atlas.axis(name))) for name in atlas.axes[:-1]]
+        raise AtlasError(f"{atlas.path}: no axis {', '.join(sorted(unknown))}; "
+                         f"a line is picked by {', '.join(atlas.axes[:-1])}")
+    choices = [[atlas.index(name, wanted[name])] if name in wanted else range(len(atlas.axis(name)))
+               for name in atlas.axes[:-1]]
     return np.ix_(*choices, range(len(atlas.axis("speed_ratio"))))
 
 
 def rows(atlas, maps, limit, chosen):
-    """The values of a limit's dataset on the chosen lines, (lines, speeds), NaN where the point is not done; and their unit."""
+    """The values of a limit's dataset on the chosen lines, (lines, speeds), NaN where the point is not done; and their
+    unit."""
     if limit.name in OF_MAPS:
         if maps is None:
-            raise AtlasError(f"limit {limit.text}: this is in the maps of the atlas, which `rubatlas analyse` makes and --maps (maps=) names")
+            raise AtlasError(f"limit {limit.text}: this is in the maps of the atlas, "
+                             "which `rubatlas analyse` makes and --maps (maps=) names")
         if OF_MAPS[limit.name] not in maps:
             raise AtlasError(f"limit {limit.text}: {maps.path} has no /{OF_MAPS[limit.name]}")
         source, name = maps, OF_MAPS[limit.name]
@@ -101,8 +109,8 @@ def margin_percent(low, high):
 class Judgement:
     """Which limits are kept where.
 
-    `chosen`: the lines to judge, as an index of the grid with all speeds. `selected`: the points of the grid to judge; a speed at which
-    a line is not selected is in no band.
+    `chosen`: the lines to judge, as an index of the grid with all speeds. `selected`: the points of the grid to judge;
+    a speed at which a line is not selected is in no band.
     """
 
     def __init__(self, atlas, maps, limits, chosen, selected=None):
@@ -117,7 +125,9 @@ class Judgement:
         self.left = (status == LEFT_VALIDITY).any(axis=0)
         self.undone = ((status != DONE) & (status != LEFT_VALIDITY)).any(axis=0)
         self.broken = np.array(broken)
-        self.unselected = np.zeros(len(self.speed), dtype=bool) if selected is None else ~selected[chosen].reshape(status.shape).all(axis=0)
+        self.unselected = np.zeros(len(self.speed), dtype=bool)
+        if selected is not None:
+            self.unselected = ~selected[chosen].reshape(status.shape).all(axis=0)
         self.safe = ~self.broken.any(axis=0) & ~self.left & ~self.undone & ~self.unselected
         self.limits = limits
 
@@ -134,7 +144,8 @@ class Judgement:
         if not 0 <= place < len(self.speed):
             return {"open": True, "broken": []}
         reasons = self.reasons(place)
-        return {"speed_ratio": float(self.speed[place]), "open": reasons in ([NOT_DONE], [NOT_SELECTED]), "broken": reasons}
+        return {"speed_ratio": float(self.speed[place]), "open": reasons in ([NOT_DONE], [NOT_SELECTED]),
+                "broken": reasons}
 
     def bands(self):
         found = []
@@ -146,7 +157,7 @@ class Judgement:
         return found
 
     def at(self, speed_ratio):
-        """How an operating speed stands: in which band, and how far in percent the nearest speeds are that are not safe."""
+        """How an operating speed stands: in which band, and how far in percent the nearest unsafe speeds are."""
         if not self.speed[0] <= speed_ratio <= self.speed[-1]:
             raise AtlasError(f"operating speed {speed_ratio:g}: outside the atlas, which has speed ratios from "
                              f"{self.speed[0]:g} to {self.speed[-1]:g}")
@@ -187,7 +198,8 @@ def sentences(result):
 def write_json(path, result):
     """Complete or not at all."""
     path = pathlib.Path(path)
-    with tempfile.NamedTemporaryFile("w", dir=path.parent, prefix=f".{path.name}.", delete=False, encoding="utf-8") as file:
+    with tempfile.NamedTemporaryFile("w", dir=path.parent, prefix=f".{path.name}.", delete=False,
+                                     encoding="utf-8") as file:
         json.dump(result, file, indent=2, ensure_ascii=False)
         file.write("\n")
     os.chmod(file.name, 0o644)
@@ -212,7 +224,8 @@ def require_json_place(options):
 
 def draw_picture(atlas, judgement, options, fixed):
     limits = judgement.limits
-    figure, panels = style.plt.subplots(len(limits), 1, figsize=(9.5, 1.0 + 1.8 * len(limits)), sharex=True, squeeze=False)
+    figure, panels = style.plt.subplots(len(limits), 1, figsize=(9.5, 1.0 + 1.8 * len(limits)), sharex=True,
+                                        squeeze=False)
     border = style.edges_of(judgement.speed)
     for panel, limit, values, units in zip(panels[:, 0], limits, judgement.values, judgement.units):
         unit, factor = style.drawn(units)
@@ -248,10 +261,12 @@ def draw(options):
             require_same(atlas.path, atlas.scene, maps.path, maps.scene)
         wanted = command_line.wanted(options, atlas.axes)
         judgement = Judgement(atlas, maps, limits, lines_of(atlas, wanted))
-        held = [f"{name.replace('_', ' ')} {value:g}" if name != "direction" else f"swept {value}" for name, value in wanted.items()]
+        held = [f"{name.replace('_', ' ')} {value:g}" if name != "direction" else f"swept {value}"
+                for name, value in wanted.items()]
         every = [name.replace("_", " ") for name in atlas.swept_axes() if name not in wanted]
         fixed = ", ".join([*held, *([f"every {' and '.join(every)}"] if every else [])]) or "the one line of the atlas"
-        result = {"atlas": os.path.basename(atlas.path), "limits": [limit.text for limit in limits], "lines": len(judgement.status),
+        result = {"atlas": os.path.basename(atlas.path), "limits": [limit.text for limit in limits],
+                  "lines": len(judgement.status),
                   "for": fixed, "bands": judgement.bands()}
         if options.operate is not None:
             result["operate"] = judgement.at(options.operate)

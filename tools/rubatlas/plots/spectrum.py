@@ -26,7 +26,8 @@ def into(panel, line, speed_ratio):
     units, factor = style.drawn(atlas.units("spectrum"))
     order, amplitude = atlas.axis("order"), factor * line.rows("spectrum")[place]
     if not np.isfinite(amplitude).all():
-        raise AtlasError(f"{atlas.path}: the point at speed ratio {atlas.axis('speed_ratio')[place]:g} is not done, and has no spectrum")
+        raise AtlasError(f"{atlas.path}: the point at speed ratio {atlas.axis('speed_ratio')[place]:g} is not done, "
+                         "and has no spectrum")
     # The mean position is no vibration.
     largest = amplitude[1:].max() or 1.0
     panel.vlines(order[1:], 1e-8 * largest, np.maximum(amplitude[1:], 1e-8 * largest), color=style.BLUE, lw=0.9)
@@ -49,5 +50,6 @@ def draw(options):
 
 def main(arguments_given):
     arguments = command_line.parser(__doc__)
-    arguments.add_argument("--speed_ratio", type=float, required=True, help="the point's speed; the nearest of the grid is taken")
+    arguments.add_argument("--speed_ratio", type=float, required=True,
+                           help="the point's speed; the nearest of the grid is taken")
     command_line.run(draw, arguments.parse_args(arguments_given))

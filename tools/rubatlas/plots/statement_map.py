@@ -1,4 +1,4 @@
-"""The paper's statements against contact law, stiffness of the ring and other open quantities: which findings hold where.
+"""The paper's statements against contact law, the ring's stiffness and other open quantities: what holds where.
 
   rubatlas-plot statement_map MAPS.h5 [MAPS.h5 ...] -o PICTURE.png [--statements P1,P2,P3,P4,P5,P8] [--counts]
 
@@ -18,7 +18,8 @@ from rubatlas.atlas_file import AtlasError, reading, text
 
 NOT_COVERED, YES, NO = 0, 1, 2
 COLOURS = {YES: "#8fd1b8", NO: "#eba27a", NOT_COVERED: "#ececf1", None: "#ffffff"}
-NAMES = {YES: "found", NO: "not found", NOT_COVERED: "not covered by the atlas", None: "nothing to judge: its region is not there"}
+NAMES = {YES: "found", NO: "not found", NOT_COVERED: "not covered by the atlas",
+         None: "nothing to judge: its region is not there"}
 VERDICTS = {0: "–", 1: "agrees", 2: "partly", 3: "disagrees"}
 LAWS = {"elastica": "elastica", "elastic_ring": "elastic ring"}
 
@@ -41,7 +42,8 @@ def columns_of(path, statements):
         law = LAWS[scene["contact"]["law"]]
         read = {name: [text(value) for value in file[name][()]] for name in
                 ("statements/name", "statements/setting", "findings/claim", "findings/brief")}
-        verdict, holds, owner = (file[name][()] for name in ("statements/verdict", "findings/holds", "findings/statement"))
+        verdict, holds, owner = (file[name][()]
+                                 for name in ("statements/verdict", "findings/holds", "findings/statement"))
     columns: dict[str, Column] = {}
     for index, (name, setting) in enumerate(zip(read["statements/name"], read["statements/setting"])):
         if name in statements and (setting or verdict[index]):
@@ -89,12 +91,13 @@ def counts(columns, rows, statements):
         for statement in statements:
             own = [row for row in rows if row[0] == statement]
             cells.append(f"{VERDICTS[column.verdicts.get(statement, 0)]} {found(column, own)}/{len(own)}")
-        lines.append(f"| {column.law} | {column.setting} | " + " | ".join(cells) + f" | {found(column, rows)}/{len(rows)} |")
+        row = [column.law, column.setting, *cells, f"{found(column, rows)}/{len(rows)}"]
+        lines.append(f"| {' | '.join(row)} |")
     return "\n".join(lines)
 
 
 def heading(column):
-    return "\n".join([column.law, *column.setting.replace("direction = ", "").split(", ")]) if column.setting else column.law
+    return "\n".join([column.law, *filter(None, column.setting.replace("direction = ", "").split(", "))])
 
 
 def draw(options):
@@ -119,7 +122,8 @@ def draw(options):
             axes.text(j, i, "·" if holds is None else brief, ha="center", va="center", fontsize=7, color=style.INK)
     axes.imshow(image, aspect="auto", interpolation="nearest")
     axes.set_yticks(range(len(rows)), [f"{name}  {claim}" for name, claim in rows])
-    axes.set_xticks(range(len(columns)), [f"{heading(column)}\n\n{found(column, rows)} of {len(rows)}" for column in columns],
+    axes.set_xticks(range(len(columns)),
+                    [f"{heading(column)}\n\n{found(column, rows)} of {len(rows)}" for column in columns],
                     fontsize=7.5)
     axes.set_xticks(np.arange(len(columns) - 1) + 0.5, minor=True)
     axes.set_yticks(np.arange(len(rows) - 1) + 0.5, minor=True)

@@ -3,8 +3,8 @@
   rubatlas-plot waterfall ATLAS.h5 -o PICTURE.png [--damping_ratio 0.1 ...] [--max_frequency 4]
 
 Orders become frequencies, order times speed ratio, in units of the rotor's natural frequency: a motion that is tied to
-the rotation lies on oblique lines, one that is tied to the rotor stands upright. Marks on the borders, which leave the data
-free, say where the lines of the orders 1, 2, 3 and of the blade passings (n blades: n and 2n) enter and leave.
+the rotation lies on oblique lines, one that is tied to the rotor stands upright. Marks on the borders, which leave the
+data free, say where the lines of the orders 1, 2, 3 and of the blade passings (n blades: n and 2n) enter and leave.
 """
 from typing import Any
 
@@ -27,6 +27,8 @@ def by_frequency(speed, order, amplitude, edges):
         frequency = order * ratio
         nearest = np.clip(np.rint(middle / (ratio * order[1])).astype(int), 0, len(order) - 1)
         result[row] = np.where(middle <= frequency[-1], spectrum[nearest], 0.0)
+        if np.isnan(spectrum).any():
+            continue  # no motion
         bins = np.digitize(frequency, edges) - 1
         inside = (bins >= 0) & (bins < len(middle))
         np.maximum.at(result[row], bins[inside], spectrum[inside])
@@ -46,7 +48,8 @@ def mark_orders(panel, top, blades):
     low, high = panel.get_ylim()
     for order, name in order_names(blades).items():
         blade_passing = order in (blades, 2 * blades)
-        look: dict[str, Any] = dict(color=style.VERMILION if blade_passing else style.INK, clip_on=False, ms=7.0, mew=1.3, ls="none")
+        look: dict[str, Any] = dict(color=style.VERMILION if blade_passing else style.INK, clip_on=False, ms=7.0,
+                                    mew=1.3, ls="none")
         if order * low < top:
             panel.plot([max(order * low, 0.0)], [low], marker=style.matplotlib.markers.TICKDOWN, **{**look, "ms": 5.0})
         above = order * high <= top

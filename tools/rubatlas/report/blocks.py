@@ -18,7 +18,8 @@ class Blocks:
     def add(self, name, values):
         """An array, and the entry of the JSON that leads to it."""
         self.keep(name, np.ascontiguousarray(values).tobytes())
-        kind = {"f4": "Float32Array", "f8": "Float64Array", "u1": "Uint8Array", "u2": "Uint16Array"}[values.dtype.str[1:]]
+        kind = {"f4": "Float32Array", "f8": "Float64Array", "u1": "Uint8Array",
+                "u2": "Uint16Array"}[values.dtype.str[1:]]
         return {"block": name, "kind": kind, "shape": list(values.shape)}
 
     @property

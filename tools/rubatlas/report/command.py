@@ -1,10 +1,11 @@
-"""Makes one HTML file of an atlas: maps, every point with its sections and spectra, and the solver to compute further ones.
+"""Makes one HTML file of an atlas: maps, points with sections and spectra, and the solver to compute further points.
 
-  tools/rubatlas-report ATLAS.h5 [-o REPORT.html] [--maps MAPS.h5] [--solver RUBATLAS.wasm | --without-solver] [--orbits COUNT]
+  tools/rubatlas-report ATLAS.h5 [-o REPORT.html] [--maps MAPS.h5] [--solver RUBATLAS.wasm | --without-solver]
+                        [--orbits COUNT]
 
-The file needs no server and no network: a double click opens it. Maps (`rubatlas analyse`) are taken from ATLAS_maps.h5 beside
-the atlas where --maps does not name them, the solver from build/rubatlas.wasm of the clone. Where the page cannot compute a scene, the program
-computes orbits of some of its points.
+The file needs no server and no network: a double click opens it. Maps (`rubatlas analyse`) are taken from ATLAS_maps.h5
+beside the atlas where --maps does not name them, the solver from build/rubatlas.wasm of the clone. Where the page
+cannot compute a scene, the program computes orbits of some of its points.
 """
 import argparse
 import contextlib
@@ -55,7 +56,8 @@ def solver_of(options):
     path = pathlib.Path(options.solver) if options.solver else CLONE / "build" / "rubatlas.wasm"
     if not path.is_file():
         if options.solver:
-            raise AtlasError(f"--solver {path}: no such file; `cmake --build build --target rubatlas_wasm` makes build/rubatlas.wasm")
+            raise AtlasError(f"--solver {path}: no such file; `cmake --build build --target rubatlas_wasm` makes "
+                             "build/rubatlas.wasm")
         return None
     content = path.read_bytes()
     if not content.startswith(b"\0asm"):
@@ -70,7 +72,8 @@ def make(options):
     with contextlib.ExitStack() as stack:
         atlas = stack.enter_context(AtlasFile(options.source))
         if "status" not in atlas:
-            raise AtlasError(f"{options.source}: no /status; a report is made of an atlas, and its maps are named with --maps")
+            raise AtlasError(f"{options.source}: no /status; a report is made of an atlas, and its maps are named with "
+                             "--maps")
         maps = stack.enter_context(AtlasFile(maps_path)) if maps_path else None
         result, blocks = contents(atlas, maps, solver, options.orbits)
     content = page(result, blocks)
@@ -100,12 +103,15 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("source", metavar="ATLAS.h5")
     parser.add_argument("-o", "--output", metavar="REPORT.html", help="default: ATLAS.html in the present folder")
-    parser.add_argument("--maps", metavar="MAPS.h5", help="maps of this atlas; default: ATLAS_maps.h5 beside it, if it is there")
+    parser.add_argument("--maps", metavar="MAPS.h5",
+                        help="maps of this atlas; default: ATLAS_maps.h5 beside it, if it is there")
     solver = parser.add_mutually_exclusive_group()
-    solver.add_argument("--solver", metavar="RUBATLAS.wasm", help="default: build/rubatlas.wasm of the clone, if it is there")
+    solver.add_argument("--solver", metavar="RUBATLAS.wasm",
+                        help="default: build/rubatlas.wasm of the clone, if it is there")
     solver.add_argument("--without-solver", action="store_true", help="the page computes nothing")
     parser.add_argument("--orbits", metavar="COUNT", type=orbit_count,
-                        help=f"orbits that the program computes now, of points spread over the atlas; default: {ORBITS} where the page cannot compute them, else 0")
+                        help=f"orbits that the program computes now, of points spread over the atlas; default: "
+                             f"{ORBITS} where the page cannot compute them, else 0")
     options = parser.parse_args()
     if options.output is None:
         options.output = pathlib.Path(options.source).stem + ".html"

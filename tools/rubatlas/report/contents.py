@@ -1,8 +1,8 @@
 """What of an atlas goes into a report: texts and tables as JSON, numbers as compressed blocks.
 
-Numbers that are only drawn are float32; states from which the page computes on are float64. Sections and spectra come line by line, so
-that a page opens without unpacking all of them, and as many sections as the size of the file allows. Where the page cannot compute,
-orbits of some points that the program computes are part of it.
+Numbers that are only drawn are float32; states from which the page computes on are float64. Sections and spectra come
+line by line, so that a page opens without unpacking all of them, and as many sections as the size of the file allows.
+Where the page cannot compute, orbits of some points that the program computes are part of it.
 """
 import json
 import math
@@ -11,6 +11,7 @@ import os
 import numpy as np
 
 from rubatlas.atlas_file import DONE, SCENE_VALUE, SYMBOL, AtlasError, printable, swept_pointers, with_values, words_of
+from rubatlas.elastica import angles_from_tip
 from rubatlas.report.blocks import Blocks
 from rubatlas.report.orbits import orbits_of
 from rubatlas.same_scene import MACHINE, POINTS, WORDS, require_same
@@ -23,11 +24,14 @@ SECTIONS_IN_PAGE = {*WORDS, *POINTS, *MACHINE, "pieces", "unbalance"}
 MOST_BYTES = 17_000_000
 # Maps of an atlas with more points are single precision.
 MOST_POINTS_IN_FULL = 30_000
-# Spectral lines are gathered into bins this many orders wide, the first width with which the spectra take no more than half of the bytes;
-# a bin holds the largest of its lines.
+# Spectral lines are gathered into bins this many orders wide, the first width with which the spectra take no more than
+# half of the bytes; a bin holds the largest of its lines.
 WIDTHS_OF_BINS = (0.02, 0.05, 0.1, 0.25)
 # So many orbits the program computes for a page that computes none: some tenths of a second each.
 ORBITS = 200
+# The table that the page draws blades from ends above the angle [rad] and the length of a blade that is shortened by
+# its whole length. Angles are closest where a blade begins to buckle.
+LAST_OF_SHAPES, ANGLES_OF_SHAPES, LENGTHS_OF_SHAPES = 3.0, 120, 30
 # Amplitudes are kept as 16 bits of their logarithm over this range below the largest of the atlas.
 DECADES_OF_SPECTRUM = 8.0
 
@@ -50,7 +54,8 @@ def axes_of(atlas):
     result = []
     for name in atlas.axes:
         values = atlas.axis(name)
-        result.append({"name": name, "symbol": SYMBOL.get(name, ""), "units": atlas.units(name), "long_name": atlas.long_name(name),
+        result.append({"name": name, "symbol": SYMBOL.get(name, ""), "units": atlas.units(name),
+                       "long_name": atlas.long_name(name),
                        "values": [float(value) for value in values], "pointer": pointers.get(name)})
     return result
 
@@ -68,7 +73,8 @@ def maps_of(atlas, maps, blocks):
             values = values.astype("<f8" if values.size <= MOST_POINTS_IN_FULL else "<f4")
         else:
             values = values.astype("u1")
-        result.append({"name": name, "units": source.units(dataset.name), "long_name": long_name or source.long_name(dataset.name),
+        result.append({"name": name, "units": source.units(dataset.name),
+                       "long_name": long_name or source.long_name(dataset.name),
                        "flags": flags, **blocks.add(name, values.ravel())})
 
     if maps is not None:
@@ -162,6 +168,13 @@ def binned_spectra(atlas, blocks, done, width):
             "decades": DECADES_OF_SPECTRUM, "units": atlas.units("spectrum"), "width": width}
 
 
+def shapes_of_blades():
+    """What the page draws blades in contact from."""
+    tips = LAST_OF_SHAPES * np.linspace(0.0, 1.0, ANGLES_OF_SHAPES + 1) ** 2
+    lengths = np.linspace(0.0, LAST_OF_SHAPES, LENGTHS_OF_SHAPES + 1)
+    return {"step": float(lengths[1]), "angles": np.round(angles_from_tip(tips, lengths), 6).tolist()}
+
+
 # --- words ---
 
 def group(maps, name):
@@ -186,7 +199,8 @@ def runs_beside(path):
     try:
         with open(f"{path}.run.json", encoding="utf-8") as file:
             runs = json.load(file)["runs"]
-        return [{key: run.get(key) for key in ("started", "finished", "processor", "ranks", "points_computed", "wall_seconds")}
+        return [{key: run.get(key)
+                 for key in ("started", "finished", "processor", "ranks", "points_computed", "wall_seconds")}
                 for run in runs]
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
         return []
@@ -201,12 +215,13 @@ def why_not_computed(scene, solver):
         return (f"The page computes the contact laws {' and '.join(LAWS_IN_PAGE)}, and this scene has "
                 f"{scene['contact']['law']}.")
     if solver is None:
-        return "This report was made without the solver, which `cmake --build build --target rubatlas_wasm` makes and --solver names."
+        return ("This report was made without the solver, which `cmake --build build --target rubatlas_wasm` makes and "
+                "--solver names.")
     return ""
 
 
 def add_orbits(result, blocks, atlas, count):
-    """Orbits that the program computes: `count` of them, or, where that is None, those of a page that computes none itself."""
+    """Orbits that the program computes: `count` of them; where that is None, those of a page that computes none."""
     wanted = count if count is not None else ORBITS if result["not_computed"] else 0
     if wanted == 0:
         return
@@ -219,7 +234,8 @@ def add_orbits(result, blocks, atlas, count):
 
 
 def contents(atlas, maps, solver, orbits=None):
-    """The JSON of a report, and its blocks. `solver`: bytes of the WebAssembly module, or none. `orbits`: see `add_orbits`."""
+    """The JSON of a report, and its blocks. `solver`: bytes of the WebAssembly module, or none. `orbits`: see
+    `add_orbits`."""
     if maps is not None:
         require_same(atlas.path, atlas.scene, maps.path, maps.scene)
     blocks = Blocks()
@@ -239,15 +255,17 @@ def contents(atlas, maps, solver, orbits=None):
         "statements": group(maps, "statements"),
         "findings": group(maps, "findings"),
         "effects": group(maps, "effects"),
-        "provenance": {name: atlas.attribute(name) for name in ("software", "software_version", "git_commit", "compiler",
-                                                                "schema_version")},
+        "provenance": {name: atlas.attribute(name)
+                       for name in ("software", "software_version", "git_commit", "compiler", "schema_version")},
         "runs": runs_beside(atlas.path),
+        "elastica": shapes_of_blades(),
         "not_computed": why_not_computed(atlas.scene, solver),
         "orbits": [],
         "no_orbits": "",
     }
     if blocks.size > MOST_BYTES:
-        raise AtlasError(f"{atlas.path}: {status.size} points are too many for one page; a report holds some hundred thousand")
+        raise AtlasError(f"{atlas.path}: {status.size} points are too many for one page; a report holds some hundred "
+                         "thousand")
     add_orbits(result, blocks, atlas, orbits)
     result["lines"] = lines_of(atlas, blocks)
     if not result["not_computed"]:

@@ -26,7 +26,8 @@ def spread(points, count):
 def shown_part(orbit):
     """The last revolutions of an orbit as one array of single precision, and how the page takes it apart.
 
-    In this order: state (sample, 4), force (sample, blade), then number, blade, time in revolutions and force of each sample of a contact.
+    In this order: state (sample, 4), force (sample, blade), then number, blade, time in revolutions and force of each
+    sample of a contact.
     """
     time, state, force = (orbit.data[name] for name in ("time", "state", "force"))
     revolutions = min(REVOLUTIONS, len(orbit.data["sections"]))
@@ -37,14 +38,17 @@ def shown_part(orbit):
     contact = {name: orbit.data[f"contact_{name}"][inside] for name in ("number", "blade", "time", "force")}
     numbers = np.unique(contact["number"], return_inverse=True)[1]
     # Samples are equal parts of a revolution, also where a ramp makes one shorter than the other.
-    turned = np.interp(contact["time"], np.append(time, 2.0 * time[-1] - time[-2]), np.arange(len(time) + 1) / each) - first / each
+    turned = np.interp(contact["time"], np.append(time, 2.0 * time[-1] - time[-2]),
+                       np.arange(len(time) + 1) / each) - first / each
     columns = [state[first::stride], force[first::stride], numbers, contact["blade"] - 1, turned, contact["force"]]
     flat = np.concatenate([np.ravel(column) for column in columns]).astype("<f4")
-    return flat, {"samples": each // stride, "times": revolutions * (each // stride), "blades": force.shape[1], "contact_samples": len(numbers)}
+    return flat, {"samples": each // stride, "times": revolutions * (each // stride), "blades": force.shape[1],
+                  "contact_samples": len(numbers)}
 
 
 def orbits_of(atlas, count, most_bytes, blocks):
-    """Orbits of at most `count` points of an atlas, as blocks that take at most `most_bytes`; none where no point is done."""
+    """Orbits of at most `count` points of an atlas, as blocks that take at most `most_bytes`; none where no point is
+    done."""
     status = atlas.dataset("status")[...]
     points = spread(np.flatnonzero(status == DONE), count)
     source = Atlas(atlas.path)
@@ -66,7 +70,8 @@ def orbits_of(atlas, count, most_bytes, blocks):
                 trial = Blocks()
                 found.append((trial, {"point": int(point), **shape, **trial.add(f"orbit/{point}", numbers)}))
             if sys.stderr.isatty():
-                print(f"\rorbit {number} of {len(points)}", end="" if number < len(points) else "\n", file=sys.stderr, flush=True)
+                print(f"\rorbit {number} of {len(points)}", end="" if number < len(points) else "\n", file=sys.stderr,
+                      flush=True)
     while found and sum(trial.size for trial, _ in found) > most_bytes:
         found = found[1::2]
     for trial, _ in found:

@@ -1,10 +1,12 @@
 """Puts a report together: the page's sources, the plotting library and the data in one HTML file.
 
-Nothing of the data is ever part of the markup. JSON and blocks stand in script elements of types that no browser runs, with `<` escaped, so
-that no text of a scene can end its element; the page shows texts as text.
+Nothing of the data is ever part of the markup. JSON and blocks stand in script elements of types that no browser runs,
+with `<` escaped, so that no text of a scene can end its element; the page shows texts as text.
 """
 import json
 import pathlib
+
+from rubatlas.query import GRAMMAR
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 GENERATOR = '<meta name="generator" content="rubatlas-report">'
@@ -33,6 +35,7 @@ def page(contents, blocks):
         "LIBRARY": source("vendor", "uplot", "uPlot.iife.min.js"),
         "SCRIPTS": f"(() => {{\n'use strict';\n{scripts}\n}})();",
         "WORKER": inert(worker),
+        "GRAMMAR": inert(GRAMMAR),
         "ATLAS": inert(contents),
         "BLOCKS": "\n".join(f'<script type="application/octet-stream" data-block="{name}">{content}</script>'
                             for name, content in blocks.texts.items()),

@@ -62,11 +62,21 @@ class CanvasPen {
 }
 
 class SvgPen {
-  constructor(width, height) { this.parts = []; this.width = width; this.height = height; this.scale = 1; this.clips = 0; }
+  constructor(width, height) {
+    this.parts = [];
+    this.width = width;
+    this.height = height;
+    this.scale = 1;
+    this.clips = 0;
+  }
   static number(value) { return value.toFixed(2).replace(/\.?0+$/, ''); }
-  static escaped(text) { return String(text).replace(/[&<>"]/g, (letter) => ({'&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;'})[letter]); }
+  static escaped(text) {
+    return String(text)
+      .replace(/[&<>"]/g, (letter) => ({'&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;'})[letter]);
+  }
   stroke({colour, width = 1, dash = [], fill = 'none'}) {
-    return `fill="${fill}" stroke="${colour}" stroke-width="${width}"${dash.length ? ` stroke-dasharray="${dash.join(' ')}"` : ''} stroke-linejoin="round"`;
+    const dashes = dash.length ? ` stroke-dasharray="${dash.join(' ')}"` : '';
+    return `fill="${fill}" stroke="${colour}" stroke-width="${width}"${dashes} stroke-linejoin="round"`;
   }
   line(points, style) {
     let path = '', open = false;
@@ -83,24 +93,31 @@ class SvgPen {
     this.parts.push(`<path d="${path}" stroke="${colour}" stroke-width="${size}" stroke-linecap="round" fill="none"/>`);
   }
   circle(x, y, radius, style) {
-    this.parts.push(`<circle cx="${SvgPen.number(x)}" cy="${SvgPen.number(y)}" r="${SvgPen.number(radius)}" ${this.stroke(style)}/>`);
+    const [cx, cy, r] = [x, y, radius].map(SvgPen.number);
+    this.parts.push(`<circle cx="${cx}" cy="${cy}" r="${r}" ${this.stroke(style)}/>`);
   }
   image(source, x, y, width, height) {
-    this.parts.push(`<image href="${source.toDataURL('image/png')}" x="${x}" y="${y}" width="${width}" height="${height}" preserveAspectRatio="none" style="image-rendering:pixelated"/>`);
+    const place = `x="${x}" y="${y}" width="${width}" height="${height}" preserveAspectRatio="none"`;
+    this.parts.push(`<image href="${source.toDataURL('image/png')}" ${place} style="image-rendering:pixelated"/>`);
   }
   text(words, x, y, {colour, size = 11, align = 'left', turned = false}) {
     const anchor = {left: 'start', center: 'middle', right: 'end'}[align];
-    const place = turned ? `transform="translate(${SvgPen.number(x)} ${SvgPen.number(y)}) rotate(-90)"` : `x="${SvgPen.number(x)}" y="${SvgPen.number(y)}"`;
-    this.parts.push(`<text ${place} fill="${colour}" font-size="${size}" text-anchor="${anchor}" dominant-baseline="middle">${SvgPen.escaped(words)}</text>`);
+    const place = turned ? `transform="translate(${SvgPen.number(x)} ${SvgPen.number(y)}) rotate(-90)"`
+      : `x="${SvgPen.number(x)}" y="${SvgPen.number(y)}"`;
+    const look = `fill="${colour}" font-size="${size}" text-anchor="${anchor}" dominant-baseline="middle"`;
+    this.parts.push(`<text ${place} ${look}>${SvgPen.escaped(words)}</text>`);
   }
   clipped(x, y, width, height, draw) {
     const name = `clip${++this.clips}`;
-    this.parts.push(`<clipPath id="${name}"><rect x="${x}" y="${y}" width="${width}" height="${height}"/></clipPath><g clip-path="url(#${name})">`);
+    const window = `<rect x="${x}" y="${y}" width="${width}" height="${height}"/>`;
+    this.parts.push(`<clipPath id="${name}">${window}</clipPath><g clip-path="url(#${name})">`);
     draw();
     this.parts.push('</g>');
   }
   finish(background) {
-    return `<svg xmlns="http://www.w3.org/2000/svg" width="${this.width}" height="${this.height}" viewBox="0 0 ${this.width} ${this.height}" font-family="system-ui, sans-serif">` +
+    const {width, height} = this;
+    return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" ` +
+      `viewBox="0 0 ${width} ${height}" font-family="system-ui, sans-serif">` +
       `<rect width="100%" height="100%" fill="${background}"/>${this.parts.join('')}</svg>`;
   }
 }
@@ -114,7 +131,9 @@ function drawLayer(pen, layer, to, box) {
     const bars = function* () { for (const [x, y] of points()) yield* [[x, box.bottom], [x, y], [NaN, NaN]]; };
     pen.line(bars(), layer);
   } else if (layer.kind === 'vertical') pen.line([[to.x(layer.x), box.top], [to.x(layer.x), box.bottom]], layer);
-  else if (layer.kind === 'circle') pen.circle(to.x(layer.x), to.y(layer.y), Math.abs(to.x(layer.x + layer.radius) - to.x(layer.x)), layer);
+  else if (layer.kind === 'circle') {
+    pen.circle(to.x(layer.x), to.y(layer.y), Math.abs(to.x(layer.x + layer.radius) - to.x(layer.x)), layer);
+  }
   else if (layer.kind === 'box') {
     const [left, right] = layer.x.map(to.x), [bottom, top] = layer.y.map(to.y);
     pen.line([[left, top], [right, top], [right, bottom], [left, bottom], [left, top]], layer);
@@ -126,17 +145,23 @@ function drawLayer(pen, layer, to, box) {
 
 function rangeOf(arrays, share = 0.05) {
   let low = Infinity, high = -Infinity;
-  for (const array of arrays) for (const value of array) { if (value < low) low = value; if (value > high) high = value; }
+  for (const array of arrays) for (const value of array) {
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
   if (!(low <= high)) return [0, 1];
   if (low === high) { const size = Math.abs(low) || 1; return [low - 0.1 * size, high + 0.1 * size]; }
   return [low - share * (high - low), high + share * (high - low)];
 }
 
-const powerOfTen = (exponent) => (Number.isInteger(exponent) ? `10${[...String(exponent)].map((digit) => (digit === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit])).join('')}` : '');
+const superscript = (digit) => (digit === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit]);
+const powerOfTen = (exponent) =>
+  (Number.isInteger(exponent) ? `10${[...String(exponent)].map(superscript).join('')}` : '');
 
 class Chart {
-  /// `name` of the exported files; `height` in pixels; `equal`: one scale for both axes; `decades`: y is a power of ten.
-  constructor(holder, {name, xLabel, yLabel, height = 250, equal = false, xTicks = null, yTicks = null, decades = false, click = null}) {
+  /// `name` of the exported files; `height` in pixels; `equal`: one scale for both axes; `decades`: y as powers of ten.
+  constructor(holder,
+    {name, xLabel, yLabel, height = 250, equal = false, xTicks = null, yTicks = null, decades = false, click = null}) {
     Object.assign(this, {holder, name, xLabel, yLabel, height, equal, xTicks, yTicks, decades, click});
     this.layers = [];
     this.view = {x: [0, 1], y: [0, 1]};
@@ -147,10 +172,13 @@ class Chart {
   get shownRange() { return this.zoomed || this.view; }
   axis(side, label, ticks) {
     return {
-      scale: side, stroke: () => quiet(), label, labelSize: 20, labelFont: '12px system-ui, sans-serif', font: '11px system-ui, sans-serif', size: side === 'x' ? 34 : 52,
-      grid: {stroke: () => rule(), width: 1}, ticks: {stroke: () => rule(), width: 1, size: 4}, space: side === 'x' ? 60 : 32,
+      scale: side, stroke: () => quiet(), label, labelSize: 20, labelFont: '12px system-ui, sans-serif',
+      font: '11px system-ui, sans-serif', size: side === 'x' ? 34 : 52,
+      grid: {stroke: () => rule(), width: 1}, ticks: {stroke: () => rule(), width: 1, size: 4},
+      space: side === 'x' ? 60 : 32,
       splits: ticks ? () => ticks.places : undefined,
-      values: ticks ? (chart, splits) => splits.map((at) => ticks.words[ticks.places.indexOf(at)]) : (chart, splits) => splits.map((value) => (side === 'y' && this.decades ? powerOfTen(value) : shown(value, 6))),
+      values: ticks ? (chart, splits) => splits.map((at) => ticks.words[ticks.places.indexOf(at)])
+        : (chart, splits) => splits.map(side === 'y' && this.decades ? powerOfTen : (value) => shown(value, 6)),
     };
   }
   build() {
@@ -185,7 +213,10 @@ class Chart {
     const {x, y} = this.shownRange;
     if (!this.equal || !this.plot?.bbox?.width) return {x, y};
     const perPixel = Math.max((x[1] - x[0]) / this.plot.bbox.width, (y[1] - y[0]) / this.plot.bbox.height);
-    const around = (range, pixels) => { const middle = (range[0] + range[1]) / 2; return [middle - perPixel * pixels / 2, middle + perPixel * pixels / 2]; };
+    const around = (range, pixels) => {
+      const middle = (range[0] + range[1]) / 2;
+      return [middle - perPixel * pixels / 2, middle + perPixel * pixels / 2];
+    };
     return {x: around(x, this.plot.bbox.width), y: around(y, this.plot.bbox.height)};
   }
   zoom(plot) {
@@ -206,7 +237,8 @@ class Chart {
   }
   /// What the chart shows from now on. `csv`: columns by name, which are exported.
   show({layers, x, y, csv, keepZoom = false, xLabel, yLabel, xTicks, yTicks}) {
-    const relabelled = (xLabel && xLabel !== this.xLabel) || (yLabel && yLabel !== this.yLabel) || xTicks !== undefined || yTicks !== undefined;
+    const relabelled = (xLabel && xLabel !== this.xLabel) || (yLabel && yLabel !== this.yLabel) || xTicks !== undefined
+      || yTicks !== undefined;
     Object.assign(this, {layers, csv, xLabel: xLabel ?? this.xLabel, yLabel: yLabel ?? this.yLabel});
     if (xTicks !== undefined) this.xTicks = xTicks;
     if (yTicks !== undefined) this.yTicks = yTicks;
@@ -217,10 +249,12 @@ class Chart {
     if (this.equal) this.refresh();  // the first time, the box was not known yet
   }
   draw(plot) {
-    const box = {left: plot.bbox.left, top: plot.bbox.top, right: plot.bbox.left + plot.bbox.width, bottom: plot.bbox.top + plot.bbox.height};
+    const box = {left: plot.bbox.left, top: plot.bbox.top, right: plot.bbox.left + plot.bbox.width,
+      bottom: plot.bbox.top + plot.bbox.height};
     const to = {x: (value) => plot.valToPos(value, 'x', true), y: (value) => plot.valToPos(value, 'y', true)};
     const pen = new CanvasPen(plot.ctx, uPlot.pxRatio);
-    pen.clipped(box.left, box.top, plot.bbox.width, plot.bbox.height, () => this.layers.forEach((layer) => drawLayer(pen, layer, to, box)));
+    pen.clipped(box.left, box.top, plot.bbox.width, plot.bbox.height,
+      () => this.layers.forEach((layer) => drawLayer(pen, layer, to, box)));
   }
   svg(title) {
     const {plot} = this;
@@ -229,7 +263,8 @@ class Chart {
     const box = {left: plot.bbox.left / ratio, top: plot.bbox.top / ratio + above};
     box.right = box.left + plot.bbox.width / ratio;
     box.bottom = box.top + plot.bbox.height / ratio;
-    const to = {x: (value) => plot.valToPos(value, 'x', true) / ratio, y: (value) => plot.valToPos(value, 'y', true) / ratio + above};
+    const to = {x: (value) => plot.valToPos(value, 'x', true) / ratio,
+      y: (value) => plot.valToPos(value, 'y', true) / ratio + above};
     pen.text(title, 8, 14, {colour: ink(), size: 13});
     pen.text(credit(), 8, plot.height + above + 8, {colour: quiet(), size: 9});
     const [across, upward] = plot.axes;
@@ -245,7 +280,8 @@ class Chart {
     }
     pen.text(this.xLabel, (box.left + box.right) / 2, box.bottom + 32, {colour: quiet(), size: 12, align: 'center'});
     pen.text(this.yLabel, 10, (box.top + box.bottom) / 2, {colour: quiet(), size: 12, align: 'center', turned: true});
-    pen.clipped(box.left, box.top, box.right - box.left, box.bottom - box.top, () => this.layers.forEach((layer) => drawLayer(pen, layer, to, box)));
+    pen.clipped(box.left, box.top, box.right - box.left, box.bottom - box.top,
+      () => this.layers.forEach((layer) => drawLayer(pen, layer, to, box)));
     return pen.finish(ground());
   }
   png(title) {

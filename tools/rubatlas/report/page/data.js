@@ -1,6 +1,7 @@
 // --- The atlas in this file: metadata at once, blocks of numbers when they are needed. ---
 
 const atlas = JSON.parse(document.getElementById('atlas').textContent);
+const queryGrammar = JSON.parse(document.getElementById('query-grammar').textContent);
 const KINDS = {Float32Array, Float64Array, Uint8Array, Uint16Array};
 
 async function unpacked(name) {
@@ -13,7 +14,9 @@ async function unpacked(name) {
 const opened = new Map();
 /// The numbers of a block, unpacked once. `place`: the entry that names it.
 function numbers(place) {
-  if (!opened.has(place.block)) opened.set(place.block, unpacked(place.block).then((buffer) => new KINDS[place.kind](buffer)));
+  if (!opened.has(place.block)) {
+    opened.set(place.block, unpacked(place.block).then((buffer) => new KINDS[place.kind](buffer)));
+  }
   return opened.get(place.block);
 }
 
@@ -24,7 +27,10 @@ const SPEED = axes.length - 1;
 const pointCount = sizes.reduce((product, size) => product * size, 1);
 const placeOf = (point) => {
   const place = new Array(axes.length);
-  for (let axis = SPEED; axis >= 0; --axis) { place[axis] = point % sizes[axis]; point = Math.floor(point / sizes[axis]); }
+  for (let axis = SPEED; axis >= 0; --axis) {
+    place[axis] = point % sizes[axis];
+    point = Math.floor(point / sizes[axis]);
+  }
   return place;
 };
 const pointAt = (place) => place.reduce((point, index, axis) => point * sizes[axis] + index, 0);
@@ -41,7 +47,8 @@ async function openMaps() {
 
 // Orbits that the program has computed, by point.
 const orbitsByPoint = new Map(atlas.orbits.map((entry) => [entry.point, entry]));
-/// The orbit of a point as the solver gives one, from time 0; none where the file has none. `period`: of a revolution, in τ.
+/// The orbit of a point as the solver gives one, from time 0; none where the file has none. `period`: of a revolution,
+/// in τ.
 async function storedOrbit(point, period) {
   const entry = orbitsByPoint.get(point);
   if (!entry) return null;
@@ -49,8 +56,10 @@ async function storedOrbit(point, period) {
   let taken = 0;
   const next = (count) => all.subarray(taken, taken += count);
   const {samples, times, blades, contact_samples: count} = entry;
-  return {status: 1, blades, samples, time: Float64Array.from({length: times}, (_, i) => i * period / samples), state: next(4 * times), force: next(blades * times),
-    contact: {number: next(count), blade: next(count), time: next(count).map((revolutions) => revolutions * period), force: next(count)}};
+  return {status: 1, blades, samples, time: Float64Array.from({length: times}, (_, i) => i * period / samples),
+    state: next(4 * times), force: next(blades * times),
+    contact: {number: next(count), blade: next(count), time: next(count).map((revolutions) => revolutions * period),
+      force: next(count)}};
 }
 
 // --- How numbers and names look. The locale is the browser's; lengths are shown in millimetres. ---
@@ -65,7 +74,8 @@ function shown(value, significant = 4) {
   const scientific = size !== 0 && (size < 1e-4 || size >= 1e6);
   const key = `${significant}${scientific}`;
   if (!digits.has(key)) {
-    digits.set(key, new Intl.NumberFormat(undefined, scientific ? {notation: 'scientific', maximumSignificantDigits: significant}
+    digits.set(key,
+      new Intl.NumberFormat(undefined, scientific ? {notation: 'scientific', maximumSignificantDigits: significant}
       : {maximumSignificantDigits: significant, useGrouping: false}));
   }
   return digits.get(key).format(value);
@@ -79,7 +89,8 @@ const words = (name) => name.replace(/_/g, ' ');
 const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 function labelOf(axis) {
   const unit = drawn(axis.units)[0];
-  return `${capital(words(axis.name))}${axis.symbol ? ` ${axis.symbol}` : ''}${unit && unit !== '1' ? ` [${unit}]` : ''}`;
+  const named = [capital(words(axis.name)), axis.symbol, unit && unit !== '1' ? `[${unit}]` : ''];
+  return named.filter(Boolean).join(' ');
 }
 function mapLabel(map) {
   const unit = drawn(map.units)[0];
@@ -88,7 +99,8 @@ function mapLabel(map) {
 
 // --- Colours: Okabe and Ito's, and viridis for what grows. ---
 
-const BLUE = '#0072B2', ORANGE = '#E69F00', GREEN = '#009E73', VERMILION = '#D55E00', PURPLE = '#CC79A7', SKY = '#56B4E9', YELLOW = '#F0E442';
+const BLUE = '#0072B2', ORANGE = '#E69F00', GREEN = '#009E73', VERMILION = '#D55E00', PURPLE = '#CC79A7',
+  SKY = '#56B4E9', YELLOW = '#F0E442';
 const CYCLE = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY];
 const dark = window.matchMedia('(prefers-color-scheme: dark)');
 const ink = () => getComputedStyle(document.documentElement).getPropertyValue('--ink').trim();
@@ -100,7 +112,8 @@ const strong = () => (dark.matches ? SKY : BLUE);
 const cycle = () => (dark.matches ? [SKY, VERMILION, GREEN, PURPLE, ORANGE, YELLOW] : CYCLE);
 
 // Every sixteenth of viridis.
-const VIRIDIS = ['440154', '481a6c', '472f7d', '414487', '39568c', '31688e', '2a788e', '23888e', '1f988b', '22a884', '35b779', '54c568',
+const VIRIDIS = ['440154', '481a6c', '472f7d', '414487', '39568c', '31688e', '2a788e', '23888e', '1f988b', '22a884',
+  '35b779', '54c568',
   '7ad151', 'a5db36', 'd2e21b', 'fde725'].map((hex) => [0, 2, 4].map((at) => parseInt(hex.slice(at, at + 2), 16)));
 function viridis(share) {
   const at = Math.min(Math.max(share, 0), 1) * (VIRIDIS.length - 1);
@@ -109,16 +122,23 @@ function viridis(share) {
 }
 const rgb = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
 
-const MISSING = {0: ['#e6e6ec', 'not computed yet'], 2: ['#f3d9cd', 'left the model’s validity'], 3: ['#d9b3d9', 'integrator failed']};
+const MISSING = {0: ['#e6e6ec', 'not computed yet'], 2: ['#f3d9cd', 'left the model’s validity'],
+  3: ['#d9b3d9', 'integrator failed']};
 const CLASSES = [
   [1, 1, 'period 1', '#c6e2f5'], [2, 2, 'period 2', GREEN], [3, 3, 'period 3', YELLOW], [4, 4, 'period 4', ORANGE],
   [5, 16, 'period 5 to 16', PURPLE], [254, 254, 'unresolved', '#a0a0a0'], [255, 255, 'aperiodic', '#1a1a2e']];
 /// What a flag is drawn in: words and colours of the values that occur.
 function flagColours(map) {
   // On a dark ground the darkest class is indigo.
-  if (map.name.startsWith('class')) return dark.matches ? CLASSES.map((entry) => (entry[0] === 255 ? [255, 255, entry[2], '#5f5fa8'] : entry)) : CLASSES;
-  if (map.name === 'status') return [[1, 1, 'done', '#c6e2f5'], ...Object.entries(MISSING).map(([value, [colour, word]]) => [+value, +value, word, colour])];
-  return Object.entries(map.flags).map(([value, word], index) => [+value, +value, word, ['#d9dde3', ...CYCLE][index % 7]]);
+  if (map.name.startsWith('class')) {
+    return CLASSES.map((entry) => (dark.matches && entry[0] === 255 ? [255, 255, entry[2], '#5f5fa8'] : entry));
+  }
+  if (map.name === 'status') {
+    const missing = Object.entries(MISSING).map(([value, [colour, word]]) => [+value, +value, word, colour]);
+    return [[1, 1, 'done', '#c6e2f5'], ...missing];
+  }
+  return Object.entries(map.flags)
+    .map(([value, word], index) => [+value, +value, word, ['#d9dde3', ...CYCLE][index % 7]]);
 }
 
 function element(name, attributes = {}, ...children) {
@@ -126,7 +146,9 @@ function element(name, attributes = {}, ...children) {
   for (const [key, value] of Object.entries(attributes)) {
     if (key === 'text') made.textContent = value;
     else if (key.startsWith('on')) made.addEventListener(key.slice(2), value);
-    else if (value !== null && value !== undefined && value !== false) made.setAttribute(key, value === true ? '' : value);
+    else if (value !== null && value !== undefined && value !== false) {
+      made.setAttribute(key, value === true ? '' : value);
+    }
   }
   made.append(...children);
   return made;

@@ -3,7 +3,8 @@
 /// One line under every exported picture: what it was made from.
 function credit() {
   const {software, software_version: version, git_commit: commit} = atlas.provenance;
-  return [atlas.title, atlas.file, `${software} ${version} (${(commit || '').slice(0, 10)})`].filter(Boolean).join(' · ');
+  return [atlas.title, atlas.file, `${software} ${version} (${(commit || '').slice(0, 10)})`].filter(Boolean)
+    .join(' · ');
 }
 function save(name, blob) {
   const link = element('a', {href: URL.createObjectURL(blob), download: name});
@@ -21,7 +22,9 @@ function csvText(columns) {
   };
   const rows = [names.map(quoted).join(',')];
   const count = Math.max(0, ...names.map((name) => columns[name].length));
-  for (let i = 0; i < count; ++i) rows.push(names.map((name) => (i < columns[name].length ? quoted(columns[name][i]) : '')).join(','));
+  for (let i = 0; i < count; ++i) {
+    rows.push(names.map((name) => (i < columns[name].length ? quoted(columns[name][i]) : '')).join(','));
+  }
   return `${rows.join('\n')}\n`;
 }
 /// Buttons for what `subject` shows: an object with `name`, `png(title)`, `svg(title)` and `csv()`.
@@ -30,9 +33,13 @@ function exportButtons(holder, subject, title) {
   const kinds = {
     PNG: () => subject.png(title()).toBlob((blob) => save(`${stem()}.png`, blob)),
     SVG: () => save(`${stem()}.svg`, new Blob([subject.svg(title())], {type: 'image/svg+xml'})),
-    CSV: () => save(`${stem()}.csv`, new Blob([csvText(typeof subject.csv === 'function' ? subject.csv() : subject.csv)], {type: 'text/csv'})),
+    CSV: () => {
+      const content = csvText(typeof subject.csv === 'function' ? subject.csv() : subject.csv);
+      save(`${stem()}.csv`, new Blob([content], {type: 'text/csv'}));
+    },
   };
   for (const [kind, act] of Object.entries(kinds)) {
-    holder.append(element('button', {type: 'button', class: 'small', 'aria-label': `${kind} of ${subject.name}`, text: kind, onclick: act}));
+    holder.append(element('button',
+      {type: 'button', class: 'small', 'aria-label': `${kind} of ${subject.name}`, text: kind, onclick: act}));
   }
 }

@@ -13,7 +13,8 @@ function firstState() {
     if (!axis.pointer) return 0;
     const [section, key] = axis.pointer;
     const usual = atlas.scene[section]?.[key] ?? axis.values[0];
-    return axis.values.reduce((best, value, at) => (Math.abs(value - usual) < Math.abs(axis.values[best] - usual) ? at : best), 0);
+    const off = axis.values.map((value) => Math.abs(value - usual));
+    return off.indexOf(Math.min(...off));
   });
   // The periodic motion of largest displacement on the scene's own line says more than the corner of the map.
   const size = (index) => {
@@ -25,24 +26,31 @@ function firstState() {
   for (let i = 0; i < sizes[SPEED]; ++i) if (size(i) > size(best)) best = i;
   state.place[SPEED] = best;
   // A page that shows stored orbits begins at one.
-  if (atlas.not_computed && atlas.orbits.length && !orbitsByPoint.has(pointAt(state.place))) state.place = nearestWithOrbit(pointAt(state.place));
+  const here = pointAt(state.place);
+  if (atlas.not_computed && atlas.orbits.length && !orbitsByPoint.has(here)) state.place = nearestWithOrbit(here);
 }
 function readAddress() {
   const given = new URLSearchParams(location.hash.slice(1));
   if (mapNamed(given.get('map'))) state.quantity = given.get('map');
   const axisNamed = (name) => axes.findIndex((axis) => axis.name === name);
   for (const side of ['x', 'y']) if (axisNamed(given.get(side)) >= 0) state[side] = axisNamed(given.get(side));
-  if (state.x === state.y) state[given.has('x') ? 'y' : 'x'] = axes.map((_, i) => i).filter((i) => i !== state.x).sort((one, other) => sizes[other] - sizes[one])[0];
+  if (state.x === state.y) {
+    const others = axes.map((_, i) => i).filter((i) => i !== state.x);
+    state[given.has('x') ? 'y' : 'x'] = others.sort((one, other) => sizes[other] - sizes[one])[0];
+  }
   const at = (given.get('at') ?? '').split(',').map(Number);
-  if (at.length === axes.length && at.every((index, i) => Number.isInteger(index) && index >= 0 && index < sizes[i])) state.place = at;
+  const onAxis = (index, i) => Number.isInteger(index) && index >= 0 && index < sizes[i];
+  if (at.length === axes.length && at.every(onAxis)) state.place = at;
   state.query = given.get('where') ?? '';
   state.start = given.get('from') === 'initial' ? 'initial' : 'atlas';
   const own = (given.get('own') ?? '').split(',').map(Number);
-  state.own = given.get('own') && own.length === OWN.length && own.every((value, i) => value >= OWN[i].limit[0] && value <= OWN[i].limit[1])
+  state.own = given.get('own') && own.length === OWN.length
+    && own.every((value, i) => value >= OWN[i].limit[0] && value <= OWN[i].limit[1])
     ? Object.fromEntries(OWN.map(({name}, i) => [name, own[i]])) : null;
 }
 function writeAddress() {
-  const given = new URLSearchParams({map: state.quantity, x: axes[state.x].name, y: axes[state.y].name, at: state.place.join(',')});
+  const given =
+    new URLSearchParams({map: state.quantity, x: axes[state.x].name, y: axes[state.y].name, at: state.place.join(',')});
   if (state.query) given.set('where', state.query);
   if (state.own) given.set('own', OWN.map(({name}) => state.own[name]).join(','));
   if (state.start !== 'atlas') given.set('from', state.start);
@@ -57,14 +65,17 @@ const startsFromCell = () => values.status[pointAt(state.place)] === 1 && state.
 function askedFor() {
   const wanted = requestAt(state.place);
   const fromAtlas = startsFromCell();
-  if (fromAtlas) [wanted.x, wanted.y, wanted.vx, wanted.vy] = finalStates.subarray(4 * pointAt(state.place), 4 * pointAt(state.place) + 4);
+  const first = 4 * pointAt(state.place);
+  if (fromAtlas) [wanted.x, wanted.y, wanted.vx, wanted.vy] = finalStates.subarray(first, first + 4);
   if (!state.own) return fromAtlas || state.start === 'initial' ? withTransient(wanted, !fromAtlas) : null;
   return withTransient({...wanted, ...state.own}, true, fromAtlas);
 }
 function withTransient(wanted, needed, mayStop = false) {
   if (!needed) return wanted;
-  // From a neighbour's motion the transient ends where the sections repeat; from the initial state it is the protocol of the scene.
-  return {...wanted, transient_revolutions: Math.min(atlas.scene.protocol.transient_revolutions, LONGEST_TRANSIENT), stop_when_periodic: mayStop ? 1 : 0};
+  // From a neighbour's motion the transient ends where the sections repeat; from the initial state it is that of the
+  // scene's protocol.
+  const revolutions = Math.min(atlas.scene.protocol.transient_revolutions, LONGEST_TRANSIENT);
+  return {...wanted, transient_revolutions: revolutions, stop_when_periodic: mayStop ? 1 : 0};
 }
 
 let asked = 0, running = false, again = false;
@@ -74,13 +85,15 @@ async function showStored() {
   const point = pointAt(state.place);
   const orbit = await storedOrbit(point, 2 * Math.PI / wanted.speed_ratio);
   if (point !== pointAt(state.place)) return;
-  const missing = atlas.orbits.length ? `This report has no orbit of this point; the nearest with one: ${view.describe(nearestWithOrbit(point))}.` : '';
+  const missing = atlas.orbits.length
+    ? `This report has no orbit of this point; the nearest with one: ${view.describe(nearestWithOrbit(point))}.` : '';
   view.showComputed(orbit && {orbit, wanted}, missing);
   document.documentElement.dataset.computed = ++asked;
 }
 function nearestWithOrbit(point) {
   const distance = (other) => Math.abs(other - point) + (lineOf(other) === lineOf(point) ? 0 : pointCount);
-  return placeOf(atlas.orbits.map((entry) => entry.point).reduce((best, other) => (distance(other) < distance(best) ? other : best)));
+  return placeOf(atlas.orbits.map((entry) => entry.point)
+    .reduce((best, other) => (distance(other) < distance(best) ? other : best)));
 }
 /// Computes what is selected; while an answer is on its way only the last question counts.
 async function compute() {
@@ -91,7 +104,12 @@ async function compute() {
     again = false;
     const wanted = askedFor();
     const own = Boolean(state.own);
-    if (!wanted) { view.showComputed(null); byId('own-status').textContent = 'The atlas has no motion in this cell; a start from the initial state shows what ends it.'; break; }
+    if (!wanted) {
+      view.showComputed(null);
+      byId('own-status').textContent =
+        'The atlas has no motion in this cell; a start from the initial state shows what ends it.';
+      break;
+    }
     try {
       const begin = performance.now();
       const answer = await computer.ask({wanted, maxOrder: atlas.scene.spectrum?.max_order ?? 12});
@@ -109,9 +127,13 @@ async function compute() {
 function tell(answer, wanted, own, waited) {
   const {orbit} = answer;
   byId('answer-time').textContent = `answered in ${shown(waited / 1000, 2)} s`;
-  const start = !startsFromCell() ? 'from the scene’s initial state' : own ? 'from the motion of the selected cell' : 'from the state that the atlas stores';
-  const transient = wanted.transient_revolutions ? `, after ${wanted.stop_when_periodic ? 'up to ' : ''}${wanted.transient_revolutions} revolutions of transient` : '';
-  byId('own-status').textContent = orbit.status === 1 ? `Computed in this page ${start}${transient}: ${view.result.sections.length / 4} sections.`
+  const start = !startsFromCell() ? 'from the scene’s initial state' : own ? 'from the motion of the selected cell'
+    : 'from the state that the atlas stores';
+  const transient = wanted.transient_revolutions
+    ? `, after ${wanted.stop_when_periodic ? 'up to ' : ''}${wanted.transient_revolutions} revolutions of transient`
+    : '';
+  byId('own-status').textContent = orbit.status === 1
+    ? `Computed in this page ${start}${transient}: ${view.result.sections.length / 4} sections.`
     : `Computed in this page ${start}: no motion, ${orbit.ending}.`;
 }
 /// Goes on from where the last answer ended, and adds its sections.
@@ -128,7 +150,8 @@ async function more() {
     sections.set(before.sections);
     sections.set(answer.orbit.sections, before.sections.length);
     view.showComputed({...answer, wanted, sections});
-    byId('own-status').textContent = answer.orbit.status === 1 ? `Continued: ${sections.length / 4} sections.` : `Continued: ${answer.orbit.ending}.`;
+    byId('own-status').textContent = answer.orbit.status === 1 ? `Continued: ${sections.length / 4} sections.`
+      : `Continued: ${answer.orbit.ending}.`;
   } catch (error) {
     byId('own-status').textContent = `Not computed: ${error.message}.`;
   }
@@ -180,14 +203,18 @@ function showSliders() {
   holder.replaceChildren();
   axes.forEach((axis, i) => {
     if (i === state.x || i === state.y || sizes[i] === 1) return;
-    const word = element('output', {text: axis.name === 'direction' ? axisWord(axis, state.place[i]) : withUnits(axis.values[state.place[i]], axis.units, 5)});
-    holder.append(element('label', {}, `${capital(words(axis.name))} ${axis.symbol} `, element('input', {type: 'range', min: 0, max: sizes[i] - 1, value: state.place[i], 'data-axis': axis.name, oninput: (event) => {
+    const value = () => placeWord(axis, state.place[i]);
+    const word = element('output', {text: value()});
+    const moved = (event) => {
       state.place[i] = Number(event.target.value);
-      word.textContent = axis.name === 'direction' ? axisWord(axis, state.place[i]) : withUnits(axis.values[state.place[i]], axis.units, 5);
+      word.textContent = value();
       state.own = null;
       writeAddress();
       map.draw();
-    }, onchange: () => selected()}), word));
+    };
+    const range = element('input', {type: 'range', min: 0, max: sizes[i] - 1, value: state.place[i],
+      'data-axis': axis.name, oninput: moved, onchange: () => selected()});
+    holder.append(element('label', {}, `${capital(words(axis.name))} ${axis.symbol} `, range, word));
   });
 }
 function mark() {
@@ -195,12 +222,13 @@ function mark() {
   try {
     map.marks = state.query.trim() ? marked(state.query) : null;
     const count = map.marks ? map.marks.reduce((sum, one) => sum + one, 0) : 0;
-    said.textContent = map.marks ? `${shown(count, 9)} of ${shown(values.status.filter((status) => status === 1).length, 9)} points that are done are marked.` : '';
+    const done = values.status.filter((status) => status === 1).length;
+    said.textContent = map.marks ? `${shown(count, 9)} of ${shown(done, 9)} points that are done are marked.` : '';
     said.classList.remove('wrong');
   } catch (error) {
-    if (!(error instanceof QueryError || error instanceof RangeError)) throw error;
+    if (!(error instanceof QueryError)) throw error;
     map.marks = null;
-    said.textContent = error instanceof RangeError ? 'the condition is nested too deeply' : error.message;
+    said.textContent = error.message;
     said.classList.add('wrong');
   }
   map.draw();
@@ -215,15 +243,20 @@ function fillOwn() {
     const {name, symbol, long, units} = quantity;
     const swept = axes.find((axis) => axis.name === quantity.axis);
     const [unit, factor] = drawn(units);
-    const ends = swept && swept.values.length > 1 ? [swept.values[0], swept.values[swept.values.length - 1]] : [quantity.low(usual[name]), quantity.high(usual[name])];
+    const ends = swept && swept.values.length > 1 ? [swept.values[0], swept.values[swept.values.length - 1]]
+      : [quantity.low(usual[name]), quantity.high(usual[name])];
     const [low, high] = [Math.min(...ends) * factor, Math.max(...ends) * factor || 1];
-    const range = element('input', {type: 'range', min: low, max: high, step: (high - low) / 2000, 'aria-label': `${long} ${symbol}`, 'data-own': name});
-    const field = element('input', {type: 'number', min: quantity.limit[0] * factor, max: quantity.limit[1] * factor, step: 'any', 'aria-label': `${long} ${symbol}${unit && unit !== '1' ? ` in ${unit}` : ''}`, 'data-own-number': name});
+    const range = element('input', {type: 'range', min: low, max: high, step: (high - low) / 2000,
+      'aria-label': `${long} ${symbol}`, 'data-own': name});
+    const field = element('input', {type: 'number', min: quantity.limit[0] * factor, max: quantity.limit[1] * factor,
+      step: 'any', 'aria-label': `${long} ${symbol}${unit && unit !== '1' ? ` in ${unit}` : ''}`,
+      'data-own-number': name});
     const change = (text) => {
       const value = Number(text) / factor;
       const ends = quantity.limit.map((end) => Number((end * factor).toPrecision(12)));
       if (text === '' || !(Number(text) >= ends[0] && Number(text) <= ends[1])) {
-        byId('own-status').textContent = `${long}: ${text || 'nothing'} is outside [${ends.join(', ')}]${unit && unit !== '1' ? ` ${unit}` : ''}.`;
+        byId('own-status').textContent =
+          `${long}: ${text || 'nothing'} is outside [${ends.join(', ')}]${unit && unit !== '1' ? ` ${unit}` : ''}.`;
         return;
       }
       state.own = {...ownValues(), [name]: value};
@@ -235,7 +268,8 @@ function fillOwn() {
     };
     range.oninput = () => change(range.value);
     field.onchange = () => change(field.value);
-    holder.append(element('label', {class: 'own'}, element('span', {text: `${long} ${symbol}${unit && unit !== '1' ? ` [${unit}]` : ''}`}), range, field));
+    holder.append(element('label', {class: 'own'},
+      element('span', {text: `${long} ${symbol}${unit && unit !== '1' ? ` [${unit}]` : ''}`}), range, field));
   }
   byId('back').onclick = () => selected();
   byId('more').onclick = () => more();
@@ -250,7 +284,8 @@ function showOwn() {
   const now = ownValues();
   for (const {name, units} of OWN) {
     const factor = drawn(units)[1];
-    const range = document.querySelector(`[data-own=${name}]`), field = document.querySelector(`[data-own-number=${name}]`);
+    const range = document.querySelector(`[data-own=${name}]`);
+    const field = document.querySelector(`[data-own-number=${name}]`);
     if (!range) return;
     if (document.activeElement !== range) range.value = now[name] * factor;
     field.value = Number((now[name] * factor).toPrecision(12));
@@ -270,15 +305,18 @@ function walk(axis, step) {
 function onKey(event) {
   const {target, key} = event;
   if (key === 'Escape') { target.blur?.(); return; }
-  if (target.closest('input, select, textarea, button, summary, .scroll, pre') || event.ctrlKey || event.metaKey || event.altKey) return;
+  if (target.closest('input, select, textarea, button, summary, .scroll, pre') || event.ctrlKey || event.metaKey
+    || event.altKey) return;
   const far = event.shiftKey ? 10 : 1;
   const acts = {
-    ArrowLeft: () => walk(state.x, -far), ArrowRight: () => walk(state.x, far), ArrowUp: () => walk(state.y, 1), ArrowDown: () => walk(state.y, -1),
-    ' ': () => togglePlay(), t: () => view.rotor.step(), T: () => view.rotor.step(), q: () => byId('query').focus(), Q: () => byId('query').focus(),
+    ArrowLeft: () => walk(state.x, -far), ArrowRight: () => walk(state.x, far),
+    ArrowUp: () => walk(state.y, 1), ArrowDown: () => walk(state.y, -1),
+    ' ': () => togglePlay(), t: () => view.rotor.step(), q: () => byId('query').focus(),
   };
-  if (!acts[key]) return;
+  const act = acts[key.length === 1 ? key.toLowerCase() : key];
+  if (!act) return;
   event.preventDefault();
-  acts[key]();
+  act();
 }
 function togglePlay() {
   const {rotor} = view;
@@ -300,7 +338,11 @@ function fillRotor() {
     rotor.secondsPerRevolution = 10 ** Number(byId('rate').value);
     byId('rate-shown').textContent = `${shown(rotor.secondsPerRevolution, 2)} s a revolution`;
   };
-  const zoom = () => { rotor.zoom = Number(byId('zoom').value); byId('zoom-shown').textContent = `×${shown(10 ** rotor.zoom, 2)}`; rotor.draw(); };
+  const zoom = () => {
+    rotor.zoom = Number(byId('zoom').value);
+    byId('zoom-shown').textContent = `×${shown(10 ** rotor.zoom, 2)}`;
+    rotor.draw();
+  };
   byId('rate').oninput = rate;
   byId('zoom').oninput = zoom;
   rate();
@@ -311,25 +353,51 @@ async function open() {
   document.title = atlas.title;
   byId('title').textContent = atlas.title;
   byId('reference').textContent = atlas.reference;
-  const swept = axes.filter((axis) => axis.values.length > 1).map((axis) => `${shown(axis.values.length, 7)} × ${words(axis.name)}${axis.symbol ? ` ${axis.symbol}` : ''}`);
-  byId('summary').textContent = `${shown(pointCount, 9)} ${pointCount === 1 ? 'point' : `points: ${swept.join(', ')}`} · law ${atlas.scene.contact.law}, ${atlas.scene.blades.count} blades`;
+  const swept = axes.filter((axis) => axis.values.length > 1)
+    .map((axis) => `${shown(axis.values.length, 7)} × ${words(axis.name)}${axis.symbol ? ` ${axis.symbol}` : ''}`);
+  const {contact, blades} = atlas.scene;
+  const counted = pointCount === 1 ? '1 point' : `${shown(pointCount, 9)} points: ${swept.join(', ')}`;
+  byId('summary').textContent = `${counted} · law ${contact.law}, ${blades.count} blades`;
   await openMaps();
   firstState();
   readAddress();
   view = new PointView(state);
-  view.walkTo = (speed) => { state.place[SPEED] = axes[SPEED].values.reduce((best, value, i, all) => (Math.abs(value - speed) < Math.abs(all[best] - speed) ? i : best), 0); selected(); };
+  view.walkTo = (speed) => {
+    const off = axes[SPEED].values.map((value) => Math.abs(value - speed));
+    state.place[SPEED] = off.indexOf(Math.min(...off));
+    selected();
+  };
   map = new AtlasMap(state, (place) => { state.place = place; selected(); byId('map').focus({preventScroll: true}); });
-  exportButtons(document.querySelector('[data-export=map]'), map, () => `${mapLabel(mapNamed(state.quantity))} · ${view.describe()}`);
+  exportButtons(document.querySelector('[data-export=map]'), map,
+    () => `${mapLabel(mapNamed(state.quantity))} · ${view.describe()}`);
   fillControls();
   showControls();
   fillOwn();
   fillRotor();
   showTables();
   byId('query').value = state.query;
-  byId('query-form').onsubmit = (event) => { event.preventDefault(); state.query = byId('query').value; writeAddress(); mark(); };
+  byId('query-form').onsubmit = (event) => {
+    event.preventDefault();
+    state.query = byId('query').value;
+    writeAddress();
+    mark();
+  };
   document.addEventListener('keydown', onKey);
-  dark.addEventListener('change', () => { map.chart.build(); map.draw(); for (const {chart} of Object.values(view.charts)) chart.build(); view.drawLine(); view.showComputed(view.result); });
-  window.addEventListener('hashchange', () => { firstState(); readAddress(); showControls(); byId('query').value = state.query; mark(); selected({keepOwn: true}); });
+  dark.addEventListener('change', () => {
+    map.chart.build();
+    map.draw();
+    for (const {chart} of Object.values(view.charts)) chart.build();
+    view.drawLine();
+    view.showComputed(view.result);
+  });
+  window.addEventListener('hashchange', () => {
+    firstState();
+    readAddress();
+    showControls();
+    byId('query').value = state.query;
+    mark();
+    selected({keepOwn: true});
+  });
   if (state.query) mark();
   showOwn();
   view.showFacts();

@@ -6,14 +6,23 @@ function spacing(axis) {
   if (all.length === 1) return {places: [0], edges: [-0.5, 0.5], ticks: {places: [0], words: [axisWord(axis, 0)]}};
   const step = (all[all.length - 1] - all[0]) / (all.length - 1);
   const factor = drawn(axis.units)[1];
-  const even = axis.name !== 'direction' && all.every((value, i) => Math.abs(value - all[0] - i * step) < 1e-6 * Math.abs(step));
-  if (even && all.length > 6) return {places: all.map((value) => value * factor), edges: [(all[0] - step / 2) * factor, (all[all.length - 1] + step / 2) * factor], ticks: null};
+  const even = axis.name !== 'direction'
+    && all.every((value, i) => Math.abs(value - all[0] - i * step) < 1e-6 * Math.abs(step));
+  if (even && all.length > 6) {
+    return {places: all.map((value) => value * factor), ticks: null,
+      edges: [(all[0] - step / 2) * factor, (all[all.length - 1] + step / 2) * factor]};
+  }
   const places = all.map((_, i) => i);
   const every = Math.ceil(all.length / 12);
   const kept = places.filter((i) => i % every === 0);
   return {places, edges: [-0.5, all.length - 0.5], ticks: {places: kept, words: kept.map((i) => axisWord(axis, i))}};
 }
-const axisWord = (axis, index) => (axis.name === 'direction' ? ['up', 'down'][axis.values[index]] : shown(axis.values[index] * drawn(axis.units)[1], 5));
+const axisWord = (axis, index) =>
+  (axis.name === 'direction' ? ['up', 'down'][axis.values[index]]
+    : shown(axis.values[index] * drawn(axis.units)[1], 5));
+/// The same with its unit, to stand by itself.
+const placeWord = (axis, index, digits = 5) =>
+  (axis.name === 'direction' ? axisWord(axis, index) : withUnits(axis.values[index], axis.units, digits));
 
 class AtlasMap {
   constructor(state, changed) {
@@ -21,7 +30,8 @@ class AtlasMap {
     this.changed = changed;
     this.name = 'map';
     this.marks = null;
-    this.chart = new Chart(byId('map'), {name: 'map', xLabel: '', yLabel: '', height: 330, click: (x, y) => this.pick(x, y)});
+    this.chart = new Chart(byId('map'),
+      {name: 'map', xLabel: '', yLabel: '', height: 330, click: (x, y) => this.pick(x, y)});
   }
   get axisX() { return axes[this.state.x]; }
   get axisY() { return axes[this.state.y]; }
@@ -33,7 +43,8 @@ class AtlasMap {
     return pointAt(place);
   }
   pick(x, y) {
-    const near = (places, value) => places.reduce((best, at, i) => (Math.abs(at - value) < Math.abs(places[best] - value) ? i : best), 0);
+    const near = (places, value) =>
+      places.reduce((best, at, i) => (Math.abs(at - value) < Math.abs(places[best] - value) ? i : best), 0);
     const place = [...this.state.place];
     place[this.state.y] = near(spacing(this.axisY).places, y);
     place[this.state.x] = near(spacing(this.axisX).places, x);
@@ -79,11 +90,12 @@ class AtlasMap {
     const tall = Math.max(half(upward, ny), (upward.edges[1] - upward.edges[0]) / 60);
     layers.push({kind: 'box', x: [sx - wide, sx + wide], y: [sy - tall, sy + tall], colour: ground(), width: 4});
     layers.push({kind: 'box', x: [sx - wide, sx + wide], y: [sy - tall, sy + tall], colour: VERMILION, width: 2});
-    this.chart.show({layers, x: across.edges, y: upward.edges, keepZoom: true, xLabel: labelOf(this.axisX), yLabel: labelOf(this.axisY),
+    this.chart.show({layers, x: across.edges, y: upward.edges, keepZoom: true, xLabel: labelOf(this.axisX),
+      yLabel: labelOf(this.axisY),
       xTicks: across.ticks, yTicks: upward.ticks});
     this.legend(map, colours ? [...colours].filter((entry) => seen.has(entry)) : null, low, high, logarithmic, missing);
   }
-  /// Displacements and forces of rest and rub differ by decades: shown by their logarithm where they are positive and do.
+  /// Displacements and forces of rest and rub differ by decades: where they do and are positive, logarithms are shown.
   scaleOf(all) {
     if (!all.length) return [0, 1, false];
     const sorted = Float64Array.from(all).sort();
@@ -107,7 +119,8 @@ class AtlasMap {
       const scale = (value) => withUnits(logarithmic ? 10 ** value : value, map.units, 3);
       const strip = element('i', {class: 'strip'});
       strip.style.background = `linear-gradient(90deg, ${VIRIDIS.map((colour) => `rgb(${colour})`).join(',')})`;
-      holder.append(element('span', {text: scale(low)}), strip, element('span', {text: scale(high)}), ...(logarithmic ? [element('span', {class: 'quiet', text: '(logarithmic)'})] : []));
+      holder.append(element('span', {text: scale(low)}), strip, element('span', {text: scale(high)}),
+        ...(logarithmic ? [element('span', {class: 'quiet', text: '(logarithmic)'})] : []));
     }
     missing.forEach((status) => holder.append(chip(...MISSING[status])));
     if (this.marks) holder.append(element('span', {class: 'quiet', text: 'pale: not marked'}));

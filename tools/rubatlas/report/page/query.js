@@ -1,151 +1,156 @@
-// --- Conditions on points, in the grammar of the package's `where`. ---
-//
-//   condition   comparison | condition and condition | condition or condition | not condition | ( condition )
-//   comparison  value < value (also <= > >= == !=), chained as in 0.3 < speed_ratio < 0.5
-//   value       number | name of a map or an axis | 'word of a flag' | value + value (also - * / ** and a leading -)
-//
-// Numbers are in SI units. A word in quotes is compared by == and != with a map of flags: class == 'aperiodic'. A comparison with what is
-// not there (NaN) is false, != true.
+// --- Conditions on points, as rubatlas/query.py reads them: the grammar is in rubatlas/query_grammar.json. ---
 
 class QueryError extends Error {}
+const queryRefusal = (grammar, sentence, facts = {}) =>
+  new QueryError(grammar.sentences[sentence].replace(/\{(\w+)\}/g, (_, name) => facts[name]));
 
-function distance(one, other) {
-  let row = Array.from({length: other.length + 1}, (_, i) => i);
-  for (let i = 1; i <= one.length; ++i) {
-    const next = [i];
-    for (let j = 1; j <= other.length; ++j) next[j] = Math.min(row[j] + 1, next[j - 1] + 1, row[j - 1] + (one[i - 1] === other[j - 1] ? 0 : 1));
-    row = next;
-  }
-  return row[other.length];
+// What the operators do, by the names that the grammar gives it.
+const QUERY_DOES = {
+  or: (a, b) => a || b, and: (a, b) => a && b, not: (a) => !a, negate: (a) => -a, keep: (a) => a,
+  less: (a, b) => a < b, at_most: (a, b) => a <= b, greater: (a, b) => a > b, at_least: (a, b) => a >= b,
+  equal: (a, b) => a === b, differ: (a, b) => a !== b,
+  add: (a, b) => a + b, subtract: (a, b) => a - b, multiply: (a, b) => a * b, divide: (a, b) => a / b,
+  power: (a, b) => (a === 1 ? 1 : a ** b),  // 1 whatever b is, NaN included, as everywhere else
+};
+
+const entryOf = (table, key) => (Object.hasOwn(table, key) ? table[key] : null);
+
+/// The known word that has most pairs of letters in common with another one.
+function nearest(word, known) {
+  const pairs = (text) => {
+    const padded = ` ${text} `.toLowerCase();
+    return new Set(Array.from(padded.slice(1), (letter, i) => padded[i] + letter));
+  };
+  const alike = (one) => {
+    const [own, other] = [pairs(word), pairs(one)];
+    return [...own].filter((pair) => other.has(pair)).length / (own.size + other.size);
+  };
+  return known.reduce((best, one) => (alike(one) > alike(best) ? one : best));
 }
-const nearest = (word, known) => known.reduce((best, one) => (distance(word, one) < distance(word, best) ? one : best), known[0]);
 
-function tokensOf(text) {
-  const pattern = /\s*(?:((?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|([A-Za-z_]\w*)|'([^']*)'|"([^"]*)"|(\*\*|<=|>=|==|!=|[-+*/()<>]))/y;
+/// The text as {kind, text} of its tokens, ending with the kind "end".
+function queryTokens(text, grammar) {
+  const patterns = Object.entries(grammar.tokens).map(([kind, pattern]) => [kind, new RegExp(pattern, 'y')]);
   const tokens = [];
   let at = 0;
   while (at < text.length) {
-    if (/^\s*$/.test(text.slice(at))) break;
-    pattern.lastIndex = at;
-    const found = pattern.exec(text);
-    if (!found) throw new QueryError(`${text.slice(at).trim()}: not a number, a name, a word in quotes or an operator`);
-    at = pattern.lastIndex;
-    if (found[1] !== undefined) tokens.push({kind: 'number', value: Number(found[1])});
-    else if (found[2] !== undefined) tokens.push(['and', 'or', 'not'].includes(found[2]) ? {kind: found[2], text: found[2]} : {kind: 'name', text: found[2]});
-    else if (found[3] !== undefined || found[4] !== undefined) tokens.push({kind: 'word', text: found[3] ?? found[4]});
-    else tokens.push({kind: found[5], text: found[5]});
+    let found = null;
+    for (const [kind, pattern] of patterns) {
+      pattern.lastIndex = at;
+      found = pattern.exec(text) && {kind, text: text.slice(at, pattern.lastIndex)};
+      if (found) break;
+    }
+    if (!found) throw queryRefusal(grammar, 'unknown_sign', {rest: text.slice(at).split(/\s/)[0]});
+    at += found.text.length;
+    if (found.kind !== 'word') found.text = entryOf(grammar.synonyms, found.text) ?? found.text;
+    if (found.kind !== 'space') tokens.push(found);
   }
-  return tokens;
+  if (tokens.length > grammar.longest) throw queryRefusal(grammar, 'too_long', {longest: grammar.longest});
+  return [...tokens, {kind: 'end', text: grammar.sentences.the_end}];
 }
 
-const COMPARE = {'<': (a, b) => a < b, '<=': (a, b) => a <= b, '>': (a, b) => a > b, '>=': (a, b) => a >= b, '==': (a, b) => a === b, '!=': (a, b) => a !== b};
-const ARITHMETIC = {'+': (a, b) => a + b, '-': (a, b) => a - b, '*': (a, b) => a * b, '/': (a, b) => a / b, '**': (a, b) => a ** b};
-
-// What `rubatlas analyse` adds to an atlas.
-const OF_MAPS = ['class', 'class_blade_passing', 'attractor', 'margin'];
-function unknownName(name, names) {
-  const flag = Object.keys(names).find((one) => Object.values(names[one].flags ?? {}).includes(name));
-  if (flag) return `${name} is a word of ${flag}; words stand in quotes, as in ${flag} == '${name}'`;
-  if (OF_MAPS.includes(name)) return `${name} is in the maps of an atlas (rubatlas analyse), which are not here`;
-  return `${name} is not in this atlas; the nearest name is ${nearest(name, Object.keys(names))}`;
-}
-
-/// A condition as a function of a point's number. `names`: for each name a function of the point, and its flags where it has them.
-function parseQuery(text, names) {
-  const tokens = tokensOf(text);
+/// The tree of a condition; names and kinds are not looked at yet.
+function queryTree(text, grammar) {
+  const tokens = queryTokens(text, grammar);
   let at = 0;
-  const next = () => tokens[at];
-  const take = (...kinds) => (at < tokens.length && kinds.includes(tokens[at].kind) ? tokens[at++] : null);
-  const said = (token) => (token === undefined ? 'the end' : token.text ?? token.value);
-  const expect = (type, node, what) => {
-    if (node.type !== type) throw new QueryError(`${what} is ${{number: 'a number', condition: 'a condition', word: 'a word', flag: 'a class'}[node.type]}, not ${{number: 'a number', condition: 'a condition'}[type]}`);
-    return node;
-  };
-  const asNumber = (node) => (node.type === 'flag' ? {type: 'number', of: node.of} : node);
+  const take = () => tokens[at++].text;
+  const rule = (table) => (tokens[at].kind === 'word' ? null : entryOf(grammar[table], tokens[at].text));
 
-  function atom() {
-    const token = take('number', 'name', 'word', '(');
-    if (!token) throw new QueryError(`a value or a condition is missing before ${said(next())}`);
-    if (token.kind === 'number') return {type: 'number', of: () => token.value};
-    if (token.kind === 'word') return {type: 'word', word: token.text};
-    if (token.kind === 'name') {
-      if (!Object.hasOwn(names, token.text)) throw new QueryError(unknownName(token.text, names));
-      const known = names[token.text];
-      return {type: known.flags ? 'flag' : 'number', of: known.of, flags: known.flags, name: token.text};
+  /// An operand, and what operators of this level and of higher ones join to it.
+  function expression(level, depth) {
+    if (depth > grammar.deepest) throw queryRefusal(grammar, 'too_deep');
+    let tree = operand(depth + 1);
+    for (let next = rule('between'); next && next.level >= level; next = rule('between')) {
+      tree = ['between', tree];
+      const least = next.level + (next.joins === 'right' ? 0 : 1);
+      while (rule('between')?.level === next.level) tree.push([take(), expression(least, depth + 1)]);
     }
-    const inner = disjunction();
-    if (!take(')')) throw new QueryError('a ) is missing');
-    return inner;
+    return tree;
   }
-  function power() {
-    const base = atom();
-    if (!take('**')) return base;
-    const exponent = unary();
-    return arithmetic('**', base, exponent);
-  }
-  function arithmetic(sign, left, right) {
-    const [a, b] = [asNumber(left), asNumber(right)];
-    expect('number', a, `what stands before ${sign}`);
-    expect('number', b, `what stands after ${sign}`);
-    return {type: 'number', of: (point) => ARITHMETIC[sign](a.of(point), b.of(point))};
-  }
-  function unary() {
-    const sign = take('-', '+');
-    if (!sign) return power();
-    const inner = expect('number', asNumber(unary()), `what stands after ${sign.kind}`);
-    return sign.kind === '-' ? {type: 'number', of: (point) => -inner.of(point)} : inner;
-  }
-  function chain(lower, signs) {
-    let left = lower();
-    for (let sign = take(...signs); sign; sign = take(...signs)) left = arithmetic(sign.kind, left, lower());
-    return left;
-  }
-  const product = () => chain(unary, ['*', '/']);
-  const sum = () => chain(product, ['+', '-']);
-  function compared(sign, left, right) {
-    const [flag, word] = left.type === 'word' ? [right, left] : [left, right];
-    if (word.type === 'word') {
-      if (flag.type !== 'flag' || !['==', '!='].includes(sign)) throw new QueryError(`'${word.word}' is compared by == or != with a map of classes`);
-      const code = Object.entries(flag.flags).find(([, name]) => name === word.word);
-      if (!code) throw new QueryError(`'${word.word}' is no value of ${flag.name}; the nearest is '${nearest(word.word, Object.values(flag.flags))}'`);
-      const value = Number(code[0]);
-      return (point) => COMPARE[sign](flag.of(point), value);
+  function operand(depth) {
+    const {kind, text: found} = tokens[at];
+    const before = rule('before'), bracket = rule('brackets');
+    if (before) return ['before', take(), expression(before.level, depth)];
+    if (bracket) {
+      take();
+      const inner = expression(0, depth);
+      if (tokens[at].text !== bracket) throw queryRefusal(grammar, 'unclosed', {bracket, found: tokens[at].text});
+      take();
+      return inner;
     }
-    const [a, b] = [asNumber(left), asNumber(right)];
-    expect('number', a, `what stands before ${sign}`);
-    expect('number', b, `what stands after ${sign}`);
-    return (point) => COMPARE[sign](a.of(point), b.of(point));
+    if (kind === 'sign' || kind === 'end' || rule('between')) throw queryRefusal(grammar, 'missing', {found});
+    take();
+    if (kind !== 'number') return [kind, kind === 'word' ? found.slice(1, -1) : found];
+    const factor = rule('units');
+    if (factor) take();
+    return [kind, Number(found) * (factor ?? 1)];
   }
-  function comparison() {
-    let left = sum();
-    const parts = [];
-    for (let sign = take(...Object.keys(COMPARE)); sign; sign = take(...Object.keys(COMPARE))) {
-      const right = sum();
-      parts.push(compared(sign.kind, left, right));
-      left = right;
-    }
-    return parts.length ? {type: 'condition', of: (point) => parts.every((part) => part(point))} : left;
-  }
-  function negation() {
-    if (!take('not')) return comparison();
-    const inner = expect('condition', negation(), 'what stands after not');
-    return {type: 'condition', of: (point) => !inner.of(point)};
-  }
-  function joined(lower, word, join) {
-    let left = lower();
-    while (take(word)) {
-      const [a, b] = [expect('condition', left, `what stands before ${word}`), expect('condition', lower(), `what stands after ${word}`)];
-      left = {type: 'condition', of: join(a.of, b.of)};
-    }
-    return left;
-  }
-  const conjunction = () => joined(negation, 'and', (a, b) => (point) => a(point) && b(point));
-  const disjunction = () => joined(conjunction, 'or', (a, b) => (point) => a(point) || b(point));
 
-  if (!tokens.length) throw new QueryError('the condition is empty');
-  const result = disjunction();
-  if (at < tokens.length) throw new QueryError(`${said(next())} stands where the condition should end`);
-  return expect('condition', result, 'the whole').of;
+  if (tokens[0].kind === 'end') throw queryRefusal(grammar, 'empty');
+  const tree = expression(0, 0);
+  if (tokens[at].kind !== 'end') {
+    throw queryRefusal(grammar, 'after_the_end', {found: tokens[at].text, before: tokens[at - 1].text});
+  }
+  return tree;
+}
+
+/// A condition as a function of a point's number. `names`: for each name a function of the point, and its flags where
+/// it has them.
+function parseQuery(text, names, grammar) {
+  const refuse = (sentence, facts) => { throw queryRefusal(grammar, sentence, facts); };
+
+  function named(name) {
+    const known = entryOf(names, name);
+    if (known) return {kind: known.flags ? 'flag' : 'number', of: known.of, flags: known.flags, text: name};
+    const flag = Object.keys(names).find((one) => Object.values(names[one].flags ?? {}).includes(name));
+    if (flag) refuse('without_quotes', {name, flag});
+    if (grammar.names_of_maps.includes(name)) refuse('without_maps', {name});
+    return refuse('unknown_name', {name, nearest: nearest(name, Object.keys(names))});
+  }
+  /// The numbers or the condition that an operator takes; a map of flags is numbers, too.
+  function taken(rule, sign, place, value) {
+    if (rule.takes !== (value.kind === 'flag' ? 'number' : value.kind)) {
+      refuse(`operand_${place}`, {sign, kind: grammar.kinds[value.kind], wanted: grammar.kinds[rule.takes]});
+    }
+    return value.of;
+  }
+  function joined(rule, sign, left, right) {
+    const does = QUERY_DOES[rule.does];
+    if ('words' in rule && (left.kind === 'word' || right.kind === 'word')) {
+      const [flag, {text: word}] = left.kind === 'word' ? [right, left] : [left, right];
+      if (flag.kind !== 'flag' || !rule.words) refuse('words_are_compared', {word});
+      const code = Object.keys(flag.flags).find((one) => flag.flags[one] === word);
+      if (code === undefined) {
+        refuse('unknown_word', {word, name: flag.text, nearest: nearest(word, Object.values(flag.flags))});
+      }
+      return (point) => does(flag.of(point), Number(code));
+    }
+    const [a, b] = [taken(rule, sign, 'before', left), taken(rule, sign, 'after', right)];
+    return (point) => does(a(point), b(point));
+  }
+  function valueOf([kind, first, ...rest]) {
+    if (kind === 'number') return {kind, of: () => first};
+    if (kind === 'word') return {kind, text: first};
+    if (kind === 'name') return named(first);
+    if (kind === 'before') {
+      const rule = grammar.before[first];
+      const of = taken(rule, first, 'after', valueOf(rest[0]));
+      return {kind: rule.gives, of: (point) => QUERY_DOES[rule.does](of(point))};
+    }
+    let left = valueOf(first);
+    const compared = [];
+    for (const [sign, operand] of rest) {
+      const rule = grammar.between[sign], right = valueOf(operand);
+      const result = {kind: rule.gives, of: joined(rule, sign, left, right)};
+      if (rule.joins === 'chain') compared.push(result.of);
+      left = rule.joins === 'chain' ? right : result;
+    }
+    return compared.length ? {kind: 'condition', of: (point) => compared.every((one) => one(point))} : left;
+  }
+
+  const whole = valueOf(queryTree(text, grammar));
+  if (whole.kind !== 'condition') refuse('no_condition', {kind: grammar.kinds[whole.kind]});
+  return whole.of;
 }
 
 /// The names that a query may use in this atlas.
@@ -160,7 +165,7 @@ function queryNames() {
 }
 /// Whether each point that is done fulfils a condition.
 function marked(text) {
-  const holds = parseQuery(text, queryNames());
+  const holds = parseQuery(text, queryNames(), queryGrammar);
   const result = new Uint8Array(pointCount);
   for (let point = 0; point < pointCount; ++point) result[point] = values.status[point] === 1 && holds(point) ? 1 : 0;
   return result;

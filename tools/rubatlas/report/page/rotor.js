@@ -72,14 +72,17 @@ class Rotor {
     const {amplitude = 0, order = 1, phase = 0} = atlas.scene.speed_ripple ?? {};
     return turned + amplitude / order * (Math.sin(order * turned + phase) - Math.sin(phase));
   }
-  /// The force on a blade at the present time, from the samples of its contacts, which are closer together than those of the orbit.
+  /// The force on a blade at the present time, from the samples of its contacts, which are closer together than those
+  /// of the orbit.
   force(blade) {
-    const open = this.contacts.find((one) => one.blade === blade && one.times[0] <= this.time && this.time <= one.times[one.times.length - 1]);
+    const open = this.contacts.find((one) =>
+      one.blade === blade && one.times[0] <= this.time && this.time <= one.times[one.times.length - 1]);
     if (!open) return 0;
     const {times, forces} = open;
     const later = Math.max(1, times.findIndex((time) => time >= this.time));
     if (times.length === 1) return forces[0];
-    return forces[later - 1] + (this.time - times[later - 1]) / (times[later] - times[later - 1] || 1) * (forces[later] - forces[later - 1]);
+    return forces[later - 1]
+      + (this.time - times[later - 1]) / (times[later] - times[later - 1] || 1) * (forces[later] - forces[later - 1]);
   }
   /// State and forces at the present time, between the samples of the orbit.
   present() {
@@ -87,8 +90,10 @@ class Rotor {
     const count = orbit.time.length;
     const at = Math.min(this.time / this.duration * count, count - 1);
     const low = Math.min(Math.floor(at), count - 2), share = at - low;
-    const mix = (array, width, i) => array[width * low + i] + share * (array[width * (low + 1) + i] - array[width * low + i]);
-    const blades = Array.from({length: orbit.blades}, (_, i) => ({force: this.force(i), angle: this.angle(this.time) + 2 * Math.PI * i / orbit.blades}));
+    const mix = (array, width, i) => array[width * low + i]
+      + share * (array[width * (low + 1) + i] - array[width * low + i]);
+    const blades = Array.from({length: orbit.blades},
+      (_, i) => ({force: this.force(i), angle: this.angle(this.time) + 2 * Math.PI * i / orbit.blades}));
     return {x: mix(orbit.state, 4, 0), y: mix(orbit.state, 4, 1), low, blades};
   }
   draw() {
@@ -102,7 +107,8 @@ class Rotor {
       const revolution = this.time / this.period;
       const loads = this.now.blades.map((blade, i) => [i, blade.force]).filter(([, force]) => force > 0);
       const touching = loads.map(([i, force]) => `blade ${i + 1} ${withUnits(force, 'N', 3)}`).join(', ');
-      this.status.textContent = `revolution ${shown(1 + Math.floor(revolution), 4)}, ${shown(Math.floor(360 * (revolution % 1)), 3)}° · ${touching ? `in contact: ${touching}` : 'no contact'}`;
+      const turned = `${shown(1 + Math.floor(revolution), 4)}, ${shown(Math.floor(360 * (revolution % 1)), 3)}°`;
+      this.status.textContent = `revolution ${turned} · ${touching ? `in contact: ${touching}` : 'no contact'}`;
       this.moved(this.now);
     } else this.status.textContent = this.missing;
   }
@@ -122,7 +128,8 @@ class Rotor {
     });
     now.tips = shapes.map((points) => points[points.length - 1]);
     // The view closes in on the ring where a tip is nearest to it, or furthest beyond it.
-    const nearest = now.tips.map(([x, y]) => [x, y + request.misalignment]).reduce((best, tip) => (Math.hypot(...tip) > Math.hypot(...best) ? tip : best));
+    const nearest = now.tips.map(([x, y]) => [x, y + request.misalignment])
+      .reduce((best, tip) => (Math.hypot(...tip) > Math.hypot(...best) ? tip : best));
     const toward = Math.atan2(nearest[1], nearest[0]);
     const near = Math.min(this.zoom, 1);
     const focus = [near * radius * Math.cos(toward), near * radius * Math.sin(toward) - request.misalignment];
@@ -141,11 +148,14 @@ class Rotor {
       }
       pen.line(arc, {colour: ink(), width: 3});
       const cross = 5 * unit;
-      pen.line([[ring[0] - cross, ring[1]], [ring[0] + cross, ring[1]], [NaN, NaN], [ring[0], ring[1] - cross], [ring[0], ring[1] + cross]], {colour: grey});
+      pen.line([[ring[0] - cross, ring[1]], [ring[0] + cross, ring[1]], [NaN, NaN], [ring[0], ring[1] - cross],
+        [ring[0], ring[1] + cross]], {colour: grey});
       if (this.trail) {
         const path = [];
         const samples = Math.round(this.orbit.time.length * this.period / this.duration);
-        for (let i = Math.max(0, now.low - 2 * samples); i <= now.low; ++i) path.push(to(this.orbit.state[4 * i], this.orbit.state[4 * i + 1]));
+        for (let i = Math.max(0, now.low - 2 * samples); i <= now.low; ++i) {
+          path.push(to(this.orbit.state[4 * i], this.orbit.state[4 * i + 1]));
+        }
         pen.line(path, {colour: strong(), width: 1.5});
       }
       now.blades.forEach((blade, i) => {
@@ -159,7 +169,8 @@ class Rotor {
       // A mark between blade 1 and the hub's centre shows how the rotor turns.
       const turn = now.blades[0].angle;
       const centre = to(now.x, now.y);
-      pen.line([centre, [centre[0] + hub * Math.cos(turn), centre[1] - hub * Math.sin(turn)]], {colour: cycle()[0], width: 2});
+      pen.line([centre, [centre[0] + hub * Math.cos(turn), centre[1] - hub * Math.sin(turn)]],
+        {colour: cycle()[0], width: 2});
     });
     pen.text(this.zoom > 0 ? `×${shown(10 ** this.zoom, 3)}` : '', 8 * unit, 14 * unit, {colour: grey});
   }
@@ -172,7 +183,8 @@ class Rotor {
     const radius = request.ring_radius + (yielding?.compliance ?? 0) * force;
     const miss = (tip) => { const [x, y] = place(tip); return Math.hypot(x, y + request.misalignment) - radius; };
     const shares = turning || stribeck || stick ? Array.from({length: 17}, (_, i) => 1 - i / 8) : [1, -1];
-    return bentBlade(force * request.blade_length ** 2 / stiffness, request.friction, shares, miss);
+    const load = force * request.blade_length ** 2 / stiffness;
+    return bentBlade(atlas.elastica, load, request.friction, shares, miss);
   }
   /// The force of the ring on a tip, −F n − s μ F t.
   arrow(pen, [x, y], tip, force, side) {
@@ -184,8 +196,8 @@ class Rotor {
     const colour = VERMILION;
     pen.line([[x, y], head], {colour, width: 2});
     const across = [-direction[1], direction[0]];
-    pen.line([[head[0] - wing * (direction[0] - across[0] * 0.6), head[1] - wing * (direction[1] - across[1] * 0.6)], head,
-      [head[0] - wing * (direction[0] + across[0] * 0.6), head[1] - wing * (direction[1] + across[1] * 0.6)]], {colour, width: 2});
+    const barb = (side) => [0, 1].map((i) => head[i] - wing * (direction[i] + side * across[i]));
+    pen.line([barb(-0.6), head, barb(0.6)], {colour, width: 2});
   }
   csv() {
     const {orbit} = this;
@@ -195,7 +207,9 @@ class Rotor {
     orbit.time.forEach((time, i) => {
       columns.tau.push(time);
       ['x_m', 'y_m', 'vx_m', 'vy_m'].forEach((name, part) => columns[name].push(orbit.state[4 * i + part]));
-      for (let blade = 0; blade < orbit.blades; ++blade) columns[`force_of_blade_${blade + 1}_N`].push(orbit.force[orbit.blades * i + blade]);
+      for (let blade = 0; blade < orbit.blades; ++blade) {
+        columns[`force_of_blade_${blade + 1}_N`].push(orbit.force[orbit.blades * i + blade]);
+      }
     });
     return columns;
   }

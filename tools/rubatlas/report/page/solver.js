@@ -15,7 +15,11 @@ function systemInterface() {
   const refuse = () => 8;  // WASI: bad file descriptor
   return {
     environ_get: () => 0,
-    environ_sizes_get: (count, size) => { module.view().setUint32(count, 0, true); module.view().setUint32(size, 0, true); return 0; },
+    environ_sizes_get: (count, size) => {
+      module.view().setUint32(count, 0, true);
+      module.view().setUint32(size, 0, true);
+      return 0;
+    },
     fd_close: refuse, fd_seek: refuse, fd_write: refuse,
     proc_exit: (code) => { throw new Error(`the solver ended with code ${code}`); },
   };
@@ -57,7 +61,8 @@ async function makeSolver(bytes) {
     const samples = calls.contact_sample_count();
     return {
       status,
-      ending: status === DONE ? '' : new TextDecoder().decode(new Uint8Array(calls.memory.buffer, calls.ending(), calls.ending_size())),
+      ending: status === DONE ? ''
+        : new TextDecoder().decode(new Uint8Array(calls.memory.buffer, calls.ending(), calls.ending_size())),
       failedRevolution: calls.failed_revolution(),
       blades,
       samples: wanted.samples_per_revolution,

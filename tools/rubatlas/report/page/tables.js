@@ -1,12 +1,15 @@
 // --- Table 1, statements, what grows with what, provenance and accuracy. ---
 
 function table(heading, rows, kind = '') {
-  return element('div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': heading.join(', ')}, element('table', {class: kind},
+  return element('div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': heading.join(', ')},
+    element('table', {class: kind},
     element('thead', {}, element('tr', {}, ...heading.map((word) => element('th', {scope: 'col', text: word})))),
-    element('tbody', {}, ...rows.map((row) => element('tr', {}, ...row.map((cell) => (cell instanceof Node ? element('td', {}, cell) : element('td', {text: cell}))))))));
+    element('tbody', {}, ...rows.map((row) => element('tr', {}, ...row.map(
+      (cell) => (cell instanceof Node ? element('td', {}, cell) : element('td', {text: cell}))))))));
 }
 function part(title, open, ...children) {
-  return element('details', open ? {open: true} : {}, element('summary', {}, element('h2', {text: title})), ...children);
+  return element('details', open ? {open: true} : {}, element('summary', {}, element('h2', {text: title})),
+    ...children);
 }
 
 function regionCell(row, name, line) {
@@ -14,18 +17,23 @@ function regionCell(row, name, line) {
   if (presence !== 'present') return presence;
   const open = row[`${name}_open`][line];
   const edge = (value, gap) => (gap ? `(${shown(value, 4)})` : shown(value, 4));
-  return `${edge(row[`${name}_from`][line], ['begins at gap', 'both'].includes(open))} – ${edge(row[`${name}_to`][line], ['ends at gap', 'both'].includes(open))}\n` +
-    `${shown(100 * row[`${name}_aperiodic_share`][line], 3)} % aperiodic, ${withUnits(row[`${name}_peak_displacement`][line], 'm', 3)}`;
+  const of = (column) => row[`${name}_${column}`][line];
+  const from = edge(of('from'), ['begins at gap', 'both'].includes(open));
+  const to = edge(of('to'), ['ends at gap', 'both'].includes(open));
+  const aperiodic = shown(100 * of('aperiodic_share'), 3);
+  return `${from} – ${to}\n${aperiodic} % aperiodic, ${withUnits(of('peak_displacement'), 'm', 3)}`;
 }
 function triggerCell(row, name, line) {
   const presence = row[`${name}_presence`][line];
   if (presence !== 'present') return presence;
-  return `${shown(row[`${name}_speed_ratio`][line], 4)}\n+${withUnits(row[`${name}_rise`][line], 'm', 3)}, ×${shown(row[`${name}_ratio`][line], 3)}`;
+  const [speed, rise, ratio] = ['speed_ratio', 'rise', 'ratio'].map((column) => row[`${name}_${column}`][line]);
+  return `${shown(speed, 4)}\n+${withUnits(rise, 'm', 3)}, ×${shown(ratio, 3)}`;
 }
 function table1() {
   const row = atlas.table1;
   if (!row) return [element('p', {class: 'quiet', text: 'The report was made without maps (rubatlas analyse).'})];
-  const parts = ['region_1', 'trigger_1', 'region_2', 'region_3', 'trigger_2', 'region_4'].filter((name) => row[`${name}_presence`]);
+  const parts = ['region_1', 'trigger_1', 'region_2', 'region_3', 'trigger_2', 'region_4']
+    .filter((name) => row[`${name}_presence`]);
   if (parts.every((name) => row[`${name}_presence`].every((presence) => presence === 'not covered'))) {
     return [element('p', {class: 'quiet', text: 'No line of this atlas covers a region or a trigger.'})];
   }
@@ -33,40 +41,54 @@ function table1() {
   const rows = row.line.map((_, line) => [...swept.map((axis) => withUnits(row[axis.name][line], axis.units, 4)),
     ...parts.map((name) => (name.startsWith('region') ? regionCell(row, name, line) : triggerCell(row, name, line)))]);
   return [table([...swept.map(labelOf), ...parts.map((name) => capital(words(name)))], rows, 'dense'),
-    element('p', {class: 'quiet small', text: 'Regions: first and last speed ratio, share of aperiodic points, largest displacement; a speed in parentheses is where points that are not done begin. Triggers: speed ratio, rise of the displacement.'})];
+    element('p', {class: 'quiet small', text: 'Regions: first and last speed ratio, share of aperiodic points, ' +
+      'largest displacement; a speed in parentheses is where points that are not done begin. Triggers: speed ratio, ' +
+      'rise of the displacement.'})];
 }
 const VERDICT = {agrees: '✓ agrees', partly: '~ partly', disagrees: '✗ disagrees', 'not covered': '– not covered'};
 function statements() {
   const rows = atlas.statements;
   if (!rows) return [element('p', {class: 'quiet', text: 'The report was made without maps (rubatlas analyse).'})];
-  return [table(['', 'Statement of the paper', 'Verdict', 'What it rests on'], rows.statement.map((_, i) => [rows.name[i], rows.claim[i],
-    element('span', {class: `verdict ${rows.verdict[i].replace(' ', '-')}`, text: VERDICT[rows.verdict[i]] ?? rows.verdict[i]}), rows.evidence[i]]))];
+  const verdict = (word) =>
+    element('span', {class: `verdict ${word.replace(' ', '-')}`, text: VERDICT[word] ?? word});
+  return [table(['', 'Statement of the paper', 'Verdict', 'What it rests on'],
+    rows.statement.map((_, i) => [rows.name[i], rows.claim[i], verdict(rows.verdict[i]), rows.evidence[i]]))];
 }
 function facts(pairs) {
-  return element('dl', {class: 'pairs'}, ...pairs.filter(([, value]) => value !== '' && value !== undefined && value !== null)
+  return element('dl', {class: 'pairs'},
+    ...pairs.filter(([, value]) => value !== '' && value !== undefined && value !== null)
     .flatMap(([name, value]) => [element('dt', {text: name}), element('dd', {text: value})]));
 }
 function provenance() {
   const {software, software_version: version, git_commit: commit, compiler} = atlas.provenance;
   const run = atlas.runs[atlas.runs.length - 1];
-  return [facts([['Atlas', atlas.file], ['Maps', atlas.maps_file ?? 'none'], ['Program', `${software} ${version}`], ['Commit', commit], ['Compiler', compiler],
-    ['Computed', run ? `${run.finished ?? run.started}, ${run.ranks} rank${run.ranks === 1 ? '' : 's'}, ${run.processor ?? ''}, ${shown(run.wall_seconds, 4)} s` : ''],
+  const computed = run && [run.finished ?? run.started, `${run.ranks} rank${run.ranks === 1 ? '' : 's'}`,
+    run.processor ?? '', `${shown(run.wall_seconds, 4)} s`].join(', ');
+  return [facts([['Atlas', atlas.file], ['Maps', atlas.maps_file ?? 'none'], ['Program', `${software} ${version}`],
+    ['Commit', commit], ['Compiler', compiler], ['Computed', computed],
     ['Reference', atlas.reference]]),
   part('The scene', false, element('pre', {text: JSON.stringify(atlas.scene, null, 1)}))];
 }
 function accuracy() {
   const {accuracy: how, protocol} = atlas.scene;
   const kept = atlas.lines.poincare;
+  const points = Object.entries(atlas.points).filter(([, count]) => count)
+    .map(([word, count]) => `${shown(count, 7)} ${word === 'left validity' ? 'left the model’s validity' : word}`);
+  const which = kept && (kept.sections === kept.of ? 'all' : `the last ${kept.sections} of`);
+  const sections = kept ? `${which} ${kept.of} of each point, in single precision`
+    : 'none: the atlas has none, or they do not fit into this file';
   return [facts([
     ['Method', `${how?.method}, local error per step ${shown(how?.tolerance, 3)} of the clearance`],
     ['Protocol', `${protocol.transient_revolutions} revolutions of transient, ${protocol.sampled_revolutions} sampled`],
-    ['Points', Object.entries(atlas.points).filter(([, count]) => count).map(([word, count]) => `${shown(count, 7)} ${word === 'left validity' ? 'left the model’s validity' : word}`).join(', ')],
-    ['Sections here', kept ? (kept.sections === kept.of ? `all ${kept.of} of each point, in single precision` : `the last ${kept.sections} of ${kept.of} of each point, in single precision`) : 'none: the atlas has none, or they do not fit into this file'],
-    ['Computed here', atlas.not_computed || 'by the program’s own solver, compiled to WebAssembly: method hybrid, local error per step 1e-11 of the clearance']])];
+    ['Points', points.join(', ')], ['Sections here', sections],
+    ['Computed here', atlas.not_computed || 'by the program’s own solver, compiled to WebAssembly: method hybrid, ' +
+      'local error per step 1e-11 of the clearance']])];
 }
 function showTables() {
   byId('tables').append(part('Table 1', true, ...table1()), part('The paper’s statements', false, ...statements()),
-    ...(atlas.effects?.text?.length ? [part('What grows with what', false, table(['Parameter', 'At', 'Part', 'What happens'],
-      atlas.effects.text.map((text, i) => [words(atlas.effects.parameter[i]), atlas.effects.held[i], atlas.effects.subject[i], text])))] : []),
+    ...(atlas.effects?.text?.length
+      ? [part('What grows with what', false, table(['Parameter', 'At', 'Part', 'What happens'],
+      atlas.effects.text.map((text, i) =>
+        [words(atlas.effects.parameter[i]), atlas.effects.held[i], atlas.effects.subject[i], text])))] : []),
     part('Accuracy', false, ...accuracy()), part('Provenance', false, ...provenance()));
 }

@@ -1,7 +1,7 @@
 // The worker of the page: one request after the other, and the spectrum of each orbit.
 
-/// Amplitudes of x over a whole number of revolutions: 2|X|/N at orders 0, 1/S, …, max_order, |X|/N at 0 and at half the samples
-/// per revolution.
+/// Amplitudes of x over a whole number of revolutions: 2|X|/N at orders 0, 1/S, …, max_order, |X|/N at 0 and at half
+/// the samples per revolution.
 function spectrumOf(orbit, samplesPerRevolution, maxOrder) {
   const count = orbit.time.length;
   const revolutions = count / samplesPerRevolution;
@@ -11,7 +11,11 @@ function spectrumOf(orbit, samplesPerRevolution, maxOrder) {
     // Goertzel's recurrence with the sample index reduced: one cosine a line.
     const angle = 2 * Math.PI * k / count, twice = 2 * Math.cos(angle);
     let last = 0, before = 0;
-    for (let i = 0; i < count; ++i) { const now = orbit.state[4 * i] + twice * last - before; before = last; last = now; }
+    for (let i = 0; i < count; ++i) {
+      const now = orbit.state[4 * i] + twice * last - before;
+      before = last;
+      last = now;
+    }
     const real = last - before * Math.cos(angle), imaginary = before * Math.sin(angle);
     amplitude[k] = (k === 0 || 2 * k === count ? 1 : 2) * Math.hypot(real, imaginary) / count;
   }
