@@ -25,15 +25,15 @@ pictures=atlases/$name
 report=atlases/$name.html
 say() { printf '\n== %s\n' "$*"; }
 
-say "1/5 Packages"
+say "1/6 Packages"
 ./jobs/install.sh
 
-say "2/5 Build, in build/"
+say "2/6 Build, in build/"
 # A build tree that is already there (made by tests/run.sh, say) keeps its options: nothing is compiled twice.
 [ -e build/CMakeCache.txt ] || cmake -S . -B build -G Ninja -DRUBATLAS_TESTS=OFF
-cmake --build build --target rubatlas rubatlas_wasm
+cmake --build build --target rubatlas
 
-say "3/5 Run $name on $(nproc) cores"
+say "3/6 Run $name on $(nproc) cores"
 mkdir -p "$pictures"
 # Under mpirun a rank's stderr is never a terminal, so the bar is asked for where ours is one.
 progress=plain
@@ -50,12 +50,22 @@ case $run_code in
   *) echo "quickstart.sh: the run ended with exit code $run_code; to go on: ./jobs/quickstart.sh $scene" >&2 && exit "$run_code" ;;
 esac
 
-say "4/5 Analyse"
-# Its text is for the terminal, at the very end; the same as Markdown goes to a file.
+say "4/6 Analyse"
+# Its text is for the terminal, after the pictures and at the very end; the same as Markdown goes to a file.
 summary=$(build/rubatlas analyse "$atlas" -o "$maps" --table "$table" --overwrite)
 
-say "5/5 Draw"
+say "5/6 Draw"
 tools/draw.sh "$atlas" "$maps" "$pictures"
+
+printf '%s\n\n' "$summary"
+echo "Atlas:    $atlas"
+echo "Maps:     $maps"
+echo "Table 1:  $table"
+echo "Pictures:"
+ls -1 "$pictures"/*.png
+
+say "6/6 Make a page to explore the atlas, with a solver of its own (table and pictures are there: $((SECONDS / 60)) min $((SECONDS % 60)) s)"
+cmake --build build --target rubatlas_wasm
 tools/rubatlas-report "$atlas" --maps "$maps" -o "$report"
 
 say "Done in $((SECONDS / 60)) min $((SECONDS % 60)) s"
@@ -63,7 +73,6 @@ printf '%s\n\n' "$summary"
 echo "Atlas:    $atlas"
 echo "Maps:     $maps"
 echo "Table 1:  $table"
+echo "Pictures: $pictures/*.png"
 echo "Report:   $report (opens in a browser)"
-echo "Pictures:"
-ls -1 "$pictures"/*.png
 exit "$run_code"

@@ -57,6 +57,7 @@ inline std::shared_ptr<const blade::ElasticaCurve> curve_of(const LineRequest& r
   return request.tables.curve(line.contact.friction, theory, compliance);
 }
 
+/// On the paper's machine, with an unbalance or without.
 template <class Method, class Law>
 std::unique_ptr<point::LineSolver> on_paper_s_machine(const settings::Scene& line, Law law) {
   // Absent means absent: a rotor without unbalance has no forcing in its equations.
@@ -68,16 +69,21 @@ std::unique_ptr<point::LineSolver> on_paper_s_machine(const settings::Scene& lin
   return make_point_solver<Method>(line, std::move(law), machine);
 }
 
+/// Calls `use` with the law of the paper's rotor that a line has.
+template <class Use>
+std::unique_ptr<point::LineSolver> with_paper_s_law(const LineRequest& request, Use use) {
+  const settings::Scene& line = request.line;
+  if (line.contact.law == settings::ContactLaw::elastic_ring)
+    return use(elastic_ring_law(line.ring, line.blades, line.contact.friction));
+  return use(contact::ElasticaContact(geometry_of(line.ring, line.blades), blade_of(line.blades),
+                                      curve_of(request, line.blades)));
+}
+
 /// The line solver of a method for the paper's rotor, by the scene's law.
 template <class Method>
 std::unique_ptr<point::LineSolver> make_paper_s_rotor(const LineRequest& request) {
-  const settings::Scene& line = request.line;
-  if (line.contact.law == settings::ContactLaw::elastic_ring) {
-    return on_paper_s_machine<Method>(line, elastic_ring_law(line.ring, line.blades, line.contact.friction));
-  }
-  return on_paper_s_machine<Method>(
-      line, contact::ElasticaContact(geometry_of(line.ring, line.blades), blade_of(line.blades),
-                                     curve_of(request, line.blades)));
+  return with_paper_s_law(request,
+                          [&](auto law) { return on_paper_s_machine<Method>(request.line, std::move(law)); });
 }
 
 }  // namespace rubatlas::assembly

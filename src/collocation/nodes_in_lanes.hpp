@@ -13,9 +13,15 @@ namespace {
 
 namespace simd = std::experimental;
 
-// What stays a function of its own costs more than it does: a sweep is some hundred operations.
+// What stays a function of its own costs more than it does: a sweep is some hundred operations. (Sanitizers check each of
+// these operations, and compile for minutes what is inlined throughout.)
+#ifdef RUBATLAS_SANITIZED
+#define RUBATLAS_INLINE inline
+#define RUBATLAS_INLINED
+#else
 #define RUBATLAS_INLINE [[gnu::always_inline]] inline
 #define RUBATLAS_INLINED __attribute__((always_inline))  // of a lambda
+#endif
 
 template <std::size_t kWidth>
 class Lanes {

@@ -3,6 +3,7 @@
 // neither the pair nor the increment: Fehlberg's 4(5), whose solution is of order 4, and the increment of the
 // scene.
 
+#include "compared/paper_s_rotor.hpp"
 #include "compared/stepped_method.hpp"
 #include "integrate/fehlberg_45.hpp"
 
@@ -29,7 +30,7 @@ struct Paper {
 }  // namespace
 
 std::unique_ptr<point::LineSolver> make_paper(const LineRequest& request) {
-  return make_paper_s_rotor<SteppedMethod<Paper>>(request);
+  return compared::make_paper_s_rotor<SteppedMethod<Paper>>(request);
 }
 
 }  // namespace rubatlas::assembly
