@@ -24,7 +24,7 @@ struct Standing {
   double seconds_left = -1.0;  ///< negative: not known yet
 
   /// Counts one more point with this status; a pending point does not count.
-  void count(point::PointStatus status);
+  void count(ending::PointStatus status);
 };
 
 /// "1 h 02 min", "3 min 05 s", "12.3 s".

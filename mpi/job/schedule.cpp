@@ -9,7 +9,7 @@ namespace rubatlas::mpi {
 namespace {
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-constexpr auto kDone = static_cast<std::uint8_t>(point::PointStatus::done);
+constexpr auto kDone = static_cast<std::uint8_t>(ending::PointStatus::done);
 
 /// Assignments become shorter when the points left are fewer than this many assignments of full length for
 /// each rank.
@@ -274,7 +274,7 @@ Schedule::Outcome Schedule::record(const PointReport& report) {
 namespace {
 
 std::optional<motion::PointStart> end_of_point(const PointReport& report) {
-  if (report.status != point::PointStatus::done) return std::nullopt;
+  if (report.status != ending::PointStatus::done) return std::nullopt;
   return motion::PointStart(report.final_state, report.final_memory);
 }
 

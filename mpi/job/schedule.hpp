@@ -57,8 +57,8 @@ class Schedule {
 
   /// How a point ended.
   struct Ending {
-    point::PointStatus status = point::PointStatus::pending;
-    point::StatusDetail detail = point::StatusDetail::none;
+    ending::PointStatus status = ending::PointStatus::pending;
+    ending::StatusDetail detail = ending::StatusDetail::none;
   };
   /// A verdict, and the ranks that hold points of the piece.
   struct Decision {

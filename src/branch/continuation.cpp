@@ -82,7 +82,7 @@ std::optional<Orbit> Continuation::settle(const motion::SectionState& initial,
   shooting_->cut_at_section();
   Unknowns at = shooting_->scaled(initial, quantities);
   const point::SectionMap settled = shooting_->follow(at, transient_revolutions + kLongestPeriod);
-  if (settled.status != point::PointStatus::done) return std::nullopt;
+  if (settled.status != ending::PointStatus::done) return std::nullopt;
   const auto from_end = [&](int back) {
     return shooting_->scaled(settled.sections[settled.sections.size() - 1 - static_cast<std::size_t>(back)],
                              quantities);

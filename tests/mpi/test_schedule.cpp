@@ -116,7 +116,7 @@ TEST(Schedule, APieceBehindAFailedPointStartsFromInitial) {
   ASSERT_TRUE(first);
   for (std::uint64_t visit = 0; visit < first->count; ++visit) {
     auto ended = report(0, visit);
-    if (visit + 1 == first->count) ended.status = point::PointStatus::left_validity;
+    if (visit + 1 == first->count) ended.status = ending::PointStatus::left_validity;
     schedule.record(ended);
   }
   const auto second = schedule.next(0);
