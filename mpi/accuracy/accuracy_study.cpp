@@ -52,7 +52,7 @@ double distance(const motion::SectionState& a, const motion::SectionState& b) {
 
 Sections sections_of(const point::PointOutcome& outcome) {
   Sections sections;
-  if (outcome.status != point::PointStatus::done) return sections;
+  if (outcome.status != ending::PointStatus::done) return sections;
   const auto& row = outcome.rows[0];
   for (std::size_t i = 0; i + 4 <= row.size(); i += 4) {
     sections.push_back({row[i], row[i + 1], row[i + 2], row[i + 3]});
@@ -169,7 +169,7 @@ class Study {
         const std::size_t point = grid.point(line, visit);
         study_.points[point].start = start;
         const point::PointOutcome end = find_reference(point);
-        const bool go_on = grid.points_depend_on_each_other() && end.status == point::PointStatus::done;
+        const bool go_on = grid.points_depend_on_each_other() && end.status == ending::PointStatus::done;
         start = go_on ? motion::PointStart(end.final_state, end.final_memory) : from_initial;
       }
     }

@@ -130,9 +130,9 @@ EdgesTask prepare_edges(const EdgesCommand& command) {
 /// no motion.
 std::uint8_t motion_of(const RoundResult& result) {
   switch (result.status) {
-    case point::PointStatus::done:
+    case ending::PointStatus::done:
       return result.motion;
-    case point::PointStatus::left_validity:
+    case ending::PointStatus::left_validity:
       return analysis::motion_class::kLeftValidity;
     default:
       return analysis::motion_class::kUnresolved;
@@ -223,11 +223,11 @@ class Leader {
     for (auto& searched : some) {
       std::vector<std::uint8_t> motions;
       for (std::size_t left = searched.search.next().size(); left > 0; --left, ++next) {
-        if (next->status == point::PointStatus::pending) return false;
+        if (next->status == ending::PointStatus::pending) return false;
         standing_.count(next->status);
         ++standing_.computed;
         motions.push_back(motion_of(*next));
-        const bool done = next->status == point::PointStatus::done;
+        const bool done = next->status == ending::PointStatus::done;
         searched.ends.push_back(done ? std::optional(next->end) : std::nullopt);
       }
       searched.search.take(motions);

@@ -91,13 +91,13 @@ CostEstimate estimate_cost(const settings::Scene& scene, double budget, const Cl
     TriedPoint& point = result.points.emplace_back();
     point.speed_ratio = parameters.speed_ratio;
     point.touched = has_touched(scene, outcome.work);
-    if (outcome.status == point::PointStatus::pending) {
+    if (outcome.status == ending::PointStatus::pending) {
       ++result.given_up;
       break;
     }
-    point.seconds = (outcome.status == point::PointStatus::done ? scale : 1.0) * seconds;
-    if (outcome.status == point::PointStatus::left_validity) ++result.left_validity;
-    if (outcome.status == point::PointStatus::integrator_failed) ++result.integrator_failed;
+    point.seconds = (outcome.status == ending::PointStatus::done ? scale : 1.0) * seconds;
+    if (outcome.status == ending::PointStatus::left_validity) ++result.left_validity;
+    if (outcome.status == ending::PointStatus::integrator_failed) ++result.integrator_failed;
     ++result.trials;
   }
   if (result.trials == 0) {

@@ -70,12 +70,12 @@ motion::PointStart stored_end(const settings::Scene& scene, const std::filesyste
   }
   const auto point = atlas.find(place.parameters, place.direction.value_or(plan::Direction::up));
   if (!point) throw UsageError(no_such_point(atlas, path, place.parameters));
-  const auto status = static_cast<point::PointStatus>(atlas.status()[*point]);
-  if (status != point::PointStatus::done) {
-    const auto detail = static_cast<point::StatusDetail>(atlas.row("/status_detail", *point).front());
+  const auto status = static_cast<ending::PointStatus>(atlas.status()[*point]);
+  if (status != ending::PointStatus::done) {
+    const auto detail = static_cast<ending::StatusDetail>(atlas.row("/status_detail", *point).front());
     throw UsageError(fmt::format(
         "{} has no final state at this point: its status is {} ({})", path.string(), static_cast<int>(status),
-        status == point::PointStatus::pending ? "not computed yet" : point::text_of(detail)));
+        status == ending::PointStatus::pending ? "not computed yet" : ending::text_of(detail)));
   }
   atlas::require_sound_row(atlas, *point);
   return atlas::FinalStates(atlas.file(), atlas::schema_of(scene)).of(*point);
@@ -106,11 +106,11 @@ int compute_orbit(const OrbitCommand& command) {
   const point::Orbit orbit = solver->orbit(place.parameters.speed_ratio, start);
   atlas::write_orbit(output, scene, text, place.parameters, start.state, orbit, software());
 
-  if (orbit.status == point::PointStatus::done) return exit_code::kDone;
-  const bool left = orbit.status == point::PointStatus::left_validity;
+  if (orbit.status == ending::PointStatus::done) return exit_code::kDone;
+  const bool left = orbit.status == ending::PointStatus::left_validity;
   say_sentence(fmt::format("the motion {} in revolution {}: {}; {} holds what came before",
                            left ? "left the model's validity" : "could not be integrated",
-                           orbit.failed_revolution, point::text_of(orbit.detail), command.output.string()));
+                           orbit.failed_revolution, ending::text_of(orbit.detail), command.output.string()));
   return left ? exit_code::kDone : exit_code::kSomePointsFailed;
 }
 

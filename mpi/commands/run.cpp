@@ -116,7 +116,7 @@ void say_why_all_have_left(const settings::Scene& scene, const JobResult& result
       std::ranges::max_element(result.ended_by, {}, [](const auto& entry) { return entry.second; });
   if (most != result.ended_by.end()) {
     text += fmt::format(", {} of {} since {}", most->second, result.standing.computed,
-                        point::text_of(most->first));
+                        ending::text_of(most->first));
   }
   const std::string reason = likely_reason_to_leave(scene);
   say_sentence(reason.empty() ? text : text + "; the likely reason: " + reason);

@@ -1,18 +1,16 @@
 /// The main job: a scene to an atlas, under mpirun or alone.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "atlas/atlas_writer.hpp"
+#include "mpi/job/progress.hpp"
 #include "plan/part.hpp"
 
 namespace rubatlas::mpi {
-
-enum class ProgressStyle : std::uint8_t { automatic, bar, plain, off };
 
 struct RunOptions {
   std::filesystem::path scene;

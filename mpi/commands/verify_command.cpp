@@ -99,7 +99,7 @@ class Recomputation {
     if (visit == 0) return std::nullopt;
     if (is_first_of_its_run(point)) return end_of_run_before(line, visit, solver);
     const std::size_t before = grid_.point(line, visit - 1);
-    if (status_[before] != static_cast<std::uint8_t>(point::PointStatus::done)) return std::nullopt;
+    if (status_[before] != static_cast<std::uint8_t>(ending::PointStatus::done)) return std::nullopt;
     return ends_.of(before);
   }
 
@@ -119,7 +119,7 @@ class Recomputation {
       const double speed_ratio = grid_.parameters(grid_.point(line, i)).speed_ratio;
       const auto outcome = solver.run(speed_ratio, end.value_or(initial));
       end.reset();
-      if (outcome.status == point::PointStatus::done) end.emplace(outcome.final_state, outcome.final_memory);
+      if (outcome.status == ending::PointStatus::done) end.emplace(outcome.final_state, outcome.final_memory);
     }
     return end;
   }

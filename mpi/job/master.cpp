@@ -75,7 +75,7 @@ void Master::take(std::size_t rank, const Report& report) {
     const auto outcome = schedule_.record(report.point(number));
     for (const auto& ending : outcome.finished) {
       result_.standing.count(ending.status);
-      if (ending.detail != point::StatusDetail::none) ++result_.ended_by[ending.detail];
+      if (ending.detail != ending::StatusDetail::none) ++result_.ended_by[ending.detail];
     }
     result_.standing.computed += outcome.finished.size();
     for (const auto& decision : outcome.decisions) send(decision);

@@ -26,7 +26,7 @@ struct JobResult {
   std::vector<std::uint64_t> points_of_rank;  ///< computed in this run
   std::vector<RankTimes> times_of_rank;       ///< up to its last report
   motion::WorkCounts work;
-  std::map<point::StatusDetail, std::size_t> ended_by;  ///< points of this run that are not done
+  std::map<ending::StatusDetail, std::size_t> ended_by;  ///< points of this run that are not done
 };
 
 class Master {

@@ -54,8 +54,8 @@ struct PointReport {
   std::uint64_t line = 0;
   std::uint64_t run = 0;  ///< that of its assignment
   std::uint64_t visit = 0;
-  point::PointStatus status = point::PointStatus::pending;
-  point::StatusDetail detail = point::StatusDetail::none;
+  ending::PointStatus status = ending::PointStatus::pending;
+  ending::StatusDetail detail = ending::StatusDetail::none;
   Keep keep = Keep::at_once;     ///< that of the assignment when the point ended
   std::uint8_t same_motion = 0;  ///< 1: the motion is `Assignment::found`, and the row is not kept
   analysis::MotionTrace trace;   ///< where `keep` is `after_verdict`
@@ -77,8 +77,8 @@ struct RankTimes {
 struct Report {
   struct Point {
     float seconds = 0.0F;
-    point::PointStatus status = point::PointStatus::pending;
-    point::StatusDetail detail = point::StatusDetail::none;
+    ending::PointStatus status = ending::PointStatus::pending;
+    ending::StatusDetail detail = ending::StatusDetail::none;
   };
 
   std::uint64_t line = 0;

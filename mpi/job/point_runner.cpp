@@ -44,7 +44,7 @@ void PointRunner::run(const Callbacks& callbacks) {
     point::PointOutcome outcome =
         solver.run(grid_.parameters(point).speed_ratio,
                    left_.from_initial != 0 ? initial : motion::PointStart(left_.start, left_.memory), go_on);
-    if (outcome.status == point::PointStatus::pending) break;  // given up
+    if (outcome.status == ending::PointStatus::pending) break;  // given up
     finish_point(std::move(outcome), seconds_since(began), callbacks);
   }
   left_.count = 0;
@@ -145,7 +145,7 @@ void PointRunner::finish_point(point::PointOutcome outcome, double seconds, cons
   report_.add(computed);
   settle_if_due();
 
-  const bool goes_on = grid_.points_depend_on_each_other() && computed.status == point::PointStatus::done;
+  const bool goes_on = grid_.points_depend_on_each_other() && computed.status == ending::PointStatus::done;
   left_.from_initial = goes_on ? 0 : 1;
   left_.start = computed.final_state;
   left_.memory = computed.final_memory;

@@ -48,11 +48,11 @@ std::string counts(const Standing& standing) {
 
 }  // namespace
 
-void Standing::count(point::PointStatus status) {
-  if (status == point::PointStatus::pending) return;
+void Standing::count(ending::PointStatus status) {
+  if (status == ending::PointStatus::pending) return;
   ++finished;
-  if (status == point::PointStatus::left_validity) ++outside;
-  if (status == point::PointStatus::integrator_failed) ++failed;
+  if (status == ending::PointStatus::left_validity) ++outside;
+  if (status == ending::PointStatus::integrator_failed) ++failed;
 }
 
 std::string readable_duration(double seconds) {
@@ -95,7 +95,7 @@ std::string summary_line(const Standing& standing) {
 Standing standing_of(std::span<const std::uint8_t> status) {
   Standing standing;
   standing.total = status.size();
-  for (const auto code : status) standing.count(static_cast<point::PointStatus>(code));
+  for (const auto code : status) standing.count(static_cast<ending::PointStatus>(code));
   return standing;
 }
 

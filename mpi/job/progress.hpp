@@ -8,7 +8,6 @@
 #include <string>
 #include <string_view>
 
-#include "mpi/commands/run.hpp"
 #include "point/line_solver.hpp"
 
 namespace rubatlas::mpi {
@@ -24,7 +23,7 @@ struct Standing {
   double seconds_left = -1.0;  ///< negative: not known yet
 
   /// Counts one more point with this status; a pending point does not count.
-  void count(point::PointStatus status);
+  void count(ending::PointStatus status);
 };
 
 /// "1 h 02 min", "3 min 05 s", "12.3 s".
@@ -42,6 +41,8 @@ std::string summary_line(const Standing& standing);
 Standing standing_of(std::span<const std::uint8_t> status);
 /// Exit code of a program that leaves an atlas in this state (`exit_code.hpp`).
 int exit_code_of(const Standing& standing);
+
+enum class ProgressStyle : std::uint8_t { automatic, bar, plain, off };
 
 class Progress {
  public:

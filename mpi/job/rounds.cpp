@@ -56,7 +56,7 @@ RoundResult Rounds::compute(const RoundPoint& point, const GoOn& go_on) {
   const auto outcome =
       line_->solver->run(point.speed_ratio, point.from_initial != 0 ? line_->initial : point.start, go_on);
   RoundResult result{.status = outcome.status, .motion = 0, .end = {}};
-  if (outcome.status != point::PointStatus::done) return result;
+  if (outcome.status != ending::PointStatus::done) return result;
   result.motion = analysis::classify(outcome.rows[sections_], analysis::closing_tolerance(line_->scene));
   result.end = motion::PointStart(outcome.final_state, outcome.final_memory);
   return result;

@@ -31,9 +31,9 @@ struct RoundPoint {
 
 /// What became of a point.
 struct RoundResult {
-  point::PointStatus status = point::PointStatus::pending;  ///< pending: given up
-  std::uint8_t motion = 0;                                  ///< class per revolution where it is done
-  motion::PointStart end;                                   ///< where it is done
+  ending::PointStatus status = ending::PointStatus::pending;  ///< pending: given up
+  std::uint8_t motion = 0;                                    ///< class per revolution where it is done
+  motion::PointStart end;                                     ///< where it is done
 };
 
 class Rounds {

@@ -9,7 +9,7 @@ namespace rubatlas::mpi {
 namespace {
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-constexpr auto kDone = static_cast<std::uint8_t>(point::PointStatus::done);
+constexpr auto kDone = static_cast<std::uint8_t>(ending::PointStatus::done);
 
 /// Assignments become shorter when the points left are fewer than this many assignments of full length for
 /// each rank.
@@ -109,10 +109,7 @@ void Schedule::choose_scouts() {
 
 std::optional<std::size_t> Schedule::choose_run(std::size_t& own) {
   if (unassigned_ == 0) return std::nullopt;
-  const auto is_own = [&](std::size_t number) {
-    ++looked_at_;
-    return number < runs_.size() && is_free(number);
-  };
+  const auto is_own = [&](std::size_t number) { return number < runs_.size() && is_free(number); };
   if (chained_) {
     if (!scouts_.empty()) {
       const std::size_t scout = scouts_.back();
@@ -128,7 +125,6 @@ std::optional<std::size_t> Schedule::choose_run(std::size_t& own) {
     return own = own + 1;
   }
   const auto is_passed = [&](std::size_t number) {
-    ++looked_at_;
     return (chained_ && runs_[number].taken) || !has_unassigned(number);
   };
   while (first_open_ < runs_.size() && is_passed(in_order(first_open_))) ++first_open_;
@@ -150,7 +146,6 @@ void Schedule::begin_endgame() {
 /// wait for it.
 std::optional<std::size_t> Schedule::choose_longest() {
   std::erase_if(*last_runs_, [&](std::size_t number) { return is_complete(number); });
-  looked_at_ += last_runs_->size();
   const double seam = costs_.expected(0, grid_.speed_count()) / static_cast<double>(grid_.speed_count());
   std::optional<std::size_t> longest;
   double most = -1.0;
@@ -274,7 +269,7 @@ Schedule::Outcome Schedule::record(const PointReport& report) {
 namespace {
 
 std::optional<motion::PointStart> end_of_point(const PointReport& report) {
-  if (report.status != point::PointStatus::done) return std::nullopt;
+  if (report.status != ending::PointStatus::done) return std::nullopt;
   return motion::PointStart(report.final_state, report.final_memory);
 }
 

@@ -57,8 +57,8 @@ class Schedule {
 
   /// How a point ended.
   struct Ending {
-    point::PointStatus status = point::PointStatus::pending;
-    point::StatusDetail detail = point::StatusDetail::none;
+    ending::PointStatus status = ending::PointStatus::pending;
+    ending::StatusDetail detail = ending::StatusDetail::none;
   };
   /// A verdict, and the ranks that hold points of the piece.
   struct Decision {
@@ -80,8 +80,6 @@ class Schedule {
   [[nodiscard]] double remaining_over_recorded() const;
   /// Seconds that all reported points took together.
   [[nodiscard]] double recorded() const { return costs_.recorded(); }
-  /// Number of runs that `next` has looked at so far.
-  [[nodiscard]] std::size_t runs_looked_at() const { return looked_at_; }
 
  private:
   /// A line, or a piece of it with its lead-in. There may be millions: what only a run under way needs is
@@ -189,7 +187,6 @@ class Schedule {
   std::size_t unassigned_ = 0;                         ///< points of runs that are not handed out
   std::size_t undecided_ = 0;                          ///< pieces whose seam is not decided
   std::size_t unfinished_runs_ = 0;                    ///< with points that are not reported
-  std::size_t looked_at_ = 0;
 };
 
 }  // namespace rubatlas::mpi

@@ -32,7 +32,7 @@ TraceRecorder::TraceRecorder(const settings::Scene& scene)
 }
 
 analysis::MotionTrace TraceRecorder::trace(const point::PointOutcome& outcome) const {
-  if (outcome.status != point::PointStatus::done) return {};
+  if (outcome.status != ending::PointStatus::done) return {};
   return analysis::trace_of(outcome.rows[sections_], outcome.rows[displacement_].front(), closing_);
 }
 

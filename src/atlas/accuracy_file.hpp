@@ -30,7 +30,7 @@ struct AccuracySetting {
 
 /// One setting at one point.
 struct AccuracyRun {
-  point::PointStatus status = point::PointStatus::pending;
+  ending::PointStatus status = ending::PointStatus::pending;
   std::int32_t failed_revolution = -1;  ///< of a run that did not end as done
   /// Largest distance of the compared sections from those of the reference run, over the clearance [-]; NaN
   /// where either run did not end as done.

@@ -87,7 +87,7 @@ void create_row_dataset(File& file, const Schema& schema, const RowDataset& rows
   if (rows.name == "status_detail") {
     std::vector<std::uint8_t> values;
     std::vector<std::string_view> meanings;
-    for (const auto& entry : point::kStatusDetails) {
+    for (const auto& entry : ending::kStatusDetails) {
       values.push_back(static_cast<std::uint8_t>(entry.detail));
       meanings.emplace_back(entry.name);
     }

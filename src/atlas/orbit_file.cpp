@@ -62,7 +62,7 @@ void write_point(Object root, const settings::Scene& scene, const plan::PointPar
   root.set_number<std::int32_t>("status", static_cast<std::int32_t>(orbit.status));
   root.set_text("status_meanings", "0 pending, 1 done, 2 left_validity, 3 integrator_failed");
   root.set_number<std::int32_t>("status_detail", static_cast<std::int32_t>(orbit.detail));
-  root.set_text("status_detail_meaning", std::string(point::text_of(orbit.detail)));
+  root.set_text("status_detail_meaning", std::string(ending::text_of(orbit.detail)));
   root.set_number<std::int32_t>("failed_revolution", orbit.failed_revolution);
 }
 

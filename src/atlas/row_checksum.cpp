@@ -30,7 +30,7 @@ std::span<const std::byte> bytes_of(const RowPart& part) {
 }
 
 Row::Row(const Schema& schema, const Origin& origin, const point::PointOutcome& outcome) {
-  const bool done = outcome.status == point::PointStatus::done;
+  const bool done = outcome.status == ending::PointStatus::done;
   if (!done) {
     std::size_t longest = std::max(outcome.final_state.size(), motion::Memory::kMost);
     for (const auto& row : outcome.rows) longest = std::max(longest, row.size());

@@ -26,8 +26,8 @@
 namespace rubatlas::atlas {
 namespace {
 
-constexpr auto kDone = static_cast<std::uint8_t>(point::PointStatus::done);
-constexpr auto kLastStatus = static_cast<std::uint8_t>(point::PointStatus::integrator_failed);
+constexpr auto kDone = static_cast<std::uint8_t>(ending::PointStatus::done);
+constexpr auto kLastStatus = static_cast<std::uint8_t>(ending::PointStatus::integrator_failed);
 
 const char* words_of(NumberType type) {
   switch (type) {

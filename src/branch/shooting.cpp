@@ -98,7 +98,7 @@ std::optional<Shooting::Passage> Shooting::passage(const Unknowns& at) {
     result.start = at.head<4>();
     result.map.map = follow(at, period_);
     result.map.admissible = true;
-    if (result.map.map.status != point::PointStatus::done) return std::nullopt;
+    if (result.map.map.status != ending::PointStatus::done) return std::nullopt;
     result.map.end = result.map.map.sections.back();
     return result;
   }

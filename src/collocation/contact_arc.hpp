@@ -138,7 +138,6 @@ class ContactArc {
   enum class Verdict : std::uint8_t { holds, holds_in_part, too_long, another_leads, gives_up };
   Verdict judge(Ending& ending);
   bool solve_next();
-  bool shorten(double shortest);
   void goes_on(const Ending& ending);
   void change_leader(std::size_t further);
   void leave_earlier();

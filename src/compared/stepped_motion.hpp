@@ -17,6 +17,7 @@
 
 #include "compared/stepped_events.hpp"
 #include "compared/stepped_system.hpp"
+#include "ending/status.hpp"
 #include "integrate/runge_kutta.hpp"
 #include "integrate/step_factor.hpp"
 #include "modes/contact_force.hpp"
@@ -25,10 +26,9 @@
 #include "modes/work_meter.hpp"
 #include "motion/point_start.hpp"
 #include "motion/work_counts.hpp"
-#include "observables/motion_piece.hpp"
-#include "point/status.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/constants.hpp"
+#include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::compared {
 
@@ -39,7 +39,7 @@ struct SteppedLimits {
 };
 
 template <class Law, class Forcing, class Scheme>
-class SteppedMotion final : public observables::MotionPiece {
+class SteppedMotion final : public trajectory::MotionPiece {
  public:
   SteppedMotion(const rotor::RotorConstants& rotor, rotor::BladeSet blades, Law law, Forcing forcing,
                 typename Scheme::Search search, const SteppedLimits& limits)
@@ -55,10 +55,10 @@ class SteppedMotion final : public observables::MotionPiece {
   SteppedMotion& operator=(const SteppedMotion&) = delete;
 
   /// Starts at phase 0; blades with g > 0 are in contact (MODEL 4.4).
-  point::PointStatus start(const rotor::State& state) {
+  ending::PointStatus start(const rotor::State& state) {
     SteppedState full;
     full << state, 0.0;
-    if (!full.isFinite().all()) return ends(point::StatusDetail::beyond_precision);
+    if (!full.isFinite().all()) return ends(ending::StatusDetail::beyond_precision);
     for (std::size_t k = 0; k < system_.blades().size(); ++k) {
       const contact::Pose at = system_.pose(k, full);
       system_.blades()[k] = {at.gap > 0.0, system_.opening_slip(at)};
@@ -67,25 +67,25 @@ class SteppedMotion final : public observables::MotionPiece {
   }
 
   /// One revolution.
-  point::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on = {}) {
+  ending::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on = {}) {
     const double period = rotor_.period();
     meter_.begin_revolution(go_on);
     for (std::int64_t step = 1;; ++step) {
-      if (const point::PointStatus status = make_step(static_cast<double>(step), period);
-          status != point::PointStatus::done) {
+      if (const ending::PointStatus status = make_step(static_cast<double>(step), period);
+          status != ending::PointStatus::done) {
         return status;
       }
-      const point::PointStatus status = finish_step(listener);
-      if (status != point::PointStatus::done) return status;
+      const ending::PointStatus status = finish_step(listener);
+      if (status != ending::PointStatus::done) return status;
       if (step_.start()[kSteppedTime] >= period) {
         step_.shift(kSteppedTime, -period);
         ++work_.revolutions;
-        return point::PointStatus::done;
+        return ending::PointStatus::done;
       }
     }
   }
   /// What ended the motion, where that is not done.
-  [[nodiscard]] point::StatusDetail status_detail() const { return detail_; }
+  [[nodiscard]] ending::StatusDetail status_detail() const { return detail_; }
 
   /// At the end of the last revolution.
   [[nodiscard]] rotor::State state() const { return step_.start().template head<4>(); }
@@ -102,7 +102,7 @@ class SteppedMotion final : public observables::MotionPiece {
   // start.
   [[nodiscard]] double begin() const override { return step_.start()[kSteppedTime]; }
   [[nodiscard]] double end() const override { return end_time_; }
-  [[nodiscard]] observables::State state(double time) override {
+  [[nodiscard]] trajectory::State state(double time) override {
     return rotor::as_array(rotor::State(state_at((time - begin()) / step_.size()).template head<4>()));
   }
   [[nodiscard]] double displacement_bound() const override { return std::numeric_limits<double>::infinity(); }
@@ -116,7 +116,7 @@ class SteppedMotion final : public observables::MotionPiece {
   [[nodiscard]] double root_strain(std::size_t contact, double time) override {
     return system_.force(open_[contact], state_at((time - begin()) / step_.size())).root_strain;
   }
-  [[nodiscard]] observables::ContactForce contact_force(std::size_t contact, double time) override {
+  [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, double time) override {
     const std::size_t k = open_[contact];
     const SteppedState full = state_at((time - begin()) / step_.size());
     const contact::TipForce force = system_.force(k, full);
@@ -126,7 +126,7 @@ class SteppedMotion final : public observables::MotionPiece {
     return modes::contact_force(force, {slip, modes::friction_coefficient(law_, force, slip)}, er,
                                 system_.pose(k, full), rotor_.speed_ratio);
   }
-  [[nodiscard]] observables::Tip tip(int blade, double time) override {
+  [[nodiscard]] trajectory::Tip tip(int blade, double time) override {
     const SteppedState full = state_at((time - begin()) / step_.size());
     return modes::tip_of(law_.geometry(), system_.pose(static_cast<std::size_t>(blade), full),
                          rotor_.speed_ratio);
@@ -138,9 +138,9 @@ class SteppedMotion final : public observables::MotionPiece {
   static constexpr double kSmallestSize = 1e-15;  ///< in τ
   static constexpr double kSlipRounding = 1e-12;  ///< of Ω R: v where a slip reversal has been located
 
-  point::PointStatus ends(point::StatusDetail why) {
+  ending::PointStatus ends(ending::StatusDetail why) {
     detail_ = why;
-    return point::status_of(why);
+    return ending::status_of(why);
   }
 
   /// Counts what the attempt before has cost; false where the revolution is to end here.
@@ -156,11 +156,11 @@ class SteppedMotion final : public observables::MotionPiece {
 
   /// Goes on from a state whose right-hand side has not been evaluated yet, unless something stands against
   /// it: contacts that have just changed may bend a blade too far at once.
-  point::StatusDetail begin(const SteppedState& state) {
-    if (!step_.begin(system_, state)) return point::StatusDetail::no_equilibrium;
-    if (system_.shortening() > limits_.max_shortening) return point::StatusDetail::shortening_limit;
+  ending::StatusDetail begin(const SteppedState& state) {
+    if (!step_.begin(system_, state)) return ending::StatusDetail::no_equilibrium;
+    if (system_.shortening() > limits_.max_shortening) return ending::StatusDetail::shortening_limit;
     look_around();
-    return point::StatusDetail::none;
+    return ending::StatusDetail::none;
   }
 
   /// Takes down how the blades stand at the start of a step.
@@ -176,12 +176,12 @@ class SteppedMotion final : public observables::MotionPiece {
   }
 
   /// The `number`-th step of a revolution, counted from 1.
-  point::PointStatus make_step(double number, double period) {
+  ending::PointStatus make_step(double number, double period) {
     if constexpr (!Scheme::kAdaptive) {
       if (!spend()) return ends(meter_.why());
       if (!step_.attempt(system_, size_)) return why_not();
       step_.end()[kSteppedTime] = number == steps_in_revolution_ ? period : size_ * number;
-      return point::PointStatus::done;
+      return ending::PointStatus::done;
     } else {
       const double remaining = period - step_.start()[kSteppedTime];
       while (true) {
@@ -202,21 +202,21 @@ class SteppedMotion final : public observables::MotionPiece {
           // A step that was cut short does not make the next one shorter.
           size_ = size < wanted ? std::max(proposed, wanted) : proposed;
           if (last) step_.end()[kSteppedTime] = period;
-          return point::PointStatus::done;
+          return ending::PointStatus::done;
         }
         ++work_.rejected_steps;
         system_.blades() = before_;
         size_ = proposed;
         if (!(size_ > kSmallestSize))
-          return evaluated ? ends(point::StatusDetail::step_too_short) : why_not();
+          return evaluated ? ends(ending::StatusDetail::step_too_short) : why_not();
       }
     }
   }
 
   /// Why the last step could not be made.
-  point::PointStatus why_not() {
-    return ends(step_.start().isFinite().all() ? point::StatusDetail::no_equilibrium
-                                               : point::StatusDetail::beyond_precision);
+  ending::PointStatus why_not() {
+    return ends(step_.start().isFinite().all() ? ending::StatusDetail::no_equilibrium
+                                               : ending::StatusDetail::beyond_precision);
   }
 
   [[nodiscard]] double scaled_error() const {
@@ -233,18 +233,18 @@ class SteppedMotion final : public observables::MotionPiece {
   }
 
   /// Looks at what happened in the step, hands it over, and goes on from its end or its event.
-  point::PointStatus finish_step(modes::MotionListener& listener) {
+  ending::PointStatus finish_step(modes::MotionListener& listener) {
     ++work_.steps;
     SteppedEvent event;
     if constexpr (Scheme::kLocated)
       event = first_event(system_, before_, [this](double part) { return state_at(part); });
     const bool cut = event.fraction < 1.0;
     const SteppedState end = state_at(event.fraction);
-    if (!end.isFinite().all()) return ends(point::StatusDetail::beyond_precision);
+    if (!end.isFinite().all()) return ends(ending::StatusDetail::beyond_precision);
     if (std::hypot(end[0], end[1] + rotor_.misalignment) >= law_.geometry().ring_radius)
-      return ends(point::StatusDetail::shaft_at_ring);
+      return ends(ending::StatusDetail::shaft_at_ring);
     if (!cut && system_.shortening() > limits_.max_shortening)
-      return ends(point::StatusDetail::shortening_limit);
+      return ends(ending::StatusDetail::shortening_limit);
     end_time_ = end[kSteppedTime];
     if (end_time_ > begin()) listener.piece(*this);
     bool changed = cut;
@@ -260,7 +260,7 @@ class SteppedMotion final : public observables::MotionPiece {
     if (changed) return ends(begin(end));
     step_.accept();
     look_around();
-    return point::PointStatus::done;
+    return ending::PointStatus::done;
   }
 
   /// Opens, closes and reverses contacts by what the end of a step shows. True where that changes the force
@@ -313,7 +313,7 @@ class SteppedMotion final : public observables::MotionPiece {
   std::vector<std::size_t> open_;     ///< blades in contact there
   modes::WorkMeter meter_{modes::WorkBound::kStepped};
   std::uint64_t paid_evaluations_ = 0;  ///< of curves, whose price the meter knows
-  point::StatusDetail detail_ = point::StatusDetail::none;
+  ending::StatusDetail detail_ = ending::StatusDetail::none;
   motion::WorkCounts work_;
 };
 

@@ -39,11 +39,4 @@ inline double slip_acceleration(const Geometry& geometry, const Pose& at, double
          coefficient * load_acceleration;
 }
 
-/// The signed friction coefficient c [-] with dv/dτ = 0. The tip can stick where |c| <= μ; infinite or not a
-/// number where the tip has no load (`load_acceleration` zero).
-inline double sticking_coefficient(const Geometry& geometry, const Pose& at, double angular_speed,
-                                   const OtherAcceleration& other, double load_acceleration) {
-  return slip_acceleration(geometry, at, angular_speed, other, load_acceleration, 0.0) / load_acceleration;
-}
-
 }  // namespace rubatlas::contact

@@ -235,7 +235,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
     if (root_lost_ && search.of_contact(0).leaves_by_rounding())
       search.take_if_first(search.last(), {Guard::lift_off, carried().blade});
     if (lost_ && search.end().guard == Guard::horizon)
-      search.ends_at_start({Guard::left_validity, -1, point::StatusDetail::no_equilibrium});
+      search.ends_at_start({Guard::left_validity, -1, ending::StatusDetail::no_equilibrium});
   }
 
  private:

@@ -68,7 +68,7 @@ OpenContact Collocated::contact_at(std::size_t contact, double time) const {
   return contact_in(contact, arc_.point_at(arc_.fraction_at(time)));
 }
 
-void Collocated::places(const observables::SampleTimes& times, int first, std::span<double> x,
+void Collocated::places(const trajectory::SampleTimes& times, int first, std::span<double> x,
                         std::span<double> y) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     const auto place = arc_.place_at(arc_.fraction_at(times[first + static_cast<int>(i)]));
@@ -94,47 +94,47 @@ double Collocated::normal_force(std::size_t contact, double time) {
 double Collocated::root_strain(std::size_t contact, double time) {
   return force(contact, arc_.solved_at(time)).root_strain;
 }
-observables::ContactForce Collocated::contact_force(std::size_t contact, double time) {
+trajectory::ContactForce Collocated::contact_force(std::size_t contact, double time) {
   return contact_force(contact, arc_.solved_at(time));
 }
-observables::ContactForce Collocated::contact_force(std::size_t contact, const Point& point) const {
+trajectory::ContactForce Collocated::contact_force(std::size_t contact, const Point& point) const {
   const contact::TipForce tip_force = force(contact, point);
   const auto& open = contacts_[contact];
   return modes::contact_force(tip_force, {open.slip, friction_coefficient(*law_, tip_force, open.slip)},
                               direction(open.blade, point.time), pose(open.blade, point),
                               rotor_->speed_ratio);
 }
-observables::Tip Collocated::tip(int blade, const Point& point) const {
+trajectory::Tip Collocated::tip(int blade, const Point& point) const {
   return tip_of(law_->geometry(), pose(blade, point), rotor_->speed_ratio);
 }
-observables::Tip Collocated::tip(int blade, double time) {
+trajectory::Tip Collocated::tip(int blade, double time) {
   return tip(blade, arc_.solved_at(time));
 }
 
-std::optional<observables::Pass> Collocated::nearest_pass(double known,
-                                                          const observables::PointConstants& point) {
+std::optional<trajectory::Pass> Collocated::nearest_pass(double known,
+                                                         const trajectory::PointConstants& point) {
   if (!is_whole()) return MotionPiece::nearest_pass(known, point);
   const double radius = law_->geometry().ring_radius;
   const auto gap_at = [&](double miss) { return miss * (miss - 2.0 * radius); };
-  std::optional<observables::Pass> nearest;
+  std::optional<trajectory::Pass> nearest;
   if (arc_.gap_bound_of_others() <= gap_at(std::min(known, radius))) return nearest;
   for (int k = 0; k < point.blade_count; ++k) {
     if (std::ranges::find(contacts_, k, &OpenContact::blade) != contacts_.end()) continue;
     const auto top = arc_.top_of_tip(k);
     if (!top || top->gap <= gap_at(std::min(known, radius))) continue;
     const Point at = arc_.solved_at_fraction(top->fraction);
-    const observables::Tip there = tip(k, at);
+    const trajectory::Tip there = tip(k, at);
     if (!(there.overlap < 0.0 && -there.overlap < known)) continue;
     known = -there.overlap;
-    nearest = observables::Pass{known, there.side, k, at.time};
+    nearest = trajectory::Pass{known, there.side, k, at.time};
   }
   return nearest;
 }
 
-observables::Tip Collocated::deepest(std::size_t contact, double enough) {
+trajectory::Tip Collocated::deepest(std::size_t contact, double enough) {
   if (!is_whole()) return MotionPiece::deepest(contact, enough);
   const int number = blade(contact);
-  const observables::Tip at_end = tip(number, arc_.end());
+  const trajectory::Tip at_end = tip(number, arc_.end());
   if (at_end.rate >= 0.0) return at_end;
   const auto top = arc_.top_of_tip(number);
   if (!top) return at_end;
@@ -142,20 +142,20 @@ observables::Tip Collocated::deepest(std::size_t contact, double enough) {
   return tip(number, deep ? arc_.point_at(top->fraction) : arc_.solved_at_fraction(top->fraction));
 }
 
-bool Collocated::path(double share, observables::PathPoint& point) {
+bool Collocated::path(double share, trajectory::PathPoint& point) {
   place_on_path(share, point);
   return true;
 }
 
-bool Collocated::forces_on_path(double share, observables::PathPoint& point,
-                                std::vector<observables::ContactForce>& forces) {
+bool Collocated::forces_on_path(double share, trajectory::PathPoint& point,
+                                std::vector<trajectory::ContactForce>& forces) {
   const Point there = place_on_path(share, point);
   forces.clear();
   for (std::size_t i = 0; i < contacts_.size(); ++i) forces.push_back(contact_force(i, there));
   return true;
 }
 
-Collocated::Point Collocated::place_on_path(double share, observables::PathPoint& point) const {
+Collocated::Point Collocated::place_on_path(double share, trajectory::PathPoint& point) const {
   const double from = arc_.fraction_at(piece_begin_);
   const double length = arc_.fraction_at(piece_end_) - from;
   const double fraction = from + share * length;
@@ -176,10 +176,10 @@ Collocated::Point Collocated::place_on_path(double share, observables::PathPoint
 
 /// Force and strain grow with the bending, so that a blade that is bent less than where the load was known
 /// need not be looked at.
-Collocated::LargestLoad Collocated::largest(observables::Load load, std::size_t contact, double known) {
+Collocated::LargestLoad Collocated::largest(trajectory::Load load, std::size_t contact, double known) {
   if (blade(contact) != arc_.leader()) return MotionPiece::largest(load, contact, known);
   const auto value = [load](const MostBent& at) {
-    return load == observables::Load::normal_force ? at.force.normal : at.force.root_strain;
+    return load == trajectory::Load::normal_force ? at.force.normal : at.force.root_strain;
   };
   if (!most_bent_) {
     if (most_bent_of_all_ && value(*most_bent_of_all_) <= known &&

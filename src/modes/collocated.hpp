@@ -14,14 +14,14 @@
 #include "modes/guard_search.hpp"
 #include "modes/motion_listener.hpp"
 #include "modes/work_meter.hpp"
-#include "observables/motion_piece.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/harmonic.hpp"
+#include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::modes {
 
-class Collocated final : public observables::MotionPiece {
+class Collocated final : public trajectory::MotionPiece {
  public:
   using Law = contact::ElasticaContact;
   using Bodies = rotor::State;
@@ -43,7 +43,7 @@ class Collocated final : public observables::MotionPiece {
   /// Starts at time τ of the revolution. False where more blades touch.
   bool start(double time, const Bodies& state, const std::vector<OpenContact>& contacts);
   /// Why it could not start: that is for another mode to find.
-  [[nodiscard]] static point::StatusDetail refusal() { return point::StatusDetail::none; }
+  [[nodiscard]] static ending::StatusDetail refusal() { return ending::StatusDetail::none; }
 
   /// Goes on until a blade lifts off or touches down, the contacts are handed over, time reaches `until` or
   /// the meter ends the revolution; hands every piece of motion to the listener.
@@ -59,8 +59,8 @@ class Collocated final : public observables::MotionPiece {
   // The piece of motion that is being recorded.
   [[nodiscard]] double begin() const override { return piece_begin_; }
   [[nodiscard]] double end() const override { return piece_end_; }
-  [[nodiscard]] observables::State state(double time) override { return rotor::as_array(state_at(time)); }
-  void places(const observables::SampleTimes& times, int first, std::span<double> x,
+  [[nodiscard]] trajectory::State state(double time) override { return rotor::as_array(state_at(time)); }
+  void places(const trajectory::SampleTimes& times, int first, std::span<double> x,
               std::span<double> y) override;
   [[nodiscard]] double displacement_bound() const override { return arc_.displacement_bound(); }
   [[nodiscard]] double largest_displacement(double known, double speed_ratio) override;
@@ -69,15 +69,15 @@ class Collocated final : public observables::MotionPiece {
   [[nodiscard]] bool load_peaks(std::size_t contact) const override { return arc_.peaks(blade(contact)); }
   [[nodiscard]] double normal_force(std::size_t contact, double time) override;
   [[nodiscard]] double root_strain(std::size_t contact, double time) override;
-  [[nodiscard]] LargestLoad largest(observables::Load load, std::size_t contact, double known) override;
-  [[nodiscard]] observables::ContactForce contact_force(std::size_t contact, double time) override;
-  [[nodiscard]] observables::Tip tip(int blade, double time) override;
-  [[nodiscard]] std::optional<observables::Pass> nearest_pass(
-      double known, const observables::PointConstants& point) override;
-  [[nodiscard]] observables::Tip deepest(std::size_t contact, double enough) override;
-  [[nodiscard]] bool path(double share, observables::PathPoint& point) override;
-  [[nodiscard]] bool forces_on_path(double share, observables::PathPoint& point,
-                                    std::vector<observables::ContactForce>& forces) override;
+  [[nodiscard]] LargestLoad largest(trajectory::Load load, std::size_t contact, double known) override;
+  [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, double time) override;
+  [[nodiscard]] trajectory::Tip tip(int blade, double time) override;
+  [[nodiscard]] std::optional<trajectory::Pass> nearest_pass(
+      double known, const trajectory::PointConstants& point) override;
+  [[nodiscard]] trajectory::Tip deepest(std::size_t contact, double enough) override;
+  [[nodiscard]] bool path(double share, trajectory::PathPoint& point) override;
+  [[nodiscard]] bool forces_on_path(double share, trajectory::PathPoint& point,
+                                    std::vector<trajectory::ContactForce>& forces) override;
 
   /// Right-hand sides: one at each node in each sweep.
   [[nodiscard]] std::uint64_t evaluations() const { return collocation::kNodes * arc_.sweeps(); }
@@ -90,16 +90,16 @@ class Collocated final : public observables::MotionPiece {
     return blades_->direction(blade, blades_->first(time));
   }
   [[nodiscard]] contact::Pose pose(int blade, const Point& point) const;
-  [[nodiscard]] observables::Tip tip(int blade, const Point& point) const;
+  [[nodiscard]] trajectory::Tip tip(int blade, const Point& point) const;
   /// The piece is an interval, and not a part of one.
   [[nodiscard]] bool is_whole() const {
     return piece_begin_ == arc_.start().time && piece_end_ == arc_.end().time;
   }
   [[nodiscard]] contact::TipForce force(std::size_t contact, const Point& point) const;
   [[nodiscard]] OpenContact contact_in(std::size_t contact, const Point& point) const;
-  [[nodiscard]] observables::ContactForce contact_force(std::size_t contact, const Point& point) const;
+  [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, const Point& point) const;
   /// The place on the interval at a share of the piece, which goes into `point` too.
-  Point place_on_path(double share, observables::PathPoint& point) const;
+  Point place_on_path(double share, trajectory::PathPoint& point) const;
 
   const Law* law_;
   const rotor::BladeSet* blades_;

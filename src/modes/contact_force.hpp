@@ -4,7 +4,7 @@
 #include <complex>
 
 #include "contact/pose.hpp"
-#include "observables/motion_piece.hpp"
+#include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::modes {
 
@@ -29,9 +29,9 @@ struct Rubbing {
 /// Fk = −F (n + c t), and the deformed tip stands at rk = |rk| n from the ring's centre. Seen from the
 /// shaft's centre c it stands at rk − c, of which (rk − c)·t = −c·t, and Ω (rk − c)·n = v − c'·t (MODEL 4.4).
 /// Hence the torque (rk − c) × Fk = −F c·t − c F (v − c'·t)/Ω, whatever bends or yields.
-inline observables::ContactForce contact_force(const contact::TipForce& force, const Rubbing& rubbing,
-                                               const contact::BladeDirection& er, const contact::Pose& at,
-                                               double angular_speed) {
+inline trajectory::ContactForce contact_force(const contact::TipForce& force, const Rubbing& rubbing,
+                                              const contact::BladeDirection& er, const contact::Pose& at,
+                                              double angular_speed) {
   // All along and across the blade.
   using Complex = std::complex<double>;
   const Complex normal = -Complex(force.radial, force.tangential) / Complex(1.0, rubbing.coefficient);  // F n

@@ -95,7 +95,7 @@ class ContactMode {
   static constexpr bool kCoarseSizes = !Law::kHasBending && !Law::kLoadFollowsGap;
   /// Time is a state, which turns back where a contact ends.
   static constexpr bool kTimeTurns = false;
-  /// The path of the mode is known as `observables::PathPoint`.
+  /// The path of the mode is known as `trajectory::PathPoint`.
   static constexpr bool kHasPath = false;
 
   /// A guess holds the side to which a blade is bent, or the branch on which it stands: what a step that goes
@@ -181,7 +181,7 @@ class ContactMode {
   }
   /// What ends the motion, or leads to the next mode, where no force can be found.
   [[nodiscard]] ModeEnd without_force() const {
-    return {Guard::left_validity, -1, point::StatusDetail::no_equilibrium};
+    return {Guard::left_validity, -1, ending::StatusDetail::no_equilibrium};
   }
 
   /// How far a straight column is past the end of its branch, in Euler loads; negative before. Of a law with
@@ -212,7 +212,7 @@ class ContactMode {
     return {at.gap,
             contact::gap_rate(law_->of(blade).geometry(), at, blades_->angular_speed(state[rotor::kTime]))};
   }
-  [[nodiscard]] observables::Tip tip(int blade, const FullState& state) const {
+  [[nodiscard]] trajectory::Tip tip(int blade, const FullState& state) const {
     return tip_of(law_->of(blade).geometry(), pose(blade, state),
                   blades_->angular_speed(state[rotor::kTime]));
   }
@@ -222,8 +222,8 @@ class ContactMode {
     return friction_coefficient(law_of(contact), force, contacts_[contact].slip);
   }
   /// What such a contact does to the rotor.
-  [[nodiscard]] observables::ContactForce on_rotor(std::size_t contact, const contact::TipForce& force,
-                                                   double coefficient, const FullState& state) const {
+  [[nodiscard]] trajectory::ContactForce on_rotor(std::size_t contact, const contact::TipForce& force,
+                                                  double coefficient, const FullState& state) const {
     const OpenContact& open = contacts_[contact];
     const contact::BladeDirection first = first_blade(state);
     return modes::contact_force(force, {open.slip, coefficient}, blades_->direction(open.blade, first),

@@ -14,13 +14,13 @@
 #include "modes/contact_mode.hpp"
 #include "modes/guard_search.hpp"
 #include "modes/motion_listener.hpp"
-#include "observables/motion_piece.hpp"
 #include "rotor/bodies.hpp"
+#include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::modes {
 
 template <class Mode, class Pair>
-class ContactPhase final : public observables::MotionPiece {
+class ContactPhase final : public trajectory::MotionPiece {
  public:
   using FullState = typename Mode::FullState;
   using Bodies = typename Mode::Bodies;
@@ -34,20 +34,20 @@ class ContactPhase final : public observables::MotionPiece {
   /// validity: contacts that have just changed may bend a blade too far at once.
   bool start(double time, const Bodies& state, const std::vector<OpenContact>& contacts) {
     pending_ = false;
-    refusal_ = point::StatusDetail::no_equilibrium;
+    refusal_ = ending::StatusDetail::no_equilibrium;
     FullState full;
     if (!mode_.open(time, state, contacts, full) || !step_.begin(full)) return false;
     mode_.begun();
-    refusal_ = point::StatusDetail::none;
-    if (mode_.shortening() > mode_.limits().max_shortening) refusal_ = point::StatusDetail::shortening_limit;
-    if (mode_.beyond_ring(step_.start()) > 0.0) refusal_ = point::StatusDetail::shaft_at_ring;
-    if (refusal_ != point::StatusDetail::none) return false;
+    refusal_ = ending::StatusDetail::none;
+    if (mode_.shortening() > mode_.limits().max_shortening) refusal_ = ending::StatusDetail::shortening_limit;
+    if (mode_.beyond_ring(step_.start()) > 0.0) refusal_ = ending::StatusDetail::shaft_at_ring;
+    if (refusal_ != ending::StatusDetail::none) return false;
     search_.begin(mode_.slip_rounding());
     return true;
   }
 
   /// Why it could not start.
-  [[nodiscard]] point::StatusDetail refusal() const { return refusal_; }
+  [[nodiscard]] ending::StatusDetail refusal() const { return refusal_; }
 
   /// Goes on until a guard ends the mode, time reaches `until` or the meter ends the revolution; hands every
   /// piece of motion to the listener.
@@ -70,7 +70,7 @@ class ContactPhase final : public observables::MotionPiece {
         case Outcome::stopped:
           return {Guard::failed, -1, meter_->why()};
         case Outcome::too_short:
-          return {Guard::failed, -1, point::StatusDetail::step_too_short};
+          return {Guard::failed, -1, ending::StatusDetail::step_too_short};
         case Outcome::no_derivative:
           end_fraction_ = 0.0;
           return mode_.without_force();
@@ -104,7 +104,7 @@ class ContactPhase final : public observables::MotionPiece {
   // The piece of motion that is being recorded.
   [[nodiscard]] double begin() const override { return segment_begin_; }
   [[nodiscard]] double end() const override { return segment_limit_; }
-  [[nodiscard]] observables::State state(double time) override {
+  [[nodiscard]] trajectory::State state(double time) override {
     return rotor::as_array(rotor::shaft(state_at(time)));
   }
   [[nodiscard]] double displacement_bound() const override { return std::numeric_limits<double>::infinity(); }
@@ -120,23 +120,23 @@ class ContactPhase final : public observables::MotionPiece {
   [[nodiscard]] double root_strain(std::size_t contact, double time) override {
     return mode_.force(contact, full_state_at(time)).root_strain;
   }
-  [[nodiscard]] observables::ContactForce contact_force(std::size_t contact, double time) override {
+  [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, double time) override {
     return contact_force(contact, full_state_at(time));
   }
-  [[nodiscard]] observables::Tip tip(int blade, double time) override {
+  [[nodiscard]] trajectory::Tip tip(int blade, double time) override {
     return mode_.tip(blade, full_state_at(time));
   }
   [[nodiscard]] bool path([[maybe_unused]] double share,
-                          [[maybe_unused]] observables::PathPoint& point) override {
+                          [[maybe_unused]] trajectory::PathPoint& point) override {
     if constexpr (Mode::kHasPath) {
       place_on_path(share, point);
       return true;
     }
     return false;
   }
-  [[nodiscard]] bool forces_on_path(
-      [[maybe_unused]] double share, [[maybe_unused]] observables::PathPoint& point,
-      [[maybe_unused]] std::vector<observables::ContactForce>& forces) override {
+  [[nodiscard]] bool forces_on_path([[maybe_unused]] double share,
+                                    [[maybe_unused]] trajectory::PathPoint& point,
+                                    [[maybe_unused]] std::vector<trajectory::ContactForce>& forces) override {
     if constexpr (Mode::kHasPath) {
       const FullState full = place_on_path(share, point);
       forces.clear();
@@ -162,12 +162,12 @@ class ContactPhase final : public observables::MotionPiece {
     return end_fraction_ * (time - from) / (segment_end_ - from);
   }
   [[nodiscard]] FullState full_state_at(double time) { return step_.at_fraction(fraction_at(time)); }
-  [[nodiscard]] observables::ContactForce contact_force(std::size_t contact, const FullState& full) const {
+  [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, const FullState& full) const {
     const contact::TipForce force = mode_.force(contact, full);
     return mode_.on_rotor(contact, force, mode_.friction_of(contact, force, full), full);
   }
   /// The state at a share of the piece, which goes into `point` too.
-  FullState place_on_path(double share, observables::PathPoint& point) {
+  FullState place_on_path(double share, trajectory::PathPoint& point) {
     const double from = fraction_at(segment_begin_);
     const double length = fraction_at(segment_limit_) - from;
     const double fraction = from + share * length;
@@ -204,7 +204,7 @@ class ContactPhase final : public observables::MotionPiece {
     if (!std::isfinite(segment_end_) && step_.take_back()) return;
     pending_ = true;
     if (!std::isfinite(segment_end_)) {
-      end_ = {Guard::failed, -1, point::StatusDetail::beyond_precision};
+      end_ = {Guard::failed, -1, ending::StatusDetail::beyond_precision};
       segment_end_ = segment_begin_;
     }
   }
@@ -215,7 +215,7 @@ class ContactPhase final : public observables::MotionPiece {
   WorkMeter* meter_;
   bool pending_ = false;         ///< a step has been made and not been recorded to its end
   ModeEnd end_{Guard::horizon};  ///< what happens at the end of that step's segment
-  point::StatusDetail refusal_ = point::StatusDetail::none;
+  ending::StatusDetail refusal_ = ending::StatusDetail::none;
   double end_fraction_ = 1.0;   ///< of the step, where the segment ends
   double segment_begin_ = 0.0;  ///< recorded up to here
   double segment_end_ = 0.0;

@@ -14,11 +14,11 @@
 #include "modes/flight_row.hpp"
 #include "modes/state_row.hpp"
 #include "modes/work_meter.hpp"
-#include "observables/motion_piece.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
 #include "rotor/free_motion.hpp"
 #include "rotor/harmonic.hpp"
+#include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::modes {
 
@@ -101,7 +101,7 @@ class Flight {
   }
 
   /// x, and y unless it is empty [m], at the times from number `first` on, which lie in this flight.
-  void places(const observables::SampleTimes& times, int first, std::span<double> x,
+  void places(const trajectory::SampleTimes& times, int first, std::span<double> x,
               std::span<double> y) const requires FliesInRows<Forcing> {
     constexpr int kRowsFromClosedForm = 16;  // rounding of each row adds up
     StateRow& row = row_of(sample_row_, times.spacing());
@@ -124,7 +124,7 @@ class Flight {
   /// The largest |z| between two times of this flight [m], or `known` where it is not larger than that.
   [[nodiscard]] double largest_displacement(double begin, double end,
                                             double known) const requires FliesInRows<Forcing> {
-    const double spacing = observables::spacing_of_distances(rotor_->speed_ratio);
+    const double spacing = trajectory::spacing_of_distances(rotor_->speed_ratio);
     StateRow& row = row_of(distance_row_, spacing);
     double largest = known * known;
     const auto take = [&](const rotor::State& there) {

@@ -6,24 +6,24 @@
 #include <span>
 
 #include "modes/flight.hpp"
-#include "observables/motion_piece.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
+#include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::modes {
 
 /// `Search`: the search for touch-downs, which knows the tips.
 template <class Forcing, class Search>
-class FlightPiece final : public observables::MotionPiece {
+class FlightPiece final : public trajectory::MotionPiece {
  public:
   FlightPiece(const Flight<Forcing>& flight, Search& search, double begin, double end, double bound)
       : flight_(&flight), search_(&search), begin_(begin), end_(end), bound_(bound) {}
   [[nodiscard]] double begin() const override { return begin_; }
   [[nodiscard]] double end() const override { return end_; }
-  [[nodiscard]] observables::State state(double time) override {
+  [[nodiscard]] trajectory::State state(double time) override {
     return rotor::as_array(rotor::shaft(flight_->state(time)));
   }
-  void places(const observables::SampleTimes& times, int first, std::span<double> x,
+  void places(const trajectory::SampleTimes& times, int first, std::span<double> x,
               std::span<double> y) override {
     if constexpr (kInRows) {
       flight_->places(times, first, x, y);
@@ -44,14 +44,14 @@ class FlightPiece final : public observables::MotionPiece {
   [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return false; }
   [[nodiscard]] double normal_force(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
   [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
-  [[nodiscard]] observables::ContactForce contact_force(std::size_t /*contact*/, double /*time*/) override {
+  [[nodiscard]] trajectory::ContactForce contact_force(std::size_t /*contact*/, double /*time*/) override {
     return {};
   }
-  [[nodiscard]] observables::Tip tip(int blade, double time) override {
+  [[nodiscard]] trajectory::Tip tip(int blade, double time) override {
     return search_->tip(*flight_, blade, time);
   }
-  [[nodiscard]] std::optional<observables::Pass> nearest_pass(
-      double known, const observables::PointConstants& point) override {
+  [[nodiscard]] std::optional<trajectory::Pass> nearest_pass(
+      double known, const trajectory::PointConstants& point) override {
     if constexpr (Search::template kInRows<Flight<Forcing>>) {
       return search_->nearest_pass(*flight_, begin_, end_, known);
     } else {

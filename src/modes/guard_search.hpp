@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "contact/pose.hpp"
+#include "ending/status.hpp"
 #include "integrate/controlled_step.hpp"
 #include "integrate/cubic_range.hpp"
 #include "integrate/first_crossing.hpp"
 #include "modes/motion_listener.hpp"
 #include "modes/open_contact.hpp"
-#include "point/status.hpp"
 
 namespace rubatlas::modes {
 
@@ -25,7 +25,7 @@ namespace rubatlas::modes {
 struct ModeEnd {
   Guard guard;
   int blade = -1;
-  point::StatusDetail why = point::StatusDetail::none;  ///< where the motion ends
+  ending::StatusDetail why = ending::StatusDetail::none;  ///< where the motion ends
 };
 
 /// Values of one blade that are kept from step to step.

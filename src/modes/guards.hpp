@@ -156,7 +156,7 @@ template <class Mode, class Search>
 void shaft_at_ring(const Mode& mode, Search& search, double farthest) {
   if (farthest < mode.ring_radius()) return;
   search.look_for([&](double part) { return mode.beyond_ring(search.step().at_fraction(part)); },
-                  {Guard::left_validity, -1, point::StatusDetail::shaft_at_ring});
+                  {Guard::left_validity, -1, ending::StatusDetail::shaft_at_ring});
 }
 
 /// A blade in contact is shortened by more than the limit: δ/L (MODEL 5).
@@ -167,7 +167,7 @@ void shortening_limit(const Mode& mode, Search& search) {
         [&](double part) {
           return mode.force(i, search.step().at_fraction(part)).shortening - mode.limits().max_shortening;
         },
-        {Guard::left_validity, mode.contacts()[i].blade, point::StatusDetail::shortening_limit});
+        {Guard::left_validity, mode.contacts()[i].blade, ending::StatusDetail::shortening_limit});
   }
 }
 

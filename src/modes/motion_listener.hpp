@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
-#include "observables/motion_piece.hpp"
 #include "rotor/constants.hpp"
+#include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::modes {
 
@@ -37,7 +37,7 @@ struct Event {
 class MotionListener {
  public:
   virtual ~MotionListener() = default;
-  virtual void piece(observables::MotionPiece& /*piece*/) {}
+  virtual void piece(trajectory::MotionPiece& /*piece*/) {}
   virtual void event(const Event& /*event*/) {}
   /// The next revolution has this Ω. Never called where the speed does not ramp.
   virtual void speed_changes(double /*speed_ratio*/) {}

@@ -102,7 +102,7 @@ class StickingElastic : public Solved<Law, Forcing, Blades> {
     // A tip at rest that nothing can hold beyond the start of the step.
     const OpenContact& lost = this->contacts_[this->lost_];
     if (lost.slip == 0.0) return {Guard::comes_loose, lost.blade};
-    return {Guard::left_validity, -1, point::StatusDetail::no_equilibrium};
+    return {Guard::left_validity, -1, ending::StatusDetail::no_equilibrium};
   }
 
   template <class Search>

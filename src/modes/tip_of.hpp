@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "contact/pose.hpp"
-#include "observables/motion_piece.hpp"
+#include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::modes {
 
-inline observables::Tip tip_of(const contact::Geometry& geometry, const contact::Pose& at,
-                               double angular_speed) {
+inline trajectory::Tip tip_of(const contact::Geometry& geometry, const contact::Pose& at,
+                              double angular_speed) {
   const double radius = geometry.ring_radius;
   // |tip|² = R² + g
   const double distance = std::sqrt(std::fmax(radius * radius + at.gap, 0.0));

@@ -17,10 +17,10 @@
 #include "modes/flight_row.hpp"
 #include "modes/tip_of.hpp"
 #include "modes/work_meter.hpp"
-#include "observables/motion_piece.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
+#include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::modes {
 
@@ -94,7 +94,7 @@ class TouchdownSearch {
 
   /// A tip at a time of the flight.
   template <class Flight>
-  [[nodiscard]] observables::Tip tip(const Flight& flight, int blade, double time) const {
+  [[nodiscard]] trajectory::Tip tip(const Flight& flight, int blade, double time) const {
     const contact::Geometry& geometry = law_->of(blade).geometry();
     return tip_of(geometry, pose(geometry, blade, time, flight.state(time)), blades_->angular_speed(time));
   }
@@ -102,12 +102,12 @@ class TouchdownSearch {
   /// The tip that passes the ring nearest between two times of the flight, nearer than `known` [m], or none.
   /// Once this has been asked for, the search keeps the gaps that it finds.
   template <class Flight>
-  [[nodiscard]] std::optional<observables::Pass> nearest_pass(const Flight& flight, double begin, double end,
-                                                              double known) requires kInRows<Flight> {
+  [[nodiscard]] std::optional<trajectory::Pass> nearest_pass(const Flight& flight, double begin, double end,
+                                                             double known) requires kInRows<Flight> {
     keeps_rows_ = true;
     const rotor::State state = flight.state(begin);
     if (!rows_reach(begin, state, end)) look_along(flight, begin, state, end);
-    std::optional<observables::Pass> nearest;
+    std::optional<trajectory::Pass> nearest;
     auto next = gaps_.begin();
     for (const KeptRow& row : rows_) {
       if (!(row.begin < end)) break;
@@ -248,12 +248,12 @@ class TouchdownSearch {
   };
   /// Of the tops of a blade's gap in a row the one nearest to the ring, before `end` and nearer than `known`.
   template <class Flight>
-  [[nodiscard]] std::optional<observables::Pass> nearest_top(const Flight& flight, const KeptRow& row,
-                                                             int blade, const FlightRow::Gaps& gaps,
-                                                             double end, double known) const {
+  [[nodiscard]] std::optional<trajectory::Pass> nearest_top(const Flight& flight, const KeptRow& row,
+                                                            int blade, const FlightRow::Gaps& gaps,
+                                                            double end, double known) const {
     const double radius = law_->of(blade).geometry().ring_radius;
     const double h = row_->spacing();
-    std::optional<observables::Pass> nearest;
+    std::optional<trajectory::Pass> nearest;
     double gap_before = gaps.before;
     double rate_before = gaps.rate_before;
     for (int i = 0; i < row.intervals && row.begin + i * h < end; ++i) {
@@ -294,9 +294,9 @@ class TouchdownSearch {
   };
   /// The pass of that tip there, if it comes before `end` and nearer than `known`.
   template <class Flight>
-  [[nodiscard]] std::optional<observables::Pass> pass_between(const Flight& flight, int blade,
-                                                              TopBetween between, double end,
-                                                              double known) const {
+  [[nodiscard]] std::optional<trajectory::Pass> pass_between(const Flight& flight, int blade,
+                                                             TopBetween between, double end,
+                                                             double known) const {
     const contact::Geometry& geometry = law_->of(blade).geometry();
     const auto rate = [&](double time) {
       const rotor::State at = flight.state(time);
@@ -316,9 +316,9 @@ class TouchdownSearch {
     constexpr double kClosest = 1e-6;  // of the time between: the error left is of the second order of that
     const double time = integrate::newton_between(rate, between.from, between.to, between.guess, false,
                                                   kClosest * (between.to - between.from));
-    const observables::Tip top = tip(flight, blade, time);
+    const trajectory::Tip top = tip(flight, blade, time);
     if (!(top.overlap < 0.0 && -top.overlap < known)) return std::nullopt;
-    return observables::Pass{-top.overlap, top.side, blade, time};
+    return trajectory::Pass{-top.overlap, top.side, blade, time};
   }
 
   template <class Flight, class Bodies>

@@ -31,7 +31,7 @@ void WorkMeter::begin_revolution(const GoOn& go_on) {
   allowed_ = std::min(bound_->revolution, of_point - spent_before_);
   until_look_ = kBetweenLooks;
   go_on_ = &go_on;
-  why_ = point::StatusDetail::none;
+  why_ = ending::StatusDetail::none;
 }
 
 std::int64_t WorkMeter::total() const {
@@ -39,15 +39,15 @@ std::int64_t WorkMeter::total() const {
 }
 
 bool WorkMeter::look() {
-  constexpr std::array kDetails{point::StatusDetail::contact_work, point::StatusDetail::flight_work,
-                                point::StatusDetail::event_work};
+  constexpr std::array kDetails{ending::StatusDetail::contact_work, ending::StatusDetail::flight_work,
+                                ending::StatusDetail::event_work};
   if (ended()) return false;
   const std::int64_t allowed = revolutions_ > 0 ? allowed_ : bound_->revolution;
   if (total() - spent_before_ > allowed) {
     const auto most = std::max_element(spent_.begin(), spent_.end()) - spent_.begin();
     why_ = kDetails[static_cast<std::size_t>(most)];
   } else if (go_on_ != nullptr && *go_on_ && !(*go_on_)()) {
-    why_ = point::StatusDetail::given_up;
+    why_ = ending::StatusDetail::given_up;
   }
   if (ended()) return false;
   until_look_ = kBetweenLooks;

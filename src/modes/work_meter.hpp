@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "point/status.hpp"
+#include "ending/status.hpp"
 
 namespace rubatlas::modes {
 
@@ -54,9 +54,9 @@ class WorkMeter {
     until_look_ -= price;
     return until_look_ > 0 || look();
   }
-  [[nodiscard]] bool ended() const { return why_ != point::StatusDetail::none; }
+  [[nodiscard]] bool ended() const { return why_ != ending::StatusDetail::none; }
   /// What ended the revolution.
-  [[nodiscard]] point::StatusDetail why() const { return why_; }
+  [[nodiscard]] ending::StatusDetail why() const { return why_; }
   /// All work done, in the revolutions before, too [ns].
   [[nodiscard]] std::int64_t total() const;
 
@@ -70,7 +70,7 @@ class WorkMeter {
   std::array<std::int64_t, 3> spent_{};  ///< in this revolution
   std::int64_t spent_before_ = 0;        ///< in the revolutions before
   const GoOn* go_on_ = nullptr;
-  point::StatusDetail why_ = point::StatusDetail::none;
+  ending::StatusDetail why_ = ending::StatusDetail::none;
 };
 
 /// How often the curves of a law's blades have been evaluated; 0 where they have none.

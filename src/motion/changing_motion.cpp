@@ -30,14 +30,14 @@ ChangingMotion::ChangingMotion(const settings::Scene& line, double speed_ratio, 
   motion_ = make(speed_, lost_);
 }
 
-point::PointStatus ChangingMotion::revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
-                                              int number) {
-  const point::PointStatus status = change(listener, number);
-  if (status != point::PointStatus::done) return status;
+ending::PointStatus ChangingMotion::revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
+                                               int number) {
+  const ending::PointStatus status = change(listener, number);
+  if (status != ending::PointStatus::done) return status;
   if (!wear_) return motion_->revolution(listener, go_on, number);
   friction_work_->begin(listener);
-  const point::PointStatus end = motion_->revolution(*friction_work_, go_on, number);
-  return end == point::PointStatus::done ? wear_off() : end;
+  const ending::PointStatus end = motion_->revolution(*friction_work_, go_on, number);
+  return end == ending::PointStatus::done ? wear_off() : end;
 }
 
 WorkCounts ChangingMotion::work() const {
@@ -54,32 +54,32 @@ double ChangingMotion::clearance_growth() const {
 }
 
 /// Makes a new motion for the next revolution and lets it take over, if speed or lengths have changed.
-point::PointStatus ChangingMotion::change(modes::MotionListener& listener, int number) {
+ending::PointStatus ChangingMotion::change(modes::MotionListener& listener, int number) {
   const double speed = ramp_ ? ramp_->speed_ratio(first_speed_, number) : speed_;
   const bool faster = speed != speed_;
-  if (!faster && !shorter_) return point::PointStatus::done;
+  if (!faster && !shorter_) return ending::PointStatus::done;
   speed_ = speed;
   shorter_ = false;
   work_ += motion_->work();
   auto next = (*make_)(speed_, lost_);
-  const point::PointStatus status = next->take_over(*motion_);
+  const ending::PointStatus status = next->take_over(*motion_);
   motion_ = std::move(next);
   if (faster) listener.speed_changes(speed_);
   return status;
 }
 
 /// Takes off what the friction of the revolution has worn off; a blade that has lost too much ends the point.
-point::PointStatus ChangingMotion::wear_off() {
+ending::PointStatus ChangingMotion::wear_off() {
   const std::span<const double> work = friction_work_->of_blades();
   for (std::size_t k = 0; k < lost_.size(); ++k) {
     const double loss = wear_->rate * work[k];
     if (loss > 0.0) shorter_ = true;
     lost_[k] += loss;
-    if (!std::isfinite(loss)) worn_out_ = point::StatusDetail::beyond_precision;
-    if (lost_[k] > longest_loss_) worn_out_ = point::StatusDetail::worn_out;
-    if (worn_out_ != point::StatusDetail::none) break;
+    if (!std::isfinite(loss)) worn_out_ = ending::StatusDetail::beyond_precision;
+    if (lost_[k] > longest_loss_) worn_out_ = ending::StatusDetail::worn_out;
+    if (worn_out_ != ending::StatusDetail::none) break;
   }
-  return point::status_of(worn_out_);
+  return ending::status_of(worn_out_);
 }
 
 }  // namespace rubatlas::motion

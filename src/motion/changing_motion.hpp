@@ -25,13 +25,13 @@ class ChangingMotion final : public PointMotion {
   ChangingMotion(const settings::Scene& line, double speed_ratio, const Memory& memory,
                  const MakeMotion& make);
 
-  point::PointStatus start(const PointStart& start) override { return motion_->start(start); }
-  point::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
-                                int number) override;
-  point::PointStatus take_over(PointMotion& before) override { return motion_->take_over(before); }
+  ending::PointStatus start(const PointStart& start) override { return motion_->start(start); }
+  ending::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
+                                 int number) override;
+  ending::PointStatus take_over(PointMotion& before) override { return motion_->take_over(before); }
 
-  [[nodiscard]] point::StatusDetail status_detail() const override {
-    return worn_out_ != point::StatusDetail::none ? worn_out_ : motion_->status_detail();
+  [[nodiscard]] ending::StatusDetail status_detail() const override {
+    return worn_out_ != ending::StatusDetail::none ? worn_out_ : motion_->status_detail();
   }
   [[nodiscard]] rotor::ShaftAndRing state() const override { return motion_->state(); }
   /// The length that each blade has lost [m].
@@ -40,8 +40,8 @@ class ChangingMotion final : public PointMotion {
   [[nodiscard]] WorkCounts work() const override;
 
  private:
-  point::PointStatus change(modes::MotionListener& listener, int number);
-  point::PointStatus wear_off();
+  ending::PointStatus change(modes::MotionListener& listener, int number);
+  ending::PointStatus wear_off();
 
   const MakeMotion* make_;
   double first_speed_;  ///< Ω of the transient and the first sampled revolution
@@ -52,7 +52,7 @@ class ChangingMotion final : public PointMotion {
   std::vector<double> lost_before_;  ///< when the point started
   double longest_loss_ = 0.0;        ///< [m]
   bool shorter_ = false;             ///< a blade has lost length in the last revolution
-  point::StatusDetail worn_out_ = point::StatusDetail::none;  ///< why wear ends the point
+  ending::StatusDetail worn_out_ = ending::StatusDetail::none;  ///< why wear ends the point
   std::optional<FrictionWork> friction_work_;
   std::unique_ptr<PointMotion> motion_;
   WorkCounts work_;  ///< of the earlier motions of the point

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "modes/motion_listener.hpp"
-#include "observables/motion_piece.hpp"
-#include "observables/places_in_piece.hpp"
+#include "trajectory/motion_piece.hpp"
+#include "trajectory/places_in_piece.hpp"
 
 namespace rubatlas::motion {
 
@@ -25,9 +25,9 @@ class FrictionWork final : public modes::MotionListener {
   /// W of each blade since `begin` [J].
   [[nodiscard]] std::span<const double> of_blades() const { return work_; }
 
-  void piece(observables::MotionPiece& piece) override {
+  void piece(trajectory::MotionPiece& piece) override {
     listener_->piece(piece);
-    places_.with_forces(piece, [&](const observables::PlacesInPiece::Place& place) {
+    places_.with_forces(piece, [&](const trajectory::PlacesInPiece::Place& place) {
       for (std::size_t contact = 0; contact < place.forces.size(); ++contact) {
         work_[static_cast<std::size_t>(piece.blade(contact))] +=
             std::abs(place.weight * place.forces[contact].friction_power());
@@ -40,7 +40,7 @@ class FrictionWork final : public modes::MotionListener {
  private:
   modes::MotionListener* listener_ = nullptr;
   std::vector<double> work_;
-  observables::PlacesInPiece places_;
+  trajectory::PlacesInPiece places_;
 };
 
 }  // namespace rubatlas::motion

@@ -66,10 +66,10 @@ class Motion {
   Motion& operator=(const Motion&) = delete;
 
   /// Starts at phase 0; blades with g > 0 are in contact (MODEL 4.4).
-  point::PointStatus start(const Bodies& state) { return start(state, 0.0, kNoBlade); }
+  ending::PointStatus start(const Bodies& state) { return start(state, 0.0, kNoBlade); }
   /// Starts at time τ of the first revolution, where the tip of `touching` stands on the ring and touches
   /// down.
-  point::PointStatus start(const Bodies& state, double time, int touching) {
+  ending::PointStatus start(const Bodies& state, double time, int touching) {
     state_ = state;
     time_ = time;
     mode_ = Mode::undecided;
@@ -77,17 +77,18 @@ class Motion {
     for (int k = 0; k < blades_.count(); ++k) {
       const TipPlace at = place(k);
       const bool touches = k == touching || at.pose.gap > 0.0;
-      if (touches && !open(k, at)) return ends(point::StatusDetail::no_equilibrium);
+      if (touches && !open(k, at)) return ends(ending::StatusDetail::no_equilibrium);
     }
     touched_down_ = touching != kNoBlade;
-    if (!place_ring()) return ends(point::StatusDetail::ring_unbalanced);
+    if (!place_ring()) return ends(ending::StatusDetail::ring_unbalanced);
     if constexpr (requires { flight_.resolves(0.0); }) {
-      if (!flight_.resolves(rotor_.period())) return ends(point::StatusDetail::beyond_precision);
+      if (!flight_.resolves(rotor_.period())) return ends(ending::StatusDetail::beyond_precision);
     }
     settle([](const modes::OpenContact&) {});
     flight_.start(time_, state_);
     never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);
-    return ends(state_.isFinite().all() ? point::StatusDetail::none : point::StatusDetail::beyond_precision);
+    return ends(state_.isFinite().all() ? ending::StatusDetail::none
+                                        : ending::StatusDetail::beyond_precision);
   }
 
   /// A motion at the end of a revolution, from which another motion goes on.
@@ -113,7 +114,7 @@ class Motion {
   }
   /// Goes on at phase 0 from where a motion with another speed or other blades has ended: contacts stay, with
   /// their slip directions (MODEL 4.4), where the blade still reaches the ring.
-  point::PointStatus take_over(const Handover& handed) {
+  ending::PointStatus take_over(const Handover& handed) {
     state_ = handed.state;
     meter_ = handed.meter;
     contacts_.clear();
@@ -121,15 +122,15 @@ class Motion {
       const TipPlace at = place(k);
       const auto held = std::ranges::find(handed.contacts, k, &modes::OpenContact::blade);
       const bool found = held == handed.contacts.end() ? at.pose.gap <= 0.0 || open(k, at) : keep(*held, at);
-      if (!found) return ends(point::StatusDetail::no_equilibrium);
+      if (!found) return ends(ending::StatusDetail::no_equilibrium);
     }
     flight_.start(time_, state_);
     never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);
-    return point::PointStatus::done;
+    return ending::PointStatus::done;
   }
 
   /// Computes one revolution.
-  point::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on = {}) {
+  ending::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on = {}) {
     const double period = rotor_.period();
     meter_.begin_revolution(go_on);
     while (meter_.spend(modes::Work::events, price_of_last_event())) {
@@ -142,14 +143,14 @@ class Motion {
         return finish_revolution(period);
       }
       if (end.guard == modes::Guard::failed || end.guard == modes::Guard::left_validity) return ends(end.why);
-      const point::PointStatus status = reset(end, listener);
-      if (status != point::PointStatus::done) return status;
-      if (!place_ring()) return ends(point::StatusDetail::ring_unbalanced);
+      const ending::PointStatus status = reset(end, listener);
+      if (status != ending::PointStatus::done) return status;
+      if (!place_ring()) return ends(ending::StatusDetail::ring_unbalanced);
     }
     return ends(meter_.why());
   }
   /// What ended the motion, where its status is not `done`.
-  [[nodiscard]] point::StatusDetail status_detail() const { return detail_; }
+  [[nodiscard]] ending::StatusDetail status_detail() const { return detail_; }
 
   /// State at the end of the last revolution.
   [[nodiscard]] const Bodies& state() const { return state_; }
@@ -212,9 +213,9 @@ class Motion {
     return {};
   }
 
-  point::PointStatus ends(point::StatusDetail why) {
+  ending::PointStatus ends(ending::StatusDetail why) {
     detail_ = why;
-    return point::status_of(why);
+    return ending::status_of(why);
   }
 
   /// Price of the last event. Where the search for new equilibria is long, it is included.
@@ -259,7 +260,7 @@ class Motion {
     }
     const double end = touchdown ? touchdown->time : period;
     if (search_.shaft_at_ring(flight_, end, meter_))
-      return {Guard::left_validity, -1, point::StatusDetail::shaft_at_ring};
+      return {Guard::left_validity, -1, ending::StatusDetail::shaft_at_ring};
     if (meter_.ended()) return {Guard::failed, -1, meter_.why()};
     if (end > time_) {
       modes::FlightPiece piece(flight_, search_, time_, end,
@@ -267,7 +268,7 @@ class Motion {
       listener.piece(piece);
       state_ = flight_.state(end);
       time_ = end;
-      if (!state_.isFinite().all()) return {Guard::failed, -1, point::StatusDetail::beyond_precision};
+      if (!state_.isFinite().all()) return {Guard::failed, -1, ending::StatusDetail::beyond_precision};
     }
     if (!touchdown) return {Guard::horizon};
     return {Guard::touch_down, touchdown->blade};
@@ -296,14 +297,14 @@ class Motion {
       // reset does this for the blade of the event.
       for (modes::OpenContact& open : contacts_) {
         if (open.slip != 0.0 && open.blade != end.blade && !bend_anew(open))
-          return {modes::Guard::left_validity, -1, point::StatusDetail::no_equilibrium};
+          return {modes::Guard::left_validity, -1, ending::StatusDetail::no_equilibrium};
       }
     }
-    if (!state_.isFinite().all()) return {modes::Guard::failed, -1, point::StatusDetail::beyond_precision};
+    if (!state_.isFinite().all()) return {modes::Guard::failed, -1, ending::StatusDetail::beyond_precision};
     return end;
   }
 
-  point::PointStatus finish_revolution(double period) {
+  ending::PointStatus finish_revolution(double period) {
     if (mode_ == Mode::flight) mode_ = Mode::undecided;
     ++work_.revolutions;
     time_ -= period;  // exactly 0
@@ -311,7 +312,8 @@ class Motion {
       open.reversed -= period;
       open.reversed_before -= period;
     }
-    return ends(state_.isFinite().all() ? point::StatusDetail::none : point::StatusDetail::beyond_precision);
+    return ends(state_.isFinite().all() ? ending::StatusDetail::none
+                                        : ending::StatusDetail::beyond_precision);
   }
 
   // From the contacts to the mode for them.
@@ -325,7 +327,7 @@ class Motion {
   }
   /// False where no mode can begin; `refusal_` says why.
   bool begin_mode() {
-    refusal_ = point::StatusDetail::no_equilibrium;
+    refusal_ = ending::StatusDetail::no_equilibrium;
     if (contacts_.empty()) {
       mode_ = Mode::flight;
       return true;
@@ -495,7 +497,7 @@ class Motion {
   using Contact = std::vector<modes::OpenContact>::iterator;
 
   /// From the guard that has ended a mode to the contacts of the next mode.
-  point::PointStatus reset(const modes::ModeEnd& end, modes::MotionListener& listener) {
+  ending::PointStatus reset(const modes::ModeEnd& end, modes::MotionListener& listener) {
     using modes::Guard;
     mode_ = Mode::undecided;
     const auto contact = std::ranges::find(contacts_, end.blade, &modes::OpenContact::blade);
@@ -504,36 +506,36 @@ class Motion {
         return ends(touch_down(end.blade, listener));
       case Guard::lift_off:
         if (!Reset::straightens(law_.of(end.blade), place(end.blade), *contact)) lift_off(contact, listener);
-        return ends(point::StatusDetail::none);
+        return ends(ending::StatusDetail::none);
       case Guard::snap:
         return ends(snap(contact, listener));
       case Guard::nears_fold:
         std::iter_swap(contacts_.begin(), contact);
         near_fold_ = true;
-        return ends(point::StatusDetail::none);
+        return ends(ending::StatusDetail::none);
       case Guard::comes_loose:
         return ends(come_loose(contact, listener));
       case Guard::slip_reversal:
         return ends(reverse_slip(contact, listener));
       case Guard::hands_over:
         handed_over_ = true;
-        return ends(point::StatusDetail::none);
+        return ends(ending::StatusDetail::none);
       case Guard::pressed_in:  // a tip that has skimmed goes on under its full force, a straight blade bends
         contact->straight = false;
-        return ends(point::StatusDetail::none);
+        return ends(ending::StatusDetail::none);
       default:
-        return ends(point::StatusDetail::none);
+        return ends(ending::StatusDetail::none);
     }
   }
 
-  point::StatusDetail touch_down(int blade, modes::MotionListener& listener) {
+  ending::StatusDetail touch_down(int blade, modes::MotionListener& listener) {
     ++work_.touchdowns;
-    if (!open(blade, place(blade))) return point::StatusDetail::no_equilibrium;
+    if (!open(blade, place(blade))) return ending::StatusDetail::no_equilibrium;
     touched_down_ = true;
     handed_over_ = false;
     tell_of_others(blade, listener);
     tell(listener, modes::Guard::touch_down, blade, contacts_.back().slip);
-    return point::StatusDetail::none;
+    return ending::StatusDetail::none;
   }
   void lift_off(Contact contact, modes::MotionListener& listener) {
     const int blade = contact->blade;
@@ -544,20 +546,20 @@ class Motion {
     tell_of_others(blade, listener);
   }
   /// A blade has come to the end of its branch.
-  point::StatusDetail snap(Contact contact, modes::MotionListener& listener) {
+  ending::StatusDetail snap(Contact contact, modes::MotionListener& listener) {
     switch (Reset::snap(law_.of(contact->blade), place(contact->blade), *contact)) {
       case Standing::lost:
-        return point::StatusDetail::no_equilibrium;
+        return ending::StatusDetail::no_equilibrium;
       case Standing::free:
         lift_off(contact, listener);
         break;
       default:
         tell(listener, modes::Guard::snap, contact->blade, contact->slip);
     }
-    return point::StatusDetail::none;
+    return ending::StatusDetail::none;
   }
   /// A tip at rest is no longer held, and slips in the direction of the pull.
-  point::StatusDetail come_loose(Contact contact, modes::MotionListener& listener) {
+  ending::StatusDetail come_loose(Contact contact, modes::MotionListener& listener) {
     const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());
     if constexpr (Modes::kSticks) {
       judge_->let_go(contacts_, place_in_list, unbent());
@@ -566,21 +568,21 @@ class Motion {
       std::vector<modes::OpenContact> contacts = of_resting_law();
       resting_judge_->let_go(contacts, place_in_list, unbent());
       *contact = {contact->blade, contacts[place_in_list].slip, contact->bending, contact->bend};
-      if (!bend_anew(*contact)) return point::StatusDetail::no_equilibrium;
+      if (!bend_anew(*contact)) return ending::StatusDetail::no_equilibrium;
     }
     tell(listener, modes::Guard::comes_loose, contact->blade, contact->slip);
-    return point::StatusDetail::none;
+    return ending::StatusDetail::none;
   }
   /// The slip velocity of a tip has come to zero: it reverses its slip, or comes to rest where it can stick.
-  point::StatusDetail reverse_slip(Contact contact, modes::MotionListener& listener) {
+  ending::StatusDetail reverse_slip(Contact contact, modes::MotionListener& listener) {
     ++work_.slip_reversals;
     if constexpr (Modes::kSticks) {
       const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());
-      if (!judge_->arrest(contacts_, place_in_list, unbent())) return point::StatusDetail::slip_undecided;
+      if (!judge_->arrest(contacts_, place_in_list, unbent())) return ending::StatusDetail::slip_undecided;
       tell_of_others(contact->blade, listener);
     } else {
       const bool accumulated = accumulates(*contact);
-      if (accumulated && !has_law_of_rest()) return point::StatusDetail::slip_undecided;
+      if (accumulated && !has_law_of_rest()) return ending::StatusDetail::slip_undecided;
       if (accumulated && comes_to_rest(*contact)) {
         ++work_.slip_accumulations;
       } else {
@@ -588,15 +590,15 @@ class Motion {
         if (!bend_anew(*contact)) {
           // A tip that was held beyond the ring is free where the reversed friction cannot hold it.
           if (!released_at_fold(contact->blade) || place(contact->blade).pose.gap >= 0.0)
-            return point::StatusDetail::no_equilibrium;
+            return ending::StatusDetail::no_equilibrium;
           tell(listener, modes::Guard::slip_reversal, contact->blade, contact->slip);
           lift_off(contact, listener);
-          return point::StatusDetail::none;
+          return ending::StatusDetail::none;
         }
       }
     }
     tell(listener, modes::Guard::slip_reversal, contact->blade, contact->slip);
-    return point::StatusDetail::none;
+    return ending::StatusDetail::none;
   }
 
   /// In tolerances: hops lower than this are replaced by their limit (MODEL 4.9). Their height may grow by
@@ -633,8 +635,8 @@ class Motion {
   Bodies state_ = Bodies::Zero();
   double time_ = 0.0;
   std::uint64_t paid_evaluations_ = 0;  ///< of curves, whose price has been added to the meter
-  point::StatusDetail detail_ = point::StatusDetail::none;
-  point::StatusDetail refusal_ = point::StatusDetail::none;  ///< why the last mode could not begin
+  ending::StatusDetail detail_ = ending::StatusDetail::none;
+  ending::StatusDetail refusal_ = ending::StatusDetail::none;  ///< why the last mode could not begin
   WorkCounts work_;
   Mode mode_ = Mode::undecided;
   bool handed_over_ = false;    ///< collocation has left the present contacts to other modes

@@ -9,11 +9,11 @@
 #include <type_traits>
 #include <utility>
 
+#include "ending/status.hpp"
 #include "modes/motion_listener.hpp"
 #include "modes/work_meter.hpp"
 #include "motion/point_start.hpp"
 #include "motion/work_counts.hpp"
-#include "point/status.hpp"
 #include "rotor/bodies.hpp"
 
 namespace rubatlas::motion {
@@ -25,21 +25,21 @@ class PointMotion {
   PointMotion& operator=(const PointMotion&) = delete;
   virtual ~PointMotion() = default;
 
-  virtual point::PointStatus start(const PointStart& start) = 0;
+  virtual ending::PointStatus start(const PointStart& start) = 0;
   /// Starts where a blade touches down. Throws std::logic_error for a machine that changes, and for methods
   /// that ours is compared with.
-  virtual point::PointStatus start_at_touch_down(const TouchdownStart& /*start*/) {
+  virtual ending::PointStatus start_at_touch_down(const TouchdownStart& /*start*/) {
     throw std::logic_error("this motion does not start at a touch-down");
   }
   /// The next revolution. `number` counts from the first sampled revolution and is negative in the transient.
-  virtual point::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
-                                        int number) = 0;
+  virtual ending::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
+                                         int number) = 0;
   /// Goes on at phase 0 from where a motion of the same kind, with another speed or other blades, has ended.
   /// Throws std::logic_error for a machine that does not change.
-  virtual point::PointStatus take_over(PointMotion& before) = 0;
+  virtual ending::PointStatus take_over(PointMotion& before) = 0;
 
   /// What ended the motion, where its status is not `done`.
-  [[nodiscard]] virtual point::StatusDetail status_detail() const = 0;
+  [[nodiscard]] virtual ending::StatusDetail status_detail() const = 0;
   /// State at the end of the last revolution; a ring that is not a body is at zero.
   [[nodiscard]] virtual rotor::ShaftAndRing state() const = 0;
   /// What the next point needs besides the shaft's state.
@@ -62,7 +62,7 @@ class TypedMotion final : public PointMotion {
   template <class... Arguments>
   explicit TypedMotion(Arguments&&... arguments) : motion_(std::forward<Arguments>(arguments)...) {}
 
-  point::PointStatus start(const PointStart& start) override {
+  ending::PointStatus start(const PointStart& start) override {
     const rotor::ShaftAndRing bodies = bodies_of(start);
     if constexpr (kHasRing) {
       return motion_.start(bodies);
@@ -70,18 +70,18 @@ class TypedMotion final : public PointMotion {
       return motion_.start(rotor::shaft(bodies));
     }
   }
-  point::PointStatus start_at_touch_down(const TouchdownStart& start) override {
+  ending::PointStatus start_at_touch_down(const TouchdownStart& start) override {
     if constexpr (requires { motion_.start(motion_.state(), 0.0, 0); } && !kHasRing) {
       return motion_.start(rotor::shaft(bodies_of(start)), start.time, start.blade);
     } else {
       return PointMotion::start_at_touch_down(start);
     }
   }
-  point::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
-                                int /*number*/) override {
+  ending::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
+                                 int /*number*/) override {
     return motion_.revolution(listener, go_on);
   }
-  point::PointStatus take_over([[maybe_unused]] PointMotion& before) override {
+  ending::PointStatus take_over([[maybe_unused]] PointMotion& before) override {
     if constexpr (kMayChange) {
       return motion_.take_over(dynamic_cast<TypedMotion&>(before).motion_.hand_over());
     } else {
@@ -89,7 +89,7 @@ class TypedMotion final : public PointMotion {
     }
   }
 
-  [[nodiscard]] point::StatusDetail status_detail() const override { return motion_.status_detail(); }
+  [[nodiscard]] ending::StatusDetail status_detail() const override { return motion_.status_detail(); }
   [[nodiscard]] rotor::ShaftAndRing state() const override {
     if constexpr (kHasRing) {
       return motion_.state();

@@ -17,13 +17,13 @@ class ApproachSpeed final : public Observable {
   static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<ApproachSpeed>(scene);
   }
-  void begin(const PointConstants& /*point*/) override {
+  void begin(const trajectory::PointConstants& /*point*/) override {
     fastest_ = 0.0;
     touched_.clear();
   }
   void touch_down(int blade) override { touched_.push_back(blade); }
   /// The piece that begins where blades have touched down.
-  void piece(MotionPiece& piece) override {
+  void piece(trajectory::MotionPiece& piece) override {
     for (const int blade : touched_) fastest_ = std::max(fastest_, piece.tip(blade, piece.begin()).rate);
     touched_.clear();
   }

@@ -19,7 +19,7 @@ class TouchdownsPerRevolution final : public Observable {
   static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<TouchdownsPerRevolution>(scene);
   }
-  void begin(const PointConstants& /*point*/) override { count_ = 0; }
+  void begin(const trajectory::PointConstants& /*point*/) override { count_ = 0; }
   void touch_down(int /*blade*/) override { ++count_; }
   void write(std::span<double> row) override { row[0] = static_cast<double>(count_) / revolutions_; }
 
@@ -35,18 +35,18 @@ class ContactFraction final : public Observable {
   static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<ContactFraction>(scene);
   }
-  void begin(const PointConstants& point) override {
+  void begin(const trajectory::PointConstants& point) override {
     sampled_time_ = point.period * revolutions_;
     in_contact_ = 0.0;
     period_ = point.period;
     left_ = revolutions_;
   }
-  void speed_changes(const PointConstants& point) override {
+  void speed_changes(const trajectory::PointConstants& point) override {
     sampled_time_ += (point.period - period_) * left_;
     period_ = point.period;
   }
-  void revolution_ends(const State& /*section*/) override { --left_; }
-  void piece(MotionPiece& piece) override {
+  void revolution_ends(const trajectory::State& /*section*/) override { --left_; }
+  void piece(trajectory::MotionPiece& piece) override {
     if (piece.contact_count() > 0) in_contact_ += piece.end() - piece.begin();
   }
   void write(std::span<double> row) override { row[0] = in_contact_ / sampled_time_; }
@@ -60,14 +60,14 @@ class ContactFraction final : public Observable {
 };
 
 /// Largest value of a load over all contacts.
-template <Load kLoad>
+template <trajectory::Load kLoad>
 class ContactPeak final : public Observable {
  public:
   static std::unique_ptr<Observable> make(const settings::Scene& /*scene*/) {
     return std::make_unique<ContactPeak>();
   }
-  void begin(const PointConstants& /*point*/) override { peak_ = 0.0; }
-  void piece(MotionPiece& piece) override {
+  void begin(const trajectory::PointConstants& /*point*/) override { peak_ = 0.0; }
+  void piece(trajectory::MotionPiece& piece) override {
     for (std::size_t contact = 0; contact < piece.contact_count(); ++contact)
       peak_ = std::max(peak_, piece.largest(kLoad, contact, peak_).value);
   }
@@ -77,8 +77,8 @@ class ContactPeak final : public Observable {
   double peak_ = 0.0;
 };
 
-using MaxContactForce = ContactPeak<Load::normal_force>;
-using MaxRootStrain = ContactPeak<Load::root_strain>;
+using MaxContactForce = ContactPeak<trajectory::Load::normal_force>;
+using MaxRootStrain = ContactPeak<trajectory::Load::root_strain>;
 
 /// Largest bending stress at the root of a blade [Pa]: E times the strain.
 class MaxRootStress final : public Observable {
@@ -87,8 +87,8 @@ class MaxRootStress final : public Observable {
   static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<MaxRootStress>(scene);
   }
-  void begin(const PointConstants& point) override { strain_.begin(point); }
-  void piece(MotionPiece& piece) override { strain_.piece(piece); }
+  void begin(const trajectory::PointConstants& point) override { strain_.begin(point); }
+  void piece(trajectory::MotionPiece& piece) override { strain_.piece(piece); }
   void write(std::span<double> row) override {
     strain_.write(row);
     row[0] *= youngs_modulus_;
@@ -106,8 +106,8 @@ class Yielded final : public Observable {
   static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<Yielded>(*scene.validity.yield_strain);
   }
-  void begin(const PointConstants& point) override { strain_.begin(point); }
-  void piece(MotionPiece& piece) override { strain_.piece(piece); }
+  void begin(const trajectory::PointConstants& point) override { strain_.begin(point); }
+  void piece(trajectory::MotionPiece& piece) override { strain_.piece(piece); }
   void write(std::span<double> row) override {
     strain_.write(row);
     row[0] = row[0] > yield_strain_ ? 1.0 : 0.0;
@@ -124,7 +124,7 @@ class ClearanceGrowth final : public Observable {
   static std::unique_ptr<Observable> make(const settings::Scene& /*scene*/) {
     return std::make_unique<ClearanceGrowth>();
   }
-  void begin(const PointConstants& /*point*/) override { growth_ = 0.0; }
+  void begin(const trajectory::PointConstants& /*point*/) override { growth_ = 0.0; }
   void clearance_grows(double growth) override { growth_ = growth; }
   void write(std::span<double> row) override { row[0] = growth_; }
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "observables/observable.hpp"
-#include "observables/places_in_piece.hpp"
 #include "settings/scene.hpp"
+#include "trajectory/places_in_piece.hpp"
 
 namespace rubatlas::observables {
 
@@ -19,7 +19,7 @@ class OfBlades : public Observable {
   explicit OfBlades(const settings::Scene& scene)
       : revolutions_(scene.protocol.sampled_revolutions),
         values_(static_cast<std::size_t>(scene.blades.count)) {}
-  void begin(const PointConstants& /*point*/) override { std::ranges::fill(values_, 0.0); }
+  void begin(const trajectory::PointConstants& /*point*/) override { std::ranges::fill(values_, 0.0); }
 
  protected:
   [[nodiscard]] double& of(int blade) { return values_[static_cast<std::size_t>(blade)]; }
@@ -52,11 +52,11 @@ class ContactFractionOfBlades final : public OfBlades {
   static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<ContactFractionOfBlades>(scene);
   }
-  void begin(const PointConstants& point) override {
+  void begin(const trajectory::PointConstants& point) override {
     OfBlades::begin(point);
     time_ = 0.0;
   }
-  void piece(MotionPiece& piece) override {
+  void piece(trajectory::MotionPiece& piece) override {
     const double length = piece.end() - piece.begin();
     time_ += length;
     for (std::size_t contact = 0; contact < piece.contact_count(); ++contact)
@@ -76,8 +76,8 @@ class ImpulseOfBlades final : public OfBlades {
   static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<ImpulseOfBlades>(scene);
   }
-  void piece(MotionPiece& piece) override {
-    places_.with_forces(piece, [&](const PlacesInPiece::Place& place) {
+  void piece(trajectory::MotionPiece& piece) override {
+    places_.with_forces(piece, [&](const trajectory::PlacesInPiece::Place& place) {
       for (std::size_t contact = 0; contact < place.forces.size(); ++contact)
         of(piece.blade(contact)) += place.weight * place.forces[contact].normal;
     });
@@ -86,7 +86,7 @@ class ImpulseOfBlades final : public OfBlades {
 
  private:
   double time_unit_;  ///< 1/ωn [s]
-  PlacesInPiece places_;
+  trajectory::PlacesInPiece places_;
 };
 
 /// Largest normal force on each blade [N].
@@ -96,10 +96,10 @@ class MaxContactForceOfBlades final : public OfBlades {
   static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<MaxContactForceOfBlades>(scene);
   }
-  void piece(MotionPiece& piece) override {
+  void piece(trajectory::MotionPiece& piece) override {
     for (std::size_t contact = 0; contact < piece.contact_count(); ++contact) {
       double& peak = of(piece.blade(contact));
-      peak = std::max(peak, piece.largest(Load::normal_force, contact, peak).value);
+      peak = std::max(peak, piece.largest(trajectory::Load::normal_force, contact, peak).value);
     }
   }
   void write(std::span<double> row) override { write_shares(row, 1.0, 1.0); }

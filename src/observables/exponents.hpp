@@ -30,13 +30,13 @@ class Lyapunov final : public Observable {
     return std::make_unique<Lyapunov>(scene);
   }
 
-  void begin(const PointConstants& point) override {
+  void begin(const trajectory::PointConstants& point) override {
     period_ = point.period;
     flow_.begin(point.speed_ratio);
     growth_.setZero(flow_.tangents().rows());
     growths_.clear();
   }
-  void piece(MotionPiece& piece) override {
+  void piece(trajectory::MotionPiece& piece) override {
     flow_.piece(piece, [this] { make_orthogonal(); });
   }
   void touch_down(int blade) override {
@@ -46,7 +46,7 @@ class Lyapunov final : public Observable {
   void lift_off(int blade) override { flow_.passes_ring(blade); }
   void slip_reverses(int blade) override { flow_.slip_reverses(blade); }
   void changes_otherwise() override { flow_.loses_track(); }
-  void revolution_ends(const State& /*section*/) override {
+  void revolution_ends(const trajectory::State& /*section*/) override {
     make_orthogonal();
     growths_.push_back(growth_);
     growth_.setZero();

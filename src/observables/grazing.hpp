@@ -30,25 +30,25 @@ class NearestMiss final : public Observable {
   static std::unique_ptr<Observable> make(const settings::Scene& /*scene*/) {
     return std::make_unique<NearestMiss>();
   }
-  void begin(const PointConstants& point) override {
+  void begin(const trajectory::PointConstants& point) override {
     point_ = point;
     nearest_.reset();
   }
-  void speed_changes(const PointConstants& point) override { point_ = point; }
-  void piece(MotionPiece& piece) override {
+  void speed_changes(const trajectory::PointConstants& point) override { point_ = point; }
+  void piece(trajectory::MotionPiece& piece) override {
     if (const auto pass = piece.nearest_pass(known(), point_)) nearest_ = pass;
   }
   void write(std::span<double> row) override {
     row[0] = nearest_ ? nearest_->miss : std::numeric_limits<double>::quiet_NaN();
   }
-  [[nodiscard]] const std::optional<Pass>& nearest() const { return nearest_; }
+  [[nodiscard]] const std::optional<trajectory::Pass>& nearest() const { return nearest_; }
 
  private:
   [[nodiscard]] double known() const {
     return nearest_ ? nearest_->miss : std::numeric_limits<double>::infinity();
   }
-  PointConstants point_{};
-  std::optional<Pass> nearest_;
+  trajectory::PointConstants point_{};
+  std::optional<trajectory::Pass> nearest_;
 };
 
 /// Smallest depth of a contact [m]: of the largest overlaps of the undeformed tip within each contact the
@@ -64,7 +64,7 @@ class LightestTouch final : public Observable {
   static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<LightestTouch>(scene.blades.count);
   }
-  void begin(const PointConstants& /*point*/) override {
+  void begin(const trajectory::PointConstants& /*point*/) override {
     lightest_.reset();
     std::ranges::fill(open_, std::nullopt);
   }
@@ -77,13 +77,13 @@ class LightestTouch final : public Observable {
     }
     touch.reset();
   }
-  void piece(MotionPiece& piece) override {
+  void piece(trajectory::MotionPiece& piece) override {
     for (std::size_t contact = 0; contact < piece.contact_count(); ++contact) {
       std::optional<Touch>& touch = open_[static_cast<std::size_t>(piece.blade(contact))];
       // What is deeper than the lightest contact so far need not be known better.
       const double enough = lightest_ ? lightest_->depth : std::numeric_limits<double>::infinity();
       if (!touch || touch->depth > enough) continue;
-      const Tip deepest = piece.deepest(contact, enough);
+      const trajectory::Tip deepest = piece.deepest(contact, enough);
       if (deepest.overlap > touch->depth) touch = Touch{deepest.overlap, deepest.side};
     }
   }
@@ -108,14 +108,14 @@ class NearestGrazing final : public Observable {
   static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<NearestGrazing>(scene);
   }
-  void begin(const PointConstants& point) override {
+  void begin(const trajectory::PointConstants& point) override {
     miss_.begin(point);
     touch_.begin(point);
   }
-  void speed_changes(const PointConstants& point) override { miss_.speed_changes(point); }
+  void speed_changes(const trajectory::PointConstants& point) override { miss_.speed_changes(point); }
   void touch_down(int blade) override { touch_.touch_down(blade); }
   void lift_off(int blade) override { touch_.lift_off(blade); }
-  void piece(MotionPiece& piece) override {
+  void piece(trajectory::MotionPiece& piece) override {
     miss_.piece(piece);
     touch_.piece(piece);
   }

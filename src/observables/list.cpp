@@ -181,7 +181,7 @@ bool asked_for(const Entry& entry, const settings::Scene& scene) {
 std::size_t inner_axis_size(std::string_view name, const settings::Scene& scene) {
   const auto sections = static_cast<std::size_t>(scene.protocol.sampled_revolutions);
   const auto blades = static_cast<std::size_t>(scene.blades.count);
-  if (name == "component") return std::tuple_size_v<State>;
+  if (name == "component") return std::tuple_size_v<trajectory::State>;
   if (name == "section") return sections;
   if (name == "passing") return sections * blades;
   if (name == "blade") return blades;

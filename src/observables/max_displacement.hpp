@@ -14,12 +14,14 @@ class MaxDisplacement final : public Observable {
     return std::make_unique<MaxDisplacement>();
   }
 
-  void begin(const PointConstants& point) override {
+  void begin(const trajectory::PointConstants& point) override {
     speed_ratio_ = point.speed_ratio;
     largest_ = 0.0;
   }
-  void speed_changes(const PointConstants& point) override { speed_ratio_ = point.speed_ratio; }
-  void piece(MotionPiece& piece) override { largest_ = piece.largest_displacement(largest_, speed_ratio_); }
+  void speed_changes(const trajectory::PointConstants& point) override { speed_ratio_ = point.speed_ratio; }
+  void piece(trajectory::MotionPiece& piece) override {
+    largest_ = piece.largest_displacement(largest_, speed_ratio_);
+  }
   void write(std::span<double> row) override { row[0] = largest_; }
 
  private:

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "observables/motion_piece.hpp"
+#include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::observables {
 
@@ -12,17 +12,17 @@ class Observable {
   virtual ~Observable() = default;
 
   /// The sampled revolutions of a point start: everything gathered for the point before is cleared.
-  virtual void begin(const PointConstants& point) = 0;
-  virtual void piece(MotionPiece& /*piece*/) {}
+  virtual void begin(const trajectory::PointConstants& point) = 0;
+  virtual void piece(trajectory::MotionPiece& /*piece*/) {}
   virtual void touch_down(int /*blade*/) {}
   virtual void lift_off(int /*blade*/) {}
   virtual void slip_reverses(int /*blade*/) {}
   /// Any other event: a tip sticks or comes loose, skims or is pressed in, a blade snaps.
   virtual void changes_otherwise() {}
   /// The revolution is over; `section` is the state there.
-  virtual void revolution_ends(const State& /*section*/) {}
+  virtual void revolution_ends(const trajectory::State& /*section*/) {}
   /// The next revolution has another speed. Called only where the speed ramps.
-  virtual void speed_changes(const PointConstants& /*point*/) {}
+  virtual void speed_changes(const trajectory::PointConstants& /*point*/) {}
   /// Growth of the largest clearance of a blade since the point started [m]. Called once, before `write`, and
   /// only where blades wear.
   virtual void clearance_grows(double /*growth*/) {}

@@ -14,8 +14,8 @@ class Poincare final : public Observable {
  public:
   static std::unique_ptr<Observable> make(const settings::Scene&) { return std::make_unique<Poincare>(); }
 
-  void begin(const PointConstants& /*point*/) override { values_.clear(); }
-  void revolution_ends(const State& section) override {
+  void begin(const trajectory::PointConstants& /*point*/) override { values_.clear(); }
+  void revolution_ends(const trajectory::State& section) override {
     values_.insert(values_.end(), section.begin(), section.end());
   }
   void write(std::span<double> row) override { std::copy(values_.begin(), values_.end(), row.begin()); }

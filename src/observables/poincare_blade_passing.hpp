@@ -17,13 +17,13 @@ class PoincareBladePassing final : public Observable {
     return std::make_unique<PoincareBladePassing>();
   }
 
-  void begin(const PointConstants& point) override {
+  void begin(const trajectory::PointConstants& point) override {
     point_ = point;
     passing_ = 1;
     values_.clear();
   }
-  void speed_changes(const PointConstants& point) override { point_ = point; }
-  void piece(MotionPiece& piece) override {
+  void speed_changes(const trajectory::PointConstants& point) override { point_ = point; }
+  void piece(trajectory::MotionPiece& piece) override {
     // The last passing of a revolution is its section.
     for (; passing_ < point_.blade_count; ++passing_) {
       const double time = point_.period * passing_ / point_.blade_count;
@@ -31,16 +31,16 @@ class PoincareBladePassing final : public Observable {
       append(piece.state(time));
     }
   }
-  void revolution_ends(const State& section) override {
+  void revolution_ends(const trajectory::State& section) override {
     append(section);
     passing_ = 1;
   }
   void write(std::span<double> row) override { std::copy(values_.begin(), values_.end(), row.begin()); }
 
  private:
-  void append(const State& state) { values_.insert(values_.end(), state.begin(), state.end()); }
+  void append(const trajectory::State& state) { values_.insert(values_.end(), state.begin(), state.end()); }
 
-  PointConstants point_{};
+  trajectory::PointConstants point_{};
   int passing_ = 1;             ///< next one within the revolution
   std::vector<double> values_;  ///< passing × component
 };

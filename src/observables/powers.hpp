@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "observables/observable.hpp"
-#include "observables/places_in_piece.hpp"
 #include "settings/scene.hpp"
+#include "trajectory/places_in_piece.hpp"
 
 namespace rubatlas::observables {
 
@@ -22,7 +22,7 @@ class MeanOverTime {
     time_ = 0.0;
   }
   void add(double amount) { sum_ += amount; }
-  void time_passes(const MotionPiece& piece) { time_ += piece.end() - piece.begin(); }
+  void time_passes(const trajectory::MotionPiece& piece) { time_ += piece.end() - piece.begin(); }
   /// Per unit τ.
   [[nodiscard]] double value() const { return sum_ / time_; }
 
@@ -38,10 +38,11 @@ class FrictionPower final : public Observable {
   static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<FrictionPower>(scene);
   }
-  void begin(const PointConstants& /*point*/) override { mean_.begin(); }
-  void piece(MotionPiece& piece) override {
-    places_.with_forces(piece, [this](const PlacesInPiece::Place& place) {
-      for (const ContactForce& force : place.forces) mean_.add(place.weight * force.friction_power());
+  void begin(const trajectory::PointConstants& /*point*/) override { mean_.begin(); }
+  void piece(trajectory::MotionPiece& piece) override {
+    places_.with_forces(piece, [this](const trajectory::PlacesInPiece::Place& place) {
+      for (const trajectory::ContactForce& force : place.forces)
+        mean_.add(place.weight * force.friction_power());
     });
     mean_.time_passes(piece);
   }
@@ -49,7 +50,7 @@ class FrictionPower final : public Observable {
 
  private:
   double frequency_;  ///< ωn [rad/s]
-  PlacesInPiece places_;
+  trajectory::PlacesInPiece places_;
   MeanOverTime mean_;
 };
 
@@ -62,16 +63,16 @@ class ViscousPower final : public Observable {
   static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<ViscousPower>(scene);
   }
-  void begin(const PointConstants& point) override {
+  void begin(const trajectory::PointConstants& point) override {
     mean_.begin();
     speed_changes(point);
   }
-  void speed_changes(const PointConstants& point) override {
+  void speed_changes(const trajectory::PointConstants& point) override {
     fastest_ = 2.0 * std::max({1.0, std::abs(point.speed_ratio), 2.0 * damping_ratio_});
   }
-  void piece(MotionPiece& piece) override {
-    places_.states(piece, fastest_, [this](const PlacesInPiece::Place& place) {
-      const State& state = place.state;
+  void piece(trajectory::MotionPiece& piece) override {
+    places_.states(piece, fastest_, [this](const trajectory::PlacesInPiece::Place& place) {
+      const trajectory::State& state = place.state;
       mean_.add(place.weight * (state[2] * state[2] + state[3] * state[3]));
     });
     mean_.time_passes(piece);
@@ -82,7 +83,7 @@ class ViscousPower final : public Observable {
   double damping_ratio_;  ///< ζ [-]
   double unit_;           ///< [W per (m per unit τ)²]
   double fastest_ = 2.0;  ///< frequency or rate of decay of |z'|²
-  PlacesInPiece places_;
+  trajectory::PlacesInPiece places_;
   MeanOverTime mean_;
 };
 
@@ -94,14 +95,14 @@ class DeformationPower final : public Observable {
   static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<DeformationPower>(scene);
   }
-  void begin(const PointConstants& point) override {
+  void begin(const trajectory::PointConstants& point) override {
     mean_.begin();
     speed_ratio_ = point.speed_ratio;
   }
-  void speed_changes(const PointConstants& point) override { speed_ratio_ = point.speed_ratio; }
-  void piece(MotionPiece& piece) override {
-    places_.with_forces(piece, [this](const PlacesInPiece::Place& place) {
-      for (const ContactForce& force : place.forces) {
+  void speed_changes(const trajectory::PointConstants& point) override { speed_ratio_ = point.speed_ratio; }
+  void piece(trajectory::MotionPiece& piece) override {
+    places_.with_forces(piece, [this](const trajectory::PlacesInPiece::Place& place) {
+      for (const trajectory::ContactForce& force : place.forces) {
         const double of_shaft =
             force.on_rotor.real() * place.state[2] + force.on_rotor.imag() * place.state[3];
         mean_.add(-place.weight * (of_shaft + speed_ratio_ * force.torque + force.friction_power()));
@@ -114,7 +115,7 @@ class DeformationPower final : public Observable {
  private:
   double frequency_;  ///< ωn [rad/s]
   double speed_ratio_ = 0.0;
-  PlacesInPiece places_;
+  trajectory::PlacesInPiece places_;
   MeanOverTime mean_;
 };
 
@@ -131,27 +132,27 @@ class DriveTorque final : public Observable {
   static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<DriveTorque>(scene);
   }
-  void begin(const PointConstants& point) override {
+  void begin(const trajectory::PointConstants& point) override {
     mean_.begin();
     speed_ratio_ = point.speed_ratio;
     before_.reset();
   }
-  void speed_changes(const PointConstants& point) override { speed_ratio_ = point.speed_ratio; }
-  void piece(MotionPiece& piece) override {
-    places_.with_forces(piece, [this](const PlacesInPiece::Place& place) {
-      for (const ContactForce& force : place.forces) mean_.add(-place.weight * force.torque);
+  void speed_changes(const trajectory::PointConstants& point) override { speed_ratio_ = point.speed_ratio; }
+  void piece(trajectory::MotionPiece& piece) override {
+    places_.with_forces(piece, [this](const trajectory::PlacesInPiece::Place& place) {
+      for (const trajectory::ContactForce& force : place.forces) mean_.add(-place.weight * force.torque);
     });
     mean_.time_passes(piece);
     if (unbalance_ == 0.0) return;
     if (!before_) before_ = piece.state(piece.begin());
     const double fastest = std::max({2.0, 2.0 * std::abs(speed_ratio_), 2.0 * damping_ratio_});
-    places_.states(piece, fastest, [this](const PlacesInPiece::Place& place) {
+    places_.states(piece, fastest, [this](const trajectory::PlacesInPiece::Place& place) {
       const std::complex<double> u = unbalance_ * std::polar(1.0, speed_ratio_ * place.time);
       mean_.add(place.weight * speed_ratio_ * along(u, place.state));
     });
   }
   /// u has turned round once.
-  void revolution_ends(const State& section) override {
+  void revolution_ends(const trajectory::State& section) override {
     if (unbalance_ == 0.0) return;
     const std::complex<double> across = unbalance_ * std::complex<double>(0.0, 1.0);
     mean_.add(along(across, section) - along(across, *before_));
@@ -160,15 +161,15 @@ class DriveTorque final : public Observable {
   void write(std::span<double> row) override { row[0] = mean_.value(); }
 
  private:
-  static double along(const std::complex<double>& vector, const State& state) {
+  static double along(const std::complex<double>& vector, const trajectory::State& state) {
     return vector.real() * state[2] + vector.imag() * state[3];
   }
 
   double damping_ratio_;                  ///< ζ [-]
   std::complex<double> unbalance_ = 0.0;  ///< me ωn² e^{iγ} [N]
   double speed_ratio_ = 0.0;
-  std::optional<State> before_;  ///< at the start of the revolution
-  PlacesInPiece places_;
+  std::optional<trajectory::State> before_;  ///< at the start of the revolution
+  trajectory::PlacesInPiece places_;
   MeanOverTime mean_;
 };
 

@@ -16,19 +16,20 @@ class Recorder {
  public:
   explicit Recorder(const settings::Scene& scene);
 
-  void begin(const PointConstants& point) {
+  void begin(const trajectory::PointConstants& point) {
     blade_count_ = point.blade_count;
     for (auto& observable : observables_) observable->begin(point);
   }
   /// The next revolution has another Ω.
   void speed_changes(double speed_ratio) {
-    const PointConstants point{2.0 * std::numbers::pi / std::abs(speed_ratio), speed_ratio, blade_count_};
+    const trajectory::PointConstants point{2.0 * std::numbers::pi / std::abs(speed_ratio), speed_ratio,
+                                           blade_count_};
     for (auto& observable : observables_) observable->speed_changes(point);
   }
   void clearance_grows(double growth) {
     for (auto& observable : observables_) observable->clearance_grows(growth);
   }
-  void piece(MotionPiece& piece) {
+  void piece(trajectory::MotionPiece& piece) {
     for (auto& observable : observables_) observable->piece(piece);
   }
   void touch_down(int blade) {
@@ -43,7 +44,7 @@ class Recorder {
   void changes_otherwise() {
     for (auto& observable : observables_) observable->changes_otherwise();
   }
-  void revolution_ends(const State& section) {
+  void revolution_ends(const trajectory::State& section) {
     for (auto& observable : observables_) observable->revolution_ends(section);
   }
   /// One row per description; NaN throughout unless the point is done.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "observables/motion_piece.hpp"
+#include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::observables {
 
@@ -12,24 +12,24 @@ class SampleCursor {
  public:
   explicit SampleCursor(int samples_per_revolution) : samples_per_revolution_(samples_per_revolution) {}
 
-  void begin(const PointConstants& point) {
+  void begin(const trajectory::PointConstants& point) {
     period_ = point.period;
     sample_ = 0;
     filled_ = 0;
   }
-  void speed_changes(const PointConstants& point) { period_ = point.period; }
+  void speed_changes(const trajectory::PointConstants& point) { period_ = point.period; }
   void revolution_ends() { sample_ = 0; }
 
   /// The times of a piece.
   struct Stretch {
-    SampleTimes times;
+    trajectory::SampleTimes times;
     int first;           ///< number of the first of them within the revolution
     std::size_t before;  ///< samples of all revolutions before it
     std::size_t count;
   };
   /// Those of the next piece.
-  [[nodiscard]] Stretch next(const MotionPiece& piece) {
-    const SampleTimes times{period_, samples_per_revolution_};
+  [[nodiscard]] Stretch next(const trajectory::MotionPiece& piece) {
+    const trajectory::SampleTimes times{period_, samples_per_revolution_};
     const int after = std::max(sample_, first_from(times, piece.end()));
     const Stretch stretch{times, sample_, filled_, static_cast<std::size_t>(after - sample_)};
     filled_ += stretch.count;
@@ -39,7 +39,7 @@ class SampleCursor {
 
  private:
   /// Number of the first time that is not before `end`.
-  static int first_from(const SampleTimes& times, double end) {
+  static int first_from(const trajectory::SampleTimes& times, double end) {
     int number = std::clamp(static_cast<int>(end / times.spacing()), 0, times.count);
     while (number > 0 && times[number - 1] >= end) --number;
     while (number < times.count && times[number] < end) ++number;

@@ -1,13 +1,13 @@
 /// Observables `spectrum`, the amplitude of x over order, and `full_spectrum`, that of the whirl x + iy over
-/// signed order; both over all sampled revolutions (`analysis/spectrum.hpp`).
+/// signed order; both over all sampled revolutions (`observables/signal_spectrum.hpp`).
 #pragma once
 
 #include <algorithm>
 #include <memory>
 
-#include "analysis/spectrum.hpp"
 #include "observables/observable.hpp"
 #include "observables/sample_cursor.hpp"
+#include "observables/signal_spectrum.hpp"
 #include "settings/scene.hpp"
 
 namespace rubatlas::observables {
@@ -22,18 +22,18 @@ class SpectrumOfDisplacement final : public Observable {
     return std::make_unique<SpectrumOfDisplacement>(scene);
   }
 
-  void begin(const PointConstants& point) override { cursor_.begin(point); }
-  void speed_changes(const PointConstants& point) override { cursor_.speed_changes(point); }
-  void piece(MotionPiece& piece) override {
+  void begin(const trajectory::PointConstants& point) override { cursor_.begin(point); }
+  void speed_changes(const trajectory::PointConstants& point) override { cursor_.speed_changes(point); }
+  void piece(trajectory::MotionPiece& piece) override {
     const auto [times, first, before, count] = cursor_.next(piece);
     if (count > 0) piece.places(times, first, spectrum_.samples().subspan(before, count), {});
   }
-  void revolution_ends(const State& /*section*/) override { cursor_.revolution_ends(); }
+  void revolution_ends(const trajectory::State& /*section*/) override { cursor_.revolution_ends(); }
   void write(std::span<double> row) override { spectrum_.amplitudes(row); }
 
  private:
   SampleCursor cursor_;
-  analysis::Spectrum spectrum_;
+  Spectrum spectrum_;
 };
 
 /// Radii of the circles that make up the motion of the shaft's centre, from order −max_order to max_order:
@@ -49,18 +49,18 @@ class FullSpectrumOfDisplacement final : public Observable {
     return std::make_unique<FullSpectrumOfDisplacement>(scene);
   }
 
-  void begin(const PointConstants& point) override {
+  void begin(const trajectory::PointConstants& point) override {
     cursor_.begin(point);
     spins_backward_ = point.speed_ratio < 0.0;
   }
-  void speed_changes(const PointConstants& point) override { cursor_.speed_changes(point); }
-  void piece(MotionPiece& piece) override {
+  void speed_changes(const trajectory::PointConstants& point) override { cursor_.speed_changes(point); }
+  void piece(trajectory::MotionPiece& piece) override {
     const auto [times, first, before, count] = cursor_.next(piece);
     if (count > 0) {
       piece.places(times, first, spectrum_.x().subspan(before, count), spectrum_.y().subspan(before, count));
     }
   }
-  void revolution_ends(const State& /*section*/) override { cursor_.revolution_ends(); }
+  void revolution_ends(const trajectory::State& /*section*/) override { cursor_.revolution_ends(); }
   void write(std::span<double> row) override {
     spectrum_.amplitudes(row);
     if (spins_backward_) std::ranges::reverse(row);
@@ -68,7 +68,7 @@ class FullSpectrumOfDisplacement final : public Observable {
 
  private:
   SampleCursor cursor_;
-  analysis::FullSpectrum spectrum_;
+  FullSpectrum spectrum_;
   bool spins_backward_ = false;  ///< Ω < 0
 };
 

@@ -9,23 +9,24 @@
 #include <optional>
 #include <vector>
 
+#include "ending/status.hpp"
 #include "motion/point_start.hpp"
 #include "motion/work_counts.hpp"
 #include "observables/list.hpp"
-#include "observables/motion_piece.hpp"
 #include "point/solver.hpp"
-#include "point/status.hpp"
+#include "trajectory/motion_piece.hpp"
 #include "variation/tangents.hpp"
 
 namespace rubatlas::point {
 
 struct PointOutcome {
-  PointStatus status = PointStatus::pending;
-  StatusDetail detail = StatusDetail::none;  ///< what ended the point, where its status is not `done`
-  std::int32_t failed_revolution = -1;       ///< counted from 0 through the transient; −1 when done
-  motion::SectionState final_state{};        ///< after the last revolution; NaN when not done
-  motion::Memory final_memory;               ///< memory of effects there; empty where no effect has one
-  observables::Rows rows;                    ///< as `observables::descriptions(scene)`
+  ending::PointStatus status = ending::PointStatus::pending;
+  ending::StatusDetail detail =
+      ending::StatusDetail::none;       ///< what ended the point, where its status is not `done`
+  std::int32_t failed_revolution = -1;  ///< counted from 0 through the transient; −1 when done
+  motion::SectionState final_state{};   ///< after the last revolution; NaN when not done
+  motion::Memory final_memory;          ///< memory of effects there; empty where no effect has one
+  observables::Rows rows;               ///< as `observables::descriptions(scene)`
   motion::WorkCounts work;
 };
 
@@ -41,8 +42,8 @@ struct ContactSamples {
 
 /// One point's motion on a uniform grid of time over the sampled revolutions, and its contacts.
 struct Orbit {
-  PointStatus status = PointStatus::pending;
-  StatusDetail detail = StatusDetail::none;
+  ending::PointStatus status = ending::PointStatus::pending;
+  ending::StatusDetail detail = ending::StatusDetail::none;
   std::int32_t failed_revolution = -1;
   std::vector<double> time;                    ///< τ [-] from the start of the sampled revolutions
   std::vector<motion::SectionState> state;     ///< one per time
@@ -61,15 +62,15 @@ struct TipAtRing {
 
 /// Some revolutions of a motion and how they depend on its start: what shooting for periodic orbits needs.
 struct SectionMap {
-  PointStatus status = PointStatus::pending;
-  StatusDetail detail = StatusDetail::none;
+  ending::PointStatus status = ending::PointStatus::pending;
+  ending::StatusDetail detail = ending::StatusDetail::none;
   std::vector<motion::SectionState> sections;  ///< after each revolution
   bool differentiable = false;                 ///< every part of the motion has a linearisation
   variation::Tangents jacobian;                ///< of the last section by the start
   /// ln|det| of the jacobian is this and the phase volume's rate times the duration.
   double log_volume = 0.0;
-  std::optional<observables::Pass> nearest_pass;  ///< of the tips that do not touch
-  std::optional<TipAtRing> nearest_place;         ///< where it passes
+  std::optional<trajectory::Pass> nearest_pass;  ///< of the tips that do not touch
+  std::optional<TipAtRing> nearest_place;        ///< where it passes
   /// Touch-downs (blade + 1) and lift-offs −(blade + 1), in order of time.
   std::vector<std::int32_t> events;
   /// Of the contacts that begin and end within these revolutions the smallest depth [m]; infinity: none does.

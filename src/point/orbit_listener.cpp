@@ -21,7 +21,7 @@ OrbitListener::OrbitListener(double period, int samples_per_revolution, int blad
       samples_per_revolution_(samples_per_revolution),
       open_(static_cast<std::size_t>(blade_count)) {}
 
-void OrbitListener::piece(observables::MotionPiece& piece) {
+void OrbitListener::piece(trajectory::MotionPiece& piece) {
   sample_orbit(piece);
   std::vector<bool> touches(open_.size(), false);
   for (std::size_t contact = 0; contact < piece.contact_count(); ++contact) {
@@ -56,7 +56,7 @@ double OrbitListener::since_start(double time) const {
   return begin_ + (period_ * (revolution_ - since_) + time);
 }
 
-void OrbitListener::sample_orbit(observables::MotionPiece& piece) {
+void OrbitListener::sample_orbit(trajectory::MotionPiece& piece) {
   for (; sample_ < samples_per_revolution_; ++sample_) {
     const double time = period_ * sample_ / samples_per_revolution_;
     if (time >= piece.end()) return;
@@ -73,7 +73,7 @@ void OrbitListener::sample_orbit(observables::MotionPiece& piece) {
 
 /// Samples a contact at both ends of the piece, between these at equal distances, and at the peak of the
 /// force where there is one.
-void OrbitListener::sample_contact(observables::MotionPiece& piece, std::size_t contact) {
+void OrbitListener::sample_contact(trajectory::MotionPiece& piece, std::size_t contact) {
   const int blade = piece.blade(contact);
   auto& open = open_[static_cast<std::size_t>(blade)];
   const bool goes_on = open.has_value();
@@ -91,9 +91,9 @@ void OrbitListener::sample_contact(observables::MotionPiece& piece, std::size_t 
   if (!goes_on || may_jump_) add(begin, piece.normal_force(contact, begin));
   if (!(end > begin)) return;
 
-  std::optional<observables::MotionPiece::LargestLoad> peak;
+  std::optional<trajectory::MotionPiece::LargestLoad> peak;
   if (piece.load_peaks(contact)) {
-    const auto found = piece.largest(observables::Load::normal_force, contact, 0.0);
+    const auto found = piece.largest(trajectory::Load::normal_force, contact, 0.0);
     if (found.time > begin && found.time < end) peak = found;
   }
   for (int part = 1; part <= kParts; ++part) {

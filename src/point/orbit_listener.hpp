@@ -13,7 +13,7 @@ class OrbitListener final : public modes::MotionListener {
  public:
   OrbitListener(double period, int samples_per_revolution, int blade_count);
 
-  void piece(observables::MotionPiece& piece) override;
+  void piece(trajectory::MotionPiece& piece) override;
   void event(const modes::Event& event) override;
   void speed_changes(double speed_ratio) override;
   void revolution_ends(const motion::SectionState& section) override;
@@ -32,8 +32,8 @@ class OrbitListener final : public modes::MotionListener {
   };
 
   [[nodiscard]] double since_start(double time) const;
-  void sample_orbit(observables::MotionPiece& piece);
-  void sample_contact(observables::MotionPiece& piece, std::size_t contact);
+  void sample_orbit(trajectory::MotionPiece& piece);
+  void sample_contact(trajectory::MotionPiece& piece, std::size_t contact);
 
   double period_;
   int samples_per_revolution_;

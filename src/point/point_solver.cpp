@@ -22,7 +22,7 @@ motion::SectionState section_of(const motion::PointMotion& motion) {
 class Recording final : public modes::MotionListener {
  public:
   explicit Recording(observables::Recorder& recorder) : recorder_(&recorder) {}
-  void piece(observables::MotionPiece& piece) override { recorder_->piece(piece); }
+  void piece(trajectory::MotionPiece& piece) override { recorder_->piece(piece); }
   void event(const modes::Event& event) override {
     switch (event.kind) {
       case modes::Guard::touch_down:
@@ -45,12 +45,12 @@ class Recording final : public modes::MotionListener {
 /// Follows a motion for its section map.
 class Mapping final : public modes::MotionListener {
  public:
-  Mapping(variation::TangentFlow& flow, const observables::PointConstants& point)
+  Mapping(variation::TangentFlow& flow, const trajectory::PointConstants& point)
       : flow_(&flow), touch_(point.blade_count), opened_(static_cast<std::size_t>(point.blade_count)) {
     miss_.begin(point);
     touch_.begin(point);
   }
-  void piece(observables::MotionPiece& piece) override {
+  void piece(trajectory::MotionPiece& piece) override {
     flow_->piece(piece);
     const double before = miss_.nearest() ? miss_.nearest()->miss : std::numeric_limits<double>::infinity();
     miss_.piece(piece);
@@ -123,7 +123,7 @@ class Mapping final : public modes::MotionListener {
 /// Follows a motion from a touch-down to the flight that leads to the next, some passings of blades later.
 class Returning final : public modes::MotionListener {
  public:
-  Returning(variation::TangentFlow& flow, const observables::PointConstants& point,
+  Returning(variation::TangentFlow& flow, const trajectory::PointConstants& point,
             const motion::TouchdownStart& start, int passings)
       : flow_(&flow),
         mapping_(flow, point),
@@ -134,7 +134,7 @@ class Returning final : public modes::MotionListener {
         blade_(in_place_of(start.blade, passings, point.blade_count, point.speed_ratio)) {
     mapping_.touches_down({start.blade, 0, start.time, start.state});
   }
-  void piece(observables::MotionPiece& piece) override {
+  void piece(trajectory::MotionPiece& piece) override {
     if (!begun_) {
       std::complex<double> force;
       for (std::size_t contact = 0; contact < piece.contact_count(); ++contact)
@@ -237,7 +237,7 @@ PointOutcome PointSolver::run(double speed_ratio, const motion::PointStart& star
   outcome.detail = ending.detail;
   outcome.failed_revolution = ending.failed_revolution;
   outcome.final_state.fill(std::numeric_limits<double>::quiet_NaN());
-  const bool done = outcome.status == PointStatus::done;
+  const bool done = outcome.status == ending::PointStatus::done;
   if (done) {
     outcome.final_state = section_of(*motion);
     outcome.final_memory = motion->memory();
@@ -268,15 +268,16 @@ PointSolver::Ending PointSolver::integrate(motion::PointMotion& motion, const mo
   const double scale = constants_of(scene_, 1.0).length_scale;
   Settling settling(Settling::kCloseness * scene_.accuracy.tolerance * scale);
   bool watched = scene_.protocol.stop_when_periodic;
-  PointStatus status = motion.start(start);
+  ending::PointStatus status = motion.start(start);
   for (int revolution = 0; revolution < revolutions; ++revolution) {
     const bool sampled = revolution >= first_sampled;
     modes::MotionListener& listener = sampled ? sampling : transient;
-    if (status == PointStatus::done) status = motion.revolution(listener, go_on, revolution - first_sampled);
-    if (status == PointStatus::pending) return {status, motion.status_detail()};
-    if (status != PointStatus::done) return {status, motion.status_detail(), revolution};
+    if (status == ending::PointStatus::done)
+      status = motion.revolution(listener, go_on, revolution - first_sampled);
+    if (status == ending::PointStatus::pending) return {status, motion.status_detail()};
+    if (status != ending::PointStatus::done) return {status, motion.status_detail(), revolution};
     if (sampled) sampling.revolution_ends(section_of(motion));
-    if (go_on && !go_on()) return {PointStatus::pending, StatusDetail::given_up};
+    if (go_on && !go_on()) return {ending::PointStatus::pending, ending::StatusDetail::given_up};
     if (!watched || sampled) continue;
     settling.add(motion.state());
     if (const int period = settling.period()) {
@@ -291,10 +292,10 @@ PointSolver::Ending PointSolver::integrate(motion::PointMotion& motion, const mo
 SectionMap PointSolver::section_map(double speed_ratio, const motion::PointStart& start, int revolutions) {
   const auto motion = motion_of(speed_ratio, start);
   Mapping mapping(tangents_at(speed_ratio), point_of(speed_ratio));
-  const PointStatus status = follow(*motion, motion->start(start), mapping, revolutions);
+  const ending::PointStatus status = follow(*motion, motion->start(start), mapping, revolutions);
   SectionMap map = mapping.map();
   map.status = status;
-  if (status != PointStatus::done) map.detail = motion->status_detail();
+  if (status != ending::PointStatus::done) map.detail = motion->status_detail();
   return map;
 }
 
@@ -303,11 +304,12 @@ TouchdownMap PointSolver::touchdown_map(double speed_ratio, const motion::Touchd
   const auto motion = motion_of(speed_ratio, start);
   Returning returning(tangents_at(speed_ratio), point_of(speed_ratio), start, passings);
   const int revolutions = passings / scene_.blades.count + 2;  // the last of them holds the end
-  const PointStatus status = follow(*motion, motion->start_at_touch_down(start), returning, revolutions);
+  const ending::PointStatus status =
+      follow(*motion, motion->start_at_touch_down(start), returning, revolutions);
   TouchdownMap map = returning.map();
   // Whatever happens after the flight does not count.
-  map.map.status = map.complete ? PointStatus::done : status;
-  if (map.map.status != PointStatus::done) map.map.detail = motion->status_detail();
+  map.map.status = map.complete ? ending::PointStatus::done : status;
+  if (map.map.status != ending::PointStatus::done) map.map.detail = motion->status_detail();
   return map;
 }
 
@@ -316,12 +318,12 @@ variation::TangentFlow& PointSolver::tangents_at(double speed_ratio) {
   tangent_flow_->begin(speed_ratio);
   return *tangent_flow_;
 }
-observables::PointConstants PointSolver::point_of(double speed_ratio) const {
+trajectory::PointConstants PointSolver::point_of(double speed_ratio) const {
   return {constants_of(scene_, speed_ratio).period(), speed_ratio, scene_.blades.count};
 }
-PointStatus PointSolver::follow(motion::PointMotion& motion, PointStatus status,
-                                modes::MotionListener& listener, int revolutions) {
-  for (int revolution = 0; status == PointStatus::done && revolution < revolutions; ++revolution) {
+ending::PointStatus PointSolver::follow(motion::PointMotion& motion, ending::PointStatus status,
+                                        modes::MotionListener& listener, int revolutions) {
+  for (int revolution = 0; status == ending::PointStatus::done && revolution < revolutions; ++revolution) {
     status = motion.revolution(listener, {}, revolution);
     listener.revolution_ends(section_of(motion));
   }

@@ -28,17 +28,17 @@ class PointSolver final : public LineSolver {
  private:
   /// How a motion ended.
   struct Ending {
-    PointStatus status;
-    StatusDetail detail = StatusDetail::none;
+    ending::PointStatus status;
+    ending::StatusDetail detail = ending::StatusDetail::none;
     std::int32_t failed_revolution = -1;
   };
 
   /// The linearised flow, at the start of a motion.
   variation::TangentFlow& tangents_at(double speed_ratio);
-  [[nodiscard]] observables::PointConstants point_of(double speed_ratio) const;
+  [[nodiscard]] trajectory::PointConstants point_of(double speed_ratio) const;
   /// So many revolutions of a motion that has started with this status.
-  static PointStatus follow(motion::PointMotion& motion, PointStatus status, modes::MotionListener& listener,
-                            int revolutions);
+  static ending::PointStatus follow(motion::PointMotion& motion, ending::PointStatus status,
+                                    modes::MotionListener& listener, int revolutions);
   [[nodiscard]] std::unique_ptr<motion::PointMotion> motion_of(double speed_ratio,
                                                                const motion::PointStart& start) const;
   Ending integrate(motion::PointMotion& motion, const motion::PointStart& start,

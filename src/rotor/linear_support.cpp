@@ -1,6 +1,6 @@
 #include "rotor/linear_support.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -91,7 +91,6 @@ LinearSupport::LinearSupport(const Eigen::Matrix2d& stiffness, const Eigen::Matr
   system_.topRightCorner<2, 2>().setIdentity();
   system_.bottomLeftCorner<2, 2>() = -stiffness;
   system_.bottomRightCorner<2, 2>() = -damping;
-  growth_rate_ = Eigen::EigenSolver<Eigen::Matrix4d>(system_, false).eigenvalues().real().maxCoeff();
 
   // At least 1, since z' is the rate of z.
   double rate = system_.norm();
@@ -211,11 +210,6 @@ LinearSupport::Complex LinearSupport::acceleration(const State& state) const {
 
 LinearSupport::Complex LinearSupport::acceleration(double time, const State& state) const {
   return acceleration(state) + forcing(time);
-}
-
-bool LinearSupport::is_stable_in_flight() const {
-  // Eigenvalues of a matrix of this size come out to some tens of roundings of its norm.
-  return growth_rate_ <= 100.0 * std::numeric_limits<double>::epsilon() * system_.norm();
 }
 
 }  // namespace rubatlas::rotor

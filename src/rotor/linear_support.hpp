@@ -64,16 +64,6 @@ class LinearSupport {
   /// and each of the doublings from h to `time` takes one.
   [[nodiscard]] bool resolves(double time) const;
 
-  /// d/dτ of the logarithm of phase volume, in flight and in contact with forces that depend on position
-  /// only: tr A = −tr C.
-  [[nodiscard]] double phase_volume_rate() const { return -damping_.trace(); }
-
-  /// Largest real part of the eigenvalues of A: how fast free motion grows [1 per unit τ].
-  [[nodiscard]] double growth_rate() const { return growth_rate_; }
-  /// Free motion does not grow exponentially. A rate of rounding counts as zero; secular growth of a
-  /// defective undamped support (an eigenvalue that rounding splits by 1e-8) does not.
-  [[nodiscard]] bool is_stable_in_flight() const;
-
  private:
   static constexpr std::size_t kBitsOfDigit = 5;
   static constexpr std::size_t kDigits = std::size_t{1}
@@ -103,7 +93,6 @@ class LinearSupport {
   Eigen::Matrix2d damping_;
   std::vector<HarmonicForcing> terms_;
   Eigen::Matrix4d system_;
-  double growth_rate_;
   std::size_t levels_ = kFewestLevels;
   double step_;                               ///< h
   double steps_per_time_;                     ///< 1/h, exact

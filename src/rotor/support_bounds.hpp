@@ -44,16 +44,12 @@ class SupportBounds {
   /// sees that turns at Ω; `turned_third(Ω)` is worked out once, and then applied.
   [[nodiscard]] double second_bound(double bound) const { return second_(bound); }
   [[nodiscard]] double third_bound(double bound) const { return third_(bound); }
-  [[nodiscard]] double turned_third_bound(double bound, double speed_ratio) const {
-    return turned_third(speed_ratio)(bound);
-  }
   [[nodiscard]] LinearBound turned_third(double speed_ratio) const;
 
   /// Bound of |f| [m per unit τ²]: the sum of the amplitudes.
   [[nodiscard]] double forcing_bound() const { return forcing_; }
 
   /// The forced motion that repeats, at `time`; only where no forcing frequency is an eigenvalue.
-  [[nodiscard]] bool has_steady_response() const { return has_steady_; }
   [[nodiscard]] State steady(double time) const;
 
   /// Smallest μ of the three norms [1 per unit τ]: no motion grows faster than e^{μτ} in that norm.

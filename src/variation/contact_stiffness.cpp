@@ -11,8 +11,8 @@
 namespace rubatlas::variation {
 namespace {
 
-using Contact = observables::PathPoint::Contact;
-using observables::State;
+using Contact = trajectory::PathPoint::Contact;
+using trajectory::State;
 
 Eigen::Vector2d turned_by_quarter(const Eigen::Vector2d& vector) {
   return {-vector[1], vector[0]};
@@ -122,7 +122,7 @@ ForceSlopes ContactStiffness::of_rigid_blade(const RigidBlade& law, const Contac
   return slopes;
 }
 
-std::optional<ForceSlopes> ContactStiffness::along_path(const observables::PathPoint& point,
+std::optional<ForceSlopes> ContactStiffness::along_path(const trajectory::PathPoint& point,
                                                         const PathScale& scale,
                                                         const Eigen::Vector2d& acceleration) const {
   ForceSlopes sum;

@@ -24,10 +24,10 @@
 #include "contact/directed_elastica.hpp"
 #include "contact/elastica_contact.hpp"
 #include "contact/friction_law.hpp"
-#include "observables/motion_piece.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/constants.hpp"
 #include "settings/scene.hpp"
+#include "trajectory/motion_piece.hpp"
 
 #include "variation/force_slopes.hpp"
 
@@ -44,7 +44,7 @@ class ContactStiffness {
 
   /// Slopes of the force, times τ_θ, summed over the contacts of a place on the path. `acceleration` of the
   /// shaft there [m per unit τ²] is read only where `needs_acceleration`. Nothing where a blade has no force.
-  [[nodiscard]] std::optional<ForceSlopes> along_path(const observables::PathPoint& point,
+  [[nodiscard]] std::optional<ForceSlopes> along_path(const trajectory::PathPoint& point,
                                                       const PathScale& scale,
                                                       const Eigen::Vector2d& acceleration) const;
   /// The bending of a blade changes with the acceleration of the shaft, through the slip velocity.
@@ -56,11 +56,11 @@ class ContactStiffness {
     double rate;
   };
   /// e = g, of touch-downs and lift-offs at the ring; `state` of the shaft at time τ.
-  [[nodiscard]] Guard gap(int blade, double time, const observables::State& state) const;
+  [[nodiscard]] Guard gap(int blade, double time, const trajectory::State& state) const;
   /// e = v |w|, of slip reversals, where the shaft has this acceleration [m per unit τ²]. Nothing where the
   /// blade has no force.
-  [[nodiscard]] std::optional<Guard> slip(const observables::PathPoint::Contact& contact, double time,
-                                          const observables::State& state,
+  [[nodiscard]] std::optional<Guard> slip(const trajectory::PathPoint::Contact& contact, double time,
+                                          const trajectory::State& state,
                                           const Eigen::Vector2d& acceleration) const;
 
  private:
@@ -75,8 +75,8 @@ class ContactStiffness {
     double closing_by_u = 0.0;  ///< h_u [m²]
     double friction = 0.0;      ///< sμ [-]
   };
-  [[nodiscard]] std::optional<TipInContact> tip(const observables::PathPoint::Contact& contact, double time,
-                                                const observables::State& state) const;
+  [[nodiscard]] std::optional<TipInContact> tip(const trajectory::PathPoint::Contact& contact, double time,
+                                                const trajectory::State& state) const;
   [[nodiscard]] contact::BladeDirection direction(int blade, double time) const;
 
   /// Rigid blades on the elastic ring.
@@ -89,8 +89,8 @@ class ContactStiffness {
   using Law = std::variant<contact::ElasticaContact, RigidBlade, DirectedBlade>;
   static Law law_of(const settings::Scene& line);
   [[nodiscard]] ForceSlopes of_rigid_blade(const RigidBlade& law,
-                                           const observables::PathPoint::Contact& contact, double time,
-                                           const observables::State& state) const;
+                                           const trajectory::PathPoint::Contact& contact, double time,
+                                           const trajectory::State& state) const;
 
   contact::Geometry geometry_;
   Law law_;

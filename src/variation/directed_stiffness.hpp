@@ -14,7 +14,7 @@
 #include <complex>
 
 #include "contact/pose.hpp"
-#include "observables/motion_piece.hpp"
+#include "trajectory/motion_piece.hpp"
 #include "variation/force_slopes.hpp"
 
 namespace rubatlas::variation {
@@ -26,7 +26,7 @@ struct DirectedContact {
   double speed_ratio;            ///< Ω [-]
   Eigen::Vector2d acceleration;  ///< of the shaft [m per unit τ²]
   double time_rate;              ///< τ_θ
-  const observables::PathPoint::Contact* contact;
+  const trajectory::PathPoint::Contact* contact;
 };
 
 /// `Law`: a `contact::DirectedElastica` under an axial load.

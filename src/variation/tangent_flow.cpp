@@ -52,8 +52,8 @@ const Gauss& gauss() {
 }
 
 /// The shaft as the ring sees it.
-observables::State seen(const observables::PathPoint& at) {
-  observables::State result = at.state;
+trajectory::State seen(const trajectory::PathPoint& at) {
+  trajectory::State result = at.state;
   for (std::size_t i = 0; i < result.size(); ++i) result[i] -= at.ring[i];
   return result;
 }
@@ -125,7 +125,7 @@ double TangentFlow::phase_volume_rate() const {
   return (ring_ ? ring_->phase_volume_rate() : 0.0) - shaft_.damping.trace();
 }
 
-void TangentFlow::piece(observables::MotionPiece& piece, const std::function<void()>& between) {
+void TangentFlow::piece(trajectory::MotionPiece& piece, const std::function<void()>& between) {
   if (!known_) return;
   if (!events_.empty()) jump(piece, force_in(piece, piece.begin()));
   if (piece.contact_count() == 0) {
@@ -142,7 +142,7 @@ void TangentFlow::piece(observables::MotionPiece& piece, const std::function<voi
   }
 }
 
-Eigen::Vector2d TangentFlow::force_in(observables::MotionPiece& piece, double time) {
+Eigen::Vector2d TangentFlow::force_in(trajectory::MotionPiece& piece, double time) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (std::size_t contact = 0; contact < piece.contact_count(); ++contact) {
     const std::complex<double> force = piece.contact_force(contact, time).on_rotor;
@@ -222,7 +222,7 @@ Eigen::RowVectorXd TangentFlow::by_coordinates(const Eigen::RowVector4d& by_seen
   return result;
 }
 
-Eigen::Vector2d TangentFlow::seen_acceleration(const observables::PathPoint& at,
+Eigen::Vector2d TangentFlow::seen_acceleration(const trajectory::PathPoint& at,
                                                const Eigen::Vector2d& force) const {
   const Eigen::Vector2d place(at.state[0], at.state[1]);
   const Eigen::Vector2d velocity(at.state[2], at.state[3]);
@@ -236,9 +236,9 @@ Eigen::Vector2d TangentFlow::seen_acceleration(const observables::PathPoint& at,
   return result;
 }
 
-std::array<double, 4> TangentFlow::rate(double time, const observables::State& state,
+std::array<double, 4> TangentFlow::rate(double time, const trajectory::State& state,
                                         const std::complex<double>& force) const {
-  observables::PathPoint at;
+  trajectory::PathPoint at;
   at.time = time;
   at.state = state;
   const Eigen::Vector2d acceleration = seen_acceleration(at, {force.real(), force.imag()});
@@ -246,21 +246,21 @@ std::array<double, 4> TangentFlow::rate(double time, const observables::State& s
 }
 
 template <int kCoordinates>
-void TangentFlow::follow(observables::MotionPiece& piece) {
+void TangentFlow::follow(trajectory::MotionPiece& piece) {
   const Gauss& method = gauss();
   struct Stage {
-    observables::PathPoint point;
+    trajectory::PathPoint point;
     Eigen::Vector2d acceleration = Eigen::Vector2d::Zero();  ///< where it is needed
   };
   std::array<Stage, kStages> stages;
-  std::vector<observables::ContactForce> forces;
+  std::vector<trajectory::ContactForce> forces;
   PathScale scale{0.0, 0.0};
   for (int i = 0; i < kStages; ++i) {
     auto& [point, acceleration] = stages[static_cast<std::size_t>(i)];
     if (contact_.needs_acceleration()) {
       if (!piece.forces_on_path(method.node[i], point, forces)) return loses_track();
       std::complex<double> sum;
-      for (const observables::ContactForce& force : forces) sum += force.on_rotor;
+      for (const trajectory::ContactForce& force : forces) sum += force.on_rotor;
       acceleration = seen_acceleration(point, {sum.real(), sum.imag()});
     } else if (!piece.path(method.node[i], point)) {
       return loses_track();
@@ -335,17 +335,17 @@ void TangentFlow::follow(observables::MotionPiece& piece) {
   if (!piece.path(1.0, point_)) return loses_track();
 }
 
-void TangentFlow::jump(observables::MotionPiece& piece, const Eigen::Vector2d& force) {
+void TangentFlow::jump(trajectory::MotionPiece& piece, const Eigen::Vector2d& force) {
   const Coordinates change = accelerated_by(force - force_);
   const std::vector<Event> events = std::exchange(events_, {});
   if (change.isZero(0.0)) return;
   if (events.size() > 1) return loses_track();
   const auto [blade, of_slip] = events.front();
-  observables::PathPoint at = point_;  // the end of the contact, where flight follows
+  trajectory::PathPoint at = point_;  // the end of the contact, where flight follows
   if (piece.contact_count() > 0 && !piece.path(0.0, at)) return loses_track();
   ContactStiffness::Guard guard;
   if (of_slip) {
-    const auto contact = std::ranges::find(point_.contacts, blade, &observables::PathPoint::Contact::blade);
+    const auto contact = std::ranges::find(point_.contacts, blade, &trajectory::PathPoint::Contact::blade);
     if (contact == point_.contacts.end()) return loses_track();
     const auto slip = contact_.slip(*contact, piece.begin(), seen(at), seen_acceleration(at, force_));
     if (!slip) return loses_track();

@@ -16,12 +16,12 @@
 #include <optional>
 #include <vector>
 
-#include "observables/motion_piece.hpp"
 #include "rotor/free_motion.hpp"
 #include "rotor/linear_support.hpp"
 #include "rotor/ring_body.hpp"
 #include "rotor/support_matrices.hpp"
 #include "settings/scene.hpp"
+#include "trajectory/motion_piece.hpp"
 #include "variation/contact_stiffness.hpp"
 #include "variation/tangents.hpp"
 
@@ -35,7 +35,7 @@ class TangentFlow {
   void begin(double speed_ratio);
   /// `between` is called again and again during a long flight, while no tangent has become so small, or so
   /// nearly parallel to another, that its direction is lost; it may set other tangents.
-  void piece(observables::MotionPiece& piece, const std::function<void()>& between = {});
+  void piece(trajectory::MotionPiece& piece, const std::function<void()>& between = {});
   /// Between two pieces: a blade touches down or lifts off; the slip of a tip turns round.
   void passes_ring(int blade) { events_.push_back({blade, false}); }
   void slip_reverses(int blade) { events_.push_back({blade, true}); }
@@ -55,7 +55,7 @@ class TangentFlow {
   /// The tangents after a flight of this duration from here, which may be negative.
   [[nodiscard]] Tangents after_flight(double duration) const;
   /// d/dτ of the shaft's state at a time, under a force [N].
-  [[nodiscard]] std::array<double, 4> rate(double time, const observables::State& state,
+  [[nodiscard]] std::array<double, 4> rate(double time, const trajectory::State& state,
                                            const std::complex<double>& force) const;
 
  private:
@@ -69,16 +69,16 @@ class TangentFlow {
   /// Longest flight over which tangents that were orthogonal keep their directions.
   [[nodiscard]] double longest_flight() const;
   template <int kCoordinates>
-  void follow(observables::MotionPiece& piece);
-  void jump(observables::MotionPiece& piece, const Eigen::Vector2d& force);
+  void follow(trajectory::MotionPiece& piece);
+  void jump(trajectory::MotionPiece& piece, const Eigen::Vector2d& force);
   /// B f [m per unit τ²], `force` in N.
   [[nodiscard]] Coordinates accelerated_by(const Eigen::Vector2d& force) const;
   /// Slopes by the state as the ring sees it, as slopes by (q, q').
   [[nodiscard]] Eigen::RowVectorXd by_coordinates(const Eigen::RowVector4d& by_seen) const;
   /// z'' less r'' of the bodies under the force on the rotor [m per unit τ²].
-  [[nodiscard]] Eigen::Vector2d seen_acceleration(const observables::PathPoint& at,
+  [[nodiscard]] Eigen::Vector2d seen_acceleration(const trajectory::PathPoint& at,
                                                   const Eigen::Vector2d& force) const;
-  [[nodiscard]] static Eigen::Vector2d force_in(observables::MotionPiece& piece, double time);
+  [[nodiscard]] static Eigen::Vector2d force_in(trajectory::MotionPiece& piece, double time);
 
   /// Acceleration of the shaft by all that does not depend on its place [m per unit τ²].
   [[nodiscard]] Eigen::Vector2d forcing(double time) const;
@@ -98,7 +98,7 @@ class TangentFlow {
   Tangents tangents_;
   std::vector<Event> events_;                        ///< since the last piece
   Eigen::Vector2d force_ = Eigen::Vector2d::Zero();  ///< at the end of the last piece [N]
-  observables::PathPoint point_;                     ///< there
+  trajectory::PathPoint point_;                      ///< there
   bool known_ = true;
   double log_volume_ = 0.0;
 };

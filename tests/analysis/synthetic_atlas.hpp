@@ -22,7 +22,7 @@ namespace rubatlas::analysis {
 struct PrescribedPoint {
   std::uint8_t motion = 1;
   double displacement = 1e-3;  ///< [m]
-  point::PointStatus status = point::PointStatus::done;
+  ending::PointStatus status = ending::PointStatus::done;
 };
 
 /// Sections of a motion of the given class, as large as the displacement.
@@ -51,7 +51,7 @@ inline void write_atlas(const std::filesystem::path& path, const std::string& te
     if (prescribed.motion == motion_class::kNone) continue;
     point::PointOutcome outcome;
     outcome.status = prescribed.status;
-    outcome.failed_revolution = prescribed.status == point::PointStatus::done ? -1 : 7;
+    outcome.failed_revolution = prescribed.status == ending::PointStatus::done ? -1 : 7;
     for (const auto& description : observables::descriptions(scene)) {
       if (description.name.starts_with("poincare")) {
         outcome.rows.push_back(sections_of(prescribed, description.row_size / kStateSize));

@@ -260,9 +260,9 @@ TEST_F(Analyse, KeepsToTheWidthOfATerminal) {
 TEST_F(Analyse, CopesWithPendingAndFailedPoints) {
   write_atlas(file("atlas.h5"), kScene, [](const plan::PointParameters& at) {
     auto point = papers_point(at);
-    if (at.damping_ratio > 0.2) point.motion = motion_class::kNone;                // pending
-    if (at.speed_ratio > 0.805) point.status = point::PointStatus::left_validity;  // 15 speeds
-    if (std::abs(at.speed_ratio - 0.2) < 1e-9) point.status = point::PointStatus::integrator_failed;
+    if (at.damping_ratio > 0.2) point.motion = motion_class::kNone;                 // pending
+    if (at.speed_ratio > 0.805) point.status = ending::PointStatus::left_validity;  // 15 speeds
+    if (std::abs(at.speed_ratio - 0.2) < 1e-9) point.status = ending::PointStatus::integrator_failed;
     return point;
   });
   const auto text = run("atlas.h5");

@@ -17,9 +17,9 @@
 namespace rubatlas::test {
 namespace {
 
+using ending::PointStatus;
 using nlohmann::json;
 using point::PointOutcome;
-using point::PointStatus;
 
 constexpr int kRevolutions = 6;
 

@@ -25,7 +25,7 @@ class AccuracyFileLayout : public testing::Scratch {
     study_.runs.resize(2 * points_);
     for (std::size_t i = 0; i < study_.runs.size(); ++i) {
       auto& run = study_.runs[i];
-      run.status = point::PointStatus::done;
+      run.status = ending::PointStatus::done;
       run.work.right_hand_sides = 100 + i;
       run.trajectory_error = 1e-3 * static_cast<double>(i);
       run.first_sections = {{0.0, 1.0, 2.0, 3.0}, {4.0, 5.0, 6.0, 7.0}};
@@ -33,7 +33,7 @@ class AccuracyFileLayout : public testing::Scratch {
     }
     auto& lost = study_.runs.back();
     lost = {};
-    lost.status = point::PointStatus::left_validity;
+    lost.status = ending::PointStatus::left_validity;
     lost.failed_revolution = 2;
   }
 

@@ -25,7 +25,7 @@ namespace {
 /// A row whose numbers tell which point and which place they belong to.
 point::PointOutcome numbered_outcome(const settings::Scene& scene, std::size_t point) {
   point::PointOutcome outcome;
-  outcome.status = point::PointStatus::done;
+  outcome.status = ending::PointStatus::done;
   const double base = 1000.0 * static_cast<double>(point + 1);
   for (std::size_t i = 0; i < outcome.final_state.size(); ++i)
     outcome.final_state[i] = base + static_cast<double>(i);
@@ -67,10 +67,10 @@ TEST_F(Atlas, NamesAllThatMayEndAMotion) {
   const std::string meanings = details.text("flag_meanings");
   std::size_t named = 1;
   for (const char c : meanings) named += c == ' ' ? 1U : 0U;
-  EXPECT_EQ(named, point::kStatusDetails.size());
-  for (const auto& entry : point::kStatusDetails) {
+  EXPECT_EQ(named, ending::kStatusDetails.size());
+  for (const auto& entry : ending::kStatusDetails) {
     EXPECT_NE(meanings.find(entry.name), std::string::npos) << entry.name;
-    EXPECT_NE(entry.status, point::PointStatus::pending) << entry.name;
+    EXPECT_NE(entry.status, ending::PointStatus::pending) << entry.name;
   }
 }
 
@@ -132,8 +132,8 @@ TEST_F(Atlas, ALineIsReadAsOnePiece) {
 TEST_F(Atlas, APointThatFailedHasNoNumbersWhateverItReached) {
   AtlasWriter writer(path(), scene_);
   auto outcome = numbered_outcome(scene_, 3);
-  outcome.status = point::PointStatus::left_validity;
-  outcome.detail = point::StatusDetail::shaft_at_ring;
+  outcome.status = ending::PointStatus::left_validity;
+  outcome.detail = ending::StatusDetail::shaft_at_ring;
   outcome.failed_revolution = 4;
   writer.add_point(3, {.restarted = false}, outcome);
   writer.close();
@@ -268,7 +268,7 @@ class FullAtlas : public Atlas {
     AtlasWriter writer(path(), scene_);
     for (std::size_t point = 0; point < 10; ++point) {
       auto outcome = numbered_outcome(scene_, point);
-      if (point == 4) outcome.status = point::PointStatus::left_validity;
+      if (point == 4) outcome.status = ending::PointStatus::left_validity;
       writer.add_point(point, {.restarted = point == 0}, outcome);
     }
     writer.close();

@@ -17,7 +17,7 @@ class OrbitFile : public testing::Scratch {
 
 TEST_F(OrbitFile, HoldsTimeStateForceAndSections) {
   point::Orbit orbit;
-  orbit.status = point::PointStatus::done;
+  orbit.status = ending::PointStatus::done;
   orbit.time = {0.0, 0.5};
   orbit.state = {{1.0, 2.0, 3.0, 4.0}, {5.0, 6.0, 7.0, 8.0}};
   orbit.force = {0.0, 10.0, 0.0, 0.0, 0.0, 20.0};
@@ -48,7 +48,7 @@ TEST_F(OrbitFile, HoldsTimeStateForceAndSections) {
 
 TEST_F(OrbitFile, OfAMotionThatFailedSaysSoAndMayBeEmpty) {
   point::Orbit orbit;
-  orbit.status = point::PointStatus::left_validity;
+  orbit.status = ending::PointStatus::left_validity;
   orbit.failed_revolution = 1;
   write(orbit);
   const File read = File::open_to_read(file("orbit.h5"));

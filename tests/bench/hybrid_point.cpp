@@ -47,7 +47,7 @@ int run(int argc, char** argv) {
              work.touchdowns, work.liftoffs);
   fmt::print("slip_reversals {}\ngap_evaluations {}\nfirst_observable_hash {:016x}\n", work.slip_reversals,
              work.gap_evaluations, hash_of(outcome.rows.front()));
-  return outcome.status == point::PointStatus::done ? 0 : 1;
+  return outcome.status == ending::PointStatus::done ? 0 : 1;
 }
 
 }  // namespace

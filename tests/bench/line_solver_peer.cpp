@@ -33,7 +33,7 @@ class LineSolverPeer final : public Peer {
     const auto solver =
         assembly::make_line_solver(scene, line_of(scene, speed_ratio), shared_tables().blades);
     const point::PointOutcome outcome = solver->run(speed_ratio, motion::SectionState{});
-    return {outcome.status == point::PointStatus::done, sections_of(outcome.rows.front()), outcome.work};
+    return {outcome.status == ending::PointStatus::done, sections_of(outcome.rows.front()), outcome.work};
   }
 
  private:

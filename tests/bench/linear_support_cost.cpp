@@ -46,7 +46,7 @@ int main() {
     const double bound = cost(
         200000, [&](int i, double chain) { return bounds.amplitude_bound(0.3, start, 5e-5 * i + chain); });
     const double support_built = cost(50, [&](int, double chain) {
-      return LinearSupport(parts.stiffness, parts.damping, forcing).growth_rate() + chain;
+      return LinearSupport(parts.stiffness, parts.damping, forcing).damping().trace() + chain;
     });
     const double bounds_built =
         cost(50, [&](int, double chain) { return SupportBounds(support).forcing_bound() + chain; });

@@ -31,7 +31,7 @@ std::vector<double> times_of_line(const settings::Scene& scene, const plan::Grid
         solver->run(grid.parameters(grid.point(line, visit)).speed_ratio, start.value_or(initial));
     seconds.push_back(processor_seconds() - begin);
     start.reset();
-    if (outcome.status == point::PointStatus::done && grid.points_depend_on_each_other())
+    if (outcome.status == ending::PointStatus::done && grid.points_depend_on_each_other())
       start.emplace(outcome.final_state, outcome.final_memory);
   }
   return seconds;

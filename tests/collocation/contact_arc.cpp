@@ -96,9 +96,9 @@ std::vector<Contact> contacts_of(const Machine& m, const Forcing& forcing, const
     if (pose.gap > 0.0) ++open;
   }
   Contacts contacts(open);
-  if (motion->start(rotor::as_array(start)) != point::PointStatus::done) return {};
+  if (motion->start(rotor::as_array(start)) != ending::PointStatus::done) return {};
   for (int i = 0; i < kRevolutions; ++i) {
-    if (revolve(*motion, contacts) != point::PointStatus::done) break;
+    if (revolve(*motion, contacts) != ending::PointStatus::done) break;
     contacts.drops_open_contacts();
   }
   return contacts.found;
@@ -164,8 +164,8 @@ std::optional<double> error_of_hybrid(const Machine& m, const Contact& contact, 
   const auto motion = hybrid_motion(m.rotor, rotor::BladeSet(angles, m.rotor.speed_ratio), m.law,
                                     rotor::NoForcing{}, modes::ContactLimits{tolerance * kClearance, 0.5});
   LiftOff lift_off(contact.start.blade);
-  if (motion->start(rotor::as_array(contact.start.state)) != point::PointStatus::done) return std::nullopt;
-  if (revolve(*motion, lift_off) != point::PointStatus::done || !lift_off.found) return std::nullopt;
+  if (motion->start(rotor::as_array(contact.start.state)) != ending::PointStatus::done) return std::nullopt;
+  if (revolve(*motion, lift_off) != ending::PointStatus::done || !lift_off.found) return std::nullopt;
   return error_at_end(m, contact, from + lift_off.found->time, lift_off.found->state);
 }
 

@@ -26,7 +26,7 @@ class AccuracyMap : public testing::Test {
       for (std::size_t i = 0; i < study.points.size(); ++i) {
         const double speed = scene.grid.speed_ratio[i];
         auto& run = of(setting, i);
-        run.status = point::PointStatus::done;
+        run.status = ending::PointStatus::done;
         run.motion = speed > 0.395 && speed < 0.605 ? analysis::motion_class::kAperiodic : 1;
         run.max_displacement = speed < 0.395 ? 1e-4 : 1e-2;
       }
@@ -70,7 +70,7 @@ TEST_F(AccuracyMap, NegligibleDisplacementsAreEqual) {
 
 TEST_F(AccuracyMap, AMotionOfAnotherClassOrStatusHasChanged) {
   of(1, 3).motion = 2;
-  of(1, 4).status = point::PointStatus::left_validity;
+  of(1, 4).status = ending::PointStatus::left_validity;
   EXPECT_DOUBLE_EQ(changes().motion, points(2));
   EXPECT_EQ(changes().max_displacement, 0.0);
 }

@@ -105,7 +105,7 @@ TEST(Notes, NoBladeTouchesWhereItIsSaidThatNoneDoes) {
     for (std::size_t visit = 0; visit < grid.speed_count(); ++visit) {
       const auto outcome = solver->run(grid.parameters(grid.point(0, visit)).speed_ratio, start);
       work += outcome.work;
-      const bool goes_on = grid.points_depend_on_each_other() && outcome.status == point::PointStatus::done;
+      const bool goes_on = grid.points_depend_on_each_other() && outcome.status == ending::PointStatus::done;
       start = goes_on ? outcome.final_state : initial;
       if (reach) farthest = std::max(farthest, outcome.rows.front().front());
     }

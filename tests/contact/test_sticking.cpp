@@ -29,6 +29,12 @@ double differentiated_slip(const Geometry& geometry, const Pose& at, double spee
   return slip.derivative(1);
 }
 
+/// The friction coefficient with dv/dτ = 0, which is linear in it.
+double sticking_coefficient(const Geometry& geometry, const Pose& at, double speed,
+                            const OtherAcceleration& other, double load) {
+  return slip_acceleration(geometry, at, speed, other, load, 0.0) / load;
+}
+
 TEST(Sticking, TheCoefficientKeepsTheSlipVelocityAtRest) {
   const Geometry geometry = kDefaultRotor.geometry();
   const ElasticRingContact normal_force(geometry, 1e4, 0.0);

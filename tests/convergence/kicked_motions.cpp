@@ -21,7 +21,7 @@
 namespace rubatlas::test {
 namespace {
 
-using point::PointStatus;
+using ending::PointStatus;
 using rotor::State;
 
 constexpr double kTolerances[] = {1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12};
@@ -88,7 +88,7 @@ void expect_that_error_follows_tolerance(Kicked point, EndOf end_of) {
 
 template <class Law>
 End one_revolution(const HardRotor& rotor, const Law& law, const State& start) {
-  const auto motion = follow(rotor, law, rotor::NoForcing{}, start, 1, [](observables::MotionPiece&) {});
+  const auto motion = follow(rotor, law, rotor::NoForcing{}, start, 1, [](trajectory::MotionPiece&) {});
   return {motion.status, motion.sections.back()};
 }
 
@@ -124,7 +124,7 @@ class SaltationOfLiftOffs final : public modes::MotionListener {
   SaltationOfLiftOffs(const HardRotor& rotor, const Motion& motion, double force_unit)
       : rotor_(&rotor), motion_(&motion), force_unit_(force_unit), forces_(rotor.blades) {}
 
-  void piece(observables::MotionPiece& piece) override {
+  void piece(trajectory::MotionPiece& piece) override {
     for (std::size_t i = 0; i < piece.contact_count(); ++i)
       forces_[static_cast<std::size_t>(piece.blade(i))] = piece.normal_force(i, piece.end());
   }

@@ -19,10 +19,10 @@ namespace rubatlas::test {
 namespace {
 
 using Json = nlohmann::json;
+using ending::PointStatus;
+using ending::StatusDetail;
 using motion::SectionState;
 using point::PointOutcome;
-using point::PointStatus;
-using point::StatusDetail;
 
 struct NamedScene {
   std::string name;
@@ -127,7 +127,7 @@ TEST_P(KickedMotionOfScene, ErrsByItsToleranceTimesItsOwnGrowthOfErrors) {
       SCOPED_TRACE(::testing::Message() << "speed ratio " << kick.speed_ratio << ", tolerance " << tolerance
                                         << ", growth " << growth);
       const PointOutcome motion = end_of(tolerance, kick.start);
-      EXPECT_EQ(motion.status, reference.status) << point::text_of(motion.detail);
+      EXPECT_EQ(motion.status, reference.status) << ending::text_of(motion.detail);
       if (motion.status != PointStatus::done || reference.status != PointStatus::done) continue;
       EXPECT_LE(largest_difference(motion.final_state, reference.final_state),
                 kMost * tolerance * parsed(scene).clearance() * growth);

@@ -17,8 +17,8 @@
 namespace rubatlas::test {
 namespace {
 
+using ending::PointStatus;
 using nlohmann::json;
-using point::PointStatus;
 
 constexpr rotor::RotorConstants kDampedRotor{0.62, 0.05, 0.01001, 0.01, 0.01};
 constexpr contact::Geometry kDampedGeometry{0.1, 0.11};
@@ -45,7 +45,7 @@ DampedTip damped_tip_of(int blade, double time, const rotor::State& state) {
 /// Integrals over contacts with 10 Gauss points a piece, and the force at each lift-off.
 class DamperWatch final : public modes::MotionListener {
  public:
-  void piece(observables::MotionPiece& piece) override {
+  void piece(trajectory::MotionPiece& piece) override {
     constexpr std::array kNodes{0.1488743389816312, 0.4333953941292472, 0.6794095682990244,
                                 0.8650633666889845, 0.9739065285171717};
     constexpr std::array kWeights{0.2955242247147529, 0.2692667193099963, 0.2190863625159820,

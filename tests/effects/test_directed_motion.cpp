@@ -13,7 +13,7 @@ namespace rubatlas::test {
 namespace {
 
 RecordedMotion from_rest(const HardRotor& rotor, const auto& law) {
-  return follow(rotor, law, rotor::NoForcing{}, rotor::State::Zero(), 200, [](observables::MotionPiece&) {});
+  return follow(rotor, law, rotor::NoForcing{}, rotor::State::Zero(), 200, [](trajectory::MotionPiece&) {});
 }
 
 /// Of the last sections, from one to the next [m].
@@ -33,8 +33,8 @@ TEST(DirectedMotion, RepeatsItselfToRoundingWhereItIsPeriodicOnTheOrbitOfTheCarr
     rotor.tolerance = 1e-9;
     const auto carried = from_rest(rotor, rotor.elastica());
     const auto solved = from_rest(rotor, directed_law(rotor, contact::CoulombFriction{rotor.friction}));
-    ASSERT_EQ(carried.status, point::PointStatus::done);
-    ASSERT_EQ(solved.status, point::PointStatus::done);
+    ASSERT_EQ(carried.status, ending::PointStatus::done);
+    ASSERT_EQ(solved.status, ending::PointStatus::done);
     EXPECT_LE(closing_distance(carried), 1e-14);
     EXPECT_LE(closing_distance(solved), 1e-14);
     // A step may err by 1e-11 m, and these orbits forget an error only in some ten to a hundred revolutions.
@@ -44,14 +44,14 @@ TEST(DirectedMotion, RepeatsItselfToRoundingWhereItIsPeriodicOnTheOrbitOfTheCarr
 
 /// Where a motion is after some revolutions, or how far it came.
 struct Course {
-  point::PointStatus status;
+  ending::PointStatus status;
   std::size_t revolutions;
   rotor::State state;
 };
 Course course(HardRotor rotor, const auto& law, const rotor::State& start, double tolerance) {
   rotor.tolerance = tolerance;
-  const auto motion = follow(rotor, law, rotor::NoForcing{}, start, 5, [](observables::MotionPiece&) {});
-  const bool done = motion.status == point::PointStatus::done;
+  const auto motion = follow(rotor, law, rotor::NoForcing{}, start, 5, [](trajectory::MotionPiece&) {});
+  const bool done = motion.status == ending::PointStatus::done;
   return {motion.status, motion.sections.size(), done ? motion.sections.back() : start};
 }
 
@@ -119,10 +119,10 @@ TEST(DirectedMotion, NoForceIsMissedAtAnOrdinaryTouchDownNorShortlyBeforeALiftOf
     const Course from_rest =
         course(fast, directed_law(fast, contact::StribeckFriction{0.8, 0.1, 0.01, 0.002}),
                rotor::State::Zero(), tolerance);
-    EXPECT_EQ(from_rest.status, point::PointStatus::done);
+    EXPECT_EQ(from_rest.status, ending::PointStatus::done);
     const Course from_kick =
         course(kicked, directed_law(kicked, contact::RegularisedFriction{0.3975, 0.06257}), kick, tolerance);
-    EXPECT_EQ(from_kick.status, point::PointStatus::done);
+    EXPECT_EQ(from_kick.status, ending::PointStatus::done);
   }
 }
 

@@ -29,7 +29,7 @@ rotor::RotorConstants rotor_in_following_ring(double damping, double misalignmen
 /// Most blades in contact at once.
 class CountOfBlades final : public modes::MotionListener {
  public:
-  void piece(observables::MotionPiece& piece) override { most = std::max(most, piece.contact_count()); }
+  void piece(trajectory::MotionPiece& piece) override { most = std::max(most, piece.contact_count()); }
   std::size_t most = 0;
 };
 
@@ -39,10 +39,10 @@ TEST(FollowingRing, UnderOneBladeWithoutFrictionIsASpringInSeriesWithThatUnderTh
     const rotor::RotorConstants rotor = rotor_in_following_ring(0.1, 0.01001);
     motion::Motion<contact::ElasticRingContact, Forcing> motion(
         rotor, {1, rotor.speed_ratio}, {kFollowedGeometry, tip, 0.0}, forcing, {1e-15, 0.5});
-    EXPECT_EQ(motion.start(rotor::ring_at_rest<Forcing>(rotor::State::Zero())), point::PointStatus::done);
+    EXPECT_EQ(motion.start(rotor::ring_at_rest<Forcing>(rotor::State::Zero())), ending::PointStatus::done);
     modes::MotionListener nobody;
     for (int revolution = 0; revolution < 5; ++revolution) {
-      EXPECT_EQ(motion.revolution(nobody), point::PointStatus::done);
+      EXPECT_EQ(motion.revolution(nobody), ending::PointStatus::done);
     }
     EXPECT_EQ(motion.work().touchdowns, 5U);
     return rotor::shaft(motion.state());
@@ -62,11 +62,11 @@ TEST(FollowingRing, BalancesAllBladesWhereverItIsAskedFor) {
   const rotor::BladeSet blades(kBlades, rotor.speed_ratio);
   InFollowingRing motion(rotor, blades, {kFollowedGeometry, kTip, kFriction}, Following{{}, {kSpring}},
                          {1e-14, 0.5});
-  ASSERT_EQ(motion.start(rotor::ShaftAndRing::Zero()), point::PointStatus::done);
+  ASSERT_EQ(motion.start(rotor::ShaftAndRing::Zero()), ending::PointStatus::done);
   CountOfBlades count;
   int pushed = 0;
   for (int revolution = 0; revolution < 40; ++revolution) {
-    ASSERT_EQ(motion.revolution(count), point::PointStatus::done) << revolution;
+    ASSERT_EQ(motion.revolution(count), ending::PointStatus::done) << revolution;
     const rotor::ShaftAndRing at = motion.state();
     const rotor::State seen = rotor::from_ring(at);
     std::complex<double> push;
@@ -107,11 +107,11 @@ TEST(FollowingRing, WithoutDampingAndFrictionKeepsTheJacobiIntegral) {
                          {1e-15, 0.5});
   rotor::ShaftAndRing start = rotor::ShaftAndRing::Zero();
   start.head<4>() << 0.008, 0.002, 0.004, 0.009;
-  ASSERT_EQ(motion.start(start), point::PointStatus::done);
+  ASSERT_EQ(motion.start(start), ending::PointStatus::done);
   const double before = integral(motion.state());
   CountOfBlades count;
   for (int revolution = 0; revolution < 30; ++revolution) {
-    ASSERT_EQ(motion.revolution(count), point::PointStatus::done);
+    ASSERT_EQ(motion.revolution(count), ending::PointStatus::done);
     EXPECT_NEAR(integral(motion.state()), before, 1e-10 * std::abs(before)) << revolution;
   }
   EXPECT_GT(motion.work().touchdowns, 20U);
@@ -126,9 +126,9 @@ TEST(FollowingRing, AddsNoFreedom) {
     const rotor::RotorConstants rotor = rotor_in_following_ring(kDamping, 0.012);
     InFollowingRing motion(rotor, {24, rotor.speed_ratio}, {kFollowedGeometry, 1e3, 0.0},
                            Following{{}, {5e3}}, {1e-15, 0.5});
-    EXPECT_EQ(motion.start(rotor::ring_at_rest<Following>(from)), point::PointStatus::done);
+    EXPECT_EQ(motion.start(rotor::ring_at_rest<Following>(from)), ending::PointStatus::done);
     CountOfBlades count;
-    EXPECT_EQ(motion.revolution(count), point::PointStatus::done);
+    EXPECT_EQ(motion.revolution(count), ending::PointStatus::done);
     EXPECT_GE(count.most, 2U);
     return rotor::shaft(motion.state());
   };
@@ -154,9 +154,9 @@ TEST(FollowingRing, IsWhatACriticallyDampedRingComesToAsItsMassFalls) {
     const rotor::RotorConstants rotor = rotor_in_following_ring(0.1, 0.0105);
     motion::Motion<contact::ElasticRingContact, Forcing> motion(
         rotor, {24, rotor.speed_ratio}, {kFollowedGeometry, 1e3, 0.1}, forcing, {1e-15, 0.5});
-    EXPECT_EQ(motion.start(rotor::ring_at_rest<Forcing>({0.0, -1e-3, 0.0, 0.0})), point::PointStatus::done);
+    EXPECT_EQ(motion.start(rotor::ring_at_rest<Forcing>({0.0, -1e-3, 0.0, 0.0})), ending::PointStatus::done);
     CountOfBlades count;  // no blade touches at the start, where a light ring would be thrown away
-    EXPECT_EQ(motion.revolution(count), point::PointStatus::done);
+    EXPECT_EQ(motion.revolution(count), ending::PointStatus::done);
     EXPECT_GE(count.most, 2U);
     return rotor::shaft(motion.state());
   };
@@ -176,7 +176,7 @@ TEST(FollowingRing, StaysWhereOppositeBladesCancel) {
   for (const int count : {2, 4, 1}) {
     InFollowingRing motion(rotor, {count, rotor.speed_ratio}, {tight, 1e4, 0.0}, Following{{}, {1e3}},
                            {1e-15, 0.5});
-    ASSERT_EQ(motion.start(rotor::ShaftAndRing::Zero()), point::PointStatus::done);
+    ASSERT_EQ(motion.start(rotor::ShaftAndRing::Zero()), ending::PointStatus::done);
     const double pushed = motion.state().segment<2>(4).matrix().norm();
     // One blade alone: both springs share 0.1 mm.
     EXPECT_NEAR(pushed, count == 1 ? 1e-4 * 10.0 / 11.0 : 0.0, 1e-16) << count;
@@ -193,7 +193,7 @@ TEST(FollowingRing, IsThatOfASceneWithAMassOfZero) {
                             {"protocol", {{"transient_revolutions", 0}, {"sampled_revolutions", 4}}},
                             {"observables", {"poincare", "max_displacement"}}};
   const auto together = run(parsed(content));
-  ASSERT_EQ(together.status, point::PointStatus::done);
+  ASSERT_EQ(together.status, ending::PointStatus::done);
   EXPECT_EQ(together.work.touchdowns, 4U);
   EXPECT_EQ(together.final_memory.view().size(), 4U);
   content.erase("ring_body");

@@ -10,8 +10,8 @@
 namespace rubatlas::test {
 namespace {
 
+using ending::PointStatus;
 using nlohmann::json;
-using point::PointStatus;
 
 constexpr double kSpeeds[] = {0.3, 0.45, 0.62};
 constexpr int kRevolutions = 4;

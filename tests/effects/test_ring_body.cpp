@@ -22,7 +22,7 @@
 namespace rubatlas::test {
 namespace {
 
-using point::PointStatus;
+using ending::PointStatus;
 using rotor::RingBody;
 using rotor::ShaftAndRing;
 using rotor::State;
@@ -40,7 +40,7 @@ rotor::RotorConstants ring_rotor(double speed, double damping, double misalignme
 /// Keeps what happens.
 class RingWitness final : public modes::MotionListener {
  public:
-  void piece(observables::MotionPiece& piece) override { most = std::max(most, piece.contact_count()); }
+  void piece(trajectory::MotionPiece& piece) override { most = std::max(most, piece.contact_count()); }
   void event(const modes::Event& event) override { events.push_back(event); }
   std::vector<modes::Event> events;
   std::size_t most = 0;  ///< blades in contact at once

@@ -16,7 +16,7 @@
 namespace rubatlas::test {
 namespace {
 
-using point::PointStatus;
+using ending::PointStatus;
 using rotor::State;
 using FixedRing = rotor::NoForcing;
 using MovingRing = rotor::WithRingBody<rotor::NoForcing>;

@@ -13,9 +13,9 @@
 namespace rubatlas::test {
 namespace {
 
+using ending::PointStatus;
 using motion::PointStart;
 using nlohmann::json;
-using point::PointStatus;
 
 json in_ring_body(double speed, int revolutions) {
   return {{"grid", {{"speed_ratio", speed}}},

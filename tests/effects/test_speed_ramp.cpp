@@ -14,8 +14,8 @@
 namespace rubatlas::test {
 namespace {
 
+using ending::PointStatus;
 using nlohmann::json;
-using point::PointStatus;
 using Complex = std::complex<double>;
 
 json ramped(double rate, double speed, int transient, int sampled) {

@@ -19,7 +19,7 @@ namespace {
 
 using Complex = std::complex<double>;
 using effects::SpeedRipple;
-using point::PointStatus;
+using ending::PointStatus;
 using rotor::RipplingBlades;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
@@ -134,7 +134,7 @@ class GapWatch final : public modes::MotionListener {
   GapWatch(const rotor::RotorConstants& rotor, const contact::Geometry& geometry, const Blades& blades)
       : rotor_(rotor), geometry_(geometry), blades_(blades) {}
 
-  void piece(observables::MotionPiece& piece) override {
+  void piece(trajectory::MotionPiece& piece) override {
     if (piece.contact_count() > 0) return;
     for (int i = 1; i < kSamples; ++i) {
       const double time = piece.begin() + (piece.end() - piece.begin()) * i / kSamples;

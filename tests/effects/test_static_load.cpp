@@ -8,8 +8,8 @@
 namespace rubatlas::test {
 namespace {
 
+using ending::PointStatus;
 using motion::SectionState;
-using point::PointStatus;
 
 constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
 

@@ -127,7 +127,7 @@ class HeldTipWatch final : public modes::MotionListener {
   HeldTipWatch(const HardRotor& rotor, double static_friction)
       : rotor_(rotor), static_friction_(static_friction) {}
 
-  void piece(observables::MotionPiece& piece) override {
+  void piece(trajectory::MotionPiece& piece) override {
     if (!held_) return;
     for (int i = 0; i <= 20; ++i) {
       const double time = piece.begin() + (piece.end() - piece.begin()) * i / 20;
@@ -186,12 +186,12 @@ TEST(Stick, RollsOnTheHeldTipAsTheClosedFormSaysUntilTheConeEnds) {
           motion::Motion<StickingLaw, rotor::NoForcing> motion(
               rotor.constants(), {1, speed}, sticking_law(rotor, ratio), {}, rotor.limits());
           HeldTipWatch watch(rotor, ratio * friction);
-          point::PointStatus status = motion.start(kick(speed, excess));
-          for (int revolution = 0; revolution < 3 && status == point::PointStatus::done; ++revolution) {
+          ending::PointStatus status = motion.start(kick(speed, excess));
+          for (int revolution = 0; revolution < 3 && status == ending::PointStatus::done; ++revolution) {
             status = motion.revolution(watch);
             watch.turned += rotor.constants().period();
           }
-          EXPECT_NE(status, point::PointStatus::integrator_failed);
+          EXPECT_NE(status, ending::PointStatus::integrator_failed);
           loosened += watch.loosened;
           looks += watch.looks;
           longest = std::max(longest, watch.longest);
@@ -216,7 +216,7 @@ FrictionAtWork friction_at_work(const HardRotor& rotor, const Law& law, const ro
   class Watch final : public modes::MotionListener {
    public:
     explicit Watch(const HardRotor& of) : rotor(of), slips(static_cast<std::size_t>(of.blades), 0.0) {}
-    void piece(observables::MotionPiece& piece) override {
+    void piece(trajectory::MotionPiece& piece) override {
       for (std::size_t i = 0; i < piece.contact_count(); ++i) {
         const int blade = piece.blade(i);
         for (int part = 1; part < 8; ++part) {
@@ -235,11 +235,11 @@ FrictionAtWork friction_at_work(const HardRotor& rotor, const Law& law, const ro
   Watch watch(rotor);
   motion::Motion<Law, rotor::NoForcing> motion(rotor.constants(), {rotor.blades, rotor.speed_ratio}, law, {},
                                                rotor.limits());
-  point::PointStatus status = motion.start(start);
-  for (int revolution = 0; revolution < 3 && status == point::PointStatus::done; ++revolution) {
+  ending::PointStatus status = motion.start(start);
+  for (int revolution = 0; revolution < 3 && status == ending::PointStatus::done; ++revolution) {
     status = motion.revolution(watch);
   }
-  EXPECT_NE(status, point::PointStatus::integrator_failed);
+  EXPECT_NE(status, ending::PointStatus::integrator_failed);
   return {watch.largest, motion.work()};
 }
 
@@ -268,10 +268,10 @@ TEST(Stick, FrictionNeverDrivesATipWhereTurningItRoundDoes) {
 TEST(Stick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
   // A few contacts with five sticks: no whirl in which errors grow.
   const HardRotor rotor = rolling_rotor(0.05, 0.3);
-  const auto nothing = [](observables::MotionPiece&) {};
+  const auto nothing = [](trajectory::MotionPiece&) {};
   const rotor::State start{0.005, 0.0, 0.0, -0.05};
   const auto stuck = follow(rotor, sticking_law(rotor, 1.0), rotor::NoForcing{}, start, 1, nothing);
-  ASSERT_EQ(stuck.status, point::PointStatus::done);
+  ASSERT_EQ(stuck.status, ending::PointStatus::done);
   ASSERT_GE(
       std::ranges::count_if(stuck.events, [](const auto& entry) { return begins_to_stick(entry.event); }), 1);
   std::vector<double> distances;
@@ -279,7 +279,7 @@ TEST(Stick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
     const contact::RigidBladeContact law(rotor.geometry(), rotor.ring_stiffness,
                                          contact::RegularisedFriction{rotor.friction, velocity});
     const auto steep = follow(rotor, law, rotor::NoForcing{}, start, 1, nothing);
-    ASSERT_EQ(steep.status, point::PointStatus::done);
+    ASSERT_EQ(steep.status, ending::PointStatus::done);
     distances.push_back((steep.sections[0] - stuck.sections[0]).abs().maxCoeff());
   }
   EXPECT_LE(distances[1], 0.2 * distances[0]);
@@ -347,7 +347,7 @@ TEST(Stick, TwoTipsCanBeHeldAtOnceAtASteadyAndAtARipplingSpeed) {
 }
 
 TEST(Stick, OfTheMirroredRotorIsTheMirrorImage) {
-  const auto nothing = [](observables::MotionPiece&) {};
+  const auto nothing = [](trajectory::MotionPiece&) {};
   int sticks = 0;
   for (const double excess : {0.5, 1.0, 1.5, 2.0}) {
     HardRotor rotor = rolling_rotor(0.3, 0.5);

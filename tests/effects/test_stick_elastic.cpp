@@ -48,13 +48,13 @@ bool comes_to_rest(const RecordedEvent& entry) {
 
 TEST(ElasticStick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
   // A tip that turns round passes a fold of the steep law, which takes a time of order v0^(2/3).
-  const auto nothing = [](observables::MotionPiece&) {};
+  const auto nothing = [](trajectory::MotionPiece&) {};
   for (const Kicked& kicked : {one_elastic_blade(), one_blade_near_its_fold(), three_blades()}) {
     const HardRotor& rotor = kicked.rotor;
     SCOPED_TRACE(rotor.friction);
     const auto stuck =
         follow(rotor, elastic_sticking_law(rotor, 1.0), rotor::NoForcing{}, kicked.start, 1, nothing);
-    ASSERT_EQ(stuck.status, point::PointStatus::done);
+    ASSERT_EQ(stuck.status, ending::PointStatus::done);
     const auto rest = std::ranges::find_if(stuck.events, comes_to_rest);
     ASSERT_NE(rest, stuck.events.end());
     const auto left = stuck.of_kind(Guard::lift_off);
@@ -64,7 +64,7 @@ TEST(ElasticStick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
     for (const double velocity : {1e-3, 1e-4, 1e-5, 1e-6}) {
       const auto law = directed_law(rotor, contact::RegularisedFriction{rotor.friction, velocity});
       const auto steep = follow(rotor, law, rotor::NoForcing{}, kicked.start, 1, nothing);
-      ASSERT_EQ(steep.status, point::PointStatus::done);
+      ASSERT_EQ(steep.status, ending::PointStatus::done);
       const auto lifted = steep.of_kind(Guard::lift_off);
       ASSERT_FALSE(lifted.empty());
       const double apart = (lifted[0].state - left[0].state).abs().maxCoeff();
@@ -81,7 +81,7 @@ TEST(ElasticStick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
 /// on both sides of each change.
 class RestWatch final : public modes::MotionListener {
  public:
-  void piece(observables::MotionPiece& piece) override {
+  void piece(trajectory::MotionPiece& piece) override {
     if (piece.contact_count() == 0) return;
     const double begin = piece.normal_force(0, piece.begin());
     if (changed_) jump = std::max(jump, std::abs(begin - last_load_) / last_load_);
@@ -118,9 +118,9 @@ TEST(ElasticStick, LoadIsContinuousWhereATipComesToRestAndWhereItComesLooseAndNo
   using Law = decltype(elastic_sticking_law(rotor, 1.0));
   motion::Motion<Law, rotor::NoForcing> motion(rotor.constants(), {rotor.blades, rotor.speed_ratio},
                                                elastic_sticking_law(rotor, 1.0), {}, rotor.limits());
-  ASSERT_EQ(motion.start(start), point::PointStatus::done);
+  ASSERT_EQ(motion.start(start), ending::PointStatus::done);
   RestWatch watch;
-  ASSERT_EQ(motion.revolution(watch), point::PointStatus::done);
+  ASSERT_EQ(motion.revolution(watch), ending::PointStatus::done);
   EXPECT_GT(watch.looks, 100);
   EXPECT_GE(watch.loosened, 1);
   EXPECT_LE(watch.jump, 1e-6);
@@ -134,14 +134,14 @@ TEST(ElasticStick, LeavesValidityWhereATipCanNeitherRestNorSlip) {
   kicked.rotor.friction = 0.5;
   kicked.rotor.damping_ratio = 0.1;
   kicked.start = {0.002, 0.0, 0.03, -0.05};
-  const auto nothing = [](observables::MotionPiece&) {};
+  const auto nothing = [](trajectory::MotionPiece&) {};
   const auto stuck = follow(kicked.rotor, elastic_sticking_law(kicked.rotor, 1.0), rotor::NoForcing{},
                             kicked.start, 1, nothing);
-  EXPECT_EQ(stuck.status, point::PointStatus::left_validity);
+  EXPECT_EQ(stuck.status, ending::PointStatus::left_validity);
   const auto steep = follow(
       kicked.rotor, directed_law(kicked.rotor, contact::RegularisedFriction{kicked.rotor.friction, 1e-6}),
       rotor::NoForcing{}, kicked.start, 1, nothing);
-  EXPECT_EQ(steep.status, point::PointStatus::left_validity);
+  EXPECT_EQ(steep.status, ending::PointStatus::left_validity);
   // The tip turns round once more, for 1e-4 in time, before it is found that it can do neither.
   EXPECT_LE((stuck.sections[0] - steep.sections[0]).head<2>().abs().maxCoeff(), 1e-5);
 }
@@ -149,12 +149,12 @@ TEST(ElasticStick, LeavesValidityWhereATipCanNeitherRestNorSlip) {
 TEST(ElasticStick, WhereNoSlipComesToRestIsTheMotionOfTipsThatOnlySlide) {
   HardRotor rotor;
   rotor.speed_ratio = 0.6;
-  const auto nothing = [](observables::MotionPiece&) {};
+  const auto nothing = [](trajectory::MotionPiece&) {};
   const auto with =
       follow(rotor, elastic_sticking_law(rotor, 1.0), rotor::NoForcing{}, rotor::State::Zero(), 3, nothing);
   const auto without = follow(rotor, directed_law(rotor, contact::CoulombFriction{rotor.friction}),
                               rotor::NoForcing{}, rotor::State::Zero(), 3, nothing);
-  ASSERT_EQ(with.status, point::PointStatus::done);
+  ASSERT_EQ(with.status, ending::PointStatus::done);
   EXPECT_GT(with.work.touchdowns, 3U);
   EXPECT_EQ(with.work.slip_reversals, 0U);
   for (std::size_t i = 0; i < with.sections.size(); ++i) {

@@ -10,8 +10,8 @@ namespace rubatlas::test {
 namespace {
 
 using effects::BladeError;
+using ending::PointStatus;
 using motion::SectionState;
-using point::PointStatus;
 
 settings::Scene equal_blades(settings::ContactLaw law, double speed_ratio) {
   nlohmann::json scene = effect_scene<&effects::Effects::unequal_blades>(speed_ratio, 4);

@@ -16,9 +16,9 @@
 namespace rubatlas::test {
 namespace {
 
+using ending::PointStatus;
 using motion::PointStart;
 using nlohmann::json;
-using point::PointStatus;
 
 json worn(double rate, double speed, int revolutions) {
   return {{"grid", {{"speed_ratio", speed}}},
@@ -35,9 +35,9 @@ double total(const motion::Memory& memory) {
 TEST(Wear, WorkOfATipThatTouchesAndLeavesLikeASquareRootIsSummedToTenDigits) {
   constexpr double kEnd = 0.7;
   observables::SyntheticPiece piece(
-      0.0, kEnd, [](double) { return observables::State{}; },
+      0.0, kEnd, [](double) { return trajectory::State{}; },
       {{.blade = 1, .force = {}, .strain = {}, .peaks = true, .action = [](double time) {
-          observables::ContactForce force{};
+          trajectory::ContactForce force{};
           force.normal = std::sqrt(time * (kEnd - time));
           force.slip_velocity = -1.0;
           force.friction = 1.0;

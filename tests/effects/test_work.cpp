@@ -22,10 +22,10 @@
 namespace rubatlas::test {
 namespace {
 
+using ending::PointStatus;
+using ending::StatusDetail;
 using modes::Work;
 using modes::WorkMeter;
-using point::PointStatus;
-using point::StatusDetail;
 
 /// The default rotor on a support, from rest; `added` is the section /support.
 nlohmann::json on_support(const nlohmann::json& added, double speed_ratio, int revolutions) {
@@ -99,7 +99,7 @@ TEST(FlightThatGrows, EndsAtTheRingAndNotForItsWork) {
     // Pressed into the ring, a rotor as slow as 0.02 hops along it 1e5 times a revolution.
     const int revolutions = support.speed_ratio == 0.02 ? 2 : 6;
     const auto outcome = run(parsed(on_support(support.added, support.speed_ratio, revolutions)));
-    EXPECT_NE(outcome.status, PointStatus::integrator_failed) << point::text_of(outcome.detail);
+    EXPECT_NE(outcome.status, PointStatus::integrator_failed) << ending::text_of(outcome.detail);
     EXPECT_GT(outcome.work.touchdowns, 0U);
   }
 }
@@ -132,7 +132,7 @@ TEST(WorkOfAPoint, ALightRingThatBouncesIsFollowedAtEveryTolerance) {
     const settings::Scene parsed_scene = parsed(scene);
     const auto& at = parsed_scene.initial;
     const auto outcome = run(parsed_scene, {at.x, at.y, at.vx, at.vy});
-    EXPECT_EQ(outcome.status, PointStatus::done) << tolerance << ": " << point::text_of(outcome.detail);
+    EXPECT_EQ(outcome.status, PointStatus::done) << tolerance << ": " << ending::text_of(outcome.detail);
   }
 }
 

@@ -14,7 +14,7 @@
 namespace rubatlas::test {
 namespace {
 
-using point::PointStatus;
+using ending::PointStatus;
 
 constexpr std::array<double, 7> kDampings = {0.0, 1e-4, 0.1, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 5.0};
 constexpr std::array<double, 9> kSpeeds = {0.005, 0.02, 0.1, 1.0 / 3.0, 0.62, 1.0, 1.5, 3.0, 5.0};

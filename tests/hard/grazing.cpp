@@ -117,11 +117,11 @@ TEST(Grazing, EachBladeTouchesOncePerRevolutionHoweverShallow) {
         settings::Scene scene = resting_rotor(law, depth, 10);
         scene.blades.count = blades;
         const auto touching = run(scene, 0.3);
-        ASSERT_EQ(touching.status, point::PointStatus::done) << "depth 1e-" << decade;
+        ASSERT_EQ(touching.status, ending::PointStatus::done) << "depth 1e-" << decade;
         EXPECT_EQ(touching.rows[0][0], blades) << "depth 1e-" << decade << ", law " << static_cast<int>(law);
         scene.rotor.misalignment = kClearance * (1.0 - depth);
         const auto clear = run(scene, 0.3);
-        ASSERT_EQ(clear.status, point::PointStatus::done);
+        ASSERT_EQ(clear.status, ending::PointStatus::done);
         EXPECT_EQ(clear.work.touchdowns, 0U);
         EXPECT_EQ(clear.work.right_hand_sides, 0U);
       }
@@ -156,7 +156,7 @@ TEST(Grazing, ATipThatTouchesAHairPastTopDeadCentreIsPressedIn) {
           scene, 0.68770856507230261,
           {-0.00037071892797697713, -0.0024190551723511453, 5.656755988111379e-05, -0.0014636350087912776});
       expect_an_honest_end(scene, outcome);
-      EXPECT_EQ(outcome.status, point::PointStatus::done);
+      EXPECT_EQ(outcome.status, ending::PointStatus::done);
       EXPECT_EQ(outcome.work.touchdowns, 3);
       EXPECT_NEAR(outcome.final_state[0], 1.77006612e-4, 1e-10) << tolerance;
     }
@@ -169,7 +169,7 @@ TEST(Grazing, ABladeThatStaysJustBelowTheRingNeverTouchesAtLittleCost) {
   for (int decade = 3; decade <= 12; ++decade) {
     SCOPED_TRACE(::testing::Message() << "depth 1e-" << decade);
     const auto outcome = locked_whirl(-std::pow(10.0, -decade));
-    ASSERT_EQ(outcome.status, point::PointStatus::done);
+    ASSERT_EQ(outcome.status, ending::PointStatus::done);
     EXPECT_EQ(outcome.work.touchdowns, 0U);
     EXPECT_EQ(outcome.work.right_hand_sides, 0U);
     EXPECT_LE(outcome.work.gap_evaluations, 5U * 12U);
@@ -182,7 +182,7 @@ TEST(Grazing, ABladeThatStaysJustInsideTheRingStaysInContact) {
   for (int decade = 3; decade <= 12; ++decade) {
     SCOPED_TRACE(::testing::Message() << "depth 1e-" << decade);
     const auto outcome = locked_whirl(std::pow(10.0, -decade));
-    ASSERT_EQ(outcome.status, point::PointStatus::done);
+    ASSERT_EQ(outcome.status, ending::PointStatus::done);
     EXPECT_EQ(outcome.rows[0][0], 0.0);
     EXPECT_NEAR(outcome.rows[1][0], 1.0, 1e-12);
   }

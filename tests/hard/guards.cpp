@@ -15,8 +15,8 @@
 namespace rubatlas::test {
 namespace {
 
+using ending::PointStatus;
 using modes::Guard;
-using point::PointStatus;
 using rotor::State;
 
 /// Largest difference of the states after a revolution, relative to the clearance.
@@ -67,7 +67,7 @@ std::optional<LiftOff> first_lift_off(const HardRotor& rotor, const Law& law, co
   double force = 0.0;
   bool touched = false;
   bool left = false;
-  const auto motion = follow(rotor, law, kNoForcing, start, 1, [&](observables::MotionPiece& piece) {
+  const auto motion = follow(rotor, law, kNoForcing, start, 1, [&](trajectory::MotionPiece& piece) {
     left = left || (touched && piece.contact_count() == 0);
     if (left || piece.contact_count() == 0) return;
     touched = true;
@@ -187,7 +187,7 @@ TEST(Guards, ValidityIsLeftAtTheSameTimeWhateverTheStepsThatPassIt) {
     rotor.tolerance = tolerance;
     double end = 0.0;
     const auto motion = follow(rotor, rotor.elastica(), kNoForcing, State::Zero(), 12,
-                               [&](observables::MotionPiece& piece) { end = piece.end(); });
+                               [&](trajectory::MotionPiece& piece) { end = piece.end(); });
     EXPECT_EQ(motion.status, PointStatus::left_validity) << tolerance;
     EXPECT_EQ(motion.sections.size(), 10U) << tolerance;
     if (first_end == 0.0) first_end = end;
@@ -223,7 +223,7 @@ TEST(Guards, AShaftThatFliesToTheRingLeavesValidityHoweverShortlyItIsThere) {
     const double amplitude = (1.0 + beyond) * scene.ring.radius;
     const double velocity = -frequency * std::sqrt(amplitude * amplitude - begin * begin);
     const auto outcome = run(scene, 0.05, {begin, 0.0, velocity, 0.0});
-    EXPECT_EQ(outcome.detail == point::StatusDetail::shaft_at_ring, beyond > 0.0);
+    EXPECT_EQ(outcome.detail == ending::StatusDetail::shaft_at_ring, beyond > 0.0);
     EXPECT_EQ(outcome.work.touchdowns == 0U, beyond > 0.0) << "it would come back and touch";
   }
 }

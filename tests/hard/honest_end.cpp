@@ -22,7 +22,7 @@ bool may_be_without_value(std::string_view observable) {
 }  // namespace
 
 void expect_an_honest_end(const settings::Scene& scene, const point::PointOutcome& outcome) {
-  const bool done = outcome.status == point::PointStatus::done;
+  const bool done = outcome.status == ending::PointStatus::done;
   const auto descriptions = observables::descriptions(scene);
   ASSERT_EQ(outcome.rows.size(), descriptions.size());
   const auto as_the_status_says = [&](double value) {
@@ -42,8 +42,8 @@ void expect_an_honest_end(const settings::Scene& scene, const point::PointOutcom
   if (done) {
     ASSERT_EQ(outcome.failed_revolution, -1);
   } else {
-    ASSERT_TRUE(outcome.status == point::PointStatus::left_validity ||
-                outcome.status == point::PointStatus::integrator_failed);
+    ASSERT_TRUE(outcome.status == ending::PointStatus::left_validity ||
+                outcome.status == ending::PointStatus::integrator_failed);
     ASSERT_GE(outcome.failed_revolution, 0);
     ASSERT_LT(outcome.failed_revolution,
               scene.protocol.transient_revolutions + scene.protocol.sampled_revolutions);

@@ -13,7 +13,7 @@
 namespace rubatlas::test {
 namespace {
 
-using point::PointStatus;
+using ending::PointStatus;
 
 constexpr std::array kThicknesses = {1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 2e-2};  // h [m]
 constexpr std::array kFrictions = {0.0, 1e-4, 0.01, 0.1, 0.5, 1.0, 2.0};

@@ -10,8 +10,8 @@
 namespace rubatlas::test {
 namespace {
 
+using ending::PointStatus;
 using motion::SectionState;
-using point::PointStatus;
 
 /// The free rotor after a number of revolutions, ζ = 0: turned in the plane (z, z') by 2π N/Ω. The angle is
 /// reduced in whole numbers of turns before it is rounded: Ω is a quotient of small whole numbers.

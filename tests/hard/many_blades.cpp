@@ -11,8 +11,8 @@
 namespace rubatlas::test {
 namespace {
 
+using ending::PointStatus;
 using modes::Guard;
-using point::PointStatus;
 using rotor::State;
 
 /// Runs a test with both laws.

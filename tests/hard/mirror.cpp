@@ -16,7 +16,7 @@
 namespace rubatlas::test {
 namespace {
 
-using point::PointStatus;
+using ending::PointStatus;
 using rotor::State;
 
 State mirrored(const State& state) {
@@ -37,7 +37,7 @@ const auto kEqualBlades = [](const HardRotor& rotor, double) {
 template <class MakeLaw, class MakeForcing, class MakeBlades = decltype(kEqualBlades)>
 void expect_mirror_images(const HardRotor& rotor, MakeLaw make_law, MakeForcing make_forcing,
                           const State& start, MakeBlades make_blades = kEqualBlades) {
-  const auto no_piece = [](observables::MotionPiece&) {};
+  const auto no_piece = [](trajectory::MotionPiece&) {};
   const HardRotor other = mirrored(rotor);
   const auto motion = follow(rotor, make_blades(rotor, 1.0), make_law(rotor, 1.0), make_forcing(rotor, 1.0),
                              start, 6, no_piece);

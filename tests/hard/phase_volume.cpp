@@ -13,8 +13,8 @@
 namespace rubatlas::test {
 namespace {
 
+using ending::PointStatus;
 using motion::SectionState;
-using point::PointStatus;
 
 struct VolumeCase {
   const char* name;

@@ -76,7 +76,7 @@ class RandomSearch : public ::testing::TestWithParam<Shard> {};
 
 TEST_P(RandomSearch, EveryLegalSceneEndsWithAStatus) {
   const auto [first, scenes] = GetParam();
-  std::map<point::StatusDetail, int> ended_by;
+  std::map<ending::StatusDetail, int> ended_by;
   std::int64_t dearest = 0;
   std::uint64_t dearest_scene = first;
   int touched = 0;
@@ -89,10 +89,10 @@ TEST_P(RandomSearch, EveryLegalSceneEndsWithAStatus) {
     dearest = std::max(dearest, outcome.work.price);
     if (outcome.work.touchdowns > 0) ++touched;
   }
-  const int done = ended_by[point::StatusDetail::none];
+  const int done = ended_by[ending::StatusDetail::none];
   std::cout << "scenes " << first << " to " << first + scenes - 1 << ": " << done << " done";
-  for (const auto& entry : point::kStatusDetails) {
-    if (entry.detail != point::StatusDetail::none && ended_by[entry.detail] > 0)
+  for (const auto& entry : ending::kStatusDetails) {
+    if (entry.detail != ending::StatusDetail::none && ended_by[entry.detail] > 0)
       std::cout << ", " << ended_by[entry.detail] << ' ' << entry.name;
   }
   std::cout << "; most work " << 1e-9 * static_cast<double>(dearest) << " s, scene " << dearest_scene << '\n';

@@ -12,7 +12,7 @@ namespace rubatlas::test {
 /// Nothing but shaft and ring acts.
 inline constexpr rotor::NoForcing kNoForcing;
 /// For those who look at the sections of a motion alone.
-inline constexpr auto kNoPiece = [](observables::MotionPiece&) {};
+inline constexpr auto kNoPiece = [](trajectory::MotionPiece&) {};
 
 /// Rotor, blades and ring of MODEL 6.1 where nothing else is said.
 struct HardRotor {
@@ -62,7 +62,7 @@ struct RecordedEvent {
 };
 
 struct RecordedMotion {
-  point::PointStatus status = point::PointStatus::pending;
+  ending::PointStatus status = ending::PointStatus::pending;
   std::vector<RecordedEvent> events;
   std::vector<rotor::State> sections;  ///< after each revolution
   motion::WorkCounts work;
@@ -81,7 +81,7 @@ template <class OnPiece>
 class Recording final : public modes::MotionListener {
  public:
   explicit Recording(OnPiece on_piece) : on_piece_(on_piece) {}
-  void piece(observables::MotionPiece& piece) override { on_piece_(piece); }
+  void piece(trajectory::MotionPiece& piece) override { on_piece_(piece); }
   void event(const modes::Event& event) override { events.push_back({revolution, event}); }
   int revolution = 0;
   std::vector<RecordedEvent> events;
@@ -97,7 +97,7 @@ RecordedMotion follow(const HardRotor& rotor, const Blades& blades, const Law& l
   Recording<OnPiece> recording(on_piece);
   RecordedMotion result;
   result.status = motion->start(rotor::as_array(start));
-  for (; recording.revolution < revolutions && result.status == point::PointStatus::done;
+  for (; recording.revolution < revolutions && result.status == ending::PointStatus::done;
        ++recording.revolution) {
     result.status = revolve(*motion, recording);
     result.sections.push_back(rotor::shaft(motion->state()));

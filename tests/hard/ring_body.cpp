@@ -14,8 +14,8 @@
 namespace rubatlas::test {
 namespace {
 
+using ending::PointStatus;
 using motion::PointStart;
-using point::PointStatus;
 
 /// Of shaft and ring [m].
 double largest_difference_of_bodies(const point::PointOutcome& a, const point::PointOutcome& b) {

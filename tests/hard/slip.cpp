@@ -11,7 +11,7 @@
 namespace rubatlas::test {
 namespace {
 
-using point::PointStatus;
+using ending::PointStatus;
 
 struct Kicked {
   int reversals = 0;  ///< a tip that comes to rest counts as one
@@ -92,7 +92,7 @@ TEST(Slip, OfAFlexibleTipThatChattersIntoRestIsFollowedAtEveryTolerance) {
     scene.accuracy.tolerance = tolerance;
     const auto outcome = run(scene, 0.02, {0.005, 0.0, 0.0, 0.02917});
     EXPECT_EQ(outcome.status, PointStatus::left_validity);
-    EXPECT_EQ(outcome.detail, point::StatusDetail::slip_undecided);
+    EXPECT_EQ(outcome.detail, ending::StatusDetail::slip_undecided);
     EXPECT_EQ(outcome.work.touchdowns, 5U);
     EXPECT_GT(outcome.work.slip_reversals, 60U);
     EXPECT_LT(outcome.work.slip_reversals, 200U);
@@ -169,7 +169,7 @@ TEST(Slip, ReversalsThatAccumulateWhereNoLawOfRestIsKnownLeaveValidityAtEveryTol
       scene.accuracy.tolerance = tolerance;
       const auto outcome = run(scene, speed_ratio, start);
       EXPECT_EQ(outcome.status, PointStatus::left_validity);
-      EXPECT_EQ(outcome.detail, point::StatusDetail::slip_undecided);
+      EXPECT_EQ(outcome.detail, ending::StatusDetail::slip_undecided);
       if (reversals == 0) reversals = outcome.work.slip_reversals;
       EXPECT_EQ(outcome.work.slip_reversals, reversals);
     }

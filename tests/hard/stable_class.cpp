@@ -15,7 +15,7 @@ namespace {
 using analysis::is_periodic;
 using analysis::motion_class::kAperiodic;
 using analysis::motion_class::kUnresolved;
-using point::PointStatus;
+using ending::PointStatus;
 
 struct Verdict {
   std::uint8_t motion;

@@ -8,8 +8,8 @@
 namespace rubatlas::test {
 namespace {
 
+using ending::PointStatus;
 using modes::Guard;
-using point::PointStatus;
 using rotor::State;
 
 /// One blade in a ring around the shaft's own centre, lengths without rounding: a tip placed on the ring is
@@ -34,7 +34,7 @@ TEST(Touchdown, HeadOnTheForceStartsLikeTheRootOfTime) {
   int compared = 0;
   const auto motion = follow(
       rotor, rotor.elastica(), kNoForcing, {rotor.clearance(), 0.0, velocity, 0.0}, 1,
-      [&](observables::MotionPiece& piece) {
+      [&](trajectory::MotionPiece& piece) {
         if (piece.contact_count() == 0 || piece.begin() > 0.0) return;
         for (const double time : {1e-16, 1e-14, 1e-12, 1e-10}) {
           if (time >= piece.end()) continue;
@@ -58,7 +58,7 @@ TEST(Touchdown, OnTheRecedingSideTheForceIsFiniteAtOnce) {
   double first_force = 0.0;
   double before = -1.0;
   const auto motion = follow(rotor, rotor.elastica(), kNoForcing, {along, across, 0.02, 0.0}, 1,
-                             [&](observables::MotionPiece& piece) {
+                             [&](trajectory::MotionPiece& piece) {
                                if (piece.contact_count() == 0 && before < 0.0) before = piece.end();
                                if (piece.contact_count() == 1 && first_force == 0.0)
                                  first_force = piece.normal_force(0, piece.begin());
@@ -90,7 +90,7 @@ TEST(Touchdown, LiftOffGoesThroughTheFoldWithoutAJump) {
   };
   const auto leaving = [&](double velocity) {
     const auto motion = follow(rotor, law, kNoForcing, {rotor.clearance(), 1e-3, 0.02, velocity}, 1,
-                               [](observables::MotionPiece&) {});
+                               [](trajectory::MotionPiece&) {});
     EXPECT_EQ(motion.status, PointStatus::done) << velocity;
     const auto liftoffs = motion.of_kind(Guard::lift_off);
     EXPECT_FALSE(liftoffs.empty()) << velocity;

@@ -30,7 +30,7 @@ inline PointReport report(std::size_t line, std::uint64_t visit, double seconds 
   PointReport result;
   result.line = line;
   result.visit = visit;
-  result.status = point::PointStatus::done;
+  result.status = ending::PointStatus::done;
   result.final_state = end_of(line, visit);
   result.seconds = seconds;
   return result;

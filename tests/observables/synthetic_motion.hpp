@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "observables/motion_piece.hpp"
 #include "observables/observable.hpp"
+#include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::observables {
 
@@ -19,19 +19,19 @@ struct SyntheticContact {
   std::function<double(double)> strain;
   bool peaks = true;  ///< the load rises and falls again within the piece
   /// All that the force does; none: it pushes along x, and does not rub.
-  std::function<ContactForce(double)> action = nullptr;
+  std::function<trajectory::ContactForce(double)> action = nullptr;
 };
 
-class SyntheticPiece final : public MotionPiece {
+class SyntheticPiece final : public trajectory::MotionPiece {
  public:
-  SyntheticPiece(double begin, double end, std::function<State(double)> motion,
+  SyntheticPiece(double begin, double end, std::function<trajectory::State(double)> motion,
                  std::vector<SyntheticContact> contacts = {},
                  double bound = std::numeric_limits<double>::infinity())
       : begin_(begin), end_(end), motion_(std::move(motion)), contacts_(std::move(contacts)), bound_(bound) {}
 
   [[nodiscard]] double begin() const override { return begin_; }
   [[nodiscard]] double end() const override { return end_; }
-  [[nodiscard]] State state(double time) override {
+  [[nodiscard]] trajectory::State state(double time) override {
     ++states_;
     return motion_(time);
   }
@@ -45,16 +45,16 @@ class SyntheticPiece final : public MotionPiece {
   [[nodiscard]] double root_strain(std::size_t contact, double time) override {
     return contacts_[contact].strain(time);
   }
-  [[nodiscard]] ContactForce contact_force(std::size_t contact, double time) override {
+  [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, double time) override {
     if (contacts_[contact].action) return contacts_[contact].action(time);
     const double force = normal_force(contact, time);
     return {-force, force, 0.0, 1.0, 0.0, 0.0};
   }
-  [[nodiscard]] Tip tip(int blade, double time) override {
-    return tips_ ? tips_(blade, time) : Tip{-1.0, 0.0, 0.0};
+  [[nodiscard]] trajectory::Tip tip(int blade, double time) override {
+    return tips_ ? tips_(blade, time) : trajectory::Tip{-1.0, 0.0, 0.0};
   }
   /// Gives the piece tips; without them none comes near the ring.
-  void set_tips(std::function<Tip(int, double)> tips) { tips_ = std::move(tips); }
+  void set_tips(std::function<trajectory::Tip(int, double)> tips) { tips_ = std::move(tips); }
 
   /// How often the motion was asked for.
   [[nodiscard]] int states() const { return states_; }
@@ -62,20 +62,20 @@ class SyntheticPiece final : public MotionPiece {
  private:
   double begin_;
   double end_;
-  std::function<State(double)> motion_;
+  std::function<trajectory::State(double)> motion_;
   std::vector<SyntheticContact> contacts_;
   double bound_;
-  std::function<Tip(int, double)> tips_;
+  std::function<trajectory::Tip(int, double)> tips_;
   int states_ = 0;
 };
 
-inline PointConstants point_at(double speed_ratio, int blade_count) {
+inline trajectory::PointConstants point_at(double speed_ratio, int blade_count) {
   return {2 * std::numbers::pi / speed_ratio, speed_ratio, blade_count};
 }
 
 /// Feeds whole revolutions of a motion in τ since the point started, each in uneven pieces.
-inline void feed(Observable& observable, const PointConstants& point, int revolutions,
-                 const std::function<State(double)>& motion) {
+inline void feed(Observable& observable, const trajectory::PointConstants& point, int revolutions,
+                 const std::function<trajectory::State(double)>& motion) {
   observable.begin(point);
   for (int r = 0; r < revolutions; ++r) {
     const auto within = [&motion, &point, r](double time) { return motion(r * point.period + time); };

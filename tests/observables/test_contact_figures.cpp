@@ -10,7 +10,7 @@
 namespace rubatlas::observables {
 namespace {
 
-State at_rest(double /*time*/) {
+trajectory::State at_rest(double /*time*/) {
   return {0, 0, 0, 0};
 }
 
@@ -44,7 +44,7 @@ TEST(TouchdownsPerRevolution, DoNotCountAContactThatIsOpenAtTheStart) {
 }
 
 TEST(ContactFraction, IsTheShareOfTimeWithAnyBladeInContact) {
-  const PointConstants point = point_at(0.5, 3);
+  const trajectory::PointConstants point = point_at(0.5, 3);
   ContactFraction fraction(scene_of(2));
   const SyntheticContact contact{1, [](double) { return 1.0; }, [](double) { return 0.0; }};
   fraction.begin(point);

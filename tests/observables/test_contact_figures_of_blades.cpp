@@ -13,7 +13,7 @@ namespace {
 
 using Row = std::vector<double>;
 
-State standing(double /*time*/) {
+trajectory::State standing(double /*time*/) {
   return {0, 0, 0, 0};
 }
 
@@ -33,7 +33,7 @@ Row row_of_blades(Observable& observable) {
 
 /// Two revolutions with blade 1 in contact for a tenth of each, and blade 2 for a tenth of the first. The
 /// force rises and falls like a square root, with an impulse of π/8 r² over the time r.
-void two_revolutions(Observable& observable, const PointConstants& point) {
+void two_revolutions(Observable& observable, const trajectory::PointConstants& point) {
   observable.begin(point);
   const double part = 0.1 * point.period;
   const auto touches = [part](int blade, double begin) {
@@ -60,7 +60,7 @@ void two_revolutions(Observable& observable, const PointConstants& point) {
 }
 
 TEST(ContactFiguresOfBlades, TellTheBladesApart) {
-  const PointConstants point = point_at(0.5, 3);
+  const trajectory::PointConstants point = point_at(0.5, 3);
   const double part = 0.1 * point.period;
   const settings::Scene scene = three_blades(2);
   TouchdownsOfBlades touchdowns(scene);
@@ -92,7 +92,7 @@ TEST(ApproachSpeed, IsTheLargestRateOfATipWhereItTouchesDown) {
   const auto piece = [&speed](double begin, double end, double rate_of_blade_1) {
     SyntheticPiece stretch(begin, end, standing);
     stretch.set_tips([=](int blade, double time) {
-      return Tip{0.0, blade == 1 ? rate_of_blade_1 - (time - begin) : 1.0, 0.0};
+      return trajectory::Tip{0.0, blade == 1 ? rate_of_blade_1 - (time - begin) : 1.0, 0.0};
     });
     speed.piece(stretch);
   };

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kRadius = 0.11;
 
-State resting(double /*time*/) {
+trajectory::State resting(double /*time*/) {
   return {0, 0, 0, 0};
 }
 
@@ -29,12 +29,13 @@ settings::Scene scene_with(int blades) {
 }
 
 /// A tip whose overlap is `top` − (t − at)² [m].
-Tip parabola(double time, double at, double top, double side) {
+trajectory::Tip parabola(double time, double at, double top, double side) {
   return {top - (time - at) * (time - at), -2.0 * (time - at), side};
 }
 
 /// Hands over a piece from `begin` to `end` with these tips, in contact with the blades of `contacts`.
-void hand_over(Observable& observable, double begin, double end, std::function<Tip(int, double)> tips,
+void hand_over(Observable& observable, double begin, double end,
+               std::function<trajectory::Tip(int, double)> tips,
                const std::vector<int>& blades_in_contact = {}) {
   std::vector<SyntheticContact> contacts;
   const auto none = [](double) { return 0.0; };
@@ -59,7 +60,7 @@ TEST(NearestMiss, IsTheSmallestDistanceByWhichATipPassesTheRing) {
 TEST(NearestMiss, IsNotANumberWhereNoRadiusHasAMaximum) {
   NearestMiss miss;
   miss.begin(point_at(0.5, 1));
-  hand_over(miss, 0.0, 5.0, [](int, double time) { return Tip{-1e-2 + 1e-3 * time, 1e-3, 0.0}; });
+  hand_over(miss, 0.0, 5.0, [](int, double time) { return trajectory::Tip{-1e-2 + 1e-3 * time, 1e-3, 0.0}; });
   EXPECT_TRUE(std::isnan(number_in(miss)));
 }
 

@@ -93,11 +93,11 @@ TEST(List, ComponentsAreAlwaysThereForTheFinalState) {
 
 TEST(Recorder, RowsAreThoseOfTheDescriptionsAndFilledByTheMotion) {
   const settings::Scene scene = scene_with(all_names());
-  const PointConstants point = point_at(0.5, scene.blades.count);
+  const trajectory::PointConstants point = point_at(0.5, scene.blades.count);
   Recorder recorder(scene);
   recorder.begin(point);
   const auto motion = [](double time) {
-    return State{2e-3 * std::cos(0.5 * time), 0, -1e-3 * std::sin(0.5 * time), 0};
+    return trajectory::State{2e-3 * std::cos(0.5 * time), 0, -1e-3 * std::sin(0.5 * time), 0};
   };
   for (int r = 0; r < scene.protocol.sampled_revolutions; ++r) {
     SyntheticPiece flight(0.0, 0.75 * point.period, motion);

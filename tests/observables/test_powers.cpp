@@ -29,7 +29,7 @@ settings::Scene rotor(double damping_ratio) {
   return scene;
 }
 
-State state_of(Complex place, Complex velocity) {
+trajectory::State state_of(Complex place, Complex velocity) {
   return {place.real(), place.imag(), velocity.real(), velocity.imag()};
 }
 
@@ -53,7 +53,7 @@ TEST(ViscousPower, OfAnOverdampedShaftThatCreepsBackIsTheEnergyThatItLoses) {
   const auto motion = [rate](double time) {
     return state_of(1e-3 * std::exp(-rate * time), -rate * 1e-3 * std::exp(-rate * time));
   };
-  const PointConstants point = point_at(0.5, 3);
+  const trajectory::PointConstants point = point_at(0.5, 3);
   ViscousPower power(rotor(damping_ratio));
   power.begin(point);
   SyntheticPiece piece(0.0, point.period, motion);
@@ -64,19 +64,19 @@ TEST(ViscousPower, OfAnOverdampedShaftThatCreepsBackIsTheEnergyThatItLoses) {
 }
 
 /// A tip that is pushed and rubs while the shaft moves along a line.
-SyntheticContact rubbing(const std::function<ContactForce(double)>& action) {
+SyntheticContact rubbing(const std::function<trajectory::ContactForce(double)>& action) {
   return {.blade = 0, .force = {}, .strain = {}, .peaks = true, .action = action};
 }
 
 TEST(FrictionPower, IsTheMeanOfFrictionTimesSlipOverAllTips) {
-  const PointConstants point = point_at(0.5, 3);
+  const trajectory::PointConstants point = point_at(0.5, 3);
   const double part = 0.2 * point.period;
-  const auto still = [](double) { return State{}; };
+  const auto still = [](double) { return trajectory::State{}; };
   // 3 N slips at 0.02 m per unit of time under c = 0.1; the same, and the other way, at another tip.
   const SyntheticContact forward =
-      rubbing([](double) { return ContactForce{-3.0, 3.0, 0.02, 1.0, 0.1, 0.0}; });
+      rubbing([](double) { return trajectory::ContactForce{-3.0, 3.0, 0.02, 1.0, 0.1, 0.0}; });
   const SyntheticContact backward =
-      rubbing([](double) { return ContactForce{-3.0, 3.0, -0.02, -1.0, -0.1, 0.0}; });
+      rubbing([](double) { return trajectory::ContactForce{-3.0, 3.0, -0.02, -1.0, -0.1, 0.0}; });
   FrictionPower power(rotor(0.1));
   power.begin(point);
   SyntheticPiece both(0.0, part, still, {forward, backward});
@@ -88,10 +88,10 @@ TEST(FrictionPower, IsTheMeanOfFrictionTimesSlipOverAllTips) {
 }
 
 TEST(DeformationPower, IsWhatContactsTakeFromShaftAndDriveLessFriction) {
-  const PointConstants point = point_at(0.5, 3);
-  const auto moving = [](double time) { return State{0.01 * time, -0.02 * time, 0.01, -0.02}; };
+  const trajectory::PointConstants point = point_at(0.5, 3);
+  const auto moving = [](double time) { return trajectory::State{0.01 * time, -0.02 * time, 0.01, -0.02}; };
   const SyntheticContact contact =
-      rubbing([](double) { return ContactForce{Complex(-3.0, 1.0), 3.0, 0.02, 1.0, 0.1, 0.04}; });
+      rubbing([](double) { return trajectory::ContactForce{Complex(-3.0, 1.0), 3.0, 0.02, 1.0, 0.1, 0.04}; });
   DeformationPower power(rotor(0.1));
   power.begin(point);
   SyntheticPiece piece(0.0, point.period, moving, {contact});
@@ -101,10 +101,10 @@ TEST(DeformationPower, IsWhatContactsTakeFromShaftAndDriveLessFriction) {
 }
 
 TEST(DriveTorque, BearsTheTorqueOfContacts) {
-  const PointConstants point = point_at(0.5, 3);
-  const auto still = [](double) { return State{}; };
+  const trajectory::PointConstants point = point_at(0.5, 3);
+  const auto still = [](double) { return trajectory::State{}; };
   const SyntheticContact contact =
-      rubbing([](double time) { return ContactForce{-1.0, 1.0, 0.02, 1.0, 0.1, -0.3 * time}; });
+      rubbing([](double time) { return trajectory::ContactForce{-1.0, 1.0, 0.02, 1.0, 0.1, -0.3 * time}; });
   DriveTorque torque(rotor(0.1));
   torque.begin(point);
   SyntheticPiece piece(0.0, 1.0, still, {contact});
@@ -140,7 +140,7 @@ TEST(DriveTorque, OfAnUnbalanceIsItsMomentTimesTheAccelerationAcrossIt) {
   settings::Scene scene = rotor(0.05);
   scene.unbalance = effects::Unbalance{1e-3, 0.7};
   const double speed = 0.6;
-  const PointConstants point = point_at(speed, 3);
+  const trajectory::PointConstants point = point_at(speed, 3);
   const double other = 0.37;
   const auto motion = [&](double time) {
     const Complex place = std::polar(2e-3, other * time + 0.1);

@@ -11,27 +11,27 @@
 namespace rubatlas::observables {
 namespace {
 
-State spiral(double time) {
+trajectory::State spiral(double time) {
   return {time, 2 * time, std::cos(time), std::sin(time)};
 }
 
 TEST(Poincare, KeepsTheStateAfterEachRevolution) {
-  const PointConstants point = point_at(0.62, 3);
+  const trajectory::PointConstants point = point_at(0.62, 3);
   Poincare poincare;
   feed(poincare, point, 5, spiral);
   std::vector<double> row(20);
   poincare.write(row);
   for (int r = 0; r < 5; ++r) {
-    const State expected = spiral((r + 1) * point.period);
+    const trajectory::State expected = spiral((r + 1) * point.period);
     for (int k = 0; k < 4; ++k)
       EXPECT_EQ(row[static_cast<std::size_t>(4 * r + k)], expected[static_cast<std::size_t>(k)]);
   }
 }
 
 TEST(Poincare, ForgetsThePointBefore) {
-  const PointConstants point = point_at(0.62, 3);
+  const trajectory::PointConstants point = point_at(0.62, 3);
   Poincare poincare;
-  feed(poincare, point, 7, [](double) { return State{9, 9, 9, 9}; });
+  feed(poincare, point, 7, [](double) { return trajectory::State{9, 9, 9, 9}; });
   feed(poincare, point, 2, spiral);
   std::vector<double> row(8);
   poincare.write(row);
@@ -41,7 +41,7 @@ TEST(Poincare, ForgetsThePointBefore) {
 
 TEST(PoincareBladePassing, KeepsTheStateAtEveryBladePassing) {
   for (const int blades : {1, 2, 3, 7, 50}) {
-    const PointConstants point = point_at(0.62, blades);
+    const trajectory::PointConstants point = point_at(0.62, blades);
     PoincareBladePassing passings;
     feed(passings, point, 4, spiral);
     const auto count = static_cast<std::size_t>(4 * blades);
@@ -49,7 +49,7 @@ TEST(PoincareBladePassing, KeepsTheStateAtEveryBladePassing) {
     passings.write(row);
     for (std::size_t i = 0; i < count; ++i) {
       const double time = point.period * static_cast<double>(i + 1) / blades;
-      const State expected = spiral(time);
+      const trajectory::State expected = spiral(time);
       for (std::size_t k = 0; k < 4; ++k)
         EXPECT_NEAR(row[4 * i + k], expected[k], 2e-14 * (1 + time)) << blades << ", " << i;
     }
@@ -57,7 +57,7 @@ TEST(PoincareBladePassing, KeepsTheStateAtEveryBladePassing) {
 }
 
 TEST(PoincareBladePassing, LastPassingOfARevolutionIsItsSection) {
-  const PointConstants point = point_at(0.4, 3);
+  const trajectory::PointConstants point = point_at(0.4, 3);
   Poincare poincare;
   PoincareBladePassing passings;
   feed(poincare, point, 6, spiral);
@@ -72,7 +72,7 @@ TEST(PoincareBladePassing, LastPassingOfARevolutionIsItsSection) {
 }
 
 TEST(PoincareBladePassing, PassingWhereTwoPiecesMeetIsKeptOnce) {
-  const PointConstants point = point_at(1.0, 2);
+  const trajectory::PointConstants point = point_at(1.0, 2);
   PoincareBladePassing passings;
   passings.begin(point);
   SyntheticPiece first(0.0, point.period / 2, spiral);

@@ -22,7 +22,7 @@ settings::Scene scene_of(int samples_per_revolution, int max_order) {
 }
 
 std::vector<double> spectrum_of(const settings::Scene& scene, double speed_ratio,
-                                const std::function<State(double)>& motion) {
+                                const std::function<trajectory::State(double)>& motion) {
   SpectrumOfDisplacement spectrum(scene);
   feed(spectrum, point_at(speed_ratio, 3), kRevolutions, motion);
   std::vector<double> row(static_cast<std::size_t>(scene.spectrum.max_order * kRevolutions + 1));
@@ -35,7 +35,7 @@ TEST(SpectrumOfDisplacement, ShowsEachHarmonicAtItsOrderWithItsAmplitude) {
   const auto motion = [speed](double time) {
     const double phase = speed * time;
     // y must not matter.
-    return State{
+    return trajectory::State{
         1e-3 - 2e-3 * std::cos(phase + 0.3) + 5e-4 * std::sin(3 * phase) + 7e-5 * std::cos(2.5 * phase), 0.1,
         0, 0};
   };
@@ -48,7 +48,7 @@ TEST(SpectrumOfDisplacement, ShowsEachHarmonicAtItsOrderWithItsAmplitude) {
 }
 
 TEST(SpectrumOfDisplacement, ReachesTheNyquistOrder) {
-  const auto motion = [](double time) { return State{3e-3 * std::cos(4 * 0.5 * time), 0, 0, 0}; };
+  const auto motion = [](double time) { return trajectory::State{3e-3 * std::cos(4 * 0.5 * time), 0, 0, 0}; };
   const auto row = spectrum_of(scene_of(8, 4), 0.5, motion);
   ASSERT_EQ(row.size(), 41U);
   EXPECT_NEAR(row.back(), 3e-3, 1e-16) << "|X|/N at Nyquist";
@@ -61,7 +61,7 @@ TEST(SpectrumOfDisplacement, ForgetsThePointBefore) {
   std::vector<double> row(41);
   for (const double size : {5.0, 1e-3}) {
     feed(spectrum, point_at(0.8, 3), kRevolutions, [size](double time) {
-      return State{size * std::cos(0.8 * time), 0, 0, 0};
+      return trajectory::State{size * std::cos(0.8 * time), 0, 0, 0};
     });
     spectrum.write(row);
     EXPECT_NEAR(row[10], size, 1e-13 * size);
@@ -70,9 +70,9 @@ TEST(SpectrumOfDisplacement, ForgetsThePointBefore) {
 }
 
 std::vector<double> full_spectrum_of(const settings::Scene& scene, double speed_ratio,
-                                     const std::function<State(double)>& motion) {
+                                     const std::function<trajectory::State(double)>& motion) {
   FullSpectrumOfDisplacement spectrum(scene);
-  PointConstants point = point_at(std::abs(speed_ratio), 3);
+  trajectory::PointConstants point = point_at(std::abs(speed_ratio), 3);
   point.speed_ratio = speed_ratio;
   feed(spectrum, point, kRevolutions, motion);
   std::vector<double> row(static_cast<std::size_t>(2 * scene.spectrum.max_order * kRevolutions + 1));
@@ -86,7 +86,7 @@ TEST(FullSpectrum, TellsForwardFromBackwardWhirl) {
       const std::complex<double> z =
           std::complex<double>(1e-3, -2e-3) + std::polar(3e-3, speed * time + 0.3) +
           std::polar(5e-4, -speed * time - 0.1) + std::polar(7e-5, -2.5 * speed * time);
-      return State{z.real(), z.imag(), 0, 0};
+      return trajectory::State{z.real(), z.imag(), 0, 0};
     };
     const auto row = full_spectrum_of(scene_of(256, 12), speed, motion);
     ASSERT_EQ(row.size(), 241U);
@@ -105,9 +105,9 @@ TEST(FullSpectrum, TellsForwardFromBackwardWhirl) {
 
 TEST(FullSpectrum, HasHalfOfEachAmplitudeOfAMotionAlongXOnEitherSide) {
   const auto motion = [](double time) {
-    return State{1e-3 + 2e-3 * std::cos(0.5 * time) + 4e-4 * std::sin(1.7 * 0.5 * time) +
-                     3e-3 * std::cos(4 * 0.5 * time),
-                 0, 0, 0};
+    return trajectory::State{1e-3 + 2e-3 * std::cos(0.5 * time) + 4e-4 * std::sin(1.7 * 0.5 * time) +
+                                 3e-3 * std::cos(4 * 0.5 * time),
+                             0, 0, 0};
   };
   const settings::Scene scene = scene_of(8, 4);  // the last order is that of Nyquist
   const auto amplitude = spectrum_of(scene, 0.5, motion);

@@ -36,7 +36,7 @@ std::map<std::string, Row> rows_of(settings::Scene scene, double speed_ratio,
                        "touchdowns_of_blades",
                        "max_contact_force_of_blades"};
   const auto outcome = run(scene, speed_ratio, start);
-  EXPECT_EQ(outcome.status, point::PointStatus::done);
+  EXPECT_EQ(outcome.status, ending::PointStatus::done);
   std::map<std::string, Row> rows;
   const auto descriptions = observables::descriptions(scene);
   for (std::size_t i = 0; i < descriptions.size(); ++i) rows[descriptions[i].name] = outcome.rows[i];

@@ -9,7 +9,7 @@
 #include "contact/elastic_ring_contact.hpp"
 #include "modes/flight_piece.hpp"
 #include "modes/touchdown_search.hpp"
-#include "observables/largest_distance.hpp"
+#include "trajectory/largest_distance.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -55,7 +55,7 @@ TEST(FlightSamples, AreThoseOfTheClosedFormToRounding) {
   for_each_flight([](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
     for (const int count : {7, 64, 256, 8192}) {
       auto piece = piece_of(flight, search, rotor.period());
-      const observables::SampleTimes times{rotor.period(), count};
+      const trajectory::SampleTimes times{rotor.period(), count};
       const int first = static_cast<int>(flight.start_time() / times.spacing()) + 1;
       for (const int last : {first, first + 1, count - 1}) {
         if (last >= count) continue;
@@ -80,22 +80,22 @@ TEST(FlightSamples, AreThoseOfTheClosedFormToRounding) {
 
 /// The same piece, of which only states are known.
 template <class Piece>
-class StatesOnly final : public observables::MotionPiece {
+class StatesOnly final : public trajectory::MotionPiece {
  public:
   explicit StatesOnly(Piece& piece) : piece_(&piece) {}
   [[nodiscard]] double begin() const override { return piece_->begin(); }
   [[nodiscard]] double end() const override { return piece_->end(); }
-  [[nodiscard]] observables::State state(double time) override { return piece_->state(time); }
+  [[nodiscard]] trajectory::State state(double time) override { return piece_->state(time); }
   [[nodiscard]] double displacement_bound() const override { return piece_->displacement_bound(); }
   [[nodiscard]] std::size_t contact_count() const override { return 0; }
   [[nodiscard]] int blade(std::size_t /*contact*/) const override { return -1; }
   [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return false; }
   [[nodiscard]] double normal_force(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
   [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
-  [[nodiscard]] observables::ContactForce contact_force(std::size_t /*contact*/, double /*time*/) override {
+  [[nodiscard]] trajectory::ContactForce contact_force(std::size_t /*contact*/, double /*time*/) override {
     return {};
   }
-  [[nodiscard]] observables::Tip tip(int blade, double time) override { return piece_->tip(blade, time); }
+  [[nodiscard]] trajectory::Tip tip(int blade, double time) override { return piece_->tip(blade, time); }
 
  private:
   Piece* piece_;
@@ -127,7 +127,7 @@ TEST(FlightSamples, TheTipThatPassesTheRingNearestIsTheSameInRowsOfTimesAndBySta
   std::mt19937_64 generator(3);
   int passes = 0;
   for_each_flight([&](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
-    const observables::PointConstants point{rotor.period(), rotor.speed_ratio, 3};
+    const trajectory::PointConstants point{rotor.period(), rotor.speed_ratio, 3};
     for (int i = 0; i < 50; ++i) {
       auto piece =
           piece_of(flight, search, flight.start_time() + std::pow(10.0, between(generator, -3.0, 1.5)));

@@ -10,8 +10,8 @@
 namespace rubatlas::test {
 namespace {
 
+using ending::PointStatus;
 using motion::SectionState;
-using point::PointStatus;
 
 settings::Scene default_scene(settings::ContactLaw law) {
   settings::Scene scene = default_rotor(6);

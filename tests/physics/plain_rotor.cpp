@@ -75,7 +75,7 @@ TEST(PlainRotor, AgreesOnRigidBladesInAnElasticRing) {
     scene.accuracy.tolerance = 1e-12;
     const double speed = 0.45;
     const auto outcome = run(scene, speed);
-    ASSERT_EQ(outcome.status, point::PointStatus::done);
+    ASSERT_EQ(outcome.status, ending::PointStatus::done);
     ASSERT_GT(outcome.work.touchdowns, 3U);
     ASSERT_EQ(outcome.work.slip_reversals, 0U);
     const State plain = PlainRotor(scene, speed).after(3, 800000);

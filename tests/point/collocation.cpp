@@ -25,7 +25,7 @@ TEST(Collocation, KeepsWhatHybridKeepsOfAPoint) {
     by_steps.push_back(run(scene, speed_ratio));
     scene.accuracy.method = settings::Method::collocation;
     by_nodes.push_back(run(scene, speed_ratio));
-    ASSERT_EQ(by_nodes.back().status, point::PointStatus::done);
+    ASSERT_EQ(by_nodes.back().status, ending::PointStatus::done);
   }
   for (std::size_t row = 0; row < scene.observables.size(); ++row) {
     // Differences are those of the motion: at 0.25 tips hardly touch, and forces are small, their errors not.
@@ -54,7 +54,7 @@ TEST(Collocation, FollowsAContactThatBeginsWhereItsGapIsLargest) {
   const auto steps = run(scene, 0.3);
   scene.accuracy.method = settings::Method::collocation;
   const auto nodes = run(scene, 0.3);
-  ASSERT_EQ(nodes.status, point::PointStatus::done);
+  ASSERT_EQ(nodes.status, ending::PointStatus::done);
   EXPECT_EQ(nodes.work.touchdowns, steps.work.touchdowns);
   EXPECT_LE(largest_difference(nodes.final_state, steps.final_state), 1e-7 * scene.clearance());
 }
@@ -68,7 +68,7 @@ TEST(Collocation, SolvesContactsOfSeveralBladesInAFractionOfTheSteps) {
   const auto steps = run(scene, 0.3);
   scene.accuracy.method = settings::Method::collocation;
   const auto nodes = run(scene, 0.3);
-  ASSERT_EQ(nodes.status, point::PointStatus::done);
+  ASSERT_EQ(nodes.status, ending::PointStatus::done);
   EXPECT_LT(2 * nodes.work.steps, steps.work.steps);
 }
 
@@ -76,7 +76,7 @@ TEST(Collocation, TakesAFractionOfTheEvaluationsOfOneNodeAfterTheOther) {
   settings::Scene scene = default_rotor(100);
   scene.accuracy.method = settings::Method::collocation;
   const auto outcome = run(scene, 0.36);
-  ASSERT_EQ(outcome.status, point::PointStatus::done);
+  ASSERT_EQ(outcome.status, ending::PointStatus::done);
   const auto per_touchdown = [&](std::uint64_t count) {
     return static_cast<double>(count) / static_cast<double>(outcome.work.touchdowns);
   };

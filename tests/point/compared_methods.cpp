@@ -17,8 +17,8 @@
 namespace rubatlas::test {
 namespace {
 
+using ending::PointStatus;
 using point::PointOutcome;
-using point::PointStatus;
 using settings::Method;
 
 settings::Accuracy fixed_steps(double step) {

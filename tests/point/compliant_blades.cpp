@@ -48,7 +48,7 @@ Law make(double friction, double share, Theory theory = Theory::elastica, Ring..
 /// Keeps events, the force that ends each contact, and the ends of all pieces.
 class Witness final : public modes::MotionListener {
  public:
-  void piece(observables::MotionPiece& piece) override {
+  void piece(trajectory::MotionPiece& piece) override {
     forces_.assign(1000, 0.0);
     in_contact = std::max(in_contact, piece.contact_count());
     for (std::size_t i = 0; i < piece.contact_count(); ++i) {
@@ -81,7 +81,7 @@ class Witness final : public modes::MotionListener {
 
 template <class Law>
 struct Run {
-  point::PointStatus status;
+  ending::PointStatus status;
   rotor::State state;
   Witness witness;
 };
@@ -95,7 +95,7 @@ Run<Law> run(const Law& law, double speed_ratio, int revolutions, int blades = 3
                                                   {tolerance, 0.5});
   Run<Law> result{};
   result.status = motion.start(start);
-  for (int i = 0; i < revolutions && result.status == point::PointStatus::done; ++i)
+  for (int i = 0; i < revolutions && result.status == ending::PointStatus::done; ++i)
     result.status = motion.revolution(result.witness);
   result.state = motion.state();
   return result;
@@ -118,7 +118,7 @@ TEST(CompliantBlades, MoveLikeTheInextensibleOnesToFirstOrder) {
     double before = 0.0;
     for (const double share : {0.01, 0.001, 0.0001}) {
       const auto with = run(make<ElasticaContact>(friction, share), 0.62, 2);
-      ASSERT_EQ(with.status, point::PointStatus::done);
+      ASSERT_EQ(with.status, ending::PointStatus::done);
       const double off = difference(with.state, exact);
       if (before > 0.0) {
         EXPECT_NEAR(before / off, 10.0, 0.2) << friction << ", " << share;
@@ -134,7 +134,7 @@ TEST(CompliantBlades, InAStiffRingMoveLikeInARigidOneToFirstOrder) {
     double before = 0.0;
     for (const double stiffness : {1e9, 1e10, 1e11}) {
       const auto with = run(make<InAnyRing>(friction, 0.0, Theory::elastica, AnyRing{stiffness}), 0.62, 2);
-      ASSERT_EQ(with.status, point::PointStatus::done);
+      ASSERT_EQ(with.status, ending::PointStatus::done);
       const double off = difference(with.state, exact);
       if (before > 0.0) {
         EXPECT_NEAR(before / off, 10.0, 0.2) << friction << ", " << stiffness;
@@ -317,7 +317,7 @@ std::vector<modes::Event> snaps_of(const Run<Law>& motion) {
 TEST(Branches, AMotionGoesOnThroughTheFoldOfABladeInAYieldingRing) {
   const auto law = make<InAnyRing>(0.1, 0.0, Theory::elastica, AnyRing{1e5});
   const auto motion = run(law, 0.45, 3);
-  EXPECT_EQ(motion.status, point::PointStatus::done);
+  EXPECT_EQ(motion.status, ending::PointStatus::done);
   const auto snaps = snaps_of(motion);
   ASSERT_FALSE(snaps.empty());
   for (const modes::Event& snap : snaps) {
@@ -357,7 +357,7 @@ TEST(Branches, NoMotionIsLostAtAFold) {
     const auto law = make<ElasticaContact>(0.1, share);
     for (int i = 0; i < 20; ++i) {
       const auto motion = run(law, 0.1 + 0.03 * i, 5, 3, 1e-11);
-      EXPECT_EQ(motion.status, point::PointStatus::done) << share << ", " << i;
+      EXPECT_EQ(motion.status, ending::PointStatus::done) << share << ", " << i;
       snaps += static_cast<int>(snaps_of(motion).size());
     }
   }

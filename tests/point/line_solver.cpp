@@ -40,7 +40,7 @@ TEST(LineSolver, ARotorThatCannotReachTheRingCostsNoIntegration) {
   settings::Scene scene = default_scene();
   scene.rotor.misalignment = 0.005;
   const auto outcome = run(scene, 0.5, {1e-3, 0.0, 0.0, 0.0});
-  EXPECT_EQ(outcome.status, point::PointStatus::done);
+  EXPECT_EQ(outcome.status, ending::PointStatus::done);
   EXPECT_EQ(outcome.work.right_hand_sides, 0U);
   EXPECT_LE(outcome.work.gap_evaluations, 30U) << "one bound per revolution";
 }
@@ -53,7 +53,7 @@ TEST(LineSolver, UnbalanceWithoutContactCirclesWithTheTextbookAmplitude) {
   scene.protocol = {60, 10, 64};
   const double speed = 0.8;
   const auto outcome = run(scene, speed);
-  ASSERT_EQ(outcome.status, point::PointStatus::done);
+  ASSERT_EQ(outcome.status, ending::PointStatus::done);
   const double exact = 1e-3 * speed * speed / std::hypot(1.0 - speed * speed, 2.0 * 0.1 * speed);
   EXPECT_NEAR(outcome.rows[0][0], exact,
               1e-13 * exact + 1e-3 * std::exp(-0.1 * 60 * 2 * std::numbers::pi / speed));
@@ -66,7 +66,7 @@ TEST(LineSolver, AResonantUndampedRotorGrowsWithoutBoundUntilItLeavesTheModel) {
   scene.rotor.damping_ratio = 0.0;
   scene.unbalance = settings::Unbalance{1e-2, 0.0};  // the one blade cannot hold it
   const auto outcome = run(scene, 1.0);
-  EXPECT_EQ(outcome.status, point::PointStatus::left_validity);
+  EXPECT_EQ(outcome.status, ending::PointStatus::left_validity);
   EXPECT_GE(outcome.failed_revolution, 0);
 }
 
@@ -74,7 +74,7 @@ TEST(LineSolver, ADeepMisalignmentEndsWithAStatusAndRowsOfNaN) {
   settings::Scene scene = default_scene();
   scene.rotor.misalignment = 0.06;  // 0.55 R: no root of the contact equation
   const auto outcome = run(scene, 0.3);
-  EXPECT_EQ(outcome.status, point::PointStatus::left_validity);
+  EXPECT_EQ(outcome.status, ending::PointStatus::left_validity);
   EXPECT_EQ(outcome.failed_revolution, 0);
   EXPECT_TRUE(std::isnan(outcome.final_state[0]));
   for (const auto& row : outcome.rows) {
@@ -90,8 +90,8 @@ TEST(LineSolver, TheDefaultRotorStaysWithinTheModelAt0_95AndLeavesItAt1_20) {
   scene.observables = {"max_displacement"};
   for (const double tolerance : {1e-8, 1e-9, 1e-10}) {
     scene.accuracy.tolerance = tolerance;
-    EXPECT_EQ(run(scene, 0.95).status, point::PointStatus::done) << "tolerance " << tolerance;
-    EXPECT_EQ(run(scene, 1.20).status, point::PointStatus::left_validity) << "tolerance " << tolerance;
+    EXPECT_EQ(run(scene, 0.95).status, ending::PointStatus::done) << "tolerance " << tolerance;
+    EXPECT_EQ(run(scene, 1.20).status, ending::PointStatus::left_validity) << "tolerance " << tolerance;
   }
 }
 
@@ -152,7 +152,7 @@ TEST(LineSolver, SlipThatReversesOnARigidBladeGoesOnReversed) {
   for (const double speed :
        {0.4559322033898305, 0.5101694915254237, 0.5372881355932203, 0.5779661016949152}) {
     const auto outcome = run(scene, speed);
-    EXPECT_EQ(outcome.status, point::PointStatus::done) << "speed ratio " << speed;
+    EXPECT_EQ(outcome.status, ending::PointStatus::done) << "speed ratio " << speed;
     EXPECT_GT(outcome.work.slip_reversals, outcome.work.touchdowns / 4);
     EXPECT_LT(outcome.work.slip_reversals, 2 * outcome.work.touchdowns);
   }
@@ -167,7 +167,7 @@ TEST(LineSolver, BladesStrainedBeyondYieldAreFlaggedAndRunOn) {
   for (const bool beyond : {true, false}) {
     scene.validity.yield_strain = strain * (beyond ? 0.9 : 1.1);
     const auto flagged = run(scene, 0.62);
-    EXPECT_EQ(flagged.status, point::PointStatus::done);
+    EXPECT_EQ(flagged.status, ending::PointStatus::done);
     ASSERT_EQ(flagged.rows.size(), 2U);
     EXPECT_EQ(flagged.rows[1][0], beyond ? 1.0 : 0.0);
   }
@@ -181,7 +181,7 @@ TEST(LineSolver, WhatIsObservedNeverChangesTheMotion) {
   const auto all = run(scene, 0.9);
   scene.observables = {"poincare"};
   const auto sections_alone = run(scene, 0.9);
-  ASSERT_EQ(all.status, point::PointStatus::done);
+  ASSERT_EQ(all.status, ending::PointStatus::done);
   EXPECT_EQ(all.rows[0], sections_alone.rows[0]);
   EXPECT_EQ(all.final_state, sections_alone.final_state);
 }
@@ -201,11 +201,11 @@ TEST(LineSolver, AsksAfterEachRevolutionWhetherToGoOn) {
   int calls = 0;
   const auto whole = solver->run(0.4, kRest, [&] { return ++calls > 0; });
   EXPECT_GE(calls, 30) << "and every few milliseconds within one";
-  EXPECT_EQ(whole.status, point::PointStatus::done);
+  EXPECT_EQ(whole.status, ending::PointStatus::done);
   calls = 0;
   const auto given_up = solver->run(0.4, kRest, [&] { return ++calls < 5; });
   EXPECT_EQ(calls, 5);
-  EXPECT_EQ(given_up.status, point::PointStatus::pending);
+  EXPECT_EQ(given_up.status, ending::PointStatus::pending);
 }
 
 }  // namespace

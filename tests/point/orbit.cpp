@@ -45,7 +45,7 @@ settings::Scene five_revolutions() {
 
 TEST(OrbitContacts, ThreeEqualBladesPeakAlikeInAPeriodicMotion) {
   const auto orbit = solver_of(five_revolutions())->orbit(kPeriodicSpeed, kStandingStill);
-  ASSERT_EQ(orbit.status, point::PointStatus::done);
+  ASSERT_EQ(orbit.status, ending::PointStatus::done);
   const auto contacts = contacts_of(orbit);
   ASSERT_EQ(contacts.size(), 15U) << "three a revolution";
   const double first = contacts.begin()->second.peak();
@@ -70,7 +70,7 @@ TEST(OrbitContacts, AgreeWithTheObservablesOfTheSamePoint) {
     scene.protocol.transient_revolutions = 20;
     const auto orbit = solver_of(scene)->orbit(speed_ratio, kStandingStill);
     const auto point = run(scene, speed_ratio);
-    ASSERT_EQ(point.status, point::PointStatus::done);
+    ASSERT_EQ(point.status, ending::PointStatus::done);
     const auto row = [&](std::size_t i) { return point.rows.at(i).at(0); };
     const auto contacts = contacts_of(orbit);
     double peak = 0.0;

@@ -45,7 +45,7 @@ TEST_P(PointerAxis, GivesTheMotionOfASceneWithThatValue) {
   const auto swept = last_line(scene_with(fmt::format("{}[{}, {}]", key, low, high), law));
   const auto own = last_line(scene_with(key + high, law));
   const auto other = last_line(scene_with(key + low, law));
-  ASSERT_EQ(own.status, point::PointStatus::done);
+  ASSERT_EQ(own.status, ending::PointStatus::done);
   EXPECT_EQ(swept.status, own.status);
   EXPECT_EQ(swept.rows, own.rows);
   EXPECT_EQ(swept.final_state, own.final_state);

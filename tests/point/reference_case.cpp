@@ -85,7 +85,7 @@ std::vector<motion::SectionState> sections_of(const ReferenceCase& c, double tol
   scene.observables = {"poincare"};
   scene.protocol = {0, revolutions, 64};
   const auto outcome = run(scene, c.speed_ratio, c.start);
-  if (outcome.status != point::PointStatus::done) throw std::runtime_error(c.name + " did not end as done");
+  if (outcome.status != ending::PointStatus::done) throw std::runtime_error(c.name + " did not end as done");
   std::vector<motion::SectionState> sections;
   for (std::size_t i = 0; i + 3 < outcome.rows[0].size(); i += 4) {
     sections.push_back(

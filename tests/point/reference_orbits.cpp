@@ -51,7 +51,7 @@ TEST_P(ReferenceOrbit, LargestDisplacementOfPeriodicMotionsAgrees) {
   settings::Scene scene = c.scene;
   scene.accuracy.tolerance = 1e-12;
   const auto outcome = test::run(scene, c.speed_ratio, c.start);
-  ASSERT_EQ(outcome.status, point::PointStatus::done);
+  ASSERT_EQ(outcome.status, ending::PointStatus::done);
   EXPECT_NEAR(outcome.rows[1][0], c.max_displacement, 1e-9 * c.max_displacement);
 }
 
@@ -86,10 +86,10 @@ TEST_P(ReferenceOrbit, EventsComeInTheSameOrderAtTheSameTimesWithTheSameForces) 
   const auto run = [&](const auto& forcing) {
     const auto motion =
         hybrid_motion(rotor, rotor::BladeSet(c.scene.blades.count, rotor.speed_ratio), law, forcing, limits);
-    ASSERT_EQ(motion->start(c.start), point::PointStatus::done);
+    ASSERT_EQ(motion->start(c.start), ending::PointStatus::done);
     for (int revolution = 0; revolution < 10; ++revolution) {
       record.events.clear();
-      ASSERT_EQ(revolve(*motion, record), point::PointStatus::done);
+      ASSERT_EQ(revolve(*motion, record), ending::PointStatus::done);
       for (const auto& event : record.events) {
         events.push_back(event);
         revolutions.push_back(revolution);

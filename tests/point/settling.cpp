@@ -49,7 +49,7 @@ TEST(Settling, APeriodicPointCostsLessAndHasTheSameSections) {
   for (const double speed_ratio : {0.30, 0.40, 0.62}) {
     const auto whole = outcome_of(speed_ratio, false);
     const auto shortened = outcome_of(speed_ratio, true);
-    ASSERT_EQ(shortened.status, point::PointStatus::done);
+    ASSERT_EQ(shortened.status, ending::PointStatus::done);
     EXPECT_LT(shortened.work.right_hand_sides, 3 * whole.work.right_hand_sides / 4) << speed_ratio;
     for (std::size_t row = 0; row < whole.rows.size(); ++row) {
       ASSERT_EQ(shortened.rows[row].size(), whole.rows[row].size());

@@ -34,7 +34,7 @@ std::unique_ptr<motion::PointMotion> creeping(double friction, double tolerance)
 class Spectator final : public modes::MotionListener {
  public:
   explicit Spectator(std::vector<double> times) : times_(std::move(times)) {}
-  void piece(observables::MotionPiece& piece) override {
+  void piece(trajectory::MotionPiece& piece) override {
     while (states.size() < times_.size() && times_[states.size()] < piece.end()) {
       states.push_back(rotor::as_state(piece.state(times_[states.size()])));
       contacts.push_back(piece.contact_count());
@@ -76,13 +76,13 @@ TEST(Skimming, IsTheLimitOfEverSmallerHops) {
     auto hopping = creeping(friction, 1e-15);
     Spectator hops(times);
     hopping->start({});
-    ASSERT_EQ(revolve(*hopping, hops), point::PointStatus::done);
+    ASSERT_EQ(revolve(*hopping, hops), ending::PointStatus::done);
     ASSERT_GT(hops.events.size(), 10000U);
     for (const double tolerance : {1e-10, 1e-11}) {
       auto skimming = creeping(friction, tolerance);
       Spectator skims(times);
       skimming->start({});
-      ASSERT_EQ(revolve(*skimming, skims), point::PointStatus::done);
+      ASSERT_EQ(revolve(*skimming, skims), ending::PointStatus::done);
       EXPECT_LT(skims.events.size(), hops.events.size() / 10);
       for (std::size_t i = 0; i < times.size(); ++i) {
         EXPECT_EQ(skims.contacts[i], 1U);
@@ -99,7 +99,7 @@ TEST(Skimming, KeepsTheTipOnTheRing) {
     auto motion = creeping(friction, 1e-11);
     Spectator witness(times);
     motion->start({});
-    ASSERT_EQ(revolve(*motion, witness), point::PointStatus::done);
+    ASSERT_EQ(revolve(*motion, witness), ending::PointStatus::done);
     for (std::size_t i = 0; i < times.size(); ++i) {
       const contact::Pose at = pose_at(times[i], witness.states[i], 0);
       EXPECT_LT(std::abs(at.gap), 0.22 * 1e-11);
@@ -113,7 +113,7 @@ TEST(Skimming, EndsWhereTheFreeMotionLeavesTheRing) {
   auto motion = creeping(0.1, 1e-11);
   Spectator witness({});
   motion->start({});
-  ASSERT_EQ(revolve(*motion, witness), point::PointStatus::done);
+  ASSERT_EQ(revolve(*motion, witness), ending::PointStatus::done);
   const auto contact = longest_contact_on_the_receding_side(witness.events);
   ASSERT_TRUE(contact.has_value());
   EXPECT_GT(contact->second.time - contact->first.time, 1.0);
@@ -149,7 +149,7 @@ TEST(Skimming, IsPassedOverWhereHopsAreResolved) {
   Spectator witness({});
   motion->start({});
   for (int revolution = 0; revolution < 100; ++revolution)
-    ASSERT_EQ(revolve(*motion, witness), point::PointStatus::done);
+    ASSERT_EQ(revolve(*motion, witness), ending::PointStatus::done);
   int receding = 0;
   for (const modes::Event& event : witness.events) {
     EXPECT_NE(event.kind, modes::Guard::pressed_in);

@@ -32,6 +32,11 @@ struct RandomSupport {
   std::vector<HarmonicForcing> forcing;
 };
 
+/// Largest real part of the eigenvalues: how fast free motion grows [1 per unit τ].
+inline double growth_rate(const LinearSupport& support) {
+  return Eigen::EigenSolver<Eigen::Matrix4d>(support.system_matrix(), false).eigenvalues().real().maxCoeff();
+}
+
 class ExactFlight {
  public:
   using Real = long double;

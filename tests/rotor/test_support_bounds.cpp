@@ -55,7 +55,7 @@ TEST(SupportBounds, NoFlightPassesItsAmplitudeBound) {
     const LinearSupport support(parts.stiffness, parts.damping, parts.forcing);
     const SupportBounds bounds(support);
     for (const double horizon : {0.01, 0.5, 3.0, 20.0, 100.0}) {
-      if (support.growth_rate() * horizon > 300) continue;
+      if (growth_rate(support) * horizon > 300) continue;
       const State start = random_state(random);
       const double bound = bounds.amplitude_bound(0.8, start, horizon);
       const double found = largest(support, 0.8, start, horizon);
@@ -75,10 +75,12 @@ TEST(SupportBounds, StableSupportsAreBoundedForEverAndUnstableOnesAreNot) {
     const SupportBounds bounds(support);
     const State start = random_state(random);
     const double bound = bounds.amplitude_bound(0.3, start, kForEver);
-    if (support.is_stable_in_flight()) {
+    // Eigenvalues of a matrix of this size come out to some tens of roundings of its norm.
+    const double rounding = 100.0 * std::numeric_limits<double>::epsilon() * support.system_matrix().norm();
+    if (growth_rate(support) <= rounding) {
       ++stable;
-      ASSERT_TRUE(std::isfinite(bound)) << trial << ", growth " << support.growth_rate();
-      ASSERT_LE(largest(support, 0.3, start, 40 / std::abs(support.growth_rate())), bound) << trial;
+      ASSERT_TRUE(std::isfinite(bound)) << trial << ", growth " << growth_rate(support);
+      ASSERT_LE(largest(support, 0.3, start, 40 / std::abs(growth_rate(support))), bound) << trial;
     } else {
       ++unstable;
       ASSERT_EQ(bound, kForEver) << trial;
@@ -115,7 +117,7 @@ TEST(SupportBounds, BoundednessEndsWhereCrossCouplingOutgrowsDamping) {
     const LinearSupport support = support_of(cross_coupled(damping, 2 * damping * share));
     const SupportBounds bounds(support);
     EXPECT_EQ(bounds.amplitude_bound(0.0, kBegin, kForEver), kForEver) << share;
-    EXPECT_NEAR(bounds.logarithmic_norm(), support.growth_rate(), 1e-12);
+    EXPECT_NEAR(bounds.logarithmic_norm(), growth_rate(support), 1e-12);
     EXPECT_EQ(bounds.amplitude_bound(0.0, State::Zero(), kForEver), 0.0);
   }
 }
@@ -123,7 +125,6 @@ TEST(SupportBounds, BoundednessEndsWhereCrossCouplingOutgrowsDamping) {
 TEST(SupportBounds, UndampedResonanceIsNotBoundedForEver) {
   const LinearSupport support = support_of(isotropic_shaft(0.0), {{1e-4, 1.0}});
   const SupportBounds bounds(support);
-  EXPECT_FALSE(bounds.has_steady_response());
   EXPECT_EQ(bounds.amplitude_bound(0.0, kBegin, kForEver), kForEver);
   EXPECT_LE(bounds.amplitude_bound(0.0, State::Zero(), 20.0), 1e-4 * 20.0 * (1 + 1e-12));
   EXPECT_LE(largest(support, 0.0, State::Zero(), 20.0), bounds.amplitude_bound(0.0, State::Zero(), 20.0));
@@ -135,7 +136,6 @@ TEST(SupportBounds, SteadyResponseRepeats) {
     const RandomSupport parts(random, 3);
     const LinearSupport support(parts.stiffness, parts.damping, parts.forcing);
     const SupportBounds bounds(support);
-    ASSERT_TRUE(bounds.has_steady_response());
     const State there = support.state(0.4, bounds.steady(0.4), 2.5);
     ASSERT_LE((there - bounds.steady(2.9)).norm(), 1e-12 * std::max(1.0, bounds.steady(0.4).norm())) << trial;
   }
@@ -177,9 +177,9 @@ TEST(SupportBounds, DerivativesStayBelowTheirBounds) {
       const Complex i(0.0, 1.0), position(state[0], state[1]);
       const Complex turned = leading(third) + 3.0 * i * speed * leading(second) -
                              3.0 * speed * speed * leading(first) - i * speed * speed * speed * position;
-      ASSERT_LE(std::abs(turned), bounds.turned_third_bound(bound, speed) * (1 + 1e-15));
+      ASSERT_LE(std::abs(turned), bounds.turned_third(speed)(bound) * (1 + 1e-15));
       if (parts.forcing.empty())
-        closest = std::max(closest, std::abs(turned) / bounds.turned_third_bound(bound, speed));
+        closest = std::max(closest, std::abs(turned) / bounds.turned_third(speed)(bound));
     }
   }
   EXPECT_GT(closest, 0.98);  // some state is bent as much as the bound allows
@@ -194,7 +194,7 @@ TEST(SupportBounds, IsotropicDerivativeBoundsAreThoseOfTheJeffcottRotor) {
     for (const double speed : {0.0, 0.62, 3.0, -0.62}) {
       const double exact = std::hypot(std::hypot(c * c - 1 - 3 * speed * speed, 3 * speed * c),
                                       std::hypot(c, speed * (3 + speed * speed)));
-      EXPECT_NEAR(bounds.turned_third_bound(1.0, speed), exact, 1e-14 * exact) << damping << ", " << speed;
+      EXPECT_NEAR(bounds.turned_third(speed)(1.0), exact, 1e-14 * exact) << damping << ", " << speed;
     }
   }
 }
@@ -220,7 +220,7 @@ TEST(SupportBounds, FlightAndItsBoundsAskForNoMemory) {
   for (const double elapsed : {0.0, 0.3, 20.0, 500.0}) {
     const State state = support.state(0.1, kBegin, elapsed);
     sum += bounds.amplitude_bound(elapsed, state, 1.0) + std::abs(support.acceleration(elapsed, state)) +
-           bounds.second_bound(1.0) + bounds.third_bound(1.0) + bounds.turned_third_bound(1.0, 0.62);
+           bounds.second_bound(1.0) + bounds.third_bound(1.0) + bounds.turned_third(0.62)(1.0);
   }
   EXPECT_EQ(integrate::allocations() - before, 0u);
   EXPECT_GT(sum, 0.0);

@@ -41,7 +41,7 @@ extern template std::unique_ptr<motion::PointMotion> hybrid_motion(const rotor::
                                                                    const modes::ContactLimits&);
 
 /// The next revolution.
-inline point::PointStatus revolve(motion::PointMotion& motion, modes::MotionListener& listener) {
+inline ending::PointStatus revolve(motion::PointMotion& motion, modes::MotionListener& listener) {
   return motion.revolution(listener, {}, 0);
 }
 

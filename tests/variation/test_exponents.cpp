@@ -27,7 +27,7 @@ settings::Scene with_exponents(int transient, int sampled) {
 Exponents exponents(const settings::Scene& scene, double speed_ratio,
                     const motion::SectionState& start = {}) {
   const auto outcome = run(scene, speed_ratio, start);
-  EXPECT_EQ(outcome.status, point::PointStatus::done);
+  EXPECT_EQ(outcome.status, ending::PointStatus::done);
   return {outcome.rows[0], outcome.rows[1], outcome.rows[2][0]};
 }
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "../support/point.hpp"
-#include "observables/motion_piece.hpp"
+#include "trajectory/motion_piece.hpp"
 #include "variation/tangent_flow.hpp"
 
 namespace rubatlas::test {
@@ -46,7 +46,7 @@ settings::Scene shaft_before(const Wall& wall) {
 
 /// s'' + 2ζ s' + (1 + κ) s = −(place of the wall), s the shaft's way beyond the wall, κ the wall's stiffness,
 /// or 0 away from it.
-class AlongX final : public observables::MotionPiece {
+class AlongX final : public trajectory::MotionPiece {
  public:
   enum class Phase : std::uint8_t { flight, contact };
   AlongX(double begin, double end, const Wall& wall, Phase phase, double beyond, double velocity)
@@ -70,7 +70,7 @@ class AlongX final : public observables::MotionPiece {
   }
   [[nodiscard]] double begin() const override { return begin_; }
   [[nodiscard]] double end() const override { return end_; }
-  [[nodiscard]] observables::State state(double time) override {
+  [[nodiscard]] trajectory::State state(double time) override {
     const auto [place, velocity] = beyond(time);
     return {wall_ + place, 0.0, velocity, 0.0};
   }
@@ -83,15 +83,15 @@ class AlongX final : public observables::MotionPiece {
     return kShaft * stiffness_ * beyond(time)[0];
   }
   [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
-  [[nodiscard]] observables::ContactForce contact_force(std::size_t contact, double time) override {
+  [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, double time) override {
     const double force = normal_force(contact, time);
     return {-force, force, 0.0, 1.0, 0.0, 0.0};
   }
-  [[nodiscard]] observables::Tip tip(int /*blade*/, double time) override {
+  [[nodiscard]] trajectory::Tip tip(int /*blade*/, double time) override {
     const auto [place, velocity] = beyond(time);
     return {place, velocity, 0.0};
   }
-  [[nodiscard]] bool path(double share, observables::PathPoint& point) override {
+  [[nodiscard]] bool path(double share, trajectory::PathPoint& point) override {
     point.time_rate = end_ - begin_;
     point.time = begin_ + share * point.time_rate;
     point.state = state(point.time);

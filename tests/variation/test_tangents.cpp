@@ -190,7 +190,7 @@ TEST(Tangents, OfARotorInARingThatIsABodyAreTheDerivativeOfTheMotionOfBoth) {
         const std::array<double, 4> ring{from[2], from[3], from[6], from[7]};
         const auto end = solver->run(
             speed, motion::PointStart({from[0], from[1], from[4], from[5]}, motion::Memory(ring)));
-        EXPECT_EQ(end.status, point::PointStatus::done);
+        EXPECT_EQ(end.status, ending::PointStatus::done);
         const auto& shaft = end.final_state;
         const auto after = end.final_memory.view();
         return Eigen::Vector<double, 8>(shaft[0], shaft[1], after[0], after[1], shaft[2], shaft[3], after[2],

@@ -140,7 +140,7 @@ RUBATLAS_EXPORT(request_numbers) double* request_numbers() {
 RUBATLAS_EXPORT(request_size) int request_size() {
   return static_cast<int>(sizeof(Request) / sizeof(double));
 }
-/// Computes the request. Returns the status of the point (`point::PointStatus`), −1 for a request that no
+/// Computes the request. Returns the status of the point (`ending::PointStatus`), −1 for a request that no
 /// scene may make.
 RUBATLAS_EXPORT(compute) int compute() {
   if (!acceptable(request)) return -1;
@@ -151,10 +151,10 @@ RUBATLAS_EXPORT(compute) int compute() {
 }
 /// What ended the point that `compute` has computed last: its text, and how long that is.
 RUBATLAS_EXPORT(ending) const char* ending() {
-  return point::text_of(orbit.detail).data();
+  return ending::text_of(orbit.detail).data();
 }
 RUBATLAS_EXPORT(ending_size) int ending_size() {
-  return static_cast<int>(point::text_of(orbit.detail).size());
+  return static_cast<int>(ending::text_of(orbit.detail).size());
 }
 RUBATLAS_EXPORT(failed_revolution) int failed_revolution() {
   return orbit.failed_revolution;

@@ -10,9 +10,9 @@
 #include <span>
 #include <vector>
 
-#include "observables/motion_piece.hpp"
+#include "trajectory/motion_piece.hpp"
 
-namespace rubatlas::observables {
+namespace rubatlas::trajectory {
 
 class PlacesInPiece {
  public:
@@ -122,4 +122,4 @@ class PlacesInPiece {
   std::vector<ContactForce> forces_;
 };
 
-}  // namespace rubatlas::observables
+}  // namespace rubatlas::trajectory

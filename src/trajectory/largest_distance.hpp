@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "integrate/root_between.hpp"
-#include "observables/motion_piece.hpp"
+#include "trajectory/motion_piece.hpp"
 
-namespace rubatlas::observables {
+namespace rubatlas::trajectory {
 
 /// sup |(x, y − centre_y)| over the piece [m]. Where the rate changes its sign between two samples the
 /// maximum is located to the last digit.
@@ -36,4 +36,4 @@ inline double largest_distance(MotionPiece& piece, double centre_y, double speed
   return largest;
 }
 
-}  // namespace rubatlas::observables
+}  // namespace rubatlas::trajectory

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace rubatlas::observables {
+namespace rubatlas::trajectory {
 
 /// x, y [m], dx/dτ, dy/dτ [m]; from the shaft's own equilibrium.
 using State = std::array<double, 4>;
@@ -151,4 +151,4 @@ inline double spacing_of_distances(double speed_ratio) {
   return 0.125 * std::numbers::pi / std::max(1.0, std::abs(speed_ratio));
 }
 
-}  // namespace rubatlas::observables
+}  // namespace rubatlas::trajectory

@@ -10,7 +10,7 @@
 #include <memory>
 #include <span>
 
-namespace rubatlas::analysis {
+namespace rubatlas::observables {
 
 class Spectrum {
  public:
@@ -63,4 +63,4 @@ class FullSpectrum {
   Spectrum y_;
 };
 
-}  // namespace rubatlas::analysis
+}  // namespace rubatlas::observables

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace rubatlas::point {
+namespace rubatlas::ending {
 
 /// How a point ended (MODEL 5); the numbers are those of the atlas' `/status`.
 enum class PointStatus : std::uint8_t { pending = 0, done = 1, left_validity = 2, integrator_failed = 3 };
@@ -80,4 +80,4 @@ inline constexpr std::string_view text_of(StatusDetail detail) {
   return entry == nullptr ? "it was given up" : entry->text;
 }
 
-}  // namespace rubatlas::point
+}  // namespace rubatlas::ending

@@ -1,12 +1,12 @@
-#include "observables/motion_piece.hpp"
+#include "trajectory/motion_piece.hpp"
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 
 #include "integrate/root_between.hpp"
-#include "observables/largest_distance.hpp"
+#include "trajectory/largest_distance.hpp"
 
-namespace rubatlas::observables {
+namespace rubatlas::trajectory {
 
 double MotionPiece::largest_displacement(double known, double speed_ratio) {
   if (!(displacement_bound() > known)) return known;
@@ -72,4 +72,4 @@ MotionPiece::LargestLoad MotionPiece::largest(Load load, std::size_t contact, do
   return result;
 }
 
-}  // namespace rubatlas::observables
+}  // namespace rubatlas::trajectory

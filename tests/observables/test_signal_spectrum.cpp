@@ -1,5 +1,5 @@
 // Amplitude spectrum against signals whose Fourier series is known.
-#include "analysis/spectrum.hpp"
+#include "observables/signal_spectrum.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace rubatlas::analysis {
+namespace rubatlas::observables {
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
@@ -79,4 +79,4 @@ TEST(Spectrum, GivesTheSameBitsEveryTime) {
 }
 
 }  // namespace
-}  // namespace rubatlas::analysis
+}  // namespace rubatlas::observables

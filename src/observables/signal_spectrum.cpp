@@ -1,11 +1,11 @@
-#include "analysis/spectrum.hpp"
+#include "observables/signal_spectrum.hpp"
 
 #include <fftw3.h>
 
 #include <cmath>
 #include <complex>
 
-namespace rubatlas::analysis {
+namespace rubatlas::observables {
 
 // FFTW_ESTIMATE and arrays from fftw_malloc: a measured plan, or another alignment, would round differently
 // from run to run, whereas the atlas has to have equal bytes.
@@ -83,4 +83,4 @@ void FullSpectrum::amplitudes(std::span<double> result) {
   }
 }
 
-}  // namespace rubatlas::analysis
+}  // namespace rubatlas::observables
