@@ -28,7 +28,7 @@ std::string foreign_effect(const settings::Scene& scene) {
     using Settings = std::remove_cvref_t<decltype(*(scene.*Effect))>;
     const std::string_view section = Settings::kDescription.section;
     const bool swept = std::ranges::any_of(scene.grid.swept, [&](const auto& axis) {
-      return axis.pointer.starts_with(std::string(section) + "/") && axis.values.size() > 1;
+      return axis.pointer.starts_with(fmt::format("{}/", section)) && axis.values.size() > 1;
     });
     if (section != "/unbalance" && !swept && effects::acts<Effect>(scene)) found = section;
   });

@@ -1,8 +1,9 @@
 #include "branch/first_orbit.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "integrate/eigen_modes.hpp"
 
 namespace rubatlas::branch {
 
@@ -38,13 +39,13 @@ std::optional<OnBranch> doubled_orbit(Corrector& corrector, const Event& doublin
   const Unknowns at = shooting.scaled(doubling.orbit.section, doubling.orbit.quantities);
   const auto single = shooting.orbit(at);
   if (!single) return std::nullopt;
-  const Eigen::EigenSolver<Eigen::Matrix4d> parts(single->map.jacobian);
+  const integrate::EigenModes modes = integrate::eigen_modes(single->map.jacobian);
   int nearest = 0;
   for (int i = 1; i < 4; ++i) {
-    if (std::abs(parts.eigenvalues()[i] + 1.0) < std::abs(parts.eigenvalues()[nearest] + 1.0)) nearest = i;
+    if (std::abs(modes.values[i] + 1.0) < std::abs(modes.values[nearest] + 1.0)) nearest = i;
   }
   Unknowns along = Unknowns::Zero(shooting.size());
-  along.head<4>() = parts.eigenvectors().col(nearest).real();
+  along.head<4>() = modes.shapes.col(nearest).real();
   along.normalize();
   shooting.set_period(2 * doubling.orbit.period);
   // Away from the orbit itself, of which the doubled one is twice the same: too near, Newton's method falls

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "integrate/eigen_modes.hpp"
+
 namespace rubatlas::rotor {
 namespace {
 
@@ -115,8 +117,7 @@ void SupportBounds::add_energy_norm() {
 }
 
 void SupportBounds::add_modal_norm() {
-  const Eigen::EigenSolver<Matrix4d> modes(system_);
-  const Eigen::Matrix4cd shapes = modes.eigenvectors();
+  const Eigen::Matrix4cd shapes = integrate::eigen_modes(system_).shapes;
   const Eigen::FullPivLU<Eigen::Matrix4cd> factors(shapes);
   if (!factors.isInvertible()) return;
   const Eigen::Matrix4cd inverse = factors.inverse();

@@ -180,7 +180,7 @@ class Parts(PartTest):
         self.assertLess(much - little, 25e6)
 
 
-class Refusals(PartTest):
+class PartRefusals(PartTest):
     def test_a_part_that_is_none_is_refused(self):
         path = self.write_scene(five_lines())
         for text in ("2", "0/3", "4/3", "a/b", "2/3/4", "-1/3", "1/"):
