@@ -1,5 +1,5 @@
-// The table in analysis/paper/statements.md is the program's own: where this test fails, it prints the text that
-// belongs between the two marks.
+// The table in analysis/paper/statements.md is the program's own: where this test fails, it prints the text
+// that belongs between the two marks.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
