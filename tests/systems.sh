@@ -1,14 +1,15 @@
 #!/bin/bash
-# Both commands of a fresh clone, jobs/quickstart.sh and tests/run.sh, in minimal roots of Debian 12 and 13, in which there
-# is nothing else: as a user with sudo in the first, as root in the second. HEAD is what is cloned.
+# Both commands of a fresh clone, jobs/quickstart.sh and tests/run.sh, in minimal roots of Debian 12 and 13, in which
+# there is nothing else: as a user with sudo in the first, as root in the second. HEAD is what is cloned.
 #
 #   tests/systems.sh                       both systems, both commands; hours
 #   tests/systems.sh bookworm              one of bookworm, trixie
 #   tests/systems.sh --quickstart          one of the commands: --quickstart, --tests
 #   tests/systems.sh trixie --tests -- --quick      what follows -- goes to tests/run.sh
 #
-# Needs root and debootstrap, and takes mirror and proxy from this machine's apt. The roots lie in $RUBATLAS_ROOTS, where the
-# next call finds them with their packages, or else in a folder that is removed. The exit code is 0 only where all is well.
+# Needs root and debootstrap, and takes mirror and proxy from this machine's apt. The roots lie in $RUBATLAS_ROOTS,
+# where the next call finds them with their packages, or else in a folder that is removed. The exit code is 0 only where
+# all is well.
 set -euo pipefail
 source=$(realpath "$(dirname "${BASH_SOURCE[0]}")/..")
 
@@ -25,7 +26,7 @@ while [ $# -gt 0 ]; do
       break
       ;;
     *)
-      sed -n '2,11s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+      sed -n '2,12s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
       [ "$1" = --help ] && exit 0 || exit 2
       ;;
   esac
@@ -44,19 +45,22 @@ if [ -z "$roots" ]; then
   trap 'rm -rf --one-file-system "$roots"' EXIT
 fi
 mkdir -p "$roots"
+roots=$(realpath "$roots")
 
 # make_root SUITE: a minimal root, with the ways to packages that this machine has, and a user with sudo.
 make_root() {
   local root=$roots/$1 mirror http_proxy=${http_proxy-}
   # shellcheck disable=SC2016
-  mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Origin: Debian' 'Label: Debian' | head -n 1)
+  mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Origin: Debian' 'Label: Debian' |
+    head -n 1)
   [ -n "$http_proxy" ] || eval "$(apt-config shell http_proxy Acquire::http::Proxy)"
   export http_proxy
   if [ ! -e "$root/made" ]; then
     rm -rf --one-file-system "$root"
     # shellcheck disable=SC2086  # no mirror, no argument
-    debootstrap --variant=minbase --include=sudo,git,ca-certificates "$1" "$root" $mirror >"$root.debootstrap.log" || return
-    apt-config dump Acquire::http Acquire::https Acquire::Check-Date Acquire::Check-Valid-Until >"$root/etc/apt/apt.conf.d/99machine"
+    debootstrap --variant=minbase --include=sudo,git,ca-certificates "$1" "$root" $mirror >"$root.debootstrap.log"
+    apt-config dump Acquire::http Acquire::https Acquire::Check-Date Acquire::Check-Valid-Until \
+      >"$root/etc/apt/apt.conf.d/99machine"
     chroot "$root" useradd --create-home --shell /bin/bash user
     echo "user ALL=(ALL) NOPASSWD: ALL" >"$root/etc/sudoers.d/user"
     touch "$root/made"
@@ -106,7 +110,8 @@ for suite in "${suites[@]}"; do
   done
   # shellcheck disable=SC2016
   in_root "$suite" "$user" 'echo "'"$suite"': $(. /etc/os-release; echo "$PRETTY_NAME $(cat /etc/debian_version)"),' \
-    'GCC $(g++ -dumpfullversion), $(mpirun --version | head -n 1), HDF5 $(dpkg-query -W -f "\${Version}" libhdf5-openmpi-dev),' \
+    'GCC $(g++ -dumpfullversion), $(mpirun --version | head -n 1),' \
+    'HDF5 $(dpkg-query -W -f "\${Version}" libhdf5-openmpi-dev),' \
     '$(python3 --version), WebAssembly by $(dpkg-query -W -f "\${Package} " "libc++-[0-9]*-dev-wasm32")"' || ended=1
 done
 exit $ended

@@ -48,8 +48,9 @@ class Documentation(unittest.TestCase):
                 if block["reason"] or block["language"] not in RUNS:
                     continue
                 with self.subTest(block=block["text"]):
-                    ended = subprocess.run([*RUNS[block["language"]], block["text"]], cwd=folder, env={**CROWDED, "MPLBACKEND": "Agg"},
-                                           stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+                    ended = subprocess.run([*RUNS[block["language"]], block["text"]], cwd=folder,
+                                           env={**CROWDED, "MPLBACKEND": "Agg"}, stdin=subprocess.DEVNULL,
+                                           capture_output=True, text=True, check=False)
                     self.assertEqual(ended.returncode, 0, ended.stdout[-2000:] + ended.stderr[-2000:])
                 ran += 1
         self.assertGreaterEqual(ran, at_least, f"{page} has {len(blocks)} blocks, of which {ran} ran")

@@ -54,6 +54,31 @@ class Jobs(unittest.TestCase):
         self.assertEqual(ended.returncode, 2)
         self.assertIn("--all is not an option; allowed: --tests", ended.stderr)
 
+    def install(self, there, offered):
+        """What install.sh says as root where these packages are there and apt offers those; nothing is installed."""
+        for name, text in (("id", "echo 0"), ("apt-get", "true"),
+                           ("dpkg-query", f"printf '%s installed\\n' {' '.join(there)}"),
+                           ("apt-cache", f"printf 'Package: %s\\n' {' '.join(offered)}")):
+            (self.folder / name).write_text(f"#!/bin/sh\n{text}\n")
+            (self.folder / name).chmod(0o755)
+        ended = run(ROOT / "jobs/install.sh", PATH=f"{self.folder}:{os.environ['PATH']}")
+        self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+        return ended.stdout
+
+    def test_install_takes_the_lowest_clang_for_web_assembly_of_which_all_is_offered_and_does_without_one(self):
+        def wasm(number):
+            return ["wasi-libc", f"clang-{number}", f"lld-{number}",
+                    *(f"lib{name}-{number}-dev-wasm32" for name in ("c++", "c++abi", "clang-rt"))]
+
+        without, installing = self.install(["bash"], ["bash"]).splitlines()
+        self.assertIn("No clang for WebAssembly", without)
+        needed = installing.removeprefix("Installing: ").split()
+        self.assertIn("libhdf5-openmpi-dev", needed)
+        self.assertEqual(self.install(needed, ["bash"]), without + "\n")
+        offered = [*wasm(14), *(name for name in wasm(16) if name != "lld-16"), *wasm(19), *wasm(17), *wasm(100)]
+        self.assertEqual(sorted(self.install(needed, offered).split()), sorted(["Installing:", *wasm(17)]))
+        self.assertEqual(self.install([*needed, *wasm(19)], offered), "")
+
     def test_quickstart_explains_itself(self):
         ended = run(ROOT / "jobs/quickstart.sh", "--help")
         self.assertEqual(ended.returncode, 0)

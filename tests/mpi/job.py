@@ -24,7 +24,8 @@ TIME_LIMIT = 120  # s; a job that hangs fails its test instead of the whole suit
 
 _version = subprocess.run(["mpirun", "--version"], stdout=subprocess.PIPE, text=True, check=True).stdout
 OPEN_MPI = int(re.search(r"\) (\d+)\.", _version)[1])
-# Where a job ends with another code than 0, Open MPI 4.1 waits a second before it ends ranks that have ended by themselves.
+# Where a job ends with another code than 0, Open MPI 4.1 waits a second before it ends ranks that have ended by
+# themselves.
 AT_ITS_END = {"OMPI_MCA_odls_base_sigkill_timeout": "0"}
 
 

@@ -78,11 +78,10 @@ class TwoHosts(JobTest):
         whole = self.fill(None, scene(), "whole.h5")
         # Each host runs two ranks (Open MPI 5 does not count what --host allows), and takes part with its only
         # interface to the other.
-        launcher = [*hosts.enter(0), "mpirun", "-n", "4", "--host",
-                    ",".join(address + ":2" for address in ADDRESSES),
-                    "--map-by", "ppr:2:node:oversubscribe", "--bind-to", "none", "--mca", "plm_rsh_agent",
-                    str(hosts.agent), "--mca", "oob_tcp_if_include", "cable", "--mca", "btl_tcp_if_include", "cable",
-                    "--mca", "btl", "tcp,self,vader"]
+        launcher = [*hosts.enter(0), "mpirun", "-n", "4", "--host", ",".join(address + ":2" for address in ADDRESSES),
+                    "--map-by", "ppr:2:node:oversubscribe", "--bind-to", "none",
+                    "--mca", "plm_rsh_agent", str(hosts.agent), "--mca", "oob_tcp_if_include", "cable",
+                    "--mca", "btl_tcp_if_include", "cable", "--mca", "btl", "tcp,self,vader"]
         job = subprocess.run([*launcher, PROGRAM, "run", "scene.json", "-o", "shared.h5", "--progress", "off"],
                              cwd=self.directory, env={**ENVIRONMENT, **AT_ITS_END}, capture_output=True, text=True,
                              timeout=TIME_LIMIT, check=False)
