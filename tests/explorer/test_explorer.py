@@ -276,7 +276,7 @@ class Explorer(unittest.TestCase):
         for cases, known in ((table["cases"], grammar), (table["cases_of_the_extension"], extended),
                              (table["trees"], grammar)):
             found = self.browser.run((PAGE / "query.js").read_text() + """
-                const [names, cases, grammar] = arguments;
+                const [names, cases, grammar] = [...arguments].map((text) => JSON.parse(text));
                 const known = Object.fromEntries(Object.entries(names).map(([name, {values, flags}]) =>
                   [name, {of: (point) => values[point] ?? NaN, flags: flags ?? null}]));
                 return cases.map(({query, tree}) => {
@@ -288,7 +288,7 @@ class Explorer(unittest.TestCase):
                     if (!(error instanceof QueryError)) throw error;
                     return {query, error: error.message};
                   }
-                });""", table["names"], cases, known)
+                });""", *map(json.dumps, (table["names"], cases, known)))  # in the order in which they are written
             self.assertEqual(len(found), len(cases))
             for answer, case in zip(found, cases):
                 with self.subTest(case["query"]):

@@ -27,7 +27,7 @@ TYPED = ("__init__", "atlas", "program", "query", "plots/axes")
 
 
 def imported(path):
-    """Names of the modules that a file imports, wherever in it; of `from a import b` both a.b and, where b is none, a."""
+    """Names of the modules that a file imports, wherever in it; of `from a import b` a.b where that is one, else a."""
     names = set()
     for node in ast.walk(ast.parse(path.read_text())):
         if isinstance(node, ast.Import):
@@ -72,19 +72,22 @@ class Package(unittest.TestCase):
 
     def test_a_wheel_holds_what_the_package_needs_and_names_what_it_imports(self):
         shutil.copytree(TOOLS, self.folder / "tools")
-        self.expect_success("/usr/bin/python3", "-m", "pip", "wheel", "-q", "--no-build-isolation", "--no-index", "--no-deps",
-                            "-w", self.folder, self.folder / "tools")
+        self.expect_success("/usr/bin/python3", "-m", "pip", "wheel", "-q", "--no-build-isolation", "--no-index",
+                            "--no-deps", "-w", self.folder, self.folder / "tools")
         wheel, = self.folder.glob("*.whl")
         with zipfile.ZipFile(wheel) as archive:
             held = set(archive.namelist())
-            about = email.message_from_bytes(archive.read(f"rubatlas-{rubatlas.__version__}.dist-info/METADATA"))
-        wanted = [path for path in (TOOLS / "rubatlas").rglob("*.*") if path.suffix in (".py", ".js", ".html", ".css", ".json")
+            about = email.message_from_string(
+                archive.read(f"rubatlas-{rubatlas.__version__}.dist-info/METADATA").decode())
+        wanted = [path for path in (TOOLS / "rubatlas").rglob("*.*")
+                  if path.suffix in (".py", ".js", ".html", ".css", ".json")
                   and path.name not in ("package.json", "package-lock.json")]  # where uPlot comes from
         self.assertGreater(len(wanted), 45)
         self.assertLessEqual({str(path.relative_to(TOOLS)) for path in wanted}, held)
         self.assertIn(f"rubatlas-{rubatlas.__version__}.dist-info/LICENSE", held)
         self.assertEqual(about.get_payload(), (TOOLS / "README.md").read_text())
-        needed = {re.match(r"[A-Za-z0-9_-]+", line)[0] for line in about.get_all("Requires-Dist") if "extra ==" not in line}
+        needed = {re.match(r"[A-Za-z0-9_-]+", line)[0] for line in about.get_all("Requires-Dist")
+                  if "extra ==" not in line}
         roots = {name.split(".")[0] for path in (TOOLS / "rubatlas").rglob("*.py") for name in imported(path)}
         self.assertEqual(needed, roots - set(sys.stdlib_module_names) - {"rubatlas"})
 
@@ -93,10 +96,11 @@ class Package(unittest.TestCase):
         self.expect_success("/usr/bin/python3", "-m", "pip", "install", "-q", "--no-index", "--no-deps", "--target",
                             self.folder / "there", wheel)
         elsewhere = {"cwd": self.folder, "env": {**os.environ, "PYTHONPATH": str(self.folder / "there")}}
-        place = self.expect_success("/usr/bin/python3", "-c", "import rubatlas; print(rubatlas.__file__)", **elsewhere).strip()
-        self.assertTrue(pathlib.Path(place).is_relative_to(self.folder / "there"))
+        place = self.expect_success("/usr/bin/python3", "-c", "import rubatlas; print(rubatlas.__file__)", **elsewhere)
+        self.assertTrue(pathlib.Path(place.strip()).is_relative_to(self.folder / "there"))
         commands = self.folder / "there/bin"
-        self.expect_success("/usr/bin/python3", commands / "rubatlas-plot", "blade", TINY / "atlas.h5", "-o", "a.png", **elsewhere)
+        self.expect_success("/usr/bin/python3", commands / "rubatlas-plot", "blade", TINY / "atlas.h5", "-o", "a.png",
+                            **elsewhere)
         self.expect_success("/usr/bin/python3", commands / "rubatlas-report", TINY / "atlas.h5", "-o", "a.html",
                             "--without-solver", **elsewhere)
         self.assertGreater((self.folder / "a.html").stat().st_size, 200_000)

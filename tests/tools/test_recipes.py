@@ -34,7 +34,7 @@ def looked_for():
 
 def needed_by_tools():
     """What the Python package needs, with the least version."""
-    return dict(re.match(r"([\w-]+)>=([0-9.]+)", one).groups() for one in PROJECT["project"]["dependencies"])
+    return dict(re.match(r"([\w-]+)(?:>=)?([0-9.]*)", one).groups() for one in PROJECT["project"]["dependencies"])
 
 
 def spack_recipe():

@@ -43,7 +43,7 @@ class Rubatlas(CMakePackage):
         depends_on("py-setuptools@61:", type="build")
         depends_on("py-numpy@1.24:", type=("build", "run"))
         depends_on("py-matplotlib@3.6:", type=("build", "run"))
-        depends_on("py-xarray@2023.1:", type=("build", "run"))
+        depends_on("py-xarray", type=("build", "run"))
         depends_on("py-h5py@3.7:", type=("build", "run"))
 
     def cmake_args(self):
