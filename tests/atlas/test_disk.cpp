@@ -158,7 +158,7 @@ TEST_F(NoLocks, ASideFileWithHostAndProcessKeepsASecondRunOut) {
 
 TEST_F(NoLocks, ASideFileThatNobodyRenewsIsTakenOver) {
   std::ofstream(side()) << "host elsewhere, process 1\n";
-  EXPECT_NE(refusal().find("host elsewhere, process 1, renewed 0 s ago"), std::string::npos);
+  EXPECT_NE(refusal().find("host elsewhere, process 1, renewed "), std::string::npos);
   std::filesystem::last_write_time(
       side(), std::filesystem::file_time_type::clock::now() - 2 * AtlasLock::kLeftBehind);
   EXPECT_EQ(refusal(), "");

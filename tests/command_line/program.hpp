@@ -53,6 +53,11 @@ class Workplace {
   [[nodiscard]] Ending rubatlas(const std::string& arguments) const {
     return shell("env -u OMPI_COMM_WORLD_SIZE -u PMIX_RANK '" RUBATLAS_PROGRAM "' " + arguments);
   }
+  /// The program, which is killed when it has used so much processor time [s].
+  [[nodiscard]] Ending rubatlas_within(int seconds, const std::string& arguments) const {
+    return shell("ulimit -t " + std::to_string(seconds) +
+                 "; env -u OMPI_COMM_WORLD_SIZE -u PMIX_RANK '" RUBATLAS_PROGRAM "' " + arguments);
+  }
   /// The program on several ranks.
   [[nodiscard]] Ending ranks(int count, const std::string& arguments) const {
     return shell("OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -n " +

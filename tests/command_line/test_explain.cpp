@@ -1,7 +1,6 @@
 // What `explain` says of a scene.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -295,37 +294,36 @@ TEST(Explain, MeasuresPointsAndEffectsTogetherNoLongerThanItMay) {
   EXPECT_LT(looks, 150) << "points that are given up, and effects that are not begun, look once more each";
 }
 
-/// Explains with the time that a user waits, and returns the text.
-std::string explained_in_time(const std::string& scene) {
-  const auto began = std::chrono::steady_clock::now();
+/// Explains with little processor time, however large the scene is, and returns the text.
+std::string explained_cheaply(const std::string& scene) {
+  // `explain` measures for 2 s; what else it does takes longer on a slow machine.
+  constexpr int kMostSeconds = 9;
   const Workplace place;
   static_cast<void>(place.write("s.json", scene));
-  const auto ending = place.rubatlas("explain s.json");
+  const auto ending = place.rubatlas_within(kMostSeconds, "explain s.json");
   EXPECT_EQ(ending.code, 0) << ending.messages;
-  // 3 s on a machine that has nothing else to do; a clock that hangs on others is given three times that.
-  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(9));
   return ending.output;
 }
 
-TEST(Explain, AnswersInTimeForABillionPointsOnAMillionLines) {
+TEST(Explain, ABillionPointsOnAMillionLinesTakeLittleProcessorTime) {
   const std::string text =
-      explained_in_time(R"({"grid": {"speed_ratio": {"from": 0.1, "to": 0.9, "count": 1000},
+      explained_cheaply(R"({"grid": {"speed_ratio": {"from": 0.1, "to": 0.9, "count": 1000},
     "/side_load/force": {"from": 0, "to": 1, "count": 1000}, "friction": {"from": 0, "to": 1, "count": 1000}}})");
   EXPECT_TRUE(holds(line_of(text, "side_load"), "; no term on 1000 of 1000000 lines"))
       << line_of(text, "side_load");
   EXPECT_TRUE(holds(line_of(text, "together"), "1000000000 points × ")) << text;
 }
 
-TEST(Explain, AnswersInTimeWhereOnePointTakesHours) {
+TEST(Explain, APointOfHoursTakesLittleProcessorTime) {
   const std::string text =
-      explained_in_time(R"({"grid": {"speed_ratio": 0.0002}, "accuracy": {"method": "fixed",
+      explained_cheaply(R"({"grid": {"speed_ratio": 0.0002}, "accuracy": {"method": "fixed",
     "step": 1e-6}, "protocol": {"transient_revolutions": 100000000}})");
   EXPECT_TRUE(holds(text, "\nTime")) << text;
 }
 
 TEST(Explain, SaysWhatOfALargeSceneIsTooLarge) {
   const std::string text =
-      explained_in_time(R"({"grid": {"speed_ratio": {"from": 0.1, "to": 0.9, "count": 1000000}},
+      explained_cheaply(R"({"grid": {"speed_ratio": {"from": 0.1, "to": 0.9, "count": 1000000}},
     "protocol": {"transient_revolutions": 0, "sampled_revolutions": 1000000, "samples_per_revolution": 2000},
     "spectrum": {"max_order": 1000}, "observables": ["spectrum"]})");
   EXPECT_TRUE(holds(line_of(text, "together"), "8 PB  1000000 points × 8 GB a row"))

@@ -67,11 +67,15 @@ class Browser:
         return self.run("return Object.fromEntries([...document.querySelectorAll('#facts dl > div')].map((one) =>"
                         " [one.querySelector('dt').textContent, one.querySelector('dd').textContent]))")
 
-    def computes(self, act):
-        """Does something after which the page computes, and waits for the answer."""
+    def computes(self, act, times=1):
+        """Does something that asks the page so many times to compute, and waits until it has answered."""
         before = self.dataset("computed") or "0"
         act()
-        self.wait_for("Number(document.documentElement.dataset.computed) > Number(arguments[0])", before)
+        self.wait_for("Number(document.documentElement.dataset.computed) >= arguments[0]", int(before) + times)
+
+    def wait_for_two_frames(self):
+        """After which an animation that runs has been drawn again."""
+        self.driver.execute_async_script("requestAnimationFrame(() => requestAnimationFrame(arguments[0]))")
 
     def exported(self, kind, subject):
         """The file that a button of a panel saves."""

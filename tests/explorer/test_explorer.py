@@ -6,7 +6,6 @@ import re
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 import urllib.parse
 import xml.etree.ElementTree
@@ -223,9 +222,9 @@ class Explorer(unittest.TestCase):
     def test_keys_that_follow_each_other_at_once_end_at_the_last_points_own_sections(self):
         self.open("#at=0,0,0,1,17")
         self.browser.run("document.activeElement.blur()")
-        self.browser.run("for (const key of ['ArrowUp', 'ArrowDown']) "
-                         "document.body.dispatchEvent(new KeyboardEvent('keydown', {key, bubbles: true}))")
-        time.sleep(1.0)
+        self.browser.computes(lambda: self.browser.run(
+            "for (const key of ['ArrowUp', 'ArrowDown']) "
+            "document.body.dispatchEvent(new KeyboardEvent('keydown', {key, bubbles: true}))"), times=2)
         table = columns(self.browser.exported("CSV", "poincare"))
         with h5py.File(TINY / "atlas.h5") as atlas:
             np.testing.assert_allclose(np.array(table["atlas_x_mm"], float),
@@ -382,7 +381,7 @@ class Explorer(unittest.TestCase):
         self.browser.find("#play").click()
         stopped = self.browser.run("return document.getElementById('rotor').dataset.time")
         self.assertNotEqual(self.browser.pixels("#rotor"), before)
-        time.sleep(0.2)
+        self.browser.wait_for_two_frames()
         self.assertEqual(self.browser.run("return document.getElementById('rotor').dataset.time"), stopped)
 
     def test_a_step_leads_to_the_next_touch_down(self):

@@ -6,7 +6,6 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
 import h5py
@@ -16,6 +15,10 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from mpi_environment import CROWDED  # noqa: E402
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
+sys.path.insert(0, str(ROOT / "tests/mpi"))
+
+from job import COMPUTING, processor_seconds, wait_for  # noqa: E402
+
 PROGRAM = pathlib.Path(os.environ["RUBATLAS_PROGRAM"])
 TINY = ROOT / "tests/tools/tiny.json"
 PATIENCE = 120  # seconds, on a machine that is busy with other tests
@@ -35,6 +38,14 @@ def child_of(parent):
     """The process that another has started and waits for."""
     found, = pathlib.Path(f"/proc/{parent}/task/{parent}/children").read_text().split()
     return int(found)
+
+
+def link(path):
+    """Where a link leads; nowhere if its process is gone."""
+    try:
+        return os.readlink(path)
+    except OSError:
+        return None
 
 
 class Jobs(unittest.TestCase):
@@ -101,16 +112,20 @@ class Jobs(unittest.TestCase):
         self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
         self.assertIn("0 computed", again.stderr)
 
+    def all_ranks_compute(self):
+        """All processes of the program that work in this test's folder."""
+        ranks = [entry.name for entry in pathlib.Path("/proc").glob("[0-9]*")
+                 if (link(entry / "exe"), link(entry / "cwd")) == (str(PROGRAM.resolve()), str(self.folder.resolve()))]
+        return ranks and all(processor_seconds(rank) > COMPUTING for rank in ranks)
+
     def interrupt(self, command, atlas, send, **more):
-        """Starts a script in a session of its own, waits for the atlas, lets `send` disturb the script's process,
-        and returns its exit code and what it has said."""
+        """Starts a script in a session of its own, waits until its ranks compute, lets `send` disturb the
+        script's process, and returns its exit code and what it has said."""
         with subprocess.Popen([*map(str, command)], cwd=self.folder, env=environment(**more), stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                               start_new_session=True) as job:
-            until = time.monotonic() + PATIENCE
-            while not (self.folder / atlas).exists() and time.monotonic() < until and job.poll() is None:
-                time.sleep(0.05)
-            time.sleep(0.5)  # let it compute
+            wait_for(lambda: job.poll() is not None or ((self.folder / atlas).exists() and self.all_ranks_compute()))
+            self.assertIsNone(job.poll(), "the script has ended")
             send(job)
             said = job.communicate(timeout=PATIENCE)[0]
         return job.returncode, said

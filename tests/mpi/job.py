@@ -21,6 +21,7 @@ from mpi_environment import ENVIRONMENT  # noqa: E402
 PROGRAM = os.environ["RUBATLAS_PROGRAM"]
 PENDING, DONE, LEFT_VALIDITY, INTEGRATOR_FAILED = 0, 1, 2, 3
 TIME_LIMIT = 120  # s; a job that hangs fails its test instead of the whole suite
+COMPUTING = 0.5  # s of processor time, of which the start of MPI takes about 0.1: who has used as much computes
 
 _version = subprocess.run(["mpirun", "--version"], stdout=subprocess.PIPE, text=True, check=True).stdout
 OPEN_MPI = int(re.search(r"\) (\d+)\.", _version)[1])
@@ -95,6 +96,17 @@ class JobTest(unittest.TestCase):
         self.addCleanup(lambda: (job.poll() is None and job.kill(), job.wait(), job.stderr.close()))
         return job
 
+    def wait_until_it_computes(self, job, ranks):
+        """Returns the processes of the program, `ranks` many or the job itself, when each of them computes."""
+        def computing():
+            found = [job.pid] if ranks is None else ranks_of(job)
+            return len(found) == (ranks or 1) and all(processor_seconds(one) > COMPUTING for one in found) and found
+
+        found = wait_for(lambda: job.poll() is not None or computing())
+        self.assertIsNone(job.poll(), "the job has ended")
+        self.assertTrue(found, "the job does not compute")
+        return found
+
     def assert_refused(self, job, exit_code, *parts):
         """One sentence on stderr that has all `parts`, from one rank only."""
         said = [line for line in job.stderr.splitlines() if line.startswith("rubatlas:")]
@@ -157,6 +169,14 @@ def differing_datasets(one, other):
         return differing(a, b) + differing(a.attrs, b.attrs) or ["no dataset and no attribute, but the file"]
 
 
+def wait_for(condition, seconds=TIME_LIMIT):
+    """Returns what the condition returns when that is true, or in the end; the limit is for hangs."""
+    end = time.monotonic() + seconds
+    while not (met := condition()) and time.monotonic() < end:
+        time.sleep(0.01)
+    return met
+
+
 def wait_for_points(job, atlas, count):
     """Returns when at least `count` points of the atlas are no longer pending, or the job has ended."""
     end = time.monotonic() + TIME_LIMIT
@@ -175,15 +195,35 @@ def wait_for_points(job, atlas, count):
             time.sleep(0.002)
 
 
+def stat_of(process):
+    """Fields of /proc/PID/stat from the process' state on; none where it is gone."""
+    try:
+        return pathlib.Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()
+    except (FileNotFoundError, ProcessLookupError):
+        return []
+
+
+def has_ended(process):
+    """Gone, or a zombie that nobody has asked for."""
+    return stat_of(process)[:1] in ([], ["Z"])
+
+
+def processor_seconds(process):
+    """Processor time that a process has used."""
+    return sum(map(int, stat_of(process)[11:13])) / os.sysconf("SC_CLK_TCK")
+
+
+def pauses(process):
+    """How often a process has slept: a rank that computes does not, and one that waits for another does so again and
+    again."""
+    text = pathlib.Path(f"/proc/{process}/status").read_text()
+    return int(re.search(r"^voluntary_ctxt_switches:\s*(\d+)", text, re.MULTILINE)[1])
+
+
 def ranks_of(job):
     """Process numbers of the ranks that an mpirun has started."""
     found = []
     for entry in pathlib.Path("/proc").iterdir():
-        if entry.name.isdigit():
-            try:
-                parent = int((entry / "stat").read_text().rsplit(")", 1)[1].split()[1])
-            except (OSError, IndexError):
-                continue  # gone in the meantime
-            if parent == job.pid:
-                found.append(int(entry.name))
+        if entry.name.isdigit() and stat_of(entry.name)[1:2] == [str(job.pid)]:
+            found.append(int(entry.name))
     return sorted(found)

@@ -2,13 +2,12 @@
 import os
 import signal
 import subprocess
-import time
 import unittest
 
 import h5py
 import numpy as np
 
-from job import ENVIRONMENT, FAILING, JobTest, command, scene
+from job import ENVIRONMENT, FAILING, JobTest, command, has_ended, scene, wait_for
 
 SHARP, SLOW, DIVIDED, OVERRUN = 0, 1, 2, 3
 PERIODS = range(1, 17)
@@ -163,14 +162,13 @@ class Edges(EdgesTest):
                 job = subprocess.Popen(command(ranks, "edges", atlas, "--to", "1e-12", "--progress", "off"),
                                        env=ENVIRONMENT,
                                        cwd=self.directory, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-                time.sleep(1.5)
-                self.assertIsNone(job.poll(), "it still computes")
+                processes = self.wait_until_it_computes(job, ranks)
                 job.send_signal(number)
                 _, said = job.communicate(timeout=60)
                 if code is not None:
                     self.assertEqual(job.returncode, code, said)
                     self.assertIn("stopped; ", said)
-                time.sleep(0.5 if code is None else 0.0)
+                self.assertTrue(wait_for(lambda: all(map(has_ended, processes))), "a rank outlives its mpirun")
                 self.assertEqual(sorted(os.listdir(self.directory)), before)
 
 

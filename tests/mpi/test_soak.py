@@ -3,6 +3,7 @@
 After every kill the atlas is readable and has no wrong row; in the end it has the bytes of an uninterrupted run. What
 is killed and when follows from a seed, RUBATLAS_SOAK_SEED in the environment; the machine's own timing does not.
 """
+import itertools
 import os
 import pathlib
 import random
@@ -13,7 +14,7 @@ import unittest
 
 import h5py
 
-from job import FAILING, JobTest, ranks_of, scene, wait_for_points
+from job import FAILING, JobTest, has_ended, ranks_of, scene, wait_for, wait_for_points
 
 SEED = int(os.environ.get("RUBATLAS_SOAK_SEED", "1"))
 POINTS = 60
@@ -109,10 +110,8 @@ class SoakTest(JobTest):
 
     def wait_for_end(self, job, ranks, atlas):
         """Ranks that have lost their mpirun notice it; until then they hold the lock of the atlas."""
-        end = time.monotonic() + 60
-        while any(self.is_running(rank) for rank in ranks) and time.monotonic() < end:
-            time.sleep(0.01)
-        for rank in filter(self.is_running, ranks):
+        wait_for(lambda: all(map(has_ended, ranks)), 60)
+        for rank in itertools.filterfalse(has_ended, ranks):
             # In MPI_Init a rank of Open MPI 4.1 sometimes waits for ever for an mpirun that is no more.
             self.assertFalse(self.has_opened(rank, atlas), "a rank outlives its job, with the atlas in its hands")
             os.kill(rank, signal.SIGKILL)
@@ -135,14 +134,6 @@ class SoakTest(JobTest):
             except FileNotFoundError:
                 pass
         return any(str(atlas) in name for name in opened)
-
-    @staticmethod
-    def is_running(process):
-        try:
-            with open(f"/proc/{process}/stat", encoding="ascii") as file:
-                return file.read().rsplit(")", 1)[1].split()[0] != "Z"
-        except FileNotFoundError:
-            return False
 
 
 class Soak(SoakTest):

@@ -95,10 +95,10 @@ function nearestWithOrbit(point) {
   return placeOf(atlas.orbits.map((entry) => entry.point)
     .reduce((best, other) => (distance(other) < distance(best) ? other : best)));
 }
-/// Computes what is selected; while an answer is on its way only the last question counts.
+/// Computes what is selected; of the questions that are asked while an answer is on its way only the last is answered.
 async function compute() {
   if (computer.why) return showStored();
-  if (running) { again = true; return; }
+  if (running) { again = true; ++asked; return; }
   running = true;
   do {
     again = false;
