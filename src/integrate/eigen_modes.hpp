@@ -1,5 +1,5 @@
-/// Eigenvalues and eigenvectors of a matrix of order four: a function of its own, since Eigen's takes a quarter of a
-/// minute of the compiler's time wherever it is used.
+/// Eigenvalues and eigenvectors of a matrix of order four: a function of its own, since Eigen's takes a
+/// quarter of a minute of the compiler's time wherever it is used.
 #pragma once
 
 #include <Eigen/Core>
