@@ -179,7 +179,7 @@ TEST(Combinations, ALineIsComputedByTheFirstFamilyThatTakesItsEffects) {
   EXPECT_EQ(family(ContactLaw::elastica, gravity), MotionFamily::elastic_blades);
   EXPECT_EQ(family(ContactLaw::elastic_ring, stick), MotionFamily::sticking_rigid_blades);
   EXPECT_EQ(family(ContactLaw::elastica, stick), MotionFamily::sticking_elastic_blades);
-  EXPECT_EQ(family(ContactLaw::beam_column, release), MotionFamily::elastic_blades_released_at_fold);
+  EXPECT_EQ(family(ContactLaw::beam_column, release), MotionFamily::elastic_blades);
   EXPECT_EQ(family(ContactLaw::elastica, load), MotionFamily::directed_elastic_blades);
   EXPECT_EQ(family(ContactLaw::elastica, ring), MotionFamily::blades_in_ring_body);
 }

@@ -191,7 +191,7 @@ TEST(Explain, SaysWhichMotionASceneHasAndHowItsContactIsIntegrated) {
          "the exponential of the matrix of shaft and support;", "the bends of all blades in contact");
   expect(R"("stick": {})", "elastic blades whose tips may stick; with stick", isotropic,
          "while all tips slip, the bends");
-  expect(R"("release": {})", "elastic blades released where their force ends; with release", isotropic,
+  expect(R"("release": {})", "elastic blades; with release", isotropic,
          "one blade in contact: its bending is carried");
   expect(R"("ring_body": {})", "elastic blades in a ring that is a body; with ring_body",
          "isotropic shaft, the ring oscillates freely beside the shaft;", "one blade in contact");
