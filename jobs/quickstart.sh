@@ -57,22 +57,17 @@ summary=$(build/rubatlas analyse "$atlas" -o "$maps" --table "$table" --overwrit
 say "5/6 Draw"
 tools/draw.sh "$atlas" "$maps" "$pictures"
 
-printf '%s\n\n' "$summary"
-echo "Atlas:    $atlas"
-echo "Maps:     $maps"
-echo "Table 1:  $table"
-echo "Pictures:"
-ls -1 "$pictures"/*.png
+# The table, and the paths of all that is there.
+show() {
+  printf '%s\n\n' "$summary"
+  printf '%s\n' "Atlas:    $atlas" "Maps:     $maps" "Table 1:  $table" "Pictures:" "$pictures"/*.png "$@"
+}
+show
 
-say "6/6 Make a page to explore the atlas, with a solver of its own (table and pictures are there: $((SECONDS / 60)) min $((SECONDS % 60)) s)"
+say "6/6 Make a page to explore the atlas, with a solver of its own ($((SECONDS / 60)) min $((SECONDS % 60)) s so far)"
 cmake --build build --target rubatlas_wasm
 tools/rubatlas-report "$atlas" --maps "$maps" -o "$report"
 
 say "Done in $((SECONDS / 60)) min $((SECONDS % 60)) s"
-printf '%s\n\n' "$summary"
-echo "Atlas:    $atlas"
-echo "Maps:     $maps"
-echo "Table 1:  $table"
-echo "Pictures: $pictures/*.png"
-echo "Report:   $report (opens in a browser)"
+show "Report:   $report (opens in a browser)"
 exit "$run_code"
