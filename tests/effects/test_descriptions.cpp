@@ -122,19 +122,6 @@ TEST(EveryEffect, RefusesAKeyThatItDoesNotKnowAndASectionThatIsNone) {
   });
 }
 
-TEST(EveryEffect, ExistsInTheProgramAndCanBeLeftOutOfABuildByItsName) {
-  effects::for_each_effect([&]<auto Effect>() {
-    constexpr auto kSection = SettingsOf<Effect>::kDescription.section;
-    EXPECT_TRUE(effects::kExists<Effect>);
-    EXPECT_TRUE(effects::is_left_out(kSection, name_of<Effect>()));
-    EXPECT_TRUE(effects::is_left_out(kSection, "other " + name_of<Effect>()));
-    EXPECT_TRUE(effects::is_left_out(kSection, "all"));
-    EXPECT_FALSE(effects::is_left_out(kSection, ""));
-    EXPECT_FALSE(effects::is_left_out(kSection, "x" + name_of<Effect>()));
-  });
-  EXPECT_TRUE(effects::is_left_out("/ring/mass", "ring_mass"));
-}
-
 TEST(EveryEffect, HasItsSceneInJobsAndItsPicture) {
   effects::for_each_effect([&]<auto Effect>() {
     const std::string stem = "effect_" + name_of<Effect>();

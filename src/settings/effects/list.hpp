@@ -1,10 +1,7 @@
 /// The one list of effects: what a scene can switch on by a section, and leaves out without it.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
 #include <optional>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -49,39 +46,9 @@ struct Effects {
 template <auto Effect>
 using Settings = std::remove_cvref_t<decltype(*(std::declval<const Effects&>().*Effect))>;
 
-/// A build may leave out effects, named after their sections ("gravity ring_mass", or "all"), to show that an
-/// effect costs nothing where it is absent (tests/bench/absence.sh). The program itself leaves out none.
-#ifndef RUBATLAS_WITHOUT_EFFECTS
-#define RUBATLAS_WITHOUT_EFFECTS ""
-#endif
-constexpr bool is_left_out(std::string_view section, std::string_view words = RUBATLAS_WITHOUT_EFFECTS) {
-  const auto is_name = [&](std::string_view word) {
-    if (word == "all") return true;
-    bool same = word.size() + 1 == section.size();
-    for (std::size_t i = 0; same && i < word.size(); ++i) {
-      same = word[i] == (section[i + 1] == '/' ? '_' : section[i + 1]);
-    }
-    return same;
-  };
-  while (!words.empty()) {
-    const std::size_t end = std::min(words.find(' '), words.size());
-    if (is_name(words.substr(0, end))) return true;
-    words.remove_prefix(std::min(end + 1, words.size()));
-  }
-  return false;
-}
-template <auto Effect>
-inline constexpr bool kExists = !is_left_out(Settings<Effect>::kDescription.section);
-
-/// Calls `given.operator()<&Effects::effect>()` for each, in the order of the documentation.
+/// Calls `visit.operator()<&Effects::effect>()` for each, in the order of the documentation.
 template <class Visit>
-constexpr void for_each_effect(Visit given) {
-  const auto visit = [&]<auto Effect>() {
-    // The axis of the unbalance is part of every atlas, and so are its quantities.
-    if constexpr (kExists<Effect> || std::is_same_v<Settings<Effect>, Unbalance>) {
-      given.template operator()<Effect>();
-    }
-  };
+constexpr void for_each_effect(Visit visit) {
   visit.template operator()<&Effects::unbalance>();
   visit.template operator()<&Effects::gravity>();
   visit.template operator()<&Effects::side_load>();
@@ -103,9 +70,8 @@ constexpr void for_each_effect(Visit given) {
 
 /// Present and of a strength that is not zero.
 template <auto Effect>
-[[nodiscard]] bool acts([[maybe_unused]] const Effects& effects) {
-  if constexpr (kExists<Effect>) return (effects.*Effect) && (effects.*Effect)->acts();
-  return false;
+[[nodiscard]] bool acts(const Effects& effects) {
+  return (effects.*Effect) && (effects.*Effect)->acts();
 }
 
 }  // namespace rubatlas::effects
