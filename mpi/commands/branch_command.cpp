@@ -12,6 +12,7 @@
 #include "atlas/branch_file.hpp"
 #include "atlas/output.hpp"
 #include "branch/continuation.hpp"
+#include "branch/curve.hpp"
 #include "mpi/commands/place.hpp"
 #include "mpi/exit_code.hpp"
 #include "mpi/say.hpp"

@@ -1,25 +1,27 @@
-/// A branch of periodic orbits, stable or not, along one quantity: followed by its arclength, through folds,
-/// with the bifurcations on it located. The same for curves of bifurcations in two quantities.
+/// A branch of periodic orbits, stable or not, along one quantity: followed by its arclength, through folds
+/// and grazings, with the bifurcations on it located.
 ///
-/// Source: Seydel, Practical Bifurcation and Stability Analysis, chapters 4 (continuation), 5 (test
-/// functions) and 7 (periodic orbits).
+/// Source: Seydel, Practical Bifurcation and Stability Analysis, chapters 4 (continuation) and 7 (periodic
+/// orbits).
 #pragma once
 
-#include <functional>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 #include "branch/branch.hpp"
+#include "branch/corrector.hpp"
+#include "branch/grazings.hpp"
 #include "branch/shooting.hpp"
 
 namespace rubatlas::branch {
 
-/// Called after each orbit with its first quantity; for progress.
-using OnOrbit = std::function<void(const Orbit&)>;
-
 class Continuation {
  public:
-  explicit Continuation(Shooting& shooting, OnOrbit on_orbit = {});
+  explicit Continuation(Shooting& shooting)
+      : shooting_(&shooting), corrector_(shooting), grazings_(corrector_) {}
+  Continuation(const Continuation&) = delete;
+  Continuation& operator=(const Continuation&) = delete;
 
   /// The periodic orbit on which the motion from a state settles, if its period is 16 revolutions at most.
   /// Sets the period.
@@ -34,57 +36,13 @@ class Continuation {
   [[nodiscard]] std::optional<Branch> follow_doubled(const Event& doubling, std::size_t most);
 
  private:
-  struct State {
-    Unknowns at;
-    Orbit orbit;
-    Unknowns tangent;
-  };
-  /// Newton's method on the plane tangentᵀ(U − predicted) = 0.
-  [[nodiscard]] std::optional<State> correct(const Unknowns& predicted, const Unknowns& tangent);
-  [[nodiscard]] std::optional<State> advance(const State& from, double length) {
-    return correct(from.at + length * from.tangent, from.tangent);
-  }
-  [[nodiscard]] std::optional<Unknowns> tangent_at(const Unknowns& at, const Orbit& orbit,
-                                                   const Unknowns& along);
-  [[nodiscard]] Branch follow(State state, std::size_t most);
+  [[nodiscard]] Branch follow(OnBranch state, std::size_t most);
   /// The orbit where the first quantity's range ends, between an orbit in it and one beyond.
-  [[nodiscard]] std::optional<State> at_end_of_range(const State& inside, const State& outside);
-  void add_grazing(Event grazing, std::vector<Event>& events) const;
-  /// The touch-down at which the orbit is cut is about to vanish.
-  [[nodiscard]] bool vanishes(const State& state) const;
-  [[nodiscard]] double longest_step(const State& from) const;
-  /// Adds the bifurcations of a step.
-  void locate(const State& from, const State& to, double length, std::vector<Event>& events);
-  /// A grazing ahead of an orbit, and, if the branch goes on there, the first orbit behind it and the
-  /// arclength to that.
-  struct Grazing {
-    Event event;
-    std::optional<State> behind;
-    double length;
-  };
-  [[nodiscard]] std::optional<Grazing> locate_grazing(const State& from, double length);
-  /// Moves a grazing from the last orbit before it to where the miss, straight along the branch, is zero.
-  void extrapolate(const State& last, Event& event);
-  /// Where the touch-down at which the orbit is cut vanishes, ahead of an orbit that is near.
-  [[nodiscard]] Event at_grazing_touch(const State& from);
-  /// Where the branch goes on behind a grazing at which the section map ends: with the new touch, or without
-  /// the one that has vanished. Cuts the orbit accordingly. Adds the grazing, or that the branch is lost.
-  [[nodiscard]] std::optional<State> go_on_behind_grazing(const State& before, std::vector<Event>& events);
-  [[nodiscard]] std::optional<State> with_touch(const Event& grazing);
-  [[nodiscard]] std::optional<State> without_touch(const Event& grazing, const State& before);
-  [[nodiscard]] double uncertainty(const State& a, const State& b) const;
+  [[nodiscard]] std::optional<OnBranch> at_end_of_range(const OnBranch& inside, const OnBranch& outside);
 
   Shooting* shooting_;
-  OnOrbit on_orbit_;
-  int iterations_ = 0;  ///< of the last correction
+  Corrector corrector_;
+  Grazings grazings_;  ///< uses `corrector_`
 };
-
-/// Test functions: each changes its sign where the bifurcation is.
-double test_function(EventKind kind, const Orbit& orbit);
-
-/// A curve of bifurcations of one kind in two quantities, from one of them on, both ways. The shooting varies
-/// both. Orbits along the curve; empty where the first cannot be found.
-std::vector<Orbit> follow_curve(Shooting& shooting, EventKind kind, const Orbit& from, std::size_t most,
-                                const OnOrbit& on_orbit = {});
 
 }  // namespace rubatlas::branch

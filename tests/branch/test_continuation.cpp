@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "../support/point.hpp"
+#include "branch/bifurcations.hpp"
 #include "branch/continuation.hpp"
 #include "plan/grid.hpp"
 #include "settings/quantity.hpp"

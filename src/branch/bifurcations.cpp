@@ -1,0 +1,75 @@
+#include "branch/bifurcations.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+namespace rubatlas::branch {
+
+double test_function(EventKind kind, const Orbit& orbit) {
+  if (kind == EventKind::fold) return (orbit.forward - orbit.backward).determinant();
+  // A multiplier between cuts of which an even number make a period is positive there, where it is real.
+  if (kind == EventKind::period_doubling)
+    return orbit.cuts % 2 == 0 ? 1.0 : (orbit.forward + orbit.backward).determinant();
+  // Of all pairs of multipliers the product of μi μj − 1: real, since complex ones come in pairs.
+  const Eigen::Vector4cd& multipliers = orbit.multipliers;
+  std::complex<double> product = 1.0;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < i; ++j) product *= multipliers[i] * multipliers[j] - 1.0;
+  }
+  return product.real();
+}
+
+void add_bifurcations(Corrector& corrector, const OnBranch& from, const OnBranch& to, double length,
+                      std::vector<Event>& events) {
+  const auto find = [&](EventKind kind, auto value) {
+    const double at_start = value(from);
+    const double at_end = value(to);
+    if (!(at_start * at_end < 0.0)) return;
+    OnBranch found = from;
+    const auto at_length = [&](double part) {
+      const auto there = corrector.advance(from, part);
+      if (!there) return std::numeric_limits<double>::quiet_NaN();
+      found = *there;
+      return value(*there);
+    };
+    // Across a grazing multipliers jump, and no zero lies between.
+    double low = 0.0;
+    double high = length;
+    double value_low = at_start;
+    double value_high = at_end;
+    OnBranch state_low = from;
+    OnBranch state_high = to;
+    for (int i = 0; i < 200 && high - low > 1e-12; ++i) {
+      double part =
+          i % 2 == 0 ? (low * value_high - high * value_low) / (value_high - value_low) : 0.5 * (low + high);
+      part = std::clamp(part, low + 1e-3 * (high - low), high - 1e-3 * (high - low));
+      const double there = at_length(part);
+      if (!std::isfinite(there)) return;
+      const bool before = there * at_start > 0.0;
+      (before ? low : high) = part;
+      (before ? value_low : value_high) = there;
+      (before ? state_low : state_high) = found;
+      if (std::abs(there) < 1e-13 * (std::abs(at_start) + std::abs(at_end))) break;
+    }
+    if (kind == EventKind::neimark_sacker) {
+      // μi μj = 1 holds for a real pair, too, which is no bifurcation.
+      const auto& multipliers = found.orbit.multipliers;
+      const bool on_circle = std::ranges::any_of(multipliers, [](const std::complex<double>& multiplier) {
+        return std::abs(multiplier.imag()) > 1e-6 && std::abs(std::abs(multiplier) - 1.0) < 1e-4;
+      });
+      if (!on_circle) return;
+    }
+    // A change of sign without a zero is a jump of the multipliers at a grazing.
+    if (std::abs(value_high - value_low) > 0.1 * std::abs(at_end - at_start)) return;
+    events.push_back(
+        {kind, found.orbit, observables::GrazingSide::none, corrector.difference(state_low, state_high)});
+  };
+  find(EventKind::fold, [](const OnBranch& state) { return state.tangent[4]; });
+  for (const EventKind kind : {EventKind::period_doubling, EventKind::neimark_sacker})
+    find(kind, [kind](const OnBranch& state) { return test_function(kind, state.orbit); });
+}
+
+}  // namespace rubatlas::branch

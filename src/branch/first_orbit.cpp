@@ -1,0 +1,65 @@
+#include "branch/first_orbit.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace rubatlas::branch {
+
+std::optional<Orbit> settled_orbit(Corrector& corrector, const motion::SectionState& initial,
+                                   const std::vector<double>& quantities, int transient_revolutions) {
+  Shooting& shooting = corrector.shooting();
+  constexpr int kLongestPeriod = 16;
+  constexpr double kNear = 1e-3;  // of the clearance: close enough for Newton's method to be tried
+  shooting.cut_at_section();
+  Unknowns at = shooting.scaled(initial, quantities);
+  const point::SectionMap settled = shooting.follow(at, transient_revolutions + kLongestPeriod);
+  if (settled.status != ending::PointStatus::done) return std::nullopt;
+  const auto from_end = [&](int back) {
+    return shooting.scaled(settled.sections[settled.sections.size() - 1 - static_cast<std::size_t>(back)],
+                           quantities);
+  };
+  const Unknowns last = from_end(0);
+  for (int period = 1; period <= kLongestPeriod; ++period) {
+    const int back = std::min(period, static_cast<int>(settled.sections.size()) - 1);
+    if ((last - from_end(back)).norm() > kNear) continue;
+    shooting.set_period(period);
+    Unknowns plane = Unknowns::Zero(shooting.size());
+    plane[4] = 1.0;  // the first quantity stays
+    if (const auto found = corrector.correct(last, plane)) return found->orbit;
+  }
+  return std::nullopt;
+}
+
+std::optional<OnBranch> doubled_orbit(Corrector& corrector, const Event& doubling) {
+  Shooting& shooting = corrector.shooting();
+  shooting.cut_at_section();
+  shooting.set_period(doubling.orbit.period);
+  const Unknowns at = shooting.scaled(doubling.orbit.section, doubling.orbit.quantities);
+  const auto single = shooting.orbit(at);
+  if (!single) return std::nullopt;
+  const Eigen::EigenSolver<Eigen::Matrix4d> parts(single->map.jacobian);
+  int nearest = 0;
+  for (int i = 1; i < 4; ++i) {
+    if (std::abs(parts.eigenvalues()[i] + 1.0) < std::abs(parts.eigenvalues()[nearest] + 1.0)) nearest = i;
+  }
+  Unknowns along = Unknowns::Zero(shooting.size());
+  along.head<4>() = parts.eigenvectors().col(nearest).real();
+  along.normalize();
+  shooting.set_period(2 * doubling.orbit.period);
+  // Away from the orbit itself, of which the doubled one is twice the same: too near, Newton's method falls
+  // back onto it.
+  for (const double length : {1e-3, 3e-3, 1e-2, 3e-2}) {
+    auto state = corrector.correct(at + length * along, along);
+    if (!state) continue;
+    const motion::SectionState& half =
+        state->orbit.map.sections[static_cast<std::size_t>(doubling.orbit.period) - 1];
+    const Unknowns halfway = shooting.scaled(half, state->orbit.quantities);
+    if ((halfway - state->at).head<4>().norm() < 0.1 * length) continue;
+    if (state->tangent.dot(along) < 0.0) state->tangent = -state->tangent;
+    return state;
+  }
+  return std::nullopt;
+}
+
+}  // namespace rubatlas::branch
