@@ -127,7 +127,7 @@ void write_edges(const atlas::Output& output, const Findings& found, const atlas
                  const std::string& atlas_name, const atlas::Software& software) {
   atlas::Publication publication(output);
   File file = File::create(publication.name());
-  atlas::write_provenance(file.root(), software, atlas::FileKind::edges, found.scene.title);
+  atlas::write_provenance(file.root(), software, atlas::FileKind::edges, found.scene);
   file.root().set_text("atlas", atlas_name);
   file.create_text("scene_resolved", atlas.scene_resolved())
       .set_text("long_name", "the scene of the atlas, with every default and every axis value written out");

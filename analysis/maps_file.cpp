@@ -17,6 +17,7 @@
 #include "atlas/hdf5.hpp"
 #include "atlas/publish.hpp"
 #include "atlas/software.hpp"
+#include "settings/identifier.hpp"
 
 namespace rubatlas::analysis {
 namespace {
@@ -163,10 +164,10 @@ void write_maps(const atlas::Output& output, const Findings& found, const atlas:
   {
     auto root = file.root();
     // The maps depend on the build that wrote the atlas, and on the rules of the present version.
-    atlas::write_provenance(std::move(root), software_of(atlas.file()), atlas::FileKind::maps,
-                            found.scene.title);
+    atlas::write_provenance(std::move(root), software_of(atlas.file()), atlas::FileKind::maps, found.scene);
     auto again = file.root();
     again.set_text("atlas", atlas_name);
+    again.set_text("atlas_identifier", settings::identifier_of(found.scene));
     file.create_text("scene_resolved", atlas.scene_resolved())
         .set_text("long_name", "the scene of the atlas, with every default and every axis value written out");
     const auto shape = atlas.shape();

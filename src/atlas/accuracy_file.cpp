@@ -234,7 +234,7 @@ void write_accuracy(const Output& output, const settings::Scene& scene, const st
                     const AccuracyStudy& study, const Software& software) {
   Publication publication(output);
   File file = File::create(publication.name());
-  write_provenance(file.root(), software, FileKind::accuracy, scene.title);
+  write_provenance(file.root(), software, FileKind::accuracy, scene);
   Object root = file.root();
   root.set_number<std::int32_t>("reference_setting", 0);
   root.set_number<std::int32_t>("repeats", study.repeats);

@@ -108,7 +108,7 @@ void write_branch(const Output& output, const settings::Scene& scene, const std:
                   const BranchContents& contents, const Software& software) {
   Publication publication(output);
   File file = File::create(publication.name());
-  write_provenance(file.root(), software, FileKind::branch, scene.title);
+  write_provenance(file.root(), software, FileKind::branch, scene);
   file.root().set_number<double>("tolerance", contents.tolerance);
   file.root().set_text("along", std::string(contents.quantities.front()->pointer));
   if (contents.quantities.size() > 1)

@@ -18,6 +18,7 @@
 #include "atlas/publish.hpp"
 #include "atlas/schema.hpp"
 #include "point/line_solver.hpp"
+#include "settings/identifier.hpp"
 #include "settings/reader.hpp"
 
 namespace rubatlas::atlas {
@@ -102,7 +103,8 @@ File create_unsealed(const std::filesystem::path& name, const AtlasHeader& heade
   const Schema schema = schema_of(scene);
   File file = File::create(name);
   create_header_checksum(file.root(), storage == RowStorage::fixed ? schema.row_datasets().size() : 0);
-  write_provenance(file.root(), header.software, FileKind::atlas, scene.title);
+  write_provenance(file.root(), header.software, FileKind::atlas, scene);
+  file.root().set_text("identifier", settings::identifier_of(scene));
   if (!header.part.is_whole()) file.root().set_text("part", plan::text_of(header.part));
   file.create_text("/scene", header.scene_text).set_text("long_name", "the scene file, as it was given");
   file.create_text("/scene_resolved", settings::resolved_json(scene))

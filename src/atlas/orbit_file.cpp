@@ -73,7 +73,7 @@ void write_orbit(const Output& output, const settings::Scene& scene, const std::
                  const point::Orbit& orbit, const Software& software) {
   Publication publication(output);
   File file = File::create(publication.name());
-  write_provenance(file.root(), software, FileKind::orbit, scene.title);
+  write_provenance(file.root(), software, FileKind::orbit, scene);
   write_point(file.root(), scene, parameters, start, orbit);
   file.create_text("/scene", scene_text).set_text("long_name", "the scene file, as it was given");
   file.create_text("/scene_resolved", settings::resolved_json(scene))

@@ -2,11 +2,14 @@
 
 namespace rubatlas::atlas {
 
-void write_provenance(Object root, const Software& software, FileKind kind, const std::string& title) {
+void write_provenance(Object root, const Software& software, FileKind kind, const settings::Scene& scene) {
+  const std::string not_stated = "not stated in the scene";
   root.set_text("Conventions", "CF-1.8");
   root.set_text("schema_version", kSchemaVersion);
   root.set_text("kind", word_of(kind));
-  root.set_text("title", title);
+  root.set_text("title", scene.title);
+  root.set_text("creator", scene.creator.value_or(not_stated));
+  root.set_text("license", scene.license.value_or(not_stated));
   root.set_text("software", software.software);
   root.set_text("software_version", software.software_version);
   root.set_text("git_commit", software.git_commit);

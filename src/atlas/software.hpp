@@ -5,6 +5,7 @@
 
 #include "atlas/hdf5.hpp"
 #include "atlas/output.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::atlas {
 
@@ -24,9 +25,10 @@ constexpr const char* kVersionOfHybrid = "2";
 /// The layout without checksums: such atlases are read, but not resumed.
 constexpr const char* kVersionWithoutChecksums = "1";
 
-/// Writes `Conventions`, `schema_version`, the kind of the file and the build as root attributes of a new
-/// file. Every file of this project (atlas, maps, orbit, accuracy) has them.
-void write_provenance(Object root, const Software& software, FileKind kind, const std::string& title);
+/// Writes `Conventions`, `schema_version`, the kind of the file, what names it (`title`, `creator`,
+/// `license`) and the build as root attributes of a new file. Every file of this project (atlas, maps, orbit,
+/// accuracy) has them.
+void write_provenance(Object root, const Software& software, FileKind kind, const settings::Scene& scene);
 /// The build that began a file. Throws EnvironmentError.
 Software software_of(const File& file);
 

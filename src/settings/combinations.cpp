@@ -74,13 +74,12 @@ constexpr std::string_view kRigid =
 /// text names the first in the order of the effects' list.
 constexpr std::array kRefusals{
     // The methods that `hybrid` is compared with are compiled for the paper's rotor alone.
-    Refusal{
-        .effects = kEveryEffect - effect_set<&Effects::unbalance>(),
-        .beside = {},
-        .where = method_takes_no_effects,
-        .quantity = {},
-        .sentence =
-            R"(the method "{method}" computes the paper's rotor and its unbalance; effects need "collocation" or "hybrid")"},
+    Refusal{.effects = kEveryEffect - effect_set<&Effects::unbalance>(),
+            .beside = {},
+            .where = method_takes_no_effects,
+            .quantity = {},
+            .sentence = R"(the method "{method}" computes the paper's rotor and its unbalance; )"
+                        R"(effects need "collocation" or "hybrid")"},
     // Rigid blades have no bending, and their ring yields already.
     Refusal{.effects = effect_set<&Effects::axial_compliance>(),
             .beside = {},
@@ -126,7 +125,8 @@ constexpr std::array kRefusals{
         .where = is_beam_column,
         .quantity = {},
         .sentence =
-            R"(combines with inextensible elastica in a rigid ring only: no axial_compliance, yielding_ring, release or law "beam_column")"},
+            R"(combines with inextensible elastica in a rigid ring only: no axial_compliance, yielding_ring, )"
+            R"(release or law "beam_column")"},
     Refusal{.effects = effect_set<&Effects::contact_damping>(),
             .beside = effect_set<&Effects::axial_compliance, &Effects::release, &Effects::load_direction,
                                  &Effects::regularised_friction, &Effects::stribeck, &Effects::stick,

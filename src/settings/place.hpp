@@ -67,7 +67,15 @@ struct At;
 
 template <auto Section>
 struct At<Section> {
-  static std::optional<Value> read(const Scene& scene) { return to_value(scene.*Section); }
+  static std::optional<Value> read(const Scene& scene) {
+    const auto& member = scene.*Section;
+    if constexpr (kIsOptional<std::remove_cvref_t<decltype(member)>>) {
+      if (!member) return std::nullopt;
+      return to_value(*member);
+    } else {
+      return to_value(member);
+    }
+  }
   static void write(Scene& scene, const Value& value) { from_value(scene.*Section, value); }
 };
 

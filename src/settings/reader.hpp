@@ -30,8 +30,11 @@ Scene parse_scene(std::string_view text, std::string_view name = "scene");
 /// (sorted keys, shortest round-trip numbers): equal scenes give equal bytes. `parse_scene` reads it back.
 std::string resolved_json(const Scene& scene);
 
-/// Empty when two resolved texts describe the same motion (title and reference aside), else one sentence that
-/// names the first differing pointer and both values.
+/// The same without what names the atlas and says nothing of its motions: title, reference, creator, license.
+std::string motion_json(const Scene& scene);
+
+/// Empty when two resolved texts describe the same motions, whatever names their atlases, else one sentence
+/// that names the first differing pointer and both values.
 std::string difference(std::string_view resolved_a, std::string_view resolved_b);
 
 }  // namespace rubatlas::settings

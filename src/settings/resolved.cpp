@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "settings/document.hpp"
 #include "settings/quantity.hpp"
@@ -13,6 +15,9 @@ namespace rubatlas::settings {
 namespace {
 
 using nlohmann::json;
+
+/// Keys that name an atlas and say nothing of its motions.
+constexpr std::array<std::string_view, 4> kNaming{"title", "reference", "creator", "license"};
 
 json as_json(const Value& value) {
   return std::visit([](const auto& content) { return json(content); }, value);
@@ -50,7 +55,7 @@ std::string first_difference(const json& a, const json& b, const std::string& po
     keys.update(b);
     for (const auto& [key, unused] : keys.items()) {
       const auto here = child(pointer, key);
-      if (here == "/title" || here == "/reference") continue;
+      if (pointer.empty() && std::ranges::count(kNaming, key) > 0) continue;
       if (!b.contains(key))
         return fmt::format("{} is {} in the first and absent in the second", here, shown(a[key]));
       if (!a.contains(key))
@@ -73,9 +78,7 @@ std::string first_difference(const json& a, const json& b, const std::string& po
   return fmt::format("{} is {} in the first and {} in the second", pointer, shown(a), shown(b));
 }
 
-}  // namespace
-
-std::string resolved_json(const Scene& scene) {
+json document_of(const Scene& scene) {
   json document;
   for (const auto& entry : quantities()) {
     if (entry.read == nullptr) continue;
@@ -91,9 +94,25 @@ std::string resolved_json(const Scene& scene) {
   }
   for (const auto& swept : scene.grid.swept) document["grid"][swept.pointer] = swept.values;
   document["observables"] = scene.observables;
+  return document;
+}
+
+std::string text_of(const json& document) {
   std::string text;
   write(document, "", text);
   return text + "\n";
+}
+
+}  // namespace
+
+std::string resolved_json(const Scene& scene) {
+  return text_of(document_of(scene));
+}
+
+std::string motion_json(const Scene& scene) {
+  json document = document_of(scene);
+  for (const auto key : kNaming) document.erase(std::string(key));
+  return text_of(document);
 }
 
 std::string difference(std::string_view resolved_a, std::string_view resolved_b) {

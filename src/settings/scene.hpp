@@ -116,6 +116,8 @@ struct Accuracy {
 struct Scene : effects::Effects {
   std::string title;
   std::string reference;
+  std::optional<std::string> creator;  ///< of the atlas
+  std::optional<std::string> license;  ///< under which the atlas may be used
   Rotor rotor;
   Blades blades;
   Ring ring;

@@ -199,6 +199,8 @@ TEST_F(Analyse, AnAxisNamedByItsPointerIsAParameterAsAnyOther) {
   EXPECT_EQ(maps.dataset("findings/holds").shape(), maps.dataset("findings/claim").shape());
   EXPECT_EQ(maps.dataset("class").shape(), (atlas::Shape{2, 1, 1, 1, 1, 91}));
   EXPECT_EQ(maps.dataset("class").scale_name(0), "ring_stiffness");
+  EXPECT_EQ(maps.root().text("atlas_identifier"),
+            atlas::File::open_to_read(file("atlas.h5")).root().text("identifier"));
   EXPECT_EQ(maps.dataset("table1/ring_stiffness").read<double>(), (std::vector<double>{1e3, 1e4}));
   EXPECT_EQ(maps.dataset("table1/ring_stiffness").text("units"), "N/m");
   EXPECT_EQ(maps.dataset("table1/region_2_presence").read<std::uint8_t>(), (std::vector<std::uint8_t>{1, 2}));
@@ -370,7 +372,8 @@ import h5py, numpy, xarray
 path = ")" + file("maps.h5").string() +
                                  R"("
 with h5py.File(path) as maps:
-    print(maps["class"].dtype, maps["class"].attrs["flag_values"].dtype, len(maps["class"].attrs["flag_meanings"].split()))
+    flags = maps["class"].attrs
+    print(maps["class"].dtype, flags["flag_values"].dtype, len(flags["flag_meanings"].split()))
     print(maps["statements/verdict"].shape, maps["effects/text"][0].decode())
 with xarray.open_dataset(path, engine="h5netcdf") as maps:
     print(int(maps["class"].sel(damping_ratio=0.3, speed_ratio=0.4, method="nearest").squeeze()))

@@ -18,6 +18,7 @@
 #include "atlas/schema.hpp"
 #include "atlas/verify.hpp"
 #include "scratch.hpp"
+#include "settings/identifier.hpp"
 
 namespace rubatlas::atlas {
 namespace {
@@ -79,6 +80,9 @@ TEST_F(Atlas, KeepsTheSceneAsItWasGivenAndAsItWasUnderstood) {
   EXPECT_EQ(atlas.scene(), testing::kSmallScene);
   EXPECT_EQ(atlas.scene_resolved(), settings::resolved_json(scene_));
   EXPECT_EQ(atlas.file().root().text("title"), "small");
+  EXPECT_EQ(atlas.file().root().text("creator"), "not stated in the scene");
+  EXPECT_EQ(atlas.file().root().text("license"), "not stated in the scene");
+  EXPECT_EQ(atlas.file().root().text("identifier"), settings::identifier_of(scene_));
 }
 
 TEST_F(Atlas, EveryAxisOfEveryRowRunsAlongItsScale) {

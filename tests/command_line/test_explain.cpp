@@ -283,8 +283,10 @@ TEST(Explain, MeasuresPointsAndEffectsTogetherNoLongerThanItMay) {
   // A look at the clock takes a hundredth of the time; motions that would take hours look at it within.
   const auto scene =
       settings::parse_scene(R"({"grid": {"speed_ratio": {"from": 0.0001, "to": 0.001, "count": 1000},
-    "friction": {"from": 0.1, "to": 0.9, "count": 1000}, "/gravity/acceleration": {"from": 0.1, "to": 0.9, "count": 1000}},
-    "side_load": {"force": 0.1}, "support": {"stiffness_xy": 1}, "load_direction": {}, "speed_ripple": {"amplitude": 0.01},
+    "friction": {"from": 0.1, "to": 0.9, "count": 1000},
+    "/gravity/acceleration": {"from": 0.1, "to": 0.9, "count": 1000}},
+    "side_load": {"force": 0.1}, "support": {"stiffness_xy": 1}, "load_direction": {},
+    "speed_ripple": {"amplitude": 0.01},
     "unequal_blades": {"length_spread": 1e-5}, "wear": {"rate": 1e-9}, "blades": {"count": 50},
     "protocol": {"transient_revolutions": 1000000}})");
   int looks = 0;

@@ -9,7 +9,8 @@ import h5py
 import numpy as np
 
 GRID_AXES = ["thickness", "unbalance", "friction", "damping_ratio", "speed_ratio"]
-ROOT_ATTRIBUTES = ["Conventions", "schema_version", "software", "software_version", "git_commit", "compiler"]
+ROOT_ATTRIBUTES = ["Conventions", "schema_version", "software", "software_version", "git_commit", "compiler",
+                   "title", "creator", "license", "identifier"]
 ALWAYS = {"status": ([], "|u1"), "status_detail": ([], "|u1"), "restarted": ([], "|u1"),
           "failed_revolution": ([], "<i4"),
           "row_checksum": ([], "<u4"),

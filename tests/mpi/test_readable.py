@@ -1,6 +1,7 @@
 """An atlas is read by everybody's tools, also while it is being written."""
 import subprocess
 import unittest
+import uuid
 
 import h5py
 import numpy as np
@@ -36,6 +37,19 @@ class Readable(JobTest):
 
     def test_a_finished_atlas_is_read_by_h5py_xarray_ncdump_and_h5ls(self):
         self.assertEqual(self.read_with_everything(self.fill(2, scene())), 36)
+
+    def test_an_atlas_names_its_creator_its_licence_and_the_identifier_of_its_scene(self):
+        named = {**scene(), "creator": "Institut für Rotoren", "license": "CC-BY-4.0"}
+        atlas = self.fill(2, named)
+        with xarray.open_dataset(atlas, engine="h5netcdf") as dataset:
+            self.assertEqual([dataset.attrs["creator"], dataset.attrs["license"]], [named["creator"], named["license"]])
+            found = dataset.attrs["identifier"]
+        with h5py.File(atlas, "r") as file:
+            lines = file["scene_resolved"].asstr()[()].splitlines(keepends=True)
+        # Of the canonical text without the lines that name the atlas.
+        kept = [line for line in lines if not line.startswith(('  "title"', '  "reference"', '  "creator"', '  "license"'))]
+        self.assertEqual(len(kept), len(lines) - 4)
+        self.assertEqual(found, uuid.uuid5(uuid.UUID("ae902552-a7df-4316-84ce-174aab5fdaec"), "".join(kept)).urn)
 
     def read_while_it_is_written(self, ranks):
         atlas = self.directory / "atlas.h5"

@@ -14,9 +14,10 @@ namespace rubatlas::settings {
 namespace {
 
 const std::string kFull = R"({
-  "title": "Ω \"quoted\"", "reference": "none",
+  "title": "Ω \"quoted\"", "reference": "none", "creator": "an institute", "license": "CC-BY-4.0",
   "rotor": {"mass": 0.3, "natural_frequency": 190, "damping_ratio": 0.07, "misalignment": 0.0123},
-  "blades": {"count": 4, "length": 0.1, "width": 0.011, "thickness": 0.0007, "youngs_modulus": 7.1e10, "hub_radius": 0.02},
+  "blades": {"count": 4, "length": 0.1, "width": 0.011, "thickness": 0.0007,
+             "youngs_modulus": 7.1e10, "hub_radius": 0.02},
   "ring": {"radius": 0.131, "stiffness": 3e4},
   "contact": {"law": "elastic_ring", "friction": 0.25},
   "unbalance": {"moment": 3e-5, "phase": -1.5},
@@ -55,7 +56,8 @@ TEST(ResolvedScene, ReadBackGivesTheSameValues) {
 
 TEST(ResolvedScene, DoesNotDependOnHowTheSceneIsWritten) {
   const Scene a = parse_scene(R"({"sweep": "up", "rotor": {"mass": 1, "damping_ratio": 1e-1},
-                                  "grid": {"speed_ratio": {"from": 0.25, "to": 0.75, "count": 3}}, "initial": {"x": -0.0}})");
+                                  "grid": {"speed_ratio": {"from": 0.25, "to": 0.75, "count": 3}},
+                                  "initial": {"x": -0.0}})");
   const Scene b =
       parse_scene(R"({"grid":{"speed_ratio":[0.25,0.5,0.75]},"rotor":{"damping_ratio":0.10,"mass":1.0}})");
   EXPECT_EQ(resolved_json(a), resolved_json(b));
@@ -87,6 +89,8 @@ TEST(ResolvedScene, WhatIsAbsentStaysAbsent) {
   const auto document = nlohmann::json::parse(resolved_json(parse_scene(kShort)));
   EXPECT_FALSE(document.contains("unbalance"));
   EXPECT_FALSE(document["grid"].contains("unbalance"));
+  EXPECT_FALSE(document.contains("creator"));
+  EXPECT_FALSE(document.contains("license"));
   EXPECT_FALSE(document["ring"].contains("stiffness"));
   EXPECT_FALSE(document["validity"].contains("yield_strain"));
   EXPECT_EQ(document["accuracy"], (nlohmann::json{{"method", "collocation"}, {"tolerance", 1e-9}}));
@@ -94,7 +98,8 @@ TEST(ResolvedScene, WhatIsAbsentStaysAbsent) {
 
 TEST(SceneDifference, IsEmptyForTheSameMotion) {
   const std::string titled =
-      resolved_json(parse_scene(R"({"title": "x", "reference": "y", "grid": {"speed_ratio": 0.5}})"));
+      resolved_json(parse_scene(R"({"title": "x", "reference": "y", "creator": "z", "license": "none",
+                                    "grid": {"speed_ratio": 0.5}})"));
   EXPECT_EQ(difference(titled, resolved_json(parse_scene(kShort))), "");
 }
 

@@ -2,7 +2,7 @@
 from rubatlas.atlas_file import AtlasError
 
 # Keys that do not influence the motions of an atlas.
-WORDS = ("title", "reference")
+WORDS = ("title", "reference", "creator", "license")
 # Keys that choose the points, and what is kept of them.
 POINTS = ("grid", "sweep", "initial", "protocol", "spectrum", "observables", "accuracy")
 # Sections of every scene; all other sections are effects.
