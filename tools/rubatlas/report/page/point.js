@@ -111,6 +111,9 @@ function periodOf(sections) {
 
 const FROM_ATLAS = 'from the atlas', COMPUTED = 'computed in this page', FROM_PROGRAM = 'computed by the program';
 
+/// What single precision keeps of a number.
+const eightDigits = (value) => Number(value.toPrecision(8));
+
 class PointView {
   constructor(state) {
     this.state = state;
@@ -253,13 +256,11 @@ class PointView {
         this.dots = {x, y};
         this.dotsOf = `${this.opened.number}/${this.component}`;
       }
-      this.charts.bifurcation.chart.show({layers: [{kind: 'dots', ...this.dots, colour: strong(),
-        size: this.dots.x.length > 20000 ? 1 : this.dots.x.length > 3000 ? 1.5 : 2.5}, cursor], x: across,
-        y: rangeOf([this.dots.y]), keepZoom: true,
-        yLabel: `${'xy'[this.component]} at the sections [mm]`,
-          csv: () =>
-          ({speed_ratio: this.dots.x,
-            [`${'xy'[this.component]}_mm`]: this.dots.y.map((value) => Number(value.toPrecision(8)))})});
+      const size = this.dots.x.length > 20000 ? 1 : this.dots.x.length > 3000 ? 1.5 : 2.5;
+      const component = 'xy'[this.component];
+      this.charts.bifurcation.chart.show({layers: [{kind: 'dots', ...this.dots, colour: strong(), size}, cursor],
+        x: across, y: rangeOf([this.dots.y]), keepZoom: true, yLabel: `${component} at the sections [mm]`,
+        csv: () => ({speed_ratio: this.dots.x, [`${component}_mm`]: this.dots.y.map(eightDigits)})});
     }
     if (this.charts.waterfall && this.opened.spectrum) this.drawWaterfall(across, cursor);
   }
@@ -355,12 +356,10 @@ class PointView {
       const [low, high] = rangeOf(all, 0.15);
       return high - low < least ? [(low + high) / 2 - least, (low + high) / 2 + least] : [low, high];
     };
-    chart.show({layers, x: around(x), y: around(y),
-      csv: () =>
-      ({...(own
-        ? {atlas_x_mm: own.x.map((value) => Number(value.toPrecision(8))),
-          atlas_y_mm: own.y.map((value) => Number(value.toPrecision(8)))} : {}),
-      ...(computed ? {computed_x_mm: computed.x, computed_y_mm: computed.y} : {})})});
+    const csv = () => ({
+      ...(own ? {atlas_x_mm: own.x.map(eightDigits), atlas_y_mm: own.y.map(eightDigits)} : {}),
+      ...(computed ? {computed_x_mm: computed.x, computed_y_mm: computed.y} : {})});
+    chart.show({layers, x: around(x), y: around(y), csv});
     badge.textContent = own && computed ? 'atlas and page' : own ? FROM_ATLAS : COMPUTED;
     badge.classList.toggle('computed', !own);
     const said = [own ? `blue: ${own.x.length} sections of the atlas` : '',
