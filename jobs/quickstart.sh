@@ -4,8 +4,8 @@
 #   ./jobs/quickstart.sh                  runs jobs/quick.json
 #   ./jobs/quickstart.sh jobs/rig.json    runs another scene
 #
-# A second call completes what an interrupted one left out, and is quick where nothing is missing. Ctrl-C stops the run in
-# good order (exit code 130), a second one at once.
+# A second call completes what an interrupted one left out, and is quick where nothing is missing. Ctrl-C stops the run
+# in good order (exit code 130), a second one at once.
 set -euo pipefail
 
 usage() { sed -n '2,8s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; }
@@ -47,7 +47,10 @@ case $run_code in
   0) ;;
   10) echo "Some points could not be integrated; the atlas says which, in /status." ;;
   75 | 129 | 130 | 143) echo "Stopped; to go on from here: ./jobs/quickstart.sh $scene" && exit "$run_code" ;;
-  *) echo "quickstart.sh: the run ended with exit code $run_code; to go on: ./jobs/quickstart.sh $scene" >&2 && exit "$run_code" ;;
+  *)
+    echo "quickstart.sh: the run ended with exit code $run_code; to go on: ./jobs/quickstart.sh $scene" >&2
+    exit "$run_code"
+    ;;
 esac
 
 say "4/6 Analyse"

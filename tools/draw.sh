@@ -53,7 +53,8 @@ if has max_displacement; then
     "$tools/rubatlas-plot" displacement "$atlas" "${along[@]}" -o "$folder/displacement$name.png"
     "$tools/rubatlas-plot" map "$atlas" --maps "$maps" "${along[@]}" -o "$folder/sensitivity$name.png"
     if has class_blade_passing; then
-      "$tools/rubatlas-plot" map "$atlas" --maps "$maps" --passing "${along[@]}" -o "$folder/sensitivity_blade_passing$name.png"
+      "$tools/rubatlas-plot" map "$atlas" --maps "$maps" --passing "${along[@]}" \
+        -o "$folder/sensitivity_blade_passing$name.png"
     fi
   done
 fi

@@ -27,8 +27,10 @@ MAY_INCLUDE = {
     "src/motion": ["settings", "contact", "rotor", "integrate", "trajectory", "modes", "ending"],
     "src/point": ["settings", "rotor", "trajectory", "variation", "observables", "modes/motion_listener.hpp",
                   "modes/work_meter.hpp", "motion", "ending"],
-    "src/assembly": ["settings", "plan", "blade", "contact", "rotor", "integrate", "variation", "modes", "motion", "point"],
-    "src/compared": ["settings", "contact", "rotor", "integrate", "trajectory", "modes", "motion", "ending", "assembly"],
+    "src/assembly": ["settings", "plan", "blade", "contact", "rotor", "integrate", "variation", "modes", "motion",
+                     "point"],
+    "src/compared": ["settings", "contact", "rotor", "integrate", "trajectory", "modes", "motion", "ending",
+                     "assembly"],
     "src/branch": ["settings", "plan", "integrate", "contact/pose.hpp", "rotor", "variation/blades_of_scene.hpp",
                    "observables/grazing.hpp", "point", "assembly"],
     "src/atlas": ["settings", "plan", "observables", "point/line_solver.hpp", "ending", "branch/branch.hpp"],
@@ -63,8 +65,8 @@ STAYS_IN = {
     "experimental/simd": ["src/collocation/nodes_in_lanes.hpp"],
 }
 
-TOP_LEVEL = {"CMakeLists.txt", "README.md", "LICENSE", "CITATION.cff", "CHANGELOG.md", "src", "mpi", "analysis", "tests",
-             "jobs", "tools"}
+TOP_LEVEL = {"CMakeLists.txt", "README.md", "LICENSE", "CITATION.cff", "CHANGELOG.md", "src", "mpi", "analysis",
+             "tests", "jobs", "tools"}
 MADE_HERE = {"build", "atlases"}  # and build-*: none of them is under version control
 NAMES_THAT_SAY_NOTHING = {"utils", "util", "helpers", "helper", "manager", "common", "misc", "stuff", "tools"}
 

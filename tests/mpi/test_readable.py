@@ -47,7 +47,8 @@ class Readable(JobTest):
         with h5py.File(atlas, "r") as file:
             lines = file["scene_resolved"].asstr()[()].splitlines(keepends=True)
         # Of the canonical text without the lines that name the atlas.
-        kept = [line for line in lines if not line.startswith(('  "title"', '  "reference"', '  "creator"', '  "license"'))]
+        names = ('  "title"', '  "reference"', '  "creator"', '  "license"')
+        kept = [line for line in lines if not line.startswith(names)]
         self.assertEqual(len(kept), len(lines) - 4)
         self.assertEqual(found, uuid.uuid5(uuid.UUID("ae902552-a7df-4316-84ce-174aab5fdaec"), "".join(kept)).urn)
 
