@@ -13,8 +13,8 @@ namespace {
 
 namespace simd = std::experimental;
 
-// What stays a function of its own costs more than it does: a sweep is some hundred operations. (Sanitizers check each
-// of these operations, and compile for minutes what is inlined throughout.)
+// What stays a function of its own costs more than it does: a sweep is some hundred operations. (Sanitizers
+// check each of these operations, and compile for minutes what is inlined throughout.)
 #ifdef RUBATLAS_SANITIZED
 #define RUBATLAS_INLINE inline
 #define RUBATLAS_INLINED

@@ -2,7 +2,7 @@
 # What clang-tidy has to say of the program's sources: nothing.
 #
 #   clang_tidy.sh CLANG_TIDY BUILD changed    folders in which something has changed since the last tag, since the
-#                                             branch left its upstream, or in the last commit, and what is not committed yet
+#                                             branch left its upstream, or in the last commit, or is not committed
 #   clang_tidy.sh CLANG_TIDY BUILD all        all folders: minutes
 #
 # Each folder's sources are read as one, in a tree of their own in BUILD, since most of the time goes into the headers
