@@ -1,6 +1,6 @@
 /// EDGES.h5: the edges of an atlas, one row each.
 ///
-/// The layout is in the README of this folder, "EDGES.h5".
+/// The layout is in maps.md, "EDGES.h5".
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 /// MAPS.h5: the classes on the axes of the atlas, the table of regions and triggers, and the texts.
 ///
-/// The layout is in the README of this folder, "MAPS.h5".
+/// The layout is in the page maps.md, "MAPS.h5".
 #pragma once
 
 #include <string>

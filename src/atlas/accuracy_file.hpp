@@ -1,7 +1,7 @@
 /// ACCURACY.h5: what accuracy costs. One row per setting (a method with its tolerance and steps) and point:
 /// error, time, work.
 ///
-/// Self-describing in the manner of an atlas; the layout is in this folder's README, "ACCURACY.h5".
+/// Self-describing in the manner of an atlas; the layout is in datasets.md, "ACCURACY.h5".
 /// Everything in it is a function of scene, options and build, except the two CPU times.
 #pragma once
 

@@ -13,7 +13,7 @@ namespace rubatlas::atlas {
 
 /// Writes `/time`, `/state` (time × component), `/force` (time × blade), `/sections` (section × component),
 /// the contacts sampled closely (`/contact_…`), their scales, `/scene` and `/scene_resolved`; parameters,
-/// start and status are root attributes (this folder's README). The file appears when it is complete. Throws
+/// start and status are root attributes (datasets.md). The file appears when it is complete. Throws
 /// EnvironmentError.
 void write_orbit(const Output& output, const settings::Scene& scene, const std::string& scene_text,
                  const plan::PointParameters& parameters, const motion::SectionState& start,

@@ -18,7 +18,7 @@ struct Software {
   friend bool operator==(const Software&, const Software&) = default;
 };
 
-/// Version of the file layout described in this folder's README.
+/// Version of the file layout described in datasets.md.
 constexpr const char* kSchemaVersion = "3";
 /// The same layout, of programs whose default method was `hybrid`.
 constexpr const char* kVersionOfHybrid = "2";

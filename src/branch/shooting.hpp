@@ -6,11 +6,11 @@
 /// from differences of order 4. The motion is the program's own, with every touch-down proven.
 ///
 /// An orbit is cut open at phase 0, or at a touch-down whose time is then an unknown (`touchdown_chart.hpp`).
-/// On the receding side of the ring the section map has a square root at a grazing (`observables/README.md`);
-/// between touch-downs with unknown times the motion is smooth there, since the flight that leads to the
-/// touch-down is followed to that time whether or not a tip touches before. Sources: Seydel, Practical
-/// Bifurcation and Stability Analysis, chapters 4 and 7; Dankowicz and Schilder, Recipes for Continuation,
-/// chapter 9 (multi-segment orbits).
+/// On the receding side of the ring the section map has a square root at a grazing
+/// (`tests/observables/grazing.md`); between touch-downs with unknown times the motion is smooth there, since
+/// the flight that leads to the touch-down is followed to that time whether or not a tip touches before.
+/// Sources: Seydel, Practical Bifurcation and Stability Analysis, chapters 4 and 7; Dankowicz and Schilder,
+/// Recipes for Continuation, chapter 9 (multi-segment orbits).
 #pragma once
 
 #include <Eigen/Core>

@@ -606,8 +606,7 @@ class Motion {
   static constexpr double kUnresolvedHop = 1.0;
   /// τ: the slip reversals of a tip accumulate where the tip reverses its slip and reverses it again within
   /// this time. Each cycle of an accumulating sequence is a fixed share of the one before. Among 4800
-  /// reversals of randomly kicked rotors all cycles this short belonged to such sequences
-  /// (`modes/README.md`).
+  /// reversals of randomly kicked rotors all cycles this short belonged to such sequences.
   static constexpr double kShortestCycle = 1e-9;
 
   static constexpr int kNoBlade = -1;

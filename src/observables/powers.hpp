@@ -1,5 +1,5 @@
 /// Observables `friction_power`, `viscous_power`, `deformation_power` and `drive_torque`: means over the
-/// sampled revolutions, in W and N m. README has their balance and where it comes from.
+/// sampled revolutions, in W and N m. powers.md has their balance and where it comes from.
 #pragma once
 
 #include <algorithm>

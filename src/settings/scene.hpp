@@ -1,6 +1,6 @@
 /// A scene: everything that a user can say about one atlas, typed, checked and in SI units.
 ///
-/// The structs mirror the sections of the scene file (README, "The scene's keys"); the reader (`reader.hpp`)
+/// The structs mirror the sections of the scene file (keys.md); the reader (`reader.hpp`)
 /// fills them, and no code after the reader sees JSON. Defaults are the paper's default rotor (MODEL 6.1).
 #pragma once
 
