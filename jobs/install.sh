@@ -19,7 +19,7 @@ case "${1-}" in
   "") ;;
   --tests)
     packages="$packages libgtest-dev libbenchmark-dev clang clang-format clang-tidy libclang-rt-dev llvm hdf5-tools
-      netcdf-bin slurm-wlm iproute2 python3-selenium mypy python3-venv python3-nbconvert python3-ipykernel"
+      netcdf-bin slurm-wlm iproute2 python3-selenium mypy python3-venv python3-yaml python3-nbconvert python3-ipykernel"
     browser="chromium chromium-driver"
     ;;
   --bench) packages="$packages libgtest-dev libbenchmark-dev libsundials-dev valgrind" ;;
