@@ -214,7 +214,7 @@ int equilibria(const DirectedElastica<FrictionLaw>& law, const Pose& at, double 
   double before = NAN;
   for (int i = -kLooks; i <= kLooks; ++i) {
     const double c = law.friction().largest() * i / kLooks;
-    const auto bend = directed<Direction>(kDefaultRotor, CoulombFriction{c}).solve(at, 1.0, speed, side);
+    const auto bend = law.with_friction(CoulombFriction{c}).solve(at, 1.0, speed, side);
     const double excess =
         bend ? c - law.constraint(at, 1.0, speed, {bend->modulus, std::max(bend->amplitude, 1e-300)})
                        .coefficient
