@@ -12,7 +12,8 @@ namespace {
 /// Error of a velocity between the nodes that is allowed at the tolerance ε, against the clearance: this
 /// times ε^(9/14). The motion goes on from the ends of intervals, whose errors fall as about the fourteenth
 /// power of the length where those between the nodes fall as the ninth; orders and factor come from an
-/// experiment (`tests/collocation`). Whatever has to be accurate within an interval is solved for (`state_at`).
+/// experiment (`tests/collocation`). Whatever has to be accurate within an interval is solved for
+/// (`state_at`).
 constexpr double kBetweenNodes = 0.27;
 constexpr double kOrderAtEnd = 14.0;
 constexpr double kAtEnd = 1.0;            ///< tolerances: of that at the end, as far as it can be estimated
