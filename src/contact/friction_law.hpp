@@ -104,8 +104,8 @@ class VelocityFriction {
   static constexpr bool kHasSlipState = false;
   static constexpr bool kDependsOnVelocity = true;
 
-  VelocityFriction(const RegularisedFriction& law) : law_(law) {}
-  VelocityFriction(const StribeckFriction& law) : law_(law) {}
+  explicit VelocityFriction(const RegularisedFriction& law) : law_(law) {}
+  explicit VelocityFriction(const StribeckFriction& law) : law_(law) {}
   [[nodiscard]] double largest() const {
     return std::visit([](const auto& law) { return law.largest(); }, law_);
   }

@@ -20,7 +20,7 @@ DirectedElastica<Compiled<FrictionLaw>> directed(LoadDirection direction, const 
   return {direction,
           rotor.geometry(),
           {rotor.length, rotor.thickness, rotor.load_unit() * rotor.length * rotor.length},
-          friction};
+          Compiled<FrictionLaw>(friction)};
 }
 
 /// A contact with its blade, as `respond` leaves it.

@@ -12,8 +12,9 @@ template <class Friction>
 auto directed_law(const HardRotor& rotor, const Friction& friction,
                   contact::LoadDirection direction = contact::LoadDirection::axial) {
   using Compiled = std::conditional_t<Friction::kDependsOnVelocity, contact::VelocityFriction, Friction>;
-  return contact::DirectedElastica<Compiled>(
-      direction, rotor.geometry(), {rotor.length, rotor.thickness, rotor.bending_stiffness}, friction);
+  return contact::DirectedElastica<Compiled>(direction, rotor.geometry(),
+                                             {rotor.length, rotor.thickness, rotor.bending_stiffness},
+                                             Compiled(friction));
 }
 
 }  // namespace rubatlas::test
