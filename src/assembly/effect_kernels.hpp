@@ -1,9 +1,6 @@
 /// The compiled motions of rotors on which more acts than the paper's: each law of contact, with numbers of
-/// its own for each blade, on two machines.
-///
-/// `MachineWithEffects` keeps the closed form of the isotropic shaft at constant speed; `AnyMachine` is for a
-/// support of its own or a speed that ripples, or both. One file `effect_kernels_<family>.cpp` compiles the
-/// laws of a family.
+/// its own for each blade, on the machine that the scene's effects make. One file `effect_kernels_<family>.cpp`
+/// compiles the laws of a family.
 #pragma once
 
 #include <memory>
@@ -16,6 +13,7 @@
 #include "assembly/typed_motions.hpp"
 #include "contact/unequal_blades.hpp"
 #include "integrate/dormand_prince_853.hpp"
+#include "modes/supported_flight.hpp"
 
 namespace rubatlas::assembly {
 
@@ -39,11 +37,8 @@ template <class MakeLaw>
 std::unique_ptr<point::LineSolver> with_law(const FamilyRequest& request, MakeLaw make_law) {
   using Hybrid = HybridMethod<integrate::DormandPrince853>;
   const settings::Scene& line = request.line;
-  auto law = blade_by_blade(line, make_law);
-  if (request.combination.machine == settings::Machine::any_linear_support) {
-    return make_point_solver<Hybrid>(line, std::move(law), AnyMachine(line));
-  }
-  return make_point_solver<Hybrid>(line, std::move(law), MachineWithEffects(line));
+  return make_point_solver<Hybrid>(line, blade_by_blade(line, make_law),
+                                   MachineWithEffects(line, request.combination.machine));
 }
 
 }  // namespace rubatlas::assembly

@@ -11,21 +11,18 @@
 namespace rubatlas::assembly {
 namespace {
 
-template <template <class> class InRing, class MakeLaw>
+template <class MachineInRing, class MakeLaw>
 std::unique_ptr<point::LineSolver> in_ring(const FamilyRequest& request, MakeLaw make_law) {
   using Hybrid = HybridMethod<integrate::DormandPrince853>;
   const settings::Scene& line = request.line;
-  auto law = blade_by_blade(line, make_law);
-  if (request.combination.machine == settings::Machine::any_linear_support) {
-    return make_point_solver<Hybrid>(line, std::move(law), InRing<AnyMachine>(line));
-  }
-  return make_point_solver<Hybrid>(line, std::move(law), InRing<MachineWithEffects>(line));
+  return make_point_solver<Hybrid>(line, blade_by_blade(line, make_law),
+                                   MachineInRing(line, request.combination.machine));
 }
 
-template <template <class> class InRing>
+template <class MachineInRing>
 std::unique_ptr<point::LineSolver> rigid_blades_in_ring(const FamilyRequest& request) {
   const settings::Scene& line = request.line;
-  return in_ring<InRing>(request, [&](const settings::Blades& blade) {
+  return in_ring<MachineInRing>(request, [&](const settings::Blades& blade) {
     return elastic_ring_law(line.ring, blade, line.contact.friction);
   });
 }

@@ -1,4 +1,4 @@
-/// Machines on which more acts than on the paper's: a list holds just the forcings that the scene has.
+/// The machine on which more acts than on the paper's: a list holds just the forcings that the scene has.
 #pragma once
 
 #include <cmath>
@@ -7,28 +7,35 @@
 #include <utility>
 #include <vector>
 
-#include "modes/supported_flight.hpp"
-#include "rotor/blade_set.hpp"
+#include "rotor/any_shaft.hpp"
 #include "rotor/harmonic.hpp"
 #include "rotor/rippled_unbalance.hpp"
 #include "rotor/rippling_blades.hpp"
+#include "settings/combinations.hpp"
 #include "settings/effects/list.hpp"
 #include "settings/scene.hpp"
 #include "variation/support_of_scene.hpp"
 
 namespace rubatlas::assembly {
 
-/// Whatever a scene's effects make of it, at constant speed.
+/// Whatever a scene's effects make of it. The closed form of the isotropic shaft at constant speed is kept where the
+/// line has both.
 class MachineWithEffects {
  public:
   /// Between revolutions (`changing_motion.hpp`).
   static constexpr bool kMayChange = true;
-  explicit MachineWithEffects(settings::Scene line) : line_(std::move(line)) {}
+  MachineWithEffects(settings::Scene line, settings::Machine machine) : line_(std::move(line)), machine_(machine) {}
 
-  [[nodiscard]] rotor::Harmonics forcing(double speed_ratio) const {
-    return rotor::Harmonics(harmonics(speed_ratio));
+  [[nodiscard]] rotor::AnyShaft forcing(double speed_ratio) const {
+    if (machine_ == settings::Machine::isotropic_shaft) return {rotor::Harmonics(harmonics(speed_ratio))};
+    const rotor::SupportMatrices matrices = variation::support_of(line_, speed_ratio);
+    std::vector<rotor::HarmonicForcing> forcing;
+    for (const auto& term : harmonics(speed_ratio)) forcing.push_back({term.acceleration(0.0), term.frequency()});
+    return {rotor::SupportedShaft(rotor::LinearSupport(matrices.stiffness, matrices.damping, forcing))};
   }
-  [[nodiscard]] rotor::BladeSet blades(double speed_ratio) const { return {angles(), speed_ratio}; }
+  [[nodiscard]] rotor::RipplingBlades blades(double speed_ratio) const {
+    return {angles(), speed_ratio, line_.speed_ripple.value_or(effects::SpeedRipple{})};
+  }
 
   /// All harmonic forcings that the scene has.
   [[nodiscard]] std::vector<rotor::Harmonic> harmonics(double speed_ratio) const {
@@ -58,6 +65,7 @@ class MachineWithEffects {
 
   /// Angles of the blades from blade 0's place [rad].
   [[nodiscard]] std::vector<double> angles() const {
+    using effects::Effects;
     std::vector<double> result = rotor::equal_angles(line_.blades.count);
     if (effects::acts<&Effects::unequal_blades>(line_)) {
       const auto errors = line_.unequal_blades->errors(line_.blades.count);
@@ -66,26 +74,9 @@ class MachineWithEffects {
     return result;
   }
 
- protected:
-  using Effects = effects::Effects;
+ private:
   settings::Scene line_;
-};
-
-/// On any linear support, at a speed that may ripple.
-class AnyMachine final : public MachineWithEffects {
- public:
-  using MachineWithEffects::MachineWithEffects;
-  [[nodiscard]] rotor::RipplingBlades blades(double speed_ratio) const {
-    return {angles(), speed_ratio, line_.speed_ripple.value_or(effects::SpeedRipple{})};
-  }
-  [[nodiscard]] modes::SupportedShaft forcing(double speed_ratio) const {
-    const rotor::SupportMatrices matrices = variation::support_of(line_, speed_ratio);
-    std::vector<rotor::HarmonicForcing> forcing;
-    for (const auto& term : harmonics(speed_ratio)) {
-      forcing.push_back({term.acceleration(0.0), term.frequency()});
-    }
-    return modes::SupportedShaft(rotor::LinearSupport(matrices.stiffness, matrices.damping, forcing));
-  }
+  settings::Machine machine_;
 };
 
 }  // namespace rubatlas::assembly

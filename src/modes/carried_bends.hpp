@@ -338,7 +338,7 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
     const Evaluated& now = last_.contacts[contact];
     const Constraint& there = now.there;
     double angular_acceleration = 0.0;
-    if constexpr (Blades::kRipples) angular_acceleration = this->blades_->angular_acceleration(time);
+    if constexpr (Blades::kMayRipple) angular_acceleration = this->blades_->angular_acceleration(time);
     const auto drift = this->law_->of(this->contacts_[contact].blade)
                            .drift(now.pose, this->contacts_[contact].slip, this->blades_->angular_speed(time),
                                   angular_acceleration, along, there);

@@ -25,7 +25,6 @@ namespace rubatlas::modes {
 template <class Forcing>
 class Flight {
  public:
-  static constexpr bool kAnySupport = false;
   using Complex = std::complex<double>;
 
   Flight(const rotor::RotorConstants& rotor, const rotor::FreeMotion& free, const Forcing& forcing)
@@ -38,6 +37,8 @@ class Flight {
     velocity_ = {state[2], state[3]};
   }
 
+  /// Whether the shaft's support and ring are the paper's, so that bounds of single terms hold.
+  [[nodiscard]] bool is_isotropic() const { return true; }
   [[nodiscard]] double start_time() const { return start_; }
 
   [[nodiscard]] rotor::State state(double time) const {

@@ -58,9 +58,8 @@ std::complex<double> acceleration(const rotor::RotorConstants& rotor, const Forc
                                   const State& state, const std::complex<double>& force) {
   if constexpr (rotor::kRingMoves<Forcing>) {
     return acceleration(rotor, forcing.shaft, rotor::ContactState(state.template head<6>()), force);
-  } else if constexpr (requires { Forcing::kAnySupport; }) {
-    return forcing.support.acceleration(state[rotor::kTime], state.template head<4>().matrix()) +
-           rotor.force_unit * force;
+  } else if constexpr (requires { forcing.shaft_acceleration(rotor, state, force); }) {
+    return forcing.shaft_acceleration(rotor, state, force);
   } else {
     std::complex<double> result = rotor::shaft_acceleration(rotor, state, force);
     if constexpr (Forcing::kPresent) result += forcing.acceleration(state[rotor::kTime]);

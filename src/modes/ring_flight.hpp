@@ -30,7 +30,6 @@ template <class ShaftForcing>
 class Flight<rotor::WithFollowingRing<ShaftForcing>> {
  public:
   using OfShaft = Flight<ShaftForcing>;
-  static constexpr bool kAnySupport = OfShaft::kAnySupport;
   using Complex = std::complex<double>;
 
   Flight(const rotor::RotorConstants& rotor, const rotor::FreeMotion& free,
@@ -38,6 +37,7 @@ class Flight<rotor::WithFollowingRing<ShaftForcing>> {
       : Flight(rotor, free, forcing.shaft) {}
 
   void start(double time, const rotor::ShaftAndRing& bodies) { shaft_.start(time, rotor::shaft(bodies)); }
+  [[nodiscard]] bool is_isotropic() const { return shaft_.is_isotropic(); }
   [[nodiscard]] double start_time() const { return shaft_.start_time(); }
   [[nodiscard]] rotor::ShaftAndRing state(double time) const {
     return rotor::ring_at_rest<rotor::WithFollowingRing<ShaftForcing>>(shaft_.state(time));
@@ -69,10 +69,7 @@ class Flight<rotor::WithFollowingRing<ShaftForcing>> {
   [[nodiscard]] double forcing_bound() const { return shaft_.forcing_bound(); }
   [[nodiscard]] double time_of_bound() const { return modes::time_of_bound(shaft_); }
   [[nodiscard]] std::int64_t price_of_state() const { return modes::price_of_state(shaft_); }
-  [[nodiscard]] bool resolves(double time) const requires requires(const OfShaft& shaft) {
-    shaft.resolves(time);
-  }
-  { return shaft_.resolves(time); }
+  [[nodiscard]] bool resolves(double time) const { return shaft_.resolves(time); }
 
  protected:
   Flight(const rotor::RotorConstants& rotor, const rotor::FreeMotion& free, const ShaftForcing& forcing)
@@ -87,7 +84,6 @@ class Flight<rotor::WithRingBody<ShaftForcing>> : public Flight<rotor::WithFollo
  public:
   using Base = Flight<rotor::WithFollowingRing<ShaftForcing>>;
   using typename Base::Complex;
-  static constexpr bool kAnySupport = true;  // the ring moves, too
 
   Flight(const rotor::RotorConstants& rotor, const rotor::FreeMotion& free,
          const rotor::WithRingBody<ShaftForcing>& forcing)
@@ -97,6 +93,7 @@ class Flight<rotor::WithRingBody<ShaftForcing>> : public Flight<rotor::WithFollo
     Base::start(time, bodies);
     ring_start_ = rotor::ring(bodies);
   }
+  [[nodiscard]] bool is_isotropic() const { return false; }  // the ring moves, too
   [[nodiscard]] rotor::ShaftAndRing state(double time) const {
     rotor::ShaftAndRing bodies;
     bodies << this->shaft_.state(time), ring_->free(ring_start_, time - this->start_time());

@@ -147,7 +147,7 @@ class Skimming : public ContactMode<Law, Forcing, Blades> {
     free.curvature = contact::gap_curvature(
         geometry, free.direction, free.pose, {seen[0], seen[1] + this->rotor_->misalignment},
         {seen[2], seen[3]}, closing, this->blades_->angular_speed(state[rotor::kTime]));
-    if constexpr (Blades::kRipples) {
+    if constexpr (Blades::kMayRipple) {
       free.curvature += 2.0 * geometry.reach * this->blades_->angular_acceleration(state[rotor::kTime]) *
                         free.pose.tangential;
     }

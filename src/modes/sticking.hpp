@@ -202,7 +202,7 @@ class Sticking : public ContactMode<Law, Forcing, Blades> {
       const std::complex<double> seen = result.acceleration * std::conj(tip.direction);
       contact::OtherAcceleration other{seen.real(), seen.imag()};
       // The hub's own angular acceleration moves the tip across the blade.
-      if constexpr (Blades::kRipples) {
+      if constexpr (Blades::kMayRipple) {
         other.tangential += geometry.reach * this->blades_->angular_acceleration(state[rotor::kTime]);
       }
       tip.rate = contact::slip_acceleration(

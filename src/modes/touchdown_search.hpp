@@ -39,7 +39,7 @@ class TouchdownSearch {
 
   /// Flights whose states come in rows.
   template <class Flight>
-  static constexpr bool kInRows = !Blades::kRipples && requires(const Flight& flight) {
+  static constexpr bool kInRows = !Blades::kMayRipple && requires(const Flight& flight) {
     flight.row();
   };
 
@@ -361,16 +361,14 @@ class TouchdownSearch {
     const double renewed = time_of_bound(flight);
     const bool in_pieces = renewed < remaining;
     const auto bound = flight.amplitude_bound(time, state, in_pieces ? renewed : remaining);  // of |z|, |c'|
-    if constexpr (Blades::kRipples || Flight::kAnySupport) {
-      if constexpr (Blades::kRipples) {
-        curvature += 2.0 * reach * blades_->angular_acceleration(time) * at.tangential;
-      }
-      const double step =
-          integrate::conservative_step(value, slope, curvature, third_bound(flight, bound, reach));
-      return in_pieces ? std::min(step, renewed) : step;
-    } else {
-      return integrate::conservative_step(value, slope, curvature, close_third_bound(flight, bound, reach));
+    if constexpr (std::is_same_v<decltype(bound), const double>) {
+      if (flight.is_isotropic() && !blades_->ripples())
+        return integrate::conservative_step(value, slope, curvature, close_third_bound(flight, bound, reach));
     }
+    if constexpr (Blades::kMayRipple)
+      curvature += 2.0 * reach * blades_->angular_acceleration(time) * at.tangential;
+    const double step = integrate::conservative_step(value, slope, curvature, third_bound(flight, bound, reach));
+    return in_pieces ? std::min(step, renewed) : step;
   }
 
   /// Bound of |g'''| at constant speed on an isotropic shaft.
@@ -415,7 +413,7 @@ class TouchdownSearch {
     double speed = std::abs(rotor_->speed_ratio);
     double of_velocity = speed * speed;
     double of_position = speed * speed * speed;
-    if constexpr (Blades::kRipples) {
+    if constexpr (Blades::kMayRipple) {
       speed = blades_->speed_bound();
       const double change = blades_->angular_acceleration_bound();
       of_velocity = speed * speed + change;

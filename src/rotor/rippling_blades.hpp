@@ -1,4 +1,4 @@
-/// Directions of blades whose spin speed ripples, and that may stand at unequal angles.
+/// Directions of blades whose spin speed may ripple.
 #pragma once
 
 #include <cmath>
@@ -10,28 +10,31 @@
 
 namespace rubatlas::rotor {
 
-/// The interface of `BladeSet`, with φ' = Ω (1 + a cos(pΩτ + ψ)) (`effects/speed_ripple.hpp`).
-class RipplingBlades : public BladePlaces {
+/// The interface of `BladeSet`, with φ' = Ω (1 + a cos(pΩτ + ψ)) (`effects/speed_ripple.hpp`); a may be 0.
+class RipplingBlades : public BladeSet {
  public:
-  static constexpr bool kRipples = true;
+  static constexpr bool kMayRipple = true;
 
   /// `angles`: of each blade from blade 0's place [rad].
   RipplingBlades(std::span<const double> angles, double speed_ratio, const effects::SpeedRipple& ripple)
-      : BladePlaces(angles),
+      : BladeSet(angles, speed_ratio),
         speed_ratio_(speed_ratio),
         amplitude_(ripple.amplitude),
         frequency_(ripple.order * speed_ratio),
         depth_(ripple.amplitude / ripple.order),
         phase_(ripple.phase) {}
 
+  [[nodiscard]] bool ripples() const { return amplitude_ != 0.0; }
   [[nodiscard]] double angle(double time) const {
     return speed_ratio_ * time + depth_ * (std::sin(frequency_ * time + phase_) - std::sin(phase_));
   }
   /// dφ/dτ and d²φ/dτ² at time τ of the revolution.
   [[nodiscard]] double angular_speed(double time) const {
+    if (!ripples()) return speed_ratio_;
     return speed_ratio_ * (1.0 + amplitude_ * std::cos(frequency_ * time + phase_));
   }
   [[nodiscard]] double angular_acceleration(double time) const {
+    if (!ripples()) return 0.0;
     return -speed_ratio_ * amplitude_ * frequency_ * std::sin(frequency_ * time + phase_);
   }
   /// Least |φ'|.
@@ -46,17 +49,17 @@ class RipplingBlades : public BladePlaces {
   }
 
   [[nodiscard]] contact::BladeDirection first(double time) const {
+    if (!ripples()) return BladeSet::first(time);
     const double phi = angle(time);
     return {std::cos(phi), std::sin(phi)};
   }
 
-  /// Nothing is gained from where a blade stood before: the angle is no linear function of time.
-  struct Anchor {
-    int blade = 0;
-  };
-  [[nodiscard]] Anchor anchor(int blade, double /*time*/) const { return {blade}; }
+  [[nodiscard]] Anchor anchor(int blade, double time) const {
+    return ripples() ? Anchor{blade, time, {}} : BladeSet::anchor(blade, time);
+  }
   [[nodiscard]] contact::BladeDirection direction_near(const Anchor& anchor, double time) const {
-    return direction(anchor.blade, first(time));
+    // The angle of a speed that ripples is no linear function of time: nothing is gained from where the blade stood.
+    return ripples() ? direction(anchor.blade, first(time)) : BladeSet::direction_near(anchor, time);
   }
 
  private:

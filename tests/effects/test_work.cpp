@@ -66,8 +66,8 @@ TEST(FlightThatGrows, ItsTouchDownIsFoundInFewSteps) {
     const contact::ElasticRingContact law(geometry, 1e4, 0.1);
     const rotor::BladeSet blades(3, rotor.speed_ratio);
     const rotor::FreeMotion free(rotor.damping_ratio);
-    const modes::SupportedShaft shaft(rotor::LinearSupport(support.stiffness, support.damping, {}));
-    modes::Flight<modes::SupportedShaft> flight(rotor, free, shaft);
+    const rotor::SupportedShaft shaft(rotor::LinearSupport(support.stiffness, support.damping, {}));
+    modes::Flight<rotor::SupportedShaft> flight(rotor, free, shaft);
     const auto largest_gap = [&](double time) {
       double largest = -std::numeric_limits<double>::infinity();
       for (int k = 0; k < 3; ++k) {

@@ -1,0 +1,41 @@
+/// What acts on a shaft besides blades, chosen at run time.
+#pragma once
+
+#include <complex>
+#include <utility>
+#include <variant>
+
+#include "rotor/bodies.hpp"
+#include "rotor/constants.hpp"
+#include "rotor/harmonic.hpp"
+#include "rotor/linear_support.hpp"
+#include "rotor/support_bounds.hpp"
+
+namespace rubatlas::rotor {
+
+/// A general linear support and all harmonic forcings, as one forcing.
+struct SupportedShaft {
+  explicit SupportedShaft(LinearSupport linear_support) : support(std::move(linear_support)), bounds(support) {}
+
+  LinearSupport support;
+  SupportBounds bounds;
+};
+
+/// Harmonic forcings on the paper's isotropic support, or any linear support with its forcings. Each keeps its own
+/// closed form of flight (`modes/supported_flight.hpp`).
+struct AnyShaft {
+  static constexpr bool kPresent = true;
+  std::variant<Harmonics, SupportedShaft> shaft;
+
+  /// z'' [m per unit τ²] in a state of contact where blades push the shaft by `force` [N].
+  template <class FullState>
+  [[nodiscard]] std::complex<double> shaft_acceleration(const RotorConstants& rotor, const FullState& state,
+                                                        const std::complex<double>& force) const {
+    if (const auto* supported = std::get_if<SupportedShaft>(&shaft)) {
+      return supported->support.acceleration(state[kTime], state.template head<4>().matrix()) + rotor.force_unit * force;
+    }
+    return rotor::shaft_acceleration(rotor, state, force) + std::get_if<Harmonics>(&shaft)->acceleration(state[kTime]);
+  }
+};
+
+}  // namespace rubatlas::rotor
