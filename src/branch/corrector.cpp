@@ -1,14 +1,16 @@
 #include "branch/corrector.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
+#include <Eigen/QR>
 #include <cmath>
+
+#include "integrate/decompositions.hpp"
 
 namespace rubatlas::branch {
 
 Unknowns null_direction(const Rows& rows, const Unknowns& along) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> parts(rows, Eigen::ComputeFullV);
-  Unknowns direction = parts.matrixV().col(rows.cols() - 1);
+  const Eigen::MatrixXd columns = rows.transpose();
+  const Eigen::HouseholderQR<Eigen::MatrixXd> factors(columns);
+  Unknowns direction = factors.householderQ() * Eigen::VectorXd::Unit(columns.rows(), columns.rows() - 1);
   return direction.dot(along) < 0.0 ? Unknowns(-direction) : direction;
 }
 
@@ -19,7 +21,7 @@ Unknowns newton_step(const Rows& rows, const Eigen::VectorXd& values, const Unkn
   Eigen::VectorXd right(rows.cols());
   right.head(rows.rows()) = -values;
   right[rows.cols() - 1] = 0.0;
-  return matrix.partialPivLu().solve(right);
+  return integrate::solve(matrix, right);
 }
 
 std::optional<OnBranch> Corrector::correct(const Unknowns& predicted, const Unknowns& tangent) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "integrate/eigen_modes.hpp"
+#include "integrate/decompositions.hpp"
 
 namespace rubatlas::branch {
 

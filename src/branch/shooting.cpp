@@ -1,6 +1,5 @@
 #include "branch/shooting.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "integrate/decompositions.hpp"
 #include "plan/scene_of_line.hpp"
 #include "point/solver_of_motions.hpp"
 #include "settings/quantity.hpp"
@@ -159,8 +159,8 @@ std::optional<Orbit> Shooting::orbit(const Unknowns& at) {
       if (*place) (*place)->revolution += passage->revolution;
     }
   }
-  const Eigen::GeneralizedEigenSolver<Eigen::Matrix4d> eigenvalues(result.forward, result.backward, false);
-  result.multipliers = eigenvalues.eigenvalues().array().pow(result.cuts);
+  result.multipliers =
+      integrate::generalised_eigenvalues(result.forward, result.backward).array().pow(result.cuts);
   std::sort(result.multipliers.begin(), result.multipliers.end(), [](const auto& a, const auto& b) {
     return std::abs(a) != std::abs(b) ? std::abs(a) > std::abs(b) : a.imag() > b.imag();
   });

@@ -1,10 +1,10 @@
 #include "rotor/support_bounds.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 
-#include "integrate/eigen_modes.hpp"
+#include "integrate/decompositions.hpp"
 
 namespace rubatlas::rotor {
 namespace {
@@ -92,16 +92,18 @@ SupportBounds::SupportBounds(const LinearSupport& support)
 }
 
 void SupportBounds::add_norm(const Matrix4d& weight, bool never_grows) {
-  const Eigen::SelfAdjointEigenSolver<Matrix4d> axes(weight);
-  const double smallest = axes.eigenvalues()[0];
-  const double largest = axes.eigenvalues()[3];
+  const integrate::SymmetricModes axes = integrate::symmetric_modes(weight);
+  const double smallest = axes.values[0];
+  const double largest = axes.values[3];
   if (!(smallest > 0.0) || largest > kWorstCondition * kWorstCondition * smallest) return;
-  const Matrix4d root = axes.operatorSqrt();
+  const Eigen::Vector4d roots = axes.values.cwiseSqrt();
+  const Matrix4d root = axes.shapes * roots.asDiagonal() * axes.shapes.transpose();
   double growth = 0.0;
   if (!never_grows) {
-    const Matrix4d seen = root * system_ * axes.operatorInverseSqrt();
+    const Matrix4d seen =
+        root * system_ * (axes.shapes * roots.cwiseInverse().asDiagonal() * axes.shapes.transpose());
     const Matrix4d symmetric = 0.5 * (seen + seen.transpose());
-    growth = Eigen::SelfAdjointEigenSolver<Matrix4d>(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[3];
+    growth = integrate::symmetric_modes(symmetric).values[3];
     growth += 64.0 * kRounding * std::sqrt(largest / smallest) * system_.norm();
   }
   const double rounded_up = 1.0 + 64.0 * kRounding * largest / smallest;

@@ -1,6 +1,5 @@
 #include "variation/tangent_flow.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
@@ -10,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "integrate/decompositions.hpp"
 #include "settings/effects/list.hpp"
 #include "variation/support_of_scene.hpp"
 
@@ -45,7 +45,7 @@ const Gauss& gauss() {
         integrals(i, k) = std::pow(result.node[i], k + 1) / (k + 1);
       }
     }
-    result.integral = integrals * powers.inverse();
+    result.integral = integrate::solve(powers.transpose(), integrals.transpose()).transpose();
     return result;
   }();
   return kGauss;
@@ -161,7 +161,8 @@ double TangentFlow::longest_flight() const {
     fastest = std::max(fastest, rate);
   };
   if (support_) {
-    for (const std::complex<double>& root : support_->system_matrix().eigenvalues()) take(-root.real());
+    for (const std::complex<double>& root : integrate::eigen_modes(support_->system_matrix()).values)
+      take(-root.real());
   } else {
     for (const double rate : decays(2.0 * free_.damping_ratio(), 1.0)) take(rate);
   }
