@@ -55,6 +55,8 @@ class Flight {
     return {position.real(), position.imag(), velocity.real(), velocity.imag()};
   }
 
+  /// Whether double precision resolves free motion over this time.
+  [[nodiscard]] static bool resolves(double /*time*/) { return true; }
   /// z'' [m per unit τ²] of a state in flight.
   [[nodiscard]] Complex acceleration(double time, const rotor::State& state) const {
     Complex result = -2.0 * rotor_->damping_ratio * Complex(state[2], state[3]) - Complex(state[0], state[1]);

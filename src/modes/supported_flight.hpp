@@ -108,8 +108,7 @@ class Flight<rotor::AnyShaft> {
     return ask([](const auto& flight) { return modes::time_of_bound(flight); });
   }
   [[nodiscard]] bool resolves(double time) const {
-    const auto* supported = std::get_if<Flight<rotor::SupportedShaft>>(&flight_);
-    return supported == nullptr || supported->resolves(time);
+    return ask([&](const auto& flight) { return flight.resolves(time); });
   }
   [[nodiscard]] std::int64_t price_of_state() const {
     return ask([](const auto& flight) { return modes::price_of_state(flight); });

@@ -81,9 +81,7 @@ class Motion {
     }
     touched_down_ = touching != kNoBlade;
     if (!place_ring()) return ends(ending::StatusDetail::ring_unbalanced);
-    if constexpr (requires { flight_.resolves(0.0); }) {
-      if (!flight_.resolves(rotor_.period())) return ends(ending::StatusDetail::beyond_precision);
-    }
+    if (!flight_.resolves(rotor_.period())) return ends(ending::StatusDetail::beyond_precision);
     settle([](const modes::OpenContact&) {});
     flight_.start(time_, state_);
     never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);

@@ -21,7 +21,7 @@ MAY_INCLUDE = {
     "src/contact": ["blade", "integrate"],
     "src/rotor": ["contact/pose.hpp", "settings/effects", "integrate"],
     "src/collocation": ["blade", "contact", "rotor", "integrate"],
-    "src/variation": ["settings", "blade", "contact", "rotor", "trajectory"],
+    "src/variation": ["settings", "blade", "contact", "rotor", "integrate", "trajectory"],
     "src/observables": ["settings", "integrate", "trajectory", "variation"],
     "src/modes": ["blade", "contact", "rotor", "integrate", "collocation", "trajectory", "ending"],
     "src/motion": ["settings", "contact", "rotor", "integrate", "trajectory", "modes", "ending"],

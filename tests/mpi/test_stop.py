@@ -25,7 +25,7 @@ class Stop(JobTest):
     def stop(self, ranks, which, name, expected=75):
         atlas = self.directory / name
         job = self.start(ranks, long_scene(), atlas)
-        wait_for_points(job, atlas, 20)
+        wait_for_points(job, atlas, 5)
         job.send_signal(which)
         code = job.wait(timeout=60)
         if expected is not None:
