@@ -37,7 +37,9 @@ def clone(folder):
         shutil.copy(TINY / name, folder / "atlases")
 
 
-class Documentation(unittest.TestCase):
+class PageTest(unittest.TestCase):
+    """A test that does what a page says."""
+
     def expect_blocks_run(self, page, at_least):
         blocks = list(BLOCK.finditer((ROOT / page).read_text()))
         ran = 0
@@ -55,14 +57,13 @@ class Documentation(unittest.TestCase):
                 ran += 1
         self.assertGreaterEqual(ran, at_least, f"{page} has {len(blocks)} blocks, of which {ran} ran")
 
+
+class Documentation(PageTest):
     def test_every_block_of_the_readme_runs(self):
         self.expect_blocks_run("README.md", at_least=4)
 
     def test_every_block_of_the_tools_readme_runs(self):
         self.expect_blocks_run("tools/README.md", at_least=3)
-
-    def test_every_block_of_the_gallery_runs(self):
-        self.expect_blocks_run("tools/gallery.md", at_least=10)
 
     def test_every_block_of_the_tutorial_runs(self):
         self.expect_blocks_run("jobs/tutorial.md", at_least=6)
@@ -119,6 +120,13 @@ class Documentation(unittest.TestCase):
             flexible = scene.stem.removesuffix("_elastic_ring")  # one line of the table stands for both laws
             both = (ROOT / "jobs" / f"{flexible}.json").exists()
             self.assertIn(f"`{flexible if both else scene.stem}.json`", page)
+
+
+class GallerySlow(PageTest):
+    """Slow: a minute for commands of which README, tutorial and the tests of pictures run every kind."""
+
+    def test_every_block_of_the_gallery_runs(self):
+        self.expect_blocks_run("tools/gallery.md", at_least=10)
 
 
 if __name__ == "__main__":
