@@ -61,7 +61,7 @@ run_tests() {
   say "Tests in $build/"
   rm -f "$report"
   reports+=("$report")
-  ctest --test-dir "$build" --parallel "$(nproc)" --output-on-failure --no-tests=error \
+  ctest --test-dir "$build" --parallel "$(($(nproc) + 1))" --output-on-failure --no-tests=error \
     --output-junit "$report" --test-output-size-passed 1000000 "$@" </dev/null || true
 }
 # configure BUILD ARGUMENTS...: Ninja where the tree is new.

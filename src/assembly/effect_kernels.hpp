@@ -1,6 +1,6 @@
 /// The compiled motions of rotors on which more acts than the paper's: each law of contact, with numbers of
-/// its own for each blade, on the machine that the scene's effects make. One file `effect_kernels_<family>.cpp`
-/// compiles the laws of a family.
+/// its own for each blade, on the machine that the scene's effects make. One file
+/// `effect_kernels_<family>.cpp` compiles the laws of a family.
 #pragma once
 
 #include <memory>

@@ -18,19 +18,21 @@
 
 namespace rubatlas::assembly {
 
-/// Whatever a scene's effects make of it. The closed form of the isotropic shaft at constant speed is kept where the
-/// line has both.
+/// Whatever a scene's effects make of it. The closed form of the isotropic shaft at constant speed is kept
+/// where the line has both.
 class MachineWithEffects {
  public:
   /// Between revolutions (`changing_motion.hpp`).
   static constexpr bool kMayChange = true;
-  MachineWithEffects(settings::Scene line, settings::Machine machine) : line_(std::move(line)), machine_(machine) {}
+  MachineWithEffects(settings::Scene line, settings::Machine machine)
+      : line_(std::move(line)), machine_(machine) {}
 
   [[nodiscard]] rotor::AnyShaft forcing(double speed_ratio) const {
     if (machine_ == settings::Machine::isotropic_shaft) return {rotor::Harmonics(harmonics(speed_ratio))};
     const rotor::SupportMatrices matrices = variation::support_of(line_, speed_ratio);
     std::vector<rotor::HarmonicForcing> forcing;
-    for (const auto& term : harmonics(speed_ratio)) forcing.push_back({term.acceleration(0.0), term.frequency()});
+    for (const auto& term : harmonics(speed_ratio))
+      forcing.push_back({term.acceleration(0.0), term.frequency()});
     return {rotor::SupportedShaft(rotor::LinearSupport(matrices.stiffness, matrices.damping, forcing))};
   }
   [[nodiscard]] rotor::RipplingBlades blades(double speed_ratio) const {

@@ -21,7 +21,9 @@ class InRingBody {
   [[nodiscard]] auto forcing(double speed_ratio) const {
     return rotor::WithRingBody<rotor::AnyShaft>{machine_.forcing(speed_ratio), ring_};
   }
-  [[nodiscard]] rotor::RipplingBlades blades(double speed_ratio) const { return machine_.blades(speed_ratio); }
+  [[nodiscard]] rotor::RipplingBlades blades(double speed_ratio) const {
+    return machine_.blades(speed_ratio);
+  }
 
  private:
   MachineWithEffects machine_;
@@ -38,7 +40,9 @@ class InFollowingRing {
   [[nodiscard]] auto forcing(double speed_ratio) const {
     return rotor::WithFollowingRing<rotor::AnyShaft>{machine_.forcing(speed_ratio), {stiffness_}};
   }
-  [[nodiscard]] rotor::RipplingBlades blades(double speed_ratio) const { return machine_.blades(speed_ratio); }
+  [[nodiscard]] rotor::RipplingBlades blades(double speed_ratio) const {
+    return machine_.blades(speed_ratio);
+  }
 
  private:
   MachineWithEffects machine_;

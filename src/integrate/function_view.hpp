@@ -14,7 +14,9 @@ class FunctionView {
  public:
   template <class Function>
   requires(!std::same_as<std::remove_cvref_t<Function>, FunctionView> && std::invocable<Function&, double>)
-      FunctionView(Function&& function)  // NOLINT(*-explicit-*): a lambda is passed as one
+      // A lambda is passed as one; a view is copied, by what `requires` says.
+      // NOLINTNEXTLINE(google-explicit-constructor, bugprone-forwarding-reference-overload)
+      FunctionView(Function&& function)
       : function_(const_cast<void*>(static_cast<const void*>(std::addressof(function)))),
         call_([](void* called, double argument) -> double {
           return (*static_cast<std::remove_reference_t<Function>*>(called))(argument);

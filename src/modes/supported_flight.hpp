@@ -1,5 +1,5 @@
-/// Flight of a shaft on a general linear support, and of one whose support is chosen at run time, with the interface
-/// of `Flight`.
+/// Flight of a shaft on a general linear support, and of one whose support is chosen at run time, with the
+/// interface of `Flight`.
 #pragma once
 
 #include <complex>
@@ -70,9 +70,9 @@ class Flight<rotor::AnyShaft> {
 
  public:
   Flight(const rotor::RotorConstants& rotor, const rotor::FreeMotion& free, const rotor::AnyShaft& shaft)
-      : flight_(std::visit(
-            [&]<class Forcing>(const Forcing& forcing) -> OfEither { return Flight<Forcing>(rotor, free, forcing); },
-            shaft.shaft)) {}
+      : flight_(std::visit([&]<class Forcing>(const Forcing& forcing)
+                               -> OfEither { return Flight<Forcing>(rotor, free, forcing); },
+                           shaft.shaft)) {}
 
   void start(double time, const rotor::State& state) {
     std::visit([&](auto& flight) { flight.start(time, state); }, flight_);

@@ -367,7 +367,8 @@ class TouchdownSearch {
     }
     if constexpr (Blades::kMayRipple)
       curvature += 2.0 * reach * blades_->angular_acceleration(time) * at.tangential;
-    const double step = integrate::conservative_step(value, slope, curvature, third_bound(flight, bound, reach));
+    const double step =
+        integrate::conservative_step(value, slope, curvature, third_bound(flight, bound, reach));
     return in_pieces ? std::min(step, renewed) : step;
   }
 

@@ -15,14 +15,15 @@ namespace rubatlas::rotor {
 
 /// A general linear support and all harmonic forcings, as one forcing.
 struct SupportedShaft {
-  explicit SupportedShaft(LinearSupport linear_support) : support(std::move(linear_support)), bounds(support) {}
+  explicit SupportedShaft(LinearSupport linear_support)
+      : support(std::move(linear_support)), bounds(support) {}
 
   LinearSupport support;
   SupportBounds bounds;
 };
 
-/// Harmonic forcings on the paper's isotropic support, or any linear support with its forcings. Each keeps its own
-/// closed form of flight (`modes/supported_flight.hpp`).
+/// Harmonic forcings on the paper's isotropic support, or any linear support with its forcings. Each keeps
+/// its own closed form of flight (`modes/supported_flight.hpp`).
 struct AnyShaft {
   static constexpr bool kPresent = true;
   std::variant<Harmonics, SupportedShaft> shaft;
@@ -32,9 +33,11 @@ struct AnyShaft {
   [[nodiscard]] std::complex<double> shaft_acceleration(const RotorConstants& rotor, const FullState& state,
                                                         const std::complex<double>& force) const {
     if (const auto* supported = std::get_if<SupportedShaft>(&shaft)) {
-      return supported->support.acceleration(state[kTime], state.template head<4>().matrix()) + rotor.force_unit * force;
+      return supported->support.acceleration(state[kTime], state.template head<4>().matrix()) +
+             rotor.force_unit * force;
     }
-    return rotor::shaft_acceleration(rotor, state, force) + std::get_if<Harmonics>(&shaft)->acceleration(state[kTime]);
+    return rotor::shaft_acceleration(rotor, state, force) +
+           std::get_if<Harmonics>(&shaft)->acceleration(state[kTime]);
   }
 };
 

@@ -58,7 +58,8 @@ class RipplingBlades : public BladeSet {
     return ripples() ? Anchor{blade, time, {}} : BladeSet::anchor(blade, time);
   }
   [[nodiscard]] contact::BladeDirection direction_near(const Anchor& anchor, double time) const {
-    // The angle of a speed that ripples is no linear function of time: nothing is gained from where the blade stood.
+    // The angle of a speed that ripples is no linear function of time: nothing is gained from where the blade
+    // stood.
     return ripples() ? direction(anchor.blade, first(time)) : BladeSet::direction_near(anchor, time);
   }
 
