@@ -1,11 +1,11 @@
 #!/bin/bash
 # Installs what is missing, builds, and runs the tests:
 #
-#   ./tests/run.sh               every test but the slow ones; suites below MPI and the hard suite under the address and
-#                                undefined-behaviour sanitizers, those of solver and hard cases in the plain build too
+#   ./tests/run.sh               every test but the slow ones
+#   ./tests/run.sh --both        the same in two builds, as .ci/run does: suites below MPI and the hard suite under the
+#                                address and undefined-behaviour sanitizers, the lowest of them there alone
 #   ./tests/run.sh --full        the slow ones too, all in both builds, and both commands in new systems: a million
 #                                revolutions, 10 000 random scenes, all of clang-tidy, headers alone; hours
-#   ./tests/run.sh --quick       without clang-tidy, slow tests and sanitizers
 #   ./tests/run.sh --sanitize    only what runs under the sanitizers
 #   ./tests/run.sh --systems     quickstart and tests in minimal Debian 12 and 13 (tests/systems.sh; needs root)
 #
@@ -13,14 +13,14 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# Folders whose tests see the same under sanitizers, in the same minutes, as without.
+# Folders whose tests see the same under sanitizers, in the same minutes, as without: with two builds, there alone.
 lower=(settings plan blade contact rotor integrate observables atlas analysis)
 upper=(assembly collocation point physics hard)
 plain=yes
-sanitized=yes
+sanitized=no
 systems=no
 leave_out='slow'
-left_out_plain=$(IFS=';'; echo "${lower[*]}")
+left_out_plain=''
 # Sanitizers look at what is executed, not at how often. These run in the plain build alone: long runs, the
 # methods that ours is compared with, and searches over many dampings, masses, tolerances or scenes, which pass through
 # the same sources again and again, for minutes under sanitizers.
@@ -29,18 +29,17 @@ leave_out_sanitized+='|^(RandomScenes\.OfThirtyBlades|Slip\.TipsThatMayStick|Dam
 leave_out_sanitized+='|^(RingBodyOfAnyWeight|Grazing\.EachBlade|PlainRotor)|^First/RandomSearch.*/(0|50)_to_'
 case "$#,${1-}" in
   0,) ;;
+  1,--both)
+    sanitized=yes
+    left_out_plain=$(IFS=';'; echo "${lower[*]}")
+    ;;
   1,--full)
+    sanitized=yes
     leave_out='no such label'
-    left_out_plain=''
     leave_out_sanitized='^LongRunSlow'
     systems=yes
     ;;
-  1,--quick)
-    sanitized=no
-    leave_out='tidy|slow'
-    left_out_plain=''
-    ;;
-  1,--sanitize) plain=no ;;
+  1,--sanitize) plain=no sanitized=yes ;;
   1,--systems) exec tests/systems.sh ;;
   *)
     sed -n '2,13s/^# \{0,1\}//p' tests/run.sh

@@ -5,7 +5,7 @@
 #   tests/systems.sh                       both systems, both commands; hours
 #   tests/systems.sh bookworm              one of bookworm, trixie
 #   tests/systems.sh --quickstart          one of the commands: --quickstart, --tests
-#   tests/systems.sh trixie --tests -- --quick      what follows -- goes to tests/run.sh
+#   tests/systems.sh trixie --tests -- --both       what follows -- goes to tests/run.sh
 #
 # Needs root and debootstrap, and takes mirror and proxy from this machine's apt. The roots lie in $RUBATLAS_ROOTS,
 # where the next call finds them with their packages, or else in a folder that is removed. The exit code is 0 only where

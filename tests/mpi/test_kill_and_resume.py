@@ -14,7 +14,7 @@ from job import DONE, JobTest, PENDING, long_scene, ranks_of, wait_for_points
 
 class KillAndResume(JobTest):
     def kill_and_resume(self, content, trials):
-        whole = self.fill(None, content, "whole.h5")
+        whole = self.whole(content)
         total = h5py.File(whole, "r")["status"].size
         interrupted = 0
         for seed, ranks in trials:
@@ -40,7 +40,7 @@ class KillAndResume(JobTest):
         self.kill_and_resume(long_scene(sweep="independent"), [(11, 2), (12, 3), (13, 2)])
 
     def test_a_killed_process_without_mpirun_leaves_an_atlas_that_resumes_to_the_same_bytes(self):
-        whole = self.fill(None, long_scene(), "whole.h5")
+        whole = self.whole(long_scene())
         for count in (1, 40, 120):
             with self.subTest(count=count):
                 atlas = self.directory / f"killed{count}.h5"
@@ -52,7 +52,7 @@ class KillAndResume(JobTest):
                 self.assert_same_bytes(whole, self.fill(2, long_scene(), atlas.name, "--resume"))
 
     def test_a_resumed_job_computes_pending_points_only_and_goes_on_from_stored_states(self):
-        whole = self.fill(None, long_scene(), "whole.h5")
+        whole = self.whole(long_scene())
         marked = self.directory / "marked.h5"
         shutil.copy(whole, marked)
         with h5py.File(marked, "r+") as file:

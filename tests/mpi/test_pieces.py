@@ -37,7 +37,7 @@ class Pieces(JobTest):
     def test_a_killed_rank_leaves_an_atlas_that_resumes_to_the_same_bytes(self):
         content = line(sweep="up", protocol={"transient_revolutions": 200, "sampled_revolutions": 40,
                                              "samples_per_revolution": 32})
-        whole = self.fill(None, content, "whole.h5")
+        whole = self.whole(content)
         total, interrupted = 120, 0
         for seed, ranks in [(1, 2), (2, 3), (4, None), (5, 5)]:
             with self.subTest(seed=seed, ranks=ranks):
@@ -64,7 +64,7 @@ class Pieces(JobTest):
 
     def test_a_stopped_job_goes_on_to_the_same_bytes(self):
         content = line(protocol={"transient_revolutions": 200, "sampled_revolutions": 40, "samples_per_revolution": 32})
-        whole = self.fill(None, content, "whole.h5")
+        whole = self.whole(content)
         for count in (5, 80):
             atlas = self.directory / f"stopped{count}.h5"
             job = self.start(2, content, atlas)

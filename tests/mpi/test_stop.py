@@ -37,7 +37,7 @@ class Stop(JobTest):
         return json.loads((self.directory / (atlas.name + ".run.json")).read_text())["runs"]
 
     def check_resumable(self, atlas):
-        whole = self.fill(None, long_scene(), "whole.h5")
+        whole = self.whole(long_scene())
         self.assertFalse(whole.read_bytes() == atlas.read_bytes(), "the job ended before it was stopped")
         self.assert_same_bytes(whole, self.fill(2, long_scene(), atlas.name, "--resume"))
 
