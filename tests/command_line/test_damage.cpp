@@ -58,7 +58,8 @@ void expect_one_sentence(const Said& said, const std::string& name) {
   }
 }
 
-TEST(Damage, RandomBytesAreFoundWhereverTheyAre) {
+/// So many copies of an atlas, in which bytes are changed.
+void expect_random_damage_found(int trials) {
   const Workplace place;
   static_cast<void>(
       place.write("scene.json", R"({"grid": {"speed_ratio": {"from": 0.2, "to": 0.9, "count": 12},
@@ -78,9 +79,8 @@ TEST(Damage, RandomBytesAreFoundWhereverTheyAre) {
   std::mt19937 random(3);
   std::uniform_int_distribution<std::size_t> anywhere(0, whole.size() - 1);
   std::uniform_int_distribution<int> change(1, 255);
-  constexpr int kTrials = 100;
   int accepted = 0;
-  for (int trial = 0; trial < kTrials; ++trial) {
+  for (int trial = 0; trial < trials; ++trial) {
     SCOPED_TRACE(trial);
     std::string bytes = whole;
     for (int left = trial % 3 == 0 ? 8 : 1; left > 0; --left) {
@@ -117,7 +117,14 @@ TEST(Damage, RandomBytesAreFoundWhereverTheyAre) {
     }
     EXPECT_EQ(place.read(name), bytes) << "nobody has written into it";
   }
-  EXPECT_LT(accepted, kTrials) << "rows at least are looked at";
+  EXPECT_LT(accepted, trials) << "rows at least are looked at";
+}
+
+TEST(Damage, RandomBytesAreFoundWhereverTheyAre) {
+  expect_random_damage_found(30);
+}
+TEST(DamageSlow, RandomBytesAreFoundWhereverTheyAre) {
+  expect_random_damage_found(300);
 }
 
 }  // namespace
