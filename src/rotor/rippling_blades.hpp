@@ -11,14 +11,17 @@
 namespace rubatlas::rotor {
 
 /// The interface of `BladeSet`, with φ' = Ω (1 + a cos(pΩτ + ψ)) (`effects/speed_ripple.hpp`); a may be 0.
-class RipplingBlades : public BladeSet {
+/// Others cannot take it for a `BladeSet`, whose speed is its mean.
+class RipplingBlades : private BladeSet {
  public:
+  using BladeSet::Anchor;
+  using BladeSet::count;
+  using BladeSet::direction;
   static constexpr bool kMayRipple = true;
 
   /// `angles`: of each blade from blade 0's place [rad].
   RipplingBlades(std::span<const double> angles, double speed_ratio, const effects::SpeedRipple& ripple)
       : BladeSet(angles, speed_ratio),
-        speed_ratio_(speed_ratio),
         amplitude_(ripple.amplitude),
         frequency_(ripple.order * speed_ratio),
         depth_(ripple.amplitude / ripple.order),
@@ -26,26 +29,26 @@ class RipplingBlades : public BladeSet {
 
   [[nodiscard]] bool ripples() const { return amplitude_ != 0.0; }
   [[nodiscard]] double angle(double time) const {
-    return speed_ratio_ * time + depth_ * (std::sin(frequency_ * time + phase_) - std::sin(phase_));
+    return speed_ratio() * time + depth_ * (std::sin(frequency_ * time + phase_) - std::sin(phase_));
   }
   /// dφ/dτ and d²φ/dτ² at time τ of the revolution.
   [[nodiscard]] double angular_speed(double time) const {
-    if (!ripples()) return speed_ratio_;
-    return speed_ratio_ * (1.0 + amplitude_ * std::cos(frequency_ * time + phase_));
+    if (!ripples()) return speed_ratio();
+    return speed_ratio() * (1.0 + amplitude_ * std::cos(frequency_ * time + phase_));
   }
   [[nodiscard]] double angular_acceleration(double time) const {
     if (!ripples()) return 0.0;
-    return -speed_ratio_ * amplitude_ * frequency_ * std::sin(frequency_ * time + phase_);
+    return -speed_ratio() * amplitude_ * frequency_ * std::sin(frequency_ * time + phase_);
   }
   /// Least |φ'|.
-  [[nodiscard]] double slowest() const { return std::abs(speed_ratio_) * (1.0 - amplitude_); }
+  [[nodiscard]] double slowest() const { return std::abs(speed_ratio()) * (1.0 - amplitude_); }
   /// Bounds of |φ'|, |φ''| and |φ'''|.
-  [[nodiscard]] double speed_bound() const { return std::abs(speed_ratio_) * (1.0 + amplitude_); }
+  [[nodiscard]] double speed_bound() const { return std::abs(speed_ratio()) * (1.0 + amplitude_); }
   [[nodiscard]] double angular_acceleration_bound() const {
-    return std::abs(speed_ratio_ * frequency_) * amplitude_;
+    return std::abs(speed_ratio() * frequency_) * amplitude_;
   }
   [[nodiscard]] double angular_jerk_bound() const {
-    return std::abs(speed_ratio_) * frequency_ * frequency_ * amplitude_;
+    return std::abs(speed_ratio()) * frequency_ * frequency_ * amplitude_;
   }
 
   [[nodiscard]] contact::BladeDirection first(double time) const {
@@ -64,11 +67,13 @@ class RipplingBlades : public BladeSet {
   }
 
  private:
-  double speed_ratio_;  ///< Ω, the mean [-]
-  double amplitude_;    ///< a [-]
-  double frequency_;    ///< pΩ [per unit τ]
-  double depth_;        ///< a/p [rad]
-  double phase_;        ///< ψ [rad]
+  /// Ω, the mean [-].
+  [[nodiscard]] double speed_ratio() const { return BladeSet::angular_speed(0.0); }
+
+  double amplitude_;  ///< a [-]
+  double frequency_;  ///< pΩ [per unit τ]
+  double depth_;      ///< a/p [rad]
+  double phase_;      ///< ψ [rad]
 };
 
 }  // namespace rubatlas::rotor

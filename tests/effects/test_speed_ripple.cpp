@@ -4,6 +4,7 @@
 #include <complex>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/unequal_blades.hpp"
@@ -75,6 +76,26 @@ TEST(SpeedRipple, OfNoAmplitudeLeavesTheUnbalanceAsItIs) {
   EXPECT_EQ(rippled.amplitude(), plain.amplitude());
   for (const double time : {0.0, 0.3, 2.0, 9.0}) {
     EXPECT_EQ(rippled.acceleration(time), plain.acceleration(time));
+  }
+}
+
+TEST(SpeedRipple, OfNoAmplitudeLeavesTheBladesWhereASteadyRotorHasThem) {
+  Draw draw;
+  for (int trial = 0; trial < 100; ++trial) {
+    const double speed = draw(-2.0, 2.0);
+    const RipplingBlades rippling(rotor::equal_angles(5), speed, {0.0, 3, 0.7});
+    const rotor::BladeSet steady(5, speed);
+    const double time = draw(0.0, 20.0);
+    const double near = time + draw(0.0, 0.05);
+    for (int blade = 0; blade < 5; ++blade) {
+      const auto one = rippling.direction_near(rippling.anchor(blade, time), near);
+      const auto other = steady.direction_near(steady.anchor(blade, time), near);
+      EXPECT_EQ(std::pair(one.cosine, one.sine), std::pair(other.cosine, other.sine));
+    }
+    EXPECT_EQ(rippling.first(time).sine, steady.first(time).sine);
+    EXPECT_EQ(rippling.angular_speed(time), steady.angular_speed(time));
+    EXPECT_EQ(rippling.angular_acceleration(time), 0.0);
+    EXPECT_EQ(rippling.slowest(), steady.slowest());
   }
 }
 

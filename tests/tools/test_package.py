@@ -101,12 +101,15 @@ class Package(unittest.TestCase):
         rules.write_text(f"""[mypy]
 ignore_missing_imports = True
 check_untyped_defs = True
+no_implicit_optional = True
+warn_redundant_casts = True
 [mypy-{typed}]
 disallow_any_generics = True
 disallow_incomplete_defs = True
 disallow_subclassing_any = True
 disallow_untyped_decorators = True
 disallow_untyped_defs = True
+strict_concatenate = True
 strict_equality = True
 warn_return_any = True
 warn_unused_ignores = True
