@@ -3,19 +3,21 @@ import json
 import os
 import pathlib
 import subprocess
+import sys
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 PROGRAM = pathlib.Path(os.environ["RUBATLAS_PROGRAM"])
 TINY = PROGRAM.parent / "tests/tiny_atlas"
 WITHOUT_SOLVER = os.environ.get("RUBATLAS_WITHOUT_SOLVER", "")  # why no solver was built, if none was
 SOLVER = [] if WITHOUT_SOLVER else ["--solver", PROGRAM.parent / "rubatlas.wasm"]
-COMMAND = ROOT / "tools/rubatlas-report"
+sys.path.insert(0, str(ROOT / "tests/support"))
+
+from forked_commands import ended_command  # noqa: E402
 
 
 def report(*arguments, environment=None):
     """The command, ended."""
-    return subprocess.run(["/usr/bin/python3", COMMAND, *map(str, arguments)], env=environment, capture_output=True,
-                          text=True, check=False)
+    return ended_command("rubatlas-report", *arguments, environment=environment)
 
 
 def made(output, source, *arguments, solver=True):

@@ -40,9 +40,7 @@ class RingBody(JobTest):
         self.assertGreater(ring[2], 0.0)
 
     def test_a_killed_job_goes_on_with_the_ring_moving_to_the_same_bytes(self):
-        content = in_ring_body(long_scene)
-        content["protocol"]["transient_revolutions"] = 200
-        self.assert_survives_kills(content, [(2, 20), (3, 70)])
+        self.assert_survives_a_kill(in_ring_body(long_scene, transient_revolutions=60))
 
 
 if __name__ == "__main__":

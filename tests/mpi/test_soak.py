@@ -137,8 +137,8 @@ class SoakTest(JobTest):
 
 
 class Soak(SoakTest):
-    def test_twenty_random_kills_leave_no_wrong_row_and_the_same_bytes_in_the_end(self):
-        self.soak(20)
+    def test_eight_random_kills_leave_no_wrong_row_and_the_same_bytes_in_the_end(self):
+        self.soak(8)
 
 
 class SoakOfTwoHundred(SoakTest):

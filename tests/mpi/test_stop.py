@@ -59,8 +59,7 @@ class Stop(JobTest):
 
     def test_terminate_to_mpirun_leaves_a_resumable_atlas_and_a_record(self):
         # mpirun passes the signal on when it likes, a second later on some machines.
-        content = long_scene()
-        content["protocol"]["transient_revolutions"] = 3000
+        content = long_scene(transient_revolutions=1500)
         # The exit code is mpirun's own, and none of ours that means an end.
         atlas = self.stop(2, signal.SIGTERM, "terminated.h5", expected=None, content=content)
         state = self.execute(None, "status", atlas)

@@ -1,7 +1,6 @@
 """Work-precision diagrams and the table of accuracy: what they say is what the study holds."""
 import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -11,7 +10,8 @@ import numpy as np
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
 ORBITS = ROOT / "tests/reference/orbits.json"
-sys.path.insert(0, str(ROOT / "tools"))
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests/support")]
+from forked_commands import ended_command  # noqa: E402
 from rubatlas.plots import accuracy  # noqa: E402
 from rubatlas import style  # noqa: E402
 from rubatlas.accuracy_file import AccuracyFile  # noqa: E402
@@ -20,8 +20,7 @@ from rubatlas.atlas_file import AtlasError  # noqa: E402
 
 def run(*arguments):
     """Runs the tool as its user does."""
-    return subprocess.run([ROOT / "tools/rubatlas-plot", "accuracy", *map(str, arguments)], capture_output=True,
-                          text=True, check=False)
+    return ended_command("rubatlas-plot", "accuracy", *arguments)
 
 
 def study_with(**data):

@@ -1,14 +1,14 @@
 """The kick of a grazing contact, by experiment with the program, against what the contact laws say (MODEL 4.2)."""
 import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 import unittest
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 PROGRAM = pathlib.Path(os.environ["RUBATLAS_PROGRAM"])
-sys.path.insert(0, str(ROOT / "tools"))
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests/support")]
+from forked_commands import ended_command  # noqa: E402
 from rubatlas.plots import grazing  # noqa: E402
 
 
@@ -28,17 +28,15 @@ class GrazingKick(unittest.TestCase):
     def test_the_experiment_is_drawn(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "grazing.png"
-            ended = subprocess.run([ROOT / "tools" / "rubatlas-plot", "grazing", PROGRAM, "-o", path, "--table"],
-                                   capture_output=True, text=True, check=False)
+            ended = ended_command("rubatlas-plot", "grazing", PROGRAM, "-o", path, "--table")
             self.assertEqual((ended.returncode, ended.stderr), (0, ""))
             self.assertIn("| `elastica`", ended.stdout)
             self.assertTrue(path.read_bytes().startswith(b"\x89PNG"))
 
     def test_another_file_in_place_of_the_program_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:
-            ended = subprocess.run([ROOT / "tools" / "rubatlas-plot", "grazing", pathlib.Path(folder) / "none", "-o",
-                                    pathlib.Path(folder) / "a.png"],
-                                   capture_output=True, text=True, check=False)
+            ended = ended_command("rubatlas-plot", "grazing", pathlib.Path(folder) / "none", "-o",
+                                  pathlib.Path(folder) / "a.png")
             self.assertEqual((ended.returncode, ended.stderr.count("\n")), (2, 1))
 
 

@@ -12,7 +12,8 @@ import numpy as np
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
-sys.path.insert(0, str(ROOT / "tools"))
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests/support")]
+from forked_commands import ended_command  # noqa: E402
 from rubatlas import command_line  # noqa: E402
 from rubatlas import same_scene  # noqa: E402
 from rubatlas import style  # noqa: E402
@@ -22,8 +23,10 @@ from rubatlas.plots import KINDS  # noqa: E402
 
 def run(tool, *arguments):
     """Runs a tool as its user does."""
-    command = [ROOT / "tools/draw.sh"] if tool == "draw.sh" else [ROOT / "tools/rubatlas-plot", tool]
-    return subprocess.run([*command, *map(str, arguments)], capture_output=True, text=True, check=False)
+    if tool == "draw.sh":
+        return subprocess.run([ROOT / "tools/draw.sh", *map(str, arguments)], capture_output=True, text=True,
+                              check=False)
+    return ended_command("rubatlas-plot", tool, *arguments)
 
 
 class Figure:

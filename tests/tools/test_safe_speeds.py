@@ -2,7 +2,7 @@
 import json
 import os
 import pathlib
-import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -11,6 +11,8 @@ import numpy as np
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
+sys.path.insert(0, str(ROOT / "tests/support"))
+from forked_commands import ended_command  # noqa: E402
 DONE = 1
 
 
@@ -21,9 +23,8 @@ class SafeSpeeds(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def run_tool(self, *arguments):
-        return subprocess.run([ROOT / "tools" / "rubatlas-plot", "safe_speeds", TINY / "atlas.h5", "-o",
-                               self.folder / "safe.png", *map(str, arguments)],
-                              capture_output=True, text=True, check=False)
+        return ended_command("rubatlas-plot", "safe_speeds", TINY / "atlas.h5", "-o", self.folder / "safe.png",
+                             *arguments)
 
     def bands(self, *arguments):
         ended = self.run_tool("--json", self.folder / "safe.json", *arguments)

@@ -6,12 +6,16 @@ function credit() {
   return [atlas.title, atlas.file, `${software} ${version} (${(commit || '').slice(0, 10)})`].filter(Boolean)
     .join(' · ');
 }
-function save(name, blob) {
-  const link = element('a', {href: URL.createObjectURL(blob), download: name});
+function save(name, url) {
+  const link = element('a', {href: url, download: name});
   document.body.append(link);
   link.click();
   link.remove();
-  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+}
+function saveText(name, text, type) {
+  const url = URL.createObjectURL(new Blob([text], {type}));
+  save(name, url);
+  setTimeout(() => URL.revokeObjectURL(url), 60000);
 }
 /// Columns as text, with a decimal point and all digits whatever the locale.
 function csvText(columns) {
@@ -31,11 +35,12 @@ function csvText(columns) {
 function exportButtons(holder, subject, title) {
   const stem = () => `${atlas.file.replace(/\.h5$/, '')}_${subject.name}`;
   const kinds = {
-    PNG: () => subject.png(title()).toBlob((blob) => save(`${stem()}.png`, blob)),
-    SVG: () => save(`${stem()}.svg`, new Blob([subject.svg(title())], {type: 'image/svg+xml'})),
+    // At once: a browser may leave toBlob until the page is idle, for seconds.
+    PNG: () => save(`${stem()}.png`, subject.png(title()).toDataURL()),
+    SVG: () => saveText(`${stem()}.svg`, subject.svg(title()), 'image/svg+xml'),
     CSV: () => {
       const content = csvText(typeof subject.csv === 'function' ? subject.csv() : subject.csv);
-      save(`${stem()}.csv`, new Blob([content], {type: 'text/csv'}));
+      saveText(`${stem()}.csv`, content, 'text/csv');
     },
   };
   for (const [kind, act] of Object.entries(kinds)) {

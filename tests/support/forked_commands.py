@@ -1,0 +1,47 @@
+"""The commands of `tools/`, each in a process of its own that is forked from the test: python3 and its libraries take
+longer to start than most commands to run. That the commands start by themselves is seen by the tests of the package and
+of the documentation."""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import traceback
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+
+from rubatlas import plot_command  # noqa: E402
+from rubatlas.report import command as report_command  # noqa: E402
+
+MAINS = {"rubatlas-plot": plot_command.main, "rubatlas-report": report_command.main}
+
+
+def ended_command(command, *arguments, environment=None):
+    """What `subprocess.run` returns of the command with these arguments."""
+    words = [command, *map(str, arguments)]
+    with tempfile.TemporaryFile("w+") as output, tempfile.TemporaryFile("w+") as errors:
+        child = os.fork()
+        if child == 0:
+            code = 1
+            try:
+                os.dup2(output.fileno(), 1)
+                os.dup2(errors.fileno(), 2)
+                sys.stdout, sys.stderr = open(1, "w", closefd=False), open(2, "w", closefd=False)
+                sys.argv = words
+                if environment is not None:
+                    os.environ.clear()
+                    os.environ.update(environment)
+                MAINS[command]()
+                code = 0
+            except SystemExit as end:
+                code = end.code or 0
+            except BaseException:  # pylint: disable=broad-except  # as python3 itself would print it
+                traceback.print_exc()
+            finally:
+                sys.stdout.flush()
+                sys.stderr.flush()
+                os._exit(code)
+        _, status = os.waitpid(child, 0)
+        output.seek(0)
+        errors.seek(0)
+        return subprocess.CompletedProcess(words, os.waitstatus_to_exitcode(status), output.read(), errors.read())
