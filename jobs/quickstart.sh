@@ -58,7 +58,7 @@ say "4/6 Analyse"
 summary=$(build/rubatlas analyse "$atlas" -o "$maps" --table "$table" --overwrite)
 
 say "5/6 Draw"
-tools/draw.sh "$atlas" "$maps" "$pictures"
+tools/rubatlas-plot all "$atlas" --maps "$maps" -o "$pictures" >/dev/null
 
 # The table, and the paths of all that is there.
 show() {

@@ -19,6 +19,7 @@ ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 PROGRAM = pathlib.Path(os.environ["RUBATLAS_PROGRAM"])
 TINY = PROGRAM.parent / "tests/tiny_atlas"
 TOOLS = ROOT / "tools"
+CACHE = PROGRAM.parent / "tests/mypy"  # of the types, from one run to the next
 sys.path.insert(0, str(TOOLS))
 import rubatlas  # noqa: E402
 
@@ -79,9 +80,10 @@ class Package(unittest.TestCase):
 
         # The commands run from what was installed, in a fresh environment, with nothing of the source around.
         shutil.rmtree(self.folder / "tools")
-        self.expect_success("/usr/bin/python3", "-m", "venv", "--system-site-packages", self.folder / "venv")
+        self.expect_success("/usr/bin/python3", "-m", "venv", "--system-site-packages", "--without-pip",
+                            self.folder / "venv")
         venv = self.folder / "venv/bin"
-        self.expect_success(venv / "pip", "install", "-q", "--no-index", wheel)
+        self.expect_success(venv / "python", "-m", "pip", "install", "-q", "--no-index", "--no-compile", wheel)
         elsewhere = {"cwd": self.folder, "env": {**os.environ, "PYTHONPATH": ""}}
         found = self.expect_success(venv / "python", "-c", "import rubatlas, sys; print(rubatlas.__file__); "
                                     "print(len(rubatlas.open(sys.argv[1])))", TINY / "atlas.h5", **elsewhere).split()
@@ -114,7 +116,7 @@ strict_equality = True
 warn_return_any = True
 warn_unused_ignores = True
 """)
-        self.expect_success("/usr/bin/python3", "-m", "mypy", "--config-file", rules, "--cache-dir", self.folder,
+        self.expect_success("/usr/bin/python3", "-m", "mypy", "--config-file", rules, "--cache-dir", CACHE,
                             "rubatlas", cwd=TOOLS)
 
     def test_the_examples_of_all_modules_hold(self):

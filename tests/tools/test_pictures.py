@@ -2,7 +2,6 @@
 import importlib
 import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -23,9 +22,6 @@ from rubatlas.plots import KINDS  # noqa: E402
 
 def run(tool, *arguments):
     """Runs a tool as its user does."""
-    if tool == "draw.sh":
-        return subprocess.run([ROOT / "tools/draw.sh", *map(str, arguments)], capture_output=True, text=True,
-                              check=False)
     return ended_command("rubatlas-plot", tool, *arguments)
 
 
@@ -189,15 +185,15 @@ class ToolsPictures(unittest.TestCase):
         self.expect_picture("statement_map", TINY / "maps.h5", TINY / "rings_maps.h5", colours=10)
 
     def test_every_picture_has_its_command(self):
-        pages = (ROOT / "tools/draw.sh").read_text() + (ROOT / "tools/gallery.md").read_text()
+        pages = "".join((ROOT / page).read_text() for page in ("README.md", "tools/README.md", "tools/gallery.md"))
         for kind in KINDS:
-            self.assertIn(f"rubatlas-plot {kind} ", pages.replace('rubatlas-plot" ', "rubatlas-plot "))
+            self.assertIn(f"rubatlas-plot {kind} ", pages)
             module = importlib.import_module(f"rubatlas.plots.{kind}")
             self.assertTrue(module.__doc__ and module.main)
 
     def test_all_pictures_of_an_atlas_are_drawn_at_once(self):
         with tempfile.TemporaryDirectory() as folder:
-            ended = run("draw.sh", TINY / "atlas.h5", TINY / "maps.h5", folder)
+            ended = run("all", TINY / "atlas.h5", "--maps", TINY / "maps.h5", "-o", folder)
             self.assertEqual((ended.returncode, ended.stderr), (0, ""))
             names = sorted(path.stem for path in pathlib.Path(folder).glob("*.png"))
         self.assertEqual(names, ["bifurcation", "blade", "displacement", "sensitivity", "sensitivity_blade_passing",
@@ -205,13 +201,13 @@ class ToolsPictures(unittest.TestCase):
 
     def test_of_many_initial_states_the_basins_are_drawn(self):
         with tempfile.TemporaryDirectory() as folder:
-            ended = run("draw.sh", TINY / "basins.h5", TINY / "basins_maps.h5", folder)
+            ended = run("all", TINY / "basins.h5", "-o", folder)
             self.assertEqual((ended.returncode, ended.stderr), (0, ""))
             self.assertEqual([path.name for path in pathlib.Path(folder).iterdir()], ["basins.png"])
 
     def test_all_pictures_are_drawn_where_a_quantity_is_swept_by_its_pointer(self):
         with tempfile.TemporaryDirectory() as folder:
-            ended = run("draw.sh", TINY / "rings.h5", TINY / "rings_maps.h5", folder)
+            ended = run("all", TINY / "rings.h5", "-o", folder)
             self.assertEqual((ended.returncode, ended.stderr), (0, ""))
             names = sorted(path.stem for path in pathlib.Path(folder).glob("*.png"))
         self.assertEqual(names, ["bifurcation", "blade", "displacement", "displacement_damping_ratio", "sensitivity",
@@ -381,15 +377,15 @@ class ToolsSameScene(unittest.TestCase):
 
     def expect_refusal(self, tool, sentence, *arguments):
         with tempfile.TemporaryDirectory() as folder:
-            ended = run(tool, *arguments, *(["-o", pathlib.Path(folder) / "a.png"] if tool != "draw.sh" else [folder]))
+            ended = run(tool, *arguments, "-o", pathlib.Path(folder) / "a.png")
             self.assertEqual(list(pathlib.Path(folder).iterdir()), [])
         self.assertEqual((ended.returncode, ended.stdout), (2, ""), ended.stderr)
-        self.assertRegex(ended.stderr, rf"^{tool if tool == 'draw.sh' else 'rubatlas-plot ' + tool}: .*{sentence}\n$")
+        self.assertRegex(ended.stderr, rf"^rubatlas-plot {tool}: .*{sentence}\n$")
 
     def test_maps_of_another_atlas_are_refused(self):
         sentence = "rings_maps.h5 was not made from the scene of .*atlas.h5: /grid/.* is .* here and .* there"
         self.expect_refusal("map", sentence, TINY / "atlas.h5", "--maps", TINY / "rings_maps.h5")
-        self.expect_refusal("draw.sh", sentence, TINY / "atlas.h5", TINY / "rings_maps.h5")
+        self.expect_refusal("all", sentence, TINY / "atlas.h5", "--maps", TINY / "rings_maps.h5")
 
     def test_maps_of_the_same_grid_but_another_rotor_are_refused(self):
         self.expect_refusal("map", "/gravity is there here and absent there", TINY / "gravity.h5", "--maps",

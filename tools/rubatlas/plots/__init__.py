@@ -2,6 +2,7 @@
 
 #: Kind → what it shows. The commands, the gallery and their tests go by this list.
 KINDS = {
+    "all": "every picture below that an atlas and its maps have to show, into a folder",
     "bifurcation": "x and y at the Poincaré sections, and the maximum displacement, over the speed ratio",
     "waterfall": "spectrum of x over the speed ratio",
     "displacement": "maximum displacement over the clearance, one curve per value of a parameter",
