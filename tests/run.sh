@@ -2,10 +2,10 @@
 # Installs what is missing, builds, and runs the tests:
 #
 #   ./tests/run.sh               every test but the slow ones
-#   ./tests/run.sh --both        the same in two builds, as .ci/run does: suites below MPI and the hard suite under the
-#                                address and undefined-behaviour sanitizers, the lowest of them there alone
-#   ./tests/run.sh --full        the slow ones too, all in both builds, and both commands in new systems: a million
-#                                revolutions, 10 000 random scenes, all of clang-tidy, headers alone; hours
+#   ./tests/run.sh --both        the same in two builds, as .ci/run does: what handles text, memory and files, and every
+#                                motion on random scenes, under the address and undefined-behaviour sanitizers
+#   ./tests/run.sh --full        the slow ones too, every suite below MPI in both builds, and both commands in new
+#                                systems: a million revolutions, 10 000 random scenes, all of clang-tidy; hours
 #   ./tests/run.sh --sanitize    only what runs under the sanitizers
 #   ./tests/run.sh --systems     quickstart and tests in minimal Debian 12 and 13 (tests/systems.sh; needs root)
 #
@@ -13,29 +13,28 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# Folders whose tests see the same under sanitizers, in the same minutes, as without: with two builds, there alone.
-lower=(settings plan blade contact rotor integrate observables atlas analysis)
-upper=(assembly collocation point physics hard)
+# What runs under sanitizers: suites whose sources allocate, index and parse by themselves, with two builds there alone,
+# and every law and effect in motion. The others compute the same formulas with arrays of fixed size, at the price of
+# minutes of compiling: those run under sanitizers in --full.
+there_alone=(settings plan atlas analysis)
+sanitized_suites=("${there_alone[@]}" assembly)
 plain=yes
 sanitized=no
 systems=no
 leave_out='slow'
 left_out_plain=''
-# Sanitizers look at what is executed, not at how often. These run in the plain build alone: long runs, the
-# methods that ours is compared with, and searches over many dampings, masses, tolerances or scenes, which pass through
-# the same sources again and again, for minutes under sanitizers.
-leave_out_sanitized='^(LongRun|StableClass|FixedMethod|PaperMethod|Orbits/PeriodicMotion|Compared/)'
-leave_out_sanitized+='|^(RandomScenes\.OfThirtyBlades|Slip\.TipsThatMayStick|DampingAndSpeed\.EveryDamping)'
-leave_out_sanitized+='|^(RingBodyOfAnyWeight|Grazing\.EachBlade|PlainRotor)|^First/RandomSearch.*/(0|50)_to_'
+# Half of the random scenes, and not the one that takes longest: sanitizers look at what is executed, not how often.
+leave_out_sanitized='^RandomScenes\.OfThirtyBlades|^First/RandomSearch.*/(0|50)_to_'
 case "$#,${1-}" in
   0,) ;;
   1,--both)
     sanitized=yes
-    left_out_plain=$(IFS=';'; echo "${lower[*]}")
+    left_out_plain=$(IFS=';'; echo "${there_alone[*]}")
     ;;
   1,--full)
     sanitized=yes
     leave_out='no such label'
+    sanitized_suites+=(blade contact rotor integrate observables collocation point physics hard effects)
     leave_out_sanitized='^LongRunSlow'
     systems=yes
     ;;
@@ -80,13 +79,11 @@ fi
 
 if [ "$sanitized" = yes ]; then
   say "Build with address and undefined-behaviour sanitizers, in build-sanitize/"
-  suites=("${lower[@]}" "${upper[@]}")
-  [ "$leave_out" = slow ] || suites+=(effects)  # minutes of compiling
   # Clang: a second compiler's opinion, in less than half of GCC's time under sanitizers.
   configure build-sanitize -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1 \
     -DRUBATLAS_SANITIZE=address,undefined
-  cmake --build build-sanitize --parallel "$(nproc)" --target "${suites[@]/#/test_}"
-  run_tests build-sanitize -L "^($(IFS='|'; echo "${suites[*]}"))(-|\$)" -LE "$leave_out" -E "$leave_out_sanitized"
+  cmake --build build-sanitize --parallel "$(nproc)" --target "${sanitized_suites[@]/#/test_}"
+  run_tests build-sanitize -L "^($(IFS='|'; echo "${sanitized_suites[*]}"))(-|\$)" -LE "$leave_out" -E "$leave_out_sanitized"
 fi
 
 systems_failed=0

@@ -8,7 +8,7 @@
 
 #include "../support/point.hpp"
 #include "contact/elastic_ring_contact.hpp"
-#include "honest_end.hpp"
+#include "../support/honest_end.hpp"
 #include "modes/touchdown_search.hpp"
 #include "rotor/free_motion.hpp"
 

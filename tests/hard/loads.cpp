@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "../support/point.hpp"
-#include "honest_end.hpp"
+#include "../support/honest_end.hpp"
 
 namespace rubatlas::test {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "../support/point.hpp"
 #include "assembly/make_line_solver.hpp"
-#include "honest_end.hpp"
+#include "../support/honest_end.hpp"
 
 namespace rubatlas::test {
 namespace {

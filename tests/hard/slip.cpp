@@ -6,7 +6,7 @@
 #include <string>
 
 #include "../support/point.hpp"
-#include "honest_end.hpp"
+#include "../support/honest_end.hpp"
 
 namespace rubatlas::test {
 namespace {

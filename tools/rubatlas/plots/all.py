@@ -19,7 +19,7 @@ def pictures(atlas, maps):
     """Of each picture its name, its kind, and the options that are not the kind's own choice."""
     if "basins" in maps:
         return [("basins", "basins", [])]
-    found = []
+    found: list[tuple[str, str, list[str]]] = []
     if "poincare" in atlas:
         found.append(("bifurcation", "bifurcation", []))
     if "spectrum" in atlas:

@@ -16,7 +16,7 @@
 
 #include "../support/point.hpp"
 #include "assembly/make_line_solver.hpp"
-#include "honest_end.hpp"
+#include "../support/honest_end.hpp"
 #include "random_scene.hpp"
 
 namespace rubatlas::test {
