@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <span>
 #include <string_view>
 
@@ -213,16 +214,34 @@ class Examination {
 /// takes less.
 constexpr rlim_t kMostTime = 10;
 
+/// Limit of memory beyond what the process has and twice the file's size [B]: a length that is damaged lets
+/// HDF5 ask for any number of bytes.
+constexpr rlim_t kMostMemory = 1'000'000'000;
+
+/// Keeps this process, which is to read a file that may be damaged, from taking the machine.
+void limit_resources(const std::filesystem::path& path) {
+  const rlimit time{kMostTime, kMostTime};
+  ::setrlimit(RLIMIT_CPU, &time);
+  const rlimit no_core{0, 0};
+  ::setrlimit(RLIMIT_CORE, &no_core);
+  std::ifstream usage("/proc/self/statm");
+  std::array<rlim_t, 6> pages{};  // the last: private memory
+  for (rlim_t& count : pages) usage >> count;
+  std::error_code failed;
+  const rlim_t size = std::filesystem::file_size(path, failed);
+  if (!usage || failed) return;
+  const rlim_t most = pages.back() * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) + 2 * size + kMostMemory;
+  const rlimit memory{most, most};
+  ::setrlimit(RLIMIT_DATA, &memory);
+}
+
 /// Runs the examination in a separate process. Returns its sentence; empty where it finds nothing wrong.
 std::string refusal_found_apart(const std::filesystem::path& path) {
   std::array<int, 2> pipe{};
   if (::pipe2(pipe.data(), O_CLOEXEC) != 0) return {};
   const pid_t child = ::fork();
   if (child == 0) {
-    const rlimit time{kMostTime, kMostTime};
-    ::setrlimit(RLIMIT_CPU, &time);
-    const rlimit no_core{0, 0};
-    ::setrlimit(RLIMIT_CORE, &no_core);
+    limit_resources(path);
     // The message of the C library about a crash would not help the user.
     if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
     int code = EXIT_SUCCESS;
