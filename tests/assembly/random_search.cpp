@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
+#include "../support/honest_end.hpp"
 #include "../support/point.hpp"
 #include "assembly/make_line_solver.hpp"
-#include "../support/honest_end.hpp"
 #include "random_scene.hpp"
 
 namespace rubatlas::test {

@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
-#include "../support/point.hpp"
 #include "../support/honest_end.hpp"
+#include "../support/point.hpp"
 
 namespace rubatlas::test {
 namespace {

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <optional>
 
+#include "../support/honest_end.hpp"
 #include "../support/point.hpp"
 #include "contact/elastic_ring_contact.hpp"
-#include "../support/honest_end.hpp"
 #include "modes/touchdown_search.hpp"
 #include "rotor/free_motion.hpp"
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "../support/point.hpp"
 #include "../support/honest_end.hpp"
+#include "../support/point.hpp"
 
 namespace rubatlas::test {
 namespace {

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "../support/honest_end.hpp"
 #include "../support/point.hpp"
 #include "assembly/make_line_solver.hpp"
-#include "../support/honest_end.hpp"
 
 namespace rubatlas::test {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "../support/point.hpp"
 #include "../support/honest_end.hpp"
+#include "../support/point.hpp"
 
 namespace rubatlas::test {
 namespace {
