@@ -74,7 +74,7 @@ TEST(Explain, ListsEveryEffectWithWhatItCostsAndWhetherFlightStaysExact) {
     EXPECT_EQ(below(plain, name), "") << "nothing to say of an effect that is off";
 
     const std::string with =
-        explained(settings::read_text(RUBATLAS_SOURCE_DIR "/jobs/effect_" + name + ".json"), "0.4");
+        explained(settings::read_text(RUBATLAS_SOURCE_DIR "/jobs/effect_" + name + ".json"), "0.15");
     EXPECT_TRUE(holds(line_of(with, name), " on   ")) << line_of(with, name);
     const std::string more = below(with, name);
     EXPECT_TRUE(holds(more, std::string(kDescription.equation))) << more;

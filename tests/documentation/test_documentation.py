@@ -14,6 +14,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
+from forked_commands import ended_script  # noqa: E402
 from mpi_environment import CROWDED  # noqa: E402
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
@@ -21,7 +22,16 @@ PROGRAM = pathlib.Path(os.environ["RUBATLAS_PROGRAM"])
 TINY = PROGRAM.parent / "tests/tiny_atlas"
 
 BLOCK = re.compile(r"(?:^<!-- not run: (?P<reason>[^>]+) -->\n)?^```(?P<language>\w+)\n(?P<text>.*?)^```", re.M | re.S)
-RUNS = {"sh": ["bash", "-euo", "pipefail", "-c"], "python": ["/usr/bin/python3", "-c"]}
+RUNS = ("sh", "python")
+ENVIRONMENT = {**CROWDED, "MPLBACKEND": "Agg"}
+
+
+def ended(language, text, folder):
+    """A block of a page, carried out in the folder."""
+    if language == "python":
+        return ended_script(text, folder, ENVIRONMENT)
+    return subprocess.run(["bash", "-euo", "pipefail", "-c", text], cwd=folder, env=ENVIRONMENT,
+                          stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
 
 
 def clone(folder):
@@ -50,10 +60,8 @@ class PageTest(unittest.TestCase):
                 if block["reason"] or block["language"] not in RUNS:
                     continue
                 with self.subTest(block=block["text"]):
-                    ended = subprocess.run([*RUNS[block["language"]], block["text"]], cwd=folder,
-                                           env={**CROWDED, "MPLBACKEND": "Agg"}, stdin=subprocess.DEVNULL,
-                                           capture_output=True, text=True, check=False)
-                    self.assertEqual(ended.returncode, 0, ended.stdout[-2000:] + ended.stderr[-2000:])
+                    end = ended(block["language"], block["text"], folder)
+                    self.assertEqual(end.returncode, 0, end.stdout[-2000:] + end.stderr[-2000:])
                 ran += 1
         self.assertGreaterEqual(ran, at_least, f"{page} has {len(blocks)} blocks, of which {ran} ran")
 

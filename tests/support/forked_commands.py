@@ -1,6 +1,6 @@
-"""The commands of `tools/`, each in a process of its own that is forked from the test: python3 and its libraries take
-longer to start than most commands to run. That the commands start by themselves is seen by the tests of the package and
-of the documentation."""
+"""The commands of `tools/` and scripts that use the package, each in a process of its own that is forked from the test:
+python3 and its libraries take longer to start than most of them to run. That the commands start by themselves is seen
+by the tests of the package and of the documentation."""
 import os
 import pathlib
 import subprocess
@@ -16,9 +16,8 @@ from rubatlas.report import command as report_command  # noqa: E402
 MAINS = {"rubatlas-plot": plot_command.main, "rubatlas-report": report_command.main}
 
 
-def ended_command(command, *arguments, environment=None):
-    """What `subprocess.run` returns of the command with these arguments."""
-    words = [command, *map(str, arguments)]
+def forked(words, work, environment=None):
+    """What `subprocess.run` would return of a process that does the work: its exit code and what it has said."""
     with tempfile.TemporaryFile("w+") as output, tempfile.TemporaryFile("w+") as errors:
         child = os.fork()
         if child == 0:
@@ -31,7 +30,7 @@ def ended_command(command, *arguments, environment=None):
                 if environment is not None:
                     os.environ.clear()
                     os.environ.update(environment)
-                MAINS[command]()
+                work()
                 code = 0
             except SystemExit as end:
                 code = end.code or 0
@@ -45,3 +44,16 @@ def ended_command(command, *arguments, environment=None):
         output.seek(0)
         errors.seek(0)
         return subprocess.CompletedProcess(words, os.waitstatus_to_exitcode(status), output.read(), errors.read())
+
+
+def ended_command(command, *arguments, environment=None):
+    """A command with these arguments, ended."""
+    return forked([command, *map(str, arguments)], MAINS[command], environment)
+
+
+def ended_script(text, folder, environment):
+    """A script that python3 carries out in a folder, ended."""
+    def work():
+        os.chdir(folder)
+        exec(compile(text, "script", "exec"), {"__name__": "__main__"})  # pylint: disable=exec-used
+    return forked(["script"], work, environment)

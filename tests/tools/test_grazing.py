@@ -4,6 +4,7 @@ import pathlib
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 PROGRAM = pathlib.Path(os.environ["RUBATLAS_PROGRAM"])
@@ -13,8 +14,12 @@ from rubatlas.plots import grazing  # noqa: E402
 
 
 class GrazingKick(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.kicks = grazing.measure(PROGRAM)
+
     def test_grows_with_the_depth_as_the_side_of_the_contact_says(self):
-        kicks = grazing.measure(PROGRAM)
+        kicks = self.kicks
         for law, side, exponent in (("elastica", "approaching", 1.5), ("elastica", "receding", 0.5),
                                     ("elastic_ring", "approaching", 1.5),
                                     ("elastic_ring", "head-on", 1.5), ("elastic_ring", "receding", 1.5)):
@@ -28,7 +33,8 @@ class GrazingKick(unittest.TestCase):
     def test_the_experiment_is_drawn(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "grazing.png"
-            ended = ended_command("rubatlas-plot", "grazing", PROGRAM, "-o", path, "--table")
+            with mock.patch.object(grazing, "measure", lambda program: self.kicks):
+                ended = ended_command("rubatlas-plot", "grazing", PROGRAM, "-o", path, "--table")
             self.assertEqual((ended.returncode, ended.stderr), (0, ""))
             self.assertIn("| `elastica`", ended.stdout)
             self.assertTrue(path.read_bytes().startswith(b"\x89PNG"))
