@@ -5,7 +5,8 @@
 #   ./tests/run.sh --both        the same in two builds, as .ci/run does: what handles text, memory and files, and every
 #                                motion on random scenes, under the address and undefined-behaviour sanitizers
 #   ./tests/run.sh --full        the slow ones too, every suite below MPI in both builds, and both commands in new
-#                                systems: a million revolutions, 10 000 random scenes, all of clang-tidy; hours
+#                                systems: a million revolutions, 10 000 random scenes, all of clang-tidy, headers alone;
+#                                hours
 #   ./tests/run.sh --sanitize    only what runs under the sanitizers
 #   ./tests/run.sh --systems     quickstart and tests in minimal Debian 12 and 13 (tests/systems.sh; needs root)
 #
@@ -38,7 +39,7 @@ case "$#,${1-}" in
   1,--sanitize) plain=no sanitized=yes ;;
   1,--systems) exec tests/systems.sh ;;
   *)
-    sed -n '2,13s/^# \{0,1\}//p' tests/run.sh
+    sed -n '2,14s/^# \{0,1\}//p' tests/run.sh
     [ "${1-}" = --help ] && exit 0 || exit 2
     ;;
 esac
@@ -109,12 +110,12 @@ for report in sys.argv[2:]:
     complete = complete and int(suite.get("tests")) == len(cases) > 0
     for case in cases:
         said = case.findtext("system-out") or ""
-        # A process of gtest says how many passed, and names those that failed as they do.
-        googled = re.search(r"^\[  PASSED  \] (\d+) tests?\.", said, re.MULTILINE)
-        missed = len(re.findall(r"^\[  FAILED  \] .* \(\d+ ms\)$", said, re.MULTILINE)) if googled else 0
+        # A process of C++ tests says how many passed, and names those that failed as they do.
+        of_suite = re.search(r"^\[  PASSED  \] (\d+) tests?\.", said, re.MULTILINE)
+        missed = len(re.findall(r"^\[  FAILED  \] .* \(\d+ ms\)$", said, re.MULTILINE)) if of_suite else 0
         # A class of Python tests says how many ran, and how many of them were skipped or failed.
         ran = re.search(r"^Ran (\d+) tests? in .*", said, re.MULTILINE | re.DOTALL)
-        methods = int(googled[1]) + missed if googled else int(ran[1]) if ran else 1
+        methods = int(of_suite[1]) + missed if of_suite else int(ran[1]) if ran else 1
         of = dict(re.findall(r"(failures|errors|skipped)=(\d+)", ran[0])) if ran else {}
         for name, reason in re.findall(r"^(\w+) .* skipped (.*)$", said, re.MULTILINE) if "skipped" in of else []:
             print(f"skipped: {case.get('name')}.{name}: {reason}")
