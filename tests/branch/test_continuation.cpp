@@ -1,7 +1,7 @@
 /// Periodic orbits followed along a quantity, and the bifurcations on the way.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,6 +12,7 @@
 #include "../support/point.hpp"
 #include "branch/bifurcations.hpp"
 #include "branch/continuation.hpp"
+#include "integrate/decompositions.hpp"
 #include "plan/grid.hpp"
 #include "settings/quantity.hpp"
 #include "settings/reader.hpp"
@@ -190,7 +191,7 @@ TEST(Branch, ATestFunctionChangesItsSignWhereAMultiplierPassesTheCircle) {
   const auto of = [](const Eigen::Matrix4d& jacobian) {
     branch::Orbit orbit;
     orbit.forward = jacobian;
-    orbit.multipliers = jacobian.eigenvalues();
+    orbit.multipliers = integrate::eigen_modes(jacobian).values;
     return orbit;
   };
   const auto with = [&](double a, double b, double c, double d) {

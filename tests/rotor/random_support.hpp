@@ -7,6 +7,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 #include <vector>
 
+#include "integrate/decompositions.hpp"
 #include "rotor/linear_support.hpp"
 
 namespace rubatlas::rotor {
@@ -34,7 +35,7 @@ struct RandomSupport {
 
 /// Largest real part of the eigenvalues: how fast free motion grows [1 per unit τ].
 inline double growth_rate(const LinearSupport& support) {
-  return Eigen::EigenSolver<Eigen::Matrix4d>(support.system_matrix(), false).eigenvalues().real().maxCoeff();
+  return integrate::eigen_modes(support.system_matrix()).values.real().maxCoeff();
 }
 
 class ExactFlight {
