@@ -4,7 +4,6 @@
 
 #include <hdf5.h>
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -18,22 +17,34 @@ namespace rubatlas::atlas {
 
 static_assert(std::is_same_v<hid_t, Identifier>);
 
-template <Number T>
-Identifier memory_type() {
-  if constexpr (std::same_as<T, double>) return H5T_NATIVE_DOUBLE;
-  if constexpr (std::same_as<T, std::uint8_t>) return H5T_NATIVE_UINT8;
-  if constexpr (std::same_as<T, std::int32_t>) return H5T_NATIVE_INT32;
-  if constexpr (std::same_as<T, std::uint32_t>) return H5T_NATIVE_UINT32;
-  if constexpr (std::same_as<T, std::int64_t>) return H5T_NATIVE_INT64;
+/// HDF5's types of a number: this machine's, and the file's, which is the same on every machine.
+struct NumberTypes {
+  Identifier in_memory;
+  Identifier in_file;
+};
+inline NumberTypes types_of(double) {
+  return {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE};
+}
+inline NumberTypes types_of(std::uint8_t) {
+  return {H5T_NATIVE_UINT8, H5T_STD_U8LE};
+}
+inline NumberTypes types_of(std::int32_t) {
+  return {H5T_NATIVE_INT32, H5T_STD_I32LE};
+}
+inline NumberTypes types_of(std::uint32_t) {
+  return {H5T_NATIVE_UINT32, H5T_STD_U32LE};
+}
+inline NumberTypes types_of(std::int64_t) {
+  return {H5T_NATIVE_INT64, H5T_STD_I64LE};
 }
 
 template <Number T>
+Identifier memory_type() {
+  return types_of(T{}).in_memory;
+}
+template <Number T>
 Identifier file_type() {
-  if constexpr (std::same_as<T, double>) return H5T_IEEE_F64LE;
-  if constexpr (std::same_as<T, std::uint8_t>) return H5T_STD_U8LE;
-  if constexpr (std::same_as<T, std::int32_t>) return H5T_STD_I32LE;
-  if constexpr (std::same_as<T, std::uint32_t>) return H5T_STD_U32LE;
-  if constexpr (std::same_as<T, std::int64_t>) return H5T_STD_I64LE;
+  return types_of(T{}).in_file;
 }
 
 std::vector<hsize_t> extents(const Shape& shape);

@@ -31,7 +31,7 @@ class KillAndResume(JobTest):
                     interrupted += 0 < self.assert_no_wrong_row(atlas, whole) < total
                 resumed = self.fill(ranks, content, atlas.name, "--resume")
                 self.assert_same_bytes(whole, resumed)
-        self.assertGreater(interrupted, 0, "no kill hit a job at work")
+        self.assertGreater(interrupted, len(trials) // 2, "most kills hit a job at work")
 
     def test_a_killed_rank_of_a_sweep_leaves_an_atlas_that_resumes_to_the_same_bytes(self):
         self.kill_and_resume(long_scene(sweep="up"), [(1, 2), (5, 5)])
