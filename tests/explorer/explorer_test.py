@@ -1,0 +1,64 @@
+"""What tests of a report in headless Chromium share."""
+import csv
+import pathlib
+import tempfile
+import unittest
+
+import numpy as np
+from browser import Browser
+from reports import ROOT, WITHOUT_SOLVER, tiny
+from selenium.webdriver.common.action_chains import ActionChains
+
+PAGE = ROOT / "tools/rubatlas/report/page"
+
+
+def columns(path):
+    """A saved table: its columns by name, without what is empty."""
+    with open(path, newline="", encoding="utf-8") as file:
+        rows = list(csv.reader(file))
+    return {name: [row[i] for row in rows[1:] if row[i] != ""] for i, name in enumerate(rows[0])}
+
+
+class ExplorerTest(unittest.TestCase):
+    """Of a browser in which the report of the tiny atlas is opened."""
+
+    @classmethod
+    def setUpClass(cls):
+        if WITHOUT_SOLVER:
+            raise unittest.SkipTest(WITHOUT_SOLVER)
+        holder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(holder.cleanup)
+        cls.folder = pathlib.Path(holder.name)
+        cls.report = tiny(cls.folder)
+        downloads = cls.folder / "downloads"
+        downloads.mkdir()
+        cls.browser = Browser(downloads)
+        cls.addClassCleanup(cls.browser.close)
+
+    def setUp(self):
+        self.browser.resize(1400)
+        self.browser.command("Emulation.setEmulatedMedia", features=[])
+        self.browser.log()
+
+    def open(self, address="", report=None):
+        self.browser.open(report or self.report, address)
+
+    def click_cell(self, across, down):
+        """Clicks the map at shares of its width and height."""
+        area = self.browser.find("#map .u-over")
+        x, y = (across - 0.5) * area.size["width"], (down - 0.5) * area.size["height"]
+        there = ActionChains(self.browser.driver).move_to_element_with_offset(area, x, y)
+        self.browser.computes(lambda: there.click().perform())
+
+    def press(self, *keys):
+        ActionChains(self.browser.driver).send_keys(*keys).perform()
+
+    def computed_sections(self):
+        table = columns(self.browser.exported("CSV", "poincare"))
+        return np.array([list(map(float, table["computed_x_mm"])), list(map(float, table["computed_y_mm"]))]).T * 1e-3
+
+    def own(self, **values):
+        """The address of a point of its own, started from the initial state."""
+        usual = {"speed_ratio": 0.62, "damping_ratio": 0.1, "friction": 0.1, "unbalance": 0.0, "thickness": 0.001,
+                 "misalignment": 0.01001}
+        return "#from=initial&own=" + ",".join(repr(value) for value in {**usual, **values}.values())

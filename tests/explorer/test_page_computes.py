@@ -1,0 +1,152 @@
+"""What a report computes by itself, and the rotor that it moves, in headless Chromium."""
+import sys
+import unittest
+
+import h5py
+import numpy as np
+from explorer_test import PAGE, ExplorerTest, columns
+from reports import ROOT, TINY, made, run
+from selenium.webdriver.common.keys import Keys
+
+sys.path.insert(0, str(ROOT / "tools"))
+
+from rubatlas import elastica  # noqa: E402
+from rubatlas.report import contents  # noqa: E402
+
+CLEARANCE = 0.01  # m, of the default rotor
+# What the page and the program may differ by on periodic points, in clearances: methods and compilers differ, the
+# equations do not.
+AGREEMENT = 1e-9
+
+
+class PageComputes(ExplorerTest):
+    # --- computing ---
+
+    def expect_agreement(self, report, name, scene, address):
+        """The page's sections of a point are the program's."""
+        protocol = {"transient_revolutions": 30, "sampled_revolutions": 64}
+        atlas = run(self.folder, name,
+                    {**scene, "sweep": "independent", "protocol": protocol, "observables": ["poincare"]})
+        with h5py.File(atlas) as file:
+            self.assertEqual(file["status"][...].ravel().tolist(), [1])
+            expected = file["poincare"][...].reshape(64, 4)[:, :2]
+        self.open(address, report)
+        self.assertIn("computed in this page", self.browser.text("#origin"))
+        np.testing.assert_allclose(self.computed_sections() / CLEARANCE, expected / CLEARANCE, rtol=0, atol=AGREEMENT)
+
+    def test_a_point_off_the_grid_agrees_with_the_program(self):
+        self.expect_agreement(self.report, "off_the_grid", {
+            "rotor": {"damping_ratio": 0.13, "misalignment": 0.01002}, "blades": {"thickness": 0.0011},
+            "contact": {"friction": 0.15},
+            "grid": {"speed_ratio": [0.6234]}}, self.own(speed_ratio=0.6234, damping_ratio=0.13, misalignment=0.01002,
+                                                         thickness=0.0011, friction=0.15))
+
+    def test_a_point_with_unbalance_agrees_with_the_program(self):
+        self.expect_agreement(self.report, "unbalanced",
+                              {"unbalance": {"moment": 2e-6}, "grid": {"speed_ratio": [0.63]}},
+                              self.own(speed_ratio=0.63, unbalance=2e-6))
+
+    def test_a_point_on_an_elastic_ring_agrees_with_the_program(self):
+        law = {"contact": {"law": "elastic_ring", "friction": 0.1}}
+        atlas = run(self.folder, "ring", {**law, "grid": {"speed_ratio": [0.6, 0.64]},
+                                          "protocol": {"transient_revolutions": 30, "sampled_revolutions": 8}})
+        self.expect_agreement(made(self.folder / "ring.html", atlas), "on_ring",
+                              {**law, "unbalance": {"moment": 1e-6}, "grid": {"speed_ratio": [0.62]}},
+                              self.own(speed_ratio=0.62, unbalance=1e-6))
+
+    def test_a_periodic_cell_goes_on_in_the_page_as_the_atlas_has_it(self):
+        with h5py.File(TINY / "atlas.h5") as atlas, h5py.File(TINY / "maps.h5") as maps:
+            periodic = (maps["class"][0, 0, 0, 1] == 1) & (atlas["max_contact_force"][0, 0, 0, 1] > 1.0)
+            place = int(np.flatnonzero(periodic)[0])
+            section = atlas["poincare"][0, 0, 0, 1, place, -1, :2]
+        self.open(f"#at=0,0,0,1,{place}")
+        # What the maps call period 1 repeats within 1e-6 of its size.
+        self.assertLess(np.abs(self.computed_sections() - section).max(), 2e-6 * np.linalg.norm(section))
+
+    def test_a_slider_asks_for_a_new_point_and_the_way_back_leads_to_the_cell(self):
+        self.open("#at=0,0,0,1,17")
+        facts = self.browser.facts()
+        slider = self.browser.find("[data-own=friction]")
+        slider.click()
+        self.browser.computes(lambda: slider.send_keys(Keys.ARROW_RIGHT))
+        self.assertIn("computed in this page", self.browser.text("#origin"))
+        self.assertNotEqual(self.browser.facts()["Friction μ"], facts.get("Friction μ"))
+        self.assertIn("own=", self.browser.driver.current_url)
+        self.browser.computes(lambda: self.browser.find("#back").click())
+        self.assertEqual(self.browser.facts(), facts)
+        self.assertNotIn("own=", self.browser.driver.current_url)
+
+    def test_a_value_outside_its_range_is_refused_in_words(self):
+        self.open()
+        field = self.browser.find("[data-own-number=friction]")
+        field.clear()
+        field.send_keys("2.5", Keys.ENTER)
+        self.assertIn("2.5 is outside [0, 2]", self.browser.text("#own-status"))
+        self.assertIn("from the atlas", self.browser.text("#origin"))
+
+    def test_more_revolutions_add_sections_where_the_last_ended(self):
+        self.open(self.own(speed_ratio=0.4))
+        first = self.computed_sections()
+        self.browser.computes(lambda: self.browser.find("#more").click())
+        second = self.computed_sections()
+        self.assertEqual(len(second), 2 * len(first))
+        np.testing.assert_array_equal(second[:len(first)], first)
+
+    def test_a_motion_that_leaves_the_model_says_what_ended_it(self):
+        self.open(self.own(speed_ratio=1.15))
+        self.assertRegex(self.browser.facts()["Status"],
+                         "left off in revolution [0-9]+: .*(equilibrium|shortened|ring)")
+
+    # --- the animation ---
+
+    def test_the_rotor_moves_while_it_plays_and_stands_while_it_does_not(self):
+        self.open("#at=0,0,0,1,17")
+        self.assertEqual(self.browser.run("return document.getElementById('rotor').dataset.time"), "0")
+        before = self.browser.pixels("#rotor")
+        self.browser.find("#play").click()
+        self.browser.wait_for("Number(document.getElementById('rotor').dataset.time) > 0.2")
+        self.browser.find("#play").click()
+        stopped = self.browser.run("return document.getElementById('rotor').dataset.time")
+        self.assertNotEqual(self.browser.pixels("#rotor"), before)
+        self.browser.wait_for_two_frames()
+        self.assertEqual(self.browser.run("return document.getElementById('rotor').dataset.time"), stopped)
+
+    def test_a_step_leads_to_the_next_touch_down(self):
+        self.open("#at=0,0,0,1,17")
+        forces = columns(self.browser.exported("CSV", "forces"))
+        starts = [float(time) for time, force, before in zip(forces["tau"], forces["blade"], ["", *forces["blade"]])
+                  if force != before]
+        self.browser.find("#step").click()
+        at = float(self.browser.run("return document.getElementById('rotor').dataset.time"))
+        self.assertLess(min(abs(start - at) for start in starts), 1e-3)
+        self.assertIn("in contact", self.browser.text("#rotor-status"))
+        self.browser.find("#step").click()
+        self.assertGreater(float(self.browser.run("return document.getElementById('rotor').dataset.time")), at)
+
+    def test_the_shape_of_a_blade_ends_where_the_closed_form_says(self):
+        excess = np.array([1e-3, 0.05, 0.3])
+        self.browser.driver.get("about:blank")
+        for friction in (0.02, 0.1, 1.0):
+            for load, shortening, deflection in zip(*elastica.curve(friction, excess)):
+                for side in (1.0, -1.0):
+                    # The orbit says the load; that the tip is on the ring says the side. A picture is a thousand pixels
+                    # wide.
+                    points = self.browser.run((PAGE / "elastica.js").read_text() + """
+                        const [table, load, friction, deflection] = arguments;
+                        return bentBlade(table, load, friction, [1, -1], ([along, across]) => across - deflection)
+                        """, contents.shapes_of_blades(), load, friction, side * deflection)
+                    self.assertAlmostEqual(points[-1][0], 1 - shortening, delta=1e-3)
+                    self.assertAlmostEqual(points[-1][1], side * deflection, delta=1e-3)
+
+    def test_a_blade_without_friction_stands_straight_below_the_load_of_euler(self):
+        self.browser.driver.get("about:blank")
+        for share, bent in ((0.0, False), (0.99, False), (1.1, True)):
+            across = self.browser.run((PAGE / "elastica.js").read_text() +
+                                      "return bladeShape(...arguments).map(([, across]) => across)",
+                                      contents.shapes_of_blades(), share * elastica.EULER_LOAD, 0.0)
+            self.assertEqual(max(across) > 0.2, bent)
+            self.assertTrue(bent or max(across) == 0.0)
+
+
+if __name__ == "__main__":
+    unittest.main()

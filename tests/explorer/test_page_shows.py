@@ -1,0 +1,238 @@
+"""What a report shows of an atlas, in headless Chromium."""
+import json
+import subprocess
+import sys
+import unittest
+import xml.etree.ElementTree
+
+import h5py
+import numpy as np
+from explorer_test import PAGE, ExplorerTest, columns
+from reports import PROGRAM, ROOT, TINY, made, run
+from selenium.webdriver.common.keys import Keys
+
+sys.path.insert(0, str(ROOT / "tools"))
+
+from rubatlas.report import orbits  # noqa: E402
+
+HOSTILE = "</script><script>window.intruder=1</script><img src=x onerror=\"window.intruder=1\"> & Ω"
+
+
+class PageShows(ExplorerTest):
+    # --- opening ---
+
+    def test_a_report_opens_from_a_file_without_an_error(self):
+        self.open()
+        self.assertEqual(self.browser.log(), [])
+        self.assertEqual(self.browser.dataset("computer"), "there")
+        self.assertEqual(self.browser.text("h1"), "Tiny atlas")
+
+    def test_the_title_of_a_scene_cannot_inject_markup(self):
+        atlas = run(self.folder, "hostile",
+                    {"title": HOSTILE, "reference": HOSTILE, "grid": {"speed_ratio": [0.3, 0.6]},
+                     "protocol": {"transient_revolutions": 5, "sampled_revolutions": 4}})
+        self.open(report=made(self.folder / "hostile.html", atlas))
+        self.assertEqual(self.browser.text("h1"), HOSTILE)
+        self.assertEqual(self.browser.text("#reference"), HOSTILE)
+        self.assertIsNone(self.browser.run("return window.intruder"))
+        self.assertEqual(self.browser.run("return document.querySelectorAll('img').length"), 0)
+        picture = xml.etree.ElementTree.parse(self.browser.exported("SVG", "map"))
+        self.assertEqual([one.tag for one in picture.iter() if one.tag.endswith("script") or one.get("onerror")], [])
+        self.assertEqual(self.browser.log(), [])
+
+    def test_every_kind_of_atlas_opens(self):
+        for name, options in (("rings", ["--maps", TINY / "rings_maps.h5"]),
+                              ("basins", ["--maps", TINY / "basins_maps.h5"]), ("gravity", ["--orbits", "4"])):
+            with self.subTest(name):
+                self.open(report=made(self.folder / f"{name}.html", TINY / f"{name}.h5", *options))
+                self.press(Keys.ARROW_RIGHT)
+                self.assertEqual(self.browser.log(), [])
+
+    def test_where_the_solver_does_not_know_the_scene_the_page_says_so_and_shows_the_orbits_of_the_program(self):
+        with h5py.File(TINY / "gravity.h5") as atlas:
+            done = np.flatnonzero(atlas["status"][...] == 1)
+            place = np.unravel_index(orbits.spread(done, 3)[1], atlas["status"].shape)
+            at = ",".join(f"{axis}={float(atlas[axis][index])!r}"
+                          for axis, index in zip(("damping_ratio", "speed_ratio"), place[-2:]))
+        self.open("#at=" + ",".join(map(str, place)),
+                  made(self.folder / "gravity.html", TINY / "gravity.h5", "--orbits", "3"))
+        self.assertIn("gravity", self.browser.text("#not-computed"))
+        self.assertTrue(self.browser.find("#not-computed").is_displayed())
+        self.assertFalse(self.browser.find("#own").is_displayed())
+        self.assertEqual(self.browser.facts()["Status"], "done")
+        self.assertGreater(len(columns(self.browser.exported("CSV", "poincare"))["atlas_x_mm"]), 0)
+        self.assertEqual(self.browser.text("#chart-orbit .badge"), "computed by the program")
+        orbit = self.folder / "gravity_orbit.h5"
+        subprocess.run([PROGRAM, "orbit", ROOT / "tests/tools/gravity.json", "--at", at, "--from", TINY / "gravity.h5",
+                        "-o", orbit],
+                       check=True, capture_output=True)
+        shown = columns(self.browser.exported("CSV", "rotor"))
+        with h5py.File(orbit) as file:
+            last, stride = len(shown["tau"]), max(1, len(file["time"]) // len(file["sections"]) // 128)
+            for part, name in enumerate(("x_m", "y_m", "vx_m", "vy_m")):
+                np.testing.assert_allclose(np.array(shown[name], float), file["state"][::stride, part][-last:],
+                                           rtol=1e-6, atol=1e-9)
+            np.testing.assert_allclose(np.array(shown["force_of_blade_1_N"], float), file["force"][::stride, 0][-last:],
+                                       rtol=1e-6)
+        before = self.browser.pixels("#rotor")
+        self.browser.find("#play").click()
+        self.browser.wait_for("Number(document.getElementById('rotor').dataset.time) > 0.2")
+        self.browser.find("#play").click()
+        self.assertNotEqual(self.browser.pixels("#rotor"), before)
+        self.assertEqual(self.browser.log(), [])
+
+    def without_web_assembly(self):
+        script = self.browser.command("Page.addScriptToEvaluateOnNewDocument", source="delete window.WebAssembly")
+        self.addCleanup(self.browser.command, "Page.removeScriptToEvaluateOnNewDocument", **script)
+
+    def test_a_point_whose_orbit_is_not_in_the_report_names_the_nearest_that_is(self):
+        self.without_web_assembly()
+        self.open(report=made(self.folder / "two_orbits.html", TINY / "atlas.h5", "--maps", TINY / "maps.h5",
+                              "--orbits", "2"))
+        self.assertIn("orbits from the program, which computed those of 2 points", self.browser.text("#not-computed"))
+        self.open("#at=0,0,0,1,17", self.folder / "two_orbits.html")
+        self.assertRegex(self.browser.text("#rotor-status"),
+                         "no orbit of this point; the nearest with one: .*Ω 0[.][0-9]+")
+        self.assertEqual(self.browser.log(), [])
+
+    def test_without_web_assembly_all_that_comes_from_the_atlas_works(self):
+        self.without_web_assembly()
+        self.open()
+        self.assertEqual(self.browser.dataset("computer"), "none")
+        self.assertIn("runs no WebAssembly", self.browser.text("#not-computed"))
+        before = self.browser.facts()
+        self.click_cell(0.3, 0.5)
+        self.assertNotEqual(self.browser.facts(), before)
+        self.assertEqual(len(columns(self.browser.exported("CSV", "poincare"))["atlas_x_mm"]), 16)
+        self.assertEqual(self.browser.log(), [])
+
+    # --- the map ---
+
+    def test_a_click_on_a_cell_opens_its_point_in_every_panel(self):
+        self.open()
+        panels = ["#chart-bifurcation canvas", "#chart-poincare canvas", "#chart-orbit canvas", "#chart-forces canvas",
+                  "#chart-spectrum canvas",
+                  "#chart-waterfall canvas", "#rotor", "#map canvas"]
+        before = [self.browser.pixels(panel) for panel in panels]
+        facts = self.browser.facts()
+        self.click_cell(0.6, 0.5)
+        self.assertNotEqual(self.browser.facts()["Speed ratio Ω"], facts["Speed ratio Ω"])
+        for panel, picture in zip(panels, before):
+            with self.subTest(panel):
+                self.assertNotEqual(self.browser.pixels(panel), picture)
+        self.assertEqual(self.browser.log(), [])
+
+    def test_the_facts_of_a_cell_are_those_of_the_atlas(self):
+        self.open("#at=0,0,0,1,17")
+        with h5py.File(TINY / "atlas.h5") as file:
+            self.assertEqual(file["status"][0, 0, 0, 1, 17], 1)
+            displacement, force = (file[name][0, 0, 0, 1, 17] for name in ("max_displacement", "max_contact_force"))
+        facts = self.browser.facts()
+        self.assertEqual(facts["Max displacement"], f"{float(f'{1e3 * displacement:.4g}'):g} mm")
+        self.assertEqual(facts["Max contact force"], f"{float(f'{force:.4g}'):g} N")
+
+    def test_arrow_keys_walk_over_the_map(self):
+        self.open("#at=0,0,0,1,10")
+        self.browser.computes(lambda: self.press(Keys.ARROW_RIGHT))
+        self.assertIn("at=0%2C0%2C0%2C1%2C11", self.browser.driver.current_url)
+        self.browser.computes(lambda: self.press(Keys.ARROW_UP))
+        self.assertIn("at=0%2C0%2C0%2C2%2C11", self.browser.driver.current_url)
+
+    def test_the_address_shows_a_colleague_the_same_view(self):
+        self.open("#at=0,0,0,1,10")
+        self.click_cell(0.75, 0.9)
+        self.browser.run("const s = document.getElementById('map-quantity'); s.value = 'max_displacement'; "
+                         "s.onchange()")
+        address, facts = self.browser.driver.current_url, self.browser.facts()
+        picture = self.browser.pixels("#map canvas")
+        self.open("#" + address.split("#")[1])
+        self.assertEqual(self.browser.facts(), facts)
+        self.assertEqual(self.browser.pixels("#map canvas"), picture)
+
+    def test_an_address_that_asks_for_nonsense_opens_the_page(self):
+        for address in ("#where=constructor > 1", "#where=" + 4000 * "(", "#x=damping_ratio&y=damping_ratio",
+                        "#x=damping_ratio", "#at=9,9,9,9,9"):
+            with self.subTest(address[:30]):
+                self.open(address)
+                self.assertNotEqual(*(self.browser.run(f"return document.getElementById('map-{side}').value")
+                                      for side in "xy"))
+                self.assertEqual(self.browser.facts()["Status"], "done")
+        self.assertEqual(self.browser.log(), [])
+
+    def test_keys_that_follow_each_other_at_once_end_at_the_last_points_own_sections(self):
+        self.open("#at=0,0,0,1,17")
+        self.browser.run("document.activeElement.blur()")
+        self.browser.computes(lambda: self.browser.run(
+            "for (const key of ['ArrowUp', 'ArrowDown']) "
+            "document.body.dispatchEvent(new KeyboardEvent('keydown', {key, bubbles: true}))"), times=2)
+        table = columns(self.browser.exported("CSV", "poincare"))
+        with h5py.File(TINY / "atlas.h5") as atlas:
+            np.testing.assert_allclose(np.array(table["atlas_x_mm"], float),
+                                       1e3 * atlas["poincare"][0, 0, 0, 1, 17, -16:, 0], rtol=1e-6)
+
+    def test_every_quantity_is_drawn_over_every_pair_of_axes(self):
+        self.open(report=made(self.folder / "rings.html", TINY / "rings.h5", "--maps", TINY / "rings_maps.h5"))
+        pictures = set()
+        for quantity in self.browser.run("return [...document.getElementById('map-quantity').options]"
+                                         ".map((one) => one.value)"):
+            self.browser.run("const s = document.getElementById('map-quantity'); s.value = arguments[0]; s.onchange()",
+                             quantity)
+            pictures.add(self.browser.pixels("#map canvas"))
+        for number in self.browser.run("return [...document.getElementById('map-x').options].map((one) => one.value)"):
+            self.browser.run("const s = document.getElementById('map-x'); s.value = arguments[0]; s.onchange()", number)
+            pictures.add(self.browser.pixels("#map canvas"))
+        self.assertGreater(len(pictures), 4)
+        self.assertEqual(self.browser.log(), [])
+
+    # --- queries ---
+
+    def test_a_query_marks_the_points_of_which_it_is_true(self):
+        self.open()
+        plain = self.browser.pixels("#map canvas")
+        field = self.browser.find("#query")
+        field.send_keys("class == 'period 1' and max_displacement > 5e-3", Keys.ENTER)
+        with h5py.File(TINY / "atlas.h5") as atlas, h5py.File(TINY / "maps.h5") as maps:
+            done = int((atlas["status"][...] == 1).sum())
+            expected = int(((maps["class"][...] == 1) & (atlas["max_displacement"][...] > 5e-3) &
+                            (atlas["status"][...] == 1)).sum())
+        self.assertGreater(expected, 0)
+        self.assertTrue(self.browser.text("#query-answer").startswith(f"{expected} of {done} points that are done "),
+                        self.browser.text("#query-answer"))
+        self.assertNotEqual(self.browser.pixels("#map canvas"), plain)
+        self.assertIn("where=", self.browser.driver.current_url)
+
+    def test_a_query_with_an_unknown_name_says_which_is_nearest(self):
+        self.open()
+        self.browser.find("#query").send_keys("max_displacment > 1", Keys.ENTER)
+        self.assertIn("nearest name is max_displacement", self.browser.text("#query-answer"))
+
+    def test_queries_mean_what_the_table_of_cases_says(self):
+        table = json.loads((ROOT / "tests/explorer/query_cases.json").read_text())
+        grammar = json.loads((ROOT / "tools/rubatlas/query_grammar.json").read_text())
+        extension = table["extension"]
+        extended = {**grammar, **extension, "tokens": {**grammar["tokens"], **extension["tokens"]}}
+        self.browser.driver.get("about:blank")
+        for cases, known in ((table["cases"], grammar), (table["cases_of_the_extension"], extended),
+                             (table["trees"], grammar)):
+            found = self.browser.run((PAGE / "query.js").read_text() + """
+                const [names, cases, grammar] = [...arguments].map((text) => JSON.parse(text));
+                const known = Object.fromEntries(Object.entries(names).map(([name, {values, flags}]) =>
+                  [name, {of: (point) => values[point] ?? NaN, flags: flags ?? null}]));
+                return cases.map(({query, tree}) => {
+                  try {
+                    if (tree) return {query, tree: queryTree(query, grammar)};
+                    const holds = parseQuery(query, known, grammar);
+                    return {query, holds: [0, 1, 2, 3].map((point) => Boolean(holds(point)))};
+                  } catch (error) {
+                    if (!(error instanceof QueryError)) throw error;
+                    return {query, error: error.message};
+                  }
+                });""", *map(json.dumps, (table["names"], cases, known)))  # in the order in which they are written
+            self.assertEqual(len(found), len(cases))
+            for answer, case in zip(found, cases):
+                with self.subTest(case["query"]):
+                    self.assertEqual(answer, case)
+
+
+if __name__ == "__main__":
+    unittest.main()
