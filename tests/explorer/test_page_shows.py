@@ -190,7 +190,7 @@ class PageShows(ExplorerTest):
         self.open()
         plain = self.browser.pixels("#map canvas")
         field = self.browser.find("#query")
-        field.send_keys("class == 'period 1' and max_displacement > 5e-3", Keys.ENTER)
+        field.send_keys("class = period 1 and max displacement > 5 mm", Keys.ENTER)
         with h5py.File(TINY / "atlas.h5") as atlas, h5py.File(TINY / "maps.h5") as maps:
             done = int((atlas["status"][...] == 1).sum())
             expected = int(((maps["class"][...] == 1) & (atlas["max_displacement"][...] > 5e-3) &
@@ -201,6 +201,19 @@ class PageShows(ExplorerTest):
         self.assertNotEqual(self.browser.pixels("#map canvas"), plain)
         self.assertIn("where=", self.browser.driver.current_url)
 
+    def test_a_query_is_echoed_in_units_and_its_names_are_listed(self):
+        self.open()
+        self.browser.find("#query").send_keys("max displacement > 0.25 and 60 rpm >= speed", Keys.ENTER)
+        self.assertRegex(self.browser.text("#query-answer"),
+                         r"^0 of \d+ points that are done are marked: max_displacement > 250 mm, 25 clearances; "
+                         r"speed_ratio <= 0.628319, 60 rpm, 1 Hz\.$")
+        self.browser.find("#query").clear()
+        self.browser.find("#query").send_keys("max displacement > 0.25 N", Keys.ENTER)
+        self.assertIn("a length, what stands after it is a force", self.browser.text("#query-answer"))
+        named = self.browser.text("#query-help")
+        for word in ("max_displacement", "speed_ratio", "aperiodic", "rpm", "clearances"):
+            self.assertIn(word, named)
+
     def test_a_query_with_an_unknown_name_says_which_is_nearest(self):
         self.open()
         self.browser.find("#query").send_keys("max_displacment > 1", Keys.ENTER)
@@ -209,25 +222,24 @@ class PageShows(ExplorerTest):
     def test_queries_mean_what_the_table_of_cases_says(self):
         table = json.loads((ROOT / "tests/explorer/query_cases.json").read_text())
         grammar = json.loads((ROOT / "tools/rubatlas/query_grammar.json").read_text())
-        extension = table["extension"]
-        extended = {**grammar, **extension, "tokens": {**grammar["tokens"], **extension["tokens"]}}
         self.browser.driver.get("about:blank")
-        for cases, known in ((table["cases"], grammar), (table["cases_of_the_extension"], extended),
-                             (table["trees"], grammar)):
+        for cases in (table["cases"], table["trees"]):
             found = self.browser.run((PAGE / "query.js").read_text() + """
-                const [names, cases, grammar] = [...arguments].map((text) => JSON.parse(text));
-                const known = Object.fromEntries(Object.entries(names).map(([name, {values, flags}]) =>
-                  [name, {of: (point) => values[point] ?? NaN, flags: flags ?? null}]));
+                const [names, sizes, cases, grammar] = [...arguments].map((text) => JSON.parse(text));
+                const known = Object.fromEntries(Object.entries(names).map(([name, {values, units, flags}]) =>
+                  [name, {of: (point) => values[point] ?? NaN, units, flags: flags ?? null}]));
+                const large = Object.fromEntries(Object.entries(sizes).map(([name, values]) =>
+                  [name, (point) => values[point]]));
                 return cases.map(({query, tree}) => {
                   try {
                     if (tree) return {query, tree: queryTree(query, grammar)};
-                    const holds = parseQuery(query, known, grammar);
+                    const holds = parseQuery(query, known, grammar, large);
                     return {query, holds: [0, 1, 2, 3].map((point) => Boolean(holds(point)))};
                   } catch (error) {
                     if (!(error instanceof QueryError)) throw error;
-                    return {query, error: error.message};
+                    return {query, error: error.message.replace(/no unit; .*/, 'no unit; UNITS')};
                   }
-                });""", *map(json.dumps, (table["names"], cases, known)))  # in the order in which they are written
+                });""", *map(json.dumps, (table["names"], table["sizes"], cases, grammar)))  # in the order as written
             self.assertEqual(len(found), len(cases))
             for answer, case in zip(found, cases):
                 with self.subTest(case["query"]):

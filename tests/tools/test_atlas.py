@@ -92,6 +92,24 @@ class AtlasQuestions(WithFolder):
         with self.assertRaisesRegex(rubatlas.AtlasError, "the nearest name is max_displacement"):
             self.atlas.where("max_displacment > 1")
 
+    def test_a_condition_has_units_and_those_of_the_rotor_are_those_of_each_line(self):
+        rings = rubatlas.open(TINY / "rings.h5")
+        with h5py.File(TINY / "rings.h5") as file:
+            displacement = np.where(file["status"][...] == 1, file["max_displacement"][...], np.nan)
+            radius, speed = file["ring_radius"][...], file["speed_ratio"][...]
+            frequency = json.loads(file["scene_resolved"][()])["rotor"]["natural_frequency"]
+        clearance = (radius - 0.1).reshape(-1, *[1] * (displacement.ndim - 1))
+        for text, wanted in (("max displacement > 4 mm", displacement > 4e-3),
+                             ("max_displacement > 0.4 clearances", displacement > 0.4 * clearance),
+                             ("speed < 43 rpm", speed < 43 * np.pi / 30 / frequency),
+                             ("ring radius = 109 mm", radius.reshape(clearance.shape) == 0.109)):
+            wanted = np.broadcast_to(wanted, displacement.shape) & np.isfinite(displacement)
+            self.assertTrue(0 < wanted.sum() < wanted.size, text)
+            found = np.isfinite(rings.where(text)["max_displacement"].values)
+            np.testing.assert_array_equal(found, wanted.reshape(found.shape), text)
+        with self.assertRaisesRegex(rubatlas.AtlasError, "a length, what stands after it is a force"):
+            rings.where("max_displacement < 3 N")
+
     def test_bands_are_the_runs_of_neighbouring_points_of_one_line(self):
         bands = self.atlas.line(damping_ratio=0.05).where("class == 'unresolved'").bands()
         inside = np.zeros(len(self.speed), dtype=bool)

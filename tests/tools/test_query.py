@@ -10,12 +10,12 @@ import numpy as np
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 sys.path.insert(0, str(ROOT / "tools"))
-from rubatlas.query import GRAMMAR, Name, QueryError, evaluate, parse  # noqa: E402
+from rubatlas.query import GRAMMAR, Limit, Name, QueryError, evaluate, parse, shown  # noqa: E402
 
 CASES = json.loads((ROOT / "tests/explorer/query_cases.json").read_text(encoding="utf-8"))
 SPEED = np.array([0.2, 0.3, 0.4, 0.5])
 NAMES = {"speed_ratio": Name(SPEED), "max_displacement": Name(np.array([1e-3, np.nan, 6e-3, 9e-3])),
-         "class": Name(np.array([1, 0, 255, 2]), {0: "none", 1: "period 1", 2: "period 2", 255: "aperiodic"})}
+         "class": Name(np.array([1, 0, 255, 2]), flags={0: "none", 1: "period 1", 2: "period 2", 255: "aperiodic"})}
 
 
 class Query(unittest.TestCase):
@@ -42,31 +42,64 @@ class Query(unittest.TestCase):
         self.expect("max_displacement == max_displacement", [1, 0, 1, 1])
         self.expect("max_displacement != max_displacement", [0, 1, 0, 0])
 
-    def expect_cases(self, cases, grammar):
+    def test_it_is_the_grammar_of_the_explorer(self):
         names = {name: Name(np.array([np.nan if value is None else value for value in given["values"]]),
+                            given.get("units"),
                             {int(number): word for number, word in given.get("flags", {}).items()} or None)
                  for name, given in CASES["names"].items()}
-        for case in cases:
+        sizes = {name: np.array(values) for name, values in CASES["sizes"].items()}
+        units = GRAMMAR["sentences"]["unknown_unit"].format(found="", units=", ".join(GRAMMAR["units"]))
+        for case in CASES["cases"]:
             query = case["query"]
             with self.subTest(query):
                 if "holds" in case:
-                    holds = np.broadcast_to(evaluate(query, names, grammar), len(case["holds"]))
+                    holds = np.broadcast_to(evaluate(query, names, sizes), len(case["holds"]))
                     np.testing.assert_array_equal(holds, np.array(case["holds"], dtype=bool))
                 else:
                     with self.assertRaises(QueryError) as caught:
-                        evaluate(query, names, grammar)
-                    wanted = f"{query.strip()}: {case['error']}" if query else case["error"]
-                    self.assertEqual(str(caught.exception), wanted)
-
-    def test_it_is_the_grammar_of_the_explorer(self):
-        self.expect_cases(CASES["cases"], GRAMMAR)
+                        evaluate(query, names, sizes)
+                    wanted = case["error"].replace(" is no unit; UNITS", units)
+                    self.assertEqual(str(caught.exception), f"{query.strip()}: {wanted}" if query else wanted)
         for case in CASES["trees"]:
             self.assertEqual(parse(case["query"]), case["tree"])
 
-    def test_units_and_synonyms_are_data_of_the_grammar(self):
-        extension = CASES["extension"]
-        grammar = {**GRAMMAR, **extension, "tokens": {**GRAMMAR["tokens"], **extension["tokens"]}}
-        self.expect_cases(CASES["cases_of_the_extension"], grammar)
+    def test_every_unit_of_an_atlas_is_a_unit_of_the_grammar_and_has_a_name_in_refusals(self):
+        for unit, rule in GRAMMAR["units"].items():
+            self.assertIn(rule["of"], GRAMMAR["measures"], unit)
+            self.assertTrue(rule["of"] == "speed" or rule["of"] == "-" or rule["of"] in GRAMMAR["units"], unit)
+
+    def test_a_decimal_with_a_unit_is_the_number_that_a_scene_writes_without(self):
+        for thickness in (0.9, 1.1, 0.7, 2.3):
+            names = {"thickness": Name(np.array([float(f"{thickness}e-3")]), "m")}
+            self.assertTrue(evaluate(f"thickness = {thickness} mm", names).all(), thickness)
+
+    def test_a_limit_is_a_name_a_sign_and_a_number_in_a_unit(self):
+        sizes = {"clearance": np.array([5e-4]), "radian_per_second": np.array([0.01])}
+        for text, name, units, bound in (("max_displacement<=0.25 mm", "max_displacement", "m", 0.25e-3),
+                                         ("max displacement ≤ 0.5 clearances", "max_displacement", "m", 0.25e-3),
+                                         ("margin >= 3 rpm", "margin", "-", 0.01 * np.pi / 10),
+                                         ("max_contact_force <= 2*3 kN", "max_contact_force", "N", 6000.0),
+                                         ("max_displacement<=0.25", "max_displacement", "m", 0.25)):
+            limit = Limit.read(text)
+            self.assertEqual(limit.name, name)
+            self.assertAlmostEqual(limit.bound(units, sizes), bound, delta=1e-15 * bound)
+        for text, words in (("max_displacement<0.25", "not of the form NAME <= NUMBER or NAME >= NUMBER"),
+                            ("0.25 >= max_displacement", "not of the form"), ("max_displacement", "not of the form"),
+                            ("max_displacement<=2 N", "what stands after it is a force"),
+                            ("max_displacement<=wide", "wide stands where a number is wanted"),
+                            ("max_displacement<='wide'", "what stands after <= is a word, not a number")):
+            with self.assertRaisesRegex(QueryError, f"^{text}: .*{words}"):
+                Limit.read(text).bound("m", sizes)
+        with self.assertRaisesRegex(QueryError, "differs between the lines"):
+            Limit.read("max_displacement<=1 clearance").bound("m", {"clearance": np.array([1e-3, 2e-3])})
+
+    def test_a_value_is_shown_in_the_units_of_its_reader(self):
+        sizes = {"clearance": np.array([5e-4]), "radian_per_second": np.array([0.1])}
+        self.assertEqual(shown(0.25, "m", sizes), "250 mm, 500 clearances")
+        self.assertEqual(shown(0.25, "m", {"clearance": np.array([1e-3, 2e-3])}), "250 mm")
+        self.assertEqual(shown(0.25, "m", {"clearance": np.array([0.0])}), "250 mm")
+        self.assertEqual(shown(0.2 * np.pi, "speed", sizes), "0.628319, 60 rpm, 1 Hz")
+        self.assertEqual((shown(200.0, "N", sizes), shown(2e-3, "-", sizes)), ("200 N", "0.002"))
 
     def test_precedence_and_chains_are_those_of_python(self):
         chance = random.Random(1)
@@ -105,7 +138,7 @@ class Query(unittest.TestCase):
 
     def test_whatever_is_not_in_the_grammar_is_refused_and_not_executed(self):
         for text in (
-                "", "speed_ratio", "speed_ratio >", "1 + 1", "'aperiodic'", "class < 'aperiodic'",
+                "", "speed_ratio", "speed_ratio >", "1 + 1", "'other'", "class < 'aperiodic'",
                 "speed_ratio == 'aperiodic'", "__import__('os').system('true') == 0", "speed_ratio.real > 0",
                 "[1][0] > 0", "(lambda: 1)() > 0", "speed_ratio in (1, 2)", "speed_ratio is 1", "speed_ratio > True",
                 "speed_ratio & 1 > 0", "(x := 1) > 0", "f'{1}' == class", "speed_ratio > 1; 2", "('a' + 1) > 2",

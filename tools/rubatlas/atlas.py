@@ -20,8 +20,8 @@ import xarray
 
 from rubatlas import program as rubatlas_program
 from rubatlas import query
-from rubatlas.atlas_file import (DIRECTIONS, DONE, AtlasError, AtlasFile, beside, number_of, reading, same_value, text,
-                                 words_of)
+from rubatlas.atlas_file import (DIRECTIONS, DONE, AtlasError, AtlasFile, beside, number_of, reading, same_value,
+                                 sizes_of, swept_pointers, text, with_values, words_of)
 from rubatlas.plots.axes import Plots
 from rubatlas.plots.orbit import OrbitFile
 from rubatlas.plots.safe_speeds import MAY_NOT_OCCUR, Judgement, Limit, bands_of
@@ -224,17 +224,26 @@ class Atlas:
         return {axis: float(self._raw[axis]) for axis in self.axes[:-1] if axis not in self._raw.dims}
 
     def where(self, condition: str) -> Atlas:
-        """The points at which a condition holds, as text (the grammar: `rubatlas.query`)."""
+        """The points at which a condition holds, as text: "class = aperiodic and max displacement > 5 mm" (the grammar:
+        `rubatlas.query`)."""
+        def over_points(values: Any) -> query.Array:
+            here = xarray.DataArray(values)
+            found: query.Array = (here.broadcast_like(self._chosen).transpose(*self._chosen.dims) if here.ndim > 0
+                                  else here).values
+            return found
+
         names: dict[str, query.Name] = {}
         for name, values in self._raw.data_vars.items():
             words = words_of(values.attrs)
-            names[str(name)] = query.Name(values.values, words) if words else query.Name(self[str(name)].values)
+            names[str(name)] = query.Name(values.values, flags=words) if words else \
+                query.Name(self[str(name)].values, values.attrs["units"])
         for axis in self.axes:
             here = self._raw[axis]
-            if here.ndim > 0:
-                here = here.broadcast_like(self._chosen).transpose(*self._chosen.dims)
-            names[axis] = query.Name(here.values, dict(enumerate(DIRECTIONS)) if axis == "direction" else None)
-        holds = np.broadcast_to(query.evaluate(condition, names), self._chosen.shape)
+            words = dict(enumerate(DIRECTIONS)) if axis == "direction" else None
+            names[axis] = query.Name(over_points(here), here.attrs["units"], words)
+        swept = {name: self._raw[name] for name in swept_pointers(self.scene)}
+        sizes = {name: over_points(size) for name, size in sizes_of(with_values(self.scene, swept)).items()}
+        holds = np.broadcast_to(query.evaluate(condition, names, sizes), self._chosen.shape)
         return self._with(self._raw, self._chosen & holds)
 
     def points(self) -> Iterator[dict[str, Any]]:

@@ -64,13 +64,19 @@ def with_values(scene, values):
     """The scene with values (by the names of axes) of quantities that its grid names by pointers written in."""
     own = {name: dict(part) if isinstance(part, dict) else part for name, part in scene.items()}
     for name, (section, key) in swept_pointers(scene).items():
-        own[section][key] = float(values[name])
+        own[section][key] = values[name]
     return own
 
 
 def clearance_of(scene):
     """δc = R − rh − L [m], the radial gap between ring and blade tip of the centred rotor."""
     return scene["ring"]["radius"] - scene["blades"]["hub_radius"] - scene["blades"]["length"]
+
+
+def sizes_of(scene):
+    """What units are multiples of that depend on the rotor, as `rubatlas.query` has them; the scene's numbers may be
+    arrays."""
+    return {"clearance": clearance_of(scene), "radian_per_second": 1.0 / scene["rotor"]["natural_frequency"]}
 
 
 def beside(path, what):
@@ -166,8 +172,8 @@ class _Examination:
         try:
             scene = json.loads(text(dataset[()]))
             # The attributes that pictures need.
-            for part, key in (("rotor", "damping_ratio"), ("blades", "length"), ("ring", "radius"),
-                              ("contact", "friction"),
+            for part, key in (("rotor", "damping_ratio"), ("rotor", "natural_frequency"), ("blades", "length"),
+                              ("ring", "radius"), ("contact", "friction"),
                               ("protocol", "transient_revolutions"), ("grid", "speed_ratio")):
                 scene[part][key]
             return scene
@@ -259,6 +265,14 @@ class AtlasFile:
     def attribute(self, name):
         """Root attribute as text, empty where it is not there."""
         return printable(self.file.attrs.get(name, ""))
+
+    def sizes(self, chosen=...):
+        """`sizes_of` at the chosen points of the grid: for each size its different values."""
+        swept = {name: self.axis(name).reshape([-1 if axis == name else 1 for axis in self.axes])
+                 for name in swept_pointers(self.scene)}
+        shape = [len(self.axis(name)) for name in self.axes]
+        return {name: np.unique(np.broadcast_to(size, shape)[chosen])
+                for name, size in sizes_of(with_values(self.scene, swept)).items()}
 
     def swept_axes(self):
         """Axes with more than one value, apart from the speed ratio."""

@@ -223,7 +223,9 @@ function mark() {
     map.marks = state.query.trim() ? marked(state.query) : null;
     const count = map.marks ? map.marks.reduce((sum, one) => sum + one, 0) : 0;
     const done = values.status.filter((status) => status === 1).length;
-    said.textContent = map.marks ? `${shown(count, 9)} of ${shown(done, 9)} points that are done are marked.` : '';
+    const echo = map.marks ? queryEcho(state.query) : '';
+    said.textContent = map.marks
+      ? `${shown(count, 9)} of ${shown(done, 9)} points that are done are marked${echo && `: ${echo}`}.` : '';
     said.classList.remove('wrong');
   } catch (error) {
     if (!(error instanceof QueryError)) throw error;
@@ -376,6 +378,7 @@ async function open() {
   fillRotor();
   showTables();
   byId('query').value = state.query;
+  byId('query-help').append(...queryHelp().map((text) => element('p', {text})));
   byId('query-form').onsubmit = (event) => {
     event.preventDefault();
     state.query = byId('query').value;

@@ -28,7 +28,16 @@ function nearest(word, known) {
   return known.reduce((best, one) => (alike(one) > alike(best) ? one : best));
 }
 
-/// The text as {kind, text} of its tokens, ending with the kind "end".
+/// The unit that stands at a place of the text; empty where none does.
+function unitAt(text, at, grammar) {
+  const here = Object.keys(grammar.units)
+    .filter((unit) => text.startsWith(unit, at) && !/[A-Za-z0-9_]/.test(text.charAt(at + unit.length)));
+  return here.reduce((longest, unit) => (unit.length > longest.length ? unit : longest), '');
+}
+const unknownUnit = (grammar, found) =>
+  queryRefusal(grammar, 'unknown_unit', {found, units: Object.keys(grammar.units).join(', ')});
+
+/// The text as {kind, text} of its tokens, ending with the kind "end". After a number a unit may stand.
 function queryTokens(text, grammar) {
   const patterns = Object.entries(grammar.tokens).map(([kind, pattern]) => [kind, new RegExp(pattern, 'y')]);
   const tokens = [];
@@ -40,9 +49,11 @@ function queryTokens(text, grammar) {
       found = pattern.exec(text) && {kind, text: text.slice(at, pattern.lastIndex)};
       if (found) break;
     }
+    const unit = found?.kind !== 'space' && tokens.at(-1)?.kind === 'number' && unitAt(text, at, grammar);
+    if (unit) found = {kind: 'unit', text: unit};
     if (!found) throw queryRefusal(grammar, 'unknown_sign', {rest: text.slice(at).split(/\s/)[0]});
     at += found.text.length;
-    if (found.kind !== 'word') found.text = entryOf(grammar.synonyms, found.text) ?? found.text;
+    if (found.kind === 'sign') found.text = entryOf(grammar.synonyms, found.text) ?? found.text;
     if (found.kind !== 'space') tokens.push(found);
   }
   if (tokens.length > grammar.longest) throw queryRefusal(grammar, 'too_long', {longest: grammar.longest});
@@ -55,6 +66,7 @@ function queryTree(text, grammar) {
   let at = 0;
   const take = () => tokens[at++].text;
   const rule = (table) => (tokens[at].kind === 'word' ? null : entryOf(grammar[table], tokens[at].text));
+  const onOperator = () => Boolean(rule('between') || rule('before'));
 
   /// An operand, and what operators of this level and of higher ones join to it.
   function expression(level, depth) {
@@ -79,11 +91,19 @@ function queryTree(text, grammar) {
       return inner;
     }
     if (kind === 'sign' || kind === 'end' || rule('between')) throw queryRefusal(grammar, 'missing', {found});
-    take();
-    if (kind !== 'number') return [kind, kind === 'word' ? found.slice(1, -1) : found];
-    const factor = rule('units');
-    if (factor) take();
-    return [kind, Number(found) * (factor ?? 1)];
+    return kind === 'number' ? number() : phrase(kind);
+  }
+  function number() {
+    const made = ['number', Number(take())], next = tokens[at];
+    if (next.kind === 'name' && !onOperator()) throw unknownUnit(grammar, next.text);
+    return next.kind === 'unit' ? [...made, take()] : made;
+  }
+  /// A word in quotes; or a name, or a word, which may be several tokens, as in: period 2.
+  function phrase(kind) {
+    const found = [take()];
+    while (kind === 'name' && ['name', 'number'].includes(tokens[at].kind) && !onOperator()) found.push(take());
+    const text = kind === 'word' ? found[0].slice(1, -1) : found.join(' ');
+    return [kind, entryOf(grammar.synonyms, text) ?? text];
   }
 
   if (tokens[0].kind === 'end') throw queryRefusal(grammar, 'empty');
@@ -94,21 +114,55 @@ function queryTree(text, grammar) {
   return tree;
 }
 
-/// A condition as a function of a point's number. `names`: for each name a function of the point, and its flags where
-/// it has them.
-function parseQuery(text, names, grammar) {
+/// The unit of what a name stands for: that of the file, or "speed" for speed ratios, which have units of their own.
+const queryUnits = (name, units, grammar) => (grammar.speeds.includes(name) ? 'speed' : units ?? null);
+const codeOf = (flags, word) => Object.keys(flags ?? {}).find((code) => flags[code] === word);
+
+/// A number with a unit as a function of the point, in the unit of the atlas.
+function convertedQuery(number, unit, grammar, sizes) {
+  const {over = 1, factor = 1, times} = grammar.units[unit];
+  const plain = number * factor / over;  // divided, a decimal stays the nearest number to it
+  if (!times) return () => plain;
+  const size = entryOf(sizes, times);
+  if (!size) throw unknownUnit(grammar, unit);
+  return (point) => plain * size(point);
+}
+
+/// A condition as a function of a point's number. `names`: for each name a function of the point, its unit (any, if
+/// none is said), and its flags where it has them. `sizes`: functions of the point, of units that depend on the rotor.
+function parseQuery(text, names, grammar, sizes = {}) {
   const refuse = (sentence, facts) => { throw queryRefusal(grammar, sentence, facts); };
 
-  function named(name) {
-    const known = entryOf(names, name);
-    if (known) return {kind: known.flags ? 'flag' : 'number', of: known.of, flags: known.flags, text: name};
-    const flag = Object.keys(names).find((one) => Object.values(names[one].flags ?? {}).includes(name));
-    if (flag) refuse('without_quotes', {name, flag});
+  /// The unit of two values that are compared or added.
+  function commonUnits(sign, left, right) {
+    if (left.units && right.units && left.units !== right.units) {
+      const [before, after] = [left, right].map(({units}) => entryOf(grammar.measures, units) ?? units);
+      refuse('other_units', {sign, before, after});
+    }
+    return left.units || right.units;
+  }
+  function named(phrase) {
+    const name = phrase.replaceAll(' ', '_'), known = entryOf(names, name);
+    if (known) {
+      return known.flags ? {kind: 'flag', of: known.of, flags: known.flags, text: name}
+        : {kind: 'number', of: known.of, units: queryUnits(name, known.units, grammar)};
+    }
+    const words = Object.values(names).flatMap(({flags}) => Object.values(flags ?? {}));
+    if (words.includes(phrase)) return {kind: 'word', text: phrase};
     if (grammar.names_of_maps.includes(name)) refuse('without_maps', {name});
-    return refuse('unknown_name', {name, nearest: nearest(name, Object.keys(names))});
+    return refuse('unknown_name', {name: phrase, nearest: nearest(phrase, [...Object.keys(names), ...words])});
+  }
+  /// A word alone as the condition that its map has it.
+  function holding(value) {
+    const has = value.kind === 'word'
+      && Object.values(names).find(({flags}) => codeOf(flags, value.text) !== undefined);
+    if (!has) return value;
+    const code = Number(codeOf(has.flags, value.text));
+    return {kind: 'condition', of: (point) => has.of(point) === code};
   }
   /// The numbers or the condition that an operator takes; a map of flags is numbers, too.
-  function taken(rule, sign, place, value) {
+  function taken(rule, sign, place, given) {
+    const value = rule.takes === 'condition' ? holding(given) : given;
     if (rule.takes !== (value.kind === 'flag' ? 'number' : value.kind)) {
       refuse(`operand_${place}`, {sign, kind: grammar.kinds[value.kind], wanted: grammar.kinds[rule.takes]});
     }
@@ -119,7 +173,7 @@ function parseQuery(text, names, grammar) {
     if ('words' in rule && (left.kind === 'word' || right.kind === 'word')) {
       const [flag, {text: word}] = left.kind === 'word' ? [right, left] : [left, right];
       if (flag.kind !== 'flag' || !rule.words) refuse('words_are_compared', {word});
-      const code = Object.keys(flag.flags).find((one) => flag.flags[one] === word);
+      const code = codeOf(flag.flags, word);
       if (code === undefined) {
         refuse('unknown_word', {word, name: flag.text, nearest: nearest(word, Object.values(flag.flags))});
       }
@@ -129,26 +183,30 @@ function parseQuery(text, names, grammar) {
     return (point) => does(a(point), b(point));
   }
   function valueOf([kind, first, ...rest]) {
+    if (kind === 'number' && rest.length) {
+      return {kind, of: convertedQuery(first, rest[0], grammar, sizes), units: grammar.units[rest[0]].of};
+    }
     if (kind === 'number') return {kind, of: () => first};
     if (kind === 'word') return {kind, text: first};
     if (kind === 'name') return named(first);
     if (kind === 'before') {
-      const rule = grammar.before[first];
-      const of = taken(rule, first, 'after', valueOf(rest[0]));
-      return {kind: rule.gives, of: (point) => QUERY_DOES[rule.does](of(point))};
+      const rule = grammar.before[first], inner = valueOf(rest[0]);
+      const of = taken(rule, first, 'after', inner);
+      return {kind: rule.gives, of: (point) => QUERY_DOES[rule.does](of(point)), units: inner.units};
     }
     let left = valueOf(first);
     const compared = [];
     for (const [sign, operand] of rest) {
       const rule = grammar.between[sign], right = valueOf(operand);
-      const result = {kind: rule.gives, of: joined(rule, sign, left, right)};
+      const units = rule.mixes_units ? null : commonUnits(sign, left, right);
+      const result = {kind: rule.gives, of: joined(rule, sign, left, right), units};
       if (rule.joins === 'chain') compared.push(result.of);
       left = rule.joins === 'chain' ? right : result;
     }
     return compared.length ? {kind: 'condition', of: (point) => compared.every((one) => one(point))} : left;
   }
 
-  const whole = valueOf(queryTree(text, grammar));
+  const whole = holding(valueOf(queryTree(text, grammar)));
   if (whole.kind !== 'condition') refuse('no_condition', {kind: grammar.kinds[whole.kind]});
   return whole.of;
 }
@@ -158,14 +216,68 @@ function queryNames() {
   const names = {};
   for (const [place, axis] of axes.entries()) {
     const flags = axis.name === 'direction' ? {0: 'up', 1: 'down'} : null;
-    names[axis.name] = {of: (point) => axis.values[placeOf(point)[place]], flags};
+    names[axis.name] = {of: (point) => axis.values[placeOf(point)[place]], units: axis.units, flags};
   }
-  for (const map of atlas.maps) names[map.name] = {of: (point) => values[map.name][point], flags: map.flags};
+  for (const {name, units, flags} of atlas.maps) names[name] = {of: (point) => values[name][point], units, flags};
   return names;
+}
+/// A number of the scene at a point: that of its axis where it has one.
+function numberAt(point, section, key) {
+  const place = axes.findIndex(({pointer}) => pointer?.[0] === section && pointer[1] === key);
+  return place < 0 ? atlas.scene[section][key] : axes[place].values[placeOf(point)[place]];
+}
+/// Of the units that depend on the rotor.
+const querySizes = {
+  clearance: (point) => numberAt(point, 'ring', 'radius') - numberAt(point, 'blades', 'hub_radius')
+    - numberAt(point, 'blades', 'length'),
+  radian_per_second: (point) => 1 / numberAt(point, 'rotor', 'natural_frequency'),
+};
+/// The comparisons of a condition with the number in the units in which a reader has it, so that a wrong unit shows.
+function queryEcho(text) {
+  const names = queryNames(), said = [], {between, units} = queryGrammar;
+  const sizeOf = (times) => {
+    const found = new Set();
+    for (let point = 0; point < pointCount; point += sizes[SPEED]) found.add(querySizes[times](point));
+    return found.size === 1 ? [...found][0] : NaN;  // not one number: this unit is left out
+  };
+  function add(name, sign, [, number, unit]) {
+    if (!names[name] || names[name].flags) return;
+    const value = unit ? convertedQuery(number, unit, queryGrammar, querySizes)(0) : number;
+    const own = queryUnits(name, names[name].units, queryGrammar);
+    const each = (queryGrammar.shown[own] ?? [own]).map((one) => {
+      const {over = 1, factor = 1, times} = units[one] ?? {}, size = times ? sizeOf(times) : 1;
+      return size > 0 ? `${shown(value * over / factor / size, 6)} ${one}`.trim() : '';
+    });
+    said.push(`${name} ${sign} ${each.filter(Boolean).join(', ')}`);
+  }
+  function walk([kind, first, ...rest]) {
+    if (kind === 'before') walk(rest[0]);
+    if (kind !== 'between') return;
+    walk(first);
+    let left = first;
+    for (const [sign, right] of rest) {
+      const [name, number, side] = left[0] === 'name' ? [left, right, sign]
+        : [right, left, sign.replace(/[<>]/, (one) => (one === '<' ? '>' : '<'))];
+      if (between[sign].joins === 'chain' && name[0] === 'name' && number[0] === 'number') {
+        add(name[1].replaceAll(' ', '_'), side, number);
+      }
+      walk(right);
+      left = right;
+    }
+  }
+  walk(queryTree(text, queryGrammar));
+  return said.join('; ');
+}
+/// What a query may say here: names with their underscores, words of maps, units.
+function queryHelp() {
+  const names = queryNames();
+  const words = [...new Set(Object.values(names).flatMap(({flags}) => Object.values(flags ?? {})))];
+  return [`Names: ${Object.keys(names).join(', ')}.`, `Words: ${words.join(', ')}.`,
+    `Units: ${Object.keys(queryGrammar.units).join(', ')}; a number without one is in the atlas' own, which is SI.`];
 }
 /// Whether each point that is done fulfils a condition.
 function marked(text) {
-  const holds = parseQuery(text, queryNames(), queryGrammar);
+  const holds = parseQuery(text, queryNames(), queryGrammar, querySizes);
   const result = new Uint8Array(pointCount);
   for (let point = 0; point < pointCount; ++point) result[point] = values.status[point] === 1 && holds(point) ? 1 : 0;
   return result;
