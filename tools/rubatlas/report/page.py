@@ -6,6 +6,7 @@ with `<` escaped, so that no text of a scene can end its element; the page shows
 import json
 import pathlib
 
+from rubatlas.palette import PALETTE
 from rubatlas.query import GRAMMAR
 
 FOLDER = pathlib.Path(__file__).resolve().parent
@@ -36,6 +37,7 @@ def page(contents, blocks):
         "SCRIPTS": f"(() => {{\n'use strict';\n{scripts}\n}})();",
         "WORKER": inert(worker),
         "GRAMMAR": inert(GRAMMAR),
+        "PALETTE": inert(PALETTE),
         "ATLAS": inert(contents),
         "BLOCKS": "\n".join(f'<script type="application/octet-stream" data-block="{name}">{content}</script>'
                             for name, content in blocks.texts.items()),

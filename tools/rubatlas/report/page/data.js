@@ -2,6 +2,7 @@
 
 const atlas = JSON.parse(document.getElementById('atlas').textContent);
 const queryGrammar = JSON.parse(document.getElementById('query-grammar').textContent);
+const palette = JSON.parse(document.getElementById('palette').textContent);
 const KINDS = {Float32Array, Float64Array, Uint8Array, Uint16Array};
 
 async function unpacked(name) {
@@ -122,11 +123,9 @@ function viridis(share) {
 }
 const rgb = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
 
-const MISSING = {0: ['#e6e6ec', 'not computed yet'], 2: ['#f3d9cd', 'left the model’s validity'],
-  3: ['#d9b3d9', 'integrator failed']};
-const CLASSES = [
-  [1, 1, 'period 1', '#c6e2f5'], [2, 2, 'period 2', GREEN], [3, 3, 'period 3', YELLOW], [4, 4, 'period 4', ORANGE],
-  [5, 16, 'period 5 to 16', PURPLE], [254, 254, 'unresolved', '#a0a0a0'], [255, 255, 'aperiodic', '#1a1a2e']];
+// As pictures have them: rubatlas/palette.json.
+const MISSING = Object.fromEntries(palette.no_motion.map(({status, colour, name}) => [status, [colour, name]]));
+const CLASSES = palette.classes.map(({first, last, name, colour}) => [first, last, name, colour]);
 /// What a flag is drawn in: words and colours of the values that occur.
 function flagColours(map) {
   // On a dark ground the darkest class is indigo.
@@ -135,7 +134,7 @@ function flagColours(map) {
   }
   if (map.name === 'status') {
     const missing = Object.entries(MISSING).map(([value, [colour, word]]) => [+value, +value, word, colour]);
-    return [[1, 1, 'done', '#c6e2f5'], ...missing];
+    return [[1, 1, 'done', CLASSES[0][3]], ...missing];
   }
   return Object.entries(map.flags)
     .map(([value, word], index) => [+value, +value, word, ['#d9dde3', ...CYCLE][index % 7]]);
