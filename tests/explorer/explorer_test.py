@@ -4,9 +4,10 @@ import pathlib
 import tempfile
 import unittest
 
+import h5py
 import numpy as np
 from browser import Browser
-from reports import ROOT, WITHOUT_SOLVER, tiny
+from reports import ROOT, TINY, WITHOUT_SOLVER, tiny
 from selenium.webdriver.common.action_chains import ActionChains
 
 PAGE = ROOT / "tools/rubatlas/report/page"
@@ -15,8 +16,15 @@ PAGE = ROOT / "tools/rubatlas/report/page"
 def columns(path):
     """A saved table: its columns by name, without what is empty."""
     with open(path, newline="", encoding="utf-8") as file:
-        rows = list(csv.reader(file))
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))
     return {name: [row[i] for row in rows[1:] if row[i] != ""] for i, name in enumerate(rows[0])}
+
+
+def cell(*places):
+    """The address of a cell of the tiny atlas, by its places on the axes of the damping ratio and the speed ratio."""
+    with h5py.File(TINY / "atlas.h5") as atlas:
+        return "#at=" + ",".join(f"{axis}={float(atlas[axis][place])!r}"
+                                 for axis, place in zip(("damping_ratio", "speed_ratio"), places))
 
 
 class ExplorerTest(unittest.TestCase):
@@ -55,10 +63,10 @@ class ExplorerTest(unittest.TestCase):
 
     def computed_sections(self):
         table = columns(self.browser.exported("CSV", "poincare"))
-        return np.array([list(map(float, table["computed_x_mm"])), list(map(float, table["computed_y_mm"]))]).T * 1e-3
+        return np.array([list(map(float, table[f"computed_{component} [m]"])) for component in "xy"]).T
 
     def own(self, **values):
         """The address of a point of its own, started from the initial state."""
         usual = {"speed_ratio": 0.62, "damping_ratio": 0.1, "friction": 0.1, "unbalance": 0.0, "thickness": 0.001,
                  "misalignment": 0.01001}
-        return "#from=initial&own=" + ",".join(repr(value) for value in {**usual, **values}.values())
+        return "#from=initial&own=" + ",".join(f"{name}={value!r}" for name, value in {**usual, **values}.items())

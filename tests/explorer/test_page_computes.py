@@ -1,10 +1,11 @@
 """What a report computes by itself, and the rotor that it moves, in headless Chromium."""
+import re
 import sys
 import unittest
 
 import h5py
 import numpy as np
-from explorer_test import PAGE, ExplorerTest, columns
+from explorer_test import PAGE, ExplorerTest, cell, columns
 from reports import ROOT, TINY, made, run
 from selenium.webdriver.common.keys import Keys
 
@@ -59,12 +60,12 @@ class PageComputes(ExplorerTest):
             periodic = (maps["class"][0, 0, 0, 1] == 1) & (atlas["max_contact_force"][0, 0, 0, 1] > 1.0)
             place = int(np.flatnonzero(periodic)[0])
             section = atlas["poincare"][0, 0, 0, 1, place, -1, :2]
-        self.open(f"#at=0,0,0,1,{place}")
+        self.open(cell(1, place))
         # What the maps call period 1 repeats within 1e-6 of its size.
         self.assertLess(np.abs(self.computed_sections() - section).max(), 2e-6 * np.linalg.norm(section))
 
     def test_a_slider_asks_for_a_new_point_and_the_way_back_leads_to_the_cell(self):
-        self.open("#at=0,0,0,1,17")
+        self.open(cell(1, 17))
         facts = self.browser.facts()
         slider = self.browser.find("[data-own=friction]")
         slider.click()
@@ -97,10 +98,29 @@ class PageComputes(ExplorerTest):
         self.assertRegex(self.browser.facts()["Status"],
                          "left off in revolution [0-9]+: .*(equilibrium|shortened|ring)")
 
+    def test_a_start_that_the_misalignment_puts_beyond_the_ring_says_so_and_offers_the_initial_state(self):
+        self.open(cell(1, 17) + "&own=misalignment=0.09")
+        status = self.browser.facts()["Status"]
+        self.assertRegex(status, "the start lies [0-9.]+ mm beyond the ring; ")
+        said = float(re.search("lies ([0-9.]+) mm", status)[1])
+        with h5py.File(TINY / "atlas.h5") as file:
+            x, y = file["final_state"][0, 0, 0, 1, 17, :2]
+        self.assertAlmostEqual(said, 1e3 * (np.hypot(x, y + 0.09) - CLEARANCE), delta=0.01)
+        self.assertIn("beyond the ring", self.browser.text("#own-status"))
+        self.assertIn("beyond the ring", self.browser.text("#chart-orbit .note"))
+        self.browser.computes(lambda: self.browser.find("#from-initial").click())
+        self.assertIn("from the scene’s initial state", self.browser.text("#own-status"))
+        self.assertIn("from=initial", self.browser.driver.current_url)
+        self.assertFalse(self.browser.find("#from-initial").is_displayed())
+
+    def test_a_motion_that_leaves_the_model_from_within_the_ring_is_not_said_to_start_beyond_it(self):
+        self.open(self.own(speed_ratio=1.15))
+        self.assertNotIn("the start lies", self.browser.facts()["Status"])
+
     # --- the animation ---
 
     def test_the_rotor_moves_while_it_plays_and_stands_while_it_does_not(self):
-        self.open("#at=0,0,0,1,17")
+        self.open(cell(1, 17))
         self.assertEqual(self.browser.run("return document.getElementById('rotor').dataset.time"), "0")
         before = self.browser.pixels("#rotor")
         self.browser.find("#play").click()
@@ -112,7 +132,7 @@ class PageComputes(ExplorerTest):
         self.assertEqual(self.browser.run("return document.getElementById('rotor').dataset.time"), stopped)
 
     def test_a_step_leads_to_the_next_touch_down(self):
-        self.open("#at=0,0,0,1,17")
+        self.open(cell(1, 17))
         forces = columns(self.browser.exported("CSV", "forces"))
         starts = [float(time) for time, force, before in zip(forces["tau"], forces["blade"], ["", *forces["blade"]])
                   if force != before]

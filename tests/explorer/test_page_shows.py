@@ -1,5 +1,6 @@
 """What a report shows of an atlas, in headless Chromium."""
 import json
+import re
 import subprocess
 import sys
 import unittest
@@ -7,14 +8,16 @@ import xml.etree.ElementTree
 
 import h5py
 import numpy as np
-from explorer_test import PAGE, ExplorerTest, columns
+from explorer_test import PAGE, ExplorerTest, cell, columns
 from reports import PROGRAM, ROOT, TINY, made, run
+from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.keys import Keys
 
 sys.path.insert(0, str(ROOT / "tools"))
 
 from rubatlas.report import orbits  # noqa: E402
 
+SVG = "{http://www.w3.org/2000/svg}"
 HOSTILE = "</script><script>window.intruder=1</script><img src=x onerror=\"window.intruder=1\"> & Ω"
 
 
@@ -54,13 +57,12 @@ class PageShows(ExplorerTest):
             place = np.unravel_index(orbits.spread(done, 3)[1], atlas["status"].shape)
             at = ",".join(f"{axis}={float(atlas[axis][index])!r}"
                           for axis, index in zip(("damping_ratio", "speed_ratio"), place[-2:]))
-        self.open("#at=" + ",".join(map(str, place)),
-                  made(self.folder / "gravity.html", TINY / "gravity.h5", "--orbits", "3"))
+        self.open("#at=" + at, made(self.folder / "gravity.html", TINY / "gravity.h5", "--orbits", "3"))
         self.assertIn("gravity", self.browser.text("#not-computed"))
         self.assertTrue(self.browser.find("#not-computed").is_displayed())
         self.assertFalse(self.browser.find("#own").is_displayed())
         self.assertEqual(self.browser.facts()["Status"], "done")
-        self.assertGreater(len(columns(self.browser.exported("CSV", "poincare"))["atlas_x_mm"]), 0)
+        self.assertGreater(len(columns(self.browser.exported("CSV", "poincare"))["atlas_x [m]"]), 0)
         self.assertEqual(self.browser.text("#chart-orbit .badge"), "computed by the program")
         orbit = self.folder / "gravity_orbit.h5"
         subprocess.run([PROGRAM, "orbit", ROOT / "tests/tools/gravity.json", "--at", at, "--from", TINY / "gravity.h5",
@@ -69,11 +71,11 @@ class PageShows(ExplorerTest):
         shown = columns(self.browser.exported("CSV", "rotor"))
         with h5py.File(orbit) as file:
             last, stride = len(shown["tau"]), max(1, len(file["time"]) // len(file["sections"]) // 128)
-            for part, name in enumerate(("x_m", "y_m", "vx_m", "vy_m")):
+            for part, name in enumerate(("x [m]", "y [m]", "vx [m per unit of tau]", "vy [m per unit of tau]")):
                 np.testing.assert_allclose(np.array(shown[name], float), file["state"][::stride, part][-last:],
                                            rtol=1e-6, atol=1e-9)
-            np.testing.assert_allclose(np.array(shown["force_of_blade_1_N"], float), file["force"][::stride, 0][-last:],
-                                       rtol=1e-6)
+            np.testing.assert_allclose(np.array(shown["force_of_blade_1 [N]"], float),
+                                       file["force"][::stride, 0][-last:], rtol=1e-6)
         before = self.browser.pixels("#rotor")
         self.browser.find("#play").click()
         self.browser.wait_for("Number(document.getElementById('rotor').dataset.time) > 0.2")
@@ -90,9 +92,9 @@ class PageShows(ExplorerTest):
         self.open(report=made(self.folder / "two_orbits.html", TINY / "atlas.h5", "--maps", TINY / "maps.h5",
                               "--orbits", "2"))
         self.assertIn("orbits from the program, which computed those of 2 points", self.browser.text("#not-computed"))
-        self.open("#at=0,0,0,1,17", self.folder / "two_orbits.html")
+        self.open(cell(1, 17), self.folder / "two_orbits.html")
         self.assertRegex(self.browser.text("#rotor-status"),
-                         "no orbit of this point; the nearest with one: .*Ω 0[.][0-9]+")
+                         "no orbit of this point; the nearest with one: .*Ω\\s0[.][0-9]+")
         self.assertEqual(self.browser.log(), [])
 
     def test_without_web_assembly_all_that_comes_from_the_atlas_works(self):
@@ -103,7 +105,7 @@ class PageShows(ExplorerTest):
         before = self.browser.facts()
         self.click_cell(0.3, 0.5)
         self.assertNotEqual(self.browser.facts(), before)
-        self.assertEqual(len(columns(self.browser.exported("CSV", "poincare"))["atlas_x_mm"]), 16)
+        self.assertEqual(len(columns(self.browser.exported("CSV", "poincare"))["atlas_x [m]"]), 16)
         self.assertEqual(self.browser.log(), [])
 
     # --- the map ---
@@ -123,7 +125,7 @@ class PageShows(ExplorerTest):
         self.assertEqual(self.browser.log(), [])
 
     def test_the_facts_of_a_cell_are_those_of_the_atlas(self):
-        self.open("#at=0,0,0,1,17")
+        self.open(cell(1, 17))
         with h5py.File(TINY / "atlas.h5") as file:
             self.assertEqual(file["status"][0, 0, 0, 1, 17], 1)
             displacement, force = (file[name][0, 0, 0, 1, 17] for name in ("max_displacement", "max_contact_force"))
@@ -132,14 +134,14 @@ class PageShows(ExplorerTest):
         self.assertEqual(facts["Max contact force"], f"{float(f'{force:.4g}'):g} N")
 
     def test_arrow_keys_walk_over_the_map(self):
-        self.open("#at=0,0,0,1,10")
+        self.open(cell(1, 10))
         self.browser.computes(lambda: self.press(Keys.ARROW_RIGHT))
-        self.assertIn("at=0%2C0%2C0%2C1%2C11", self.browser.driver.current_url)
+        self.assertTrue(self.browser.driver.current_url.endswith(cell(1, 11)[1:]), self.browser.driver.current_url)
         self.browser.computes(lambda: self.press(Keys.ARROW_UP))
-        self.assertIn("at=0%2C0%2C0%2C2%2C11", self.browser.driver.current_url)
+        self.assertTrue(self.browser.driver.current_url.endswith(cell(2, 11)[1:]), self.browser.driver.current_url)
 
     def test_the_address_shows_a_colleague_the_same_view(self):
-        self.open("#at=0,0,0,1,10")
+        self.open(cell(1, 10))
         self.click_cell(0.75, 0.9)
         self.browser.run("const s = document.getElementById('map-quantity'); s.value = 'max_displacement'; "
                          "s.onchange()")
@@ -151,24 +153,25 @@ class PageShows(ExplorerTest):
 
     def test_an_address_that_asks_for_nonsense_opens_the_page(self):
         for address in ("#where=constructor > 1", "#where=" + 4000 * "(", "#x=damping_ratio&y=damping_ratio",
-                        "#x=damping_ratio", "#at=9,9,9,9,9"):
+                        "#x=damping_ratio", "#at=9,9,9,9,9", "#at=" + 5000 * "a,"):
             with self.subTest(address[:30]):
                 self.open(address)
                 self.assertNotEqual(*(self.browser.run(f"return document.getElementById('map-{side}').value")
                                       for side in "xy"))
                 self.assertEqual(self.browser.facts()["Status"], "done")
+                self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), 1400)
         self.assertEqual(self.browser.log(), [])
 
     def test_keys_that_follow_each_other_at_once_end_at_the_last_points_own_sections(self):
-        self.open("#at=0,0,0,1,17")
+        self.open(cell(1, 17))
         self.browser.run("document.activeElement.blur()")
         self.browser.computes(lambda: self.browser.run(
             "for (const key of ['ArrowUp', 'ArrowDown']) "
             "document.body.dispatchEvent(new KeyboardEvent('keydown', {key, bubbles: true}))"), times=2)
         table = columns(self.browser.exported("CSV", "poincare"))
         with h5py.File(TINY / "atlas.h5") as atlas:
-            np.testing.assert_allclose(np.array(table["atlas_x_mm"], float),
-                                       1e3 * atlas["poincare"][0, 0, 0, 1, 17, -16:, 0], rtol=1e-6)
+            np.testing.assert_allclose(np.array(table["atlas_x [m]"], float),
+                                       atlas["poincare"][0, 0, 0, 1, 17, -16:, 0], rtol=1e-6)
 
     def test_every_quantity_is_drawn_over_every_pair_of_axes(self):
         self.open(report=made(self.folder / "rings.html", TINY / "rings.h5", "--maps", TINY / "rings_maps.h5"))
@@ -183,6 +186,158 @@ class PageShows(ExplorerTest):
             pictures.add(self.browser.pixels("#map canvas"))
         self.assertGreater(len(pictures), 4)
         self.assertEqual(self.browser.log(), [])
+
+    def hatched(self, word):
+        """The share of the map whose cells are hatched as the legend's entry of this word."""
+        drawing = xml.etree.ElementTree.parse(self.browser.exported("SVG", "map")).getroot()
+        groups = [one for one in drawing.iter(f"{SVG}g") if one.get("clip-path")]
+        clip = {f"url(#{one.get('id')})": one[0].get("d") for one in drawing.iter(f"{SVG}clipPath")}
+
+        def area(group):
+            boxes = re.findall(r"M([-\d.]+) ([-\d.]+)H([-\d.]+)V([-\d.]+)", clip[group.get("clip-path")])
+            left, top, right, bottom = np.array(boxes, float).T
+            return ((right - left) * (bottom - top)).sum()
+
+        def pattern(group):
+            """Directions of the lines; none for dots."""
+            path = group[0]
+            lines = re.findall(r"M([-\d.]+) ([-\d.]+)L([-\d.]+) ([-\d.]+)", path.get("d"))
+            return {np.sign((x2 - x1) * (y2 - y1)) for x1, y1, x2, y2 in np.array(lines, float)}
+        whole = next(one for one in groups if len(list(one)) > 1)
+        legend = next(one for one in drawing.iter(f"{SVG}g") if one.get("transform") and
+                      [text.text for text in one.findall(f"{SVG}text")] == [word])
+        mark = next(one for one in legend.iter(f"{SVG}g") if one.get("clip-path"))
+        same = [one for one in whole.iter(f"{SVG}g") if one is not whole and one.get("clip-path")
+                and pattern(one) == pattern(mark)]
+        self.assertLessEqual(len(same), 1)
+        return area(same[0]) / area(whole) if same else 0.0
+
+    def test_points_without_a_motion_are_hatched_in_every_map(self):
+        with h5py.File(TINY / "atlas.h5") as atlas:
+            left = float((atlas["status"][...] == 2).mean())
+        self.assertGreater(left, 0.05)
+        for quantity in ("class", "max_displacement", "status"):
+            with self.subTest(quantity):
+                self.open(f"#map={quantity}")
+                self.assertAlmostEqual(self.hatched("left the model's validity"), left, delta=2e-3)
+
+    def analysed(self, name, scene):
+        """The report of an atlas of a scene, and of its maps."""
+        atlas = run(self.folder, name, {"protocol": {"transient_revolutions": 20, "sampled_revolutions": 4}, **scene})
+        maps = self.folder / f"{name}_maps.h5"
+        subprocess.run([PROGRAM, "analyse", atlas, "-o", maps, "--overwrite"], check=True, capture_output=True)
+        return atlas, made(self.folder / f"{name}.html", atlas, "--maps", maps)
+
+    def test_where_nothing_touches_the_map_of_classes_is_hatched_and_its_legend_says_so(self):
+        atlas, report = self.analysed("untouched", {
+            "rotor": {"misalignment": 0.005}, "unbalance": {"moment": 4e-3},
+            "grid": {"speed_ratio": {"from": 0.3, "to": 0.9, "count": 13}, "damping_ratio": [0.1, 0.3]},
+            "observables": ["max_displacement", "poincare", "contact_fraction"]})
+        with h5py.File(atlas) as file:
+            untouched = float(((file["status"][...] == 1) & (file["contact_fraction"][...] == 0)).mean())
+        self.assertGreater(untouched, 0.2)
+        self.assertLess(untouched, 0.95)
+        self.open(report=report)
+        self.assertAlmostEqual(self.hatched("no blade touches"), untouched, delta=2e-3)
+        self.assertIn("no blade touches", self.browser.text("#map-legend"))
+        self.open("#map=max_displacement", report)
+        self.assertNotIn("no blade touches", self.browser.text("#map-legend"))
+
+    def test_cells_that_are_narrower_than_a_pixel_are_named_and_told_apart_by_zooming(self):
+        atlas = run(self.folder, "columns", {
+            "grid": {"speed_ratio": {"from": 0.1, "to": 0.999, "count": 900}},
+            "protocol": {"transient_revolutions": 0, "sampled_revolutions": 2}, "observables": ["max_displacement"]})
+        with h5py.File(atlas) as file:
+            displacement, speed = file["max_displacement"][...].ravel(), file["speed_ratio"][...]
+        self.open("#map=max_displacement&at=speed_ratio=0.5", made(self.folder / "columns.html", atlas))
+        area = self.browser.find("#map .u-over")
+        self.assertLess(area.size["width"], 600)
+
+        def tip(across=0):
+            ActionChains(self.browser.driver).move_to_element_with_offset(area, across, 0).perform()
+            return self.browser.text("#map .tip").replace("\xa0", " ")
+
+        def named(text):
+            return int(np.argmin(np.abs(speed - float(re.search(r"Ω ([0-9.]+)", text)[1]))))
+        for place in (-150, 0, 150):
+            text = tip(place)
+            self.assertIn("one of 2 cells in this pixel", text)
+            self.assertIn(f"max displacement: {float(f'{1e3 * displacement[named(text)]:.4g}'):g} mm", text)
+        for _ in range(7):
+            self.browser.find("#map-nearer").click()
+        area = self.browser.find("#map .u-over")
+        self.assertNotIn("in this pixel", tip())
+        seen = [named(tip(across)) for across in range(-area.size["width"] // 2 + 5, area.size["width"] // 2 - 5, 10)]
+        self.assertEqual(sorted(set(seen)), list(range(min(seen), max(seen) + 1)))
+        self.assertIn(int(np.argmin(np.abs(speed - 0.5))), seen)
+        self.assertLess(len(set(seen)), 12)
+        # A walk out of the part that is shown takes the part along.
+        self.browser.computes(lambda: self.press(12 * Keys.ARROW_RIGHT), times=12)
+        self.assertIn(int(np.argmin(np.abs(speed - 0.5))) + 12,
+                      range(named(tip(5 - area.size["width"] // 2)), named(tip(area.size["width"] // 2 - 5)) + 1))
+        self.browser.find("#map-whole").click()
+        self.assertIn("one of 2 cells in this pixel", tip())
+
+    def test_sweep_directions_are_words(self):
+        _, report = self.analysed("both",
+                                  {"sweep": "both", "grid": {"speed_ratio": {"from": 0.3, "to": 0.7, "count": 9}}})
+        self.open("#at=direction=down,speed_ratio=0.4", report)
+        self.assertEqual(self.browser.facts()["Direction"], "down")
+        lines = self.browser.run("return [...document.querySelectorAll('#tables table')].map((table) => "
+                                 "[table.tHead.textContent, ...[...table.tBodies[0].rows].map((row) => "
+                                 "row.cells[0].textContent)])")
+        self.assertIn(["up", "down"], [cells for heading, *cells in lines if heading.startswith("Direction")])
+        self.assertEqual(set(columns(self.browser.exported("CSV", "map"))["direction"]), {"up", "down"})
+        self.assertIn("direction=down", self.browser.driver.current_url)
+
+    # --- links ---
+
+    def notice(self):
+        return self.browser.text("#address-notice") if self.browser.find("#address-notice").is_displayed() else ""
+
+    def test_a_link_holds_values_by_name_or_symbol(self):
+        self.open(cell(1, 17))
+        facts = self.browser.facts()
+        with h5py.File(TINY / "atlas.h5") as atlas:
+            speed = float(atlas["speed_ratio"][17])
+        self.assertEqual(facts["Damping ratio ζ"], "0.1")
+        self.assertEqual(self.notice(), "")
+        self.open(f"#at=ζ=0.1,Ω={speed!r}")
+        self.assertEqual(self.browser.facts(), facts)
+        self.assertEqual(self.notice(), "")
+
+    def test_what_a_link_asks_for_and_is_not_there_is_said(self):
+        with h5py.File(TINY / "atlas.h5") as atlas:
+            speed = float(atlas["speed_ratio"][17])
+        for address, said in (
+                ("#at=speed_ratio=7", "speed_ratio=7 is outside 0.2 to 0.9"),
+                (f"#at=speed_ratio={speed + 0.003}", f"is between points; the nearest is {speed!r}"),
+                ("#at=0,0,0,1,17", "0 is no name=value"), ("#at=speed_ratio=fast", "speed_ratio=fast is outside"),
+                ("#at=sped_ratio=0.4", "sped_ratio is none of thickness"), ("#map=clas", "map=clas is no quantity"),
+                ("#x=time", "x=time is no axis"), ("#zoom=3", "zoom is none of map"),
+                ("#from=here", "from=here is neither"),
+                ("#own=friction=3", "friction=3 is outside 0 to 2"), ("#own=0.6,0.1", "0.6 is no name=value")):
+            with self.subTest(address):
+                self.open(address)
+                self.assertIn(said, self.notice())
+                self.assertEqual(self.browser.text("#origin"), "from the atlas")
+        self.browser.computes(lambda: self.press(Keys.ARROW_RIGHT))
+        self.assertEqual(self.notice(), "")
+
+    def test_the_way_back_leads_over_what_was_chosen(self):
+        self.open(cell(1, 10))
+        first = self.browser.facts()
+        self.click_cell(0.75, 0.9)
+        second = self.browser.facts()
+        self.assertNotEqual(first, second)
+        for _ in range(3):
+            self.browser.computes(lambda: self.press(Keys.ARROW_LEFT))
+        third = self.browser.facts()
+        self.assertNotEqual(second, third)
+        for act, facts in ((self.browser.driver.back, second), (self.browser.driver.back, first),
+                           (self.browser.driver.forward, second)):
+            self.browser.computes(act)
+            self.assertEqual(self.browser.facts(), facts)
 
     # --- queries ---
 

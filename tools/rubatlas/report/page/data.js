@@ -46,6 +46,11 @@ async function openMaps() {
   finalStates = await numbers(atlas.final_state);
 }
 
+// What says whether blades touch the ring in the sampled revolutions of a point.
+const CONTACT = ['contact_fraction', 'max_contact_force'].find((name) => mapNamed(name));
+/// Whether no blade touches; false where the atlas does not say.
+const isUntouched = (point) => Boolean(CONTACT) && values.status[point] === 1 && values[CONTACT][point] === 0;
+
 // Orbits that the program has computed, by point.
 const orbitsByPoint = new Map(atlas.orbits.map((entry) => [entry.point, entry]));
 /// The orbit of a point as the solver gives one, from time 0; none where the file has none. `period`: of a revolution,
@@ -84,18 +89,21 @@ function shown(value, significant = 4) {
 function withUnits(value, units, significant) {
   const [unit, factor] = drawn(units);
   if (Number.isNaN(value) || value === null) return 'none';
-  return unit && unit !== '1' ? `${shown(value * factor, significant)} ${unit}` : shown(value * factor, significant);
+  return isUnit(unit) ? `${shown(value * factor, significant)} ${unit}` : shown(value * factor, significant);
 }
+const isUnit = (units) => units && units !== '-' && units !== '1';
+/// The name of a column or a value in a file: SI units, as in the atlas.
+const column = (name, units) => (isUnit(units) ? `${name} [${units}]` : name);
 const words = (name) => name.replace(/_/g, ' ');
 const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 function labelOf(axis) {
   const unit = drawn(axis.units)[0];
-  const named = [capital(words(axis.name)), axis.symbol, unit && unit !== '1' ? `[${unit}]` : ''];
+  const named = [capital(words(axis.name)), axis.symbol, isUnit(unit) ? `[${unit}]` : ''];
   return named.filter(Boolean).join(' ');
 }
 function mapLabel(map) {
   const unit = drawn(map.units)[0];
-  return `${capital(words(map.name))}${unit && unit !== '1' && !map.flags ? ` [${unit}]` : ''}`;
+  return `${capital(words(map.name))}${isUnit(unit) && !map.flags ? ` [${unit}]` : ''}`;
 }
 
 // --- Colours: Okabe and Ito's, and viridis for what grows. ---
@@ -124,20 +132,17 @@ function viridis(share) {
 const rgb = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
 
 // As pictures have them: rubatlas/palette.json.
-const MISSING = Object.fromEntries(palette.no_motion.map(({status, colour, name}) => [status, [colour, name]]));
-const CLASSES = palette.classes.map(({first, last, name, colour}) => [first, last, name, colour]);
-/// What a flag is drawn in: words and colours of the values that occur.
-function flagColours(map) {
-  // On a dark ground the darkest class is indigo.
-  if (map.name.startsWith('class')) {
-    return CLASSES.map((entry) => (dark.matches && entry[0] === 255 ? [255, 255, entry[2], '#5f5fa8'] : entry));
-  }
-  if (map.name === 'status') {
-    const missing = Object.entries(MISSING).map(([value, [colour, word]]) => [+value, +value, word, colour]);
-    return [[1, 1, 'done', CLASSES[0][3]], ...missing];
-  }
-  return Object.entries(map.flags)
-    .map(([value, word], index) => [+value, +value, word, ['#d9dde3', ...CYCLE][index % 7]]);
+const entryOfFlag = ({first, last, status, name, colour, hatch}) =>
+  ({first: first ?? status, last: last ?? status, mark: 'patch', word: name, colour, hatch});
+const CLASSES = palette.classes.map(entryOfFlag);
+const NO_MOTION = palette.no_motion.map(entryOfFlag);
+const NO_CONTACT = entryOfFlag(palette.no_contact);
+/// What the values of a flag are drawn in: legend entries with the `first` and the `last` value of each.
+function flagEntries(map) {
+  if (map.name.startsWith('class')) return CLASSES;
+  if (map.name === 'status') return [{...CLASSES[0], word: map.flags[1]}, ...NO_MOTION];
+  return Object.entries(map.flags).map(([value, word], index) =>
+    ({first: Number(value), last: Number(value), mark: 'patch', word, colour: ['#d9dde3', ...CYCLE][index % 7]}));
 }
 
 function element(name, attributes = {}, ...children) {

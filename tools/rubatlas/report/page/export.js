@@ -17,31 +17,31 @@ function saveText(name, text, type) {
   save(name, url);
   setTimeout(() => URL.revokeObjectURL(url), 60000);
 }
-/// Columns as text, with a decimal point and all digits whatever the locale.
-function csvText(columns) {
+/// Columns as text, with a decimal point and all digits whatever the locale; before them, in lines that begin with #,
+/// what they are of.
+function csvText(columns, title, {values}) {
   const names = Object.keys(columns);
   const quoted = (value) => {
     if (typeof value === 'number') return Number.isNaN(value) ? '' : String(value);
     return /[",\n]/.test(value) ? `"${String(value).replace(/"/g, '""')}"` : String(value);
   };
-  const rows = [names.map(quoted).join(',')];
+  const said = [title, credit(), ...values.map(([name, value]) => `${name} = ${value}`)];
+  const rows = [...said.map((line) => `# ${line.replace(/\s+/g, ' ')}`), names.map(quoted).join(',')];
   const count = Math.max(0, ...names.map((name) => columns[name].length));
   for (let i = 0; i < count; ++i) {
     rows.push(names.map((name) => (i < columns[name].length ? quoted(columns[name][i]) : '')).join(','));
   }
   return `${rows.join('\n')}\n`;
 }
-/// Buttons for what `subject` shows: an object with `name`, `png(title)`, `svg(title)` and `csv()`.
-function exportButtons(holder, subject, title) {
+/// Buttons for what `subject` shows: an object with `name`, `title`, `about`, `picture(kind)` and `csv()`. Pictures and
+/// numbers are of what it shows, whatever has been chosen since.
+function exportButtons(holder, subject) {
   const stem = () => `${atlas.file.replace(/\.h5$/, '')}_${subject.name}`;
   const kinds = {
     // At once: a browser may leave toBlob until the page is idle, for seconds.
-    PNG: () => save(`${stem()}.png`, subject.png(title()).toDataURL()),
-    SVG: () => saveText(`${stem()}.svg`, subject.svg(title()), 'image/svg+xml'),
-    CSV: () => {
-      const content = csvText(typeof subject.csv === 'function' ? subject.csv() : subject.csv);
-      saveText(`${stem()}.csv`, content, 'text/csv');
-    },
+    PNG: () => save(`${stem()}.png`, subject.picture('PNG').toDataURL()),
+    SVG: () => saveText(`${stem()}.svg`, subject.picture('SVG'), 'image/svg+xml'),
+    CSV: () => saveText(`${stem()}.csv`, csvText(subject.csv(), subject.title, subject.about), 'text/csv'),
   };
   for (const [kind, act] of Object.entries(kinds)) {
     holder.append(element('button',

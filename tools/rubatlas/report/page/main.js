@@ -29,33 +29,98 @@ function firstState() {
   const here = pointAt(state.place);
   if (atlas.not_computed && atlas.orbits.length && !orbitsByPoint.has(here)) state.place = nearestWithOrbit(here);
 }
+// --- The address: #map=class&at=speed_ratio=0.6,damping_ratio=0.1. It holds values, so that a link means the same in
+// every atlas; what it asks for and is not there is said. ---
+
+/// name=value pairs, separated by commas. `known`: what may be named, by name or symbol.
+function pairsOf(text, known, refuse) {
+  return text.split(',').flatMap((pair) => {
+    const [name, value, ...rest] = pair.split('=').map((part) => part.trim());
+    const index = known.findIndex((one) => name && (one.name === name || one.symbol === name));
+    if (index >= 0 && value && !rest.length) return [[index, value]];
+    refuse(index < 0 && value ? `${name} is none of ${known.map((one) => one.name).join(', ')}`
+      : `${pair || 'nothing'} is no name=value`);
+    return [];
+  });
+}
+function readPlace(text, refuse) {
+  for (const [i, value] of pairsOf(text, axes, refuse)) {
+    const axis = axes[i], all = axis.values;
+    const wanted = axis.name === 'direction' ? DIRECTIONS.indexOf(value) : Number(value);
+    const off = all.map((one) => Math.abs(one - wanted));
+    const nearest = off.indexOf(Math.min(...off));
+    const close = 1e-9 * Math.max(Math.abs(all[nearest]), Math.abs(wanted));  // as the program tells values apart
+    if (axis.name === 'direction' && !all.includes(wanted)) refuse(`direction=${value} is neither up nor down here`);
+    else if (!(wanted >= all[0] - close && wanted <= all[all.length - 1] + close)) {
+      refuse(`${axis.name}=${value} is outside ${all[0]} to ${all[all.length - 1]}`);
+    } else {
+      if (off[nearest] > close) refuse(`${axis.name}=${value} is between points; the nearest is ${all[nearest]}`);
+      state.place[i] = nearest;
+    }
+  }
+}
+function readOwn(text, refuse) {
+  const own = ownValues();
+  let sound = true;
+  const refuseAll = (what) => { sound = false; refuse(what); };
+  for (const [i, value] of pairsOf(text, OWN, refuseAll)) {
+    const {name, limit} = OWN[i];
+    if (Number(value) >= limit[0] && Number(value) <= limit[1]) own[name] = Number(value);
+    else refuseAll(`${name}=${value} is outside ${limit[0]} to ${limit[1]}`);
+  }
+  return sound ? own : null;
+}
 function readAddress() {
   const given = new URLSearchParams(location.hash.slice(1));
-  if (mapNamed(given.get('map'))) state.quantity = given.get('map');
-  const axisNamed = (name) => axes.findIndex((axis) => axis.name === name);
-  for (const side of ['x', 'y']) if (axisNamed(given.get(side)) >= 0) state[side] = axisNamed(given.get(side));
+  const refused = [];
+  const refuse = (what) => refused.push(what.length > 200 ? `${what.slice(0, 200)}…` : what);
+  const known = ['map', 'x', 'y', 'at', 'own', 'from', 'where'];
+  for (const key of given.keys()) if (!known.includes(key)) refuse(`${key} is none of ${known.join(', ')}`);
+  const quantity = given.get('map');
+  if (mapNamed(quantity)) state.quantity = quantity;
+  else if (quantity !== null) refuse(`map=${quantity} is no quantity of this atlas`);
+  for (const side of ['x', 'y']) {
+    const index = axes.findIndex((axis) => axis.name === given.get(side));
+    if (index >= 0) state[side] = index;
+    else if (given.has(side)) refuse(`${side}=${given.get(side)} is no axis of this atlas`);
+  }
   if (state.x === state.y) {
+    if (given.has('x') && given.has('y')) refuse(`x and y are both ${axes[state.x].name}`);
     const others = axes.map((_, i) => i).filter((i) => i !== state.x);
     state[given.has('x') ? 'y' : 'x'] = others.sort((one, other) => sizes[other] - sizes[one])[0];
   }
-  const at = (given.get('at') ?? '').split(',').map(Number);
-  const onAxis = (index, i) => Number.isInteger(index) && index >= 0 && index < sizes[i];
-  if (at.length === axes.length && at.every(onAxis)) state.place = at;
+  state.own = null;
+  if (given.has('at')) readPlace(given.get('at'), refuse);
   state.query = given.get('where') ?? '';
   state.start = given.get('from') === 'initial' ? 'initial' : 'atlas';
-  const own = (given.get('own') ?? '').split(',').map(Number);
-  state.own = given.get('own') && own.length === OWN.length
-    && own.every((value, i) => value >= OWN[i].limit[0] && value <= OWN[i].limit[1])
-    ? Object.fromEntries(OWN.map(({name}, i) => [name, own[i]])) : null;
+  if (given.has('from') && !['initial', 'atlas'].includes(given.get('from'))) {
+    refuse(`from=${given.get('from')} is neither initial nor atlas`);
+  }
+  if (given.has('own')) state.own = readOwn(given.get('own'), refuse);
+  byId('address-notice').hidden = !refused.length;
+  byId('address-notice').textContent = `Not all of this link is shown here: ${refused.join('; ')}.`;
 }
-function writeAddress() {
-  const given =
-    new URLSearchParams({map: state.quantity, x: axes[state.x].name, y: axes[state.y].name, at: state.place.join(',')});
+function addressOf() {
+  const pairs = (all) => all.map((pair) => pair.join('=')).join(',');
+  const swept = axes.map((axis, i) => [axis.name, valueWord(axis, state.place[i])]).filter((_, i) => sizes[i] > 1);
+  const given = new URLSearchParams({map: state.quantity, x: axes[state.x].name, y: axes[state.y].name});
+  if (swept.length) given.set('at', pairs(swept));
   if (state.query) given.set('where', state.query);
-  if (state.own) given.set('own', OWN.map(({name}) => state.own[name]).join(','));
+  if (state.own) given.set('own', pairs(OWN.map(({name}) => [name, state.own[name]])));
   if (state.start !== 'atlas') given.set('from', state.start);
-  const hash = `#${given}`;
-  if (hash !== location.hash) history.replaceState(null, '', hash);
+  return `#${given}`.replace(/%2C/g, ',').replace(/%3D/g, '=');
+}
+let lastAct = '', lastAddress = null;
+/// Keeps in the address what is shown. Back leads to where it was before the last act; acts of one kind that follow
+/// each other, such as the steps of a walk, are one.
+function writeAddress(act = '') {
+  const address = addressOf();
+  if (address !== lastAddress) {
+    byId('address-notice').hidden = true;
+    history[act && act === lastAct ? 'replaceState' : 'pushState'](null, '', address);
+  }
+  lastAct = act;
+  lastAddress = address;
 }
 
 let map, view;
@@ -86,8 +151,8 @@ async function showStored() {
   const orbit = await storedOrbit(point, 2 * Math.PI / wanted.speed_ratio);
   if (point !== pointAt(state.place)) return;
   const missing = atlas.orbits.length
-    ? `This report has no orbit of this point; the nearest with one: ${view.describe(nearestWithOrbit(point))}.` : '';
-  view.showComputed(orbit && {orbit, wanted}, missing);
+    ? `This report has no orbit of this point; the nearest with one: ${aboutCell(nearestWithOrbit(point)).words}.` : '';
+  view.showComputed(orbit && {orbit, wanted, about: aboutCell(state.place)}, missing);
   document.documentElement.dataset.computed = ++asked;
 }
 function nearestWithOrbit(point) {
@@ -104,20 +169,25 @@ async function compute() {
     again = false;
     const wanted = askedFor();
     const own = Boolean(state.own);
+    const {about} = view;
+    byId('from-initial').hidden = true;
     if (!wanted) {
       view.showComputed(null);
       byId('own-status').textContent =
         'The atlas has no motion in this cell; a start from the initial state shows what ends it.';
+      byId('from-initial').hidden = false;
       break;
     }
     try {
       const begin = performance.now();
       const answer = await computer.ask({wanted, maxOrder: atlas.scene.spectrum?.max_order ?? 12});
       if (again) continue;
-      view.showComputed({...answer, wanted, sections: answer.orbit.sections});
+      answer.orbit.ending = endingOf(answer.orbit, wanted, requestAt(state.place));
+      view.showComputed({...answer, wanted, about, sections: answer.orbit.sections});
+      byId('from-initial').hidden = answer.orbit.status === 1 || !startsFromCell();
       tell(answer, wanted, own, performance.now() - begin);
     } catch (error) {
-      view.showComputed({error: error.message, wanted});
+      view.showComputed({error: error.message, wanted, about});
       byId('own-status').textContent = `Not computed: ${error.message}.`;
     }
   } while (again);
@@ -149,7 +219,7 @@ async function more() {
     const sections = new Float64Array(before.sections.length + answer.orbit.sections.length);
     sections.set(before.sections);
     sections.set(answer.orbit.sections, before.sections.length);
-    view.showComputed({...answer, wanted, sections});
+    view.showComputed({...answer, wanted, about: before.about, sections});
     byId('own-status').textContent = answer.orbit.status === 1 ? `Continued: ${sections.length / 4} sections.`
       : `Continued: ${answer.orbit.ending}.`;
   } catch (error) {
@@ -160,9 +230,13 @@ async function more() {
   if (again) compute();
 }
 
-async function selected({keepOwn = false} = {}) {
-  if (!keepOwn) state.own = null;
-  writeAddress();
+/// Shows a cell that has been chosen; `act`: how, see `writeAddress`.
+async function selected(act = '') {
+  state.own = null;
+  writeAddress(act);
+  await showSelected();
+}
+async function showSelected() {
   showSliders();
   showOwn();
   view.result = null;
@@ -208,12 +282,13 @@ function showSliders() {
     const moved = (event) => {
       state.place[i] = Number(event.target.value);
       word.textContent = value();
+      event.target.setAttribute('aria-valuetext', value());
       state.own = null;
-      writeAddress();
+      writeAddress(axis.name);
       map.draw();
     };
     const range = element('input', {type: 'range', min: 0, max: sizes[i] - 1, value: state.place[i],
-      'data-axis': axis.name, oninput: moved, onchange: () => selected()});
+      'data-axis': axis.name, 'aria-valuetext': value(), oninput: moved, onchange: () => selected(axis.name)});
     holder.append(element('label', {}, `${capital(words(axis.name))} ${axis.symbol} `, range, word));
   });
 }
@@ -251,18 +326,18 @@ function fillOwn() {
     const range = element('input', {type: 'range', min: low, max: high, step: (high - low) / 2000,
       'aria-label': `${long} ${symbol}`, 'data-own': name});
     const field = element('input', {type: 'number', min: quantity.limit[0] * factor, max: quantity.limit[1] * factor,
-      step: 'any', 'aria-label': `${long} ${symbol}${unit && unit !== '1' ? ` in ${unit}` : ''}`,
+      step: 'any', 'aria-label': `${long} ${symbol}${isUnit(unit) ? ` in ${unit}` : ''}`,
       'data-own-number': name});
     const change = (text) => {
       const value = Number(text) / factor;
       const ends = quantity.limit.map((end) => Number((end * factor).toPrecision(12)));
       if (text === '' || !(Number(text) >= ends[0] && Number(text) <= ends[1])) {
         byId('own-status').textContent =
-          `${long}: ${text || 'nothing'} is outside [${ends.join(', ')}]${unit && unit !== '1' ? ` ${unit}` : ''}.`;
+          `${long}: ${text || 'nothing'} is outside [${ends.join(', ')}]${isUnit(unit) ? ` ${unit}` : ''}.`;
         return;
       }
       state.own = {...ownValues(), [name]: value};
-      writeAddress();
+      writeAddress(`own ${name}`);
       showOwn(name);
       view.showFacts();
       view.drawLine();
@@ -271,11 +346,13 @@ function fillOwn() {
     range.oninput = () => change(range.value);
     field.onchange = () => change(field.value);
     holder.append(element('label', {class: 'own'},
-      element('span', {text: `${long} ${symbol}${unit && unit !== '1' ? ` [${unit}]` : ''}`}), range, field));
+      element('span', {text: `${long} ${symbol}${isUnit(unit) ? ` [${unit}]` : ''}`}), range, field));
   }
   byId('back').onclick = () => selected();
   byId('more').onclick = () => more();
-  byId('own-start').onchange = (event) => { state.start = event.target.value; writeAddress(); compute(); };
+  const startFrom = (start) => { state.start = start; writeAddress(); showOwn(); compute(); };
+  byId('own-start').onchange = (event) => startFrom(event.target.value);
+  byId('from-initial').onclick = () => startFrom('initial');
 }
 function ownValues() {
   if (state.own) return state.own;
@@ -290,7 +367,8 @@ function showOwn() {
     const field = document.querySelector(`[data-own-number=${name}]`);
     if (!range) return;
     if (document.activeElement !== range) range.value = now[name] * factor;
-    field.value = Number((now[name] * factor).toPrecision(12));
+    range.setAttribute('aria-valuetext', withUnits(now[name], units, 6));
+    field.value = Number((now[name] * factor).toPrecision(7));
   }
   byId('own-start').value = state.start;
   byId('back').disabled = !state.own;
@@ -302,17 +380,18 @@ function walk(axis, step) {
   const next = Math.min(Math.max(state.place[axis] + step, 0), sizes[axis] - 1);
   if (next === state.place[axis]) return;
   state.place[axis] = next;
-  selected();
+  selected('walk');
 }
 function onKey(event) {
   const {target, key} = event;
   if (key === 'Escape') { target.blur?.(); return; }
-  if (target.closest('input, select, textarea, button, summary, .scroll, pre') || event.ctrlKey || event.metaKey
-    || event.altKey) return;
+  if (target.closest('input, select, textarea, summary, .scroll, pre') || event.ctrlKey || event.metaKey
+    || event.altKey || (key === ' ' && target.closest('button'))) return;
   const far = event.shiftKey ? 10 : 1;
   const acts = {
     ArrowLeft: () => walk(state.x, -far), ArrowRight: () => walk(state.x, far),
     ArrowUp: () => walk(state.y, 1), ArrowDown: () => walk(state.y, -1),
+    '+': () => map.zoom(2), '-': () => map.zoom(0.5), 0: () => map.zoom(null),
     ' ': () => togglePlay(), t: () => view.rotor.step(), q: () => byId('query').focus(),
   };
   const act = acts[key.length === 1 ? key.toLowerCase() : key];
@@ -339,10 +418,12 @@ function fillRotor() {
   const rate = () => {
     rotor.secondsPerRevolution = 10 ** Number(byId('rate').value);
     byId('rate-shown').textContent = `${shown(rotor.secondsPerRevolution, 2)} s a revolution`;
+    byId('rate').setAttribute('aria-valuetext', byId('rate-shown').textContent);
   };
   const zoom = () => {
     rotor.zoom = Number(byId('zoom').value);
     byId('zoom-shown').textContent = `×${shown(10 ** rotor.zoom, 2)}`;
+    byId('zoom').setAttribute('aria-valuetext', byId('zoom-shown').textContent);
     rotor.draw();
   };
   byId('rate').oninput = rate;
@@ -363,6 +444,7 @@ async function open() {
   await openMaps();
   firstState();
   readAddress();
+  lastAddress = addressOf();
   view = new PointView(state);
   view.walkTo = (speed) => {
     const off = axes[SPEED].values.map((value) => Math.abs(value - speed));
@@ -370,8 +452,10 @@ async function open() {
     selected();
   };
   map = new AtlasMap(state, (place) => { state.place = place; selected(); byId('map').focus({preventScroll: true}); });
-  exportButtons(document.querySelector('[data-export=map]'), map,
-    () => `${mapLabel(mapNamed(state.quantity))} · ${view.describe()}`);
+  exportButtons(document.querySelector('[data-export=map]'), map.chart);
+  for (const [id, factor] of [['map-nearer', 2], ['map-farther', 0.5], ['map-whole', null]]) {
+    byId(id).onclick = () => map.zoom(factor);
+  }
   fillControls();
   showControls();
   fillOwn();
@@ -398,8 +482,9 @@ async function open() {
     readAddress();
     showControls();
     byId('query').value = state.query;
+    [lastAct, lastAddress] = ['', addressOf()];
     mark();
-    selected({keepOwn: true});
+    showSelected();
   });
   if (state.query) mark();
   showOwn();

@@ -1,7 +1,7 @@
 // --- The map: any quantity over any two axes. ---
 
 /// An axis as the map draws it: by value where values are evenly spaced, else cell by cell with a word for each.
-function spacing(axis) {
+function spacingOf(axis) {
   const all = axis.values;
   if (all.length === 1) return {places: [0], edges: [-0.5, 0.5], ticks: {places: [0], words: [axisWord(axis, 0)]}};
   const step = (all[all.length - 1] - all[0]) / (all.length - 1);
@@ -17,21 +17,44 @@ function spacing(axis) {
   const kept = places.filter((i) => i % every === 0);
   return {places, edges: [-0.5, all.length - 0.5], ticks: {places: kept, words: kept.map((i) => axisWord(axis, i))}};
 }
+const spacings = new Map();
+function spacing(axis) {
+  if (!spacings.has(axis)) spacings.set(axis, spacingOf(axis));
+  return spacings.get(axis);
+}
+const DIRECTIONS = ['up', 'down'];
 const axisWord = (axis, index) =>
-  (axis.name === 'direction' ? ['up', 'down'][axis.values[index]]
+  (axis.name === 'direction' ? DIRECTIONS[axis.values[index]]
     : shown(axis.values[index] * drawn(axis.units)[1], 5));
 /// The same with its unit, to stand by itself.
 const placeWord = (axis, index, digits = 5) =>
   (axis.name === 'direction' ? axisWord(axis, index) : withUnits(axis.values[index], axis.units, digits));
+/// A value of an axis in a file or an address.
+const valueWord = (axis, index) => (axis.name === 'direction' ? axisWord(axis, index) : axis.values[index]);
+/// Names and values in a text; no line ends between the two.
+const listed = (pairs) => pairs.map((pair) => pair.join(' ').replace(/ /g, '\u00a0')).join(', ');
+/// What a cell of the atlas is, or all cells that differ from it on the axes `but` these.
+function aboutCell(place, but = []) {
+  const kept = axes.map((axis, i) => [axis, place[i]]).filter((_, i) => !but.includes(i));
+  return {words: listed(kept.map(([axis, index]) => [axis.symbol || words(axis.name), placeWord(axis, index)])),
+    values: kept.map(([axis, index]) => [column(axis.name, axis.units), valueWord(axis, index)])};
+}
+/// A map's value at a point, in words.
+function mapWord(map, point) {
+  const value = values[map.name][point];
+  return map.flags ? map.flags[value] ?? 'none' : withUnits(value, map.units);
+}
+
+// That a zoom leaves along an axis.
+const LEAST_CELLS = 4;
 
 class AtlasMap {
   constructor(state, changed) {
     this.state = state;
     this.changed = changed;
-    this.name = 'map';
     this.marks = null;
-    this.chart = new Chart(byId('map'),
-      {name: 'map', xLabel: '', yLabel: '', height: 330, click: (x, y) => this.pick(x, y)});
+    this.chart = new Chart(byId('map'), {name: 'map', height: 330, legendHolder: byId('map-legend'),
+      click: (x, y) => this.changed(this.placeAt(x, y)), hover: (x, y) => this.said(x, y)});
   }
   get axisX() { return axes[this.state.x]; }
   get axisY() { return axes[this.state.y]; }
@@ -42,13 +65,59 @@ class AtlasMap {
     place[this.state.x] = i;
     return pointAt(place);
   }
-  pick(x, y) {
+  placeAt(x, y) {
     const near = (places, value) =>
       places.reduce((best, at, i) => (Math.abs(at - value) < Math.abs(places[best] - value) ? i : best), 0);
     const place = [...this.state.place];
     place[this.state.y] = near(spacing(this.axisY).places, y);
     place[this.state.x] = near(spacing(this.axisX).places, x);
-    this.changed(place);
+    return place;
+  }
+  /// How many cells share a pixel, along both axes.
+  get cellsInPixel() {
+    const {plot, shownRange} = this.chart;
+    return [['x', this.axisX, plot.over.clientWidth], ['y', this.axisY, plot.over.clientHeight]]
+      .map(([side, axis, pixels]) => {
+        const [low, high] = spacing(axis).edges;
+        return axis.values.length * (shownRange[side][1] - shownRange[side][0]) / (high - low) / pixels;
+      });
+  }
+  /// The quantity of a cell in words.
+  valueAt(place) {
+    const map = mapNamed(this.state.quantity), point = pointAt(place);
+    return `${words(map.name)}: ${mapWord(values.status[point] === 1 ? map : mapNamed('status'), point)}`
+      + (map.name.startsWith('class') && isUntouched(point) ? `, ${NO_CONTACT.word}` : '');
+  }
+  /// The cell at a place of the map in words.
+  said(x, y) {
+    const place = this.placeAt(x, y);
+    const shares = this.cellsInPixel.reduce((product, share) => product * Math.max(1, share), 1);
+    const held = axes.map((_, i) => i).filter((i) => i !== this.state.x && i !== this.state.y);
+    const parts = [aboutCell(place, held).words, this.valueAt(place)];
+    if (shares >= 1.5) parts.push(`one of ${Math.round(shares)} cells in this pixel; zoom in to tell them apart`);
+    return parts.join('\n');
+  }
+  /// Shows fewer cells around the selected one, or more; by no factor: all of them.
+  zoom(factor) {
+    const {chart} = this;
+    const range = (side, axis, at) => {
+      const {edges, places} = spacing(axis);
+      const whole = edges[1] - edges[0], cells = axis.values.length;
+      const [low, high] = chart.shownRange[side];
+      const width = Math.min(whole, Math.max((high - low) / factor, whole * Math.min(1, LEAST_CELLS / cells)));
+      const from = Math.min(Math.max(places[at] - width / 2, edges[0]), edges[1] - width);
+      return [from, from + width];
+    };
+    chart.zoomed = factor ? {x: range('x', this.axisX, this.state.place[this.state.x]),
+      y: range('y', this.axisY, this.state.place[this.state.y])} : null;
+    chart.refresh();
+  }
+  /// A selected cell that is not in the part that is shown moves this part.
+  follow() {
+    const {zoomed} = this.chart;
+    const outside = (range, axis, at) => spacing(axis).places[at] < range[0] || spacing(axis).places[at] > range[1];
+    if (zoomed && (outside(zoomed.x, this.axisX, this.state.place[this.state.x])
+      || outside(zoomed.y, this.axisY, this.state.place[this.state.y]))) this.zoom(1);
   }
   draw() {
     const map = mapNamed(this.state.quantity);
@@ -62,18 +131,16 @@ class AtlasMap {
     const image = context.createImageData(nx, ny);
     const cells = [];
     for (let j = 0; j < ny; ++j) for (let i = 0; i < nx; ++i) cells.push(this.cell(i, j));
-    const colours = map.flags ? flagColours(map) : null;
-    const drawnValues = colours ? [] : cells.map((point) => all[point]).filter((value) => Number.isFinite(value));
+    const flags = map.flags && flagEntries(map);
+    const drawnValues = flags ? [] : cells.map((point) => all[point]).filter((value) => Number.isFinite(value));
     const [low, high, logarithmic] = this.scaleOf(drawnValues);
-    const seen = new Set(), missing = new Set();
+    const within = (entries, value) => entries.find(({first, last}) => value >= first && value <= last);
+    const entryAt = (point) => (map.name !== 'status' && within(NO_MOTION, status[point]))
+      || (map.name.startsWith('class') && isUntouched(point) && NO_CONTACT) || (flags && within(flags, all[point]));
+    const seen = cells.map(entryAt);
     cells.forEach((point, at) => {
-      let colour = null;
-      const own = map.name === 'status' ? null : MISSING[status[point]];
-      if (own) { colour = rgb(own[0]); missing.add(status[point]); }
-      else if (colours) {
-        const entry = colours.find(([first, last]) => all[point] >= first && all[point] <= last);
-        if (entry) { colour = rgb(entry[3]); seen.add(entry); }
-      } else if (Number.isFinite(all[point])) {
+      let colour = seen[at] ? rgb(seen[at].colour) : null;
+      if (!seen[at] && !flags && Number.isFinite(all[point])) {
         const value = logarithmic ? Math.log10(all[point]) : all[point];
         colour = viridis(high > low ? (value - low) / (high - low) : 0.5);
       }
@@ -82,7 +149,8 @@ class AtlasMap {
       if (colour) { image.data.set(colour, target); image.data[target + 3] = 255 * faded; }
     });
     context.putImageData(image, 0, 0);
-    const layers = [{kind: 'image', source: canvas, x: across.edges, y: upward.edges}];
+    const layers = [{kind: 'image', source: canvas, x: across.edges, y: upward.edges},
+      ...this.hatches(seen, nx, across.edges, upward.edges)];
     const place = this.state.place;
     const half = (spaced, count) => (spaced.edges[1] - spaced.edges[0]) / count / 2;
     const sx = across.places[place[this.state.x]], sy = upward.places[place[this.state.y]];
@@ -90,10 +158,31 @@ class AtlasMap {
     const tall = Math.max(half(upward, ny), (upward.edges[1] - upward.edges[0]) / 60);
     layers.push({kind: 'box', x: [sx - wide, sx + wide], y: [sy - tall, sy + tall], colour: ground(), width: 4});
     layers.push({kind: 'box', x: [sx - wide, sx + wide], y: [sy - tall, sy + tall], colour: VERMILION, width: 2});
+    this.follow();
+    byId('map-here').textContent = `Selected: ${aboutCell(place).words}; ${this.valueAt(place)}.`;
+    this.chart.heading = mapLabel(map);
     this.chart.show({layers, x: across.edges, y: upward.edges, keepZoom: true, xLabel: labelOf(this.axisX),
-      yLabel: labelOf(this.axisY),
-      xTicks: across.ticks, yTicks: upward.ticks});
-    this.legend(map, colours ? [...colours].filter((entry) => seen.has(entry)) : null, low, high, logarithmic, missing);
+      yLabel: labelOf(this.axisY), xTicks: across.ticks, yTicks: upward.ticks,
+      about: aboutCell(place, [this.state.x, this.state.y]), csv: () => this.columns(), note: map.long_name,
+      legend: this.legend(map, flags, [...new Set(seen)], low, high, logarithmic)});
+  }
+  /// Layers that hatch the cells whose entry of the legend has a hatch: rows of neighbours are one box.
+  hatches(seen, nx, [left, right], [bottom, top]) {
+    const wide = (right - left) / nx, tall = (top - bottom) / (seen.length / nx);
+    const layers = new Map();
+    for (let at = 0, from = 0; at < seen.length; ++at) {
+      const goesOn = (at + 1) % nx !== 0 && seen[at + 1] === seen[at];
+      if (goesOn) continue;
+      const entry = seen[at], row = Math.floor(at / nx), first = from % nx;
+      from = at + 1;
+      if (!entry?.hatch) continue;
+      if (!layers.has(entry)) {
+        layers.set(entry, {kind: 'hatch', sign: entry.hatch, colour: hatchInk(entry.colour), boxes: []});
+      }
+      layers.get(entry).boxes.push(
+        [left + wide * first, left + wide * (at % nx + 1), bottom + tall * row, bottom + tall * (row + 1)]);
+    }
+    return layers.values();
   }
   /// Displacements and forces of rest and rub differ by decades: where they do and are positive, logarithms are shown.
   scaleOf(all) {
@@ -106,41 +195,27 @@ class AtlasMap {
     }
     return [low, high, false];
   }
-  legend(map, entries, low, high, logarithmic, missing) {
-    const holder = byId('map-legend');
-    holder.replaceChildren();
-    const chip = (colour, word) => {
-      const patch = element('i');
-      patch.style.background = colour;
-      return element('span', {class: 'chip'}, patch, word);
-    };
-    if (entries) entries.forEach(([, , word, colour]) => holder.append(chip(colour, word)));
-    else {
-      const scale = (value) => withUnits(logarithmic ? 10 ** value : value, map.units, 3);
-      const strip = element('i', {class: 'strip'});
-      strip.style.background = `linear-gradient(90deg, ${VIRIDIS.map((colour) => `rgb(${colour})`).join(',')})`;
-      holder.append(element('span', {text: scale(low)}), strip, element('span', {text: scale(high)}),
-        ...(logarithmic ? [element('span', {class: 'quiet', text: '(logarithmic)'})] : []));
-    }
-    missing.forEach((status) => holder.append(chip(...MISSING[status])));
-    if (this.marks) holder.append(element('span', {class: 'quiet', text: 'pale: not marked'}));
-    holder.append(element('span', {class: 'quiet long', text: map.long_name}));
+  legend(map, flags, seen, low, high, logarithmic) {
+    const scale = (value) => withUnits(logarithmic ? 10 ** value : value, map.units, 3);
+    const strip = {mark: 'strip', before: scale(low), word: `${scale(high)}${logarithmic ? ' (logarithmic)' : ''}`};
+    const shownFlags = [...flags ?? [], NO_CONTACT, ...map.name === 'status' ? [] : NO_MOTION]
+      .filter((entry) => seen.includes(entry));
+    const pale = this.marks ? [{mark: 'patch', colour: 'transparent', word: 'pale: not marked'}] : [];
+    return [...flags ? [] : [strip], ...shownFlags, ...pale];
   }
-  csv() {
+  columns() {
     const map = mapNamed(this.state.quantity);
-    const columns = Object.fromEntries(axes.map((axis) => [axis.name, []]));
-    columns[map.name] = [];
-    if (this.marks) columns.marked = [];
+    const points = [];
     for (let j = 0; j < this.axisY.values.length; ++j) {
-      for (let i = 0; i < this.axisX.values.length; ++i) {
-        const point = this.cell(i, j);
-        placeOf(point).forEach((index, axis) => columns[axes[axis].name].push(axes[axis].values[index]));
-        columns[map.name].push(map.flags ? map.flags[values[map.name][point]] ?? '' : values[map.name][point]);
-        if (this.marks) columns.marked.push(this.marks[point]);
-      }
+      for (let i = 0; i < this.axisX.values.length; ++i) points.push(this.cell(i, j));
     }
+    const columns = {};
+    axes.forEach((axis, i) => {
+      columns[column(axis.name, axis.units)] = points.map((point) => valueWord(axis, placeOf(point)[i]));
+    });
+    columns[map.flags ? map.name : column(map.name, map.units)] =
+      points.map((point) => (map.flags ? map.flags[values[map.name][point]] ?? '' : values[map.name][point]));
+    if (this.marks) columns.marked = points.map((point) => this.marks[point]);
     return columns;
   }
-  svg(title) { return this.chart.svg(title); }
-  png(title) { return this.chart.png(title); }
 }

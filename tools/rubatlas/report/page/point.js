@@ -111,8 +111,11 @@ function periodOf(sections) {
 
 const FROM_ATLAS = 'from the atlas', COMPUTED = 'computed in this page', FROM_PROGRAM = 'computed by the program';
 
-/// What single precision keeps of a number.
-const eightDigits = (value) => Number(value.toPrecision(8));
+/// x, y, dx/dτ or dy/dτ of all states.
+const componentOf = (states, part) => Array.from({length: states.length / 4}, (_, i) => states[4 * i + part]);
+const inMillimetres = (all) => all.map((value) => 1e3 * value);
+/// Millimetres of single precision in metres.
+const inMetres = (value) => Number((value / 1e3).toPrecision(8));
 
 class PointView {
   constructor(state) {
@@ -126,9 +129,9 @@ class PointView {
       const card = element('section', {class: 'card chart', id: `chart-${key}`, 'aria-label': heading},
         element('div', {class: 'bar'}, element('h2', {text: heading}), badge, buttons), box, note);
       holder.append(card);
-      const chart = new Chart(box, {name: key, ...options});
-      exportButtons(buttons, chart, () => `${heading} · ${this.describe()}`);
-      this.charts[key] = {chart, card, note, badge};
+      const chart = new Chart(box, {name: key, heading, legendHolder: note, ...options});
+      exportButtons(buttons, chart);
+      this.charts[key] = {chart, card, badge};
     };
     const speed = labelOf(axes[SPEED]);
     if (atlas.lines.poincare) {
@@ -153,7 +156,7 @@ class PointView {
     this.component = 0;
     this.result = null;
     this.rotor = new Rotor(byId('rotor'), byId('rotor-status'));
-    exportButtons(document.querySelector('[data-export=rotor]'), this.rotor, () => this.describe());
+    exportButtons(document.querySelector('[data-export=rotor]'), this.rotor);
   }
   /// Orbit, forces and the moving rotor are there where the page computes them, or the program has.
   showMotion(computer) {
@@ -169,14 +172,8 @@ class PointView {
     this.rotor.fit();
   }
   get point() { return pointAt(this.state.place); }
-  /// The point in words; `place`: a cell, the selected point by default.
-  describe(place) {
-    const {own} = this.state;
-    const at = place ?? this.state.place;
-    const parts = own && !place ? OWN.map(({name, symbol, units}) => `${symbol} ${withUnits(own[name], units, 5)}`)
-      : axes.map((axis, i) => `${axis.symbol || words(axis.name)} ${placeWord(axis, at[i])}`);
-    return parts.join(', ');
-  }
+  /// What is selected: a cell, or a point off the grid.
+  get about() { return this.state.own ? aboutOwn(this.state.own) : aboutCell(this.state.place); }
   showFacts() {
     const {own} = this.state;
     const badge = byId('origin');
@@ -212,13 +209,13 @@ class PointView {
       for (const map of atlas.maps) {
         const value = values[map.name][this.point];
         if (map.name === 'restarted' || (map.name === 'status_detail' && values.status[this.point] === 1)) continue;
-        if (map.flags) pairs.push([capital(words(map.name)), map.flags[value] ?? 'none']);
-        else if (Number.isFinite(value)) pairs.push([capital(words(map.name)), withUnits(value, map.units)]);
+        if (map.flags || Number.isFinite(value)) pairs.push([capital(words(map.name)), mapWord(map, this.point)]);
       }
     }
     const list = (items, kind) =>
       element('dl', {class: kind},
-        ...items.map(([name, value]) => element('div', {}, element('dt', {text: name}), element('dd', {text: value}))));
+        ...items.map(([name, value]) => element('div', {class: value.length > 30 && 'long'},
+          element('dt', {text: name}), element('dd', {text: value}))));
     holder.replaceChildren(list(coordinates, 'coordinates'), list(pairs, 'results'));
   }
 
@@ -243,6 +240,9 @@ class PointView {
     const margin = 0.02 * (speeds[speeds.length - 1] - speeds[0] || 1);
     const across = [speeds[0] - margin, speeds[speeds.length - 1] + margin];
     const cursor = {kind: 'vertical', x: this.speed, colour: VERMILION, width: 1.5};
+    const cursorEntry = {mark: 'line', colour: VERMILION, word: 'selected speed'};
+    // The line that has been unpacked, whatever point of its own the page shows beside it.
+    const line = aboutCell(placeOf(this.opened.number * sizes[SPEED]), [SPEED]);
     if (this.charts.bifurcation && this.opened.poincare) {
       const kept = atlas.lines.poincare.sections;
       if (this.dotsOf !== `${this.opened.number}/${this.component}`) {
@@ -258,13 +258,15 @@ class PointView {
       }
       const size = this.dots.x.length > 20000 ? 1 : this.dots.x.length > 3000 ? 1.5 : 2.5;
       const component = 'xy'[this.component];
-      this.charts.bifurcation.chart.show({layers: [{kind: 'dots', ...this.dots, colour: strong(), size}, cursor],
-        x: across, y: rangeOf([this.dots.y]), keepZoom: true, yLabel: `${component} at the sections [mm]`,
-        csv: () => ({speed_ratio: this.dots.x, [`${component}_mm`]: this.dots.y.map(eightDigits)})});
+      const {x, y} = this.dots;
+      this.charts.bifurcation.chart.show({layers: [{kind: 'dots', x, y, colour: strong(), size}, cursor],
+        x: across, y: rangeOf([y]), keepZoom: true, yLabel: `${component} at the sections [mm]`,
+        about: line, legend: [{mark: 'dots', colour: strong(), word: 'sections of the atlas'}, cursorEntry],
+        csv: () => ({speed_ratio: x, [column(component, 'm')]: y.map(inMetres)})});
     }
-    if (this.charts.waterfall && this.opened.spectrum) this.drawWaterfall(across, cursor);
+    if (this.charts.waterfall && this.opened.spectrum) this.drawWaterfall(across, cursor, line, cursorEntry);
   }
-  drawWaterfall(across, cursor) {
+  drawWaterfall(across, cursor, line, cursorEntry) {
     const {orders, width} = atlas.lines.spectrum;
     const speeds = axes[SPEED].values;
     const codes = this.opened.spectrum;
@@ -299,14 +301,16 @@ class PointView {
     const step = speeds.length > 1 ? (speeds[speeds.length - 1] - speeds[0]) / (speeds.length - 1) / 2 : 0.01;
     const from = speeds[0] - step, to = speeds[speeds.length - 1] + step;
     const count = atlas.scene.blades.count;
-    const marks = [...new Set([1, 2, 3, count])].map((order) =>
+    const {largest} = atlas.lines.spectrum;
+    const marked = [...new Set([1, 2, 3, count])];
+    const marks = marked.map((order) =>
       ({kind: 'line', x: [from, to], y: [order * from, order * to], colour: '#ffffff88', width: 1, dash: [4, 4]}));
     this.charts.waterfall.chart.show({layers: [{kind: 'image', source: this.waterfall, x: [from, to], y: [0, top]},
-      ...marks, cursor], x: across, y: [0, top], keepZoom: true,
+      ...marks, cursor], x: across, y: [0, top], keepZoom: true, about: line,
+      legend: [{mark: 'strip', before: withUnits(1e-5 * largest, 'm', 3),
+        word: `${withUnits(largest, 'm', 3)} (logarithmic)`},
+      {mark: 'line', colour: quiet(), dash: [4, 4], word: `orders ${marked.join(', ')}`}, cursorEntry],
       csv: () => this.waterfallColumns()});
-    const highest = withUnits(atlas.lines.spectrum.largest, 'm', 3);
-    this.charts.waterfall.note.textContent =
-      `Five decades below ${highest}; dashed: orders 1, 2, 3${count > 3 ? ` and ${count}` : ''}.`;
   }
   amplitude(code) {
     const {largest, decades} = atlas.lines.spectrum;
@@ -316,7 +320,7 @@ class PointView {
     const {orders} = atlas.lines.spectrum;
     const columns = {order: orders.map((order) => Number(order.toPrecision(8)))};
     axes[SPEED].values.forEach((speed, i) => {
-      columns[`amplitude_m_at_${speed}`] =
+      columns[column(`amplitude_at_${speed}`, 'm')] =
         orders.map((_, bin) => Number(this.amplitude(this.opened.spectrum[i * orders.length + bin]).toPrecision(5)));
     });
     return columns;
@@ -338,15 +342,16 @@ class PointView {
   }
   drawSections() {
     const own = this.atlasSections();
-    const computed = this.result?.sections ? {x: [], y: []} : null;
-    for (let i = 0; computed && i < this.result.sections.length; i += 4) {
-      computed.x.push(1e3 * this.result.sections[i]);
-      computed.y.push(1e3 * this.result.sections[i + 1]);
-    }
-    const layers = [];
-    if (own) layers.push({kind: 'dots', ...own, colour: strong(), size: 5});
-    if (computed) layers.push({kind: 'dots', ...computed, colour: VERMILION, size: 3});
-    const {chart, note, badge} = this.charts.poincare;
+    const [exactX, exactY] = [0, 1].map((part) => componentOf(this.result?.sections ?? [], part));
+    const computed = exactX.length > 0 && {x: inMillimetres(exactX), y: inMillimetres(exactY)};
+    const layers = [], legend = [];
+    const add = (dots, colour, size, word) => {
+      layers.push({kind: 'dots', ...dots, colour, size});
+      legend.push({mark: 'dots', colour, word});
+    };
+    if (own) add(own, strong(), 5, `${own.x.length} sections of the atlas`);
+    if (computed) add(computed, VERMILION, 3, `${computed.x.length} computed here`);
+    const {chart, badge} = this.charts.poincare;
     const x = layers.flatMap((layer) => [layer.x]), y = layers.flatMap((layer) => [layer.y]);
     // Sections of a periodic motion are one dot: the width of the picture is a share of their distance from rest, not
     // of rounding.
@@ -356,42 +361,43 @@ class PointView {
       const [low, high] = rangeOf(all, 0.15);
       return high - low < least ? [(low + high) / 2 - least, (low + high) / 2 + least] : [low, high];
     };
-    const csv = () => ({
-      ...(own ? {atlas_x_mm: own.x.map(eightDigits), atlas_y_mm: own.y.map(eightDigits)} : {}),
-      ...(computed ? {computed_x_mm: computed.x, computed_y_mm: computed.y} : {})});
-    chart.show({layers, x: around(x), y: around(y), csv});
+    const columnsOf = (from, x, y) => ({[column(`${from}_x`, 'm')]: x, [column(`${from}_y`, 'm')]: y});
+    chart.show({layers, x: around(x), y: around(y), about: this.shownAbout, legend,
+      note: layers.length ? '' : 'no motion to show',
+      csv: () => ({...(own ? columnsOf('atlas', own.x.map(inMetres), own.y.map(inMetres)) : {}),
+        ...(computed ? columnsOf('computed', exactX, exactY) : {})})});
     badge.textContent = own && computed ? 'atlas and page' : own ? FROM_ATLAS : COMPUTED;
     badge.classList.toggle('computed', !own);
-    const said = [own ? `blue: ${own.x.length} sections of the atlas` : '',
-      computed ? `vermilion: ${computed.x.length} computed here` : ''];
-    note.textContent = said.filter(Boolean).join('; ') || 'no motion to show';
   }
   drawSpectrum() {
-    const layers = [], csv = {};
+    const layers = [], columns = {}, legend = [];
     let highest = 0;
     const floor = (value) => Math.log10(Math.max(1e3 * value, 1e-12));
+    const add = (orders, amplitudes, colour, word) => {
+      layers.push({kind: 'bars', x: orders, y: Array.from(amplitudes, floor), colour, width: 1});
+      legend.push({mark: 'line', colour, word});
+    };
     if (!this.state.own && this.opened?.spectrum && values.status[this.point] === 1) {
       const {orders} = atlas.lines.spectrum;
       const at = this.state.place[SPEED] * orders.length;
       const all = orders.map((_, bin) => this.amplitude(this.opened.spectrum[at + bin]));
-      csv.atlas_order = orders.map((order) => Number(order.toPrecision(8)));
-      csv.atlas_amplitude_m = all.map((value) => Number(value.toPrecision(5)));
+      columns.atlas_order = orders.map((order) => Number(order.toPrecision(8)));
+      columns[column('atlas_amplitude', 'm')] = all.map((value) => Number(value.toPrecision(5)));
       highest = Math.max(highest, ...all);
-      layers.push({kind: 'bars', x: orders, y: all.map(floor), colour: strong(), width: 1});
+      add(orders, all, strong(), 'of the atlas');
     }
     if (this.result?.spectrum) {
       const {amplitude, revolutions} = this.result.spectrum;
       const orders = Array.from(amplitude, (_, k) => k / revolutions);
-      csv.computed_order = orders;
-      csv.computed_amplitude_m = Array.from(amplitude);
+      columns.computed_order = orders;
+      columns[column('computed_amplitude', 'm')] = Array.from(amplitude);
       highest = Math.max(highest, ...amplitude);
-      if (this.state.own || !layers.length) {
-        layers.push({kind: 'bars', x: orders, y: Array.from(amplitude, floor), colour: VERMILION, width: 1});
-      }
+      if (!layers.length) add(orders, amplitude, VERMILION, 'computed here');
     }
     const top = Math.ceil(floor(highest || 1));
     const {chart, badge} = this.charts.spectrum;
-    chart.show({layers, x: [0, atlas.scene.spectrum?.max_order ?? 12], y: [top - 6, top + 0.2], keepZoom: true, csv});
+    chart.show({layers, x: [0, atlas.scene.spectrum?.max_order ?? 12], y: [top - 6, top + 0.2], keepZoom: true, legend,
+      about: this.shownAbout, note: layers.length ? '' : 'no motion to show', csv: () => columns});
     const computed = this.state.own || (layers.length && layers[0].colour === VERMILION);
     badge.textContent = computed ? COMPUTED : FROM_ATLAS;
     badge.classList.toggle('computed', Boolean(computed));
@@ -403,58 +409,57 @@ class PointView {
   showComputed(result, missing = '') {
     this.result = result;
     const orbit = result?.orbit?.status === 1 ? result.orbit : null;
-    this.rotor.show(orbit, result?.wanted, missing);
+    this.rotor.show(orbit, result?.wanted, missing, this.shownAbout);
     this.drawOrbit(orbit);
     this.drawForces(orbit, result?.wanted);
     if (this.opened) this.drawPoint();
     this.showFacts();
   }
+  /// What the panels of the point are of: an answer may be there for a point that is no longer the selected one.
+  get shownAbout() { return this.result?.about ?? this.about; }
   drawOrbit(orbit) {
-    const {chart, note} = this.charts.orbit;
-    const x = [], y = [];
-    for (let i = 0; orbit && i < orbit.time.length; ++i) {
-      x.push(1e3 * orbit.state[4 * i]);
-      y.push(1e3 * orbit.state[4 * i + 1]);
-    }
+    const {chart} = this.charts.orbit;
+    const [exactX, exactY] = [0, 1].map((part) => (orbit ? componentOf(orbit.state, part) : []));
+    const [x, y] = [exactX, exactY].map(inMillimetres);
     const wanted = this.result?.wanted;
-    const layers = [];
+    const layers = [], legend = [];
     if (orbit) {
       const clearance = 1e3 * (wanted.ring_radius - wanted.hub_radius - wanted.blade_length);
       layers.push({kind: 'line', x, y, colour: strong(), width: 1});
+      legend.push({mark: 'line', colour: strong(), word: `shaft, ${orbit.time.length / orbit.samples} revolutions`});
       if (clearance > 0) {
+        const dash = [5, 4];
         layers.push({kind: 'circle', x: 0, y: -1e3 * wanted.misalignment, radius: clearance, colour: ink(), width: 1.2,
-          dash: [5, 4]});
+          dash});
+        legend.push({mark: 'line', colour: ink(), dash, word: 'a blade that points outwards touches'});
       }
     }
     this.orbitLayers = layers;
-    const [rangeX, rangeY] = [rangeOf([x], 0.12), rangeOf([y], 0.12)];
-    this.orbitView = {x: rangeX, y: rangeY, csv: () => ({x_mm: x, y_mm: y})};
-    chart.show({layers, ...this.orbitView});
     const {ending} = this.result?.orbit ?? {};
-    note.textContent = !orbit ? (ending ? `no motion: ${ending}` : 'no motion to show')
-      : `${orbit.time.length / orbit.samples} revolutions; ` +
-        'dashed: the circle at which a blade that points outwards touches';
+    chart.show({layers, x: rangeOf([x], 0.12), y: rangeOf([y], 0.12), about: this.shownAbout, legend,
+      note: orbit ? '' : ending ? `no motion: ${ending}` : 'no motion to show',
+      csv: () => ({[column('x', 'm')]: exactX, [column('y', 'm')]: exactY})});
   }
   /// Where the animation is, on the orbit.
   markOrbit(now) {
-    if (!this.orbitView) return;
+    if (!this.orbitLayers) return;
     const {chart} = this.charts.orbit;
     chart.layers = [...this.orbitLayers,
       {kind: 'dots', x: [1e3 * now.x], y: [1e3 * now.y], colour: VERMILION, size: 8}];
     chart.plot.redraw(false);
   }
   drawForces(orbit, wanted) {
-    const {chart, note} = this.charts.forces;
-    const layers = [];
+    const {chart} = this.charts.forces;
+    const layers = [], legend = [];
     const period = orbit ? 2 * Math.PI / wanted.speed_ratio : 1;
     const total = orbit ? orbit.time.length / orbit.samples : 4;
     const from = Math.max(0, total - 4);
-    const csv = {blade: [], tau: [], force_N: []};
+    const columns = {blade: [], tau: [], [column('force', 'N')]: []};
     if (orbit) {
       const {number, blade, time, force} = orbit.contact;
       const lines = new Map();
       number.forEach((contact, i) => {
-        csv.blade.push(blade[i] + 1); csv.tau.push(time[i]); csv.force_N.push(force[i]);
+        [blade[i] + 1, time[i], force[i]].forEach((value, place) => Object.values(columns)[place].push(value));
         if (time[i] < (from - 1) * period) return;
         if (!lines.has(contact)) {
           lines.set(contact, {kind: 'line', x: [time[i] / period], y: [0], colour: cycle()[blade[i] % 6], width: 1.5});
@@ -464,16 +469,13 @@ class PointView {
       });
       for (const one of lines.values()) { one.x.push(one.x[one.x.length - 1]); one.y.push(0); }
       layers.push(...lines.values());
+      for (let i = 0; layers.length && i < Math.min(orbit.blades, 6); ++i) {
+        legend.push({mark: 'line', colour: cycle()[i], word: `blade ${i + 1}`});
+      }
     }
     chart.show({layers, x: [from, total], y: [0, rangeOf(layers.map((layer) => layer.y), 0.08)[1] || 1],
-      csv: () => csv});
-    note.replaceChildren();
-    if (!layers.length) note.textContent = orbit ? 'no contact' : 'no motion to show';
-    else for (let i = 0; i < Math.min(orbit.blades, 6); ++i) {
-      const patch = element('i');
-      patch.style.background = cycle()[i];
-      note.append(element('span', {class: 'chip'}, patch, `blade ${i + 1}`));
-    }
+      about: this.shownAbout, legend, note: layers.length ? '' : orbit ? 'no contact' : 'no motion to show',
+      csv: () => columns});
   }
 }
 
@@ -492,3 +494,17 @@ const OWN = [
   {name: 'misalignment', symbol: 'y0', long: 'Misalignment', units: 'm', axis: 'rotor_misalignment',
     low: (value) => 0.95 * value, high: (value) => 1.05 * value, limit: [-1e3, 1e3]},
 ];
+const aboutOwn = (own) => ({
+  words: listed(OWN.map(({name, symbol, units}) => [symbol, withUnits(own[name], units, 5)])),
+  values: OWN.map(({name, units}) => [column(name, units), own[name]])});
+/// How far a blade that points to where the shaft is would reach beyond the ring [m].
+const beyondRing = ({x, y, misalignment, hub_radius: hub, blade_length: length, ring_radius: radius}) =>
+  Math.hypot(x, y + misalignment) + hub + length - radius;
+/// What ended a motion, and that its start lies beyond the ring where the ring is no longer where it was for `before`.
+function endingOf(orbit, wanted, before) {
+  const beyond = beyondRing(wanted);
+  if (orbit.status === 1 || beyond <= Math.max(0, beyondRing({...wanted, misalignment: before.misalignment}))) {
+    return orbit.ending;
+  }
+  return `the start lies ${withUnits(beyond, 'm')} beyond the ring; ${orbit.ending}`;
+}

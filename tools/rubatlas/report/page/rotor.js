@@ -5,6 +5,7 @@ class Rotor {
     this.canvas = canvas;
     this.status = status;
     this.name = 'rotor';
+    this.about = nothing;
     this.orbit = null;
     this.time = 0;
     this.playing = false;
@@ -22,9 +23,12 @@ class Rotor {
     this.canvas.width = this.canvas.height = Math.round(side * devicePixelRatio);
     this.draw();
   }
-  /// `request` is what the orbit was computed from; `missing`: what is said where there is none.
-  show(orbit, request, missing) {
+  /// `request` is what the orbit was computed from; `missing`: what is said where there is none; `about`: what the
+  /// orbit is of.
+  show(orbit, request, missing, about) {
     this.orbit = orbit;
+    this.about = about;
+    this.canvas.setAttribute('aria-label', `The rotor in its ring, seen along the shaft · ${about.words}`);
     this.missing = missing;
     this.request = request;
     this.time = 0;
@@ -110,7 +114,7 @@ class Rotor {
       const turned = `${shown(1 + Math.floor(revolution), 4)}, ${shown(Math.floor(360 * (revolution % 1)), 3)}°`;
       this.status.textContent = `revolution ${turned} · ${touching ? `in contact: ${touching}` : 'no contact'}`;
       this.moved(this.now);
-    } else this.status.textContent = this.missing;
+    } else this.status.textContent = this.missing || (this.request ? 'no motion to show' : '');
   }
   paint(pen, side) {
     const unit = pen.scale;
@@ -138,7 +142,7 @@ class Rotor {
     const to = (x, y) => [middle + (x - focus[0]) * scale, middle - (y - focus[1]) * scale];
     const ring = to(0, -request.misalignment);
     const grey = quiet();
-    pen.clipped(0, 0, side * unit, side * unit, () => {
+    pen.clipped([[0, 0, side * unit, side * unit]], () => {
       // A circle that is far larger than the picture is drawn as the arc that can be seen.
       const arc = [];
       const spread = Math.min(Math.PI, 4 * side * unit / (radius * scale));
@@ -202,37 +206,23 @@ class Rotor {
   csv() {
     const {orbit} = this;
     if (!orbit) return {};
-    const columns = {tau: [], x_m: [], y_m: [], vx_m: [], vy_m: []};
-    for (let i = 0; i < orbit.blades; ++i) columns[`force_of_blade_${i + 1}_N`] = [];
-    orbit.time.forEach((time, i) => {
-      columns.tau.push(time);
-      ['x_m', 'y_m', 'vx_m', 'vy_m'].forEach((name, part) => columns[name].push(orbit.state[4 * i + part]));
-      for (let blade = 0; blade < orbit.blades; ++blade) {
-        columns[`force_of_blade_${blade + 1}_N`].push(orbit.force[orbit.blades * i + blade]);
-      }
+    const columns = {tau: Array.from(orbit.time)};
+    ['x', 'y', 'vx', 'vy'].forEach((name, part) => {
+      columns[column(name, part < 2 ? 'm' : 'm per unit of tau')] =
+        componentOf(orbit.state, part);
     });
+    for (let blade = 0; blade < orbit.blades; ++blade) {
+      columns[column(`force_of_blade_${blade + 1}`, 'N')] =
+        Array.from(orbit.time, (_, i) => orbit.force[orbit.blades * i + blade]);
+    }
     return columns;
   }
-  svg(title) {
+  get title() { return `The rotor in its ring · ${this.about.words}`; }
+  picture(kind) {
     const side = 430;
-    const pen = new SvgPen(side, side + 44);
-    this.paint(pen, side);
-    pen.text(title, 8, side + 14, {colour: ink(), size: 12});
-    pen.text(credit(), 8, side + 34, {colour: quiet(), size: 9});
-    return pen.finish(ground());
-  }
-  png(title) {
-    const canvas = element('canvas');
-    const side = 430, ratio = 2;
-    canvas.width = side * ratio;
-    canvas.height = (side + 44) * ratio;
-    const context = canvas.getContext('2d');
-    context.fillStyle = ground();
-    context.fillRect(0, 0, canvas.width, canvas.height);
-    const pen = new CanvasPen(context, ratio);
-    this.paint(pen, side);
-    pen.text(title, 8 * ratio, (side + 14) * ratio, {colour: ink(), size: 12});
-    pen.text(credit(), 8 * ratio, (side + 34) * ratio, {colour: quiet(), size: 9});
-    return canvas;
+    const legend = this.orbit ? [{mark: 'line', colour: strong(), word: 'path of the shaft’s centre'},
+      {mark: 'line', colour: VERMILION, word: 'force of the ring on a blade'}] : [];
+    return picture(kind, {width: side, height: side, title: this.title, legend, note: this.status.textContent},
+      (pen) => this.paint(pen, side));
   }
 }

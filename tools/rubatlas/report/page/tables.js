@@ -38,7 +38,8 @@ function table1() {
     return [element('p', {class: 'quiet', text: 'No line of this atlas covers a region or a trigger.'})];
   }
   const swept = axes.slice(0, SPEED).filter((axis) => axis.values.length > 1 && row[axis.name]);
-  const rows = row.line.map((_, line) => [...swept.map((axis) => withUnits(row[axis.name][line], axis.units, 4)),
+  const cell = (axis, value) => (axis.name === 'direction' ? DIRECTIONS[value] : withUnits(value, axis.units, 4));
+  const rows = row.line.map((_, line) => [...swept.map((axis) => cell(axis, row[axis.name][line])),
     ...parts.map((name) => (name.startsWith('region') ? regionCell(row, name, line) : triggerCell(row, name, line)))]);
   return [table([...swept.map(labelOf), ...parts.map((name) => capital(words(name)))], rows, 'dense'),
     element('p', {class: 'quiet small', text: 'Regions: first and last speed ratio, share of aperiodic points, ' +
