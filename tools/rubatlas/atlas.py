@@ -22,9 +22,9 @@ from rubatlas import program as rubatlas_program
 from rubatlas import query
 from rubatlas.atlas_file import (DIRECTIONS, DONE, AtlasError, AtlasFile, beside, number_of, reading, same_value,
                                  sizes_of, swept_pointers, text, with_values, words_of)
+from rubatlas.judgement import MAY_NOT_OCCUR, Judgement, bands_of
 from rubatlas.plots.axes import Plots
 from rubatlas.plots.orbit import OrbitFile
-from rubatlas.plots.safe_speeds import MAY_NOT_OCCUR, Judgement, Limit, bands_of
 from rubatlas.program import Path
 from rubatlas.same_scene import require_same
 
@@ -297,29 +297,29 @@ class Atlas:
                 return _edges(self.maps_path)
         return None
 
-    def safe_speeds(self, *keep: str, operate: float | None = None, **limits: float) -> dict[str, Any]:
+    def safe_speeds(self, *keep: str, operate: float | str | None = None, aperiodic: bool = False,
+                    least_width: float | str = 0.0, **limits: float | str) -> dict[str, Any]:
         """Bands of the speed ratio in which every line of the selection keeps the limits, and margins in percent.
 
         A speed at which a point of a line is not selected is in no band, and ends one as openly as the grid's end does.
-        A name with a number limits the quantity from above, `max_displacement=3e-3`, and a distance to danger
-        (`margin`, `nearest_miss`, `lightest_touch`) from below; texts such as "class<=2" say which. `operate`: a speed
-        ratio to judge.
+        A name with a number limits the quantity from above, `max_displacement="3 mm"`, and a distance to danger
+        (`margin`, `nearest_miss`, `lightest_touch`) from below; texts such as "class<=2" say which. A number without a
+        unit is in the quantity's own. `operate`: a speed to judge, "540 rpm" or a speed ratio; `["operate"]["text"]`
+        says in one sentence how far it is from danger. Aperiodic motions are not safe unless `aperiodic`, or a limit on
+        the class, lets them be; a band has more than one speed, and `least_width`.
         """
-        texts = [*keep, *(f"{name}{'>=' if name in MAY_NOT_OCCUR else '<='}{bound!r}"
-                          for name, bound in limits.items())]
+        texts = [*keep, *(f"{name}{'>=' if name in MAY_NOT_OCCUR else '<='}{bound}" for name, bound in limits.items())]
         if not texts:
-            raise AtlasError("safe_speeds: no limit is given; for example max_displacement=3e-3")
-        wanted = [Limit(one) for one in texts]
+            raise AtlasError("safe_speeds: no limit is given; for example max_displacement=\"3 mm\"")
         with contextlib.ExitStack() as files:
             atlas = files.enter_context(AtlasFile(self.path))
             maps = files.enter_context(AtlasFile(self.maps_path)) if self.maps_path is not None else None
             speeds = np.arange(len(atlas.axis("speed_ratio")))
             # A point that is not done is not unselected: it is judged, as one that is not done.
             selected = self._over_grid(atlas, self._chosen.values | (self._raw["status"].values != DONE))
-            judgement = Judgement(atlas, maps, wanted, np.ix_(*self._places(atlas)[:-1], speeds), selected)
-        result: dict[str, Any] = {"limits": [limit.text for limit in judgement.limits], "bands": judgement.bands()}
-        if operate is not None:
-            result["operate"] = judgement.at(operate)
+            judgement = Judgement(atlas, maps, texts, np.ix_(*self._places(atlas)[:-1], speeds), selected,
+                                  aperiodic=aperiodic, least_width=least_width)
+            result: dict[str, Any] = judgement.result(operate)
         return result
 
     def orbit(self, speed_ratio: float, path: Path | None = None, **at: float) -> OrbitFile:

@@ -381,16 +381,19 @@ class Limit:
             return float(values[0])
 
 
+def expressed(value: float, unit: str | None, sizes: Sizes) -> float | None:
+    """A value of the atlas in a unit; none where the unit's size is not one number."""
+    rule = GRAMMAR["units"].get(unit, {})
+    size = np.unique(sizes.get(rule["times"], [])) if "times" in rule else np.ones(1)
+    return float(value * rule.get("over", 1.0) / rule.get("factor", 1.0) / size[0]) \
+        if size.size == 1 and size[0] > 0.0 else None
+
+
 def shown(value: float, units: str | None, sizes: Sizes) -> str:
-    """A value in the units in which a reader has it; those of which the size is not one number are left out.
+    """A value in the units in which a reader has it.
 
     >>> shown(0.25, "m", {"clearance": 0.0005})
     '250 mm, 500 clearances'
     """
-    texts = []
-    for unit in GRAMMAR["shown"].get(units, [units]):
-        rule = GRAMMAR["units"].get(unit, {})
-        size = np.unique(sizes.get(rule["times"], [])) if "times" in rule else np.ones(1)
-        if size.size == 1 and size[0] > 0.0:
-            texts.append(f"{value * rule.get('over', 1.0) / rule.get('factor', 1.0) / size[0]:g} {unit}".strip())
-    return ", ".join(texts)
+    found = ((expressed(value, unit, sizes), unit) for unit in GRAMMAR["shown"].get(units, [units]))
+    return ", ".join(f"{number:g} {unit}".strip() for number, unit in found if number is not None)
