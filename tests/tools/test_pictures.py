@@ -17,6 +17,7 @@ from rubatlas import command_line  # noqa: E402
 from rubatlas import same_scene  # noqa: E402
 from rubatlas import style  # noqa: E402
 from rubatlas.atlas_file import AtlasError, AtlasFile  # noqa: E402
+from rubatlas.palette import PALETTE  # noqa: E402
 from rubatlas.plots import KINDS  # noqa: E402
 
 
@@ -97,19 +98,22 @@ class ToolsPictures(unittest.TestCase):
         self.assertEqual(motion.shape, (5, 7, 2))  # initial_vx, initial_x, speed_ratio
         self.assertEqual(set(attractor[:, :, 0].ravel()), {1})
         self.assertLessEqual({1, 11}, set(motion[:, :, 1].ravel()))
-        colour = {kind: style.matplotlib.colors.to_rgb(shade) for _, shade, first, last in style.CLASSES
-                  for kind in range(first, last + 1)}
+        colour = {kind: style.matplotlib.colors.to_rgba(entry["colour"]) for entry in PALETTE["classes"]
+                  for kind in range(entry["first"], entry["last"] + 1)}
         for speed, panel in enumerate(figure.figure.axes):
             wanted = [[colour[kind] for kind in row] for row in motion[:, :, speed]]
             np.testing.assert_array_equal(panel.images[0].get_array(), wanted)
             left, right, bottom, top = panel.images[0].get_extent()
             np.testing.assert_allclose([left, right, bottom, top], [-0.5, 6.5, 3.25, 10.75])  # mm, half a step around
 
-    def test_attractors_of_one_class_have_colours_of_their_own(self):
+    def test_attractors_of_one_colour_have_hatchings_of_their_own(self):
         basins = importlib.import_module("rubatlas.plots.basins")
-        found = basins.entries(np.array([[1, 2], [3, 3]]), np.array([[7, 7], [1, 1]]))
-        self.assertEqual([(number, kind) for number, kind, _ in found], [(1, 7), (2, 7), (3, 1)])
-        self.assertEqual(len({colour for _, _, colour in found}), 3)
+        attractor, motion = np.array([[1, 2], [3, 4]]), np.array([[7, 7], [1, 9]])
+        found = [entry for entry, where in basins.cells_of(attractor, motion, np.ones((2, 2))) if where.any()]
+        self.assertEqual([entry["name"] for entry in found],
+                         ["1: period 7, 25.0 %", "2: period 7, 25.0 %", "3: period 1, 25.0 %", "4: period 9, 25.0 %"])
+        self.assertEqual(len({entry["colour"] for entry in found}), 2)
+        self.assertEqual(len({(entry["colour"], entry["hatch"]) for entry in found}), 4)
 
     def test_basins_need_an_axis_of_the_initial_state(self):
         ended = run("basins", TINY / "atlas.h5", "--maps", TINY / "maps.h5", "-o", "none.png")

@@ -4,7 +4,7 @@ An atlas is one HDF5 file. Every dataset has the axes of the grid first, the las
 differ in speed ratio only are a line. Large datasets are allocated early and never filled: what stands in a row whose
 status is not "done" means nothing, so everything is read through `/status` here and such rows come back as NaN.
 
-    from atlas_file import AtlasFile
+    from rubatlas.atlas_file import AtlasFile
     with AtlasFile("damping.h5") as atlas:
         line = atlas.line(damping_ratio=0.1)
         speed, displacement = atlas.axis("speed_ratio"), line.rows("max_displacement")
@@ -351,6 +351,12 @@ class Line:
         values = self.atlas.dataset(name)[self.index].astype(float)
         values[(self.status() != DONE) | ~self.chosen()] = np.nan
         return values
+
+    def untouched(self):
+        """Where no blade touches the ring, as far as the atlas keeps a figure of contact that says so."""
+        kept = [name for name in ("contact_fraction", "max_contact_force")
+                if name in self.atlas.scene.get("observables", [])]
+        return self.rows(kept[0]) == 0.0 if kept else np.zeros(len(self.status()), dtype=bool)
 
     def raw(self, name):
         """Rows as they stand in the file, for data with a code of their own for points that are not done."""

@@ -4,6 +4,7 @@ import io
 import math
 import os
 import pathlib
+import re
 import sys
 import tempfile
 
@@ -29,6 +30,33 @@ def positive(kind, most=math.inf):
     return read
 
 
+LENGTHS = {"mm": 1.0 / 25.4, "cm": 1.0 / 2.54, "in": 1.0}  # [inch]
+
+
+def width(word):
+    """The type of a length with its unit, in inches: a picture is between 60 mm and 600 mm wide."""
+    found = re.fullmatch(r"([0-9.]+) ?(mm|cm|in)", word)
+    try:
+        inches = float(found[1]) * LENGTHS[found[2]]  # type: ignore[index]
+    except (TypeError, ValueError):
+        inches = math.nan
+    if not 60.0 <= 25.4 * inches <= 600.0:
+        raise argparse.ArgumentTypeError(f"{word} is no width from 60mm to 600mm, in mm, cm or in, such as 85mm")
+    return inches
+
+
+def add_size(arguments):
+    """The options of a picture's size."""
+    arguments.add_argument("--width", type=width, help="width in print, such as 85mm, the column of a journal: letters "
+                                                       "and legends are arranged for it")
+    arguments.add_argument("--dpi", type=positive(float, 2400), help="resolution (default: 150, with --width 300)")
+
+
+def resolution(options):
+    """Pixels per inch."""
+    return options.dpi or (150.0 if options.width is None else 300.0)
+
+
 def parser(description, source="ATLAS.h5", line=True):
     """Parser with the file to read, `-o`, and (where a line is drawn) one option per axis that picks it."""
     result = argparse.ArgumentParser(description=description.strip().splitlines()[0],
@@ -36,7 +64,7 @@ def parser(description, source="ATLAS.h5", line=True):
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     result.add_argument("source", metavar=source)
     result.add_argument("-o", "--output", required=True, metavar="PICTURE.png", help="PNG, SVG or PDF, by its ending")
-    result.add_argument("--dpi", type=positive(float, 2400), default=150.0, help="resolution (default: 150)")
+    add_size(result)
     if line:
         group = result.add_argument_group("which line (default: the scene's own values)")
         for axis in LINE_AXES:
@@ -137,7 +165,7 @@ def write_picture(figure, options):
     undated = {".png": {"Software": None}, ".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
     kind = path.suffix.lower()
     content = io.BytesIO()
-    figure.savefig(content, format=kind[1:], dpi=options.dpi, metadata=undated[kind])
+    figure.savefig(content, format=kind[1:], dpi=resolution(options), metadata=undated[kind])
     write_complete(path, content.getvalue())
 
 

@@ -26,6 +26,4 @@ def main():
         sys.exit(2)
     sys.argv[0] = f"rubatlas-plot {kind}"  # for messages
     matplotlib.use("Agg")  # pictures go to files; no display is needed
-    from rubatlas import style  # pylint: disable=import-outside-toplevel  # once the backend is chosen
-    matplotlib.rcParams.update(style.SETTINGS)
     importlib.import_module(f"rubatlas.plots.{kind}").main(sys.argv[2:])

@@ -1,53 +1,98 @@
-"""How all pictures look: one place for colours, labels, titles and marks of points without a motion.
+"""How all pictures look: one place for sizes, colours, hatchings, labels, titles and legends.
 
-Colours are those of Okabe and Ito, which people with any of the common colour deficiencies tell apart; maps use
-`viridis`, which grows evenly in lightness.
+Colours of lines are those of Okabe and Ito, which people with any of the common colour deficiencies tell apart; maps
+use `viridis`, which grows evenly in lightness, and classes of motion the palette of `palette.py`.
 """
+import math
+import textwrap
+
 import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.patches import Patch
+from matplotlib.patches import Patch, PathPatch
+from matplotlib.path import Path
+from matplotlib.textpath import TextPath
+from matplotlib.transforms import ScaledTranslation
 
 from rubatlas import command_line
-from rubatlas.atlas_file import INTEGRATOR_FAILED, LEFT_VALIDITY, PENDING, SYMBOL
+from rubatlas.atlas_file import DONE, SYMBOL
+from rubatlas.palette import PALETTE
 
 INK = "#1a1a2e"
+QUIET = "#55556a"
+BEHIND = "#b4b4c0"  # of hatchings behind curves
 BLUE, ORANGE, GREEN, VERMILION, PURPLE, SKY, YELLOW, GREY = (
     "#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#F0E442", "#8c8c8c")
 CYCLE = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, INK, GREY]
 SEQUENTIAL = "viridis"
 
-# Points without a motion: which statuses, in which colour, and what the legend says.
-MISSING = [((LEFT_VALIDITY,), "#f3d9cd", "left the model's validity"),
-           ((INTEGRATOR_FAILED,), "#d9b3d9", "integrator failed"),
-           ((PENDING,), "#e6e6ec", "not computed yet")]
-
-# Classes of motion as `rubatlas analyse` numbers them, and how a map shows them.
-CLASSES = [
-    ("period 1", "#c6e2f5", 1, 1),
-    ("period 2", GREEN, 2, 2),
-    ("period 3", YELLOW, 3, 3),
-    ("period 4", ORANGE, 4, 4),
-    ("period 5 to 16", PURPLE, 5, 16),
-    ("unresolved", "#a0a0a0", 254, 254),
-    ("aperiodic", INK, 255, 255),
-]
-
 #: How figures and axes are made; of axes that a caller brings along only what is drawn into them is ours.
 SETTINGS = {
-    "figure.dpi": 100, "figure.constrained_layout.use": True,
-    "font.size": 9.5, "axes.titlesize": 10, "axes.labelsize": 9.5, "legend.fontsize": 8.5,
+    "figure.dpi": 100, "figure.constrained_layout.use": True, "figure.titlesize": 12, "figure.titleweight": "bold",
+    "font.size": 9.5, "axes.titlesize": 9, "axes.labelsize": 9.5, "legend.fontsize": 8.5,
     "xtick.labelsize": 8.5, "ytick.labelsize": 8.5, "text.color": INK, "axes.labelcolor": INK,
-    "axes.edgecolor": "#55556a", "xtick.color": "#55556a", "ytick.color": "#55556a",
+    "axes.titlelocation": "left", "axes.titlecolor": QUIET,
+    "axes.edgecolor": QUIET, "xtick.color": QUIET, "ytick.color": QUIET,
     "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.8,
     "axes.grid": True, "grid.color": "#e4e4ea", "grid.linewidth": 0.6, "axes.axisbelow": True,
     "svg.hashsalt": "rubatlas", "axes.prop_cycle": plt.cycler(color=CYCLE), "lines.linewidth": 1.1,
-    "legend.frameon": False,
+    "legend.frameon": False, "hatch.linewidth": 0.6,
 }
+#: What differs in a column of a journal: letters as small as can be read in print, and closer together.
+COLUMN = {
+    "figure.titlesize": 8.5, "font.size": 7.5, "axes.titlesize": 7, "axes.labelsize": 7.5, "legend.fontsize": 7,
+    "xtick.labelsize": 7, "ytick.labelsize": 7, "axes.linewidth": 0.6, "lines.linewidth": 0.9,
+    "legend.handlelength": 1.5, "legend.columnspacing": 1.2, "hatch.linewidth": 0.5,
+}
+NARROW = 5.0  # [inch] below this width panels stand below each other, and legends below panels
+CREDIT = 6.0  # [pt] of the line below, the smallest letters of a picture
 
 # Metres make poor tick labels here: lengths are drawn in millimetres, times in their own unit.
 _DRAWN = {"m": ("mm", 1e3)}
 
+
+# --- sizes ---
+
+def is_narrow(options):
+    return options.width is not None and options.width < NARROW
+
+
+def figure(options, size, stacked=1):
+    """A figure of a size [inch], or of the width that is asked for; then `stacked` parts side by side of it stand below
+    each other if it is narrow."""
+    narrow = is_narrow(options)
+    plt.rcParams.update({**SETTINGS, **(COLUMN if narrow else {})})
+    width, height = size
+    if options.width is not None:
+        # Letters shrink less than a picture does, so that it becomes taller than in proportion.
+        width, height = options.width, height * (stacked if narrow else 1) * math.sqrt(options.width / width)
+    return plt.figure(figsize=(width, height))
+
+
+def subplots(options, rows, columns, size, heights=None, widths=None, sharex=False, sharey=False):
+    """A figure and its panels, (rows, columns); those of one row may share y. In a narrow picture the panels of a row
+    stand below each other."""
+    made = figure(options, size, columns)
+    heights = heights or [1] * rows
+    if is_narrow(options):
+        grid = made.subplots(rows * columns, 1, squeeze=False, sharex=sharex, height_ratios=np.repeat(heights, columns))
+    else:
+        grid = made.subplots(rows, columns, squeeze=False, sharex=sharex, height_ratios=heights, width_ratios=widths)
+    grid = grid.reshape(rows, columns)
+    for row in grid if sharey else []:
+        for panel in row[1:]:
+            panel.sharey(row[0])
+            panel.tick_params(labelleft=is_narrow(options))
+    return made, grid
+
+
+def label_row(options, row, words):
+    """What panels of one row show upwards, once, or at each of them where they stand below each other."""
+    for panel in row if is_narrow(options) else row[:1]:
+        panel.set_ylabel(words)
+
+
+# --- words ---
 
 def drawn(units):
     """Unit to draw a unit in, and the factor towards it."""
@@ -60,14 +105,76 @@ def label(atlas, name):
     return f"{words[:1].upper()}{words[1:]} [{drawn(atlas.units(name))[0]}]"
 
 
-def title(figure, atlas, what):
-    """Two lines above (the scene's title; what is drawn), one below (reference, program and its version)."""
-    figure.suptitle(f"{atlas.scene.get('title') or atlas.path}", fontsize=12, fontweight="bold", x=0.01, ha="left")
-    figure.axes[0].set_title(what, loc="left", fontsize=9, color="#55556a")
-    made_by = f"rubatlas {atlas.attribute('software_version')} ({atlas.attribute('git_commit')[:10]})"
-    figure.supxlabel(" · ".join(part for part in (atlas.scene.get("reference", ""), made_by) if part),
-                     fontsize=6.5, color=GREY, x=0.01, ha="left")
+def headline(made, words):
+    """The picture's title."""
+    made.suptitle(words, x=0.01, ha="left")
 
+
+def title(made, atlas, what):
+    """Two lines above (the scene's title; what is drawn), one below (reference, program and its version)."""
+    headline(made, f"{atlas.scene.get('title') or atlas.path}")
+    made.axes[0].set_title(what)
+    made_by = f"rubatlas {atlas.attribute('software_version')} ({atlas.attribute('git_commit')[:10]})"
+    made.supxlabel(" · ".join(part for part in (atlas.scene.get("reference", ""), made_by) if part),
+                   fontsize=CREDIT, color=GREY, x=0.01, ha="left")
+
+
+def _wrap(text, excess):
+    """Breaks the lines of a text until `excess()` [pixel] is none; returns by how many lines it has grown."""
+    words = text.get_text()
+    letters = max(map(len, words.split("\n")))
+    while excess() > 0.0 and letters > 10:
+        letters -= 1
+        text.set_text("\n".join(textwrap.fill(line, letters) for line in words.split("\n")))
+    return text.get_text().count("\n") - words.count("\n")
+
+
+def wrap_words(made):
+    """Breaks the lines of titles and labels that would be cut; the picture becomes taller by the lines of titles."""
+    made.draw_without_rendering()  # places what is measured
+    titles = [made._suptitle, made._supxlabel, *(axes._left_title for axes in made.axes)]
+    for text in [text for text in titles if text is not None]:
+        more = _wrap(text, lambda text=text: text.get_window_extent().x1 - made.bbox.x1 + 4.0)
+        made.set_figheight(made.get_figheight() + 1.2 * more * text.get_fontsize() / 72.0)
+    for axes in made.axes:
+        room = axes.bbox.height + axes.yaxis.label.get_fontsize()  # it may reach half into the space between panels
+        _wrap(axes.yaxis.label, lambda axes=axes, room=room: axes.yaxis.label.get_window_extent().height - room)
+
+
+def columns_of(panel, handles):
+    """Columns and lines of a legend that is as wide as the panel's part of the picture."""
+    size = plt.rcParams["legend.fontsize"]
+    texts = [line for handle in handles for line in handle.get_label().split("\n")]
+    widest = max(TextPath((0, 0), text, size=size).get_extents().width for text in texts)
+    place = panel.get_subplotspec()
+    shares = np.array(place.get_gridspec().get_width_ratios(), dtype=float)
+    width = 72.0 * panel.figure.get_figwidth() * shares[place.colspan.start:place.colspan.stop].sum() / shares.sum()
+    # Beside the words: the labels of the axis on the left, the handle of each entry and the space to the next.
+    columns = max(1, int((width - 5.0 * size) // (widest + 4.0 * size)))
+    return min(columns, len(handles)), math.ceil(len(texts) / columns)
+
+
+def legend(panel, options, handles=None, place="beside", **more):
+    """The legend of a panel, which has its labels: beside it, below it, or at a place within; below it in any case if
+    the picture is narrow, which becomes as much taller."""
+    if handles is None:
+        handles = panel.get_legend_handles_labels()[0]
+    if not handles:
+        return
+    if place != "below" and not is_narrow(options):
+        beside = {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)}
+        panel.legend(handles=handles, **(beside if place == "beside" else {"loc": place}), **more)
+        return
+    made, (columns, lines) = panel.figure, columns_of(panel, handles)
+    labels = 10.0 + plt.rcParams["axes.labelsize"] + plt.rcParams["xtick.labelsize"] if panel.get_xlabel() else 0.0
+    moved = ScaledTranslation(0.0, -(labels + 4.0) / 72.0, made.dpi_scale_trans)  # from points
+    panel.legend(handles=handles, loc="upper left", bbox_to_anchor=(0.0, 0.0), bbox_transform=panel.transAxes + moved,
+                 borderaxespad=0.0, ncols=columns, **more)
+    if is_narrow(options):
+        made.set_figheight(made.get_figheight() + 1.5 * lines * plt.rcParams["legend.fontsize"] / 72.0)
+
+
+# --- points without a motion, and classes ---
 
 def edges_of(values):
     """The borders between the values of an axis, halfway between neighbours; one more than values."""
@@ -78,6 +185,11 @@ def edges_of(values):
     return np.concatenate([[2.0 * values[0] - middle[0]], middle, [2.0 * values[-1] - middle[-1]]])
 
 
+def look(entry, density=4, ink=QUIET):
+    """How a patch shows an entry of the palette."""
+    return {"facecolor": entry["colour"], "edgecolor": ink, "hatch": density * entry.get("hatch", "")}
+
+
 def mark_missing(axes, speed, status):
     """Shades the speeds at which there is no motion to show: left the model's validity, failed, or still pending.
 
@@ -86,41 +198,60 @@ def mark_missing(axes, speed, status):
     status = np.atleast_2d(status)
     border = edges_of(speed)
     handles = []
-    for codes, colour, text in MISSING:
-        share = np.isin(status, codes).mean(axis=0)
+    for entry in PALETTE["no_motion"]:
+        share = (status == entry["status"]).mean(axis=0)
         steps = np.flatnonzero(np.diff(np.concatenate([[0.0], share, [0.0]])))
         for first, last in zip(steps[:-1], steps[1:]):
             if share[first] == 0.0:
                 continue
             for one in np.atleast_1d(axes):
-                one.axvspan(border[first], border[last], color=colour, alpha=0.25 + 0.75 * share[first], lw=0, zorder=0)
+                one.axvspan(border[first], border[last], alpha=0.25 + 0.75 * share[first], lw=0, zorder=0,
+                            **look(entry, 2, BEHIND))
         if share.any():
-            handles.append(Patch(color=colour,
-                                 label=text + ("\n(fainter: some lines only)" if len(status) > 1 else "")))
+            some = "\n(fainter: some lines only)" if len(status) > 1 else ""
+            handles.append(Patch(**look(entry, 2, BEHIND), lw=0.5, label=entry["name"] + some))
     return handles
 
 
-def class_image(classes, status):
-    """Colours (..., 3) of an array of classes of motion and their statuses, and the legend of those that occur."""
-    image, handles = np.ones((*classes.shape, 3)), []
-    entries = [(name, colour, (classes >= first) & (classes <= last)) for name, colour, first, last in CLASSES]
-    entries += [(name, colour, np.isin(status, codes)) for codes, colour, name in MISSING]
-    for name, colour, where in entries:
-        if where.any():
-            image[where] = matplotlib.colors.to_rgb(colour)
-            handles.append(Patch(facecolor=colour, edgecolor="#55556a", lw=0.5, label=name))
-    return image, handles
+def missing_cells(status):
+    """Which points have no motion, and the entry of the palette that says why."""
+    return [(entry, status == entry["status"]) for entry in PALETTE["no_motion"]]
 
 
-def missing_image(status):
-    """Colours (..., 4) that cover an image where there is no motion, transparent elsewhere."""
-    image = np.zeros((*status.shape, 4))
-    for codes, colour, _ in MISSING:
-        image[np.isin(status, codes)] = matplotlib.colors.to_rgba(colour)
-    return image
+def class_cells(classes, status, untouched=False):
+    """Which points have which class of motion, or none; where no blade touches the ring the class is of no interest."""
+    motion = [(entry, (classes >= entry["first"]) & (classes <= entry["last"]) & np.logical_not(untouched))
+              for entry in PALETTE["classes"]]
+    return [*motion, (PALETTE["no_contact"], (status == DONE) & untouched), *missing_cells(status)]
 
 
-def save(figure, options):
+def _hatched(where, extent, hatch):
+    """A patch that hatches the cells of an image in which `where` is true."""
+    left, right, bottom, top = extent
+    steps = np.diff(np.pad(where.astype(np.int8), ((0, 0), (1, 1))), axis=1)
+    (row, first), (_, end) = np.nonzero(steps == 1), np.nonzero(steps == -1)  # runs of cells of a row
+    x = [left + (right - left) * column / where.shape[1] for column in (first, end)]
+    y = [bottom + (top - bottom) * height / where.shape[0] for height in (row, row + 1)]
+    corners = np.stack([x[0], y[0], x[1], y[0], x[1], y[1], x[0], y[1], x[0], y[0]], axis=-1).reshape(-1, 2)
+    kinds = np.tile([Path.MOVETO, Path.LINETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY], len(row))
+    return PathPatch(Path(corners, kinds), facecolor="none", edgecolor=QUIET, hatch=hatch, lw=0)
+
+
+def cells_into(panel, cells, place):
+    """Colours and hatches cells of an image, and leaves the others clear; returns the legend of those that occur."""
+    image = np.zeros((*cells[0][1].shape, 4))
+    for entry, where in cells:
+        image[where] = matplotlib.colors.to_rgba(entry["colour"])
+    panel.imshow(image, **place)
+    found = [(entry, where) for entry, where in cells if where.any()]
+    for entry, where in found:
+        if entry.get("hatch"):
+            panel.add_patch(_hatched(where, place["extent"], look(entry)["hatch"]))
+    return [Patch(**look(entry), lw=0.5, label=entry["name"]) for entry, _ in found]
+
+
+def save(made, options):
     """Writes the picture that the options name."""
-    command_line.write_picture(figure, options)
-    plt.close(figure)
+    wrap_words(made)
+    command_line.write_picture(made, options)
+    plt.close(made)

@@ -54,8 +54,7 @@ def draw_trajectories(study, options):
     groups = [(study.predictable(), known),
               (~study.predictable(), "not predictable, within the horizon:\nlargest error / clearance")]
     groups = [(points, words) for points, words in groups if points.any()]
-    figure, panels = style.plt.subplots(len(groups), 2, figsize=(11.5, 1.3 + 3.1 * len(groups)), sharey="row",
-                                        squeeze=False)
+    figure, panels = style.subplots(options, len(groups), 2, (11.5, 1.3 + 3.1 * len(groups)), sharey=True)
     for (points, words), row in zip(groups, panels):
         error = np.where(study.complete(points), study.worst_error(points), np.nan)
         costs = [1e3 * study.mean("cpu_time_min", points), study.mean("right_hand_sides", points)]
@@ -67,15 +66,15 @@ def draw_trajectories(study, options):
                           color=style.INK, zorder=5)
             axes.set_xscale("log")
             axes.set_yscale("log")
-        row[0].set_ylabel(f"{np.count_nonzero(points)} points {words}")
+        style.label_row(options, row, f"{np.count_nonzero(points)} points {words}")
         row[0].xaxis.set_major_formatter("{x:g}")
     panels[-1][0].set_xlabel("CPU time of a point [ms]")
     panels[-1][1].set_xlabel("Right-hand sides of a point [-]")
-    handles, labels = panels[0][0].get_legend_handles_labels()
+    handles = panels[0][0].get_legend_handles_labels()[0]
     if options.reference:
-        handles.append(style.plt.Line2D([], [], ls="none", marker="x", color=style.INK))
-        labels.append("against the\nreference data")
-    panels[0][1].legend(handles, labels, loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        handles.append(style.plt.Line2D([], [], ls="none", marker="x", color=style.INK,
+                                        label="against the\nreference data"))
+    style.legend(panels[-1 if style.is_narrow(options) else 0][1], options, handles)
     style.title(figure, study, f"Work and precision: {study.describe()}")
     style.save(figure, as_output(options, "accuracy.png"))
 
@@ -86,7 +85,7 @@ def draw_map(study, options):
     zero = 0.4 / count  # where "none" is drawn: below the share of one point
     everywhere = np.ones(study.point_count(), dtype=bool)
     costs = [1e3 * study.mean("cpu_time_min", everywhere), study.mean("right_hand_sides", everywhere)]
-    figure, panels = style.plt.subplots(1, 2, figsize=(11.5, 4.4), sharey=True)
+    figure, (panels,) = style.subplots(options, 1, 2, (11.5, 4.4), sharey=True)
     for axes, cost in zip(panels, costs):
         draw_lines(axes, study, cost, study["map_error_beyond_chaos"], zero)
         method = usual_method(study)
@@ -100,11 +99,11 @@ def draw_map(study, options):
     ticks = [tick for tick in (1.0, 0.1, 0.01, 0.001) if tick > 1.0 / count]
     panels[0].set_yticks([*ticks, 1.0 / count, zero], [*(f"{100 * tick:g} %" for tick in ticks), "1 point", "none"])
     panels[0].minorticks_off()
-    panels[0].set_ylabel("Share of points with another class,\nregion or maximum displacement")
+    style.label_row(options, panels, "Share of points with another class,\nregion or maximum displacement")
     panels[0].xaxis.set_major_formatter("{x:g}")
     panels[0].set_xlabel("CPU time of a point [ms]")
     panels[1].set_xlabel("Right-hand sides of a point [-]")
-    panels[1].legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    style.legend(panels[1], options)
     style.title(figure, study, f"Error of the map: {study.describe()}")
     style.save(figure, as_output(options, "accuracy_map.png"))
 
@@ -233,7 +232,7 @@ def parser():
     result.add_argument("--reference", metavar="ORBITS.json", help="compare sections with these data too")
     result.add_argument("--page", type=pathlib.Path, metavar="README.md", help="put the table into this page")
     result.add_argument("--goal", type=float, default=1e-6, help="error at which methods are compared (default: 1e-6)")
-    result.add_argument("--dpi", type=float, default=150.0, help="resolution (default: 150)")
+    command_line.add_size(result)
     return result
 
 

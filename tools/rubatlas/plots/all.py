@@ -42,11 +42,13 @@ def draw(options):
         require_same(atlas.path, atlas.scene, maps.path, maps.scene)
         found = pictures(atlas, maps)
     options.output.mkdir(parents=True, exist_ok=True)
+    size = [f"--{name}={value}{unit}" for name, value, unit in
+            (("width", options.width, "in"), ("dpi", options.dpi, "")) if value is not None]
     for name, kind, chosen in found:
         if kind in ("map", "basins"):
             chosen = [*chosen, "--maps", str(maps_path)]
         output = options.output / f"{name}.png"
-        importlib.import_module(f"rubatlas.plots.{kind}").main([str(options.source), "-o", str(output), *chosen])
+        importlib.import_module(f"rubatlas.plots.{kind}").main([str(options.source), "-o", str(output), *size, *chosen])
 
 
 def main(arguments_given):
@@ -55,6 +57,7 @@ def main(arguments_given):
                                         formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("source", metavar="ATLAS.h5")
     arguments.add_argument("-o", "--output", required=True, type=pathlib.Path, metavar="FOLDER")
+    command_line.add_size(arguments)
     command_line.add_maps(arguments, "which have classes and basins")
     chosen = arguments.parse_args(arguments_given)
     command_line.end_on_mistakes(lambda: draw(chosen))

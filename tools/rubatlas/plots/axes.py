@@ -114,7 +114,7 @@ class Plots:
                 raise AtlasError(f"{quantity}: words, not numbers; a map draws class, class_blade_passing or a "
                                  "quantity of numbers")
             else:
-                image = map_of.into(panel, atlas, along, line, quantity)
+                image, _ = map_of.into(panel, atlas, along, line, quantity)
                 label = f"{quantity.replace('_', ' ')} [{style.drawn(atlas.units(quantity))[0]}]"
                 panel.figure.colorbar(image, ax=panel, pad=0.02, label=label)
             return self._at_selected_speeds(panel)

@@ -5,48 +5,40 @@
 
 The atlas has axes of the initial state; MAPS.h5 is what `rubatlas analyse ATLAS.h5 -o MAPS.h5` writes. Each speed has a
 panel over two axes of the initial state (nine speeds at most, evenly chosen); a single axis is drawn over the speed
-ratio. Attractors have the colours of their classes, and further ones of the same class colours of their own.
+ratio. Attractors have the colours of their classes, and further ones of the same colour hatchings of their own.
 """
 from typing import Any
 
 import numpy as np
-from matplotlib.patches import Patch
 
 from rubatlas import command_line
 from rubatlas import style
 from rubatlas.atlas_file import AtlasError, AtlasFile
+from rubatlas.palette import PALETTE
 from rubatlas.same_scene import require_same
 
 MOST_PANELS = 9
+# Hatchings of the second attractor of one colour, the third and so on.
+FURTHER = ["|", "o", "+", "*", "O"]
 
 
 def class_name(motion):
     return {254: "unresolved", 255: "aperiodic"}.get(motion, f"period {motion}")
 
 
-def entries(attractor, motion):
-    """(number, class, colour) of each attractor of a panel, in the order of their numbers."""
-    spare, used, found = iter([style.VERMILION, style.SKY, style.BLUE, style.GREY] * 64), set(), []
+def cells_of(attractor, motion, status):
+    """Which points lead to which attractor, with its look and its share; and those that have none or are not done."""
+    found, seen = [], dict[str, int]()
     for number in range(1, attractor.max(initial=0) + 1):
-        kind = int(motion[attractor == number][0])
-        colour = next(colour for _, colour, first, last in style.CLASSES if first <= kind <= last)
-        if colour in used:
-            colour = next(spare)
-        used.add(colour)
-        found.append((number, kind, colour))
-    return found
-
-
-def image_of(attractor, motion, status):
-    """Colours (..., 3) of the attractors of a panel, and its legend with their shares."""
-    image, handles = style.class_image(np.where(attractor > 0, 0, motion), status)
-    share = {number: np.mean(attractor == number) for number in range(attractor.max(initial=0) + 1)}
-    own = []
-    for number, kind, colour in entries(attractor, motion):
-        image[attractor == number] = style.matplotlib.colors.to_rgb(colour)
-        own.append(Patch(facecolor=colour, edgecolor="#55556a", lw=0.5,
-                         label=f"{number}: {class_name(kind)}, {100 * share[number]:.1f} %"))
-    return image, own + handles
+        where = attractor == number
+        kind = int(motion[where][0])
+        entry = next(entry for entry in PALETTE["classes"] if entry["first"] <= kind <= entry["last"])
+        further = seen.setdefault(entry["name"], 0)  # attractors of this look so far
+        seen[entry["name"]] += 1
+        hatch = entry.get("hatch", "") + ("" if further == 0 else FURTHER[(further - 1) % len(FURTHER)])
+        found.append(({"name": f"{number}: {class_name(kind)}, {100 * np.mean(where):.1f} %", "colour": entry["colour"],
+                       "hatch": hatch}, where))
+    return [*found, *style.class_cells(np.where(attractor > 0, 0, motion), status)]
 
 
 def place_of(atlas, horizontal, vertical):
@@ -81,20 +73,19 @@ def draw(options):
             [((slice(None), slice(None), place), f"Ω = {speed[place]:g}") for place in places]
         columns = min(3, len(panels))
         rows = -(-len(panels) // columns)
-        figure, grid = style.plt.subplots(rows, columns, squeeze=False, sharex=True, sharey=True,
-                                          figsize=(9.5, 1.2 + rows * (4.2 if columns < 3 else 4.0)))
+        figure, grid = style.subplots(options, rows, columns, (9.5, 1.2 + rows * (4.2 if columns < 3 else 4.0)),
+                                      sharex=True, sharey=True)
         for panel, (at, name) in zip(grid.flat, panels):
-            image, handles = image_of(attractor[at], motion[at], status[at])
-            panel.imshow(image, **place_of(atlas, horizontal, vertical))
+            cells = cells_of(attractor[at], motion[at], status[at])
+            handles = style.cells_into(panel, cells, place_of(atlas, horizontal, vertical))
             panel.grid(False)
+            panel.set_xlabel(style.label(atlas, horizontal))
+            panel.set_ylabel(style.label(atlas, vertical))
+            panel.label_outer()
             # The name stands with the legend, since the picture's second line takes the place of a title.
-            panel.legend(handles=handles, title=name, loc="upper center", bbox_to_anchor=(0.5, -0.16), fontsize=8)
+            style.legend(panel, options, handles, "below", title=name)
         for panel in grid.flat[len(panels):]:
             panel.set_axis_off()
-        for panel in grid[-1, :]:
-            panel.set_xlabel(style.label(atlas, horizontal))
-        for panel in grid[:, 0]:
-            panel.set_ylabel(style.label(atlas, vertical))
         shown = "" if over_speed or len(places) in (1, len(speed)) else f"; {len(places)} of {len(speed)} speeds"
         style.title(figure, atlas, line.describe(without=starts if over_speed else free) + shown)
         style.save(figure, options)

@@ -37,8 +37,8 @@ def draw(options):
         with_displacement = "max_displacement" in atlas
 
         heights = [3, 3, 2] if with_displacement else [3, 3]
-        figure, panels = style.plt.subplots(len(heights), 1, sharex=True, figsize=(8.5, 1.05 * sum(heights) + 0.6),
-                                            gridspec_kw={"height_ratios": heights})
+        figure, grid = style.subplots(options, len(heights), 1, (8.5, 1.05 * sum(heights) + 0.6), heights, sharex=True)
+        panels = grid[:, 0]
         for panel, component in zip(panels, "xy"):
             into(panel, line, component, name)
             panel.set_xlabel("")
@@ -48,9 +48,8 @@ def draw(options):
             panels[2].set_ylabel(f"max. displacement [{units}]")
             panels[2].set_ylim(bottom=0)
         handles = style.mark_missing(panels, speed, line.status())
-        if handles:
-            panels[0].legend(handles=handles, loc="upper left")
         panels[-1].set_xlabel(style.label(atlas, "speed_ratio"))
+        style.legend(panels[-1 if style.is_narrow(options) else 0], options, handles, "upper left")
         panels[-1].set_xlim(speed[0], speed[-1])
         once = "blade passing" if options.passing else "revolution"
         style.title(figure, atlas, f"One dot per {once}: {line.describe()}")

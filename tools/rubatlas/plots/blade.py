@@ -54,10 +54,10 @@ def draw(options):
     with AtlasFile(options.source) as atlas:
         wanted = command_line.wanted(options, atlas.axes)
         line = atlas.line(**wanted)
-        figure, panels = style.plt.subplots(1, 2, sharex=True, figsize=(9.0, 4.2))
+        figure, (panels,) = style.subplots(options, 1, 2, (9.0, 4.2))
         for panel, what in zip(panels, NAMES):
             into(panel, line, what, every_friction="friction" not in wanted)
-        panels[0].legend(loc="upper left")
+        style.legend(panels[-1 if style.is_narrow(options) else 0], options, place="upper left")
         blades = line.scene["blades"]
         size = " × ".join(f"{1e3 * value:g}"
                           for value in (blades["length"], blades["width"], float(line.value("thickness"))))

@@ -47,6 +47,12 @@ class BranchFile:
         return self.attribute(which).rsplit("/", 1)[-1].replace("_", " ")
 
 
+def colour_of(which):
+    """Of the branch with this number."""
+    return style.CYCLE[int(which) % len(style.CYCLE)]
+
+
+WIDTHS = {"-": 1.8, ":": 1.1}  # of lines of stable and unstable orbits
 JUMP = 100.0  # of a value, between two orbits that are neighbours
 
 
@@ -55,12 +61,12 @@ def size_of(orbits):
     return 1e3 * np.hypot(*np.moveaxis(np.asarray(orbits)[:, :2], -1, 0))
 
 
-def draw_curve(branch, figure):
-    panel = figure.subplots()
+def draw_curve(branch, options):
+    _, ((panel,),) = style.subplots(options, 1, 1, (9.0, 6.0))
     panel.plot(branch["second_parameter"], branch["parameter"], color=style.BLUE)
     panel.set_xlabel(branch.name_of("in"))
     panel.set_ylabel(branch.name_of("along"))
-    return f"curve of {branch.attribute('curve').replace('_', ' ')}"
+    return panel.figure, f"curve of {branch.attribute('curve').replace('_', ' ')}"
 
 
 def stretches(stable, parameter, values, events):
@@ -81,38 +87,52 @@ def stretches(stable, parameter, values, events):
         yield stable[first], *(np.concatenate(part) for part in zip(*parts))
 
 
-def draw_branch(branch, figure):
-    upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(3, 2))
+def branch_handles(branch):
+    """Entries of the legend: a colour for each branch where there are several, full and dotted lines."""
+    number, period = branch["branch"], branch["period"]
+    several = np.unique(number) if len(np.unique(number)) > 1 else []
+    looks = [("-", colour_of(which), f"branch of period {period[number == which][0]}") for which in several]
+    there = np.unique(branch["stability"] == 1)
+    ink = style.INK if len(several) else colour_of(number[0])
+    looks += [(kind, ink, word) for kind, word, stable in (("-", "stable", True), (":", "unstable", False))
+              if stable in there]
+    return [style.plt.Line2D([], [], ls=kind, color=colour, lw=WIDTHS[kind], label=word)
+            for kind, colour, word in looks]
+
+
+def draw_branch(branch, options):
+    figure, ((upper,), (lower,)) = style.subplots(options, 2, 1, (9.0, 6.0), [3, 2], sharex=True)
     number, stable = branch["branch"], branch["stability"] == 1
     parameter, size = branch["parameter"], size_of(branch["section"])
     events = branch["events/parameter"] if "events/kind" in branch else np.array([])
     largest = np.hypot(*np.moveaxis(branch["multipliers"][:, 0], -1, 0))
     for which in np.unique(number):
         here = number == which
-        colour = style.CYCLE[int(which) % len(style.CYCLE)]
+        colour = colour_of(which)
         for panel, values in ((upper, size), (lower, largest)):
             for is_stable, along, value in stretches(stable[here], parameter[here], values[here], events):
-                panel.plot(along, value, "-" if is_stable else ":", color=colour, lw=1.8 if is_stable else 1.1)
+                kind = "-" if is_stable else ":"
+                panel.plot(along, value, kind, color=colour, lw=WIDTHS[kind])
     if "events/kind" in branch:
         kinds, where = branch["events/kind"], branch["events/parameter"]
         sizes = size_of(branch["events/section"])
         for kind in np.unique(kinds):
             label, mark, colour = MARKS[int(kind)]
             upper.plot(where[kinds == kind], sizes[kinds == kind], mark, color=colour, ms=5, label=label, zorder=3)
-        upper.legend()
     lower.axhline(1.0, color=style.INK, lw=0.8)
     lower.set_yscale("log")
     upper.set_ylabel("Section's distance [mm]")
     lower.set_ylabel("Largest multiplier")
     lower.set_xlabel(branch.name_of("along"))
+    style.legend(lower if style.is_narrow(options) else upper, options,
+                 [*branch_handles(branch), *upper.get_legend_handles_labels()[0]])
     periods = ", ".join(str(period) for period in np.unique(branch["period"]))
-    return f"periodic orbits of period {periods}; full: stable, dotted: unstable"
+    return figure, f"periodic orbits of period {periods}"
 
 
 def draw(options):
     branch = BranchFile(options.source)
-    figure = style.plt.figure(figsize=(9.0, 6.0))
-    what = draw_curve(branch, figure) if "second_parameter" in branch else draw_branch(branch, figure)
+    figure, what = (draw_curve if "second_parameter" in branch else draw_branch)(branch, options)
     style.title(figure, branch, what)
     style.save(figure, options)
 

@@ -42,12 +42,11 @@ def draw(options):
     with AtlasFile(options.source) as atlas:
         wanted = command_line.wanted(options, atlas.axes)
         along = along_of(atlas, options.along, wanted)
-        figure, panel = style.plt.subplots(figsize=(9.5, 4.6))
+        figure, ((panel,),) = style.subplots(options, 1, 1, (9.5, 4.6))
         lines, gaps = into(panel, atlas, along, wanted)
         clearances = [line.clearance for line in lines]
         named = panel.get_legend_handles_labels()[0] if along else []
-        if named or gaps:
-            panel.legend(handles=[*named, *gaps], loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        style.legend(panel, options, [*named, *gaps])
         fixed = lines[0].describe(without=[along] if along else [])
         widths = " to ".join(dict.fromkeys(f"{1e3 * width:g}" for width in (min(clearances), max(clearances))))
         style.title(figure, atlas, f"{fixed}; clearance {widths} mm")

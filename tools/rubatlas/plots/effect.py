@@ -16,8 +16,7 @@ from rubatlas.same_scene import require_without_effect
 def draw(options):
     with AtlasFile(options.source) as atlas, AtlasFile(options.without) as plain:
         require_without_effect(atlas.path, atlas.scene, plain.path, plain.scene)
-        figure, panels = style.plt.subplots(2, 2, sharex=True, sharey="row", figsize=(9.5, 4.6),
-                                            gridspec_kw={"height_ratios": [3, 2]})
+        figure, panels = style.subplots(options, 2, 2, (9.5, 4.6), [3, 2], sharex=True, sharey=True)
         units, factor = style.drawn(atlas.units("max_displacement"))
         curves = []
         for column, (source, name) in enumerate(((plain, "without"), (atlas, "with"))):
@@ -30,13 +29,13 @@ def draw(options):
             for (x, y), colour in zip(curves[::-1], ((style.INK,), (style.INK, style.GREY))[column]):
                 panels[1, column].plot(x, y, color=colour, lw=0.9, zorder=2 if colour == style.INK else 1)
             handles = style.mark_missing(panels[:, column], speed, line.status())
-            if handles:
-                panels[0, column].legend(handles=handles, loc="upper left")
             panels[1, column].set_xlabel(style.label(source, "speed_ratio"))
+            panels[1, column].label_outer()
+            style.legend(panels[1 if style.is_narrow(options) else 0, column], options, handles, "upper left")
             panels[0, column].set_xlim(speed[0], speed[-1])
-            panels[0, column].set_title(name, loc="right", fontsize=9)
-        panels[0, 0].set_ylabel(f"y at the section [{units}]")
-        panels[1, 0].set_ylabel(f"max. displacement [{units}]")
+            panels[0, column].set_title(name, loc="right")
+        style.label_row(options, panels[0], f"y at the section [{units}]")
+        style.label_row(options, panels[1], f"max. displacement [{units}]")
         panels[1, 0].set_ylim(bottom=0)
         style.title(figure, atlas, "One dot per revolution")
         style.save(figure, options)

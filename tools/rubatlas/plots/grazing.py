@@ -95,18 +95,18 @@ def draw(options):
     if not program.is_file():
         raise AtlasError(f"{program}: no such program; the first argument is the program rubatlas")
     kicks = measure(program.resolve())
-    figure, panels = style.plt.subplots(1, 2, figsize=(9.5, 4.2), sharey=True)
+    figure, (panels,) = style.subplots(options, 1, 2, (9.5, 4.2), sharey=True)
     for panel, (law, words) in zip(panels, LAWS.items()):
         for name, (_, colour, marker) in SIDES.items():
             slope = slopes(kicks[law, name])[-1]
             panel.loglog(1e3 * DEPTHS, 1e3 * kicks[law, name], marker, color=colour, ms=4,
                          label=f"{name}: slope {slope:.3f}")
             panel.loglog(1e3 * DEPTHS, 1e3 * kicks[law, name][-1] * (DEPTHS / DEPTHS[-1])**slope, color=colour, lw=0.7)
-        panel.set_title(words, loc="left", fontsize=9, color="#55556a")
+        panel.set_title(words)
         panel.set_xlabel("Depth of the contact [mm]")
-        panel.legend(loc="lower right")
-    panels[0].set_ylabel("Kick |Δz'| [mm per unit τ]")
-    figure.suptitle("Kick of a grazing contact", fontsize=12, fontweight="bold", x=0.01, ha="left")
+        style.legend(panel, options, place="lower right")
+    style.label_row(options, panels, "Kick |Δz'| [mm per unit τ]")
+    style.headline(figure, "Kick of a grazing contact")
     style.save(figure, options)
     if options.table:
         print(*table(kicks), sep="\n")

@@ -30,6 +30,11 @@ def rows_of(atlas, along, wanted):
     return along, lines, place
 
 
+def size_of(options, panels, lines):
+    """Of a picture with panels of so many rows [inch]; in a column of a journal few rows still need room for words."""
+    return 9.5, 1.3 + panels * max(2.6 if style.is_narrow(options) else 1.6, 0.32 * len(lines) + 0.6)
+
+
 def finish(panel, atlas, along, lines):
     """Ticks at the values of the parameter, which are drawn as far apart as each other."""
     count, scale = len(lines), style.drawn(atlas.units(along))[1]
@@ -46,7 +51,8 @@ def finish(panel, atlas, along, lines):
 
 
 def into(panel, atlas, along, wanted, name="max_displacement"):
-    """A quantity with one value per point over the speed ratio and a parameter; returns the image, for a colour bar."""
+    """A quantity with one value per point over the speed ratio and a parameter; returns the image, for a colour bar,
+    and the legend of points without a motion."""
     along, lines, place = rows_of(atlas, along, wanted)
     factor = style.drawn(atlas.units(name))[1]
     values = factor * np.array([line.rows(name) for line in lines])
@@ -56,9 +62,9 @@ def into(panel, atlas, along, wanted, name="max_displacement"):
     largest = np.nanmax(values, initial=0.0) or 1.0
     image = panel.imshow(np.ma.masked_invalid(np.maximum(values, 1e-3 * largest)), cmap=style.SEQUENTIAL,
                          norm=style.matplotlib.colors.LogNorm(1e-3 * largest, largest), **place)
-    panel.imshow(style.missing_image(np.array([line.status() for line in lines])), **place)
+    gaps = style.cells_into(panel, style.missing_cells(np.array([line.status() for line in lines])), place)
     finish(panel, atlas, along, lines)
-    return image
+    return image, gaps
 
 
 def classes_into(panel, atlas, maps, along, wanted, passing=False):
@@ -67,10 +73,9 @@ def classes_into(panel, atlas, maps, along, wanted, passing=False):
     along, lines, place = rows_of(atlas, along, wanted)
     name = "class_blade_passing" if passing else "class"
     classes = np.array([np.where(line.chosen(), maps.dataset(name)[line.index], 0) for line in lines])
-    image, handles = style.class_image(classes, np.array([line.status() for line in lines]))
-    panel.imshow(image, **place)
-    panel.set_title("Class of motion, in blade passings" if passing else "Class of motion, in revolutions",
-                    loc="left", fontsize=9, color="#55556a")
+    status, untouched = (np.array([getattr(line, name)() for line in lines]) for name in ("status", "untouched"))
+    handles = style.cells_into(panel, style.class_cells(classes, status, untouched), place)
+    panel.set_title("Class of motion, in blade passings" if passing else "Class of motion, in revolutions")
     finish(panel, atlas, along, lines)
     return handles
 
@@ -100,19 +105,25 @@ def draw(options):
         wanted = command_line.wanted(options, atlas.axes)
         along, lines, _ = rows_of(atlas, along_of(atlas, options.along, wanted), wanted)
         count = 1 if maps is None else 2
-        figure = style.plt.figure(figsize=(9.5, 1.3 + count * max(1.6, 0.32 * len(lines) + 0.6)))
-        grid = figure.add_gridspec(count, 2, width_ratios=[1, 0.02])
+        figure = style.figure(options, size_of(options, count, lines))
+        narrow = style.is_narrow(options)
+        grid = figure.add_gridspec(count, 2, width_ratios=[1, 0.04 if narrow else 0.02])
         panels = [figure.add_subplot(grid[row, 0]) for row in range(count)]
         sides = [figure.add_subplot(grid[row, 1]) for row in range(count)]
-        image = into(panels[0], atlas, along, wanted)
+        image, handles = into(panels[0], atlas, along, wanted)
         figure.colorbar(image, cax=sides[0],
                         label=f"Max. displacement [{style.drawn(atlas.units('max_displacement'))[0]}]")
         if maps is not None:
             handles = classes_into(panels[1], atlas, maps, along, wanted, options.passing)
-            sides[1].legend(handles=handles, loc="center left", bbox_to_anchor=(-0.5, 0.5))
             sides[1].set_axis_off()
             panels[0].tick_params(labelbottom=False)
             panels[0].set_xlabel("")
+        if narrow:
+            style.legend(panels[-1], options, handles)
+        elif maps is not None:
+            sides[1].legend(handles=handles, loc="center left", bbox_to_anchor=(-0.5, 0.5))
+        else:
+            style.legend(panels[0], options, handles, "below")
         if options.curve:
             curve_into(panels, atlas, along, BranchFile(options.curve))
         style.title(figure, atlas, lines[0].describe(without=[along]))

@@ -11,7 +11,7 @@ from rubatlas import command_line
 from rubatlas import style
 from rubatlas.atlas_file import AtlasError, AtlasFile
 from rubatlas.plots.displacement import along_of
-from rubatlas.plots.map import finish, rows_of
+from rubatlas.plots.map import finish, rows_of, size_of
 from rubatlas.same_scene import require_same
 
 NAMES = {"speed_ratio": "Distance in Ω to the nearest change of motion",
@@ -39,9 +39,8 @@ def into(panel, atlas, maps, along, wanted, name="speed_ratio"):
     most = max(np.nanmax(values, initial=least), 2.0 * least)
     image = panel.imshow(np.ma.masked_invalid(np.maximum(values, least)), cmap=style.SEQUENTIAL,
                          norm=style.matplotlib.colors.LogNorm(least, most), **place)
-    panel.imshow(style.missing_image(np.array([line.status() for line in lines])), **place)
-    panel.set_title(NAMES.get(name, f"Distance to the nearest change of motion along {name.replace('_', ' ')}"),
-                    loc="left", fontsize=9, color="#55556a")
+    style.cells_into(panel, style.missing_cells(np.array([line.status() for line in lines])), place)
+    panel.set_title(NAMES.get(name, f"Distance to the nearest change of motion along {name.replace('_', ' ')}"))
     finish(panel, atlas, along, lines)
     return image
 
@@ -51,8 +50,7 @@ def draw(options):
         wanted = command_line.wanted(options, atlas.axes)
         along, lines, _ = rows_of(atlas, along_of(atlas, options.along, wanted), wanted)
         names = [name for name in NAMES if f"margins/{name}" in maps] or ["speed_ratio"]
-        size = 9.5, 1.3 + len(names) * max(1.6, 0.32 * len(lines) + 0.6)
-        figure, panels = style.plt.subplots(len(names), 1, figsize=size, squeeze=False)
+        figure, panels = style.subplots(options, len(names), 1, size_of(options, len(names), lines))
         for panel, name in zip(panels[:, 0], names):
             figure.colorbar(into(panel, atlas, maps, along, wanted, name), ax=panel, pad=0.01, label=label(maps, name))
         style.title(figure, atlas, panels[0, 0].get_title(loc="left") + ": " + lines[0].describe(without=[along]))

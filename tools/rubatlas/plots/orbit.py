@@ -59,12 +59,39 @@ class OrbitFile:
     def describe(self):
         names = ("speed_ratio", "damping_ratio", "friction", "unbalance", "thickness", *self.further_axes)
         units = {"unbalance": " kg m", "thickness": " m"}
-        words = [f"{name.replace('_', ' ')} {self.attributes[name]:g}{units.get(name, '')}" for name in names]
-        return ",\n".join(", ".join(words[first:first + 3]) for first in range(0, len(words), 3))  # half a picture wide
+        return ", ".join(f"{name.replace('_', ' ')} {self.attributes[name]:g}{units.get(name, '')}" for name in names)
+
+
+# An orbit that is smaller than this share of the clearance circle would be a dot in it.
+SMALL = 0.25
+
+
+def corner_of(plane, x, y, size):
+    """Place of an inset, in shares of the axes: the corner that has the fewest points of the orbit in it."""
+    places = plane.transAxes.inverted().transform(plane.transData.transform(np.column_stack([x, y])))
+    corners = [(low, high) for high in (1.0 - size, 0.0) for low in (1.0 - size, 0.0)]
+    return min(corners, key=lambda corner: np.all((places > corner) & (places < np.add(corner, size)), axis=1).sum())
+
+
+def zoom_into(plane, x, y, circle):
+    """The limits of the plane around a small orbit, and the whole clearance circle as an inset."""
+    half = 0.7 * max(np.ptp(x), np.ptp(y), 1e-6 * np.ptp(circle[0]))
+    middle = [0.5 * (values.min() + values.max()) for values in (x, y)]
+    plane.set_xlim(middle[0] - half, middle[0] + half)
+    plane.set_ylim(middle[1] - half, middle[1] + half)
+    size = 0.3
+    plane.lines[0].set(lw=0.8, alpha=0.8)
+    inset = plane.inset_axes([*corner_of(plane, x, y, size), size, size])
+    inset.plot(*circle, color=style.GREY, lw=0.8, ls=(0, (4, 3)))
+    inset.plot(middle[0], middle[1], "s", markersize=3.5, color=style.VERMILION, markeredgewidth=0)
+    inset.set_aspect("equal")
+    inset.margins(0.15)
+    inset.set(xticks=[], yticks=[])
+    inset.spines[:].set_visible(True)
 
 
 def plane_into(plane, orbit):
-    """The orbit, its sections, and the clearance circle."""
+    """The orbit, its sections, and the clearance circle; a small orbit fills the plane, and the circle is an inset."""
     units, factor = style.drawn(orbit.units["state"])
     x, y = factor * orbit.data["state"][:, 0], factor * orbit.data["state"][:, 1]
     sections = factor * orbit.data["sections"]
@@ -74,11 +101,16 @@ def plane_into(plane, orbit):
     plane.plot(sections[:, 0], sections[:, 1], "o", color=style.VERMILION,
                markersize=3.2, markeredgewidth=0, label="section, once per revolution")
     angle = np.linspace(0.0, 2.0 * np.pi, 361)
-    plane.plot(factor * clearance * np.cos(angle), factor * (ring_centre + clearance * np.sin(angle)), color=style.GREY,
-               lw=1.0, ls=(0, (4, 3)), label=f"clearance {1e3 * clearance:g} mm")
+    circle = factor * clearance * np.cos(angle), factor * (ring_centre + clearance * np.sin(angle))
+    plane.plot(*circle, color=style.GREY, lw=1.0, ls=(0, (4, 3)), label=f"clearance {1e3 * clearance:g} mm")
     plane.set_aspect("equal")
+    if max(np.ptp(x), np.ptp(y)) < SMALL * 2.0 * factor * clearance:
+        zoom_into(plane, x, y, circle)
     plane.set_xlabel(f"x [{units}]")
     plane.set_ylabel(f"y [{units}]")
+
+
+DASHES = ["-", "--", ":", "-."]  # of blades, which tell them apart in greyscale
 
 
 def forces_into(forces, orbit, revolutions=3):
@@ -89,8 +121,8 @@ def forces_into(forces, orbit, revolutions=3):
     for blade in range(orbit.data["force"].shape[1]):
         time, force = orbit.contacts(blade + 1, orbit.data["time"][last][0])
         peak = f", up to {np.nanmax(force):.4g} {orbit.units['contact_force']}" if len(force) else ", no contact"
-        forces.plot(time / period, force, lw=1.0, color=style.CYCLE[blade % len(style.CYCLE)],
-                    label=f"blade {blade + 1}{peak}")
+        forces.plot(time / period, force, DASHES[blade % len(DASHES)], lw=1.0,
+                    color=style.CYCLE[blade % len(style.CYCLE)], label=f"blade {blade + 1}{peak}")
     forces.set_xlabel("Time [revolutions]")
     forces.set_ylabel(f"Normal force on a blade [{orbit.units['contact_force']}]")
     forces.set_ylim(bottom=0)
@@ -99,12 +131,12 @@ def forces_into(forces, orbit, revolutions=3):
 
 def draw(options):
     orbit = OrbitFile(options.source)
-    figure, (plane, forces) = style.plt.subplots(1, 2, figsize=(10.0, 4.9), gridspec_kw={"width_ratios": [1, 1.1]})
+    figure, ((plane, forces),) = style.subplots(options, 1, 2, (10.0, 4.9), widths=[1, 1.1])
     plane_into(plane, orbit)
-    plane.legend(loc="upper left", bbox_to_anchor=(0.0, -0.12), ncol=3, columnspacing=1.0, handlelength=1.6)
+    style.legend(plane, options, place="below")
     forces_into(forces, orbit, options.revolutions)
     if orbit.data["force"].shape[1] <= 8:
-        forces.legend(loc="upper left", bbox_to_anchor=(0.0, -0.12), ncol=2)
+        style.legend(forces, options, place="below")
     style.title(figure, orbit, orbit.describe())
     style.save(figure, options)
 

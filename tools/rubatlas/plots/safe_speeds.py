@@ -62,8 +62,7 @@ def require_json_place(options):
 
 def draw_picture(atlas, judgement, options, what):
     limits = judgement.limits
-    figure, panels = style.plt.subplots(len(limits), 1, figsize=(9.5, 1.3 + 1.8 * len(limits)), sharex=True,
-                                        squeeze=False)
+    figure, panels = style.subplots(options, len(limits), 1, (9.5, 1.3 + 1.8 * len(limits)), sharex=True)
     border = style.edges_of(judgement.speed)
     for panel, limit in zip(panels[:, 0], limits):
         unit, factor = style.drawn(limit.units)
@@ -84,8 +83,8 @@ def draw_picture(atlas, judgement, options, what):
     if options.operate is not None:
         shown = judgement.shown(judgement.speed_of(options.operate)).replace(" (", "\n(")
         handles.append(style.plt.Line2D([], [], color=style.INK, lw=0.9, label=f"operating speed {shown}"))
-    panels[0, 0].legend(handles=[*handles, *gaps], loc="upper left", bbox_to_anchor=(1.0, 1.0))
     panels[-1, 0].set_xlabel(style.label(atlas, "speed_ratio"))
+    style.legend(panels[-1 if style.is_narrow(options) else 0, 0], options, [*handles, *gaps])
     panels[-1, 0].set_xlim(judgement.speed[0], judgement.speed[-1])
     style.title(figure, atlas, f"Safe for {what}, in {judgement.sweeps()}")
     style.save(figure, options)

@@ -42,7 +42,7 @@ def into(panel, line, speed_ratio):
 def draw(options):
     with AtlasFile(options.source) as atlas:
         line = atlas.line(**command_line.wanted(options, atlas.axes))
-        figure, panel = style.plt.subplots(figsize=(8.5, 4.2))
+        figure, ((panel,),) = style.subplots(options, 1, 1, (8.5, 4.2))
         speed = into(panel, line, options.speed_ratio)
         style.title(figure, atlas, f"speed ratio {speed:g}, {line.describe()}")
         style.save(figure, options)

@@ -9,6 +9,7 @@ worth of detail: the statements, and the sum.
 """
 import json
 import re
+import textwrap
 
 import numpy as np
 
@@ -17,9 +18,10 @@ from rubatlas import style
 from rubatlas.atlas_file import AtlasError, reading, text
 
 NOT_COVERED, YES, NO = 0, 1, 2
-COLOURS = {YES: "#8fd1b8", NO: "#eba27a", NOT_COVERED: "#ececf1", None: "#ffffff"}
-NAMES = {YES: "found", NO: "not found", NOT_COVERED: "not covered by the atlas",
-         None: "nothing to judge: its region is not there"}
+NOTHING = 3  # no finding
+LOOKS = {YES: {"name": "found", "colour": "#86c2ad"}, NO: {"name": "not found", "colour": "#c0622a"},
+         NOT_COVERED: {"name": "not covered by the atlas", "colour": "#ececf1", "hatch": "/"},
+         NOTHING: {"name": "nothing to judge: its region is not there", "colour": "#ffffff"}}
 VERDICTS = {0: "–", 1: "agrees", 2: "partly", 3: "disagrees"}
 LAWS = {"elastica": "elastica", "elastic_ring": "elastic ring"}
 
@@ -96,8 +98,8 @@ def counts(columns, rows, statements):
     return "\n".join(lines)
 
 
-def heading(column):
-    return "\n".join([column.law, *filter(None, column.setting.replace("direction = ", "").split(", "))])
+def heading(column, between="\n"):
+    return between.join([column.law, *filter(None, column.setting.replace("direction = ", "").split(", "))])
 
 
 def draw(options):
@@ -111,20 +113,27 @@ def draw(options):
     if options.counts:
         print(counts(columns, rows, statements))
     height, width = 0.27 * len(rows), max(0.92 * len(columns), 3.5)
-    figure = style.plt.figure(figsize=(width + 3.4, height + 2.2))
+    narrow = style.is_narrow(options)
+    figure = style.figure(options, (width + 3.4, height + 2.2))
+    if narrow:
+        # A claim takes up to two lines; cells have room for their colours alone.
+        figure.set_figheight(0.25 * len(rows) + 2.2)
     axes = figure.add_subplot()
-    image, seen = np.ones((len(rows), len(columns), 3)), []
+    kinds = np.empty((len(rows), len(columns)), dtype=int)
     for i, row in enumerate(rows):
         for j, column in enumerate(columns):
-            holds, brief = column.findings.get(row, (None, ""))
-            image[i, j] = style.matplotlib.colors.to_rgb(COLOURS[holds])
-            seen.append(holds)
-            axes.text(j, i, "·" if holds is None else brief, ha="center", va="center", fontsize=7, color=style.INK)
-    axes.imshow(image, aspect="auto", interpolation="nearest")
-    axes.set_yticks(range(len(rows)), [f"{name}  {claim}" for name, claim in rows])
+            kinds[i, j], brief = column.findings.get(row, (NOTHING, "·"))
+            if not narrow:
+                axes.text(j, i, brief, ha="center", va="center", fontsize=7, color=style.INK)
+    image = {"aspect": "auto", "interpolation": "nearest", "extent": (-0.5, len(columns) - 0.5, -0.5, len(rows) - 0.5),
+             "origin": "lower"}
+    handles = style.cells_into(axes, [(entry, kinds == kind) for kind, entry in LOOKS.items()], image)
+    axes.invert_yaxis()
+    axes.set_yticks(range(len(rows)), [textwrap.fill(f"{name}  {claim}", 26 if narrow else 99) for name, claim in rows])
+    counted = [f"{found(column, rows)} of {len(rows)}" for column in columns]
     axes.set_xticks(range(len(columns)),
-                    [f"{heading(column)}\n\n{found(column, rows)} of {len(rows)}" for column in columns],
-                    fontsize=7.5)
+                    [f"{heading(column, ', ')}: {count}" if narrow else f"{heading(column)}\n\n{count}"
+                     for column, count in zip(columns, counted)], rotation=90 if narrow else 0, fontsize=7)
     axes.set_xticks(np.arange(len(columns) - 1) + 0.5, minor=True)
     axes.set_yticks(np.arange(len(rows) - 1) + 0.5, minor=True)
     axes.grid(False)
@@ -137,10 +146,9 @@ def draw(options):
     for j in range(1, len(columns)):
         if columns[j].law != columns[j - 1].law:
             axes.axvline(j - 0.5, color=style.INK, lw=0.9)
-    handles = [style.Patch(facecolor=COLOURS[kind], edgecolor="#55556a", lw=0.5, label=NAMES[kind])
-               for kind in (YES, NO, NOT_COVERED, None) if kind in seen]
-    axes.legend(handles=handles, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=len(handles), borderaxespad=0.4)
-    figure.suptitle(options.title, fontsize=12, fontweight="bold", x=0.01, ha="left")
+    axes.legend(handles=handles, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.4,
+                ncols=style.columns_of(axes, handles)[0])
+    style.headline(figure, options.title)
     style.save(figure, options)
 
 

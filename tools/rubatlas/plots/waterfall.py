@@ -58,7 +58,7 @@ def mark_orders(panel, top, blades):
             continue
         marker = style.matplotlib.markers.TICKUP if above else style.matplotlib.markers.TICKRIGHT
         panel.plot([place[0]], [place[1]], marker=marker, **look)
-        panel.annotate(name, place, xytext=(0, 9) if above else (9, 0), textcoords="offset points", fontsize=8.5,
+        panel.annotate(name, place, xytext=(0, 9) if above else (9, 0), textcoords="offset points", fontsize="medium",
                        ha="center" if above else "left", va="bottom" if above else "center", color=look["color"],
                        annotation_clip=False)
 
@@ -97,9 +97,11 @@ def bar_label(atlas):
 def draw(options):
     with AtlasFile(options.source) as atlas:
         line = atlas.line(**command_line.wanted(options, atlas.axes))
-        figure, panel = style.plt.subplots(figsize=(8.5, 6.2))
+        figure, ((panel,),) = style.subplots(options, 1, 1, (8.5, 6.2))
         image = into(panel, line, options.max_frequency)
-        figure.colorbar(image, ax=panel, pad=0.02, label=bar_label(atlas))
+        # The marks of the orders stand on the right.
+        where = "bottom" if style.is_narrow(options) else "right"
+        figure.colorbar(image, ax=panel, pad=0.02, location=where, label=bar_label(atlas))
         style.title(figure, atlas, line.describe() + "\n\n")
         style.save(figure, options)
 
