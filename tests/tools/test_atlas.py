@@ -319,6 +319,11 @@ class AtlasPlots(WithFolder):
         with self.assertRaisesRegex(rubatlas.AtlasError, "needs the atlas' maps"):
             rubatlas.open(TINY / "atlas.h5").plot.margin()
 
+    def test_an_axis_in_rpm_is_in_pictures_of_our_own_alone(self):
+        self.assertEqual(len(self.atlas.plot.displacement().child_axes), 1)
+        own = plt.subplots()[1]
+        self.assertEqual(len(self.atlas.plot.displacement(ax=own).child_axes), 0)
+
     def test_pictures_leave_the_callers_settings_alone(self):
         before = dict(matplotlib.rcParams)
         self.atlas.plot.displacement()

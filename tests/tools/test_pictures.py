@@ -44,6 +44,7 @@ class Figure:
         finally:
             style.save = keep
         self.figure = caught[0]
+        style.plt.close(self.figure)  # pyplot forgets it
 
     def texts(self):
         parts = [self.figure._suptitle.get_text(), self.figure._supxlabel.get_text()]
@@ -245,6 +246,28 @@ class ToolsPictures(unittest.TestCase):
         self.assertIn("Speed ratio Ω [-]", texts)
         self.assertIn("max. displacement [mm]", texts)
         self.assertIn("Damping ratio ζ [-]", Figure("map", TINY / "atlas.h5").texts())
+
+    def test_pictures_over_the_speed_have_a_second_axis_in_rpm(self):
+        atlas, maps = TINY / "atlas.h5", ("--maps", TINY / "maps.h5")
+        for tool, arguments in (("bifurcation", []), ("displacement", []), ("map", maps), ("margin", maps),
+                                ("waterfall", [])):
+            with self.subTest(tool):
+                figure = Figure(tool, atlas, *arguments).figure
+                figure.draw_without_rendering()  # the second axis follows the first when it is drawn
+                panel = figure.axes[0]
+                second, = panel.child_axes
+                upwards = tool == "waterfall"
+                self.assertEqual((second.get_ylabel if upwards else second.get_xlabel)(), "Speed [rpm]")
+                first = np.array((panel.get_ylim if upwards else panel.get_xlim)())
+                np.testing.assert_allclose((second.get_ylim if upwards else second.get_xlim)(),
+                                           first * 10.0 * 30 / np.pi)  # natural frequency 10 rad/s
+        rpm = Figure("displacement", TINY / "rings.h5").figure.axes[0].child_axes
+        self.assertEqual(len(rpm), 1, "two rings have one natural frequency")
+
+    def test_where_there_is_no_margin_the_legend_says_why(self):
+        texts = [text.get_text() for axes in Figure("margin", TINY / "atlas.h5", "--maps", TINY / "maps.h5").figure.axes
+                 for text in (axes.get_legend().get_texts() if axes.get_legend() else [])]
+        self.assertEqual(texts, ["left the model's validity", "no grazing is predicted"])
 
     def test_the_dots_are_the_sections_of_the_atlas(self):
         figure = Figure("bifurcation", TINY / "atlas.h5", "--damping_ratio", 0.1).figure

@@ -1,4 +1,6 @@
 """Bands of safe speeds: what the tool says is what the atlas holds."""
+import contextlib
+import io
 import json
 import os
 import pathlib
@@ -7,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 import h5py
 import numpy as np
@@ -115,6 +118,11 @@ class SafeSpeeds(unittest.TestCase):
         self.assertIn(f"note: {note}", text)
         for limit in ("max_displacement<=0.012", "nearest_miss>=1 mm", "max_displacement<=0.1 mm"):
             self.assertNotIn("limits nothing", self.bands("--keep", limit)[1])
+        shutil.copy(TINY / "atlas.h5", self.folder / "atlas.h5")
+        with h5py.File(self.folder / "atlas.h5", "r+") as atlas:
+            atlas["nearest_miss"][...] = np.nan
+        self.assertIn("limits nothing: no point has a nearest_miss",
+                      self.bands("--keep", "nearest_miss>=1 mm", atlas=self.folder / "atlas.h5")[1])
         self.assertIn("nearest_miss ≥ 1e-17 mm", self.bands("--keep", "nearest_miss>=1e-20")[0]["notes"][0])
 
     def test_one_speed_alone_is_no_band(self):
@@ -166,6 +174,22 @@ class SafeSpeeds(unittest.TestCase):
         band = plain["bands"][0]
         self.assertAlmostEqual(band["to_rpm"], band["to"] * NATURAL_FREQUENCY * 30 / np.pi, places=9)
         self.assertAlmostEqual(band["from_hz"], band["from"] * NATURAL_FREQUENCY / (2 * np.pi), places=9)
+
+    def test_the_picture_says_in_which_sweep_and_has_a_legend_and_an_axis_in_rpm(self):
+        sys.path.insert(0, str(ROOT / "tools"))
+        from rubatlas import style  # pylint: disable=import-outside-toplevel
+        from rubatlas.plots import safe_speeds  # pylint: disable=import-outside-toplevel
+        caught = []
+        with unittest.mock.patch.object(style, "save", lambda figure, options: caught.append(figure)), \
+                contextlib.redirect_stdout(io.StringIO()):
+            safe_speeds.main([str(TINY / "atlas.h5"), "-o", str(self.folder / "safe.png"), "--operate", "24 rpm",
+                              "--keep", "max_displacement<=8 mm"])
+        panel = caught[0].axes[0]
+        self.assertIn("in the sweep up", panel.get_title(loc="left"))
+        self.assertEqual([text.get_text() for text in panel.get_legend().get_texts()][:4],
+                         ["every limit is kept\nin the sweep up", "the line nearest to the limit", "limit",
+                          "operating speed Ω 0.251327\n(24 rpm, 0.4 Hz)"])
+        self.assertEqual(panel.child_axes[0].get_xlabel(), "Speed [rpm]")
 
     def test_how_far_a_speed_is_from_danger_is_one_sentence(self):
         result, text = self.bands("--keep", "max_displacement<=0.008", "--damping_ratio", "0.1", "--operate", "0.25")

@@ -68,6 +68,8 @@ class JudgedLimit:
     def idle(self):
         """A sentence where every value keeps the limit by a wide distance, as one in a wrong unit does; else none."""
         found = self.values[np.isfinite(self.values)]
+        if not found.size and self.name in MAY_NOT_OCCUR:
+            return f"{self.text} limits nothing: no point has a {self.name}"
         if self.flags or not found.size or not self.kept()[np.isfinite(self.values)].all():
             return None
         most, end = (found.max(), "largest") if self.sign == "<=" else (found.min(), "smallest")

@@ -14,7 +14,7 @@ from matplotlib.path import Path
 from matplotlib.textpath import TextPath
 from matplotlib.transforms import ScaledTranslation
 
-from rubatlas import command_line
+from rubatlas import command_line, query
 from rubatlas.atlas_file import DONE, SYMBOL
 from rubatlas.palette import PALETTE
 
@@ -103,6 +103,21 @@ def label(atlas, name):
     """Label of an axis of the grid: its name in the file, its symbol, and the unit it is drawn in."""
     words = " ".join([*name.split("_"), SYMBOL.get(name, "")]).strip()
     return f"{words[:1].upper()}{words[1:]} [{drawn(atlas.units(name))[0]}]"
+
+
+def rpm_axis(panel, sizes, upwards=False):
+    """A second axis of the speed, in rpm, above or (`upwards`) on the left; none where the lines have several natural
+    frequencies. `sizes`: of the atlas."""
+    rpm = query.expressed(1.0, "rpm", sizes)
+    if rpm is None:
+        return
+    both = {"functions": (lambda speed: speed * rpm, lambda speed: speed / rpm)}
+    if upwards:
+        second = panel.secondary_yaxis(-0.11 * 8.5 / panel.figure.get_figwidth(), **both)
+        second.set_alignment("left")
+        second.set_ylabel("Speed [rpm]")
+    else:
+        panel.secondary_xaxis("top", **both).set_xlabel("Speed [rpm]")
 
 
 def headline(made, words):

@@ -70,12 +70,15 @@ class Plots:
                 raise AtlasError(f"{axis} {value}: this selection has {picked[axis]:g} alone")
         return {**picked, **line}
 
-    def _at_selected_speeds(self, panel: Axes) -> Axes:
-        """The panel, with its limits at the selected speeds where these are fewer than the grid's."""
+    def _finished(self, panel: Axes, ax: Axes | None) -> Axes:
+        """The panel, with its limits at the selected speeds where these are fewer than the grid's; and with an axis in
+        rpm where the picture is our own."""
         speeds = np.atleast_1d(self._atlas.dataset["speed_ratio"].values)
         with self._file() as atlas:
             if len(speeds) < len(atlas.axis("speed_ratio")) and len(speeds) > 1:
                 panel.set_xlim(speeds[0], speeds[-1])
+            if ax is None:
+                style.rpm_axis(panel, atlas.sizes())
         return panel
 
     def bifurcation(self, ax: Axes | None = None, component: str = "x", **line: Any) -> Axes:
@@ -83,7 +86,7 @@ class Plots:
         line = self._picked(line)
         with _panel(ax) as panel, self._file() as atlas:
             bifurcation.into(panel, atlas.line(**line), component)
-            return self._at_selected_speeds(panel)
+            return self._finished(panel, ax)
 
     def waterfall(self, ax: Axes | None = None, max_frequency: float | None = None, **line: Any) -> Axes:
         """The spectrum over frequency and speed ratio."""
@@ -98,7 +101,7 @@ class Plots:
         line = self._picked(line)
         with _panel(ax) as panel, self._file() as atlas:
             displacement.into(panel, atlas, displacement.along_of(atlas, along, line), line)
-            return self._at_selected_speeds(panel)
+            return self._finished(panel, ax)
 
     def map(self, ax: Axes | None = None, quantity: str = "max_displacement", along: str | None = None,
             **line: Any) -> Axes:
@@ -117,15 +120,15 @@ class Plots:
                 image, _ = map_of.into(panel, atlas, along, line, quantity)
                 label = f"{quantity.replace('_', ' ')} [{style.drawn(atlas.units(quantity))[0]}]"
                 panel.figure.colorbar(image, ax=panel, pad=0.02, label=label)
-            return self._at_selected_speeds(panel)
+            return self._finished(panel, ax)
 
     def margin(self, ax: Axes | None = None, name: str = "speed_ratio", along: str | None = None, **line: Any) -> Axes:
         """Distance to the nearest change of motion, or ("speed_ratio_to_grazing") to the predicted grazing."""
         line = self._picked(line)
         with _panel(ax) as panel, self._file() as atlas, self._maps() as maps:
-            image = margin.into(panel, atlas, maps, displacement.along_of(atlas, along, line), line, name)
+            image, _ = margin.into(panel, atlas, maps, displacement.along_of(atlas, along, line), line, name)
             panel.figure.colorbar(image, ax=panel, pad=0.02, label=margin.label(maps, name))
-            return self._at_selected_speeds(panel)
+            return self._finished(panel, ax)
 
     def spectrum(self, speed_ratio: float, ax: Axes | None = None, **line: Any) -> Axes:
         """The spectrum of the point at the grid's nearest speed."""

@@ -49,6 +49,7 @@ def draw(options):
             panels[2].set_ylim(bottom=0)
         handles = style.mark_missing(panels, speed, line.status())
         panels[-1].set_xlabel(style.label(atlas, "speed_ratio"))
+        style.rpm_axis(panels[0], atlas.sizes())
         style.legend(panels[-1 if style.is_narrow(options) else 0], options, handles, "upper left")
         panels[-1].set_xlim(speed[0], speed[-1])
         once = "blade passing" if options.passing else "revolution"

@@ -12,7 +12,7 @@ import numpy as np
 
 from rubatlas import command_line
 from rubatlas import style
-from rubatlas.atlas_file import AtlasError, printable, reading, text
+from rubatlas.atlas_file import AtlasError, printable, reading, sizes_of, text
 
 # Marks of the kinds of events, as the file numbers them.
 MARKS = {1: ("fold", "s", style.GREEN), 2: ("period doubling", "D", style.VERMILION),
@@ -124,6 +124,8 @@ def draw_branch(branch, options):
     upper.set_ylabel("Section's distance [mm]")
     lower.set_ylabel("Largest multiplier")
     lower.set_xlabel(branch.name_of("along"))
+    if branch.name_of("along") == "speed ratio":
+        style.rpm_axis(upper, sizes_of(branch.scene))
     style.legend(lower if style.is_narrow(options) else upper, options,
                  [*branch_handles(branch), *upper.get_legend_handles_labels()[0]])
     periods = ", ".join(str(period) for period in np.unique(branch["period"]))

@@ -44,6 +44,7 @@ def draw(options):
         along = along_of(atlas, options.along, wanted)
         figure, ((panel,),) = style.subplots(options, 1, 1, (9.5, 4.6))
         lines, gaps = into(panel, atlas, along, wanted)
+        style.rpm_axis(panel, atlas.sizes())
         clearances = [line.clearance for line in lines]
         named = panel.get_legend_handles_labels()[0] if along else []
         style.legend(panel, options, [*named, *gaps])

@@ -34,6 +34,7 @@ def draw(options):
             style.legend(panels[1 if style.is_narrow(options) else 0, column], options, handles, "upper left")
             panels[0, column].set_xlim(speed[0], speed[-1])
             panels[0, column].set_title(name, loc="right")
+            style.rpm_axis(panels[0, column], source.sizes())
         style.label_row(options, panels[0], f"y at the section [{units}]")
         style.label_row(options, panels[1], f"max. displacement [{units}]")
         panels[1, 0].set_ylim(bottom=0)

@@ -124,6 +124,7 @@ def draw(options):
             sides[1].legend(handles=handles, loc="center left", bbox_to_anchor=(-0.5, 0.5))
         else:
             style.legend(panels[0], options, handles, "below")
+        style.rpm_axis(panels[0], atlas.sizes())
         if options.curve:
             curve_into(panels, atlas, along, BranchFile(options.curve))
         style.title(figure, atlas, lines[0].describe(without=[along]))

@@ -9,7 +9,7 @@ import numpy as np
 
 from rubatlas import command_line
 from rubatlas import style
-from rubatlas.atlas_file import AtlasError, AtlasFile
+from rubatlas.atlas_file import DONE, AtlasError, AtlasFile
 from rubatlas.plots.displacement import along_of
 from rubatlas.plots.map import finish, rows_of, size_of
 from rubatlas.same_scene import require_same
@@ -18,13 +18,17 @@ NAMES = {"speed_ratio": "Distance in Ω to the nearest change of motion",
          "speed_ratio_to_grazing": "Distance in Ω to the predicted grazing"}
 
 
+# What a point has that is done and has no margin.
+NONE = "no change of motion on its line", "no grazing is predicted"
+
+
 def label(maps, name):
     """Of a margin's colour bar."""
     return "Margin in Ω [-]" if name in NAMES else f"Margin [{maps.units(f'margins/{name}')}]"
 
 
 def into(panel, atlas, maps, along, wanted, name="speed_ratio"):
-    """A margin of the maps; returns the image, for a colour bar."""
+    """A margin of the maps; returns the image, for a colour bar, and the legend of points without a margin."""
     require_same(atlas.path, atlas.scene, maps.path, maps.scene)
     if f"margins/{name}" not in maps:
         raise AtlasError(f"{maps.path}: it has no /margins/{name}; `rubatlas analyse` writes margins along axes with "
@@ -39,10 +43,13 @@ def into(panel, atlas, maps, along, wanted, name="speed_ratio"):
     most = max(np.nanmax(values, initial=least), 2.0 * least)
     image = panel.imshow(np.ma.masked_invalid(np.maximum(values, least)), cmap=style.SEQUENTIAL,
                          norm=style.matplotlib.colors.LogNorm(least, most), **place)
-    style.cells_into(panel, style.missing_cells(np.array([line.status() for line in lines])), place)
+    status = np.array([line.status() for line in lines])
+    handles = style.cells_into(panel, style.missing_cells(status), place)
+    if (np.isnan(values) & (status == DONE)).any():
+        handles.append(style.Patch(facecolor="white", edgecolor=style.QUIET, lw=0.5, label=NONE[name != "speed_ratio"]))
     panel.set_title(NAMES.get(name, f"Distance to the nearest change of motion along {name.replace('_', ' ')}"))
     finish(panel, atlas, along, lines)
-    return image
+    return image, handles
 
 
 def draw(options):
@@ -52,7 +59,10 @@ def draw(options):
         names = [name for name in NAMES if f"margins/{name}" in maps] or ["speed_ratio"]
         figure, panels = style.subplots(options, len(names), 1, size_of(options, len(names), lines))
         for panel, name in zip(panels[:, 0], names):
-            figure.colorbar(into(panel, atlas, maps, along, wanted, name), ax=panel, pad=0.01, label=label(maps, name))
+            image, handles = into(panel, atlas, maps, along, wanted, name)
+            figure.colorbar(image, ax=panel, pad=0.01, label=label(maps, name))
+        style.legend(panels[-1, 0], options, handles, "below")
+        style.rpm_axis(panels[0, 0], atlas.sizes())
         style.title(figure, atlas, panels[0, 0].get_title(loc="left") + ": " + lines[0].describe(without=[along]))
         style.save(figure, options)
 

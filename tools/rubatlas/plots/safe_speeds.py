@@ -71,10 +71,14 @@ def draw_picture(atlas, judgement, options, what):
         gaps = style.mark_missing(panel, judgement.speed, judgement.status)
         panel.plot(judgement.speed, factor * limit.worst(), color=style.BLUE, lw=0.9)
         panel.axhline(factor * limit.bound, color=style.VERMILION, lw=0.9, ls=(0, (4, 3)))
-        panel.set_ylabel(f"{limit.name} [{unit}]")
+        panel.set_ylabel(f"{limit.name.replace('_', ' ')} [{unit}]")
         positive = limit.values[np.isfinite(limit.values) & (limit.values > 0)]
         if (limit.sign == ">=" or limit.name == "class") and len(positive) and limit.bound > 0:
             panel.set_yscale("log")  # what must not become small is looked at by its decades, and 255 is aperiodic
+            panel.set_ylim(bottom=max(positive.min(), 1e-3 * limit.bound) * factor / 1.2)  # above what is rounding
+        if limit.name == "class":
+            panel.set_yticks([1, 2, 4, 16, 255], ["1", "2", "4", "16", "aperiodic"])
+            panel.minorticks_off()
         if options.operate is not None:
             panel.axvline(judgement.speed_of(options.operate), color=style.INK, lw=0.9)
     handles = [style.Patch(color=style.GREEN, alpha=0.18, label=f"every limit is kept\nin {judgement.sweeps()}"),
@@ -85,6 +89,7 @@ def draw_picture(atlas, judgement, options, what):
         handles.append(style.plt.Line2D([], [], color=style.INK, lw=0.9, label=f"operating speed {shown}"))
     panels[-1, 0].set_xlabel(style.label(atlas, "speed_ratio"))
     style.legend(panels[-1 if style.is_narrow(options) else 0, 0], options, [*handles, *gaps])
+    style.rpm_axis(panels[0, 0], judgement.sizes)
     panels[-1, 0].set_xlim(judgement.speed[0], judgement.speed[-1])
     style.title(figure, atlas, f"Safe for {what}, in {judgement.sweeps()}")
     style.save(figure, options)

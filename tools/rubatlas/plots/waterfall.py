@@ -99,6 +99,7 @@ def draw(options):
         line = atlas.line(**command_line.wanted(options, atlas.axes))
         figure, ((panel,),) = style.subplots(options, 1, 1, (8.5, 6.2))
         image = into(panel, line, options.max_frequency)
+        style.rpm_axis(panel, atlas.sizes(), upwards=True)
         # The marks of the orders stand on the right.
         where = "bottom" if style.is_narrow(options) else "right"
         figure.colorbar(image, ax=panel, pad=0.02, location=where, label=bar_label(atlas))
