@@ -12,23 +12,18 @@ import numpy as np
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
-sys.path.insert(0, str(ROOT / "tools"))
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests/support")]
 import matplotlib  # noqa: E402
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 import rubatlas  # noqa: E402
+from bands import in_bands  # noqa: E402
 from rubatlas.program import find_program  # noqa: E402
 
 TWO_POINTS = {"title": "Two points", "grid": {"speed_ratio": [0.3, 0.4]},
               "protocol": {"transient_revolutions": 5, "sampled_revolutions": 4}}
-
-
-def with_neighbour(safe):
-    """Of safe speeds those that are no band of one speed."""
-    padded = np.concatenate([[False], safe, [False]])
-    return safe & (padded[:-2] | padded[2:])
 
 
 class WithFolder(unittest.TestCase):
@@ -165,7 +160,7 @@ class AtlasQuestions(WithFolder):
         line = self.atlas.line(damping_ratio=0.05)
         bands = line.safe_speeds("class<=255")["bands"]
         inside = np.any([(self.speed >= band["from"]) & (self.speed <= band["to"]) for band in bands], axis=0)
-        np.testing.assert_array_equal(inside, with_neighbour(self.motion[0] > 0))
+        np.testing.assert_array_equal(inside, in_bands(self.motion[0] > 0))
         ends = [end for band in bands for end in (band["below"], band["above"]) if "speed_ratio" in end]
         self.assertTrue(any("the motion leaves the model" in end["broken"] for end in ends))
         for end in ends:
@@ -177,14 +172,14 @@ class AtlasQuestions(WithFolder):
             inside = np.zeros(len(self.speed), dtype=bool)
             for band in atlas.safe_speeds(max_displacement=8e-3, margin=0.02)["bands"]:
                 inside |= (self.speed >= band["from"]) & (self.speed <= band["to"])
-            self.assertTrue(with_neighbour(safe).any())
-            np.testing.assert_array_equal(inside, with_neighbour(safe))
+            self.assertTrue(in_bands(safe).any())
+            np.testing.assert_array_equal(inside, in_bands(safe))
         some = self.atlas.sel(damping_ratio=[0.1, 0.2],
                               speed_ratio=slice(0.4, None)).where("class == 'period 1' or class == 'period 2'")
         chosen = (((self.status == 1) & (self.motion >= 1) & (self.motion <= 2))[1:]).all(axis=0) & (self.speed >= 0.4)
         kept = some.safe_speeds(max_displacement=1.0)["bands"]
         np.testing.assert_array_equal(np.any([(self.speed >= band["from"]) & (self.speed <= band["to"])
-                                              for band in kept], axis=0), with_neighbour(chosen))
+                                              for band in kept], axis=0), in_bands(chosen))
         self.assertEqual(kept[0]["below"]["broken"], ["not selected"])
         operate = self.atlas.line().safe_speeds(max_displacement="8 mm", operate="24 rpm")["operate"]
         self.assertRegex(operate["text"], r"^At Ω 0\.251327 \(24 rpm, 0\.4 Hz\) every limit is kept in the sweep up;")

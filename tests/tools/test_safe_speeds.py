@@ -17,16 +17,11 @@ import numpy as np
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
 sys.path.insert(0, str(ROOT / "tests/support"))
+from bands import in_bands  # noqa: E402
 from forked_commands import ended_command  # noqa: E402
 PROGRAM = pathlib.Path(os.environ["RUBATLAS_PROGRAM"])
 DONE, APERIODIC = 1, 255
 NATURAL_FREQUENCY = 10.0  # rad/s, of the default rotor
-
-
-def in_bands(safe):
-    """Of safe speeds those that have a safe neighbour: one speed is no band."""
-    padded = np.concatenate([[False], safe, [False]])
-    return safe & (padded[:-2] | padded[2:])
 
 
 class SafeSpeeds(unittest.TestCase):
