@@ -202,6 +202,9 @@ class SafeSpeeds(unittest.TestCase):
         result, text = self.bands("--keep", "max_displacement<=0.008")
         self.assertEqual((result["said_of"], result["other_motions"]), ("the sweep up", []))
         self.assertIn('"sweep": "both" in the scene looks for it', text)
+        basins, text = self.bands("--keep", "max_displacement<=12 mm", atlas=TINY / "basins.h5")
+        self.assertEqual(basins["said_of"], "the motions from the initial states of the grid")
+        self.assertNotIn("looks for it", text)
 
         scene = {"sweep": "both", "grid": {"speed_ratio": {"from": 0.62, "to": 0.7, "count": 17}},
                  "protocol": {"transient_revolutions": 60, "sampled_revolutions": 40, "samples_per_revolution": 64}}

@@ -8,7 +8,7 @@ done keeps none.
 import numpy as np
 
 from rubatlas import query
-from rubatlas.atlas_file import DIRECTIONS, DONE, LEFT_VALIDITY, AtlasError, same_value, words_of
+from rubatlas.atlas_file import DIRECTIONS, DONE, LEFT_VALIDITY, AtlasError, same_value, swept_pointers, words_of
 
 # Datasets in which NaN means that there is nothing to keep away from.
 MAY_NOT_OCCUR = ("nearest_miss", "lightest_touch", "margin")
@@ -26,10 +26,9 @@ PER_SPEED = {"rpm": "rpm", "hz": "Hz"}
 class JudgedLimit:
     """A limit, and the values that it limits: (lines, speeds), NaN where the point is not done."""
 
-    def __init__(self, text, atlas, maps, chosen):
+    def __init__(self, text, atlas, maps, chosen, sizes):
         limit = query.Limit.read(text)
-        self.given = text
-        self.name, self.sign = limit.name, limit.sign
+        self.given, self.name, self.sign, self.sizes = text, limit.name, limit.sign, sizes
         source, name = atlas, self.name
         if self.name in OF_MAPS:
             source, name = maps, OF_MAPS[self.name]
@@ -42,7 +41,6 @@ class JudgedLimit:
         if dataset.ndim != len(atlas.axes):
             raise AtlasError(f"limit {text}: /{name} has more than one number per point")
         self.units = source.units(name)
-        self.sizes = atlas.sizes(chosen)
         self.bound = limit.bound(self.units, self.sizes)
         self.text = f"{self.name} {'≤' if self.sign == '<=' else '≥'} {self.shown(self.bound)}"
         self.brief = self.text.split(",")[0]
@@ -106,7 +104,7 @@ class Judgement:
     def __init__(self, atlas, maps, texts, chosen, selected=None, *, aperiodic=False, least_width=0.0):
         self.atlas, self.maps, self.chosen = atlas, maps, chosen
         self.speed, self.sizes = atlas.axis("speed_ratio"), atlas.sizes(chosen)
-        self.limits = [JudgedLimit(text, atlas, maps, chosen) for text in texts]
+        self.limits = [JudgedLimit(text, atlas, maps, chosen, self.sizes) for text in texts]
         self.status = self.limits[0].status
         self.left = (self.status == LEFT_VALIDITY).any(axis=0)
         self.undone = ((self.status != DONE) & (self.status != LEFT_VALIDITY)).any(axis=0)
@@ -114,9 +112,8 @@ class Judgement:
         self.unselected = np.zeros(len(self.speed), dtype=bool)
         if selected is not None:
             self.unselected = ~selected[chosen].reshape(self.status.shape).all(axis=0)
-        self.by_class = any(limit.name == "class" for limit in self.limits)
         self.aperiodic = np.zeros(len(self.speed), dtype=bool)
-        if maps is not None and not aperiodic and not self.by_class:
+        if maps is not None and not aperiodic and "class" not in [limit.name for limit in self.limits]:
             classes = maps.dataset("class")[...][chosen].reshape(self.status.shape)
             self.aperiodic = ((classes == APERIODIC_CLASS) & (self.status == DONE)).any(axis=0)
         self.aperiodic_may_be_safe = aperiodic
@@ -223,8 +220,12 @@ class Judgement:
         if len(directions) == 2:
             return "both sweeps"
         sweep = self.atlas.scene.get("sweep", "up")
-        return "the motion from the initial state" if sweep == "independent" else \
-            f"the sweep {directions[0] if directions else sweep}"
+        if sweep == "independent":
+            return f"the motions from the initial state{'s of the grid' if self.initial_is_swept() else ''}"
+        return f"the sweep {directions[0] if directions else sweep}"
+
+    def initial_is_swept(self):
+        return any(section == "initial" for section, _ in swept_pointers(self.atlas.scene).values())
 
     def other_motions(self):
         """Where in the bands the sweeps up and down have not one motion, or one of them does not keep the limits."""
@@ -270,8 +271,9 @@ class Judgement:
         if len(directions) == 1 and not self.other_motions():
             found.append("the other sweep keeps every limit in these bands, too")
         if not directions:
-            found.append(f'safe is said of {self.sweeps()} alone; another motion may be possible at the same speed, '
-                         'and "sweep": "both" in the scene looks for it')
+            more = "" if self.initial_is_swept() else ', and "sweep": "both" in the scene looks for it'
+            found.append(f"safe is said of {self.sweeps()} alone; "
+                         f"another motion may be possible at the same speed{more}")
         return found
 
     def result(self, operate=None):
