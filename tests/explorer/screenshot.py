@@ -9,7 +9,7 @@ import tempfile
 
 from browser import Browser
 
-HEIGHT = 1850  # of the picture, for all panels but the tables
+HEIGHT = 1900  # of the picture, for all panels but the tables
 
 
 def draw(report, picture, address=""):
