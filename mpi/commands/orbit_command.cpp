@@ -12,11 +12,13 @@
 #include "atlas/orbit_file.hpp"
 #include "atlas/output.hpp"
 #include "atlas/verify.hpp"
+#include "mpi/commands/explain_text.hpp"
 #include "mpi/commands/place.hpp"
 #include "mpi/exit_code.hpp"
 #include "mpi/say.hpp"
 #include "mpi/version.hpp"
 #include "plan/grid.hpp"
+#include "plan/scene_of_line.hpp"
 #include "point/line_solver.hpp"
 #include "settings/quantity.hpp"
 #include "settings/reader.hpp"
@@ -81,6 +83,17 @@ motion::PointStart stored_end(const settings::Scene& scene, const std::filesyste
   return atlas::FinalStates(atlas.file(), atlas::schema_of(scene)).of(*point);
 }
 
+/// ", from a start 3.2 mm beyond the ring": where the shaft is so far from the ring's centre that a blade
+/// pointing there reaches beyond the ring, and the motion has not come through its first revolution. Else
+/// empty.
+std::string start_beyond_ring(const settings::Scene& line, const motion::PointStart& start,
+                              const point::Orbit& orbit) {
+  const double beyond =
+      std::hypot(start.state[0], start.state[1] + line.rotor.misalignment) - line.clearance();
+  if (orbit.failed_revolution > 0 || beyond <= 0.0) return {};
+  return fmt::format(", from a start {} beyond the ring", length(beyond));
+}
+
 /// The path of the orbit file, which must not be a file that the command reads.
 atlas::Output output_of(const OrbitCommand& command) {
   std::vector<std::filesystem::path> sources{command.scene};
@@ -108,9 +121,11 @@ int compute_orbit(const OrbitCommand& command) {
 
   if (orbit.status == ending::PointStatus::done) return exit_code::kDone;
   const bool left = orbit.status == ending::PointStatus::left_validity;
-  say_sentence(fmt::format("the motion {} in revolution {}: {}; {} holds what came before",
+  say_sentence(fmt::format("the motion {} in revolution {}{}: {}; {} holds what came before",
                            left ? "left the model's validity" : "could not be integrated",
-                           orbit.failed_revolution, ending::text_of(orbit.detail), command.output.string()));
+                           orbit.failed_revolution,
+                           start_beyond_ring(plan::scene_of_line(scene, place.parameters), start, orbit),
+                           ending::text_of(orbit.detail), command.output.string()));
   return left ? exit_code::kDone : exit_code::kSomePointsFailed;
 }
 

@@ -192,6 +192,18 @@ TEST_F(Orbit, AMotionThatLeavesTheModelIsAResultThatIsSaid) {
   EXPECT_EQ(ending.code, 0);
   EXPECT_TRUE(ending.messages.starts_with("rubatlas: the motion left the model's validity in revolution "))
       << ending.messages;
+  EXPECT_EQ(ending.messages.find("start"), std::string::npos) << ending.messages;
+}
+
+TEST_F(Orbit, AMotionThatLeavesTheModelFromAStartBeyondTheRingSaysSo) {
+  static_cast<void>(place.write("beyond.json", R"({"grid": {"speed_ratio": 0.6}, "initial": {"x": 0.09}})"));
+  const auto ending = place.rubatlas("orbit beyond.json -o o.h5");
+  EXPECT_EQ(ending.code, 0);
+  // √(90² + 10.01²) mm from the ring's centre, with a clearance of 10 mm.
+  EXPECT_TRUE(
+      ending.messages.starts_with("rubatlas: the motion left the model's validity in revolution 0, "
+                                  "from a start 80.555 mm beyond the ring: "))
+      << ending.messages;
 }
 
 }  // namespace
