@@ -221,6 +221,33 @@ class PageShows(ExplorerTest):
                 self.open(f"#map={quantity}")
                 self.assertAlmostEqual(self.hatched("left the model's validity"), left, delta=2e-3)
 
+    def test_a_map_of_many_cells_is_hatched_where_and_only_where_there_is_no_motion(self):
+        atlas = run(self.folder, "many", {
+            "grid": {"speed_ratio": {"from": 0.1, "to": 0.2, "count": 40},
+                     "damping_ratio": {"from": 0.1, "to": 0.2, "count": 20}},
+            "protocol": {"transient_revolutions": 0, "sampled_revolutions": 1}, "observables": ["max_displacement"]})
+        for count in (800, 60):  # cells in every other column, as separate boxes
+            with h5py.File(atlas, "r+") as file:
+                status = np.ones((20, 40), "u1")
+                status[:, ::2] = 2
+                status.ravel()[count:] = 1
+                file["status"][...] = status.reshape(file["status"].shape)
+            self.open("#map=status&at=speed_ratio=0.2,damping_ratio=0.2",
+                      made(self.folder / f"many_{count}.html", atlas))
+            dark = np.array(self.browser.run("""
+                const canvas = document.querySelector('#map canvas'), over = document.querySelector('#map .u-over');
+                const [from, inner] = [canvas, over].map((one) => one.getBoundingClientRect());
+                const [wide, tall] = [inner.width / 40, inner.height / 20];
+                const context = canvas.getContext('2d');
+                return Array.from({length: 20}, (_, j) => Array.from({length: 40}, (_, i) => {
+                  const [left, top] = [inner.left - from.left + i * wide, inner.bottom - from.top - (j + 1) * tall];
+                  const {data} = context.getImageData(left + 1, top + 1, wide - 2, tall - 2);
+                  return data.filter((_, at) => at % 4 === 0).some((red) => red < 120);
+                }))"""))
+            dark[-1, -1] = False  # the selected cell has a frame
+            with self.subTest(count):
+                np.testing.assert_array_equal(dark, status == 2)
+
     def analysed(self, name, scene):
         """The report of an atlas of a scene, and of its maps."""
         atlas = run(self.folder, name, {"protocol": {"transient_revolutions": 20, "sampled_revolutions": 4}, **scene})

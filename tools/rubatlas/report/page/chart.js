@@ -2,6 +2,9 @@
 
 const fontOf = (size) => `${size}px system-ui, sans-serif`;
 
+// A browser clips to more boxes slowly: what is drawn is masked then.
+const MOST_CLIPPED = 200;
+
 class CanvasPen {
   constructor(context, scale = 1) { this.context = context; this.scale = scale; }
   begin({colour, width = 1, dash = []}) {
@@ -60,12 +63,34 @@ class CanvasPen {
   }
   /// Draws within boxes [left, top, right, bottom] alone.
   clipped(boxes, draw) {
+    if (boxes.length > MOST_CLIPPED) { this.masked(boxes, draw); return; }
     this.context.save();
     this.context.beginPath();
     for (const [left, top, right, bottom] of boxes) this.context.rect(left, top, right - left, bottom - top);
     this.context.clip();
     draw();
     this.context.restore();
+  }
+  masked(boxes, draw) {
+    const {context} = this;
+    const [mask, drawing] = [0, 1].map(() => {
+      const canvas = element('canvas');
+      [canvas.width, canvas.height] = [context.canvas.width, context.canvas.height];
+      const made = canvas.getContext('2d');
+      made.setTransform(context.getTransform());
+      return made;
+    });
+    for (const [left, top, right, bottom] of boxes) mask.fillRect(left, top, right - left, bottom - top);
+    this.context = drawing;
+    draw();
+    this.context = context;
+    drawing.resetTransform();
+    drawing.globalCompositeOperation = 'destination-in';
+    drawing.drawImage(mask.canvas, 0, 0);
+    context.save();
+    context.resetTransform();
+    context.drawImage(drawing.canvas, 0, 0);
+    context.restore();
   }
   moved(right, down, draw) {
     this.context.save();
