@@ -64,7 +64,7 @@ constexpr std::array kStatements{
         .rotor = kDefault,
         .claim = "waterfall: a high peak on the 3× line on entering region 2; region 2 broadband, centred "
                  "between the 1× and 2× lines",
-        .judged = "not judged; `tools/rubatlas-plot waterfall` draws it"},
+        .judged = "not judged; `tools/rubatlas-plot waterfall ATLAS.h5 -o waterfall.png` draws it"},
     PaperStatement{
         .name = "P12",
         .rotor = "default with n blades",

@@ -47,6 +47,12 @@ def clone(folder):
         shutil.copy(TINY / name, folder / "atlases")
 
 
+def user_pages():
+    """Every page that is not the tests' own."""
+    return [page for page in sorted(ROOT.rglob("*.md"))
+            if not page.relative_to(ROOT).parts[0].startswith(("build", ".", "tests", "atlases"))]
+
+
 class PageTest(unittest.TestCase):
     """A test that does what a page says."""
 
@@ -81,6 +87,26 @@ class Documentation(PageTest):
 
     def test_every_block_of_the_report_readme_runs(self):
         self.expect_blocks_run("tools/rubatlas/report/README.md", at_least=1)
+
+    def test_no_two_pages_write_the_same_file(self):
+        writers = {}
+        for page in user_pages():
+            for block in BLOCK.finditer(page.read_text()):
+                for line in block["text"].replace("\\\n", " ").splitlines():
+                    written = re.search(r"build/rubatlas .* -o ([^\s$]+\.h5)", line)  # of names without a variable
+                    if written and "--resume" not in line:
+                        writers.setdefault(written[1], set()).add(str(page.relative_to(ROOT)))
+        self.assertGreater(len(writers), 15)
+        self.assertEqual({name: pages for name, pages in writers.items() if len(pages) > 1}, {})
+
+    def test_a_command_that_draws_names_what_it_draws(self):
+        named = 0
+        for source in [*user_pages(), *(ROOT / "analysis").rglob("*.cpp"), *(ROOT / "mpi").rglob("*.cpp")]:
+            for mention in re.finditer(r"rubatlas-plot ([a-z_]+)\b(.*)", source.read_text().replace("\\\n", " ")):
+                with self.subTest(source=str(source), mention=mention[0]):
+                    self.assertRegex(mention[2].split("`")[0], r"^ \S*(\.h5|build/rubatlas)\b.* -o ")
+                named += 1
+        self.assertGreater(named, 30)
 
     def test_other_languages_are_marked_or_plain(self):
         for page in sorted(ROOT.rglob("*.md")):

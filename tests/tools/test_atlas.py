@@ -77,6 +77,82 @@ class AtlasQuestions(WithFolder):
         with self.assertRaisesRegex(rubatlas.AtlasError, "dampng: no axis"):
             self.atlas.sel(dampng=0.7)
 
+    def test_a_value_without_a_name_is_a_speed_ratio_that_the_grid_has_or_the_nearest_one(self):
+        place = 20
+        speed = self.speed[place]
+        np.testing.assert_array_equal(self.atlas.sel(speed)["max_displacement"],
+                                      self.atlas.sel(speed_ratio=speed)["max_displacement"])
+        between = speed + 0.3 * (self.speed[1] - self.speed[0])
+        for ask in (self.atlas.sel, self.atlas.line(damping_ratio=0.1).plot.spectrum):
+            with self.assertRaisesRegex(rubatlas.AtlasError,
+                                        "speed_ratio .* is not in this atlas, which has nearby .*; method=.nearest. "):
+                ask(between)
+            with self.assertRaisesRegex(rubatlas.AtlasError, "speed_ratio 1.2 is outside this atlas, which has 0.2 to"):
+                ask(1.2, method="nearest")
+            with self.assertRaisesRegex(rubatlas.AtlasError, "method 'next': None, or \"nearest\""):
+                ask(speed, method="next")
+        self.assertEqual(self.atlas.sel(between, method="nearest")["speed_ratio"], speed)
+        self.assertEqual(self.atlas.sel(damping_ratio=0.12, method="nearest")["damping_ratio"], 0.1)
+        drawn, expected = (self.atlas.plot.spectrum(*ask, damping_ratio=0.1, **how).collections[0].get_segments()
+                           for ask, how in (((between,), {"method": "nearest"}), ((speed,), {})))
+        np.testing.assert_array_equal(drawn, expected)
+        with self.assertRaisesRegex(rubatlas.AtlasError, "one value may stand without a name, the speed ratio"):
+            self.atlas.sel(speed, 0.1)
+        with self.assertRaisesRegex(rubatlas.AtlasError, "one value may stand without a name, the speed ratio"):
+            self.atlas.sel(speed, speed_ratio=speed)
+
+    def test_an_orbit_is_that_of_the_speed_that_is_asked_for_or_of_the_nearest_of_the_grid(self):
+        speed, line = self.speed[5], self.atlas.line(damping_ratio=0.2)
+        between = speed + 0.3 * (self.speed[1] - self.speed[0])
+        exact, near = line.orbit(between), line.orbit(between, method="nearest")
+        self.assertEqual((exact.attributes["speed_ratio"], near.attributes["speed_ratio"]), (between, speed))
+        with h5py.File(TINY / "atlas.h5") as file:
+            np.testing.assert_array_equal(near.attributes["start"], file["final_state"][0, 0, 0, 2, 5])
+        other = self.atlas.orbit(between, method="nearest", damping_ratio=0.19)
+        self.assertEqual((other.attributes["speed_ratio"], other.attributes["damping_ratio"]), (speed, 0.2))
+
+    def test_points_are_chosen_by_their_places(self):
+        np.testing.assert_array_equal(self.atlas.isel(3)["max_displacement"],
+                                      self.atlas.sel(self.speed[3])["max_displacement"])
+        self.assertEqual(self.atlas.isel(-1, damping_ratio=0)["speed_ratio"], self.speed[-1])
+        np.testing.assert_array_equal(self.atlas.isel(slice(2, 6), damping_ratio=1)["max_displacement"],
+                                      self.displacement[1, 2:6])
+        np.testing.assert_array_equal(self.atlas.isel(damping_ratio=[2, 0], friction=0)["poincare"][..., 0],
+                                      np.where(self.status[[2, 0], :, None] == 1, self.sections[[2, 0], ..., 0],
+                                               np.nan))
+        slow = self.speed < 0.35
+        np.testing.assert_array_equal(self.atlas.isel(slow)["speed_ratio"], self.speed[slow])
+        for axis, place in (("speed_ratio", 36), ("damping_ratio", [0, 3]), ("speed_ratio", slow[:5]), ("friction", 1),
+                            ("damping_ratio", 0.1)):
+            with self.assertRaisesRegex(rubatlas.AtlasError, f"{axis}: .* is no place on an axis of"):
+                self.atlas.isel(**{axis: place})
+        with self.assertRaisesRegex(rubatlas.AtlasError, "dampng: no axis"):
+            self.atlas.isel(dampng=0)
+
+    def test_a_mask_leaves_the_points_at_which_it_is_true(self):
+        wanted = self.displacement > 5e-3
+        self.assertTrue(0 < wanted.sum() < wanted.size)
+        part = self.atlas.sel(damping_ratio=[0.05, 0.2])
+        turned = self.atlas["max_displacement"].transpose() > 5e-3
+        for kept, expected in ((self.atlas[self.atlas["max_displacement"] > 5e-3], wanted),
+                               (self.atlas.where(wanted), wanted), (self.atlas.where(turned), wanted),
+                               (part[turned], wanted[[0, 2]]),
+                               (self.atlas[self.atlas["speed_ratio"] < 0.35], (self.status == 1) & (self.speed < 0.35)),
+                               (self.atlas[part["max_displacement"] > 5e-3], wanted & [[True], [False], [True]])):
+            np.testing.assert_array_equal(np.isfinite(kept["max_displacement"]), expected)
+            self.assertEqual(len(kept), expected.sum())
+        for mask, words in ((wanted[0], r"a mask of the shape \(36,\); .* has damping_ratio 3 × speed_ratio 36"),
+                            (self.displacement, "a mask is of true and false, not of float64"),
+                            (self.atlas["poincare"] > 0, "a mask along damping_ratio, speed_ratio, section, comp")):
+            with self.assertRaisesRegex(rubatlas.AtlasError, words):
+                self.atlas.where(mask)
+
+    def test_a_notebook_shows_the_points_and_the_table_of_quantities(self):
+        shown = self.atlas._repr_html_()
+        self.assertIn(f"{len(self.atlas)} points of damping_ratio 3, speed_ratio 36", shown)
+        self.assertIn("max_displacement", shown)
+        self.assertNotIn("<Atlas", shown)  # which a browser would take for markup
+
     def test_a_line_has_the_scenes_own_values(self):
         np.testing.assert_array_equal(self.atlas.line()["max_displacement"], self.displacement[1])
         np.testing.assert_array_equal(self.atlas.line(damping_ratio=0.05)["max_displacement"], self.displacement[0])
@@ -268,6 +344,63 @@ class AtlasRuns(WithFolder):
         self.assertEqual(find_program(), self.folder / "rubatlas")
         with self.assertRaisesRegex(rubatlas.AtlasError, "RUBATLAS_PROGRAM.*program=.*PATH.*clone"):
             find_program(self.folder / "none")
+
+
+class AtlasCommands(WithFolder):
+    """Commands of the program, called from Python."""
+
+    def setUp(self):
+        super().setUp()
+        self.atlas = rubatlas.run(TWO_POINTS, self.folder / "two.h5")
+
+    def test_branches_of_a_scene_and_of_an_atlas_are_followed(self):
+        scene = {"grid": {"speed_ratio": {"from": 0.6, "to": 0.65, "count": 3}}}
+        from_dict, from_atlas = (
+            rubatlas.branch(one, self.folder / f"{name}.h5", from_={"speed_ratio": 0.62}, along="speed_ratio", to=0.625,
+                            points=5) for name, one in (("dict", scene), ("atlas", self.atlas)))
+        self.assertEqual(from_dict["parameter"][0], 0.62)
+        # The orbit at 0.62 is found from motions after different transients.
+        np.testing.assert_allclose(from_dict["section"], from_atlas["section"], rtol=1e-9)
+        with self.assertRaisesRegex(rubatlas.AtlasError, "dict.h5 .*--overwrite"):
+            rubatlas.branch(scene, self.folder / "dict.h5", from_={"speed_ratio": 0.62}, along="speed_ratio")
+        with self.assertRaisesRegex(rubatlas.AtlasError, "backward"):
+            rubatlas.branch(scene, self.folder / "b.h5", along="speed_ratio", backward=True)
+
+    def test_edges_are_narrowed_down_and_found_beside_the_atlas(self):
+        scene = {**TWO_POINTS, "grid": {"speed_ratio": {"from": 0.66, "to": 0.72, "count": 7}},
+                 "protocol": {"transient_revolutions": 200, "sampled_revolutions": 50}}
+        atlas = rubatlas.run(scene, self.folder / "doubling.h5")
+        edges = rubatlas.edges(atlas, to=1e-4)
+        self.assertGreater(edges.sizes["edge"], 0)
+        self.assertTrue((edges["upper"] - edges["lower"] <= 1e-4).all())
+        self.assertTrue(edges.identical(atlas.edges))
+        self.assertTrue(edges.identical(rubatlas.edges(self.folder / "doubling.h5", self.folder / "e.h5", to=1e-4)))
+
+    def test_rows_are_verified_and_damage_is_an_error(self):
+        self.assertIn("2 of 2 computed again have the same bits", rubatlas.verify(self.atlas, recompute=2))
+        with h5py.File(self.folder / "two.h5", "r+") as file:
+            file["max_displacement"][..., 0] += 1e-6
+        with self.assertRaisesRegex(rubatlas.AtlasError, "speed_ratio"):
+            rubatlas.verify(self.folder / "two.h5")
+
+    def test_a_study_of_accuracy_is_run_and_read(self):
+        study = rubatlas.accuracy(TWO_POINTS, self.folder / "study.h5", methods=["hybrid", "located"],
+                                  tolerances=[1e-6, 1e-8], repeats=1, progress="off")
+        self.assertEqual(study.methods(), ["hybrid", "located"])
+        self.assertEqual(len(study.of("hybrid")), 2)
+
+    def test_parts_are_merged_into_the_atlas_of_the_whole(self):
+        scene = {**TWO_POINTS, "grid": {"speed_ratio": [0.3, 0.4], "damping_ratio": [0.1, 0.2]}}
+        whole = rubatlas.run(scene, self.folder / "whole.h5")
+        parts = [self.folder / f"part{number}.h5" for number in (1, 2)]
+        for number, part in enumerate(parts, 1):
+            rubatlas.command("run", self.folder / "whole.json", output=part, part=f"{number}/2", progress="off")
+        merged = rubatlas.merge(parts, self.folder / "merged.h5")
+        np.testing.assert_array_equal(merged["max_displacement"], whole["max_displacement"])
+
+    def test_any_command_is_called_with_its_options_as_keywords(self):
+        self.assertIn("period", rubatlas.command("analyse", self.folder / "two.h5", output=self.folder / "m.h5"))
+        self.assertIn("speed_ratio", rubatlas.command("explain", self.folder / "two.json", measure=0.05))
 
 
 class AtlasPlots(WithFolder):

@@ -24,7 +24,7 @@ sys.path.insert(0, str(TOOLS))
 import rubatlas  # noqa: E402
 
 # What is meant to be imported by others has types throughout; the modules behind it are checked where they have them.
-TYPED = ("__init__", "atlas", "program", "query", "plots/axes")
+TYPED = ("__init__", "atlas", "commands", "program", "query", "plots/axes")
 
 
 def imported(path):
@@ -118,6 +118,18 @@ warn_unused_ignores = True
 """)
         self.expect_success("/usr/bin/python3", "-m", "mypy", "--config-file", rules, "--cache-dir", CACHE,
                             "rubatlas", cwd=TOOLS)
+
+    def test_everything_that_the_package_offers_is_listed_and_described(self):
+        offered = set(rubatlas.__all__)
+        self.assertLessEqual({"open", "run", "branch", "edges", "verify", "accuracy", "merge"}, offered)
+        # In a process of its own, where nothing has been imported by other tests.
+        listed, *described = self.expect_success(
+            "/usr/bin/python3", "-c", "import rubatlas; print(dir(rubatlas)); help(rubatlas)", cwd=TOOLS).splitlines()
+        self.assertLessEqual(offered, set(ast.literal_eval(listed)))
+        for name in offered - {"Atlas", "AtlasError"}:
+            self.assertTrue(any(line.strip().startswith(f"{name}(") for line in described), name)
+            self.assertTrue(getattr(rubatlas, name).__doc__)
+        self.assertIn("    class Atlas(builtins.object)", described)
 
     def test_the_examples_of_all_modules_hold(self):
         examples = 0

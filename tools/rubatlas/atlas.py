@@ -8,25 +8,28 @@
 from __future__ import annotations
 
 import contextlib
+import html
 import json
 import os
 import pathlib
 import tempfile
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 import xarray
 
-from rubatlas import program as rubatlas_program
 from rubatlas import query
 from rubatlas.atlas_file import (DIRECTIONS, DONE, AtlasError, AtlasFile, beside, number_of, reading, same_value,
                                  sizes_of, swept_pointers, text, with_values, words_of)
 from rubatlas.judgement import MAY_NOT_OCCUR, Judgement, bands_of
 from rubatlas.plots.axes import Plots
 from rubatlas.plots.orbit import OrbitFile
-from rubatlas.program import Path
+from rubatlas.program import Path, command, scene_file
 from rubatlas.same_scene import require_same
+
+# Points that are wanted, along axes of the selection or in its shape.
+Mask = xarray.DataArray | np.ndarray[Any, np.dtype[np.bool_]]
 
 # What the maps have for each point besides the margins.
 _OF_MAPS = ("class", "class_blade_passing", "attractor", "exponent_check")
@@ -60,7 +63,7 @@ def _joined(atlas: AtlasFile, maps: AtlasFile | None) -> dict[str, xarray.Variab
     return found
 
 
-def _edges(path: str) -> xarray.Dataset:
+def read_edges(path: str) -> xarray.Dataset:
     """The group /edges of maps or of a file of `rubatlas edges`, one row per edge."""
     with reading(path, "a file of edges that `rubatlas edges` has written") as file:
         group = file["edges"]
@@ -77,6 +80,14 @@ def _flat(values: xarray.DataArray, chosen: xarray.DataArray) -> xarray.DataArra
     masked: xarray.DataArray = values.astype(float).where(chosen)
     masked.attrs.update(values.attrs)
     return masked
+
+
+def _with_speed(call: str, bare: tuple[Any, ...], named: dict[str, Any]) -> dict[str, Any]:
+    """What is asked for by the names of axes, where one value may stand without a name: the speed ratio."""
+    if len(bare) > 1 or bare and "speed_ratio" in named:
+        raise AtlasError(f"{call}: one value may stand without a name, the speed ratio; others are named, as in "
+                         "damping_ratio=0.1")
+    return {**({"speed_ratio": bare[0]} if bare else {}), **named}
 
 
 class Atlas:
@@ -129,13 +140,24 @@ class Atlas:
         grid = ", ".join(f"{name} {self._raw[name].size}" for name in self.axes if name in self._raw.dims)
         return f"<Atlas {self.path}: {len(self)} points of {grid or 'one'}; {', '.join(map(str, self._raw.data_vars))}>"
 
+    def _repr_html_(self) -> str:
+        return f"<p>{html.escape(repr(self))}</p>{self.dataset._repr_html_()}"
+
     @property
     def dataset(self) -> xarray.Dataset:
         """Everything with one value per point, masked."""
         return xarray.Dataset({name: self[str(name)] for name in self._raw.data_vars}, attrs=self._raw.attrs)
 
-    def __getitem__(self, name: str) -> xarray.DataArray:
-        """One quantity, masked: NaN, or an empty word, where the point is not done or not selected."""
+    @overload
+    def __getitem__(self, name: str) -> xarray.DataArray: ...
+    @overload
+    def __getitem__(self, name: Mask) -> Atlas: ...
+
+    def __getitem__(self, name: str | Mask) -> xarray.DataArray | Atlas:
+        """One quantity, masked: NaN, or an empty word, where the point is not done or not selected. Of a mask, as
+        `where`."""
+        if not isinstance(name, str):
+            return self.where(name)
         if name in self._raw.coords:
             return self._raw[name]
         if name not in self._raw:
@@ -179,43 +201,75 @@ class Atlas:
 
     # --- choosing ---
 
-    def _place(self, axis: str, wanted: Any) -> Any:
+    def _place(self, axis: str, wanted: Any, nearest: bool = False) -> Any:
         """Where a value, a list or a slice is on an axis; None where the selection has that value alone."""
         if axis in self.picked:
             value = DIRECTIONS.index(wanted) if axis == "direction" and wanted in DIRECTIONS else wanted
             if isinstance(value, slice) or not same_value(self.picked[axis], number_of(axis, value)):
                 raise AtlasError(f"{axis} {wanted}: this selection has {self.picked[axis]:g} alone")
             return None
-        if axis not in self._raw.dims:
-            raise AtlasError(f"{axis}: no axis of {self.path}, which has {', '.join(map(str, self._raw.dims))}")
-        values = self._raw[axis].values
+        values = self._axis(axis)
         if isinstance(wanted, slice):
             low = -np.inf if wanted.start is None else number_of(axis, wanted.start)
             high = np.inf if wanted.stop is None else number_of(axis, wanted.stop)
             return np.flatnonzero((values >= low) & (values <= high))
         if isinstance(wanted, (list, tuple, np.ndarray)):
-            return [self._place(axis, one) for one in wanted]
+            return [self._place(axis, one, nearest) for one in wanted]
         if axis == "direction" and wanted in DIRECTIONS:
             wanted = DIRECTIONS.index(wanted)
         wanted = number_of(axis, wanted)
         place = int(np.argmin(np.abs(values - wanted)))
-        if not same_value(values[place], wanted):
+        if nearest:
+            if not values.min() <= wanted <= values.max():
+                raise AtlasError(f"{axis} {wanted:g} is outside this atlas, which has {values.min():g} to "
+                                 f"{values.max():g}")
+        elif not same_value(values[place], wanted):
             few = ", ".join(format(value, "g") for value in values[max(0, place - 2):place + 3])
             nearby = "" if len(values) < 6 else "nearby "
-            raise AtlasError(f"{axis} {wanted:g} is not in this atlas, which has {nearby}{few}")
+            raise AtlasError(f"{axis} {wanted:g} is not in this atlas, which has {nearby}{few}; "
+                             "method=\"nearest\" takes the nearest")
         return place
 
-    def sel(self, **wanted: Any) -> Atlas:
-        """The points at values of axes: a number, a list of numbers, or a slice with both ends included."""
-        found = {axis: self._place(axis, value) for axis, value in wanted.items()}
-        places = {axis: place for axis, place in found.items() if place is not None}
+    def _axis(self, axis: str) -> np.ndarray[Any, Any]:
+        """Values of an axis that has several here."""
+        if axis not in self._raw.dims:
+            raise AtlasError(f"{axis}: no axis of {self.path}, which has {', '.join(map(str, self._raw.dims))}")
+        values: np.ndarray[Any, Any] = self._raw[axis].values
+        return values
+
+    def sel(self, *speed_ratio: Any, method: str | None = None, **wanted: Any) -> Atlas:
+        """The points at values of axes: a number, a list of numbers, or a slice with both ends included.
+
+        A value without a name is a speed ratio, here as in `orbit` and `plot.spectrum`: `sel(0.6)`. It must be one of
+        the grid's, unless `method="nearest"` takes the nearest one.
+        """
+        if method not in (None, "nearest"):
+            raise AtlasError(f"method {method!r}: None, or \"nearest\"")
+        found = {axis: self._place(axis, value, method is not None)
+                 for axis, value in _with_speed("sel", speed_ratio, wanted).items()}
+        return self._at({axis: place for axis, place in found.items() if place is not None})
+
+    def isel(self, *speed_ratio: Any, **wanted: Any) -> Atlas:
+        """The points at places on axes, counted from 0: a whole number, a list, a slice, or a mask of the axis; what is
+        without a name is a place on the speed ratio."""
+        found = {}
+        for axis, place in _with_speed("isel", speed_ratio, wanted).items():
+            count = 1 if axis in self.picked else len(self._axis(axis))
+            try:
+                found[axis] = np.arange(count)[place]
+            except (IndexError, TypeError, ValueError):
+                raise AtlasError(f"{axis}: {place!r} is no place on an axis of {count} values, counted from "
+                                 "0") from None
+        return self._at({axis: place for axis, place in found.items() if axis not in self.picked})
+
+    def _at(self, places: Mapping[str, Any]) -> Atlas:
         return self._with(self._raw.isel(places), self._chosen.isel(places))
 
     def line(self, **wanted: Any) -> Atlas:
         """All speeds at given values of other axes; an axis that is not given has the scene's own value."""
         with AtlasFile(self.path) as atlas:
             line = atlas.line(**{**self.picked, **wanted})
-            values = {axis: float(line.value(axis)) for axis in self.axes[:-1]}
+            values: dict[str, Any] = {axis: float(line.value(axis)) for axis in self.axes[:-1]}
         return self.sel(**{axis: value for axis, value in values.items() if axis in self._raw.dims})
 
     @property
@@ -223,9 +277,12 @@ class Atlas:
         """Axes other than the speed ratio that have one value here, with that value."""
         return {axis: float(self._raw[axis]) for axis in self.axes[:-1] if axis not in self._raw.dims}
 
-    def where(self, condition: str) -> Atlas:
+    def where(self, condition: str | Mask) -> Atlas:
         """The points at which a condition holds, as text: "class = aperiodic and max displacement > 5 mm" (the grammar:
-        `rubatlas.query`)."""
+        `rubatlas.query`); or those of a mask such as `atlas["max_displacement"] > 5e-3`."""
+        if not isinstance(condition, str):
+            return self._with(self._raw, self._chosen & self._mask(condition))
+
         def over_points(values: Any) -> query.Array:
             here = xarray.DataArray(values)
             found: query.Array = (here.broadcast_like(self._chosen).transpose(*self._chosen.dims) if here.ndim > 0
@@ -245,6 +302,20 @@ class Atlas:
         sizes = {name: over_points(size) for name, size in sizes_of(with_values(self.scene, swept)).items()}
         holds = np.broadcast_to(query.evaluate(condition, names, sizes), self._chosen.shape)
         return self._with(self._raw, self._chosen & holds)
+
+    def _mask(self, mask: Mask) -> np.ndarray[Any, np.dtype[np.bool_]]:
+        """A mask in the shape of the selection; what a mask with axes of its own does not cover is not chosen."""
+        if np.asarray(mask).dtype != bool:
+            raise AtlasError(f"a mask is of true and false, not of {np.asarray(mask).dtype}")
+        here = " × ".join(f"{name} {size}" for name, size in self._chosen.sizes.items())
+        if isinstance(mask, xarray.DataArray):
+            if not set(mask.dims) <= set(self._chosen.dims):
+                raise AtlasError(f"a mask along {', '.join(map(str, mask.dims))}; this selection has {here}")
+            mask = mask.reindex({name: self._chosen[name] for name in mask.dims}, fill_value=False)
+            return np.asarray(mask.broadcast_like(self._chosen).transpose(*self._chosen.dims).values)
+        if np.shape(mask) != self._chosen.shape:
+            raise AtlasError(f"a mask of the shape {np.shape(mask)}; this selection has {here}")
+        return np.asarray(mask)
 
     def points(self) -> Iterator[dict[str, Any]]:
         """Each selected point: its place on the axes and every quantity with one value per point."""
@@ -289,12 +360,12 @@ class Atlas:
         None without either."""
         place = beside(self.path, "edges")
         if place is not None:
-            return _edges(str(place))
+            return read_edges(str(place))
         if self.maps_path is not None:
             with AtlasFile(self.maps_path) as maps:
                 there = "edges" in maps
             if there:
-                return _edges(self.maps_path)
+                return read_edges(self.maps_path)
         return None
 
     def safe_speeds(self, *keep: str, operate: float | str | None = None, aperiodic: bool = False,
@@ -322,15 +393,24 @@ class Atlas:
             result: dict[str, Any] = judgement.result(operate)
         return result
 
-    def orbit(self, speed_ratio: float, path: Path | None = None, **at: float) -> OrbitFile:
+    @property
+    def own_scene(self) -> dict[str, Any]:
+        """The scene as it was written, without what it left to defaults."""
+        with AtlasFile(self.path) as atlas:
+            written: dict[str, Any] = json.loads(text(atlas.file["scene"][()]))
+        return written
+
+    def orbit(self, speed_ratio: float, path: Path | None = None, method: str | None = None, **at: Any) -> OrbitFile:
         """The orbit of a point, with sections and the force on each blade: from `path`, else computed by the program.
 
-        At a speed of the grid it starts from the point's stored state, so that it shows the atlas' own motion; between
-        the speeds from the scene's `initial`. With `path` it is kept there; a file of another point is refused, not
-        replaced.
+        It is that of exactly this speed, with `method="nearest"` of the nearest one of the selection. At a speed of the
+        grid it starts from the point's stored state, so that it shows the atlas' own motion; between the speeds from
+        the scene's `initial`. With `path` it is kept there; a file of another point is refused, not replaced.
         """
+        if method is not None:
+            point = self.sel(speed_ratio, method=method, **at)
+            speed_ratio, at = point["speed_ratio"].item(), {axis: point[axis].item() for axis in at}
         with AtlasFile(self.path) as atlas:
-            scene = text(atlas.file["scene"][()])
             speed = atlas.axis("speed_ratio")
             others = {axis: value for axis, value in {**self.picked, **at}.items() if axis != "direction"}
             usual = {axis: float(atlas.line().value(axis)) for axis in atlas.axes[:-1] if axis != "direction"}
@@ -354,12 +434,9 @@ class Atlas:
         named = ",".join(f"{axis}={value!r}" for axis, value in values.items())
         if stored and "direction" in self.axes:
             named += f",direction={direction if direction in DIRECTIONS else DIRECTIONS[int(direction)]}"
-        with tempfile.TemporaryDirectory() as folder:
-            place = pathlib.Path(folder) / "scene.json"
-            place.write_text(scene, encoding="utf-8")
+        with tempfile.TemporaryDirectory() as folder, scene_file(self.own_scene) as scene:
             target = pathlib.Path(folder) / "orbit.h5" if path is None else pathlib.Path(path)
-            rubatlas_program.call(["orbit", place, "--at", named, "-o", target,
-                                   *(["--from", self.path] if stored else [])], self.program)
+            command("orbit", scene, output=target, program=self.program, at=named, from_=self.path if stored else None)
             return OrbitFile(target, f"the orbit at {named}")
 
     @property
@@ -372,31 +449,3 @@ def open(  # noqa: A001  # pylint: disable=redefined-builtin
         path: Path, maps: Path | None = None, program: Path | None = None) -> Atlas:
     """An atlas, with the maps beside it (ATLAS_maps.h5) or those that are named."""
     return Atlas(path, maps, program)
-
-
-def run(scene: Mapping[str, Any], output: Path, ranks: int = 1, program: Path | None = None) -> Atlas:
-    """Writes the scene beside `output`, runs the program, or goes on with what is there, analyses, and opens the atlas.
-
-    The scene is that of the program, as a dict. An atlas of another scene is refused, not replaced.
-    """
-    place = pathlib.Path(output)
-    if not place.parent.is_dir():
-        raise AtlasError(f"{place}: there is no folder {place.parent}")
-    scene_place = place.with_suffix(".json")
-    try:
-        # Arrays and numbers of numpy are lists and numbers.
-        content = json.dumps(scene, indent=2, default=lambda value: value.tolist()) + "\n"
-    except (AttributeError, TypeError, ValueError) as error:
-        raise AtlasError(f"the scene is not one of JSON: {error}") from None
-    new = not scene_place.exists()
-    if not new and scene_place.read_text(encoding="utf-8") != content:
-        raise AtlasError(f"{scene_place}: another scene is there; choose another output")
-    scene_place.write_text(content, encoding="utf-8")
-    try:
-        rubatlas_program.call(["run", scene_place, "-o", place, "--resume", "--progress", "off"], program, ranks)
-    except AtlasError:
-        if new and not place.exists():
-            scene_place.unlink()  # refused: the next one may be right
-        raise
-    rubatlas_program.call(["analyse", place, "-o", place.with_name(f"{place.stem}_maps.h5"), "--overwrite"], program)
-    return Atlas(place, program=program)

@@ -1,9 +1,13 @@
-"""The program `rubatlas`, called from Python."""
+"""The program `rubatlas`, called from Python: its commands with their options as keywords."""
+import contextlib
+import json
 import os
 import pathlib
 import shutil
 import subprocess
-from collections.abc import Sequence
+import tempfile
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any
 
 from rubatlas.atlas_file import AtlasError
 
@@ -42,3 +46,53 @@ def call(arguments: Sequence[Path], program: Path | None = None, ranks: int = 1)
         raise AtlasError(said[-1] if said
                          else f"{command[0]} ended with exit code {ended.returncode}: {ended.stderr.strip()[-300:]}")
     return ended.stdout
+
+
+def _words(name: str, value: Any) -> list[str]:
+    """An option as the command line has it. A name that Python keeps for itself ends in an underscore: `from_`.
+
+    >>> _words("from_", {"speed_ratio": 0.62})
+    ['--from', 'speed_ratio=0.62']
+    >>> _words("force_increments", [0.1, 1.0]), _words("both", True), _words("to", None)
+    (['--force-increments', '0.1', '1.0'], ['--both'], [])
+    """
+    option = f"--{name.removesuffix('_').replace('_', '-')}"
+    if value is None or value is False:
+        return []
+    if value is True:
+        return [option]
+    if isinstance(value, Mapping):
+        return [option, *(f"{key}={one}" for key, one in value.items())]
+    several = isinstance(value, Iterable) and not isinstance(value, str)
+    return [option, *map(str, value if several else [value])]
+
+
+def command(name: str, *inputs: Path, output: Path | None = None, program: Path | None = None, ranks: int = 1,
+            **options: Any) -> str:
+    """Any command of the program: its files, its output, and its options as keywords; returns what it prints.
+
+    An option is a number or a text, a list of them, a dict for NAME=VALUE, or True where it has no value:
+    `command("branch", "default.json", output="b.h5", from_={"speed_ratio": 0.62}, along="speed_ratio", both=True)`.
+    """
+    words = [word for option, value in options.items() for word in _words(option, value)]
+    return call([name, *inputs, *(["-o", output] if output is not None else []), *words], program, ranks)
+
+
+def scene_text(scene: Mapping[str, Any]) -> str:
+    """A scene as JSON; arrays and numbers of numpy are lists and numbers."""
+    try:
+        return json.dumps(scene, indent=2, default=lambda value: value.tolist()) + "\n"
+    except (AttributeError, TypeError, ValueError) as error:
+        raise AtlasError(f"the scene is not one of JSON: {error}") from None
+
+
+@contextlib.contextmanager
+def scene_file(scene: Mapping[str, Any] | Path) -> Iterator[Path]:
+    """A scene as a file: the one that is named, or for the time of the block one of what a dict says."""
+    if not isinstance(scene, Mapping):
+        yield scene
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        place = pathlib.Path(folder) / "scene.json"
+        place.write_text(scene_text(scene), encoding="utf-8")
+        yield place

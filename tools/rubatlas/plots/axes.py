@@ -34,7 +34,9 @@ class Selection(Protocol):
     def picked(self) -> dict[str, float]: ...
     @property
     def chosen_of_grid(self) -> np.ndarray[Any, np.dtype[np.bool_]]: ...
-    def orbit(self, speed_ratio: float, path: None = None, **at: float) -> orbit.OrbitFile: ...
+    def sel(self, *speed_ratio: Any, method: str | None = None, **wanted: Any) -> Selection: ...
+    def orbit(self, speed_ratio: float, path: None = None, method: str | None = None,
+              **at: Any) -> orbit.OrbitFile: ...
 
 
 @contextlib.contextmanager
@@ -130,9 +132,10 @@ class Plots:
             panel.figure.colorbar(image, ax=panel, pad=0.02, label=margin.label(maps, name))
             return self._finished(panel, ax)
 
-    def spectrum(self, speed_ratio: float, ax: Axes | None = None, **line: Any) -> Axes:
-        """The spectrum of the point at the grid's nearest speed."""
+    def spectrum(self, speed_ratio: float, ax: Axes | None = None, method: str | None = None, **line: Any) -> Axes:
+        """The spectrum of a point of the grid; with `method="nearest"` of the one that is nearest in speed."""
         line = self._picked(line)
+        speed_ratio = self._atlas.sel(speed_ratio, method=method).dataset["speed_ratio"].item()
         with _panel(ax) as panel, self._file() as atlas:
             spectrum.into(panel, atlas.line(**line), speed_ratio)
             return panel
@@ -144,9 +147,9 @@ class Plots:
             blade.into(panel, atlas.line(**line), what, every_friction="friction" not in line)
             return panel
 
-    def orbit(self, speed_ratio: float, ax: Axes | None = None, **at: Any) -> Axes:
+    def orbit(self, speed_ratio: float, ax: Axes | None = None, method: str | None = None, **at: Any) -> Axes:
         """The orbit of a point, which the program computes, with its sections and the clearance circle."""
-        computed = self._atlas.orbit(speed_ratio, **at)
+        computed = self._atlas.orbit(speed_ratio, method=method, **at)
         with _panel(ax) as panel:
             orbit.plane_into(panel, computed)
             return panel

@@ -2,6 +2,7 @@
 import concurrent.futures
 import os
 import sys
+from typing import Any
 
 import numpy as np
 
@@ -55,9 +56,9 @@ def orbits_of(atlas, count, most_bytes, blocks):
 
     def computed(point):
         index = np.unravel_index(point, status.shape)
-        values = {name: float(atlas.axis(name)[place]) for name, place in zip(atlas.axes, index)}
+        values: dict[str, Any] = {name: float(atlas.axis(name)[place]) for name, place in zip(atlas.axes, index)}
         try:
-            return shown_part(source.orbit(values.pop("speed_ratio"), None, **values))
+            return shown_part(source.orbit(**values))
         except AtlasError:
             return None  # the motion goes on from the point's last state, and may leave the model then
 
