@@ -76,6 +76,10 @@ class PageComputes(ExplorerTest):
         self.browser.computes(lambda: self.browser.find("#back").click())
         self.assertEqual(self.browser.facts(), facts)
         self.assertNotIn("own=", self.browser.driver.current_url)
+        self.browser.computes(lambda: slider.send_keys(Keys.ARROW_RIGHT))
+        self.assertIn("own=", self.browser.driver.current_url)
+        self.browser.computes(self.browser.driver.back)
+        self.assertEqual(self.browser.facts(), facts)
 
     def test_a_value_outside_its_range_is_refused_in_words(self):
         self.open()
