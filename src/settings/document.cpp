@@ -157,7 +157,12 @@ json parse_document(std::string_view text, std::string_view name) {
 }
 
 std::string child(std::string_view pointer, std::string_view key) {
-  return (json::json_pointer(std::string(pointer)) / std::string(key)).to_string();
+  std::string written;
+  for (const char letter : key) {
+    const auto code = static_cast<unsigned char>(letter);
+    written += code < 0x20 || code == 0x7F ? fmt::format("\\u{:04x}", code) : std::string(1, letter);
+  }
+  return (json::json_pointer(std::string(pointer)) / written).to_string();
 }
 
 std::string shortest(double value) {

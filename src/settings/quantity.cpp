@@ -24,6 +24,8 @@ using UnderMethod = Under<At<&Scene::accuracy, Member>, &Scene::accuracy, &Accur
 constexpr double kMostRevolutions = 1e8;
 constexpr double kMostSamplesPerRevolution = 65536;
 constexpr double kHighestOrder = 32768;
+/// [m] Below any atom; powers of shorter lengths would vanish.
+constexpr double kShortestLength = 1e-12;
 
 constexpr std::string_view kDefaultRotor = "the paper's default rotor";
 
@@ -103,21 +105,21 @@ const auto& own_table() {
           .unit = "m",
           .meaning = "length of a blade from hub to tip",
           .source = kDefaultRotor,
-          .range = above_zero_up_to(kLongestLength)},
+          .range = between(kShortestLength, kLongestLength)},
          At<&Scene::blades, &Blades::length>{}),
       in({.pointer = "/blades/width",
           .symbol = "b",
           .unit = "m",
           .meaning = "width of a blade along the shaft",
           .source = kDefaultRotor,
-          .range = above_zero_up_to(kLongestLength)},
+          .range = between(kShortestLength, kLongestLength)},
          At<&Scene::blades, &Blades::width>{}),
       in({.pointer = "/blades/thickness",
           .symbol = "h",
           .unit = "m",
           .meaning = "thickness of a blade in its plane of bending",
           .source = kDefaultRotor,
-          .range = above_zero_up_to(kLongestLength)},
+          .range = between(kShortestLength, kLongestLength)},
          At<&Scene::blades, &Blades::thickness>{}),
       in({.pointer = "/blades/youngs_modulus",
           .symbol = "E",
@@ -139,7 +141,7 @@ const auto& own_table() {
           .unit = "m",
           .meaning = "inner radius of the ring",
           .source = kDefaultRotor,
-          .range = above_zero_up_to(kLongestLength)},
+          .range = between(kShortestLength, kLongestLength)},
          At<&Scene::ring, &Ring::radius>{}),
       in({.pointer = "/ring/stiffness",
           .symbol = "kr",

@@ -14,7 +14,7 @@ TEST(SceneErrors, AValueOutOfRangeNamesPointerValueRangeAndMeaning) {
   EXPECT_EQ(refusal_with(R"("contact": {"friction": 2.5})"),
             "/contact/friction: 2.5 is outside [0, 2]; Coulomb coefficient between blade tip and ring");
   EXPECT_EQ(refusal_with(R"("blades": {"thickness": 0})"),
-            "/blades/thickness: 0 is outside (0, 1000] m; thickness of a blade in its plane of bending");
+            "/blades/thickness: 0 is outside [1e-12, 1000] m; thickness of a blade in its plane of bending");
   EXPECT_EQ(refusal_with(R"("blades": {"count": 51})"),
             "/blades/count: 51 is outside [1, 50]; number of equally spaced blades");
   EXPECT_EQ(refusal_with(R"("validity": {"max_shortening": 0.61})"),
@@ -27,6 +27,25 @@ TEST(SceneErrors, AValueOutOfRangeNamesPointerValueRangeAndMeaning) {
       refusal_with(R"("protocol": {"sampled_revolutions": 0})"),
       "/protocol/sampled_revolutions: 0 is outside [1, 1000000]; revolutions of which sections, spectrum and "
       "extremes are kept");
+}
+
+TEST(SceneErrors, ABladeShorterOrThinnerThanAnAtomIsRefusedSinceThePowersOfItsSizeVanish) {
+  EXPECT_EQ(refusal_with(R"("blades": {"length": 5e-324})"),
+            "/blades/length: 5e-324 is outside [1e-12, 1000] m; length of a blade from hub to tip");
+  EXPECT_EQ(
+      refusal_with(R"("blades": {"thickness": 5e-324})"),
+      "/blades/thickness: 5e-324 is outside [1e-12, 1000] m; thickness of a blade in its plane of bending");
+  EXPECT_EQ(refusal_with(R"("blades": {"thickness": 1e-12})"), "accepted");
+}
+
+TEST(SceneErrors, AControlCharacterInAKeyIsWrittenAsItsCode) {
+  EXPECT_TRUE(
+      refusal_with(R"("\u0000": 1)").starts_with("/\\u0000: unknown key, with the value 1; known in a"));
+  EXPECT_TRUE(
+      refusal_with(R"("rotor": {"ma\u001bss\u007f": 2})")
+          .starts_with("/rotor/ma\\u001bss\\u007f: unknown key, with the value 2; known in /rotor: "));
+  EXPECT_TRUE(refusal(R"({"grid": {"speed_ratio": 0.5, "/\u0000": 1}})")
+                  .starts_with("/grid/~1\\u0000: no quantity that can be swept"));
 }
 
 TEST(SceneErrors, AWrongTypeSaysWhatWouldBeRight) {
