@@ -3,6 +3,7 @@
 #include <new>
 
 #include "atlas/output.hpp"
+#include "atlas/structure.hpp"
 #include "mpi/exit_code.hpp"
 #include "mpi/say.hpp"
 #include "settings/reader.hpp"
@@ -20,6 +21,9 @@ int report_failure(const std::exception_ptr& failure) {
     return exit_code::kUsage;
   } catch (const atlas::OutputRefusal& refusal) {
     say_sentence(refusal.what());
+    return exit_code::kUsage;
+  } catch (const atlas::WrongFile& wrong) {
+    say_sentence(wrong.what());
     return exit_code::kUsage;
   } catch (const std::bad_alloc&) {
     say_sentence("out of memory");

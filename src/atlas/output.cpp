@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <string_view>
@@ -123,6 +124,16 @@ std::optional<FileKind> kind_of(const std::filesystem::path& path) {
   if (line.starts_with(kTableMark)) return FileKind::table;
   if (line.starts_with(kRecordMark)) return FileKind::record;
   return kind_of_hdf5(path);
+}
+
+std::string other_than(const std::filesystem::path& path, FileKind wanted) {
+  if (const auto found = kind_of(path)) return *found == wanted ? "" : words_of(*found);
+  const std::string line = first_line(path);
+  const auto is_binary = [](char letter) {
+    return static_cast<unsigned char>(letter) < 0x20 && letter != '\t' && letter != '\r';
+  };
+  const bool in_braces = line.starts_with('{') && std::ranges::none_of(line, is_binary);
+  return in_braces ? "a text in braces, such as a scene" : "";
 }
 
 Output permitted(const Wish& wish, const std::vector<std::filesystem::path>& others) {

@@ -31,6 +31,10 @@ const char* word_of(FileKind kind);
 /// The kind of a file; empty where the file is not of this program, or not readable.
 std::optional<FileKind> kind_of(const std::filesystem::path& path);
 
+/// What a sound file of another kind than `wanted` holds: "maps", "a text in braces, such as a scene". Empty
+/// for the wanted kind, and for what is not known.
+std::string other_than(const std::filesystem::path& path, FileKind wanted);
+
 /// First lines of the text files, by which they are known.
 constexpr const char* kTableMark = "<!-- rubatlas: regions and triggers -->";
 constexpr const char* kRecordMark = "{\"runs\": [";

@@ -235,22 +235,38 @@ void limit_resources(const std::filesystem::path& path) {
   ::setrlimit(RLIMIT_DATA, &memory);
 }
 
-/// Runs the examination in a separate process. Returns its sentence; empty where it finds nothing wrong.
-std::string refusal_found_apart(const std::filesystem::path& path) {
+/// Exit code of the separate process for a file of another kind.
+constexpr int kWrongFile = 2;
+
+void require_no_other_kind(const std::filesystem::path& path) {
+  const std::string other = other_than(path, FileKind::atlas);
+  if (!other.empty())
+    throw WrongFile(
+        fmt::format("{} holds {}; an atlas is wanted here, which rubatlas run makes", path.string(), other));
+}
+
+/// Examines a file in a separate process, and throws the exception that this finds.
+void examine_apart(const std::filesystem::path& path) {
   std::array<int, 2> pipe{};
-  if (::pipe2(pipe.data(), O_CLOEXEC) != 0) return {};
+  if (::pipe2(pipe.data(), O_CLOEXEC) != 0) return;
   const pid_t child = ::fork();
   if (child == 0) {
     limit_resources(path);
     // The message of the C library about a crash would not help the user.
     if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
     int code = EXIT_SUCCESS;
+    const auto tell = [&](std::string_view sentence) {
+      static_cast<void>(::write(pipe[1], sentence.data(), sentence.size()) < 0);
+    };
     try {
+      require_no_other_kind(path);
       const File file = File::open_to_read(path);
       static_cast<void>(require_atlas(file, path.string()));
+    } catch (const WrongFile& wrong) {
+      tell(wrong.what());
+      code = kWrongFile;
     } catch (const EnvironmentError& error) {
-      const std::string_view sentence = error.what();
-      static_cast<void>(::write(pipe[1], sentence.data(), sentence.size()) < 0);
+      tell(error.what());
     } catch (...) {
       code = EXIT_FAILURE;
     }
@@ -267,8 +283,9 @@ std::string refusal_found_apart(const std::filesystem::path& path) {
   int status = 0;
   while (child > 0 && ::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (sentence.empty() && status != 0) return fmt::format("{} is damaged: it cannot be read", path.string());
-  return sentence;
+  if (!sentence.empty() && WIFEXITED(status) && WEXITSTATUS(status) == kWrongFile) throw WrongFile(sentence);
+  if (!sentence.empty()) throw EnvironmentError(sentence);
+  if (status != 0) throw EnvironmentError(fmt::format("{} is damaged: it cannot be read", path.string()));
 }
 
 }  // namespace
@@ -279,10 +296,8 @@ plan::Part require_part(const File& file, const std::string& path, const std::ve
 
 File open_with_care(const std::filesystem::path& path) {
   std::error_code ignored;
-  if (std::filesystem::is_regular_file(path, ignored) && header_of(path) != Header::sound) {
-    if (const std::string refusal = refusal_found_apart(path); !refusal.empty())
-      throw EnvironmentError(refusal);
-  }
+  if (std::filesystem::is_regular_file(path, ignored) && header_of(path) != Header::sound)
+    examine_apart(path);
   return File::open_to_read(path);
 }
 

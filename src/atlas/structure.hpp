@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,15 @@ std::vector<plan::Axis> require_atlas(const File& file, const std::string& path)
 /// The part of its scene's grid that an atlas is for. Throws EnvironmentError where its mark is none.
 plan::Part require_part(const File& file, const std::string& path, const std::vector<plan::Axis>& axes);
 
+/// A file that is sound, and of another kind than the command reads: one sentence, exit code 2.
+class WrongFile : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Opens an atlas. HDF5 crashes on some files that are damaged, by accident or on purpose. Where the header
 /// does not match its checksum, a separate process therefore examines the file first. Throws
-/// EnvironmentError.
+/// EnvironmentError, and WrongFile.
 File open_with_care(const std::filesystem::path& path);
 
 /// True when the file has the layout without checksums.

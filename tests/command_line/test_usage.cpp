@@ -85,6 +85,30 @@ TEST(CommandLine, AWrongSceneIsOneSentenceAndExitCodeTwoBeforeAnyFile) {
   EXPECT_EQ(missing.messages, "rubatlas: cannot read the scene none.json: No such file or directory\n");
 }
 
+TEST(CommandLine, AFileThatIsNoAtlasIsNamedForWhatItIsAndIsAWrongCall) {
+  const Workplace place;
+  static_cast<void>(place.write("s.json", kSmallScene));
+  ASSERT_EQ(place.rubatlas("run s.json -o a.h5 --progress off").code, 0);
+  ASSERT_EQ(place.rubatlas("analyse a.h5 -o maps.h5 --table t.md").code, 0);
+  ASSERT_EQ(place.rubatlas("orbit s.json --at speed_ratio=0.3,damping_ratio=0.1 -o o.h5").code, 0);
+  const auto says = [&](const std::string& arguments) {
+    const auto ending = place.rubatlas(arguments);
+    EXPECT_EQ(ending.code, 2) << arguments;
+    EXPECT_EQ(ending.output, "") << arguments;
+    return ending.messages;
+  };
+  const std::string wanted = "; an atlas is wanted here, which rubatlas run makes\n";
+  EXPECT_EQ(says("analyse s.json -o m.h5"),
+            "rubatlas: s.json holds a text in braces, such as a scene" + wanted);
+  EXPECT_EQ(says("analyse maps.h5 -o m.h5"), "rubatlas: maps.h5 holds maps" + wanted);
+  EXPECT_EQ(says("status o.h5"), "rubatlas: o.h5 holds an orbit" + wanted);
+  EXPECT_EQ(says("verify t.md"), "rubatlas: t.md holds a table" + wanted);
+  EXPECT_FALSE(place.has("m.h5"));
+  static_cast<void>(place.write("noise.h5", "no HDF5 at all"));
+  EXPECT_EQ(place.rubatlas("analyse noise.h5 -o m.h5").code, 3)
+      << "what cannot be read may be a damaged atlas";
+}
+
 TEST(CommandLine, UnderMpirunOneRankSaysItAndAllEndWithTheCode) {
   const Workplace place;
   const auto wrong_call = place.ranks(3, "rnu");
