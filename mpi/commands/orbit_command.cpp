@@ -119,7 +119,12 @@ int compute_orbit(const OrbitCommand& command) {
   const point::Orbit orbit = solver->orbit(place.parameters.speed_ratio, start);
   atlas::write_orbit(output, scene, text, place.parameters, start.state, orbit, software());
 
-  if (orbit.status == ending::PointStatus::done) return exit_code::kDone;
+  if (orbit.status == ending::PointStatus::done) {
+    say_sentence(fmt::format("{} holds the orbit at Ω = {}: {} revolutions, after {}",
+                             command.output.string(), place.parameters.speed_ratio,
+                             scene.protocol.sampled_revolutions, scene.protocol.transient_revolutions));
+    return exit_code::kDone;
+  }
   const bool left = orbit.status == ending::PointStatus::left_validity;
   say_sentence(fmt::format("the motion {} in revolution {}{}: {}; {} holds what came before",
                            left ? "left the model's validity" : "could not be integrated",

@@ -23,7 +23,9 @@ class Orbit : public testing::Test {
 
 TEST_F(Orbit, WritesOnePointThatNeedNotBeOnTheGrid) {
   const auto ending = place.rubatlas("orbit s.json --at speed_ratio=0.317,damping_ratio=0.123 -o o.h5");
-  EXPECT_EQ(ending.code, 0) << ending.messages;
+  EXPECT_EQ(ending.code, 0);
+  EXPECT_EQ(ending.messages, "rubatlas: o.h5 holds the orbit at Ω = 0.317: 3 revolutions, after 4\n");
+  EXPECT_EQ(ending.output, "");
   const auto listing = place.shell("h5ls o.h5");
   EXPECT_NE(listing.output.find("state                    Dataset {768, 4}"), std::string::npos)
       << listing.output;
@@ -104,7 +106,8 @@ TEST_F(Orbit, AnAxisNamedByItsPointerIsChosenByItsNameOrItsPointer) {
       refused_here(",ring_stiffness=2e3 --from a.h5"),
       "rubatlas: a.h5 has no point at ring_stiffness=2000; it has 1000, 10000; the nearest are 1000 and "
       "10000\n");
-  EXPECT_EQ(refused_here(",ring_stiffness=1e4 --from a.h5"), "");
+  EXPECT_EQ(refused_here(",ring_stiffness=1e4 --from a.h5"),
+            "rubatlas: other.h5 holds the orbit at Ω = 0.4: 3 revolutions, after 4\n");
 }
 
 TEST_F(Orbit, BladesFitIntoTheRingWhereTheOrbitIs) {
