@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/paper/reference_rotor.hpp"
 #include "mpi/commands/explain_text.hpp"
 #include "mpi/commands/reach.hpp"
 #include "settings/quantity.hpp"
@@ -208,13 +209,30 @@ std::vector<std::string> notes_on(const settings::Scene& scene, const CostEstima
         "{} of the {} points tried could not be integrated: their rows will be NaN, with status 3",
         cost.integrator_failed, cost.trials));
   }
-  // MODEL 5: from rest the default rotor stays inside up to 1.02, leaves at 1.03 and always between 1.05
-  // and 1.24.
+  if (const double overlap = largest_overlap(scene); overlap > 0.0) {
+    result.push_back(fmt::format(
+        "y0 is above the clearance δc, by {}: blades rub at every speed, even while the shaft stands at "
+        "equilibrium; a rotor that is to run free has y0 below δc",
+        length(overlap)));
+  }
+  const double start = farthest_start(scene, -scene.rotor.misalignment);
+  const double moved = farthest_start(scene, 0.0);
+  if (moved > 0.0 && start > scene.clearance() && start > std::abs(scene.rotor.misalignment)) {
+    result.push_back(
+        fmt::format("`initial` puts the shaft {} from the ring's centre, farther than the clearance of {}: "
+                    "blades may begin "
+                    "in contact",
+                    length(start), length(scene.clearance())));
+  }
   if (scene.grid.speed_ratio.back() > 1.0) {
-    result.emplace_back(
-        "speeds beyond Ω = 1 reach the border of the model: the default rotor leaves it at 1.03 and "
-        "always from 1.05 to 1.24. Near the border the very revolution of escape depends on the last "
-        "digits");
+    // MODEL 5: from rest the default rotor stays inside up to 1.02, leaves at 1.03 and always between 1.05
+    // and 1.24.
+    const bool is_default = analysis::default_rotor().difference(scene).empty();
+    result.push_back(
+        fmt::format("speeds beyond Ω = 1 reach the border of the model, where blades can no longer push a "
+                    "rotor back that "
+                    "leaves{}. Near the border the very revolution of escape depends on the last digits",
+                    is_default ? ": the default rotor leaves it at 1.03 and always from 1.05 to 1.24" : ""));
   }
   if (const double amplitude = largest_free_amplitude(scene); std::isinf(amplitude)) {
     result.emplace_back("Ω = 1 without damping: under its unbalance the free shaft moves out without bound");

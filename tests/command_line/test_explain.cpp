@@ -369,6 +369,31 @@ TEST(Explain, NamesWhatAUserShouldKnowBeforehand) {
                     "the blades never reach the ring"));
 }
 
+TEST(Explain, SaysOfTheDefaultRotorAloneAtWhichSpeedItLeavesTheModel) {
+  const std::string of_default = "the default rotor leaves it at 1.03";
+  const std::string rest = R"("grid": {"speed_ratio": 1.2}, "protocol": {"sampled_revolutions": 1}})";
+  EXPECT_TRUE(holds(explained("{" + rest), of_default));
+  const auto other = explained(R"({"rotor": {"mass": 2}, )" + rest);
+  EXPECT_FALSE(holds(other, of_default));
+  EXPECT_TRUE(holds(other, "reach the border of the model, where blades can no longer push a rotor back"));
+}
+
+TEST(Explain, NotesAMisalignmentOrAStartBeyondTheClearance) {
+  const auto with = [](const std::string& sections) {
+    return explained(R"({"grid": {"speed_ratio": 0.5}, "protocol": {"sampled_revolutions": 1})" + sections +
+                     "}");
+  };
+  EXPECT_TRUE(holds(with(""), "y0 is above the clearance δc, by 10 µm: blades rub at every speed"));
+  const auto free = with(R"(, "rotor": {"misalignment": 0.0099})");
+  EXPECT_FALSE(holds(free, "above the clearance"));
+  EXPECT_FALSE(holds(free, "`initial` puts"));
+  EXPECT_TRUE(
+      holds(with(R"(, "rotor": {"misalignment": 0.005}, "initial": {"y": 0.006})"),
+            "`initial` puts the shaft 11 mm from the ring's centre, farther than the clearance of 10 mm"));
+  EXPECT_FALSE(
+      holds(with(R"(, "rotor": {"misalignment": 0.005}, "initial": {"y": 0.004})"), "`initial` puts"));
+}
+
 /// What is noted of contacts, all points being tried.
 std::string contacts_noted(const std::string& sections) {
   const auto scene = settings::parse_scene(
