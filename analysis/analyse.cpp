@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
 #include <map>
 #include <span>
 #include <string>
@@ -85,6 +86,28 @@ std::vector<double> displacements_of_line(const atlas::AtlasReader& atlas,
     if (status[i] != kDone) rows[i] = kNotANumber;
   }
   return rows;
+}
+
+/// Contact at each point of a line, whose sections are `rows`.
+std::vector<PointContact> contacts_of_line(const atlas::AtlasReader& atlas, const settings::Scene& own,
+                                           std::span<const std::uint8_t> status, std::size_t line,
+                                           std::span<const double> rows, const ClosingTolerance& tolerance) {
+  const auto kept = [&](std::initializer_list<const char*> names) {
+    const auto* name = std::ranges::find_if(names, [&](const char* one) { return atlas.has(one); });
+    return name == names.end() ? std::vector(status.size(), kNotANumber) : atlas.line_rows(*name, line);
+  };
+  const auto figures = kept({"contact_fraction", "max_contact_force"});
+  const auto misses = kept({"nearest_miss"});
+  const auto& speeds = atlas.axes().back().values;
+  std::vector<PointContact> contacts(status.size());
+  for (std::size_t i = 0; i < status.size(); ++i) {
+    if (status[i] != kDone) continue;
+    const ContactEvidence evidence{.figure = figures[i],
+                                   .nearest_miss = misses[i],
+                                   .sections = rows.empty() ? rows : sections_of(rows, status.size(), i)};
+    contacts[i] = contact_at(own, speeds[i], evidence, tolerance);
+  }
+  return contacts;
 }
 
 /// Parameters of a line, one for each axis except the last.
@@ -170,8 +193,9 @@ Findings examine(const atlas::AtlasReader& atlas) {
                 .motion = std::vector<std::uint8_t>(speeds, motion_class::kNone),
                 .motion_per_passing = {},
                 .max_displacement = displacements_of_line(atlas, line_status, line)};
+    std::vector<double> rows;
     if (found.has_sections) {
-      const auto rows = atlas.line_rows("poincare", line);
+      rows = atlas.line_rows("poincare", line);
       points.motion = classes_of_line(rows, line_status, tolerance);
       if (matched) attractors.add(points, rows, tolerance);
     }
@@ -179,6 +203,7 @@ Findings examine(const atlas::AtlasReader& atlas) {
       points.motion_per_passing =
           classes_of_line(atlas.line_rows("poincare_blade_passing", line), line_status, tolerance);
     }
+    points.contact = contacts_of_line(atlas, own, line_status, line, rows, tolerance);
     append(found.motion, points.motion);
     append(found.motion_per_passing, points.motion_per_passing);
     if (atlas.has("max_displacement")) append(found.max_displacement, points.max_displacement);

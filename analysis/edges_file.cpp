@@ -92,7 +92,7 @@ void create_edges(File& file, const Findings& found) {
     const auto& axis = found.axes[i];
     auto values =
         column<double>(edges, [&](const Edge& edge) { return found.lines[edge.line].parameters[i]; });
-    columns.create(axis.name, values, axis.long_name).set_text("units", axis.units);
+    columns.create(column_of(axis), values, axis.long_name).set_text("units", axis.units);
   }
   columns
       .create("lower", column<double>(edges, [](const Edge& edge) { return edge.lower; }),

@@ -28,7 +28,7 @@ void create_basins(File& file, const Findings& found) {
   Rows rows(file, "basins", "basin", basins.size(),
             "share of the initial states that leads to each attractor, at each combination of parameters");
   for (const std::size_t axis : starts.parameter_axes()) {
-    rows.add<double>(found.axes[axis].name, found.axes[axis].units, found.axes[axis].long_name,
+    rows.add<double>(column_of(found.axes[axis]), found.axes[axis].units, found.axes[axis].long_name,
                      [&](std::size_t i) {
                        const std::size_t point = first[basins[i].set];
                        const bool is_speed = axis + 1 == found.axes.size();
@@ -56,7 +56,7 @@ void create_hysteresis(File& file, const Findings& found) {
   Rows rows(file, "hysteresis", "range", ranges.size(),
             "ranges of the speed ratio in which the sweeps up and down find different motions");
   for (std::size_t axis = 1; axis + 1 < found.axes.size(); ++axis) {  // all but direction and speed
-    rows.add<double>(found.axes[axis].name, found.axes[axis].units, found.axes[axis].long_name,
+    rows.add<double>(column_of(found.axes[axis]), found.axes[axis].units, found.axes[axis].long_name,
                      [&](std::size_t i) { return found.lines[ranges[i].line].parameters[axis]; });
   }
   rows.add<double>("from", "1", "first speed ratio at which the motions differ",

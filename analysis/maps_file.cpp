@@ -53,11 +53,15 @@ void create_class(File& file, const std::string& name, const std::string& sectio
   dataset.set_number("unresolved_factor", kUnresolvedFactor);
 }
 
-void create_texts(File& file, const std::string& path, const Dataset& scale, const std::string& long_name,
-                  const std::vector<std::string>& texts) {
-  Dataset dataset = file.create_texts(path, texts);
-  dataset.attach_scale(0, scale);
-  dataset.set_text("long_name", long_name);
+void create_contact(File& file, const Findings& found, const Shape& shape, std::span<const Dataset> axes) {
+  std::vector<std::uint8_t> values;
+  for (const auto& line : found.lines) {
+    for (const auto& point : line.line.contact) values.push_back(static_cast<std::uint8_t>(point.contact));
+  }
+  Dataset dataset = create_map<std::uint8_t>(file, "contact", shape, axes, values, "1",
+                                             "whether any blade touches the ring in the sampled revolutions");
+  dataset.set_numbers<std::uint8_t>("flag_values", std::vector<std::uint8_t>{0, 1, 2});
+  dataset.set_text("flag_meanings", "not_known no_contact contact");
 }
 
 void create_effects(File& file, const Findings& found) {
@@ -181,6 +185,7 @@ void write_maps(const atlas::Output& output, const Findings& found, const atlas:
       create_map<double>(file, "max_displacement", shape, axes, found.max_displacement, "m",
                          "largest displacement, as in the atlas; NaN where the point is not done");
     }
+    create_contact(file, found, shape, axes);
     create_table(file, found);
     if (!found.attractor.empty()) create_attractors(file, found, shape, axes);
     if (found.margins) create_margins(file, found, shape, axes);

@@ -22,14 +22,14 @@ void create_grazings(File& file, const Findings& found) {
   Rows rows(file, "grazings", "grazing", grazings.size(),
             "borders along the speed ratio at which a tip is predicted to graze the ring");
   for (std::size_t axis = 0; axis + 1 < found.axes.size(); ++axis) {
-    rows.add<double>(found.axes[axis].name, found.axes[axis].units, found.axes[axis].long_name,
+    rows.add<double>(column_of(found.axes[axis]), found.axes[axis].units, found.axes[axis].long_name,
                      [&](std::size_t i) { return found.lines[grazings[i].line].parameters[axis]; });
   }
   const auto& speeds = found.axes.back().values;
   const auto add_speed = [&](const std::string& name, const std::string& long_name, auto value) {
     rows.add<double>(name, "1", long_name, [&](std::size_t i) { return value(grazings[i]); });
   };
-  add_speed("speed_ratio", "where the trend of the nearest miss reaches zero",
+  add_speed(column_of(found.axes.back()), "where the trend of the nearest miss reaches zero",
             [](const GrazingBorder& one) { return one.grazing.at; });
   add_speed("error", "difference of the trends of second and first degree",
             [](const GrazingBorder& one) { return one.grazing.error; });
@@ -55,8 +55,10 @@ void create_margins(File& file, const Findings& found, const Shape& shape, std::
   file.create_group("margins").set_text("long_name", "distances to a change of motion along each parameter");
   for (const AxisMargins& margins : found.margins->axes) {
     const plan::Axis& axis = found.axes[margins.axis];
+    // Not the name of the axis alone: xarray refuses a variable named like one of its own dimensions.
+    const std::string path = "margins/along_" + axis.name;
     create_map<double>(
-        file, "margins/" + axis.name, shape, axes, margins.to_border, axis.units,
+        file, path, shape, axes, margins.to_border, axis.units,
         fmt::format("distance in {} to the nearest border, in the middle between two points of "
                     "different class; NaN where there is none",
                     axis.name));
@@ -64,7 +66,7 @@ void create_margins(File& file, const Findings& found, const Shape& shape, std::
         std::ranges::any_of(margins.to_grazing, [](double at) { return std::isfinite(at); });
     if (!predicted) continue;
     create_map<double>(
-        file, "margins/" + axis.name + "_to_grazing", shape, axes, margins.to_grazing, axis.units,
+        file, path + "_to_grazing", shape, axes, margins.to_grazing, axis.units,
         fmt::format("distance in {}, with its sign, to where the trend of the nearest miss reaches "
                     "zero; NaN where it does not",
                     axis.name));

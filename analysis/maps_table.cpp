@@ -26,9 +26,21 @@ struct Column {
 std::vector<Column> columns_of(const Findings& found) {
   std::vector<Column> columns;
   for (std::size_t i = 0; i < found.parameters.size(); ++i) {
-    columns.push_back({found.axes[i].name, found.axes[i].units, found.axes[i].long_name,
+    columns.push_back({column_of(found.axes[i]), found.axes[i].units, found.axes[i].long_name,
                        [i](const LineSummary& line) { return line.parameters[i]; }});
   }
+  const auto add_contact = [&](const char* name, const char* units, const char* meaning,
+                               double ContactSummary::*member) {
+    columns.push_back(
+        {name, units, meaning, [member](const LineSummary& line) { return line.contact.*member; }});
+  };
+  add_contact("first_contact", "1", "lowest speed ratio at which a blade touches; NaN where none does",
+              &ContactSummary::first);
+  add_contact("last_contact", "1", "highest speed ratio at which a blade touches; NaN where none does",
+              &ContactSummary::last);
+  add_contact("closest_distance", "m", "least distance between a tip and the ring where nothing touches",
+              &ContactSummary::closest_distance);
+  add_contact("closest_speed", "1", "speed ratio of the least distance", &ContactSummary::closest_speed);
   for (std::size_t i = 0; i < 4; ++i) {
     const auto add = [&](const char* name, const char* units, const char* meaning, double Region::*member) {
       columns.push_back({fmt::format("region_{}_{}", i + 1, name), units,
@@ -99,6 +111,17 @@ void create_open_ends(File& file, std::size_t region, const Findings& found, con
 
 }  // namespace
 
+std::string column_of(const plan::Axis& axis) {
+  return "at_" + axis.name;
+}
+
+void create_texts(File& file, const std::string& path, const Dataset& scale, const std::string& long_name,
+                  const std::vector<std::string>& texts) {
+  Dataset dataset = file.create_texts(path, texts);
+  dataset.attach_scale(0, scale);
+  dataset.set_text("long_name", long_name);
+}
+
 Dataset create_number_scale(File& file, const std::string& path, const std::string& name, std::size_t size,
                             const std::string& long_name) {
   Dataset scale = file.create_dataset<std::int32_t>(path, {size});
@@ -149,6 +172,9 @@ void create_table(File& file, const Findings& found) {
     dataset.set_text("units", column.units);
     dataset.set_text("long_name", column.long_name);
   }
+  std::vector<std::string> contacts;
+  for (const auto& line : found.lines) contacts.push_back(line.contact.text);
+  create_texts(file, "table1/contact", scale, "where blades touch the ring", contacts);
   std::vector<std::uint8_t> presence(found.lines.size());
   const auto create = [&](const std::string& name, const std::string& long_name, auto presence_of) {
     for (std::size_t i = 0; i < presence.size(); ++i) {

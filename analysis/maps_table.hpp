@@ -3,11 +3,20 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "analysis/findings.hpp"
 #include "atlas/hdf5.hpp"
 
 namespace rubatlas::analysis {
+
+/// The column of a table that holds values of an axis of the atlas. It is not named like the axis itself,
+/// which xarray would put in its place.
+std::string column_of(const plan::Axis& axis);
+
+/// Texts along a scale.
+void create_texts(atlas::File& file, const std::string& path, const atlas::Dataset& scale,
+                  const std::string& long_name, const std::vector<std::string>& texts);
 
 /// A dimension scale that numbers its entries from 0. `name` is that of the dimension.
 atlas::Dataset create_number_scale(atlas::File& file, const std::string& path, const std::string& name,

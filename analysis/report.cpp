@@ -60,6 +60,11 @@ std::string plain_table(const Findings& found) {
   return text;
 }
 
+/// For a rotor that is not the paper's.
+std::string not_applicable(const Findings& found) {
+  return fmt::format("Not applicable: {}.", why_none_applies(found.scene));
+}
+
 /// The one reason for which no finding of a statement is covered at any setting; empty where there is none,
 /// or more than one.
 std::string only_reason(const Statement& statement) {
@@ -99,6 +104,10 @@ std::string plain_report(const Findings& found) {
     for (const auto& sentence : basin_sentences(found)) text += paragraph("  ", sentence, 4, kColumns);
     return text;
   }
+  if (const auto sentences = contact_sentences(found); !sentences.empty()) {
+    text += "\nCONTACT\n";
+    for (const auto& sentence : sentences) text += paragraph("  ", sentence, 4, kColumns);
+  }
   text += "\nREGIONS AND TRIGGERS\n" + paragraph("", kTableKey, 2, kColumns) + "\n" + plain_table(found);
   if (found.scene.sweep == settings::Sweep::both) {
     text += "\nWHERE UP AND DOWN DIFFER\n";
@@ -115,6 +124,8 @@ std::string plain_report(const Findings& found) {
       text += paragraph(fmt::format("  {}", effect.subject), effect.text, 13, kColumns);
     }
   }
+  if (found.statements.empty())
+    return text + "\nTHE PAPER'S STATEMENTS\n" + paragraph("  ", not_applicable(found), 4, kColumns);
   text += fmt::format("\nTHE PAPER'S STATEMENTS, contact law {}\n", contact_law(found.scene));
   text += paragraph("", kStatementsKey, 2, kColumns) + "\n";
   std::string setting;
@@ -146,6 +157,10 @@ std::string markdown_report(const Findings& found) {
     for (const auto& sentence : basin_sentences(found)) text += fmt::format("- {}\n", sentence);
     return text;
   }
+  if (const auto sentences = contact_sentences(found); !sentences.empty()) {
+    text += "\n## Contact\n\n";
+    for (const auto& sentence : sentences) text += fmt::format("- {}\n", sentence);
+  }
   text += fmt::format("\n## Regions and triggers\n\n{}\n\n", kTableKey);
   const auto header = table_header(found);
   text += fmt::format("| {} |\n|", fmt::join(header, " | "));
@@ -176,6 +191,8 @@ std::string markdown_report(const Findings& found) {
       text += fmt::format("| {} | {} |\n", effect.subject, effect.text);
     }
   }
+  if (found.statements.empty())
+    return text + fmt::format("\n## The paper's statements\n\n{}\n", not_applicable(found));
   text += fmt::format("\n## The paper's statements, contact law {}\n\n{}\n\n", contact_law(found.scene),
                       kStatementsKey);
   text += "| | statement | at | verdict | evidence |\n|---|---|---|---|---|\n";

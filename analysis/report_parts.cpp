@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <utility>
 
 #include "analysis/rules/attractors.hpp"
 #include "analysis/rules/evidence_text.hpp"
@@ -45,6 +46,26 @@ std::string points_text(const Findings& found) {
   if (left > 0) parts.push_back(fmt::format("{} left the model's validity", left));
   if (failed > 0) parts.push_back(fmt::format("{} failed in the integrator", failed));
   return fmt::format("Points: {}.", fmt::join(parts, ", "));
+}
+
+/// "Contact: at 85 of 91 points, none at 6."; empty where no point is done.
+std::string contacts_text(const Findings& found) {
+  std::size_t touching = 0;
+  std::size_t free = 0;
+  std::size_t not_known = 0;
+  for (const auto& line : found.lines) {
+    touching += line.contact.touching;
+    free += line.contact.free;
+    not_known += line.contact.not_known;
+  }
+  if (touching + free + not_known == 0) return {};
+  std::vector<std::string> parts;
+  if (touching > 0 || not_known == 0)
+    parts.push_back(fmt::format("at {} of {} points", touching, touching + free + not_known));
+  if (free > 0) parts.push_back(fmt::format("none at {}", free));
+  if (not_known > 0)
+    parts.push_back(fmt::format("not known at {}, since the atlas has no `contact_fraction`", not_known));
+  return fmt::format("Contact: {}.", fmt::join(parts, ", "));
 }
 
 std::string class_name(std::uint8_t motion) {
@@ -199,6 +220,7 @@ std::vector<std::string> facts(const Findings& found) {
   if (!found.motion_per_passing.empty()) {
     sentences.push_back(classes_text(found.motion_per_passing, "blade passing"));
   }
+  if (auto contacts = contacts_text(found); !contacts.empty()) sentences.push_back(std::move(contacts));
   if (!found.exponent_check.empty()) sentences.push_back(exponents_text(found));
   if (found.max_displacement.empty()) {
     sentences.emplace_back("The atlas has no `max_displacement`: no triggers, and no displacements.");
@@ -268,6 +290,23 @@ std::vector<std::string> hysteresis_sentences(const Findings& found) {
                     "{:g} standard "
                     "errors; of pairs of one and the same motion one in twenty does.",
                     hysteresis.compared_aperiodic, hysteresis.different_aperiodic, kStandardErrors));
+  }
+  return sentences;
+}
+
+std::vector<std::string> contact_sentences(const Findings& found) {
+  const auto everywhere = [](const LineSummary& line) {
+    return line.contact.free + line.contact.not_known == 0;
+  };
+  if (std::ranges::all_of(found.lines, everywhere)) return {};
+  const auto& first = found.lines.front().contact.text;
+  const auto is_first = [&](const LineSummary& line) { return line.contact.text == first; };
+  if (found.lines.size() > 1 && std::ranges::all_of(found.lines, is_first))
+    return {fmt::format("On every line: {}.", first)};
+  std::vector<std::string> sentences;
+  for (std::size_t line = 0; line < found.lines.size(); ++line) {
+    const auto& text = found.lines[line].contact.text;
+    if (!text.empty()) sentences.push_back(line_text(found, line) + text + ".");
   }
   return sentences;
 }

@@ -15,6 +15,10 @@ namespace rubatlas::analysis {
 /// Short sentences on what was examined: contact law, grid, points, classes.
 std::vector<std::string> facts(const Findings& found);
 
+/// Where blades touch the ring, line by line; empty where they do at every speed of every line, which `facts`
+/// say.
+std::vector<std::string> contact_sentences(const Findings& found);
+
 /// The table of regions and triggers: one row per line, a cell for the parameters and one per region and
 /// trigger along Ω. A cell has two lines of text.
 struct Cell {

@@ -52,9 +52,16 @@ std::vector<Statement> judge_parameters(const Evidence& evidence) {
           {"P8", unbalance_findings(evidence)}};
 }
 
+std::string why_none_applies(const settings::Scene& scene) {
+  const std::string difference = default_rotor_of_any_count().difference(scene);
+  if (difference.empty() || test_rig().difference(scene).empty()) return {};
+  return difference + "; nor is it the paper's test rig";
+}
+
 std::vector<Statement> judge_statements(const settings::Scene& scene, std::span<const Parameter> parameters,
                                         std::span<const LineSummary> lines, bool per_passing) {
   std::vector<Statement> statements;
+  if (!why_none_applies(scene).empty()) return statements;
   const auto judge = [&](const ReferenceRotor& rotor, std::string_view along, const auto& judgement) {
     std::vector<Statement> own;
     for (auto& setting : settings(rotor, scene, parameters, along)) {

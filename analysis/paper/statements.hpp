@@ -63,8 +63,12 @@ std::vector<Statement> judge_thin_blades(const Evidence& evidence);
 /// P16: the rig's blade alone, from its closed form (MODEL 3.2).
 Statement judge_blade_curve(const Evidence& evidence);
 
+/// Why the statements do not apply to a scene: it is of none of the paper's rotors. Empty where it is of one.
+[[nodiscard]] std::string why_none_applies(const settings::Scene& scene);
+
 /// P1 to P10 and P12 to P16, each once per setting of the open axes of its rotor. Statements without settings
-/// come first, then setting by setting, in the order of their numbers.
+/// come first, then setting by setting, in the order of their numbers. Empty where none
+/// applies.
 std::vector<Statement> judge_statements(const settings::Scene& scene, std::span<const Parameter> parameters,
                                         std::span<const LineSummary> lines, bool per_passing);
 

@@ -12,12 +12,23 @@ namespace rubatlas::analysis {
 
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
+/// Whether a blade touches the ring. The numbers are those of the flags in MAPS.h5.
+enum class Contact : std::uint8_t { not_known = 0, none = 1, touches = 2 };
+
+struct PointContact {
+  Contact contact = Contact::not_known;
+  /// Least distance between a tip and the ring [m] where nothing touches, or a lower bound of it while a free
+  /// vibration has not died out; NaN where not known.
+  double distance = kNotANumber;
+};
+
 /// All vectors have one entry per speed, ascending in Ω.
 struct Line {
   std::vector<double> speed_ratio;               ///< Ω [-]
   std::vector<std::uint8_t> motion;              ///< class per revolution
   std::vector<std::uint8_t> motion_per_passing;  ///< class per blade passing; empty where the atlas has none
   std::vector<double> max_displacement;          ///< [m]; NaN where the point is not done
+  std::vector<PointContact> contact{};           ///< empty where nothing is known of it
 
   [[nodiscard]] std::size_t size() const { return speed_ratio.size(); }
 };

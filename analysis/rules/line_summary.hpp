@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "analysis/rules/contact.hpp"
 #include "analysis/rules/doublings.hpp"
 #include "analysis/rules/line.hpp"
 #include "analysis/rules/regions.hpp"
@@ -15,6 +16,7 @@ namespace rubatlas::analysis {
 struct LineSummary {
   Line line;                       ///< the line to which the rules were applied
   std::vector<double> parameters;  ///< one per axis of the atlas without `speed_ratio`, in their order
+  ContactSummary contact;
   std::array<Trigger, 2> triggers;
   std::array<Region, 4> regions;
   /// Period doublings of the map over a blade passing where the atlas has it, else over a revolution.

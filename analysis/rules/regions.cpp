@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/rules/contact.hpp"
 #include "analysis/rules/gaps.hpp"
 #include "analysis/rules/stretches.hpp"
 
@@ -23,9 +24,12 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// The region over points [first, last]; the displacement is of every finished point between them, the
-/// unresolved ones included.
+/// The region over points [first, last], from the first to the last of them that touches; the displacement is
+/// of every finished point between them, the unresolved ones included.
 Region region_over(const Line& line, SpeedScale scale, Points points, std::size_t first, std::size_t last) {
+  while (first <= last && !may_touch(line, points[first].index)) ++first;
+  if (first > last) return {.presence = Presence::absent};
+  while (!may_touch(line, points[last].index)) --last;
   Region region;
   region.presence = Presence::present;
   region.from = line.speed_ratio[points[first].index];

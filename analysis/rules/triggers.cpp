@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/rules/contact.hpp"
 #include "analysis/rules/gaps.hpp"
 
 namespace rubatlas::analysis {
@@ -14,6 +15,7 @@ namespace {
 struct Sample {
   double scaled_speed;
   double log_displacement;
+  bool may_touch;
   std::size_t piece;  ///< increases at every gap of the line
 };
 
@@ -24,7 +26,8 @@ std::vector<Sample> samples_of(const Line& line, SpeedScale scale, double floor)
     if (i > 0 && is_done(line, i - 1) && gap_above(line, scale, i - 1)) ++piece;
     const double displacement = line.max_displacement[i];
     if (!std::isfinite(displacement)) continue;
-    samples.push_back({scale.scaled(line.speed_ratio[i]), std::log(std::max(displacement, floor)), piece});
+    samples.push_back({scale.scaled(line.speed_ratio[i]), std::log(std::max(displacement, floor)),
+                       may_touch(line, i), piece});
   }
   return samples;
 }
@@ -64,7 +67,7 @@ Trigger find_trigger(const std::vector<Sample>& samples, SpeedScale scale, doubl
     const bool in_range = samples[i + 1].scaled_speed > nominal - kTriggerSearch &&
                           samples[i].scaled_speed < nominal + kTriggerSearch;
     if (is_gap && in_range) searched = false;
-    if (is_gap || std::abs(speed - nominal) > kTriggerSearch) continue;
+    if (is_gap || !samples[i + 1].may_touch || std::abs(speed - nominal) > kTriggerSearch) continue;
     const auto below = level(samples, speed, static_cast<std::ptrdiff_t>(i), -1);
     const auto above = level(samples, speed, static_cast<std::ptrdiff_t>(i) + 1, +1);
     if (!below || !above) continue;

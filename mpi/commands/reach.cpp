@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <limits>
 #include <string_view>
 
+#include "analysis/rules/free_shaft.hpp"
 #include "plan/grid.hpp"
 #include "plan/scene_of_line.hpp"
 #include "settings/quantity.hpp"
@@ -14,7 +14,8 @@
 namespace rubatlas::mpi {
 namespace {
 
-using Complex = std::complex<double>;
+using analysis::FreeShaft;
+using Complex = FreeShaft::Complex;
 
 double least(const settings::Scene& scene, std::string_view pointer) {
   return std::ranges::min(settings::values_in(scene, pointer));
@@ -36,37 +37,19 @@ double least_distance(const settings::Scene& scene) {
   return tightest.clearance() - misalignment;
 }
 
-/// Deflection of the shaft under a constant load [m].
-Complex deflection(const settings::Scene& line) {
-  const double frequency = line.rotor.natural_frequency;
-  const double stiffness = line.rotor.mass * frequency * frequency;
-  Complex sum = 0.0;
-  if (line.gravity) sum += line.gravity->deflection(stiffness, frequency);
-  if (line.side_load) sum += line.side_load->deflection(stiffness, frequency);
-  return sum;
-}
-
-/// Z [m]: the point at phase 0 of the circle on which an unbalance drives the shaft.
-Complex unbalance_response(const settings::Scene& line, double speed) {
-  if (!line.unbalance) return 0.0;
-  const Complex detuning(1.0 - speed * speed, 2.0 * line.rotor.damping_ratio * speed);
-  return std::polar(line.unbalance->moment / line.rotor.mass, line.unbalance->phase) * speed * speed /
-         detuning;
-}
-
 /// A bound of |z| over all points of a line [m]. With f the static deflection, D = z − f − Z e^{iΩτ} is a
 /// free vibration, of which |D|² + |D'|² never grows. Where a point starts from the end of the one before, D
 /// changes by the difference of the two Z.
 double bound_of_line(const settings::Scene& line, const plan::Grid& grid, std::size_t number) {
   const auto& initial = line.initial;
-  const Complex load = deflection(line);
+  const Complex load = FreeShaft(line, grid.parameters(grid.point(number, 0)).speed_ratio).deflection();
   Complex position = Complex(initial.x, initial.y) - load;
   Complex velocity(initial.vx, initial.vy);
   double vibration = 0.0;  // square root of that sum
   double farthest = 0.0;
   for (std::size_t visit = 0; visit < grid.speed_count(); ++visit) {
     const double speed = grid.parameters(grid.point(number, visit)).speed_ratio;
-    const Complex circle = unbalance_response(line, speed);
+    const Complex circle = FreeShaft(line, speed).circle();
     const Complex circle_velocity = Complex(0.0, speed) * circle;
     const double change = std::hypot(std::abs(position - circle), std::abs(velocity - circle_velocity));
     vibration = grid.points_depend_on_each_other() ? vibration + change : change;
@@ -78,13 +61,6 @@ double bound_of_line(const settings::Scene& line, const plan::Grid& grid, std::s
     velocity = circle_velocity;
   }
   return farthest;
-}
-
-/// Effects under which the shaft moves in flight in other ways than assumed above.
-bool moves_otherwise(const settings::Scene& line) {
-  using effects::Effects;
-  return effects::acts<&Effects::support>(line) || effects::acts<&Effects::speed_ripple>(line) ||
-         effects::acts<&Effects::speed_ramp>(line);
 }
 
 }  // namespace
@@ -101,7 +77,7 @@ std::optional<FreeReach> reach_without_contact(const settings::Scene& scene) {
     const auto line = plan::scene_of_line(scene, grid.parameters(grid.point(number, 0)));
     const double bound = bound_of_line(line, grid, number);
     // A shaft at rest that nothing drives stays at rest under any support.
-    if (bound > 0.0 && moves_otherwise(line)) return std::nullopt;
+    if (bound > 0.0 && !FreeShaft::describes(line)) return std::nullopt;
     reach.displacement = std::max(reach.displacement, bound);
     if (!(reach.displacement <= reach.distance)) return std::nullopt;
   }

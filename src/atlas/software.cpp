@@ -5,7 +5,8 @@ namespace rubatlas::atlas {
 void write_provenance(Object root, const Software& software, FileKind kind, const settings::Scene& scene) {
   const std::string not_stated = "not stated in the scene";
   root.set_text("Conventions", "CF-1.8");
-  root.set_text("schema_version", kSchemaVersion);
+  const bool of_maps = kind == FileKind::maps || kind == FileKind::edges;
+  root.set_text("schema_version", of_maps ? kMapsSchemaVersion : kSchemaVersion);
   root.set_text("kind", word_of(kind));
   root.set_text("title", scene.title);
   root.set_text("creator", scene.creator.value_or(not_stated));

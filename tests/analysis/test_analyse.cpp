@@ -72,10 +72,10 @@ TEST_F(Analyse, WritesOneRowOfTheTablePerLine) {
   run("atlas.h5");
   const auto maps = atlas::File::open_to_read(file("maps.h5"));
   const auto column = [&](const std::string& name) { return maps.dataset("table1/" + name).read<double>(); };
-  EXPECT_EQ(column("damping_ratio"), (std::vector<double>{0.1, 0.3}));
-  EXPECT_EQ(column("friction"), (std::vector<double>{0.1, 0.1}));
-  EXPECT_EQ(column("unbalance"), (std::vector<double>{0.0, 0.0}));
-  EXPECT_EQ(column("thickness"), (std::vector<double>{1e-3, 1e-3}));
+  EXPECT_EQ(column("at_damping_ratio"), (std::vector<double>{0.1, 0.3}));
+  EXPECT_EQ(column("at_friction"), (std::vector<double>{0.1, 0.1}));
+  EXPECT_EQ(column("at_unbalance"), (std::vector<double>{0.0, 0.0}));
+  EXPECT_EQ(column("at_thickness"), (std::vector<double>{1e-3, 1e-3}));
   EXPECT_NEAR(column("region_2_from")[0], 0.34, 1e-12);
   EXPECT_NEAR(column("region_2_to")[0], 0.54, 1e-12);
   EXPECT_DOUBLE_EQ(column("region_2_aperiodic_share")[0], 1.0);
@@ -128,14 +128,14 @@ TEST_F(Analyse, FindsTheAttractorsThatInitialStatesLeadToAndTheirShares) {
   EXPECT_DOUBLE_EQ(attractor.number("relative_tolerance"), 1e-4);
   EXPECT_DOUBLE_EQ(attractor.number("absolute_tolerance"), 100.0 * 100.0 * 1e-9 * 0.01);
   EXPECT_EQ(attractor.number("standard_errors"), 2.0);
-  EXPECT_EQ(maps.dataset("basins/speed_ratio").read<double>(), (std::vector<double>{0.3, 0.3, 0.4}));
+  EXPECT_EQ(maps.dataset("basins/at_speed_ratio").read<double>(), (std::vector<double>{0.3, 0.3, 0.4}));
   EXPECT_EQ(maps.dataset("basins/attractor").read<std::int32_t>(), (std::vector<std::int32_t>{1, 2, 1}));
   EXPECT_EQ(maps.dataset("basins/class").read<std::uint8_t>(), (std::vector<std::uint8_t>{3, 1, 1}));
   EXPECT_EQ(maps.dataset("basins/points").read<std::int32_t>(), (std::vector<std::int32_t>{2, 1, 3}));
   EXPECT_DOUBLE_EQ(maps.dataset("basins/share").read<double>()[0], 2.0 / 3.0);
   EXPECT_DOUBLE_EQ(maps.dataset("basins/standard_error").read<double>()[0], std::sqrt(2.0 / 27.0));
   EXPECT_EQ(maps.dataset("basins/standard_error").read<double>()[2], 0.0);
-  EXPECT_EQ(maps.dataset("table1/initial_x").read<double>(), (std::vector<double>{-1e-3, 0.0, 1e-3}));
+  EXPECT_EQ(maps.dataset("table1/at_initial_x").read<double>(), (std::vector<double>{-1e-3, 0.0, 1e-3}));
 }
 
 TEST_F(Analyse, AnAtlasWithoutDisplacementsHasNoAttractorsAndSaysSo) {
@@ -163,7 +163,7 @@ TEST_F(Analyse, FindsWhereTheSweepsUpAndDownEndOnOtherMotions) {
             std::string::npos)
       << text;
   const auto maps = atlas::File::open_to_read(file("maps.h5"));
-  EXPECT_EQ(maps.dataset("hysteresis/damping_ratio").read<double>(), (std::vector<double>{0.2}));
+  EXPECT_EQ(maps.dataset("hysteresis/at_damping_ratio").read<double>(), (std::vector<double>{0.2}));
   EXPECT_EQ(maps.dataset("hysteresis/from").read<double>(), (std::vector<double>{0.5}));
   EXPECT_EQ(maps.dataset("hysteresis/to").read<double>(), (std::vector<double>{0.6}));
   EXPECT_EQ(maps.dataset("hysteresis/points").read<std::int32_t>(), (std::vector<std::int32_t>{2}));
@@ -201,8 +201,8 @@ TEST_F(Analyse, AnAxisNamedByItsPointerIsAParameterAsAnyOther) {
   EXPECT_EQ(maps.dataset("class").scale_name(0), "ring_stiffness");
   EXPECT_EQ(maps.root().text("atlas_identifier"),
             atlas::File::open_to_read(file("atlas.h5")).root().text("identifier"));
-  EXPECT_EQ(maps.dataset("table1/ring_stiffness").read<double>(), (std::vector<double>{1e3, 1e4}));
-  EXPECT_EQ(maps.dataset("table1/ring_stiffness").text("units"), "N/m");
+  EXPECT_EQ(maps.dataset("table1/at_ring_stiffness").read<double>(), (std::vector<double>{1e3, 1e4}));
+  EXPECT_EQ(maps.dataset("table1/at_ring_stiffness").text("units"), "N/m");
   EXPECT_EQ(maps.dataset("table1/region_2_presence").read<std::uint8_t>(), (std::vector<std::uint8_t>{1, 2}));
 }
 
@@ -251,6 +251,34 @@ TEST_F(Analyse, PrintsRegionsSensitivitiesAndStatementsAndWritesThemAsMarkdown) 
         "## The paper's statements, contact law elastica", "| P6 |"}) {
     EXPECT_NE(markdown.find(part), std::string::npos) << part << "\nin\n" << markdown;
   }
+}
+
+TEST_F(Analyse, SaysWhereBladesTouchAndOfAnotherRotorThatThePapersStatementsDoNotApply) {
+  const auto scene = with(with(kScene, R"("reference": "none",)", R"("rotor": {"mass": 2},)"),
+                          R"("max_displacement"])", R"("max_displacement", "contact_fraction"])");
+  write_atlas(file("atlas.h5"), scene, [](const plan::PointParameters& at) {
+    auto point = papers_point(at);
+    if (at.damping_ratio > 0.2 || at.speed_ratio < 0.305) point.displacement = 0.0;  // so is the contact
+    return point;
+  });
+  const auto text = on_one_line(run("atlas.h5", file("table.md")));
+  const auto markdown = bytes(file("table.md"));
+  for (const auto* part :
+       {"Contact: at 65 of 182 points, none at 117.", "ζ = 0.1: first contact at Ω = 0.31",
+        "ζ = 0.3: no contact",
+        "Not applicable: this is not the paper's default rotor: /rotor/mass is 2, not 1; nor is it "
+        "the paper's test rig."}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\nin\n" << text;
+    EXPECT_NE(markdown.find(part), std::string::npos) << part << "\nin\n" << markdown;
+  }
+  const auto maps = atlas::File::open_to_read(file("maps.h5"));
+  EXPECT_FALSE(maps.has("statements"));
+  EXPECT_EQ(maps.root().text("schema_version"), "4");
+  const auto contact = maps.dataset("contact").read<std::uint8_t>();
+  EXPECT_EQ(std::ranges::count(contact, 2), 65);
+  EXPECT_EQ(std::ranges::count(contact, 1), 117);
+  EXPECT_NEAR(maps.dataset("table1/first_contact").read<double>()[0], 0.31, 1e-12);
+  EXPECT_EQ(maps.dataset("table1/region_1_presence").read<std::uint8_t>()[1], 1) << "absent";
 }
 
 TEST_F(Analyse, KeepsToTheWidthOfATerminal) {
@@ -323,7 +351,7 @@ TEST_F(Analyse, TreatsTheDirectionsOfASweepAsLines) {
   EXPECT_NE(text.find("P4  agrees"), std::string::npos) << text;
   const auto maps = atlas::File::open_to_read(file("maps.h5"));
   EXPECT_EQ(maps.dataset("class").shape(), (atlas::Shape{2, 1, 1, 1, 1, 91}));
-  EXPECT_EQ(maps.dataset("table1/direction").read<double>(), (std::vector<double>{0.0, 1.0}));
+  EXPECT_EQ(maps.dataset("table1/at_direction").read<double>(), (std::vector<double>{0.0, 1.0}));
 }
 
 TEST_F(Analyse, GivesTheSameBytesForTheSameAtlas) {
@@ -378,7 +406,7 @@ with h5py.File(path) as maps:
 with xarray.open_dataset(path, engine="h5netcdf") as maps:
     print(int(maps["class"].sel(damping_ratio=0.3, speed_ratio=0.4, method="nearest").squeeze()))
 table = xarray.open_dataset(path, engine="h5netcdf", group="table1").to_dataframe()
-print(table.loc[1, "damping_ratio"], round(table.loc[1, "region_3_to"], 6))
+print(table.loc[1, "at_damping_ratio"], round(table.loc[1, "region_3_to"], 6))
 print(len(xarray.open_dataset(path, engine="h5netcdf", group="effects")["subject"]))
 )",
                              file("read.py"));

@@ -34,7 +34,7 @@ MAY_INCLUDE = {
     "src/branch": ["settings", "plan", "integrate", "contact/pose.hpp", "rotor", "variation/blades_of_scene.hpp",
                    "observables/grazing.hpp", "point", "assembly"],
     "src/atlas": ["settings", "plan", "observables", "point/line_solver.hpp", "ending", "branch/branch.hpp"],
-    "analysis/rules": ["settings", "plan", "atlas"],
+    "analysis/rules": ["settings", "plan", "rotor/free_motion.hpp", "atlas"],
     "analysis/paper": ["settings", "plan", "blade/elastica.hpp", "atlas", "analysis/rules"],
     "analysis": ["settings", "plan", "atlas", "analysis/rules", "analysis/paper"],
     "mpi/job": ["settings", "plan", "observables", "modes/work_meter.hpp", "point", "assembly", "atlas",

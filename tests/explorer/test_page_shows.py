@@ -51,6 +51,21 @@ class PageShows(ExplorerTest):
                 self.press(Keys.ARROW_RIGHT)
                 self.assertEqual(self.browser.log(), [])
 
+    def test_table_1_says_of_every_line_where_blades_touch(self):
+        atlas, report = self.analysed("free", {
+            "rotor": {"misalignment": 0.005}, "unbalance": {"moment": 5e-4},
+            "grid": {"speed_ratio": {"from": 0.3, "to": 0.9, "count": 31}, "damping_ratio": [0.05, 0.3]},
+            "protocol": {"transient_revolutions": 40, "sampled_revolutions": 8}})
+        self.open(report=report)
+        table = self.browser.text("#tables table")
+        with h5py.File(atlas.with_name("free_maps.h5")) as file:
+            for sentence in file["table1/contact"]:
+                self.assertRegex(sentence.decode(), "^no contact; closest ")
+                self.assertIn(sentence.decode()[1:], table)
+        self.assertNotIn("aperiodic", table, "no regions where nothing touches")
+        self.assertIn("Not applicable", self.browser.run("return document.querySelector('#tables').textContent"))
+        self.assertEqual(self.browser.log(), [])
+
     def test_where_the_solver_does_not_know_the_scene_the_page_says_so_and_shows_the_orbits_of_the_program(self):
         with h5py.File(TINY / "gravity.h5") as atlas:
             done = np.flatnonzero(atlas["status"][...] == 1)

@@ -85,7 +85,7 @@ class Edges(EdgesTest):
         self.assertEqual(self.execute(None, "analyse", atlas, "--edges", "edges.h5", "-o", maps).returncode, 0)
         with h5py.File(maps, "r") as file:
             speeds, classes = file["speed_ratio"][...], file["class"][...].reshape(-1, 17)
-        self.assertEqual(set(found["direction"]), {0.0, 1.0})
+        self.assertEqual(set(found["at_direction"]), {0.0, 1.0})
         for border in set(found["border"]):
             edges = np.flatnonzero(found["border"] == border)
             first, last = edges[0], edges[-1]
@@ -121,6 +121,8 @@ class Edges(EdgesTest):
         with h5py.File(self.directory / "maps.h5", "r") as maps:
             self.assertEqual({name: list(maps["edges"][name][...]) for name in maps["edges"]},
                              {name: list(values) for name, values in found.items()})
+            self.assertEqual(set(maps["edges/at_damping_ratio"][...]), {0.1})
+            self.assertFalse(set(maps["edges"]) & set(maps), "xarray takes a name of an axis for the axis itself")
             up = np.flatnonzero((found["region_begins"] == 2) & (found["line"] == 0))[0]
             self.assertEqual(maps["table1/region_2_from_lower"][0], found["lower"][up])
             self.assertEqual(maps["table1/region_2_from_upper"][0], found["upper"][up])
@@ -146,7 +148,7 @@ class Edges(EdgesTest):
                 self.assert_refused(edges(atlas, "-o", "new.h5", "--to", "0"), 2, "--to 0: outside [1e-12, 1]")
                 self.assert_refused(edges(bare), 2, "bare.h5 has no edges: it keeps no sections", "poincare")
                 self.assert_refused(edges("nowhere.h5"), 3, "nowhere.h5", "No such file")
-                self.assert_refused(edges("edges.h5"), 3, "edges.h5")
+                self.assert_refused(edges("edges.h5"), 2, "edges.h5 holds edges; an atlas is wanted")
         analyse = lambda *options: self.execute(None, "analyse", *options)
         self.assert_refused(analyse(other, "--edges", "edges.h5", "-o", "m.h5"), 2,
                             "edges.h5 was made from another scene", "/sweep")

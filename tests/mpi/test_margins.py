@@ -34,14 +34,15 @@ class Margins(JobTest):
         path, text = self.maps(coarse, "coarse_maps.h5")
         with h5py.File(path, "r") as file:
             found = {name: file["grazings"][name][...] for name in file["grazings"]}
+            self.assertFalse(set(found) & set(file), "xarray takes a name of an axis for the axis itself")
         begins = found["region_begins"] == 2
         ends = found["region_ends"] == 2
         self.assertEqual((begins.sum(), ends.sum()), (1, 1))
         self.assertTrue((found["side"][begins | ends] == RECEDING).all())
         below = self.period_one("below", {"from": 0.4388, "to": 0.4398, "count": 41}, "up")
         above = self.period_one("above", {"from": 0.595, "to": 0.596, "count": 41}, "down")
-        self.assertLess(abs(found["speed_ratio"][begins] - below.max()), 1e-4)
-        self.assertLess(abs(found["speed_ratio"][ends] - above.min()), 1e-4)
+        self.assertLess(abs(found["at_speed_ratio"][begins] - below.max()), 1e-4)
+        self.assertLess(abs(found["at_speed_ratio"][ends] - above.min()), 1e-4)
         self.assertIn("region 2 begins by grazing on the receding side at Ω = 0.439338(", " ".join(text.split()))
 
     def test_maps_have_a_distance_for_every_parameter_that_is_swept(self):
@@ -51,9 +52,9 @@ class Margins(JobTest):
         with h5py.File(path, "r") as file:
             shape = file["class"].shape
             self.assertEqual({name for name in file["margins"] if not name.endswith("_to_grazing")},
-                             {"speed_ratio", "damping_ratio"})
+                             {"along_speed_ratio", "along_damping_ratio"})
             classes = file["class"][...].ravel().reshape(2, 7)
-            distance = file["margins/speed_ratio"]
+            distance = file["margins/along_speed_ratio"]
             self.assertEqual(distance.shape, shape)
             self.assertEqual(distance.attrs["units"], "1")
             for line, values in zip(classes, distance[...].reshape(2, 7)):

@@ -9,6 +9,7 @@ import unittest
 
 import h5py
 import numpy as np
+import xarray
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
@@ -42,7 +43,7 @@ class AtlasQuestions(WithFolder):
             self.speed, self.status = file["speed_ratio"][...], file["status"][0, 0, 0]
             self.displacement = np.where(self.status == 1, file["max_displacement"][0, 0, 0], np.nan)
             self.sections, self.motion = file["poincare"][0, 0, 0], maps["class"][0, 0, 0]
-            self.margin = maps["margins/speed_ratio"][0, 0, 0]
+            self.margin = maps["margins/along_speed_ratio"][0, 0, 0]
 
     def test_rows_that_are_not_done_hold_no_numbers(self):
         self.assertTrue((self.status != 1).any())
@@ -261,6 +262,39 @@ class AtlasQuestions(WithFolder):
         self.assertRegex(operate["text"], r"^At Ω 0\.251327 \(24 rpm, 0\.4 Hz\) every limit is kept in the sweep up;")
         with self.assertRaisesRegex(rubatlas.AtlasError, "no limit is given"):
             self.atlas.safe_speeds()
+
+    def test_every_line_says_where_blades_touch(self):
+        with h5py.File(TINY / "atlas.h5") as file:
+            touching = file["contact_fraction"][0, 0, 0] > 0.0
+        np.testing.assert_array_equal(self.atlas["contact"] == "contact", touching & (self.status == 1))
+        self.assertEqual(self.atlas.contacts.dims, ("damping_ratio",))
+        self.assertEqual(list(self.atlas.contacts), ["contact at every speed"] * 3)
+        self.assertEqual(self.atlas.line(damping_ratio=0.1).contacts.item(), "contact at every speed")
+
+    def test_xarray_opens_every_group_of_the_maps(self):
+        opened = set()
+        for path in sorted(TINY.glob("*maps.h5")):
+            with h5py.File(path) as file:
+                groups = [name for name in file if isinstance(file[name], h5py.Group)]
+                axes = {name for name in file if name not in groups and h5py.h5ds.is_scale(file[name].id)}
+            for group in groups:
+                with self.subTest(path=path.name, group=group), \
+                        xarray.open_dataset(path, engine="h5netcdf", group=group) as dataset:
+                    # What has the name of an axis would be laid over by that axis in a tree of all groups.
+                    self.assertFalse(set(dataset.variables) & axes)
+                    self.assertGreater(len(dataset.data_vars), 0)
+                    opened.add(group)
+            if hasattr(xarray, "open_datatree"):
+                with xarray.open_datatree(path, engine="h5netcdf") as tree:
+                    self.assertEqual({str(name) for name in tree.children}, set(groups))
+        self.assertLessEqual({"table1", "margins", "statements", "basins"}, opened)
+
+    def test_maps_of_an_older_layout_are_refused_in_one_sentence(self):
+        shutil.copy(TINY / "maps.h5", self.folder / "maps.h5")
+        with h5py.File(self.folder / "maps.h5", "r+") as file:
+            file.attrs["schema_version"] = "3"
+        with self.assertRaisesRegex(rubatlas.AtlasError, "another version than 4; `rubatlas analyse"):
+            rubatlas.open(TINY / "atlas.h5", maps=self.folder / "maps.h5")
 
     def test_edges_lie_beside_the_atlas_or_are_not_there(self):
         self.assertIsNone(self.atlas.edges)

@@ -82,7 +82,7 @@ class SafeSpeeds(unittest.TestCase):
                                "--damping_ratio", "0.1")
         with h5py.File(TINY / "maps.h5") as maps:
             line = (0, 0, 0, 1)
-            margin = maps["margins/speed_ratio"][line]
+            margin = maps["margins/along_speed_ratio"][line]
             safe = (maps["class"][line] <= 1) & (maps["class"][line] > 0) & ~(margin < 0.03)
         self.assertGreater(safe.sum(), 0)
         np.testing.assert_array_equal(self.speeds_in(result), in_bands(safe))

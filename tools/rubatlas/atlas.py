@@ -32,7 +32,7 @@ from rubatlas.same_scene import require_same
 Mask = xarray.DataArray | np.ndarray[Any, np.dtype[np.bool_]]
 
 # What the maps have for each point besides the margins.
-_OF_MAPS = ("class", "class_blade_passing", "attractor", "exponent_check")
+_OF_MAPS = ("class", "class_blade_passing", "contact", "attractor", "exponent_check")
 
 
 def _quantity(source: AtlasFile, dataset: Any, axes: list[str]) -> xarray.Variable:
@@ -59,6 +59,7 @@ def _joined(atlas: AtlasFile, maps: AtlasFile | None) -> dict[str, xarray.Variab
             found[name] = _quantity(maps, maps.dataset(name), atlas.axes)
     for name, dataset in maps.file.get("margins", {}).items():
         # The distance along the speed is called margin alone, as in the limits of safe speeds.
+        name = name.removeprefix("along_")
         found["margin" if name == "speed_ratio" else f"margin_{name}"] = _quantity(maps, dataset, atlas.axes)
     return found
 
@@ -353,6 +354,19 @@ class Atlas:
             speed = atlas.axis("speed_ratio")
         chosen = self.chosen_of_grid.reshape(-1, len(speed)).any(axis=0)
         return [(float(speed[first]), float(speed[last])) for first, last in bands_of(chosen)]
+
+    @property
+    def contacts(self) -> xarray.DataArray:
+        """Where blades touch the ring, one sentence for each line of the selection."""
+        if self.maps_path is None:
+            raise AtlasError(f"{self.path}: contacts are in the maps of the atlas, which `rubatlas analyse` makes")
+        lines = self.axes[:-1]
+        with AtlasFile(self.maps_path) as maps:
+            sentences = np.char.decode(maps.dataset("table1/contact")[...], "utf-8")
+            sentences = sentences.reshape([len(maps.axis(axis)) for axis in lines])
+            sentences = sentences[np.ix_(*self._places(maps)[:-1])]
+        found = xarray.DataArray(sentences, {axis: np.atleast_1d(self._raw[axis].values) for axis in lines}, lines)
+        return found.squeeze([axis for axis in lines if axis not in self._raw.dims])
 
     @property
     def edges(self) -> xarray.Dataset | None:

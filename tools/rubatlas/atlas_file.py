@@ -18,6 +18,9 @@ import re
 import h5py
 import numpy as np
 
+# Layout of maps that is read here; the names of their datasets are new in it.
+MAPS_VERSION = "4"
+
 PENDING, DONE, LEFT_VALIDITY, INTEGRATOR_FAILED = 0, 1, 2, 3
 
 # Where the scene states the one value of a quantity that is not swept, or the paper's value of one that is.
@@ -184,6 +187,9 @@ class _Examination:
         grid = next((name for name in ("status", "class") if name in self.file), None)
         if grid is None:
             raise AtlasError(f"{self.path}: neither /status nor /class is there; this is no atlas")
+        if grid == "class" and text(self.file.attrs.get("schema_version", "")) != MAPS_VERSION:
+            raise AtlasError(f"{self.path}: these maps are of another version than {MAPS_VERSION}; `rubatlas analyse "
+                             "ATLAS.h5 -o MAPS.h5 --overwrite` makes them anew")
         dataset = self.dataset(grid)
         if dataset.ndim == 0:
             self.refuse(f"/{grid} is one number, not one per point")

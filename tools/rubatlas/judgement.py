@@ -12,7 +12,7 @@ from rubatlas.atlas_file import DIRECTIONS, DONE, LEFT_VALIDITY, AtlasError, sam
 
 # Datasets in which NaN means that there is nothing to keep away from.
 MAY_NOT_OCCUR = ("nearest_miss", "lightest_touch", "margin")
-OF_MAPS = {"margin": "margins/speed_ratio", "class": "class"}
+OF_MAPS = {"margin": "margins/along_speed_ratio", "class": "class"}
 APERIODIC_CLASS = 255
 # Why a speed is in no band, besides the limits. What is not done or not selected is not known to be dangerous, so that
 # a band is open there.

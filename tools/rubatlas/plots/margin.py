@@ -22,19 +22,24 @@ NAMES = {"speed_ratio": "Distance in Ω to the nearest change of motion",
 NONE = "no change of motion on its line", "no grazing is predicted"
 
 
+def dataset_of(name):
+    """Of a margin, named by its axis, in the maps."""
+    return f"margins/along_{name}"
+
+
 def label(maps, name):
     """Of a margin's colour bar."""
-    return "Margin in Ω [-]" if name in NAMES else f"Margin [{maps.units(f'margins/{name}')}]"
+    return "Margin in Ω [-]" if name in NAMES else f"Margin [{maps.units(dataset_of(name))}]"
 
 
 def into(panel, atlas, maps, along, wanted, name="speed_ratio"):
     """A margin of the maps; returns the image, for a colour bar, and the legend of points without a margin."""
     require_same(atlas.path, atlas.scene, maps.path, maps.scene)
-    if f"margins/{name}" not in maps:
-        raise AtlasError(f"{maps.path}: it has no /margins/{name}; `rubatlas analyse` writes margins along axes with "
-                         "several values")
+    if dataset_of(name) not in maps:
+        raise AtlasError(f"{maps.path}: it has no /{dataset_of(name)}; `rubatlas analyse` writes margins along axes "
+                         "with several values")
     along, lines, place = rows_of(atlas, along, wanted)
-    values = np.abs(np.array([np.where(line.chosen(), maps.file[f"margins/{name}"][line.index], np.nan)
+    values = np.abs(np.array([np.where(line.chosen(), maps.file[dataset_of(name)][line.index], np.nan)
                               for line in lines]))
     # A border is known to half a step of the speed; what is nearer than a tenth of a step is rounding, and would use
     # up the colours.
@@ -56,7 +61,7 @@ def draw(options):
     with AtlasFile(options.source) as atlas, AtlasFile(command_line.maps_of(options, required=True)) as maps:
         wanted = command_line.wanted(options, atlas.axes)
         along, lines, _ = rows_of(atlas, along_of(atlas, options.along, wanted), wanted)
-        names = [name for name in NAMES if f"margins/{name}" in maps] or ["speed_ratio"]
+        names = [name for name in NAMES if dataset_of(name) in maps] or ["speed_ratio"]
         figure, panels = style.subplots(options, len(names), 1, size_of(options, len(names), lines))
         for panel, name in zip(panels[:, 0], names):
             image, handles = into(panel, atlas, maps, along, wanted, name)

@@ -39,7 +39,7 @@ def columns_of(path, statements):
     """The columns of one file, in the order of its settings; AtlasError where it has no statements."""
     with reading(path, "a readable HDF5 file of rubatlas") as file:
         if "findings" not in file:
-            raise AtlasError(f"{path}: no /findings; it is not a file that `rubatlas analyse` writes")
+            raise AtlasError(f"{path}: no /findings; `rubatlas analyse` writes them for the paper's rotors only")
         scene = json.loads(text(file["scene_resolved"][()]))
         law = LAWS[scene["contact"]["law"]]
         read = {name: [text(value) for value in file[name][()]] for name in

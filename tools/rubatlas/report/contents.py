@@ -78,7 +78,7 @@ def maps_of(atlas, maps, blocks):
                        "flags": flags, **blocks.add(name, values.ravel())})
 
     if maps is not None:
-        for name in ("class", "class_blade_passing"):
+        for name in ("class", "class_blade_passing", "contact"):
             if name in maps:
                 add(name, maps, maps.dataset(name), maps.dataset(name)[...])
         if "attractor" in maps:
@@ -99,6 +99,7 @@ def maps_of(atlas, maps, blocks):
             dataset = maps.file["margins"][name]
             if dataset.shape == shape:
                 # The distance along the speed is called margin alone, as in the limits of safe speeds.
+                name = name.removeprefix("along_")
                 add("margin" if name == "speed_ratio" else f"margin_{name}", maps, dataset, dataset[...])
     return result
 

@@ -46,10 +46,8 @@ async function openMaps() {
   finalStates = await numbers(atlas.final_state);
 }
 
-// What says whether blades touch the ring in the sampled revolutions of a point.
-const CONTACT = ['contact_fraction', 'max_contact_force'].find((name) => mapNamed(name));
-/// Whether no blade touches; false where the atlas does not say.
-const isUntouched = (point) => Boolean(CONTACT) && values.status[point] === 1 && values[CONTACT][point] === 0;
+/// Whether no blade touches the ring at a point, as the maps say it; false where it is not known.
+const isUntouched = (point) => values.contact?.[point] === 1;
 
 // Orbits that the program has computed, by point.
 const orbitsByPoint = new Map(atlas.orbits.map((entry) => [entry.point, entry]));

@@ -35,13 +35,15 @@ function table1() {
   const parts = ['region_1', 'trigger_1', 'region_2', 'region_3', 'trigger_2', 'region_4']
     .filter((name) => row[`${name}_presence`]);
   if (parts.every((name) => row[`${name}_presence`].every((presence) => presence === 'not covered'))) {
-    return [element('p', {class: 'quiet', text: 'No line of this atlas covers a region or a trigger.'})];
+    return [element('p', {class: 'quiet', text: 'No line of this atlas covers a region or a trigger.'}),
+      ...[...new Set(row.contact)].slice(0, 20).map((text) => element('p', {text: capital(text)}))];
   }
-  const swept = axes.slice(0, SPEED).filter((axis) => axis.values.length > 1 && row[axis.name]);
+  const swept = axes.slice(0, SPEED).filter((axis) => axis.values.length > 1 && row[`at_${axis.name}`]);
   const cell = (axis, value) => (axis.name === 'direction' ? DIRECTIONS[value] : withUnits(value, axis.units, 4));
-  const rows = row.line.map((_, line) => [...swept.map((axis) => cell(axis, row[axis.name][line])),
+  const rows = row.line.map((_, line) => [
+    ...swept.map((axis) => cell(axis, row[`at_${axis.name}`][line])), capital(row.contact[line]),
     ...parts.map((name) => (name.startsWith('region') ? regionCell(row, name, line) : triggerCell(row, name, line)))]);
-  return [table([...swept.map(labelOf), ...parts.map((name) => capital(words(name)))], rows, 'dense'),
+  return [table([...swept.map(labelOf), 'Contact', ...parts.map((name) => capital(words(name)))], rows, 'dense'),
     element('p', {class: 'quiet small', text: 'Regions: first and last speed ratio, share of aperiodic points, ' +
       'largest displacement; a speed in parentheses is where points that are not done begin. Triggers: speed ratio, ' +
       'rise of the displacement.'})];
@@ -49,7 +51,10 @@ function table1() {
 const VERDICT = {agrees: '✓ agrees', partly: '~ partly', disagrees: '✗ disagrees', 'not covered': '– not covered'};
 function statements() {
   const rows = atlas.statements;
-  if (!rows) return [element('p', {class: 'quiet', text: 'The report was made without maps (rubatlas analyse).'})];
+  if (!rows) {
+    return [element('p', {class: 'quiet', text: atlas.maps_file ? 'Not applicable: they are about other rotors.'
+      : 'The report was made without maps (rubatlas analyse).'})];
+  }
   const verdict = (word) =>
     element('span', {class: `verdict ${word.replace(' ', '-')}`, text: VERDICT[word] ?? word});
   return [table(['', 'Statement of the paper', 'Verdict', 'What it rests on'],

@@ -1,0 +1,163 @@
+// Where blades touch the ring: the rule at a point, and what it makes of a line.
+#include "analysis/rules/contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "analysis/rules/free_shaft.hpp"
+#include "analysis/rules/line_summary.hpp"
+#include "settings/reader.hpp"
+#include "synthetic_line.hpp"
+
+namespace rubatlas::analysis {
+namespace {
+
+constexpr double kSpeedOfFreeMotion = 0.6;
+const ClosingTolerance kEqualSections{.relative = 1e-6, .floor = 1e-9};
+
+/// A rotor with a clearance of 10 mm, an unbalance and a side load.
+settings::Scene loaded() {
+  return settings::parse_scene(
+      R"({"grid": {"speed_ratio": 0.6}, "rotor": {"misalignment": 0.005}, "side_load": {"force": 0.05},
+          "unbalance": {"moment": 1e-3, "phase": 0.3}})");
+}
+
+/// Sections of the free motion of a scene, worked out with e^{λτ} instead of the kernels of `FreeShaft`.
+std::vector<double> free_sections(const settings::Scene& scene, std::size_t count) {
+  using Complex = std::complex<double>;
+  const double damping = scene.rotor.damping_ratio;
+  const double damped = std::sqrt(1.0 - damping * damping);
+  const Complex circle =
+      1e-3 * std::polar(1.0, 0.3) * kSpeedOfFreeMotion * kSpeedOfFreeMotion /
+      Complex(1.0 - kSpeedOfFreeMotion * kSpeedOfFreeMotion, 2.0 * damping * kSpeedOfFreeMotion);
+  std::vector<double> sections;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double time = 2.0 * std::numbers::pi / kSpeedOfFreeMotion * static_cast<double>(i);
+    const Complex rate(-damping, damped);
+    const Complex vibration = 2e-4 * std::exp(rate * time);
+    const Complex place = vibration + circle + 0.05 / 100.0;
+    const Complex velocity = rate * vibration + Complex(0.0, kSpeedOfFreeMotion) * circle;
+    sections.insert(sections.end(), {place.real(), place.imag(), velocity.real(), velocity.imag()});
+  }
+  return sections;
+}
+
+TEST(Contact, AFigureThatTheAtlasKeepsDecides) {
+  const auto scene = loaded();
+  EXPECT_EQ(contact_at(scene, kSpeedOfFreeMotion, {.figure = 0.1}, kEqualSections).contact, Contact::touches);
+  const auto none =
+      contact_at(scene, kSpeedOfFreeMotion, {.figure = 0.0, .nearest_miss = 2e-3}, kEqualSections);
+  EXPECT_EQ(none.contact, Contact::none);
+  EXPECT_EQ(none.distance, 2e-3);
+}
+
+TEST(Contact, WithoutAFigureSectionsThatFollowFromEachOtherByFreeMotionAreThoseOfAMotionWithoutContact) {
+  const auto scene = loaded();
+  auto sections = free_sections(scene, 6);
+  EXPECT_EQ(contact_at(scene, kSpeedOfFreeMotion, {.sections = sections}, kEqualSections).contact,
+            Contact::none);
+  sections[4 * 3 + 2] += 1e-7;  // a kick of 0.1 µm per unit τ before the fourth
+  EXPECT_EQ(contact_at(scene, kSpeedOfFreeMotion, {.sections = sections}, kEqualSections).contact,
+            Contact::touches);
+  EXPECT_EQ(contact_at(scene, kSpeedOfFreeMotion, {}, kEqualSections).contact, Contact::not_known);
+  const auto one = std::span(sections).first(4);
+  EXPECT_EQ(contact_at(scene, kSpeedOfFreeMotion, {.sections = one}, kEqualSections).contact,
+            Contact::not_known)
+      << "nothing follows from one section";
+}
+
+TEST(Contact, ASupportThatMovesTheShaftOtherwiseLeavesContactUnknown) {
+  auto scene = loaded();
+  scene.support.emplace().stiffness_yy = 50.0;
+  const auto sections = free_sections(scene, 6);
+  EXPECT_EQ(contact_at(scene, kSpeedOfFreeMotion, {.sections = sections}, kEqualSections).contact,
+            Contact::not_known);
+  EXPECT_EQ(
+      contact_at(scene, kSpeedOfFreeMotion, {.figure = 0.0, .sections = sections}, kEqualSections).contact,
+      Contact::none);
+}
+
+TEST(Contact, TheDistanceIsThatOfTheOutermostTipOnItsCircle) {
+  const auto scene = loaded();
+  const FreeShaft shaft(scene, kSpeedOfFreeMotion);
+  double farthest = 0.0;  // of all tips, at 3600 angles of a revolution
+  for (int step = 0; step < 3600; ++step) {
+    const auto turn = std::polar(1.0, 2.0 * std::numbers::pi * step / 3600.0);
+    for (int blade = 0; blade < 3; ++blade) {
+      const auto tip = shaft.deflection() + turn * shaft.circle() +
+                       turn * std::polar(0.1, 2.0 * std::numbers::pi * blade / 3.0);
+      farthest = std::max(farthest, std::abs(tip + FreeShaft::Complex(0.0, 0.005)));
+    }
+  }
+  EXPECT_NEAR(shaft.distance(), 0.11 - farthest, 1e-8);
+}
+
+/// The sentence of a line of ten speeds from 0.1 to 1.0, one letter a point: c contact, - none, ? not known,
+/// x not done.
+std::string sentence(const std::string& points) {
+  Line line;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    line.speed_ratio.push_back(0.1 * static_cast<double>(i + 1));
+    line.motion.push_back(points[i] == 'x' ? motion_class::kNone : std::uint8_t{1});
+    line.max_displacement.push_back(points[i] == 'x' ? kNotANumber : 1e-3);
+    const double distance = 1e-3 * std::abs(static_cast<double>(i) - 6.0) + 0.38e-3;
+    line.contact.push_back(points[i] == 'c'   ? PointContact{Contact::touches}
+                           : points[i] == '-' ? PointContact{Contact::none, distance}
+                                              : PointContact{});
+  }
+  return summarise_contact(line).text;
+}
+
+TEST(Contact, ALineSaysWhereBladesFirstTouchOrHowCloseTheyCome) {
+  EXPECT_EQ(sentence("----------"), "no contact; closest 0.38 mm at Ω = 0.7");
+  EXPECT_EQ(sentence("cccccccccc"), "contact at every speed");
+  EXPECT_EQ(sentence("----cccccc"), "first contact at Ω = 0.5; elsewhere closest 3.38 mm at Ω = 0.4");
+  EXPECT_EQ(
+      sentence("cccc------"),
+      "contact from the lowest speed on, last contact at Ω = 0.4; elsewhere closest 0.38 mm at Ω = 0.7");
+  EXPECT_EQ(
+      sentence("--c-c--c--"),
+      "first contact at Ω = 0.3, last contact at Ω = 0.8, none at 3 of the speeds in between; elsewhere "
+      "closest 0.38 mm at Ω = 0.7");
+  EXPECT_EQ(sentence("------c---"), "contact at Ω = 0.7 only; elsewhere closest 1.38 mm at Ω = 0.6");
+  EXPECT_EQ(sentence("xx--cccccx"), "first contact at Ω = 0.5; elsewhere closest 3.38 mm at Ω = 0.4");
+  EXPECT_EQ(sentence("??????????"),
+            "whether blades touch is not known: the observable `contact_fraction` tells");
+  EXPECT_EQ(
+      sentence("-----??ccc"),
+      "first contact at Ω = 0.8; elsewhere closest 2.38 mm at Ω = 0.5; whether blades touch is not known "
+      "at 2 speeds: the observable `contact_fraction` tells");
+  EXPECT_EQ(sentence("xxxxxxxxxx"), "");
+}
+
+/// The paper's picture with contact at speeds from `first` on only.
+LineSummary with_contact_from(double first) {
+  auto line = line_of(0.05, 901, four_regions());
+  for (const double speed : line.speed_ratio)
+    line.contact.push_back({speed < first ? Contact::none : Contact::touches, 1e-3});
+  return summarise(std::move(line), {}, kThreeBlades, 1e-8);
+}
+
+TEST(Contact, NoRegionAndNoTriggerIsFoundWhereNothingTouches) {
+  const auto nowhere = with_contact_from(2.0);
+  for (const auto& region : nowhere.regions) EXPECT_EQ(region.presence, Presence::absent);
+  for (const auto& trigger : nowhere.triggers) EXPECT_EQ(trigger.presence, Presence::absent);
+
+  const auto late = with_contact_from(0.6);
+  EXPECT_EQ(late.triggers[0].presence, Presence::absent);
+  EXPECT_EQ(late.regions[0].presence, Presence::absent);
+  EXPECT_EQ(late.regions[1].presence, Presence::absent);
+  EXPECT_NEAR(late.regions[2].from, 0.6, 1e-9) << "region 3 begins where a blade first touches";
+  EXPECT_EQ(late.regions[3].presence, Presence::present);
+
+  const auto everywhere = with_contact_from(0.0);
+  for (const auto& region : everywhere.regions) EXPECT_EQ(region.presence, Presence::present);
+}
+
+}  // namespace
+}  // namespace rubatlas::analysis
