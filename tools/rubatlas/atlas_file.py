@@ -358,12 +358,6 @@ class Line:
         values[(self.status() != DONE) | ~self.chosen()] = np.nan
         return values
 
-    def untouched(self):
-        """Where no blade touches the ring, as far as the atlas keeps a figure of contact that says so."""
-        kept = [name for name in ("contact_fraction", "max_contact_force")
-                if name in self.atlas.scene.get("observables", [])]
-        return self.rows(kept[0]) == 0.0 if kept else np.zeros(len(self.status()), dtype=bool)
-
     def raw(self, name):
         """Rows as they stand in the file, for data with a code of their own for points that are not done."""
         return self.atlas.dataset(name)[self.index]

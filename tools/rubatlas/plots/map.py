@@ -17,6 +17,9 @@ from rubatlas.plots.displacement import along_of
 from rubatlas.same_scene import require_same
 
 
+NO_CONTACT = 1  # as maps number it
+
+
 def rows_of(atlas, along, wanted):
     """The lines along a parameter, and where an image of them lies."""
     if along is None:
@@ -73,7 +76,8 @@ def classes_into(panel, atlas, maps, along, wanted, passing=False):
     along, lines, place = rows_of(atlas, along, wanted)
     name = "class_blade_passing" if passing else "class"
     classes = np.array([np.where(line.chosen(), maps.dataset(name)[line.index], 0) for line in lines])
-    status, untouched = (np.array([getattr(line, name)() for line in lines]) for name in ("status", "untouched"))
+    status = np.array([line.status() for line in lines])
+    untouched = np.array([line.chosen() & (maps.dataset("contact")[line.index] == NO_CONTACT) for line in lines])
     handles = style.cells_into(panel, style.class_cells(classes, status, untouched), place)
     panel.set_title("Class of motion, in blade passings" if passing else "Class of motion, in revolutions")
     finish(panel, atlas, along, lines)
