@@ -83,7 +83,7 @@ class Sweeps {
   static constexpr std::size_t kSlopeDegree = 5;
   static constexpr int kFullSweeps = 3;        ///< with slopes of their own
   static constexpr double kConverging = 0.25;  ///< ratio of changes below which slopes may be kept
-  static constexpr double kFirstChange = 1e3;  ///< [m per unit τ]: of no motion in a ring
+  static constexpr double kFirstChange = std::numeric_limits<double>::infinity();
   /// Of Newton's steps in w and p²: the next would be of its square. Velocities alone do not tell, where a
   /// blade is so soft that it hardly moves the shaft.
   static constexpr double kLargestStep = 1e-4;

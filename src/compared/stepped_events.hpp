@@ -26,8 +26,7 @@ struct SteppedEvent {
 template <class System, class StateAt>
 SteppedEvent first_event(const System& system, const std::vector<SteppedBlade>& before, StateAt state_at) {
   // Where an event has been located g is zero to rounding: its sign is looked at a little later.
-  constexpr double kGapRounding = 1e-17;  // [m²]
-  constexpr double kJustAfter = 1e-6;     // of the step
+  constexpr double kJustAfter = 1e-6;  // of the step
   SteppedEvent first;
   const auto take = [&](modes::Guard kind, std::size_t blade, double fraction) {
     if (first.kind == modes::Guard::horizon || fraction < first.fraction) first = {kind, blade, fraction};
@@ -36,7 +35,7 @@ SteppedEvent first_event(const System& system, const std::vector<SteppedBlade>& 
     const SteppedBlade& after = system.blades()[k];
     const auto gap = [&](double part) { return system.pose(k, state_at(part)).gap; };
     if ((after.gap > 0.0) != before[k].open) {
-      const double low = std::abs(before[k].gap) <= kGapRounding ? kJustAfter : 0.0;
+      const double low = std::abs(before[k].gap) <= system.gap_rounding() ? kJustAfter : 0.0;
       take(before[k].open ? modes::Guard::lift_off : modes::Guard::touch_down, k,
            integrate::root_between(gap, low, 1.0, gap(low), after.gap));
     }

@@ -22,6 +22,9 @@ struct Geometry {
 
   /// (rh + L)² − R² [m²], as a product: R² and (rh+L)² agree in their leading digits.
   [[nodiscard]] double closing() const { return (reach - ring_radius) * (reach + ring_radius); }
+  /// g where a touch-down or a lift-off has been located [m²]: rounding of the shaft's place and of the time.
+  [[nodiscard]] double gap_rounding() const { return kGapRounding * ring_radius * ring_radius; }
+  static constexpr double kGapRounding = 1e-15;  ///< of R²
 };
 
 /// A blade's angle, as its unit vector er = (cosine, sine).

@@ -232,7 +232,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
         if (this->law_->of(this->contacts_[i].blade).has_branches()) buckling(*this, search, i);
       }
     }
-    if (root_lost_ && search.of_contact(0).leaves_by_rounding())
+    if (root_lost_ && leaves_by_rounding(search.of_contact(0)))
       search.take_if_first(search.last(), {Guard::lift_off, carried().blade});
     if (lost_ && search.end().guard == Guard::horizon)
       search.ends_at_start({Guard::left_validity, -1, ending::StatusDetail::no_equilibrium});
@@ -376,11 +376,15 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
            step.size() > Base::kFoldResolution * scale(step.start()[rotor::kBending]);
   }
 
+  /// The tip is leaving, and so lightly in contact that rounding decides whether it has a force.
+  [[nodiscard]] bool leaves_by_rounding(const WatchedBlade& blade) const {
+    return blade.at_end.value <= this->gap_rounding() && blade.at_end.rate < 0.0;
+  }
   /// g = 0 of the carried contact, at a finite force.
   template <class Search>
   void lift_off(Search& search) {
     const WatchedBlade& blade = search.of_contact(0);
-    if (stays_in_ring(search, blade)) return;
+    if (stays_in_ring(*this, search, blade)) return;
     const bool from_unloaded = search.step().start()[rotor::kBending] == 0.0;
     if (blade.at_end.value > 0.0 && from_unloaded) return lift_off_under_load(search);
     leaves_ring(*this, search, carried().blade, blade);
@@ -399,7 +403,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
     };
     const double last = search.last();
     const double start = guard(0.0);
-    if (step.start()[rotor::kBending] > 0.0 && has_just_opened(search.of_contact(0))) {
+    if (step.start()[rotor::kBending] > 0.0 && has_just_opened(*this, search.of_contact(0))) {
       // A contact that has just opened under load starts at g = 0 to rounding, and is pressed in.
       const double at_end = (guard(last) - start) / last;
       return search.look_between([&](double part) { return (guard(part) - start) / part; },

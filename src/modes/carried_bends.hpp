@@ -271,8 +271,8 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
       } else if (k == lifts_off_) {
         // A blade that comes to φ = 0 from outside the ring has left it before; g = 0 there to rounding.
         WatchedBlade unloaded = blade;
-        unloaded.at_end.value = kGapRounding;
-        if (!stays_in_ring(search, unloaded)) leaves_ring(*this, search, k, unloaded);
+        unloaded.at_end.value = this->gap_rounding();
+        if (!stays_in_ring(*this, search, unloaded)) leaves_ring(*this, search, k, unloaded);
       } else {
         lift_off_at_ring(*this, search, k);
       }

@@ -32,7 +32,7 @@ namespace rubatlas::modes {
 template <class Mode, class Search>
 void touch_down_of_damped_ring(const Mode& mode, Search& search, int k) {
   const WatchedBlade& blade = search.blade(k);
-  const bool inside = blade.at_start.value > kGapRounding && blade.at_start.rate <= 0.0;
+  const bool inside = blade.at_start.value > mode.gap_rounding() && blade.at_start.rate <= 0.0;
   if (!inside) return touch_down(mode, search, k);
   // Outwards at any place outside of the ring is none: g rises through zero later, in a step of its own.
   const auto turns = [&](double part) {
@@ -160,11 +160,11 @@ class YieldingDampedRing : public ContactMode<Law, Forcing, Blades, rotor::Bends
     const auto outside = [&](double part) { return -gap_to_ring(contact, search.step().at_fraction(part)); };
     const double at_start = outside(0.0);
     const ModeEnd end{Guard::lift_off, this->contacts_[contact].blade};
-    if (at_start >= -kGapRounding) {
+    if (at_start >= -this->gap_rounding()) {
       search.look_from_zero([&](double part) { return outside(part) - at_start; },
                             outside(search.last()) - at_start, end);
     } else {
-      search.look_between(outside, {at_start, outside(search.last())}, end, kGapRounding);
+      search.look_between(outside, {at_start, outside(search.last())}, end, this->gap_rounding());
     }
   }
   /// The ring no longer pushes a straight blade, or pushes it enough to bend it.

@@ -46,7 +46,7 @@ class FlightRow {
   void start(const rotor::State& state, const std::complex<double>* forcing, double fourth_bound) {
     start_ = state;
     const double square = spacing() * spacing();
-    remainder_ = fourth_bound * square * square / 288.0 + kRounding;
+    remainder_ = fourth_bound * square * square / 288.0;
     states_.start(state, forcing);
     y_ = states_.y() + misalignment_;
     square_ = states_.x() * states_.x() + y_ * y_;
@@ -76,7 +76,9 @@ class FlightRow {
   [[nodiscard]] rotor::State state(int i) const { return states_.state(i); }
 
   /// The first of the eight intervals of the row in which a tip with these gaps may touch; kTimes: none.
-  [[nodiscard]] int first_doubt(const Gaps& gaps) const {
+  /// `rounding`: more than the gaps are rounded by [m²].
+  [[nodiscard]] int first_doubt(const Gaps& gaps, double rounding) const {
+    const double remainder = remainder_ + rounding;
     // The tip of a blade that has just lifted off starts at the ring, up to rounding.
     double before = std::min(gaps.before, 0.0);
     double rate_before = gaps.rate_before;
@@ -84,7 +86,7 @@ class FlightRow {
     Values inner = gaps.gap - third * gaps.rate;
     for (int i = 0; i < kTimes; ++i) {
       const double first = before + third * rate_before;
-      if (!(std::max(first, inner[i]) + remainder_ < 0.0 && gaps.gap[i] < 0.0)) return i;
+      if (!(std::max(first, inner[i]) + remainder < 0.0 && gaps.gap[i] < 0.0)) return i;
       before = gaps.gap[i];
       rate_before = gaps.rate[i];
     }
@@ -94,7 +96,6 @@ class FlightRow {
  private:
   /// [τ]: a few rows reach from contact to contact, and the remainder is small against usual gaps.
   static constexpr double kSpacing = 0.3;
-  static constexpr double kRounding = 1e-16;  ///< [m²]: more than the gaps are rounded by
 
   double speed_ratio_;
   double misalignment_;

@@ -35,9 +35,6 @@ struct WatchedBlade {
   BladeGap at_end{};           ///< of the part of the step that is searched
   double slip_velocity = 0.0;  ///< v at the start of the step, of open contacts [m per unit τ]
   double end_slip_velocity = 0.0;
-
-  /// The tip is leaving, and so lightly in contact that rounding decides whether it has a force.
-  [[nodiscard]] bool leaves_by_rounding() const { return at_end.value <= kGapRounding && at_end.rate < 0.0; }
 };
 
 template <class Mode, class Pair>
@@ -149,17 +146,18 @@ class GuardSearch {
 
   /// Looks for the return to zero of a gap that starts at zero, up to rounding, and is negative at first. The
   /// gap is divided by the fraction of the step, so that the start is no root. Near the start this division
-  /// magnifies rounding. So only a gap of more than kGapRounding is taken for a crossing, and one secant step
+  /// magnifies rounding. So only a gap of more than its rounding is taken for a crossing, and one secant step
   /// leads back from there to the zero of the gap.
   template <class Function>
   void look_from_zero(const Function& gap, double at_last, const ModeEnd& end) {
     constexpr double kJustBefore = 1.0 / 1024;
-    const auto beyond = [&](double part) { return (gap(part) - kGapRounding) / part; };
-    const double at_end = (at_last - kGapRounding) / last_;
+    const double rounding = mode_->gap_rounding();
+    const auto beyond = [&](double part) { return (gap(part) - rounding) / part; };
+    const double at_end = (at_last - rounding) / last_;
     const auto found = integrate::first_crossing(beyond, 0.0, last_, -std::abs(at_end), at_end);
     if (!found) return;
     const double rise = gap(*found) - gap((1.0 - kJustBefore) * *found);
-    const double back = kJustBefore * *found * kGapRounding / rise;
+    const double back = kJustBefore * *found * rounding / rise;
     take_if_first(back > 0.0 && back < *found ? *found - back : *found, end);
   }
 

@@ -38,24 +38,25 @@ void touch_down(const Mode& mode, Search& search, int k) {
   const auto range =
       integrate::cubic_range(start.value, start.rate * slopes.start, end.value, end.rate * slopes.end);
   if (range.greatest < 0.0) return;
-  search.look_between(gap, {start.value, end.value}, {Guard::touch_down, k}, kGapRounding);
+  search.look_between(gap, {start.value, end.value}, {Guard::touch_down, k}, mode.gap_rounding());
 }
 
 /// g of a contact that has just opened is zero to rounding. Divided by the fraction of the step, g starts
 /// positive.
-inline bool has_just_opened(const WatchedBlade& blade) {
-  return blade.at_start.value <= kGapRounding;
+template <class Mode>
+bool has_just_opened(const Mode& mode, const WatchedBlade& blade) {
+  return blade.at_start.value <= mode.gap_rounding();
 }
 
 /// A bound shows that a tip in contact does not come back to g = 0 within the step.
-template <class Search>
-bool stays_in_ring(Search& search, const WatchedBlade& blade) {
+template <class Mode, class Search>
+bool stays_in_ring(const Mode& mode, Search& search, const WatchedBlade& blade) {
   const BladeGap& start = blade.at_start;
   const BladeGap& end = blade.at_end;
   if (!(end.value > 0.0)) return false;
   const auto& slopes = search.time_slopes();
   const integrate::Range range =
-      has_just_opened(blade)
+      has_just_opened(mode, blade)
           ? integrate::cubic_range_of_mean_slope(
                 start.rate * slopes.start, end.value - std::min(start.value, 0.0), end.rate * slopes.end)
           : integrate::cubic_range(start.value, start.rate * slopes.start, end.value, end.rate * slopes.end);
@@ -69,11 +70,11 @@ void leaves_ring(const Mode& mode, Search& search, int k, const WatchedBlade& bl
   const auto outside = [&](double part) {
     return origin - mode.gap(k, search.step().at_fraction(part)).value;
   };
-  if (has_just_opened(blade)) {
+  if (has_just_opened(mode, blade)) {
     search.look_from_zero(outside, origin - blade.at_end.value, {Guard::lift_off, k});
   } else {
     search.look_between(outside, {-blade.at_start.value, -blade.at_end.value}, {Guard::lift_off, k},
-                        kGapRounding);
+                        mode.gap_rounding());
   }
 }
 
@@ -81,7 +82,7 @@ void leaves_ring(const Mode& mode, Search& search, int k, const WatchedBlade& bl
 template <class Mode, class Search>
 void lift_off_at_ring(const Mode& mode, Search& search, int k) {
   const WatchedBlade& blade = search.blade(k);
-  if (!stays_in_ring(search, blade)) leaves_ring(mode, search, k, blade);
+  if (!stays_in_ring(mode, search, blade)) leaves_ring(mode, search, k, blade);
 }
 
 /// Touch-downs and lift-offs of all blades, for modes whose contacts end at the ring.

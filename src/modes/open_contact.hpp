@@ -30,7 +30,6 @@ struct BladeGap {
   double rate;   ///< [m² per unit τ]
 };
 
-constexpr double kGapRounding = 1e-17;   ///< [m²]: g where a touch-down or a lift-off has been located
 constexpr double kSlipRounding = 1e-12;  ///< of Ω R: |v| where a slip reversal has been located
 
 /// A law under which h = 0 may have several roots, or lose the one that it has.

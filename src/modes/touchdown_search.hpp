@@ -132,6 +132,7 @@ class TouchdownSearch {
   /// Times closer than this, relative to the time since the revolution started, are one: two units in the
   /// last place.
   static constexpr double kTimeResolution = 2.0 * std::numeric_limits<double>::epsilon();
+  static constexpr double kDoubt = 10.0;  ///< of the rounding of a gap: below it a row does not tell
 
   /// Bound of |(d/dτ + iΩ)³ z| against (|z|² + |z'|²)^½ in a flight without forcing: z''' and z'' are written
   /// with z and z', whose coefficients are bounded together.
@@ -161,7 +162,7 @@ class TouchdownSearch {
       int doubt = FlightRow::kTimes;
       for (int k = 0; k < blades_->count(); ++k) {
         const FlightRow::Gaps gaps = gaps_of(k, first);
-        const int of_blade = row_->first_doubt(gaps);
+        const int of_blade = row_->first_doubt(gaps, kDoubt * law_->of(k).geometry().gap_rounding());
         clear_until_[static_cast<std::size_t>(k)] = of_blade;
         doubt = std::min(doubt, of_blade);
         if (keeps_rows_) gaps_.push_back(gaps);

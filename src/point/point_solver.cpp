@@ -248,6 +248,11 @@ PointOutcome PointSolver::run(double speed_ratio, const motion::PointStart& star
   return outcome;
 }
 
+ending::PointStatus PointSolver::listen(double speed_ratio, const motion::PointStart& start,
+                                        modes::MotionListener& listener) {
+  return integrate(*motion_of(speed_ratio, start), start, listener, {}).status;
+}
+
 Orbit PointSolver::orbit(double speed_ratio, const motion::PointStart& start) {
   const auto motion = motion_of(speed_ratio, start);
   OrbitListener listener(constants_of(scene_, speed_ratio).period(), scene_.protocol.samples_per_revolution,

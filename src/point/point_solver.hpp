@@ -21,6 +21,8 @@ class PointSolver final : public LineSolver {
   PointSolver(const settings::Scene& line, motion::MakeMotion make);
 
   PointOutcome run(double speed_ratio, const motion::PointStart& start, const modes::GoOn& go_on) override;
+  ending::PointStatus listen(double speed_ratio, const motion::PointStart& start,
+                             modes::MotionListener& listener) override;
   Orbit orbit(double speed_ratio, const motion::PointStart& start) override;
   SectionMap section_map(double speed_ratio, const motion::PointStart& start, int revolutions) override;
   TouchdownMap touchdown_map(double speed_ratio, const motion::TouchdownStart& start, int passings) override;

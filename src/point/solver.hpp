@@ -4,6 +4,8 @@
 /// to the end of a point nothing is looked up by name. One virtual call per point.
 #pragma once
 
+#include "ending/status.hpp"
+#include "modes/motion_listener.hpp"
 #include "modes/work_meter.hpp"
 #include "motion/point_start.hpp"
 
@@ -23,6 +25,10 @@ class LineSolver {
   /// up, whose status is then `pending`. An empty function is not called.
   virtual PointOutcome run(double speed_ratio, const motion::PointStart& start,
                            const modes::GoOn& go_on = {}) = 0;
+
+  /// The same motion, whose sampled revolutions `listener` follows as the observables do.
+  virtual ending::PointStatus listen(double speed_ratio, const motion::PointStart& start,
+                                     modes::MotionListener& listener) = 0;
 
   /// The same motion, kept as `samples_per_revolution` samples over the sampled revolutions.
   virtual Orbit orbit(double speed_ratio, const motion::PointStart& start) = 0;
