@@ -73,7 +73,7 @@ void ContactArc::lead(double time, const rotor::State& state, std::span<const To
   begins_ = true;
   lifts_off_ = false;
   touches_ = -1;
-  start_ = end_ = {time, state, table_->argument(touching[leader].bending)};
+  start_ = {time, state, table_->argument(touching[leader].bending)};
   const contact::BladeDirection first = blades_->first(time);
   er_ = blades_->direction(blade_, first);
   const contact::BladeDirection& from = offsets_[static_cast<std::size_t>(blade_)];
@@ -89,7 +89,9 @@ void ContactArc::lead(double time, const rotor::State& state, std::span<const To
     const contact::Pose pose = rotor::pose_of(*rotor_, law_->geometry(), er, state);
     FurtherStart& start = further_.emplace_back(further_start(*law_, pose, touch, rotor_->speed_ratio));
     start.offset = offset_of(touch.blade);
+    start_.squares[further_.size() - 1] = start.square;
   }
+  end_ = start_;
   others_.clear();
   for (int blade = 0; blade < blades_->count(); ++blade) {
     if (std::ranges::find(touching, blade, &Touch::blade) == touching.end())
@@ -414,7 +416,6 @@ ContactArc::Outcome ContactArc::make() {
 void ContactArc::goes_on(const Ending& ending) {
   ++number_;
   ++interval_count_;
-  rises_ = predictor_.rises();
   end_at(made(), ending);
   gap_measure_ = made().gap_measure.at_end();
   slip_velocity_ = made().slip_velocity.at_end();
@@ -443,11 +444,9 @@ ContactArc::Point ContactArc::solved_at(double time) {
 }
 
 ContactArc::Point ContactArc::solved_at_fraction(double fraction) {
+  if (fraction == 0.0) return start_;
+  if (fraction == 1.0) return end_;
   return cut(made(), fraction, trial()) ? end_of(trial()) : point_at(fraction);
-}
-
-ContactArc::Point ContactArc::largest_bending() {
-  return solved_at_fraction(fraction_of_largest_bending(made()));
 }
 
 ContactArc::Point ContactArc::end_of(const Interval& interval) {
@@ -459,11 +458,20 @@ ContactArc::Point ContactArc::end_of(const Interval& interval) {
   return end;
 }
 
-double ContactArc::argument_bound() const {
-  if (!peaks()) return std::max(start_.argument, end_.argument);
+ContactArc::MostBent ContactArc::most_bent(int blade, double from, double to, double known) const {
   // Between the nodes p errs by a few times as much as velocities do, each against its own size.
   constexpr double kSafety = 100.0;
-  return bound_of_largest_bending(made()) * (1.0 + kSafety * allowed_ / rotor_->length_scale);
+  const double bound = 1.0 + kSafety * allowed_ / rotor_->length_scale;
+  const double least = known / bound;
+  const double first = from <= start_.time ? 0.0 : fraction_at(from);
+  const double last = to >= end_.time ? 1.0 : fraction_at(to);
+  if (blade == blade_) {
+    const auto most = largest_of(at_places(made().start_argument, made().argument), first, last, least);
+    return {most.argument, bound * most.value};
+  }
+  const FurtherBlade& further = made().further[number_of(blade)];
+  const auto most = largest_of(at_places(further.start_square, further.square), first, last, least * least);
+  return {most.argument, bound * std::sqrt(std::max(0.0, most.value))};
 }
 
 double ContactArc::largest_displacement(double from, double to, double known) {
@@ -521,16 +529,6 @@ std::optional<TipTop> ContactArc::top_of_tip(int blade) const {
   if (blade == blade_) return top({1.0, 0.0});
   const auto other = std::ranges::find(others_, blade, &Other::blade);
   return other != others_.end() ? top(other->offset) : top(further_[number_of(blade)].offset);
-}
-
-bool ContactArc::peaks() const {
-  return rises_ && made().argument_slope.at_end() < 0.0;
-}
-
-bool ContactArc::peaks(int blade) const {
-  if (blade == blade_) return peaks();
-  const FurtherBlade& further = made().further[number_of(blade)];
-  return further.square[0] > further.start_square && further.square[kNodes - 1] < further.square[kNodes - 2];
 }
 
 void ContactArc::shift_time(double period) {

@@ -72,9 +72,14 @@ class ContactArc {
   /// There, as accurate as at the end of an interval: solves the stretch up to there.
   [[nodiscard]] Point solved_at(double time);
   [[nodiscard]] rotor::State state_at(double time) { return solved_at(time).state; }
-  /// Likewise where the bending of the leading blade is largest, of an interval in which it passes its
-  /// largest value.
-  [[nodiscard]] Point largest_bending();
+  /// Where a blade in contact is bent most between two times of the interval, as the interval's polynomial
+  /// has it.
+  struct MostBent {
+    double fraction;  ///< θ
+    double argument;  ///< bound of p: between the nodes the polynomial errs
+  };
+  /// `known`: p up to which the place is of no interest.
+  [[nodiscard]] MostBent most_bent(int blade, double from, double to, double known) const;
   /// The largest |z| between two times of the interval [m], or `known` where it is not larger than that.
   [[nodiscard]] double largest_displacement(double from, double to, double known);
   /// Shaft's place x, y [m] at θ, on the interval's polynomials.
@@ -84,11 +89,6 @@ class ContactArc {
   [[nodiscard]] Interval::Direction direction_at(double fraction) const;
   /// p of a blade in contact there.
   [[nodiscard]] double argument_of(int blade, const Point& point) const;
-  /// Bound of p of the leading blade in the interval.
-  [[nodiscard]] double argument_bound() const;
-  /// The bending of the leading blade, or of another, passes its largest value within the interval.
-  [[nodiscard]] bool peaks() const;
-  [[nodiscard]] bool peaks(int blade) const;
   /// Bound of the gaps of the blades that do not touch, within the interval [m²].
   [[nodiscard]] double gap_bound_of_others() const { return gap_bound_of_others_; }
   /// Where the tip of a blade, straight, is farthest out within the interval, if it is there.
@@ -181,7 +181,6 @@ class ContactArc {
   std::size_t number_ = 0;                 ///< of the next interval in the contact
   double gap_measure_ = 0.0;               ///< there
   double slip_velocity_ = 0.0;             ///< there
-  bool rises_ = false;                     ///< the bending, where the interval starts
   double displacement_bound_ = 0.0;
   double gap_bound_of_others_ = 0.0;
   std::uint64_t interval_count_ = 0;

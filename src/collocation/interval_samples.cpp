@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "integrate/newton_between.hpp"
 #include "integrate/root_between.hpp"
@@ -14,13 +15,6 @@ constexpr double kClosestTime = 1e-7;
 /// The same where a value is flat, so that only the square of an error matters.
 constexpr double kClosestToTop = 1e-4;
 constexpr unsigned kBitsOfTop = 20;
-
-/// The first node at which the bending falls; the last one where it falls at none.
-std::size_t first_falling(const Interval& interval) {
-  std::size_t node = 0;
-  while (node + 1 < kNodes && interval.argument_slope[node] > 0.0) ++node;
-  return node;
-}
 
 /// Shaft at one place.
 struct Swing {
@@ -86,27 +80,20 @@ double fraction_at(const Interval& interval, double elapsed) {
                                    at[place - 1] + share * (at[place] - at[place - 1]), true, kClosestTime);
 }
 
-double fraction_of_largest_bending(const Interval& interval) {
-  const auto slope = [&](double fraction) {
-    return sum_of_products(slope_basis_at(fraction), interval.argument_slope);
-  };
-  const std::size_t node = first_falling(interval);
-  const AtNodes& at = node_tables().node;
-  const double low = node == 0 ? 0.0 : at[node - 1];
-  const double at_low = node == 0 ? slope(0.0) : interval.argument_slope[node - 1];
-  return integrate::root_between(slope, low, at[node], at_low, interval.argument_slope[node], kBitsOfTop);
-}
-
-double bound_of_largest_bending(const Interval& interval) {
-  const std::size_t node = first_falling(interval);
-  const AtNodes& at = node_tables().node;
-  const double falling = interval.argument_slope[node];
-  if (node == 0) return interval.argument[0] - falling * at[0];
-  // Where the tangents meet.
-  const double length = at[node] - at[node - 1];
-  const double rising = interval.argument_slope[node - 1];
-  const double low = interval.argument[node - 1];
-  return low + rising * (interval.argument[node] - falling * length - low) / (rising - falling);
+integrate::Sample largest_of(const AtPlaces& values, double from, double to, double known) {
+  const auto value = [&](double fraction) { return sum_of_products(basis_at(fraction), values); };
+  const AtPlaces& at = node_tables().place;
+  std::array<integrate::Sample, kPlaces> samples{};
+  std::size_t count = 0;
+  const auto take = [&](double fraction, double there) { samples[count++] = {fraction, there}; };
+  take(from, from > 0.0 ? value(from) : values.front());
+  for (std::size_t i = 1; i < kNodes; ++i) {
+    if (from < at[i] && at[i] < to) take(at[i], values[i]);
+  }
+  const double middle = 0.5 * (from + to);
+  if (count == 1) take(middle, value(middle));
+  take(to, to < 1.0 ? value(to) : values.back());
+  return integrate::largest_value(value, std::span(samples).first(count), known);
 }
 
 double crossing(const AtPlaces& values, std::size_t place) {

@@ -6,16 +6,16 @@
 #include <optional>
 
 #include "collocation/interval.hpp"
+#include "integrate/largest_value.hpp"
 
 namespace rubatlas::collocation {
 
 /// θ where the interval has reached a time, which counts from its start [τ].
 double fraction_at(const Interval& interval, double elapsed);
 
-/// θ where the bending is largest, of an interval in which it rises at first and falls at the end.
-double fraction_of_largest_bending(const Interval& interval);
-/// Bound of its p there, as the interval's polynomial has it: of an arc that bends downwards.
-double bound_of_largest_bending(const Interval& interval);
+/// Where the polynomial through values at the places is largest between two places θ. Where it is not larger
+/// than `known`, the largest of the values in between and at both ends.
+integrate::Sample largest_of(const AtPlaces& values, double from, double to, double known);
 
 /// θ just before a place by which values have become negative where they pass through zero.
 double crossing(const AtPlaces& values, std::size_t place);

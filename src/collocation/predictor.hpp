@@ -54,8 +54,6 @@ class Predictor {
 
   /// To the end of the interval that has been made.
   void goes_on(const Interval& interval);
-  /// The bending, where the interval starts.
-  [[nodiscard]] bool rises() const { return tangent_.argument > 0.0; }
 
  private:
   /// Direction in the plane (τ/T, p), of length 1.

@@ -28,7 +28,7 @@ struct CoulombFriction {
 
 /// Coulomb's law with stick: s = 0 is a tip at rest, held by the friction coefficient that rest needs, up to
 /// the static one. This coefficient is found by the caller (`sticking.hpp`), or by the contact law itself
-/// (`SticksByLaw`).
+/// (`DirectedElastica`).
 struct StickingFriction {
   double friction;         ///< μ of a tip that slips [-]
   double largest_holding;  ///< μs of a tip at rest [-]
@@ -45,10 +45,6 @@ template <class Law>
 concept Sticks = requires(const Law& law) {
   law.of(0).friction().largest_holding;
 };
-
-/// A contact law that finds the force of a tip at rest (s = 0) itself; under other laws the caller does.
-template <class Law>
-concept SticksByLaw = Sticks<Law> && Law::OfBlade::kHoldsTips;
 
 /// Regularised Coulomb law, c = μ tanh(v/v0). Beyond |v| = 20 v0 it is Coulomb's law to the last bit; a tip
 /// that would stick creeps instead, at a speed below v0.

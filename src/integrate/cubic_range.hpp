@@ -32,4 +32,12 @@ inline Range cubic_range_of_mean_slope(double slope_at_begin, double increment, 
           std::max(slope_at_begin, std::max(second, increment)) + margin};
 }
 
+/// Whether the function may rise and fall again within the step: whether the slope of the cubic may come from
+/// above zero to below, as its three Bézier points have it.
+inline bool cubic_may_peak(double slope_at_begin, double increment, double slope_at_end) {
+  const double between = 3.0 * increment - slope_at_begin - slope_at_end;
+  return (slope_at_begin > 0.0 && (between < 0.0 || slope_at_end < 0.0)) ||
+         (between > 0.0 && slope_at_end < 0.0);
+}
+
 }  // namespace rubatlas::integrate

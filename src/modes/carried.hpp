@@ -164,8 +164,12 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
   }
   template <class Step>
   [[nodiscard]] bool load_may_peak(const Step& step, std::size_t contact, bool gap_peaks) const {
-    if (contact == 0)
-      return step.start_derivative()[rotor::kBending] > 0.0 && step.end_derivative()[rotor::kBending] < 0.0;
+    if (contact == 0) {
+      constexpr int kBending = rotor::kBending;
+      return integrate::cubic_may_peak(step.size() * step.start_derivative()[kBending],
+                                       step.end()[kBending] - step.start()[kBending],
+                                       step.size() * step.end_derivative()[kBending]);
+    }
     return Base::load_may_peak(step, contact, gap_peaks);
   }
   [[nodiscard]] OpenContact contact_in(std::size_t contact, const FullState& state) const {

@@ -11,7 +11,7 @@ bool Collocated::start(double time, const Bodies& state, const std::vector<OpenC
   contacts_ = contacts;
   pending_ = false;
   start_ = rotor::full_state(state, time, contacts.front().bending);
-  most_bent_.reset();
+  most_bent_.fill(std::nullopt);
   if (!applies_) return true;
   std::array<collocation::Touch, kMostContacts> touching{};
   for (std::size_t i = 0; i < contacts.size(); ++i)
@@ -27,7 +27,7 @@ ModeEnd Collocated::advance(double until, MotionListener& listener) {
       const double end = arc_.end().time;
       const bool beyond = end > until;
       piece_end_ = beyond ? until : end;
-      most_bent_.reset();
+      most_bent_.fill(std::nullopt);
       if (piece_end_ > piece_begin_) listener.piece(*this);
       if (meter_->ended()) return {Guard::failed, -1, meter_->why()};
       piece_begin_ = piece_end_;
@@ -174,31 +174,25 @@ Collocated::Point Collocated::place_on_path(double share, trajectory::PathPoint&
   return there;
 }
 
-/// Force and strain grow with the bending, so that a blade that is bent less than where the load was known
+/// Force and strain grow with the bending, so that a blade that is bent less than where its load was known
 /// need not be looked at.
 Collocated::LargestLoad Collocated::largest(trajectory::Load load, std::size_t contact, double known) {
-  if (blade(contact) != arc_.leader()) return MotionPiece::largest(load, contact, known);
   const auto value = [load](const MostBent& at) {
     return load == trajectory::Load::normal_force ? at.force.normal : at.force.root_strain;
   };
-  if (!most_bent_) {
-    if (most_bent_of_all_ && value(*most_bent_of_all_) <= known &&
-        arc_.argument_bound() <= most_bent_of_all_->point.argument)
-      return {piece_begin_, known};
-    Point most = arc_.solved_at(piece_begin_);
-    const auto take = [&](const Point& point) {
-      if (point.argument > most.argument) most = point;
-    };
-    take(arc_.solved_at(piece_end_));
-    if (arc_.peaks()) {
-      const Point peak = arc_.largest_bending();
-      if (peak.time > piece_begin_ && peak.time < piece_end_) take(peak);
-    }
-    most_bent_ = {most, force(contact, most)};
-    if (!most_bent_of_all_ || most.argument > most_bent_of_all_->point.argument)
-      most_bent_of_all_ = most_bent_;
+  const int number = blade(contact);
+  std::optional<MostBent>& most = most_bent_[contact];
+  if (!most) {
+    std::optional<MostBent>& of_blade = most_bent_of_blades_[static_cast<std::size_t>(number)];
+    const bool is_known = of_blade && value(*of_blade) <= known;
+    const double known_argument = is_known ? of_blade->argument : 0.0;
+    const auto there = arc_.most_bent(number, piece_begin_, piece_end_, known_argument);
+    if (there.argument <= known_argument) return {piece_begin_, known};
+    const Point point = arc_.solved_at_fraction(there.fraction);
+    most = {point.time, arc_.argument_of(number, point), force(contact, point)};
+    if (!of_blade || most->argument > of_blade->argument) of_blade = most;
   }
-  return {most_bent_->point.time, value(*most_bent_)};
+  return {most->time, value(*most)};
 }
 
 }  // namespace rubatlas::modes

@@ -3,6 +3,7 @@
 /// `Carried` and `Solved`, from the start of the interval in which it may.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <span>
@@ -35,7 +36,8 @@ class Collocated final : public trajectory::MotionPiece {
         rotor_(&rotor),
         meter_(&meter),
         applies_(law.curve().load_angle() > 0.0),
-        arc_(rotor, blades, law, unbalance, {limits.tolerance, limits.max_shortening}) {}
+        arc_(rotor, blades, law, unbalance, {limits.tolerance, limits.max_shortening}),
+        most_bent_of_blades_(static_cast<std::size_t>(blades.count())) {}
 
   /// So many blades may touch.
   static constexpr std::size_t kMostContacts = 1 + collocation::kMostFurther;
@@ -66,7 +68,7 @@ class Collocated final : public trajectory::MotionPiece {
   [[nodiscard]] double largest_displacement(double known, double speed_ratio) override;
   [[nodiscard]] std::size_t contact_count() const override { return contacts_.size(); }
   [[nodiscard]] int blade(std::size_t contact) const override { return contacts_[contact].blade; }
-  [[nodiscard]] bool load_peaks(std::size_t contact) const override { return arc_.peaks(blade(contact)); }
+  [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return true; }
   [[nodiscard]] double normal_force(std::size_t contact, double time) override;
   [[nodiscard]] double root_strain(std::size_t contact, double time) override;
   [[nodiscard]] LargestLoad largest(trajectory::Load load, std::size_t contact, double known) override;
@@ -112,13 +114,14 @@ class Collocated final : public trajectory::MotionPiece {
   bool pending_ = false;  ///< an interval has been made and not been recorded to its end
   double piece_begin_ = 0.0;
   double piece_end_ = 0.0;
-  /// Where the leading blade is bent most, and its force there.
+  /// Where a blade is bent most, and its force there.
   struct MostBent {
-    Point point;
+    double time;      ///< τ of the revolution
+    double argument;  ///< p
     contact::TipForce force;
   };
-  std::optional<MostBent> most_bent_;         ///< in the piece, once it has been asked for
-  std::optional<MostBent> most_bent_of_all_;  ///< in the pieces so far that have been asked for it
+  std::array<std::optional<MostBent>, kMostContacts> most_bent_;  ///< in the piece, once they are asked for
+  std::vector<std::optional<MostBent>> most_bent_of_blades_;  ///< in the pieces that have been asked for it
 };
 
 }  // namespace rubatlas::modes

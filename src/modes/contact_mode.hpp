@@ -96,6 +96,8 @@ class ContactMode {
   static constexpr bool kCoarseSizes = !Law::kHasBending && !Law::kLoadFollowsGap;
   /// Time is a state, which turns back where a contact ends.
   static constexpr bool kTimeTurns = false;
+  /// A tip whose slip velocity comes to zero may rest at once, as in MODEL 7.14.
+  static constexpr bool kRestsAtOnce = contact::Sticks<Law>;
   /// The path of the mode is known as `trajectory::PathPoint`.
   static constexpr bool kHasPath = false;
 
@@ -385,8 +387,8 @@ class ContactMode {
   /// Guards of the slip of an open contact that is not at rest.
   template <class Mode, class Search>
   static void slip_guard(const Mode& mode, Search& search, std::size_t contact, bool lasts) {
-    if constexpr (contact::Sticks<Law>) {
-      slip_comes_to_rest(mode, search, contact, lasts, contact::SticksByLaw<Law>);
+    if constexpr (Mode::kRestsAtOnce) {
+      slip_comes_to_rest(mode, search, contact, lasts);
     } else if constexpr (Law::kHasSlipState) {
       slip_reversal(mode, search, contact, lasts);
     }

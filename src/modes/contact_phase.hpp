@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "integrate/controlled_step.hpp"
+#include "integrate/cubic_range.hpp"
 #include "modes/contact_mode.hpp"
 #include "modes/guard_search.hpp"
 #include "modes/motion_listener.hpp"
@@ -112,7 +113,11 @@ class ContactPhase final : public trajectory::MotionPiece {
   [[nodiscard]] int blade(std::size_t contact) const override { return mode_.contacts()[contact].blade; }
   [[nodiscard]] bool load_peaks(std::size_t contact) const override {
     const WatchedBlade& watched = search_.of_contact(contact);
-    return mode_.load_may_peak(step_, contact, watched.at_start.rate > 0.0 && watched.at_end.rate < 0.0);
+    const auto& [start, end] = search_.time_slopes();
+    const bool gap_peaks =
+        integrate::cubic_may_peak(watched.at_start.rate * start,
+                                  watched.at_end.value - watched.at_start.value, watched.at_end.rate * end);
+    return mode_.load_may_peak(step_, contact, gap_peaks);
   }
   [[nodiscard]] double normal_force(std::size_t contact, double time) override {
     return mode_.force(contact, full_state_at(time)).normal;

@@ -120,10 +120,9 @@ void slip_reversal(const Mode& mode, Search& search, std::size_t contact, bool s
 }
 
 /// The same for a tip that may stick. A tip that comes loose slips in the direction of the pull, and may be
-/// at rest again within the step. `by_law`: v of an elastic blade may have the sign against s where its
-/// contact begins; if v still has that sign at the end of the step, the mode ends there.
+/// at rest again within the step.
 template <class Mode, class Search>
-void slip_comes_to_rest(const Mode& mode, Search& search, std::size_t contact, bool slip_lasts, bool by_law) {
+void slip_comes_to_rest(const Mode& mode, Search& search, std::size_t contact, bool slip_lasts) {
   const WatchedBlade& blade = search.of_contact(contact);
   const double before = blade.slip_velocity;
   const double after = blade.end_slip_velocity;
@@ -137,10 +136,6 @@ void slip_comes_to_rest(const Mode& mode, Search& search, std::size_t contact, b
     };
     return search.look_between([&](double part) { return -slip * mean(part); },
                                {-std::abs(after / last), -slip * after / last}, end);
-  }
-  if (by_law && slip * before < 0.0) {
-    if (slip * after < 0.0) search.take_if_first(search.last(), end);
-    return;
   }
   slip_reversal(mode, search, contact, slip_lasts);
 }

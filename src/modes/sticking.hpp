@@ -44,14 +44,14 @@ class Sticking : public ContactMode<Law, Forcing, Blades> {
   }
 
   /// Of the contacts with s = 0 in a state, those stay at rest that friction can hold; the others get the
-  /// direction in which they are pulled, and are told of to `let_go`.
+  /// direction in which they are pulled, of which `tell` is called. A rigid tip can always do either: true.
   template <class Tell>
-  void settle(const FullState& state, std::vector<OpenContact>& contacts, Tell let_go) {
+  bool settle(const FullState& state, std::vector<OpenContact>& contacts, Tell tell) {
     std::size_t stuck = 0;
     for (OpenContact& contact : contacts) {
       if (contact.slip == 0.0 && ++stuck > kMostStuck) contact.slip = 1.0;
     }
-    if (stuck == 0) return;
+    if (stuck == 0) return true;
     while (true) {
       this->stand(contacts);
       const Balance now = balance(state, this->forces_);
@@ -61,10 +61,10 @@ class Sticking : public ContactMode<Law, Forcing, Blades> {
         if (tip.excess() <= 0.0) continue;
         if (loosest == nullptr || tip.excess() > loosest->excess()) loosest = &tip;
       }
-      if (loosest == nullptr) return;
+      if (loosest == nullptr) return true;
       OpenContact& freed = contacts[loosest->contact];
       freed.slip = loosest->pull >= 0.0 ? 1.0 : -1.0;
-      let_go(freed);
+      tell(freed);
     }
   }
 
@@ -75,10 +75,11 @@ class Sticking : public ContactMode<Law, Forcing, Blades> {
     contacts[contact].slip = stuck >= std::ptrdiff_t{kMostStuck} ? -contacts[contact].slip : 0.0;
     return true;
   }
-  /// A tip that friction no longer holds slips the way it is pulled.
-  void let_go(std::vector<OpenContact>& contacts, std::size_t contact, const FullState& state) {
+  /// A tip that friction no longer holds slips the way it is pulled, which a rigid blade's always can.
+  bool let_go(std::vector<OpenContact>& contacts, std::size_t contact, const FullState& state) {
     this->stand(contacts);
     contacts[contact].slip = std::copysign(1.0, coefficient(contact, state));
+    return true;
   }
 
   /// What friction has to give beyond what it can, |q| − μs F/(m ωn²) [m per unit τ²]: a stuck tip comes

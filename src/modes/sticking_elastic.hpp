@@ -39,20 +39,23 @@ class StickingElastic : public Solved<Law, Forcing, Blades> {
   static constexpr bool kHasPath = false;
   using typename Base::FullState;
 
-  /// The tips at rest that friction cannot hold in a state get the direction in which they slip, and are told
-  /// of to `let_go`. A contact that is new slips, or rests, as Coulomb's inclusion has it there.
+  /// The tips at rest that friction cannot hold in a state get the direction in which they slip, of which
+  /// `tell` is called. A contact that is new slips, or rests, as Coulomb's inclusion has it there. False
+  /// where the inclusion leaves a tip neither rest nor a direction (MODEL 5).
   template <class Tell>
-  void settle(const FullState& state, std::vector<OpenContact>& contacts, Tell let_go) {
+  bool settle(const FullState& state, std::vector<OpenContact>& contacts, Tell tell) const {
     for (OpenContact& contact : contacts) {
       if (contact.slip == 0.0) {
         if (rests(contact, state)) continue;
-        leave_rest(contact, state);
-        let_go(contact);
+        if (!let_go(contact, state)) return false;
+        tell(contact);
       } else if (contact.bend.modulus == 0.0) {
         OpenContact bent = contact;
-        if (forward(bent, contact.slip, state) < 0.0) arrest(contact = bent, state);
+        if (forward(bent, contact.slip, state) >= -rounding_of_slip(contact.blade)) continue;
+        if (!arrest(contact = bent, state)) return false;
       }
     }
+    return true;
   }
 
   /// A slipping tip whose slip velocity has come to zero, or is against its direction: rests where it can,
@@ -69,9 +72,9 @@ class StickingElastic : public Solved<Law, Forcing, Blades> {
     contact = there;
     return true;
   }
-  /// A tip that rests no longer slips the way it is pulled.
-  void let_go(std::vector<OpenContact>& contacts, std::size_t contact, const FullState& state) const {
-    leave_rest(contacts[contact], state);
+  /// A tip that rests no longer slips the way it is pulled. False where it can slip in neither direction.
+  bool let_go(std::vector<OpenContact>& contacts, std::size_t contact, const FullState& state) const {
+    return let_go(contacts[contact], state);
   }
 
   /// |c| − μs [-], or how far a tip is from being firm, and its blade from being bent: it comes loose where
@@ -110,9 +113,28 @@ class StickingElastic : public Solved<Law, Forcing, Blades> {
     this->guards_of_tips(*this, search);
   }
 
+ protected:
+  /// The direction in which a tip slips that rests no longer: that of the pull at the edge of the cone; where
+  /// its place is lost within the cone, the one with the larger s v, which is returned [m per unit τ].
+  double leave_rest(OpenContact& contact, const FullState& state) const {
+    constexpr double kAtTheEdge = 1e-6;  // of the cone
+    const auto there = rest(contact, state);
+    if (there && beyond_cone(contact, (1.0 + kAtTheEdge) * there->blade.coefficient) > 0.0) {
+      contact.slip = std::copysign(1.0, there->blade.coefficient);
+      return 0.0;
+    }
+    OpenContact ahead = contact;
+    OpenContact back = contact;
+    const double forwards = forward(ahead, 1.0, state);
+    const double backwards = forward(back, -1.0, state);
+    contact = forwards >= backwards ? ahead : back;
+    return std::max(forwards, backwards);
+  }
+
  private:
-  /// Of μs, beyond which a tip comes loose: rounding does not lead it back.
-  static constexpr double kShareBeyond = 1e-9;
+  /// Of μs, beyond which a tip comes loose. A tip comes to rest at the very edge of the cone, where its
+  /// coefficient is known to some 1e-8: whether it rests must not depend on that.
+  static constexpr double kShareBeyond = 1e-6;
   /// Where dv/dα passes through zero, c changes within times that vanish with it.
   static constexpr double kLeastFirmness = 1e-6;
   /// κ, of μs, below which the blade is a straight strut between hub and ring, as stiff as 1/κ², and about to
@@ -172,18 +194,33 @@ class StickingElastic : public Solved<Law, Forcing, Blades> {
     return true;
   }
 
-  void leave_rest(OpenContact& contact, const FullState& state) const {
-    constexpr double kAtTheEdge = 1e-6;  // of the cone
-    const auto there = rest(contact, state);
-    if (there && beyond_cone(contact, (1.0 + kAtTheEdge) * there->blade.coefficient) > 0.0) {
-      contact.slip = std::copysign(1.0, there->blade.coefficient);
-      return;
-    }
-    // Its place is lost within the cone: v has one sign in what remains.
-    OpenContact ahead = contact;
-    OpenContact back = contact;
-    const double forwards = forward(ahead, 1.0, state);
-    contact = forwards >= forward(back, -1.0, state) ? ahead : back;
+  /// A tip that rests no longer slips. False, and nothing changed, where neither direction is that of its v.
+  bool let_go(OpenContact& contact, const FullState& state) const {
+    OpenContact there = contact;
+    if (leave_rest(there, state) < -rounding_of_slip(contact.blade)) return false;
+    contact = there;
+    return true;
+  }
+};
+
+/// The same where slip reversals have accumulated under Coulomb's law (MODEL 4.4): the tips that slip beside
+/// the one at rest reverse their slip at each zero of v, and nowhere else.
+template <class Law, class Forcing, class Blades = rotor::BladeSet>
+class Resting : public StickingElastic<Law, Forcing, Blades> {
+ public:
+  using Base = StickingElastic<Law, Forcing, Blades>;
+  using Base::Base;
+  using typename Base::FullState;
+  static constexpr bool kRestsAtOnce = false;
+
+  /// A tip that rests no longer slips the way it is pulled.
+  void let_go(std::vector<OpenContact>& contacts, std::size_t contact, const FullState& state) const {
+    this->leave_rest(contacts[contact], state);
+  }
+
+  template <class Search>
+  void guards(Search& search) const {
+    this->guards_of_tips(*this, search);
   }
 };
 

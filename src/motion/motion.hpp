@@ -82,7 +82,7 @@ class Motion {
     touched_down_ = touching != kNoBlade;
     if (!place_ring()) return ends(ending::StatusDetail::ring_unbalanced);
     if (!flight_.resolves(rotor_.period())) return ends(ending::StatusDetail::beyond_precision);
-    settle([](const modes::OpenContact&) {});
+    if (!settle([](const modes::OpenContact&) {})) return ends(ending::StatusDetail::slip_undecided);
     flight_.start(time_, state_);
     never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);
     return ends(state_.isFinite().all() ? ending::StatusDetail::none
@@ -438,17 +438,19 @@ class Motion {
 
   // Rest.
 
-  /// Frees the tips at rest that friction cannot hold in the present state, and calls `let_go` for each of
-  /// them.
+  /// Frees the tips at rest that friction cannot hold in the present state, and calls `tell` for each of
+  /// them. False where a tip is left neither rest nor a direction of slip.
   template <class Tell>
-  void settle(Tell let_go) {
-    if constexpr (Modes::kSticks) judge_->settle(unbent(), contacts_, let_go);
+  [[nodiscard]] bool settle(Tell tell) {
+    if constexpr (Modes::kSticks) return judge_->settle(unbent(), contacts_, tell);
+    return true;
   }
   /// The same after an event of one blade; the listener is told of the other tips that come loose.
-  void tell_of_others(int blade, modes::MotionListener& listener) {
-    settle([&](const modes::OpenContact& other) {
+  ending::StatusDetail settle_others(int blade, modes::MotionListener& listener) {
+    const bool settled = settle([&](const modes::OpenContact& other) {
       if (other.blade != blade) tell(listener, modes::Guard::comes_loose, other.blade, other.slip);
     });
+    return settled ? ending::StatusDetail::none : ending::StatusDetail::slip_undecided;
   }
 
   /// Whether the last reversals of a tip follow each other so fast that they accumulate (MODEL 4.4).
@@ -503,8 +505,9 @@ class Motion {
       case Guard::touch_down:
         return ends(touch_down(end.blade, listener));
       case Guard::lift_off:
-        if (!Reset::straightens(law_.of(end.blade), place(end.blade), *contact)) lift_off(contact, listener);
-        return ends(ending::StatusDetail::none);
+        if (Reset::straightens(law_.of(end.blade), place(end.blade), *contact))
+          return ends(ending::StatusDetail::none);
+        return ends(lift_off(contact, listener));
       case Guard::snap:
         return ends(snap(contact, listener));
       case Guard::nears_fold:
@@ -531,17 +534,17 @@ class Motion {
     if (!open(blade, place(blade))) return ending::StatusDetail::no_equilibrium;
     touched_down_ = true;
     handed_over_ = false;
-    tell_of_others(blade, listener);
+    const ending::StatusDetail settled = settle_others(blade, listener);
     tell(listener, modes::Guard::touch_down, blade, contacts_.back().slip);
-    return ending::StatusDetail::none;
+    return settled;
   }
-  void lift_off(Contact contact, modes::MotionListener& listener) {
+  ending::StatusDetail lift_off(Contact contact, modes::MotionListener& listener) {
     const int blade = contact->blade;
     ++work_.liftoffs;
     handed_over_ = false;
     tell(listener, modes::Guard::lift_off, blade, contact->slip);
     contacts_.erase(contact);
-    tell_of_others(blade, listener);
+    return settle_others(blade, listener);
   }
   /// A blade has come to the end of its branch.
   ending::StatusDetail snap(Contact contact, modes::MotionListener& listener) {
@@ -549,19 +552,19 @@ class Motion {
       case Standing::lost:
         return ending::StatusDetail::no_equilibrium;
       case Standing::free:
-        lift_off(contact, listener);
-        break;
+        return lift_off(contact, listener);
       default:
         tell(listener, modes::Guard::snap, contact->blade, contact->slip);
+        return ending::StatusDetail::none;
     }
-    return ending::StatusDetail::none;
   }
   /// A tip at rest is no longer held, and slips in the direction of the pull.
   ending::StatusDetail come_loose(Contact contact, modes::MotionListener& listener) {
     const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());
+    ending::StatusDetail settled = ending::StatusDetail::none;
     if constexpr (Modes::kSticks) {
-      judge_->let_go(contacts_, place_in_list, unbent());
-      tell_of_others(contact->blade, listener);
+      if (!judge_->let_go(contacts_, place_in_list, unbent())) return ending::StatusDetail::slip_undecided;
+      settled = settle_others(contact->blade, listener);
     } else if constexpr (Modes::kRests) {
       std::vector<modes::OpenContact> contacts = of_resting_law();
       resting_judge_->let_go(contacts, place_in_list, unbent());
@@ -569,15 +572,16 @@ class Motion {
       if (!bend_anew(*contact)) return ending::StatusDetail::no_equilibrium;
     }
     tell(listener, modes::Guard::comes_loose, contact->blade, contact->slip);
-    return ending::StatusDetail::none;
+    return settled;
   }
   /// The slip velocity of a tip has come to zero: it reverses its slip, or comes to rest where it can stick.
   ending::StatusDetail reverse_slip(Contact contact, modes::MotionListener& listener) {
     ++work_.slip_reversals;
+    ending::StatusDetail settled = ending::StatusDetail::none;
     if constexpr (Modes::kSticks) {
       const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());
       if (!judge_->arrest(contacts_, place_in_list, unbent())) return ending::StatusDetail::slip_undecided;
-      tell_of_others(contact->blade, listener);
+      settled = settle_others(contact->blade, listener);
     } else {
       const bool accumulated = accumulates(*contact);
       if (accumulated && !has_law_of_rest()) return ending::StatusDetail::slip_undecided;
@@ -590,13 +594,12 @@ class Motion {
           if (!released_at_fold(contact->blade) || place(contact->blade).pose.gap >= 0.0)
             return ending::StatusDetail::no_equilibrium;
           tell(listener, modes::Guard::slip_reversal, contact->blade, contact->slip);
-          lift_off(contact, listener);
-          return ending::StatusDetail::none;
+          return lift_off(contact, listener);
         }
       }
     }
     tell(listener, modes::Guard::slip_reversal, contact->blade, contact->slip);
-    return ending::StatusDetail::none;
+    return settled;
   }
 
   /// In tolerances: hops lower than this are replaced by their limit (MODEL 4.9). Their height may grow by

@@ -14,7 +14,7 @@ template <class Law, class Forcing, class Pair, class Blades>
 struct ModesWithRest : ModesOfAnyLaw<Law, Pair> {
   using RestingLaw = typename contact::RestingLawOf<Law>::Type;
   static constexpr bool kRests = !std::is_void_v<RestingLaw>;
-  using Resting = modes::StickingElastic<RestingLaw, Forcing, Blades>;
+  using Resting = modes::Resting<RestingLaw, Forcing, Blades>;
 };
 
 }  // namespace rubatlas::motion

@@ -1,8 +1,9 @@
 #include "trajectory/motion_piece.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
+#include <array>
 
+#include "integrate/largest_value.hpp"
 #include "integrate/root_between.hpp"
 #include "trajectory/largest_distance.hpp"
 
@@ -47,29 +48,36 @@ std::optional<Pass> MotionPiece::nearest_pass(double known, const PointConstants
 }
 
 Tip MotionPiece::deepest(std::size_t contact, double enough) {
-  constexpr unsigned kBits = 20;  // of the time; a maximum is flat, so its value has twice as many
+  constexpr unsigned kBits = 20;  // of the share; a maximum is flat, so its value has twice as many
   const int number = blade(contact);
   const Tip at_end = tip(number, end());
   if (at_end.rate >= 0.0 || at_end.overlap > enough) return at_end;
   const Tip at_begin = tip(number, begin());
   if (!(at_begin.rate > 0.0)) return at_end;
-  const auto rate = [&](double time) { return tip(number, time).rate; };
-  return tip(number, integrate::root_between(rate, begin(), end(), at_begin.rate, at_end.rate, kBits));
+  // A light contact lasts a millionth of the time that it happens at: its digits are those of its shares.
+  const auto at = [&](double share) { return tip(number, time_at(share)); };
+  const auto rate = [&](double share) { return at(share).rate; };
+  return at(integrate::root_between(rate, 0.0, 1.0, at_begin.rate, at_end.rate, kBits));
 }
 
-MotionPiece::LargestLoad MotionPiece::largest(Load load, std::size_t contact, double /*known*/) {
-  const auto at = [&](double time) {
+MotionPiece::LargestLoad MotionPiece::largest(Load load, std::size_t contact, double known) {
+  const auto at = [&](double share) {
+    const double time = time_at(share);
     return load == Load::normal_force ? normal_force(contact, time) : root_strain(contact, time);
   };
-  LargestLoad result{begin(), at(begin())};
-  const double at_end = at(end());
-  if (at_end > result.value) result = {end(), at_end};
-  if (!load_peaks(contact)) return result;
-  constexpr int kBits = 20;  // of the time; a maximum is flat, so its value has twice as many
-  const auto [time, lowest] =
-      boost::math::tools::brent_find_minima([&](double t) { return -at(t); }, begin(), end(), kBits);
-  if (-lowest > result.value) result = {time, -lowest};
-  return result;
+  if (!load_peaks(contact)) {
+    const double at_begin = at(0.0);
+    const double at_end = at(1.0);
+    return at_end > at_begin ? LargestLoad{end(), at_end} : LargestLoad{begin(), at_begin};
+  }
+  constexpr std::size_t kParts = 4;  // of a piece, which is a step or less
+  std::array<integrate::Sample, kParts + 1> samples{};
+  for (std::size_t i = 0; i <= kParts; ++i) {
+    const double share = static_cast<double>(i) / kParts;
+    samples[i] = {share, at(share)};
+  }
+  const integrate::Sample found = integrate::largest_value(at, samples, known);
+  return {time_at(found.argument), found.value};
 }
 
 }  // namespace rubatlas::trajectory

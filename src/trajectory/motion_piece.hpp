@@ -143,6 +143,12 @@ class MotionPiece {
                                             std::vector<ContactForce>& /*forces*/) {
     return false;
   }
+
+ private:
+  /// τ at a share of the piece's time.
+  [[nodiscard]] double time_at(double share) const {
+    return share == 1.0 ? end() : begin() + share * (end() - begin());
+  }
 };
 
 /// Between two times that are no further apart [τ] a distance has at most one maximum: an eighth of the

@@ -330,25 +330,6 @@ TEST(ContactArc, StateAtAnyTimeIsAsAccurateAsTheEndOfAnInterval) {
   EXPECT_LE((state_at(1e-8) - state_at(1e-13)).abs().maxCoeff(), 1e-8 * kClearance);
 }
 
-TEST(ContactArc, LargestBendingIsAsAccurateAsTheEndOfAnInterval) {
-  for (const std::uint64_t seed : {3U, 5U, 7U}) {
-    const OneContact one = contact_of(seed);
-    const auto peak = [&](double tolerance) {
-      const auto made = one.arc(tolerance, [](const ContactArc& so_far) { return so_far.peaks(); });
-      ContactArc& arc = *made;
-      const ContactArc::Point found = arc.largest_bending();
-      EXPECT_GE(arc.argument_bound(), found.argument);
-      for (int i = 0; i <= 100; ++i) {
-        const double time = arc.start().time + (arc.end().time - arc.start().time) * i / 100;
-        EXPECT_LE(arc.solved_at(time).argument, found.argument * (1.0 + 1e-9));
-      }
-      return found.argument;
-    };
-    const double exact = peak(1e-13);
-    EXPECT_NEAR(peak(1e-9), exact, 1e-7 * exact) << "seed " << seed;
-  }
-}
-
 /// Calls `use` with each interval of contacts at 1e-9 of many rotors.
 template <class Use>
 void for_each_interval(Use use) {

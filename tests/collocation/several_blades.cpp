@@ -12,40 +12,13 @@
 
 #include "../support/hybrid_motion.hpp"
 #include "collocation/contact_arc.hpp"
-#include "contact/elastica_contact.hpp"
+#include "several_blades.hpp"
 
 namespace rubatlas::test {
 namespace {
 
 using collocation::ContactArc;
 using collocation::Touch;
-using Law = contact::ElasticaContact;
-
-constexpr double kClearanceOfSeveral = 0.01;  // [m]
-
-struct Rotor {
-  rotor::RotorConstants constants;
-  rotor::BladeSet blades;
-  Law law;
-};
-
-double uniform(std::mt19937_64& generator, double least, double most) {
-  return least + (most - least) * static_cast<double>(generator() >> 11U) * 0x1p-53;
-}
-
-/// Two to twelve blades, so far beyond the ring's centre that several touch at a time.
-Rotor random_rotor(std::mt19937_64& generator) {
-  const double friction = std::pow(10.0, uniform(generator, -2.0, 0.0));
-  const double thickness = std::pow(10.0, uniform(generator, -3.7, -2.8));
-  const double speed = uniform(generator, 0.1, 1.0);
-  const double stiffness = 206e9 * 0.01 * thickness * thickness * thickness / 12.0;
-  const int count = 2 + static_cast<int>(uniform(generator, 0.0, 11.0));
-  return {{speed, std::pow(10.0, uniform(generator, -2.0, -0.3)),
-           kClearanceOfSeveral * uniform(generator, 1.0, 2.0), 0.01, kClearanceOfSeveral},
-          {count, speed},
-          {{0.1, 0.11}, {0.1, thickness, stiffness}, std::make_shared<blade::ElasticaCurve>(friction)}};
-}
-
 /// The motion between two events, while the same blades touch.
 struct Phase {
   modes::Event start, end;
@@ -152,8 +125,7 @@ std::vector<Case> cases(std::size_t wanted) {
   std::vector<Case> result;
   while (result.size() < wanted) {
     const Rotor rotor = random_rotor(generator);
-    rotor::State start;
-    for (double& component : start) component = uniform(generator, -0.01, 0.01);
+    const rotor::State start = random_start(generator);
     const auto phases = phases_of(rotor, start);
     for (std::size_t i = 0; i < std::min(phases.size(), kMostOfOne); ++i)
       result.push_back({rotor, phases[i]});

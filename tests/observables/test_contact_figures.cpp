@@ -85,6 +85,17 @@ TEST(MaxContactForce, IsTheLargestOverPiecesAndBlades) {
   EXPECT_EQ(value_of(peak), 0.0);
 }
 
+TEST(MaxContactForce, IsTheHighestOfSeveralTopsWithinAPiece) {
+  const auto force = [](double t) { return 10.0 + t + std::sin(4.0 * t); };
+  MaxContactForce peak;
+  peak.begin(point_at(0.5, 3));
+  // The load falls at the start of the piece, then rises and falls twice.
+  SyntheticPiece piece(0.6, 4.0, at_rest, {{0, force, [](double) { return 0.0; }}});
+  peak.piece(piece);
+  const double top = 0.25 * std::acos(-0.25) + std::numbers::pi;
+  EXPECT_NEAR(value_of(peak), force(top), 1e-10);
+}
+
 TEST(MaxContactForce, StandsAtAnEndWhereTheLoadDoesNotPeakWithin) {
   int evaluations = 0;
   const auto rising = [&evaluations](double t) {

@@ -90,6 +90,21 @@ TEST(LightestTouch, IsTheLeastOfTheLargestOverlapsOfTheContacts) {
   EXPECT_NEAR(number_in(touch), 1e-3, 1e-14);
 }
 
+TEST(LightestTouch, KeepsItsDigitsInAContactThatLastsAMillionthOfTheTimeBefore) {
+  for (int i = 1; i < 20; ++i) {
+    LightestTouch touch(1);
+    touch.begin(point_at(0.1, 1));
+    const double begin = 62.0;
+    const double end = begin + 6e-5;
+    const double top = begin + (end - begin) * i / 20;
+    const auto light = [&](int, double time) { return parabola(time, top, 1e-9, 0.0); };
+    touch.touch_down(0);
+    hand_over(touch, begin, end, light, {0});
+    touch.lift_off(0);
+    EXPECT_NEAR(number_in(touch), 1e-9, 1e-18) << i;
+  }
+}
+
 TEST(LightestTouch, CountsOnlyContactsThatAreSeenWhole) {
   LightestTouch touch(1);
   touch.begin(point_at(0.5, 1));

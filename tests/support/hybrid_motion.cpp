@@ -1,6 +1,29 @@
 #include "hybrid_motion.hpp"
 
-namespace rubatlas::test {
+#include "modes/collocated.hpp"
+
+namespace rubatlas {
+namespace test {
+
+struct CollocationAndSteps : integrate::DormandPrince853 {};
+
+}  // namespace test
+
+template <>
+struct motion::CollocationOf<test::CollocationAndSteps> {
+  static constexpr bool kOccurs = true;
+  using Mode = modes::Collocated;
+};
+
+namespace test {
+
+std::unique_ptr<motion::PointMotion> collocation_motion(const rotor::RotorConstants& rotor,
+                                                        const rotor::BladeSet& blades,
+                                                        const contact::ElasticaContact& law,
+                                                        const modes::ContactLimits& limits) {
+  using Motion = motion::Motion<contact::ElasticaContact, rotor::NoForcing, CollocationAndSteps>;
+  return std::make_unique<motion::TypedMotion<Motion, false>>(rotor, blades, law, rotor::NoForcing{}, limits);
+}
 
 template std::unique_ptr<motion::PointMotion> hybrid_motion(const rotor::RotorConstants&,
                                                             const rotor::BladeSet&,
@@ -18,4 +41,5 @@ template std::unique_ptr<motion::PointMotion> hybrid_motion(const rotor::RotorCo
                                                             const rotor::NoForcing&,
                                                             const modes::ContactLimits&);
 
-}  // namespace rubatlas::test
+}  // namespace test
+}  // namespace rubatlas

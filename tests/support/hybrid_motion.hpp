@@ -40,6 +40,12 @@ extern template std::unique_ptr<motion::PointMotion> hybrid_motion(const rotor::
                                                                    const rotor::NoForcing&,
                                                                    const modes::ContactLimits&);
 
+/// The same rotor without unbalance by the method `collocation`.
+std::unique_ptr<motion::PointMotion> collocation_motion(const rotor::RotorConstants& rotor,
+                                                        const rotor::BladeSet& blades,
+                                                        const contact::ElasticaContact& law,
+                                                        const modes::ContactLimits& limits);
+
 /// The next revolution.
 inline ending::PointStatus revolve(motion::PointMotion& motion, modes::MotionListener& listener) {
   return motion.revolution(listener, {}, 0);

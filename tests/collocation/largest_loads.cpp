@@ -1,0 +1,90 @@
+/// The largest force and strain of contacts of several blades, by both methods, against dense samples.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <random>
+#include <utility>
+
+#include "../support/hybrid_motion.hpp"
+#include "several_blades.hpp"
+
+namespace rubatlas::test {
+namespace {
+
+constexpr std::array kLoads{trajectory::Load::normal_force, trajectory::Load::root_strain};
+
+/// Compares what each piece says of its largest load with samples of the load.
+class LoadsOfPieces final : public modes::MotionListener {
+ public:
+  void piece(trajectory::MotionPiece& piece) override {
+    for (std::size_t contact = 0; contact < piece.contact_count(); ++contact) {
+      for (std::size_t i = 0; i < kLoads.size(); ++i) look_at(piece, contact, i);
+    }
+    with_several_ |= piece.contact_count() > 1;
+  }
+  void event(const modes::Event& event) override {
+    if (event.kind == modes::Guard::lift_off && std::exchange(with_several_, false)) ++contacts;
+  }
+
+  int contacts = 0;  ///< that have ended since several blades have touched at a time
+  /// By how much a largest load was smaller than a sample, at most, of the largest sample before.
+  double too_small = 0.0;
+  /// Of the whole motion, as an observable finds them and as samples have it.
+  std::array<double, 2> largest{};
+  std::array<double, 2> sampled{};
+
+ private:
+  void look_at(trajectory::MotionPiece& piece, std::size_t contact, std::size_t number) {
+    constexpr int kSamples = 24;
+    const trajectory::Load load = kLoads[number];
+    // In this order, since a piece may keep what it has found.
+    largest[number] = std::max(largest[number], piece.largest(load, contact, largest[number]).value);
+    const double found = piece.largest(load, contact, 0.0).value;
+    for (int i = 0; i <= kSamples; ++i) {
+      const double share = static_cast<double>(i) / kSamples;
+      const double time = i == kSamples ? piece.end() : piece.begin() + share * (piece.end() - piece.begin());
+      const double value = load == trajectory::Load::normal_force ? piece.normal_force(contact, time)
+                                                                  : piece.root_strain(contact, time);
+      sampled[number] = std::max(sampled[number], value);
+      too_small = std::max(too_small, (value - found) / sampled[number]);
+    }
+  }
+  bool with_several_ = false;
+};
+
+void expect_no_sample_above_the_largest_load(int least_contacts) {
+  for (const bool collocated : {false, true}) {
+    std::mt19937_64 generator(7);
+    int contacts = 0;
+    for (int rotors = 0; contacts < least_contacts; ++rotors) {
+      const Rotor rotor = random_rotor(generator);
+      const rotor::State start = random_start(generator);
+      const modes::ContactLimits limits{1e-9 * kClearanceOfSeveral, 0.5};
+      const auto motion =
+          collocated ? collocation_motion(rotor.constants, rotor.blades, rotor.law, limits)
+                     : hybrid_motion(rotor.constants, rotor.blades, rotor.law, rotor::NoForcing{}, limits);
+      LoadsOfPieces loads;
+      auto status = motion->start(rotor::as_array(start));
+      for (int i = 0; i < 20 && status == ending::PointStatus::done; ++i) status = revolve(*motion, loads);
+      contacts += loads.contacts;
+      SCOPED_TRACE(::testing::Message() << (collocated ? "collocation" : "hybrid") << ", rotor " << rotors);
+      // Each sample is solved for by itself, and errs by the tolerance's share of a load.
+      constexpr double kErrorOfSample = 1e-6;
+      EXPECT_LE(loads.too_small, kErrorOfSample);
+      for (std::size_t i = 0; i < kLoads.size(); ++i)
+        EXPECT_GE(loads.largest[i], loads.sampled[i] * (1.0 - kErrorOfSample));
+    }
+  }
+}
+
+TEST(LargestLoads, OfContactsOfSeveralBladesAreNotSmallerThanAnySampleOfThem) {
+  expect_no_sample_above_the_largest_load(1000);
+}
+TEST(LargestLoadsSlow, OfTenThousandContactsOfSeveralBladesAreNotSmallerThanAnySampleOfThem) {
+  expect_no_sample_above_the_largest_load(10'000);
+}
+
+}  // namespace
+}  // namespace rubatlas::test
