@@ -52,8 +52,12 @@ bool may_touch(const Line& line, std::size_t point) {
 ContactSummary summarise_contact(const Line& line) {
   ContactSummary found;
   std::vector<std::size_t> known;
+  std::size_t not_done = 0;
   for (std::size_t i = 0; i < line.contact.size(); ++i) {
-    if (!is_done(line, i)) continue;
+    if (!is_done(line, i)) {
+      ++not_done;
+      continue;
+    }
     const auto& [contact, distance] = line.contact[i];
     const double speed = line.speed_ratio[i];
     if (contact == Contact::not_known) {
@@ -100,6 +104,8 @@ ContactSummary summarise_contact(const Line& line) {
         fmt::format("whether blades touch is not known{}: the observable `contact_fraction` tells",
                     known.empty() ? "" : fmt::format(" at {} speeds", found.not_known)));
   }
+  // A motion that has left the model may have touched there.
+  if (found.free > 0 && not_done > 0) parts.push_back(fmt::format("{} speeds are not done", not_done));
   found.text = fmt::format("{}", fmt::join(parts, "; "));
   return found;
 }

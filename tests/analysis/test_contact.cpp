@@ -125,7 +125,8 @@ TEST(Contact, ALineSaysWhereBladesFirstTouchOrHowCloseTheyCome) {
       "first contact at Ω = 0.3, last contact at Ω = 0.8, none at 3 of the speeds in between; elsewhere "
       "closest 0.38 mm at Ω = 0.7");
   EXPECT_EQ(sentence("------c---"), "contact at Ω = 0.7 only; elsewhere closest 1.38 mm at Ω = 0.6");
-  EXPECT_EQ(sentence("xx--cccccx"), "first contact at Ω = 0.5; elsewhere closest 3.38 mm at Ω = 0.4");
+  EXPECT_EQ(sentence("xx--cccccx"),
+            "first contact at Ω = 0.5; elsewhere closest 3.38 mm at Ω = 0.4; 3 speeds are not done");
   EXPECT_EQ(sentence("??????????"),
             "whether blades touch is not known: the observable `contact_fraction` tells");
   EXPECT_EQ(

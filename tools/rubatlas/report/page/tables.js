@@ -41,7 +41,8 @@ function table1() {
   const swept = axes.slice(0, SPEED).filter((axis) => axis.values.length > 1 && row[`at_${axis.name}`]);
   const cell = (axis, value) => (axis.name === 'direction' ? DIRECTIONS[value] : withUnits(value, axis.units, 4));
   const rows = row.line.map((_, line) => [
-    ...swept.map((axis) => cell(axis, row[`at_${axis.name}`][line])), capital(row.contact[line]),
+    ...swept.map((axis) => cell(axis, row[`at_${axis.name}`][line])),
+    capital(row.contact[line]).replace(/[;,] /g, '\n'),
     ...parts.map((name) => (name.startsWith('region') ? regionCell(row, name, line) : triggerCell(row, name, line)))]);
   return [table([...swept.map(labelOf), 'Contact', ...parts.map((name) => capital(words(name)))], rows, 'dense'),
     element('p', {class: 'quiet small', text: 'Regions: first and last speed ratio, share of aperiodic points, ' +
