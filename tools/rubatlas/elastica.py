@@ -14,8 +14,7 @@ near zero load. At μ = 0 the same formulas describe a column that stands straig
 import numpy as np
 
 # Gauss and Legendre's nodes on [0, 1]; the integrands are smooth up to κ = 0.99, where δ/L is beyond 1.
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(100)
-_NODES, _WEIGHTS = 0.5 * (_NODES + 1.0), 0.5 * _WEIGHTS
+_NODES, _WEIGHTS = 0.5 * np.array(np.polynomial.legendre.leggauss(100)) + [[0.5], [0.0]]
 
 EULER_LOAD = np.pi**2 / 4  # of the clamped-free column, F L²/EI
 

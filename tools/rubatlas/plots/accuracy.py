@@ -156,7 +156,7 @@ def ladder_table(study, maps, reference):
         tolerance = maps["tolerance"][setting]
         same = [i for i in study.of(method) if np.isclose(study["tolerance"][i], tolerance, rtol=1e-6, atol=0.0)]
         rows.append([f"{tolerance:.0e}", *([f"{error[same[0]]:.1e}"] if same else ["-"]),
-                     *([f"{against[same[0]]:.1e}" if same else "-"] if reference else []),
+                     *([f"{against[same[0]]:.1e}" if same else "-"] if against is not None else []),
                      percent(maps["map_error_beyond_chaos"][setting]), percent(maps["map_error"][setting]),
                      f"{time[setting]:.1f}", f"{calls[setting] / max(touchdowns[setting], 1e-300):.0f}"])
     return markdown(head, rows)
