@@ -134,7 +134,7 @@ class StickingElastic : public Solved<Law, Forcing, Blades> {
  private:
   /// Of μs, beyond which a tip comes loose. A tip comes to rest at the very edge of the cone, where its
   /// coefficient is known to some 1e-8: whether it rests must not depend on that.
-  static constexpr double kShareBeyond = 1e-6;
+  static constexpr double kShareBeyond = 1e-7;
   /// Where dv/dα passes through zero, c changes within times that vanish with it.
   static constexpr double kLeastFirmness = 1e-6;
   /// κ, of μs, below which the blade is a straight strut between hub and ring, as stiff as 1/κ², and about to
