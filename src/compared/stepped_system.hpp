@@ -50,7 +50,7 @@ class SteppedSystem {
   [[nodiscard]] const std::vector<SteppedBlade>& blades() const { return blades_; }
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
-  [[nodiscard]] double gap_rounding() const { return law_->geometry().gap_rounding(); }
+  [[nodiscard]] double gap_rounding() const { return rotor_->gap_rounding(law_->geometry()); }
   [[nodiscard]] contact::Pose pose(std::size_t blade, const SteppedState& state) const {
     return rotor::pose_of(
         *rotor_, law_->geometry(),

@@ -13,7 +13,7 @@ namespace rubatlas::contact {
 template <class Ring>
 std::optional<double> ElasticBladeContact<Ring>::solve(const Pose& at, double slip) const {
   if (has_branches_) return solve_on_branches(at, slip);
-  if (releases_at_fold() && at.gap < -geometry().gap_rounding()) return solve_beyond_ring(at, slip);
+  if (releases_at_fold() && at.gap < -gap_rounding(geometry(), at)) return solve_beyond_ring(at, slip);
   const auto& knots = curve_->knots();
   // The residual is positive from the unloaded blade on (g > 0; on the receding side it first rises) and
   // falls through zero once: walk up the curve until it has.
@@ -32,7 +32,7 @@ std::optional<double> ElasticBladeContact<Ring>::solve(const Pose& at, double sl
       step *= 0.5;
       at_low = function(step);
     } while (at_low <= 0.0 && step > high * 1e-12);
-    if (at_low <= 0.0) return at.gap >= -geometry().gap_rounding() ? bending_at_ring(at, slip, high) : 0.0;
+    if (at_low <= 0.0) return at.gap >= -gap_rounding(geometry(), at) ? bending_at_ring(at, slip, high) : 0.0;
     low = step;
     if (function(2.0 * step) < 0.0) high = 2.0 * step;
   }
@@ -140,7 +140,7 @@ std::optional<double> ElasticBladeContact<Ring>::root_on(const Pose& at, double 
   const double at_begin = function(branch.begin);
   if (!(at_begin > 0.0)) {
     // Too light to load the blade, or to bend the column; else h has no root up here.
-    const bool unloaded = branch.begin == 0.0 && (!carried_ || at.gap >= -geometry().gap_rounding());
+    const bool unloaded = branch.begin == 0.0 && (!carried_ || at.gap >= -gap_rounding(geometry(), at));
     return unloaded ? std::optional(0.0) : std::nullopt;
   }
   auto knot = std::upper_bound(knots.begin(), knots.end(), branch.begin,
@@ -159,7 +159,7 @@ std::optional<double> ElasticBladeContact<Ring>::root_on(const Pose& at, double 
 template <class Ring>
 std::optional<double> ElasticBladeContact<Ring>::solve_on_branches(const Pose& at, double slip) const {
   // An undeformed tip that has left the ring has a contact on the bent branch only.
-  const bool outside = at.gap < -geometry().gap_rounding();
+  const bool outside = at.gap < -gap_rounding(geometry(), at);
   if (!carried_ && !outside && straight_load(at) <= blade::kEulerLoad) return 0.0;
   const Branches all = branches(at, slip);
   for (std::size_t i = 0; i < all.count; ++i) {

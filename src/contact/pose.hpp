@@ -22,9 +22,10 @@ struct Geometry {
 
   /// (rh + L)² − R² [m²], as a product: R² and (rh+L)² agree in their leading digits.
   [[nodiscard]] double closing() const { return (reach - ring_radius) * (reach + ring_radius); }
-  /// g where a touch-down or a lift-off has been located [m²]: rounding of the shaft's place and of the time.
-  [[nodiscard]] double gap_rounding() const { return kGapRounding * ring_radius * ring_radius; }
-  static constexpr double kGapRounding = 1e-15;  ///< of R²
+  /// g where a touch-down or a lift-off has been located [m²], `distance` of the shaft from the ring's
+  /// centre: what rounding of the shaft's place and of the time leave of 2 (rh + L) cr.
+  [[nodiscard]] double gap_rounding(double distance) const { return kGapRounding * ring_radius * distance; }
+  static constexpr double kGapRounding = 1e-14;
 };
 
 /// A blade's angle, as its unit vector er = (cosine, sine).
@@ -48,6 +49,11 @@ inline Pose pose(const Geometry& geometry, const BladeDirection& er, double cx, 
   const double radial = cx * er.cosine + cy * er.sine;
   return {radial, cy * er.cosine - cx * er.sine, vx * er.cosine + vy * er.sine, vy * er.cosine - vx * er.sine,
           cx * cx + cy * cy + 2.0 * geometry.reach * radial + geometry.closing()};
+}
+
+/// Rounding of g there [m²].
+inline double gap_rounding(const Geometry& geometry, const Pose& at) {
+  return geometry.gap_rounding(std::hypot(at.radial, at.tangential));
 }
 
 /// dg/dτ [m²].

@@ -195,8 +195,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
       if (passes_lift_off(step)) past_fold = fraction < step.crossing_of(rotor::kBending, 0.0);
     }
     // Where the undeformed tip is still in the ring at the fold, it could not be free.
-    const bool caught =
-        past_fold && !snaps && this->gap(carried().blade, step.at_fraction(fraction)).value >= 0.0;
+    const bool caught = past_fold && !snaps && stands_in_ring(step.at_fraction(fraction));
     const bool ends = past_fold ? !caught : passes_lift_off(step);
     lifts_off_ = ends && !(snaps && past_fold);
     root_lost_ = step.end_derivative()[rotor::kTime] <= 0.0;
@@ -253,6 +252,11 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
   [[nodiscard]] bool may_snap() const {
     if constexpr (kBesideOthers) return carried_law_->has_branches();
     return false;
+  }
+  /// g >= 0 of the carried blade as its bending has it: what h has gone astray by, which may be more than g
+  /// next to head-on, is no gap.
+  [[nodiscard]] bool stands_in_ring(const FullState& state) const {
+    return this->gap(carried().blade, state).value - constraint(state).residual >= 0.0;
   }
   [[nodiscard]] auto constraint(const FullState& state) const {
     return carried_law_->constraint(this->pose(carried().blade, state), carried().slip,

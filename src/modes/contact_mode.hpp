@@ -74,7 +74,7 @@ class ContactMode {
   [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
   [[nodiscard]] const ContactLimits& limits() const { return limits_; }
   [[nodiscard]] double ring_radius() const { return law_->of(0).geometry().ring_radius; }
-  [[nodiscard]] double gap_rounding() const { return law_->of(0).geometry().gap_rounding(); }
+  [[nodiscard]] double gap_rounding() const { return rotor_->gap_rounding(law_->of(0).geometry()); }
   [[nodiscard]] double slip_rounding() const {
     return kSlipRounding * std::abs(rotor_->speed_ratio) * ring_radius();
   }

@@ -162,7 +162,7 @@ class TouchdownSearch {
       int doubt = FlightRow::kTimes;
       for (int k = 0; k < blades_->count(); ++k) {
         const FlightRow::Gaps gaps = gaps_of(k, first);
-        const int of_blade = row_->first_doubt(gaps, kDoubt * law_->of(k).geometry().gap_rounding());
+        const int of_blade = row_->first_doubt(gaps, kDoubt * rotor_->gap_rounding(law_->of(k).geometry()));
         clear_until_[static_cast<std::size_t>(k)] = of_blade;
         doubt = std::min(doubt, of_blade);
         if (keeps_rows_) gaps_.push_back(gaps);

@@ -67,7 +67,8 @@ requires Blade::kHasBending struct ContactReset<Blade> {
   /// A contact opens on the approaching side from zero force, on the receding side from a finite one (MODEL
   /// 4.2). False where no force exists (MODEL 5).
   static bool open(const Blade& blade, const TipPlace& at, modes::OpenContact& contact) {
-    if (at.pose.gap <= blade.geometry().gap_rounding() && blade.starts_unloaded(at.pose, contact.slip))
+    if (at.pose.gap <= contact::gap_rounding(blade.geometry(), at.pose) &&
+        blade.starts_unloaded(at.pose, contact.slip))
       return true;
     const auto root = blade.solve(at.pose, contact.slip);
     if (root) contact.bending = *root;
@@ -77,7 +78,7 @@ requires Blade::kHasBending struct ContactReset<Blade> {
   /// Goes on where the tip stands now, after a change of the blade or of its speed.
   static Standing keep(const Blade& blade, const TipPlace& at, modes::OpenContact& contact) {
     const bool outside = at.pose.gap <= 0.0;
-    if (at.pose.gap <= blade.geometry().gap_rounding() &&
+    if (at.pose.gap <= contact::gap_rounding(blade.geometry(), at.pose) &&
         blade.ends_unloaded(at.pose, contact.slip, contact.bending)) {
       contact.bending = 0.0;
       return outside ? Standing::free : Standing::stands;
@@ -120,7 +121,7 @@ requires Blade::kHasBending struct ContactReset<Blade> {
 
   /// A column whose u has come to 0 while its tip is still in the ring (g > 0) stands straight from there on.
   static bool straightens(const Blade& blade, const TipPlace& at, modes::OpenContact& contact) {
-    if (blade.carried() || at.pose.gap <= blade.geometry().gap_rounding()) return false;
+    if (blade.carried() || at.pose.gap <= contact::gap_rounding(blade.geometry(), at.pose)) return false;
     contact.bending = 0.0;
     return true;
   }

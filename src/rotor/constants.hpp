@@ -30,6 +30,10 @@ struct RotorConstants {
 
   /// τ of one revolution. A negative speed ratio is a spin the other way, the mirror image.
   [[nodiscard]] double period() const { return 2.0 * std::numbers::pi / std::abs(speed_ratio); }
+  /// Rounding of g where the tips of such blades touch [m²].
+  [[nodiscard]] double gap_rounding(const contact::Geometry& blade) const {
+    return blade.gap_rounding(length_scale + std::abs(misalignment));
+  }
 };
 
 /// Pose of a blade for a state of the rotor.
