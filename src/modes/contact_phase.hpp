@@ -209,7 +209,11 @@ class ContactPhase final : public trajectory::MotionPiece {
     if (!std::isfinite(segment_end_) && step_.take_back()) return;
     pending_ = true;
     if (!std::isfinite(segment_end_)) {
-      end_ = {Guard::failed, -1, ending::StatusDetail::beyond_precision};
+      // There is no force so close to the start of the step that a tip at rest comes loose there.
+      end_ = mode_.without_force();
+      if (end_.guard != Guard::comes_loose)
+        end_ = {Guard::failed, -1, ending::StatusDetail::beyond_precision};
+      end_fraction_ = 0.0;
       segment_end_ = segment_begin_;
     }
   }
