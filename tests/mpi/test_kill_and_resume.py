@@ -22,7 +22,7 @@ class KillAndResume(JobTest):
             with self.subTest(seed=seed, ranks=ranks):
                 atlas = self.directory / f"killed{seed}.h5"
                 job = self.start(ranks, content, atlas)
-                wait_for_points(job, atlas, chance.randrange(0, total * 3 // 4))
+                wait_for_points(job, atlas, chance.randrange(1, total // 2))
                 victims = ranks_of(job)
                 if victims:
                     os.kill(chance.choice(victims), signal.SIGKILL)
