@@ -390,12 +390,11 @@ class ContactMode {
     if constexpr (Mode::kRestsAtOnce) {
       slip_comes_to_rest(mode, search, contact, lasts);
     } else if constexpr (Law::kHasSlipState) {
-      // Beside a tip at rest each force is searched for anew. A tip that slips against its v does so until v
-      // has turned round at the end of a step: only then is the place looked for.
+      // Beside a tip at rest each force is searched for anew, which may take a thousand times as long as to
+      // carry it: v is taken to turn round once in a step at most.
       if constexpr (contact::Sticks<Law>) {
         const WatchedBlade& blade = search.of_contact(contact);
-        const double slip = mode.contacts()[contact].slip;
-        if (slip * blade.slip_velocity < 0.0 && slip * blade.end_slip_velocity < 0.0) return;
+        if (blade.slip_velocity * blade.end_slip_velocity > 0.0) return;
       }
       slip_reversal(mode, search, contact, lasts);
     }
