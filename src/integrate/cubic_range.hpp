@@ -33,11 +33,12 @@ inline Range cubic_range_of_mean_slope(double slope_at_begin, double increment, 
 }
 
 /// Whether the function may rise and fall again within the step: whether the slope of the cubic may come from
-/// above zero to below, as its three Bézier points have it.
-inline bool cubic_may_peak(double slope_at_begin, double increment, double slope_at_end) {
+/// above zero to below, as its three Bézier points have it. `rounding`: slopes within it are zero.
+inline bool cubic_may_peak(double slope_at_begin, double increment, double slope_at_end,
+                           double rounding = 0.0) {
   const double between = 3.0 * increment - slope_at_begin - slope_at_end;
-  return (slope_at_begin > 0.0 && (between < 0.0 || slope_at_end < 0.0)) ||
-         (between > 0.0 && slope_at_end < 0.0);
+  return (slope_at_begin > rounding && (between < -rounding || slope_at_end < -rounding)) ||
+         (between > rounding && slope_at_end < -rounding);
 }
 
 }  // namespace rubatlas::integrate

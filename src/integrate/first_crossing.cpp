@@ -158,4 +158,14 @@ std::optional<double> first_sign_change(FunctionView function, double low, doubl
   return first_crossing(guard, low, high, sign * at_low, sign * at_high);
 }
 
+std::optional<double> first_top(FunctionView slope, double low, double high, double at_low, double at_high) {
+  if (at_low > 0.0) {
+    return first_crossing([&](double place) { return -slope(place); }, low, high, -at_low, -at_high);
+  }
+  const auto bottom = first_crossing(slope, low, high, at_low, at_high);
+  if (!bottom || !(*bottom < high)) return std::nullopt;
+  const auto mean = [&](double place) { return slope(place) / (place - *bottom); };
+  return first_sign_change(mean, *bottom, high, at_high / (high - *bottom));
+}
+
 }  // namespace rubatlas::integrate

@@ -28,4 +28,8 @@ std::optional<double> first_crossing(FunctionView guard, double low, double high
 /// f(x)/(x − low), which has no root there.
 std::optional<double> first_sign_change(FunctionView function, double low, double high, double at_high);
 
+/// First maximum of a function between `low` and `high`, or none, from its slope; `at_low`, `at_high`: the
+/// slope at the ends.
+std::optional<double> first_top(FunctionView slope, double low, double high, double at_low, double at_high);
+
 }  // namespace rubatlas::integrate

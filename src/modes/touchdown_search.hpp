@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "integrate/conservative_step.hpp"
+#include "integrate/cubic_range.hpp"
+#include "integrate/first_crossing.hpp"
 #include "integrate/newton_between.hpp"
 #include "modes/flight.hpp"
 #include "modes/flight_row.hpp"
@@ -113,9 +115,7 @@ class TouchdownSearch {
       if (!(row.begin < end)) break;
       for (int k = 0; k < blades_->count(); ++k) {
         const FlightRow::Gaps& gaps = *next++;
-        FlightRow::Values rate_before;
-        rate_before << gaps.rate_before, gaps.rate.head(FlightRow::kTimes - 1);
-        if (!((rate_before > 0.0) && (gaps.rate <= 0.0)).any()) continue;  // mostly
+        if (!may_have_top(gaps)) continue;  // mostly
         if (const auto pass = nearest_top(flight, row, k, gaps, end, known)) {
           nearest = pass;
           known = pass->miss;
@@ -247,6 +247,16 @@ class TouchdownSearch {
     double begin;   ///< τ of the revolution
     int intervals;  ///< of the row that belong to the flight's way; the next row goes on after them
   };
+  /// Whether a gap may rise and fall again within one of the row's intervals (`integrate::cubic_may_peak`).
+  [[nodiscard]] bool may_have_top(const FlightRow::Gaps& gaps) const {
+    using Values = FlightRow::Values;
+    Values gap_before;
+    Values rise;
+    gap_before << gaps.before, gaps.gap.head(FlightRow::kTimes - 1);
+    rise << gaps.rate_before, gaps.rate.head(FlightRow::kTimes - 1);
+    const Values between = 3.0 / row_->spacing() * (gaps.gap - gap_before) - rise - gaps.rate;
+    return ((rise > 0.0 && (between < 0.0 || gaps.rate <= 0.0)) || (between > 0.0 && gaps.rate < 0.0)).any();
+  }
   /// Of the tops of a blade's gap in a row the one nearest to the ring, before `end` and nearer than `known`.
   template <class Flight>
   [[nodiscard]] std::optional<trajectory::Pass> nearest_top(const Flight& flight, const KeptRow& row,
@@ -260,16 +270,28 @@ class TouchdownSearch {
     for (int i = 0; i < row.intervals && row.begin + i * h < end; ++i) {
       const double gap = gaps.gap[i];
       const double rate = gaps.rate[i];
-      // Tangents bound a maximum that lies between two times.
-      const double highest = std::max(gap_before + h * rate_before, gap - h * rate);
+      const double from = row.begin + i * h;
       const double miss = std::min(known, radius);
-      if (rate_before > 0.0 && rate <= 0.0 && highest > miss * (miss - 2.0 * radius)) {
-        const double from = row.begin + i * h;
-        const double guess = from + h * top_of_cubic({gap_before, rate_before}, {gap, rate}, h);
-        if (const auto pass = pass_between(flight, blade, {from, from + h, guess}, end, known)) {
-          nearest = pass;
-          known = pass->miss;
+      const double nearer = miss * (miss - 2.0 * radius);  // g of a tip that passes nearer than that
+      std::optional<trajectory::Pass> pass;
+      if (rate_before > 0.0 && rate <= 0.0) {
+        // Tangents bound a maximum that lies between two times.
+        if (std::max(gap_before + h * rate_before, gap - h * rate) > nearer) {
+          const double guess = from + h * top_of_cubic({gap_before, rate_before}, {gap, rate}, h);
+          pass = pass_between(flight, blade, {from, from + h, guess}, end, known);
         }
+      } else if (integrate::cubic_may_peak(h * rate_before, gap - gap_before, h * rate,
+                                           kDoubt * rotor_->gap_rounding(law_->of(blade).geometry())) &&
+                 integrate::cubic_range(gap_before, h * rate_before, gap, h * rate).greatest > nearer) {
+        // Fast decay after a contact may turn a tip round twice between two times.
+        const auto rate_at = [&](double time) { return tip(flight, blade, time).rate; };
+        const double to = std::min(from + h, end);
+        if (const auto top = integrate::first_top(rate_at, from, to, rate_at(from), rate_at(to)))
+          pass = pass_at(flight, blade, *top, known);
+      }
+      if (pass) {
+        nearest = pass;
+        known = pass->miss;
       }
       gap_before = gap;
       rate_before = rate;
@@ -317,6 +339,12 @@ class TouchdownSearch {
     constexpr double kClosest = 1e-6;  // of the time between: the error left is of the second order of that
     const double time = integrate::newton_between(rate, between.from, between.to, between.guess, false,
                                                   kClosest * (between.to - between.from));
+    return pass_at(flight, blade, time, known);
+  }
+  /// The pass of a tip whose radius is largest at that time, if it is nearer than `known`.
+  template <class Flight>
+  [[nodiscard]] std::optional<trajectory::Pass> pass_at(const Flight& flight, int blade, double time,
+                                                        double known) const {
     const trajectory::Tip top = tip(flight, blade, time);
     if (!(top.overlap < 0.0 && -top.overlap < known)) return std::nullopt;
     return trajectory::Pass{-top.overlap, top.side, blade, time};

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "integrate/cubic_range.hpp"
+#include "integrate/first_crossing.hpp"
 #include "integrate/largest_value.hpp"
 #include "integrate/root_between.hpp"
 #include "trajectory/largest_distance.hpp"
@@ -15,6 +18,7 @@ double MotionPiece::largest_displacement(double known, double speed_ratio) {
 }
 
 std::optional<Pass> MotionPiece::nearest_pass(double known, const PointConstants& point) {
+  constexpr double kRounding = 1e-12;  // of the overlap, in what it changes by
   // A step in contact is short, and its ends cost little to read.
   const double length = end() - begin();
   const double spacing = spacing_of_distances(point.speed_ratio);
@@ -29,15 +33,24 @@ std::optional<Pass> MotionPiece::nearest_pass(double known, const PointConstants
     for (int i = 1; i <= intervals; ++i) {
       const double time = i == intervals ? end() : begin() + length * i / intervals;
       const Tip after = tip(k, time);
-      const double highest = std::max(before.overlap + before.rate * (time - time_before),
-                                      after.overlap - after.rate * (time - time_before));
-      if (before.rate > 0.0 && after.rate < 0.0 && highest > -known) {
-        const auto rate = [&](double t) { return tip(k, t).rate; };
-        const double time_of_top = integrate::root_between(rate, time_before, time, before.rate, after.rate);
-        const Tip top = tip(k, time_of_top);
+      const double duration = time - time_before;
+      const double rise = duration * before.rate;
+      const double fall = duration * after.rate;
+      const auto rate = [&](double t) { return tip(k, t).rate; };
+      std::optional<double> time_of_top;
+      if (before.rate > 0.0 && after.rate < 0.0) {
+        if (std::max(before.overlap + rise, after.overlap - fall) > -known)
+          time_of_top = integrate::root_between(rate, time_before, time, before.rate, after.rate);
+      } else if (integrate::cubic_may_peak(rise, after.overlap - before.overlap, fall,
+                                           kRounding * std::abs(before.overlap)) &&
+                 integrate::cubic_range(before.overlap, rise, after.overlap, fall).greatest > -known) {
+        time_of_top = integrate::first_top(rate, time_before, time, before.rate, after.rate);
+      }
+      if (time_of_top) {
+        const Tip top = tip(k, *time_of_top);
         if (top.overlap < 0.0 && -top.overlap < known) {
           known = -top.overlap;
-          nearest = Pass{known, top.side, k, time_of_top};
+          nearest = Pass{known, top.side, k, *time_of_top};
         }
       }
       time_before = time;
