@@ -24,7 +24,7 @@ sys.path.insert(0, str(TOOLS))
 import rubatlas  # noqa: E402
 
 # What is meant to be imported by others has types throughout; the modules behind it are checked where they have them.
-TYPED = ("__init__", "atlas", "commands", "program", "query", "plots/axes")
+TYPED = ("__init__", "atlas", "commands", "program", "query", "signature", "plots/axes")
 
 
 def imported(path):

@@ -5,12 +5,13 @@
     calm = atlas.sel(0.3).where("class == 'period 1'")
 
 `open` and `run` give an `Atlas`. `branch`, `edges`, `verify`, `accuracy` and `merge` are commands of the program as
-functions, and `command` calls any of them.
+functions, and `command` calls any of them. `signature` measures the signs of rubbing in a spectrum.
 """
 import importlib
 from typing import TYPE_CHECKING, Any
 
 from rubatlas.atlas_file import AtlasError
+from rubatlas.signature import signature
 
 if TYPE_CHECKING:
     from rubatlas.atlas import Atlas, open  # noqa: A004  # pylint: disable=redefined-builtin
@@ -19,7 +20,8 @@ if TYPE_CHECKING:
 
 _PLACES = {"Atlas": "atlas", "open": "atlas", "command": "program",
            **dict.fromkeys(("accuracy", "branch", "edges", "merge", "run", "verify"), "commands")}
-__all__ = ["Atlas", "AtlasError", "accuracy", "branch", "command", "edges", "merge", "open", "run", "verify"]
+__all__ = ["Atlas", "AtlasError", "accuracy", "branch", "command", "edges", "merge", "open", "run",
+           "signature", "verify"]
 __version__ = "1.0.0"
 
 

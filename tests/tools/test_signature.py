@@ -1,0 +1,114 @@
+"""The signs of rubbing blades in a spectrum, on spectra whose answers are known beforehand."""
+import os
+import pathlib
+import sys
+import unittest
+
+import numpy as np
+
+ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
+sys.path.insert(0, str(ROOT / "tools"))
+import rubatlas  # noqa: E402
+
+SAMPLES = 64  # per revolution
+REVOLUTIONS = 50
+
+
+def spectrum(signal, window=None):
+    """0-peak amplitudes of a record of whole revolutions over the order, as an atlas has them; with a window those that
+    keep the height of a line."""
+    window = np.ones(len(signal)) if window is None else window
+    return np.arange(len(signal) // 2) / (len(signal) / SAMPLES), (
+        2.0 * np.abs(np.fft.rfft(signal * window))[:len(signal) // 2] / window.sum())
+
+
+def turns(revolutions=REVOLUTIONS):
+    """Angles of the shaft [rad] of a record."""
+    return 2.0 * np.pi * np.arange(int(SAMPLES * revolutions)) / SAMPLES
+
+
+class SignatureOfASpectrum(unittest.TestCase):
+    def test_a_pure_tone_at_the_blade_passing_is_a_line_with_nothing_between(self):
+        found = rubatlas.signature(*spectrum(5.0 + 2.0 * np.cos(3.0 * turns())))
+        self.assertAlmostEqual(found.passing, 2.0, delta=1e-12)
+        self.assertLess(found.rotation, 1e-12)
+        self.assertLess(found.between_share, 1e-24)
+
+    def test_a_motion_of_period_two_lies_between_the_lines_without_being_broad(self):
+        found = rubatlas.signature(*spectrum(np.cos(turns()) + 0.5 * np.cos(0.5 * turns()) + 0.1 * np.cos(
+            1.5 * turns())))
+        self.assertAlmostEqual(found.rotation, 1.0, delta=1e-12)
+        self.assertAlmostEqual(found.subharmonic, 0.5, delta=1e-12)
+        self.assertAlmostEqual(found.subharmonic_order, 0.5)
+        self.assertAlmostEqual(found.between, np.hypot(0.5, 0.1), delta=1e-12)
+        self.assertAlmostEqual(found.between_share, 0.26 / 1.26, delta=1e-12)
+        self.assertAlmostEqual(found.centroid, (0.25 * 0.5 + 0.01 * 1.5) / 0.26, delta=1e-12)
+        self.assertAlmostEqual(found.width, np.sqrt(0.25 * 0.01) / 0.26, delta=1e-12)
+        self.assertLess(found.breadth, 0.01)
+
+    def test_a_motion_of_period_sixteen_is_seen_in_a_record_that_resolves_it(self):
+        found = rubatlas.signature(*spectrum(np.cos(3.0 * turns(160)) + 0.1 * np.cos(47.0 / 16.0 * turns(160))))
+        self.assertAlmostEqual(found.subharmonic, 0.1, delta=1e-12)
+        self.assertAlmostEqual(found.subharmonic_order, 47.0 / 16.0)
+
+    def test_white_noise_fills_half_of_the_bins_and_lies_in_the_middle(self):
+        noise = np.random.default_rng(20161).normal(size=(200, SAMPLES * REVOLUTIONS))
+        orders = spectrum(noise[0])[0]
+        found = rubatlas.signature(orders, [spectrum(row)[1] for row in noise])
+        self.assertEqual(found.breadth.shape, (200,))
+        # Of 200 spectra of 245 bins: what is expected, within some standard errors of the mean.
+        inside = (orders > 0.05) & (orders <= 6.05) & (np.abs(orders - np.rint(orders)) > 0.0501)
+        self.assertAlmostEqual(found.breadth.mean(), 0.5, delta=0.01)
+        self.assertAlmostEqual(found.centroid.mean(), orders[inside].mean(), delta=0.03)
+        self.assertAlmostEqual(found.width.mean(), orders[inside].std(), delta=0.03)
+        self.assertAlmostEqual(found.between_share.mean(), inside.sum() / ((orders > 0.05) & (orders <= 6.05)).sum(),
+                               delta=0.005)
+
+    def test_no_vibration_has_no_power_and_no_place(self):
+        orders = spectrum(turns())[0]
+        found = rubatlas.signature(orders, np.where(orders == 0.0, 3.0, 0.0))
+        self.assertEqual([found.passing, found.rotation, found.subharmonic, found.between, found.between_share], [0.0] * 5)
+        self.assertTrue(np.isnan([found.subharmonic_order, found.centroid, found.width, found.breadth]).all())
+
+    def test_a_measured_record_with_a_window_and_no_whole_number_of_revolutions_has_the_same_lines(self):
+        turned = turns(50.37)
+        noise = 1e-3 * np.random.default_rng(7).normal(size=len(turned))
+        orders, amplitudes = spectrum(2.0 * np.cos(3.0 * turned) + 0.4 * np.cos(0.5 * turned) + noise,
+                                      np.hanning(len(turned)))
+        found = rubatlas.signature(orders, amplitudes)
+        # Hann's window loses at most 15 % of a line that stands in the middle between two bins.
+        self.assertAlmostEqual(found.passing, 2.0, delta=0.3)
+        self.assertAlmostEqual(found.subharmonic, 0.4, delta=0.06)
+        self.assertAlmostEqual(found.subharmonic_order, 0.5, delta=orders[1])
+        # The window widens every line to 1.5 bins of power, so that shares stay as they are.
+        self.assertAlmostEqual(found.between_share, 0.04 / 1.04, delta=0.002)
+        self.assertLess(found.breadth, 0.02)
+
+    def test_what_leaks_from_a_line_through_the_window_is_no_broad_band(self):
+        turned = turns(20.5)
+        found = rubatlas.signature(*spectrum(np.cos(3.0 * turned), np.hanning(len(turned))))
+        self.assertLess(found.between_share, 1e-3)
+
+    def test_a_spectrum_that_is_not_known_has_no_signature_and_its_neighbour_keeps_its_own(self):
+        orders, known = spectrum(np.cos(3.0 * turns()))
+        found = rubatlas.signature(orders, [[np.full_like(known, np.nan), known]])
+        for values in found:
+            self.assertEqual(values.shape, (1, 2))
+            self.assertTrue(np.isnan(values[0, 0]))
+        self.assertAlmostEqual(found.passing[0, 1], 1.0, delta=1e-12)
+
+    def test_other_numbers_of_blades_have_their_own_line(self):
+        found = rubatlas.signature(*spectrum(np.cos(5.0 * turns()) + 0.5 * np.cos(3.0 * turns())), blades=5)
+        self.assertAlmostEqual(found.passing, 1.0, delta=1e-12)
+
+    def test_orders_that_cannot_be_read_are_refused_with_what_is_allowed(self):
+        for orders, blades, words in (([0.0, 0.5, 1.0], 1, "in steps of at most 0.125"),
+                                      (np.arange(100) / 10.0 * np.linspace(1.0, 2.0, 100), 3, "they ascend evenly"),
+                                      (np.arange(20) / 10.0, 3, "not between the number of blades, 3, and"),
+                                      ([[0.0, 0.1]], 3, "the orders are one row")):
+            with self.subTest(words=words), self.assertRaisesRegex(ValueError, words):
+                rubatlas.signature(orders, np.ones(np.shape(orders)[-1]), blades)
+
+
+if __name__ == "__main__":
+    unittest.main()
