@@ -67,7 +67,8 @@ class SignatureOfASpectrum(unittest.TestCase):
     def test_no_vibration_has_no_power_and_no_place(self):
         orders = spectrum(turns())[0]
         found = rubatlas.signature(orders, np.where(orders == 0.0, 3.0, 0.0))
-        self.assertEqual([found.passing, found.rotation, found.subharmonic, found.between, found.between_share], [0.0] * 5)
+        for values in (found.passing, found.rotation, found.subharmonic, found.between, found.between_share):
+            self.assertEqual(values, 0.0)
         self.assertTrue(np.isnan([found.subharmonic_order, found.centroid, found.width, found.breadth]).all())
 
     def test_a_measured_record_with_a_window_and_no_whole_number_of_revolutions_has_the_same_lines(self):
