@@ -66,6 +66,8 @@ class ContactArc {
   [[nodiscard]] int touches() const { return touches_; }
   [[nodiscard]] const Point& start() const { return start_; }
   [[nodiscard]] const Point& end() const { return end_; }
+  /// v of the leading blade at the end (MODEL 4.4) [m per unit τ].
+  [[nodiscard]] double slip_velocity() const { return slip_velocity_; }
 
   /// θ in the interval that has been made where it has reached a time.
   [[nodiscard]] double fraction_at(double time) const;

@@ -366,9 +366,12 @@ class Sweeps {
     const Number bent = larger(tip.deflection * tip.slip, Number(kUnbent * contact_.length));
     return (tip.b * 2.0 + tip.deflection) * tip.slip + tip.shortening / bent * (tip.a * 2.0 + tip.shortening);
   }
-  RUBATLAS_INLINE Number slip_velocity_of(const Tip& tip) const {
+  /// v of a tip (MODEL 4.4), of the velocities that have been found: light sweeps keep the tip's rates.
+  RUBATLAS_INLINE Number slip_velocity_of(const Tip& tip, const Vector& er) const {
     const Contact& c = contact_;
-    return (tip.a * tip.b_rate - tip.b * tip.a_rate) * (1.0 / c.ring_radius) + c.speed_ratio * c.ring_radius;
+    const Number along = (vx_ * er.x + vy_ * er.y) + (tip.b + tip.deflection) * c.speed_ratio;
+    const Number across = (vy_ * er.x - vx_ * er.y) - (tip.a + tip.shortening - c.reach) * c.speed_ratio;
+    return (tip.a * across - tip.b * along) * (1.0 / c.ring_radius) + c.speed_ratio * c.ring_radius;
   }
 
   void store() const {
@@ -387,11 +390,11 @@ class Sweeps {
     er_.x.store(in.blade_x);
     er_.y.store(in.blade_y);
     gap_measure_of(lead_).store(in.gap_measure);
-    slip_velocity_of(lead_).store(in.slip_velocity);
+    slip_velocity_of(lead_, er_).store(in.slip_velocity);
     for (std::size_t k = 0; k < in.further_count; ++k) {
       further_[k].square.store(in.further[k].square);
       gap_measure_of(further_[k]).store(in.further[k].gap_measure);
-      slip_velocity_of(further_[k]).store(in.further[k].slip_velocity);
+      slip_velocity_of(further_[k], offset_by(er_, in.further[k].offset)).store(in.further[k].slip_velocity);
     }
     const Number along_x = Number::combined(nodes_.legendre, ax_ * time_rate_);
     const Number along_y = Number::combined(nodes_.legendre, ay_ * time_rate_);

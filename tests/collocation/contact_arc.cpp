@@ -330,7 +330,7 @@ TEST(ContactArc, StateAtAnyTimeIsAsAccurateAsTheEndOfAnInterval) {
   EXPECT_LE((state_at(1e-8) - state_at(1e-13)).abs().maxCoeff(), 1e-8 * kClearance);
 }
 
-/// Calls `use` with each interval of contacts at 1e-9 of many rotors.
+/// Calls `use` with each interval of contacts at 1e-9 of many rotors, and with the contact.
 template <class Use>
 void for_each_interval(Use use) {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
@@ -338,15 +338,30 @@ void for_each_interval(Use use) {
     const auto first = one.arc(1e-9, [](const ContactArc&) { return true; });
     ContactArc& arc = *first;
     while (arc.make() == ContactArc::Outcome::made) {
-      use(arc);
+      use(arc, one);
       if (arc.lifts_off() || arc.touches() >= 0) break;
     }
   }
 }
 
+TEST(ContactArc, SlipVelocitiesAreThoseOfTheStatesThatAreFound) {
+  double largest = 0.0;
+  for_each_interval([&](const ContactArc& arc, const OneContact& one) {
+    if (arc.lifts_off()) return;  // its place is moved to where the gap is zero
+    const Machine& m = one.machine;
+    const auto& [blade, slip] = std::pair(one.contact.start.blade, one.contact.start.slip);
+    const auto er = m.blades.direction(blade, m.blades.first(arc.end().time));
+    const auto pose = rotor::pose_of(m.rotor, m.law.geometry(), er, arc.end().state);
+    const auto there = m.law.constraint(pose, slip, arc.bending(arc.end().argument), m.rotor.speed_ratio);
+    largest = std::max(largest, std::abs(arc.slip_velocity() - there.force.slip_velocity));
+  });
+  EXPECT_LE(largest, 1e-9 * kClearance);
+  EXPECT_GT(largest, 0.0);
+}
+
 TEST(ContactArc, PlacesBetweenTheNodesErrAsVelocitiesMayThere) {
   double largest = 0.0;
-  for_each_interval([&](ContactArc& arc) {
+  for_each_interval([&](ContactArc& arc, const OneContact&) {
     for (int i = 1; i < 40; ++i) {
       const double time = arc.start().time + (arc.end().time - arc.start().time) * i / 40;
       const auto place = arc.place_at(arc.fraction_at(time));
@@ -361,7 +376,7 @@ TEST(ContactArc, PlacesBetweenTheNodesErrAsVelocitiesMayThere) {
 
 TEST(ContactArc, TheLargestDisplacementIsAsAccurateAsTheEndOfAnInterval) {
   int inside = 0;
-  for_each_interval([&](ContactArc& arc) {
+  for_each_interval([&](ContactArc& arc, const OneContact&) {
     const double begin = arc.start().time;
     const double end = arc.end().time;
     const auto distance = [&](double time) {

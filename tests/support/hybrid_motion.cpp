@@ -1,27 +1,14 @@
 #include "hybrid_motion.hpp"
 
-#include "modes/collocated.hpp"
+#include "motion/collocation_and_steps.hpp"
 
-namespace rubatlas {
-namespace test {
-
-struct CollocationAndSteps : integrate::DormandPrince853 {};
-
-}  // namespace test
-
-template <>
-struct motion::CollocationOf<test::CollocationAndSteps> {
-  static constexpr bool kOccurs = true;
-  using Mode = modes::Collocated;
-};
-
-namespace test {
+namespace rubatlas::test {
 
 std::unique_ptr<motion::PointMotion> collocation_motion(const rotor::RotorConstants& rotor,
                                                         const rotor::BladeSet& blades,
                                                         const contact::ElasticaContact& law,
                                                         const modes::ContactLimits& limits) {
-  using Motion = motion::Motion<contact::ElasticaContact, rotor::NoForcing, CollocationAndSteps>;
+  using Motion = motion::Motion<contact::ElasticaContact, rotor::NoForcing, motion::CollocationAndSteps>;
   return std::make_unique<motion::TypedMotion<Motion, false>>(rotor, blades, law, rotor::NoForcing{}, limits);
 }
 
@@ -41,5 +28,4 @@ template std::unique_ptr<motion::PointMotion> hybrid_motion(const rotor::RotorCo
                                                             const rotor::NoForcing&,
                                                             const modes::ContactLimits&);
 
-}  // namespace test
-}  // namespace rubatlas
+}  // namespace rubatlas::test
