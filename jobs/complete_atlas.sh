@@ -40,3 +40,13 @@ complete_atlas() {
   [ "$asked" = 0 ] || code=$asked
   return "$code"
 }
+# whole_atlas SCENE ATLAS [LAUNCHER...]: for scripts that go on with a complete atlas, and end where it is not.
+# Exit code 10, that some points could not be integrated, is no reason to end: the others say enough.
+whole_atlas() {
+  local code=0
+  complete_atlas "$1" "$2" auto "${@:3}" || code=$?
+  case $code in
+    0 | 10) ;;
+    *) echo "$(basename "$0"): $2 is not complete; the same command goes on" >&2 && exit "$code" ;;
+  esac
+}

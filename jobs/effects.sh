@@ -25,15 +25,6 @@ if [ $# -eq 0 ]; then
 fi
 mkdir -p atlases
 . jobs/complete_atlas.sh
-atlas() {
-  local code=0
-  complete_atlas "$1" "$2" auto || code=$?
-  # Exit code 10: some points could not be integrated; the others are drawn.
-  if [ "$code" != 0 ] && [ "$code" != 10 ]; then
-    echo "effects.sh: $2 is not complete; the same command goes on" >&2
-    exit "$code"
-  fi
-}
 # regions ATLAS NAME: the row of regions and triggers that `analyse` finds, under a name; HEAD for what stands above it.
 regions() {
   "$program" analyse "$1.h5" -o "$1_maps.h5" --table "$1.md" --overwrite >/dev/null
@@ -54,8 +45,8 @@ content = json.load(open(scene, encoding="utf-8"))
 del content[effect]
 json.dump(content, open(plain, "w", encoding="utf-8"), indent=2)' \
     "$(jobs/effect_of.py "$scene")" "$scene" "$without.json"
-  atlas "$scene" "$with.h5"
-  atlas "$without.json" "$without.h5"
+  whole_atlas "$scene" "$with.h5"
+  whole_atlas "$without.json" "$without.h5"
   tools/rubatlas-plot effect "$with.h5" --without "$without.h5" --dpi 60 -o "$with.png"
   [ "$publish" = no ] || cp "$with.png" tools/pictures/
   [ -s "$table" ] || regions "$without" HEAD >>"$table"

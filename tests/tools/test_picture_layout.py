@@ -37,6 +37,7 @@ CALLS = {
     "safe_speeds": ("atlas.h5", "--keep", "max_displacement<=0.008", "--keep", "max_contact_force<=200"),
     "basins": ("basins.h5", "--maps", "basins_maps.h5"), "branch": ("branch.h5",),
     "effect": ("gravity.h5", "--without", "atlas.h5", "--damping_ratio", "0.05"), "grazing": ("atlas.h5",),
+    "stack": ("atlas.h5", "--maps", "maps.h5"),
     "statement_map": ("maps.h5", "rings_maps.h5"), "accuracy": ("accuracy.h5",)}
 
 
@@ -116,18 +117,25 @@ class Layout(unittest.TestCase):
             numbers = axes.xaxis.get_tightbbox(renderer)
             self.expect_apart(legend, *([numbers] if numbers is not None else []))
 
+    def expect_column(self, figure):
+        self.assertAlmostEqual(figure.get_figwidth(), COLUMN, places=6)
+        self.assertLess(figure.get_figheight(), 247.0 / 25.4, "higher than a page")
+        self.expect_legible(figure)
+
     def test_every_kind_is_legible_in_a_column_of_a_journal(self):
         self.assertEqual(set(CALLS), set(KINDS) - {"all"})
-
-        def look(figure):
-            self.assertAlmostEqual(figure.get_figwidth(), COLUMN, places=6)
-            self.assertLess(figure.get_figheight(), 247.0 / 25.4, "higher than a page")
-            self.expect_legible(figure)
-
         with titled(LONG):
             for kind in CALLS:
                 with self.subTest(kind):
-                    self.drawn(kind, look, "--width", "85mm")
+                    self.drawn(kind, self.expect_column, "--width", "85mm")
+
+    def test_zooms_and_several_orbits_are_legible_in_a_column_of_a_journal(self):
+        zooms = ("atlas.h5", "--maps", "maps.h5", "--damping_ratio", "0.05", "--zoom", "0.3:0.5", "--zoom", "0.6:0.8")
+        with unittest.mock.patch.dict(CALLS, {"bifurcation": zooms, "orbit": ("orbit.h5",) * 4}):
+            for kind in ("bifurcation", "orbit"):
+                with self.subTest(kind):
+                    self.drawn(kind, self.expect_column, "--width", "85mm")
+                    self.drawn(kind, self.expect_inside)
 
     def test_no_long_title_is_cut(self):
         with titled(LONG):

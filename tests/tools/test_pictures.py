@@ -1,10 +1,15 @@
 """Every picture: it is drawn by its command, holds what the atlas holds, and is labelled from the file."""
+import contextlib
 import importlib
+import io
 import os
 import pathlib
+import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 import h5py
 import numpy as np
@@ -32,17 +37,9 @@ class Figure:
     def __init__(self, tool, *arguments):
         module = importlib.import_module(f"rubatlas.plots.{tool}")
         caught = []
-        keep, style.save = style.save, lambda figure, options: caught.append(figure)
-        try:
-            parser = command_line.parser(module.__doc__)
-            for option in ("--maps", "--along", "--curve"):
-                parser.add_argument(option)
-            parser.add_argument("--passing", action="store_true")
-            parser.add_argument("--max_frequency", type=float)
-            parser.add_argument("--revolutions", type=int, default=3)
-            module.draw(parser.parse_args([*map(str, arguments), "-o", "none.png"]))
-        finally:
-            style.save = keep
+        with unittest.mock.patch.object(style, "save", lambda figure, options: caught.append(figure)), \
+                contextlib.redirect_stdout(io.StringIO()):
+            module.main([*map(str, arguments), "-o", "none.png"])
         self.figure = caught[0]
         style.plt.close(self.figure)  # pyplot forgets it
 
@@ -55,6 +52,15 @@ class Figure:
 
 
 class ToolsPictures(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        subprocess.run([os.environ["RUBATLAS_PROGRAM"], "orbit", ROOT / "tests/tools/tiny.json", "--at",
+                        "speed_ratio=0.4,damping_ratio=0.1", "-o", cls.folder / "other.h5"], check=True,
+                       capture_output=True)
+
     def expect_picture(self, tool, *arguments, colours=20):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "picture.png"
@@ -197,7 +203,7 @@ class ToolsPictures(unittest.TestCase):
                     self.expect_drawn(path, colours=50 if "sensitivity" in path.stem else 20)
         self.assertEqual([path.name for path in drawn],
                          ["bifurcation.png", "blade.png", "displacement.png", "sensitivity.png",
-                          "sensitivity_blade_passing.png", "waterfall.png"])
+                          "sensitivity_blade_passing.png", "stack.png", "waterfall.png"])
 
     def test_of_many_initial_states_the_basins_are_drawn(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -211,7 +217,7 @@ class ToolsPictures(unittest.TestCase):
             self.assertEqual((ended.returncode, ended.stderr), (0, ""))
             names = sorted(path.stem for path in pathlib.Path(folder).glob("*.png"))
         self.assertEqual(names, ["bifurcation", "blade", "displacement", "displacement_damping_ratio", "sensitivity",
-                                 "sensitivity_damping_ratio", "waterfall"])
+                                 "sensitivity_damping_ratio", "stack", "stack_damping_ratio", "waterfall"])
         self.assertIn("Ring radius [mm]", Figure("map", TINY / "rings.h5").texts())
         self.assertIn("ring radius 0.11 m",
                       Figure("bifurcation", TINY / "rings.h5", "--at", "ring_radius=0.11").texts())
@@ -249,8 +255,8 @@ class ToolsPictures(unittest.TestCase):
 
     def test_pictures_over_the_speed_have_a_second_axis_in_rpm(self):
         atlas, maps = TINY / "atlas.h5", ("--maps", TINY / "maps.h5")
-        for tool, arguments in (("bifurcation", []), ("displacement", []), ("map", maps), ("margin", maps),
-                                ("waterfall", [])):
+        for tool, arguments in (("bifurcation", []), ("stack", []), ("displacement", []), ("map", maps),
+                                ("margin", maps), ("waterfall", [])):
             with self.subTest(tool):
                 figure = Figure(tool, atlas, *arguments).figure
                 figure.draw_without_rendering()  # the second axis follows the first when it is drawn
@@ -276,6 +282,100 @@ class ToolsPictures(unittest.TestCase):
         for panel, component in zip(figure.axes, (0, 1)):
             drawn = panel.lines[0].get_ydata()
             np.testing.assert_array_equal(drawn, 1e3 * sections[:, :, component].ravel())
+
+    def test_the_largest_displacement_is_read_in_clearances_too(self):
+        figure = Figure("bifurcation", TINY / "atlas.h5").figure
+        figure.draw_without_rendering()  # the second axis follows the first when it is drawn
+        panel = figure.axes[2]
+        in_clearances, = panel.child_axes
+        np.testing.assert_allclose(np.array(panel.get_ylim()) / in_clearances.get_ylim()[1],
+                                   [0.0, 10.0], atol=1e-12)  # mm, of the default rotor
+
+    def test_a_zoom_shows_the_sections_of_its_range_above_their_classes(self):
+        figure = Figure("bifurcation", TINY / "atlas.h5", "--maps", TINY / "maps.h5", "--damping_ratio", 0.05,
+                        "--zoom", "0.25:0.5", "--zoom", "0.6:0.8").figure
+        with AtlasFile(TINY / "atlas.h5") as atlas, AtlasFile(TINY / "maps.h5") as maps:
+            speed, line = atlas.axis("speed_ratio"), atlas.line(damping_ratio=0.05)
+            y, motion = 1e3 * line.rows("poincare")[:, :, 1], maps.dataset("class")[line.index]
+        self.assertGreater(len(set(motion)), 2)
+        colour = {kind: style.matplotlib.colors.to_rgba(entry["colour"]) for entry in PALETTE["classes"]
+                  for kind in range(entry["first"], entry["last"] + 1)}
+        colour[0], = (style.matplotlib.colors.to_rgba(entry["colour"]) for entry in PALETTE["no_motion"]
+                      if entry["status"] == 2)
+        for panel, (low, high) in zip(figure.axes[3:], ((0.25, 0.5), (0.6, 0.8))):
+            within = (speed >= low) & (speed <= high)
+            np.testing.assert_array_equal(panel.lines[0].get_ydata(), y[within].ravel())
+            self.assertEqual(panel.get_xlim(), (low, high))
+            strip, = panel.child_axes
+            image, (left, right, *_) = strip.images[0].get_array()[0], strip.images[0].get_extent()
+            cell = ((speed[within] - left) / (right - left) * within.sum()).astype(int)
+            np.testing.assert_array_equal(image[cell], [colour[kind] for kind in motion[within]])
+            least, most = panel.get_ylim()  # no dot stands where the strip does
+            self.assertGreater(np.nanmin(y[within]), least + 0.05 * (most - least))
+
+    def test_a_zoom_is_a_range_of_speeds_that_the_atlas_has(self):
+        for word in ("0.5", "0.5:0.4", "a:b", "0.1:0.2:0.3", "nan:nan"):
+            ended = run("bifurcation", TINY / "atlas.h5", "-o", "none.png", f"--zoom={word}")
+            self.assertEqual(ended.returncode, 2)
+            self.assertIn(f"--zoom: {word} is no range of speed ratios, such as 0.22:0.335", ended.stderr)
+        ended = run("bifurcation", TINY / "atlas.h5", "-o", "none.png", "--zoom=0.92:0.95")
+        self.assertEqual(ended.returncode, 2)
+        self.assertRegex(ended.stderr, r"^rubatlas-plot bifurcation: --zoom 0.92:0.95: .*atlas.h5 has 0 speeds there, "
+                                       r"and its speeds go from 0.2 to 0.9\n$")
+
+    def test_a_stack_has_a_bifurcation_diagram_for_each_value_with_aperiodic_motions_lighter(self):
+        marked = self.folder / "marked.h5"  # the tiny atlas has no motion that its few sections show to be aperiodic
+        shutil.copy(TINY / "maps.h5", marked)
+        with h5py.File(marked, "r+") as maps:
+            maps["class"][..., 1, 10:20] = 255
+        figure = Figure("stack", TINY / "atlas.h5", "--maps", marked).figure
+        self.assertEqual([panel.get_ylabel() for panel in figure.axes], ["ζ = 0.05", "ζ = 0.1", "ζ = 0.2"])
+        self.assertEqual(len({(panel.get_xlim(), panel.get_ylim()) for panel in figure.axes}), 1)
+        with AtlasFile(TINY / "atlas.h5") as atlas, AtlasFile(marked) as maps:
+            for panel, line in zip(figure.axes, atlas.lines("damping_ratio")):
+                y, aperiodic = 1e3 * line.rows("poincare")[:, :, 1], maps.dataset("class")[line.index] == 255
+                self.assertEqual(aperiodic.sum(), 10 if line.value("damping_ratio") == 0.1 else 0)
+                lighter, darker = panel.lines
+                np.testing.assert_array_equal(lighter.get_ydata(), y[aperiodic].ravel())
+                np.testing.assert_array_equal(darker.get_ydata(), y[~aperiodic].ravel())
+                lightness = [sum(style.matplotlib.colors.to_rgb(dots.get_color())) for dots in (lighter, darker)]
+                self.assertGreater(lightness[0], lightness[1] + 0.5)
+        self.assertEqual(len(Figure("stack", TINY / "atlas.h5").figure.axes[0].lines), 1, "no maps lie beside it")
+
+    def test_a_stack_draws_the_values_and_the_component_that_are_asked_for(self):
+        figure = Figure("stack", TINY / "rings.h5", "--values", "0.11", "--component", "x").figure
+        panel, = figure.axes
+        self.assertEqual(panel.get_ylabel(), "ring radius\n110 mm")
+        with AtlasFile(TINY / "rings.h5") as atlas:
+            x = 1e3 * atlas.line(ring_radius=0.11).rows("poincare")[:, :, 0]
+        drawn = np.concatenate([dots.get_ydata() for dots in panel.lines])
+        np.testing.assert_array_equal(np.sort(drawn), np.sort(x.ravel()))
+        ended = run("stack", TINY / "atlas.h5", "-o", "none.png", "--values", "0.05,0.7")
+        self.assertEqual(ended.returncode, 2)
+        self.assertRegex(ended.stderr, r"^rubatlas-plot stack: .*damping_ratio 0.7 is not in this atlas.*\n$")
+
+    def test_several_orbits_have_a_panel_each_with_sections_clearance_and_middle_of_the_ring(self):
+        figure = Figure("orbit", TINY / "orbit.h5", self.folder / "other.h5").figure
+        *planes, bottom = figure.axes
+        self.assertEqual(len(planes), 2)
+        for plane, path, speed in zip(planes, (TINY / "orbit.h5", self.folder / "other.h5"), (0.3, 0.4)):
+            with h5py.File(path) as orbit:
+                state, sections = orbit["state"][:], orbit["sections"][:]
+            self.assertTrue(plane.get_title(loc="left").endswith(f"speed ratio {speed}"))
+            path_of, dots, circle, middle = plane.lines
+            np.testing.assert_array_equal(path_of.get_xydata(), 1e3 * state[:, :2])
+            np.testing.assert_array_equal(dots.get_xydata(), 1e3 * sections[:, :2])
+            np.testing.assert_allclose(middle.get_xydata(), [[0.0, -10.01]])  # mm, the misalignment
+            np.testing.assert_allclose(np.hypot(*(circle.get_xydata() - middle.get_xydata()).T), 10.0)  # mm
+        self.assertIn("damping ratio 0.1", planes[0].get_title(loc="left"))
+        self.assertEqual([text.get_text() for text in bottom.get_legend().get_texts()],
+                         ["orbit", "section, once per revolution", "clearance 10 mm", "middle of the ring"])
+
+    def test_orbits_of_different_rotors_are_not_drawn_together(self):
+        ended = run("orbit", TINY / "orbit.h5", TINY / "rings_orbit.h5", "-o", "none.png")
+        self.assertEqual(ended.returncode, 2)
+        self.assertRegex(ended.stderr, r"^rubatlas-plot orbit: .*rings_orbit.h5 was not made from the scene of "
+                                       r".*orbit.h5: /ring/radius is 0.11 here and 0.1095 there\n$")
 
     def test_the_map_has_one_row_per_value_of_the_parameter(self):
         figure = Figure("map", TINY / "atlas.h5", "--maps", TINY / "maps.h5").figure

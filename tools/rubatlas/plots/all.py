@@ -2,8 +2,8 @@
 
   rubatlas-plot all ATLAS.h5 -o FOLDER [--maps MAPS.h5]
 
-With several swept parameters displacement.png and sensitivity.png are along the first of them, and
-displacement_AXIS.png, sensitivity_AXIS.png along each of the others. Of an atlas whose initial state is an axis there
+With several swept parameters stack.png, displacement.png and sensitivity.png are along the first of them, and
+stack_AXIS.png and so on along each of the others. Of an atlas whose initial state is an axis there
 is one picture, basins.png: a line has one of many initial states, and says little.
 """
 import argparse
@@ -22,6 +22,8 @@ def pictures(atlas, maps):
     found: list[tuple[str, str, list[str]]] = []
     if "poincare" in atlas:
         found.append(("bifurcation", "bifurcation", []))
+        found += [(f"stack_{axis}" if number else "stack", "stack", ["--along", axis])
+                  for number, axis in enumerate(atlas.swept_axes())]
     if "spectrum" in atlas:
         found.append(("waterfall", "waterfall", []))
     if "max_displacement" in atlas:
@@ -45,7 +47,7 @@ def draw(options):
     size = [f"--{name}={value}{unit}" for name, value, unit in
             (("width", options.width, "in"), ("dpi", options.dpi, "")) if value is not None]
     for name, kind, chosen in found:
-        if kind in ("map", "basins"):
+        if kind in ("map", "stack", "basins"):
             chosen = [*chosen, "--maps", str(maps_path)]
         output = options.output / f"{name}.png"
         importlib.import_module(f"rubatlas.plots.{kind}").main([str(options.source), "-o", str(output), *size, *chosen])

@@ -1,4 +1,4 @@
-"""Maximum displacement over the clearance, along the speed ratio (as the paper's Fig. 10).
+"""Maximum displacement over the clearance, along the speed ratio.
 
   rubatlas-plot displacement ATLAS.h5 -o PICTURE.png [--along damping_ratio] [--friction 0.1 ...]
 

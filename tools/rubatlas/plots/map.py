@@ -26,11 +26,15 @@ def rows_of(atlas, along, wanted):
         along = atlas.axes[-2]
     if along not in atlas.axes[:-1]:
         raise AtlasError(f"{along} is no axis of {atlas.path}, which has {', '.join(atlas.axes[:-1])}")
-    lines, speed = atlas.lines(along, **wanted), atlas.axis("speed_ratio")
+    lines = atlas.lines(along, **wanted)
+    return along, lines, place_of(atlas.axis("speed_ratio"), len(lines))
+
+
+def place_of(speed, count):
+    """Where an image of so many lines lies, a row for each."""
     half = 0.5 * (speed[1] - speed[0]) if len(speed) > 1 else 0.01
-    place = {"origin": "lower", "aspect": "auto", "interpolation": "nearest",
-             "extent": (speed[0] - half, speed[-1] + half, -0.5, len(lines) - 0.5)}
-    return along, lines, place
+    return {"origin": "lower", "aspect": "auto", "interpolation": "nearest",
+            "extent": (speed[0] - half, speed[-1] + half, -0.5, count - 0.5)}
 
 
 def size_of(options, panels, lines):
@@ -38,13 +42,17 @@ def size_of(options, panels, lines):
     return 9.5, 1.3 + panels * max(2.6 if style.is_narrow(options) else 1.6, 0.32 * len(lines) + 0.6)
 
 
+def value_of(line, along):
+    """A line's value of a parameter, in the unit that it is drawn in."""
+    value = line.value(along)
+    return DIRECTIONS[int(value)] if along == "direction" else f"{style.drawn(line.atlas.units(along))[1] * value:g}"
+
+
 def finish(panel, atlas, along, lines):
     """Ticks at the values of the parameter, which are drawn as far apart as each other."""
-    count, scale = len(lines), style.drawn(atlas.units(along))[1]
-    values = [line.value(along) for line in lines]
+    count = len(lines)
     panel.grid(False)
-    panel.set_yticks(range(count), [DIRECTIONS[int(value)] if along == "direction" else format(scale * value, "g")
-                                    for value in values])
+    panel.set_yticks(range(count), [value_of(line, along) for line in lines])
     panel.set_yticks(np.arange(count - 1) + 0.5, minor=True)
     panel.grid(True, axis="y", which="minor", color="white", lw=1.2)
     panel.tick_params(which="minor", length=0)
@@ -70,15 +78,21 @@ def into(panel, atlas, along, wanted, name="max_displacement"):
     return image, gaps
 
 
-def classes_into(panel, atlas, maps, along, wanted, passing=False):
-    """The class of motion likewise; returns the entries of its legend."""
+def class_cells_of(maps, lines, name="class"):
+    """The classes of motion of lines of an atlas, as `style.cells_into` draws them."""
+    atlas = lines[0].atlas
     require_same(atlas.path, atlas.scene, maps.path, maps.scene)
-    along, lines, place = rows_of(atlas, along, wanted)
-    name = "class_blade_passing" if passing else "class"
     classes = np.array([np.where(line.chosen(), maps.dataset(name)[line.index], 0) for line in lines])
     status = np.array([line.status() for line in lines])
     untouched = np.array([line.chosen() & (maps.dataset("contact")[line.index] == NO_CONTACT) for line in lines])
-    handles = style.cells_into(panel, style.class_cells(classes, status, untouched), place)
+    return style.class_cells(classes, status, untouched)
+
+
+def classes_into(panel, atlas, maps, along, wanted, passing=False):
+    """The class of motion likewise; returns the entries of its legend."""
+    along, lines, place = rows_of(atlas, along, wanted)
+    cells = class_cells_of(maps, lines, "class_blade_passing" if passing else "class")
+    handles = style.cells_into(panel, cells, place)
     panel.set_title("Class of motion, in blade passings" if passing else "Class of motion, in revolutions")
     finish(panel, atlas, along, lines)
     return handles

@@ -1,9 +1,10 @@
-"""Orbit of one grid point with its Poincaré sections, and the force on each blade.
+"""Orbits with their Poincaré sections (as the paper's Fig. 9); beside a single one the force on each blade.
 
-  rubatlas-plot orbit ORBIT.h5 -o PICTURE.png [--revolutions 3]
+  rubatlas-plot orbit ORBIT.h5 [ORBIT.h5 ...] -o PICTURE.png [--revolutions 3]
 
-The circle is the clearance: as long as the shaft centre stays inside, no blade can touch, wherever it points. The
-forces are those of the last revolutions, contact by contact from touch-down to lift-off.
+The circle is the clearance, around the middle of the ring: as long as the shaft centre stays inside, no blade can
+touch, wherever it points. The forces are those of the last revolutions, contact by contact from touch-down to lift-off.
+Several orbits of one rotor have a panel each, and no forces.
 """
 import json
 
@@ -13,6 +14,7 @@ import numpy as np
 from rubatlas import command_line
 from rubatlas import style
 from rubatlas.atlas_file import DONE, UNREADABLE, AtlasError, clearance_of, printable, swept_pointers, text, with_values
+from rubatlas.same_scene import require_same_machine
 
 
 DATASETS = ("time", "state", "force", "sections", "contact_number", "contact_blade", "contact_time", "contact_force")
@@ -56,10 +58,14 @@ class OrbitFile:
                            np.concatenate([[0.0], force[first:last], [0.0, np.nan]])))
         return np.concatenate([one for one, _ in pieces]), np.concatenate([one for _, one in pieces])
 
-    def describe(self):
+    def values(self):
+        """Its point, in words: one entry for each quantity of the grid."""
         names = ("speed_ratio", "damping_ratio", "friction", "unbalance", "thickness", *self.further_axes)
         units = {"unbalance": " kg m", "thickness": " m"}
-        return ", ".join(f"{name.replace('_', ' ')} {self.attributes[name]:g}{units.get(name, '')}" for name in names)
+        return [f"{name.replace('_', ' ')} {self.attributes[name]:g}{units.get(name, '')}" for name in names]
+
+    def describe(self):
+        return ", ".join(self.values())
 
 
 # An orbit that is smaller than this share of the clearance circle would be a dot in it.
@@ -103,6 +109,7 @@ def plane_into(plane, orbit):
     angle = np.linspace(0.0, 2.0 * np.pi, 361)
     circle = factor * clearance * np.cos(angle), factor * (ring_centre + clearance * np.sin(angle))
     plane.plot(*circle, color=style.GREY, lw=1.0, ls=(0, (4, 3)), label=f"clearance {1e3 * clearance:g} mm")
+    plane.plot(0.0, factor * ring_centre, "+", color=style.GREY, markersize=6, label="middle of the ring")
     plane.set_aspect("equal")
     if max(np.ptp(x), np.ptp(y)) < SMALL * 2.0 * factor * clearance:
         zoom_into(plane, x, y, circle)
@@ -129,8 +136,8 @@ def forces_into(forces, orbit, revolutions=3):
     forces.set_xlim(revolution[last][0], revolution[-1])
 
 
-def draw(options):
-    orbit = OrbitFile(options.source)
+def forces_beside(options, orbit):
+    """One orbit, and the forces on its blades."""
     figure, ((plane, forces),) = style.subplots(options, 1, 2, (10.0, 4.9), widths=[1, 1.1])
     plane_into(plane, orbit)
     style.legend(plane, options, place="below")
@@ -138,11 +145,46 @@ def draw(options):
     if orbit.data["force"].shape[1] <= 8:
         style.legend(forces, options, place="below")
     style.title(figure, orbit, orbit.describe())
+    return figure
+
+
+def side_by_side(options, orbits):
+    """Several orbits, two in a row if there is room, each with what only it has above it."""
+    for other in orbits[1:]:
+        require_same_machine(orbits[0].path, orbits[0].scene, other.path, other.scene)
+    common = [value for value in orbits[0].values() if all(value in orbit.values() for orbit in orbits)]
+    own = [", ".join(value for value in orbit.values() if value not in common) for orbit in orbits]
+    columns = 1 if style.is_narrow(options) else 2
+    rows = -(-len(orbits) // columns)
+    figure = style.figure(options, (8.5, 0.9 + (3.1 if columns == 1 else 4.1) * rows))
+    grid = figure.add_gridspec(rows + 1, columns, height_ratios=[1] * rows + [0.01])
+    planes = [figure.add_subplot(place) for place in list(grid)[:len(orbits)]]
+    for number, (plane, orbit) in enumerate(zip(planes, orbits)):
+        plane_into(plane, orbit)
+        plane.set_aspect("equal", adjustable="datalim")  # panels of one size
+        plane.set_title(own[number])
+        if number % columns:
+            plane.set_ylabel("")
+        if number + columns < len(orbits):
+            plane.set_xlabel("")
+    style.title(figure, orbits[0], f"{', '.join(common)}\n\n{own[0]}")
+    bottom = figure.add_subplot(grid[rows, :])
+    bottom.set_axis_off()
+    style.legend(bottom, options, planes[0].get_legend_handles_labels()[0], place="below")
+    return figure
+
+
+def draw(options):
+    orbits = [OrbitFile(path) for path in options.orbits]
+    figure = forces_beside(options, orbits[0]) if len(orbits) == 1 else side_by_side(options, orbits)
     style.save(figure, options)
 
 
 def main(arguments_given):
     arguments = command_line.parser(__doc__, source="ORBIT.h5", line=False)
+    arguments.add_argument("more", nargs="*", metavar="ORBIT.h5")
     arguments.add_argument("--revolutions", type=command_line.positive(int), default=3,
                            help="how many of the last to show forces of")
-    command_line.run(draw, arguments.parse_args(arguments_given))
+    chosen = arguments.parse_args(arguments_given)
+    chosen.orbits = [chosen.source, *chosen.more]
+    command_line.run(draw, chosen)
