@@ -166,6 +166,27 @@ class Jobs(unittest.TestCase):
             (self.folder / name).symlink_to(ROOT / name)
         (self.folder / "build").symlink_to(PROGRAM.parent)
 
+    def test_the_script_of_the_figures_draws_and_publishes_each_of_them(self):
+        for name in ("jobs", "tools/pictures", "build"):
+            (self.folder / name).mkdir(parents=True)
+        (self.folder / "build/rubatlas").symlink_to(PROGRAM)
+        for name in ("rubatlas", "rubatlas-plot"):
+            (self.folder / "tools" / name).symlink_to(ROOT / "tools" / name)
+        for script in ("figures.sh", "complete_atlas.sh", "mpi_environment.sh"):
+            (self.folder / "jobs" / script).symlink_to(ROOT / "jobs" / script)
+        for name in ("fig3", "damping_elastic_ring", "friction", "unbalance", "rig"):  # at few speeds, in both zooms
+            scene = json.loads((ROOT / f"jobs/{name}.json").read_text())
+            scene["grid"]["speed_ratio"] = [0.25, 0.3, 0.682, 0.686]
+            scene["protocol"] = {"transient_revolutions": 2, "sampled_revolutions": 4, "samples_per_revolution": 64}
+            (self.folder / f"jobs/{name}.json").write_text(json.dumps(scene))
+        figures = {f"fig{number}.png" for number in ("2", "3", "4a", "4b", "4c", "9", "10a1", "10b1")}
+        ended = run("jobs/figures.sh", "--publish", cwd=self.folder)
+        self.assertEqual(ended.returncode, 0, ended.stdout + ended.stderr)
+        for place in ("atlases/figures", "tools/pictures"):
+            self.assertEqual({path.name for path in (self.folder / place).glob("*.png")}, figures)
+        refused = run("jobs/figures.sh", "--all", cwd=self.folder)
+        self.assertEqual((refused.returncode, "jobs/figures.sh --publish" in refused.stderr), (2, True))
+
     def test_interrupting_quickstart_stops_it_and_says_how_to_go_on(self):
         self.clone()
         # As a terminal does at Ctrl-C: to all processes in the foreground.

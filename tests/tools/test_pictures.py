@@ -4,6 +4,7 @@ import importlib
 import io
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -376,6 +377,14 @@ class ToolsPictures(unittest.TestCase):
         self.assertEqual(ended.returncode, 2)
         self.assertRegex(ended.stderr, r"^rubatlas-plot orbit: .*rings_orbit.h5 was not made from the scene of "
                                        r".*orbit.h5: /ring/radius is 0.11 here and 0.1095 there\n$")
+
+    def test_only_what_shows_a_figure_of_the_paper_bears_its_number(self):
+        drawn = re.findall(r"(fig\w+\.png)", (ROOT / "jobs/figures.sh").read_text())
+        self.assertEqual(len(drawn), 8)
+        self.assertEqual({path.name for path in (ROOT / "tools/pictures").glob("fig*")}, set(drawn))
+        gallery = (ROOT / "tools/gallery.md").read_text()
+        for words, path in re.findall(r"!\[([^]]*)\]\(pictures/([^)]*)\)", gallery):
+            self.assertEqual(words.startswith("Fig."), path in drawn, words)
 
     def test_the_map_has_one_row_per_value_of_the_parameter(self):
         figure = Figure("map", TINY / "atlas.h5", "--maps", TINY / "maps.h5").figure
