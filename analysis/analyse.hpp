@@ -1,5 +1,5 @@
 /// `rubatlas analyse ATLAS.h5 -o MAPS.h5 [--table TABLE.md]`: from an atlas to its classes, regions,
-/// triggers, sensitivities and the verdict on the paper's statements.
+/// triggers and sensitivities.
 #pragma once
 
 #include <filesystem>

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "analysis/paper/statements.hpp"
 #include "analysis/rules/basins.hpp"
 #include "analysis/rules/borders.hpp"
 #include "analysis/rules/class.hpp"
@@ -42,10 +41,8 @@ struct Findings {
   bool has_sections = false;             ///< the atlas keeps `poincare`
   bool keeps_nearest_miss = false;       ///< the atlas keeps `nearest_miss`
   std::vector<LineSummary> lines;
-  // Both are about lines from one initial state, and empty where the initial state is an axis.
-  std::vector<Sensitivity> sensitivities;
-  std::vector<Statement> statements;
-  std::optional<Margins> margins{};             ///< where motions have classes
+  std::vector<Sensitivity> sensitivities;  ///< of lines from one initial state: empty where that is an axis
+  std::optional<Margins> margins{};        ///< where motions have classes
   std::vector<ExponentCheck> exponent_check{};  ///< one per point; empty where the atlas has no exponents
   std::optional<EdgeTable> edges{};             ///< where they have been computed (`rubatlas edges`)
 };

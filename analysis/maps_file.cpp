@@ -88,75 +88,30 @@ void create_effects(File& file, const Findings& found) {
   create_texts(file, "effects/text", scale, "what happens to it", effects);
 }
 
-void create_statements(File& file, const Findings& found) {
-  std::vector<std::string> names;
-  std::vector<std::string> claims;
-  std::vector<std::string> evidence;
-  std::vector<std::string> settings;
-  std::vector<std::uint8_t> verdicts;
-  for (const auto& statement : found.statements) {
-    names.emplace_back(statement.name);
-    claims.emplace_back(statement.claim());
-    settings.push_back(statement.setting.text);
-    verdicts.push_back(static_cast<std::uint8_t>(statement.verdict()));
-    std::vector<std::string> texts;
-    for (const auto& finding : statement.findings) {
-      const char* mark = !finding.holds ? "not covered" : *finding.holds ? "yes" : "no";
-      texts.push_back(fmt::format("{}: {}", mark, finding.evidence));
-    }
-    evidence.push_back(fmt::format("{}", fmt::join(texts, "; ")));
-  }
-  auto group = file.create_group("statements");
-  group.set_text("long_name", "the paper's statements, judged on this atlas");
-  const Dataset scale =
-      create_number_scale(file, "statements/statement", "statement", names.size(), "number of the statement");
-  create_texts(file, "statements/name", scale, "name of the statement", names);
-  create_texts(file, "statements/claim", scale, "the statement, in short", claims);
-  create_texts(file, "statements/setting", scale, "values of what is open, at which it was judged", settings);
-  create_texts(file, "statements/evidence", scale, "what the verdict rests on", evidence);
-  Dataset verdict = file.create_dataset<std::uint8_t>("statements/verdict", {verdicts.size()});
-  verdict.write<std::uint8_t>(verdicts);
-  verdict.attach_scale(0, scale);
-  const std::vector<std::uint8_t> flags{0, 1, 2, 3};
-  verdict.set_numbers<std::uint8_t>("flag_values", flags);
-  verdict.set_text("flag_meanings", "not_covered agrees partly disagrees");
-  verdict.set_text("long_name", "verdict");
-}
-
-/// One row per finding of a statement, from which the map of statements is drawn.
-void create_findings(File& file, const Findings& found) {
-  std::vector<std::int32_t> statement;
-  std::vector<std::uint8_t> holds;
-  std::vector<std::string> claims;
-  std::vector<std::string> briefs;
-  std::vector<std::string> evidence;
-  for (std::size_t i = 0; i < found.statements.size(); ++i) {
-    for (const auto& finding : found.statements[i].findings) {
-      statement.push_back(static_cast<std::int32_t>(i));
-      holds.push_back(!finding.holds ? 0 : *finding.holds ? 1 : 2);
-      claims.push_back(finding.claim);
-      briefs.push_back(finding.brief);
-      evidence.push_back(finding.evidence);
+/// Period doublings, one row for each of every line.
+void create_doublings(File& file, const Findings& found) {
+  std::vector<std::pair<const LineSummary*, PeriodDoubling>> doublings;
+  std::vector<std::int32_t> lines;
+  for (std::size_t line = 0; line < found.lines.size(); ++line) {
+    for (const auto& doubling : found.lines[line].doublings) {
+      doublings.emplace_back(&found.lines[line], doubling);
+      lines.push_back(static_cast<std::int32_t>(line));
     }
   }
-  auto group = file.create_group("findings");
-  group.set_text("long_name", "what each statement was found to rest on");
-  const Dataset scale =
-      create_number_scale(file, "findings/finding", "finding", holds.size(), "number of the finding");
-  Dataset owner = file.create_dataset<std::int32_t>("findings/statement", {statement.size()});
-  owner.write<std::int32_t>(statement);
-  owner.attach_scale(0, scale);
-  owner.set_text("long_name", "number of the statement that it belongs to");
-  create_texts(file, "findings/claim", scale, "what is found or not; empty where nothing is judged", claims);
-  create_texts(file, "findings/brief", scale, "the number that it rests on", briefs);
-  create_texts(file, "findings/evidence", scale, "what it rests on", evidence);
-  Dataset holds_dataset = file.create_dataset<std::uint8_t>("findings/holds", {holds.size()});
-  holds_dataset.write<std::uint8_t>(holds);
-  holds_dataset.attach_scale(0, scale);
-  const std::vector<std::uint8_t> flags{0, 1, 2};
-  holds_dataset.set_numbers<std::uint8_t>("flag_values", flags);
-  holds_dataset.set_text("flag_meanings", "not_covered yes no");
-  holds_dataset.set_text("long_name", "whether it was found");
+  if (doublings.empty()) return;
+  Rows rows(file, "doublings", "doubling", doublings.size(),
+            fmt::format("where the period of the map over a {} doubles",
+                        found.motion_per_passing.empty() ? "revolution" : "blade passing"));
+  rows.add<std::int32_t>("line", "1", "number of the line in the atlas, C order",
+                         [&](std::size_t i) { return lines[i]; });
+  for (std::size_t axis = 0; axis + 1 < found.axes.size(); ++axis) {
+    rows.add<double>(column_of(found.axes[axis]), found.axes[axis].units, found.axes[axis].long_name,
+                     [&](std::size_t i) { return doublings[i].first->parameters[axis]; });
+  }
+  rows.add<double>(column_of(found.axes.back()), "1", "speed ratio midway between both periods",
+                   [&](std::size_t i) { return doublings[i].second.speed_ratio; });
+  rows.add<std::uint8_t>("period", "1", "period below, in sections",
+                         [&](std::size_t i) { return doublings[i].second.from_period; });
 }
 
 }  // namespace
@@ -191,10 +146,7 @@ void write_maps(const atlas::Output& output, const Findings& found, const atlas:
     if (found.margins) create_margins(file, found, shape, axes);
     if (!found.exponent_check.empty()) create_exponent_check(file, found, shape, axes);
     create_effects(file, found);
-    if (!found.statements.empty()) {
-      create_statements(file, found);
-      create_findings(file, found);
-    }
+    create_doublings(file, found);
     if (found.edges) create_edges(file, found);
   }
   file.close();

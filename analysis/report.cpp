@@ -28,9 +28,8 @@ constexpr std::string_view kTableKey =
     "done there.";
 constexpr std::string_view kBasinsKey =
     "Share of the initial states, with its standard error, that leads to each attractor. No attractor: the "
-    "motion is not resolved, or the point is not done. Regions, triggers and statements are about lines from "
-    "one initial state.";
-constexpr std::string_view kStatementsKey = "Findings: + found, - not found, ? not covered by this atlas.";
+    "motion is not resolved, or the point is not done. Regions and triggers are about lines from one "
+    "initial state.";
 
 std::string plain_table(const Findings& found) {
   const auto header = table_header(found);
@@ -58,39 +57,6 @@ std::string plain_table(const Findings& found) {
     add_line([&](std::size_t i) { return std::string_view(row[i].second); });
   }
   return text;
-}
-
-/// For a rotor that is not the paper's.
-std::string not_applicable(const Findings& found) {
-  return fmt::format("Not applicable: {}.", why_none_applies(found.scene));
-}
-
-/// The one reason for which no finding of a statement is covered at any setting; empty where there is none,
-/// or more than one.
-std::string only_reason(const Statement& statement) {
-  const bool one =
-      statement.setting.text.empty() && statement.findings.size() == 1 && !statement.findings.front().holds;
-  return one ? statement.findings.front().evidence : std::string{};
-}
-
-/// Two or more statements that are not covered for the same reason share one line.
-bool is_shared(const Statement& statement, std::span<const Statement> statements) {
-  const auto reason = only_reason(statement);
-  return !reason.empty() && std::ranges::count(statements, reason, only_reason) > 1;
-}
-
-/// Reasons and the names of the statements that share them, in the order of the statements.
-std::vector<std::pair<std::string, std::vector<std::string_view>>> shared_reasons(
-    std::span<const Statement> statements) {
-  std::vector<std::pair<std::string, std::vector<std::string_view>>> result;
-  for (const auto& statement : statements) {
-    if (!is_shared(statement, statements)) continue;
-    const auto reason = only_reason(statement);
-    auto found = std::ranges::find(result, reason, [](const auto& entry) { return entry.first; });
-    if (found == result.end()) found = result.insert(result.end(), {reason, {}});
-    found->second.push_back(statement.name);
-  }
-  return result;
 }
 
 }  // namespace
@@ -122,26 +88,6 @@ std::string plain_report(const Findings& found) {
     text += fmt::format("\n{}\n", heading(found, sensitivity));
     for (const auto& effect : sensitivity.effects) {
       text += paragraph(fmt::format("  {}", effect.subject), effect.text, 13, kColumns);
-    }
-  }
-  if (found.statements.empty())
-    return text + "\nTHE PAPER'S STATEMENTS\n" + paragraph("  ", not_applicable(found), 4, kColumns);
-  text += fmt::format("\nTHE PAPER'S STATEMENTS, contact law {}\n", contact_law(found.scene));
-  text += paragraph("", kStatementsKey, 2, kColumns) + "\n";
-  std::string setting;
-  for (const auto& [reason, names] : shared_reasons(found.statements)) {
-    text += paragraph(fmt::format("  {}", fmt::join(names, ", ")), "not covered: " + reason, 19, kColumns);
-  }
-  for (const auto& statement : found.statements) {
-    if (is_shared(statement, found.statements)) continue;
-    if (statement.setting.text != setting) {
-      setting = statement.setting.text;
-      text += fmt::format("\n  at {}\n", setting);
-    }
-    text += paragraph(fmt::format("  {:<3} {}", statement.name, text_of(statement.verdict())),
-                      statement.claim(), 19, kColumns);
-    for (const auto& finding : statement.findings) {
-      text += paragraph(fmt::format("                   {}", mark(finding)), finding.evidence, 22, kColumns);
     }
   }
   return text;
@@ -190,19 +136,6 @@ std::string markdown_report(const Findings& found) {
     for (const auto& effect : sensitivity.effects) {
       text += fmt::format("| {} | {} |\n", effect.subject, effect.text);
     }
-  }
-  if (found.statements.empty())
-    return text + fmt::format("\n## The paper's statements\n\n{}\n", not_applicable(found));
-  text += fmt::format("\n## The paper's statements, contact law {}\n\n{}\n\n", contact_law(found.scene),
-                      kStatementsKey);
-  text += "| | statement | at | verdict | evidence |\n|---|---|---|---|---|\n";
-  for (const auto& statement : found.statements) {
-    std::vector<std::string> evidence;
-    for (const auto& finding : statement.findings) {
-      evidence.push_back(fmt::format("{} {}", mark(finding), finding.evidence));
-    }
-    text += fmt::format("| {} | {} | {} | {} | {} |\n", statement.name, statement.claim(),
-                        statement.setting.text, text_of(statement.verdict()), fmt::join(evidence, "<br>"));
   }
   return text;
 }

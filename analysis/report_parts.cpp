@@ -356,9 +356,4 @@ std::string heading(const Findings& found, const Sensitivity& sensitivity) {
   return fmt::format("As {} grows ({})", found.parameters[sensitivity.parameter].symbol, sensitivity.fixed);
 }
 
-std::string_view mark(const Finding& finding) {
-  if (!finding.holds) return "?";
-  return *finding.holds ? "+" : "-";
-}
-
 }  // namespace rubatlas::analysis

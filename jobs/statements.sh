@@ -1,18 +1,20 @@
 #!/bin/bash
-# The paper's statements about its Fig. 4 under both contact laws, over the ring's stiffness, the unbalance, its phase
-# and the direction of the sweep: runs the scenes fig4_*.json, judges them, draws the two maps and prints them in short.
+# What the atlases of the paper's rotors say of its statements: runs the scenes below, judges them, prints the verdicts,
+# agreeing or not, and draws by contact law, stiffness, phase and direction what it says of its Fig. 4.
 #
-#   jobs/statements.sh             into atlases/ and pictures/; about a quarter of an hour on two cores
-#   jobs/statements.sh --publish   and renews the pictures of tools/pictures
+#   jobs/statements.sh [ATLAS.h5 ...]             into atlases/ and pictures/; twenty minutes on two cores
+#   jobs/statements.sh --publish [ATLAS.h5 ...]   and renews the pictures of tools/pictures
 #
-# What an atlas holds is not computed again.
+# What an atlas holds is not computed again. Further atlases, such as those of rig_unbalance.json, are judged too.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 publish=false
 case "${1-}" in
-  "") ;;
-  --publish) publish=true ;;
-  *)
+  --publish)
+    publish=true
+    shift
+    ;;
+  -*)
     sed -n '2,8s/^# \{0,1\}//p' jobs/statements.sh >&2
     exit 2
     ;;
@@ -21,15 +23,26 @@ esac
 . jobs/complete_atlas.sh
 program=build/rubatlas
 
+analysed() { $program analyse "$1" -o "${1%.h5}_maps.h5" --overwrite >/dev/null; }
+
+fig4=(fig4_elastica fig4_elastic_ring fig4_stiffness)
+phases=(fig4_phase_elastica fig4_phase_elastic_ring)
+others=(default friction blades_5 blades_10 blades_50 rig rig_thickness rig_clearance)
 mkdir -p atlases pictures
-for name in fig4_elastica fig4_elastic_ring fig4_stiffness fig4_phase_elastica fig4_phase_elastic_ring; do
+for name in "${fig4[@]}" "${phases[@]}" "${others[@]}"; do
   whole_atlas "jobs/$name.json" "atlases/$name.h5" mpirun --oversubscribe --bind-to none -n "$(nproc)"
-  build/rubatlas analyse "atlases/$name.h5" -o "atlases/${name}_maps.h5" --table "atlases/$name.md" --overwrite \
-    >/dev/null
+  analysed "atlases/$name.h5"
 done
-tools/rubatlas-plot statement_map atlases/fig4_{elastica,elastic_ring,stiffness}_maps.h5 \
-  -o pictures/statement_map.png --counts --dpi 75
-tools/rubatlas-plot statement_map atlases/fig4_phase_{elastica,elastic_ring}_maps.h5 \
-  -o pictures/statement_map_phase.png --counts --dpi 75 --statements P1,P2,P3,P4,P8 \
+for atlas in "$@"; do analysed "$atlas"; done
+paths() { printf 'atlases/%s.h5\n' "$@"; }
+mapfile -t of_others < <(paths "${others[@]}")
+mapfile -t of_fig4 < <(paths "${fig4[@]}")
+mapfile -t of_phases < <(paths "${phases[@]}")
+analysis/paper/judge "${of_others[@]}" "${of_fig4[@]}" "$@" --short --json atlases/statements.json
+analysis/paper/judge "${of_fig4[@]}" --json atlases/statements_fig4.json >/dev/null
+analysis/paper/judge "${of_phases[@]}" --json atlases/statements_phase.json >/dev/null
+analysis/paper/statement_map atlases/statements_fig4.json -o pictures/statement_map.png --counts --dpi 75
+analysis/paper/statement_map atlases/statements_phase.json -o pictures/statement_map_phase.png --counts --dpi 75 \
+  --statements P1a,P1b,P2a,P2b,P3,P4,P8a,P8b,P8c,P8d \
   --title "What the paper says of Fig. 4, by phase of the unbalance and direction"
 if $publish; then cp pictures/statement_map.png pictures/statement_map_phase.png tools/pictures/; fi

@@ -1,12 +1,11 @@
 """The lines of an atlas, with what `rubatlas analyse` has found on them (MAPS.h5)."""
 import functools
-import json
 import types
 from collections.abc import Iterator
 
 import h5py
 import numpy as np
-from rubatlas.atlas_file import AtlasError, AtlasFile, beside, text
+from rubatlas.atlas_file import AtlasError, AtlasFile, beside
 from rubatlas.same_scene import require_same
 
 from paper.line import Line, Numbers, Region, Trigger
@@ -20,10 +19,11 @@ class AtlasLines:
     """An open atlas and its maps, line by line."""
 
     def __init__(self, atlas: str, maps: str | None = None) -> None:
+        self._atlas = AtlasFile(atlas)
         place = maps or beside(atlas, "maps")
         if place is None:
             raise AtlasError(f"{atlas}: no maps beside it; `rubatlas analyse` makes them")
-        self._atlas, self._maps = AtlasFile(atlas), AtlasFile(place)
+        self._maps = AtlasFile(place)
         require_same(atlas, self._atlas.scene, place, self._maps.scene)
         if "table1" not in self._maps:
             raise AtlasError(f"{place}: no /table1; these are no maps of `rubatlas analyse`")
@@ -68,6 +68,7 @@ class AtlasLines:
         contact = of_lines("contact") if "contact" in maps else None
         doublings = self._doublings(count)
         map_of_doublings = "blade passings" if "class_blade_passing" in maps else "revolutions"
+        signs = {name: values[...] for name, values in maps.get("signature", {}).items() if values.dtype.kind in "fiu"}
         shape = [values.size for values in self.values.values()]
         for i in range(count):
             place = np.unravel_index(i, shape)
@@ -82,6 +83,7 @@ class AtlasLines:
                 parameters=types.MappingProxyType({name: float(values[at]) for (name, values), at in
                                                    zip(self.values.items(), place)}),
                 contact=None if contact is None else contact[i],
+                signs={name: float(values[i]) for name, values in signs.items()},
                 rows=functools.partial(self._rows, tuple(int(at) for at in place)))
 
     def _rows(self, place: tuple[int, ...], name: str) -> Numbers | None:
@@ -108,13 +110,13 @@ class AtlasLines:
         axis = axis_of(pointer)
         return self.values[axis] if axis in self.values and self.values[axis].size > 1 else None
 
+    @property
+    def has_spectra(self) -> bool:
+        return "spectrum" in self._atlas
+
     def orders(self) -> Numbers:
         """Orders of /spectrum."""
         return self._atlas.axis("order")
-
-    def written_scene(self) -> dict:
-        """The scene as its author wrote it."""
-        return json.loads(text(self._atlas.file["scene"][()]))
 
 
 # Axes with names of their own; another is named by its pointer, with _ for /.

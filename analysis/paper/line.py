@@ -73,6 +73,7 @@ class Line:
     blades: int = 3
     parameters: Mapping[str, float] = dataclasses.field(default_factory=dict)  #: values on the axes of the atlas
     contact: npt.NDArray[np.uint8] | None = None  #: 0 not known, 1 no contact, 2 contact
+    signs: Mapping[str, float] = dataclasses.field(default_factory=dict)  #: its row of /signature of the maps
     rows: Callable[[str], Numbers | None] = _no_rows  #: an observable by its name; None where it is not kept
 
     def scaled(self, speed: float) -> float:

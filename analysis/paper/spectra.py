@@ -10,7 +10,7 @@ import numpy.typing as npt
 from rubatlas.signature import Signature, signature
 
 from paper.line import TRIGGER_RISE, Line, Numbers, if_covered, region_text
-from paper.verdict import MAJORITY, NEXT_TO, PERIODIC_SHARE, Finding, not_covered
+from paper.verdict import MAJORITY, NEXT_TO, PERIODIC_SHARE, Finding, millimetres, not_covered
 
 BROAD_SHARE = 0.1  # of the power, between the lines
 BROAD_BREADTH = 0.02  # of the bins between the lines
@@ -54,7 +54,7 @@ def _peak_of_the_passing_line(line: Line, orders: Numbers, signs: Signature, spe
                 Finding(bool(step >= TRIGGER_RISE), text, claims[0], f"×{step:.2g}")]
     inside = np.flatnonzero(line.between(line.speed[0], region.end) & np.isfinite(signs.passing))
     if inside.size == 0:
-        return [findings[0], *(not_covered("no spectrum is known up to the end of region 2", one) for one in claims[1:])]
+        return [findings[0], *(not_covered("no spectrum is known up to there", claim) for claim in claims[1:])]
     top = inside[np.argmax(signs.passing[inside])]
     place = float(line.speed[top])
     text = f"{n}× line largest at {place:.3f}, {1e3 * signs.passing[top]:.3g} mm; region 2 from {region.start:.3f} on"
@@ -105,6 +105,27 @@ def judge_line(line: Line, orders: Numbers) -> dict[str, list[Finding]]:
     return {"P11a": _peak_of_the_passing_line(line, orders, signs, spectra),
             "P11b": _centre(line, 2, signs, "its centre is between the 1× and the 2× line"),
             "P11c": _centre(line, 4, signs, "its centre is close to the natural frequency")}
+
+
+def announced(line: Line) -> list[Finding]:
+    """P11e: the signs of `rubatlas analyse` against the speed at which displacement passes the limit named there."""
+    claims = ["a sign stands before the displacement passes the limit", "no sign is false"]
+    if not line.signs:
+        return [not_covered("the maps have no /signature, which `rubatlas analyse` makes from spectra")]
+    limit, at = line.signs["limit"], line.signs["limit_speed_ratio"]
+    passed = f"the displacement passes {millimetres(limit)}"
+    false = {name.removesuffix("_false").replace("_", " "): int(count) for name, count in line.signs.items()
+             if name.endswith("_false") and not name.startswith("displacement")}
+    listed = ", ".join(f"{name} {count}" for name, count in false.items())
+    wrong = Finding(not any(false.values()), f"false signs: {listed}", claims[1], str(sum(false.values())))
+    if np.isnan(at):
+        return [not_covered(f"at no speed {passed}", claims[0]), wrong]
+    first = line.signs["announced_speed_ratio"]
+    if np.isnan(first):
+        return [Finding(False, f"{passed} at {at:.3f}; no sign stands there", claims[0]), wrong]
+    earlier = 1.0 - first / at
+    return [Finding(bool(first < at), f"{passed} at {at:.3f}; the first sign that stands is at {first:.3f}, "
+                    f"{earlier:.1%} of the speed earlier", claims[0], f"{earlier:.1%}"), wrong]
 
 
 def line_at_1(lines: list[Line], orders: Numbers) -> list[Finding]:

@@ -10,6 +10,7 @@ SMALL = 0.1  # a displacement is small against another up to this ratio
 NOTICEABLE = 0.1  # a displacement grows, or falls, where it changes by this share at least
 
 AGREES, PARTLY, DISAGREES, NOT_COVERED = "agrees", "partly", "disagrees", "not covered"
+JSON_KEY = "rubatlas_statements"  # of the files that `judge --json` writes
 
 
 class Finding(NamedTuple):

@@ -1,4 +1,4 @@
-/// Texts on regions and triggers for the findings of statements.
+/// Texts on regions, triggers and edges.
 #pragma once
 
 #include <string>

@@ -21,9 +21,6 @@ struct LineSummary {
   std::array<Region, 4> regions;
   /// Period doublings of the map over a blade passing where the atlas has it, else over a revolution.
   std::vector<PeriodDoubling> doublings;
-  double first_speed = kNotANumber;  ///< Ω [-] of the first point that has a class
-  double last_speed = kNotANumber;
-  double speed_step = kNotANumber;  ///< mean distance of points that have a class
 };
 
 /// Applies all rules to a line. `floor` as in `find_triggers`.

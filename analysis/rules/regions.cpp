@@ -136,17 +136,6 @@ double Region::width() const {
   }
 }
 
-double aperiodic_share(const Line& line, double from, double to) {
-  std::size_t aperiodic = 0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < line.size() && i < line.motion.size(); ++i) {
-    if (line.speed_ratio[i] < from || line.speed_ratio[i] > to) continue;
-    if (line.motion[i] == motion_class::kAperiodic) ++aperiodic;
-    if (line.motion[i] == motion_class::kAperiodic || is_periodic(line.motion[i])) ++count;
-  }
-  return count == 0 ? kNotANumber : static_cast<double>(aperiodic) / static_cast<double>(count);
-}
-
 std::array<Region, 4> find_regions(const Line& line, SpeedScale scale,
                                    const std::array<Trigger, 2>& triggers) {
   const auto all = classified_points(line, scale);

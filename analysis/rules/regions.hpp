@@ -50,10 +50,6 @@ struct Region {
   [[nodiscard]] double width() const;
 };
 
-/// Share of aperiodic points among the periodic and aperiodic ones with Ω in [from, to]; NaN where there are
-/// none.
-double aperiodic_share(const Line& line, double from, double to);
-
 /// Regions 1, 2, 3, 4 of a line, in that order.
 std::array<Region, 4> find_regions(const Line& line, SpeedScale scale,
                                    const std::array<Trigger, 2>& triggers);

@@ -36,7 +36,7 @@ def ended(language, text, folder):
 
 def clone(folder):
     """A folder that looks like a clone after quickstart, with the tiny atlas in the place of its result."""
-    for name in ("jobs", "tools", "tests"):
+    for name in ("jobs", "tools", "tests", "analysis"):
         (folder / name).symlink_to(ROOT / name)
     (folder / "build").mkdir()
     (folder / "build" / "rubatlas").symlink_to(PROGRAM)
@@ -84,6 +84,9 @@ class Documentation(PageTest):
 
     def test_every_block_of_the_page_of_maps_runs(self):
         self.expect_blocks_run("analysis/maps.md", at_least=1)
+
+    def test_every_block_of_the_page_of_the_judge_runs(self):
+        self.expect_blocks_run("analysis/paper/README.md", at_least=1)
 
     def test_every_block_of_the_report_readme_runs(self):
         self.expect_blocks_run("tools/rubatlas/report/README.md", at_least=1)

@@ -2,6 +2,7 @@
 import os
 import pathlib
 import sys
+import unittest
 from typing import NamedTuple
 
 import numpy as np
@@ -9,6 +10,8 @@ import numpy as np
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "analysis")]
 
+from paper.atlas_lines import AtlasLines  # noqa: E402
+from paper.judgement import judge  # noqa: E402
 from paper.line import ABSENT, APERIODIC, NOT_COVERED, PRESENT, Line, Region, Trigger  # noqa: E402
 
 CHAOS = APERIODIC
@@ -63,3 +66,64 @@ def four_regions(**changes):
 
 NOTHING_HAPPENS = [Piece(0.95, (1,), 1e-5)]
 AT_THIRDS = (1 / 3, 2 / 3)
+
+
+SCENE = {"rotor": {"mass": 1.0, "natural_frequency": 10.0, "misalignment": 0.01001, "damping_ratio": 0.1},
+         "blades": {"count": 3, "length": 0.1, "width": 0.01, "youngs_modulus": 206e9, "hub_radius": 0.0,
+                    "thickness": 1e-3},
+         "ring": {"radius": 0.11}, "contact": {"law": "elastica", "friction": 0.1}, "sweep": "up", "title": "synthetic"}
+RIG_SCENE = {**SCENE,
+             "rotor": {"mass": 0.5, "natural_frequency": 189.9406918360389, "misalignment": 0.36e-3,
+                       "damping_ratio": 0.05},
+             "blades": {"count": 3, "length": 0.04, "width": 0.0127, "youngs_modulus": 206e9, "hub_radius": 0.02215,
+                        "thickness": 0.5e-3},
+             "ring": {"radius": 0.0625}}
+USUAL = {"thickness": 1e-3, "unbalance": 0.0, "friction": 0.1, "damping_ratio": 0.1}
+RIG_USUAL = {**USUAL, "thickness": 0.5e-3, "damping_ratio": 0.05}
+
+
+class SyntheticAtlas(AtlasLines):
+    """An atlas whose lines are given, each with its values on the axes."""
+
+    def __init__(self, scene, axes, usual=None):
+        """`axes`: those beside the four of every atlas, slowest first."""
+        # pylint: disable=super-init-not-called
+        self.path, self.scene, self.usual = "synthetic.h5", scene, usual or USUAL
+        self.names = [*axes, *USUAL]
+        self.lines = []  # in the place of what is read
+        self._units = {name: "-" for name in self.names} | {"thickness": "m", "unbalance": "kg m"}
+
+    def add(self, line, **at):
+        parameters = {name: at.get(name, self.usual.get(name, 0.0)) for name in self.names}
+        self.lines.append(Line(**{**vars(line), "parameters": parameters, "blades": self.scene["blades"]["count"]}))
+        self.values = {name: np.unique([one.parameters[name] for one in self.lines]) for name in self.names}
+        return self
+
+    has_spectra = False
+
+
+def on_default(*axes, **sections):
+    return SyntheticAtlas({**SCENE, **sections}, axes)
+
+
+def on_rig(*axes, **sections):
+    return SyntheticAtlas({**RIG_SCENE, **sections}, axes, RIG_USUAL)
+
+
+class JudgementTest(unittest.TestCase):
+    """A test that looks at verdicts on an atlas."""
+
+    def judged(self, atlas, name):
+        found = [one for one in judge(atlas) if one.name == name]
+        self.assertTrue(found, name)
+        return found
+
+    def expect(self, atlas, **verdicts):
+        for name, verdict in verdicts.items():
+            found = self.judged(atlas, name)[0]
+            self.assertEqual(found.verdict, verdict, (name, found.findings))
+
+    def holds(self, atlas, name, claim):
+        found = [finding.holds for finding in self.judged(atlas, name)[0].findings if finding.claim == claim]
+        self.assertEqual(len(found), 1, claim)
+        return found[0]

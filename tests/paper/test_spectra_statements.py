@@ -79,6 +79,19 @@ class SpectraStatements(unittest.TestCase):
         self.assertEqual(verdict_of(spectra.line_at_1(exchanged, ORDERS)), "disagrees")
         self.assertIsNone(spectra.line_at_1([balanced], ORDERS)[1].holds)
 
+    def test_a_sign_that_stands_before_the_limit_is_passed_is_found_and_so_are_false_ones(self):
+        def judged(announced, false=0.0, limit=0.44):
+            signs = {"limit": 5e-4, "limit_speed_ratio": limit, "announced_speed_ratio": announced,
+                     "passing_line_false": false, "broad_band_false": 0.0, "displacement_false": 3.0}
+            return spectra.announced(line_of(four_regions(), signs=signs))
+        self.assertEqual(verdict_of(judged(0.33)), "agrees")
+        self.assertIn("25.0% of the speed earlier", judged(0.33)[0].evidence)
+        self.assertEqual(verdict_of(judged(0.33, false=2.0)), "partly")
+        self.assertEqual(verdict_of(judged(0.44, false=1.0)), "disagrees")
+        self.assertIs(judged(np.nan)[0].holds, False)
+        self.assertIsNone(judged(0.33, limit=np.nan)[0].holds)
+        self.assertIsNone(spectra.announced(line_of(four_regions()))[0].holds)
+
     def test_a_broad_band_over_the_order_1_is_no_line(self):
         line = with_spectra(line_of([Piece(0.95, (CHAOS,), 1e-3)], count=2),
                             lambda _: spectrum(band=(0.6, 1.4), height=1.0))

@@ -12,10 +12,10 @@ import numpy as np
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
-sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests/support")]
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "analysis"), str(ROOT / "tests/support")]
 from forked_commands import ended_command  # noqa: E402
+from paper import statement_map  # noqa: E402
 from rubatlas.palette import PALETTE  # noqa: E402
-from rubatlas.plots import statement_map  # noqa: E402
 
 # What is left of linear RGB: G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, A physiologically-based model for
 # simulation of color vision deficiency, IEEE Transactions on Visualization and Computer Graphics 15 (2009) 1291-1298,

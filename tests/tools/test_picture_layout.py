@@ -37,8 +37,7 @@ CALLS = {
     "safe_speeds": ("atlas.h5", "--keep", "max_displacement<=0.008", "--keep", "max_contact_force<=200"),
     "basins": ("basins.h5", "--maps", "basins_maps.h5"), "branch": ("branch.h5",),
     "effect": ("gravity.h5", "--without", "atlas.h5", "--damping_ratio", "0.05"), "grazing": ("atlas.h5",),
-    "stack": ("atlas.h5", "--maps", "maps.h5"),
-    "statement_map": ("maps.h5", "rings_maps.h5"), "accuracy": ("accuracy.h5",)}
+    "stack": ("atlas.h5", "--maps", "maps.h5"), "accuracy": ("accuracy.h5",)}
 
 
 def touches_nothing(folder):

@@ -184,9 +184,6 @@ class ToolsPictures(unittest.TestCase):
         np.testing.assert_allclose(style.edges_of([0.1, 0.2, 0.4]), [0.05, 0.15, 0.3, 0.5])
         self.assertEqual(len(style.edges_of([0.3])), 2)
 
-    def test_the_map_of_statements_is_drawn(self):
-        self.expect_picture("statement_map", TINY / "maps.h5", TINY / "rings_maps.h5", colours=10)
-
     def test_every_picture_has_its_command(self):
         pages = "".join((ROOT / page).read_text() for page in ("README.md", "tools/README.md", "tools/gallery.md"))
         for kind in KINDS:

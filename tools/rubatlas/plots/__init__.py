@@ -17,6 +17,5 @@ KINDS = {
     "branch": "periodic orbits over a quantity, stable or not, with their bifurcations; curves of bifurcations",
     "effect": "sections and maximum displacement without an effect and with it",
     "grazing": "how hard a grazing contact kicks the rotor, by an experiment with the program",
-    "statement_map": "the findings of the paper's statements, by contact law and other quantities",
     "accuracy": "error over CPU time and right-hand sides, method by method",
 }

@@ -1,4 +1,4 @@
-// --- Table 1, statements, what grows with what, provenance and accuracy. ---
+// --- Table 1, what grows with what, provenance and accuracy. ---
 
 function table(heading, rows, kind = '') {
   return element('div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': heading.join(', ')},
@@ -49,18 +49,6 @@ function table1() {
       'largest displacement; a speed in parentheses is where points that are not done begin. Triggers: speed ratio, ' +
       'rise of the displacement.'})];
 }
-const VERDICT = {agrees: '✓ agrees', partly: '~ partly', disagrees: '✗ disagrees', 'not covered': '– not covered'};
-function statements() {
-  const rows = atlas.statements;
-  if (!rows) {
-    return [element('p', {class: 'quiet', text: atlas.maps_file ? 'Not applicable: they are about other rotors.'
-      : 'The report was made without maps (rubatlas analyse).'})];
-  }
-  const verdict = (word) =>
-    element('span', {class: `verdict ${word.replace(' ', '-')}`, text: VERDICT[word] ?? word});
-  return [table(['', 'Statement of the paper', 'Verdict', 'What it rests on'],
-    rows.statement.map((_, i) => [rows.name[i], rows.claim[i], verdict(rows.verdict[i]), rows.evidence[i]]))];
-}
 function facts(pairs) {
   return element('dl', {class: 'pairs'},
     ...pairs.filter(([, value]) => value !== '' && value !== undefined && value !== null)
@@ -92,7 +80,7 @@ function accuracy() {
       'local error per step 1e-11 of the clearance']])];
 }
 function showTables() {
-  byId('tables').append(part('Table 1', true, ...table1()), part('The paper’s statements', false, ...statements()),
+  byId('tables').append(part('Table 1', true, ...table1()),
     ...(atlas.effects?.text?.length
       ? [part('What grows with what', false, table(['Parameter', 'At', 'Part', 'What happens'],
       atlas.effects.text.map((text, i) =>

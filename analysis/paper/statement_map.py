@@ -1,13 +1,15 @@
 """The paper's statements against contact law, the ring's stiffness and other open quantities: what holds where.
 
-  rubatlas-plot statement_map MAPS.h5 [MAPS.h5 ...] -o PICTURE.png [--statements P1,P2,P3,P4,P5,P8] [--counts]
+  analysis/paper/statement_map FILE.json [FILE.json ...] -o PICTURE.png [--statements P1a,P1b,P2a] [--counts]
 
-Each file is one that `rubatlas analyse` writes; a column is one setting of what its grid leaves open (one stiffness of
-the ring, say), a row is one finding of a statement. The text in a cell is the number that the finding rests on. Below
-each column: how many of the rows were found there. `--counts` prints the same as a Markdown table, without a picture's
-worth of detail: the statements, and the sum.
+Each file is one that `analysis/paper/judge --json` writes; a column is one setting of what the grid of an atlas leaves
+open (one stiffness of the ring, say), a row is one finding of a statement. The text in a cell is the number that the
+finding rests on. Below each column: how many of the rows were found there. `--counts` prints the same as a Markdown
+table, without a picture's worth of detail: the statements, and the sum.
 """
+import argparse
 import json
+import pathlib
 import re
 import textwrap
 
@@ -15,50 +17,61 @@ import numpy as np
 
 from rubatlas import command_line
 from rubatlas import style
-from rubatlas.atlas_file import AtlasError, reading, text
+from rubatlas.atlas_file import AtlasError
+
+from paper.verdict import JSON_KEY
+from paper.verdict import NOT_COVERED as NO_VERDICT
 
 NOT_COVERED, YES, NO = 0, 1, 2
+HOLDS = {None: NOT_COVERED, True: YES, False: NO}
 NOTHING = 3  # no finding
+FIG_4 = "P1a,P1b,P2a,P2b,P3,P4,P5a,P5b,P5c,P6,P8a,P8b,P8c,P8d"
 LOOKS = {YES: {"name": "found", "colour": "#86c2ad"}, NO: {"name": "not found", "colour": "#c0622a"},
          NOT_COVERED: {"name": "not covered by the atlas", "colour": "#ececf1", "hatch": "/"},
          NOTHING: {"name": "nothing to judge: its region is not there", "colour": "#ffffff"}}
-VERDICTS = {0: "–", 1: "agrees", 2: "partly", 3: "disagrees"}
-LAWS = {"elastica": "elastica", "elastic_ring": "elastic ring"}
 
 
 class Column:
     """The findings of one atlas at one setting."""
 
-    def __init__(self, law, setting):
+    def __init__(self, law: str, setting: str) -> None:
         self.law, self.setting = law, setting
-        self.findings = {}  # (statement, claim) → (holds, brief)
-        self.verdicts = {}  # statement → verdict
+        self.findings: dict[tuple[str, str], tuple[int, str]] = {}  # (statement, claim) → (holds, brief)
+        self.verdicts: dict[str, str] = {}  # by statement
 
 
-def columns_of(path, statements):
+def columns_of(path: str | pathlib.Path, statements: list[str]) -> list[Column]:
     """The columns of one file, in the order of its settings; AtlasError where it has no statements."""
-    with reading(path, "a readable HDF5 file of rubatlas") as file:
-        if "findings" not in file:
-            raise AtlasError(f"{path}: no /findings; `rubatlas analyse` writes them for the paper's rotors only")
-        scene = json.loads(text(file["scene_resolved"][()]))
-        law = LAWS[scene["contact"]["law"]]
-        read = {name: [text(value) for value in file[name][()]] for name in
-                ("statements/name", "statements/setting", "findings/claim", "findings/brief")}
-        verdict, holds, owner = (file[name][()]
-                                 for name in ("statements/verdict", "findings/holds", "findings/statement"))
-    columns: dict[str, Column] = {}
-    for index, (name, setting) in enumerate(zip(read["statements/name"], read["statements/setting"])):
-        if name in statements and (setting or verdict[index]):
-            own = columns.setdefault(setting, Column(law, setting))
-            own.verdicts[name] = int(verdict[index])
-    for holding, index, claim, brief in zip(holds, owner, read["findings/claim"], read["findings/brief"]):
-        name, setting = read["statements/name"][index], read["statements/setting"][index]
-        if name in statements and setting in columns and claim:
-            columns[setting].findings[name, claim] = (int(holding), brief)
-    return list(columns.values())
+    try:
+        results = json.loads(pathlib.Path(path).read_text())[JSON_KEY]
+    except (OSError, ValueError, KeyError, TypeError):
+        raise AtlasError(f"{path}: not a file that `analysis/paper/judge --json` has written") from None
+    columns: list[Column] = []
+    for result in results:
+        own: dict[str, Column] = {}
+        for one in result["verdicts"]:
+            if one["name"] in statements and (one["setting"] or one["verdict"] != NO_VERDICT):
+                column = own.setdefault(one["setting"], Column(result["law"].replace("_", " "), one["setting"]))
+                column.verdicts[one["name"]] = one["verdict"]
+                column.findings |= {(one["name"], finding["claim"]): (HOLDS[finding["holds"]], finding["brief"])
+                                    for finding in one["findings"] if finding["claim"]}
+        columns += own.values()
+    return columns
 
 
-def rows_of(columns, statements):
+def joined(columns: list[Column]) -> list[Column]:
+    """Columns of one law and setting, from several atlases, as one: of two findings that are covered the later."""
+    result: dict[tuple[str, str], Column] = {}
+    for column in columns:
+        own = result.setdefault((column.law, column.setting), Column(column.law, column.setting))
+        own.verdicts |= {name: verdict for name, verdict in column.verdicts.items()
+                         if verdict != NO_VERDICT or name not in own.verdicts}
+        own.findings |= {key: found for key, found in column.findings.items()
+                         if found[0] != NOT_COVERED or key not in own.findings}
+    return list(result.values())
+
+
+def rows_of(columns: list[Column], statements: list[str]) -> list[tuple[str, str]]:
     """All findings of the columns, statement by statement, in the order in which they are judged."""
     rows: list[tuple[str, str]] = []
     for statement in statements:
@@ -75,41 +88,42 @@ def rows_of(columns, statements):
     return rows
 
 
-def place(column):
+def place(column: Column) -> tuple[bool, list[float]]:
     """The place of a column among those of its law: upward sweeps first, then by the numbers of its setting."""
     numbers = [float(value) for value in re.findall(r"= (-?[0-9.]+(?:e[-+]?[0-9]+)?)", column.setting)]
     return "down" in column.setting, numbers
 
 
-def found(column, rows):
+def found(column: Column, rows: list[tuple[str, str]]) -> int:
     return sum(column.findings.get(row, (None, ""))[0] == YES for row in rows)
 
 
-def counts(columns, rows, statements):
+def counts(columns: list[Column], rows: list[tuple[str, str]], statements: list[str]) -> str:
     """The map in short, as Markdown."""
     lines = ["| law | at | " + " | ".join(statements) + " | found |", "|" + "---|" * (len(statements) + 3)]
     for column in columns:
         cells = []
         for statement in statements:
             own = [row for row in rows if row[0] == statement]
-            cells.append(f"{VERDICTS[column.verdicts.get(statement, 0)]} {found(column, own)}/{len(own)}")
+            verdict = column.verdicts.get(statement, NO_VERDICT).replace(NO_VERDICT, "–")
+            cells.append(f"{verdict} {found(column, own)}/{len(own)}")
         row = [column.law, column.setting, *cells, f"{found(column, rows)}/{len(rows)}"]
         lines.append(f"| {' | '.join(row)} |")
     return "\n".join(lines)
 
 
-def heading(column, between="\n"):
+def heading(column: Column, between: str = "\n") -> str:
     return between.join([column.law, *filter(None, column.setting.replace("direction = ", "").split(", "))])
 
 
-def draw(options):
+def draw(options: argparse.Namespace) -> None:
     statements = options.statements.split(",")
-    columns = [column for path in options.maps for column in columns_of(path, statements)]
+    columns = joined([column for path in options.judged for column in columns_of(path, statements)])
     laws = list(dict.fromkeys(column.law for column in columns))
     columns.sort(key=lambda column: (laws.index(column.law), place(column)))
     rows = rows_of(columns, statements)
     if not rows:
-        raise AtlasError(f"{', '.join(options.maps)}: no finding of {options.statements}")
+        raise AtlasError(f"{', '.join(options.judged)}: no finding of {options.statements}")
     if options.counts:
         print(counts(columns, rows, statements))
     height, width = 0.27 * len(rows), max(0.92 * len(columns), 3.5)
@@ -152,12 +166,12 @@ def draw(options):
     style.save(figure, options)
 
 
-def main(arguments_given):
-    arguments = command_line.parser(__doc__, source="MAPS.h5", line=False)
-    arguments.add_argument("more", nargs="*", metavar="MAPS.h5")
-    arguments.add_argument("--statements", default="P1,P2,P3,P4,P5,P6,P8", help="which, separated by commas")
+def main() -> None:
+    arguments = command_line.parser(__doc__, source="FILE.json", line=False)
+    arguments.add_argument("more", nargs="*", metavar="FILE.json")
+    arguments.add_argument("--statements", default=FIG_4, help="which, separated by commas")
     arguments.add_argument("--counts", action="store_true", help="print the counts as a Markdown table too")
     arguments.add_argument("--title", default="What the paper says of Fig. 4, by contact law")
-    chosen = arguments.parse_args(arguments_given)
-    chosen.maps = [chosen.source, *chosen.more]
+    chosen = arguments.parse_args()
+    chosen.judged = [chosen.source, *chosen.more]
     command_line.run(draw, chosen)
