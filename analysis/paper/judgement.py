@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 from rubatlas.atlas_file import AtlasError
 
 from paper import blade, default_rotor, parameters, rig, rig_parameters, spectra, whole_picture
-from paper.atlas_lines import AtlasLines
+from paper.atlas_lines import AtlasLines, axis_of
 from paper.line import Line
 from paper.rotors import ANY_COUNT, DEFAULT, RIG, Evidence, Rotor, settings
 from paper.statements import STATEMENTS
@@ -50,7 +50,9 @@ def _spectra(evidence: Evidence) -> Judged:
 def _blade(evidence: Evidence) -> Judged:
     if evidence.other_rotor or evidence.law != "elastica":
         return {"P16": [not_covered(evidence.other_rotor or "rigid blades have no curve, and others small slopes")]}
-    own = {**evidence.scene["blades"], "thickness": RIG.usual["thickness"]}
+    axes = {key: axis_of(f"/blades/{key}") for key in evidence.scene["blades"]}
+    own = {key: RIG.usual_value(axes[key]) if axes[key] in evidence.atlas.names else value
+           for key, value in evidence.scene["blades"].items()}  # what is swept has the rig's own value
     friction = evidence.setting.values.get("friction", evidence.rotor.usual["friction"])
     return {"P16": blade.curve(own, friction)}
 

@@ -103,20 +103,22 @@ def _clearance(evidence: Evidence, line: Line) -> float:
     return evidence.value(line, RADIUS) - blades["hub_radius"] - evidence.value(line, LENGTH)
 
 
+def _reach(evidence: Evidence, line: Line) -> float:
+    """y0 − δc [m], by which blades reach into the ring from rest; where it is not above 0, nothing touches then."""
+    return evidence.value(line, MISALIGNMENT) - _clearance(evidence, line)
+
+
 def what_matters(evidence: Evidence) -> dict[str, list[Finding]]:
-    """P15a and b. First contact is the reach y0 − δc; where it is not above 0, nothing touches from rest, and nothing
-    is compared."""
+    """P15a and b. First contact is the reach; where nothing touches from rest, nothing is compared."""
     reason = _no_thin_blades(evidence)
     if reason:
         return {"P15a": [not_covered(reason)], "P15b": [not_covered(reason)]}
 
-    def reach(line: Line) -> float:
-        return evidence.value(line, MISALIGNMENT) - _clearance(evidence, line)
     own = RIG.quantities["/rotor/misalignment"] - RIG_CLEARANCE
-    moved = [line for line in evidence.lines_over(THICKNESS, MISALIGNMENT) if reach(line) > 0.0]
+    moved = [line for line in evidence.lines_over(THICKNESS, MISALIGNMENT) if _reach(evidence, line) > 0.0]
     # Radius and misalignment of the ring grow by the same amount: the blades overlap the ring as before.
     widened = [line for line in evidence.lines_over(THICKNESS, RADIUS, MISALIGNMENT)
-               if abs(reach(line) - own) <= 1e-3 * own]
+               if abs(_reach(evidence, line) - own) <= 1e-3 * own]
     damped = evidence.lines_over(THICKNESS, DAMPING)
 
     def of(thin: bool) -> list[Finding]:
@@ -167,14 +169,16 @@ def _differs(one: Region, other: Region, line: Line) -> bool:
 
 def repeated(evidence: Evidence) -> dict[str, list[Finding]]:
     """P18: along the setting of the blades, the misalignment and the loss of material, regions 1, 2 and 4 and both
-    triggers are as on the rig's own line; region 3 differs somewhere."""
+    triggers are as on the rig's own line; region 3 differs somewhere. Of blades that reach the ring from rest."""
     axes = [name for name in evidence.atlas.names if evidence.atlas.values[name].size > 1 and
             (name.startswith("unequal_blades_") or name in (MISALIGNMENT, RADIUS, LENGTH))]
     own = evidence.own_line
     if own is None or not axes:
         return {"P18": [not_covered(evidence.no_own_line() if own is None else
                                     "the grid sweeps no setting of the blades, misalignment or length")]}
-    others = [line for line in evidence.lines_over(*axes) if line is not own]
+    others = [line for line in evidence.lines_over(*axes) if line is not own and _reach(evidence, line) > 0.0]
+    if not others:
+        return {"P18": [not_covered("no blades but the rig's own reach the ring from rest")]}
     names = {"unequal_blades_length_spread": "spread of the lengths", MISALIGNMENT: "y0", RADIUS: "R", LENGTH: "L"}
 
     def place(line: Line) -> str:

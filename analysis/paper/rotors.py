@@ -119,8 +119,9 @@ class Evidence:
         if axis in self.setting.values:
             return value == self.setting.values[axis]
         values = self.atlas.values[axis]
-        # An optional axis with one value is the scene's own value, which has been compared with the rotor.
-        if values.size == 1 and axis not in OWN_AXES.values() and axis != "direction":
+        # One value of an optional axis is the scene's own, which has been compared with the rotor; one of an axis that
+        # the paper leaves open is as good as another.
+        if values.size == 1 and (axis not in OWN_AXES.values() or axis in self.rotor.open) and axis != "direction":
             return True
         pointer = next((one for one in self.rotor.quantities if axis_of(one) == axis), "")
         return self.rotor.agrees(pointer, value, self.rotor.usual_value(axis))
@@ -149,6 +150,8 @@ class Evidence:
         return self.atlas.text(name, line.parameters[name])
 
     def range_text(self, lines: Sequence[Line], name: str) -> str:
+        if len(lines) == 1:
+            return f"at {self.text(lines[0], name)}"
         return f"from {self.text(lines[0], name)} to {self.text(lines[-1], name)}"
 
     def no_lines(self, lines: Sequence[Line], name: str) -> str:

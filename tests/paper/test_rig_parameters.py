@@ -108,6 +108,8 @@ class ThinBlades(JudgementTest):
         self.assertEqual(found.findings[0].evidence, "Euler load 42.03 N")
         # Δ = μ F L³/3EI (1 + F/Fe), 2.10 N at μ = 0.2 (beam-column to first order): 0.346 mm.
         self.assertIn("0.346 mm (μ = 0.2)", found.findings[2].evidence)
+        swept = on_rig("blades_length").add(nothing(), blades_length=0.03).add(nothing(), blades_length=0.04)
+        self.assertEqual(self.judged(swept, "P16")[0].findings[0].evidence, "Euler load 42.03 N")
         self.assertIsNone(self.judged(on_rig().add(nothing(), friction=0.0), "P16")[0].findings[-1].holds)
         other = {**RIG_SCENE["blades"], "youngs_modulus": 205.6e9}
         self.assertIn("41.94 N", self.judged(on_rig(blades=other).add(nothing()), "P16")[0].findings[0].evidence)
@@ -133,6 +135,9 @@ class Explanations(JudgementTest):
         self.assertIs(self.holds(repetitions(whole()), "P18", "region 3 differs"), False)
         self.assertIs(self.holds(repetitions(nothing()), "P18", "region 2 stays as it is"), False)
         self.expect(on_rig().add(whole()), P18="not covered")
+        # Blades that do not reach the ring from rest repeat nothing.
+        worn = on_rig("blades_length").add(whole(), blades_length=0.04).add(nothing(), blades_length=0.0399)
+        self.expect(worn, P18="not covered", P21="not covered")
 
     def test_nineteen_agrees_when_worn_blades_touch_with_an_unbalance_alone(self):
         def worn(without, with_unbalance):
@@ -151,6 +156,8 @@ class Explanations(JudgementTest):
                 other, speed_ripple_amplitude=0.1)
         self.expect(rigs(whole()), P22="agrees", P23="agrees")
         self.expect(rigs(nothing()), P22="disagrees", P23="disagrees")
+        damped = on_rig().add(whole(), friction=0.2).add(nothing(), friction=0.2, damping_ratio=0.1)
+        self.assertIs(self.holds(damped, "P22", "one picture for ζ up to 0.15"), False)
         self.expect(on_rig().add(whole()), P22="not covered", P23="not covered")
 
     def test_the_rig_is_judged_once_for_every_friction_and_mass_that_its_grid_has(self):

@@ -75,6 +75,8 @@ class SpectraStatements(unittest.TestCase):
         without, with_line = spectrum(band=(0.6, 1.4), height=1e-3), spectrum(1.0, 0.1, (0.6, 1.4), 1e-3)
         balanced, unbalanced = line(0.0, lambda _: without), line(1e-5, lambda _: with_line)
         self.assertEqual(verdict_of(spectra.line_at_1([balanced, unbalanced], ORDERS)), "agrees")
+        weak = line(1e-7, lambda _: without)
+        self.assertEqual(verdict_of(spectra.line_at_1([balanced, weak, unbalanced], ORDERS)), "agrees")
         exchanged = [line(0.0, lambda _: with_line), line(1e-5, lambda _: without)]
         self.assertEqual(verdict_of(spectra.line_at_1(exchanged, ORDERS)), "disagrees")
         self.assertIsNone(spectra.line_at_1([balanced], ORDERS)[1].holds)
