@@ -27,7 +27,7 @@ analysed() { $program analyse "$1" -o "${1%.h5}_maps.h5" --overwrite >/dev/null;
 
 fig4=(fig4_elastica fig4_elastic_ring fig4_stiffness)
 phases=(fig4_phase_elastica fig4_phase_elastic_ring)
-others=(default friction blades_5 blades_10 blades_50 rig rig_thickness rig_clearance)
+others=(quick friction blades_5 blades_10 blades_50 rig rig_thickness rig_clearance)
 mkdir -p atlases pictures
 for name in "${fig4[@]}" "${phases[@]}" "${others[@]}"; do
   whole_atlas "jobs/$name.json" "atlases/$name.h5" mpirun --oversubscribe --bind-to none -n "$(nproc)"
