@@ -107,7 +107,7 @@ def counts(columns: list[Column], rows: list[tuple[str, str]], statements: list[
             own = [row for row in rows if row[0] == statement]
             verdict = column.verdicts.get(statement, NO_VERDICT).replace(NO_VERDICT, "–")
             cells.append(f"{verdict} {found(column, own)}/{len(own)}")
-        row = [column.law, column.setting, *cells, f"{found(column, rows)}/{len(rows)}"]
+        row = [column.law, column.setting or "–", *cells, f"{found(column, rows)}/{len(rows)}"]
         lines.append(f"| {' | '.join(row)} |")
     return "\n".join(lines)
 

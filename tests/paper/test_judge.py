@@ -138,7 +138,7 @@ class StatementMap(FolderTest):
         ended = self.run_command("statement_map", kept, "-o", picture, "--counts")
         self.assertEqual((ended.returncode, ended.stderr), (0, ""))
         self.assertTrue(picture.read_bytes().startswith(b"\x89PNG"))
-        self.assertIn("| elastica |  | ", ended.stdout)
+        self.assertIn("| elastica | – | ", ended.stdout)
 
     def test_another_file_is_refused_in_one_sentence(self):
         with self.assertRaisesRegex(AtlasError, "judge --json"):
