@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <initializer_list>
+#include <limits>
 #include <map>
 #include <span>
 #include <string>
@@ -27,8 +28,8 @@ namespace {
 
 constexpr std::uint8_t kDone = 1;
 
-/// The sections of one point of a line.
-std::span<const double> sections_of(std::span<const double> rows, std::size_t points, std::size_t point) {
+/// The row of one point of a line.
+std::span<const double> row_of(std::span<const double> rows, std::size_t points, std::size_t point) {
   const std::size_t row_size = rows.size() / points;
   return rows.subspan(point * row_size, row_size);
 }
@@ -38,7 +39,7 @@ std::vector<std::uint8_t> classes_of_line(std::span<const double> rows, std::spa
                                           const ClosingTolerance& tolerance) {
   std::vector<std::uint8_t> classes(status.size(), motion_class::kNone);
   for (std::size_t i = 0; i < status.size(); ++i) {
-    if (status[i] == kDone) classes[i] = classify(sections_of(rows, status.size(), i), tolerance);
+    if (status[i] == kDone) classes[i] = classify(row_of(rows, status.size(), i), tolerance);
   }
   return classes;
 }
@@ -51,7 +52,7 @@ class AttractorsOfAtlas {
   void add(const Line& line, std::span<const double> rows, const ClosingTolerance& tolerance) {
     for (std::size_t i = 0; i < line.size(); ++i) {
       const std::size_t set = starts_.set_of(sets_.size());
-      const auto sections = sections_of(rows, line.size(), i);
+      const auto sections = row_of(rows, line.size(), i);
       sets_.push_back(set);
       attractors_.try_emplace(set, tolerance)
           .first->second.add(trace_of(line.motion[i], sections, line.max_displacement[i]), sections);
@@ -104,7 +105,7 @@ std::vector<PointContact> contacts_of_line(const atlas::AtlasReader& atlas, cons
     if (status[i] != kDone) continue;
     const ContactEvidence evidence{.figure = figures[i],
                                    .nearest_miss = misses[i],
-                                   .sections = rows.empty() ? rows : sections_of(rows, status.size(), i)};
+                                   .sections = rows.empty() ? rows : row_of(rows, status.size(), i)};
     contacts[i] = contact_at(own, speeds[i], evidence, tolerance);
   }
   return contacts;
@@ -150,6 +151,26 @@ Margins margins_of(const atlas::AtlasReader& atlas, const Findings& found,
   return find_margins(found.axes, rows, found.lines);
 }
 
+/// Signs of rubbing in the spectra of a line, the first of whose points is the next one of `found`.
+void add_signs(const atlas::AtlasReader& atlas, std::span<const std::uint8_t> status, const Line& line,
+               double limit, Findings& found) {
+  constexpr std::uint8_t kLeftValidity = 2;
+  const auto orders = atlas.inner_axis("order");
+  const int blades = found.scene.blades.count;
+  if (!shows_signs(orders, blades)) return;
+  const auto rows = atlas.line_rows("spectrum", found.signatures.size());
+  std::vector<SignHeights> heights(status.size(), {kNotANumber, kNotANumber, kNotANumber});
+  auto displacement = line.max_displacement;
+  for (std::size_t i = 0; i < status.size(); ++i) {
+    // A motion that leaves the model is larger than any that is allowed.
+    if (status[i] == kLeftValidity) displacement[i] = std::numeric_limits<double>::infinity();
+    if (status[i] == kDone) heights[i] = sign_heights(orders, row_of(rows, status.size(), i), blades);
+  }
+  found.signatures.push_back(
+      find_signs({line.speed_ratio, displacement, heights}, limit, SpeedScale(blades)));
+  found.sign_heights.insert(found.sign_heights.end(), heights.begin(), heights.end());
+}
+
 std::vector<ExponentCheck> check_exponents(const atlas::AtlasReader& atlas,
                                            std::span<const std::uint8_t> motion) {
   const auto exponents = atlas.rows("lyapunov");
@@ -164,7 +185,7 @@ std::vector<ExponentCheck> check_exponents(const atlas::AtlasReader& atlas,
 
 }  // namespace
 
-Findings examine(const atlas::AtlasReader& atlas) {
+Findings examine(const atlas::AtlasReader& atlas, const DisplacementLimit& limit) {
   Findings found;
   found.scene = settings::parse_scene(atlas.scene_resolved(), "scene_resolved");
   found.axes = atlas.axes();
@@ -175,6 +196,7 @@ Findings examine(const atlas::AtlasReader& atlas) {
   found.has_sections = atlas.has("poincare");
   found.keeps_nearest_miss = atlas.has("nearest_miss");
   const bool per_passing = atlas.has("poincare_blade_passing");
+  const bool signs = !found.sweeps_initial_state && atlas.has("spectrum") && atlas.has("max_displacement");
   const SpeedScale scale(found.scene.blades.count);
   const plan::Grid grid(found.scene);
 
@@ -204,6 +226,7 @@ Findings examine(const atlas::AtlasReader& atlas) {
           classes_of_line(atlas.line_rows("poincare_blade_passing", line), line_status, tolerance);
     }
     points.contact = contacts_of_line(atlas, own, line_status, line, rows, tolerance);
+    if (signs) add_signs(atlas, line_status, points, limit.metres(own), found);
     append(found.motion, points.motion);
     append(found.motion_per_passing, points.motion_per_passing);
     if (atlas.has("max_displacement")) append(found.max_displacement, points.max_displacement);
@@ -233,7 +256,7 @@ void enter_edges(Findings& found, EdgeTable edges) {
 
 void analyse(const std::filesystem::path& atlas, const std::filesystem::path& maps,
              const std::optional<std::filesystem::path>& table, bool overwrite,
-             const std::optional<std::filesystem::path>& edges) {
+             const std::optional<std::filesystem::path>& edges, const DisplacementLimit& limit) {
   const auto existing = atlas::existing(overwrite);
   std::vector<std::filesystem::path> others{atlas};
   if (edges) others.push_back(*edges);
@@ -243,7 +266,7 @@ void analyse(const std::filesystem::path& atlas, const std::filesystem::path& ma
   if (table) table_output = atlas::permitted({*table, atlas::FileKind::table, existing}, others);
   const atlas::AtlasReader reader(atlas);
   atlas::require_sound_rows(reader);
-  auto found = examine(reader);
+  auto found = examine(reader, limit);
   if (edges) enter_edges(found, read_edges(*edges, found, reader));
   write_maps(maps_output, found, reader, atlas.filename().string());
   if (table_output) atlas::publish_text(*table_output, markdown_report(found));

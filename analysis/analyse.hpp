@@ -5,14 +5,15 @@
 #include <filesystem>
 #include <optional>
 
+#include "analysis/displacement_limit.hpp"
 #include "analysis/findings.hpp"
 #include "atlas/atlas_reader.hpp"
 
 namespace rubatlas::analysis {
 
 /// Applies the rules of this folder's README to an atlas. The atlas may be incomplete; points that are not
-/// done are left out.
-Findings examine(const atlas::AtlasReader& atlas);
+/// done are left out. `limit`: the displacement before which signs in the spectrum are looked for.
+Findings examine(const atlas::AtlasReader& atlas, const DisplacementLimit& limit = {});
 
 /// Prints the result on the standard output, writes MAPS.h5 and, where asked, the Markdown table, each
 /// completely or not at all; with `overwrite` they replace older ones. Throws atlas::EnvironmentError when a
@@ -21,7 +22,8 @@ Findings examine(const atlas::AtlasReader& atlas);
 /// which the table then quotes with their uncertainty, and the maps contain.
 void analyse(const std::filesystem::path& atlas, const std::filesystem::path& maps,
              const std::optional<std::filesystem::path>& table, bool overwrite,
-             const std::optional<std::filesystem::path>& edges = std::nullopt);
+             const std::optional<std::filesystem::path>& edges = std::nullopt,
+             const DisplacementLimit& limit = {});
 
 /// Enters the edges of an atlas into its findings.
 void enter_edges(Findings& found, EdgeTable edges);

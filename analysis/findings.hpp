@@ -17,6 +17,7 @@
 #include "analysis/rules/margin_map.hpp"
 #include "analysis/rules/parameter.hpp"
 #include "analysis/rules/sensitivity.hpp"
+#include "analysis/rules/signature.hpp"
 #include "plan/grid.hpp"
 #include "settings/scene.hpp"
 
@@ -44,7 +45,11 @@ struct Findings {
   std::vector<Sensitivity> sensitivities;  ///< of lines from one initial state: empty where that is an axis
   std::optional<Margins> margins{};        ///< where motions have classes
   std::vector<ExponentCheck> exponent_check{};  ///< one per point; empty where the atlas has no exponents
-  std::optional<EdgeTable> edges{};             ///< where they have been computed (`rubatlas edges`)
+  /// Signs in the spectrum: per point, and per line against the limit. Empty where the initial state is an
+  /// axis, or where the atlas lacks displacements or spectra that resolve the lines up to 2n×.
+  std::vector<SignHeights> sign_heights{};
+  std::vector<LineSignature> signatures{};
+  std::optional<EdgeTable> edges{};  ///< where they have been computed (`rubatlas edges`)
 };
 
 }  // namespace rubatlas::analysis

@@ -13,6 +13,7 @@
 #include "analysis/maps_attractors.hpp"
 #include "analysis/maps_datasets.hpp"
 #include "analysis/maps_margins.hpp"
+#include "analysis/maps_signature.hpp"
 #include "analysis/maps_table.hpp"
 #include "atlas/hdf5.hpp"
 #include "atlas/publish.hpp"
@@ -145,6 +146,7 @@ void write_maps(const atlas::Output& output, const Findings& found, const atlas:
     if (!found.attractor.empty()) create_attractors(file, found, shape, axes);
     if (found.margins) create_margins(file, found, shape, axes);
     if (!found.exponent_check.empty()) create_exponent_check(file, found, shape, axes);
+    if (!found.signatures.empty()) create_signature(file, found, shape, axes);
     create_effects(file, found);
     create_doublings(file, found);
     if (found.edges) create_edges(file, found);

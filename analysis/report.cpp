@@ -12,6 +12,7 @@
 #include "analysis/edges_report.hpp"
 #include "analysis/grazing_report.hpp"
 #include "analysis/report_parts.hpp"
+#include "analysis/signature_report.hpp"
 #include "analysis/text_layout.hpp"
 #include "atlas/output.hpp"
 #include "settings/printable.hpp"
@@ -83,6 +84,10 @@ std::string plain_report(const Findings& found) {
     text += "\nHOW FAR FROM GRAZING\n";
     for (const auto& sentence : sentences) text += paragraph("  ", sentence, 4, kColumns);
   }
+  if (const auto sentences = signature_sentences(found); !sentences.empty()) {
+    text += "\nSIGNS BEFORE THE LIMIT\n";
+    for (const auto& sentence : sentences) text += paragraph("  ", sentence, 4, kColumns);
+  }
   if (found.edges) text += "\nEDGES\n" + edges_report(found);
   for (const auto& sensitivity : found.sensitivities) {
     text += fmt::format("\n{}\n", heading(found, sensitivity));
@@ -125,6 +130,10 @@ std::string markdown_report(const Findings& found) {
   }
   if (const auto sentences = grazing_sentences(found); !sentences.empty()) {
     text += "\n## How far from grazing\n\n";
+    for (const auto& sentence : sentences) text += fmt::format("- {}\n", sentence);
+  }
+  if (const auto sentences = signature_sentences(found); !sentences.empty()) {
+    text += "\n## Signs before the limit\n\n";
     for (const auto& sentence : sentences) text += fmt::format("- {}\n", sentence);
   }
   if (found.edges) {

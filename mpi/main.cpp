@@ -86,7 +86,8 @@ int carry_out(const BranchCommand& command) {
 }
 
 int carry_out(const AnalyseCommand& command) {
-  analysis::analyse(command.atlas, command.maps, command.table, command.overwrite, command.edges);
+  analysis::analyse(command.atlas, command.maps, command.table, command.overwrite, command.edges,
+                    command.limit);
   return exit_code::kDone;
 }
 

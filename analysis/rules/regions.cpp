@@ -10,19 +10,13 @@
 
 #include "analysis/rules/contact.hpp"
 #include "analysis/rules/gaps.hpp"
+#include "analysis/rules/median.hpp"
 #include "analysis/rules/stretches.hpp"
 
 namespace rubatlas::analysis {
 namespace {
 
 using Points = std::span<const ClassifiedPoint>;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return kNotANumber;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
 
 /// The region over points [first, last], from the first to the last of them that touches; the displacement is
 /// of every finished point between them, the unresolved ones included.

@@ -31,6 +31,7 @@ Examples:
   rubatlas analyse damping.h5 -o maps.h5 --table table.md        regions, triggers and sensitivities
   mpirun -n 4 rubatlas edges damping.h5 --to 1e-6                 edges between motions, into damping_edges.h5
   rubatlas analyse damping.h5 --edges damping_edges.h5 -o maps.h5 regions with the uncertainty of their ends
+  rubatlas analyse damping.h5 --limit "2 mm" -o maps.h5          signs of rubbing before 2 mm are passed
   rubatlas accuracy jobs/accuracy.json -o accuracy.h5            error against time, method by method
   rubatlas verify damping.h5 --recompute 50                      checksums of all rows, 50 rows once more
   rubatlas run jobs/damping.json -o two.h5 --part 2/7            a seventh of the lines
@@ -54,6 +55,11 @@ ProgressStyle progress_style(const std::string& word) {
                                  fmt::join(kProgressStyles, ", "), settings::nearest(word, kProgressStyles)));
   }
   return static_cast<ProgressStyle>(found - kProgressStyles.begin());
+}
+
+analysis::DisplacementLimit displacement_limit(const std::string& text) {
+  if (const auto limit = analysis::parse_limit(text)) return *limit;
+  throw UsageError(fmt::format("--limit {}: not {}", text, analysis::kLimitAllowed));
 }
 
 /// A mistyped command gets a sentence of its own instead of "a subcommand is required".
@@ -181,6 +187,12 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   analyse->add_option(
       "--edges", analyse_command.edges,
       "Edges of the atlas, as rubatlas edges writes them: the table quotes their uncertainty");
+  std::optional<std::string> limit;
+  analyse
+      ->add_option("--limit", limit,
+                   "Displacement before which signs of rubbing in the spectrum are looked for; default: 0.5 "
+                   "clearances")
+      ->type_name("LENGTH");
   analyse->add_flag("--overwrite", analyse_command.overwrite,
                     "Replace existing maps and table; no other files");
 
@@ -286,6 +298,7 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
     accuracy_command.progress = progress_style(progress);
     return accuracy_command;
   }
+  if (limit) analyse_command.limit = displacement_limit(*limit);
   return analyse_command;
 }
 

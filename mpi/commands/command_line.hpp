@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/displacement_limit.hpp"
 #include "mpi/accuracy/accuracy_settings.hpp"
 #include "mpi/commands/explain.hpp"
 #include "mpi/commands/run.hpp"
@@ -52,6 +53,7 @@ struct AnalyseCommand {
   std::optional<std::filesystem::path> table;
   std::optional<std::filesystem::path> edges;  ///< that `edges` has written
   bool overwrite = false;
+  analysis::DisplacementLimit limit;
 };
 
 struct EdgesCommand {

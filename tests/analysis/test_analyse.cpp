@@ -251,6 +251,28 @@ TEST_F(Analyse, SaysWhereBladesTouch) {
   EXPECT_EQ(maps.dataset("table1/region_1_presence").read<std::uint8_t>()[1], 1) << "absent";
 }
 
+TEST_F(Analyse, SaysBeforeWhichLimitSignsWereFoundLineByLine) {
+  const auto scene = with(with(kScene, R"("count": 91)", R"("count": 181)"), R"("max_displacement"])",
+                          R"("max_displacement", "spectrum"])");
+  write_atlas(file("atlas.h5"), scene, [](const plan::PointParameters& at) {
+    if (at.damping_ratio > 0.2) return PrescribedPoint{1, 1e-4};
+    return PrescribedPoint{1, at.speed_ratio < 0.2975 ? 1e-4 : at.speed_ratio < 0.3975 ? 2e-3 : 8e-3};
+  });
+  const auto text = on_one_line(run("atlas.h5", file("table.md")));
+  EXPECT_NE(
+      text.find("ζ = 0.1: 5 mm passed at Ω = 0.400: 3× line from 0.310 (22.5 % earlier), broad band from"),
+      std::string::npos)
+      << text;
+  EXPECT_NE(text.find("ζ = 0.3: 5 mm never passed."), std::string::npos) << text;
+  EXPECT_NE(bytes(file("table.md")).find("## Signs before the limit"), std::string::npos);
+  const auto maps = atlas::File::open_to_read(file("maps.h5"));
+  EXPECT_NEAR(maps.dataset("signature/limit").read<double>()[1], 5e-3, 1e-15);
+  EXPECT_NEAR(maps.dataset("signature/announced_speed_ratio").read<double>()[0], 0.31, 1e-9);
+  EXPECT_EQ(maps.dataset("signs/passing_line").shape(), (atlas::Shape{1, 1, 1, 2, 181}));
+  const auto other = examine(atlas::AtlasReader(file("atlas.h5")), *parse_limit("1 mm"));
+  EXPECT_NEAR(other.signatures[0].limit_speed_ratio, 0.3, 1e-9);
+}
+
 TEST_F(Analyse, KeepsToTheWidthOfATerminal) {
   write_atlas(file("atlas.h5"), kScene, papers_point);
   std::istringstream text(run("atlas.h5"));

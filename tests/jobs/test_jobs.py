@@ -9,6 +9,7 @@ import tempfile
 import unittest
 
 import h5py
+import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
@@ -89,6 +90,25 @@ class Jobs(unittest.TestCase):
         offered = [*wasm(14), *(name for name in wasm(16) if name != "lld-16"), *wasm(19), *wasm(17), *wasm(100)]
         self.assertEqual(sorted(self.install(needed, offered).split()), sorted(["Installing:", *wasm(17)]))
         self.assertEqual(self.install([*needed, *wasm(19)], offered), "")
+
+    def test_the_table_of_signs_counts_what_the_maps_say(self):
+        ended = run(ROOT / "jobs/signature.py", TINY, "--limit", "4 mm", "--keep", self.folder)
+        self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+        header, _, row, _ = ended.stdout.splitlines()
+        with h5py.File(self.folder / "tiny_maps.h5") as maps:
+            table = {name: column[...] for name, column in maps["signature"].items()}
+        self.assertTrue((table["limit_speed_ratio"] > 0.2).any())  # the first speed
+        inside = table["limit_speed_ratio"] != 0.2
+        table = {name: column[inside] for name, column in table.items()}
+        passes = np.isfinite(table["limit_speed_ratio"])
+        cells = dict(zip(header.split("|"), row.split("|")))
+        self.assertEqual(cells[" scene "] + cells[" limit "], " `tiny`  4 mm ")
+        self.assertEqual((int(cells[" lines "]), int(cells[" pass it "])), (inside.sum(), passes.sum()))
+        for name, column in ((" n× line ", "passing_line"), (" displacement ", "displacement")):
+            missed = passes.sum() - (table[f"{column}_speed_ratio"][passes] > 0.0).sum()
+            self.assertEqual(f"{missed} missed" in cells[name], missed > 0)
+            false = table[f"{column}_false"].sum()
+            self.assertEqual(f"{false} false" in cells[name], false > 0)
 
     def test_quickstart_explains_itself(self):
         ended = run(ROOT / "jobs/quickstart.sh", "--help")

@@ -33,6 +33,7 @@ LONG = "A rotor whose owner has a lot to say about it, " * 4
 CALLS = {
     "bifurcation": ("atlas.h5", "--damping_ratio", "0.05"), "waterfall": ("atlas.h5",), "displacement": ("atlas.h5",),
     "map": ("atlas.h5", "--maps", "maps.h5"), "margin": ("atlas.h5", "--maps", "maps.h5"),
+    "signature": ("atlas.h5", "--maps", "maps.h5"),
     "spectrum": ("atlas.h5", "--speed_ratio", "0.6"), "orbit": ("orbit.h5",), "blade": ("atlas.h5",),
     "safe_speeds": ("atlas.h5", "--keep", "max_displacement<=0.008", "--keep", "max_contact_force<=200"),
     "basins": ("basins.h5", "--maps", "basins_maps.h5"), "branch": ("branch.h5",),

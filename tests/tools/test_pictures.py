@@ -88,6 +88,27 @@ class ToolsPictures(unittest.TestCase):
     def test_margins_are_drawn(self):
         self.expect_picture("margin", TINY / "atlas.h5", "--maps", TINY / "maps.h5", colours=50)
 
+    def test_signs_of_rubbing_are_drawn(self):
+        self.expect_picture("signature", TINY / "atlas.h5", "--maps", TINY / "maps.h5")
+
+    def test_signs_are_drawn_with_the_limit_and_the_speed_at_which_it_is_passed(self):
+        files = TINY / "atlas.h5", "--maps", TINY / "maps.h5"
+        panels = Figure("signature", *files, "--damping_ratio", 0.2).figure.axes
+        with h5py.File(TINY / "atlas.h5") as atlas, h5py.File(TINY / "maps.h5") as maps:
+            displacement, limit = atlas["max_displacement"][0, 0, 0, 2], maps["signature/limit"][2]
+            heights = [maps["signs"][name][0, 0, 0, 2] for name in ("passing_line", "broad_band", "subharmonic")]
+            passed = maps["signature/limit_speed_ratio"][2]
+        for curve, height in zip(panels[0].lines, heights):
+            np.testing.assert_allclose(curve.get_ydata(), 1e3 * np.maximum(height, 1e-3 * limit), rtol=1e-12)
+        np.testing.assert_array_equal(panels[2].lines[0].get_ydata(), 1e3 * displacement)
+        self.assertEqual(panels[2].lines[1].get_ydata(), [1e3 * limit] * 2)
+        self.assertEqual(panels[2].lines[-1].get_xdata(), [passed] * 2)
+
+    def test_maps_without_signs_are_answered_with_what_they_need(self):
+        ended = run("signature", TINY / "basins.h5", "--maps", TINY / "basins_maps.h5", "-o", "none.png")
+        self.assertEqual(ended.returncode, 2)
+        self.assertIn("it has no /signature; `rubatlas analyse` writes it for lines from one initial", ended.stderr)
+
     def test_the_spectrum_of_a_point_is_drawn(self):
         self.expect_picture("spectrum", TINY / "atlas.h5", "--speed_ratio", 0.6)
 
@@ -254,7 +275,7 @@ class ToolsPictures(unittest.TestCase):
     def test_pictures_over_the_speed_have_a_second_axis_in_rpm(self):
         atlas, maps = TINY / "atlas.h5", ("--maps", TINY / "maps.h5")
         for tool, arguments in (("bifurcation", []), ("stack", []), ("displacement", []), ("map", maps),
-                                ("margin", maps), ("waterfall", [])):
+                                ("margin", maps), ("signature", maps), ("waterfall", [])):
             with self.subTest(tool):
                 figure = Figure(tool, atlas, *arguments).figure
                 figure.draw_without_rendering()  # the second axis follows the first when it is drawn

@@ -2,13 +2,18 @@
 import os
 import pathlib
 import sys
+import tempfile
 import unittest
 
+import h5py
 import numpy as np
+import xarray
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 sys.path.insert(0, str(ROOT / "tools"))
 import rubatlas  # noqa: E402
+
+TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
 
 SAMPLES = 64  # per revolution
 REVOLUTIONS = 50
@@ -45,6 +50,7 @@ class SignatureOfASpectrum(unittest.TestCase):
         self.assertAlmostEqual(found.centroid, (0.25 * 0.5 + 0.01 * 1.5) / 0.26, delta=1e-12)
         self.assertAlmostEqual(found.width, np.sqrt(0.25 * 0.01) / 0.26, delta=1e-12)
         self.assertLess(found.breadth, 0.01)
+        self.assertLess(found.broad, 1e-12)
 
     def test_a_motion_of_period_sixteen_is_seen_in_a_record_that_resolves_it(self):
         found = rubatlas.signature(*spectrum(np.cos(3.0 * turns(160)) + 0.1 * np.cos(47.0 / 16.0 * turns(160))))
@@ -63,11 +69,13 @@ class SignatureOfASpectrum(unittest.TestCase):
         self.assertAlmostEqual(found.width.mean(), orders[inside].std(), delta=0.03)
         self.assertAlmostEqual(found.between_share.mean(), inside.sum() / ((orders > 0.05) & (orders <= 6.05)).sum(),
                                delta=0.005)
+        self.assertAlmostEqual((found.broad / found.between).mean(), 1.0, delta=0.01)
 
     def test_no_vibration_has_no_power_and_no_place(self):
         orders = spectrum(turns())[0]
         found = rubatlas.signature(orders, np.where(orders == 0.0, 3.0, 0.0))
-        for values in (found.passing, found.rotation, found.subharmonic, found.between, found.between_share):
+        for values in (found.passing, found.rotation, found.subharmonic, found.between, found.between_share,
+                       found.broad):
             self.assertEqual(values, 0.0)
         self.assertTrue(np.isnan([found.subharmonic_order, found.centroid, found.width, found.breadth]).all())
 
@@ -84,6 +92,8 @@ class SignatureOfASpectrum(unittest.TestCase):
         # The window widens every line to 1.5 bins of power, so that shares stay as they are.
         self.assertAlmostEqual(found.between_share, 0.04 / 1.04, delta=0.002)
         self.assertLess(found.breadth, 0.02)
+        # Of the noise, 1e-3 √(2 · 3200/64 bins a revolution … ) is left: far below the lines.
+        self.assertLess(found.broad, 2e-3)
 
     def test_what_leaks_from_a_line_through_the_window_is_no_broad_band(self):
         turned = turns(20.5)
@@ -109,6 +119,41 @@ class SignatureOfASpectrum(unittest.TestCase):
                                       ([[0.0, 0.1]], 3, "the orders are one row")):
             with self.subTest(words=words), self.assertRaisesRegex(ValueError, words):
                 rubatlas.signature(orders, np.ones(np.shape(orders)[-1]), blades)
+
+class SignatureOfAnAtlas(unittest.TestCase):
+    def test_the_program_and_the_package_measure_the_same_heights(self):
+        with h5py.File(TINY / "atlas.h5") as atlas, h5py.File(TINY / "maps.h5") as maps:
+            done = atlas["status"][...] == 1
+            self.assertGreater(done.sum(), 50)
+            self.assertFalse(done.all())
+            found = rubatlas.signature(atlas["order"][...], atlas["spectrum"][...][done])
+            self.assertGreater(np.count_nonzero(found.broad > 1e-5), 5)  # some motions are aperiodic, others are not
+            for name, values in (("passing_line", found.passing), ("broad_band", found.broad),
+                                 ("subharmonic", found.subharmonic)):
+                with self.subTest(name):
+                    heights = maps["signs"][name][...]
+                    np.testing.assert_allclose(heights[done], values, rtol=1e-12)
+                    self.assertTrue(np.isnan(heights[~done]).all())
+
+    def test_the_limit_is_passed_where_the_displacement_first_exceeds_it(self):
+        table = xarray.open_dataset(TINY / "maps.h5", engine="h5netcdf", group="signature")
+        with h5py.File(TINY / "atlas.h5") as atlas:
+            np.testing.assert_array_equal(table["at_damping_ratio"], atlas["damping_ratio"][...])
+            np.testing.assert_allclose(table["limit"], 0.5 * 0.01, rtol=1e-12)  # of the clearance
+            beyond = (atlas["max_displacement"][0, 0, 0] > 0.005) | (atlas["status"][0, 0, 0] == 2)
+            first = [atlas["speed_ratio"][line.argmax()] if line.any() else np.nan for line in beyond]
+        np.testing.assert_array_equal(table["limit_speed_ratio"], first)
+
+    def test_the_limit_has_a_unit_and_any_other_word_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for limit, metres in (("2 mm", 2e-3), ("300 µm", 3e-4), ("0.25 clearances", 2.5e-3)):
+                maps = pathlib.Path(folder) / "maps.h5"
+                rubatlas.command("analyse", TINY / "atlas.h5", output=maps, limit=limit, overwrite=True)
+                with h5py.File(maps) as file:
+                    np.testing.assert_allclose(file["signature/limit"], metres, rtol=1e-12)
+            allowed = "not a number above zero and one of m, mm, um, µm, clearances"
+            with self.assertRaisesRegex(rubatlas.AtlasError, f"rubatlas: --limit 1 inch: {allowed}"):
+                rubatlas.command("analyse", TINY / "atlas.h5", output=maps, limit="1 inch", overwrite=True)
 
 
 if __name__ == "__main__":

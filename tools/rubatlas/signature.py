@@ -41,6 +41,10 @@ class Signature(NamedTuple):
     #: (ΣP)²/ΣP² over the number of bins between the lines: about 1/2 for white noise, 1/bins for a single line. It
     #: tells a broad band from the lines of a motion of period p.
     breadth: Numbers
+    #: √(bins between the lines · median of their power / ln 2): `between` for white noise, whose bins have powers with
+    #: a median of ln 2 times the mean, and 0 for lines, which never stand in half of the bins. A broad
+    #: band's height.
+    broad: Numbers
 
 
 def signature(orders: Any, amplitudes: Any, blades: int = 3, highest: float | None = None) -> Signature:
@@ -78,6 +82,7 @@ def signature(orders: Any, amplitudes: Any, blades: int = 3, highest: float | No
     largest = beside.max(axis=-1)
     power = beside**2
     total, everything = power.sum(axis=-1), (amplitude[..., vibration] ** 2).sum(axis=-1)
+    median = np.where(known, np.sort(power, axis=-1)[..., place.size // 2], np.nan)
     with np.errstate(invalid="ignore", divide="ignore"):  # 0/0 where there is nothing
         centroid = power @ place / total
         width = np.sqrt((power * (place - centroid[..., np.newaxis]) ** 2).sum(axis=-1) / total)
@@ -85,4 +90,5 @@ def signature(orders: Any, amplitudes: Any, blades: int = 3, highest: float | No
         share = np.where(everything == 0.0, 0.0, total / everything)
     return Signature(passing=line(blades), rotation=line(1), subharmonic=largest,
                      subharmonic_order=np.where(largest > 0.0, place[beside.argmax(axis=-1)], np.nan),
-                     between=np.sqrt(total), between_share=share, centroid=centroid, width=width, breadth=breadth)
+                     between=np.sqrt(total), between_share=share, centroid=centroid, width=width, breadth=breadth,
+                     broad=np.sqrt(place.size * median / np.log(2.0)))

@@ -9,6 +9,7 @@ KINDS = {
     "displacement": "maximum displacement over the clearance, one curve per value of a parameter",
     "map": "maximum displacement and class of motion over the speed ratio and a parameter",
     "margin": "distance to the nearest change of motion and to the predicted grazing, over speed ratio and a parameter",
+    "signature": "signs of rubbing in the spectrum over the speed ratio, before the displacement passes a limit",
     "spectrum": "spectrum of x of one point",
     "orbit": "orbit of one point with its sections, and the force on each blade; or several orbits",
     "blade": "a blade's shortening and deflection over its load",

@@ -1,0 +1,53 @@
+#include "analysis/signature_report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "analysis/report_parts.hpp"
+#include "analysis/rules/parameter.hpp"
+
+namespace rubatlas::analysis {
+namespace {
+
+std::string sentence_of(const LineSignature& line, int blades) {
+  const std::array<std::string, kSignNames.size()> names{fmt::format("{}× line", blades), "broad band",
+                                                         "sub-harmonic"};
+  const bool passes = !std::isnan(line.limit_speed_ratio);
+  std::vector<std::string> standing;
+  std::vector<std::string> wrong;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto& sign = line.signs[i];
+    if (!std::isnan(sign.speed_ratio)) {
+      standing.push_back(fmt::format("{} from {:.3f} ({:.1f} % earlier)", names[i], sign.speed_ratio,
+                                     100.0 * (1.0 - sign.speed_ratio / line.limit_speed_ratio)));
+    }
+    if (sign.false_signs > 0) wrong.push_back(fmt::format("{} {}", names[i], sign.false_signs));
+  }
+  auto text =
+      passes ? fmt::format("{} passed at Ω = {:.3f}: {}", millimetres(line.limit), line.limit_speed_ratio,
+                           standing.empty() ? "no sign before" : fmt::format("{}", fmt::join(standing, ", ")))
+             : fmt::format("{} never passed", millimetres(line.limit));
+  if (!wrong.empty()) text += fmt::format("; false signs: {}", fmt::join(wrong, ", "));
+  return text + ".";
+}
+
+}  // namespace
+
+std::vector<std::string> signature_sentences(const Findings& found) {
+  if (found.signatures.empty()) return {};
+  const int blades = found.scene.blades.count;
+  std::vector<std::string> sentences{
+      fmt::format("A sign is a growth to {:g} times over a thirtieth of Ω n/3: of the {}× line, of the broad "
+                  "band or of the "
+                  "highest line between the whole orders. It is false where it is withdrawn before the "
+                  "displacement passes the "
+                  "limit, or where that never happens.",
+                  kSignRise, blades)};
+  for (std::size_t line = 0; line < found.signatures.size(); ++line)
+    sentences.push_back(line_text(found, line) + sentence_of(found.signatures[line], blades));
+  return sentences;
+}
+
+}  // namespace rubatlas::analysis
