@@ -186,21 +186,24 @@ def held(speed):
 
 
 class Record:
-    """One line of an atlas, speed by speed as it was held."""
+    """One line of an open atlas, speed by speed as it was held."""
 
-    def __init__(self, path, **values):
-        with AtlasFile(path) as atlas:
-            line, speed = atlas.line(**values), atlas.axis("speed_ratio")
-            parts = held(speed)
-            sections, largest, spectrum = (line.rows(name) for name in ("poincare", "max_displacement", "spectrum"))
-            self.order, self.sizes, self.blades = atlas.axis("order"), atlas.sizes(), atlas.scene["blades"]["count"]
-            worn = line.rows("final_state_wear").max(axis=-1) if "final_state_wear" in atlas else np.zeros(len(speed))
+    def __init__(self, line):
+        atlas, speed = line.atlas, line.atlas.axis("speed_ratio")
+        parts = held(speed)
+        sections, largest, spectrum = (line.rows(name) for name in ("poincare", "max_displacement", "spectrum"))
+        self.order, self.sizes, self.blades = atlas.axis("order"), atlas.sizes(), atlas.scene["blades"]["count"]
+        worn = line.rows("final_state_wear").max(axis=-1) if "final_state_wear" in atlas else np.zeros(len(speed))
         self.speed = np.array([speed[part][0] for part in parts])
         self.sections = [sections[part].reshape(-1, 4) for part in parts]
         self.largest = np.array([largest[part].max() for part in parts])
         self.spectrum = np.array([np.sqrt((spectrum[part]**2).mean(axis=0)) for part in parts])
         self.worn = np.array([worn[part][-1] for part in parts])
         self.periodic = np.array([repeats(one) for one in self.sections])
+
+    def within(self, low, high):
+        """Which held speeds are in a range, and have a motion."""
+        return (self.speed >= low) & (self.speed <= high) & np.isfinite(self.largest)
 
 
 # Ranges of the measured regions, P14a.
@@ -215,7 +218,7 @@ def ranges_table(records):
     for words, (low, high) in RANGES.items():
         cells = []
         for record in records.values():
-            inside = (record.speed >= low) & (record.speed <= high) & np.isfinite(record.largest)
+            inside = record.within(low, high)
             if not inside.any():
                 cells.append("no speed")
                 continue
@@ -224,6 +227,18 @@ def ranges_table(records):
             cells.append(f"{100 * np.mean(~record.periodic[inside]):.0f} %, {largest[0]:.3f} to {largest[-1]:.3f}, "
                          f"{largest.max():.3f} at {peak:.3f}")
         rows.append(f"| {words}, {low:g}-{high:g} | " + " | ".join(cells) + " |")
+    return "\n".join(rows) + "\n"
+
+
+def repetitions_table(repetitions):
+    """Per repetition of the measurement: how many of the held speeds in each range do not repeat themselves."""
+    rows = ["| me [kg m] | phase [°] | " + " | ".join(f"{low:g}-{high:g}" for low, high in RANGES.values()) +
+            " | worn [mm] |", "|--:|--:|" + len(RANGES) * "--:|" + "--:|"]
+    for (unbalance, phase), record in repetitions.items():
+        shares = [np.mean(~record.periodic[inside]) if (inside := record.within(*ends)).any() else np.nan
+                  for ends in RANGES.values()]
+        rows.append(f"| {unbalance:g} | {np.degrees(phase):.0f} | " +
+                    " | ".join(f"{100 * share:.0f} %" for share in shares) + f" | {1e3 * record.worn[-1]:.2f} |")
     return "\n".join(rows) + "\n"
 
 
@@ -241,7 +256,7 @@ def draw_records(records, options):
             x = np.concatenate([1e3 * probe(record.sections[at][:, 0]) for at in chosen])
             sections.plot(where, x, ".", color=colour, ms=1.6, mew=0, alpha=0.6, rasterized=True,
                           label="repeats itself" if periodic else "does not")
-        sections.set_title(name)
+        sections.set_title(f"{name} (grey: ranges of the measured regions)")
         style.rpm_axis(sections, record.sizes)
         largest.plot(record.speed, 1e3 * probe(record.largest), color=style.INK, lw=1.0, label="largest displacement")
         if record.worn.any():
@@ -295,9 +310,13 @@ def unknowns(options):
 
 
 def measured(options):
-    records = {"constant speed, balanced, no wear": Record(computed(options.beside, options), friction=0.2),
-               "as measured": Record(computed(options.scene or ROOT / "jobs/rig_measured.json", options))}
-    return ranges_table(records), lambda picture: draw_records(records, picture)
+    beside, scene = computed(options.beside, options), options.scene or ROOT / "jobs/rig_measured.json"
+    with AtlasFile(beside) as constant, AtlasFile(computed(scene, options)) as raised:
+        records = {"constant speed, balanced, no wear": Record(constant.line(friction=0.2)),
+                   "as measured": Record(raised.line())}
+        repetitions = {(unbalance, phase): Record(raised.line(unbalance=unbalance, unbalance_phase=phase))
+                       for unbalance in raised.axis("unbalance") for phase in raised.axis("unbalance_phase")}
+    return ranges_table(records) + "\n" + repetitions_table(repetitions), lambda picture: draw_records(records, picture)
 
 
 def main():

@@ -125,17 +125,22 @@ class Rig(unittest.TestCase):
     def test_the_measured_rig_is_drawn_beside_the_one_at_constant_speed(self):
         places = [0.2, 0.45, 0.56, 0.6, 0.75]
         held = [place * (1.0 + 1e-8 * batch) for place in places for batch in range(2)]
-        measured = self.written("raised", scene("rig_measured", {"speed_ratio": held}, protocol={
-            **SHORT, "transient_revolutions": 0}))
+        measured = self.written("raised", scene("rig_measured", {
+            "speed_ratio": held, "unbalance": [5e-6, 2e-5], "/unbalance/phase": [0, 1.0]}, protocol={
+                **SHORT, "transient_revolutions": 0}))
         beside = self.written("constant", scene("rig", {"speed_ratio": places, "friction": [0.2]}, protocol=SHORT,
                                                 observables=["poincare", "max_displacement", "spectrum"]))
         table = self.printed("measured", "--scene", measured, "--beside", beside)
         with h5py.File(self.folder / "raised.h5") as atlas:
-            largest = 1e3 * atlas["max_displacement"][...].reshape(len(places), 2).max(axis=1)
+            largest = 1e3 * atlas["max_displacement"][...].reshape(2, 2, len(places), 2)[0, 1].max(axis=1)
+            worn = 1e3 * atlas["final_state_wear"][...].reshape(2, 2, 2 * len(places), 3)[:, :, -1].max(axis=-1)
         rows = [line for line in table.splitlines() if line.startswith(("| region", "| chaos", "| rest"))]
         self.assertEqual(len(rows), len(places))
         for row, place, value in zip(rows, places, largest):
             self.assertTrue(row.endswith(f"{value:.3f} to {value:.3f}, {value:.3f} at {place:.3f} |"), row)
+        for phase, degrees in enumerate((0, 57)):
+            for unbalance, name in enumerate(("5e-06", "2e-05")):
+                self.assertRegex(table, rf"\| {name} \| {degrees} \| .* \| {worn[phase, unbalance]:.2f} \|")
         self.expect_drawn("rig_measured.png")
 
 
