@@ -1,5 +1,5 @@
 """Findings along one parameter: what regions and triggers the lines have, and the picture that they make up."""
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -19,6 +19,18 @@ def picture(line: Line) -> str:
     regions = "".join(f" {i}" for i, region in enumerate(line.regions, 1) if region.present)
     triggers = "".join(f" {i}" for i, trigger in enumerate(line.triggers, 1) if trigger.presence == PRESENT)
     return f"regions{regions or ' none'}, triggers{triggers or ' none'}"
+
+
+def pictures(lines: Sequence[Line], place: Callable[[Line], str]) -> list[str]:
+    """Each picture with the place from which on lines have it: one where it is the same on all."""
+    found: list[str] = []
+    before = ""
+    for line in lines:
+        now = picture(line)
+        if now != before:
+            found.append(f"{now} from {place(line)}")
+        before = now
+    return found
 
 
 def all_four(evidence: Evidence, lines: Sequence[Line], name: str, claim: str) -> Finding:
@@ -80,11 +92,5 @@ def same_picture(evidence: Evidence, lines: Sequence[Line], name: str, claim: st
     """Whether lines have the same regions and triggers along one parameter; with `matters` whether they have not."""
     if any(region.presence == NOT_COVERED for line in lines for region in line.regions):
         return not_covered(f"not all regions are covered along {name}", claim)
-    changes: list[str] = []
-    before = ""
-    for line in lines:
-        now = picture(line)
-        if now != before:
-            changes.append(f"{now} from {evidence.text(line, name)}")
-        before = now
+    changes = pictures(lines, lambda line: evidence.text(line, name))
     return Finding((len(changes) > 1) == matters, "; ".join(changes), claim, f"{len(changes) - 1} changes")

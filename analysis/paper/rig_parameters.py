@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from paper.along import picture, same_picture, trigger_on_every
+from paper.along import pictures, same_picture, trigger_on_every
 from paper.line import ABSENT, MERGED, NOT_COVERED, PRESENT, Line, Region, region_text
 from paper.parameters import growth, mostly_aperiodic
 from paper.rig import CHAOS_IN_REGION_3
@@ -81,16 +81,10 @@ def _matters(evidence: Evidence, lines: Sequence[Line], thin: bool, what: str,
         wanted = _is_thin(evidence, own[0]) if thin else np.isclose(thickness, RIG.usual[THICKNESS], rtol=1e-9)
         if not wanted or len(own) < 2:
             continue
-        pictures: list[str] = []
-        before = ""
-        for line in own:
-            now = picture(line)
-            if now != before:
-                pictures.append(f"{now} from {value(line)}")
-            before = now
+        found = pictures(own, value)
         compared += 1
-        changed += len(pictures) > 1
-        texts.append(f"h = {millimetres(thickness)}: {'; '.join(pictures)}")
+        changed += len(found) > 1
+        texts.append(f"h = {millimetres(thickness)}: {'; '.join(found)}")
     if compared == 0:
         return not_covered(f"no two values of {what} on the grid", claim)
     return Finding(changed > 0 if thin else changed == 0, f"{what}: {'. '.join(texts)}", claim,

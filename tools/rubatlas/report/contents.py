@@ -253,7 +253,6 @@ def contents(atlas, maps, solver, orbits=None):
         "final_state": blocks.add("final_state", atlas.dataset("final_state")[...].astype("<f8").reshape(-1)),
         "points": {word: int((status == int(value)).sum()) for value, word in meanings.items()},
         "table1": group(maps, "table1"),
-        "findings": group(maps, "findings"),
         "effects": group(maps, "effects"),
         "provenance": {name: atlas.attribute(name)
                        for name in ("software", "software_version", "git_commit", "compiler", "schema_version")},
