@@ -14,7 +14,7 @@ from paper.verdict import NEXT_TO, PERIODIC_SHARE, SAME_PLACE, Finding, millimet
 
 THIN = 0.4e-3  # [m] blades below this are thin
 MILLIMETRE_BLADE = 1e-3  # [m] the thickness of P20
-YIELD_STRAIN = 0.002  # bending strain from which steel yields: 412 MPa
+YIELD_STRAIN = 0.002  # bending strain up to which structural steel has yielded: 412 MPa if elastic
 MORE = 1.5  # a force or strain is greater where it is by this factor
 CLEARANCE_LOSS = 0.1e-3  # [m] that the blades lost over the paper's experiments
 MOST_WANDERING = 0.111  # amplitude of the speed: 166.7 of 1500 rpm
@@ -237,7 +237,7 @@ def strength(evidence: Evidence) -> dict[str, list[Finding]]:
     else:
         stress = 1e-6 * strain * evidence.scene["blades"]["youngs_modulus"]
         findings.append(Finding(strain > YIELD_STRAIN, f"bending strain of the root up to {strain:.2%}, "
-                                f"{stress:.0f} MPa if it stays elastic; steel yields from {YIELD_STRAIN:.1%} on",
+                                f"{stress:.0f} MPa if elastic; structural steel yields below {YIELD_STRAIN:.1%}",
                                 "1 mm: a blade's root yields", f"{strain:.2%}"))
     for name, value, unit in (("max_root_strain", strain, ""), ("max_contact_force", force, " N")):
         claim = f"1 mm: larger {name.replace('max_', '').replace('_', ' ')} than at 0.5 mm"
