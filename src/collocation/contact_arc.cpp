@@ -428,6 +428,11 @@ void ContactArc::goes_on(const Ending& ending) {
 double ContactArc::fraction_at(double time) const {
   return collocation::fraction_at(made(), time - made().start_time);
 }
+/// θ of a time, or of the end, which may lie before that of the interval (`end_at`).
+double ContactArc::last_fraction(double time) const {
+  const bool whole = time >= end_.time && end_.time >= made().start_time + made().elapsed.at_end();
+  return whole ? 1.0 : fraction_at(std::min(time, end_.time));
+}
 
 ContactArc::Point ContactArc::solved_at(double time) {
   if (time <= start_.time) return start_;
@@ -464,7 +469,7 @@ ContactArc::MostBent ContactArc::most_bent(int blade, double from, double to, do
   const double bound = 1.0 + kSafety * allowed_ / rotor_->length_scale;
   const double least = known / bound;
   const double first = from <= start_.time ? 0.0 : fraction_at(from);
-  const double last = to >= end_.time ? 1.0 : fraction_at(to);
+  const double last = last_fraction(to);
   if (blade == blade_) {
     const auto most = largest_of(at_places(made().start_argument, made().argument), first, last, least);
     return {most.argument, bound * most.value};
@@ -477,7 +482,7 @@ ContactArc::MostBent ContactArc::most_bent(int blade, double from, double to, do
 double ContactArc::largest_displacement(double from, double to, double known) {
   if (!(displacement_bound_ > known)) return known;
   const double first = from <= start_.time ? 0.0 : fraction_at(from);
-  const double last = to >= end_.time ? 1.0 : fraction_at(to);
+  const double last = last_fraction(to);
   const Farthest there = farthest(made(), first, last);
   // Between the nodes a place errs by less than a velocity would move it in a unit of time.
   if (!(there.displacement + allowed_ > known)) return known;

@@ -122,6 +122,7 @@ class ContactArc {
   [[nodiscard]] Interval& trial() { return intervals_[1 - made_]; }
   [[nodiscard]] const Interval& trial() const { return intervals_[1 - made_]; }
   void look_for_earlier();
+  [[nodiscard]] double last_fraction(double time) const;
   void start_next(Interval& next) const;
   bool solve(Interval& interval, bool warm);
   [[nodiscard]] double error_of(const Interval& interval) const;

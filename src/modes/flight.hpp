@@ -69,12 +69,12 @@ class Flight {
   /// the norm of the distance to the steady response does not grow at all.
   [[nodiscard]] double amplitude_bound(double time, const rotor::State& state, double horizon) const {
     return bound(time, state, horizon, [](const auto& steady) {
-      return std::sqrt(std::norm(steady.position) + std::norm(steady.velocity));
+      return std::sqrt(steady.largest_square + steady.largest_velocity_square);
     });
   }
   /// The same of |z| alone.
   [[nodiscard]] double displacement_bound(double time, const rotor::State& state, double horizon) const {
-    return bound(time, state, horizon, [](const auto& steady) { return std::abs(steady.position); });
+    return bound(time, state, horizon, [](const auto& steady) { return std::sqrt(steady.largest_square); });
   }
 
   /// Bounds of |z''| and |z'''| while |z| and |z'| are within `bound`.
@@ -181,7 +181,7 @@ class Flight {
     const double guess = from + (to - from) * rate_from / (rate_from - rate_to);
     return integrate::newton_between(rate, from, to, guess, false, kClosest * (to - from));
   }
-  /// `size`: the norm that is bounded, of the steady response.
+  /// `size`: a bound of the norm in question, of the steady response.
   template <class Size>
   [[nodiscard]] double bound(double time, const rotor::State& state, double horizon, Size size) const {
     double result = std::sqrt(state.square().sum());

@@ -5,7 +5,7 @@
 /// added to the free motion:
 ///     kPresent, amplitude(), rate()   bounds of the acceleration and of its derivative
 ///     acceleration(time)              at time τ of the revolution [m per unit τ²]
-///     steady(time)                    the steady response, where it is known to exist
+///     steady(time)                    the steady response with its bounds, where it is known to exist
 ///     from_rest(start, elapsed, free, kernel)   the motion a time after rest at `start`
 #pragma once
 
@@ -29,6 +29,12 @@ class NoForcing {
 struct Response {
   std::complex<double> position;
   std::complex<double> velocity;
+};
+
+/// A steady response at one time, and what bounds it at every time.
+struct Steady : Response {
+  double largest_square;           ///< of |position| [m²]
+  double largest_velocity_square;  ///< of |velocity| [(m per unit τ)²]
 };
 
 /// z'' + 2ζ z' + z = a e^{i(ντ+γ)}.
@@ -55,10 +61,11 @@ class Harmonic {
   }
 
   /// Steady response at time τ of the revolution; none near resonance, where it may not exist.
-  [[nodiscard]] std::optional<Response> steady(double time) const {
+  [[nodiscard]] std::optional<Steady> steady(double time) const {
     if (std::norm(dynamic_stiffness_) <= kNearResonance * kNearResonance) return std::nullopt;
     const Complex position = acceleration(time) / dynamic_stiffness_;
-    return Response{position, Complex(0.0, frequency_) * position};
+    const Complex velocity = Complex(0.0, frequency_) * position;
+    return Steady{{position, velocity}, std::norm(position), std::norm(velocity)};
   }
 
   /// Motion a time `elapsed` after rest at `start` (both in τ), in closed form; `motion` is the free motion's
@@ -139,14 +146,21 @@ class Harmonics {
     for (const Harmonic& term : terms_) sum += term.acceleration(time);
     return sum;
   }
-  [[nodiscard]] std::optional<Response> steady(double time) const {
-    Response sum{};
+  /// Terms of different frequency come into step at some time.
+  [[nodiscard]] std::optional<Steady> steady(double time) const {
+    Steady sum{};
+    double largest = 0.0;
+    double largest_velocity = 0.0;
     for (const Harmonic& term : terms_) {
       const auto one = term.steady(time);
       if (!one) return std::nullopt;
       sum.position += one->position;
       sum.velocity += one->velocity;
+      largest += std::sqrt(one->largest_square);
+      largest_velocity += std::sqrt(one->largest_velocity_square);
     }
+    sum.largest_square = largest * largest;
+    sum.largest_velocity_square = largest_velocity * largest_velocity;
     return sum;
   }
   [[nodiscard]] Response from_rest(double start, double elapsed, const rotor::FreeMotion& free,

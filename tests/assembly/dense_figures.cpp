@@ -55,8 +55,10 @@ double largest_of(const Function& function, const std::vector<double>& times, do
     const std::size_t after = std::min(i + 1, times.size() - 1);
     const double least = std::min(values[before], values[after]);
     if (values[i] < std::max(values[before], values[after]) || 2.0 * values[i] - least < largest) continue;
-    const auto top = boost::math::tools::brent_find_minima([&](double time) { return -function(time); },
-                                                           times[before], times[after], kBits);
+    // Over the share between these times: bits of a late time would be few of a short contact.
+    const double between = times[after] - times[before];
+    const auto top = boost::math::tools::brent_find_minima(
+        [&](double share) { return -function(times[before] + share * between); }, 0.0, 1.0, kBits);
     largest = std::max(largest, -top.second);
   }
   return largest;
@@ -196,10 +198,16 @@ void DenseFigures::follow_tip(MotionPiece& piece, const std::vector<double>& tim
       if (time_before == time) {
         take(at);
       } else {
-        const auto [low, high] =
-            boost::math::tools::bisect([&](double t) { return piece.tip(number, t).rate; }, time_before, time,
-                                       boost::math::tools::eps_tolerance<double>(40));
-        take(piece.tip(number, 0.5 * (low + high)));
+        // By the share, as in `largest_of`; the piece before may have ended with another last digit.
+        const double between = time - time_before;
+        const auto rate = [&](double share) { return piece.tip(number, time_before + share * between).rate; };
+        double top = 0.0;
+        if (rate(0.0) > 0.0) {
+          const boost::math::tools::eps_tolerance<double> closeness_of_share(40);
+          const auto [low, high] = boost::math::tools::bisect(rate, 0.0, 1.0, closeness_of_share);
+          top = 0.5 * (low + high);
+        }
+        take(piece.tip(number, time_before + top * between));
       }
     }
     const bool wrong = !lasts_outside && (in_contact ? at.overlap < -closeness : at.overlap > closeness);
@@ -250,11 +258,12 @@ void DenseFigures::follow_powers(MotionPiece& piece) {
   });
 }
 
-/// How well it is known where the tips are [m]: rounding of the time, and the error of a step.
+/// How well it is known where the tips are [m]: rounding of the time, and the errors of steps.
 double DenseFigures::closeness_of_tips() const {
   constexpr double kRounding = 1e-13;
+  constexpr double kTolerances = 100.0;  // as observables may err by
   return kRounding * scene_.ring.radius * (1.0 + period_) +
-         10.0 * scene_.accuracy.tolerance * point::constants_of(scene_, speed_ratio_).length_scale;
+         kTolerances * scene_.accuracy.tolerance * point::constants_of(scene_, speed_ratio_).length_scale;
 }
 
 DenseFigures::Figure DenseFigures::of_blades(double Blade::*value, double unit) const {
@@ -295,9 +304,12 @@ std::optional<DenseFigures::Figure> DenseFigures::grazing_side() const {
   const double miss = nearest_miss_ ? -nearest_miss_->overlap : std::numeric_limits<double>::infinity();
   const double touch = lightest_touch_ ? lightest_touch_->overlap : std::numeric_limits<double>::infinity();
   const double side = touch < miss ? lightest_touch_->side : nearest_miss_->side;
-  // Where a tip is farthest out is known to the root of the rounding of its radius.
+  // Where a tip is farthest out is known to the root of the rounding of its radius. A pass or a contact that
+  // is nearer than its error may be another one's.
   const double doubt = 1e-6 * scene_.ring.radius;
-  if (std::abs(side) < doubt || std::abs(miss - touch) < closeness_of_tips()) return std::nullopt;
+  const double closeness = closeness_of_tips();
+  if (std::abs(side) < doubt || std::abs(miss - touch) < closeness || std::min(miss, touch) < closeness)
+    return std::nullopt;
   return Figure{{side > 0.0 ? 1.0 : 3.0}, 1.0};
 }
 
@@ -317,7 +329,7 @@ std::optional<DenseFigures::Figure> DenseFigures::figure(std::string_view observ
   };
   const auto of_tip = [&](const std::optional<Top>& top) {
     const double value = top ? std::abs(top->overlap) : std::numeric_limits<double>::quiet_NaN();
-    return Figure{{value}, std::max(value, 1e6 * closeness_of_tips())};
+    return Figure{{value}, std::max(value, 1e5 * closeness_of_tips())};
   };
   if (observable == "poincare") return all(sections_);
   if (observable == "poincare_blade_passing") return all(passings_);

@@ -51,6 +51,31 @@ modes::FlightPiece<Forcing, Search> piece_of(const modes::Flight<Forcing>& fligh
   return {flight, search, begin, end, flight.displacement_bound(begin, flight.state(begin), end - begin)};
 }
 
+TEST(FlightBounds, HoldWhereForcingsOfDifferentFrequencyComeIntoStepLater) {
+  for (const double damping : {0.0, 0.1, 1.0}) {
+    const rotor::RotorConstants constants{2.5, damping, 0.01, 0.01, kSize};
+    const rotor::FreeMotion free(damping);
+    // A static load, and an unbalance that opposes it at τ = 0.
+    const rotor::Harmonic load(0.1 * kSize, 0.0, 0.0, damping);
+    const rotor::Harmonics both({load, rotor::RotatingUnbalance(0.08 * kSize, 0.0, 2.5, damping)});
+    const auto steady = *both.steady(0.0);
+    modes::Flight flight(constants, free, both);
+    const rotor::State start{steady.position.real(), steady.position.imag(), steady.velocity.real(),
+                             steady.velocity.imag()};
+    flight.start(0.0, start);
+    double largest = 0.0;
+    double amplitude = 0.0;
+    for (int i = 0; i <= 1000; ++i) {
+      const rotor::State there = flight.state(0.01 * i);
+      largest = std::max(largest, std::hypot(there[0], there[1]));
+      amplitude = std::max(amplitude, std::sqrt(there.square().sum()));
+    }
+    EXPECT_GT(largest, 2.0 * std::abs(steady.position)) << "else the start would bound the motion";
+    EXPECT_LE(largest, flight.displacement_bound(0.0, start, 10.0) * (1.0 + 1e-12));
+    EXPECT_LE(amplitude, flight.amplitude_bound(0.0, start, 10.0) * (1.0 + 1e-12));
+  }
+}
+
 TEST(FlightSamples, AreThoseOfTheClosedFormToRounding) {
   for_each_flight([](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
     for (const int count : {7, 64, 256, 8192}) {
