@@ -160,8 +160,6 @@ def cells_into(panel, numbers, shade, columns, rows):
 
 # --- what the probes would show ---
 
-LEVER = 2.2  # displacement of the hub over that where the probes measure
-SATURATION = 0.72e-3  # [m] reading of a probe beyond which it does not go
 SPEEDS = (0.13, 0.83)  # Ω of 250 and 1500 rpm, and a little around
 REPEATS = 0.01  # a motion repeats itself where its sections do, within this share of the orbit: the blades are worn on
 PERIODS = range(1, 9)
@@ -169,7 +167,7 @@ PERIODS = range(1, 9)
 
 def probe(displacement):
     """Reading of a probe [m] for a displacement of the hub [m]."""
-    return np.clip(np.asarray(displacement) / LEVER, -SATURATION, SATURATION)
+    return np.clip(np.asarray(displacement) / rig.LEVER, -rig.PROBE_LIMIT, rig.PROBE_LIMIT)
 
 
 def repeats(sections):
@@ -180,7 +178,7 @@ def repeats(sections):
 
 
 def held(speed):
-    """Slices of points that stand for one held speed: such points are apart by a billionth or so of it."""
+    """Slices of points that stand for one held speed: such points are apart by a hundred-millionth of it."""
     first = [0, *(np.flatnonzero(np.diff(speed) > 1e-6 * speed[1:]) + 1), len(speed)]
     return [slice(*ends) for ends in itertools.pairwise(first)]
 
@@ -245,7 +243,7 @@ def repetitions_table(repetitions):
 def draw_records(records, options):
     """A column for each record: sections and largest displacement at the probes, and the waterfall."""
     figure, grid = style.subplots(options, 3, len(records), (12.0, 9.0), heights=[2.2, 1.6, 3.0])
-    spectra_shown = {name: 1e3 * record.spectrum / LEVER for name, record in records.items()}
+    spectra_shown = {name: 1e3 * record.spectrum / rig.LEVER for name, record in records.items()}
     top = max(one[:, 1:].max() for one in spectra_shown.values())
     for (name, record), (sections, largest, waterfall) in zip(records.items(), grid.T):
         for periodic, colour in ((True, style.BLUE), (False, style.VERMILION)):

@@ -24,8 +24,9 @@ REST_OF_REGION_3 = (0.58, 0.65)
 REGION_4 = (0.65, 0.80)
 DISPUTED = 0.72
 STEP = (0.34, 0.35)
-# [m] displacement of the hub at which the probes saturate: 0.72 mm where they measure, of which the hub has 2.2 times.
-SATURATION = 0.72e-3 * 2.2
+LEVER = 2.2  # displacement of the hub over that where the probes measure
+PROBE_LIMIT = 0.72e-3  # [m] reading at which a probe saturates
+SATURATION = LEVER * PROBE_LIMIT  # [m] displacement of the hub there
 
 
 def _at_speed(line: Line, speed: float, aperiodic: bool) -> Finding:

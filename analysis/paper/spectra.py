@@ -7,7 +7,7 @@ points are. Its **centre** is the median centroid of these points.
 """
 import numpy as np
 import numpy.typing as npt
-from rubatlas.signature import Signature, signature
+from rubatlas.signature import COARSEST, Signature, half_width, signature
 
 from paper.line import TRIGGER_RISE, Line, Numbers, if_covered, region_text
 from paper.verdict import MAJORITY, NEXT_TO, PERIODIC_SHARE, Finding, millimetres, not_covered
@@ -22,7 +22,7 @@ ABOVE_BESIDE = 2.0  # ... where it is this many times what stands beside it
 def signature_of(line: Line, orders: Numbers) -> tuple[Signature, Numbers] | None:
     """The signs at each speed, and the spectra; None where the atlas keeps none that can be measured."""
     spectra = line.rows("spectrum")
-    if spectra is None or orders.size < 2 or orders[1] - orders[0] > 0.125 or orders[-1] < 2 * line.blades:
+    if spectra is None or orders.size < 2 or orders[1] - orders[0] > COARSEST or orders[-1] < 2 * line.blades:
         return None
     return signature(orders, spectra, blades=line.blades), spectra
 
@@ -33,8 +33,9 @@ def is_broad(signs: Signature) -> npt.NDArray[np.bool_]:
 
 def has_line_at_1(orders: Numbers, spectra: Numbers, signs: Signature) -> npt.NDArray[np.bool_]:
     """Whether the 1× line stands out of what is beside it, from order 1/2 to 3/2."""
-    near = (np.abs(orders - 1.0) <= 0.5) & (np.abs(orders - np.rint(orders)) > 0.05)
-    highest = spectra[:, orders > 0.05].max(axis=1)
+    half = half_width(orders[1] - orders[0])
+    near = (np.abs(orders - 1.0) <= 0.5) & (np.abs(orders - np.rint(orders)) > half)
+    highest = spectra[:, orders > half].max(axis=1)
     return (highest > 0.0) & (signs.rotation >= STANDS * highest) & (
         signs.rotation >= ABOVE_BESIDE * spectra[:, near].max(axis=1))
 
@@ -59,7 +60,7 @@ def _peak_of_the_passing_line(line: Line, orders: Numbers, signs: Signature, spe
     place = float(line.speed[top])
     text = f"{n}× line largest at {place:.3f}, {1e3 * signs.passing[top]:.3g} mm; region 2 from {region.start:.3f} on"
     findings.append(Finding(bool(abs(line.scaled(place - region.start)) <= NEXT_TO), text, claims[1], f"{place:.3f}"))
-    share = float(signs.passing[top] / spectra[top, orders > 0.05].max())
+    share = float(signs.passing[top] / spectra[top, orders > half_width(orders[1] - orders[0])].max())
     findings.append(Finding(share >= 1.0 - 1e-9, f"{n}× line {share:.0%} of the highest at {place:.3f}", claims[2],
                             f"{share:.0%}"))
     return findings

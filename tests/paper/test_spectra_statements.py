@@ -100,6 +100,13 @@ class SpectraStatements(unittest.TestCase):
         signs, rows = spectra.signature_of(line, ORDERS)
         self.assertFalse(spectra.has_line_at_1(ORDERS, rows, signs).any())
 
+    def test_a_line_that_a_window_spreads_over_two_coarse_bins_still_stands(self):
+        orders = np.arange(193) / 16  # of sixteen revolutions: two bins are 1/8 order
+        row = np.where(np.abs(orders - 1.0) <= 0.125, 0.6, 0.0) + 0.4 * (orders == 1.0)
+        line = with_spectra(line_of([Piece(0.95, (1,), 1e-3)], count=2), lambda _: row)
+        signs, rows = spectra.signature_of(line, orders)
+        self.assertTrue(spectra.has_line_at_1(orders, rows, signs).all())
+
 
 if __name__ == "__main__":
     unittest.main()

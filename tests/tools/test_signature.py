@@ -120,6 +120,7 @@ class SignatureOfASpectrum(unittest.TestCase):
             with self.subTest(words=words), self.assertRaisesRegex(ValueError, words):
                 rubatlas.signature(orders, np.ones(np.shape(orders)[-1]), blades)
 
+
 class SignatureOfAnAtlas(unittest.TestCase):
     def test_the_program_and_the_package_measure_the_same_heights(self):
         with h5py.File(TINY / "atlas.h5") as atlas, h5py.File(TINY / "maps.h5") as maps:

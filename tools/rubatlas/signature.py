@@ -42,9 +42,13 @@ class Signature(NamedTuple):
     #: tells a broad band from the lines of a motion of period p.
     breadth: Numbers
     #: √(bins between the lines · median of their power / ln 2): `between` for white noise, whose bins have powers with
-    #: a median of ln 2 times the mean, and 0 for lines, which never stand in half of the bins. A broad
-    #: band's height.
+    #: a median of ln 2 times the mean, and 0 for lines, which never stand in half of the bins. A broad band's height.
     broad: Numbers
+
+
+def half_width(step: float) -> float:
+    """Of a line [orders] in a spectrum with such steps; an order that it ends at counts as within."""
+    return max(HALF_WIDTH, BINS * step) * (1.0 + 1e-9)
 
 
 def signature(orders: Any, amplitudes: Any, blades: int = 3, highest: float | None = None) -> Signature:
@@ -66,7 +70,7 @@ def signature(orders: Any, amplitudes: Any, blades: int = 3, highest: float | No
     if not 0.0 < step <= COARSEST or np.abs(np.diff(order) - step).max() > 0.01 * step:
         raise ValueError(f"orders from {order[0]:g} to {order[-1]:g} in steps of about {step:.3g}: they ascend evenly, "
                          f"in steps of at most {COARSEST:g}")
-    half = max(HALF_WIDTH, BINS * step) * (1.0 + 1e-9)  # an order that a half width ends at counts as within
+    half = half_width(step)
     highest = 2 * blades + half if highest is None else highest
     if not blades <= highest <= order[-1] + half:
         raise ValueError(f"highest order {highest:g}: not between the number of blades, {blades}, and the last order "
