@@ -1,5 +1,5 @@
-"""P9, P15 and P17 to P23: the test rig along thickness, clearance, damping, unbalance, the setting of its blades and a
-speed that wanders."""
+"""P9, P15, P17 to P20 and P23: the test rig along thickness, clearance, damping, unbalance, the setting of its blades
+and a speed that wanders."""
 import itertools
 from collections.abc import Callable, Sequence
 

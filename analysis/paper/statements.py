@@ -75,8 +75,8 @@ STATEMENTS: dict[str, Statement] = {
     "P22": Statement("test rig", "ranges of ζ and μ suffice to say the whole picture",
                      "lines along the damping ratio and friction"),
     "P23": Statement("test rig", "the speed wanders while blades touch, by up to 166.7 rpm, where the "
-                     "computation holds "
-                     "it constant", "lines along the amplitude of a speed that wanders: does the picture stay?"),
+                     "computation holds it constant",
+                     "lines along the amplitude of a speed that wanders: does the picture stay?"),
     "P24": Statement("default, test rig", "periodic regions are where to operate", OWN_LINE),
 }
 
