@@ -151,7 +151,7 @@ Margins margins_of(const atlas::AtlasReader& atlas, const Findings& found,
   return find_margins(found.axes, rows, found.lines);
 }
 
-/// Signs of rubbing in the spectra of a line, the first of whose points is the next one of `found`.
+/// Adds the signs of rubbing in the spectra of a line to those of the lines before it.
 void add_signs(const atlas::AtlasReader& atlas, std::span<const std::uint8_t> status, const Line& line,
                double limit, Findings& found) {
   constexpr std::uint8_t kLeftValidity = 2;

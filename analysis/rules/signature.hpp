@@ -1,8 +1,7 @@
 /// Signs of rubbing blades in the spectrum, and whether they come before the displacement passes a limit.
 ///
 /// The rule is in the README of this folder, "Signature". The Python package measures spectra by the same
-/// rule
-/// (`rubatlas.signature`), and a test holds one against the other.
+/// rule (`rubatlas.signature`), and a test holds one against the other.
 #pragma once
 
 #include <array>

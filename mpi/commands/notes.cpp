@@ -224,13 +224,9 @@ std::vector<std::string> notes_on(const settings::Scene& scene, const CostEstima
                     length(start), length(scene.clearance())));
   }
   if (scene.grid.speed_ratio.back() > 1.0) {
-    // MODEL 5: from rest the default rotor stays inside up to 1.02, leaves at 1.03 and always between 1.05
-    // and 1.24.
     result.emplace_back(
         "speeds beyond Ω = 1 reach the border of the model, where blades can no longer push a rotor back "
-        "that "
-        "leaves: the default rotor leaves it at 1.03 and always from 1.05 to 1.24. Near the border the very "
-        "revolution of escape depends on the last digits");
+        "that leaves. Near the border the very revolution of escape depends on the last digits");
   }
   if (const double amplitude = largest_free_amplitude(scene); std::isinf(amplitude)) {
     result.emplace_back("Ω = 1 without damping: under its unbalance the free shaft moves out without bound");
