@@ -2,6 +2,7 @@
 import json
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -185,19 +186,27 @@ class Jobs(unittest.TestCase):
             (self.folder / name).symlink_to(ROOT / name)
         (self.folder / "build").symlink_to(PROGRAM.parent)
 
-    def test_the_script_of_the_figures_draws_and_publishes_each_of_them(self):
+    def clone_with_short_scenes(self, script, speeds):
+        """A clone in which each scene that the script names has these speeds and few revolutions."""
         for name in ("jobs", "tools/pictures", "build"):
             (self.folder / name).mkdir(parents=True)
         (self.folder / "build/rubatlas").symlink_to(PROGRAM)
+        (self.folder / "analysis").symlink_to(ROOT / "analysis")
         for name in ("rubatlas", "rubatlas-plot"):
             (self.folder / "tools" / name).symlink_to(ROOT / "tools" / name)
-        for script in ("figures.sh", "complete_atlas.sh", "mpi_environment.sh"):
-            (self.folder / "jobs" / script).symlink_to(ROOT / "jobs" / script)
-        for name in ("fig3", "damping_elastic_ring", "friction", "unbalance", "rig"):  # at few speeds, in both zooms
-            scene = json.loads((ROOT / f"jobs/{name}.json").read_text())
-            scene["grid"]["speed_ratio"] = [0.25, 0.3, 0.682, 0.686]
+        for name in (script, "complete_atlas.sh", "mpi_environment.sh"):
+            (self.folder / "jobs" / name).symlink_to(ROOT / "jobs" / name)
+        words = set(re.findall(r"\w+", (ROOT / "jobs" / script).read_text()))
+        for path in (ROOT / "jobs").glob("*.json"):
+            if path.stem not in words:
+                continue
+            scene = json.loads(path.read_text())
+            scene["grid"]["speed_ratio"] = speeds
             scene["protocol"] = {"transient_revolutions": 2, "sampled_revolutions": 4, "samples_per_revolution": 64}
-            (self.folder / f"jobs/{name}.json").write_text(json.dumps(scene))
+            (self.folder / "jobs" / path.name).write_text(json.dumps(scene))
+
+    def test_the_script_of_the_figures_draws_and_publishes_each_of_them(self):
+        self.clone_with_short_scenes("figures.sh", [0.25, 0.3, 0.682, 0.686])  # in both zooms
         figures = {f"fig{number}.png" for number in ("2", "3", "4a", "4b", "4c", "9", "10a1", "10b1")}
         ended = run("jobs/figures.sh", "--publish", cwd=self.folder)
         self.assertEqual(ended.returncode, 0, ended.stdout + ended.stderr)
@@ -205,6 +214,16 @@ class Jobs(unittest.TestCase):
             self.assertEqual({path.name for path in (self.folder / place).glob("*.png")}, figures)
         refused = run("jobs/figures.sh", "--all", cwd=self.folder)
         self.assertEqual((refused.returncode, "jobs/figures.sh --publish" in refused.stderr), (2, True))
+
+    def test_the_script_of_the_statements_prints_a_verdict_on_each_and_publishes_two_maps(self):
+        self.clone_with_short_scenes("statements.sh", {"from": 0.1, "to": 0.9, "count": 25})
+        ended = run("jobs/statements.sh", "--publish", cwd=self.folder)
+        self.assertEqual(ended.returncode, 0, ended.stdout + ended.stderr)
+        for letter in ("P1a", "P2a", "P2b", "P8d", "P9a", "P10", "P11e", "P14a", "P15b", "P16", "P24"):
+            self.assertRegex(ended.stdout, rf"(?m)^\W*{letter}\b")
+        self.assertRegex(ended.stdout, r"(?m)P16\b.*agrees", "a closed form, whatever the speeds")
+        self.assertEqual({path.name for path in (self.folder / "tools/pictures").glob("*.png")},
+                         {"statement_map.png", "statement_map_phase.png"})
 
     def test_interrupting_quickstart_stops_it_and_says_how_to_go_on(self):
         self.clone()
