@@ -111,6 +111,15 @@ class Documentation(PageTest):
                 named += 1
         self.assertGreater(named, 30)
 
+    def test_a_table_with_aperiodic_motion_says_that_its_last_digits_depend_on_the_processor(self):
+        page = (ROOT / "README.md").read_text()
+        of_table = re.compile(r"region 2.*\n.*\n.* [1-9]\d* %, ")
+        tables = [block for block in BLOCK.finditer(page) if of_table.search(block["text"])]
+        self.assertEqual(len(tables), 1)
+        for table in tables:
+            below = " ".join(page[table.end():].split("\n\n")[1].split())
+            self.assertIn("last digits of aperiodic figures depend on the processor", below)
+
     def test_other_languages_are_marked_or_plain(self):
         for page in sorted(ROOT.rglob("*.md")):
             if any(part.startswith(("build", ".")) or part == "atlases" for part in page.relative_to(ROOT).parts):
