@@ -2,7 +2,7 @@
 # What the atlases of the paper's rotors say of its statements: runs the scenes below, judges them, prints the verdicts,
 # agreeing or not, and draws by contact law, stiffness, phase and direction what it says of its Fig. 4.
 #
-#   jobs/statements.sh [ATLAS.h5 ...]             into atlases/; twenty minutes on two cores
+#   jobs/statements.sh [ATLAS.h5 ...]             into atlases/; about an hour on two cores
 #   jobs/statements.sh --publish [ATLAS.h5 ...]   and renews the pictures of tools/pictures
 #
 # What an atlas holds is not computed again. Further atlases, such as those of rig_unbalance.json, are judged too.
