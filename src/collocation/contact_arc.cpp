@@ -463,32 +463,38 @@ ContactArc::Point ContactArc::end_of(const Interval& interval) {
   return end;
 }
 
-ContactArc::MostBent ContactArc::most_bent(int blade, double from, double to, double known) const {
+ContactArc::Stretch ContactArc::stretch(double from, double to) const {
+  return {from, to, from <= start_.time ? 0.0 : fraction_at(from), last_fraction(to)};
+}
+/// At θ of a stretch. The time of θ errs between the nodes: the ends of the stretch are those times.
+ContactArc::Point ContactArc::solved_in(const Stretch& stretch, double fraction) {
+  return fraction == stretch.first  ? solved_at(stretch.from)
+         : fraction == stretch.last ? solved_at(stretch.to)
+                                    : solved_at_fraction(fraction);
+}
+
+std::optional<ContactArc::Point> ContactArc::most_bent(int blade, double from, double to, double known) {
   // Between the nodes p errs by a few times as much as velocities do, each against its own size.
   constexpr double kSafety = 100.0;
   const double bound = 1.0 + kSafety * allowed_ / rotor_->length_scale;
   const double least = known / bound;
-  const double first = from <= start_.time ? 0.0 : fraction_at(from);
-  const double last = last_fraction(to);
-  if (blade == blade_) {
-    const auto most = largest_of(at_places(made().start_argument, made().argument), first, last, least);
-    return {most.argument, bound * most.value};
-  }
-  const FurtherBlade& further = made().further[number_of(blade)];
-  const auto most = largest_of(at_places(further.start_square, further.square), first, last, least * least);
-  return {most.argument, bound * std::sqrt(std::max(0.0, most.value))};
+  const Stretch within = stretch(from, to);
+  const FurtherBlade* further = blade == blade_ ? nullptr : &made().further[number_of(blade)];
+  const AtPlaces values = further != nullptr ? at_places(further->start_square, further->square)
+                                             : at_places(made().start_argument, made().argument);
+  const auto most = largest_of(values, within.first, within.last, further != nullptr ? least * least : least);
+  const double argument = further != nullptr ? std::sqrt(std::max(0.0, most.value)) : most.value;
+  if (bound * argument <= known) return std::nullopt;
+  return solved_in(within, most.argument);
 }
 
 double ContactArc::largest_displacement(double from, double to, double known) {
   if (!(displacement_bound_ > known)) return known;
-  const double first = from <= start_.time ? 0.0 : fraction_at(from);
-  const double last = last_fraction(to);
-  const Farthest there = farthest(made(), first, last);
+  const Stretch within = stretch(from, to);
+  const Farthest there = farthest(made(), within.first, within.last);
   // Between the nodes a place errs by less than a velocity would move it in a unit of time.
   if (!(there.displacement + allowed_ > known)) return known;
-  const Point point = there.fraction == first  ? solved_at(from)
-                      : there.fraction == last ? solved_at(to)
-                                               : solved_at_fraction(there.fraction);
+  const Point point = solved_in(within, there.fraction);
   return std::max(known, std::sqrt(point.state[0] * point.state[0] + point.state[1] * point.state[1]));
 }
 

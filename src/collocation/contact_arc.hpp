@@ -74,14 +74,9 @@ class ContactArc {
   /// There, as accurate as at the end of an interval: solves the stretch up to there.
   [[nodiscard]] Point solved_at(double time);
   [[nodiscard]] rotor::State state_at(double time) { return solved_at(time).state; }
-  /// Where a blade in contact is bent most between two times of the interval, as the interval's polynomial
-  /// has it.
-  struct MostBent {
-    double fraction;  ///< θ
-    double argument;  ///< bound of p: between the nodes the polynomial errs
-  };
-  /// `known`: p up to which the place is of no interest.
-  [[nodiscard]] MostBent most_bent(int blade, double from, double to, double known) const;
+  /// Where a blade in contact is bent most between two times of the interval; none where its p is not larger
+  /// than `known`.
+  [[nodiscard]] std::optional<Point> most_bent(int blade, double from, double to, double known);
   /// The largest |z| between two times of the interval [m], or `known` where it is not larger than that.
   [[nodiscard]] double largest_displacement(double from, double to, double known);
   /// Shaft's place x, y [m] at θ, on the interval's polynomials.
@@ -123,6 +118,13 @@ class ContactArc {
   [[nodiscard]] const Interval& trial() const { return intervals_[1 - made_]; }
   void look_for_earlier();
   [[nodiscard]] double last_fraction(double time) const;
+  /// A part of the interval: two times, and θ of each.
+  struct Stretch {
+    double from, to;     ///< τ of the revolution
+    double first, last;  ///< θ
+  };
+  [[nodiscard]] Stretch stretch(double from, double to) const;
+  [[nodiscard]] Point solved_in(const Stretch& stretch, double fraction);
   void start_next(Interval& next) const;
   bool solve(Interval& interval, bool warm);
   [[nodiscard]] double error_of(const Interval& interval) const;

@@ -187,9 +187,8 @@ Collocated::LargestLoad Collocated::largest(trajectory::Load load, std::size_t c
     const bool is_known = of_blade && value(*of_blade) <= known;
     const double known_argument = is_known ? of_blade->argument : 0.0;
     const auto there = arc_.most_bent(number, piece_begin_, piece_end_, known_argument);
-    if (there.argument <= known_argument) return {piece_begin_, known};
-    const Point point = arc_.solved_at_fraction(there.fraction);
-    most = {point.time, arc_.argument_of(number, point), force(contact, point)};
+    if (!there) return {piece_begin_, known};
+    most = {there->time, arc_.argument_of(number, *there), force(contact, *there)};
     if (!of_blade || most->argument > of_blade->argument) of_blade = most;
   }
   return {most->time, value(*most)};

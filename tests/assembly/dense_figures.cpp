@@ -183,6 +183,7 @@ void DenseFigures::follow_tip(MotionPiece& piece, const std::vector<double>& tim
   const bool lasts_outside = scene_.release || scene_.contact_damping;
   const auto take = [&](const Tip& top) {
     if (in_contact) {
+      deepest_ = std::max(deepest_, top.overlap);
       if (!blade.deepest || top.overlap > blade.deepest->overlap) blade.deepest = Top{top.overlap, top.side};
     } else if (top.overlap < 0.0 && (!nearest_miss_ || top.overlap > nearest_miss_->overlap)) {
       nearest_miss_ = Top{top.overlap, top.side};
@@ -201,8 +202,8 @@ void DenseFigures::follow_tip(MotionPiece& piece, const std::vector<double>& tim
         // By the share, as in `largest_of`; the piece before may have ended with another last digit.
         const double between = time - time_before;
         const auto rate = [&](double share) { return piece.tip(number, time_before + share * between).rate; };
-        double top = 0.0;
-        if (rate(0.0) > 0.0) {
+        double top = rate(0.0) > 0.0 ? 1.0 : 0.0;
+        if (top > 0.0 && rate(0.0) * rate(1.0) < 0.0) {  // which rates too small for their product are not
           const boost::math::tools::eps_tolerance<double> closeness_of_share(40);
           const auto [low, high] = boost::math::tools::bisect(rate, 0.0, 1.0, closeness_of_share);
           top = 0.5 * (low + high);
@@ -264,6 +265,10 @@ double DenseFigures::closeness_of_tips() const {
   constexpr double kTolerances = 100.0;  // as observables may err by
   return kRounding * scene_.ring.radius * (1.0 + period_) +
          kTolerances * scene_.accuracy.tolerance * point::constants_of(scene_, speed_ratio_).length_scale;
+}
+
+bool DenseFigures::only_brushes() const {
+  return deepest_ >= 0.0 && deepest_ < 1e-9 * scene_.ring.radius;
 }
 
 DenseFigures::Figure DenseFigures::of_blades(double Blade::*value, double unit) const {

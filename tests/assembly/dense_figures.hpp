@@ -32,6 +32,9 @@ class DenseFigures final : public modes::MotionListener {
   };
   /// Of an observable; nothing where samples do not tell (exponents, a side that rounding decides).
   [[nodiscard]] std::optional<Figure> figure(std::string_view observable) const;
+  /// Blades touch, and never deeper than some millions of roundings of a place: rounding shows in their
+  /// forces.
+  [[nodiscard]] bool only_brushes() const;
   /// Sentences about tips that are in the ring without a contact, or in contact outside of it.
   [[nodiscard]] const std::vector<std::string>& contradictions() const { return contradictions_; }
 
@@ -82,6 +85,7 @@ class DenseFigures final : public modes::MotionListener {
   double time_ = 0.0;          ///< followed [τ]
   double in_contact_ = 0.0;    ///< [τ]
   double approach_ = 0.0;      ///< [m per unit τ]
+  double deepest_ = -1.0;      ///< overlap of a tip in contact [m], negative without one
   Mean friction_, viscous_, deformation_, torque_;
   std::optional<Top> nearest_miss_, lightest_touch_;
   std::vector<double> sections_, passings_;
