@@ -48,10 +48,9 @@ def _aperiodic_extent(region: Region) -> float:
 def damping(evidence: Evidence) -> dict[str, list[Finding]]:
     """P5a to c, P6: on lines along the damping ratio."""
     name, names = "damping_ratio", ("P5a", "P5b", "P5c", "P6")
-    lines = evidence.lines_over(name)
-    reason = evidence.no_lines(lines, name)
-    if reason:
-        return {one: [not_covered(reason)] for one in names}
+    lines, nothing = evidence.lines_along(name, names)
+    if nothing:
+        return nothing
     inside = evidence.within(lines, name, 0.0, LIKE_DAMPING)
     reference = evidence.own_line or (inside[-1] if inside else None)
     if reference is None:
@@ -115,10 +114,9 @@ def _chaos_in_region_1(evidence: Evidence, lines: Sequence[Line], expected: bool
 def friction(evidence: Evidence) -> dict[str, list[Finding]]:
     """P7: on lines along friction."""
     name = "friction"
-    lines = evidence.lines_over(name)
-    reason = evidence.no_lines(lines, name)
-    if reason:
-        return {"P7": [not_covered(reason)]}
+    lines, nothing = evidence.lines_along(name, ["P7"])
+    if nothing:
+        return nothing
     findings = [all_four(evidence, lines, name, "all four regions at every μ")]
     if all(has_all_four(line) for line in lines):
         shift = _largest_shift(lines)
@@ -158,10 +156,9 @@ def mostly_aperiodic(region: Region, share: float = MAJORITY) -> Callable[[Line]
 def unbalance(evidence: Evidence) -> dict[str, list[Finding]]:
     """P8a to d: on lines along the unbalance."""
     name, names = "unbalance", ("P8a", "P8b", "P8c", "P8d")
-    lines = evidence.lines_over(name)
-    reason = evidence.no_lines(lines, name)
-    if reason:
-        return {one: [not_covered(reason)] for one in names}
+    lines, nothing = evidence.lines_along(name, names)
+    if nothing:
+        return nothing
     small = evidence.within(lines, name, 0.0, SMALL_UNBALANCE)
 
     def without_trigger_2(line: Line) -> bool | None:

@@ -127,10 +127,9 @@ def what_matters(evidence: Evidence) -> dict[str, list[Finding]]:
 
 def chaos_by_unbalance(evidence: Evidence) -> dict[str, list[Finding]]:
     """P17: on lines along the unbalance."""
-    lines = evidence.lines_over(UNBALANCE)
-    reason = evidence.no_lines(lines, UNBALANCE)
-    if reason:
-        return {"P17": [not_covered(reason)]}
+    lines, nothing = evidence.lines_along(UNBALANCE, ["P17"])
+    if nothing:
+        return nothing
     low, high = CHAOS_IN_REGION_3
     measured = mostly_aperiodic(Region(PRESENT, low, high))
     if evidence.value(lines[0], UNBALANCE) > 0.0:
@@ -250,10 +249,9 @@ def strength(evidence: Evidence) -> dict[str, list[Finding]]:
 
 def wandering(evidence: Evidence) -> dict[str, list[Finding]]:
     """P23: what the computation, which holds the speed constant, leaves out."""
-    lines = evidence.lines_over(WANDERING)
-    reason = evidence.no_lines(lines, WANDERING)
-    if reason:
-        return {"P23": [not_covered(reason)]}
+    lines, nothing = evidence.lines_along(WANDERING, ["P23"])
+    if nothing:
+        return nothing
     inside = evidence.within(lines, WANDERING, 0.0, MOST_WANDERING)
     return {"P23": [same_picture(evidence, inside, WANDERING, "the whole picture stays while the speed wanders by "
                                  "up to 166.7 of 1500 rpm")]}

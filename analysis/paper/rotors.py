@@ -15,6 +15,7 @@ from rubatlas.same_scene import MACHINE, POINTS, WORDS
 
 from paper.atlas_lines import OWN_AXES, AtlasLines, axis_of
 from paper.line import Line
+from paper.verdict import Finding, not_covered
 
 # Sections of a scene that are no effects, or, as the unbalance, an axis of every atlas.
 KNOWN = {*MACHINE, *POINTS, *WORDS, "unbalance", "pieces"}
@@ -154,13 +155,14 @@ class Evidence:
             return f"at {self.text(lines[0], name)}"
         return f"from {self.text(lines[0], name)} to {self.text(lines[-1], name)}"
 
-    def no_lines(self, lines: Sequence[Line], name: str) -> str:
-        """The reason why nothing can be found along an axis; empty where there are at least two lines."""
-        if self.other_rotor:
-            return self.other_rotor
-        if len(lines) >= 2:
-            return ""
-        return f"the grid has {'only one' if lines else 'no'} line of {self.rotor.name} along {name}"
+    def lines_along(self, name: str, statements: Sequence[str]) -> tuple[list[Line], dict[str, list[Finding]]]:
+        """The lines along an axis; where there are no two of them, what is said of each statement instead."""
+        lines = self.lines_over(name)
+        if len(lines) >= 2 and not self.other_rotor:
+            return lines, {}
+        reason = (self.other_rotor
+                  or f"the grid has {'only one' if lines else 'no'} line of {self.rotor.name} along {name}")
+        return lines, {statement: [not_covered(reason)] for statement in statements}
 
     def no_own_line(self) -> str:
         return self.other_rotor or f"the grid has no line of {self.rotor.name}"

@@ -537,8 +537,9 @@ class ToolsSameScene(unittest.TestCase):
         self.expect_refusal("all", sentence, TINY / "atlas.h5", "--maps", TINY / "rings_maps.h5")
 
     def test_maps_of_the_same_grid_but_another_rotor_are_refused(self):
-        self.expect_refusal("map", "/gravity is there here and absent there", TINY / "gravity.h5", "--maps",
-                            TINY / "maps.h5")
+        for tool, *options in (["map"], ["stack", "--along", "damping_ratio"], ["bifurcation", "--zoom", "0.25:0.5"]):
+            self.expect_refusal(tool, "/gravity is there here and absent there", TINY / "gravity.h5", "--maps",
+                                TINY / "maps.h5", *options)
 
     def test_an_effect_is_compared_with_its_own_absence_only(self):
         self.expect_refusal("effect", "nothing is left out", TINY / "atlas.h5", "--without", TINY / "atlas.h5")

@@ -1,5 +1,6 @@
 """What the commands of this folder share: arguments, the choice of a line, the rule for outputs, and exit codes."""
 import argparse
+import contextlib
 import io
 import math
 import os
@@ -8,7 +9,8 @@ import re
 import sys
 import tempfile
 
-from rubatlas.atlas_file import AtlasError, beside
+from rubatlas.atlas_file import AtlasError, AtlasFile, beside
+from rubatlas.same_scene import require_same
 
 LINE_AXES = ["damping_ratio", "friction", "unbalance", "thickness", "direction"]
 
@@ -86,6 +88,18 @@ def maps_of(options, required=False):
     if path is None and required:
         raise AtlasError(f"{options.source}: no maps beside it; `rubatlas analyse` makes them, and --maps names them")
     return path
+
+
+@contextlib.contextmanager
+def atlas_with_maps(options, wants_maps=True):
+    """The atlas, and its maps or None; both of one scene."""
+    with contextlib.ExitStack() as files:
+        atlas = files.enter_context(AtlasFile(options.source))
+        path = maps_of(options) if wants_maps else None
+        maps = files.enter_context(AtlasFile(path)) if path else None
+        if maps:
+            require_same(atlas.path, atlas.scene, maps.path, maps.scene)
+        yield atlas, maps
 
 
 def wanted(options, axes):

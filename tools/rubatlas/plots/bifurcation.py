@@ -7,13 +7,12 @@ one that takes k revolutions, a cloud one that never repeats itself. A zoom is a
 speeds of a range and, where the atlas has maps, the class of motion as a strip under it.
 """
 import argparse
-import contextlib
 
 import numpy as np
 
 from rubatlas import command_line
 from rubatlas import style
-from rubatlas.atlas_file import AtlasError, AtlasFile
+from rubatlas.atlas_file import AtlasError
 from rubatlas.plots.map import class_cells_of, place_of
 
 
@@ -83,10 +82,7 @@ def panels_of(options, heights):
 
 
 def draw(options):
-    with contextlib.ExitStack() as files:
-        atlas = files.enter_context(AtlasFile(options.source))
-        maps_path = command_line.maps_of(options) if options.zoom else None
-        maps = files.enter_context(AtlasFile(maps_path)) if maps_path else None
+    with command_line.atlas_with_maps(options, wants_maps=bool(options.zoom)) as (atlas, maps):
         line = atlas.line(**command_line.wanted(options, atlas.axes))
         name = "poincare_blade_passing" if options.passing else "poincare"
         speed = atlas.axis("speed_ratio")

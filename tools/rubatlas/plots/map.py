@@ -5,13 +5,12 @@
 The classes come from the file that `rubatlas analyse ATLAS.h5 -o MAPS.h5` writes; without it only the displacement is
 drawn. Rows are as high as each other, whatever the distance of their values.
 """
-import contextlib
 
 import numpy as np
 
 from rubatlas import command_line
 from rubatlas import style
-from rubatlas.atlas_file import DIRECTIONS, AtlasError, AtlasFile
+from rubatlas.atlas_file import DIRECTIONS, AtlasError
 from rubatlas.plots.branch import BranchFile
 from rubatlas.plots.displacement import along_of
 from rubatlas.same_scene import require_same
@@ -116,10 +115,7 @@ def curve_into(panels, atlas, along, curve):
 
 
 def draw(options):
-    with contextlib.ExitStack() as files:
-        atlas = files.enter_context(AtlasFile(options.source))
-        maps_path = command_line.maps_of(options)
-        maps = files.enter_context(AtlasFile(maps_path)) if maps_path else None
+    with command_line.atlas_with_maps(options) as (atlas, maps):
         wanted = command_line.wanted(options, atlas.axes)
         along, lines, _ = rows_of(atlas, along_of(atlas, options.along, wanted), wanted)
         count = 1 if maps is None else 2

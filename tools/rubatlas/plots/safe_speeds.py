@@ -19,7 +19,6 @@ that of --operate the percentage to the nearest speed that is not safe. An end i
 points are not done. Where a motion leaves the model it is not. All this is said of the motions that the atlas has: of
 one sweep, unless the scene has "sweep": "both", in which the other motion at a speed is looked at, too.
 """
-import contextlib
 import json
 import os
 import pathlib
@@ -28,9 +27,8 @@ import numpy as np
 
 from rubatlas import command_line
 from rubatlas import style
-from rubatlas.atlas_file import AtlasError, AtlasFile
+from rubatlas.atlas_file import AtlasError
 from rubatlas.judgement import Judgement, bands_of
-from rubatlas.same_scene import require_same
 
 
 def lines_of(atlas, wanted):
@@ -97,12 +95,7 @@ def draw_picture(atlas, judgement, options, what):
 
 def draw(options):
     require_json_place(options)
-    with contextlib.ExitStack() as files:
-        atlas = files.enter_context(AtlasFile(options.source))
-        maps_path = command_line.maps_of(options)
-        maps = files.enter_context(AtlasFile(maps_path)) if maps_path else None
-        if maps:
-            require_same(atlas.path, atlas.scene, maps.path, maps.scene)
+    with command_line.atlas_with_maps(options) as (atlas, maps):
         wanted = command_line.wanted(options, atlas.axes)
         judgement = Judgement(atlas, maps, options.keep, lines_of(atlas, wanted), aperiodic=options.aperiodic,
                               least_width=options.least_width)

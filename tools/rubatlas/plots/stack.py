@@ -5,16 +5,14 @@
 Dots as in a bifurcation diagram, on the same scale in all panels. Where the atlas has maps (`rubatlas analyse`), the
 dots of aperiodic motions are lighter, so that periodic windows stand out.
 """
-import contextlib
 
 from rubatlas import command_line
 from rubatlas import style
-from rubatlas.atlas_file import SYMBOL, AtlasFile
+from rubatlas.atlas_file import SYMBOL
 from rubatlas.judgement import APERIODIC_CLASS
 from rubatlas.plots import bifurcation
 from rubatlas.plots.displacement import along_of
 from rubatlas.plots.map import rows_of, value_of
-from rubatlas.same_scene import require_same
 
 LIGHTER = {"x": "#a6cce4", "y": "#f0bb94"}  # for dots of aperiodic motions
 
@@ -36,12 +34,7 @@ def name_of(line, along):
 
 
 def draw(options):
-    with contextlib.ExitStack() as files:
-        atlas = files.enter_context(AtlasFile(options.source))
-        maps_path = command_line.maps_of(options)
-        maps = files.enter_context(AtlasFile(maps_path)) if maps_path else None
-        if maps:
-            require_same(atlas.path, atlas.scene, maps.path, maps.scene)
+    with command_line.atlas_with_maps(options) as (atlas, maps):
         wanted = command_line.wanted(options, atlas.axes)
         along, lines, _ = rows_of(atlas, along_of(atlas, options.along, wanted), wanted)
         if options.values:
