@@ -11,12 +11,12 @@ std::unique_ptr<point::LineSolver> make_elastic_blades(const FamilyRequest& requ
   using effects::Effects;
   const settings::Scene& line = request.line;
   const settings::EffectSet& consumed = request.combination.consumed;
-  contact::AnyRing ring;
+  contact::Ring ring;
   if (consumed.contains<&Effects::yielding_ring>()) ring.stiffness = 1.0 / line.yielding_ring->compliance;
   if (consumed.contains<&Effects::release>()) ring.release = contact::Release::at_fold;
   return with_law(request, [&](const settings::Blades& blade) {
-    return contact::ElasticBladeContact<contact::AnyRing>(geometry_of(line.ring, blade), blade_of(blade),
-                                                          curve_of(request, blade), ring);
+    return contact::ElasticaContact(geometry_of(line.ring, blade), blade_of(blade), curve_of(request, blade),
+                                    ring);
   });
 }
 

@@ -10,8 +10,7 @@
 
 namespace rubatlas::contact {
 
-template <class Ring>
-std::optional<double> ElasticBladeContact<Ring>::solve(const Pose& at, double slip) const {
+std::optional<double> ElasticaContact::solve(const Pose& at, double slip) const {
   if (has_branches_) return solve_on_branches(at, slip);
   if (releases_at_fold() && at.gap < -gap_rounding(geometry(), at)) return solve_beyond_ring(at, slip);
   const auto& knots = curve_->knots();
@@ -39,8 +38,7 @@ std::optional<double> ElasticBladeContact<Ring>::solve(const Pose& at, double sl
   return integrate::root_between(function, low, high, at_low, function(high));
 }
 
-template <class Ring>
-double ElasticBladeContact<Ring>::bending_at_ring(const Pose& at, double slip, double high) const {
+double ElasticaContact::bending_at_ring(const Pose& at, double slip, double high) const {
   const auto measure = [&](double bending) { return gap_per_deflection(at, slip, bending); };
   const double at_zero = measure(0.0);
   const double at_high = measure(high);
@@ -48,8 +46,7 @@ double ElasticBladeContact<Ring>::bending_at_ring(const Pose& at, double slip, d
   return integrate::root_between(measure, 0.0, high, at_zero, at_high);
 }
 
-template <class Ring>
-std::optional<double> ElasticBladeContact<Ring>::solve_beyond_ring(const Pose& at, double slip) const {
+std::optional<double> ElasticaContact::solve_beyond_ring(const Pose& at, double slip) const {
   // h is negative at the unloaded blade, rises up to the fold and falls from there on.
   constexpr double kNextToUnloaded = 1e-6;  // of the first piece
   const auto& knots = curve_->knots();
@@ -78,8 +75,7 @@ std::optional<double> ElasticBladeContact<Ring>::solve_beyond_ring(const Pose& a
   return integrate::root_between(function, fold, knot->bending, at_fold, function(knot->bending));
 }
 
-template <class Ring>
-auto ElasticBladeContact<Ring>::branches(const Pose& at, double slip) const -> Branches {
+auto ElasticaContact::branches(const Pose& at, double slip) const -> Branches {
   const auto& knots = curve_->knots();
   const auto rise_at = [&](double bending) { return rise(at, slip, curve_at(bending)); };
   Branches found;
@@ -132,9 +128,7 @@ auto ElasticBladeContact<Ring>::branches(const Pose& at, double slip) const -> B
   return found;
 }
 
-template <class Ring>
-std::optional<double> ElasticBladeContact<Ring>::root_on(const Pose& at, double slip,
-                                                         const Branch& branch) const {
+std::optional<double> ElasticaContact::root_on(const Pose& at, double slip, const Branch& branch) const {
   const auto function = [&](double bending) { return residual(at, slip, curve_at(bending)); };
   const auto& knots = curve_->knots();
   const double at_begin = function(branch.begin);
@@ -156,8 +150,7 @@ std::optional<double> ElasticBladeContact<Ring>::root_on(const Pose& at, double 
   return integrate::root_between(function, low, high, function(low), at_high);
 }
 
-template <class Ring>
-std::optional<double> ElasticBladeContact<Ring>::solve_on_branches(const Pose& at, double slip) const {
+std::optional<double> ElasticaContact::solve_on_branches(const Pose& at, double slip) const {
   // An undeformed tip that has left the ring has a contact on the bent branch only.
   const bool outside = at.gap < -gap_rounding(geometry(), at);
   if (!carried_ && !outside && straight_load(at) <= blade::kEulerLoad) return 0.0;
@@ -169,32 +162,27 @@ std::optional<double> ElasticBladeContact<Ring>::solve_on_branches(const Pose& a
   return std::nullopt;
 }
 
-template <class Ring>
-bool ElasticBladeContact<Ring>::stands_beyond_fold(const Pose& at, double slip, double bending) const {
+bool ElasticaContact::stands_beyond_fold(const Pose& at, double slip, double bending) const {
   if (bending == 0.0) return false;
   if (!carried_) return true;
   const Branches all = branches(at, slip);
   return all.count > 0 && all.list[all.of(bending)].begin > 0.0;
 }
 
-template <class Ring>
-auto ElasticBladeContact<Ring>::incline(const Pose& at, double slip, const blade::CurvePoint& point) const
-    -> Incline {
+auto ElasticaContact::incline(const Pose& at, double slip, const blade::CurvePoint& point) const -> Incline {
   const double along = at.radial + blade_.geometry.reach - blade_.length * point.shortening;
   const double across = slip * (at.tangential - slip * blade_.length * point.deflection);
-  double parts = 2.0 * blade_.length *
-                 (std::abs(along * point.shortening_slope) + std::abs(across * point.deflection_slope));
-  if constexpr (Ring::kMayYield) {
-    parts += 2.0 * blade_.yield_unit * (blade_.geometry.ring_radius + blade_.yield_unit * point.load) *
-             point.load_slope;
-  }
+  const double parts =
+      2.0 * blade_.length *
+          (std::abs(along * point.shortening_slope) + std::abs(across * point.deflection_slope)) +
+      2.0 * blade_.yield_unit * (blade_.geometry.ring_radius + blade_.yield_unit * point.load) *
+          point.load_slope;
   const double unit = blade_.friction > 0.0 ? 1.0 / point.load_slope : 1.0;
   return {unit * slope(at, slip, point), unit * parts};
 }
 
-template <class Ring>
-std::optional<double> ElasticBladeContact<Ring>::solve_near_on_branch(const Pose& at, double slip,
-                                                                      double bending) const {
+std::optional<double> ElasticaContact::solve_near_on_branch(const Pose& at, double slip,
+                                                            double bending) const {
   if (bending == 0.0) {
     if (!carried_ && straight_load(at) <= blade::kEulerLoad) return 0.0;
     // What starts from the unloaded blade, or the column where it buckles without a jump.
@@ -229,9 +217,8 @@ std::optional<double> ElasticBladeContact<Ring>::solve_near_on_branch(const Pose
   return all.count > 0 ? root_on(at, slip, all.list[all.of(from)]) : std::nullopt;
 }
 
-template <class Ring>
-std::optional<double> ElasticBladeContact<Ring>::snap(const Pose& at, double slip, double bending,
-                                                      double angular_speed) const {
+std::optional<double> ElasticaContact::snap(const Pose& at, double slip, double bending,
+                                            double angular_speed) const {
   const Branches all = branches(at, slip);
   std::size_t next = all.of(bending);
   if (!carried_ && bending == 0.0) {
@@ -248,9 +235,7 @@ std::optional<double> ElasticBladeContact<Ring>::snap(const Pose& at, double sli
   return next < all.count ? root_on(at, slip, all.list[next]) : std::nullopt;
 }
 
-template <class Ring>
-std::optional<double> ElasticBladeContact<Ring>::solve_near(const Pose& at, double slip,
-                                                            double bending) const {
+std::optional<double> ElasticaContact::solve_near(const Pose& at, double slip, double bending) const {
   if (has_branches_) return solve_near_on_branch(at, slip, bending);
   // Newton on the falling branch. Its floor is the rounding of g against the slope, so it ends when a step no
   // longer shrinks; a step that leaves the branch hands over to the bracketing solver.
@@ -270,9 +255,8 @@ std::optional<double> ElasticBladeContact<Ring>::solve_near(const Pose& at, doub
   return solve(at, slip);
 }
 
-template <class Ring>
-bool ElasticBladeContact<Ring>::respond(const Pose& at, double slip, double angular_speed, double& bending,
-                                        TipForce& force) const {
+bool ElasticaContact::respond(const Pose& at, double slip, double angular_speed, double& bending,
+                              TipForce& force) const {
   // Beyond a lift-off on the approaching side the gap is negative and no positive load exists. There the load
   // is continued as an odd function of the gap (at μ = 0, where it does not vanish at lift-off, as an even
   // one).
@@ -302,9 +286,8 @@ bool ElasticBladeContact<Ring>::respond(const Pose& at, double slip, double angu
   return true;
 }
 
-template <class Ring>
-bool ElasticBladeContact<Ring>::respond_upwards(const Pose& at, double slip, double angular_speed,
-                                                double increment, TipForce& force) const {
+bool ElasticaContact::respond_upwards(const Pose& at, double slip, double angular_speed, double increment,
+                                      TipForce& force) const {
   constexpr double kShareOfIncrement = 0.05;  // how closely the curve's point stands for the load
   constexpr double kFirstBending = 1e-3;      // of β: there F ~ u² still
   // From the unloaded blade F grows like u²; at μ = 0 the column stays straight up to its Euler load.
@@ -344,8 +327,5 @@ bool ElasticBladeContact<Ring>::respond_upwards(const Pose& at, double slip, dou
   force = constraint(at, slip, bending, angular_speed).force;
   return true;
 }
-
-template class ElasticBladeContact<PaperRing>;
-template class ElasticBladeContact<AnyRing>;
 
 }  // namespace rubatlas::contact

@@ -5,10 +5,9 @@
 /// that an integrator carries along with the bending parameter u as a state (`constraint`), and as an
 /// equation to solve for u where several blades share the rotor (`solve`).
 ///
-/// The paper's ring is a type of its own and costs nothing. `AnyRing` may yield under each tip, in series
-/// with the blade,
+/// The ring may yield under each tip, in series with the blade,
 ///     h = a² + b² − (R + F/kr)²
-/// and says where a contact ends (`Release`).
+/// and says where a contact ends (`Release`). The paper's ring does not yield, and a contact ends at it.
 ///
 /// Branches. Where something gives way in series with the bending (axial compliance, a ring that yields) h
 /// may fall with the load, rise and fall again on the receding side: the blade stands compressed, or bent,
@@ -41,14 +40,8 @@ enum class Release : std::uint8_t {
   at_fold   ///< where the force does: at u = 0, or at the fold ∂h/∂u = 0 beyond which there is no root
 };
 
-/// The paper's ring: rigid, and a contact ends at it.
-struct PaperRing {
-  static constexpr bool kMayYield = false;
-  static constexpr Release release = Release::at_ring;
-};
-/// Any ring, and either end of a contact.
-struct AnyRing {
-  static constexpr bool kMayYield = true;
+/// The ring, the paper's unless it is said to be another.
+struct Ring {
   double stiffness = std::numeric_limits<double>::infinity();  ///< kr > 0 [N/m], under each tip by itself
                                                                ///< (MODEL 4.7); infinite: rigid
   Release release = Release::at_ring;
@@ -81,43 +74,37 @@ struct ElasticBladeInRing {
 
 /// h = a² + b² − (R + F/kr)² [m²] (MODEL 4.1) of a blade at `at` that is bent to `point`, written from g, so
 /// that a light contact keeps its digits. `Point`: of the curve or one of its knots.
-template <bool kRingMayYield, class Point>
+template <class Point>
 double residual_of(const ElasticBladeInRing& blade, const Pose& at, double slip, const Point& point) {
   const double shortening = blade.length * point.shortening;  // δ
   const double deflection = blade.length * point.deflection;  // Δ
-  double residual = at.gap + shortening * (shortening - 2.0 * (at.radial + blade.geometry.reach)) +
-                    deflection * (deflection - 2.0 * slip * at.tangential);
-  if constexpr (kRingMayYield) {
-    const double yielding = blade.yield_unit * point.load;  // F/kr
-    residual -= yielding * (2.0 * blade.geometry.ring_radius + yielding);
-  }
-  return residual;
+  const double residual = at.gap + shortening * (shortening - 2.0 * (at.radial + blade.geometry.reach)) +
+                          deflection * (deflection - 2.0 * slip * at.tangential);
+  const double yielding = blade.yield_unit * point.load;  // F/kr
+  return residual - yielding * (2.0 * blade.geometry.ring_radius + yielding);
 }
 
 /// ∂h/∂u [m²] there, where the tip lies at (a, b) along and across the blade, seen from the ring's centre.
-template <bool kRingMayYield, class Point>
+template <class Point>
 double bending_slope_of(const ElasticBladeInRing& blade, double a, double b, double slip,
                         const Point& point) {
-  double slope = (-2.0 * blade.length) * (a * point.shortening_slope + slip * b * point.deflection_slope);
-  if constexpr (kRingMayYield) {
-    slope -= 2.0 * blade.yield_unit * (blade.geometry.ring_radius + blade.yield_unit * point.load) *
-             point.load_slope;
-  }
-  return slope;
+  const double of_ring =
+      blade.yield_unit * (blade.geometry.ring_radius + blade.yield_unit * point.load) * point.load_slope;
+  return (-2.0 * blade.length) * (a * point.shortening_slope + slip * b * point.deflection_slope) -
+         2.0 * of_ring;
 }
 
 /// The contact equation and the force of the tip (MODEL 4.1 to 4.4) there.
-template <bool kRingMayYield>
-Constraint constraint_of(const ElasticBladeInRing& blade, const Pose& at, double slip,
-                         const blade::CurvePoint& point, double angular_speed) {
+inline Constraint constraint_of(const ElasticBladeInRing& blade, const Pose& at, double slip,
+                                const blade::CurvePoint& point, double angular_speed) {
   const double reach = blade.geometry.reach;
   const double shortening = blade.length * point.shortening;  // δ
   const double deflection = blade.length * point.deflection;  // Δ
   const double a = at.radial + reach - shortening;
   const double b = at.tangential - slip * deflection;
   Constraint result{};
-  result.residual = residual_of<kRingMayYield>(blade, at, slip, point);
-  result.bending_slope = bending_slope_of<kRingMayYield>(blade, a, b, slip, point);
+  result.residual = residual_of(blade, at, slip, point);
+  result.bending_slope = bending_slope_of(blade, a, b, slip, point);
   result.time_slope = 2.0 * a * (at.radial_velocity + angular_speed * at.tangential) +
                       2.0 * b * (at.tangential_velocity - angular_speed * at.radial);
   const double inverse_distance = 1.0 / std::sqrt(a * a + b * b);
@@ -139,8 +126,7 @@ Constraint constraint_of(const ElasticBladeInRing& blade, const Pose& at, double
   return result;
 }
 
-template <class Ring>
-class ElasticBladeContact {
+class ElasticaContact {
  public:
   /// An open contact is described by its bending parameter u.
   static constexpr bool kHasBending = true;
@@ -150,25 +136,19 @@ class ElasticBladeContact {
   static constexpr bool kHasSlipState = true;
   /// The load is largest where the gap is.
   static constexpr bool kLoadFollowsGap = false;
-  /// Whether a motion is to be ready for branches that end. Axial compliance comes with the curve: the
-  /// paper's blades may have it only as one of `UnequalBlades`, so that without it nothing of this is
-  /// compiled.
-  static constexpr bool kMayHaveBranches = Ring::kMayYield;
-
   using Blade = ElasticBlade;
 
-  ElasticBladeContact(Geometry geometry, Blade blade, std::shared_ptr<const blade::ElasticaCurve> curve,
-                      Ring ring = {})
+  ElasticaContact(Geometry geometry, Blade blade, std::shared_ptr<const blade::ElasticaCurve> curve,
+                  Ring ring = {})
       : blade_{geometry,
                blade.length,
                blade.bending_stiffness / (blade.length * blade.length),
                0.5 * blade.thickness / blade.length,
                curve->friction(),
-               0.0},
+               blade.bending_stiffness / (blade.length * blade.length) / ring.stiffness},
         ring_(ring),
         axial_unit_(blade.length * curve->axial_compliance()),
         curve_(std::move(curve)) {
-    if constexpr (Ring::kMayYield) blade_.yield_unit = blade_.load_unit / ring.stiffness;
     has_branches_ = axial_unit_ > 0.0 || blade_.yield_unit > 0.0;
     carried_ = blade_.friction > 0.0 || !has_branches_;
     if (blade_.friction > 0.0) {
@@ -180,7 +160,7 @@ class ElasticBladeContact {
 
   [[nodiscard]] const Geometry& geometry() const { return blade_.geometry; }
   /// The law of one blade: the same for all.
-  using OfBlade = ElasticBladeContact;
+  using OfBlade = ElasticaContact;
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const blade::ElasticaCurve& curve() const { return *curve_; }
   [[nodiscard]] double length() const { return blade_.length; }            ///< L [m]
@@ -188,15 +168,15 @@ class ElasticBladeContact {
   [[nodiscard]] double strain_unit() const { return blade_.strain_unit; }  ///< h / (2 L) [-]
   /// The same blade, shorter at its tip by `lost` [m]. The curve stays, and with it the axial compliance
   /// relative to the length.
-  [[nodiscard]] ElasticBladeContact shortened(double lost) const {
+  [[nodiscard]] ElasticaContact shortened(double lost) const {
     const Blade blade{blade_.length - lost, 2.0 * blade_.strain_unit * blade_.length,
                       blade_.load_unit * blade_.length * blade_.length};
     return {{blade_.geometry.reach - lost, blade_.geometry.ring_radius}, blade, curve_, ring_};
   }
 
   /// The same blade in a ring of another radius [m], its evaluations not yet counted.
-  [[nodiscard]] ElasticBladeContact in_ring(double radius) const {
-    ElasticBladeContact other = *this;
+  [[nodiscard]] ElasticaContact in_ring(double radius) const {
+    ElasticaContact other = *this;
     other.blade_.geometry.ring_radius = radius;
     other.evaluations_ = 0;
     return other;
@@ -245,13 +225,10 @@ class ElasticBladeContact {
       return 2.0 *
              (slip * at.tangential + axial_relief_ * (at.radial + blade_.geometry.reach) + ring_relief_);
     }
-    double result = 2.0 * slip * at.tangential - deflection +
-                    shortening / deflection * (2.0 * (at.radial + blade_.geometry.reach) - shortening);
-    if constexpr (Ring::kMayYield) {
-      const double yielding = blade_.yield_unit * point.load;  // F/kr
-      result += yielding / deflection * (2.0 * blade_.geometry.ring_radius + yielding);
-    }
-    return result;
+    const double yielding = blade_.yield_unit * point.load;  // F/kr
+    return 2.0 * slip * at.tangential - deflection +
+           shortening / deflection * (2.0 * (at.radial + blade_.geometry.reach) - shortening) +
+           yielding / deflection * (2.0 * blade_.geometry.ring_radius + yielding);
   }
 
   /// Root of h = 0 that an increase of the load from zero reaches first (MODEL 4.2), or none (MODEL 5).
@@ -294,7 +271,7 @@ class ElasticBladeContact {
  private:
   [[nodiscard]] Constraint constraint_at(const Pose& at, double slip, const blade::CurvePoint& point,
                                          double angular_speed) const {
-    return constraint_of<Ring::kMayYield>(blade_, at, slip, point, angular_speed);
+    return constraint_of(blade_, at, slip, point, angular_speed);
   }
 
   [[nodiscard]] blade::CurvePoint curve_at(double bending) const {
@@ -304,13 +281,13 @@ class ElasticBladeContact {
   /// h and ∂h/∂u alone. `point`: of the curve or one of its knots.
   template <class Point>
   [[nodiscard]] double residual(const Pose& at, double slip, const Point& point) const {
-    return residual_of<Ring::kMayYield>(blade_, at, slip, point);
+    return residual_of(blade_, at, slip, point);
   }
   template <class Point>
   [[nodiscard]] double slope(const Pose& at, double slip, const Point& point) const {
     const double a = at.radial + blade_.geometry.reach - blade_.length * point.shortening;
     const double b = at.tangential - slip * blade_.length * point.deflection;
-    return bending_slope_of<Ring::kMayYield>(blade_, a, b, slip, point);
+    return bending_slope_of(blade_, a, b, slip, point);
   }
 
   /// F L²/EI of a straight column whose tip lies on the ring: the smaller root of h = 0, which is quadratic
@@ -366,7 +343,7 @@ class ElasticBladeContact {
   [[nodiscard]] Incline incline(const Pose& at, double slip, const blade::CurvePoint& point) const;
 
   ElasticBladeInRing blade_;
-  [[no_unique_address]] Ring ring_;
+  Ring ring_;
   double axial_unit_;          ///< L ε [m]: axial shortening under F = EI/L²
   double axial_relief_ = 0.0;  ///< 3ε/μ [-]
   double ring_relief_ = 0.0;   ///< 3 EI R / (μ L³ kr) [m]
@@ -375,8 +352,5 @@ class ElasticBladeContact {
   std::shared_ptr<const blade::ElasticaCurve> curve_;
   mutable std::uint64_t evaluations_ = 0;  ///< what a motion cost, not what it is
 };
-
-/// Elastic blades in a rigid ring, released where the undeformed tip leaves it: the paper's law.
-using ElasticaContact = ElasticBladeContact<PaperRing>;
 
 }  // namespace rubatlas::contact

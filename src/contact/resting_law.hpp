@@ -19,8 +19,7 @@ namespace rubatlas::contact {
 
 /// None for small slopes, and where axial compliance or a ring that yields gives way besides: there the place
 /// of the tip is not a function of κ and φ. Nor for blades that are released at the fold.
-template <class Ring>
-std::optional<DirectedElastica<StickingFriction>> resting_law(const ElasticBladeContact<Ring>& law) {
+inline std::optional<DirectedElastica<StickingFriction>> resting_law(const ElasticaContact& law) {
   const blade::ElasticaCurve& curve = law.curve();
   if (curve.theory() != blade::Theory::elastica || law.has_branches() || law.releases_at_fold() ||
       !law.carried())

@@ -16,7 +16,6 @@ class UnequalBlades {
   static constexpr bool kHasBending = Law::kHasBending;
   static constexpr bool kHasSlipState = Law::kHasSlipState;
   static constexpr bool kLoadFollowsGap = Law::kLoadFollowsGap;
-  static constexpr bool kMayHaveBranches = Law::kHasBending;
   using OfBlade = Law;
 
   /// One law for each blade.

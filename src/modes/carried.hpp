@@ -71,10 +71,8 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
     last_ = carried_law_->constraint(pose, slip_, state[rotor::kBending],
                                      this->blades_->angular_speed(state[rotor::kTime]));
     std::complex<double> force = contact::on_rotor(last_.force, er);
-    if constexpr (kBesideOthers) {
-      if (carried_law_->fold_measure(state[rotor::kBending], last_.bending_slope) > 0.0) met_fold_ = true;
-      if (!add_others(state, force)) return false;
-    }
+    if (carried_law_->fold_measure(state[rotor::kBending], last_.bending_slope) > 0.0) met_fold_ = true;
+    if (!add_others(state, force)) return false;
     this->acceleration_ = rotor::acceleration_of_all(
         state, *this->forcing_, modes::acceleration(*this->rotor_, *this->forcing_, state, force), force);
     const double time_rate = -scale_ * last_.bending_slope;
@@ -88,10 +86,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
   /// Takes the blade's direction at the start of a step, from which those of the stages are turned.
   void begins_step(const FullState& state) {
     anchor_ = this->blades_->anchor(carried().blade, state[rotor::kTime]);
-    if constexpr (kBesideOthers) Base::begins_step(state);
-  }
-  void takes_back() {
-    if constexpr (kBesideOthers) Base::takes_back();
+    Base::begins_step(state);
   }
   /// All attempts have one price.
   bool begins_attempt() {
@@ -140,12 +135,6 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
   void project(FullState& state) const {
     if (-last_.bending_slope > std::abs(last_.time_slope) * kWellDetermined)
       state[rotor::kBending] -= last_.residual / last_.bending_slope;
-  }
-  void keep() {
-    if constexpr (kBesideOthers) Base::keep();
-  }
-  void restore() {
-    if constexpr (kBesideOthers) Base::restore();
   }
 
   // What is asked of the mode.
@@ -230,10 +219,8 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
     shaft_at_ring(*this, search, bounds.distance);
     if (this->contacts_.size() != 1 || !(bending_range(step).greatest < valid_bending_of_carried()))
       shortening_limit(*this, search);
-    if constexpr (kBesideOthers) {
-      for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
-        if (this->law_->of(this->contacts_[i].blade).has_branches()) buckling(*this, search, i);
-      }
+    for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
+      if (this->law_->of(this->contacts_[i].blade).has_branches()) buckling(*this, search, i);
     }
     if (root_lost_ && leaves_by_rounding(search.of_contact(0)))
       search.take_if_first(search.last(), {Guard::lift_off, carried().blade});
@@ -242,17 +229,12 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
   }
 
  private:
-  /// Other blades may touch besides the one that is carried.
-  static constexpr bool kBesideOthers = kMayHaveBranches<Law>;
   static constexpr double kRestingRate = 1e-15;    ///< of R²: rounding of the rates of h
   static constexpr double kBendingWeight = 0.3;    ///< of the relative error of u against that of the state
   static constexpr double kWellDetermined = 1e-2;  ///< of |∂h/∂u| against |dh/dτ|
 
   [[nodiscard]] const OpenContact& carried() const { return this->contacts_.front(); }
-  [[nodiscard]] bool may_snap() const {
-    if constexpr (kBesideOthers) return carried_law_->has_branches();
-    return false;
-  }
+  [[nodiscard]] bool may_snap() const { return carried_law_->has_branches(); }
   /// g >= 0 of the carried blade as its bending has it: what h has gone astray by, which may be more than g
   /// next to head-on, is no gap.
   [[nodiscard]] bool stands_in_ring(const FullState& state) const {
@@ -329,27 +311,21 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
   /// turns round.
   template <class Step>
   [[nodiscard]] bool passes_release(const Step& step) const {
-    if constexpr (kBesideOthers) {
-      if (!carried_law_->releases_at_fold() && !may_snap()) return false;
-      return carried_law_->fold_measure(step.end()[rotor::kBending], last_.bending_slope) > 0.0;
-    }
-    return false;
+    if (!carried_law_->releases_at_fold() && !may_snap()) return false;
+    return carried_law_->fold_measure(step.end()[rotor::kBending], last_.bending_slope) > 0.0;
   }
   /// Fraction where the fold is, in a step that has passed it.
   template <class Step>
   [[nodiscard]] double release_fraction(Step& step) const {
-    if constexpr (kBesideOthers) {
-      const auto measure = [&](double part) {
-        const FullState state = step.at_fraction(part);
-        return carried_law_->fold_measure(state[rotor::kBending], constraint(state).bending_slope);
-      };
-      const double at_end = measure(1.0);
-      // At the unloaded blade where a contact may start, h falls with the load.
-      const double at_start = step.start()[rotor::kBending] == 0.0 ? -at_end : measure(0.0);
-      if (!(at_start < 0.0)) return 0.0;
-      return integrate::root_between(measure, 0.0, 1.0, at_start, at_end);
-    }
-    return 1.0;
+    const auto measure = [&](double part) {
+      const FullState state = step.at_fraction(part);
+      return carried_law_->fold_measure(state[rotor::kBending], constraint(state).bending_slope);
+    };
+    const double at_end = measure(1.0);
+    // At the unloaded blade where a contact may start, h falls with the load.
+    const double at_start = step.start()[rotor::kBending] == 0.0 ? -at_end : measure(0.0);
+    if (!(at_start < 0.0)) return 0.0;
+    return integrate::root_between(measure, 0.0, 1.0, at_start, at_end);
   }
 
   /// A step from rising load to beyond lift-off. Its error may be small at its end, but lift-off would be
@@ -371,11 +347,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
   /// not tell.
   template <class Step>
   [[nodiscard]] bool passes_two_folds(const Step& step) const {
-    if constexpr (kBesideOthers) {
-      return met_fold_ && !passes_release(step) && !passes_lift_off(step) &&
-             step.size() > this->kSmallestSize;
-    }
-    return false;
+    return met_fold_ && !passes_release(step) && !passes_lift_off(step) && step.size() > this->kSmallestSize;
   }
   /// A step in which time may turn round twice, as the cubic through its ends has it.
   template <class Step>

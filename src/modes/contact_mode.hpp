@@ -248,7 +248,7 @@ class ContactMode {
   void end_of_branch(Search& /*search*/) {}
 
  protected:
-  static constexpr bool kRemembers = kMayHaveBranches<Law> || requires {
+  static constexpr bool kRemembers = Law::kHasBending || requires {
     requires Law::OfBlade::kMayRememberSide;
   };
   static constexpr double kAimBehind = 1.05;       ///< of the way to lift-off
@@ -287,7 +287,7 @@ class ContactMode {
   /// A contact that has lost its force where its branch ends. It is to be carried there, since its force ends
   /// like a square root of the time. −1 where it has ended otherwise.
   [[nodiscard]] int blade_at_fold([[maybe_unused]] std::size_t contact) const {
-    if constexpr (kMayHaveBranches<Law>) {
+    if constexpr (Law::kHasBending) {
       const OpenContact& lost = contacts_[contact];
       const auto& law = law_->of(lost.blade);
       // A column that stands straight has no bending to carry along.

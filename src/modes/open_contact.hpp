@@ -32,12 +32,6 @@ struct BladeGap {
 
 constexpr double kSlipRounding = 1e-12;  ///< of Ω R: |v| where a slip reversal has been located
 
-/// A law under which h = 0 may have several roots, or lose the one that it has.
-template <class Law>
-inline constexpr bool kMayHaveBranches = requires {
-  requires Law::kMayHaveBranches;
-};
-
 /// The force of an open contact where its blade stands; updates its guesses. False where there is none.
 template <class Law>
 bool respond(const Law& law, const contact::Pose& at, double speed, OpenContact& contact,

@@ -58,7 +58,7 @@ class Solved : public ContactMode<Law, Forcing, Blades> {
     for (std::size_t i = 0; i < this->contacts_.size(); ++i)
       this->slip_guard(*this, search, i, this->slip_lasts(bounds));
     this->loss_of_validity(*this, search, bounds.distance);
-    if constexpr (kMayHaveBranches<Law>) {
+    if constexpr (Law::kHasBending) {
       for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
         if (this->law_->of(this->contacts_[i].blade).has_branches()) buckling(*this, search, i);
       }

@@ -13,8 +13,7 @@
 namespace rubatlas::contact {
 
 using blade::Theory;
-using InAnyRing = ElasticBladeContact<AnyRing>;
-inline constexpr AnyRing kReleasedAtFold{.release = Release::at_fold};
+inline constexpr Ring kReleasedAtFold{.release = Release::at_fold};
 
 inline constexpr double kYoungsModulus = 206e9;
 inline constexpr double kWidth = 0.01;
@@ -35,14 +34,13 @@ struct BladeCase {
   [[nodiscard]] double euler_load() const { return blade::kEulerLoad * load_unit(); }
 };
 
-template <class Law = ElasticaContact, class... Ring>
-Law make(const BladeCase& blade, Ring... ring) {
+inline ElasticaContact make(const BladeCase& blade, const Ring& ring = {}) {
   const double length = kDefaultRotor.length;
   const double compliance = blade.share * blade.thickness * blade.thickness / (12 * length * length);
   return {kDefaultRotor.geometry(),
           {length, blade.thickness, blade.load_unit() * length * length},
           std::make_shared<const blade::ElasticaCurve>(blade.friction, blade.theory, compliance),
-          ring...};
+          ring};
 }
 
 /// Tip at ct = `lateral`, `penetration` beyond the ring along the radius.

@@ -41,7 +41,7 @@ struct Scanned {
   double low, high;
   double begin, end;
 };
-std::vector<Scanned> scan(const InAnyRing& law, const Pose& at, double slip) {
+std::vector<Scanned> scan(const ElasticaContact& law, const Pose& at, double slip) {
   constexpr int kPoints = 6000;
   const double first = 1e-4 * law.curve().knots()[1].bending;
   const double ratio = law.curve().end() / first;
@@ -66,7 +66,7 @@ std::vector<Scanned> scan(const InAnyRing& law, const Pose& at, double slip) {
 TEST(Branches, LoadIncreasedFromZeroMeetsTheRootOfANewContactFirst) {
   int several = 0;
   for (const CompliantCase& given : kCompliantCases) {
-    const auto law = make<InAnyRing>(given.blade, AnyRing{given.ring_stiffness});
+    const auto law = make(given.blade, Ring{given.ring_stiffness});
     RandomContacts random(kDefaultRotor, 0.2, 31);
     for (int i = 0; i < 60; ++i) {
       const Pose at = receding(given, random);
@@ -93,7 +93,7 @@ TEST(Branches, ARootIsFollowedOnItsOwnBranchFromAnywhereOnIt) {
   int followed = 0;
   for (const CompliantCase& given : kCompliantCases) {
     if (given.blade.friction == 0.0) continue;
-    const auto law = make<InAnyRing>(given.blade, AnyRing{given.ring_stiffness});
+    const auto law = make(given.blade, Ring{given.ring_stiffness});
     RandomContacts random(kDefaultRotor, 0.2, 32);
     for (int i = 0; i < 60; ++i) {
       const Pose at = receding(given, random);
@@ -121,7 +121,7 @@ struct Swept {
   double snap_out = 0.0;             ///< cr of the last snap on the way out [m]
   int snaps = 0;
 };
-Swept press_in_and_out(const InAnyRing& law, double deepest, double lateral, int steps) {
+Swept press_in_and_out(const ElasticaContact& law, double deepest, double lateral, int steps) {
   Swept swept;
   Pose at = pressed_tip(1e-9, lateral);
   double bending = law.solve(at, 1.0).value();
@@ -151,7 +151,7 @@ Swept press_in_and_out(const InAnyRing& law, double deepest, double lateral, int
 
 TEST(Branches, AColumnOnTheRecedingSideBucklesAtItsEulerLoadAndStraightensBelowIt) {
   const BladeCase blade{0.0, 1.0};
-  const auto law = make<InAnyRing>(blade, AnyRing{1e5});
+  const auto law = make(blade, Ring{1e5});
   constexpr double kLateral = -3e-3;
   constexpr double kDeepest = 1e-3;
   constexpr int kSteps = 4000;
@@ -166,7 +166,7 @@ TEST(Branches, AColumnOnTheRecedingSideBucklesAtItsEulerLoadAndStraightensBelowI
 }
 
 TEST(Branches, ABladeThatBendsSnapsBothWaysWithHysteresis) {
-  const auto law = make<InAnyRing>({0.1, 1.0}, AnyRing{1e5});
+  const auto law = make({0.1, 1.0}, Ring{1e5});
   constexpr double kLateral = -3.985e-3;
   constexpr double kDeepest = 4e-5;
   constexpr int kSteps = 4000;

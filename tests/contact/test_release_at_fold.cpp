@@ -10,7 +10,7 @@ namespace {
 
 TEST(ReleaseAtFold, HoldsTheTipBeyondTheRingAsLongAsThereIsAForce) {
   for (const double friction : {0.0, 0.01, 0.1, 0.5}) {
-    const InAnyRing law = make<InAnyRing>({friction}, kReleasedAtFold);
+    const ElasticaContact law = make({friction}, kReleasedAtFold);
     for (const double lateral : {-1e-4, -1e-3, -5e-3}) {
       // From the ring outwards to the fold, which the root approaches like a square root.
       double gap = 0.0;
@@ -49,7 +49,7 @@ TEST(ReleaseAtFold, HoldsTheTipBeyondTheRingAsLongAsThereIsAForce) {
 
 TEST(ReleaseAtFold, IsTheSameLawWhileTheTipIsInTheRing) {
   for (const double friction : {0.0, 0.1}) {
-    const InAnyRing fold = make<InAnyRing>({friction}, kReleasedAtFold);
+    const ElasticaContact fold = make({friction}, kReleasedAtFold);
     const ElasticaContact ring = make({friction});
     RandomContacts contacts(kDefaultRotor, 0.35, 26);
     for (int i = 0; i < 1000; ++i) {
@@ -61,8 +61,8 @@ TEST(ReleaseAtFold, IsTheSameLawWhileTheTipIsInTheRing) {
 }
 
 TEST(ReleaseAtFold, NeverHoldsATipOnTheApproachingSide) {
-  const InAnyRing law = make<InAnyRing>({0.1}, kReleasedAtFold);
-  const auto yielding = make<InAnyRing>({0.1, 1.0}, AnyRing{1e4, Release::at_fold});
+  const ElasticaContact law = make({0.1}, kReleasedAtFold);
+  const auto yielding = make({0.1, 1.0}, Ring{1e4, Release::at_fold});
   for (const double lateral : {1e-6, 1e-3, 5e-3}) {
     for (const double gap : {-1e-15, -1e-9, -1e-6}) {
       Pose at = pressed_tip(0.0, lateral);

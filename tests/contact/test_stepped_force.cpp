@@ -30,7 +30,7 @@ TEST(CompliantBlades, ForceSteppedUpwardsEndsAtTheRoot) {
     for (const Theory theory : {Theory::elastica, Theory::beam_column}) {
       expect_steps_up_to_the_root(make({friction, 1.0, theory}), 0.3);
       expect_steps_up_to_the_root(make({friction, 0.0, theory}), 0.3);
-      expect_steps_up_to_the_root(make<InAnyRing>({friction, 1.0, theory}, AnyRing{1e4}), 0.3);
+      expect_steps_up_to_the_root(make({friction, 1.0, theory}, Ring{1e4}), 0.3);
     }
   }
 }

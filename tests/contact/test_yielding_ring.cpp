@@ -14,7 +14,7 @@ TEST(YieldingRing, HoldsTheTipWhereItYieldsTo) {
   for (const double friction : {0.0, 0.01, 0.1, 0.5}) {
     for (const double share : {0.0, 1.0}) {
       for (const double stiffness : {1e2, 1e4, 1e6}) {
-        const InAnyRing law = make<InAnyRing>({friction, share}, AnyRing{stiffness});
+        const ElasticaContact law = make({friction, share}, Ring{stiffness});
         RandomContacts contacts(kDefaultRotor, 0.2, 22);
         for (int i = 0; i < 300; ++i) {
           const Pose at = contacts.next();
@@ -41,8 +41,8 @@ TEST(YieldingRing, HoldsTheTipWhereItYieldsTo) {
 TEST(YieldingRing, IsTheRigidRingInTheLimitToFirstOrder) {
   RandomContacts contacts(kDefaultRotor, 0.2, 23);
   const ElasticaContact rigid = make({0.1});
-  std::vector<InAnyRing> laws;
-  for (const double stiffness : {1e7, 1e8, 1e9}) laws.push_back(make<InAnyRing>({0.1}, AnyRing{stiffness}));
+  std::vector<ElasticaContact> laws;
+  for (const double stiffness : {1e7, 1e8, 1e9}) laws.push_back(make({0.1}, Ring{stiffness}));
   int compared = 0;
   for (int i = 0; i < 400; ++i) {
     const Pose at = contacts.next();
@@ -66,11 +66,11 @@ TEST(YieldingRing, UnderAStiffBladeIsTheElasticRing) {
   constexpr double kStiffnessOfRing = 1e4;
   RandomContacts contacts(kDefaultRotor, 0.1, 24);
   const ElasticRingContact ring(kDefaultRotor.geometry(), kStiffnessOfRing, 0.0);
-  const InAnyRing column = make<InAnyRing>({0.0, 0.0, Theory::elastica, 0.01}, AnyRing{kStiffnessOfRing});
+  const ElasticaContact column = make({0.0, 0.0, Theory::elastica, 0.01}, Ring{kStiffnessOfRing});
   // With friction a blade bends by μF L³/(3 EI); the thicker blades below bend less and less.
   const ElasticRingContact rubbed(kDefaultRotor.geometry(), kStiffnessOfRing, 0.1);
-  const InAnyRing stiff = make<InAnyRing>({0.1, 0.0, Theory::elastica, 0.05}, AnyRing{kStiffnessOfRing});
-  const InAnyRing stiffer = make<InAnyRing>({0.1, 0.0, Theory::elastica, 0.5}, AnyRing{kStiffnessOfRing});
+  const ElasticaContact stiff = make({0.1, 0.0, Theory::elastica, 0.05}, Ring{kStiffnessOfRing});
+  const ElasticaContact stiffer = make({0.1, 0.0, Theory::elastica, 0.5}, Ring{kStiffnessOfRing});
   for (int i = 0; i < 300; ++i) {
     const Pose at = contacts.next();
     const TipForce expected = force_at(ring, at);
@@ -91,8 +91,8 @@ TEST(YieldingRing, AddsItsComplianceToTheBladesUnderSmallLoads) {
   const BladeCase column{0.0, 1.0};
   const BladeCase rubbed{0.1, 1.0};
   const double compliance = kDefaultRotor.length / column.axial_stiffness() + 1 / kStiffnessOfRing;
-  const InAnyRing straight = make<InAnyRing>(column, AnyRing{kStiffnessOfRing});
-  const InAnyRing bent = make<InAnyRing>(rubbed, AnyRing{kStiffnessOfRing});
+  const ElasticaContact straight = make(column, Ring{kStiffnessOfRing});
+  const ElasticaContact bent = make(rubbed, Ring{kStiffnessOfRing});
   for (const double penetration : {1e-12, 1e-14}) {
     EXPECT_NEAR(force_at(straight, pressed_tip(penetration)).normal * compliance / penetration, 1.0, 1e-10);
     EXPECT_NEAR(force_at(bent, pressed_tip(penetration)).normal * compliance / penetration, 1.0,
@@ -107,7 +107,7 @@ TEST(YieldingRing, AddsItsComplianceToTheBladesUnderSmallLoads) {
 }
 
 TEST(YieldingRing, SlopesOfTheConstraintAreItsDerivatives) {
-  const InAnyRing law = make<InAnyRing>({0.1, 1.0}, AnyRing{1e3});
+  const ElasticaContact law = make({0.1, 1.0}, Ring{1e3});
   RandomContacts contacts(kDefaultRotor, 0.2, 25);
   for (int i = 0; i < 500; ++i) {
     const Pose at = contacts.next();

@@ -161,7 +161,7 @@ TEST(Guards, SlipOfATipThatIsHeldUntilItsForceEndsMayDipBelowZero) {
   rotor.friction = 0.45;
   const State start{0.0015771167237649975, -0.0022065293944549345, 0.029356464879735131,
                     -0.023620726224428068};
-  const contact::ElasticBladeContact<contact::AnyRing> law(
+  const contact::ElasticaContact law(
       rotor.geometry(), {rotor.length, rotor.thickness, rotor.bending_stiffness},
       std::make_shared<blade::ElasticaCurve>(rotor.friction), {.release = contact::Release::at_fold});
   const auto motion = [&](double tolerance) {
