@@ -1,4 +1,5 @@
-/// The hybrid method: closed-form flight, contacts in steps of a Runge–Kutta pair, located events.
+/// The hybrid method: closed-form flight, contacts in steps of a Runge–Kutta pair, or by collocation where
+/// that is asked for, located events.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +28,8 @@ struct HybridMethod {
     const modes::ContactLimits limits{std::max(scene.accuracy.tolerance * rotor.length_scale, rounding),
                                       scene.validity.max_shortening};
     return std::make_unique<motion::TypedMotion<motion::Motion<Law, Forcing, Pair, Blades>, kMayChange>>(
-        rotor, std::move(blades), law, forcing, limits);
+        rotor, std::move(blades), law, forcing, limits,
+        scene.accuracy.method == settings::Method::collocation);
   }
 };
 

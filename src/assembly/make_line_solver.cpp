@@ -11,13 +11,14 @@ namespace rubatlas::assembly {
 
 namespace {
 
-/// The one family that is compiled for every method.
-std::unique_ptr<point::LineSolver> make_by_method(const LineRequest& request) {
+/// The one family that is compiled for every method. By collocation it is one of those with effects.
+std::unique_ptr<point::LineSolver> make_by_method(const FamilyRequest& request) {
   switch (request.line.accuracy.method) {
     case settings::Method::hybrid:
       return make_hybrid(request);
     case settings::Method::collocation:
-      return make_collocation(request);
+      return request.line.contact.law == settings::ContactLaw::elastic_ring ? make_rigid_blades(request)
+                                                                            : make_elastic_blades(request);
     case settings::Method::hybrid_54:
       return make_hybrid_54(request);
     case settings::Method::hybrid_32:

@@ -19,7 +19,6 @@ struct LineRequest {
 };
 
 std::unique_ptr<point::LineSolver> make_hybrid(const LineRequest& request);
-std::unique_ptr<point::LineSolver> make_collocation(const LineRequest& request);
 std::unique_ptr<point::LineSolver> make_hybrid_54(const LineRequest& request);
 std::unique_ptr<point::LineSolver> make_hybrid_32(const LineRequest& request);
 std::unique_ptr<point::LineSolver> make_paper(const LineRequest& request);

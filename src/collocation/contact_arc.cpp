@@ -20,74 +20,86 @@ constexpr double kAtEnd = 1.0;            ///< tolerances: of that at the end, a
 constexpr double kCareWithSeveral = 4.0;  ///< blades: coefficients fall less evenly
 constexpr double kClosest = 0.2;          ///< of the tolerance: what sweeps may leave
 constexpr std::size_t kMostIntervals = 1000;  ///< of a contact that is shorter or longer than was predicted
+/// p: a fold nearer to the unbent blade, where the force is some 1e-9 of EI/L², is its lift-off.
+constexpr double kNextToUnbent = 1e-4;
+
+/// Cosine and sine of the angle from one blade to another.
+std::array<double, 2> offset_between(const contact::BladeDirection& from, const contact::BladeDirection& to) {
+  return {to.cosine * from.cosine + to.sine * from.sine, to.sine * from.cosine - to.cosine * from.sine};
+}
 
 }  // namespace
 
-ContactArc::ContactArc(const rotor::RotorConstants& rotor, const rotor::BladeSet& blades,
-                       const contact::ElasticaContact& law, const rotor::Harmonic* unbalance,
+ContactArc::ContactArc(const rotor::RotorConstants& rotor, const rotor::RipplingBlades& blades,
+                       const Laws& laws, const rotor::AnyShaft& shaft, const rotor::RingBody* ring,
                        const Limits& limits)
     : rotor_(&rotor),
       blades_(&blades),
-      law_(&law),
-      unbalance_(unbalance),
+      laws_(&laws),
+      shaft_(&shaft),
+      ring_(ring),
       limits_(limits),
-      table_(&law.curve().over_asinh()),
+      machine_(rotor, blades, shaft, ring, laws.of(0).geometry().ring_radius),
       solver_(interval_solver()),
-      predictor_(rotor, law),
-      contact_{.reach = law.geometry().reach,
-               .ring_radius = law.geometry().ring_radius,
-               .closing = law.geometry().closing(),
-               .length = law.length(),
-               .load_unit = law.load_unit(),
-               .friction = law.curve().friction(),
-               .force_unit = rotor.force_unit,
-               .damping_ratio = rotor.damping_ratio,
-               .speed_ratio = rotor.speed_ratio,
-               .misalignment = rotor.misalignment,
-               .slip = 1.0,
-               .forced = unbalance != nullptr},
+      predictor_(rotor, ring),
+      contact_{&machine_.numbers(), nullptr, 1.0},
       allowed_(kBetweenNodes * rotor.length_scale *
                std::pow(limits.tolerance / rotor.length_scale, Predictor::kOrder / kOrderAtEnd)),
-      earlier_(law.geometry().reach, rotor.length_scale) {
-  for (int k = 0; k < blades.count(); ++k) offsets_.push_back(blades.direction(k, {1.0, 0.0}));
-  const auto& knots = table_->knots();
-  const auto beyond = std::find_if(knots.begin(), knots.end(), [&](const blade::BendingTable::Knot& knot) {
-    return knot.shortening > limits.max_shortening;
-  });
-  valid_argument_ = beyond == knots.begin() ? 0.0 : std::prev(beyond)->argument;
+      earlier_(laws.of(0).geometry().reach, rotor.length_scale) {
+  for (int k = 0; k < blades.count(); ++k) {
+    offsets_.push_back(blades.direction(k, {1.0, 0.0}));
+    const contact::ElasticaContact& law = laws.of(k);
+    const blade::BendingTable& table = law.curve().over_asinh();
+    numbers_.push_back({.table = &table,
+                        .reach = law.geometry().reach,
+                        .closing = law.geometry().closing(),
+                        .length = law.length(),
+                        .load_unit = law.load_unit(),
+                        .friction = law.curve().friction(),
+                        .yield_unit = law.yield_unit(),
+                        .first_shortening = law.first_shortening(),
+                        .first_yielding = law.first_yielding()});
+    const auto& knots = table.knots();
+    const auto beyond = std::find_if(knots.begin(), knots.end(), [&](const blade::BendingTable::Knot& knot) {
+      return knot.shortening > limits.max_shortening;
+    });
+    valid_argument_.push_back(beyond == knots.begin() ? 0.0 : std::prev(beyond)->argument);
+  }
 }
 
-void ContactArc::begin(double time, const rotor::State& state, std::span<const Touch> touching) {
+contact::Pose ContactArc::pose(int blade, const Point& point) const {
+  return rotor::pose_of(*rotor_, laws_->of(blade).geometry(),
+                        blades_->direction(blade, blades_->first(point.time)),
+                        rotor::from_ring(point.bodies));
+}
+
+void ContactArc::begin(double time, const rotor::ShaftAndRing& bodies, std::span<const Touch> touching) {
   // Who touches down now is not the next to lift off.
   std::size_t leader = 0;
   while (leader + 1 < touching.size() && touching[leader].bending == 0.0) ++leader;
   if (touching[leader].bending == 0.0) leader = 0;
   lead_has_changed_ = false;
-  lead(time, state, touching, leader);
+  lead(time, bodies, touching, leader);
 }
 
-void ContactArc::lead(double time, const rotor::State& state, std::span<const Touch> touching,
+void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<const Touch> touching,
                       std::size_t leader) {
   blade_ = touching[leader].blade;
+  contact_.blade = &numbers(blade_);
   contact_.slip = touching[leader].slip;
   begins_ = true;
-  lifts_off_ = false;
-  touches_ = -1;
-  start_ = {time, state, table_->argument(touching[leader].bending)};
-  const contact::BladeDirection first = blades_->first(time);
-  er_ = blades_->direction(blade_, first);
+  ending_ = {};
+  start_ = {time, bodies, table(blade_).argument(touching[leader].bending)};
+  er_ = blades_->direction(blade_, blades_->first(time));
   const contact::BladeDirection& from = offsets_[static_cast<std::size_t>(blade_)];
   const auto offset_of = [&](int blade) {
-    const contact::BladeDirection& to = offsets_[static_cast<std::size_t>(blade)];
-    return std::array{to.cosine * from.cosine + to.sine * from.sine,
-                      to.sine * from.cosine - to.cosine * from.sine};
+    return offset_between(from, offsets_[static_cast<std::size_t>(blade)]);
   };
   further_.clear();
   for (const Touch& touch : touching) {
     if (touch.blade == blade_) continue;
-    const contact::BladeDirection er = blades_->direction(touch.blade, first);
-    const contact::Pose pose = rotor::pose_of(*rotor_, law_->geometry(), er, state);
-    FurtherStart& start = further_.emplace_back(further_start(*law_, pose, touch, rotor_->speed_ratio));
+    FurtherStart& start = further_.emplace_back(further_start(
+        laws_->of(touch.blade), pose(touch.blade, start_), touch, blades_->angular_speed(time)));
     start.offset = offset_of(touch.blade);
     start_.squares[further_.size() - 1] = start.square;
   }
@@ -105,13 +117,13 @@ void ContactArc::lead(double time, const rotor::State& state, std::span<const To
 }
 
 void ContactArc::look_for_earlier() {
-  Beginning beginning{.argument = end_.argument, .slip = contact_.slip};
-  std::copy(end_.state.begin(), end_.state.end(), beginning.state.begin());
-  beginning.blade = {er_.cosine, er_.sine};
-  if (unbalance_ != nullptr) {
-    const std::complex<double> forcing = unbalance_->acceleration(end_.time);
-    beginning.forcing = {forcing.real(), forcing.imag()};
-  }
+  Beginning beginning{.blade = {er_.cosine, er_.sine},
+                      .angular_speed = blades_->angular_speed(end_.time),
+                      .argument = end_.argument,
+                      .slip = contact_.slip};
+  std::copy(end_.bodies.begin(), end_.bodies.end(), beginning.state.begin());
+  const std::complex<double> forcing = machine_.forcing(end_.time);
+  beginning.forcing = {forcing.real(), forcing.imag()};
   const EarlierContacts::Found found = earlier_.find(beginning);
   alike_ = found.alike;
   kept_ = found.next;
@@ -119,38 +131,49 @@ void ContactArc::look_for_earlier() {
 
 /// What is known where the leading blade takes the lead.
 void ContactArc::predict() {
-  const contact::Pose pose = rotor::pose_of(*rotor_, law_->geometry(), er_, end_.state);
-  const double bending = table_->bending(end_.argument);
-  const auto there = law_->constraint(pose, contact_.slip, bending, rotor_->speed_ratio);
-  gap_measure_ = law_->gap_per_deflection(pose, contact_.slip, bending);
-  slip_velocity_ = there.force.slip_velocity;
-  std::complex<double> acceleration =
-      rotor::shaft_acceleration(*rotor_, end_.state, contact::on_rotor(there.force, er_));
+  const contact::ElasticaContact& law = laws_->of(blade_);
+  const double angular_speed = blades_->angular_speed(end_.time);
+  const contact::Pose there = pose(blade_, end_);
+  const double bending = table(blade_).bending(end_.argument);
+  const auto constraint = law.constraint(there, contact_.slip, bending, angular_speed);
+  gap_measure_ = law.gap_per_deflection(there, contact_.slip, bending);
+  slip_velocity_ = constraint.force.slip_velocity;
+  std::complex<double> force = contact::on_rotor(constraint.force, er_);
   for (const FurtherStart& further : further_) {
     const contact::BladeDirection er{er_.cosine * further.offset[0] - er_.sine * further.offset[1],
                                      er_.sine * further.offset[0] + er_.cosine * further.offset[1]};
-    acceleration += rotor_->force_unit * contact::on_rotor(further.force, er);
+    force += contact::on_rotor(further.force, er);
   }
-  if (unbalance_ != nullptr) acceleration += unbalance_->acceleration(end_.time);
-  predictor_.begin({end_.state, pose, er_, contact_.slip, bending, end_.argument, acceleration, there});
+  const rotor::RingContactState full = rotor::full_state(end_.bodies, end_.time, bending);
+  predictor_.begin(
+      {.law = &law,
+       .angular_speed = angular_speed,
+       .bodies = end_.bodies,
+       .pose = there,
+       .direction = er_,
+       .slip = contact_.slip,
+       .bending = bending,
+       .argument = end_.argument,
+       .gap_measure = gap_measure_,
+       .shaft_acceleration = shaft_->shaft_acceleration(*rotor_, full, force),
+       .ring_acceleration = ring_ != nullptr ? ring_->acceleration(rotor::ring(end_.bodies), -force) : 0.0,
+       .constraint = constraint});
 }
 
 void ContactArc::start_next(Interval& next) const {
   next.start_time = end_.time;
   next.start_argument = end_.argument;
-  std::copy(end_.state.begin(), end_.state.end(), next.start.begin());
+  std::copy_n(end_.bodies.begin(), 4, next.shaft.start.begin());
+  std::copy_n(end_.bodies.begin() + 4, 4, next.ring.start.begin());
   next.blade = {er_.cosine, er_.sine};
-  if (unbalance_ != nullptr) {
-    const std::complex<double> forcing = unbalance_->acceleration(end_.time);
-    next.forcing = {forcing.real(), forcing.imag()};
-  }
+  machine_.start(next);
   next.start_gap_measure = gap_measure_;
   next.start_slip_velocity = slip_velocity_;
   next.further_count = further_.size();
 }
 
 bool ContactArc::solve(Interval& interval, bool warm) {
-  const bool solved = solver_.solve(contact_, *table_, {kClosest * limits_.tolerance, warm}, interval);
+  const bool solved = solver_.solve(contact_, {kClosest * limits_.tolerance, warm}, interval);
   sweeps_ += static_cast<std::uint64_t>(interval.sweeps);
   return solved;
 }
@@ -166,34 +189,68 @@ double ContactArc::error_of(const Interval& interval) const {
   constexpr double kShareOfSixth = 0.3;
   constexpr double kLargestIntegral = 0.5 / (2.0 * kNodes + 1.0);
   const double last = std::max(seventh, kShareOfSixth * sixth);
-  if (last == 0.0) return 0.0;
-  const double fall = std::min(1.0, std::sqrt(last / std::max(fifth, last)));
+  const double fall = last > 0.0 ? std::min(1.0, std::sqrt(last / std::max(fifth, last))) : 0.0;
   const double between = std::max(seventh, kShareOfSixth * sixth * fall) * fall * kLargestIntegral;
   // Quadrature leaves out the fifteenth coefficient at the end: much less, unless coefficients hardly fall.
   const double fall_by_four = (fall * fall) * (fall * fall);
   const double at_end = last * fall_by_four * fall_by_four * kLargestIntegral;
-  const double error = std::max(between / allowed_, at_end / (kAtEnd * limits_.tolerance));
-  return interval.further_count > 0 ? kCareWithSeveral * error : error;
+  double error = std::max(between / allowed_, at_end / (kAtEnd * limits_.tolerance));
+  if (interval.further_count > 0) error *= kCareWithSeveral;
+  const double length = interval.elapsed.at_end() / machine_.longest_interval();
+  return length > 1.0 ? std::max(error, std::pow(length, Predictor::kOrder)) : error;
 }
 
-/// No slip reverses, the shaft stays within the ring and the blades within their limit.
-bool ContactArc::stays_valid(const Bounds& bounds) const {
-  return bounds.distance < contact_.ring_radius && bounds.slip_velocity > 0.0 &&
-         bounds.argument < valid_argument_;
+/// No slip reverses but the one that ends the interval, the shaft stays within the ring and the blades within
+/// their limit.
+bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
+  const auto is_valid = [&](int blade, double slip_velocity, double argument) {
+    const bool reverses = ending.guard == Guard::slip_reversal && ending.blade == blade;
+    return slip_velocity > (reverses ? -reversal_rounding_ : 0.0) &&
+           argument < valid_argument_[static_cast<std::size_t>(blade)];
+  };
+  if (!(bounds.distance < machine().ring_radius)) return false;
+  if (!is_valid(blade_, bounds.slip_velocity[0], bounds.argument)) return false;
+  for (std::size_t k = 0; k < further_.size(); ++k) {
+    if (!is_valid(further_[k].blade, bounds.slip_velocity[1 + k], bounds.further_argument[k])) return false;
+  }
+  return true;
 }
 
-ContactArc::Ending ContactArc::lift_off(const Interval& interval) const {
+/// Whether the contact of a blade may go on to the fold of its branch.
+bool ContactArc::ends_at_fold(int blade) const {
+  return laws_->of(blade).releases_at_fold() || laws_->of(blade).has_branches();
+}
+
+/// The first guard of the blades in contact.
+ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const {
   const bool reaches_zero = interval.chord.time == 0.0;
+  const bool ends_at_ring = !laws_->of(blade_).releases_at_fold();
+  const bool may_fold = ends_at_fold(blade_);
   for (std::size_t i = 0; i < kNodes; ++i) {
     const bool last = i + 1 == kNodes;
-    if (interval.gap_measure[i] < 0.0) {
-      return {Ending::Kind::under_load,
-              crossing(at_places(interval.start_gap_measure, interval.gap_measure), i + 1), blade_};
+    Ending first;
+    const auto pass = [&](Guard guard, int blade, double start, const AtNodes& nodes, double sign = 1.0) {
+      if (!(sign * nodes[i] < 0.0)) return;
+      AtPlaces values = at_places(start, nodes);
+      for (double& value : values) value *= sign;
+      if (guard == Guard::slip_reversal && !(values[i] > 0.0)) return;  // it slips back from the start on
+      const double fraction = crossing(values, i + 1);
+      if (fraction < first.fraction || first.guard == Guard::none) first = {guard, fraction, blade};
+    };
+    if (ends_at_ring) pass(Guard::under_load, blade_, interval.start_gap_measure, interval.gap_measure);
+    if (!(reaches_zero && last)) {
+      pass(Guard::unbent, blade_, interval.start_argument, interval.argument);
+      if (may_fold && interval.time_slope[i] < 0.0)
+        pass(Guard::fold, blade_, sum_of_products(slope_basis_at(0.0), interval.time_slope),
+             interval.time_slope);
     }
-    if (interval.argument[i] < 0.0 && !(reaches_zero && last)) {
-      return {Ending::Kind::unbent, crossing(at_places(interval.start_argument, interval.argument), i + 1),
-              blade_};
+    pass(Guard::slip_reversal, blade_, interval.start_slip_velocity, interval.slip_velocity, contact_.slip);
+    for (std::size_t k = 0; k < further_.size(); ++k) {
+      const FurtherBlade& further = interval.further[k];
+      pass(Guard::slip_reversal, further_[k].blade, further.start_slip_velocity, further.slip_velocity,
+           further.slip);
     }
+    if (first.guard != Guard::none) return first;
   }
   return {};
 }
@@ -202,27 +259,31 @@ ContactArc::Ending ContactArc::lift_off(const Interval& interval) const {
 std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interval, Ending before) {
   gap_bound_of_others_ = -std::numeric_limits<double>::infinity();
   for (const Other& other : others_) {
-    const double bound = solver_.largest_gap(contact_, interval, other.offset);
+    const Blade& blade = numbers(other.blade);
+    const double bound = solver_.largest_gap(contact_, interval, blade, other.offset);
     gap_bound_of_others_ = std::max(gap_bound_of_others_, bound);
     if (bound < 0.0) continue;
     const auto clear_of_ring = [&](double x, double y, double er_x, double er_y) {
-      const double centre = y + contact_.misalignment;
+      const double centre = y + machine().misalignment;
       const double along = er_x * other.offset[0] - er_y * other.offset[1];
       const double across = er_y * other.offset[0] + er_x * other.offset[1];
-      return -(x * x + centre * centre + 2.0 * contact_.reach * (x * along + centre * across) +
-               contact_.closing);
+      return -(x * x + centre * centre + 2.0 * blade.reach * (x * along + centre * across) + blade.closing);
     };
+    const Body& shaft = interval.shaft;
+    const Body& ring = interval.ring;
     AtPlaces values;
-    values[0] = clear_of_ring(interval.start[0], interval.start[1], interval.blade[0], interval.blade[1]);
+    values[0] = clear_of_ring(shaft.start[0] - ring.start[0], shaft.start[1] - ring.start[1],
+                              interval.blade[0], interval.blade[1]);
     std::size_t place = kPlaces;
     for (std::size_t i = 0; i < kNodes; ++i) {
-      values[i + 1] = clear_of_ring(interval.x[i], interval.y[i], interval.blade_x[i], interval.blade_y[i]);
+      values[i + 1] = clear_of_ring(shaft.x[i] - ring.x[i], shaft.y[i] - ring.y[i], interval.blade_x[i],
+                                    interval.blade_y[i]);
       if (place == kPlaces && values[i + 1] < 0.0) place = i + 1;
     }
     // It may come near the ring without touching it, or it touches at the start: shorter intervals tell.
     if (place == kPlaces || (place == 1 && !(values[0] > 0.0))) return std::nullopt;
     const double fraction = crossing(values, place);
-    if (fraction < before.fraction) before = {Ending::Kind::touch_down, fraction, other.blade};
+    if (fraction < before.fraction) before = {Guard::touch_down, fraction, other.blade};
   }
   return before;
 }
@@ -231,13 +292,17 @@ std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interva
 bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter) {
   shorter.start_time = whole.start_time;
   shorter.start_argument = whole.start_argument;
-  shorter.start = whole.start;
+  shorter.shaft.start = whole.shaft.start;
+  shorter.ring.start = whole.ring.start;
   shorter.blade = whole.blade;
-  shorter.forcing = whole.forcing;
+  shorter.start_angular_speed = whole.start_angular_speed;
+  std::copy_n(whole.forcing.begin(), machine().forcing_count, shorter.forcing.begin());
+  shorter.ripple = whole.ripple;
   shorter.start_gap_measure = whole.start_gap_measure;
   shorter.start_slip_velocity = whole.start_slip_velocity;
   shorter.further_count = whole.further_count;
   for (std::size_t k = 0; k < whole.further_count; ++k) {
+    shorter.further[k].blade = whole.further[k].blade;
     shorter.further[k].offset = whole.further[k].offset;
     shorter.further[k].slip = whole.further[k].slip;
     shorter.further[k].start_square = whole.further[k].start_square;
@@ -246,49 +311,90 @@ bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter) 
   }
   shorter.chord = {fraction * whole.chord.time, fraction * whole.chord.argument};
   shorter.normal = whole.normal;
-  read_stretch(whole, fraction, shorter);
+  read_stretch(whole, machine().ring.moves, fraction, shorter);
   return solve(shorter, true);
+}
+
+/// The same up to where a slip reverses, which the polynomials have only as accurately as velocities between
+/// the nodes.
+bool ContactArc::cut_at_reversal(const Interval& whole, Ending& ending, Interval& shorter) {
+  const auto further = std::ranges::find(further_, ending.blade, &FurtherStart::blade);
+  const std::size_t number = static_cast<std::size_t>(further - further_.begin());
+  const bool leads = ending.blade == blade_;
+  const AtPlaces velocities =
+      leads ? at_places(whole.start_slip_velocity, whole.slip_velocity)
+            : at_places(whole.further[number].start_slip_velocity, whole.further[number].slip_velocity);
+  constexpr int kTimes = 3;
+  constexpr double kApart = 1e-4;  // θ
+  const double before = std::max(0.0, ending.fraction - kApart);
+  const double slope = (sum_of_products(basis_at(before + kApart), velocities) -
+                        sum_of_products(basis_at(before), velocities)) /
+                       kApart;
+  const double rounding = contact::kSlipRounding * std::abs(rotor_->speed_ratio) * machine().ring_radius;
+  for (int i = 0; i < kTimes; ++i) {
+    if (!cut(whole, ending.fraction, shorter)) return false;
+    const double left =
+        leads ? shorter.slip_velocity.at_end() : shorter.further[number].slip_velocity.at_end();
+    reversal_rounding_ = std::abs(left) + rounding;
+    if (std::abs(left) <= rounding) return true;
+    ending.fraction -= left / slope;
+    if (!(ending.fraction > 0.0 && ending.fraction <= 1.0)) return false;
+  }
+  return reversal_rounding_ <= limits_.tolerance;
+}
+
+void ContactArc::move(Point& point, const Interval& interval, double late) {
+  const Body& shaft = interval.shaft;
+  const Body& ring = interval.ring;
+  rotor::ShaftAndRing rate;
+  rate << point.bodies[2], point.bodies[3], shaft.ax.at_end(), shaft.ay.at_end(), point.bodies[6],
+      point.bodies[7], ring.ax.at_end(), ring.ay.at_end();
+  point.time += late;
+  point.bodies += late * rate;
+  if (point.argument > 0.0)
+    point.argument += late * interval.argument_slope.at_end() / interval.time_slope.at_end();
 }
 
 /// The end of an interval: of the contact, or at a touch-down, to rounding, where one ends it.
 void ContactArc::end_at(const Interval& interval, const Ending& ending) {
-  using Kind = Ending::Kind;
   start_ = end_;
   end_ = end_of(interval);
   er_ = {interval.blade_x.at_end(), interval.blade_y.at_end()};
-  lifts_off_ = ending.kind == Kind::unbent || ending.kind == Kind::under_load ||
-               (ending.kind == Kind::none && interval.chord.time == 0.0);
-  touches_ = ending.kind == Kind::touch_down ? ending.blade : -1;
-  const double rise = interval.argument_slope.at_end() / interval.time_slope.at_end();
-  const auto goes_on = [&](double late) {
-    end_.time += late;
-    end_.state +=
-        late * rotor::State(end_.state[2], end_.state[3], interval.ax.at_end(), interval.ay.at_end());
-    if (end_.argument > 0.0) end_.argument += late * rise;
-  };
+  ending_ = ending;
+  if (ending.guard == Guard::none && interval.chord.time == 0.0) ending_ = {Guard::unbent, 1.0, blade_};
   // To where the gap of a blade is zero: in time, and what is left, or all where the tip hardly moves against
   // the ring, the shortest way for the shaft.
   const auto goes_on_to_ring = [&](int blade) {
     constexpr int kTimes = 2;
     constexpr double kFarthest = 0.1;  // of the interval
-    const auto direction = [&] { return blades_->direction(blade, blades_->first(end_.time)); };
-    const auto pose = [&] { return rotor::pose_of(*rotor_, law_->geometry(), direction(), end_.state); };
     for (int i = 0; i < kTimes; ++i) {
-      const contact::Pose there = pose();
-      const double late = -there.gap / contact::gap_rate(law_->geometry(), there, rotor_->speed_ratio);
-      if (std::abs(late) < kFarthest * interval.elapsed.at_end()) goes_on(late);
+      const contact::Pose there = pose(blade, end_);
+      const double late = -there.gap / contact::gap_rate(laws_->of(blade).geometry(), there,
+                                                         blades_->angular_speed(end_.time));
+      if (std::abs(late) < kFarthest * interval.elapsed.at_end()) move(end_, interval, late);
     }
-    const double left = pose().gap / (2.0 * contact_.ring_radius);
+    const double radius = machine().ring_radius;
+    const double left = pose(blade, end_).gap / (2.0 * radius);
     if (!(std::abs(left) < limits_.tolerance)) return;
-    const contact::BladeDirection er = direction();
-    end_.state[0] -= left * (end_.state[0] + contact_.reach * er.cosine) / contact_.ring_radius;
-    end_.state[1] -=
-        left * (end_.state[1] + rotor_->misalignment + contact_.reach * er.sine) / contact_.ring_radius;
+    const contact::BladeDirection er = blades_->direction(blade, blades_->first(end_.time));
+    const rotor::State seen = rotor::from_ring(end_.bodies);
+    const double reach = numbers(blade).reach;
+    end_.bodies[0] -= left * (seen[0] + reach * er.cosine) / radius;
+    end_.bodies[1] -= left * (seen[1] + rotor_->misalignment + reach * er.sine) / radius;
   };
-  if (ending.kind == Kind::unbent) goes_on(-end_.argument / rise);
-  if (lifts_off_ && ending.kind != Kind::under_load) end_.argument = 0.0;
-  if (lifts_off_) goes_on_to_ring(blade_);
-  if (touches_ >= 0) goes_on_to_ring(touches_);
+  switch (ending_.guard) {
+    case Guard::unbent:
+      move(end_, interval, -end_.argument * interval.time_slope.at_end() / interval.argument_slope.at_end());
+      end_.argument = 0.0;
+      goes_on_to_ring(blade_);
+      break;
+    case Guard::under_load:
+    case Guard::touch_down:
+      goes_on_to_ring(ending_.blade);
+      break;
+    default:
+      break;
+  }
 }
 
 void ContactArc::guess_further(Interval& next) const {
@@ -296,7 +402,10 @@ void ContactArc::guess_further(Interval& next) const {
   const AtNodes& node = node_tables().node;
   for (std::size_t i = 0; i < kNodes; ++i)
     elapsed[i] = node[i] * next.chord.time + next.deviation[i] * next.normal.time;
-  for (std::size_t k = 0; k < further_.size(); ++k) guess(further_[k], elapsed, next.further[k]);
+  for (std::size_t k = 0; k < further_.size(); ++k) {
+    next.further[k].blade = &numbers(further_[k].blade);
+    guess(further_[k], elapsed, next.further[k]);
+  }
 }
 
 /// Makes the trial a solution that is accurate enough.
@@ -307,7 +416,7 @@ bool ContactArc::solve_next() {
     const bool follows = alike_ != nullptr && number_ < alike_->count;
     if (follows) {
       predictor_.follow(alike_->intervals[number_].length);
-      alike_->intervals[number_].guess(next);
+      alike_->intervals[number_].guess(next, machine().ring.moves);
     } else {
       predictor_.guess(next);
     }
@@ -334,35 +443,42 @@ void ContactArc::leave_earlier() {
 }
 
 ContactArc::Verdict ContactArc::judge(Ending& ending) {
-  using Kind = Ending::Kind;
   const Interval& next = trial();
   const bool reaches_zero = next.chord.time == 0.0;
   Bounds bounds = solver_.bounds(contact_, next);
-  const auto first = touch_down(next, lift_off(next));
+  const auto first = touch_down(next, guard_of_contacts(next));
   if (!first) return Verdict::too_long;
   ending = *first;
-  const bool in_part = ending.kind != Kind::none;
+  const bool in_part = ending.guard != Guard::none;
   Interval& part = intervals_[made_];  // what has been made before is not asked for again
   if (in_part) {
-    if (!cut(next, ending.fraction, part)) return Verdict::gives_up;
+    const bool reverses = ending.guard == Guard::slip_reversal;
+    if (!(reverses ? cut_at_reversal(next, ending, part) : cut(next, ending.fraction, part)))
+      return Verdict::gives_up;
     // Beyond its ending the interval is no motion.
-    if (ending.kind == Kind::touch_down || !further_.empty() || !stays_valid(bounds))
-      bounds = solver_.bounds(contact_, part);
+    const bool lifts = ending.guard == Guard::unbent || ending.guard == Guard::under_load;
+    if (!lifts || !further_.empty() || !stays_valid(bounds, ending)) bounds = solver_.bounds(contact_, part);
     // The tip that touches is at the ring at the end.
-    const double at_ring = 2.0 * contact_.ring_radius * limits_.tolerance;
+    const double at_ring = 2.0 * machine().ring_radius * limits_.tolerance;
     gap_bound_of_others_ = -std::numeric_limits<double>::infinity();
     for (const Other& other : others_) {
-      const double bound = solver_.largest_gap(contact_, part, other.offset);
+      const double bound = solver_.largest_gap(contact_, part, numbers(other.blade), other.offset);
       gap_bound_of_others_ = std::max(gap_bound_of_others_, bound);
       if (!(bound < (other.blade == ending.blade ? at_ring : 0.0))) return Verdict::too_long;
     }
   }
-  if (!stays_valid(bounds)) return Verdict::gives_up;
+  if (!stays_valid(bounds, ending)) return Verdict::gives_up;
   displacement_bound_ = bounds.displacement;
+  const bool held_beyond_ring = laws_->of(blade_).releases_at_fold();
   const bool stays_bent = bounds.gap_measure > 0.0 && (begins_ || next.start_gap_measure > 0.0);
-  if (ending.kind != Kind::under_load && !stays_bent) return Verdict::gives_up;
-  // Time goes on.
+  if (ending.guard != Guard::under_load && !held_beyond_ring && !stays_bent) return Verdict::gives_up;
   const Interval& kept = in_part ? part : next;
+  if (ending.guard == Guard::fold && kept.argument.at_end() < kNextToUnbent) ending.guard = Guard::unbent;
+  // At a fold a tip is free only outside the ring, or it snaps.
+  if (ending.guard == Guard::fold && !laws_->of(blade_).has_branches() &&
+      !(pose(blade_, end_of(kept)).gap < 0.0))
+    return Verdict::gives_up;
+  // Time goes on.
   for (std::size_t i = 0; i < kNodes; ++i) {
     const bool may_turn = i + 1 == kNodes && (reaches_zero || in_part);
     if (!(kept.time_slope[i] > 0.0) && !may_turn) return Verdict::gives_up;
@@ -378,10 +494,10 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
 
 /// Another blade leads from where the last interval has ended.
 void ContactArc::change_leader(std::size_t further) {
-  std::vector<Touch> touching{{blade_, contact_.slip, table_->bending(end_.argument)}};
+  std::vector<Touch> touching{{blade_, contact_.slip, table(blade_).bending(end_.argument)}};
   for (const FurtherStart& start : further_)
-    touching.push_back({start.blade, start.slip, table_->bending(std::sqrt(start.square))});
-  lead(end_.time, rotor::State(end_.state), touching, further + 1);
+    touching.push_back({start.blade, start.slip, table(start.blade).bending(std::sqrt(start.square))});
+  lead(end_.time, rotor::ShaftAndRing(end_.bodies), touching, further + 1);
   lead_has_changed_ = true;
 }
 
@@ -391,7 +507,7 @@ ContactArc::Outcome ContactArc::make() {
   while (true) {
     if (!solve_next()) return Outcome::gives_up;
     if (kept_ != nullptr && number_ < EarlierContact::kMostIntervals) {
-      kept_->intervals[number_].take(trial(), predictor_.length_of_trial());
+      kept_->intervals[number_].take(trial(), machine().ring.moves, predictor_.length_of_trial());
       kept_->count = std::max(kept_->count, number_ + 1);
     }
     Ending ending;
@@ -420,7 +536,7 @@ void ContactArc::goes_on(const Ending& ending) {
   gap_measure_ = made().gap_measure.at_end();
   slip_velocity_ = made().slip_velocity.at_end();
   for (std::size_t k = 0; k < further_.size(); ++k) go_on(made(), made().further[k], further_[k]);
-  if (!lifts_off_ && touches_ < 0) predictor_.goes_on(made());
+  if (ending_.guard == Guard::none) predictor_.goes_on(made());
   begins_ = false;
   lead_has_changed_ = false;
 }
@@ -440,11 +556,8 @@ ContactArc::Point ContactArc::solved_at(double time) {
   const double fraction = fraction_at(time);
   if (!cut(made(), fraction, trial())) return point_at(fraction);
   Point point = end_of(trial());
-  const double late = time - point.time;
-  const std::size_t last = kNodes - 1;
+  move(point, trial(), time - point.time);
   point.time = time;
-  point.state += late * rotor::State(point.state[2], point.state[3], trial().ax[last], trial().ay[last]);
-  point.argument += late * trial().argument_slope[last] / trial().time_slope[last];
   return point;
 }
 
@@ -455,9 +568,11 @@ ContactArc::Point ContactArc::solved_at_fraction(double fraction) {
 }
 
 ContactArc::Point ContactArc::end_of(const Interval& interval) {
-  Point end{interval.start_time + interval.elapsed.at_end(),
-            {interval.x.at_end(), interval.y.at_end(), interval.vx.at_end(), interval.vy.at_end()},
-            interval.argument.at_end()};
+  const Body& shaft = interval.shaft;
+  const Body& ring = interval.ring;
+  Point end{.time = interval.start_time + interval.elapsed.at_end(), .argument = interval.argument.at_end()};
+  end.bodies << shaft.x.at_end(), shaft.y.at_end(), shaft.vx.at_end(), shaft.vy.at_end(), ring.x.at_end(),
+      ring.y.at_end(), ring.vx.at_end(), ring.vy.at_end();
   for (std::size_t k = 0; k < interval.further_count; ++k)
     end.squares[k] = interval.further[k].square.at_end();
   return end;
@@ -494,14 +609,15 @@ double ContactArc::largest_displacement(double from, double to, double known) {
   const Farthest there = farthest(made(), within.first, within.last);
   // Between the nodes a place errs by less than a velocity would move it in a unit of time.
   if (!(there.displacement + allowed_ > known)) return known;
-  const Point point = solved_in(within, there.fraction);
-  return std::max(known, std::sqrt(point.state[0] * point.state[0] + point.state[1] * point.state[1]));
+  const rotor::ShaftAndRing bodies = solved_in(within, there.fraction).bodies;
+  return std::max(known, std::sqrt(bodies[0] * bodies[0] + bodies[1] * bodies[1]));
 }
 
 std::array<double, 2> ContactArc::place_at(double fraction) const {
   const AtPlaces basis = basis_at(fraction);
-  return {sum_of_products(basis, at_places(made().start[0], made().x)),
-          sum_of_products(basis, at_places(made().start[1], made().y))};
+  const Body& shaft = made().shaft;
+  return {sum_of_products(basis, at_places(shaft.start[0], shaft.x)),
+          sum_of_products(basis, at_places(shaft.start[1], shaft.y))};
 }
 
 ContactArc::Point ContactArc::point_at(double fraction) const {
@@ -509,10 +625,16 @@ ContactArc::Point ContactArc::point_at(double fraction) const {
   const auto value = [&](double start, const AtNodes& nodes) {
     return sum_of_products(basis, at_places(start, nodes));
   };
-  Point point{made().start_time + value(0.0, made().elapsed),
-              {value(made().start[0], made().x), value(made().start[1], made().y),
-               value(made().start[2], made().vx), value(made().start[3], made().vy)},
-              value(made().start_argument, made().argument)};
+  const Body& shaft = made().shaft;
+  const Body& ring = made().ring;
+  Point point{.time = made().start_time + value(0.0, made().elapsed),
+              .argument = value(made().start_argument, made().argument)};
+  const auto place = [&](const Body& body, Eigen::Index first) {
+    point.bodies.segment<4>(first) << value(body.start[0], body.x), value(body.start[1], body.y),
+        value(body.start[2], body.vx), value(body.start[3], body.vy);
+  };
+  place(shaft, 0);
+  if (machine().ring.moves) place(ring, 4);
   for (std::size_t k = 0; k < made().further_count; ++k)
     point.squares[k] = value(made().further[k].start_square, made().further[k].square);
   return point;
@@ -534,12 +656,10 @@ double ContactArc::argument_of(int blade, const Point& point) const {
 }
 
 std::optional<TipTop> ContactArc::top_of_tip(int blade) const {
-  const auto top = [&](const std::array<double, 2>& offset) {
-    return collocation::top_of_tip(contact_, made(), offset);
-  };
-  if (blade == blade_) return top({1.0, 0.0});
-  const auto other = std::ranges::find(others_, blade, &Other::blade);
-  return other != others_.end() ? top(other->offset) : top(further_[number_of(blade)].offset);
+  const auto& from = offsets_[static_cast<std::size_t>(blade_)];
+  const auto& to = offsets_[static_cast<std::size_t>(blade)];
+  const auto offset = blade == blade_ ? std::array{1.0, 0.0} : offset_between(from, to);
+  return collocation::top_of_tip(machine(), made(), numbers(blade), offset);
 }
 
 void ContactArc::shift_time(double period) {

@@ -2,16 +2,16 @@
 /// next one begins or ends.
 ///
 /// The contact of one blade, which leads, is an arc in the plane (τ, p): up from the touch-down, over the
-/// largest bending, and down to the lift-off at p = 0, or at g = 0 under load on the receding side
-/// (MODEL 4.2). An interval is a stretch of this arc (`interval.hpp`). Its first guess is that of an earlier
-/// contact which began alike, or a circular arc (`predictor.hpp`).
+/// largest bending, and down to the lift-off at p = 0, or at g = 0 under load on the receding side, or to the
+/// fold where time turns round (MODEL 4.2). An interval is a stretch of this arc (`interval.hpp`). Its first
+/// guess is that of an earlier contact which began alike, or a circular arc (`predictor.hpp`).
 ///
 /// The others are bent as the shaft's motion has it (`further_blades.hpp`). The one that lifts off next has
 /// to lead: near its lift-off its bending is no smooth function of time.
 ///
-/// Where it cannot prove that no other guard is met within an interval (the slip reverses, a limit of
-/// validity), the arc gives up at the start of this interval, and the motion goes on with another mode from
-/// there.
+/// Where it cannot prove that no other guard is met within an interval (a limit of validity, a guard that the
+/// model does not let a contact pass), the arc gives up at the start of this interval, and the motion goes on
+/// with another mode from there.
 #pragma once
 
 #include <array>
@@ -26,11 +26,15 @@
 #include "collocation/further_blades.hpp"
 #include "collocation/interval.hpp"
 #include "collocation/interval_samples.hpp"
+#include "collocation/machine_in_time.hpp"
 #include "collocation/predictor.hpp"
 #include "contact/elastica_contact.hpp"
-#include "rotor/blade_set.hpp"
+#include "contact/unequal_blades.hpp"
+#include "rotor/any_shaft.hpp"
+#include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
-#include "rotor/harmonic.hpp"
+#include "rotor/ring_body.hpp"
+#include "rotor/rippling_blades.hpp"
 
 namespace rubatlas::collocation {
 
@@ -40,30 +44,37 @@ class ContactArc {
     double tolerance;       ///< local error [m]: accuracy.tolerance × δc
     double max_shortening;  ///< of δ/L [-]
   };
-  /// `unbalance`: null where none acts. All must outlive the arc. The law has friction μ > 0.
-  ContactArc(const rotor::RotorConstants& rotor, const rotor::BladeSet& blades,
-             const contact::ElasticaContact& law, const rotor::Harmonic* unbalance, const Limits& limits);
+  using Laws = contact::UnequalBlades<contact::ElasticaContact>;
+  /// `ring`: null where it does not move. All must outlive the arc. Each law has friction μ > 0.
+  ContactArc(const rotor::RotorConstants& rotor, const rotor::RipplingBlades& blades, const Laws& laws,
+             const rotor::AnyShaft& shaft, const rotor::RingBody* ring, const Limits& limits);
   ContactArc(const ContactArc&) = delete;
   ContactArc& operator=(const ContactArc&) = delete;
 
   /// A place on the contact's curve.
   struct Point {
     double time = 0.0;  ///< τ of the revolution
-    rotor::State state = rotor::State::Zero();
+    rotor::ShaftAndRing bodies = rotor::ShaftAndRing::Zero();
     double argument = 0.0;                       ///< p of the leading blade
     std::array<double, kMostFurther> squares{};  ///< p² of the others
   };
 
   /// Begins where these blades touch, one to 1 + kMostFurther.
-  void begin(double time, const rotor::State& state, std::span<const Touch> touching);
+  void begin(double time, const rotor::ShaftAndRing& bodies, std::span<const Touch> touching);
 
   enum class Outcome : std::uint8_t { made, gives_up };
   /// Makes the next interval, from the end of the one before.
   Outcome make();
-  /// The interval ends with the lift-off of the leading blade.
-  [[nodiscard]] bool lifts_off() const { return lifts_off_; }
-  /// The blade whose touch-down ends the interval; none: −1.
-  [[nodiscard]] int touches() const { return touches_; }
+  /// What ends an interval: the leading blade lifts off unbent or under load, or comes to the fold of its
+  /// branch; the slip of a blade reverses; another blade touches down.
+  enum class Guard : std::uint8_t { none, unbent, under_load, fold, slip_reversal, touch_down };
+  struct Ending {
+    Guard guard = Guard::none;
+    double fraction = 1.0;  ///< θ
+    int blade = -1;
+  };
+  /// Of the interval that has been made.
+  [[nodiscard]] const Ending& ending() const { return ending_; }
   [[nodiscard]] const Point& start() const { return start_; }
   [[nodiscard]] const Point& end() const { return end_; }
   /// v of the leading blade at the end (MODEL 4.4) [m per unit τ].
@@ -73,7 +84,6 @@ class ContactArc {
   [[nodiscard]] double fraction_at(double time) const;
   /// There, as accurate as at the end of an interval: solves the stretch up to there.
   [[nodiscard]] Point solved_at(double time);
-  [[nodiscard]] rotor::State state_at(double time) { return solved_at(time).state; }
   /// Where a blade in contact is bent most between two times of the interval; none where its p is not larger
   /// than `known`.
   [[nodiscard]] std::optional<Point> most_bent(int blade, double from, double to, double known);
@@ -100,9 +110,10 @@ class ContactArc {
 
   /// The blade that leads.
   [[nodiscard]] int leader() const { return blade_; }
-  [[nodiscard]] double bending(double argument) const { return table_->bending(argument); }
-  /// du/dp.
-  [[nodiscard]] double bending_slope(double argument) const { return table_->bending_slope(argument); }
+  /// u of a blade for its p.
+  [[nodiscard]] double bending(int blade, double argument) const { return table(blade).bending(argument); }
+  /// du/dp of the leading blade.
+  [[nodiscard]] double bending_slope(double argument) const { return table(blade_).bending_slope(argument); }
 
   // What it cost.
   [[nodiscard]] std::uint64_t intervals() const { return interval_count_; }
@@ -110,7 +121,13 @@ class ContactArc {
   [[nodiscard]] std::uint64_t sweeps() const { return sweeps_; }
 
  private:
-  void lead(double time, const rotor::State& state, std::span<const Touch> touching, std::size_t leader);
+  void lead(double time, const rotor::ShaftAndRing& bodies, std::span<const Touch> touching,
+            std::size_t leader);
+  [[nodiscard]] const Blade& numbers(int blade) const { return numbers_[static_cast<std::size_t>(blade)]; }
+  [[nodiscard]] const blade::BendingTable& table(int blade) const { return *numbers(blade).table; }
+  [[nodiscard]] const Machine& machine() const { return machine_.numbers(); }
+  [[nodiscard]] contact::Pose pose(int blade, const Point& point) const;
+  static void move(Point& point, const Interval& interval, double late);
   void predict();
   [[nodiscard]] std::size_t number_of(int blade) const;
   [[nodiscard]] const Interval& made() const { return intervals_[made_]; }
@@ -128,16 +145,9 @@ class ContactArc {
   void start_next(Interval& next) const;
   bool solve(Interval& interval, bool warm);
   [[nodiscard]] double error_of(const Interval& interval) const;
-  [[nodiscard]] bool stays_valid(const Bounds& bounds) const;
-  /// What ends the interval, at θ: a lift-off of the leading blade, with p = 0 or under load, or a
-  /// touch-down.
-  struct Ending {
-    enum class Kind : std::uint8_t { none, unbent, under_load, touch_down };
-    Kind kind = Kind::none;
-    double fraction = 1.0;
-    int blade = -1;
-  };
-  [[nodiscard]] Ending lift_off(const Interval& interval) const;
+  [[nodiscard]] bool stays_valid(const Bounds& bounds, const Ending& ending) const;
+  [[nodiscard]] bool ends_at_fold(int blade) const;
+  [[nodiscard]] Ending guard_of_contacts(const Interval& interval) const;
   [[nodiscard]] std::optional<Ending> touch_down(const Interval& interval, Ending before);
   /// Whether the trial can be the next interval, up to its ending, and whether that is a stretch of it.
   enum class Verdict : std::uint8_t { holds, holds_in_part, too_long, another_leads, gives_up };
@@ -148,15 +158,18 @@ class ContactArc {
   void leave_earlier();
   void guess_further(Interval& next) const;
   bool cut(const Interval& whole, double fraction, Interval& shorter);
+  bool cut_at_reversal(const Interval& whole, Ending& ending, Interval& shorter);
   [[nodiscard]] static Point end_of(const Interval& interval);
   void end_at(const Interval& interval, const Ending& ending);
 
   const rotor::RotorConstants* rotor_;
-  const rotor::BladeSet* blades_;
-  const contact::ElasticaContact* law_;
-  const rotor::Harmonic* unbalance_;
+  const rotor::RipplingBlades* blades_;
+  const Laws* laws_;
+  const rotor::AnyShaft* shaft_;
+  const rotor::RingBody* ring_;
   Limits limits_;
-  const blade::BendingTable* table_;
+  MachineInTime machine_;
+  std::vector<Blade> numbers_;  ///< of the blades
   IntervalSolver solver_;
   Predictor predictor_;
   std::vector<contact::BladeDirection> offsets_;  ///< of the blades from blade 0's place
@@ -166,15 +179,14 @@ class ContactArc {
     std::array<double, 2> offset;
   };
   std::vector<Other> others_;
-  std::vector<FurtherStart> further_;  ///< where the next interval starts
-  double valid_argument_;              ///< p up to which δ/L is within its limit
+  std::vector<FurtherStart> further_;   ///< where the next interval starts
+  std::vector<double> valid_argument_;  ///< p of each blade up to which δ/L is within its limit
   Contact contact_;
   double allowed_;  ///< error of a velocity between the nodes [m per unit τ]
 
   int blade_ = 0;
   bool begins_ = false;  ///< the next interval is the first of the contact
-  bool lifts_off_ = false;
-  int touches_ = -1;
+  Ending ending_;
   bool lead_has_changed_ = false;  ///< since the last interval
   Point start_, end_;
   contact::BladeDirection er_{};         ///< of the blade at the end
@@ -186,6 +198,7 @@ class ContactArc {
   std::size_t number_ = 0;                 ///< of the next interval in the contact
   double gap_measure_ = 0.0;               ///< there
   double slip_velocity_ = 0.0;             ///< there
+  double reversal_rounding_ = 0.0;         ///< |v| where the slip reversal of an ending is
   double displacement_bound_ = 0.0;
   double gap_bound_of_others_ = 0.0;
   std::uint64_t interval_count_ = 0;

@@ -22,26 +22,17 @@ double largest_difference(const std::array<double, kSize>& a, const std::array<d
 
 }  // namespace
 
-void EarlierInterval::take(const Interval& solved, double length_of_arc) {
-  length = length_of_arc;
-  chord = solved.chord;
-  normal = solved.normal;
+void EarlierInterval::Places::take(const Body& solved) {
   start = solved.start;
-  deviation = solved.deviation;
-  elapsed = solved.elapsed;
   x = solved.x;
   y = solved.y;
   vx = solved.vx;
   vy = solved.vy;
 }
 
-void EarlierInterval::guess(Interval& next) const {
-  next.chord = chord;
-  next.normal = normal;
-  if (chord.time == 0.0) next.chord.argument = -next.start_argument;  // down to p = 0, wherever it starts
+void EarlierInterval::Places::guess(Body& next, const AtNodes& elapsed) const {
   std::array<double, 4> by{};
   for (std::size_t i = 0; i < by.size(); ++i) by[i] = next.start[i] - start[i];
-  next.deviation = deviation;
   for (std::size_t i = 0; i < kNodes; ++i) {
     next.x[i] = x[i] + (by[0] + by[2] * elapsed[i]);
     next.y[i] = y[i] + (by[1] + by[3] * elapsed[i]);
@@ -50,13 +41,33 @@ void EarlierInterval::guess(Interval& next) const {
   }
 }
 
+void EarlierInterval::take(const Interval& solved, bool ring_moves, double length_of_arc) {
+  length = length_of_arc;
+  chord = solved.chord;
+  normal = solved.normal;
+  deviation = solved.deviation;
+  elapsed = solved.elapsed;
+  shaft.take(solved.shaft);
+  if (ring_moves) ring.take(solved.ring);
+}
+
+void EarlierInterval::guess(Interval& next, bool ring_moves) const {
+  next.chord = chord;
+  next.normal = normal;
+  if (chord.time == 0.0) next.chord.argument = -next.start_argument;  // down to p = 0, wherever it starts
+  next.deviation = deviation;
+  shaft.guess(next.shaft, elapsed);
+  if (ring_moves) ring.guess(next.ring, elapsed);
+}
+
 double EarlierContacts::distance(const Beginning& a, const Beginning& b) const {
   if (a.slip != b.slip || (a.argument == 0.0) != (b.argument == 0.0))
     return std::numeric_limits<double>::infinity();
   const double of_places =
       std::max({largest_difference(a.state, b.state), largest_difference(a.forcing, b.forcing),
                 reach_ * largest_difference(a.blade, b.blade)});
-  return std::max(of_places / clearance_, std::abs(a.argument - b.argument));
+  return std::max({of_places / clearance_, std::abs(a.argument - b.argument),
+                   std::abs(a.angular_speed - b.angular_speed)});
 }
 
 EarlierContacts::Found EarlierContacts::find(const Beginning& beginning) {

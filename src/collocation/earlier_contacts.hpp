@@ -11,9 +11,10 @@ namespace rubatlas::collocation {
 
 /// How a contact begins.
 struct Beginning {
-  std::array<double, 4> state{};    ///< x, y, x', y'
+  std::array<double, 8> state{};    ///< of shaft and ring: places and velocities
   std::array<double, 2> blade{};    ///< er
-  std::array<double, 2> forcing{};  ///< acceleration by the unbalance [m per unit τ²]
+  double angular_speed = 0.0;       ///< φ' [rad per unit τ]
+  std::array<double, 2> forcing{};  ///< acceleration by all forcings [m per unit τ²]
   double argument = 0.0;            ///< p
   double slip = 0.0;                ///< s
 };
@@ -23,12 +24,18 @@ struct EarlierInterval {
   double length = 0.0;  ///< of its arc in the plane (τ/T, p)
   Interval::Direction chord{};
   Interval::Direction normal{};
-  std::array<double, 4> start{};  ///< x, y, x', y'
-  AtNodes deviation, elapsed, x, y, vx, vy;
+  AtNodes deviation, elapsed;
+  struct Places {
+    std::array<double, 4> start{};  ///< place and velocity
+    AtNodes x, y, vx, vy;
 
-  void take(const Interval& solved, double length_of_arc);
+    void take(const Body& solved);
+    void guess(Body& next, const AtNodes& elapsed) const;
+  } shaft, ring;
+
+  void take(const Interval& solved, bool ring_moves, double length_of_arc);
   /// Guesses an interval whose start is known: it goes on from there as this one did.
-  void guess(Interval& next) const;
+  void guess(Interval& next, bool ring_moves) const;
 };
 
 struct EarlierContact {

@@ -14,9 +14,9 @@ double deflection_per_square(const contact::ElasticaContact& law) {
 }
 
 FurtherStart further_start(const contact::ElasticaContact& law, const contact::Pose& pose, const Touch& touch,
-                           double speed_ratio) {
+                           double angular_speed) {
   const blade::BendingTable& table = law.curve().over_asinh();
-  const auto there = law.constraint(pose, touch.slip, touch.bending, speed_ratio);
+  const auto there = law.constraint(pose, touch.slip, touch.bending, angular_speed);
   const double gap_measure = law.gap_per_deflection(pose, touch.slip, touch.bending);
   const double argument = table.argument(touch.bending);
   double rate = 0.0;
@@ -27,7 +27,8 @@ FurtherStart further_start(const contact::ElasticaContact& law, const contact::P
     rate = -2.0 * argument * there.time_slope / (there.bending_slope * along);
   } else {
     // Where the blade begins to bend, g = 2 s ct Δ, with Δ ~ p².
-    rate = contact::gap_rate(law.geometry(), pose, speed_ratio) / (gap_measure * deflection_per_square(law));
+    rate =
+        contact::gap_rate(law.geometry(), pose, angular_speed) / (gap_measure * deflection_per_square(law));
   }
   return {.blade = touch.blade,
           .slip = touch.slip,

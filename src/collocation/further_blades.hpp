@@ -36,7 +36,7 @@ double deflection_per_square(const contact::ElasticaContact& law);
 
 /// From a blade's pose and the motion there.
 FurtherStart further_start(const contact::ElasticaContact& law, const contact::Pose& pose, const Touch& touch,
-                           double speed_ratio);
+                           double angular_speed);
 /// How p² goes on from the end of an interval, as its last three nodes have it.
 void go_on(const Interval& made, const FurtherBlade& blade, FurtherStart& start);
 

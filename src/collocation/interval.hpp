@@ -9,24 +9,67 @@
 
 namespace rubatlas::collocation {
 
-/// What does not change during a contact. Lengths in m.
-struct Contact {
-  double reach;          ///< rh + L
-  double ring_radius;    ///< R
-  double closing;        ///< (rh + L)² − R² [m²]
-  double length;         ///< L
-  double load_unit;      ///< EI/L² [N]
-  double friction;       ///< μ [-]
-  double force_unit;     ///< 1/(m ωn²) [m/N]
-  double damping_ratio;  ///< ζ [-]
-  double speed_ratio;    ///< Ω [-]
+/// What turns the blades, and what moves shaft and ring besides their contacts. Lengths in m, times in τ.
+struct Machine {
+  double speed_ratio;    ///< Ω, the mean where the speed ripples [-]
+  double damping_ratio;  ///< ζ, where the support is isotropic [-]
   double misalignment;   ///< y0
-  double slip;           ///< s = ±1 of the leading blade
-  bool forced;           ///< an unbalance acts
+  double ring_radius;    ///< R
+  double force_unit;     ///< 1/(m ωn²) [m/N]
+
+  /// z'' + C z' + K z = f, row by row; not read where the support is isotropic: K = 1, C = 2ζ.
+  struct Support {
+    bool isotropic = true;
+    std::array<double, 4> stiffness{};  ///< K [-]
+    std::array<double, 4> damping{};    ///< C [-]
+  } support{};
+
+  /// Σ F_j e^{iν_j τ}; the vectors stand in the interval.
+  static constexpr std::size_t kMostForcings = 40;
+  std::size_t forcing_count = 0;
+  std::array<double, kMostForcings> frequency{};  ///< ν_j [-]
+
+  /// φ' = Ω (1 + a cos(fτ + ψ)).
+  struct Ripple {
+    double amplitude = 0.0;  ///< a [-]
+    double frequency = 0.0;  ///< f [per unit τ]
+    double depth = 0.0;      ///< aΩ/f [rad]
+  } ripple{};
+
+  /// r'' + damping r' + stiffness r = −F force_unit.
+  struct Ring {
+    bool moves = false;
+    double stiffness = 0.0;   ///< ν² [-]
+    double damping = 0.0;     ///< 2ζ_ring ν [-]
+    double force_unit = 0.0;  ///< 1/(m_r ωn²) [m/N]
+  } ring{};
+
+  [[nodiscard]] bool ripples() const { return ripple.amplitude != 0.0; }
+};
+
+/// A blade and the ring under its tip. Lengths in m.
+struct Blade {
+  const blade::BendingTable* table;
+  double reach;             ///< rh + L
+  double closing;           ///< (rh + L)² − R² [m²]
+  double length;            ///< L
+  double load_unit;         ///< EI/L² [N]
+  double friction;          ///< μ [-]
+  double yield_unit;        ///< EI/(L² kr) [m]: yielding of the ring under F = EI/L²; 0 where it does not
+  double first_shortening;  ///< δ/Δ of a blade that is hardly bent [-]
+  double first_yielding;    ///< (F/kr)/Δ there [-]
+};
+
+/// A leading blade on a machine.
+struct Contact {
+  const Machine* machine;
+  const Blade* blade;
+  double slip;  ///< s = ±1
 };
 
 /// A further blade in contact. How far it is bent follows from where the shaft is.
 struct FurtherBlade {
+  const Blade* blade = nullptr;
   std::array<double, 2> offset{};    ///< cosine and sine of its angle from the leading blade
   double slip = 1.0;                 ///< s = ±1
   double start_square = 0.0;         ///< p² at the start
@@ -37,6 +80,15 @@ struct FurtherBlade {
   AtNodes slip_velocity;  ///< likewise
 };
 inline constexpr std::size_t kMostFurther = 3;
+
+/// Shaft or ring within an interval.
+struct Body {
+  std::array<double, 4> start{};         ///< place [m] and velocity [m per unit τ]
+  std::array<double, 2> acceleration{};  ///< at the start, for the first guess [m per unit τ²]
+  std::array<double, 2> jerk{};          ///< likewise [m per unit τ³]
+  AtNodes x, y, vx, vy;                  ///< a first guess, then the solution
+  AtNodes ax, ay;                        ///< [m per unit τ²]
+};
 
 /// A stretch of the curve h = 0 of one blade, which leads, in the plane (τ, p), written as a graph over its
 /// chord: at θ in [0, 1]
@@ -49,26 +101,26 @@ struct Interval {
     double argument;  ///< p
   };
 
-  double start_time = 0.0;               ///< τ of the revolution
-  double start_argument = 0.0;           ///< p
-  std::array<double, 4> start{};         ///< x, y, x', y'
-  std::array<double, 2> acceleration{};  ///< z'' there, for the first guess [m per unit τ²]
-  std::array<double, 2> jerk{};          ///< z''' there, likewise [m per unit τ³]
-  std::array<double, 2> blade{};         ///< er of the blade in contact at the start
-  std::array<double, 2> forcing{};       ///< acceleration by the unbalance there [m per unit τ²]
-  double start_gap_measure = 0.0;        ///< `gap_measure` there
-  double start_slip_velocity = 0.0;      ///< `slip_velocity` there
+  double start_time = 0.0;           ///< τ of the revolution
+  double start_argument = 0.0;       ///< p
+  std::array<double, 2> blade{};     ///< er of the blade in contact at the start
+  double start_angular_speed = 0.0;  ///< φ' there [rad per unit τ]
+  std::array<std::array<double, 2>, Machine::kMostForcings> forcing{};  ///< there [m per unit τ²]
+  std::array<double, 2> ripple{};                                       ///< e^{i(fτ + ψ)} there
+  double start_gap_measure = 0.0;                                       ///< `gap_measure` there
+  double start_slip_velocity = 0.0;                                     ///< `slip_velocity` there
   Direction chord{};
   Direction normal{};
 
   AtNodes deviation;         ///< w: a first guess, then the solution
-  AtNodes x, y, vx, vy;      ///< likewise
+  Body shaft;                ///< likewise
+  Body ring;                 ///< zero where it does not move
   AtNodes elapsed;           ///< τ since the start
   AtNodes argument;          ///< p
   AtNodes time_slope;        ///< dτ/dθ
   AtNodes argument_slope;    ///< dp/dθ
-  AtNodes ax, ay;            ///< z'' [m per unit τ²]
   AtNodes blade_x, blade_y;  ///< er of the blade
+  AtNodes angular_speed;     ///< φ' [rad per unit τ]
   AtNodes gap_measure;       ///< g/Δ [m], as h = 0 has it: it has the sign of g where the blade is bent
   AtNodes slip_velocity;     ///< v of the tip (MODEL 4.4) [m per unit τ]
   AtNodes coefficients;      ///< magnitudes of Legendre's coefficients of z'' dτ/dθ [m per unit τ]
@@ -80,35 +132,37 @@ struct Interval {
 /// How closely the equations are to be solved.
 struct Closeness {
   double velocity;  ///< error of x', y' that may be left [m per unit τ]
-  bool warm;        ///< x, y, x', y' at the nodes are known
+  bool warm;        ///< places and velocities at the nodes are known
 };
 
 /// Solves the equations at the nodes by sweeps. False where the sweeps do not converge; the interval then is
-/// of no use.
+/// of no use. No frequency of the machine times the length of the interval is above `kFarthestTurn`.
 ///
 /// A sweep makes one Newton step of h = 0 along the normal at all nodes, with the shaft moving along its
 /// path; there follow the forces, accelerations, velocities and places, the last two as integrals of the
 /// polynomials through the nodes. Only what the force does to the place, and the place to h, is left to
 /// converge.
-using Solve = bool (*)(const Contact& contact, const blade::BendingTable& table, const Closeness& closeness,
-                       Interval& interval);
+using Solve = bool (*)(const Contact& contact, const Closeness& closeness, Interval& interval);
+inline constexpr double kFarthestTurn = 0.8;  ///< [rad]: series of sine and cosine lose 1e-16 there
 
 /// Bounds of what changes within an interval that is solved, as the polynomials through the start and the
 /// nodes have it: none of them leaves the range of its Bernstein coefficients.
 struct Bounds {
-  double slip_velocity;  ///< least s v of all blades: no slip reverses where it is positive [m per unit τ]
-  double gap_measure;    ///< least g/Δ of the leading blade; the start is left out, where it may be 0 [m]
-  double argument;       ///< largest p of all blades
-  double displacement;   ///< largest |z| [m]
-  double distance;       ///< largest |c|, of the shaft from the ring's centre [m]
-  std::array<bool, kMostFurther> stays;  ///< a further blade stays bent
+  /// Least s v, of the leading blade and of the others: no slip reverses where it is positive [m per unit τ].
+  std::array<double, 1 + kMostFurther> slip_velocity;
+  double gap_measure;   ///< least g/Δ of the leading blade; the start is left out, where it may be 0 [m]
+  double argument;      ///< largest p of the leading blade
+  double displacement;  ///< largest |z| [m]
+  double distance;      ///< largest |c|, of the shaft from the ring's centre [m]
+  std::array<double, kMostFurther> further_argument;  ///< largest p of the others
+  std::array<bool, kMostFurther> stays;               ///< a further blade stays bent
 
   friend bool operator==(const Bounds&, const Bounds&) = default;
 };
 using BoundsOf = Bounds (*)(const Contact& contact, const Interval& interval);
 /// Bound of the gap [m²] of another blade, straight, whose direction is that of the leading blade turned
 /// by the angle whose cosine and sine are given. The start is left out, where it may be 0.
-using LargestGap = double (*)(const Contact& contact, const Interval& interval,
+using LargestGap = double (*)(const Contact& contact, const Interval& interval, const Blade& blade,
                               const std::array<double, 2>& offset);
 
 struct IntervalSolver {

@@ -21,39 +21,37 @@ class IntervalBounds {
   RUBATLAS_INLINE Bounds bounds() const {
     const Interval& in = interval_;
     Bounds result{};
-    const double slip = contact_.slip;
-    result.slip_velocity = least(slip * in.start_slip_velocity, Number(in.slip_velocity) * slip);
+    result.slip_velocity[0] =
+        least(contact_.slip * in.start_slip_velocity, Number(in.slip_velocity) * contact_.slip);
     result.gap_measure = later(in.start_gap_measure, Number(in.gap_measure)).least();
     result.argument = largest(in.start_argument, Number(in.argument));
-    const Number x(in.x);
-    const Number y(in.y);
-    const double across = largest_magnitude(in.start[0], x);
-    result.displacement = std::sqrt(square(across) + square(largest_magnitude(in.start[1], y)));
-    const double centre = in.start[1] + contact_.misalignment;
-    const Number centres = y + contact_.misalignment;
-    result.distance = std::sqrt(square(across) + square(largest_magnitude(centre, centres)));
+    result.displacement =
+        farthest(in.shaft.start[0], Number(in.shaft.x), in.shaft.start[1], Number(in.shaft.y));
+    const Place start = start_from_ring();
+    const Places nodes = from_ring();
+    result.distance = farthest(start.x, nodes.x, start.y, nodes.y);
     for (std::size_t k = 0; k < in.further_count; ++k) {
       const FurtherBlade& blade = in.further[k];
-      result.slip_velocity = std::min(result.slip_velocity, least(blade.slip * blade.start_slip_velocity,
-                                                                  Number(blade.slip_velocity) * blade.slip));
+      result.slip_velocity[1 + k] =
+          least(blade.slip * blade.start_slip_velocity, Number(blade.slip_velocity) * blade.slip);
       const Number squares = later(blade.start_square, Number(blade.square));
-      result.argument = std::max(result.argument, std::sqrt(std::max(blade.start_square, squares.largest())));
+      result.further_argument[k] = std::sqrt(std::max(blade.start_square, squares.largest()));
       result.stays[k] =
           squares.least() > 0.0 && later(blade.start_gap_measure, Number(blade.gap_measure)).least() > 0.0;
     }
     return result;
   }
 
-  RUBATLAS_INLINE double gap(const std::array<double, 2>& offset) const {
+  RUBATLAS_INLINE double gap(const Blade& blade, const std::array<double, 2>& offset) const {
     const Interval& in = interval_;
     const Number blade_x(in.blade_x);
     const Number blade_y(in.blade_y);
-    const double start = gap_of(in.start[0], in.start[1] + contact_.misalignment,
-                                in.blade[0] * offset[0] - in.blade[1] * offset[1],
+    const Place seen = start_from_ring();
+    const double start = gap_of(blade, seen.x, seen.y, in.blade[0] * offset[0] - in.blade[1] * offset[1],
                                 in.blade[1] * offset[0] + in.blade[0] * offset[1]);
-    const Number nodes =
-        gap_of(Number(in.x), Number(in.y) + contact_.misalignment, blade_x * offset[0] - blade_y * offset[1],
-               blade_y * offset[0] + blade_x * offset[1]);
+    const Places at_nodes = from_ring();
+    const Number nodes = gap_of(blade, at_nodes.x, at_nodes.y, blade_x * offset[0] - blade_y * offset[1],
+                                blade_y * offset[0] + blade_x * offset[1]);
     return later(start, nodes).largest();
   }
 
@@ -61,10 +59,32 @@ class IntervalBounds {
   using Number = Lanes<kWidth>;
 
   static double square(double number) { return number * number; }
+
+  /// Shaft from the ring's centre, at the start and at the nodes.
+  struct Place {
+    double x, y;
+  };
+  struct Places {
+    Number x, y;
+  };
+  [[nodiscard]] Place start_from_ring() const {
+    const Interval& in = interval_;
+    return {in.shaft.start[0] - in.ring.start[0],
+            in.shaft.start[1] - in.ring.start[1] + contact_.machine->misalignment};
+  }
+  RUBATLAS_INLINE Places from_ring() const {
+    return {Number(interval_.shaft.x) - Number(interval_.ring.x),
+            Number(interval_.shaft.y) - Number(interval_.ring.y) + contact_.machine->misalignment};
+  }
+  /// Bound of the distance from zero.
+  RUBATLAS_INLINE double farthest(double start_x, const Number& x, double start_y, const Number& y) const {
+    return std::sqrt(square(largest_magnitude(start_x, x)) + square(largest_magnitude(start_y, y)));
+  }
   /// Of the tip of a straight blade in the direction er (MODEL 2).
   template <class Value>
-  RUBATLAS_INLINE Value gap_of(const Value& x, const Value& y, const Value& er_x, const Value& er_y) const {
-    return (x * x + y * y) + ((x * er_x + y * er_y) * (2.0 * contact_.reach) + contact_.closing);
+  RUBATLAS_INLINE static Value gap_of(const Blade& blade, const Value& x, const Value& y, const Value& er_x,
+                                      const Value& er_y) {
+    return (x * x + y * y) + ((x * er_x + y * er_y) * (2.0 * blade.reach) + blade.closing);
   }
 
   /// Coefficients 1 to 8; coefficient 0 is the value at the start.
@@ -91,8 +111,9 @@ Bounds bounds_of(const Contact& contact, const Interval& interval) {
   return IntervalBounds<kWidth>(contact, interval).bounds();
 }
 template <std::size_t kWidth>
-double largest_gap_of(const Contact& contact, const Interval& interval, const std::array<double, 2>& offset) {
-  return IntervalBounds<kWidth>(contact, interval).gap(offset);
+double largest_gap_of(const Contact& contact, const Interval& interval, const Blade& blade,
+                      const std::array<double, 2>& offset) {
+  return IntervalBounds<kWidth>(contact, interval).gap(blade, offset);
 }
 
 }  // namespace

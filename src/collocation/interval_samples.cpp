@@ -31,10 +31,10 @@ class Shaft {
  public:
   explicit Shaft(const Interval& interval)
       : interval_(&interval),
-        x_(at_places(interval.start[0], interval.x)),
-        y_(at_places(interval.start[1], interval.y)),
-        vx_(at_places(interval.start[2], interval.vx)),
-        vy_(at_places(interval.start[3], interval.vy)) {}
+        x_(at_places(interval.shaft.start[0], interval.shaft.x)),
+        y_(at_places(interval.shaft.start[1], interval.shaft.y)),
+        vx_(at_places(interval.shaft.start[2], interval.shaft.vx)),
+        vy_(at_places(interval.shaft.start[3], interval.shaft.vy)) {}
 
   [[nodiscard]] Swing at(double fraction) const { return at(fraction, basis_at(fraction)); }
   /// z·z' there and its slope by θ.
@@ -45,8 +45,8 @@ class Shaft {
     const double y = sum_of_products(basis, y_);
     const double vx = sum_of_products(basis, vx_);
     const double vy = sum_of_products(basis, vy_);
-    const double ax = sum_of_products(slopes, interval_->ax);
-    const double ay = sum_of_products(slopes, interval_->ay);
+    const double ax = sum_of_products(slopes, interval_->shaft.ax);
+    const double ay = sum_of_products(slopes, interval_->shaft.ay);
     return {x * vx + y * vy,
             (vx * vx + vy * vy + x * ax + y * ay) * sum_of_products(slopes, interval_->time_slope)};
   }
@@ -109,7 +109,8 @@ double crossing(const AtPlaces& values, std::size_t place) {
 
 Farthest farthest(const Interval& interval, double from, double to) {
   const Shaft shaft(interval);
-  const auto& start = interval.start;
+  const Body& body = interval.shaft;
+  const auto& start = body.start;
   Swing before = from > 0.0 ? shaft.at(from) : swing(0.0, start[0], start[1], start[2], start[3]);
   Swing most = before;
   const auto take = [&](const Swing& there) {
@@ -118,9 +119,8 @@ Farthest farthest(const Interval& interval, double from, double to) {
   const AtNodes& node = node_tables().node;
   for (std::size_t i = 0; i < kNodes && before.fraction < to; ++i) {
     if (node[i] <= from) continue;
-    const Swing after = node[i] > to
-                            ? shaft.at(to)
-                            : swing(node[i], interval.x[i], interval.y[i], interval.vx[i], interval.vy[i]);
+    const Swing after =
+        node[i] > to ? shaft.at(to) : swing(node[i], body.x[i], body.y[i], body.vx[i], body.vy[i]);
     take(after);
     if (before.rate > 0.0 && after.rate < 0.0) {
       const double share = before.rate / (before.rate - after.rate);
@@ -133,52 +133,65 @@ Farthest farthest(const Interval& interval, double from, double to) {
   return {most.fraction, std::sqrt(most.square)};
 }
 
-std::optional<TipTop> top_of_tip(const Contact& contact, const Interval& interval,
+std::optional<TipTop> top_of_tip(const Machine& machine, const Interval& interval, const Blade& blade,
                                  const std::array<double, 2>& offset) {
-  const auto along = [&](double er_x, double er_y) {
-    return std::array{er_x * offset[0] - er_y * offset[1], er_y * offset[0] + er_x * offset[1]};
+  const Body& shaft = interval.shaft;
+  const Body& ring = interval.ring;
+  // Shaft from the ring's centre, velocity, direction and φ' of the leading blade at the places.
+  std::array<AtPlaces, 7> values{at_places(shaft.start[0], shaft.x),
+                                 at_places(shaft.start[1], shaft.y),
+                                 at_places(shaft.start[2], shaft.vx),
+                                 at_places(shaft.start[3], shaft.vy),
+                                 at_places(interval.blade[0], interval.blade_x),
+                                 at_places(interval.blade[1], interval.blade_y),
+                                 at_places(interval.start_angular_speed, interval.angular_speed)};
+  if (machine.ring.moves) {
+    const std::array<const AtNodes*, 4> nodes{&ring.x, &ring.y, &ring.vx, &ring.vy};
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const AtPlaces of_ring = at_places(ring.start[k], *nodes[k]);
+      for (std::size_t i = 0; i < kPlaces; ++i) values[k][i] -= of_ring[i];
+    }
+  }
+  for (double& y : values[1]) y += machine.misalignment;
+  std::array<double, 7> there{};
+  const auto direction = [&] {
+    return std::array{there[4] * offset[0] - there[5] * offset[1],
+                      there[5] * offset[0] + there[4] * offset[1]};
   };
-  // Half of dg/dτ (MODEL 2): c·c' + (rh + L)(c'·er + Ω c·et).
-  const auto rate = [&](double x, double y, double vx, double vy, double er_x, double er_y) {
-    const auto er = along(er_x, er_y);
-    const double centre = y + contact.misalignment;
-    return x * vx + centre * vy +
-           contact.reach * (vx * er[0] + vy * er[1] + contact.speed_ratio * (centre * er[0] - x * er[1]));
+  // Half of dg/dτ (MODEL 2): c·c' + (rh + L)(c'·er + φ' c·et).
+  const auto rate = [&] {
+    const auto er = direction();
+    return there[0] * there[2] + there[1] * there[3] +
+           blade.reach *
+               (there[2] * er[0] + there[3] * er[1] + there[6] * (there[1] * er[0] - there[0] * er[1]));
   };
-  const auto& start = interval.start;
-  double before = rate(start[0], start[1], start[2], start[3], interval.blade[0], interval.blade[1]);
-  for (std::size_t i = 0; i < kNodes; ++i) {
-    const double after = rate(interval.x[i], interval.y[i], interval.vx[i], interval.vy[i],
-                              interval.blade_x[i], interval.blade_y[i]);
+  const auto rate_at_place = [&](std::size_t place) {
+    for (std::size_t k = 0; k < values.size(); ++k) there[k] = values[k][place];
+    return rate();
+  };
+  const auto rate_at = [&](double fraction) {
+    const AtPlaces basis = basis_at(fraction);
+    for (std::size_t k = 0; k < values.size(); ++k) there[k] = sum_of_products(basis, values[k]);
+    return rate();
+  };
+  double before = rate_at_place(0);
+  for (std::size_t i = 1; i < kPlaces; ++i) {
+    const double after = rate_at_place(i);
     if (before > 0.0 && after <= 0.0) {
       const AtPlaces& place = node_tables().place;
-      const std::array<AtPlaces, 6> values{at_places(start[0], interval.x),
-                                           at_places(start[1], interval.y),
-                                           at_places(start[2], interval.vx),
-                                           at_places(start[3], interval.vy),
-                                           at_places(interval.blade[0], interval.blade_x),
-                                           at_places(interval.blade[1], interval.blade_y)};
-      std::array<double, 6> there{};
-      const auto rate_at = [&](double fraction) {
-        const AtPlaces basis = basis_at(fraction);
-        for (std::size_t k = 0; k < values.size(); ++k) there[k] = sum_of_products(basis, values[k]);
-        return rate(there[0], there[1], there[2], there[3], there[4], there[5]);
-      };
       const double fraction =
-          integrate::root_between(rate_at, place[i], place[i + 1], before, after, kBitsOfTop);
+          integrate::root_between(rate_at, place[i - 1], place[i], before, after, kBitsOfTop);
       rate_at(fraction);
-      const auto er = along(there[4], there[5]);
-      const double centre = there[1] + contact.misalignment;
-      return TipTop{fraction, there[0] * there[0] + centre * centre +
-                                  2.0 * contact.reach * (there[0] * er[0] + centre * er[1]) +
-                                  contact.closing};
+      const auto er = direction();
+      return TipTop{fraction, there[0] * there[0] + there[1] * there[1] +
+                                  2.0 * blade.reach * (there[0] * er[0] + there[1] * er[1]) + blade.closing};
     }
     before = after;
   }
   return std::nullopt;
 }
 
-void read_stretch(const Interval& interval, double fraction, Interval& stretch) {
+void read_stretch(const Interval& interval, bool ring_moves, double fraction, Interval& stretch) {
   const NodeTables& tables = node_tables();
   std::array<AtNodes, kPlaces> basis;
   AtNodes sum{};
@@ -205,10 +218,14 @@ void read_stretch(const Interval& interval, double fraction, Interval& stretch) 
     to = value;
   };
   read(0.0, interval.deviation, stretch.deviation);
-  read(interval.start[0], interval.x, stretch.x);
-  read(interval.start[1], interval.y, stretch.y);
-  read(interval.start[2], interval.vx, stretch.vx);
-  read(interval.start[3], interval.vy, stretch.vy);
+  const auto read_body = [&](const Body& from, Body& to) {
+    read(from.start[0], from.x, to.x);
+    read(from.start[1], from.y, to.y);
+    read(from.start[2], from.vx, to.vx);
+    read(from.start[3], from.vy, to.vy);
+  };
+  read_body(interval.shaft, stretch.shaft);
+  if (ring_moves) read_body(interval.ring, stretch.ring);
   for (std::size_t k = 0; k < interval.further_count; ++k)
     read(interval.further[k].start_square, interval.further[k].square, stretch.further[k].square);
 }

@@ -34,10 +34,10 @@ struct TipTop {
   double gap;       ///< g [m²], as the interval's polynomials have it
 };
 /// `offset`: cosine and sine of the blade's angle from the leading one.
-std::optional<TipTop> top_of_tip(const Contact& contact, const Interval& interval,
+std::optional<TipTop> top_of_tip(const Machine& machine, const Interval& interval, const Blade& blade,
                                  const std::array<double, 2>& offset);
 
 /// Sets the places and velocities of a stretch to those of the interval up to θ, as a first guess.
-void read_stretch(const Interval& interval, double fraction, Interval& stretch);
+void read_stretch(const Interval& interval, bool ring_moves, double fraction, Interval& stretch);
 
 }  // namespace rubatlas::collocation

@@ -18,36 +18,22 @@ class Sweeps {
  public:
   using Number = Lanes<kWidth>;
 
-  Sweeps(const Contact& contact, const blade::BendingTable& table, const Closeness& closeness,
-         Interval& interval)
+  Sweeps(const Contact& contact, const Closeness& closeness, Interval& interval)
       : contact_(contact),
-        table_(table),
+        machine_(*contact.machine),
         closeness_(closeness),
         interval_(interval),
         nodes_(node_tables()),
         chord_time_(Number(nodes_.node) * interval.chord.time),
         chord_argument_(Number(nodes_.node) * interval.chord.argument + interval.start_argument),
         deviation_(interval.deviation) {
-    if (closeness.warm) {
-      x_ = Number(interval.x);
-      y_ = Number(interval.y);
-      vx_ = Number(interval.vx);
-      vy_ = Number(interval.vy);
-    } else {
-      const Number elapsed = chord_time_ + deviation_ * interval.normal.time;
-      const auto taylor = [&](std::size_t i, Number& place, Number& velocity) {
-        const double acceleration = interval.acceleration[i];
-        const double jerk = interval.jerk[i];
-        velocity = elapsed * (elapsed * (0.5 * jerk) + acceleration) + interval.start[2 + i];
-        place = elapsed *
-                    (elapsed * (elapsed * (jerk * (1.0 / 6)) + 0.5 * acceleration) + interval.start[2 + i]) +
-                interval.start[i];
-      };
-      taylor(0, x_, vx_);
-      taylor(1, y_, vy_);
-    }
+    shaft_.start(interval.shaft, closeness.warm, elapsed());
+    if (machine_.ring.moves) ring_.start(interval.ring, closeness.warm, elapsed());
+    see_from_ring();
+    lead_.blade = contact.blade;
     lead_.slip = contact.slip;
     for (std::size_t k = 0; k < interval.further_count; ++k) {
+      further_[k].blade = interval.further[k].blade;
       further_[k].slip = interval.further[k].slip;
       further_[k].square = Number(interval.further[k].square);
     }
@@ -101,11 +87,11 @@ class Sweeps {
     std::array<const double*, kNodes> coefficients;
     std::array<double, kNodes> t;
   };
-  RUBATLAS_INLINE Places places(const Number& argument) const {
+  RUBATLAS_INLINE static Places places(const blade::BendingTable& table, const Number& argument) {
     constexpr double kPerPiece = 1.0 / blade::BendingTable::kWidth;
     const Number place = argument * kPerPiece;
     const Number piece =
-        whole(smaller(larger(place, Number(0.0)), Number(static_cast<double>(table_.last_piece()))));
+        whole(smaller(larger(place, Number(0.0)), Number(static_cast<double>(table.last_piece()))));
     Places result;
     // Not set to zero first. NOLINTNEXTLINE(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
     alignas(64) double pieces[kNodes];
@@ -114,7 +100,7 @@ class Sweeps {
     piece.store_to(pieces);
     ((place - piece) * 2.0 - 1.0).store_to(t);
     for (std::size_t k = 0; k < kNodes; ++k) {
-      result.coefficients[k] = table_.pieces()[static_cast<int>(pieces[k])].coefficients[0].data();
+      result.coefficients[k] = table.pieces()[static_cast<int>(pieces[k])].coefficients[0].data();
       result.t[k] = t[k];
     }
     return result;
@@ -137,7 +123,7 @@ class Sweeps {
     return {quantity(0), quantity(1), quantity(2)};
   }
 
-  RUBATLAS_INLINE Bend curve(const Places& at) const {
+  RUBATLAS_INLINE static Bend curve(const Places& at) {
     Rows<kNodes> sum;
     for (std::size_t k = 0; k < kNodes; ++k) {
       for (std::size_t r = 0; r < kRows; ++r)
@@ -155,7 +141,7 @@ class Sweeps {
 
   /// With the slopes by p, of the powers up to `kSlopeDegree`: they are for Newton's steps only. Four nodes
   /// at a time: as many as registers hold.
-  RUBATLAS_INLINE Bend curve_with_slopes(const Places& at, Bend& slope) const {
+  RUBATLAS_INLINE static Bend curve_with_slopes(const Places& at, Bend& slope) {
     constexpr std::size_t kAtOnce = 4;
     Rows<kNodes> sum;
     Rows<kNodes> rate;
@@ -216,78 +202,181 @@ class Sweeps {
     }
   };
 
+  /// Shaft or ring at the nodes.
+  struct Motion {
+    Number x, y, vx, vy, ax, ay;
+
+    RUBATLAS_INLINE void start(const Body& body, bool warm, const Number& elapsed) {
+      if (warm) {
+        x = Number(body.x);
+        y = Number(body.y);
+        vx = Number(body.vx);
+        vy = Number(body.vy);
+        return;
+      }
+      const auto taylor = [&](std::size_t i, Number& place, Number& velocity) RUBATLAS_INLINED {
+        const double acceleration = body.acceleration[i];
+        const double jerk = body.jerk[i];
+        velocity = elapsed * (elapsed * (0.5 * jerk) + acceleration) + body.start[2 + i];
+        place =
+            elapsed * (elapsed * (elapsed * (jerk * (1.0 / 6)) + 0.5 * acceleration) + body.start[2 + i]) +
+            body.start[i];
+      };
+      taylor(0, x, vx);
+      taylor(1, y, vy);
+    }
+    /// Integrates the accelerations; `time_rate`: dτ/dθ. Returns the largest change of a velocity.
+    RUBATLAS_INLINE double integrate(const Body& body, const NodeTables& nodes, const Number& time_rate) {
+      const Number vx_next = Number::combined(nodes.integral, ax * time_rate) + body.start[2];
+      const Number vy_next = Number::combined(nodes.integral, ay * time_rate) + body.start[3];
+      x = Number::combined(nodes.integral, vx_next * time_rate) + body.start[0];
+      y = Number::combined(nodes.integral, vy_next * time_rate) + body.start[1];
+      const double change = larger(magnitude(vx_next - vx), magnitude(vy_next - vy)).largest();
+      vx = vx_next;
+      vy = vy_next;
+      return change;
+    }
+    /// Squares of Legendre's coefficients of the velocity's slope by θ.
+    RUBATLAS_INLINE Number squares(const NodeTables& nodes, const Number& time_rate) const {
+      const Number along_x = Number::combined(nodes.legendre, ax * time_rate);
+      const Number along_y = Number::combined(nodes.legendre, ay * time_rate);
+      return along_x * along_x + along_y * along_y;
+    }
+    RUBATLAS_INLINE void store(Body& body) const {
+      x.store(body.x);
+      y.store(body.y);
+      vx.store(body.vx);
+      vy.store(body.vy);
+      ax.store(body.ax);
+      ay.store(body.ay);
+    }
+  };
+
   /// A blade in contact.
   struct Tip {
+    const Blade* blade;
     double slip;                        ///< s = ±1
     Number shortening, deflection;      ///< δ and s Δ [m]
     Number a, b, a_rate, b_rate;        ///< of the tip against the ring's centre in (er, ep) [m], and by τ
     Bend slope;                         ///< of load, δ and s Δ by p
     Number argument_slope, time_slope;  ///< of h by p, and along the motion (MODEL 4.1)
+    Number yielding;                    ///< F/kr of the ring under the tip [m]
   };
   /// A further one, of which h = 0 is solved for p².
   struct FurtherTip : Tip {
     Number square;
   };
 
-  /// Directions of the leading blade and of the forcing at the present places.
-  RUBATLAS_INLINE void take_directions() {
-    const Contact& c = contact_;
-    const Number angle = (chord_time_ + deviation_ * interval_.normal.time) * c.speed_ratio;
+  RUBATLAS_INLINE Number elapsed() const {
+    return chord_time_ + deviation_ * interval_.normal.time;
+  }
+
+  /// Shaft's centre and velocity as seen from the ring's.
+  RUBATLAS_INLINE void see_from_ring() {
+    seen_ = {shaft_.x, shaft_.y + machine_.misalignment};
+    seen_velocity_ = {shaft_.vx, shaft_.vy};
+    if (!machine_.ring.moves) return;
+    seen_ = {seen_.x - ring_.x, seen_.y - ring_.y};
+    seen_velocity_ = {seen_velocity_.x - ring_.vx, seen_velocity_.y - ring_.vy};
+  }
+
+  /// Direction of the leading blade, and how fast it turns, at these times.
+  RUBATLAS_INLINE void take_direction(const Number& elapsed) {
+    const Machine& m = machine_;
+    Number angle = elapsed * m.speed_ratio;
+    angular_speed_ = m.speed_ratio;
+    if (m.ripples()) {
+      const Vector ripple = turned(interval_.ripple, elapsed * m.ripple.frequency);
+      angle = angle + (ripple.y - interval_.ripple[1]) * m.ripple.depth;
+      angular_speed_ = ripple.x * (m.speed_ratio * m.ripple.amplitude) + m.speed_ratio;
+    }
     er_ = turned(interval_.blade, angle);
-    if (c.forced) forcing_ = turned(interval_.forcing, angle);
+  }
+  /// Adds the acceleration by the forcings to that of the shaft.
+  RUBATLAS_INLINE void add_forcings() {
+    const std::array<double, 2>& blade = interval_.blade;
+    for (std::size_t j = 0; j < machine_.forcing_count; ++j) {
+      const std::array<double, 2>& start = interval_.forcing[j];
+      const double frequency = machine_.frequency[j];
+      Vector term;
+      if (frequency == 0.0) {
+        term = {Number(start[0]), Number(start[1])};
+      } else if (frequency == machine_.speed_ratio && !machine_.ripples()) {
+        // It stands still against the blade.
+        term = offset_by(
+            er_, {start[0] * blade[0] + start[1] * blade[1], start[1] * blade[0] - start[0] * blade[1]});
+      } else {
+        term = turned(start, elapsed() * frequency);
+      }
+      shaft_.ax = shaft_.ax + term.x;
+      shaft_.ay = shaft_.ay + term.y;
+    }
   }
 
   /// Load, shortening and deflection of a tip, with their slopes unless those are kept.
   template <bool kLight>
-  RUBATLAS_INLINE Bend bend_of(Tip& tip, const Number& argument) const {
-    const Places at = places(argument);
+  RUBATLAS_INLINE static Bend bend_of(Tip& tip, const Number& argument) {
+    const Places at = places(*tip.blade->table, argument);
     if constexpr (kLight) return curve(at);
     const Bend bend = curve_with_slopes(at, tip.slope);
-    tip.slope.shortening = tip.slope.shortening * contact_.length;
-    tip.slope.deflection = tip.slope.deflection * (tip.slip * contact_.length);
+    tip.slope.shortening = tip.slope.shortening * tip.blade->length;
+    tip.slope.deflection = tip.slope.deflection * (tip.slip * tip.blade->length);
     return bend;
   }
 
   /// Pose of the blade (MODEL 2), and its residual of h = 0 (MODEL 4.1) with the slopes.
   template <bool kLight>
   RUBATLAS_INLINE Number residual_of(Tip& tip, const Bend& bend, const Vector& er) const {
-    const Contact& c = contact_;
-    const Number cy = y_ + c.misalignment;
-    const Number radial = x_ * er.x + cy * er.y;
-    const Number tangential = cy * er.x - x_ * er.y;
-    const Number gap = (x_ * x_ + cy * cy) + (radial * (2.0 * c.reach) + c.closing);
-    tip.shortening = bend.shortening * c.length;
-    tip.deflection = bend.deflection * (tip.slip * c.length);  // s Δ
-    const Number along = radial + c.reach;
-    const Number residual = gap + (tip.shortening * (tip.shortening - along * 2.0) +
-                                   tip.deflection * (tip.deflection - tangential * 2.0));
+    const Blade& blade = *tip.blade;
+    const Number radial = seen_.x * er.x + seen_.y * er.y;
+    const Number tangential = seen_.y * er.x - seen_.x * er.y;
+    const Number gap =
+        (seen_.x * seen_.x + seen_.y * seen_.y) + (radial * (2.0 * blade.reach) + blade.closing);
+    tip.shortening = bend.shortening * blade.length;
+    tip.deflection = bend.deflection * (tip.slip * blade.length);  // s Δ
+    const Number along = radial + blade.reach;
+    Number residual = gap + (tip.shortening * (tip.shortening - along * 2.0) +
+                             tip.deflection * (tip.deflection - tangential * 2.0));
     tip.a = along - tip.shortening;
     tip.b = tangential - tip.deflection;
     if constexpr (!kLight) {
       tip.argument_slope = (tip.a * tip.slope.shortening + tip.b * tip.slope.deflection) * -2.0;
-      tip.a_rate = (vx_ * er.x + vy_ * er.y) + tangential * c.speed_ratio;
-      tip.b_rate = (vy_ * er.x - vx_ * er.y) - radial * c.speed_ratio;
+      tip.a_rate = (seen_velocity_.x * er.x + seen_velocity_.y * er.y) + tangential * angular_speed_;
+      tip.b_rate = (seen_velocity_.y * er.x - seen_velocity_.x * er.y) - radial * angular_speed_;
       tip.time_slope = (tip.a * tip.a_rate + tip.b * tip.b_rate) * 2.0;
+    }
+    if (blade.yield_unit != 0.0) {
+      const Number yielding = bend.load * blade.yield_unit;
+      residual = residual - yielding * (yielding + 2.0 * machine_.ring_radius);
+      if constexpr (!kLight)
+        tip.argument_slope = tip.argument_slope -
+                             (yielding + machine_.ring_radius) * tip.slope.load * (2.0 * blade.yield_unit);
     }
     return residual;
   }
 
   /// Moves a tip on by steps in p and τ, and gives what it does to the shaft, as an acceleration (MODEL 4.3).
-  /// `er`: at the end of the steps. The force's normal is (a, b)/R where h = 0.
+  /// `er`: at the end of the steps. The force's normal is (a, b)/(R + F/kr) where h = 0.
   RUBATLAS_INLINE Vector push_of(Tip& tip, const Bend& bend, const Number& argument_step,
                                  const Number& time_step, const Vector& er) const {
-    const Contact& c = contact_;
-    const Number load = (bend.load + tip.slope.load * argument_step) * c.load_unit;
+    const Blade& blade = *tip.blade;
+    const Number of_unit = bend.load + tip.slope.load * argument_step;
+    const Number load = of_unit * blade.load_unit;
     const Number less = tip.slope.shortening * argument_step;
     const Number more = tip.slope.deflection * argument_step;
     tip.shortening = tip.shortening + less;
     tip.deflection = tip.deflection + more;
     tip.a = tip.a + (tip.a_rate * time_step - less);
     tip.b = tip.b + (tip.b_rate * time_step - more);
-    const double per_radius = c.force_unit / c.ring_radius;
-    const double friction = tip.slip * c.friction;
+    Number per_radius = machine_.force_unit / machine_.ring_radius;
+    tip.yielding = 0.0;
+    if (blade.yield_unit != 0.0) {
+      tip.yielding = of_unit * blade.yield_unit;
+      per_radius = Number(machine_.force_unit) / (tip.yielding + machine_.ring_radius);
+    }
+    const double friction = tip.slip * blade.friction;
     const Number radial = load * ((tip.b * friction - tip.a) * per_radius);
-    const Number tangential = load * ((tip.a * friction + tip.b) * -per_radius);
+    const Number tangential = load * ((tip.a * friction + tip.b) * (per_radius * -1.0));
     return {radial * er.x - tangential * er.y, radial * er.y + tangential * er.x};
   }
 
@@ -317,9 +406,9 @@ class Sweeps {
   /// then, and the solution does not depend on the slopes.
   template <bool kLight>
   RUBATLAS_INLINE double sweep() {
-    const Contact& c = contact_;
+    const Machine& m = machine_;
     const Interval& in = interval_;
-    if constexpr (!kLight) take_directions();
+    if constexpr (!kLight) take_direction(elapsed());
     const Bend bend = bend_of<kLight>(lead_, chord_argument_ + deviation_ * in.normal.argument);
     const Number residual = residual_of<kLight>(lead_, bend, er_);
     if constexpr (!kLight) {
@@ -333,83 +422,101 @@ class Sweeps {
     largest_step_ = magnitude(step).largest();
     const Number time_step = step * in.normal.time;
     const Vector er_before = er_;
-    const Turn turn(time_step * c.speed_ratio);
-    er_ = turn(er_);
+    if (m.ripples()) {
+      take_direction(elapsed());
+    } else {
+      er_ = Turn(time_step * m.speed_ratio)(er_);
+    }
     Vector push = push_of(lead_, bend, step * in.normal.argument, time_step, er_);
     for (std::size_t k = 0; k < in.further_count; ++k) {
       const Vector more = push_of_further<kLight>(k, er_before, time_step);
       push = {push.x + more.x, push.y + more.y};
     }
-    const double damping = 2.0 * c.damping_ratio;
-    ax_ = (push.x - x_) - vx_ * damping;
-    ay_ = (push.y - y_) - vy_ * damping;
-    if (c.forced) {
-      forcing_ = turn(forcing_);
-      ax_ = ax_ + forcing_.x;
-      ay_ = ay_ + forcing_.y;
+    if (m.support.isotropic) {
+      const double damping = 2.0 * m.damping_ratio;
+      shaft_.ax = (push.x - shaft_.x) - shaft_.vx * damping;
+      shaft_.ay = (push.y - shaft_.y) - shaft_.vy * damping;
+    } else {
+      const auto& [kxx, kxy, kyx, kyy] = m.support.stiffness;
+      const auto& [cxx, cxy, cyx, cyy] = m.support.damping;
+      shaft_.ax = (push.x - (shaft_.x * kxx + shaft_.y * kxy)) - (shaft_.vx * cxx + shaft_.vy * cxy);
+      shaft_.ay = (push.y - (shaft_.x * kyx + shaft_.y * kyy)) - (shaft_.vx * cyx + shaft_.vy * cyy);
     }
+    add_forcings();
 
     deviation_slope_ = Number::combined(nodes_.slope, deviation_);
     time_rate_ = deviation_slope_ * in.normal.time + in.chord.time;
-    const Number vx = Number::combined(nodes_.integral, ax_ * time_rate_) + in.start[2];
-    const Number vy = Number::combined(nodes_.integral, ay_ * time_rate_) + in.start[3];
-    x_ = Number::combined(nodes_.integral, vx * time_rate_) + in.start[0];
-    y_ = Number::combined(nodes_.integral, vy * time_rate_) + in.start[1];
-    const double change = larger(magnitude(vx - vx_), magnitude(vy - vy_)).largest();
-    vx_ = vx;
-    vy_ = vy;
+    double change = shaft_.integrate(in.shaft, nodes_, time_rate_);
+    if (m.ring.moves) {
+      const double share = -m.ring.force_unit / m.force_unit;
+      ring_.ax = (push.x * share - ring_.x * m.ring.stiffness) - ring_.vx * m.ring.damping;
+      ring_.ay = (push.y * share - ring_.y * m.ring.stiffness) - ring_.vy * m.ring.damping;
+      change = std::max(change, ring_.integrate(in.ring, nodes_, time_rate_));
+    }
+    see_from_ring();
     return change;
   }
 
-  /// g/Δ of a tip [m], as h = 0 has it.
-  RUBATLAS_INLINE Number gap_measure_of(const Tip& tip) const {
-    const Number bent = larger(tip.deflection * tip.slip, Number(kUnbent * contact_.length));
-    return (tip.b * 2.0 + tip.deflection) * tip.slip + tip.shortening / bent * (tip.a * 2.0 + tip.shortening);
+  /// g/Δ of a tip [m], as h = 0 has it. Next to the unbent blade δ and F/kr are Δ's share there.
+  RUBATLAS_INLINE static Number gap_measure_of(const Tip& tip, double ring_radius) {
+    const Blade& blade = *tip.blade;
+    const double unbent = kUnbent * blade.length;
+    const Number bent = larger(tip.deflection * tip.slip, Number(unbent));
+    const Number shorter = larger(tip.shortening, Number(blade.first_shortening * unbent));
+    const Number measure =
+        (tip.b * 2.0 + tip.deflection) * tip.slip + shorter / bent * (tip.a * 2.0 + tip.shortening);
+    if (blade.yield_unit == 0.0) return measure;
+    const Number yields = larger(tip.yielding, Number(blade.first_yielding * unbent));
+    return measure + yields / bent * (tip.yielding + 2.0 * ring_radius);
   }
   /// v of a tip (MODEL 4.4), of the velocities that have been found: light sweeps keep the tip's rates.
   RUBATLAS_INLINE Number slip_velocity_of(const Tip& tip, const Vector& er) const {
-    const Contact& c = contact_;
-    const Number along = (vx_ * er.x + vy_ * er.y) + (tip.b + tip.deflection) * c.speed_ratio;
-    const Number across = (vy_ * er.x - vx_ * er.y) - (tip.a + tip.shortening - c.reach) * c.speed_ratio;
-    return (tip.a * across - tip.b * along) * (1.0 / c.ring_radius) + c.speed_ratio * c.ring_radius;
+    const double radius = machine_.ring_radius;
+    const Number along =
+        (seen_velocity_.x * er.x + seen_velocity_.y * er.y) + (tip.b + tip.deflection) * angular_speed_;
+    const Number across = (seen_velocity_.y * er.x - seen_velocity_.x * er.y) -
+                          (tip.a + tip.shortening - tip.blade->reach) * angular_speed_;
+    const Number moment = tip.a * across - tip.b * along;
+    if (tip.blade->yield_unit == 0.0) return moment * (1.0 / radius) + angular_speed_ * radius;
+    const Number yielded = tip.yielding + radius;
+    return moment / yielded + angular_speed_ * yielded;
   }
 
   void store() const {
     Interval& in = interval_;
     deviation_.store(in.deviation);
-    x_.store(in.x);
-    y_.store(in.y);
-    vx_.store(in.vx);
-    vy_.store(in.vy);
-    (chord_time_ + deviation_ * in.normal.time).store(in.elapsed);
+    shaft_.store(in.shaft);
+    if (machine_.ring.moves) ring_.store(in.ring);
+    elapsed().store(in.elapsed);
     (chord_argument_ + deviation_ * in.normal.argument).store(in.argument);
     time_rate_.store(in.time_slope);
     (deviation_slope_ * in.normal.argument + in.chord.argument).store(in.argument_slope);
-    ax_.store(in.ax);
-    ay_.store(in.ay);
     er_.x.store(in.blade_x);
     er_.y.store(in.blade_y);
-    gap_measure_of(lead_).store(in.gap_measure);
+    angular_speed_.store(in.angular_speed);
+    gap_measure_of(lead_, machine_.ring_radius).store(in.gap_measure);
     slip_velocity_of(lead_, er_).store(in.slip_velocity);
     for (std::size_t k = 0; k < in.further_count; ++k) {
       further_[k].square.store(in.further[k].square);
-      gap_measure_of(further_[k]).store(in.further[k].gap_measure);
+      gap_measure_of(further_[k], machine_.ring_radius).store(in.further[k].gap_measure);
       slip_velocity_of(further_[k], offset_by(er_, in.further[k].offset)).store(in.further[k].slip_velocity);
     }
-    const Number along_x = Number::combined(nodes_.legendre, ax_ * time_rate_);
-    const Number along_y = Number::combined(nodes_.legendre, ay_ * time_rate_);
-    root(along_x * along_x + along_y * along_y).store(in.coefficients);
+    Number squares = shaft_.squares(nodes_, time_rate_);
+    if (machine_.ring.moves) squares = squares + ring_.squares(nodes_, time_rate_);
+    root(squares).store(in.coefficients);
   }
 
   const Contact& contact_;
-  const blade::BendingTable& table_;
+  const Machine& machine_;
   const Closeness& closeness_;
   Interval& interval_;
   const NodeTables& nodes_;
   Number chord_time_, chord_argument_;
   Number deviation_, deviation_slope_, time_rate_;
-  Number x_, y_, vx_, vy_, ax_, ay_;
-  Vector er_, forcing_;  ///< directions of the leading blade and of the unbalance's force
+  Motion shaft_, ring_;
+  Vector seen_, seen_velocity_;  ///< of the shaft from the ring's centre
+  Vector er_;                    ///< direction of the leading blade
+  Number angular_speed_;         ///< φ'
   Tip lead_;
   std::array<FurtherTip, kMostFurther> further_;
   Number per_residual_;  ///< Newton's step along the normal for a residual of h
@@ -417,9 +524,8 @@ class Sweeps {
 };
 
 template <std::size_t kWidth>
-bool solved(const Contact& contact, const blade::BendingTable& table, const Closeness& closeness,
-            Interval& interval) {
-  return Sweeps<kWidth>(contact, table, closeness, interval).solve();
+bool solved(const Contact& contact, const Closeness& closeness, Interval& interval) {
+  return Sweeps<kWidth>(contact, closeness, interval).solve();
 }
 
 }  // namespace

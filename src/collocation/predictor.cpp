@@ -31,14 +31,15 @@ double length_of(double x, double y) {
 }  // namespace
 
 void Predictor::begin(const Start& start) {
-  acceleration_ = {start.acceleration.real(), start.acceleration.imag()};
-  jerk_ = {};
-  const double speed = rotor_->speed_ratio;
-  const rotor::State& state = start.state;
-  const double rate = contact::gap_rate(law_->geometry(), start.pose, speed);
-  const double curvature = contact::gap_curvature(law_->geometry(), start.direction, start.pose,
-                                                  {state[0], state[1] + rotor_->misalignment},
-                                                  {state[2], state[3]}, start.acceleration, speed);
+  shaft_ = {.acceleration = {start.shaft_acceleration.real(), start.shaft_acceleration.imag()}};
+  ring_ = {.acceleration = {start.ring_acceleration.real(), start.ring_acceleration.imag()}};
+  const double speed = start.angular_speed;
+  const rotor::State state = rotor::from_ring(start.bodies);
+  const contact::Geometry& geometry = start.law->geometry();
+  const double rate = contact::gap_rate(geometry, start.pose, speed);
+  const double curvature = contact::gap_curvature(
+      geometry, start.direction, start.pose, {state[0], state[1] + rotor_->misalignment},
+      {state[2], state[3]}, start.shaft_acceleration - start.ring_acceleration, speed);
   // Half of the contact, as far as the gap is a parabola: from its top to where it is closed.
   const double rate_at_end = std::sqrt(std::max(0.0, rate * rate - 2.0 * curvature * start.pose.gap));
   const double half = curvature < 0.0 ? std::min(-rate_at_end / curvature, kLongestHalf) : kLongestHalf;
@@ -55,7 +56,7 @@ void Predictor::begin_under_load(const Start& start, double half) {
   length_ = share_of_first_[1];
   curvature_ = 0.0;
   const double argument_slope =
-      start.constraint.bending_slope * length_of(law_->curve().load_angle(), start.bending);
+      start.constraint.bending_slope * length_of(start.law->curve().load_angle(), start.bending);
   const double norm = length_of(start.constraint.time_slope * time_unit_, argument_slope);
   tangent_ = {-argument_slope / norm, start.constraint.time_slope * time_unit_ / norm};
 }
@@ -64,18 +65,21 @@ void Predictor::begin_under_load(const Start& start, double half) {
 void Predictor::begin_unloaded(const Start& start, double half, double rate, double curvature_of_gap) {
   // The largest bending: the force takes away what the gap's rate has of energy, (dg/dτ)²/2, as the blade
   // follows the gap with ct as it is.
-  const double along = start.pose.radial + law_->geometry().reach;
-  const double per_load = 2.0 * along * rotor_->force_unit * law_->load_unit();
+  const contact::ElasticaContact& law = *start.law;
+  const double along = start.pose.radial + law.geometry().reach;
+  const double per_load = 2.0 * along * closing_unit_ * law.load_unit();
   double energy = 0.5 * rate * rate;
-  double largest = law_->curve().over_asinh().knots().back().argument;
+  double largest = law.curve().over_asinh().knots().back().argument;
   double gap = 0.0;
   double load = 0.0;
   double argument = 0.0;
-  for (const blade::BendingTable::Knot& knot : law_->curve().over_asinh().knots()) {
-    const double shortening = law_->length() * knot.shortening;
-    const double deflection = law_->length() * knot.deflection;
+  for (const blade::BendingTable::Knot& knot : law.curve().over_asinh().knots()) {
+    const double shortening = law.length() * knot.shortening;
+    const double deflection = law.length() * knot.deflection;
+    const double yielding = law.yield_unit() * knot.load;
     const double next = shortening * (2.0 * along - shortening) +
-                        deflection * (2.0 * start.slip * start.pose.tangential - deflection);
+                        deflection * (2.0 * start.slip * start.pose.tangential - deflection) +
+                        yielding * (2.0 * law.geometry().ring_radius + yielding);
     const double taken = (0.5 * (load + knot.load) * per_load - curvature_of_gap) * (next - gap);
     if (taken > energy) {
       // In the first quarter of a piece energy grows as p⁴.
@@ -98,11 +102,11 @@ void Predictor::begin_unloaded(const Start& start, double half, double rate, dou
   unit_length_ = largest;
   length_ = share_of_first_[0] * unit_length_;
   tangent_ = {0.0, 1.0};
-  // Near the touch-down g = dg/dτ τ = 2 s ct Δ, with Δ ~ p².
-  const double deflection = deflection_per_square(*law_);
+  // Near the touch-down g = dg/dτ τ = (g/Δ) Δ, with Δ ~ p².
+  const double deflection = deflection_per_square(law);
   constexpr double kSharpest = 3.0;
-  curvature_ = -std::clamp(4.0 * start.slip * start.pose.tangential * deflection / (rate * time_unit_), 0.0,
-                           kSharpest / largest);
+  curvature_ =
+      -std::clamp(2.0 * start.gap_measure * deflection / (rate * time_unit_), 0.0, kSharpest / largest);
 }
 
 bool Predictor::is_too_short() const {
@@ -114,8 +118,10 @@ void Predictor::begin_interval() {
 }
 
 void Predictor::guess(Interval& next) {
-  next.acceleration = acceleration_;
-  next.jerk = jerk_;
+  next.shaft.acceleration = shaft_.acceleration;
+  next.shaft.jerk = shaft_.jerk;
+  next.ring.acceleration = ring_.acceleration;
+  next.ring.jerk = ring_.jerk;
   const double length =
       std::min({length_, kLongest, kMostTurning / std::max(std::abs(curvature_), kStraight)});
   length_of_trial_ = length;
@@ -162,6 +168,12 @@ bool Predictor::shortens(double error) {
   return length_ > shortest_;
 }
 
+void Predictor::Derivatives::take(const Body& body, double time_between) {
+  acceleration = {body.ax.at_end(), body.ay.at_end()};
+  jerk = {(body.ax.at_end() - body.ax[kNodes - 2]) / time_between,
+          (body.ay.at_end() - body.ay[kNodes - 2]) / time_between};
+}
+
 void Predictor::goes_on(const Interval& interval) {
   struct Place {
     Tangent tangent;
@@ -187,9 +199,8 @@ void Predictor::goes_on(const Interval& interval) {
   const double curvature_before = turning(last[0].tangent, last[1].tangent) / before;
   const double curvature_after = turning(last[1].tangent, last[2].tangent) / after;
   const double time_between = interval.elapsed[kNodes - 1] - interval.elapsed[kNodes - 2];
-  acceleration_ = {interval.ax.at_end(), interval.ay.at_end()};
-  jerk_ = {(interval.ax.at_end() - interval.ax[kNodes - 2]) / time_between,
-           (interval.ay.at_end() - interval.ay[kNodes - 2]) / time_between};
+  shaft_.take(interval.shaft, time_between);
+  ring_.take(interval.ring, time_between);
   curvature_ = curvature_after + (curvature_after - curvature_before) * after / (before + after);
   tangent_ = last[2].tangent;
 }

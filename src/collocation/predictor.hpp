@@ -21,19 +21,23 @@ class Predictor {
   static constexpr double kOrder = 9.0;  ///< with the length, of the error between the nodes
   static constexpr double kUnknownError = std::numeric_limits<double>::infinity();
 
-  /// Both must outlive the predictor.
-  Predictor(const rotor::RotorConstants& rotor, const contact::ElasticaContact& law)
-      : rotor_(&rotor), law_(&law) {}
+  /// Both must outlive the predictor. `ring`: null where it does not move.
+  Predictor(const rotor::RotorConstants& rotor, const rotor::RingBody* ring)
+      : rotor_(&rotor), closing_unit_(rotor.force_unit + (ring != nullptr ? ring->force_unit() : 0.0)) {}
 
   /// Where a blade takes the lead.
   struct Start {
-    rotor::State state;
-    contact::Pose pose;                 ///< of the blade
-    contact::BladeDirection direction;  ///< er
-    double slip;                        ///< s = ±1
-    double bending;                     ///< u
-    double argument;                    ///< p
-    std::complex<double> acceleration;  ///< z'' [m per unit τ²]
+    const contact::ElasticaContact* law;
+    double angular_speed;  ///< φ' [rad per unit τ]
+    rotor::ShaftAndRing bodies;
+    contact::Pose pose;                       ///< of the blade
+    contact::BladeDirection direction;        ///< er
+    double slip;                              ///< s = ±1
+    double bending;                           ///< u
+    double argument;                          ///< p
+    double gap_measure;                       ///< g/Δ [m]
+    std::complex<double> shaft_acceleration;  ///< z'' [m per unit τ²]
+    std::complex<double> ring_acceleration;   ///< r'' [m per unit τ²]
     contact::Constraint constraint;
   };
   void begin(const Start& start);
@@ -65,7 +69,7 @@ class Predictor {
   void begin_unloaded(const Start& start, double half, double rate, double curvature_of_gap);
 
   const rotor::RotorConstants* rotor_;
-  const contact::ElasticaContact* law_;
+  double closing_unit_;       ///< acceleration between shaft and ring of one newton [m/N]
   double time_unit_ = 1.0;    ///< T
   Tangent tangent_{};         ///< where the next interval starts
   double curvature_ = 0.0;    ///< there, in the plane (τ/T, p)
@@ -76,8 +80,11 @@ class Predictor {
   double length_ = 1.0;           ///< of the next arc in that plane
   double length_of_trial_ = 1.0;  ///< of the present one
   double shortest_ = 0.0;
-  std::array<double, 2> acceleration_{};  ///< z'' and z''' there
-  std::array<double, 2> jerk_{};
+  struct Derivatives {
+    std::array<double, 2> acceleration{};
+    std::array<double, 2> jerk{};
+    void take(const Body& body, double time_between);
+  } shaft_, ring_;  ///< second and third ones there
 };
 
 }  // namespace rubatlas::collocation

@@ -136,7 +136,6 @@ class SteppedMotion final : public trajectory::MotionPiece {
   using System = SteppedSystem<Law, Forcing, typename Scheme::Search, Scheme::kLocated>;
 
   static constexpr double kSmallestSize = 1e-15;  ///< in τ
-  static constexpr double kSlipRounding = 1e-12;  ///< of Ω R: v where a slip reversal has been located
 
   ending::PointStatus ends(ending::StatusDetail why) {
     detail_ = why;
@@ -170,7 +169,7 @@ class SteppedMotion final : public trajectory::MotionPiece {
     for (std::size_t k = 0; k < before_.size(); ++k) {
       if (before_[k].open) open_.push_back(k);
       // A tip whose slip has just reversed may stand at v = 0 to rounding: it has no sign yet.
-      const double rounding = kSlipRounding * rotor_.speed_ratio * law_.geometry().ring_radius;
+      const double rounding = contact::kSlipRounding * rotor_.speed_ratio * law_.geometry().ring_radius;
       if (std::abs(before_[k].slip_velocity) <= rounding) before_[k].slip_velocity = 0.0;
     }
   }

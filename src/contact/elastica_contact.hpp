@@ -166,6 +166,10 @@ class ElasticaContact {
   [[nodiscard]] double length() const { return blade_.length; }            ///< L [m]
   [[nodiscard]] double load_unit() const { return blade_.load_unit; }      ///< EI / L² [N]
   [[nodiscard]] double strain_unit() const { return blade_.strain_unit; }  ///< h / (2 L) [-]
+  [[nodiscard]] double yield_unit() const { return blade_.yield_unit; }    ///< EI/(L² kr) [m]
+  /// δ/Δ and (F/kr)/Δ of a blade that is hardly bent, where μ > 0 [-].
+  [[nodiscard]] double first_shortening() const { return axial_relief_; }
+  [[nodiscard]] double first_yielding() const { return ring_relief_ / blade_.geometry.ring_radius; }
   /// The same blade, shorter at its tip by `lost` [m]. The curve stays, and with it the axial compliance
   /// relative to the length.
   [[nodiscard]] ElasticaContact shortened(double lost) const {

@@ -82,6 +82,8 @@ inline double undeformed_slip_velocity(const Geometry& geometry, const Pose& at,
          std::hypot(a, b);
 }
 
+inline constexpr double kSlipRounding = 1e-12;  ///< of Ω R: |v| where a slip reversal has been located
+
 /// What a contact does: the force on the rotor, resolved along and across the blade, and what is recorded of
 /// it.
 struct TipForce {

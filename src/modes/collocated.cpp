@@ -10,9 +10,7 @@ bool Collocated::start(double time, const Bodies& state, const std::vector<OpenC
   if (contacts.size() > kMostContacts) return false;
   contacts_ = contacts;
   pending_ = false;
-  start_ = rotor::full_state(state, time, contacts.front().bending);
   most_bent_.fill(std::nullopt);
-  if (!applies_) return true;
   std::array<collocation::Touch, kMostContacts> touching{};
   for (std::size_t i = 0; i < contacts.size(); ++i)
     touching[i] = {contacts[i].blade, contacts[i].slip, contacts[i].bending};
@@ -21,7 +19,6 @@ bool Collocated::start(double time, const Bodies& state, const std::vector<OpenC
 }
 
 ModeEnd Collocated::advance(double until, MotionListener& listener) {
-  if (!applies_) return {Guard::hands_over, contacts_.front().blade};
   while (true) {
     if (pending_) {
       const double end = arc_.end().time;
@@ -33,8 +30,7 @@ ModeEnd Collocated::advance(double until, MotionListener& listener) {
       piece_begin_ = piece_end_;
       if (beyond) return {Guard::horizon};
       pending_ = false;
-      if (arc_.lifts_off()) return {Guard::lift_off, arc_.leader()};
-      if (arc_.touches() >= 0) return {Guard::touch_down, arc_.touches()};
+      if (arc_.ending().guard != collocation::ContactArc::Guard::none) return end_of_arc();
     }
     if (!meter_->spend(Work::contact, WorkPrice::kAttempt + WorkPrice::kForce))
       return {Guard::failed, -1, meter_->why()};
@@ -45,6 +41,22 @@ ModeEnd Collocated::advance(double until, MotionListener& listener) {
   }
 }
 
+ModeEnd Collocated::end_of_arc() const {
+  using Reason = collocation::ContactArc::Guard;
+  const auto& [reason, fraction, blade] = arc_.ending();
+  switch (reason) {
+    case Reason::touch_down:
+      return {Guard::touch_down, blade};
+    case Reason::slip_reversal:
+      return {Guard::slip_reversal, blade};
+    case Reason::fold:
+      // What follows on another branch is for the motion to find.
+      return {laws_->of(blade).has_branches() ? Guard::snap : Guard::lift_off, blade};
+    default:
+      return {Guard::lift_off, blade};
+  }
+}
+
 void Collocated::shift_time(double period) {
   arc_.shift_time(period);
   piece_begin_ -= period;
@@ -52,17 +64,16 @@ void Collocated::shift_time(double period) {
 }
 
 Collocated::FullState Collocated::end_state() const {
-  if (!applies_) return start_;
   const auto& end = arc_.end();
-  return rotor::full_state(end.state, end.time, arc_.bending(end.argument));
+  return rotor::full_state(end.bodies, end.time, arc_.bending(arc_.leader(), end.argument));
 }
 OpenContact Collocated::contact_in(std::size_t contact, const Point& point) const {
   OpenContact open = contacts_[contact];
-  open.bending = arc_.bending(arc_.argument_of(open.blade, point));
+  open.bending = arc_.bending(open.blade, arc_.argument_of(open.blade, point));
   return open;
 }
 OpenContact Collocated::contact_at_end(std::size_t contact) const {
-  return applies_ ? contact_in(contact, arc_.end()) : contacts_[contact];
+  return contact_in(contact, arc_.end());
 }
 OpenContact Collocated::contact_at(std::size_t contact, double time) const {
   return contact_in(contact, arc_.point_at(arc_.fraction_at(time)));
@@ -82,11 +93,14 @@ double Collocated::largest_displacement(double known, double /*speed_ratio*/) {
 }
 
 contact::Pose Collocated::pose(int blade, const Point& point) const {
-  return rotor::pose_of(*rotor_, law_->geometry(), direction(blade, point.time), point.state);
+  return rotor::pose_of(*rotor_, laws_->of(blade).geometry(), direction(blade, point.time),
+                        rotor::from_ring(point.bodies));
 }
 contact::TipForce Collocated::force(std::size_t contact, const Point& point) const {
   const OpenContact open = contact_in(contact, point);
-  return law_->constraint(pose(open.blade, point), open.slip, open.bending, rotor_->speed_ratio).force;
+  return laws_->of(open.blade)
+      .constraint(pose(open.blade, point), open.slip, open.bending, blades_->angular_speed(point.time))
+      .force;
 }
 double Collocated::normal_force(std::size_t contact, double time) {
   return force(contact, arc_.solved_at(time)).normal;
@@ -100,12 +114,12 @@ trajectory::ContactForce Collocated::contact_force(std::size_t contact, double t
 trajectory::ContactForce Collocated::contact_force(std::size_t contact, const Point& point) const {
   const contact::TipForce tip_force = force(contact, point);
   const auto& open = contacts_[contact];
-  return modes::contact_force(tip_force, {open.slip, friction_coefficient(*law_, tip_force, open.slip)},
-                              direction(open.blade, point.time), pose(open.blade, point),
-                              rotor_->speed_ratio);
+  return modes::contact_force(
+      tip_force, {open.slip, friction_coefficient(laws_->of(open.blade), tip_force, open.slip)},
+      direction(open.blade, point.time), pose(open.blade, point), blades_->angular_speed(point.time));
 }
 trajectory::Tip Collocated::tip(int blade, const Point& point) const {
-  return tip_of(law_->geometry(), pose(blade, point), rotor_->speed_ratio);
+  return tip_of(laws_->of(blade).geometry(), pose(blade, point), blades_->angular_speed(point.time));
 }
 trajectory::Tip Collocated::tip(int blade, double time) {
   return tip(blade, arc_.solved_at(time));
@@ -114,7 +128,7 @@ trajectory::Tip Collocated::tip(int blade, double time) {
 std::optional<trajectory::Pass> Collocated::nearest_pass(double known,
                                                          const trajectory::PointConstants& point) {
   if (!is_whole()) return MotionPiece::nearest_pass(known, point);
-  const double radius = law_->geometry().ring_radius;
+  const double radius = laws_->of(0).geometry().ring_radius;
   const auto gap_at = [&](double miss) { return miss * (miss - 2.0 * radius); };
   std::optional<trajectory::Pass> nearest;
   if (arc_.gap_bound_of_others() <= gap_at(std::min(known, radius))) return nearest;
@@ -138,7 +152,7 @@ trajectory::Tip Collocated::deepest(std::size_t contact, double enough) {
   if (at_end.rate >= 0.0) return at_end;
   const auto top = arc_.top_of_tip(number);
   if (!top) return at_end;
-  const bool deep = top->gap > enough * (enough + 2.0 * law_->geometry().ring_radius);
+  const bool deep = top->gap > enough * (enough + 2.0 * laws_->of(0).geometry().ring_radius);
   return tip(number, deep ? arc_.point_at(top->fraction) : arc_.solved_at_fraction(top->fraction));
 }
 
@@ -163,7 +177,8 @@ Collocated::Point Collocated::place_on_path(double share, trajectory::PathPoint&
   const collocation::Interval::Direction rate = arc_.direction_at(fraction);
   point.time = there.time;
   point.time_rate = length * rate.time;
-  point.state = rotor::as_array(there.state);
+  point.state = rotor::as_array(rotor::shaft(there.bodies));
+  point.ring = rotor::as_array(rotor::ring(there.bodies));
   point.contacts.clear();
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const OpenContact open = contact_in(i, there);

@@ -1,6 +1,6 @@
-/// Mode: one elastic blade in contact, or few, by collocation (`collocation/contact_arc.hpp`). Where
-/// something else may happen than a touch-down or a lift-off it hands the contacts over to the modes
-/// `Carried` and `Solved`, from the start of the interval in which it may.
+/// Mode: one elastic blade in contact, or few, by collocation (`collocation/contact_arc.hpp`). Where it
+/// cannot prove that no other guard is met it hands the contacts over to the modes `Carried` and `Solved`,
+/// from the start of the interval in which one may be.
 #pragma once
 
 #include <array>
@@ -10,33 +10,31 @@
 #include <vector>
 
 #include "collocation/contact_arc.hpp"
-#include "contact/elastica_contact.hpp"
 #include "modes/contact_mode.hpp"
 #include "modes/guard_search.hpp"
 #include "modes/motion_listener.hpp"
 #include "modes/work_meter.hpp"
-#include "rotor/blade_set.hpp"
 #include "rotor/bodies.hpp"
-#include "rotor/harmonic.hpp"
+#include "rotor/rippling_blades.hpp"
 #include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::modes {
 
 class Collocated final : public trajectory::MotionPiece {
  public:
-  using Law = contact::ElasticaContact;
-  using Bodies = rotor::State;
-  using FullState = rotor::FullStateOf<rotor::NoForcing>;
+  using Laws = collocation::ContactArc::Laws;
+  using Bodies = rotor::ShaftAndRing;
+  using FullState = rotor::RingContactState;
 
-  /// All outlive the mode. `unbalance`: null where none acts.
-  Collocated(const rotor::RotorConstants& rotor, const rotor::BladeSet& blades, const Law& law,
-             const rotor::Harmonic* unbalance, const ContactLimits& limits, WorkMeter& meter)
-      : law_(&law),
+  /// All outlive the mode. `ring`: null where it does not move. μ > 0: the column has no p.
+  Collocated(const rotor::RotorConstants& rotor, const rotor::RipplingBlades& blades, const Laws& laws,
+             const rotor::AnyShaft& shaft, const rotor::RingBody* ring, const ContactLimits& limits,
+             WorkMeter& meter)
+      : laws_(&laws),
         blades_(&blades),
         rotor_(&rotor),
         meter_(&meter),
-        applies_(law.curve().load_angle() > 0.0),
-        arc_(rotor, blades, law, unbalance, {limits.tolerance, limits.max_shortening}),
+        arc_(rotor, blades, laws, shaft, ring, {limits.tolerance, limits.max_shortening}),
         most_bent_of_blades_(static_cast<std::size_t>(blades.count())) {}
 
   /// So many blades may touch.
@@ -53,7 +51,7 @@ class Collocated final : public trajectory::MotionPiece {
   void shift_time(double period);
 
   /// State at a time of the piece that is being recorded.
-  [[nodiscard]] Bodies state_at(double time) { return arc_.state_at(time); }
+  [[nodiscard]] Bodies state_at(double time) { return arc_.solved_at(time).bodies; }
   [[nodiscard]] FullState end_state() const;
   [[nodiscard]] OpenContact contact_at_end(std::size_t contact) const;
   [[nodiscard]] OpenContact contact_at(std::size_t contact, double time) const;
@@ -61,7 +59,9 @@ class Collocated final : public trajectory::MotionPiece {
   // The piece of motion that is being recorded.
   [[nodiscard]] double begin() const override { return piece_begin_; }
   [[nodiscard]] double end() const override { return piece_end_; }
-  [[nodiscard]] trajectory::State state(double time) override { return rotor::as_array(state_at(time)); }
+  [[nodiscard]] trajectory::State state(double time) override {
+    return rotor::as_array(rotor::shaft(state_at(time)));
+  }
   void places(const trajectory::SampleTimes& times, int first, std::span<double> x,
               std::span<double> y) override;
   [[nodiscard]] double displacement_bound() const override { return arc_.displacement_bound(); }
@@ -92,6 +92,7 @@ class Collocated final : public trajectory::MotionPiece {
     return blades_->direction(blade, blades_->first(time));
   }
   [[nodiscard]] contact::Pose pose(int blade, const Point& point) const;
+  [[nodiscard]] ModeEnd end_of_arc() const;
   [[nodiscard]] trajectory::Tip tip(int blade, const Point& point) const;
   /// The piece is an interval, and not a part of one.
   [[nodiscard]] bool is_whole() const {
@@ -103,13 +104,11 @@ class Collocated final : public trajectory::MotionPiece {
   /// The place on the interval at a share of the piece, which goes into `point` too.
   Point place_on_path(double share, trajectory::PathPoint& point) const;
 
-  const Law* law_;
-  const rotor::BladeSet* blades_;
+  const Laws* laws_;
+  const rotor::RipplingBlades* blades_;
   const rotor::RotorConstants* rotor_;
   WorkMeter* meter_;
-  bool applies_;  ///< the column (μ = 0) has no p: all its contacts are handed over where they begin
   collocation::ContactArc arc_;
-  FullState start_ = FullState::Zero();
   std::vector<OpenContact> contacts_;
   bool pending_ = false;  ///< an interval has been made and not been recorded to its end
   double piece_begin_ = 0.0;

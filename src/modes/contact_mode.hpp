@@ -76,7 +76,7 @@ class ContactMode {
   [[nodiscard]] double ring_radius() const { return law_->of(0).geometry().ring_radius; }
   [[nodiscard]] double gap_rounding() const { return rotor_->gap_rounding(law_->of(0).geometry()); }
   [[nodiscard]] double slip_rounding() const {
-    return kSlipRounding * std::abs(rotor_->speed_ratio) * ring_radius();
+    return contact::kSlipRounding * std::abs(rotor_->speed_ratio) * ring_radius();
   }
 
   /// Starts with these contacts in a state between modes. False where the mode cannot start there.

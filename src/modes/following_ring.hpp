@@ -127,7 +127,7 @@ class FollowingRing : public Solved<Law, Forcing, Blades> {
       const double velocity =
           contact::undeformed_slip_velocity(geometry, this->pose(contact.blade, state), speed);
       return contact.slip * velocity >=
-             -kSlipRounding * std::abs(this->rotor_->speed_ratio) * geometry.ring_radius;
+             -contact::kSlipRounding * std::abs(this->rotor_->speed_ratio) * geometry.ring_radius;
     });
   }
 

@@ -30,8 +30,6 @@ struct BladeGap {
   double rate;   ///< [m² per unit τ]
 };
 
-constexpr double kSlipRounding = 1e-12;  ///< of Ω R: |v| where a slip reversal has been located
-
 /// The force of an open contact where its blade stands; updates its guesses. False where there is none.
 template <class Law>
 bool respond(const Law& law, const contact::Pose& at, double speed, OpenContact& contact,

@@ -155,7 +155,8 @@ class StickingElastic : public Solved<Law, Forcing, Blades> {
                      1.0 - std::abs(there->blade.bend.modulus) / least_modulus});
   }
   [[nodiscard]] double rounding_of_slip(int blade) const {
-    return kSlipRounding * std::abs(this->rotor_->speed_ratio) * this->law_->of(blade).geometry().ring_radius;
+    return contact::kSlipRounding * std::abs(this->rotor_->speed_ratio) *
+           this->law_->of(blade).geometry().ring_radius;
   }
   [[nodiscard]] double beyond_cone(const OpenContact& open, double coefficient) const {
     return std::abs(coefficient) -

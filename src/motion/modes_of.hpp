@@ -12,13 +12,6 @@ namespace rubatlas::motion {
 template <class Law, class Forcing, class Pair, class Blades>
 struct ModesOf;
 
-/// The mode in which a method collocates contacts; `Pair` stands for the method. None, unless specialised.
-template <class Pair>
-struct CollocationOf {
-  static constexpr bool kOccurs = false;
-  struct Mode;
-};
-
 /// What all kinds have. A specialisation adds its mode for any contacts, `Solved`, and says which of the
 /// other modes it has.
 template <class Law, class Pair>
@@ -28,7 +21,7 @@ struct ModesOfAnyLaw {
   using Phase = modes::ContactPhase<Mode, Pair>;
 
   struct None;
-  static constexpr bool kCollocates = false;  ///< contacts of one blade are solved by collocation
+  static constexpr bool kCollocates = false;  ///< contacts of few blades may be solved by collocation
   using Collocated = None;
   static constexpr bool kCarries = false;  ///< blades of which one is carried, or skims
   using Carried = None;

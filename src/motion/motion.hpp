@@ -36,8 +36,9 @@ class Motion {
  public:
   using Bodies = rotor::BodiesOf<Forcing>;  ///< the shaft, and the ring where the ring is a body
 
+  /// `collocates`: contacts that collocation can solve are left to it.
   Motion(const rotor::RotorConstants& rotor, Blades blades, Law law, Forcing forcing,
-         const modes::ContactLimits& limits)
+         const modes::ContactLimits& limits, [[maybe_unused]] bool collocates = false)
       : rotor_(rotor),
         free_(rotor.damping_ratio),
         forcing_(std::move(forcing)),
@@ -56,9 +57,14 @@ class Motion {
         resting_judge_(made<decltype(resting_judge_)>(resting_law_ ? &*resting_law_ : nullptr)),
         resting_(made<decltype(resting_)>(resting_law_ ? &*resting_law_ : nullptr)) {
     if constexpr (Modes::kCollocates) {
-      const rotor::Harmonic* unbalance = nullptr;
-      if constexpr (Forcing::kPresent) unbalance = &forcing_;
-      if (law_.carried()) collocated_.emplace(rotor_, blades_, law_, unbalance, limits_, meter_);
+      // The column (μ = 0) has no argument p.
+      if (collocates && law_.of(0).curve().load_angle() > 0.0) {
+        if constexpr (rotor::kRingMoves<Forcing>) {
+          collocated_.emplace(rotor_, blades_, law_, forcing_.shaft, &forcing_.ring, limits_, meter_);
+        } else {
+          collocated_.emplace(rotor_, blades_, law_, forcing_, nullptr, limits_, meter_);
+        }
+      }
     }
     contacts_.reserve(static_cast<std::size_t>(blades_.count()));
   }
@@ -277,12 +283,12 @@ class Motion {
     const modes::ModeEnd end = phase.advance(period, listener);
     paid_evaluations_ = modes::curve_evaluations(law_);  // the phase has paid for its own
     if (end.guard == modes::Guard::horizon) {
-      state_ = phase.state_at(period);
+      state_ = rotor::as<Bodies>(phase.state_at(period));
       phase.shift_time(period);
       return end;
     }
     const auto full = phase.end_state();
-    state_ = rotor::bodies(full);
+    state_ = rotor::as<Bodies>(rotor::bodies(full));
     time_ = full[rotor::kTime];
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const modes::OpenContact there = phase.contact_at_end(i);
@@ -319,7 +325,7 @@ class Motion {
   template <class Phase>
   bool begin_in(Mode mode, Phase& phase, const std::vector<modes::OpenContact>& contacts) {
     mode_ = mode;
-    const bool started = phase.start(time_, state_, contacts);
+    const bool started = phase.start(time_, rotor::as<typename Phase::Bodies>(state_), contacts);
     refusal_ = phase.refusal();
     return started;
   }
@@ -407,7 +413,7 @@ class Motion {
     modes::OpenContact contact{blade, velocity >= 0.0 ? 1.0 : -1.0, 0.0};
     if constexpr (Modes::kSticks) {
       const double tip_speed = std::abs(rotor_.speed_ratio) * law_.of(blade).geometry().ring_radius;
-      if (std::abs(velocity) <= modes::kSlipRounding * tip_speed) contact.slip = 0.0;
+      if (std::abs(velocity) <= contact::kSlipRounding * tip_speed) contact.slip = 0.0;
     }
     if (!Reset::open(law_.of(blade), at, contact)) return false;
     contacts_.push_back(contact);
@@ -548,6 +554,7 @@ class Motion {
   }
   /// A blade has come to the end of its branch.
   ending::StatusDetail snap(Contact contact, modes::MotionListener& listener) {
+    handed_over_ = false;
     switch (Reset::snap(law_.of(contact->blade), place(contact->blade), *contact)) {
       case Standing::lost:
         return ending::StatusDetail::no_equilibrium;
@@ -577,6 +584,7 @@ class Motion {
   /// The slip velocity of a tip has come to zero: it reverses its slip, or comes to rest where it can stick.
   ending::StatusDetail reverse_slip(Contact contact, modes::MotionListener& listener) {
     ++work_.slip_reversals;
+    handed_over_ = false;
     ending::StatusDetail settled = ending::StatusDetail::none;
     if constexpr (Modes::kSticks) {
       const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());

@@ -72,6 +72,17 @@ BodiesOf<Forcing> ring_at_rest(const State& shaft) {
   return bodies;
 }
 
+/// A state of these bodies: one of others without the ring's part, or with a ring at rest.
+template <class Bodies, class Others>
+Bodies as(const Others& bodies) {
+  if constexpr (std::is_same_v<Bodies, State>)
+    return bodies.template head<4>();
+  else if constexpr (std::is_same_v<Others, ShaftAndRing>)
+    return bodies;
+  else
+    return (Bodies() << bodies, State::Zero()).finished();
+}
+
 /// The shaft's part.
 inline const State& shaft(const State& bodies) {
   return bodies;

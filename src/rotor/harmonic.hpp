@@ -54,6 +54,7 @@ class Harmonic {
   [[nodiscard]] double amplitude() const { return amplitude_; }
   [[nodiscard]] double rate() const { return amplitude_ * std::abs(frequency_); }
   [[nodiscard]] double frequency() const { return frequency_; }  ///< ν [per unit τ]
+  [[nodiscard]] double phase() const { return phase_; }          ///< γ [rad]
 
   /// Acceleration at time τ of the revolution [m per unit τ²].
   [[nodiscard]] Complex acceleration(double time) const {
@@ -139,6 +140,7 @@ class Harmonics {
     }
   }
 
+  [[nodiscard]] const std::vector<Harmonic>& terms() const { return terms_; }
   [[nodiscard]] double amplitude() const { return amplitude_; }
   [[nodiscard]] double rate() const { return rate_; }
   [[nodiscard]] Complex acceleration(double time) const {

@@ -27,14 +27,14 @@ Interval swing_with_top(const Course& course, double top, double curvature) {
   Interval interval;
   const auto x = [&](double time) { return 1.0 - curvature * (time - top) * (time - top); };
   const auto vx = [&](double time) { return -2.0 * curvature * (time - top); };
-  interval.start = {x(0.0), 0.0, vx(0.0), 0.0};
+  interval.shaft.start = {x(0.0), 0.0, vx(0.0), 0.0};
   for (std::size_t i = 0; i < kNodes; ++i) {
     const double node = node_tables().node[i];
     interval.elapsed[i] = course.elapsed(node);
     interval.time_slope[i] = course.time_slope(node);
-    interval.x[i] = x(interval.elapsed[i]);
-    interval.vx[i] = vx(interval.elapsed[i]);
-    interval.ax[i] = -2.0 * curvature;
+    interval.shaft.x[i] = x(interval.elapsed[i]);
+    interval.shaft.vx[i] = vx(interval.elapsed[i]);
+    interval.shaft.ax[i] = -2.0 * curvature;
   }
   return interval;
 }
@@ -94,11 +94,13 @@ TEST(IntervalSamples, AStretchStartsFromTheIntervalsPolynomials) {
   // Up to 1 the nodes of the stretch are those of the interval.
   for (const double fraction : {1e-3, 0.3, 0.77, 1.0}) {
     Interval stretch;
-    read_stretch(interval, fraction, stretch);
+    read_stretch(interval, false, fraction, stretch);
     for (std::size_t i = 0; i < kNodes; ++i) {
       const AtPlaces basis = basis_at(fraction * node_tables().node[i]);
-      EXPECT_NEAR(stretch.x[i], sum_of_products(basis, at_places(interval.start[0], interval.x)), 1e-15);
-      EXPECT_NEAR(stretch.vx[i], sum_of_products(basis, at_places(interval.start[2], interval.vx)), 1e-15);
+      EXPECT_NEAR(stretch.shaft.x[i],
+                  sum_of_products(basis, at_places(interval.shaft.start[0], interval.shaft.x)), 1e-15);
+      EXPECT_NEAR(stretch.shaft.vx[i],
+                  sum_of_products(basis, at_places(interval.shaft.start[2], interval.shaft.vx)), 1e-15);
     }
   }
 }

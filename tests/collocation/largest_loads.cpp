@@ -63,7 +63,7 @@ void expect_no_sample_above_the_largest_load(int least_contacts) {
       const rotor::State start = random_start(generator);
       const modes::ContactLimits limits{1e-9 * kClearanceOfSeveral, 0.5};
       const auto motion =
-          collocated ? collocation_motion(rotor.constants, rotor.blades, rotor.law, limits)
+          collocated ? collocation_motion(rotor.constants, rotor.blades.count(), rotor.law, limits)
                      : hybrid_motion(rotor.constants, rotor.blades, rotor.law, rotor::NoForcing{}, limits);
       LoadsOfPieces loads;
       auto status = motion->start(rotor::as_array(start));

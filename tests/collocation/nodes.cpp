@@ -71,11 +71,13 @@ AtPlaces values_of(double (*function)(double)) {
   return values;
 }
 
-collocation::Contact contact_with(double slip, double misalignment) {
-  collocation::Contact contact{};
-  contact.slip = slip;
-  contact.misalignment = misalignment;
-  return contact;
+Bounds bounds_of(const Interval& interval, double slip, double misalignment) {
+  const collocation::Machine machine{.speed_ratio = 0.0,
+                                     .damping_ratio = 0.0,
+                                     .misalignment = misalignment,
+                                     .ring_radius = 1.0,
+                                     .force_unit = 1.0};
+  return interval_solver().bounds({&machine, nullptr, slip}, interval);
 }
 
 Bounds bounds_of_gap_measure(double (*function)(double)) {
@@ -83,7 +85,7 @@ Bounds bounds_of_gap_measure(double (*function)(double)) {
   const AtPlaces values = values_of(function);
   interval.start_gap_measure = values[0];
   std::copy(values.begin() + 1, values.end(), interval.gap_measure.value.begin());
-  return interval_solver().bounds(contact_with(1.0, 0.0), interval);
+  return bounds_of(interval, 1.0, 0.0);
 }
 
 TEST(BoundsOfAnInterval, ArePositiveWhereThePolynomialIsAndNowhereElse) {
@@ -107,21 +109,21 @@ TEST(BoundsOfAnInterval, HoldEveryQuantityBetweenTheNodes) {
   const auto y = [](double t) { return t * t - 0.7 * t; };
   const auto slip_velocity = [](double t) { return -2.0 + std::cos(4.0 * t); };
   const auto argument = [](double t) { return 1.0 + t * (0.9 - t); };
-  fill(interval.start[0], interval.x, x);
-  fill(interval.start[1], interval.y, y);
+  fill(interval.shaft.start[0], interval.shaft.x, x);
+  fill(interval.shaft.start[1], interval.shaft.y, y);
   fill(interval.start_slip_velocity, interval.slip_velocity, slip_velocity);
   fill(interval.start_argument, interval.argument, argument);
-  const Bounds bounds = interval_solver().bounds(contact_with(-1.0, kMisalignment), interval);
+  const Bounds bounds = bounds_of(interval, -1.0, kMisalignment);
   constexpr double kRounding = 1e-5;  // of the polynomials through the values of these functions
   for (double t = 0.0; t <= 1.0; t += 0.001) {
     EXPECT_LE(std::hypot(x(t), y(t)), bounds.displacement + kRounding);
     EXPECT_LE(std::hypot(x(t), y(t) + kMisalignment), bounds.distance + kRounding);
-    EXPECT_GE(-slip_velocity(t), bounds.slip_velocity - kRounding);
+    EXPECT_GE(-slip_velocity(t), bounds.slip_velocity[0] - kRounding);
     EXPECT_LE(argument(t), bounds.argument + kRounding);
   }
   // No looser than by a third.
   EXPECT_LT(bounds.argument, 1.21 * 1.33);
-  EXPECT_GT(bounds.slip_velocity, 0.0);
+  EXPECT_GT(bounds.slip_velocity[0], 0.0);
 }
 
 }  // namespace

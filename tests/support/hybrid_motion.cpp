@@ -1,15 +1,23 @@
 #include "hybrid_motion.hpp"
 
-#include "motion/collocation_and_steps.hpp"
+#include <vector>
+
+#include "contact/unequal_blades.hpp"
+#include "modes/supported_flight.hpp"
+#include "rotor/any_shaft.hpp"
+#include "rotor/rippling_blades.hpp"
 
 namespace rubatlas::test {
 
-std::unique_ptr<motion::PointMotion> collocation_motion(const rotor::RotorConstants& rotor,
-                                                        const rotor::BladeSet& blades,
+std::unique_ptr<motion::PointMotion> collocation_motion(const rotor::RotorConstants& rotor, int blade_count,
                                                         const contact::ElasticaContact& law,
                                                         const modes::ContactLimits& limits) {
-  using Motion = motion::Motion<contact::ElasticaContact, rotor::NoForcing, motion::CollocationAndSteps>;
-  return std::make_unique<motion::TypedMotion<Motion, false>>(rotor, blades, law, rotor::NoForcing{}, limits);
+  using Laws = contact::UnequalBlades<contact::ElasticaContact>;
+  using Motion = motion::Motion<Laws, rotor::AnyShaft, integrate::DormandPrince853, rotor::RipplingBlades>;
+  return std::make_unique<motion::TypedMotion<Motion, false>>(
+      rotor, rotor::RipplingBlades(rotor::equal_angles(blade_count), rotor.speed_ratio, {}),
+      Laws(std::vector(static_cast<std::size_t>(blade_count), law)), rotor::AnyShaft{rotor::Harmonics({})},
+      limits, true);
 }
 
 template std::unique_ptr<motion::PointMotion> hybrid_motion(const rotor::RotorConstants&,

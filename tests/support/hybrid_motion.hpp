@@ -41,8 +41,7 @@ extern template std::unique_ptr<motion::PointMotion> hybrid_motion(const rotor::
                                                                    const modes::ContactLimits&);
 
 /// The same rotor without unbalance by the method `collocation`.
-std::unique_ptr<motion::PointMotion> collocation_motion(const rotor::RotorConstants& rotor,
-                                                        const rotor::BladeSet& blades,
+std::unique_ptr<motion::PointMotion> collocation_motion(const rotor::RotorConstants& rotor, int blade_count,
                                                         const contact::ElasticaContact& law,
                                                         const modes::ContactLimits& limits);
 

@@ -1,0 +1,44 @@
+/// The machine of a motion in the numbers that intervals are solved with, and what of it depends on time.
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "collocation/interval.hpp"
+#include "rotor/any_shaft.hpp"
+#include "rotor/constants.hpp"
+#include "rotor/ring_body.hpp"
+#include "rotor/rippling_blades.hpp"
+
+namespace rubatlas::collocation {
+
+class MachineInTime {
+ public:
+  /// `ring`: null where it does not move. All but it must outlive the machine. `ring_radius` R [m].
+  MachineInTime(const rotor::RotorConstants& rotor, const rotor::RipplingBlades& blades,
+                const rotor::AnyShaft& shaft, const rotor::RingBody* ring, double ring_radius);
+
+  [[nodiscard]] const Machine& numbers() const { return numbers_; }
+  /// Longest interval whose directions are turned by series [τ].
+  [[nodiscard]] double longest_interval() const { return longest_interval_; }
+  /// Acceleration by all forcings at time τ of the revolution [m per unit τ²].
+  [[nodiscard]] std::complex<double> forcing(double time) const;
+  /// Sets what the forcings and the speed are where an interval starts.
+  void start(Interval& interval) const;
+
+ private:
+  struct Term {
+    double amplitude;  ///< [m per unit τ²]
+    double phase;      ///< γ [rad]
+  };
+  [[nodiscard]] std::complex<double> term(std::size_t number, double time) const {
+    return std::polar(terms_[number].amplitude, numbers_.frequency[number] * time + terms_[number].phase);
+  }
+
+  const rotor::RipplingBlades* blades_;
+  Machine numbers_;
+  std::vector<Term> terms_;
+  double longest_interval_;
+};
+
+}  // namespace rubatlas::collocation
