@@ -26,6 +26,9 @@ class RipplingBlades : private BladeSet {
         frequency_(ripple.order * speed_ratio),
         depth_(ripple.amplitude / ripple.order),
         phase_(ripple.phase) {}
+  /// Blades at constant speed are blades whose speed may ripple. NOLINTNEXTLINE(google-explicit-constructor)
+  RipplingBlades(const BladeSet& blades)
+      : BladeSet(blades), amplitude_(0.0), frequency_(0.0), depth_(0.0), phase_(0.0) {}
 
   [[nodiscard]] bool ripples() const { return amplitude_ != 0.0; }
   [[nodiscard]] double angle(double time) const {
@@ -42,7 +45,7 @@ class RipplingBlades : private BladeSet {
   }
   /// Least |φ'|.
   [[nodiscard]] double slowest() const { return std::abs(speed_ratio()) * (1.0 - amplitude_); }
-  /// Bounds of |φ'|, |φ''| and |φ'''|.
+  /// Bounds of |φ'|, |φ''|, |φ'''| and |φ''''|.
   [[nodiscard]] double speed_bound() const { return std::abs(speed_ratio()) * (1.0 + amplitude_); }
   [[nodiscard]] double angular_acceleration_bound() const {
     return std::abs(speed_ratio() * frequency_) * amplitude_;
@@ -50,6 +53,7 @@ class RipplingBlades : private BladeSet {
   [[nodiscard]] double angular_jerk_bound() const {
     return std::abs(speed_ratio()) * frequency_ * frequency_ * amplitude_;
   }
+  [[nodiscard]] double angular_snap_bound() const { return std::abs(frequency_) * angular_jerk_bound(); }
 
   [[nodiscard]] contact::BladeDirection first(double time) const {
     if (!ripples()) return BladeSet::first(time);
