@@ -1,38 +1,19 @@
 #include "modes/flight_row.hpp"
 
-#include <cmath>
-
 namespace rubatlas::modes {
 
 FlightRow::FlightRow(const rotor::Machine& machine, double spacing)
-    : blades_(&machine.blades), misalignment_(machine.constants.misalignment), states_(machine, spacing) {
+    : misalignment_(machine.constants.misalignment),
+      states_(machine, spacing),
+      turn_(machine.blades, spacing) {
   if (const rotor::RingBody* body = machine.ring_body()) ring_.emplace(*body, spacing);
-  speed_at_start_ = machine.constants.speed_ratio;
-  for (int i = 0; i < kTimes; ++i) {
-    const double angle = machine.constants.speed_ratio * ((i + 1) * spacing);
-    turn_cosine_[i] = std::cos(angle);
-    turn_sine_[i] = std::sin(angle);
-    speed_[i] = speed_at_start_;
-  }
-}
-
-void FlightRow::turn(double time) {
-  const double from = blades_->angle(time);
-  speed_at_start_ = blades_->angular_speed(time);
-  for (int i = 0; i < kTimes; ++i) {
-    const double then = time + (i + 1) * spacing();
-    const double angle = blades_->angle(then) - from;
-    turn_cosine_[i] = std::cos(angle);
-    turn_sine_[i] = std::sin(angle);
-    speed_[i] = blades_->angular_speed(then);
-  }
 }
 
 void FlightRow::start(double time, const rotor::ShaftAndRing& bodies, double fourth_bound) {
   start_ = rotor::from_ring(bodies);
   remainder_ = remainder(fourth_bound, spacing());
   states_.start(time, rotor::shaft(bodies));
-  if (blades_->ripples()) turn(time);
+  turn_.start(time);
   if (ring_) {
     const rotor::RingBody::State from = rotor::ring(bodies);
     ring_->free.move(from[0], from[2] / ring_->frequency, ring_->rx, ring_->rvx);

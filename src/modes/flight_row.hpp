@@ -14,6 +14,7 @@
 
 #include "contact/pose.hpp"
 #include "modes/state_row.hpp"
+#include "modes/turn_row.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
 
@@ -43,15 +44,15 @@ class FlightRow {
   [[nodiscard]] Gaps gaps(const contact::Geometry& geometry, const contact::BladeDirection& er) const {
     const contact::Pose at_start =
         contact::pose(geometry, er, start_[0], start_[1] + misalignment_, start_[2], start_[3]);
-    const Values cosine = er.cosine * turn_cosine_ - er.sine * turn_sine_;
-    const Values sine = er.sine * turn_cosine_ + er.cosine * turn_sine_;
+    const Values cosine = er.cosine * turn_.cosine() - er.sine * turn_.sine();
+    const Values sine = er.sine * turn_.cosine() + er.cosine * turn_.sine();
     const double reach = 2.0 * geometry.reach;
     const Values& x = ring_ ? ring_->x : states_.x();
     const Values& vx = ring_ ? ring_->vx : states_.vx();
     const Values& vy = ring_ ? ring_->vy : states_.vy();
-    return {at_start.gap, contact::gap_rate(geometry, at_start, speed_at_start_),
+    return {at_start.gap, contact::gap_rate(geometry, at_start, turn_.speed_at_start()),
             square_ + (reach * (x * cosine + y_ * sine) + geometry.closing()),
-            square_rate_ + reach * ((vx * cosine + vy * sine) + speed_ * (y_ * cosine - x * sine))};
+            square_rate_ + reach * ((vx * cosine + vy * sine) + turn_.speed() * (y_ * cosine - x * sine))};
   }
   [[nodiscard]] rotor::ShaftAndRing state(int i) const;
 
@@ -93,15 +94,10 @@ class FlightRow {
     Values x, y, vx, vy;  ///< seen from the ring
   };
 
-  void turn(double time);
-
-  const rotor::RipplingBlades* blades_;
   double misalignment_;
   StateRow states_;
   std::optional<Ring> ring_;
-  Values turn_cosine_, turn_sine_;  ///< of the angle by which the hub turns
-  double speed_at_start_;           ///< φ' at the start of the row,
-  Values speed_;                    ///< and at its times
+  TurnRow turn_;
   rotor::State start_ = rotor::State::Zero();
   Values y_;                     ///< of c; its x and c' are the shaft's, seen from the ring
   Values square_, square_rate_;  ///< |c|² and its derivative
