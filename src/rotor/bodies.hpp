@@ -75,8 +75,11 @@ BodiesOf<Forcing> ring_at_rest(const State& shaft) {
 /// What moves under a forcing, of the shaft and a ring that may move.
 template <class Forcing>
 BodiesOf<Forcing> bodies_of(const ShaftAndRing& all) {
-  if constexpr (kRingMoves<Forcing>) return all;
-  return all.head<4>();
+  if constexpr (kRingMoves<Forcing>) {
+    return all;
+  } else {
+    return all.head<4>();
+  }
 }
 /// Shaft and ring of any machine: a ring that does not move is at rest in its place.
 inline const ShaftAndRing& shaft_and_ring(const ShaftAndRing& bodies) {
