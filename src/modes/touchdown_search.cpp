@@ -25,7 +25,7 @@ constexpr double kDoubt = 10.0;  ///< of the rounding of a gap: below it a row d
 /// against usual gaps.
 constexpr double kSpacing = 0.3;
 /// Of R times the length scale: the remainder of a row is to be smaller. A gap is 2R times a distance.
-constexpr double kLargestRemainder = 1.0 / 32.0;
+constexpr double kLargestRemainder = 1.0 / 8.0;
 
 /// Bound of |(d/dτ + iΩ)³ z| against (|z|² + |z'|²)^½ in a flight without forcing on an isotropic shaft: z'''
 /// and z'' are written with z and z', whose coefficients are bounded together.

@@ -38,6 +38,10 @@ inline Machine machine_of(const RotorConstants& rotor, const RipplingBlades& bla
   return {rotor, blades, shaft, {}};
 }
 inline Machine machine_of(const RotorConstants& rotor, const RipplingBlades& blades,
+                          const Harmonics& forcing) {
+  return {rotor, blades, {forcing}, {}};
+}
+inline Machine machine_of(const RotorConstants& rotor, const RipplingBlades& blades,
                           const NoForcing& /*forcing*/) {
   return {rotor, blades, {Harmonics({})}, {}};
 }
