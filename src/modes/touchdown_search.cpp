@@ -25,7 +25,13 @@ constexpr double kDoubt = 10.0;  ///< of the rounding of a gap: below it a row d
 /// against usual gaps.
 constexpr double kSpacing = 0.3;
 /// Of R times the length scale: the remainder of a row is to be smaller. A gap is 2R times a distance.
+constexpr int kRowsOfDear = 16;
 constexpr double kLargestRemainder = 1.0 / 8.0;
+
+/// Whether a state in closed form costs more than a row of them.
+bool states_are_dear(const rotor::Machine& machine) {
+  return machine.supported() != nullptr || machine.harmonics()->terms().size() > 1;
+}
 
 /// Bound of |(d/dτ + iΩ)³ z| against (|z|² + |z'|²)^½ in a flight without forcing on an isotropic shaft: z'''
 /// and z'' are written with z and z', whose coefficients are bounded together.
@@ -147,7 +153,8 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::in_rows(const Flight&
   double time = flight.start_time();
   forget_rows(bodies);
   Outlook ahead = outlook(flight, time, bodies, until);
-  while (time < until) {
+  const bool dear = states_are_dear(*machine_);
+  for (int rows = 1; time < until; ++rows) {
     if (!meter.spend(Work::flight, price)) return std::nullopt;
     FlightRow& row = *ahead.row;
     row.start(time, bodies, ahead.fourth);
@@ -163,7 +170,11 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::in_rows(const Flight&
     }
     if (keeps_rows_) rows_.push_back({time, row.spacing(), std::min(doubt + 1, FlightRow::kTimes)});
     time += doubt * row.spacing();
-    bodies = flight.state(time);
+    if (dear && doubt > 0 && rows % kRowsOfDear != 0) {
+      bodies = row.state(doubt - 1);
+    } else {
+      bodies = flight.state(time);
+    }
     if (doubt < FlightRow::kTimes) {
       if (time >= until) break;
       const double end = std::min(time + row.spacing(), until);
