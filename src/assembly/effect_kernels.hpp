@@ -13,7 +13,6 @@
 #include "assembly/typed_motions.hpp"
 #include "contact/unequal_blades.hpp"
 #include "integrate/dormand_prince_853.hpp"
-#include "modes/supported_flight.hpp"
 
 namespace rubatlas::assembly {
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "assembly/machine_with_effects.hpp"
-#include "modes/ring_flight.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/ring_body.hpp"
 #include "settings/scene.hpp"

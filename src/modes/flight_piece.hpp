@@ -6,38 +6,29 @@
 #include <span>
 
 #include "modes/flight.hpp"
-#include "rotor/bodies.hpp"
+#include "modes/touchdown_search.hpp"
 #include "rotor/constants.hpp"
 #include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::modes {
 
-/// `Search`: the search for touch-downs, which knows the tips.
-template <class Forcing, class Search>
 class FlightPiece final : public trajectory::MotionPiece {
  public:
-  FlightPiece(const Flight<Forcing>& flight, Search& search, double begin, double end, double bound)
+  /// `search` knows the tips. `bound`: of the displacement [m].
+  FlightPiece(const Flight& flight, TouchdownSearch& search, double begin, double end, double bound)
       : flight_(&flight), search_(&search), begin_(begin), end_(end), bound_(bound) {}
   [[nodiscard]] double begin() const override { return begin_; }
   [[nodiscard]] double end() const override { return end_; }
   [[nodiscard]] trajectory::State state(double time) override {
-    return rotor::as_array(rotor::shaft(flight_->state(time)));
+    return rotor::as_array(flight_->shaft(time));
   }
   void places(const trajectory::SampleTimes& times, int first, std::span<double> x,
               std::span<double> y) override {
-    if constexpr (kInRows) {
-      flight_->places(times, first, x, y);
-    } else {
-      MotionPiece::places(times, first, x, y);
-    }
+    flight_->places(times, first, x, y);
   }
   [[nodiscard]] double displacement_bound() const override { return bound_; }
-  [[nodiscard]] double largest_displacement(double known, double speed_ratio) override {
-    if constexpr (kInRows) {
-      return bound_ > known ? flight_->largest_displacement(begin_, end_, known) : known;
-    } else {
-      return MotionPiece::largest_displacement(known, speed_ratio);
-    }
+  [[nodiscard]] double largest_displacement(double known, double /*speed_ratio*/) override {
+    return bound_ > known ? flight_->largest_displacement(begin_, end_, known) : known;
   }
   [[nodiscard]] std::size_t contact_count() const override { return 0; }
   [[nodiscard]] int blade(std::size_t /*contact*/) const override { return -1; }
@@ -51,24 +42,16 @@ class FlightPiece final : public trajectory::MotionPiece {
     return search_->tip(*flight_, blade, time);
   }
   [[nodiscard]] std::optional<trajectory::Pass> nearest_pass(
-      double known, const trajectory::PointConstants& point) override {
-    if constexpr (Search::template kInRows<Flight<Forcing>>) {
-      return search_->nearest_pass(*flight_, begin_, end_, known);
-    } else {
-      return MotionPiece::nearest_pass(known, point);
-    }
+      double known, const trajectory::PointConstants& /*point*/) override {
+    return search_->nearest_pass(*flight_, begin_, end_, known);
   }
 
  private:
-  static constexpr bool kInRows = requires(const Flight<Forcing>& flight) {
-    flight.largest_displacement(0.0, 0.0, 0.0);
-  };
-
-  const Flight<Forcing>* flight_;
-  Search* search_;
+  const Flight* flight_;
+  TouchdownSearch* search_;
   double begin_;
   double end_;
-  double bound_;  ///< of the displacement [m]
+  double bound_;
 };
 
 }  // namespace rubatlas::modes

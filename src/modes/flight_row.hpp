@@ -10,14 +10,13 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <cmath>
-#include <complex>
+#include <optional>
 
 #include "contact/pose.hpp"
 #include "modes/state_row.hpp"
-#include "rotor/blade_set.hpp"
-#include "rotor/constants.hpp"
-#include "rotor/free_motion.hpp"
+#include "modes/turn_row.hpp"
+#include "rotor/bodies.hpp"
+#include "rotor/machine.hpp"
 
 namespace rubatlas::modes {
 
@@ -26,32 +25,13 @@ class FlightRow {
   static constexpr int kTimes = StateRow::kTimes;
   using Values = StateRow::Values;
 
-  template <FliesInRows Forcing>
-  FlightRow(const rotor::RotorConstants& rotor, const rotor::FreeMotion& free, const Forcing& forcing)
-      : speed_ratio_(rotor.speed_ratio),
-        misalignment_(rotor.misalignment),
-        states_(free, forcing, kSpacing / std::max(1.0, std::abs(rotor.speed_ratio))) {
-    for (int i = 0; i < kTimes; ++i) {
-      const double elapsed = (i + 1) * spacing();
-      turn_cosine_[i] = std::cos(speed_ratio_ * elapsed);
-      turn_sine_[i] = std::sin(speed_ratio_ * elapsed);
-    }
-  }
+  /// `machine` outlives the row. `spacing`: h [τ].
+  FlightRow(const rotor::Machine& machine, double spacing);
 
-  /// h [τ].
-  [[nodiscard]] double spacing() const { return states_.spacing(); }
+  [[nodiscard]] double spacing() const { return states_.spacing(); }  ///< h [τ]
 
-  /// Moves the row to a state of the flight; `forcing`: the direction of the forcing there against that at
-  /// τ = 0, or null where none acts; `fourth_bound`: of |g''''| from there on.
-  void start(const rotor::State& state, const std::complex<double>* forcing, double fourth_bound) {
-    start_ = state;
-    const double square = spacing() * spacing();
-    remainder_ = fourth_bound * square * square / 288.0;
-    states_.start(state, forcing);
-    y_ = states_.y() + misalignment_;
-    square_ = states_.x() * states_.x() + y_ * y_;
-    square_rate_ = 2.0 * (states_.x() * states_.vx() + y_ * states_.vy());
-  }
+  /// Moves the row to a state of the flight at time τ of the revolution; `fourth_bound`: of |g''''| in it.
+  void start(double time, const rotor::ShaftAndRing& bodies, double fourth_bound);
 
   /// g [m²] and dg/dτ of a blade at the start of the row and at its eight times.
   struct Gaps {
@@ -64,16 +44,17 @@ class FlightRow {
   [[nodiscard]] Gaps gaps(const contact::Geometry& geometry, const contact::BladeDirection& er) const {
     const contact::Pose at_start =
         contact::pose(geometry, er, start_[0], start_[1] + misalignment_, start_[2], start_[3]);
-    const Values cosine = er.cosine * turn_cosine_ - er.sine * turn_sine_;
-    const Values sine = er.sine * turn_cosine_ + er.cosine * turn_sine_;
+    const Values cosine = er.cosine * turn_.cosine() - er.sine * turn_.sine();
+    const Values sine = er.sine * turn_.cosine() + er.cosine * turn_.sine();
     const double reach = 2.0 * geometry.reach;
-    const Values& x = states_.x();
-    return {at_start.gap, contact::gap_rate(geometry, at_start, speed_ratio_),
+    const Values& x = ring_ ? ring_->x : states_.x();
+    const Values& vx = ring_ ? ring_->vx : states_.vx();
+    const Values& vy = ring_ ? ring_->vy : states_.vy();
+    return {at_start.gap, contact::gap_rate(geometry, at_start, turn_.speed_at_start()),
             square_ + (reach * (x * cosine + y_ * sine) + geometry.closing()),
-            square_rate_ + reach * ((states_.vx() * cosine + states_.vy() * sine) +
-                                    speed_ratio_ * (y_ * cosine - x * sine))};
+            square_rate_ + reach * ((vx * cosine + vy * sine) + turn_.speed() * (y_ * cosine - x * sine))};
   }
-  [[nodiscard]] rotor::State state(int i) const { return states_.state(i); }
+  [[nodiscard]] rotor::ShaftAndRing state(int i) const;
 
   /// The first of the eight intervals of the row in which a tip with these gaps may touch; kTimes: none.
   /// `rounding`: more than the gaps are rounded by [m²].
@@ -93,16 +74,32 @@ class FlightRow {
     return kTimes;
   }
 
- private:
-  /// [τ]: a few rows reach from contact to contact, and the remainder is small against usual gaps.
-  static constexpr double kSpacing = 0.3;
+  /// What |g''''| <= `fourth_bound` leaves of g between two times at a distance h, in its inner Bernstein
+  /// coefficients [m²].
+  [[nodiscard]] static double remainder(double fourth_bound, double spacing) {
+    const double square = spacing * spacing;
+    return fourth_bound * square * square / 288.0;
+  }
 
-  double speed_ratio_;
+ private:
+  /// A ring that is a body, and the shaft as seen from it: z − r and z' − r'.
+  struct Ring {
+    Ring(const rotor::RingBody& body, double spacing)
+        : free(body.free_motion(), body.frequency() * spacing), frequency(body.frequency()) {}
+
+    FreeRow free;
+    double frequency;     ///< ν [-]
+    Values rx, ry;        ///< [m]
+    Values rvx, rvy;      ///< [m per unit τ]
+    Values x, y, vx, vy;  ///< seen from the ring
+  };
+
   double misalignment_;
   StateRow states_;
-  Values turn_cosine_, turn_sine_;  ///< of the angle by which the hub turns
+  std::optional<Ring> ring_;
+  TurnRow turn_;
   rotor::State start_ = rotor::State::Zero();
-  Values y_;                     ///< of c; its x and c' are the shaft's
+  Values y_;                     ///< of c; its x and c' are the shaft's, seen from the ring
   Values square_, square_rate_;  ///< |c|² and its derivative
   double remainder_ = 0.0;
 };

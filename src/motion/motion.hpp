@@ -28,6 +28,7 @@
 #include "rotor/blade_set.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
+#include "rotor/machine.hpp"
 
 namespace rubatlas::motion {
 
@@ -40,13 +41,13 @@ class Motion {
   Motion(const rotor::RotorConstants& rotor, Blades blades, Law law, Forcing forcing,
          const modes::ContactLimits& limits, [[maybe_unused]] bool collocates = false)
       : rotor_(rotor),
-        free_(rotor.damping_ratio),
         forcing_(std::move(forcing)),
         law_(std::move(law)),
         limits_(limits),
         blades_(std::move(blades)),
-        flight_(rotor_, free_, forcing_),
-        search_(rotor_, law_, blades_),
+        machine_(rotor::machine_of(rotor_, blades_, forcing_)),
+        flight_(machine_),
+        search_(machine_, geometries()),
         solved_(setup(law_)),
         carried_(made<decltype(carried_)>(&law_)),
         skimming_(made<decltype(skimming_)>(&law_)),
@@ -89,8 +90,7 @@ class Motion {
     if (!place_ring()) return ends(ending::StatusDetail::ring_unbalanced);
     if (!flight_.resolves(rotor_.period())) return ends(ending::StatusDetail::beyond_precision);
     if (!settle([](const modes::OpenContact&) {})) return ends(ending::StatusDetail::slip_undecided);
-    flight_.start(time_, state_);
-    never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);
+    begin_flight();
     return ends(state_.isFinite().all() ? ending::StatusDetail::none
                                         : ending::StatusDetail::beyond_precision);
   }
@@ -128,8 +128,7 @@ class Motion {
       const bool found = held == handed.contacts.end() ? at.pose.gap <= 0.0 || open(k, at) : keep(*held, at);
       if (!found) return ends(ending::StatusDetail::no_equilibrium);
     }
-    flight_.start(time_, state_);
-    never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);
+    begin_flight();
     return ending::PointStatus::done;
   }
 
@@ -254,10 +253,21 @@ class Motion {
     return use(solved_);
   }
 
+  [[nodiscard]] std::vector<contact::Geometry> geometries() const {
+    std::vector<contact::Geometry> result;
+    for (int k = 0; k < blades_.count(); ++k) result.push_back(law_.of(k).geometry());
+    return result;
+  }
+  /// Finds out whether blades can ever touch.
+  void begin_flight() {
+    const rotor::ShaftAndRing bodies = rotor::shaft_and_ring(state_);
+    flight_.start(time_, bodies);
+    never_touches_ = contacts_.empty() && search_.never_touches(flight_, bodies);
+  }
   modes::ModeEnd fly(double period, modes::MotionListener& listener) {
     using modes::Guard;
-    flight_.start(time_, state_);
-    std::optional<typename modes::TouchdownSearch<Law, Blades>::Touchdown> touchdown;
+    flight_.start(time_, rotor::shaft_and_ring(state_));
+    std::optional<modes::TouchdownSearch::Touchdown> touchdown;
     if (!never_touches_) {
       touchdown = search_.find(flight_, period, meter_);
       if (meter_.ended()) return {Guard::failed, -1, meter_.why()};
@@ -268,9 +278,9 @@ class Motion {
     if (meter_.ended()) return {Guard::failed, -1, meter_.why()};
     if (end > time_) {
       modes::FlightPiece piece(flight_, search_, time_, end,
-                               flight_.displacement_bound(time_, state_, end - time_));
+                               flight_.displacement_bound(time_, rotor::shaft(state_), end - time_));
       listener.piece(piece);
-      state_ = flight_.state(end);
+      state_ = rotor::bodies_of<Forcing>(flight_.state(end));
       time_ = end;
       if (!state_.isFinite().all()) return {Guard::failed, -1, ending::StatusDetail::beyond_precision};
     }
@@ -621,14 +631,14 @@ class Motion {
   static constexpr int kNoBlade = -1;
 
   rotor::RotorConstants rotor_;
-  rotor::FreeMotion free_;
   Forcing forcing_;
   Law law_;
   modes::ContactLimits limits_;
   Blades blades_;
   modes::WorkMeter meter_;
-  modes::Flight<Forcing> flight_;
-  modes::TouchdownSearch<Law, Blades> search_;
+  rotor::Machine machine_;
+  modes::Flight flight_;
+  modes::TouchdownSearch search_;
   typename Modes::template Phase<typename Modes::Solved> solved_;
   Optional<Modes::kCollocates, typename Modes::Collocated> collocated_;
   Optional<Modes::kCarries, typename Modes::template Phase<typename Modes::Carried>> carried_;

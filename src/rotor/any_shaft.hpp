@@ -22,8 +22,8 @@ struct SupportedShaft {
   SupportBounds bounds;
 };
 
-/// Harmonic forcings on the paper's isotropic support, or any linear support with its forcings. Each keeps
-/// its own closed form of flight (`modes/supported_flight.hpp`).
+/// Harmonic forcings on the paper's isotropic support, or any linear support with its forcings. Each has its
+/// own closed form of flight (`modes/flight.hpp`).
 struct AnyShaft {
   static constexpr bool kPresent = true;
   std::variant<Harmonics, SupportedShaft> shaft;

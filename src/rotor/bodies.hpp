@@ -38,15 +38,16 @@ struct WithRingBody {
   RingBody ring;
 };
 
-/// The same of a ring without mass, which stands where blades push it, and in its place where none does.
+/// A ring without mass on a spring, which stands where blades push it, and in its place where none does.
+struct FollowingRing {
+  double stiffness;  ///< kr [N/m]
+};
+/// The same in such a ring.
 template <class ShaftForcing>
 struct WithFollowingRing {
   static constexpr bool kPresent = true;
-  struct Ring {
-    double stiffness;  ///< kr [N/m]
-  };
   ShaftForcing shaft;
-  Ring ring;
+  FollowingRing ring;
 };
 
 template <class Forcing>
@@ -69,6 +70,24 @@ template <class Forcing>
 BodiesOf<Forcing> ring_at_rest(const State& shaft) {
   BodiesOf<Forcing> bodies = BodiesOf<Forcing>::Zero();
   bodies.template head<4>() = shaft;
+  return bodies;
+}
+/// What moves under a forcing, of the shaft and a ring that may move.
+template <class Forcing>
+BodiesOf<Forcing> bodies_of(const ShaftAndRing& all) {
+  if constexpr (kRingMoves<Forcing>) {
+    return all;
+  } else {
+    return all.head<4>();
+  }
+}
+/// Shaft and ring of any machine: a ring that does not move is at rest in its place.
+inline const ShaftAndRing& shaft_and_ring(const ShaftAndRing& bodies) {
+  return bodies;
+}
+inline ShaftAndRing shaft_and_ring(const State& shaft) {
+  ShaftAndRing bodies;
+  bodies << shaft, 0.0, 0.0, 0.0, 0.0;
   return bodies;
 }
 

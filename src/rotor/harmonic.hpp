@@ -3,7 +3,7 @@
 ///
 /// A forcing states its acceleration and the closed form of flight under it, the response from rest, which is
 /// added to the free motion:
-///     kPresent, amplitude(), rate()   bounds of the acceleration and of its derivative
+///     kPresent, amplitude(), rate(), rate_of_rate()   bounds of the acceleration and of its derivatives
 ///     acceleration(time)              at time τ of the revolution [m per unit τ²]
 ///     steady(time)                    the steady response with its bounds, where it is known to exist
 ///     from_rest(start, elapsed, free, kernel)   the motion a time after rest at `start`
@@ -50,9 +50,10 @@ class Harmonic {
         frequency_(frequency),
         dynamic_stiffness_(1.0 - frequency * frequency, 2.0 * damping_ratio * frequency) {}
 
-  /// |a| [m per unit τ²], a bound of the acceleration, and |a ν|, one of its derivative.
+  /// |a| [m per unit τ²], a bound of the acceleration; |a ν| and |a ν²|, bounds of its derivatives.
   [[nodiscard]] double amplitude() const { return amplitude_; }
   [[nodiscard]] double rate() const { return amplitude_ * std::abs(frequency_); }
+  [[nodiscard]] double rate_of_rate() const { return amplitude_ * frequency_ * frequency_; }
   [[nodiscard]] double frequency() const { return frequency_; }  ///< ν [per unit τ]
   [[nodiscard]] double phase() const { return phase_; }          ///< γ [rad]
 
@@ -137,12 +138,14 @@ class Harmonics {
     for (const Harmonic& term : terms_) {
       amplitude_ += term.amplitude();
       rate_ += term.rate();
+      rate_of_rate_ += term.rate_of_rate();
     }
   }
 
   [[nodiscard]] const std::vector<Harmonic>& terms() const { return terms_; }
   [[nodiscard]] double amplitude() const { return amplitude_; }
   [[nodiscard]] double rate() const { return rate_; }
+  [[nodiscard]] double rate_of_rate() const { return rate_of_rate_; }
   [[nodiscard]] Complex acceleration(double time) const {
     Complex sum = 0.0;
     for (const Harmonic& term : terms_) sum += term.acceleration(time);
@@ -150,6 +153,7 @@ class Harmonics {
   }
   /// Terms of different frequency come into step at some time.
   [[nodiscard]] std::optional<Steady> steady(double time) const {
+    if (terms_.size() == 1) return terms_.front().steady(time);
     Steady sum{};
     double largest = 0.0;
     double largest_velocity = 0.0;
@@ -180,6 +184,7 @@ class Harmonics {
   std::vector<Harmonic> terms_;
   double amplitude_ = 0.0;
   double rate_ = 0.0;
+  double rate_of_rate_ = 0.0;
 };
 
 }  // namespace rubatlas::rotor

@@ -129,9 +129,9 @@ void LinearSupport::build_propagators() {
 }
 
 LinearSupport::State LinearSupport::state(double start_time, const State& start, double elapsed) const {
-  if (propagators_.empty()) return State::Constant(std::numeric_limits<double>::quiet_NaN());
   State state = start;
   Phasors phasors;
+  phasors.first = 0;
   phasors.count = terms_.size();
   for (std::size_t j = 0; j < phasors.count; ++j) {
     const double angle = terms_[j].frequency * start_time;
@@ -141,7 +141,39 @@ LinearSupport::State LinearSupport::state(double start_time, const State& start,
     phasors.real[j] = amplitude.real() * cosine - amplitude.imag() * sine;
     phasors.imaginary[j] = amplitude.real() * sine + amplitude.imag() * cosine;
   }
+  pass(elapsed, state, phasors);
+  return state;
+}
 
+LinearSupport::Propagator LinearSupport::propagator(double elapsed) const {
+  Propagator result;
+  Phasors phasors;
+  phasors.first = 0;
+  phasors.count = 0;
+  for (int i = 0; i < 4; ++i) {
+    State state = State::Unit(i);
+    pass(elapsed, state, phasors);
+    result.free.col(i) = state;
+  }
+  phasors.count = 1;
+  result.forced.resize(terms_.size());
+  for (; phasors.first < terms_.size(); ++phasors.first) {
+    for (int i = 0; i < 2; ++i) {
+      phasors.real[0] = i == 0 ? 1.0 : 0.0;
+      phasors.imaginary[0] = i == 0 ? 0.0 : 1.0;
+      State state = State::Zero();
+      pass(elapsed, state, phasors);
+      result.forced[phasors.first].col(i) = state;
+    }
+  }
+  return result;
+}
+
+void LinearSupport::pass(double elapsed, State& state, Phasors& phasors) const {
+  if (propagators_.empty()) {
+    state.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
   // The nearest number of steps; what is left is exact, since h is a power of two.
   const std::size_t steps = (static_cast<std::size_t>(elapsed * (2.0 * steps_per_time_)) + 1) / 2;
   const double rest = elapsed - static_cast<double>(steps) * step_;
@@ -159,12 +191,11 @@ LinearSupport::State LinearSupport::state(double start_time, const State& start,
       advance(level * kDigits + digit, state, phasors);
   }
   advance_within_step(rest, state, phasors);
-  return state;
 }
 
 void LinearSupport::advance(std::size_t entry, State& state, Phasors& phasors) const {
   state = (propagators_[entry] * state).eval();
-  const Response* response = responses_.data() + entry * phasors.count;
+  const Response* response = responses_.data() + entry * terms_.size() + phasors.first;
   for (std::size_t j = 0; j < phasors.count; ++j, ++response) {
     const double real = phasors.real[j];
     const double imaginary = phasors.imaginary[j];
@@ -185,7 +216,7 @@ void LinearSupport::advance_within_step(double time, State& state, Phasors& phas
       const double real = phasors.real[j];
       const double imaginary = phasors.imaginary[j];
       rate += Eigen::Vector2d(real, imaginary);
-      const double turn = terms_[j].frequency * factor;
+      const double turn = terms_[phasors.first + j].frequency * factor;
       phasors.real[j] = -turn * imaginary;
       phasors.imaginary[j] = turn * real;
     }

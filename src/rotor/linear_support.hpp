@@ -49,6 +49,14 @@ class LinearSupport {
   /// roundings of the largest motion on the way.
   [[nodiscard]] State state(double start_time, const State& start, double elapsed) const;
 
+  /// Free motion over a time, on its start; and the response from rest over that time to each forcing, on the
+  /// real and imaginary part of its F e^{iντ} at the start.
+  struct Propagator {
+    Eigen::Matrix4d free;
+    std::vector<Eigen::Matrix<double, 4, 2>> forced;
+  };
+  [[nodiscard]] Propagator propagator(double elapsed) const;
+
   /// z'' [m per unit τ²] of the support alone, and with the forcing.
   [[nodiscard]] Complex acceleration(const State& state) const;
   [[nodiscard]] Complex acceleration(double time, const State& state) const;
@@ -78,14 +86,17 @@ class LinearSupport {
     double cosine;
     double sine;
   };
-  /// u_j = F_j e^{iν_j τ}. Only the first `count` are ever set or read.
+  /// u_j = F_j e^{iν_j τ} of the `count` terms from number `first` on; more are never set or read.
   struct Phasors {
+    std::size_t first;
     std::size_t count;
     std::array<double, kMostTerms> real;
     std::array<double, kMostTerms> imaginary;
   };
 
   void build_propagators();
+  /// Goes on by a time.
+  void pass(double elapsed, State& state, Phasors& phasors) const;
   void advance(std::size_t entry, State& state, Phasors& phasors) const;
   void advance_within_step(double time, State& state, Phasors& phasors) const;
 

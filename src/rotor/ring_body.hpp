@@ -29,6 +29,7 @@ class RingBody {
 
   [[nodiscard]] double frequency() const { return frequency_; }                 ///< ν [-]
   [[nodiscard]] double damping_ratio() const { return free_.damping_ratio(); }  ///< ζ_ring [-]
+  [[nodiscard]] const FreeMotion& free_motion() const { return free_; }         ///< in the time ντ
   /// 1/(m_r ωn²) [m/N]: acceleration per unit τ² of one newton.
   [[nodiscard]] double force_unit() const { return force_unit_; }
   /// d/dτ of the logarithm of the ring's phase volume, −4 ζ_ring ν.
@@ -54,13 +55,16 @@ class RingBody {
   [[nodiscard]] double energy_norm(const State& ring) const {
     return std::hypot(frequency_ * std::hypot(ring[0], ring[1]), std::hypot(ring[2], ring[3]));
   }
-  /// Bounds of |r''| and |r'''| in free motion whose energy norm is at most `norm`.
+  /// Bounds of |r''|, |r'''| and |r''''| in free motion whose energy norm is at most `norm`.
   [[nodiscard]] double second_bound(double norm) const {
     const double damping = 2.0 * damping_ratio();
     return frequency_ * std::sqrt(1.0 + damping * damping) * norm;
   }
   [[nodiscard]] double third_bound(double norm) const {
     return frequency_ * (2.0 * damping_ratio() * second_bound(norm) + frequency_ * norm);
+  }
+  [[nodiscard]] double fourth_bound(double norm) const {
+    return frequency_ * (2.0 * damping_ratio() * third_bound(norm) + frequency_ * second_bound(norm));
   }
 
  private:

@@ -26,19 +26,31 @@ class RipplingBlades : private BladeSet {
         frequency_(ripple.order * speed_ratio),
         depth_(ripple.amplitude / ripple.order),
         phase_(ripple.phase) {}
+  /// Blades at constant speed are blades whose speed may ripple. NOLINTNEXTLINE(google-explicit-constructor)
+  RipplingBlades(const BladeSet& blades)
+      : BladeSet(blades), amplitude_(0.0), frequency_(0.0), depth_(0.0), phase_(0.0) {}
 
   [[nodiscard]] bool ripples() const { return amplitude_ != 0.0; }
+  [[nodiscard]] double mean_speed() const { return BladeSet::angular_speed(0.0); }  ///< Ω [-]
+  [[nodiscard]] double ripple_amplitude() const { return amplitude_; }              ///< a [-]
+  [[nodiscard]] double ripple_frequency() const { return frequency_; }              ///< pΩ [per unit τ]
+  [[nodiscard]] double ripple_depth() const { return depth_; }                      ///< a/p [rad]
+  /// pΩτ + ψ, as a direction.
+  [[nodiscard]] contact::BladeDirection ripple(double time) const {
+    const double angle = frequency_ * time + phase_;
+    return {std::cos(angle), std::sin(angle)};
+  }
   [[nodiscard]] double angle(double time) const {
-    return speed_ratio() * time + depth_ * (std::sin(frequency_ * time + phase_) - std::sin(phase_));
+    return mean_speed() * time + depth_ * (std::sin(frequency_ * time + phase_) - std::sin(phase_));
   }
   /// dφ/dτ and d²φ/dτ² at time τ of the revolution.
   [[nodiscard]] double angular_speed(double time) const {
-    if (!ripples()) return speed_ratio();
-    return speed_ratio() * (1.0 + amplitude_ * std::cos(frequency_ * time + phase_));
+    if (!ripples()) return mean_speed();
+    return mean_speed() * (1.0 + amplitude_ * std::cos(frequency_ * time + phase_));
   }
   [[nodiscard]] double angular_acceleration(double time) const {
     if (!ripples()) return 0.0;
-    return -speed_ratio() * amplitude_ * frequency_ * std::sin(frequency_ * time + phase_);
+    return -mean_speed() * amplitude_ * frequency_ * std::sin(frequency_ * time + phase_);
   }
   [[nodiscard]] double ripple_amplitude() const { return amplitude_; }  ///< a [-]
   [[nodiscard]] double ripple_frequency() const { return frequency_; }  ///< pΩ [per unit τ]
@@ -46,15 +58,16 @@ class RipplingBlades : private BladeSet {
   /// pΩτ + ψ [rad].
   [[nodiscard]] double ripple_angle(double time) const { return frequency_ * time + phase_; }
   /// Least |φ'|.
-  [[nodiscard]] double slowest() const { return std::abs(speed_ratio()) * (1.0 - amplitude_); }
-  /// Bounds of |φ'|, |φ''| and |φ'''|.
-  [[nodiscard]] double speed_bound() const { return std::abs(speed_ratio()) * (1.0 + amplitude_); }
+  [[nodiscard]] double slowest() const { return std::abs(mean_speed()) * (1.0 - amplitude_); }
+  /// Bounds of |φ'|, |φ''|, |φ'''| and |φ''''|.
+  [[nodiscard]] double speed_bound() const { return std::abs(mean_speed()) * (1.0 + amplitude_); }
   [[nodiscard]] double angular_acceleration_bound() const {
-    return std::abs(speed_ratio() * frequency_) * amplitude_;
+    return std::abs(mean_speed() * frequency_) * amplitude_;
   }
   [[nodiscard]] double angular_jerk_bound() const {
-    return std::abs(speed_ratio()) * frequency_ * frequency_ * amplitude_;
+    return std::abs(mean_speed()) * frequency_ * frequency_ * amplitude_;
   }
+  [[nodiscard]] double angular_snap_bound() const { return std::abs(frequency_) * angular_jerk_bound(); }
 
   [[nodiscard]] contact::BladeDirection first(double time) const {
     if (!ripples()) return BladeSet::first(time);
@@ -72,9 +85,6 @@ class RipplingBlades : private BladeSet {
   }
 
  private:
-  /// Ω, the mean [-].
-  [[nodiscard]] double speed_ratio() const { return BladeSet::angular_speed(0.0); }
-
   double amplitude_;  ///< a [-]
   double frequency_;  ///< pΩ [per unit τ]
   double depth_;      ///< a/p [rad]

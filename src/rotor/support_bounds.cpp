@@ -89,6 +89,16 @@ SupportBounds::SupportBounds(const LinearSupport& support)
   for (const HarmonicForcing& term : terms_)
     third_.offset +=
         spectral_norm((term.frequency * quarter_turn() - damping_).eval()) * std::abs(term.amplitude);
+  // z'''' = C K z' + (C² − K) z'' − C f' + f'', and z'' = −K z − C z' + f.
+  const Matrix2d of_second = damping_ * damping_ - stiffness_;
+  fourth_.slope =
+      spectral_norm(beside(-of_second * stiffness_, damping_ * stiffness_ - of_second * damping_));
+  for (const HarmonicForcing& term : terms_) {
+    const double square = term.frequency * term.frequency;
+    const Matrix2d of_forcing =
+        of_second - term.frequency * damping_ * quarter_turn() - square * Matrix2d::Identity();
+    fourth_.offset += spectral_norm(of_forcing) * std::abs(term.amplitude);
+  }
 }
 
 void SupportBounds::add_norm(const Matrix4d& weight, bool never_grows) {

@@ -13,11 +13,12 @@
 #include "assembly/make_line_solver.hpp"
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
-#include "modes/ring_flight.hpp"
+#include "modes/flight.hpp"
 #include "modes/touchdown_search.hpp"
 #include "motion/modes_of_axial_loads.hpp"
 #include "motion/modes_of_rigid_blades.hpp"
 #include "motion/motion.hpp"
+#include "rotor/machine.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -137,22 +138,20 @@ TEST(RingBody, FliesOnWithoutTheShaftAfterAContact) {
 TEST(RingBody, NoTouchdownIsMissedWhereShaftAndRingMoveTowardsEachOther) {
   // The search against a scan of the gaps; the ring is fast, slow, damped and not.
   const rotor::RotorConstants rotor = ring_rotor(0.5, 0.05, 0.007);
-  const contact::ElasticRingContact law(kBladeAndRing, 1e4, 0.1);
   const rotor::BladeSet blades(3, rotor.speed_ratio);
-  const rotor::FreeMotion free(rotor.damping_ratio);
   int found = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const auto part = [&](int prime) { return 2.0 * std::fmod(0.618034 * (trial + 1) * prime, 1.0) - 1.0; };
     const RingBody ring(1.0, 100.0 * std::pow(30.0, 1.0 + part(3)), trial % 2 != 0 ? 0.0 : 20.0,
                         kNaturalFrequency);
-    const Forcing forcing{{}, ring};
-    modes::Flight<Forcing> flight(rotor, free, forcing);
+    const rotor::Machine machine = rotor::machine_of(rotor, blades, Forcing{{}, ring});
+    modes::Flight flight(machine);
     ShaftAndRing start;
     start << 3e-3 * part(5), 3e-3 * part(7), 4e-3 * part(11), 4e-3 * part(13), 2e-3 * part(17),
         2e-3 * part(19), 2e-3 * ring.frequency() * part(23), 2e-3 * ring.frequency() * part(29);
     flight.start(0.0, start);
     const double until = 2.0 * std::numbers::pi / rotor.speed_ratio;
-    modes::TouchdownSearch<contact::ElasticRingContact> search(rotor, law, blades);
+    modes::TouchdownSearch search(machine, {3, kBladeAndRing});
     const auto largest_gap = [&](double time) {
       double largest = -1.0;
       const State seen = rotor::from_ring(flight.state(time));

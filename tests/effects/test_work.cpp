@@ -12,12 +12,13 @@
 #include <vector>
 
 #include "assembly/make_line_solver.hpp"
-#include "contact/elastic_ring_contact.hpp"
+#include "contact/pose.hpp"
 #include "effect_scene.hpp"
-#include "modes/supported_flight.hpp"
+#include "modes/flight.hpp"
 #include "modes/touchdown_search.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/blade_set.hpp"
+#include "rotor/machine.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -63,22 +64,23 @@ TEST(FlightThatGrows, ItsTouchDownIsFoundInFewSteps) {
     SCOPED_TRACE(support.added.dump());
     const rotor::RotorConstants rotor{support.speed_ratio, 0.1, 0.0, 0.01, 0.01};
     const contact::Geometry geometry{0.19, 0.2};
-    const contact::ElasticRingContact law(geometry, 1e4, 0.1);
     const rotor::BladeSet blades(3, rotor.speed_ratio);
-    const rotor::FreeMotion free(rotor.damping_ratio);
-    const rotor::SupportedShaft shaft(rotor::LinearSupport(support.stiffness, support.damping, {}));
-    modes::Flight<rotor::SupportedShaft> flight(rotor, free, shaft);
+    const rotor::AnyShaft shaft{
+        rotor::SupportedShaft(rotor::LinearSupport(support.stiffness, support.damping, {}))};
+    const rotor::Machine machine = rotor::machine_of(rotor, blades, shaft);
+    modes::Flight flight(machine);
     const auto largest_gap = [&](double time) {
       double largest = -std::numeric_limits<double>::infinity();
       for (int k = 0; k < 3; ++k) {
         const auto direction = blades.direction(k, blades.first(time));
-        largest = std::max(largest, pose_of(rotor, geometry, direction, flight.state(time)).gap);
+        largest = std::max(largest, pose_of(rotor, geometry, direction, flight.shaft(time)).gap);
       }
       return largest;
     };
     for (const double size : {1e-9, 1e-5, 1e-3}) {
-      flight.start(0.0, rotor::State{0.6 * size, 0.8 * size, 0.3 * size, -0.5 * size});
-      modes::TouchdownSearch<contact::ElasticRingContact> search(rotor, law, blades);
+      const rotor::State start{0.6 * size, 0.8 * size, 0.3 * size, -0.5 * size};
+      flight.start(0.0, rotor::shaft_and_ring(start));
+      modes::TouchdownSearch search(machine, {3, geometry});
       WorkMeter meter;
       const double period = rotor.period();
       const auto touchdown = search.find(flight, period, meter);

@@ -8,9 +8,13 @@
 
 #include "../support/honest_end.hpp"
 #include "../support/point.hpp"
-#include "contact/elastic_ring_contact.hpp"
+#include "contact/pose.hpp"
+#include "modes/flight.hpp"
 #include "modes/touchdown_search.hpp"
-#include "rotor/free_motion.hpp"
+#include "modes/work_meter.hpp"
+#include "rotor/blade_set.hpp"
+#include "rotor/bodies.hpp"
+#include "rotor/machine.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -30,13 +34,13 @@ double swept_depth(int i) {
 /// 2πk/n).
 class FreeWhirl {
  public:
-  using Search = modes::TouchdownSearch<contact::ElasticRingContact>;
+  using Search = modes::TouchdownSearch;
 
   FreeWhirl(int blades, double speed_ratio)
-      : rotor_{speed_ratio, 0.0, 0.0, 1.0, kClearance},
-        blades_(blades, speed_ratio),
-        flight_(rotor_, free_, forcing_),
-        search_(rotor_, law_, blades_) {}
+      : machine_(rotor::machine_of({speed_ratio, 0.0, 0.0, 1.0, kClearance},
+                                   rotor::BladeSet(blades, speed_ratio), rotor::NoForcing{})),
+        flight_(machine_),
+        search_(machine_, {static_cast<std::size_t>(blades), contact::Geometry{kReach, kRadius}}) {}
 
   /// First touch-down of the whirl with amplitude ρ that has been at angle −t0 at τ = 0, from τ = `from` on.
   std::optional<Search::Touchdown> first_touchdown(double amplitude, double delay, double from,
@@ -44,19 +48,15 @@ class FreeWhirl {
     const double angle = from - delay;
     const double x = amplitude * std::cos(angle);
     const double y = amplitude * std::sin(angle);
-    flight_.start(from, {x, y, -y, x});
+    flight_.start(from, rotor::shaft_and_ring(rotor::State{x, y, -y, x}));
     meter_.begin_revolution(nobody_);
     return search_.find(flight_, until, meter_);
   }
   [[nodiscard]] std::uint64_t evaluations() const { return search_.evaluations(); }
 
  private:
-  rotor::RotorConstants rotor_;
-  rotor::FreeMotion free_{0.0};
-  rotor::NoForcing forcing_;
-  rotor::BladeSet blades_;
-  modes::Flight<rotor::NoForcing> flight_;
-  contact::ElasticRingContact law_{{kReach, kRadius}, 1.0, 0.0};
+  rotor::Machine machine_;
+  modes::Flight flight_;
   Search search_;
   modes::GoOn nobody_;
   modes::WorkMeter meter_;

@@ -167,13 +167,15 @@ TEST(SupportBounds, DerivativesStayBelowTheirBounds) {
       const State state = random_state(random);
       const double time = 0.37 * sample;
       const ExactFlight::Vector first = generator * ExactFlight::whole(support, time, state);
-      const ExactFlight::Vector second = generator * first, third = generator * second;
+      const ExactFlight::Vector second = generator * first, third = generator * second,
+                                fourth = generator * third;
       const auto leading = [](const ExactFlight::Vector& whole) {
         return Complex(static_cast<double>(whole[0]), static_cast<double>(whole[1]));
       };
       const double bound = state.norm();
       ASSERT_LE(std::abs(leading(second)), bounds.second_bound(bound) * (1 + 1e-15));
       ASSERT_LE(std::abs(leading(third)), bounds.third_bound(bound) * (1 + 1e-15));
+      ASSERT_LE(std::abs(leading(fourth)), bounds.fourth_bound(bound) * (1 + 1e-15));
       const Complex i(0.0, 1.0), position(state[0], state[1]);
       const Complex turned = leading(third) + 3.0 * i * speed * leading(second) -
                              3.0 * speed * speed * leading(first) - i * speed * speed * speed * position;
@@ -191,6 +193,7 @@ TEST(SupportBounds, IsotropicDerivativeBoundsAreThoseOfTheJeffcottRotor) {
     const double c = 2 * damping;
     EXPECT_NEAR(bounds.second_bound(1.0), std::hypot(1.0, c), 1e-13 * (1 + c));
     EXPECT_NEAR(bounds.third_bound(1.0), std::hypot(c, c * c - 1), 1e-14 * (1 + c * c));
+    EXPECT_NEAR(bounds.fourth_bound(1.0), std::hypot(c * c - 1, c * (c * c - 2)), 1e-14 * (1 + c * c * c));
     for (const double speed : {0.0, 0.62, 3.0, -0.62}) {
       const double exact = std::hypot(std::hypot(c * c - 1 - 3 * speed * speed, 3 * speed * c),
                                       std::hypot(c, speed * (3 + speed * speed)));

@@ -6,19 +6,17 @@
 #include <random>
 #include <vector>
 
-#include "contact/elastic_ring_contact.hpp"
+#include "contact/pose.hpp"
 #include "modes/flight_piece.hpp"
 #include "modes/touchdown_search.hpp"
+#include "random_machine.hpp"
+#include "rotor/machine.hpp"
 #include "trajectory/largest_distance.hpp"
 
 namespace rubatlas::test {
 namespace {
 
 constexpr double kSize = 0.01;  ///< [m] of the motions
-
-double between(std::mt19937_64& generator, double least, double most) {
-  return least + (most - least) * static_cast<double>(generator() >> 11U) * 0x1p-53;
-}
 
 /// Calls `use` with flights of undamped to overdamped shafts, with and without unbalance, over a revolution.
 template <class Use>
@@ -27,15 +25,13 @@ void for_each_flight(Use use) {
   for (const double damping : {0.0, 0.001, 0.1, 1.0, 1.7}) {
     for (const double speed : {0.2, 0.62, 1.0, 2.5}) {
       const rotor::RotorConstants constants{speed, damping, 0.01, 0.01, kSize};
-      const rotor::FreeMotion free(damping);
       rotor::State state;
       for (double& component : state) component = between(generator, -kSize, kSize);
       const auto fly = [&](const auto& forcing) {
-        modes::Flight flight(constants, free, forcing);
-        flight.start(between(generator, 0.0, 0.1), state);
-        const rotor::BladeSet blades(3, speed);
-        const contact::ElasticRingContact law({0.1, 0.11}, 0.1, 1e4);
-        modes::TouchdownSearch<contact::ElasticRingContact> search(constants, law, blades);
+        const rotor::Machine machine = rotor::machine_of(constants, rotor::BladeSet(3, speed), forcing);
+        modes::Flight flight(machine);
+        flight.start(between(generator, 0.0, 0.1), rotor::shaft_and_ring(state));
+        modes::TouchdownSearch search(machine, {3, contact::Geometry{0.1, 0.11}});
         use(flight, search, constants);
       };
       fly(rotor::NoForcing{});
@@ -44,35 +40,33 @@ void for_each_flight(Use use) {
   }
 }
 
-template <class Forcing, class Search>
-modes::FlightPiece<Forcing, Search> piece_of(const modes::Flight<Forcing>& flight, Search& search,
-                                             double end) {
+modes::FlightPiece piece_of(const modes::Flight& flight, modes::TouchdownSearch& search, double end) {
   const double begin = flight.start_time();
-  return {flight, search, begin, end, flight.displacement_bound(begin, flight.state(begin), end - begin)};
+  return {flight, search, begin, end, flight.displacement_bound(begin, flight.shaft(begin), end - begin)};
 }
 
 TEST(FlightBounds, HoldWhereForcingsOfDifferentFrequencyComeIntoStepLater) {
   for (const double damping : {0.0, 0.1, 1.0}) {
     const rotor::RotorConstants constants{2.5, damping, 0.01, 0.01, kSize};
-    const rotor::FreeMotion free(damping);
     // A static load, and an unbalance that opposes it at τ = 0.
     const rotor::Harmonic load(0.1 * kSize, 0.0, 0.0, damping);
     const rotor::Harmonics both({load, rotor::RotatingUnbalance(0.08 * kSize, 0.0, 2.5, damping)});
     const auto steady = *both.steady(0.0);
-    modes::Flight flight(constants, free, both);
+    const rotor::Machine machine{constants, rotor::BladeSet(3, 2.5), {both}, {}};
+    modes::Flight flight(machine);
     const rotor::State start{steady.position.real(), steady.position.imag(), steady.velocity.real(),
                              steady.velocity.imag()};
-    flight.start(0.0, start);
+    flight.start(0.0, rotor::shaft_and_ring(start));
     double largest = 0.0;
     double amplitude = 0.0;
     for (int i = 0; i <= 1000; ++i) {
-      const rotor::State there = flight.state(0.01 * i);
+      const rotor::State there = flight.shaft(0.01 * i);
       largest = std::max(largest, std::hypot(there[0], there[1]));
       amplitude = std::max(amplitude, std::sqrt(there.square().sum()));
     }
     EXPECT_GT(largest, 2.0 * std::abs(steady.position)) << "else the start would bound the motion";
     EXPECT_LE(largest, flight.displacement_bound(0.0, start, 10.0) * (1.0 + 1e-12));
-    EXPECT_LE(amplitude, flight.amplitude_bound(0.0, start, 10.0) * (1.0 + 1e-12));
+    EXPECT_LE(amplitude, flight.bound(0.0, flight.state(0.0), 10.0).shaft * (1.0 + 1e-12));
   }
 }
 
@@ -93,7 +87,7 @@ TEST(FlightSamples, AreThoseOfTheClosedFormToRounding) {
         double largest = 0.0;
         for (int i = first; i <= last; ++i) {
           const auto sample = static_cast<std::size_t>(i - first);
-          const rotor::State exact = flight.state(times[i]);
+          const rotor::State exact = flight.shaft(times[i]);
           largest = std::max({largest, std::abs(x[sample] - exact[0]), std::abs(y[sample] - exact[1])});
         }
         EXPECT_LE(largest, 1e-14 * kSize) << "speed ratio " << rotor.speed_ratio << ", damping ratio "
@@ -104,10 +98,9 @@ TEST(FlightSamples, AreThoseOfTheClosedFormToRounding) {
 }
 
 /// The same piece, of which only states are known.
-template <class Piece>
 class StatesOnly final : public trajectory::MotionPiece {
  public:
-  explicit StatesOnly(Piece& piece) : piece_(&piece) {}
+  explicit StatesOnly(modes::FlightPiece& piece) : piece_(&piece) {}
   [[nodiscard]] double begin() const override { return piece_->begin(); }
   [[nodiscard]] double end() const override { return piece_->end(); }
   [[nodiscard]] trajectory::State state(double time) override { return piece_->state(time); }
@@ -123,7 +116,7 @@ class StatesOnly final : public trajectory::MotionPiece {
   [[nodiscard]] trajectory::Tip tip(int blade, double time) override { return piece_->tip(blade, time); }
 
  private:
-  Piece* piece_;
+  modes::FlightPiece* piece_;
 };
 
 TEST(FlightSamples, TheLargestDisplacementOfAFlightIsFoundWhereverItLies) {

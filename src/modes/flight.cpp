@@ -1,0 +1,228 @@
+#include "modes/flight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "integrate/newton_between.hpp"
+#include "modes/work_meter.hpp"
+#include "rotor/harmonic.hpp"
+
+namespace rubatlas::modes {
+namespace {
+
+/// z·z', half of the rate of |z|².
+double distance_rate(const rotor::State& state) {
+  return state[0] * state[2] + state[1] * state[3];
+}
+
+}  // namespace
+
+Flight::Flight(const rotor::Machine& machine)
+    : machine_(&machine),
+      free_(machine.constants.damping_ratio),
+      harmonics_(machine.harmonics()),
+      supported_(machine.supported()),
+      ring_(machine.ring_body()) {
+  if (harmonics_ != nullptr && harmonics_->terms().empty()) harmonics_ = nullptr;
+}
+
+void Flight::start(double time, const rotor::ShaftAndRing& bodies) {
+  start_ = time;
+  at_start_ = bodies;
+}
+
+rotor::State Flight::shaft(double time) const {
+  const double elapsed = time - start_;
+  if (supported_ != nullptr)
+    return supported_->support.state(start_, at_start_.head<4>().matrix(), elapsed).array();
+  const Complex from(at_start_[0], at_start_[1]);
+  const Complex moving(at_start_[2], at_start_[3]);
+  const auto kernel = free_.kernel(elapsed);
+  const double damping = free_.damping_ratio();
+  Complex position = rotor::FreeMotion::position(kernel, damping, from, moving);
+  Complex velocity = rotor::FreeMotion::velocity(kernel, damping, from, moving);
+  if (harmonics_ != nullptr) {
+    const auto response = harmonics_->from_rest(start_, elapsed, free_, kernel);
+    position += response.position;
+    velocity += response.velocity;
+  }
+  return {position.real(), position.imag(), velocity.real(), velocity.imag()};
+}
+
+rotor::ShaftAndRing Flight::state(double time) const {
+  rotor::ShaftAndRing bodies = rotor::shaft_and_ring(shaft(time));
+  if (ring_ != nullptr) bodies.tail<4>() = ring_->free(rotor::ring(at_start_), time - start_);
+  return bodies;
+}
+
+bool Flight::resolves(double time) const {
+  return supported_ == nullptr || supported_->support.resolves(time);
+}
+
+Flight::Complex Flight::shaft_acceleration(double time, const rotor::State& state) const {
+  if (supported_ != nullptr) return supported_->support.acceleration(time, state.matrix());
+  Complex result =
+      -2.0 * machine_->constants.damping_ratio * Complex(state[2], state[3]) - Complex(state[0], state[1]);
+  if (harmonics_ != nullptr) result += harmonics_->acceleration(time);
+  return result;
+}
+
+Flight::Complex Flight::acceleration(double time, const rotor::ShaftAndRing& bodies) const {
+  Complex result = shaft_acceleration(time, rotor::shaft(bodies));
+  if (ring_ != nullptr) result -= ring_->acceleration(rotor::ring(bodies), 0.0);
+  return result;
+}
+
+/// `size`: a bound of the norm in question, of the steady response.
+template <class Size>
+double Flight::isotropic_bound(double time, const rotor::State& state, double horizon, Size size) const {
+  double result = std::sqrt(state.square().sum());
+  if (harmonics_ != nullptr) {
+    result += harmonics_->amplitude() * horizon;
+    if (const auto steady = harmonics_->steady(time)) {
+      const double distance = std::sqrt(std::norm(Complex(state[0], state[1]) - steady->position) +
+                                        std::norm(Complex(state[2], state[3]) - steady->velocity));
+      result = std::min(result, distance + size(*steady));
+    }
+  }
+  return result;
+}
+
+FlightBound Flight::bound(double time, const rotor::ShaftAndRing& bodies, double horizon) const {
+  FlightBound result{0.0};
+  if (supported_ != nullptr) {
+    result.shaft = supported_->bounds.amplitude_bound(time, bodies.head<4>().matrix(), horizon);
+  } else {
+    result.shaft = isotropic_bound(time, rotor::shaft(bodies), horizon, [](const rotor::Steady& steady) {
+      return std::sqrt(steady.largest_square + steady.largest_velocity_square);
+    });
+  }
+  if (ring_ != nullptr) {
+    result.ring_velocity = ring_->energy_norm(rotor::ring(bodies));
+    result.ring_position = result.ring_velocity / ring_->frequency();
+  }
+  return result;
+}
+
+double Flight::displacement_bound(double time, const rotor::State& shaft, double horizon) const {
+  if (supported_ != nullptr) return supported_->bounds.amplitude_bound(time, shaft.matrix(), horizon);
+  return isotropic_bound(time, shaft, horizon,
+                         [](const rotor::Steady& steady) { return std::sqrt(steady.largest_square); });
+}
+
+double Flight::bound_from_ring(double time, const rotor::ShaftAndRing& bodies, double horizon) const {
+  const double of_shaft = displacement_bound(time, rotor::shaft(bodies), horizon);
+  return ring_ != nullptr ? of_shaft + ring_->energy_norm(rotor::ring(bodies)) / ring_->frequency()
+                          : of_shaft;
+}
+
+double Flight::time_of_bound() const {
+  return supported_ != nullptr ? supported_->bounds.growth_time() : std::numeric_limits<double>::infinity();
+}
+
+DerivativeBounds Flight::derivative_bounds(const FlightBound& bound) const {
+  DerivativeBounds result{};
+  if (supported_ != nullptr) {
+    const rotor::SupportBounds& bounds = supported_->bounds;
+    result = {bounds.second_bound(bound.shaft), bounds.third_bound(bound.shaft),
+              bounds.fourth_bound(bound.shaft)};
+  } else {
+    // z'' in z, z' and the forcing, then each derivative in the two before it.
+    const double damping = 2.0 * machine_->constants.damping_ratio;
+    result.second = std::sqrt(1.0 + damping * damping) * bound.shaft + forcing_bound();
+    result.third = damping * result.second + bound.shaft;
+    if (harmonics_ != nullptr) result.third += harmonics_->rate();
+    result.fourth = damping * result.third + result.second;
+    if (harmonics_ != nullptr) result.fourth += harmonics_->rate_of_rate();
+  }
+  if (ring_ != nullptr) {
+    result.second += ring_->second_bound(bound.ring_velocity);
+    result.third += ring_->third_bound(bound.ring_velocity);
+    result.fourth += ring_->fourth_bound(bound.ring_velocity);
+  }
+  return result;
+}
+
+double Flight::forcing_bound() const {
+  if (supported_ != nullptr) return supported_->bounds.forcing_bound();
+  return harmonics_ != nullptr ? harmonics_->amplitude() : 0.0;
+}
+
+std::int64_t Flight::price_of_state() const {
+  constexpr std::int64_t kMatrix = 300;
+  constexpr std::int64_t kTerm = 150;
+  if (supported_ == nullptr) return WorkPrice::kState;
+  return kMatrix + kTerm * static_cast<std::int64_t>(supported_->support.terms().size());
+}
+
+StateRow& Flight::row_of(std::optional<StateRow>& row, double spacing) const {
+  if (!row || row->spacing() != spacing) row.emplace(*machine_, spacing);
+  return *row;
+}
+
+void Flight::places(const trajectory::SampleTimes& times, int first, std::span<double> x,
+                    std::span<double> y) const {
+  constexpr int kRowsFromClosedForm = 16;  // rounding of each row adds up
+  StateRow& row = row_of(sample_row_, times.spacing());
+  int number = first;
+  rotor::State at = shaft(times[number]);
+  x[0] = at[0];
+  if (!y.empty()) y[0] = at[1];
+  std::size_t done = 1;
+  for (int rows = 1; done < x.size(); ++rows) {
+    row.start(times[number], at);
+    const std::size_t count = std::min<std::size_t>(StateRow::kTimes, x.size() - done);
+    std::copy_n(row.x().data(), count, &x[done]);
+    if (!y.empty()) std::copy_n(row.y().data(), count, &y[done]);
+    done += count;
+    number += static_cast<int>(count);
+    at = rows % kRowsFromClosedForm == 0 ? shaft(times[number]) : row.state(StateRow::kTimes - 1);
+  }
+}
+
+double Flight::largest_displacement(double begin, double end, double known) const {
+  const double spacing = trajectory::spacing_of_distances(machine_->constants.speed_ratio);
+  StateRow& row = row_of(distance_row_, spacing);
+  double largest = known * known;
+  const auto take = [&](const rotor::State& there) {
+    largest = std::max(largest, there[0] * there[0] + there[1] * there[1]);
+  };
+  rotor::State at = shaft(begin);
+  double time = begin;
+  double rate = distance_rate(at);
+  take(at);
+  while (time < end) {
+    const double bound = displacement_bound(time, at, end - time);
+    if (!(bound * bound > largest)) break;
+    row.start(time, at);
+    const double row_begin = time;
+    for (int i = 0; i < StateRow::kTimes && time < end; ++i) {
+      const double next = std::min(row_begin + (i + 1) * spacing, end);
+      const rotor::State there = next < end ? row.state(i) : shaft(end);
+      const double rate_there = distance_rate(there);
+      take(there);
+      if (rate > 0.0 && rate_there < 0.0) take(shaft(top_between(time, next, rate, rate_there)));
+      time = next;
+      at = there;
+      rate = rate_there;
+    }
+  }
+  return largest > known * known ? std::sqrt(largest) : known;
+}
+
+/// The time between two others when |z| is largest, from its rates there.
+double Flight::top_between(double from, double to, double rate_from, double rate_to) const {
+  const auto rate = [&](double time) {
+    const rotor::State at = shaft(time);
+    const Complex second = shaft_acceleration(time, at);
+    return integrate::ValueAndSlope{
+        distance_rate(at), at[2] * at[2] + at[3] * at[3] + at[0] * second.real() + at[1] * second.imag()};
+  };
+  constexpr double kClosest = 1e-4;  // a maximum is flat
+  const double guess = from + (to - from) * rate_from / (rate_from - rate_to);
+  return integrate::newton_between(rate, from, to, guess, false, kClosest * (to - from));
+}
+
+}  // namespace rubatlas::modes

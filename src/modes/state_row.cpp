@@ -1,0 +1,87 @@
+#include "modes/state_row.hpp"
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+
+#include "rotor/harmonic.hpp"
+#include "rotor/linear_support.hpp"
+
+namespace rubatlas::modes {
+
+StateRow::StateRow(const rotor::Machine& machine, double spacing)
+    : spacing_(spacing), isotropic_(rotor::FreeMotion(machine.constants.damping_ratio), spacing) {
+  if (const rotor::Harmonics* harmonics = machine.harmonics()) {
+    const rotor::FreeMotion free(machine.constants.damping_ratio);
+    for (const rotor::Harmonic& term : harmonics->terms()) {
+      Response& response = responses_.emplace_back();
+      response.frequency = term.frequency();
+      for (int i = 0; i < kTimes; ++i) {
+        const double elapsed = (i + 1) * spacing_;
+        const auto from_rest = term.from_rest(0.0, elapsed, free, free.kernel(elapsed));
+        response.along[0][i] = from_rest.position.real();
+        response.along[1][i] = from_rest.position.imag();
+        response.along[2][i] = from_rest.velocity.real();
+        response.along[3][i] = from_rest.velocity.imag();
+      }
+      response.across = {-response.along[1], response.along[0], -response.along[3], response.along[2]};
+    }
+    return;
+  }
+  const rotor::LinearSupport& support = machine.supported()->support;
+  supported_.resize(4);
+  responses_.resize(support.terms().size());
+  for (int i = 0; i < kTimes; ++i) {
+    const rotor::LinearSupport::Propagator over = support.propagator((i + 1) * spacing_);
+    for (std::size_t from = 0; from < 4; ++from) {
+      for (std::size_t to = 0; to < 4; ++to)
+        supported_[from][to][i] = over.free(static_cast<int>(to), static_cast<int>(from));
+    }
+    for (std::size_t j = 0; j < responses_.size(); ++j) {
+      const rotor::HarmonicForcing& term = support.terms()[j];
+      responses_[j].frequency = term.frequency;
+      const double real = term.amplitude.real();
+      const double imaginary = term.amplitude.imag();
+      const Eigen::Vector4d along = over.forced[j] * Eigen::Vector2d(real, imaginary);
+      const Eigen::Vector4d across = over.forced[j] * Eigen::Vector2d(-imaginary, real);
+      for (std::size_t to = 0; to < 4; ++to) {
+        responses_[j].along[to][i] = along[static_cast<int>(to)];
+        responses_[j].across[to][i] = across[static_cast<int>(to)];
+      }
+    }
+  }
+}
+
+void StateRow::start(double time, const rotor::State& state) {
+  if (supported_.empty()) {
+    isotropic_.move(state[0], state[2], x_, vx_);
+    isotropic_.move(state[1], state[3], y_, vy_);
+  } else {
+    const auto sum = [&](std::size_t to, Values& values) {
+      values = (state[0] * supported_[0][to] + state[1] * supported_[1][to]) +
+               (state[2] * supported_[2][to] + state[3] * supported_[3][to]);
+    };
+    sum(0, x_);
+    sum(1, y_);
+    sum(2, vx_);
+    sum(3, vy_);
+  }
+  for (const Response& response : responses_) {
+    if (response.frequency == 0.0) {
+      x_ += response.along[0];
+      y_ += response.along[1];
+      vx_ += response.along[2];
+      vy_ += response.along[3];
+      continue;
+    }
+    const std::complex<double> direction = std::polar(1.0, response.frequency * time);
+    const double along = direction.real();
+    const double across = direction.imag();
+    x_ += along * response.along[0] + across * response.across[0];
+    y_ += along * response.along[1] + across * response.across[1];
+    vx_ += along * response.along[2] + across * response.across[2];
+    vy_ += along * response.along[3] + across * response.across[3];
+  }
+}
+
+}  // namespace rubatlas::modes

@@ -1,0 +1,444 @@
+#include "modes/touchdown_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <utility>
+
+#include "integrate/conservative_step.hpp"
+#include "integrate/cubic_range.hpp"
+#include "integrate/first_crossing.hpp"
+#include "integrate/newton_between.hpp"
+#include "modes/tip_of.hpp"
+#include "rotor/blade_set.hpp"
+#include "rotor/constants.hpp"
+
+namespace rubatlas::modes {
+namespace {
+
+/// Times closer than this, relative to the time since the revolution started, are one: two units in the last
+/// place.
+constexpr double kTimeResolution = 2.0 * std::numeric_limits<double>::epsilon();
+constexpr double kDoubt = 10.0;  ///< of the rounding of a gap: below it a row does not tell
+/// The first spacing of rows [τ]: a few rows reach from contact to contact, and the remainder is small
+/// against usual gaps.
+constexpr double kSpacing = 0.3;
+/// Of R times the length scale: the remainder of a row is to be smaller. A gap is 2R times a distance.
+constexpr int kRowsOfDear = 16;
+constexpr double kLargestRemainder = 1.0 / 8.0;
+
+/// Whether a state in closed form costs more than a row of them.
+bool states_are_dear(const rotor::Machine& machine) {
+  return machine.supported() != nullptr || machine.harmonics()->terms().size() > 1;
+}
+
+/// Bound of |(d/dτ + iΩ)³ z| against (|z|² + |z'|²)^½ in a flight without forcing on an isotropic shaft: z'''
+/// and z'' are written with z and z', whose coefficients are bounded together.
+double turning_weight(const rotor::RotorConstants& rotor) {
+  const double damping = 2.0 * rotor.damping_ratio;
+  const double speed = std::abs(rotor.speed_ratio);
+  const double of_velocity = std::hypot(damping * damping - 1.0 - 3.0 * speed * speed, 3.0 * speed * damping);
+  const double of_position = std::hypot(damping, speed * (3.0 + speed * speed));
+  return std::hypot(of_velocity, of_position);
+}
+
+/// Whether bounds of single terms hold: of the paper's shaft, ring and turning, with no forcing faster than
+/// the rotor.
+bool bounds_are_close(const rotor::Machine& machine) {
+  const rotor::Harmonics* harmonics = machine.harmonics();
+  return harmonics != nullptr && machine.ring_body() == nullptr && !machine.blades.ripples() &&
+         harmonics->rate() <= harmonics->amplitude() * std::abs(machine.constants.speed_ratio);
+}
+
+/// Share of the time h between two values with their slopes, the first of which rises and the second falls,
+/// where the cubic through them is largest.
+double top_of_cubic(const integrate::ValueAndSlope& first, const integrate::ValueAndSlope& second, double h) {
+  const double mean = (second.value - first.value) / h;
+  const double square = 3.0 * (first.slope + second.slope - 2.0 * mean);
+  const double linear = 6.0 * mean - 4.0 * first.slope - 2.0 * second.slope;
+  return 2.0 * first.slope / (std::sqrt(linear * linear - 4.0 * square * first.slope) - linear);
+}
+
+}  // namespace
+
+TouchdownSearch::TouchdownSearch(const rotor::Machine& machine, std::vector<contact::Geometry> blades)
+    : machine_(&machine),
+      blades_(std::move(blades)),
+      farthest_(0.0),
+      least_clearance_(std::numeric_limits<double>::infinity()),
+      close_bounds_(bounds_are_close(machine)),
+      turning_weight_(turning_weight(machine.constants)),
+      first_spacing_(kSpacing / std::max(1.0, std::abs(machine.constants.speed_ratio))),
+      clear_until_(blades_.size()) {
+  for (const contact::Geometry& blade : blades_) {
+    farthest_ = std::max(farthest_, blade.reach);
+    least_clearance_ = std::min(least_clearance_, blade.ring_radius - blade.reach);
+  }
+}
+
+std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(const Flight& flight, double until,
+                                                                WorkMeter& meter) {
+  const double from = flight.start_time();
+  const rotor::ShaftAndRing bodies = flight.state(from);
+  // The shaft cannot leave the clearance circle: no blade can touch, and there is nothing to search.
+  if (stays_clear(flight, from, bodies, until - from)) return std::nullopt;
+  return in_rows(flight, bodies, until, meter);
+}
+
+std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find_by_steps(const Flight& flight, double until,
+                                                                         WorkMeter& meter) {
+  const double from = flight.start_time();
+  clear_until_.assign(clear_until_.size(), from);
+  return by_steps(flight, from, flight.state(from), until, meter);
+}
+
+std::optional<double> TouchdownSearch::shaft_at_ring(const Flight& flight, double until,
+                                                     WorkMeter& meter) const {
+  const contact::Geometry shaft{0.0, blades_.front().ring_radius};
+  const double misalignment = machine_->constants.misalignment;
+  double time = flight.start_time();
+  rotor::ShaftAndRing bodies = flight.state(time);
+  const double bound = flight.bound_from_ring(time, bodies, until - time);
+  if (bound + std::abs(misalignment) < shaft.ring_radius) return std::nullopt;
+  const rotor::State seen = rotor::from_ring(bodies);
+  if (std::hypot(seen[0], seen[1] + misalignment) >= shaft.ring_radius) return time;
+  while (meter.spend(Work::flight, WorkPrice::kGap + flight.price_of_state())) {
+    const double step = clear_step(flight, shaft, 0, time, bodies, until);
+    if (step <= kTimeResolution * std::max(1.0, time)) return time;
+    time += step;
+    if (time >= until) return std::nullopt;
+    bodies = flight.state(time);
+  }
+  return std::nullopt;
+}
+
+bool TouchdownSearch::never_touches(const Flight& flight, const rotor::ShaftAndRing& bodies) const {
+  return stays_clear(flight, flight.start_time(), bodies, std::numeric_limits<double>::infinity());
+}
+
+bool TouchdownSearch::stays_clear(const Flight& flight, double time, const rotor::ShaftAndRing& bodies,
+                                  double horizon) const {
+  return flight.bound_from_ring(time, bodies, horizon) + std::abs(machine_->constants.misalignment) <=
+         least_clearance_;
+}
+
+FlightRow& TouchdownSearch::row(std::size_t number) {
+  std::optional<FlightRow>& row = rows_by_spacing_[number];
+  if (!row) row.emplace(*machine_, spacing(number));
+  return *row;
+}
+
+TouchdownSearch::Outlook TouchdownSearch::outlook(const Flight& flight, double time,
+                                                  const rotor::ShaftAndRing& bodies, double until) {
+  // Where free motion grows, a bound over all the remaining time would be as large as that of its end.
+  const double renewed = std::max(flight.time_of_bound(), FlightRow::kTimes * spacing(kSpacings - 1));
+  const bool in_pieces = renewed < until - time;
+  const double fourth = fourth_bound(flight, flight.bound(time, bodies, in_pieces ? renewed : until - time));
+  const double allowed = kLargestRemainder * blades_.front().ring_radius * machine_->constants.length_scale;
+  const auto suits = [&](double h) {
+    return !(in_pieces && FlightRow::kTimes * h > renewed) && FlightRow::remainder(fourth, h) <= allowed;
+  };
+  std::size_t number = 0;
+  while (number + 1 < kSpacings && !suits(spacing(number))) ++number;
+  return {in_pieces ? time + renewed : until, fourth, &row(number), number > 0};
+}
+
+/// In rows of times, and in steps only where a row leaves a doubt.
+std::optional<TouchdownSearch::Touchdown> TouchdownSearch::in_rows(const Flight& flight,
+                                                                   rotor::ShaftAndRing bodies, double until,
+                                                                   WorkMeter& meter) {
+  const int count = static_cast<int>(blades_.size());
+  const std::int64_t price = flight.price_of_state() + count * WorkPrice::kGap;
+  double time = flight.start_time();
+  forget_rows(bodies);
+  Outlook ahead = outlook(flight, time, bodies, until);
+  const bool dear = states_are_dear(*machine_);
+  for (int rows = 1; time < until; ++rows) {
+    if (!meter.spend(Work::flight, price)) return std::nullopt;
+    FlightRow& row = *ahead.row;
+    row.start(time, bodies, ahead.fourth);
+    evaluations_ += blades_.size();
+    const contact::BladeDirection first = machine_->blades.first(time);
+    int doubt = FlightRow::kTimes;
+    for (int k = 0; k < count; ++k) {
+      const FlightRow::Gaps gaps = gaps_of(row, k, first);
+      const int of_blade = row.first_doubt(gaps, kDoubt * machine_->constants.gap_rounding(geometry(k)));
+      clear_until_[static_cast<std::size_t>(k)] = of_blade;
+      doubt = std::min(doubt, of_blade);
+      if (keeps_rows_) gaps_.push_back(gaps);
+    }
+    if (keeps_rows_) rows_.push_back({time, row.spacing(), std::min(doubt + 1, FlightRow::kTimes)});
+    time += doubt * row.spacing();
+    if (dear && doubt > 0 && rows % kRowsOfDear != 0) {
+      bodies = row.state(doubt - 1);
+    } else {
+      bodies = flight.state(time);
+    }
+    if (doubt < FlightRow::kTimes) {
+      if (time >= until) break;
+      const double end = std::min(time + row.spacing(), until);
+      for (double& clear_until : clear_until_) clear_until = clear_until > doubt ? end : time;
+      if (const auto touchdown = by_steps(flight, time, bodies, end, meter)) return touchdown;
+      if (meter.ended()) return std::nullopt;
+      time = end;
+      bodies = flight.state(time);
+    }
+    const double next_end = time + FlightRow::kTimes * row.spacing();
+    if (time < until && (ahead.shorter || (next_end > ahead.until && ahead.until < until)))
+      ahead = outlook(flight, time, bodies, until);
+  }
+  return std::nullopt;
+}
+
+/// In steps that no tip can outrun; `clear_until_` says from when on each blade is to be looked at.
+std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_steps(const Flight& flight, double time,
+                                                                    rotor::ShaftAndRing bodies, double until,
+                                                                    WorkMeter& meter) {
+  while (true) {
+    std::size_t blade = 0;
+    for (std::size_t k = 1; k < clear_until_.size(); ++k) {
+      if (clear_until_[k] < clear_until_[blade]) blade = k;
+    }
+    if (clear_until_[blade] >= until) return std::nullopt;
+    if (clear_until_[blade] > time) {
+      time = clear_until_[blade];
+      bodies = flight.state(time);
+    }
+    if (!meter.spend(Work::flight, WorkPrice::kGap + flight.price_of_state())) return std::nullopt;
+    ++evaluations_;
+    const double step = clear_step(flight, blades_[blade], static_cast<int>(blade), time, bodies, until);
+    if (step <= kTimeResolution * std::max(1.0, time)) return Touchdown{static_cast<int>(blade), time};
+    clear_until_[blade] = time + step;
+  }
+}
+
+contact::Pose TouchdownSearch::pose(int blade, double time, const rotor::ShaftAndRing& bodies) const {
+  const rotor::RipplingBlades& blades = machine_->blades;
+  return rotor::pose_of(machine_->constants, geometry(blade), blades.direction(blade, blades.first(time)),
+                        rotor::from_ring(bodies));
+}
+
+trajectory::Tip TouchdownSearch::tip(const Flight& flight, int blade, double time) const {
+  return tip_of(geometry(blade), pose(blade, time, flight.state(time)), machine_->blades.angular_speed(time));
+}
+
+/// Of a blade, at the times of the row; `first`: where blade 0 stands at its start.
+FlightRow::Gaps TouchdownSearch::gaps_of(const FlightRow& row, int blade,
+                                         const contact::BladeDirection& first) const {
+  return row.gaps(geometry(blade), machine_->blades.direction(blade, first));
+}
+
+std::optional<trajectory::Pass> TouchdownSearch::nearest_pass(const Flight& flight, double begin, double end,
+                                                              double known) {
+  keeps_rows_ = true;
+  const rotor::ShaftAndRing bodies = flight.state(begin);
+  if (!rows_reach(begin, bodies, end)) look_along(flight, begin, bodies, end);
+  std::optional<trajectory::Pass> nearest;
+  auto next = gaps_.begin();
+  for (const KeptRow& row : rows_) {
+    if (!(row.begin < end)) break;
+    for (int k = 0; k < static_cast<int>(blades_.size()); ++k) {
+      const FlightRow::Gaps& gaps = *next++;
+      if (!may_have_top(gaps, row.spacing)) continue;  // mostly
+      if (const auto pass = nearest_top(flight, row, k, gaps, end, known)) {
+        nearest = pass;
+        known = pass->miss;
+      }
+    }
+  }
+  return nearest;
+}
+
+/// Begins to keep rows of a flight from a state on.
+void TouchdownSearch::forget_rows(const rotor::ShaftAndRing& bodies) {
+  rows_.clear();
+  gaps_.clear();
+  rows_state_ = bodies;
+}
+
+/// Rows are kept from this state on as far as `end`.
+bool TouchdownSearch::rows_reach(double begin, const rotor::ShaftAndRing& bodies, double end) const {
+  return !rows_.empty() && rows_.front().begin == begin && (rows_state_ == bodies).all() &&
+         rows_.back().begin + rows_.back().intervals * rows_.back().spacing >= end;
+}
+
+/// Keeps rows between two times, without a search.
+void TouchdownSearch::look_along(const Flight& flight, double begin, rotor::ShaftAndRing bodies, double end) {
+  FlightRow& row = *outlook(flight, begin, bodies, end).row;
+  forget_rows(bodies);
+  const double length = FlightRow::kTimes * row.spacing();
+  const auto count = static_cast<std::int64_t>(std::ceil((end - begin) / length));
+  for (std::int64_t number = 0; number < count; ++number) {
+    const double time = begin + static_cast<double>(number) * length;
+    row.start(time, bodies, 0.0);
+    const contact::BladeDirection first = machine_->blades.first(time);
+    for (int k = 0; k < static_cast<int>(blades_.size()); ++k) gaps_.push_back(gaps_of(row, k, first));
+    rows_.push_back({time, row.spacing(), FlightRow::kTimes});
+    bodies = row.state(FlightRow::kTimes - 1);
+  }
+}
+
+/// Whether a gap may rise and fall again within one of the row's intervals (`integrate::cubic_may_peak`).
+bool TouchdownSearch::may_have_top(const FlightRow::Gaps& gaps, double spacing) {
+  using Values = FlightRow::Values;
+  Values gap_before;
+  Values rise;
+  gap_before << gaps.before, gaps.gap.head(FlightRow::kTimes - 1);
+  rise << gaps.rate_before, gaps.rate.head(FlightRow::kTimes - 1);
+  const Values between = 3.0 / spacing * (gaps.gap - gap_before) - rise - gaps.rate;
+  return ((rise > 0.0 && (between < 0.0 || gaps.rate <= 0.0)) || (between > 0.0 && gaps.rate < 0.0)).any();
+}
+
+/// Of the tops of a blade's gap in a row the one nearest to the ring, before `end` and nearer than `known`.
+std::optional<trajectory::Pass> TouchdownSearch::nearest_top(const Flight& flight, const KeptRow& row,
+                                                             int blade, const FlightRow::Gaps& gaps,
+                                                             double end, double known) const {
+  const double radius = geometry(blade).ring_radius;
+  const double h = row.spacing;
+  std::optional<trajectory::Pass> nearest;
+  double gap_before = gaps.before;
+  double rate_before = gaps.rate_before;
+  for (int i = 0; i < row.intervals && row.begin + i * h < end; ++i) {
+    const double gap = gaps.gap[i];
+    const double rate = gaps.rate[i];
+    const double from = row.begin + i * h;
+    const double miss = std::min(known, radius);
+    const double nearer = miss * (miss - 2.0 * radius);  // g of a tip that passes nearer than that
+    std::optional<trajectory::Pass> pass;
+    if (rate_before > 0.0 && rate <= 0.0) {
+      // Tangents bound a maximum that lies between two times.
+      if (std::max(gap_before + h * rate_before, gap - h * rate) > nearer) {
+        const double guess = from + h * top_of_cubic({gap_before, rate_before}, {gap, rate}, h);
+        pass = pass_between(flight, blade, {from, from + h, guess}, end, known);
+      }
+    } else if (integrate::cubic_may_peak(h * rate_before, gap - gap_before, h * rate,
+                                         kDoubt * machine_->constants.gap_rounding(geometry(blade))) &&
+               integrate::cubic_range(gap_before, h * rate_before, gap, h * rate).greatest > nearer) {
+      // Fast decay after a contact may turn a tip round twice between two times.
+      const auto rate_at = [&](double time) { return tip(flight, blade, time).rate; };
+      const double to = std::min(from + h, end);
+      if (const auto top = integrate::first_top(rate_at, from, to, rate_at(from), rate_at(to)))
+        pass = pass_at(flight, blade, *top, known);
+    }
+    if (pass) {
+      nearest = pass;
+      known = pass->miss;
+    }
+    gap_before = gap;
+    rate_before = rate;
+  }
+  return nearest;
+}
+
+/// The pass of a tip there, if it comes before `end` and nearer than `known`.
+std::optional<trajectory::Pass> TouchdownSearch::pass_between(const Flight& flight, int blade,
+                                                              TopBetween between, double end,
+                                                              double known) const {
+  const rotor::RipplingBlades& blades = machine_->blades;
+  const auto rate = [&](double time) {
+    const rotor::ShaftAndRing bodies = flight.state(time);
+    const rotor::State at = rotor::from_ring(bodies);
+    const contact::BladeDirection er = blades.direction(blade, blades.first(time));
+    const contact::Pose there = rotor::pose_of(machine_->constants, geometry(blade), er, at);
+    const double turning = blades.angular_speed(time);
+    double curvature =
+        contact::gap_curvature(geometry(blade), er, there, {at[0], at[1] + machine_->constants.misalignment},
+                               {at[2], at[3]}, flight.acceleration(time, bodies), turning);
+    curvature += 2.0 * geometry(blade).reach * blades.angular_acceleration(time) * there.tangential;
+    return integrate::ValueAndSlope{contact::gap_rate(geometry(blade), there, turning), curvature};
+  };
+  if (end < between.to) {
+    if (!(rate(end).value < 0.0)) return std::nullopt;
+    between.to = end;
+    between.guess = std::min(between.guess, 0.5 * (between.from + end));
+  }
+  constexpr double kClosest = 1e-6;  // of the time between: the error left is of the second order of that
+  const double time = integrate::newton_between(rate, between.from, between.to, between.guess, false,
+                                                kClosest * (between.to - between.from));
+  return pass_at(flight, blade, time, known);
+}
+
+/// The pass of a tip whose radius is largest at that time, if it is nearer than `known`.
+std::optional<trajectory::Pass> TouchdownSearch::pass_at(const Flight& flight, int blade, double time,
+                                                         double known) const {
+  const trajectory::Tip top = tip(flight, blade, time);
+  if (!(top.overlap < 0.0 && -top.overlap < known)) return std::nullopt;
+  return trajectory::Pass{-top.overlap, top.side, blade, time};
+}
+
+/// A duration from `time` on within which a tip of that geometry, in the direction of a blade, cannot touch.
+double TouchdownSearch::clear_step(const Flight& flight, const contact::Geometry& geometry, int blade,
+                                   double time, const rotor::ShaftAndRing& bodies, double until) const {
+  const rotor::RipplingBlades& blades = machine_->blades;
+  const rotor::State seen = rotor::from_ring(bodies);
+  const double turning = blades.angular_speed(time);
+  const double reach = geometry.reach;
+  const contact::BladeDirection er = blades.direction(blade, blades.first(time));
+  const contact::Pose at = rotor::pose_of(machine_->constants, geometry, er, seen);
+  const double slope = contact::gap_rate(geometry, at, turning);
+  // Rounding may leave the gap of a blade that has just lifted off a little above zero.
+  if (at.gap >= 0.0 && slope > 0.0) return 0.0;
+  const double value = std::min(at.gap, 0.0);
+
+  double curvature =
+      contact::gap_curvature(geometry, er, at, {seen[0], seen[1] + machine_->constants.misalignment},
+                             {seen[2], seen[3]}, flight.acceleration(time, bodies), turning);
+  if (blades.ripples()) curvature += 2.0 * reach * blades.angular_acceleration(time) * at.tangential;
+  // Where free motion grows, a bound over all the remaining time would be as large as that of its end.
+  const double remaining = until - time;
+  const double renewed = flight.time_of_bound();
+  const bool in_pieces = renewed < remaining;
+  const FlightBound bound = flight.bound(time, bodies, in_pieces ? renewed : remaining);
+  const double step =
+      integrate::conservative_step(value, slope, curvature, third_bound(flight, bound, reach));
+  return in_pieces ? std::min(step, renewed) : step;
+}
+
+/// Bound of |g'''| = |6 c'·c'' + 2 c·c''' + 2(rh+L) er·D³c|, D = d/dτ + iφ'.
+double TouchdownSearch::third_bound(const Flight& flight, const FlightBound& bound, double reach) const {
+  const double misalignment = std::abs(machine_->constants.misalignment);
+  const double centre = bound.position() + misalignment;  // of |c|
+  const double velocity = bound.velocity();
+  const DerivativeBounds of_centre = flight.derivative_bounds(bound);
+  double turned = 0.0;
+  if (close_bounds_) {
+    // z''' and z'' are written with z, z' and the forcing, and the coefficients of z and z' bounded together:
+    // |z|² + |z'|² <= bound².
+    const double speed = std::abs(machine_->constants.speed_ratio);
+    const double damping = 2.0 * machine_->constants.damping_ratio;
+    turned = turning_weight_ * bound.shaft + (damping + 4.0 * speed) * flight.forcing_bound() +
+             speed * speed * speed * misalignment;
+  } else {
+    // Term by term: D³c = c''' + 3iφ'c'' + 3(iφ'' − φ'²)c' + (iφ''' − 3φ'φ'' − iφ'³)c.
+    const rotor::RipplingBlades& blades = machine_->blades;
+    const double speed = blades.speed_bound();
+    const double change = blades.angular_acceleration_bound();
+    const double of_velocity = speed * speed + change;
+    const double of_position = blades.angular_jerk_bound() + 3.0 * speed * change + speed * speed * speed;
+    turned = of_centre.third + 3.0 * speed * of_centre.second + 3.0 * of_velocity * velocity +
+             of_position * centre;
+  }
+  return 6.0 * velocity * of_centre.second + 2.0 * centre * of_centre.third + 2.0 * reach * turned;
+}
+
+/// Of (|c|²)'''' and of 2(rh+L) er·D⁴c, term by term, with the derivatives of e^{−iφ}.
+double TouchdownSearch::fourth_bound(const Flight& flight, const FlightBound& bound) const {
+  const rotor::RipplingBlades& blades = machine_->blades;
+  const double speed = blades.speed_bound();
+  const double change = blades.angular_acceleration_bound();
+  const double jerk = blades.angular_jerk_bound();
+  const double square = speed * speed;
+  const double of_second = square + change;
+  const double of_velocity = jerk + 3.0 * speed * change + square * speed;
+  const double of_position = blades.angular_snap_bound() + 4.0 * speed * jerk + 3.0 * change * change +
+                             6.0 * square * change + square * square;
+  const double centre = bound.position() + std::abs(machine_->constants.misalignment);
+  const double velocity = bound.velocity();
+  const auto [second, third, fourth] = flight.derivative_bounds(bound);
+  const double turned = fourth + 4.0 * speed * third + 6.0 * of_second * second +
+                        4.0 * of_velocity * velocity + of_position * centre;
+  return 6.0 * second * second + 8.0 * velocity * third + 2.0 * centre * fourth + 2.0 * farthest_ * turned;
+}
+
+}  // namespace rubatlas::modes
