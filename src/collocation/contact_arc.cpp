@@ -30,24 +30,21 @@ std::array<double, 2> offset_between(const contact::BladeDirection& from, const 
 
 }  // namespace
 
-ContactArc::ContactArc(const rotor::RotorConstants& rotor, const rotor::RipplingBlades& blades,
-                       const Laws& laws, const rotor::AnyShaft& shaft, const rotor::RingBody* ring,
-                       const Limits& limits)
-    : rotor_(&rotor),
-      blades_(&blades),
+ContactArc::ContactArc(const rotor::Machine& machine, const Laws& laws, const Limits& limits)
+    : whole_(&machine),
+      rotor_(&machine.constants),
+      blades_(&machine.blades),
       laws_(&laws),
-      shaft_(&shaft),
-      ring_(ring),
       limits_(limits),
-      machine_(rotor, blades, shaft, ring, laws.of(0).geometry().ring_radius),
+      machine_(machine, laws.of(0).geometry().ring_radius),
       solver_(interval_solver()),
-      predictor_(rotor, ring),
+      predictor_(machine),
       contact_{&machine_.numbers(), nullptr, 1.0},
-      allowed_(kBetweenNodes * rotor.length_scale *
-               std::pow(limits.tolerance / rotor.length_scale, Predictor::kOrder / kOrderAtEnd)),
-      earlier_(laws.of(0).geometry().reach, rotor.length_scale) {
-  for (int k = 0; k < blades.count(); ++k) {
-    offsets_.push_back(blades.direction(k, {1.0, 0.0}));
+      allowed_(kBetweenNodes * rotor_->length_scale *
+               std::pow(limits.tolerance / rotor_->length_scale, Predictor::kOrder / kOrderAtEnd)),
+      earlier_(machine.ring_body() != nullptr, laws.of(0).geometry().reach, rotor_->length_scale) {
+  for (int k = 0; k < blades_->count(); ++k) {
+    offsets_.push_back(blades_->direction(k, {1.0, 0.0}));
     const contact::ElasticaContact& law = laws.of(k);
     const blade::BendingTable& table = law.curve().over_asinh();
     numbers_.push_back({.table = &table,
@@ -121,7 +118,8 @@ void ContactArc::look_for_earlier() {
                       .angular_speed = blades_->angular_speed(end_.time),
                       .argument = end_.argument,
                       .slip = contact_.slip};
-  std::copy(end_.bodies.begin(), end_.bodies.end(), beginning.state.begin());
+  std::copy_n(end_.bodies.begin(), 4, beginning.shaft.begin());
+  std::copy_n(end_.bodies.begin() + 4, 4, beginning.ring.begin());
   const std::complex<double> forcing = machine_.forcing(end_.time);
   beginning.forcing = {forcing.real(), forcing.imag()};
   const EarlierContacts::Found found = earlier_.find(beginning);
@@ -144,6 +142,7 @@ void ContactArc::predict() {
                                      er_.sine * further.offset[0] + er_.cosine * further.offset[1]};
     force += contact::on_rotor(further.force, er);
   }
+  const rotor::RingBody* ring = whole_->ring_body();
   const rotor::RingContactState full = rotor::full_state(end_.bodies, end_.time, bending);
   predictor_.begin(
       {.law = &law,
@@ -155,8 +154,8 @@ void ContactArc::predict() {
        .bending = bending,
        .argument = end_.argument,
        .gap_measure = gap_measure_,
-       .shaft_acceleration = shaft_->shaft_acceleration(*rotor_, full, force),
-       .ring_acceleration = ring_ != nullptr ? ring_->acceleration(rotor::ring(end_.bodies), -force) : 0.0,
+       .shaft_acceleration = whole_->shaft.shaft_acceleration(*rotor_, full, force),
+       .ring_acceleration = ring != nullptr ? ring->acceleration(rotor::ring(end_.bodies), -force) : 0.0,
        .constraint = constraint});
 }
 
@@ -216,43 +215,41 @@ bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
   return true;
 }
 
-/// Whether the contact of a blade may go on to the fold of its branch.
-bool ContactArc::ends_at_fold(int blade) const {
-  return laws_->of(blade).releases_at_fold() || laws_->of(blade).has_branches();
-}
-
 /// The first guard of the blades in contact.
 ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const {
-  const bool reaches_zero = interval.chord.time == 0.0;
-  const bool ends_at_ring = !laws_->of(blade_).releases_at_fold();
-  const bool may_fold = ends_at_fold(blade_);
-  for (std::size_t i = 0; i < kNodes; ++i) {
-    const bool last = i + 1 == kNodes;
-    Ending first;
-    const auto pass = [&](Guard guard, int blade, double start, const AtNodes& nodes, double sign = 1.0) {
-      if (!(sign * nodes[i] < 0.0)) return;
-      AtPlaces values = at_places(start, nodes);
-      for (double& value : values) value *= sign;
-      if (guard == Guard::slip_reversal && !(values[i] > 0.0)) return;  // it slips back from the start on
-      const double fraction = crossing(values, i + 1);
-      if (fraction < first.fraction || first.guard == Guard::none) first = {guard, fraction, blade};
-    };
-    if (ends_at_ring) pass(Guard::under_load, blade_, interval.start_gap_measure, interval.gap_measure);
-    if (!(reaches_zero && last)) {
-      pass(Guard::unbent, blade_, interval.start_argument, interval.argument);
-      if (may_fold && interval.time_slope[i] < 0.0)
-        pass(Guard::fold, blade_, sum_of_products(slope_basis_at(0.0), interval.time_slope),
-             interval.time_slope);
+  Ending first;
+  std::size_t place_of_first = kPlaces;
+  // A quantity that is positive while the contact lasts, at the first `count` nodes.
+  const auto look = [&](Guard guard, int blade, double start, const AtNodes& nodes, double sign,
+                        std::size_t count = kNodes) {
+    std::size_t node = 0;
+    while (node < count && !(sign * nodes[node] < 0.0)) ++node;
+    if (node == count || node + 1 > place_of_first) return;
+    AtPlaces values = at_places(start, nodes);
+    for (double& value : values) value *= sign;
+    if (guard == Guard::slip_reversal && !(values[node] > 0.0)) return;  // it slips back from the start on
+    const double fraction = crossing(values, node + 1);
+    if (node + 1 < place_of_first || fraction < first.fraction) {
+      first = {guard, fraction, blade};
+      place_of_first = node + 1;
     }
-    pass(Guard::slip_reversal, blade_, interval.start_slip_velocity, interval.slip_velocity, contact_.slip);
-    for (std::size_t k = 0; k < further_.size(); ++k) {
-      const FurtherBlade& further = interval.further[k];
-      pass(Guard::slip_reversal, further_[k].blade, further.start_slip_velocity, further.slip_velocity,
-           further.slip);
-    }
-    if (first.guard != Guard::none) return first;
+  };
+  const contact::ElasticaContact& law = laws_->of(blade_);
+  if (!law.releases_at_fold())
+    look(Guard::under_load, blade_, interval.start_gap_measure, interval.gap_measure, 1.0);
+  // Over p itself the last node is the unbent blade.
+  const std::size_t count = interval.chord.time == 0.0 ? kNodes - 1 : kNodes;
+  look(Guard::unbent, blade_, interval.start_argument, interval.argument, 1.0, count);
+  if (law.releases_at_fold() || law.has_branches())
+    look(Guard::fold, blade_, sum_of_products(slope_basis_at(0.0), interval.time_slope), interval.time_slope,
+         1.0, count);
+  look(Guard::slip_reversal, blade_, interval.start_slip_velocity, interval.slip_velocity, contact_.slip);
+  for (std::size_t k = 0; k < further_.size(); ++k) {
+    const FurtherBlade& further = interval.further[k];
+    look(Guard::slip_reversal, further_[k].blade, further.start_slip_velocity, further.slip_velocity,
+         further.slip);
   }
-  return {};
+  return first;
 }
 
 /// The first touch-down of another blade, if it comes before this ending. None where it cannot be told.

@@ -30,11 +30,8 @@
 #include "collocation/predictor.hpp"
 #include "contact/elastica_contact.hpp"
 #include "contact/unequal_blades.hpp"
-#include "rotor/any_shaft.hpp"
 #include "rotor/bodies.hpp"
-#include "rotor/constants.hpp"
-#include "rotor/ring_body.hpp"
-#include "rotor/rippling_blades.hpp"
+#include "rotor/machine.hpp"
 
 namespace rubatlas::collocation {
 
@@ -45,9 +42,8 @@ class ContactArc {
     double max_shortening;  ///< of δ/L [-]
   };
   using Laws = contact::UnequalBlades<contact::ElasticaContact>;
-  /// `ring`: null where it does not move. All must outlive the arc. Each law has friction μ > 0.
-  ContactArc(const rotor::RotorConstants& rotor, const rotor::RipplingBlades& blades, const Laws& laws,
-             const rotor::AnyShaft& shaft, const rotor::RingBody* ring, const Limits& limits);
+  /// Both must outlive the arc. Each law has friction μ > 0; a ring that moves is a body.
+  ContactArc(const rotor::Machine& machine, const Laws& laws, const Limits& limits);
   ContactArc(const ContactArc&) = delete;
   ContactArc& operator=(const ContactArc&) = delete;
 
@@ -146,7 +142,6 @@ class ContactArc {
   bool solve(Interval& interval, bool warm);
   [[nodiscard]] double error_of(const Interval& interval) const;
   [[nodiscard]] bool stays_valid(const Bounds& bounds, const Ending& ending) const;
-  [[nodiscard]] bool ends_at_fold(int blade) const;
   [[nodiscard]] Ending guard_of_contacts(const Interval& interval) const;
   [[nodiscard]] std::optional<Ending> touch_down(const Interval& interval, Ending before);
   /// Whether the trial can be the next interval, up to its ending, and whether that is a stretch of it.
@@ -162,11 +157,10 @@ class ContactArc {
   [[nodiscard]] static Point end_of(const Interval& interval);
   void end_at(const Interval& interval, const Ending& ending);
 
+  const rotor::Machine* whole_;
   const rotor::RotorConstants* rotor_;
   const rotor::RipplingBlades* blades_;
   const Laws* laws_;
-  const rotor::AnyShaft* shaft_;
-  const rotor::RingBody* ring_;
   Limits limits_;
   MachineInTime machine_;
   std::vector<Blade> numbers_;  ///< of the blades

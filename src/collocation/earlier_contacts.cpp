@@ -63,9 +63,9 @@ void EarlierInterval::guess(Interval& next, bool ring_moves) const {
 double EarlierContacts::distance(const Beginning& a, const Beginning& b) const {
   if (a.slip != b.slip || (a.argument == 0.0) != (b.argument == 0.0))
     return std::numeric_limits<double>::infinity();
-  const double of_places =
-      std::max({largest_difference(a.state, b.state), largest_difference(a.forcing, b.forcing),
-                reach_ * largest_difference(a.blade, b.blade)});
+  double of_places = std::max({largest_difference(a.shaft, b.shaft), largest_difference(a.forcing, b.forcing),
+                               reach_ * largest_difference(a.blade, b.blade)});
+  if (ring_moves_) of_places = std::max(of_places, largest_difference(a.ring, b.ring));
   return std::max({of_places / clearance_, std::abs(a.argument - b.argument),
                    std::abs(a.angular_speed - b.angular_speed)});
 }

@@ -11,7 +11,8 @@ namespace rubatlas::collocation {
 
 /// How a contact begins.
 struct Beginning {
-  std::array<double, 8> state{};    ///< of shaft and ring: places and velocities
+  std::array<double, 4> shaft{};    ///< place and velocity
+  std::array<double, 4> ring{};     ///< likewise
   std::array<double, 2> blade{};    ///< er
   double angular_speed = 0.0;       ///< φ' [rad per unit τ]
   std::array<double, 2> forcing{};  ///< acceleration by all forcings [m per unit τ²]
@@ -47,7 +48,8 @@ struct EarlierContact {
 class EarlierContacts {
  public:
   /// `reach`, `clearance`: what differences of directions and of places are measured with [m].
-  EarlierContacts(double reach, double clearance) : reach_(reach), clearance_(clearance) {}
+  EarlierContacts(bool ring_moves, double reach, double clearance)
+      : ring_moves_(ring_moves), reach_(reach), clearance_(clearance) {}
 
   struct Found {
     const EarlierContact* alike;  ///< that began most alike; null where none began nearly so
@@ -60,6 +62,7 @@ class EarlierContacts {
   [[nodiscard]] double distance(const Beginning& a, const Beginning& b) const;
 
   static constexpr std::size_t kKept = 16;
+  bool ring_moves_;
   double reach_;
   double clearance_;
   std::array<Beginning, kKept> beginnings_;

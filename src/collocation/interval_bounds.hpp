@@ -25,11 +25,12 @@ class IntervalBounds {
         least(contact_.slip * in.start_slip_velocity, Number(in.slip_velocity) * contact_.slip);
     result.gap_measure = later(in.start_gap_measure, Number(in.gap_measure)).least();
     result.argument = largest(in.start_argument, Number(in.argument));
-    result.displacement =
-        farthest(in.shaft.start[0], Number(in.shaft.x), in.shaft.start[1], Number(in.shaft.y));
+    const double across = largest_magnitude(in.shaft.start[0], Number(in.shaft.x));
+    result.displacement = root_of_squares(across, largest_magnitude(in.shaft.start[1], Number(in.shaft.y)));
     const Place start = start_from_ring();
     const Places nodes = from_ring();
-    result.distance = farthest(start.x, nodes.x, start.y, nodes.y);
+    const double from_ring = contact_.machine->ring.moves ? largest_magnitude(start.x, nodes.x) : across;
+    result.distance = root_of_squares(from_ring, largest_magnitude(start.y, nodes.y));
     for (std::size_t k = 0; k < in.further_count; ++k) {
       const FurtherBlade& blade = in.further[k];
       result.slip_velocity[1 + k] =
@@ -58,7 +59,7 @@ class IntervalBounds {
  private:
   using Number = Lanes<kWidth>;
 
-  static double square(double number) { return number * number; }
+  static double root_of_squares(double x, double y) { return std::sqrt(x * x + y * y); }
 
   /// Shaft from the ring's centre, at the start and at the nodes.
   struct Place {
@@ -73,12 +74,11 @@ class IntervalBounds {
             in.shaft.start[1] - in.ring.start[1] + contact_.machine->misalignment};
   }
   RUBATLAS_INLINE Places from_ring() const {
-    return {Number(interval_.shaft.x) - Number(interval_.ring.x),
-            Number(interval_.shaft.y) - Number(interval_.ring.y) + contact_.machine->misalignment};
-  }
-  /// Bound of the distance from zero.
-  RUBATLAS_INLINE double farthest(double start_x, const Number& x, double start_y, const Number& y) const {
-    return std::sqrt(square(largest_magnitude(start_x, x)) + square(largest_magnitude(start_y, y)));
+    const Body& shaft = interval_.shaft;
+    const Body& ring = interval_.ring;
+    const double misalignment = contact_.machine->misalignment;
+    if (!contact_.machine->ring.moves) return {Number(shaft.x), Number(shaft.y) + misalignment};
+    return {Number(shaft.x) - Number(ring.x), Number(shaft.y) - Number(ring.y) + misalignment};
   }
   /// Of the tip of a straight blade in the direction er (MODEL 2).
   template <class Value>

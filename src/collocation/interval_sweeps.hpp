@@ -13,7 +13,8 @@
 namespace rubatlas::collocation {
 namespace {
 
-template <std::size_t kWidth>
+/// `kPlain`: nothing acts but what the paper's rotor has and harmonic forcings, which takes an eighth less.
+template <std::size_t kWidth, bool kPlain>
 class Sweeps {
  public:
   using Number = Lanes<kWidth>;
@@ -28,8 +29,7 @@ class Sweeps {
         chord_argument_(Number(nodes_.node) * interval.chord.argument + interval.start_argument),
         deviation_(interval.deviation) {
     shaft_.start(interval.shaft, closeness.warm, elapsed());
-    if (machine_.ring.moves) ring_.start(interval.ring, closeness.warm, elapsed());
-    see_from_ring();
+    if (ring_moves()) ring_.start(interval.ring, closeness.warm, elapsed());
     lead_.blade = contact.blade;
     lead_.slip = contact.slip;
     for (std::size_t k = 0; k < interval.further_count; ++k) {
@@ -267,17 +267,32 @@ class Sweeps {
     Number square;
   };
 
+  [[nodiscard]] bool ring_moves() const {
+    return !kPlain && machine_.ring.moves;
+  }
+  [[nodiscard]] bool ripples() const {
+    return !kPlain && machine_.ripples();
+  }
+  [[nodiscard]] bool is_isotropic() const {
+    return kPlain || machine_.support.isotropic;
+  }
+  [[nodiscard]] static bool yields(const Blade& blade) {
+    return !kPlain && blade.yield_unit != 0.0;
+  }
+
   RUBATLAS_INLINE Number elapsed() const {
     return chord_time_ + deviation_ * interval_.normal.time;
   }
-
+  RUBATLAS_INLINE Number angular_speed() const {
+    return kPlain ? Number(machine_.speed_ratio) : angular_speed_;
+  }
   /// Shaft's centre and velocity as seen from the ring's.
-  RUBATLAS_INLINE void see_from_ring() {
-    seen_ = {shaft_.x, shaft_.y + machine_.misalignment};
-    seen_velocity_ = {shaft_.vx, shaft_.vy};
-    if (!machine_.ring.moves) return;
-    seen_ = {seen_.x - ring_.x, seen_.y - ring_.y};
-    seen_velocity_ = {seen_velocity_.x - ring_.vx, seen_velocity_.y - ring_.vy};
+  RUBATLAS_INLINE Vector seen() const {
+    const Vector centre{shaft_.x, shaft_.y + machine_.misalignment};
+    return ring_moves() ? Vector{centre.x - ring_.x, centre.y - ring_.y} : centre;
+  }
+  RUBATLAS_INLINE Vector seen_velocity() const {
+    return ring_moves() ? Vector{shaft_.vx - ring_.vx, shaft_.vy - ring_.vy} : Vector{shaft_.vx, shaft_.vy};
   }
 
   /// Direction of the leading blade, and how fast it turns, at these times.
@@ -285,7 +300,7 @@ class Sweeps {
     const Machine& m = machine_;
     Number angle = elapsed * m.speed_ratio;
     angular_speed_ = m.speed_ratio;
-    if (m.ripples()) {
+    if (ripples()) {
       const Vector ripple = turned(interval_.ripple, elapsed * m.ripple.frequency);
       angle = angle + (ripple.y - interval_.ripple[1]) * m.ripple.depth;
       angular_speed_ = ripple.x * (m.speed_ratio * m.ripple.amplitude) + m.speed_ratio;
@@ -301,7 +316,7 @@ class Sweeps {
       Vector term;
       if (frequency == 0.0) {
         term = {Number(start[0]), Number(start[1])};
-      } else if (frequency == machine_.speed_ratio && !machine_.ripples()) {
+      } else if (frequency == machine_.speed_ratio && !ripples()) {
         // It stands still against the blade.
         term = offset_by(
             er_, {start[0] * blade[0] + start[1] * blade[1], start[1] * blade[0] - start[0] * blade[1]});
@@ -328,10 +343,10 @@ class Sweeps {
   template <bool kLight>
   RUBATLAS_INLINE Number residual_of(Tip& tip, const Bend& bend, const Vector& er) const {
     const Blade& blade = *tip.blade;
-    const Number radial = seen_.x * er.x + seen_.y * er.y;
-    const Number tangential = seen_.y * er.x - seen_.x * er.y;
-    const Number gap =
-        (seen_.x * seen_.x + seen_.y * seen_.y) + (radial * (2.0 * blade.reach) + blade.closing);
+    const Vector c = seen();
+    const Number radial = c.x * er.x + c.y * er.y;
+    const Number tangential = c.y * er.x - c.x * er.y;
+    const Number gap = (c.x * c.x + c.y * c.y) + (radial * (2.0 * blade.reach) + blade.closing);
     tip.shortening = bend.shortening * blade.length;
     tip.deflection = bend.deflection * (tip.slip * blade.length);  // s Δ
     const Number along = radial + blade.reach;
@@ -340,12 +355,13 @@ class Sweeps {
     tip.a = along - tip.shortening;
     tip.b = tangential - tip.deflection;
     if constexpr (!kLight) {
+      const Vector v = seen_velocity();
       tip.argument_slope = (tip.a * tip.slope.shortening + tip.b * tip.slope.deflection) * -2.0;
-      tip.a_rate = (seen_velocity_.x * er.x + seen_velocity_.y * er.y) + tangential * angular_speed_;
-      tip.b_rate = (seen_velocity_.y * er.x - seen_velocity_.x * er.y) - radial * angular_speed_;
+      tip.a_rate = (v.x * er.x + v.y * er.y) + tangential * angular_speed();
+      tip.b_rate = (v.y * er.x - v.x * er.y) - radial * angular_speed();
       tip.time_slope = (tip.a * tip.a_rate + tip.b * tip.b_rate) * 2.0;
     }
-    if (blade.yield_unit != 0.0) {
+    if (yields(blade)) {
       const Number yielding = bend.load * blade.yield_unit;
       residual = residual - yielding * (yielding + 2.0 * machine_.ring_radius);
       if constexpr (!kLight)
@@ -369,8 +385,7 @@ class Sweeps {
     tip.a = tip.a + (tip.a_rate * time_step - less);
     tip.b = tip.b + (tip.b_rate * time_step - more);
     Number per_radius = machine_.force_unit / machine_.ring_radius;
-    tip.yielding = 0.0;
-    if (blade.yield_unit != 0.0) {
+    if (yields(blade)) {
       tip.yielding = of_unit * blade.yield_unit;
       per_radius = Number(machine_.force_unit) / (tip.yielding + machine_.ring_radius);
     }
@@ -422,7 +437,7 @@ class Sweeps {
     largest_step_ = magnitude(step).largest();
     const Number time_step = step * in.normal.time;
     const Vector er_before = er_;
-    if (m.ripples()) {
+    if (ripples()) {
       take_direction(elapsed());
     } else {
       er_ = Turn(time_step * m.speed_ratio)(er_);
@@ -432,7 +447,7 @@ class Sweeps {
       const Vector more = push_of_further<kLight>(k, er_before, time_step);
       push = {push.x + more.x, push.y + more.y};
     }
-    if (m.support.isotropic) {
+    if (is_isotropic()) {
       const double damping = 2.0 * m.damping_ratio;
       shaft_.ax = (push.x - shaft_.x) - shaft_.vx * damping;
       shaft_.ay = (push.y - shaft_.y) - shaft_.vy * damping;
@@ -447,13 +462,12 @@ class Sweeps {
     deviation_slope_ = Number::combined(nodes_.slope, deviation_);
     time_rate_ = deviation_slope_ * in.normal.time + in.chord.time;
     double change = shaft_.integrate(in.shaft, nodes_, time_rate_);
-    if (m.ring.moves) {
+    if (ring_moves()) {
       const double share = -m.ring.force_unit / m.force_unit;
       ring_.ax = (push.x * share - ring_.x * m.ring.stiffness) - ring_.vx * m.ring.damping;
       ring_.ay = (push.y * share - ring_.y * m.ring.stiffness) - ring_.vy * m.ring.damping;
       change = std::max(change, ring_.integrate(in.ring, nodes_, time_rate_));
     }
-    see_from_ring();
     return change;
   }
 
@@ -465,35 +479,35 @@ class Sweeps {
     const Number shorter = larger(tip.shortening, Number(blade.first_shortening * unbent));
     const Number measure =
         (tip.b * 2.0 + tip.deflection) * tip.slip + shorter / bent * (tip.a * 2.0 + tip.shortening);
-    if (blade.yield_unit == 0.0) return measure;
+    if (!yields(blade)) return measure;
     const Number yields = larger(tip.yielding, Number(blade.first_yielding * unbent));
     return measure + yields / bent * (tip.yielding + 2.0 * ring_radius);
   }
   /// v of a tip (MODEL 4.4), of the velocities that have been found: light sweeps keep the tip's rates.
   RUBATLAS_INLINE Number slip_velocity_of(const Tip& tip, const Vector& er) const {
     const double radius = machine_.ring_radius;
-    const Number along =
-        (seen_velocity_.x * er.x + seen_velocity_.y * er.y) + (tip.b + tip.deflection) * angular_speed_;
-    const Number across = (seen_velocity_.y * er.x - seen_velocity_.x * er.y) -
-                          (tip.a + tip.shortening - tip.blade->reach) * angular_speed_;
+    const Vector v = seen_velocity();
+    const Number along = (v.x * er.x + v.y * er.y) + (tip.b + tip.deflection) * angular_speed();
+    const Number across =
+        (v.y * er.x - v.x * er.y) - (tip.a + tip.shortening - tip.blade->reach) * angular_speed();
     const Number moment = tip.a * across - tip.b * along;
-    if (tip.blade->yield_unit == 0.0) return moment * (1.0 / radius) + angular_speed_ * radius;
+    if (!yields(*tip.blade)) return moment * (1.0 / radius) + angular_speed() * radius;
     const Number yielded = tip.yielding + radius;
-    return moment / yielded + angular_speed_ * yielded;
+    return moment / yielded + angular_speed() * yielded;
   }
 
   void store() const {
     Interval& in = interval_;
     deviation_.store(in.deviation);
     shaft_.store(in.shaft);
-    if (machine_.ring.moves) ring_.store(in.ring);
+    if (ring_moves()) ring_.store(in.ring);
     elapsed().store(in.elapsed);
     (chord_argument_ + deviation_ * in.normal.argument).store(in.argument);
     time_rate_.store(in.time_slope);
     (deviation_slope_ * in.normal.argument + in.chord.argument).store(in.argument_slope);
     er_.x.store(in.blade_x);
     er_.y.store(in.blade_y);
-    angular_speed_.store(in.angular_speed);
+    angular_speed().store(in.angular_speed);
     gap_measure_of(lead_, machine_.ring_radius).store(in.gap_measure);
     slip_velocity_of(lead_, er_).store(in.slip_velocity);
     for (std::size_t k = 0; k < in.further_count; ++k) {
@@ -502,7 +516,7 @@ class Sweeps {
       slip_velocity_of(further_[k], offset_by(er_, in.further[k].offset)).store(in.further[k].slip_velocity);
     }
     Number squares = shaft_.squares(nodes_, time_rate_);
-    if (machine_.ring.moves) squares = squares + ring_.squares(nodes_, time_rate_);
+    if (ring_moves()) squares = squares + ring_.squares(nodes_, time_rate_);
     root(squares).store(in.coefficients);
   }
 
@@ -514,9 +528,8 @@ class Sweeps {
   Number chord_time_, chord_argument_;
   Number deviation_, deviation_slope_, time_rate_;
   Motion shaft_, ring_;
-  Vector seen_, seen_velocity_;  ///< of the shaft from the ring's centre
-  Vector er_;                    ///< direction of the leading blade
-  Number angular_speed_;         ///< φ'
+  Vector er_;             ///< direction of the leading blade
+  Number angular_speed_;  ///< φ'
   Tip lead_;
   std::array<FurtherTip, kMostFurther> further_;
   Number per_residual_;  ///< Newton's step along the normal for a residual of h
@@ -525,7 +538,13 @@ class Sweeps {
 
 template <std::size_t kWidth>
 bool solved(const Contact& contact, const Closeness& closeness, Interval& interval) {
-  return Sweeps<kWidth>(contact, closeness, interval).solve();
+  const Machine& machine = *contact.machine;
+  bool plain = machine.support.isotropic && !machine.ripples() && !machine.ring.moves &&
+               contact.blade->yield_unit == 0.0;
+  for (std::size_t k = 0; k < interval.further_count; ++k)
+    plain = plain && interval.further[k].blade->yield_unit == 0.0;
+  return plain ? Sweeps<kWidth, true>(contact, closeness, interval).solve()
+               : Sweeps<kWidth, false>(contact, closeness, interval).solve();
 }
 
 }  // namespace

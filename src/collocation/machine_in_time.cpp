@@ -2,23 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 namespace rubatlas::collocation {
 
-MachineInTime::MachineInTime(const rotor::RotorConstants& rotor, const rotor::RipplingBlades& blades,
-                             const rotor::AnyShaft& shaft, const rotor::RingBody* ring, double ring_radius)
-    : blades_(&blades),
-      numbers_{.speed_ratio = rotor.speed_ratio,
-               .damping_ratio = rotor.damping_ratio,
-               .misalignment = rotor.misalignment,
+MachineInTime::MachineInTime(const rotor::Machine& machine, double ring_radius)
+    : blades_(&machine.blades),
+      numbers_{.speed_ratio = machine.constants.speed_ratio,
+               .damping_ratio = machine.constants.damping_ratio,
+               .misalignment = machine.constants.misalignment,
                .ring_radius = ring_radius,
-               .force_unit = rotor.force_unit} {
+               .force_unit = machine.constants.force_unit} {
   const auto add = [&](double amplitude, double phase, double frequency) {
     terms_.push_back({amplitude, phase});
     numbers_.frequency.at(numbers_.forcing_count++) = frequency;
   };
-  if (const auto* supported = std::get_if<rotor::SupportedShaft>(&shaft.shaft)) {
+  if (const rotor::SupportedShaft* supported = machine.supported()) {
     const rotor::LinearSupport& support = supported->support;
     const auto by_rows = [](const Eigen::Matrix2d& matrix) {
       return std::array{matrix(0, 0), matrix(0, 1), matrix(1, 0), matrix(1, 1)};
@@ -27,12 +25,13 @@ MachineInTime::MachineInTime(const rotor::RotorConstants& rotor, const rotor::Ri
     for (const rotor::HarmonicForcing& term : support.terms())
       add(std::abs(term.amplitude), std::arg(term.amplitude), term.frequency);
   } else {
-    for (const rotor::Harmonic& term : std::get<rotor::Harmonics>(shaft.shaft).terms())
+    for (const rotor::Harmonic& term : machine.harmonics()->terms())
       add(term.amplitude(), term.phase(), term.frequency());
   }
+  const rotor::RipplingBlades& blades = machine.blades;
   if (blades.ripples())
     numbers_.ripple = {blades.ripple_amplitude(), blades.ripple_frequency(), blades.ripple_depth()};
-  if (ring != nullptr) {
+  if (const rotor::RingBody* ring = machine.ring_body()) {
     const double frequency = ring->frequency();
     numbers_.ring = {true, frequency * frequency, 2.0 * ring->damping_ratio() * frequency,
                      ring->force_unit()};
@@ -57,8 +56,8 @@ void MachineInTime::start(Interval& interval) const {
     interval.forcing[j] = {there.real(), there.imag()};
   }
   if (numbers_.ripples()) {
-    const double angle = blades_->ripple_angle(time);
-    interval.ripple = {std::cos(angle), std::sin(angle)};
+    const contact::BladeDirection ripple = blades_->ripple(time);
+    interval.ripple = {ripple.cosine, ripple.sine};
   }
 }
 

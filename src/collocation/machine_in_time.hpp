@@ -5,18 +5,14 @@
 #include <vector>
 
 #include "collocation/interval.hpp"
-#include "rotor/any_shaft.hpp"
-#include "rotor/constants.hpp"
-#include "rotor/ring_body.hpp"
-#include "rotor/rippling_blades.hpp"
+#include "rotor/machine.hpp"
 
 namespace rubatlas::collocation {
 
 class MachineInTime {
  public:
-  /// `ring`: null where it does not move. All but it must outlive the machine. `ring_radius` R [m].
-  MachineInTime(const rotor::RotorConstants& rotor, const rotor::RipplingBlades& blades,
-                const rotor::AnyShaft& shaft, const rotor::RingBody* ring, double ring_radius);
+  /// The machine must outlive this. `ring_radius` R [m].
+  MachineInTime(const rotor::Machine& machine, double ring_radius);
 
   [[nodiscard]] const Machine& numbers() const { return numbers_; }
   /// Longest interval whose directions are turned by series [τ].

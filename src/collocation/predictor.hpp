@@ -12,7 +12,7 @@
 #include "collocation/interval.hpp"
 #include "contact/elastica_contact.hpp"
 #include "rotor/bodies.hpp"
-#include "rotor/constants.hpp"
+#include "rotor/machine.hpp"
 
 namespace rubatlas::collocation {
 
@@ -21,9 +21,11 @@ class Predictor {
   static constexpr double kOrder = 9.0;  ///< with the length, of the error between the nodes
   static constexpr double kUnknownError = std::numeric_limits<double>::infinity();
 
-  /// Both must outlive the predictor. `ring`: null where it does not move.
-  Predictor(const rotor::RotorConstants& rotor, const rotor::RingBody* ring)
-      : rotor_(&rotor), closing_unit_(rotor.force_unit + (ring != nullptr ? ring->force_unit() : 0.0)) {}
+  /// The machine must outlive the predictor.
+  explicit Predictor(const rotor::Machine& machine) : rotor_(&machine.constants) {
+    closing_unit_ = rotor_->force_unit;
+    if (const rotor::RingBody* ring = machine.ring_body()) closing_unit_ += ring->force_unit();
+  }
 
   /// Where a blade takes the lead.
   struct Start {

@@ -15,7 +15,7 @@
 #include "modes/motion_listener.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/bodies.hpp"
-#include "rotor/rippling_blades.hpp"
+#include "rotor/machine.hpp"
 #include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::modes {
@@ -26,16 +26,14 @@ class Collocated final : public trajectory::MotionPiece {
   using Bodies = rotor::ShaftAndRing;
   using FullState = rotor::RingContactState;
 
-  /// All outlive the mode. `ring`: null where it does not move. μ > 0: the column has no p.
-  Collocated(const rotor::RotorConstants& rotor, const rotor::RipplingBlades& blades, const Laws& laws,
-             const rotor::AnyShaft& shaft, const rotor::RingBody* ring, const ContactLimits& limits,
-             WorkMeter& meter)
+  /// All outlive the mode. μ > 0: the column has no p.
+  Collocated(const rotor::Machine& machine, const Laws& laws, const ContactLimits& limits, WorkMeter& meter)
       : laws_(&laws),
-        blades_(&blades),
-        rotor_(&rotor),
+        blades_(&machine.blades),
+        rotor_(&machine.constants),
         meter_(&meter),
-        arc_(rotor, blades, laws, shaft, ring, {limits.tolerance, limits.max_shortening}),
-        most_bent_of_blades_(static_cast<std::size_t>(blades.count())) {}
+        arc_(machine, laws, {limits.tolerance, limits.max_shortening}),
+        most_bent_of_blades_(static_cast<std::size_t>(blades_->count())) {}
 
   /// So many blades may touch.
   static constexpr std::size_t kMostContacts = 1 + collocation::kMostFurther;

@@ -59,13 +59,8 @@ class Motion {
         resting_(made<decltype(resting_)>(resting_law_ ? &*resting_law_ : nullptr)) {
     if constexpr (Modes::kCollocates) {
       // The column (μ = 0) has no argument p.
-      if (collocates && law_.of(0).curve().load_angle() > 0.0) {
-        if constexpr (rotor::kRingMoves<Forcing>) {
-          collocated_.emplace(rotor_, blades_, law_, forcing_.shaft, &forcing_.ring, limits_, meter_);
-        } else {
-          collocated_.emplace(rotor_, blades_, law_, forcing_, nullptr, limits_, meter_);
-        }
-      }
+      if (collocates && law_.of(0).curve().load_angle() > 0.0)
+        collocated_.emplace(machine_, law_, limits_, meter_);
     }
     contacts_.reserve(static_cast<std::size_t>(blades_.count()));
   }

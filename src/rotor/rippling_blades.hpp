@@ -52,11 +52,6 @@ class RipplingBlades : private BladeSet {
     if (!ripples()) return 0.0;
     return -mean_speed() * amplitude_ * frequency_ * std::sin(frequency_ * time + phase_);
   }
-  [[nodiscard]] double ripple_amplitude() const { return amplitude_; }  ///< a [-]
-  [[nodiscard]] double ripple_frequency() const { return frequency_; }  ///< pΩ [per unit τ]
-  [[nodiscard]] double ripple_depth() const { return depth_; }          ///< a/p [rad]
-  /// pΩτ + ψ [rad].
-  [[nodiscard]] double ripple_angle(double time) const { return frequency_ * time + phase_; }
   /// Least |φ'|.
   [[nodiscard]] double slowest() const { return std::abs(mean_speed()) * (1.0 - amplitude_); }
   /// Bounds of |φ'|, |φ''|, |φ'''| and |φ''''|.

@@ -5,22 +5,19 @@
 #include <vector>
 
 #include "collocation/contact_arc.hpp"
-#include "rotor/blade_set.hpp"
-#include "rotor/harmonic.hpp"
+#include "rotor/machine.hpp"
 
 namespace rubatlas::test {
 
 struct ArcOfRotor {
   /// `unbalance`: null where none acts.
-  ArcOfRotor(const rotor::RotorConstants& rotor_constants, int blade_count,
-             const contact::ElasticaContact& law, const rotor::Harmonic* unbalance,
-             const collocation::ContactArc::Limits& limits)
-      : rotor(rotor_constants),
-        blades(rotor::equal_angles(blade_count), rotor.speed_ratio, {}),
+  ArcOfRotor(const rotor::RotorConstants& rotor, int blade_count, const contact::ElasticaContact& law,
+             const rotor::Harmonic* unbalance, const collocation::ContactArc::Limits& limits)
+      : machine(rotor::machine_of(rotor, rotor::BladeSet(blade_count, rotor.speed_ratio),
+                                  rotor::Harmonics(unbalance != nullptr ? std::vector{*unbalance}
+                                                                        : std::vector<rotor::Harmonic>{}))),
         laws(std::vector(static_cast<std::size_t>(blade_count), law)),
-        shaft{rotor::Harmonics(unbalance != nullptr ? std::vector{*unbalance}
-                                                    : std::vector<rotor::Harmonic>{})},
-        arc(rotor, blades, laws, shaft, nullptr, limits) {}
+        arc(machine, laws, limits) {}
   ArcOfRotor(const ArcOfRotor&) = delete;
   ArcOfRotor& operator=(const ArcOfRotor&) = delete;
 
@@ -34,10 +31,8 @@ struct ArcOfRotor {
   }
   [[nodiscard]] rotor::State end_state() const { return rotor::shaft(arc.end().bodies); }
 
-  rotor::RotorConstants rotor;
-  rotor::RipplingBlades blades;
+  rotor::Machine machine;
   collocation::ContactArc::Laws laws;
-  rotor::AnyShaft shaft;
   collocation::ContactArc arc;
 };
 

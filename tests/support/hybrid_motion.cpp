@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "contact/unequal_blades.hpp"
-#include "modes/supported_flight.hpp"
 #include "rotor/any_shaft.hpp"
 #include "rotor/rippling_blades.hpp"
 
