@@ -214,7 +214,7 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::in_rows(const Flight&
       if (time >= until) break;
       const double end = std::min(time + row.spacing(), until);
       for (double& clear_until : clear_until_) clear_until = clear_until > doubt ? end : time;
-      if (const auto touchdown = by_steps(flight, time, bodies, end, meter)) return touchdown;
+      if (auto touchdown = by_steps(flight, time, bodies, end, meter)) return touchdown;
       if (meter.ended()) return std::nullopt;
       time = end;
       bodies = flight.state(time);
