@@ -12,6 +12,10 @@
 namespace rubatlas::modes {
 namespace {
 
+double square(double value) {
+  return value * value;
+}
+
 /// z·z', half of the rate of |z|².
 double distance_rate(const rotor::State& state) {
   return state[0] * state[2] + state[1] * state[3];
@@ -24,13 +28,22 @@ Flight::Flight(const rotor::Machine& machine)
       free_(machine.constants.damping_ratio),
       harmonics_(machine.harmonics()),
       supported_(machine.supported()),
-      ring_(machine.ring_body()) {
-  if (harmonics_ != nullptr && harmonics_->terms().empty()) harmonics_ = nullptr;
+      ring_(machine.ring_body()),
+      second_slope_(std::sqrt(1.0 + square(2.0 * machine.constants.damping_ratio))) {
+  if (supported_ != nullptr) {
+    forcing_ = supported_->bounds.forcing_bound();
+    return;
+  }
+  forcing_ = harmonics_->amplitude();
+  forcing_rate_ = harmonics_->rate();
+  forcing_rate_of_rate_ = harmonics_->rate_of_rate();
+  if (harmonics_->terms().empty()) harmonics_ = nullptr;
 }
 
 void Flight::start(double time, const rotor::ShaftAndRing& bodies) {
   start_ = time;
   at_start_ = bodies;
+  if (ring_ == nullptr) at_start_.tail<4>().setZero();
 }
 
 rotor::State Flight::shaft(double time) const {
@@ -51,28 +64,8 @@ rotor::State Flight::shaft(double time) const {
   return {position.real(), position.imag(), velocity.real(), velocity.imag()};
 }
 
-rotor::ShaftAndRing Flight::state(double time) const {
-  rotor::ShaftAndRing bodies = rotor::shaft_and_ring(shaft(time));
-  if (ring_ != nullptr) bodies.tail<4>() = ring_->free(rotor::ring(at_start_), time - start_);
-  return bodies;
-}
-
 bool Flight::resolves(double time) const {
   return supported_ == nullptr || supported_->support.resolves(time);
-}
-
-Flight::Complex Flight::shaft_acceleration(double time, const rotor::State& state) const {
-  if (supported_ != nullptr) return supported_->support.acceleration(time, state.matrix());
-  Complex result =
-      -2.0 * machine_->constants.damping_ratio * Complex(state[2], state[3]) - Complex(state[0], state[1]);
-  if (harmonics_ != nullptr) result += harmonics_->acceleration(time);
-  return result;
-}
-
-Flight::Complex Flight::acceleration(double time, const rotor::ShaftAndRing& bodies) const {
-  Complex result = shaft_acceleration(time, rotor::shaft(bodies));
-  if (ring_ != nullptr) result -= ring_->acceleration(rotor::ring(bodies), 0.0);
-  return result;
 }
 
 /// `size`: a bound of the norm in question, of the steady response.
@@ -122,20 +115,12 @@ double Flight::time_of_bound() const {
   return supported_ != nullptr ? supported_->bounds.growth_time() : std::numeric_limits<double>::infinity();
 }
 
-DerivativeBounds Flight::derivative_bounds(const FlightBound& bound) const {
-  DerivativeBounds result{};
+DerivativeBounds Flight::derivative_bounds_of_any(const FlightBound& bound) const {
+  DerivativeBounds result = isotropic_derivative_bounds(bound.shaft);
   if (supported_ != nullptr) {
     const rotor::SupportBounds& bounds = supported_->bounds;
     result = {bounds.second_bound(bound.shaft), bounds.third_bound(bound.shaft),
               bounds.fourth_bound(bound.shaft)};
-  } else {
-    // z'' in z, z' and the forcing, then each derivative in the two before it.
-    const double damping = 2.0 * machine_->constants.damping_ratio;
-    result.second = std::sqrt(1.0 + damping * damping) * bound.shaft + forcing_bound();
-    result.third = damping * result.second + bound.shaft;
-    if (harmonics_ != nullptr) result.third += harmonics_->rate();
-    result.fourth = damping * result.third + result.second;
-    if (harmonics_ != nullptr) result.fourth += harmonics_->rate_of_rate();
   }
   if (ring_ != nullptr) {
     result.second += ring_->second_bound(bound.ring_velocity);
@@ -143,11 +128,6 @@ DerivativeBounds Flight::derivative_bounds(const FlightBound& bound) const {
     result.fourth += ring_->fourth_bound(bound.ring_velocity);
   }
   return result;
-}
-
-double Flight::forcing_bound() const {
-  if (supported_ != nullptr) return supported_->bounds.forcing_bound();
-  return harmonics_ != nullptr ? harmonics_->amplitude() : 0.0;
 }
 
 std::int64_t Flight::price_of_state() const {
@@ -164,7 +144,6 @@ StateRow& Flight::row_of(std::optional<StateRow>& row, double spacing) const {
 
 void Flight::places(const trajectory::SampleTimes& times, int first, std::span<double> x,
                     std::span<double> y) const {
-  constexpr int kRowsFromClosedForm = 16;  // rounding of each row adds up
   StateRow& row = row_of(sample_row_, times.spacing());
   int number = first;
   rotor::State at = shaft(times[number]);

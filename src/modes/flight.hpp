@@ -45,14 +45,23 @@ class Flight {
   void start(double time, const rotor::ShaftAndRing& bodies);
 
   [[nodiscard]] double start_time() const { return start_; }
-  [[nodiscard]] rotor::ShaftAndRing state(double time) const;
+  [[nodiscard]] const rotor::ShaftAndRing& at_start() const { return at_start_; }
+  [[nodiscard]] rotor::ShaftAndRing state(double time) const {
+    rotor::ShaftAndRing bodies = rotor::shaft_and_ring(shaft(time));
+    if (ring_ != nullptr) bodies.tail<4>() = ring_->free(rotor::ring(at_start_), time - start_);
+    return bodies;
+  }
   /// The shaft's part of it.
   [[nodiscard]] rotor::State shaft(double time) const;
 
   /// Whether double precision resolves free motion over this time.
   [[nodiscard]] bool resolves(double time) const;
   /// z'' − r'' [m per unit τ²] of a state in flight.
-  [[nodiscard]] Complex acceleration(double time, const rotor::ShaftAndRing& bodies) const;
+  [[nodiscard]] Complex acceleration(double time, const rotor::ShaftAndRing& bodies) const {
+    Complex result = shaft_acceleration(time, bodies.head<4>());
+    if (ring_ != nullptr) result -= ring_->acceleration(rotor::ring(bodies), 0.0);
+    return result;
+  }
 
   /// Bounds from a state of this flight over the time `horizon` that follows, which may be infinite.
   ///
@@ -67,9 +76,12 @@ class Flight {
   [[nodiscard]] double time_of_bound() const;
 
   /// Of z − r while its bound holds.
-  [[nodiscard]] DerivativeBounds derivative_bounds(const FlightBound& bound) const;
+  [[nodiscard]] DerivativeBounds derivative_bounds(const FlightBound& bound) const {
+    if (supported_ != nullptr || ring_ != nullptr) return derivative_bounds_of_any(bound);
+    return isotropic_derivative_bounds(bound.shaft);
+  }
   /// Bound of the forcing's acceleration [m per unit τ²].
-  [[nodiscard]] double forcing_bound() const;
+  [[nodiscard]] double forcing_bound() const { return forcing_; }
 
   /// Price of one state [ns].
   [[nodiscard]] std::int64_t price_of_state() const;
@@ -81,7 +93,20 @@ class Flight {
   [[nodiscard]] double largest_displacement(double begin, double end, double known) const;
 
  private:
-  [[nodiscard]] Complex shaft_acceleration(double time, const rotor::State& state) const;
+  /// z'' is written with z, z' and the forcing, then each derivative with the two before it.
+  [[nodiscard]] DerivativeBounds isotropic_derivative_bounds(double bound) const {
+    const double damping = 2.0 * free_.damping_ratio();
+    const double second = second_slope_ * bound + forcing_;
+    const double third = damping * second + bound + forcing_rate_;
+    return {second, third, damping * third + second + forcing_rate_of_rate_};
+  }
+  [[nodiscard]] DerivativeBounds derivative_bounds_of_any(const FlightBound& bound) const;
+  [[nodiscard]] Complex shaft_acceleration(double time, const rotor::State& state) const {
+    if (supported_ != nullptr) return supported_->support.acceleration(time, state.matrix());
+    Complex result = -2.0 * free_.damping_ratio() * Complex(state[2], state[3]) - Complex(state[0], state[1]);
+    if (harmonics_ != nullptr) result += harmonics_->acceleration(time);
+    return result;
+  }
   template <class Size>
   [[nodiscard]] double isotropic_bound(double time, const rotor::State& state, double horizon,
                                        Size size) const;
@@ -93,6 +118,10 @@ class Flight {
   const rotor::Harmonics* harmonics_;       ///< on an isotropic shaft; null where none acts
   const rotor::SupportedShaft* supported_;  ///< null: isotropic
   const rotor::RingBody* ring_;             ///< null where the ring is no body
+  double second_slope_;                     ///< of |z''| against (|z|² + |z'|²)^½ on an isotropic shaft
+  double forcing_ = 0.0;                    ///< bound of the forcing,
+  double forcing_rate_ = 0.0;               ///< of its derivative,
+  double forcing_rate_of_rate_ = 0.0;       ///< and of its second derivative, on an isotropic shaft
   double start_ = 0.0;
   rotor::ShaftAndRing at_start_ = rotor::ShaftAndRing::Zero();
   // What reads this flight at equally spaced times, made where it is asked for.

@@ -14,10 +14,10 @@ namespace rubatlas::modes {
 
 class FlightPiece final : public trajectory::MotionPiece {
  public:
-  /// `search` knows the tips. `bound`: of the displacement [m].
-  FlightPiece(const Flight& flight, TouchdownSearch& search, double begin, double end, double bound)
-      : flight_(&flight), search_(&search), begin_(begin), end_(end), bound_(bound) {}
-  [[nodiscard]] double begin() const override { return begin_; }
+  /// From the start of the flight. `search` knows the tips.
+  FlightPiece(const Flight& flight, TouchdownSearch& search, double end)
+      : flight_(&flight), search_(&search), end_(end) {}
+  [[nodiscard]] double begin() const override { return flight_->start_time(); }
   [[nodiscard]] double end() const override { return end_; }
   [[nodiscard]] trajectory::State state(double time) override {
     return rotor::as_array(flight_->shaft(time));
@@ -26,9 +26,11 @@ class FlightPiece final : public trajectory::MotionPiece {
               std::span<double> y) override {
     flight_->places(times, first, x, y);
   }
-  [[nodiscard]] double displacement_bound() const override { return bound_; }
+  [[nodiscard]] double displacement_bound() const override {
+    return flight_->displacement_bound(begin(), rotor::shaft(flight_->at_start()), end_ - begin());
+  }
   [[nodiscard]] double largest_displacement(double known, double /*speed_ratio*/) override {
-    return bound_ > known ? flight_->largest_displacement(begin_, end_, known) : known;
+    return displacement_bound() > known ? flight_->largest_displacement(begin(), end_, known) : known;
   }
   [[nodiscard]] std::size_t contact_count() const override { return 0; }
   [[nodiscard]] int blade(std::size_t /*contact*/) const override { return -1; }
@@ -43,15 +45,13 @@ class FlightPiece final : public trajectory::MotionPiece {
   }
   [[nodiscard]] std::optional<trajectory::Pass> nearest_pass(
       double known, const trajectory::PointConstants& /*point*/) override {
-    return search_->nearest_pass(*flight_, begin_, end_, known);
+    return search_->nearest_pass(*flight_, begin(), end_, known);
   }
 
  private:
   const Flight* flight_;
   TouchdownSearch* search_;
-  double begin_;
   double end_;
-  double bound_;
 };
 
 }  // namespace rubatlas::modes

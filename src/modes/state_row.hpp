@@ -14,6 +14,9 @@ namespace rubatlas::modes {
 
 constexpr int kTimesOfRow = 8;
 using RowValues = Eigen::Array<double, kTimesOfRow, 1>;
+/// Where one row starts from the end of another, so many may follow before a state in closed form: rounding
+/// adds up.
+constexpr int kRowsFromClosedForm = 16;
 
 /// z'' + 2ζ z' + z = 0 one to eight times a duration after its start.
 class FreeRow {

@@ -24,8 +24,8 @@ constexpr double kDoubt = 10.0;  ///< of the rounding of a gap: below it a row d
 /// The first spacing of rows [τ]: a few rows reach from contact to contact, and the remainder is small
 /// against usual gaps.
 constexpr double kSpacing = 0.3;
-/// Of R times the length scale: the remainder of a row is to be smaller. A gap is 2R times a distance.
-constexpr int kRowsOfDear = 16;
+/// The remainder of a row is to be smaller than this share of R times the length scale; a gap is 2R times a
+/// distance.
 constexpr double kLargestRemainder = 1.0 / 8.0;
 
 /// Whether a state in closed form costs more than a row of them.
@@ -69,18 +69,20 @@ TouchdownSearch::TouchdownSearch(const rotor::Machine& machine, std::vector<cont
       least_clearance_(std::numeric_limits<double>::infinity()),
       close_bounds_(bounds_are_close(machine)),
       turning_weight_(turning_weight(machine.constants)),
+      turning_(turning_bounds(machine.blades)),
       first_spacing_(kSpacing / std::max(1.0, std::abs(machine.constants.speed_ratio))),
       clear_until_(blades_.size()) {
   for (const contact::Geometry& blade : blades_) {
     farthest_ = std::max(farthest_, blade.reach);
     least_clearance_ = std::min(least_clearance_, blade.ring_radius - blade.reach);
+    roundings_.push_back(kDoubt * machine.constants.gap_rounding(blade));
   }
 }
 
 std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(const Flight& flight, double until,
                                                                 WorkMeter& meter) {
   const double from = flight.start_time();
-  const rotor::ShaftAndRing bodies = flight.state(from);
+  const rotor::ShaftAndRing& bodies = flight.at_start();
   // The shaft cannot leave the clearance circle: no blade can touch, and there is nothing to search.
   if (stays_clear(flight, from, bodies, until - from)) return std::nullopt;
   return in_rows(flight, bodies, until, meter);
@@ -90,7 +92,7 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find_by_steps(const F
                                                                          WorkMeter& meter) {
   const double from = flight.start_time();
   clear_until_.assign(clear_until_.size(), from);
-  return by_steps(flight, from, flight.state(from), until, meter);
+  return by_steps(flight, from, flight.at_start(), until, meter);
 }
 
 std::optional<double> TouchdownSearch::shaft_at_ring(const Flight& flight, double until,
@@ -98,13 +100,14 @@ std::optional<double> TouchdownSearch::shaft_at_ring(const Flight& flight, doubl
   const contact::Geometry shaft{0.0, blades_.front().ring_radius};
   const double misalignment = machine_->constants.misalignment;
   double time = flight.start_time();
-  rotor::ShaftAndRing bodies = flight.state(time);
+  rotor::ShaftAndRing bodies = flight.at_start();
   const double bound = flight.bound_from_ring(time, bodies, until - time);
   if (bound + std::abs(misalignment) < shaft.ring_radius) return std::nullopt;
   const rotor::State seen = rotor::from_ring(bodies);
   if (std::hypot(seen[0], seen[1] + misalignment) >= shaft.ring_radius) return time;
   while (meter.spend(Work::flight, WorkPrice::kGap + flight.price_of_state())) {
-    const double step = clear_step(flight, shaft, 0, time, bodies, until);
+    const contact::BladeDirection er = machine_->blades.first(time);
+    const double step = clear_step(flight, shaft, er, time, bodies, until);
     if (step <= kTimeResolution * std::max(1.0, time)) return time;
     time += step;
     if (time >= until) return std::nullopt;
@@ -123,25 +126,59 @@ bool TouchdownSearch::stays_clear(const Flight& flight, double time, const rotor
          least_clearance_;
 }
 
-FlightRow& TouchdownSearch::row(std::size_t number) {
+FlightRow& TouchdownSearch::row(std::size_t number, double spacing) {
   std::optional<FlightRow>& row = rows_by_spacing_[number];
-  if (!row) row.emplace(*machine_, spacing(number));
+  if (!row) row.emplace(*machine_, spacing);
   return *row;
+}
+
+/// Bound of |g'''|, g = |c|² + 2(rh+L) Re(c e^{−iφ}) + a constant.
+inline double TouchdownSearch::third_bound(const Flight& flight, const FlightBound& bound,
+                                           double reach) const {
+  const double misalignment = std::abs(machine_->constants.misalignment);
+  const double centre = bound.position() + misalignment;  // of |c|
+  const double velocity = bound.velocity();
+  const DerivativeBounds of_centre = flight.derivative_bounds(bound);
+  double turned = 0.0;
+  if (close_bounds_) {
+    // z''' and z'' are written with z, z' and the forcing, and the coefficients of z and z' bounded together:
+    // |z|² + |z'|² <= bound².
+    const double speed = turning_.first;
+    const double damping = 2.0 * machine_->constants.damping_ratio;
+    turned = turning_weight_ * bound.shaft + (damping + 4.0 * speed) * flight.forcing_bound() +
+             speed * speed * speed * misalignment;
+  } else {
+    turned = of_centre.third + 3.0 * turning_.first * of_centre.second + 3.0 * turning_.second * velocity +
+             turning_.third * centre;
+  }
+  return 6.0 * velocity * of_centre.second + 2.0 * centre * of_centre.third + 2.0 * reach * turned;
+}
+
+double TouchdownSearch::fourth_bound(const Flight& flight, const FlightBound& bound) const {
+  const double centre = bound.position() + std::abs(machine_->constants.misalignment);
+  const double velocity = bound.velocity();
+  const auto [second, third, fourth] = flight.derivative_bounds(bound);
+  const double turned = fourth + 4.0 * turning_.first * third + 6.0 * turning_.second * second +
+                        4.0 * turning_.third * velocity + turning_.fourth * centre;
+  return 6.0 * second * second + 8.0 * velocity * third + 2.0 * centre * fourth + 2.0 * farthest_ * turned;
 }
 
 TouchdownSearch::Outlook TouchdownSearch::outlook(const Flight& flight, double time,
                                                   const rotor::ShaftAndRing& bodies, double until) {
   // Where free motion grows, a bound over all the remaining time would be as large as that of its end.
-  const double renewed = std::max(flight.time_of_bound(), FlightRow::kTimes * spacing(kSpacings - 1));
-  const bool in_pieces = renewed < until - time;
-  const double fourth = fourth_bound(flight, flight.bound(time, bodies, in_pieces ? renewed : until - time));
+  const double remaining = until - time;
+  const double renewed = std::max(flight.time_of_bound(), FlightRow::kTimes * kClosest * first_spacing_);
+  const bool in_pieces = renewed < remaining;
+  const double horizon = in_pieces ? renewed : remaining;
+  const double fourth = fourth_bound(flight, flight.bound(time, bodies, horizon));
   const double allowed = kLargestRemainder * blades_.front().ring_radius * machine_->constants.length_scale;
   const auto suits = [&](double h) {
     return !(in_pieces && FlightRow::kTimes * h > renewed) && FlightRow::remainder(fourth, h) <= allowed;
   };
   std::size_t number = 0;
-  while (number + 1 < kSpacings && !suits(spacing(number))) ++number;
-  return {in_pieces ? time + renewed : until, fourth, &row(number), number > 0};
+  double spacing = first_spacing_;
+  for (; number + 1 < kSpacings && !suits(spacing); ++number) spacing *= 0.5;
+  return {in_pieces ? time + renewed : until, fourth, &row(number, spacing), number > 0};
 }
 
 /// In rows of times, and in steps only where a row leaves a doubt.
@@ -163,23 +200,21 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::in_rows(const Flight&
     int doubt = FlightRow::kTimes;
     for (int k = 0; k < count; ++k) {
       const FlightRow::Gaps gaps = gaps_of(row, k, first);
-      const int of_blade = row.first_doubt(gaps, kDoubt * machine_->constants.gap_rounding(geometry(k)));
+      const int of_blade = row.first_doubt(gaps, roundings_[static_cast<std::size_t>(k)]);
       clear_until_[static_cast<std::size_t>(k)] = of_blade;
       doubt = std::min(doubt, of_blade);
       if (keeps_rows_) gaps_.push_back(gaps);
     }
     if (keeps_rows_) rows_.push_back({time, row.spacing(), std::min(doubt + 1, FlightRow::kTimes)});
-    time += doubt * row.spacing();
-    if (dear && doubt > 0 && rows % kRowsOfDear != 0) {
-      bodies = row.state(doubt - 1);
-    } else {
-      bodies = flight.state(time);
+    if (doubt > 0) {
+      time += doubt * row.spacing();
+      bodies = dear && rows % kRowsFromClosedForm != 0 ? row.state(doubt - 1) : flight.state(time);
     }
     if (doubt < FlightRow::kTimes) {
       if (time >= until) break;
       const double end = std::min(time + row.spacing(), until);
       for (double& clear_until : clear_until_) clear_until = clear_until > doubt ? end : time;
-      if (const auto touchdown = by_steps(flight, time, bodies, end, meter)) return touchdown;
+      if (auto touchdown = by_steps(flight, time, bodies, end, meter)) return touchdown;
       if (meter.ended()) return std::nullopt;
       time = end;
       bodies = flight.state(time);
@@ -195,6 +230,8 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::in_rows(const Flight&
 std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_steps(const Flight& flight, double time,
                                                                     rotor::ShaftAndRing bodies, double until,
                                                                     WorkMeter& meter) {
+  const rotor::RipplingBlades& blades = machine_->blades;
+  contact::BladeDirection first = blades.first(time);
   while (true) {
     std::size_t blade = 0;
     for (std::size_t k = 1; k < clear_until_.size(); ++k) {
@@ -204,11 +241,14 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_steps(const Flight
     if (clear_until_[blade] > time) {
       time = clear_until_[blade];
       bodies = flight.state(time);
+      first = blades.first(time);
     }
     if (!meter.spend(Work::flight, WorkPrice::kGap + flight.price_of_state())) return std::nullopt;
     ++evaluations_;
-    const double step = clear_step(flight, blades_[blade], static_cast<int>(blade), time, bodies, until);
-    if (step <= kTimeResolution * std::max(1.0, time)) return Touchdown{static_cast<int>(blade), time};
+    const int number = static_cast<int>(blade);
+    const double step =
+        clear_step(flight, blades_[blade], blades.direction(number, first), time, bodies, until);
+    if (step <= kTimeResolution * std::max(1.0, time)) return Touchdown{number, time, bodies};
     clear_until_[blade] = time + step;
   }
 }
@@ -313,7 +353,7 @@ std::optional<trajectory::Pass> TouchdownSearch::nearest_top(const Flight& fligh
         pass = pass_between(flight, blade, {from, from + h, guess}, end, known);
       }
     } else if (integrate::cubic_may_peak(h * rate_before, gap - gap_before, h * rate,
-                                         kDoubt * machine_->constants.gap_rounding(geometry(blade))) &&
+                                         roundings_[static_cast<std::size_t>(blade)]) &&
                integrate::cubic_range(gap_before, h * rate_before, gap, h * rate).greatest > nearer) {
       // Fast decay after a contact may turn a tip round twice between two times.
       const auto rate_at = [&](double time) { return tip(flight, blade, time).rate; };
@@ -353,9 +393,9 @@ std::optional<trajectory::Pass> TouchdownSearch::pass_between(const Flight& flig
     between.to = end;
     between.guess = std::min(between.guess, 0.5 * (between.from + end));
   }
-  constexpr double kClosest = 1e-6;  // of the time between: the error left is of the second order of that
+  constexpr double kClosestTop = 1e-6;  // of the time between: the error left is of the second order of that
   const double time = integrate::newton_between(rate, between.from, between.to, between.guess, false,
-                                                kClosest * (between.to - between.from));
+                                                kClosestTop * (between.to - between.from));
   return pass_at(flight, blade, time, known);
 }
 
@@ -367,14 +407,14 @@ std::optional<trajectory::Pass> TouchdownSearch::pass_at(const Flight& flight, i
   return trajectory::Pass{-top.overlap, top.side, blade, time};
 }
 
-/// A duration from `time` on within which a tip of that geometry, in the direction of a blade, cannot touch.
-double TouchdownSearch::clear_step(const Flight& flight, const contact::Geometry& geometry, int blade,
-                                   double time, const rotor::ShaftAndRing& bodies, double until) const {
+/// A duration from `time` on within which a tip of that geometry, whose blade stands at `er`, cannot touch.
+double TouchdownSearch::clear_step(const Flight& flight, const contact::Geometry& geometry,
+                                   const contact::BladeDirection& er, double time,
+                                   const rotor::ShaftAndRing& bodies, double until) const {
   const rotor::RipplingBlades& blades = machine_->blades;
   const rotor::State seen = rotor::from_ring(bodies);
   const double turning = blades.angular_speed(time);
   const double reach = geometry.reach;
-  const contact::BladeDirection er = blades.direction(blade, blades.first(time));
   const contact::Pose at = rotor::pose_of(machine_->constants, geometry, er, seen);
   const double slope = contact::gap_rate(geometry, at, turning);
   // Rounding may leave the gap of a blade that has just lifted off a little above zero.
@@ -395,50 +435,15 @@ double TouchdownSearch::clear_step(const Flight& flight, const contact::Geometry
   return in_pieces ? std::min(step, renewed) : step;
 }
 
-/// Bound of |g'''| = |6 c'·c'' + 2 c·c''' + 2(rh+L) er·D³c|, D = d/dτ + iφ'.
-double TouchdownSearch::third_bound(const Flight& flight, const FlightBound& bound, double reach) const {
-  const double misalignment = std::abs(machine_->constants.misalignment);
-  const double centre = bound.position() + misalignment;  // of |c|
-  const double velocity = bound.velocity();
-  const DerivativeBounds of_centre = flight.derivative_bounds(bound);
-  double turned = 0.0;
-  if (close_bounds_) {
-    // z''' and z'' are written with z, z' and the forcing, and the coefficients of z and z' bounded together:
-    // |z|² + |z'|² <= bound².
-    const double speed = std::abs(machine_->constants.speed_ratio);
-    const double damping = 2.0 * machine_->constants.damping_ratio;
-    turned = turning_weight_ * bound.shaft + (damping + 4.0 * speed) * flight.forcing_bound() +
-             speed * speed * speed * misalignment;
-  } else {
-    // Term by term: D³c = c''' + 3iφ'c'' + 3(iφ'' − φ'²)c' + (iφ''' − 3φ'φ'' − iφ'³)c.
-    const rotor::RipplingBlades& blades = machine_->blades;
-    const double speed = blades.speed_bound();
-    const double change = blades.angular_acceleration_bound();
-    const double of_velocity = speed * speed + change;
-    const double of_position = blades.angular_jerk_bound() + 3.0 * speed * change + speed * speed * speed;
-    turned = of_centre.third + 3.0 * speed * of_centre.second + 3.0 * of_velocity * velocity +
-             of_position * centre;
-  }
-  return 6.0 * velocity * of_centre.second + 2.0 * centre * of_centre.third + 2.0 * reach * turned;
-}
-
-/// Of (|c|²)'''' and of 2(rh+L) er·D⁴c, term by term, with the derivatives of e^{−iφ}.
-double TouchdownSearch::fourth_bound(const Flight& flight, const FlightBound& bound) const {
-  const rotor::RipplingBlades& blades = machine_->blades;
+/// With f = −iφ: (e^f)' = f' e^f, and so on.
+TouchdownSearch::TurningBounds TouchdownSearch::turning_bounds(const rotor::RipplingBlades& blades) {
   const double speed = blades.speed_bound();
   const double change = blades.angular_acceleration_bound();
   const double jerk = blades.angular_jerk_bound();
   const double square = speed * speed;
-  const double of_second = square + change;
-  const double of_velocity = jerk + 3.0 * speed * change + square * speed;
-  const double of_position = blades.angular_snap_bound() + 4.0 * speed * jerk + 3.0 * change * change +
-                             6.0 * square * change + square * square;
-  const double centre = bound.position() + std::abs(machine_->constants.misalignment);
-  const double velocity = bound.velocity();
-  const auto [second, third, fourth] = flight.derivative_bounds(bound);
-  const double turned = fourth + 4.0 * speed * third + 6.0 * of_second * second +
-                        4.0 * of_velocity * velocity + of_position * centre;
-  return 6.0 * second * second + 8.0 * velocity * third + 2.0 * centre * fourth + 2.0 * farthest_ * turned;
+  return {speed, square + change, jerk + 3.0 * speed * change + square * speed,
+          blades.angular_snap_bound() + 4.0 * speed * jerk + 3.0 * change * change + 6.0 * square * change +
+              square * square};
 }
 
 }  // namespace rubatlas::modes

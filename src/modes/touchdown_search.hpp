@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -31,6 +30,7 @@ class TouchdownSearch {
   struct Touchdown {
     int blade;
     double time;  ///< τ of the revolution
+    rotor::ShaftAndRing bodies;
   };
 
   /// Nothing also where the meter ends the revolution.
@@ -61,9 +61,19 @@ class TouchdownSearch {
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
  private:
+  /// Bounds of the first to fourth derivative of e^{−iφ}.
+  struct TurningBounds {
+    double first;
+    double second;
+    double third;
+    double fourth;
+  };
+  static TurningBounds turning_bounds(const rotor::RipplingBlades& blades);
+
   /// Rows of half the spacing of the ones before: the shaft on a stiff support or a ring on a stiff spring
   /// moves too fast for the first.
   static constexpr std::size_t kSpacings = 12;
+  static constexpr double kClosest = 1.0 / (1U << (kSpacings - 1));  ///< the last spacing, of the first
 
   /// Bounds of a flight, the time up to which they hold, and the rows that they allow.
   struct Outlook {
@@ -74,11 +84,7 @@ class TouchdownSearch {
   };
   [[nodiscard]] Outlook outlook(const Flight& flight, double time, const rotor::ShaftAndRing& bodies,
                                 double until);
-  FlightRow& row(std::size_t number);
-  /// Of the rows of that number [τ].
-  [[nodiscard]] double spacing(std::size_t number) const {
-    return std::ldexp(first_spacing_, -static_cast<int>(number));
-  }
+  FlightRow& row(std::size_t number, double spacing);
 
   std::optional<Touchdown> in_rows(const Flight& flight, rotor::ShaftAndRing bodies, double until,
                                    WorkMeter& meter);
@@ -118,16 +124,19 @@ class TouchdownSearch {
 
   [[nodiscard]] bool stays_clear(const Flight& flight, double time, const rotor::ShaftAndRing& bodies,
                                  double horizon) const;
-  [[nodiscard]] double clear_step(const Flight& flight, const contact::Geometry& geometry, int blade,
-                                  double time, const rotor::ShaftAndRing& bodies, double until) const;
+  [[nodiscard]] double clear_step(const Flight& flight, const contact::Geometry& geometry,
+                                  const contact::BladeDirection& er, double time,
+                                  const rotor::ShaftAndRing& bodies, double until) const;
   [[nodiscard]] double third_bound(const Flight& flight, const FlightBound& bound, double reach) const;
 
   const rotor::Machine* machine_;
   std::vector<contact::Geometry> blades_;
-  double farthest_;         ///< the longest reach of a blade [m]
-  double least_clearance_;  ///< of the blade that reaches farthest [m]
-  bool close_bounds_;       ///< the paper's shaft, ring and turning, and no forcing faster than the rotor
+  std::vector<double> roundings_;  ///< of gaps: below them a row does not tell, one for each blade [m²]
+  double farthest_;                ///< the longest reach of a blade [m]
+  double least_clearance_;         ///< of the blade that reaches farthest [m]
+  bool close_bounds_;  ///< the paper's shaft, ring and turning, and no forcing faster than the rotor
   double turning_weight_;
+  TurningBounds turning_;
   double first_spacing_;  ///< of rows [τ]
   std::vector<double> clear_until_;
   std::array<std::optional<FlightRow>, kSpacings> rows_by_spacing_;

@@ -272,10 +272,9 @@ class Motion {
       return {Guard::left_validity, -1, ending::StatusDetail::shaft_at_ring};
     if (meter_.ended()) return {Guard::failed, -1, meter_.why()};
     if (end > time_) {
-      modes::FlightPiece piece(flight_, search_, time_, end,
-                               flight_.displacement_bound(time_, rotor::shaft(state_), end - time_));
+      modes::FlightPiece piece(flight_, search_, end);
       listener.piece(piece);
-      state_ = rotor::bodies_of<Forcing>(flight_.state(end));
+      state_ = rotor::bodies_of<Forcing>(touchdown ? touchdown->bodies : flight_.state(end));
       time_ = end;
       if (!state_.isFinite().all()) return {Guard::failed, -1, ending::StatusDetail::beyond_precision};
     }

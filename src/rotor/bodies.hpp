@@ -87,7 +87,8 @@ inline const ShaftAndRing& shaft_and_ring(const ShaftAndRing& bodies) {
 }
 inline ShaftAndRing shaft_and_ring(const State& shaft) {
   ShaftAndRing bodies;
-  bodies << shaft, 0.0, 0.0, 0.0, 0.0;
+  bodies.head<4>() = shaft;
+  bodies.tail<4>().setZero();
   return bodies;
 }
 

@@ -40,11 +40,6 @@ void for_each_flight(Use use) {
   }
 }
 
-modes::FlightPiece piece_of(const modes::Flight& flight, modes::TouchdownSearch& search, double end) {
-  const double begin = flight.start_time();
-  return {flight, search, begin, end, flight.displacement_bound(begin, flight.shaft(begin), end - begin)};
-}
-
 TEST(FlightBounds, HoldWhereForcingsOfDifferentFrequencyComeIntoStepLater) {
   for (const double damping : {0.0, 0.1, 1.0}) {
     const rotor::RotorConstants constants{2.5, damping, 0.01, 0.01, kSize};
@@ -73,7 +68,7 @@ TEST(FlightBounds, HoldWhereForcingsOfDifferentFrequencyComeIntoStepLater) {
 TEST(FlightSamples, AreThoseOfTheClosedFormToRounding) {
   for_each_flight([](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
     for (const int count : {7, 64, 256, 8192}) {
-      auto piece = piece_of(flight, search, rotor.period());
+      modes::FlightPiece piece(flight, search, rotor.period());
       const trajectory::SampleTimes times{rotor.period(), count};
       const int first = static_cast<int>(flight.start_time() / times.spacing()) + 1;
       for (const int last : {first, first + 1, count - 1}) {
@@ -124,8 +119,8 @@ TEST(FlightSamples, TheLargestDisplacementOfAFlightIsFoundWhereverItLies) {
   int inside = 0;
   for_each_flight([&](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
     for (int i = 0; i < 200; ++i) {
-      auto piece =
-          piece_of(flight, search, flight.start_time() + std::pow(10.0, between(generator, -3.0, 1.5)));
+      modes::FlightPiece piece(flight, search,
+                               flight.start_time() + std::pow(10.0, between(generator, -3.0, 1.5)));
       StatesOnly states(piece);
       const double expected = states.largest_displacement(0.0, rotor.speed_ratio);
       EXPECT_NEAR(piece.largest_displacement(0.0, rotor.speed_ratio), expected, 1e-14 * expected)
@@ -147,8 +142,8 @@ TEST(FlightSamples, TheTipThatPassesTheRingNearestIsTheSameInRowsOfTimesAndBySta
   for_each_flight([&](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
     const trajectory::PointConstants point{rotor.period(), rotor.speed_ratio, 3};
     for (int i = 0; i < 50; ++i) {
-      auto piece =
-          piece_of(flight, search, flight.start_time() + std::pow(10.0, between(generator, -3.0, 1.5)));
+      modes::FlightPiece piece(flight, search,
+                               flight.start_time() + std::pow(10.0, between(generator, -3.0, 1.5)));
       StatesOnly states(piece);
       const auto expected = states.nearest_pass(INFINITY, point);
       const auto found = piece.nearest_pass(INFINITY, point);
