@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "collocation/interval.hpp"
@@ -53,7 +54,7 @@ class Sweeps {
       // The changes form a geometric series in the end, of which this is the rest.
       const double ratio = interval_.sweeps > 1 ? std::min(change / before, kSlowest) : kSlowest;
       const double rest = change * std::max(ratio, interval_.sweeps > 2 ? ratio_before : 0.0);
-      if (rest <= closeness_.velocity && largest_step_ < kLargestStep) {
+      if (rest <= closeness_.velocity && largest_step_ < largest_step_allowed()) {
         store();
         return true;
       }
@@ -73,6 +74,12 @@ class Sweeps {
   /// Of Newton's steps in w and p²: the next would be of its square. Velocities alone do not tell, where a
   /// blade is so soft that it hardly moves the shaft.
   static constexpr double kLargestStep = 1e-4;
+  static constexpr double kLittleBent = 0.1;  ///< p: blades that are bent less have shorter last steps
+  [[nodiscard]] double largest_step_allowed() const {
+    const Number argument = chord_argument_ + deviation_ * interval_.normal.argument;
+    const double largest = std::max(std::abs(interval_.start_argument), magnitude(argument).largest());
+    return kLargestStep * std::min(1.0, largest / kLittleBent);
+  }
   static constexpr double kSlowest = 0.5;  ///< ratio of changes, where none is known
   /// Of Δ/L: below it δ/Δ is less than rounding of what it is added to.
   static constexpr double kUnbent = 1e-9;

@@ -24,6 +24,7 @@ ModeEnd Collocated::advance(double until, MotionListener& listener) {
       const double end = arc_.end().time;
       const bool beyond = end > until;
       piece_end_ = beyond ? until : end;
+      piece_stretch_.reset();
       most_bent_.fill(std::nullopt);
       if (piece_end_ > piece_begin_) listener.piece(*this);
       if (meter_->ended()) return {Guard::failed, -1, meter_->why()};
@@ -43,8 +44,8 @@ ModeEnd Collocated::advance(double until, MotionListener& listener) {
 
 ModeEnd Collocated::end_of_arc() const {
   using Reason = collocation::ContactArc::Guard;
-  const auto& [reason, fraction, blade] = arc_.ending();
-  switch (reason) {
+  const int blade = arc_.ending().blade;
+  switch (arc_.ending().guard) {
     case Reason::touch_down:
       return {Guard::touch_down, blade};
     case Reason::slip_reversal:
@@ -92,15 +93,15 @@ double Collocated::largest_displacement(double known, double /*speed_ratio*/) {
   return arc_.largest_displacement(piece_begin_, piece_end_, known);
 }
 
-contact::Pose Collocated::pose(int blade, const Point& point) const {
-  return rotor::pose_of(*rotor_, laws_->of(blade).geometry(), direction(blade, point.time),
-                        rotor::from_ring(point.bodies));
+contact::Pose Collocated::pose(int blade, const Point& point, const contact::BladeDirection& er) const {
+  return rotor::pose_of(*rotor_, laws_->of(blade).geometry(), er, rotor::from_ring(point.bodies));
 }
 contact::TipForce Collocated::force(std::size_t contact, const Point& point) const {
   const OpenContact open = contact_in(contact, point);
-  return laws_->of(open.blade)
-      .constraint(pose(open.blade, point), open.slip, open.bending, blades_->angular_speed(point.time))
-      .force;
+  return force(open, pose(open.blade, point), point.time);
+}
+contact::TipForce Collocated::force(const OpenContact& open, const contact::Pose& at, double time) const {
+  return laws_->of(open.blade).constraint(at, open.slip, open.bending, blades_->angular_speed(time)).force;
 }
 double Collocated::normal_force(std::size_t contact, double time) {
   return force(contact, arc_.solved_at(time)).normal;
@@ -112,11 +113,13 @@ trajectory::ContactForce Collocated::contact_force(std::size_t contact, double t
   return contact_force(contact, arc_.solved_at(time));
 }
 trajectory::ContactForce Collocated::contact_force(std::size_t contact, const Point& point) const {
-  const contact::TipForce tip_force = force(contact, point);
-  const auto& open = contacts_[contact];
-  return modes::contact_force(
-      tip_force, {open.slip, friction_coefficient(laws_->of(open.blade), tip_force, open.slip)},
-      direction(open.blade, point.time), pose(open.blade, point), blades_->angular_speed(point.time));
+  const OpenContact open = contact_in(contact, point);
+  const contact::BladeDirection er = direction(open.blade, point.time);
+  const contact::Pose at = pose(open.blade, point, er);
+  const contact::TipForce tip_force = force(open, at, point.time);
+  const double coefficient = friction_coefficient(laws_->of(open.blade), tip_force, open.slip);
+  return modes::contact_force(tip_force, {open.slip, coefficient}, er, at,
+                              blades_->angular_speed(point.time));
 }
 trajectory::Tip Collocated::tip(int blade, const Point& point) const {
   return tip_of(laws_->of(blade).geometry(), pose(blade, point), blades_->angular_speed(point.time));
@@ -169,9 +172,10 @@ bool Collocated::forces_on_path(double share, trajectory::PathPoint& point,
   return true;
 }
 
-Collocated::Point Collocated::place_on_path(double share, trajectory::PathPoint& point) const {
-  const double from = arc_.fraction_at(piece_begin_);
-  const double length = arc_.fraction_at(piece_end_) - from;
+Collocated::Point Collocated::place_on_path(double share, trajectory::PathPoint& point) {
+  if (!piece_stretch_) piece_stretch_ = {arc_.fraction_at(piece_begin_), arc_.fraction_at(piece_end_)};
+  const auto [from, to] = *piece_stretch_;
+  const double length = to - from;
   const double fraction = from + share * length;
   Point there = arc_.point_at(fraction);
   const collocation::Interval::Direction rate = arc_.direction_at(fraction);
