@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 
 #include "collocation/interval_samples.hpp"
 
@@ -118,6 +119,10 @@ void ContactArc::predict(const Touch& touch) {
   const double angular_speed = blades_->angular_speed(end_.time);
   const contact::Pose there = pose(blade_, end_);
   at_end_ = law_->start(touch, there, angular_speed);
+  // A tip that has come loose slips from zero on in the direction of s.
+  double& slip_velocity = at_end_.force.slip_velocity;
+  if (std::abs(slip_velocity) <= contact::kSlipRounding * std::abs(rotor_->speed_ratio) * machine().ring_radius)
+    slip_velocity = std::copysign(std::numeric_limits<double>::min(), contact_.slip);
   std::complex<double> force = contact::on_rotor(at_end_.force, er_);
   for (const FurtherStart& further : further_) {
     const contact::BladeDirection er{er_.cosine * further.offset[0] - er_.sine * further.offset[1],

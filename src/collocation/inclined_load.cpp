@@ -31,6 +31,10 @@ InclinedLoad numbers_of(contact::LoadDirection direction, const contact::Coulomb
   return load;
 }
 
+InclinedLoad numbers_of(contact::LoadDirection direction, const contact::StickingFriction& friction) {
+  return numbers_of(direction, contact::CoulombFriction{friction.friction});
+}
+
 InclinedLoad numbers_of(contact::LoadDirection direction, const contact::VelocityFriction& friction) {
   InclinedLoad load{};
   load.along_normal = direction == contact::LoadDirection::normal;

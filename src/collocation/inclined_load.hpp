@@ -60,5 +60,7 @@ struct InclinedLoad {
 /// The numbers of a law; where the blade stands is left open.
 InclinedLoad numbers_of(contact::LoadDirection direction, const contact::CoulombFriction& friction);
 InclinedLoad numbers_of(contact::LoadDirection direction, const contact::VelocityFriction& friction);
+/// Of a tip that slips.
+InclinedLoad numbers_of(contact::LoadDirection direction, const contact::StickingFriction& friction);
 
 }  // namespace rubatlas::collocation
