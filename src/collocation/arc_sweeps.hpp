@@ -140,18 +140,10 @@ class ArcSweeps {
     return false;
   }
 
-  [[nodiscard]] bool ring_moves() const {
-    return !kPlain && machine_.ring.moves;
-  }
-  [[nodiscard]] bool ripples() const {
-    return !kPlain && machine_.ripples();
-  }
-  [[nodiscard]] bool is_isotropic() const {
-    return kPlain || machine_.support.isotropic;
-  }
-  RUBATLAS_INLINE Number elapsed() const {
-    return chord_time_ + deviation_ * interval_.normal.time;
-  }
+  [[nodiscard]] bool ring_moves() const { return !kPlain && machine_.ring.moves; }
+  [[nodiscard]] bool ripples() const { return !kPlain && machine_.ripples(); }
+  [[nodiscard]] bool is_isotropic() const { return kPlain || machine_.support.isotropic; }
+  RUBATLAS_INLINE Number elapsed() const { return chord_time_ + deviation_ * interval_.normal.time; }
   RUBATLAS_INLINE Number angular_speed() const {
     return kPlain ? Number(machine_.speed_ratio) : angular_speed_;
   }

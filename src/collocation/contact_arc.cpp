@@ -21,7 +21,7 @@ constexpr double kAtEnd = 1.0;            ///< tolerances: of that at the end, a
 constexpr double kCareWithSeveral = 4.0;  ///< blades: coefficients fall less evenly
 /// Between the nodes p and the loads err by a few times as much as velocities do, each against its own size.
 constexpr double kSafety = 100.0;
-constexpr double kClosest = 0.2;          ///< of the tolerance: what sweeps may leave
+constexpr double kClosest = 0.2;              ///< of the tolerance: what sweeps may leave
 constexpr std::size_t kMostIntervals = 1000;  ///< of a contact that is shorter or longer than was predicted
 /// p: a fold nearer to the unbent blade, where the force is some 1e-9 of EI/L², is its lift-off.
 constexpr double kNextToUnbent = 1e-4;
@@ -82,8 +82,8 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
   further_.clear();
   for (const Touch& touch : touching) {
     if (touch.blade == blade_) continue;
-    FurtherStart& start = further_.emplace_back(
-        law_->further(touch, pose(touch.blade, start_), blades_->angular_speed(time)));
+    FurtherStart& start =
+        further_.emplace_back(law_->further(touch, pose(touch.blade, start_), blades_->angular_speed(time)));
     start.offset = offset_of(touch.blade);
     start_.squares[further_.size() - 1] = start.square;
   }
@@ -121,7 +121,8 @@ void ContactArc::predict(const Touch& touch) {
   at_end_ = law_->start(touch, there, angular_speed);
   // A tip that has come loose slips from zero on in the direction of s.
   double& slip_velocity = at_end_.force.slip_velocity;
-  if (std::abs(slip_velocity) <= contact::kSlipRounding * std::abs(rotor_->speed_ratio) * machine().ring_radius)
+  if (std::abs(slip_velocity) <=
+      contact::kSlipRounding * std::abs(rotor_->speed_ratio) * machine().ring_radius)
     slip_velocity = std::copysign(std::numeric_limits<double>::min(), contact_.slip);
   std::complex<double> force = contact::on_rotor(at_end_.force, er_);
   for (const FurtherStart& further : further_) {
@@ -330,9 +331,9 @@ bool ContactArc::cut_at_zero(const Interval& whole, Ending& ending, Interval& sh
   constexpr int kTimes = 3;
   constexpr double kApart = 1e-4;  // θ
   const double before = std::max(0.0, ending.fraction - kApart);
-  const double slope = (sum_of_products(basis_at(before + kApart), values) -
-                        sum_of_products(basis_at(before), values)) /
-                       kApart;
+  const double slope =
+      (sum_of_products(basis_at(before + kApart), values) - sum_of_products(basis_at(before), values)) /
+      kApart;
   constexpr double kChartRounding = 1e-14;
   const double rounding =
       of_chart ? kChartRounding
@@ -482,8 +483,7 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   const Interval& kept = in_part ? part : next;
   if (ending.guard == Guard::fold && kept.argument.at_end() < kNextToUnbent) ending.guard = Guard::unbent;
   // At a fold a tip is free only outside the ring, or it snaps.
-  if (ending.guard == Guard::fold && !law_->has_branches(blade_) &&
-      !(pose(blade_, end_of(kept)).gap < 0.0))
+  if (ending.guard == Guard::fold && !law_->has_branches(blade_) && !(pose(blade_, end_of(kept)).gap < 0.0))
     return Verdict::gives_up;
   // Time goes on.
   for (std::size_t i = 0; i < kNodes; ++i) {

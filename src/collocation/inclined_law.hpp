@@ -130,8 +130,7 @@ class InclinedLaw final : public ArcLaw {
   [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
                                         double speed) const override {
     const auto& law = law_->of(touch.blade);
-    return law.force_of(at, speed,
-                        law.constraint_or_unloaded(at, touch.slip, speed, touch.bend));
+    return law.force_of(at, speed, law.constraint_or_unloaded(at, touch.slip, speed, touch.bend));
   }
   [[nodiscard]] double friction_coefficient(const Touch& touch,
                                             const contact::TipForce& force) const override {

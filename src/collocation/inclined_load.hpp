@@ -45,7 +45,8 @@ struct InclinedLoad {
   [[nodiscard]] double bending(double p) const {
     const double square = p * p;
     return scale * p *
-           (1.0 + square * (1.0 / 6 + square * (1.0 / 120 + square * (1.0 / 5040 + square * (1.0 / 362880)))));
+           (1.0 +
+            square * (1.0 / 6 + square * (1.0 / 120 + square * (1.0 / 5040 + square * (1.0 / 362880)))));
   }
   /// du/dp.
   [[nodiscard]] double bending_slope(double p) const {

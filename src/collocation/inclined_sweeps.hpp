@@ -24,10 +24,10 @@ struct InclinedBlade {
   struct WithSlopes {
     Number value, by_bending, by_lean;  ///< slopes by u and l
   };
-  WithSlopes load;                   ///< P L²/EI = q²
+  WithSlopes load;                    ///< P L²/EI = q²
   WithSlopes shortening, deflection;  ///< δ/L and |D|/L
-  Number arc;                        ///< q
-  Number cosine;                     ///< cos(b/2)
+  Number arc;                         ///< q
+  Number cosine;                      ///< cos(b/2)
 
   /// Sets the values, and with `kSlopes` the slopes. False where no rule is accurate enough.
   template <bool kSlopes>
@@ -76,10 +76,10 @@ struct InclinedBlade {
         const Number tangent_psi = sine_psi * inverse;
         const Number measure_slope = tangent_psi * tangent_psi * measure;  // times κ
         arc_slopes = arc_slopes + measure_slope;
-        shortening_slopes = shortening_slopes + (sine_theta * theta_slope * modulus + measure_slope * versed_theta);
-        deflection_slopes =
-            deflection_slopes +
-            ((theta_slope - versed_theta * theta_slope) * modulus + measure_slope * sine_theta);
+        shortening_slopes =
+            shortening_slopes + (sine_theta * theta_slope * modulus + measure_slope * versed_theta);
+        deflection_slopes = deflection_slopes + ((theta_slope - versed_theta * theta_slope) * modulus +
+                                                 measure_slope * sine_theta);
       }
     }
     const Number per_arc = Number(1.0) / arcs;
@@ -368,8 +368,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
         .store(in.gap_measure);
     const Vector v = seen_velocity();
     const Number along = (v.x * er_.x + v.y * er_.y) + (b + tip_.deflection) * angular_speed_;
-    const Number across =
-        (v.y * er_.x - v.x * er_.y) - (a + tip_.shortening - blade.reach) * angular_speed_;
+    const Number across = (v.y * er_.x - v.x * er_.y) - (a + tip_.shortening - blade.reach) * angular_speed_;
     ((a * across - b * along) * (1.0 / machine_.ring_radius) + angular_speed_ * machine_.ring_radius)
         .store(in.slip_velocity);
     (tip_.shortening * (1.0 / blade.length)).store(in.shortening);
@@ -401,8 +400,8 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   Number lean_;
   InclinedTip<kWidth> tip_;
   const EvenRule* rule_ = nullptr;
-  Number bending_, bending_slope_;  ///< u, du/dp
-  Number load_there_;               ///< P L²/EI
+  Number bending_, bending_slope_;                                      ///< u, du/dp
+  Number load_there_;                                                   ///< P L²/EI
   Number deviation_per_h_, deviation_per_e_, lean_per_h_, lean_per_e_;  ///< Newton's steps
 };
 
@@ -415,8 +414,8 @@ bool inclined_branch(const Contact& contact, const InclinedLoad& load, const con
   constexpr int kMost = 8;
   constexpr double kClosest = 1e-6;  // of l: h is for Newton's method to go on from
   constexpr double kFarthest = 0.7;  // of l: no load leans more
-  const InclinedPose<kWidth> at{pose.gap, pose.radial, pose.tangential, pose.radial_velocity,
-                                pose.tangential_velocity, angular_speed};
+  const InclinedPose<kWidth> at{
+      pose.gap, pose.radial, pose.tangential, pose.radial_velocity, pose.tangential_velocity, angular_speed};
   const Number argument(points.argument);
   const Number square = argument * argument;
   const Number bending = bending_of(load, argument, square);

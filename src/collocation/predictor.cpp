@@ -86,8 +86,7 @@ void Predictor::begin_unloaded(const Start& start, double half, double rate, dou
     const double shortening = blade.length * knot.shortening;
     const double deflection = blade.length * knot.deflection;
     const double yielding = blade.yield_unit * knot.load;
-    const double next = shortening * (2.0 * along - shortening) +
-                        deflection * (2.0 * side - deflection) +
+    const double next = shortening * (2.0 * along - shortening) + deflection * (2.0 * side - deflection) +
                         yielding * (2.0 * start.ring_radius + yielding);
     const double taken = (0.5 * (load + knot.load) * per_load - curvature_of_gap) * (next - gap);
     if (taken > energy) {

@@ -35,8 +35,8 @@ class Predictor {
     double ring_radius;    ///< R [m]
     double angular_speed;  ///< φ' [rad per unit τ]
     rotor::ShaftAndRing bodies;
-    contact::Pose pose;                       ///< of the blade
-    contact::BladeDirection direction;        ///< er
+    contact::Pose pose;                 ///< of the blade
+    contact::BladeDirection direction;  ///< er
     Bending bending;
     double gap_measure;                       ///< g/Δ [m]
     std::complex<double> shaft_acceleration;  ///< z'' [m per unit τ²]

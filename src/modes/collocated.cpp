@@ -24,8 +24,8 @@ bool Collocated::start(double time, const Bodies& state, const std::vector<OpenC
     there.time = time;
     there.bodies = state;
     const contact::Pose at = pose(open.blade, there);
-    const auto touch = law_->open({open.blade, open.slip, open.bending, open.bend}, at,
-                                  blades_->angular_speed(time));
+    const auto touch =
+        law_->open({open.blade, open.slip, open.bending, open.bend}, at, blades_->angular_speed(time));
     stands_ = touch.has_value();
     if (touch) touching[i] = *touch;
   }
@@ -226,8 +226,8 @@ Collocated::LargestLoad Collocated::largest_kept(trajectory::Load load, std::siz
   return {there->time, of_force ? force_there.normal : force_there.root_strain};
 }
 
-/// Force and strain grow with the bending under an axial load, so that a blade that is bent less than where its load was known
-/// need not be looked at.
+/// Force and strain grow with the bending under an axial load, so that a blade that is bent less than where
+/// its load was known need not be looked at.
 Collocated::LargestLoad Collocated::largest(trajectory::Load load, std::size_t contact, double known) {
   if (law_->leans()) return largest_kept(load, contact, known);
   const auto value = [load](const MostBent& at) {

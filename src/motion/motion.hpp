@@ -369,8 +369,7 @@ class Motion {
     if constexpr (Modes::kCollocates) {
       const bool few = (contacts_.size() > 1 || !Modes::kCarries) && collocated_ &&
                        contacts_.size() <= collocated_->most_contacts();
-      if (few && !handed_over_ && all_follow())
-        return begin_in(Mode::collocated, *collocated_, contacts_);
+      if (few && !handed_over_ && all_follow()) return begin_in(Mode::collocated, *collocated_, contacts_);
     }
     return begin_in(Mode::solved, solved_, contacts_);
   }

@@ -49,10 +49,10 @@ auto inclined_rotor(std::mt19937_64& generator, LoadDirection direction, MakeFri
   const double velocity = std::pow(10.0, drawn(generator, -2.5, -1.5));
   const double stiffness = 206e9 * 0.01 * thickness * thickness * thickness / 12.0;
   using Friction = decltype(make_friction(friction, velocity));
-  return InclinedRotor<Friction>{{speed, damping, kGap * drawn(generator, 0.5, 1.5), 0.01, kGap},
-                                   {3, speed},
-                                   {direction, {0.1, 0.11}, {0.1, thickness, stiffness},
-                                    make_friction(friction, velocity)}};
+  return InclinedRotor<Friction>{
+      {speed, damping, kGap * drawn(generator, 0.5, 1.5), 0.01, kGap},
+      {3, speed},
+      {direction, {0.1, 0.11}, {0.1, thickness, stiffness}, make_friction(friction, velocity)}};
 }
 
 /// A contact of one blade alone: its touch-down and the event that ends it.
@@ -207,7 +207,8 @@ void expect_contacts_of_all_laws_within_tolerance(int each, double tolerance) {
     return contact::VelocityFriction(contact::RegularisedFriction{friction, velocity});
   };
   const auto stribeck = [](double friction, double velocity) {
-    return contact::VelocityFriction(contact::StribeckFriction{3.0 * friction, friction, 0.03, 0.2 * velocity});
+    return contact::VelocityFriction(
+        contact::StribeckFriction{3.0 * friction, friction, 0.03, 0.2 * velocity});
   };
   expect_contacts_within_tolerance(survey(each, tolerance, LoadDirection::normal, coulomb));
   for (const LoadDirection direction : {LoadDirection::axial, LoadDirection::normal}) {
@@ -240,17 +241,16 @@ TEST(InclinedContacts, HaveTheSameBitsOnEveryProcessor) {
   blade.length = 0.1;
   blade.load_unit = 206e9 * 0.01 * thickness * thickness * thickness / 12.0 / 0.01;
   const collocation::Contact contact{&machine, &blade, 1.0, true};
-  InclinedLoad load = numbers_of(
-      LoadDirection::normal, contact::VelocityFriction(contact::StribeckFriction{0.3, 0.1, 0.03, 0.002}));
+  InclinedLoad load = numbers_of(LoadDirection::normal,
+                                 contact::VelocityFriction(contact::StribeckFriction{0.3, 0.1, 0.03, 0.002}));
   load.strain_unit = 0.005;
   Interval first{};
   first.blade = {std::cos(-1.2), std::sin(-1.2)};
   first.start_angular_speed = machine.speed_ratio;
   // A shaft from which the tip of a blade that points down just reaches the ring.
   const double x = 0.002;
-  const double y_from_ring =
-      -0.1 * first.blade[1] -
-      std::sqrt(std::pow(0.1 * first.blade[1], 2) - (x * x + 0.2 * x * first.blade[0] - 0.0021));
+  const double y_from_ring = -0.1 * first.blade[1] - std::sqrt(std::pow(0.1 * first.blade[1], 2) -
+                                                               (x * x + 0.2 * x * first.blade[0] - 0.0021));
   first.shaft.start = {x, y_from_ring - machine.misalignment, 0.01, -0.03};
   const double angle = std::atan(0.1) + std::asin((y_from_ring * first.blade[0] - x * first.blade[1]) / 0.11);
   load.scale = 2.0 * std::sin(0.5 * angle);
