@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 
 #include "collocation/interval_samples.hpp"
 
@@ -18,7 +19,9 @@ constexpr double kBetweenNodes = 0.27;
 constexpr double kOrderAtEnd = 14.0;
 constexpr double kAtEnd = 1.0;            ///< tolerances: of that at the end, as far as it can be estimated
 constexpr double kCareWithSeveral = 4.0;  ///< blades: coefficients fall less evenly
-constexpr double kClosest = 0.2;          ///< of the tolerance: what sweeps may leave
+/// Between the nodes p and the loads err by a few times as much as velocities do, each against its own size.
+constexpr double kSafety = 100.0;
+constexpr double kClosest = 0.2;              ///< of the tolerance: what sweeps may leave
 constexpr std::size_t kMostIntervals = 1000;  ///< of a contact that is shorter or longer than was predicted
 
 /// Slope by θ of the polynomial through values at the places, just before θ.
@@ -36,51 +39,35 @@ std::array<double, 2> offset_between(const contact::BladeDirection& from, const 
 
 }  // namespace
 
-ContactArc::ContactArc(const rotor::Machine& machine, const Laws& laws, const Limits& limits)
+ContactArc::ContactArc(const rotor::Machine& machine, ArcLaw& law, double tolerance)
     : whole_(&machine),
       rotor_(&machine.constants),
       blades_(&machine.blades),
-      laws_(&laws),
-      limits_(limits),
-      machine_(machine, laws.of(0).geometry().ring_radius),
+      law_(&law),
+      tolerance_(tolerance),
+      machine_(machine, law.geometry(0).ring_radius),
       solver_(interval_solver()),
-      predictor_(machine),
-      contact_{&machine_.numbers(), nullptr, 1.0},
+      predictor_(machine, law),
+      contact_{&machine_.numbers(), nullptr, 1.0, law.leans()},
       allowed_(kBetweenNodes * rotor_->length_scale *
-               std::pow(limits.tolerance / rotor_->length_scale, Predictor::kOrder / kOrderAtEnd)),
-      earlier_(machine.ring_body() != nullptr, laws.of(0).geometry().reach, rotor_->length_scale) {
+               std::pow(tolerance / rotor_->length_scale, Predictor::kOrder / kOrderAtEnd)),
+      earlier_(machine.ring_body() != nullptr, law.geometry(0).reach, rotor_->length_scale) {
   for (int k = 0; k < blades_->count(); ++k) {
     offsets_.push_back(blades_->direction(k, {1.0, 0.0}));
-    const contact::ElasticaContact& law = laws.of(k);
-    const blade::BendingTable& table = law.curve().over_asinh();
-    numbers_.push_back({.table = &table,
-                        .reach = law.geometry().reach,
-                        .closing = law.geometry().closing(),
-                        .length = law.length(),
-                        .load_unit = law.load_unit(),
-                        .friction = law.curve().friction(),
-                        .yield_unit = law.yield_unit(),
-                        .first_shortening = law.first_shortening(),
-                        .first_yielding = law.first_yielding()});
-    const auto& knots = table.knots();
-    const auto beyond = std::find_if(knots.begin(), knots.end(), [&](const blade::BendingTable::Knot& knot) {
-      return knot.shortening > limits.max_shortening;
-    });
-    valid_argument_.push_back(beyond == knots.begin() ? 0.0 : std::prev(beyond)->argument);
+    numbers_.push_back(law.numbers(k));
   }
 }
 
 contact::Pose ContactArc::pose(int blade, const Point& point) const {
-  return rotor::pose_of(*rotor_, laws_->of(blade).geometry(),
-                        blades_->direction(blade, blades_->first(point.time)),
+  return rotor::pose_of(*rotor_, law_->geometry(blade), blades_->direction(blade, blades_->first(point.time)),
                         rotor::from_ring(point.bodies));
 }
 
 void ContactArc::begin(double time, const rotor::ShaftAndRing& bodies, std::span<const Touch> touching) {
   // Who touches down now is not the next to lift off.
   std::size_t leader = 0;
-  while (leader + 1 < touching.size() && touching[leader].bending == 0.0) ++leader;
-  if (touching[leader].bending == 0.0) leader = 0;
+  while (leader + 1 < touching.size() && touching[leader].touches_down()) ++leader;
+  if (touching[leader].touches_down()) leader = 0;
   lead_has_changed_ = false;
   lead(time, bodies, touching, leader);
 }
@@ -92,7 +79,7 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
   contact_.slip = touching[leader].slip;
   begins_ = true;
   ending_ = {};
-  start_ = {time, bodies, table(blade_).argument(touching[leader].bending)};
+  start_ = {time, bodies, law_->lead(touching[leader])};
   er_ = blades_->direction(blade_, blades_->first(time));
   const contact::BladeDirection& from = offsets_[static_cast<std::size_t>(blade_)];
   const auto offset_of = [&](int blade) {
@@ -101,8 +88,8 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
   further_.clear();
   for (const Touch& touch : touching) {
     if (touch.blade == blade_) continue;
-    FurtherStart& start = further_.emplace_back(further_start(
-        laws_->of(touch.blade), pose(touch.blade, start_), touch, blades_->angular_speed(time)));
+    FurtherStart& start =
+        further_.emplace_back(law_->further(touch, pose(touch.blade, start_), blades_->angular_speed(time)));
     start.offset = offset_of(touch.blade);
     start_.squares[further_.size() - 1] = start.square;
   }
@@ -112,7 +99,7 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
     if (std::ranges::find(touching, blade, &Touch::blade) == touching.end())
       others_.push_back({blade, offset_of(blade)});
   }
-  predict();
+  predict(touching[leader]);
   alike_ = nullptr;
   kept_ = nullptr;
   number_ = 0;
@@ -122,7 +109,7 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
 void ContactArc::look_for_earlier() {
   Beginning beginning{.blade = {er_.cosine, er_.sine},
                       .angular_speed = blades_->angular_speed(end_.time),
-                      .argument = end_.argument,
+                      .argument = end_.bending.argument,
                       .slip = contact_.slip};
   std::copy_n(end_.bodies.begin(), 4, beginning.shaft.begin());
   std::copy_n(end_.bodies.begin() + 4, 4, beginning.ring.begin());
@@ -134,51 +121,57 @@ void ContactArc::look_for_earlier() {
 }
 
 /// What is known where the leading blade takes the lead.
-void ContactArc::predict() {
-  const contact::ElasticaContact& law = laws_->of(blade_);
+void ContactArc::predict(const Touch& touch) {
   const double angular_speed = blades_->angular_speed(end_.time);
   const contact::Pose there = pose(blade_, end_);
-  const double bending = table(blade_).bending(end_.argument);
-  const auto constraint = law.constraint(there, contact_.slip, bending, angular_speed);
-  gap_measure_ = law.gap_per_deflection(there, contact_.slip, bending);
-  slip_velocity_ = constraint.force.slip_velocity;
-  std::complex<double> force = contact::on_rotor(constraint.force, er_);
+  at_end_ = law_->start(touch, there, angular_speed);
+  // A tip that has come loose slips from zero on in the direction of s.
+  double& slip_velocity = at_end_.force.slip_velocity;
+  if (std::abs(slip_velocity) <=
+      contact::kSlipRounding * std::abs(rotor_->speed_ratio) * machine().ring_radius)
+    slip_velocity = std::copysign(std::numeric_limits<double>::min(), contact_.slip);
+  std::complex<double> force = contact::on_rotor(at_end_.force, er_);
   for (const FurtherStart& further : further_) {
     const contact::BladeDirection er{er_.cosine * further.offset[0] - er_.sine * further.offset[1],
                                      er_.sine * further.offset[0] + er_.cosine * further.offset[1]};
     force += contact::on_rotor(further.force, er);
   }
   const rotor::RingBody* ring = whole_->ring_body();
-  const rotor::RingContactState full = rotor::full_state(end_.bodies, end_.time, bending);
+  const rotor::RingContactState full = rotor::full_state(end_.bodies, end_.time, 0.0);
   predictor_.begin(
-      {.law = &law,
+      {.touch = touch,
+       .blade = contact_.blade,
+       .ring_radius = machine().ring_radius,
        .angular_speed = angular_speed,
        .bodies = end_.bodies,
        .pose = there,
        .direction = er_,
-       .slip = contact_.slip,
-       .bending = bending,
-       .argument = end_.argument,
-       .gap_measure = gap_measure_,
+       .bending = end_.bending,
+       .gap_measure = at_end_.gap_measure,
        .shaft_acceleration = whole_->shaft.shaft_acceleration(*rotor_, full, force),
-       .ring_acceleration = ring != nullptr ? ring->acceleration(rotor::ring(end_.bodies), -force) : 0.0,
-       .constraint = constraint});
+       .ring_acceleration = ring != nullptr ? ring->acceleration(rotor::ring(end_.bodies), -force) : 0.0});
 }
 
 void ContactArc::start_next(Interval& next) const {
   next.start_time = end_.time;
-  next.start_argument = end_.argument;
+  next.start_argument = end_.bending.argument;
   std::copy_n(end_.bodies.begin(), 4, next.shaft.start.begin());
   std::copy_n(end_.bodies.begin() + 4, 4, next.ring.start.begin());
   next.blade = {er_.cosine, er_.sine};
   machine_.start(next);
-  next.start_gap_measure = gap_measure_;
-  next.start_slip_velocity = slip_velocity_;
+  next.start_gap_measure = at_end_.gap_measure;
+  next.start_slip_velocity = at_end_.force.slip_velocity;
   next.further_count = further_.size();
+  if (!contact_.leans) return;
+  next.start_lean = end_.bending.lean;
+  next.start_shortening = at_end_.force.shortening;
+  next.start_chart_left = at_end_.chart_left;
+  next.start_force = at_end_.force.normal;
+  next.start_strain = at_end_.force.root_strain;
 }
 
 bool ContactArc::solve(Interval& interval, bool warm) {
-  const bool solved = solver_.solve(contact_, {kClosest * limits_.tolerance, warm}, interval);
+  const bool solved = law_->solve(contact_, {kClosest * tolerance_, warm}, interval);
   sweeps_ += static_cast<std::uint64_t>(interval.sweeps);
   return solved;
 }
@@ -199,26 +192,26 @@ double ContactArc::error_of(const Interval& interval) const {
   // Quadrature leaves out the fifteenth coefficient at the end: much less, unless coefficients hardly fall.
   const double fall_by_four = (fall * fall) * (fall * fall);
   const double at_end = last * fall_by_four * fall_by_four * kLargestIntegral;
-  double error = std::max(between / allowed_, at_end / (kAtEnd * limits_.tolerance));
+  double error = std::max(between / allowed_, at_end / (kAtEnd * tolerance_));
   if (interval.further_count > 0) error *= kCareWithSeveral;
   const double length = interval.elapsed.at_end() / machine_.longest_interval();
   return length > 1.0 ? std::max(error, std::pow(length, Predictor::kOrder)) : error;
 }
 
-/// No slip reverses but the one that ends the interval, the shaft stays within the ring and the blades within
-/// their limit.
+/// No slip reverses but the one that ends the interval, no blade snaps, the shaft stays within the ring and
+/// the blades within their limit.
 bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
   const auto is_valid = [&](int blade, double slip_velocity, double argument) {
     const bool reverses = ending.guard == Guard::slip_reversal && ending.blade == blade;
-    return slip_velocity > (reverses ? -reversal_rounding_ : 0.0) &&
-           argument < valid_argument_[static_cast<std::size_t>(blade)];
+    return (slip_velocity > (reverses ? -rounding_at_end_ : 0.0) || !law_->has_slip_state()) &&
+           argument < law_->valid_argument(blade);
   };
   if (!(bounds.distance < machine().ring_radius)) return false;
   if (!is_valid(blade_, bounds.slip_velocity[0], bounds.argument)) return false;
   for (std::size_t k = 0; k < further_.size(); ++k) {
     if (!is_valid(further_[k].blade, bounds.slip_velocity[1 + k], bounds.further_argument[k])) return false;
   }
-  return true;
+  return !contact_.leans || (bounds.time_slope > 0.0 && bounds.chart_left > 0.0);
 }
 
 /// The first guard of the blades in contact.
@@ -240,15 +233,17 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
       place_of_first = node + 1;
     }
   };
-  const contact::ElasticaContact& law = laws_->of(blade_);
-  if (!law.releases_at_fold())
+  const bool releases_at_fold = law_->releases_at_fold(blade_);
+  if (!releases_at_fold)
     look(Guard::under_load, blade_, interval.start_gap_measure, interval.gap_measure, 1.0);
   // Over p itself the last node is the unbent blade.
   const std::size_t count = interval.chord.time == 0.0 ? kNodes - 1 : kNodes;
   look(Guard::unbent, blade_, interval.start_argument, interval.argument, 1.0, count);
-  if (law.releases_at_fold() || law.has_branches())
-    look(Guard::fold, blade_, sum_of_products(slope_basis_at(0.0), interval.time_slope), interval.time_slope,
-         1.0, count);
+  if (releases_at_fold || law_->has_branches(blade_))
+    look(Guard::fold, blade_, sum_of_products(node_tables().value_at_start, interval.time_slope),
+         interval.time_slope, 1.0, count);
+  if (contact_.leans) look(Guard::chart_end, blade_, interval.start_chart_left, interval.chart_left, 1.0);
+  if (!law_->has_slip_state()) return first;
   look(Guard::slip_reversal, blade_, interval.start_slip_velocity, interval.slip_velocity, contact_.slip);
   for (std::size_t k = 0; k < further_.size(); ++k) {
     const FurtherBlade& further = interval.further[k];
@@ -304,6 +299,13 @@ bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter) 
   shorter.ripple = whole.ripple;
   shorter.start_gap_measure = whole.start_gap_measure;
   shorter.start_slip_velocity = whole.start_slip_velocity;
+  if (contact_.leans) {
+    shorter.start_lean = whole.start_lean;
+    shorter.start_shortening = whole.start_shortening;
+    shorter.start_chart_left = whole.start_chart_left;
+    shorter.start_force = whole.start_force;
+    shorter.start_strain = whole.start_strain;
+  }
   shorter.further_count = whole.further_count;
   for (std::size_t k = 0; k < whole.further_count; ++k) {
     shorter.further[k].blade = whole.further[k].blade;
@@ -315,7 +317,7 @@ bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter) 
   }
   shorter.chord = {fraction * whole.chord.time, fraction * whole.chord.argument};
   shorter.normal = whole.normal;
-  read_stretch(whole, machine().ring.moves, fraction, shorter);
+  read_stretch(contact_, whole, fraction, shorter);
   return solve(shorter, true);
 }
 
@@ -330,6 +332,8 @@ double ContactArc::left_at_end(const Ending& ending, const Interval& interval) c
       return interval.argument.at_end();
     case Guard::fold:
       return interval.time_slope.at_end();
+    case Guard::chart_end:
+      return interval.chart_left.at_end();
     default: {
       if (ending.blade == blade_) return contact_.slip * interval.slip_velocity.at_end();
       const FurtherBlade& further = interval.further[number_of(ending.blade)];
@@ -348,7 +352,7 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
     if (!cut(whole, ending.fraction, shorter)) return false;
     if (once) break;
     const double left = left_at_end(ending, shorter);
-    reversal_rounding_ = 2.0 * std::abs(left);
+    rounding_at_end_ = 2.0 * std::abs(left);
     const double less = left / ending.slope;
     if (!(std::abs(less) > kClosestFraction) || ending.fraction - less > 1.0) break;
     ending.fraction -= less;
@@ -365,8 +369,8 @@ void ContactArc::move(Point& point, const Interval& interval, double late) {
       point.bodies[7], ring.ax.at_end(), ring.ay.at_end();
   point.time += late;
   point.bodies += late * rate;
-  if (point.argument > 0.0)
-    point.argument += late * interval.argument_slope.at_end() / interval.time_slope.at_end();
+  if (point.bending.argument > 0.0)
+    point.bending.argument += late * interval.argument_slope.at_end() / interval.time_slope.at_end();
 }
 
 /// The end of an interval: of the contact, or at a touch-down, to rounding, where one ends it.
@@ -383,13 +387,13 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
     constexpr double kFarthest = 0.1;  // of the interval
     for (int i = 0; i < kTimes; ++i) {
       const contact::Pose there = pose(blade, end_);
-      const double late = -there.gap / contact::gap_rate(laws_->of(blade).geometry(), there,
-                                                         blades_->angular_speed(end_.time));
+      const double late =
+          -there.gap / contact::gap_rate(law_->geometry(blade), there, blades_->angular_speed(end_.time));
       if (std::abs(late) < kFarthest * interval.elapsed.at_end()) move(end_, interval, late);
     }
     const double radius = machine().ring_radius;
     const double left = pose(blade, end_).gap / (2.0 * radius);
-    if (!(std::abs(left) < limits_.tolerance)) return;
+    if (!(std::abs(left) < tolerance_)) return;
     const contact::BladeDirection er = blades_->direction(blade, blades_->first(end_.time));
     const rotor::State seen = rotor::from_ring(end_.bodies);
     const double reach = numbers(blade).reach;
@@ -398,8 +402,9 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
   };
   switch (ending_.guard) {
     case Guard::unbent:
-      move(end_, interval, -end_.argument * interval.time_slope.at_end() / interval.argument_slope.at_end());
-      end_.argument = 0.0;
+      move(end_, interval,
+           -end_.bending.argument * interval.time_slope.at_end() / interval.argument_slope.at_end());
+      end_.bending.argument = 0.0;
       goes_on_to_ring(blade_);
       break;
     case Guard::under_load:
@@ -430,7 +435,7 @@ bool ContactArc::solve_next() {
     const bool follows = alike_ != nullptr && number_ < alike_->count;
     if (follows) {
       predictor_.follow(alike_->intervals[number_].length);
-      alike_->intervals[number_].guess(next, machine().ring.moves);
+      alike_->intervals[number_].guess(contact_, next);
     } else {
       predictor_.guess(next);
     }
@@ -462,14 +467,17 @@ bool ContactArc::is_next_to_unbent(const Interval& interval) const {
   constexpr double kNext = 1e-4;  // p: the force is some 1e-9 of EI/L²
   constexpr double kNear = 0.03;
   const double argument = interval.argument.at_end();
-  return argument < kNext || (argument < kNear && laws_->of(blade_).starts_unloaded(
-                                                      pose(blade_, end_of(interval)), contact_.slip));
+  if (!(argument < kNear)) return false;
+  const Point end = end_of(interval);
+  const Touch unbent = law_->touch(blade_, contact_.slip, {});
+  return argument < kNext ||
+         law_->start(unbent, pose(blade_, end), blades_->angular_speed(end.time)).gap_measure >= 0.0;
 }
 
 ContactArc::Verdict ContactArc::judge(Ending& ending) {
   const Interval& next = trial();
   const bool reaches_zero = next.chord.time == 0.0;
-  Bounds bounds = solver_.bounds(contact_, next);
+  Bounds bounds = law_->bounds(contact_, next);
   const auto first = touch_down(next, guard_of_contacts(next));
   if (!first) return Verdict::too_long;
   ending = *first;
@@ -479,9 +487,9 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
     if (!cut_at(next, ending, part)) return Verdict::gives_up;
     // Beyond its ending the interval is no motion.
     const bool lifts = ending.guard == Guard::unbent || ending.guard == Guard::under_load;
-    if (!lifts || !further_.empty() || !stays_valid(bounds, ending)) bounds = solver_.bounds(contact_, part);
+    if (!lifts || !further_.empty() || !stays_valid(bounds, ending)) bounds = law_->bounds(contact_, part);
     // The tip that touches is at the ring at the end.
-    const double at_ring = 2.0 * machine().ring_radius * limits_.tolerance;
+    const double at_ring = 2.0 * machine().ring_radius * tolerance_;
     gap_bound_of_others_ = -std::numeric_limits<double>::infinity();
     for (const Other& other : others_) {
       const double bound = solver_.largest_gap(contact_, part, numbers(other.blade), other.offset);
@@ -489,16 +497,16 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
       if (!(bound < (other.blade == ending.blade ? at_ring : 0.0))) return Verdict::too_long;
     }
   }
-  if (!stays_valid(bounds, ending)) return Verdict::gives_up;
+  // Close to a fold bounds of shorter intervals tell.
+  if (!stays_valid(bounds, ending)) return contact_.leans ? Verdict::too_long : Verdict::gives_up;
   displacement_bound_ = bounds.displacement;
-  const bool held_beyond_ring = laws_->of(blade_).releases_at_fold();
+  const bool held_beyond_ring = law_->releases_at_fold(blade_);
   const bool stays_bent = bounds.gap_measure > 0.0 && (begins_ || next.start_gap_measure > 0.0);
   if (ending.guard != Guard::under_load && !held_beyond_ring && !stays_bent) return Verdict::gives_up;
   const Interval& kept = in_part ? part : next;
   if (ending.guard == Guard::fold && is_next_to_unbent(kept)) ending.guard = Guard::unbent;
   // At a fold a tip is free only outside the ring, or it snaps.
-  if (ending.guard == Guard::fold && !laws_->of(blade_).has_branches() &&
-      !(pose(blade_, end_of(kept)).gap < 0.0))
+  if (ending.guard == Guard::fold && !law_->has_branches(blade_) && !(pose(blade_, end_of(kept)).gap < 0.0))
     return Verdict::gives_up;
   // Time goes on.
   for (std::size_t i = 0; i < kNodes; ++i) {
@@ -516,9 +524,9 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
 
 /// Another blade leads from where the last interval has ended.
 void ContactArc::change_leader(std::size_t further) {
-  std::vector<Touch> touching{{blade_, contact_.slip, table(blade_).bending(end_.argument)}};
+  std::vector<Touch> touching{law_->touch(blade_, contact_.slip, end_.bending)};
   for (const FurtherStart& start : further_)
-    touching.push_back({start.blade, start.slip, table(start.blade).bending(std::sqrt(start.square))});
+    touching.push_back(law_->touch(start.blade, start.slip, {std::sqrt(start.square)}));
   lead(end_.time, rotor::ShaftAndRing(end_.bodies), touching, further + 1);
   lead_has_changed_ = true;
 }
@@ -529,7 +537,7 @@ ContactArc::Outcome ContactArc::make() {
   while (true) {
     if (!solve_next()) return Outcome::gives_up;
     if (kept_ != nullptr && number_ < EarlierContact::kMostIntervals) {
-      kept_->intervals[number_].take(trial(), machine().ring.moves, predictor_.length_of_trial());
+      kept_->intervals[number_].take(contact_, trial(), predictor_.length_of_trial());
       kept_->count = std::max(kept_->count, number_ + 1);
     }
     Ending ending;
@@ -555,8 +563,14 @@ void ContactArc::goes_on(const Ending& ending) {
   ++number_;
   ++interval_count_;
   end_at(made(), ending);
-  gap_measure_ = made().gap_measure.at_end();
-  slip_velocity_ = made().slip_velocity.at_end();
+  at_end_.gap_measure = made().gap_measure.at_end();
+  at_end_.force.slip_velocity = made().slip_velocity.at_end();
+  if (contact_.leans) {
+    at_end_.force.shortening = made().shortening.at_end();
+    at_end_.chart_left = made().chart_left.at_end();
+    at_end_.force.normal = made().normal_force.at_end();
+    at_end_.force.root_strain = made().root_strain.at_end();
+  }
   for (std::size_t k = 0; k < further_.size(); ++k) go_on(made(), made().further[k], further_[k]);
   if (ending_.guard == Guard::none) predictor_.goes_on(made());
   begins_ = false;
@@ -592,7 +606,8 @@ ContactArc::Point ContactArc::solved_at_fraction(double fraction) {
 ContactArc::Point ContactArc::end_of(const Interval& interval) {
   const Body& shaft = interval.shaft;
   const Body& ring = interval.ring;
-  Point end{.time = interval.start_time + interval.elapsed.at_end(), .argument = interval.argument.at_end()};
+  Point end{.time = interval.start_time + interval.elapsed.at_end(),
+            .bending = {interval.argument.at_end(), interval.lean.at_end()}};
   end.bodies << shaft.x.at_end(), shaft.y.at_end(), shaft.vx.at_end(), shaft.vy.at_end(), ring.x.at_end(),
       ring.y.at_end(), ring.vx.at_end(), ring.vy.at_end();
   for (std::size_t k = 0; k < interval.further_count; ++k)
@@ -611,8 +626,6 @@ ContactArc::Point ContactArc::solved_in(const Stretch& stretch, double fraction)
 }
 
 std::optional<ContactArc::Point> ContactArc::most_bent(int blade, double from, double to, double known) {
-  // Between the nodes p errs by a few times as much as velocities do, each against its own size.
-  constexpr double kSafety = 100.0;
   const double bound = 1.0 + kSafety * allowed_ / rotor_->length_scale;
   const double least = known / bound;
   const Stretch within = stretch(from, to);
@@ -622,6 +635,18 @@ std::optional<ContactArc::Point> ContactArc::most_bent(int blade, double from, d
   const auto most = largest_of(values, within.first, within.last, further != nullptr ? least * least : least);
   const double argument = further != nullptr ? std::sqrt(std::max(0.0, most.value)) : most.value;
   if (bound * argument <= known) return std::nullopt;
+  return solved_in(within, most.argument);
+}
+
+std::optional<ContactArc::Point> ContactArc::most_loaded(const AtNodes Interval::*load,
+                                                         double Interval::*at_start, double from, double to,
+                                                         double known) {
+  const Stretch within = stretch(from, to);
+  const AtPlaces values = at_places(made().*at_start, made().*load);
+  const double error =
+      kSafety * allowed_ / rotor_->length_scale * *std::max_element(values.begin(), values.end());
+  const auto most = largest_of(values, within.first, within.last, known - error);
+  if (most.value + error <= known) return std::nullopt;
   return solved_in(within, most.argument);
 }
 
@@ -650,7 +675,8 @@ ContactArc::Point ContactArc::point_at(double fraction) const {
   const Body& shaft = made().shaft;
   const Body& ring = made().ring;
   Point point{.time = made().start_time + value(0.0, made().elapsed),
-              .argument = value(made().start_argument, made().argument)};
+              .bending = {value(made().start_argument, made().argument)}};
+  if (contact_.leans) point.bending.lean = value(made().start_lean, made().lean);
   const auto place = [&](const Body& body, Eigen::Index first) {
     point.bodies.segment<4>(first) << value(body.start[0], body.x), value(body.start[1], body.y),
         value(body.start[2], body.vx), value(body.start[3], body.vy);
@@ -662,9 +688,19 @@ ContactArc::Point ContactArc::point_at(double fraction) const {
   return point;
 }
 
-Interval::Direction ContactArc::direction_at(double fraction) const {
+ArcLaw::Tangent ContactArc::direction_at(double fraction) const {
   const AtNodes basis = slope_basis_at(fraction);
-  return {sum_of_products(basis, made().time_slope), sum_of_products(basis, made().argument_slope)};
+  ArcLaw::Tangent tangent{sum_of_products(basis, made().time_slope),
+                          sum_of_products(basis, made().argument_slope), 0.0};
+  if (contact_.leans) {
+    AtNodes slopes{};
+    for (std::size_t j = 0; j < kNodes; ++j) {
+      for (std::size_t i = 0; i < kNodes; ++i)
+        slopes[i] += node_tables().slope[j][i] * (made().lean[j] - made().start_lean);
+    }
+    tangent.lean = sum_of_products(basis, slopes);
+  }
+  return tangent;
 }
 
 std::size_t ContactArc::number_of(int blade) const {
@@ -673,8 +709,13 @@ std::size_t ContactArc::number_of(int blade) const {
   return number;
 }
 
-double ContactArc::argument_of(int blade, const Point& point) const {
-  return blade == blade_ ? point.argument : std::sqrt(std::max(0.0, point.squares[number_of(blade)]));
+Bending ContactArc::bending_of(int blade, const Point& point) const {
+  if (blade == blade_) return point.bending;
+  return {std::sqrt(std::max(0.0, point.squares[number_of(blade)]))};
+}
+Touch ContactArc::touch_of(int blade, const Point& point) const {
+  const double slip = blade == blade_ ? contact_.slip : further_[number_of(blade)].slip;
+  return law_->touch(blade, slip, bending_of(blade, point));
 }
 
 std::optional<TipTop> ContactArc::top_of_tip(int blade) const {

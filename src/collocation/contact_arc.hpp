@@ -21,15 +21,13 @@
 #include <span>
 #include <vector>
 
-#include "blade/bending_table.hpp"
+#include "collocation/arc_law.hpp"
 #include "collocation/earlier_contacts.hpp"
 #include "collocation/further_blades.hpp"
 #include "collocation/interval.hpp"
 #include "collocation/interval_samples.hpp"
 #include "collocation/machine_in_time.hpp"
 #include "collocation/predictor.hpp"
-#include "contact/elastica_contact.hpp"
-#include "contact/unequal_blades.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
 
@@ -37,13 +35,9 @@ namespace rubatlas::collocation {
 
 class ContactArc {
  public:
-  struct Limits {
-    double tolerance;       ///< local error [m]: accuracy.tolerance × δc
-    double max_shortening;  ///< of δ/L [-]
-  };
-  using Laws = contact::UnequalBlades<contact::ElasticaContact>;
-  /// Both must outlive the arc. Each law has friction μ > 0; a ring that moves is a body.
-  ContactArc(const rotor::Machine& machine, const Laws& laws, const Limits& limits);
+  /// `tolerance`: local error, accuracy.tolerance × δc [m]. Both must outlive the arc. A ring that moves is a
+  /// body.
+  ContactArc(const rotor::Machine& machine, ArcLaw& law, double tolerance);
   ContactArc(const ContactArc&) = delete;
   ContactArc& operator=(const ContactArc&) = delete;
 
@@ -51,7 +45,7 @@ class ContactArc {
   struct Point {
     double time = 0.0;  ///< τ of the revolution
     rotor::ShaftAndRing bodies = rotor::ShaftAndRing::Zero();
-    double argument = 0.0;                       ///< p of the leading blade
+    Bending bending;                             ///< of the leading blade
     std::array<double, kMostFurther> squares{};  ///< p² of the others
   };
 
@@ -62,8 +56,9 @@ class ContactArc {
   /// Makes the next interval, from the end of the one before.
   Outcome make();
   /// What ends an interval: the leading blade lifts off unbent or under load, or comes to the fold of its
-  /// branch; the slip of a blade reverses; another blade touches down.
-  enum class Guard : std::uint8_t { none, unbent, under_load, fold, slip_reversal, touch_down };
+  /// branch or to the end of the chart of its equilibria; the slip of a blade reverses; another blade touches
+  /// down.
+  enum class Guard : std::uint8_t { none, unbent, under_load, fold, chart_end, slip_reversal, touch_down };
   struct Ending {
     Guard guard = Guard::none;
     double fraction = 1.0;  ///< θ
@@ -75,7 +70,7 @@ class ContactArc {
   [[nodiscard]] const Point& start() const { return start_; }
   [[nodiscard]] const Point& end() const { return end_; }
   /// v of the leading blade at the end (MODEL 4.4) [m per unit τ].
-  [[nodiscard]] double slip_velocity() const { return slip_velocity_; }
+  [[nodiscard]] double slip_velocity() const { return at_end_.force.slip_velocity; }
 
   /// θ in the interval that has been made where it has reached a time.
   [[nodiscard]] double fraction_at(double time) const;
@@ -84,15 +79,21 @@ class ContactArc {
   /// Where a blade in contact is bent most between two times of the interval; none where its p is not larger
   /// than `known`.
   [[nodiscard]] std::optional<Point> most_bent(int blade, double from, double to, double known);
+  /// Where the leading blade bears most between two times of the interval, of a load that is kept at the
+  /// nodes; none where that is not larger than `known`.
+  [[nodiscard]] std::optional<Point> most_loaded(const AtNodes Interval::*load, double Interval::*at_start,
+                                                 double from, double to, double known);
   /// The largest |z| between two times of the interval [m], or `known` where it is not larger than that.
   [[nodiscard]] double largest_displacement(double from, double to, double known);
   /// Shaft's place x, y [m] at θ, on the interval's polynomials.
   [[nodiscard]] std::array<double, 2> place_at(double fraction) const;
   [[nodiscard]] Point point_at(double fraction) const;
-  /// dτ/dθ and dp/dθ of the leading blade there.
-  [[nodiscard]] Interval::Direction direction_at(double fraction) const;
-  /// p of a blade in contact there.
-  [[nodiscard]] double argument_of(int blade, const Point& point) const;
+  /// dτ/dθ, dp/dθ and dl/dθ of the leading blade there.
+  [[nodiscard]] ArcLaw::Tangent direction_at(double fraction) const;
+  /// How far a blade in contact is bent there.
+  [[nodiscard]] Bending bending_of(int blade, const Point& point) const;
+  /// Its contact there.
+  [[nodiscard]] Touch touch_of(int blade, const Point& point) const;
   /// Bound of the gaps of the blades that do not touch, within the interval [m²].
   [[nodiscard]] double gap_bound_of_others() const { return gap_bound_of_others_; }
   /// Where the tip of a blade, straight, is farthest out within the interval, if it is there.
@@ -107,10 +108,6 @@ class ContactArc {
 
   /// The blade that leads.
   [[nodiscard]] int leader() const { return blade_; }
-  /// u of a blade for its p.
-  [[nodiscard]] double bending(int blade, double argument) const { return table(blade).bending(argument); }
-  /// du/dp of the leading blade.
-  [[nodiscard]] double bending_slope(double argument) const { return table(blade_).bending_slope(argument); }
 
   // What it cost.
   [[nodiscard]] std::uint64_t intervals() const { return interval_count_; }
@@ -121,11 +118,10 @@ class ContactArc {
   void lead(double time, const rotor::ShaftAndRing& bodies, std::span<const Touch> touching,
             std::size_t leader);
   [[nodiscard]] const Blade& numbers(int blade) const { return numbers_[static_cast<std::size_t>(blade)]; }
-  [[nodiscard]] const blade::BendingTable& table(int blade) const { return *numbers(blade).table; }
   [[nodiscard]] const Machine& machine() const { return machine_.numbers(); }
   [[nodiscard]] contact::Pose pose(int blade, const Point& point) const;
   static void move(Point& point, const Interval& interval, double late);
-  void predict();
+  void predict(const Touch& touch);
   [[nodiscard]] std::size_t number_of(int blade) const;
   [[nodiscard]] const Interval& made() const { return intervals_[made_]; }
   [[nodiscard]] Interval& trial() { return intervals_[1 - made_]; }
@@ -163,8 +159,8 @@ class ContactArc {
   const rotor::Machine* whole_;
   const rotor::RotorConstants* rotor_;
   const rotor::RipplingBlades* blades_;
-  const Laws* laws_;
-  Limits limits_;
+  ArcLaw* law_;
+  double tolerance_;  ///< [m]
   MachineInTime machine_;
   std::vector<Blade> numbers_;  ///< of the blades
   IntervalSolver solver_;
@@ -176,8 +172,7 @@ class ContactArc {
     std::array<double, 2> offset;
   };
   std::vector<Other> others_;
-  std::vector<FurtherStart> further_;   ///< where the next interval starts
-  std::vector<double> valid_argument_;  ///< p of each blade up to which δ/L is within its limit
+  std::vector<FurtherStart> further_;  ///< where the next interval starts
   Contact contact_;
   double allowed_;  ///< error of a velocity between the nodes [m per unit τ]
 
@@ -193,9 +188,8 @@ class ContactArc {
   const EarlierContact* alike_ = nullptr;  ///< is followed; null: no longer, or none
   EarlierContact* kept_ = nullptr;         ///< this contact, for later ones
   std::size_t number_ = 0;                 ///< of the next interval in the contact
-  double gap_measure_ = 0.0;               ///< there
-  double slip_velocity_ = 0.0;             ///< there
-  double reversal_rounding_ = 0.0;         ///< |v| where the slip reversal of an ending is
+  ArcLaw::Start at_end_{};                 ///< of the leading blade there
+  double rounding_at_end_ = 0.0;           ///< |v| or other where an ending is
   double displacement_bound_ = 0.0;
   double gap_bound_of_others_ = 0.0;
   std::uint64_t interval_count_ = 0;

@@ -41,23 +41,28 @@ void EarlierInterval::Places::guess(Body& next, const AtNodes& elapsed) const {
   }
 }
 
-void EarlierInterval::take(const Interval& solved, bool ring_moves, double length_of_arc) {
+void EarlierInterval::take(const Contact& contact, const Interval& solved, double length_of_arc) {
   length = length_of_arc;
   chord = solved.chord;
   normal = solved.normal;
   deviation = solved.deviation;
   elapsed = solved.elapsed;
   shaft.take(solved.shaft);
-  if (ring_moves) ring.take(solved.ring);
+  if (contact.machine->ring.moves) ring.take(solved.ring);
+  if (!contact.leans) return;
+  start_lean = solved.start_lean;
+  lean = solved.lean;
 }
 
-void EarlierInterval::guess(Interval& next, bool ring_moves) const {
+void EarlierInterval::guess(const Contact& contact, Interval& next) const {
   next.chord = chord;
   next.normal = normal;
   if (chord.time == 0.0) next.chord.argument = -next.start_argument;  // down to p = 0, wherever it starts
   next.deviation = deviation;
   shaft.guess(next.shaft, elapsed);
-  if (ring_moves) ring.guess(next.ring, elapsed);
+  if (contact.machine->ring.moves) ring.guess(next.ring, elapsed);
+  if (!contact.leans) return;
+  for (std::size_t i = 0; i < kNodes; ++i) next.lean[i] = lean[i] + (next.start_lean - start_lean);
 }
 
 double EarlierContacts::distance(const Beginning& a, const Beginning& b) const {

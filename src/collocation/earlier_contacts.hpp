@@ -26,7 +26,8 @@ struct EarlierInterval {
   double length = 0.0;  ///< of its arc in the plane (τ/T, p)
   Interval::Direction chord{};
   Interval::Direction normal{};
-  AtNodes deviation, elapsed;
+  double start_lean = 0.0;  ///< l
+  AtNodes deviation, elapsed, lean;
   struct Places {
     std::array<double, 4> start{};  ///< place and velocity
     AtNodes x, y, vx, vy;
@@ -35,9 +36,9 @@ struct EarlierInterval {
     void guess(Body& next, const AtNodes& elapsed) const;
   } shaft, ring;
 
-  void take(const Interval& solved, bool ring_moves, double length_of_arc);
+  void take(const Contact& contact, const Interval& solved, double length_of_arc);
   /// Guesses an interval whose start is known: it goes on from there as this one did.
-  void guess(Interval& next, bool ring_moves) const;
+  void guess(const Contact& contact, Interval& next) const;
 };
 
 struct EarlierContact {

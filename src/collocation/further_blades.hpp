@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "blade/inclined_elastica.hpp"
 #include "collocation/interval.hpp"
 #include "contact/elastica_contact.hpp"
 #include "rotor/bodies.hpp"
@@ -14,8 +15,11 @@ namespace rubatlas::collocation {
 /// A blade that touches the ring.
 struct Touch {
   int blade;
-  double slip;     ///< s = ±1
-  double bending;  ///< u; 0: it touches down
+  double slip;         ///< s = ±1
+  double bending;      ///< u of a blade under an axial load; 0: it touches down
+  blade::Bend bend{};  ///< κ and φ of a blade under an inclined load; φ = 0: it touches down
+
+  [[nodiscard]] bool touches_down() const { return bending == 0.0 && bend.amplitude == 0.0; }
 };
 
 /// One of them where the next interval starts. p² is used, which is smooth in time where p starts from 0.

@@ -5,7 +5,9 @@
 #include <cstddef>
 
 #include "blade/bending_table.hpp"
+#include "collocation/inclined_load.hpp"
 #include "collocation/nodes.hpp"
+#include "contact/pose.hpp"
 
 namespace rubatlas::collocation {
 
@@ -45,6 +47,8 @@ struct Machine {
   } ring{};
 
   [[nodiscard]] bool ripples() const { return ripple.amplitude != 0.0; }
+  /// Nothing acts but what the paper's rotor has and harmonic forcings.
+  [[nodiscard]] bool is_plain() const { return support.isotropic && !ripples() && !ring.moves; }
 };
 
 /// A blade and the ring under its tip. Lengths in m.
@@ -64,7 +68,8 @@ struct Blade {
 struct Contact {
   const Machine* machine;
   const Blade* blade;
-  double slip;  ///< s = ±1
+  double slip;         ///< s = ±1
+  bool leans = false;  ///< the load is inclined (`inclined_load.hpp`)
 };
 
 /// A further blade in contact. How far it is bent follows from where the shaft is.
@@ -124,6 +129,17 @@ struct Interval {
   AtNodes gap_measure;       ///< g/Δ [m], as h = 0 has it: it has the sign of g where the blade is bent
   AtNodes slip_velocity;     ///< v of the tip (MODEL 4.4) [m per unit τ]
   AtNodes coefficients;      ///< magnitudes of Legendre's coefficients of z'' dτ/dθ [m per unit τ]
+
+  // Of a blade under an inclined load (`inclined_load.hpp`).
+  double start_lean = 0.0;                       ///< l
+  double start_shortening = 0.0;                 ///< δ/L
+  double start_chart_left = 0.0;                 ///< `InclinedLoad::chart_left`
+  double start_force = 0.0, start_strain = 0.0;  ///< F [N], and bending strain at the root [-]
+  AtNodes lean;                                  ///< l: a first guess, then the solution
+  AtNodes shortening;                            ///< δ/L
+  AtNodes chart_left;                            ///< `InclinedLoad::chart_left`
+  AtNodes normal_force, root_strain;             ///< F [N], and bending strain at the root [-]
+
   std::size_t further_count = 0;
   std::array<FurtherBlade, kMostFurther> further;
   int sweeps = 0;  ///< that were made
@@ -145,17 +161,34 @@ struct Closeness {
 using Solve = bool (*)(const Contact& contact, const Closeness& closeness, Interval& interval);
 inline constexpr double kFarthestTurn = 0.8;  ///< [rad]: series of sine and cosine lose 1e-16 there
 
+/// The same for a blade under an inclined load.
+using SolveInclined = bool (*)(const Contact& contact, const InclinedLoad& load, const Closeness& closeness,
+                               Interval& interval);
+
+/// Blades under an inclined load, one bent more than the other, where a shaft stands.
+struct BranchPoints {
+  AtNodes argument;  ///< p
+  AtNodes lean;      ///< l: a first guess, then that of the equilibrium
+  AtNodes residual;  ///< h of it [m²]
+};
+/// Finds their equilibria but for h = 0. False where one of them has none that goes on from the unbent blade.
+using BranchOf = bool (*)(const Contact& contact, const InclinedLoad& load, const contact::Pose& pose,
+                          double angular_speed, BranchPoints& points);
+
 /// Bounds of what changes within an interval that is solved, as the polynomials through the start and the
 /// nodes have it: none of them leaves the range of its Bernstein coefficients.
 struct Bounds {
   /// Least s v, of the leading blade and of the others: no slip reverses where it is positive [m per unit τ].
   std::array<double, 1 + kMostFurther> slip_velocity;
   double gap_measure;   ///< least g/Δ of the leading blade; the start is left out, where it may be 0 [m]
-  double argument;      ///< largest p of the leading blade
+  double argument;      ///< largest p of the leading blade; largest δ/L of one under an inclined load
   double displacement;  ///< largest |z| [m]
   double distance;      ///< largest |c|, of the shaft from the ring's centre [m]
   std::array<double, kMostFurther> further_argument;  ///< largest p of the others
   std::array<bool, kMostFurther> stays;               ///< a further blade stays bent
+  // Of a blade under an inclined load, the end left out.
+  double chart_left;  ///< least of `InclinedLoad::chart_left`
+  double time_slope;  ///< least dτ/dθ, without that where a contact begins: it vanishes where a blade snaps
 
   friend bool operator==(const Bounds&, const Bounds&) = default;
 };
@@ -167,7 +200,10 @@ using LargestGap = double (*)(const Contact& contact, const Interval& interval, 
 
 struct IntervalSolver {
   Solve solve;
+  SolveInclined solve_inclined;
+  BranchOf inclined_branch;
   BoundsOf bounds;
+  BoundsOf inclined_bounds;
   LargestGap largest_gap;
 };
 /// Those for this processor. All have the same bits: each has eight nodes, in parts of as many numbers as a

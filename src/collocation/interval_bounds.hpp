@@ -43,6 +43,19 @@ class IntervalBounds {
     return result;
   }
 
+  /// Those of a blade under an inclined load.
+  RUBATLAS_INLINE Bounds inclined_bounds() const {
+    const Interval& in = interval_;
+    Bounds result = bounds();
+    result.argument = largest(in.start_shortening, Number(in.shortening));
+    result.chart_left =
+        std::min(in.start_chart_left, least_before_end(later(in.start_chart_left, Number(in.chart_left))));
+    const double slope = sum_of_products(nodes_.value_at_start, in.time_slope);
+    result.time_slope = least_before_end(later(slope, Number(in.time_slope)));
+    if (in.start_argument > 0.0) result.time_slope = std::min(result.time_slope, slope);
+    return result;
+  }
+
   RUBATLAS_INLINE double gap(const Blade& blade, const std::array<double, 2>& offset) const {
     const Interval& in = interval_;
     const Number blade_x(in.blade_x);
@@ -91,6 +104,12 @@ class IntervalBounds {
   RUBATLAS_INLINE Number later(double start, const Number& at_nodes) const {
     return Number::combined(nodes_.bernstein, at_nodes) + Number(nodes_.bernstein_of_start) * start;
   }
+  /// Of coefficients 1 to 7.
+  RUBATLAS_INLINE static double least_before_end(const Number& coefficients) {
+    AtNodes each;
+    coefficients.store(each);
+    return *std::min_element(each.value.begin(), each.value.end() - 1);
+  }
   RUBATLAS_INLINE double least(double start, const Number& at_nodes) const {
     return std::min(start, later(start, at_nodes).least());
   }
@@ -109,6 +128,10 @@ class IntervalBounds {
 template <std::size_t kWidth>
 Bounds bounds_of(const Contact& contact, const Interval& interval) {
   return IntervalBounds<kWidth>(contact, interval).bounds();
+}
+template <std::size_t kWidth>
+Bounds inclined_bounds_of(const Contact& contact, const Interval& interval) {
+  return IntervalBounds<kWidth>(contact, interval).inclined_bounds();
 }
 template <std::size_t kWidth>
 double largest_gap_of(const Contact& contact, const Interval& interval, const Blade& blade,

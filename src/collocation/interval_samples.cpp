@@ -191,7 +191,7 @@ std::optional<TipTop> top_of_tip(const Machine& machine, const Interval& interva
   return std::nullopt;
 }
 
-void read_stretch(const Interval& interval, bool ring_moves, double fraction, Interval& stretch) {
+void read_stretch(const Contact& contact, const Interval& interval, double fraction, Interval& stretch) {
   const NodeTables& tables = node_tables();
   std::array<AtNodes, kPlaces> basis;
   AtNodes sum{};
@@ -225,7 +225,8 @@ void read_stretch(const Interval& interval, bool ring_moves, double fraction, In
     read(from.start[3], from.vy, to.vy);
   };
   read_body(interval.shaft, stretch.shaft);
-  if (ring_moves) read_body(interval.ring, stretch.ring);
+  if (contact.machine->ring.moves) read_body(interval.ring, stretch.ring);
+  if (contact.leans) read(interval.start_lean, interval.lean, stretch.lean);
   for (std::size_t k = 0; k < interval.further_count; ++k)
     read(interval.further[k].start_square, interval.further[k].square, stretch.further[k].square);
 }

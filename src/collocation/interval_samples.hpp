@@ -38,6 +38,6 @@ std::optional<TipTop> top_of_tip(const Machine& machine, const Interval& interva
                                  const std::array<double, 2>& offset);
 
 /// Sets the places and velocities of a stretch to those of the interval up to θ, as a first guess.
-void read_stretch(const Interval& interval, bool ring_moves, double fraction, Interval& stretch);
+void read_stretch(const Contact& contact, const Interval& interval, double fraction, Interval& stretch);
 
 }  // namespace rubatlas::collocation

@@ -8,29 +8,23 @@
 #include <cmath>
 #include <cstddef>
 
+#include "collocation/arc_sweeps.hpp"
 #include "collocation/interval.hpp"
 #include "collocation/nodes_in_lanes.hpp"
 
 namespace rubatlas::collocation {
 namespace {
 
-/// `kPlain`: nothing acts but what the paper's rotor has and harmonic forcings, which takes an eighth less.
 template <std::size_t kWidth, bool kPlain>
-class Sweeps {
+class Sweeps : public ArcSweeps<kWidth, kPlain> {
+  using Base = ArcSweeps<kWidth, kPlain>;
+  friend Base;
+
  public:
   using Number = Lanes<kWidth>;
 
-  Sweeps(const Contact& contact, const Closeness& closeness, Interval& interval)
-      : contact_(contact),
-        machine_(*contact.machine),
-        closeness_(closeness),
-        interval_(interval),
-        nodes_(node_tables()),
-        chord_time_(Number(nodes_.node) * interval.chord.time),
-        chord_argument_(Number(nodes_.node) * interval.chord.argument + interval.start_argument),
-        deviation_(interval.deviation) {
-    shaft_.start(interval.shaft, closeness.warm, elapsed());
-    if (ring_moves()) ring_.start(interval.ring, closeness.warm, elapsed());
+  RUBATLAS_INLINE Sweeps(const Contact& contact, const Closeness& closeness, Interval& interval)
+      : Base(contact, closeness, interval) {
     lead_.blade = contact.blade;
     lead_.slip = contact.slip;
     for (std::size_t k = 0; k < interval.further_count; ++k) {
@@ -41,46 +35,17 @@ class Sweeps {
   }
 
   RUBATLAS_INLINE bool solve() {
-    double before = kFirstChange;
-    bool light = false;
     // With several blades changes fall unevenly, and the slopes of one that is hardly bent change too fast to
     // be kept.
-    const bool several = interval_.further_count > 0;
-    const int full_sweeps = several ? kMostSweeps : kFullSweeps;
-    double ratio_before = kSlowest;
-    for (interval_.sweeps = 1; interval_.sweeps <= kMostSweeps; ++interval_.sweeps) {
-      const double change = light ? sweep<true>() : sweep<false>();
-      if (!(change < kFirstChange)) return false;
-      // The changes form a geometric series in the end, of which this is the rest.
-      const double ratio = interval_.sweeps > 1 ? std::min(change / before, kSlowest) : kSlowest;
-      const double rest = change * std::max(ratio, interval_.sweeps > 2 ? ratio_before : 0.0);
-      if (rest <= closeness_.velocity && largest_step_ < largest_step_allowed()) {
-        store();
-        return true;
-      }
-      light = interval_.sweeps >= full_sweeps && change < kConverging * before;
-      before = change;
-      ratio_before = ratio;
-    }
-    return false;
+    return this->converge(*this, kMostSweeps, interval_.further_count > 0 ? kMostSweeps : kFullSweeps);
   }
 
  private:
+  using Vector = typename Base::Vector;
+
   static constexpr int kMostSweeps = 9;
   static constexpr std::size_t kSlopeDegree = 5;
-  static constexpr int kFullSweeps = 3;        ///< with slopes of their own
-  static constexpr double kConverging = 0.25;  ///< ratio of changes below which slopes may be kept
-  static constexpr double kFirstChange = std::numeric_limits<double>::infinity();
-  /// Of Newton's steps in w and p²: the next would be of its square. Velocities alone do not tell, where a
-  /// blade is so soft that it hardly moves the shaft.
-  static constexpr double kLargestStep = 1e-4;
-  static constexpr double kLittleBent = 0.1;  ///< p: blades that are bent less have shorter last steps
-  [[nodiscard]] double largest_step_allowed() const {
-    const Number argument = chord_argument_ + deviation_ * interval_.normal.argument;
-    const double largest = std::max(std::abs(interval_.start_argument), magnitude(argument).largest());
-    return kLargestStep * std::min(1.0, largest / kLittleBent);
-  }
-  static constexpr double kSlowest = 0.5;  ///< ratio of changes, where none is known
+  static constexpr int kFullSweeps = 3;  ///< with slopes of their own
   /// Of Δ/L: below it δ/Δ is less than rounding of what it is added to.
   static constexpr double kUnbent = 1e-9;
 
@@ -175,90 +140,6 @@ class Sweeps {
     return across(sum);
   }
 
-  struct Vector {
-    Number x, y;
-  };
-  /// A vector turned by an angle below 0.8 rad, by the series of sine and cosine: less than 1e-16 is left
-  /// out.
-  RUBATLAS_INLINE static Vector turned(const std::array<double, 2>& from, const Number& angle) {
-    const Number square = angle * angle;
-    const Number fourth = square * square;
-    const Number sine =
-        angle * (((square * (-1.0 / 6) + 1.0) + fourth * (square * (-1.0 / 5040) + 1.0 / 120)) +
-                 (fourth * fourth) * ((square * (-1.0 / 39916800) + 1.0 / 362880) +
-                                      fourth * (square * (-1.0 / 1307674368000.0) + 1.0 / 6227020800.0)));
-    const Number cosine_less_one =
-        square * (((square * (1.0 / 24) - 0.5) + fourth * (square * (1.0 / 40320) - 1.0 / 720)) +
-                  (fourth * fourth) * ((square * (1.0 / 479001600) - 1.0 / 3628800) +
-                                       fourth * (square * (1.0 / 20922789888000.0) - 1.0 / 87178291200.0)));
-    return {(cosine_less_one * from[0] - sine * from[1]) + from[0],
-            (cosine_less_one * from[1] + sine * from[0]) + from[1]};
-  }
-
-  /// A vector turned by a small angle, of which powers above the eighth are left out.
-  struct Turn {
-    Number sine, cosine_less_one;
-    RUBATLAS_INLINE explicit Turn(const Number& angle) {
-      const Number square = angle * angle;
-      sine = angle * (square * (square * (square * (-1.0 / 5040) + 1.0 / 120) - 1.0 / 6) + 1.0);
-      cosine_less_one = square * (square * (square * (square * (1.0 / 40320) - 1.0 / 720) + 1.0 / 24) - 0.5);
-    }
-    RUBATLAS_INLINE Vector operator()(const Vector& from) const {
-      return {(from.x * cosine_less_one - from.y * sine) + from.x,
-              (from.y * cosine_less_one + from.x * sine) + from.y};
-    }
-  };
-
-  /// Shaft or ring at the nodes.
-  struct Motion {
-    Number x, y, vx, vy, ax, ay;
-
-    RUBATLAS_INLINE void start(const Body& body, bool warm, const Number& elapsed) {
-      if (warm) {
-        x = Number(body.x);
-        y = Number(body.y);
-        vx = Number(body.vx);
-        vy = Number(body.vy);
-        return;
-      }
-      const auto taylor = [&](std::size_t i, Number& place, Number& velocity) RUBATLAS_INLINED {
-        const double acceleration = body.acceleration[i];
-        const double jerk = body.jerk[i];
-        velocity = elapsed * (elapsed * (0.5 * jerk) + acceleration) + body.start[2 + i];
-        place =
-            elapsed * (elapsed * (elapsed * (jerk * (1.0 / 6)) + 0.5 * acceleration) + body.start[2 + i]) +
-            body.start[i];
-      };
-      taylor(0, x, vx);
-      taylor(1, y, vy);
-    }
-    /// Integrates the accelerations; `time_rate`: dτ/dθ. Returns the largest change of a velocity.
-    RUBATLAS_INLINE double integrate(const Body& body, const NodeTables& nodes, const Number& time_rate) {
-      const Number vx_next = Number::combined(nodes.integral, ax * time_rate) + body.start[2];
-      const Number vy_next = Number::combined(nodes.integral, ay * time_rate) + body.start[3];
-      x = Number::combined(nodes.integral, vx_next * time_rate) + body.start[0];
-      y = Number::combined(nodes.integral, vy_next * time_rate) + body.start[1];
-      const double change = larger(magnitude(vx_next - vx), magnitude(vy_next - vy)).largest();
-      vx = vx_next;
-      vy = vy_next;
-      return change;
-    }
-    /// Squares of Legendre's coefficients of the velocity's slope by θ.
-    RUBATLAS_INLINE Number squares(const NodeTables& nodes, const Number& time_rate) const {
-      const Number along_x = Number::combined(nodes.legendre, ax * time_rate);
-      const Number along_y = Number::combined(nodes.legendre, ay * time_rate);
-      return along_x * along_x + along_y * along_y;
-    }
-    RUBATLAS_INLINE void store(Body& body) const {
-      x.store(body.x);
-      y.store(body.y);
-      vx.store(body.vx);
-      vy.store(body.vy);
-      ax.store(body.ax);
-      ay.store(body.ay);
-    }
-  };
-
   /// A blade in contact.
   struct Tip {
     const Blade* blade;
@@ -274,65 +155,8 @@ class Sweeps {
     Number square;
   };
 
-  [[nodiscard]] bool ring_moves() const {
-    return !kPlain && machine_.ring.moves;
-  }
-  [[nodiscard]] bool ripples() const {
-    return !kPlain && machine_.ripples();
-  }
-  [[nodiscard]] bool is_isotropic() const {
-    return kPlain || machine_.support.isotropic;
-  }
   [[nodiscard]] static bool yields(const Blade& blade) {
     return !kPlain && blade.yield_unit != 0.0;
-  }
-
-  RUBATLAS_INLINE Number elapsed() const {
-    return chord_time_ + deviation_ * interval_.normal.time;
-  }
-  RUBATLAS_INLINE Number angular_speed() const {
-    return kPlain ? Number(machine_.speed_ratio) : angular_speed_;
-  }
-  /// Shaft's centre and velocity as seen from the ring's.
-  RUBATLAS_INLINE Vector seen() const {
-    const Vector centre{shaft_.x, shaft_.y + machine_.misalignment};
-    return ring_moves() ? Vector{centre.x - ring_.x, centre.y - ring_.y} : centre;
-  }
-  RUBATLAS_INLINE Vector seen_velocity() const {
-    return ring_moves() ? Vector{shaft_.vx - ring_.vx, shaft_.vy - ring_.vy} : Vector{shaft_.vx, shaft_.vy};
-  }
-
-  /// Direction of the leading blade, and how fast it turns, at these times.
-  RUBATLAS_INLINE void take_direction(const Number& elapsed) {
-    const Machine& m = machine_;
-    Number angle = elapsed * m.speed_ratio;
-    angular_speed_ = m.speed_ratio;
-    if (ripples()) {
-      const Vector ripple = turned(interval_.ripple, elapsed * m.ripple.frequency);
-      angle = angle + (ripple.y - interval_.ripple[1]) * m.ripple.depth;
-      angular_speed_ = ripple.x * (m.speed_ratio * m.ripple.amplitude) + m.speed_ratio;
-    }
-    er_ = turned(interval_.blade, angle);
-  }
-  /// Adds the acceleration by the forcings to that of the shaft.
-  RUBATLAS_INLINE void add_forcings() {
-    const std::array<double, 2>& blade = interval_.blade;
-    for (std::size_t j = 0; j < machine_.forcing_count; ++j) {
-      const std::array<double, 2>& start = interval_.forcing[j];
-      const double frequency = machine_.frequency[j];
-      Vector term;
-      if (frequency == 0.0) {
-        term = {Number(start[0]), Number(start[1])};
-      } else if (frequency == machine_.speed_ratio && !ripples()) {
-        // It stands still against the blade.
-        term = offset_by(
-            er_, {start[0] * blade[0] + start[1] * blade[1], start[1] * blade[0] - start[0] * blade[1]});
-      } else {
-        term = turned(start, elapsed() * frequency);
-      }
-      shaft_.ax = shaft_.ax + term.x;
-      shaft_.ay = shaft_.ay + term.y;
-    }
   }
 
   /// Load, shortening and deflection of a tip, with their slopes unless those are kept.
@@ -402,10 +226,6 @@ class Sweeps {
     return {radial * er.x - tangential * er.y, radial * er.y + tangential * er.x};
   }
 
-  RUBATLAS_INLINE static Vector offset_by(const Vector& from, const std::array<double, 2>& offset) {
-    return {from.x * offset[0] - from.y * offset[1], from.y * offset[0] + from.x * offset[1]};
-  }
-
   /// The same for a further blade, with a step of its own: one of Newton's for p², of which h is nearly
   /// linear where the blade is hardly bent.
   template <bool kLight>
@@ -428,7 +248,6 @@ class Sweeps {
   /// then, and the solution does not depend on the slopes.
   template <bool kLight>
   RUBATLAS_INLINE double sweep() {
-    const Machine& m = machine_;
     const Interval& in = interval_;
     if constexpr (!kLight) take_direction(elapsed());
     const Bend bend = bend_of<kLight>(lead_, chord_argument_ + deviation_ * in.normal.argument);
@@ -444,38 +263,13 @@ class Sweeps {
     largest_step_ = magnitude(step).largest();
     const Number time_step = step * in.normal.time;
     const Vector er_before = er_;
-    if (ripples()) {
-      take_direction(elapsed());
-    } else {
-      er_ = Turn(time_step * m.speed_ratio)(er_);
-    }
+    turn_on(time_step);
     Vector push = push_of(lead_, bend, step * in.normal.argument, time_step, er_);
     for (std::size_t k = 0; k < in.further_count; ++k) {
       const Vector more = push_of_further<kLight>(k, er_before, time_step);
       push = {push.x + more.x, push.y + more.y};
     }
-    if (is_isotropic()) {
-      const double damping = 2.0 * m.damping_ratio;
-      shaft_.ax = (push.x - shaft_.x) - shaft_.vx * damping;
-      shaft_.ay = (push.y - shaft_.y) - shaft_.vy * damping;
-    } else {
-      const auto& [kxx, kxy, kyx, kyy] = m.support.stiffness;
-      const auto& [cxx, cxy, cyx, cyy] = m.support.damping;
-      shaft_.ax = (push.x - (shaft_.x * kxx + shaft_.y * kxy)) - (shaft_.vx * cxx + shaft_.vy * cxy);
-      shaft_.ay = (push.y - (shaft_.x * kyx + shaft_.y * kyy)) - (shaft_.vx * cyx + shaft_.vy * cyy);
-    }
-    add_forcings();
-
-    deviation_slope_ = Number::combined(nodes_.slope, deviation_);
-    time_rate_ = deviation_slope_ * in.normal.time + in.chord.time;
-    double change = shaft_.integrate(in.shaft, nodes_, time_rate_);
-    if (ring_moves()) {
-      const double share = -m.ring.force_unit / m.force_unit;
-      ring_.ax = (push.x * share - ring_.x * m.ring.stiffness) - ring_.vx * m.ring.damping;
-      ring_.ay = (push.y * share - ring_.y * m.ring.stiffness) - ring_.vy * m.ring.damping;
-      change = std::max(change, ring_.integrate(in.ring, nodes_, time_rate_));
-    }
-    return change;
+    return move(push);
   }
 
   /// g/Δ of a tip [m], as h = 0 has it. Next to the unbent blade δ and F/kr are Δ's share there.
@@ -505,16 +299,7 @@ class Sweeps {
 
   void store() const {
     Interval& in = interval_;
-    deviation_.store(in.deviation);
-    shaft_.store(in.shaft);
-    if (ring_moves()) ring_.store(in.ring);
-    elapsed().store(in.elapsed);
-    (chord_argument_ + deviation_ * in.normal.argument).store(in.argument);
-    time_rate_.store(in.time_slope);
-    (deviation_slope_ * in.normal.argument + in.chord.argument).store(in.argument_slope);
-    er_.x.store(in.blade_x);
-    er_.y.store(in.blade_y);
-    angular_speed().store(in.angular_speed);
+    store_motion();
     gap_measure_of(lead_, machine_.ring_radius).store(in.gap_measure);
     slip_velocity_of(lead_, er_).store(in.slip_velocity);
     for (std::size_t k = 0; k < in.further_count; ++k) {
@@ -522,32 +307,33 @@ class Sweeps {
       gap_measure_of(further_[k], machine_.ring_radius).store(in.further[k].gap_measure);
       slip_velocity_of(further_[k], offset_by(er_, in.further[k].offset)).store(in.further[k].slip_velocity);
     }
-    Number squares = shaft_.squares(nodes_, time_rate_);
-    if (ring_moves()) squares = squares + ring_.squares(nodes_, time_rate_);
-    root(squares).store(in.coefficients);
   }
 
-  const Contact& contact_;
-  const Machine& machine_;
-  const Closeness& closeness_;
-  Interval& interval_;
-  const NodeTables& nodes_;
-  Number chord_time_, chord_argument_;
-  Number deviation_, deviation_slope_, time_rate_;
-  Motion shaft_, ring_;
-  Vector er_;             ///< direction of the leading blade
-  Number angular_speed_;  ///< φ'
+  using Base::angular_speed;
+  using Base::chord_argument_;
+  using Base::deviation_;
+  using Base::elapsed;
+  using Base::er_;
+  using Base::interval_;
+  using Base::largest_step_;
+  using Base::machine_;
+  using Base::move;
+  using Base::offset_by;
+  using Base::seen;
+  using Base::seen_velocity;
+  using Base::store_motion;
+  using Base::take_direction;
+  using Base::turn_on;
+
   Tip lead_;
   std::array<FurtherTip, kMostFurther> further_;
   Number per_residual_;  ///< Newton's step along the normal for a residual of h
-  double largest_step_ = 0.0;
 };
 
 template <std::size_t kWidth>
 bool solved(const Contact& contact, const Closeness& closeness, Interval& interval) {
   const Machine& machine = *contact.machine;
-  bool plain = machine.support.isotropic && !machine.ripples() && !machine.ring.moves &&
-               contact.blade->yield_unit == 0.0;
+  bool plain = machine.is_plain() && contact.blade->yield_unit == 0.0;
   for (std::size_t k = 0; k < interval.further_count; ++k)
     plain = plain && interval.further[k].blade->yield_unit == 0.0;
   return plain ? Sweeps<kWidth, true>(contact, closeness, interval).solve()

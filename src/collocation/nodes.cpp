@@ -86,6 +86,13 @@ NodeTables make_tables() {
     tables.weight[i] = static_cast<double>(weight[i]);
     if (i > 0) tables.weight_among_nodes[i - 1] = static_cast<double>(weight[i] * place[i]);
   }
+  for (std::size_t j = 0; j < kNodes; ++j) {
+    Real value_at_start = 1;
+    for (std::size_t k = 0; k < kNodes; ++k) {
+      if (k != j) value_at_start *= at[k] / (at[k] - at[j]);
+    }
+    tables.value_at_start[j] = static_cast<double>(value_at_start);
+  }
   for (std::size_t j = 1; j < kPlaces; ++j) {
     for (std::size_t i = 1; i < kPlaces; ++i) {
       Real slope = 0;

@@ -39,6 +39,7 @@ struct NodeTables {
   AtPlaces place;              ///< θ of the places
   AtPlaces weight;             ///< barycentric weights of the places
   AtNodes weight_among_nodes;  ///< those of the nodes without the start
+  AtNodes value_at_start;      ///< at θ = 0 of the polynomials of degree 7 that are 1 at one node
 };
 const NodeTables& node_tables();
 

@@ -63,6 +63,10 @@ class Lanes {
   RUBATLAS_INLINE friend Lanes magnitude(const Lanes& a) {
     return of([&](std::size_t i) RUBATLAS_INLINED { return simd::abs(a.part_[i]); });
   }
+  /// The magnitude of a with the sign of b.
+  RUBATLAS_INLINE friend Lanes with_sign_of(const Lanes& a, const Lanes& b) {
+    return of([&](std::size_t i) RUBATLAS_INLINED { return simd::copysign(a.part_[i], b.part_[i]); });
+  }
   /// Without what follows the point. The numbers are within the range of an int.
   RUBATLAS_INLINE friend Lanes whole(const Lanes& a) {
     return of([&](std::size_t i) RUBATLAS_INLINED {

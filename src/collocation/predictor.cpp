@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <span>
 
 #include "blade/bending_table.hpp"
 #include "collocation/further_blades.hpp"
@@ -35,7 +37,8 @@ void Predictor::begin(const Start& start) {
   ring_ = {.acceleration = {start.ring_acceleration.real(), start.ring_acceleration.imag()}};
   const double speed = start.angular_speed;
   const rotor::State state = rotor::from_ring(start.bodies);
-  const contact::Geometry& geometry = start.law->geometry();
+  const contact::Geometry geometry{start.blade->reach, start.ring_radius};
+  lean_ = {start.bending.lean};
   const double rate = contact::gap_rate(geometry, start.pose, speed);
   const double curvature = contact::gap_curvature(
       geometry, start.direction, start.pose, {state[0], state[1] + rotor_->misalignment},
@@ -43,7 +46,7 @@ void Predictor::begin(const Start& start) {
   // Half of the contact, as far as the gap is a parabola: from its top to where it is closed.
   const double rate_at_end = std::sqrt(std::max(0.0, rate * rate - 2.0 * curvature * start.pose.gap));
   const double half = curvature < 0.0 ? std::min(-rate_at_end / curvature, kLongestHalf) : kLongestHalf;
-  if (start.argument > 0.0) {
+  if (start.bending.argument > 0.0) {
     begin_under_load(start, half);
   } else {
     begin_unloaded(start, half, rate, curvature);
@@ -55,31 +58,36 @@ void Predictor::begin_under_load(const Start& start, double half) {
   unit_length_ = 1.0;
   length_ = share_of_first_[1];
   curvature_ = 0.0;
-  const double argument_slope =
-      start.constraint.bending_slope * length_of(start.law->curve().load_angle(), start.bending);
-  const double norm = length_of(start.constraint.time_slope * time_unit_, argument_slope);
-  tangent_ = {-argument_slope / norm, start.constraint.time_slope * time_unit_ / norm};
+  const contact::BladeDirection& er = start.direction;
+  const std::complex<double> acceleration =
+      (start.shaft_acceleration - start.ring_acceleration) * std::complex<double>(er.cosine, -er.sine);
+  const ArcLaw::Tangent tangent = law_->tangent(start.touch, start.pose, start.angular_speed, acceleration);
+  const double time = tangent.time / time_unit_;
+  const double norm = length_of(time, tangent.argument);
+  tangent_ = {time / norm, tangent.argument / norm};
+  lean_.rate = tangent.lean / tangent.time;
 }
 
 /// `rate`, `curvature_of_gap`: dg/dτ, d²g/dτ².
 void Predictor::begin_unloaded(const Start& start, double half, double rate, double curvature_of_gap) {
   // The largest bending: the force takes away what the gap's rate has of energy, (dg/dτ)²/2, as the blade
   // follows the gap with ct as it is.
-  const contact::ElasticaContact& law = *start.law;
-  const double along = start.pose.radial + law.geometry().reach;
-  const double per_load = 2.0 * along * closing_unit_ * law.load_unit();
+  const Blade& blade = *start.blade;
+  const double along = start.pose.radial + blade.reach;
+  const double side = law_->side(start.touch) * start.pose.tangential;
+  const double per_load = 2.0 * along * closing_unit_ * blade.load_unit;
+  const std::span<const blade::BendingTable::Knot> knots = law_->knots();
   double energy = 0.5 * rate * rate;
-  double largest = law.curve().over_asinh().knots().back().argument;
+  double largest = knots.back().argument;
   double gap = 0.0;
   double load = 0.0;
   double argument = 0.0;
-  for (const blade::BendingTable::Knot& knot : law.curve().over_asinh().knots()) {
-    const double shortening = law.length() * knot.shortening;
-    const double deflection = law.length() * knot.deflection;
-    const double yielding = law.yield_unit() * knot.load;
-    const double next = shortening * (2.0 * along - shortening) +
-                        deflection * (2.0 * start.slip * start.pose.tangential - deflection) +
-                        yielding * (2.0 * law.geometry().ring_radius + yielding);
+  for (const blade::BendingTable::Knot& knot : knots) {
+    const double shortening = blade.length * knot.shortening;
+    const double deflection = blade.length * knot.deflection;
+    const double yielding = blade.yield_unit * knot.load;
+    const double next = shortening * (2.0 * along - shortening) + deflection * (2.0 * side - deflection) +
+                        yielding * (2.0 * start.ring_radius + yielding);
     const double taken = (0.5 * (load + knot.load) * per_load - curvature_of_gap) * (next - gap);
     if (taken > energy) {
       // In the first quarter of a piece energy grows as p⁴.
@@ -103,7 +111,7 @@ void Predictor::begin_unloaded(const Start& start, double half, double rate, dou
   length_ = share_of_first_[0] * unit_length_;
   tangent_ = {0.0, 1.0};
   // Near the touch-down g = dg/dτ τ = (g/Δ) Δ, with Δ ~ p².
-  const double deflection = deflection_per_square(law);
+  const double deflection = law_->deflection_per_square();
   constexpr double kSharpest = 3.0;
   curvature_ =
       -std::clamp(2.0 * start.gap_measure * deflection / (rate * time_unit_), 0.0, kSharpest / largest);
@@ -115,6 +123,14 @@ bool Predictor::is_too_short() const {
 
 void Predictor::begin_interval() {
   shortest_ = kShortest * length_;
+}
+
+void Predictor::guess_lean(Interval& next) const {
+  const AtNodes& node = node_tables().node;
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    const double elapsed = node[i] * next.chord.time + next.deviation[i] * next.normal.time;
+    next.lean[i] = lean_.value + elapsed * (lean_.rate + elapsed * lean_.half_curvature);
+  }
 }
 
 void Predictor::guess(Interval& next) {
@@ -145,12 +161,14 @@ void Predictor::guess(Interval& next) {
       const double down = -next.start_argument * node[i];
       next.deviation[i] = time_unit_ * down * (slope + 0.5 * bend * down);
     }
+    if (leans_) guess_lean(next);
     return;
   }
   next.chord = {time_unit_ * chord * direction.time, chord * direction.argument};
   next.normal = {-time_unit_ * direction.argument, direction.time};
   const double sagitta = -0.5 * curvature_ * chord * chord;
   for (std::size_t i = 0; i < kNodes; ++i) next.deviation[i] = sagitta * node[i] * (1.0 - node[i]);
+  if (leans_) guess_lean(next);
 }
 
 void Predictor::accepts(double error, const Interval* first) {
@@ -203,6 +221,17 @@ void Predictor::goes_on(const Interval& interval) {
   ring_.take(interval.ring, time_between);
   curvature_ = curvature_after + (curvature_after - curvature_before) * after / (before + after);
   tangent_ = last[2].tangent;
+  if (!leans_) return;
+  const auto lean_slope = [&](std::size_t node) {
+    return (interval.lean[node + 1] - interval.lean[node]) /
+           (interval.elapsed[node + 1] - interval.elapsed[node]);
+  };
+  const double lean_before = lean_slope(kNodes - 3);
+  const double lean_after = lean_slope(kNodes - 2);
+  lean_.value = interval.lean.at_end();
+  lean_.half_curvature =
+      (lean_after - lean_before) / (interval.elapsed[kNodes - 1] - interval.elapsed[kNodes - 3]);
+  lean_.rate = lean_after + lean_.half_curvature * time_between;
 }
 
 }  // namespace rubatlas::collocation

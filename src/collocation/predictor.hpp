@@ -9,8 +9,8 @@
 #include <complex>
 #include <limits>
 
+#include "collocation/arc_law.hpp"
 #include "collocation/interval.hpp"
-#include "contact/elastica_contact.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
 
@@ -21,26 +21,26 @@ class Predictor {
   static constexpr double kOrder = 9.0;  ///< with the length, of the error between the nodes
   static constexpr double kUnknownError = std::numeric_limits<double>::infinity();
 
-  /// The machine must outlive the predictor.
-  explicit Predictor(const rotor::Machine& machine) : rotor_(&machine.constants) {
+  /// Both must outlive the predictor.
+  Predictor(const rotor::Machine& machine, const ArcLaw& law)
+      : rotor_(&machine.constants), law_(&law), leans_(law.leans()) {
     closing_unit_ = rotor_->force_unit;
     if (const rotor::RingBody* ring = machine.ring_body()) closing_unit_ += ring->force_unit();
   }
 
   /// Where a blade takes the lead.
   struct Start {
-    const contact::ElasticaContact* law;
+    Touch touch;
+    const Blade* blade;
+    double ring_radius;    ///< R [m]
     double angular_speed;  ///< φ' [rad per unit τ]
     rotor::ShaftAndRing bodies;
-    contact::Pose pose;                       ///< of the blade
-    contact::BladeDirection direction;        ///< er
-    double slip;                              ///< s = ±1
-    double bending;                           ///< u
-    double argument;                          ///< p
+    contact::Pose pose;                 ///< of the blade
+    contact::BladeDirection direction;  ///< er
+    Bending bending;
     double gap_measure;                       ///< g/Δ [m]
     std::complex<double> shaft_acceleration;  ///< z'' [m per unit τ²]
     std::complex<double> ring_acceleration;   ///< r'' [m per unit τ²]
-    contact::Constraint constraint;
   };
   void begin(const Start& start);
   /// Times and gaps of so short a contact are rounding.
@@ -68,9 +68,12 @@ class Predictor {
     double argument;
   };
   void begin_under_load(const Start& start, double half);
+  void guess_lean(Interval& next) const;
   void begin_unloaded(const Start& start, double half, double rate, double curvature_of_gap);
 
   const rotor::RotorConstants* rotor_;
+  const ArcLaw* law_;
+  bool leans_;
   double closing_unit_;       ///< acceleration between shaft and ring of one newton [m/N]
   double time_unit_ = 1.0;    ///< T
   Tangent tangent_{};         ///< where the next interval starts
@@ -87,6 +90,12 @@ class Predictor {
     std::array<double, 2> jerk{};
     void take(const Body& body, double time_between);
   } shaft_, ring_;  ///< second and third ones there
+  /// Of the time since the start of the next interval.
+  struct Lean {
+    double value = 0.0;
+    double rate = 0.0;
+    double half_curvature = 0.0;
+  } lean_;
 };
 
 }  // namespace rubatlas::collocation

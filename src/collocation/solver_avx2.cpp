@@ -1,13 +1,15 @@
 // Four numbers in a register.
 
 #ifdef __AVX2__
+#include "collocation/inclined_sweeps.hpp"
 #include "collocation/interval_bounds.hpp"
 #include "collocation/interval_sweeps.hpp"
 
 namespace rubatlas::collocation {
 
 IntervalSolver solver_avx2() {
-  return {solved<4>, bounds_of<4>, largest_gap_of<4>};
+  return {solved<4>,    inclined_solved<4>,    inclined_branch<4>,
+          bounds_of<4>, inclined_bounds_of<4>, largest_gap_of<4>};
 }
 
 }  // namespace rubatlas::collocation

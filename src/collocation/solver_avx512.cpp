@@ -1,13 +1,15 @@
 // Eight numbers in a register.
 
 #ifdef __AVX512DQ__
+#include "collocation/inclined_sweeps.hpp"
 #include "collocation/interval_bounds.hpp"
 #include "collocation/interval_sweeps.hpp"
 
 namespace rubatlas::collocation {
 
 IntervalSolver solver_avx512() {
-  return {solved<8>, bounds_of<8>, largest_gap_of<8>};
+  return {solved<8>,    inclined_solved<8>,    inclined_branch<8>,
+          bounds_of<8>, inclined_bounds_of<8>, largest_gap_of<8>};
 }
 
 }  // namespace rubatlas::collocation

@@ -65,9 +65,11 @@ class DirectedElastica {
   /// The law of one blade: the same for all.
   using OfBlade = DirectedElastica;
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
+  [[nodiscard]] LoadDirection direction() const { return direction_; }
   [[nodiscard]] const FrictionLaw& friction() const { return friction_; }
-  [[nodiscard]] double length() const { return length_; }        ///< L [m]
-  [[nodiscard]] double load_unit() const { return load_unit_; }  ///< EI / L² [N]
+  [[nodiscard]] double length() const { return length_; }            ///< L [m]
+  [[nodiscard]] double load_unit() const { return load_unit_; }      ///< EI / L² [N]
+  [[nodiscard]] double strain_unit() const { return strain_unit_; }  ///< h / (2 L) [-]
   /// How often equilibria have been evaluated.
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
   /// The same blade, shorter at its tip by `lost` [m].

@@ -102,6 +102,8 @@ class VelocityFriction {
 
   explicit VelocityFriction(const RegularisedFriction& law) : law_(law) {}
   explicit VelocityFriction(const StribeckFriction& law) : law_(law) {}
+  using Law = std::variant<RegularisedFriction, StribeckFriction>;
+  [[nodiscard]] const Law& law() const { return law_; }
   [[nodiscard]] double largest() const {
     return std::visit([](const auto& law) { return law.largest(); }, law_);
   }
@@ -113,7 +115,7 @@ class VelocityFriction {
   }
 
  private:
-  std::variant<RegularisedFriction, StribeckFriction> law_;
+  Law law_;
 };
 
 }  // namespace rubatlas::contact

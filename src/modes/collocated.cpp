@@ -1,5 +1,7 @@
 #include "modes/collocated.hpp"
+
 #include <algorithm>
+#include <cstdint>
 
 #include "modes/contact_force.hpp"
 #include "modes/tip_of.hpp"
@@ -7,18 +9,34 @@
 namespace rubatlas::modes {
 
 bool Collocated::start(double time, const Bodies& state, const std::vector<OpenContact>& contacts) {
-  if (contacts.size() > kMostContacts) return false;
+  if (contacts.size() > most_contacts()) return false;
   contacts_ = contacts;
+  start_ = state;
+  start_time_ = time;
   pending_ = false;
   most_bent_.fill(std::nullopt);
-  std::array<collocation::Touch, kMostContacts> touching{};
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    touching[i] = {contacts[i].blade, contacts[i].slip, contacts[i].bending};
-  arc_.begin(time, state, std::span(touching).first(contacts.size()));
+  const std::uint64_t evaluations = law_->evaluations();
+  std::array<collocation::Touch, 1 + collocation::kMostFurther> touching{};
+  stands_ = true;
+  for (std::size_t i = 0; i < contacts.size() && stands_; ++i) {
+    const OpenContact& open = contacts[i];
+    Point there;
+    there.time = time;
+    there.bodies = state;
+    const contact::Pose at = pose(open.blade, there);
+    const auto touch =
+        law_->open({open.blade, open.slip, open.bending, open.bend}, at, blades_->angular_speed(time));
+    stands_ = touch.has_value();
+    if (touch) touching[i] = *touch;
+  }
+  meter_->spend(Work::contact,
+                static_cast<std::int64_t>(law_->evaluations() - evaluations) * WorkPrice::kInclinedCurve);
+  if (stands_) arc_.begin(time, state, std::span(touching).first(contacts.size()));
   return true;
 }
 
 ModeEnd Collocated::advance(double until, MotionListener& listener) {
+  if (!stands_) return {Guard::hands_over, contacts_.front().blade};
   while (true) {
     if (pending_) {
       const double end = arc_.end().time;
@@ -50,9 +68,11 @@ ModeEnd Collocated::end_of_arc() const {
       return {Guard::touch_down, blade};
     case Reason::slip_reversal:
       return {Guard::slip_reversal, blade};
+    case Reason::chart_end:
+      return {Guard::snap, blade};
     case Reason::fold:
       // What follows on another branch is for the motion to find.
-      return {laws_->of(blade).has_branches() ? Guard::snap : Guard::lift_off, blade};
+      return {law_->has_branches(blade) ? Guard::snap : Guard::lift_off, blade};
     default:
       return {Guard::lift_off, blade};
   }
@@ -65,16 +85,19 @@ void Collocated::shift_time(double period) {
 }
 
 Collocated::FullState Collocated::end_state() const {
+  if (!stands_) return rotor::full_state(start_, start_time_, contacts_.front().bending);
   const auto& end = arc_.end();
-  return rotor::full_state(end.bodies, end.time, arc_.bending(arc_.leader(), end.argument));
+  return rotor::full_state(end.bodies, end.time, arc_.touch_of(arc_.leader(), end).bending);
 }
 OpenContact Collocated::contact_in(std::size_t contact, const Point& point) const {
   OpenContact open = contacts_[contact];
-  open.bending = arc_.bending(open.blade, arc_.argument_of(open.blade, point));
+  const collocation::Touch touch = arc_.touch_of(open.blade, point);
+  open.bending = touch.bending;
+  open.bend = touch.bend;
   return open;
 }
 OpenContact Collocated::contact_at_end(std::size_t contact) const {
-  return contact_in(contact, arc_.end());
+  return stands_ ? contact_in(contact, arc_.end()) : contacts_[contact];
 }
 OpenContact Collocated::contact_at(std::size_t contact, double time) const {
   return contact_in(contact, arc_.point_at(arc_.fraction_at(time)));
@@ -94,14 +117,11 @@ double Collocated::largest_displacement(double known, double /*speed_ratio*/) {
 }
 
 contact::Pose Collocated::pose(int blade, const Point& point, const contact::BladeDirection& er) const {
-  return rotor::pose_of(*rotor_, laws_->of(blade).geometry(), er, rotor::from_ring(point.bodies));
+  return rotor::pose_of(*rotor_, law_->geometry(blade), er, rotor::from_ring(point.bodies));
 }
 contact::TipForce Collocated::force(std::size_t contact, const Point& point) const {
-  const OpenContact open = contact_in(contact, point);
-  return force(open, pose(open.blade, point), point.time);
-}
-contact::TipForce Collocated::force(const OpenContact& open, const contact::Pose& at, double time) const {
-  return laws_->of(open.blade).constraint(at, open.slip, open.bending, blades_->angular_speed(time)).force;
+  const int number = blade(contact);
+  return law_->force(arc_.touch_of(number, point), pose(number, point), blades_->angular_speed(point.time));
 }
 double Collocated::normal_force(std::size_t contact, double time) {
   return force(contact, arc_.solved_at(time)).normal;
@@ -113,16 +133,16 @@ trajectory::ContactForce Collocated::contact_force(std::size_t contact, double t
   return contact_force(contact, arc_.solved_at(time));
 }
 trajectory::ContactForce Collocated::contact_force(std::size_t contact, const Point& point) const {
-  const OpenContact open = contact_in(contact, point);
-  const contact::BladeDirection er = direction(open.blade, point.time);
-  const contact::Pose at = pose(open.blade, point, er);
-  const contact::TipForce tip_force = force(open, at, point.time);
-  const double coefficient = friction_coefficient(laws_->of(open.blade), tip_force, open.slip);
-  return modes::contact_force(tip_force, {open.slip, coefficient}, er, at,
-                              blades_->angular_speed(point.time));
+  const collocation::Touch touch = arc_.touch_of(blade(contact), point);
+  const contact::BladeDirection er = direction(touch.blade, point.time);
+  const contact::Pose at = pose(touch.blade, point, er);
+  const double speed = blades_->angular_speed(point.time);
+  const contact::TipForce tip_force = law_->force(touch, at, speed);
+  return modes::contact_force(tip_force, {touch.slip, law_->friction_coefficient(touch, tip_force)}, er, at,
+                              speed);
 }
 trajectory::Tip Collocated::tip(int blade, const Point& point) const {
-  return tip_of(laws_->of(blade).geometry(), pose(blade, point), blades_->angular_speed(point.time));
+  return tip_of(law_->geometry(blade), pose(blade, point), blades_->angular_speed(point.time));
 }
 trajectory::Tip Collocated::tip(int blade, double time) {
   return tip(blade, arc_.solved_at(time));
@@ -131,7 +151,7 @@ trajectory::Tip Collocated::tip(int blade, double time) {
 std::optional<trajectory::Pass> Collocated::nearest_pass(double known,
                                                          const trajectory::PointConstants& point) {
   if (!is_whole()) return MotionPiece::nearest_pass(known, point);
-  const double radius = laws_->of(0).geometry().ring_radius;
+  const double radius = law_->geometry(0).ring_radius;
   const auto gap_at = [&](double miss) { return miss * (miss - 2.0 * radius); };
   std::optional<trajectory::Pass> nearest;
   if (arc_.gap_bound_of_others() <= gap_at(std::min(known, radius))) return nearest;
@@ -155,7 +175,7 @@ trajectory::Tip Collocated::deepest(std::size_t contact, double enough) {
   if (at_end.rate >= 0.0) return at_end;
   const auto top = arc_.top_of_tip(number);
   if (!top) return at_end;
-  const bool deep = top->gap > enough * (enough + 2.0 * laws_->of(0).geometry().ring_radius);
+  const bool deep = top->gap > enough * (enough + 2.0 * law_->geometry(0).ring_radius);
   return tip(number, deep ? arc_.point_at(top->fraction) : arc_.solved_at_fraction(top->fraction));
 }
 
@@ -178,7 +198,7 @@ Collocated::Point Collocated::place_on_path(double share, trajectory::PathPoint&
   const double length = to - from;
   const double fraction = from + share * length;
   Point there = arc_.point_at(fraction);
-  const collocation::Interval::Direction rate = arc_.direction_at(fraction);
+  const collocation::ArcLaw::Tangent rate = arc_.direction_at(fraction);
   point.time = there.time;
   point.time_rate = length * rate.time;
   point.state = rotor::as_array(rotor::shaft(there.bodies));
@@ -187,15 +207,32 @@ Collocated::Point Collocated::place_on_path(double share, trajectory::PathPoint&
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const OpenContact open = contact_in(i, there);
     const bool leads = open.blade == arc_.leader();
-    const double bending_rate = leads ? length * rate.argument * arc_.bending_slope(there.argument) : 0.0;
-    point.contacts.push_back({open.blade, open.slip, open.bending, bending_rate, leads});
+    const collocation::ArcLaw::Rates rates =
+        leads ? law_->rates(there.bending, rate) : collocation::ArcLaw::Rates{};
+    point.contacts.push_back({open.blade, open.slip, open.bending, length * rates.bending, leads,
+                              open.bend.modulus, open.bend.amplitude, length * rates.modulus,
+                              length * rates.amplitude});
   }
   return there;
 }
 
-/// Force and strain grow with the bending, so that a blade that is bent less than where its load was known
-/// need not be looked at.
+/// Under an inclined load neither need follow the bending.
+Collocated::LargestLoad Collocated::largest_kept(trajectory::Load load, std::size_t contact, double known) {
+  using collocation::Interval;
+  const bool of_force = load == trajectory::Load::normal_force;
+  const auto there = of_force ? arc_.most_loaded(&Interval::normal_force, &Interval::start_force,
+                                                 piece_begin_, piece_end_, known)
+                              : arc_.most_loaded(&Interval::root_strain, &Interval::start_strain,
+                                                 piece_begin_, piece_end_, known);
+  if (!there) return {piece_begin_, known};
+  const contact::TipForce force_there = force(contact, *there);
+  return {there->time, of_force ? force_there.normal : force_there.root_strain};
+}
+
+/// Force and strain grow with the bending under an axial load, so that a blade that is bent less than where
+/// its load was known need not be looked at.
 Collocated::LargestLoad Collocated::largest(trajectory::Load load, std::size_t contact, double known) {
+  if (law_->leans()) return largest_kept(load, contact, known);
   const auto value = [load](const MostBent& at) {
     return load == trajectory::Load::normal_force ? at.force.normal : at.force.root_strain;
   };
@@ -207,7 +244,7 @@ Collocated::LargestLoad Collocated::largest(trajectory::Load load, std::size_t c
     const double known_argument = is_known ? of_blade->argument : 0.0;
     const auto there = arc_.most_bent(number, piece_begin_, piece_end_, known_argument);
     if (!there) return {piece_begin_, known};
-    most = {there->time, arc_.argument_of(number, *there), force(contact, *there)};
+    most = {there->time, arc_.bending_of(number, *there).argument, force(contact, *there)};
     if (!of_blade || most->argument > of_blade->argument) of_blade = most;
   }
   return {most->time, value(*most)};

@@ -4,11 +4,15 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "collocation/arc_law.hpp"
 #include "collocation/contact_arc.hpp"
 #include "modes/contact_mode.hpp"
 #include "modes/guard_search.hpp"
@@ -22,23 +26,24 @@ namespace rubatlas::modes {
 
 class Collocated final : public trajectory::MotionPiece {
  public:
-  using Laws = collocation::ContactArc::Laws;
   using Bodies = rotor::ShaftAndRing;
   using FullState = rotor::RingContactState;
 
-  /// All outlive the mode. μ > 0: the column has no p.
-  Collocated(const rotor::Machine& machine, const Laws& laws, const ContactLimits& limits, WorkMeter& meter)
-      : laws_(&laws),
+  /// The machine and the meter outlive the mode.
+  Collocated(const rotor::Machine& machine, std::unique_ptr<collocation::ArcLaw> law, double tolerance,
+             WorkMeter& meter)
+      : law_(std::move(law)),
         blades_(&machine.blades),
         rotor_(&machine.constants),
         meter_(&meter),
-        arc_(machine, laws, {limits.tolerance, limits.max_shortening}),
+        arc_(machine, *law_, tolerance),
         most_bent_of_blades_(static_cast<std::size_t>(blades_->count())) {}
 
   /// So many blades may touch.
-  static constexpr std::size_t kMostContacts = 1 + collocation::kMostFurther;
+  [[nodiscard]] std::size_t most_contacts() const { return law_->most_contacts(); }
 
-  /// Starts at time τ of the revolution. False where more blades touch.
+  /// Starts at time τ of the revolution. Where a blade has no equilibrium the contacts are handed over at
+  /// once. False where more blades touch.
   bool start(double time, const Bodies& state, const std::vector<OpenContact>& contacts);
   /// Why it could not start: that is for another mode to find.
   [[nodiscard]] static ending::StatusDetail refusal() { return ending::StatusDetail::none; }
@@ -100,18 +105,21 @@ class Collocated final : public trajectory::MotionPiece {
     return piece_begin_ == arc_.start().time && piece_end_ == arc_.end().time;
   }
   [[nodiscard]] contact::TipForce force(std::size_t contact, const Point& point) const;
-  [[nodiscard]] contact::TipForce force(const OpenContact& open, const contact::Pose& at, double time) const;
   [[nodiscard]] OpenContact contact_in(std::size_t contact, const Point& point) const;
+  [[nodiscard]] LargestLoad largest_kept(trajectory::Load load, std::size_t contact, double known);
   [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, const Point& point) const;
   /// The place on the interval at a share of the piece, which goes into `point` too.
   Point place_on_path(double share, trajectory::PathPoint& point);
 
-  const Laws* laws_;
+  std::unique_ptr<collocation::ArcLaw> law_;
   const rotor::RipplingBlades* blades_;
   const rotor::RotorConstants* rotor_;
   WorkMeter* meter_;
   collocation::ContactArc arc_;
   std::vector<OpenContact> contacts_;
+  Bodies start_ = Bodies::Zero();
+  double start_time_ = 0.0;
+  bool stands_ = false;   ///< the blades stand on an arc; else the contacts are handed over where they begin
   bool pending_ = false;  ///< an interval has been made and not been recorded to its end
   double piece_begin_ = 0.0;
   double piece_end_ = 0.0;
@@ -126,7 +134,8 @@ class Collocated final : public trajectory::MotionPiece {
     double argument;  ///< p
     contact::TipForce force;
   };
-  std::array<std::optional<MostBent>, kMostContacts> most_bent_;  ///< in the piece, once they are asked for
+  std::array<std::optional<MostBent>, 1 + collocation::kMostFurther>
+      most_bent_;                                             ///< in the piece, once they are asked for
   std::vector<std::optional<MostBent>> most_bent_of_blades_;  ///< in the pieces that have been asked for it
 };
 

@@ -6,11 +6,21 @@
 
 #include "modes/contact_phase.hpp"
 #include "motion/contact_reset.hpp"
+#include "rotor/any_shaft.hpp"
+#include "rotor/bodies.hpp"
 
 namespace rubatlas::motion {
 
 template <class Law, class Forcing, class Pair, class Blades>
 struct ModesOf;
+
+/// Machines of which collocation knows the equations.
+template <class Forcing>
+inline constexpr bool kCollocatesOn = false;
+template <>
+inline constexpr bool kCollocatesOn<rotor::AnyShaft> = true;
+template <>
+inline constexpr bool kCollocatesOn<rotor::WithRingBody<rotor::AnyShaft>> = true;
 
 /// What all kinds have. A specialisation adds its mode for any contacts, `Solved`, and says which of the
 /// other modes it has.

@@ -1,6 +1,9 @@
 /// Modes of elastic blades under an axial load, which have one unknown, the bending parameter u.
 #pragma once
 
+#include <memory>
+
+#include "collocation/axial_law.hpp"
 #include "modes/carried.hpp"
 #include "modes/collocated.hpp"
 #include "modes/skimming.hpp"
@@ -9,21 +12,19 @@
 
 namespace rubatlas::motion {
 
-/// Machines of which collocation knows the equations.
-template <class Forcing>
-inline constexpr bool kCollocatesOn = false;
-template <>
-inline constexpr bool kCollocatesOn<rotor::AnyShaft> = true;
-template <>
-inline constexpr bool kCollocatesOn<rotor::WithRingBody<rotor::AnyShaft>> = true;
-
 template <class Law, class Forcing, class Pair, class Blades>
 requires Law::kHasBending struct ModesOf<Law, Forcing, Pair, Blades>
     : ModesWithRest<Law, Forcing, Pair, Blades> {
   static constexpr bool kCollocates = kCollocatesOn<Forcing> &&
-                                      std::is_same_v<Law, modes::Collocated::Laws> &&
+                                      std::is_same_v<Law, collocation::AxialLaw::Laws> &&
                                       std::is_same_v<Blades, rotor::RipplingBlades>;
   using Collocated = modes::Collocated;
+  /// None of the column (μ = 0), which has no argument p.
+  static std::unique_ptr<collocation::ArcLaw> arc_law(const Law& law, int blade_count,
+                                                      double max_shortening) {
+    if (!(law.of(0).curve().load_angle() > 0.0)) return nullptr;
+    return std::make_unique<collocation::AxialLaw>(law, blade_count, max_shortening);
+  }
   static constexpr bool kCarries = true;
   using Carried = modes::Carried<Law, Forcing, Blades>;
   using Skimming = modes::Skimming<Law, Forcing, Blades>;

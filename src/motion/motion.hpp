@@ -58,9 +58,8 @@ class Motion {
         resting_judge_(made<decltype(resting_judge_)>(resting_law_ ? &*resting_law_ : nullptr)),
         resting_(made<decltype(resting_)>(resting_law_ ? &*resting_law_ : nullptr)) {
     if constexpr (Modes::kCollocates) {
-      // The column (μ = 0) has no argument p.
-      if (collocates && law_.of(0).curve().load_angle() > 0.0)
-        collocated_.emplace(machine_, law_, limits_, meter_);
+      auto arc_law = collocates ? Modes::arc_law(law_, blades_.count(), limits_.max_shortening) : nullptr;
+      if (arc_law) collocated_.emplace(machine_, std::move(arc_law), limits_.tolerance, meter_);
     }
     contacts_.reserve(static_cast<std::size_t>(blades_.count()));
   }
@@ -368,21 +367,25 @@ class Motion {
       }
     }
     if constexpr (Modes::kCollocates) {
-      const bool few = contacts_.size() > 1 && contacts_.size() <= Modes::Collocated::kMostContacts;
-      if (collocated_ && few && !handed_over_ && all_follow())
-        return begin_in(Mode::collocated, *collocated_, contacts_);
+      const bool few = (contacts_.size() > 1 || !Modes::kCarries) && collocated_ &&
+                       contacts_.size() <= collocated_->most_contacts();
+      if (few && !handed_over_ && all_follow()) return begin_in(Mode::collocated, *collocated_, contacts_);
     }
     return begin_in(Mode::solved, solved_, contacts_);
   }
 
   /// Finds the bending of all contacts, from where another mode has left it. False where one has no force.
   [[nodiscard]] bool all_follow() {
-    return std::ranges::all_of(contacts_, [&](modes::OpenContact& open) {
-      if (open.bending == 0.0) return true;
-      const auto root = Reset::follow(law_.of(open.blade), place(open.blade), open);
-      if (root) open.bending = *root;
-      return root.has_value();
-    });
+    if constexpr (Reset::kCarries) {
+      return std::ranges::all_of(contacts_, [&](modes::OpenContact& open) {
+        if (open.bending == 0.0) return true;
+        const auto root = Reset::follow(law_.of(open.blade), place(open.blade), open);
+        if (root) open.bending = *root;
+        return root.has_value();
+      });
+    } else {
+      return true;  // the mode finds where they stand
+    }
   }
 
   /// Whether the one blade in contact has just touched down, would hop less high than the tolerated error,

@@ -4,20 +4,22 @@
 #include <optional>
 #include <vector>
 
+#include "collocation/axial_law.hpp"
 #include "collocation/contact_arc.hpp"
 #include "rotor/machine.hpp"
 
 namespace rubatlas::test {
 
 struct ArcOfRotor {
-  /// `unbalance`: null where none acts.
+  /// `unbalance`: null where none acts. `tolerance` [m].
   ArcOfRotor(const rotor::RotorConstants& rotor, int blade_count, const contact::ElasticaContact& law,
-             const rotor::Harmonic* unbalance, const collocation::ContactArc::Limits& limits)
+             const rotor::Harmonic* unbalance, double tolerance)
       : machine(rotor::machine_of(rotor, rotor::BladeSet(blade_count, rotor.speed_ratio),
                                   rotor::Harmonics(unbalance != nullptr ? std::vector{*unbalance}
                                                                         : std::vector<rotor::Harmonic>{}))),
         laws(std::vector(static_cast<std::size_t>(blade_count), law)),
-        arc(machine, laws, limits) {}
+        law_of_arc(laws, blade_count, kMaxShortening),
+        arc(machine, law_of_arc, tolerance) {}
   ArcOfRotor(const ArcOfRotor&) = delete;
   ArcOfRotor& operator=(const ArcOfRotor&) = delete;
 
@@ -32,7 +34,9 @@ struct ArcOfRotor {
   [[nodiscard]] rotor::State end_state() const { return rotor::shaft(arc.end().bodies); }
 
   rotor::Machine machine;
-  collocation::ContactArc::Laws laws;
+  static constexpr double kMaxShortening = 0.5;
+  collocation::AxialLaw::Laws laws;
+  collocation::AxialLaw law_of_arc;
   collocation::ContactArc arc;
 };
 

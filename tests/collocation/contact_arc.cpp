@@ -127,7 +127,7 @@ struct Solved {
 /// The contact by collocation, where it begins.
 std::unique_ptr<ArcOfRotor> arc_of(const Machine& m, const Contact& contact, double tolerance) {
   auto arc = std::make_unique<ArcOfRotor>(m.rotor, m.blades.count(), m.law, m.unbalance.get(),
-                                          ContactArc::Limits{tolerance * kClearance, 0.5});
+                                          tolerance * kClearance);
   const modes::Event& start = contact.start;
   const auto pose = rotor::pose_of(m.rotor, m.law.geometry(),
                                    m.blades.direction(start.blade, m.blades.first(start.time)), start.state);
@@ -393,7 +393,7 @@ TEST(ContactArc, SlipVelocitiesAreThoseOfTheStatesThatAreFound) {
     const auto er = m.blades.direction(blade, m.blades.first(arc.end().time));
     const auto pose = rotor::pose_of(m.rotor, m.law.geometry(), er, rotor::shaft(arc.end().bodies));
     const auto there =
-        m.law.constraint(pose, slip, arc.bending(blade, arc.end().argument), m.rotor.speed_ratio);
+        m.law.constraint(pose, slip, arc.touch_of(blade, arc.end()).bending, m.rotor.speed_ratio);
     largest = std::max(largest, std::abs(arc.slip_velocity() - there.force.slip_velocity));
   });
   EXPECT_LE(largest, 1e-9 * kClearance);

@@ -90,11 +90,13 @@ TEST(IntervalSamples, TheLargestValueIsFoundWhereverItLies) {
 }
 
 TEST(IntervalSamples, AStretchStartsFromTheIntervalsPolynomials) {
+  const collocation::Machine machine{};
+  const collocation::Contact contact{&machine, nullptr, 1.0};
   const Interval interval = swing_with_top({0.5}, 0.1, 2.0);
   // Up to 1 the nodes of the stretch are those of the interval.
   for (const double fraction : {1e-3, 0.3, 0.77, 1.0}) {
     Interval stretch;
-    read_stretch(interval, false, fraction, stretch);
+    read_stretch(contact, interval, fraction, stretch);
     for (std::size_t i = 0; i < kNodes; ++i) {
       const AtPlaces basis = basis_at(fraction * node_tables().node[i]);
       EXPECT_NEAR(stretch.shaft.x[i],

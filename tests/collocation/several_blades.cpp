@@ -74,8 +74,7 @@ struct Outcome {
 };
 
 Outcome solve(const Rotor& rotor, const Phase& phase, double tolerance) {
-  ArcOfRotor held(rotor.constants, rotor.blades.count(), rotor.law, nullptr,
-                  {tolerance * kClearanceOfSeveral, 0.5});
+  ArcOfRotor held(rotor.constants, rotor.blades.count(), rotor.law, nullptr, tolerance * kClearanceOfSeveral);
   ContactArc& arc = held.arc;
   std::vector<Touch> touching = phase.touching;
   for (Touch& touch : touching) {

@@ -1,0 +1,100 @@
+/// What an arc asks of a law of contact: the equations of an interval, and what is known where a blade takes
+/// the lead. Speeds are φ' of the hub [rad per unit τ].
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "blade/bending_table.hpp"
+#include "collocation/further_blades.hpp"
+#include "collocation/interval.hpp"
+#include "contact/pose.hpp"
+
+namespace rubatlas::collocation {
+
+/// How far a blade is bent, as coordinates of the arc.
+struct Bending {
+  double argument = 0.0;  ///< p
+  double lean = 0.0;      ///< l, of a blade under an inclined load
+};
+
+class ArcLaw {
+ public:
+  ArcLaw() = default;
+  ArcLaw(const ArcLaw&) = delete;
+  ArcLaw& operator=(const ArcLaw&) = delete;
+  virtual ~ArcLaw() = default;
+
+  /// So many blades may touch at once.
+  [[nodiscard]] virtual std::size_t most_contacts() const = 0;
+  [[nodiscard]] virtual Blade numbers(int blade) const = 0;
+  [[nodiscard]] virtual contact::Geometry geometry(int blade) const = 0;
+  /// Friction takes its sign from s, so that a reversal of the slip is an event.
+  [[nodiscard]] virtual bool has_slip_state() const = 0;
+  /// The lean of the load is an unknown.
+  [[nodiscard]] virtual bool leans() const = 0;
+  /// A contact goes on beyond the ring while it has a force.
+  [[nodiscard]] virtual bool releases_at_fold(int blade) const = 0;
+  /// Where the equilibria end in a fold, the blade may snap to others.
+  [[nodiscard]] virtual bool has_branches(int blade) const = 0;
+  /// What `Bounds::argument` is to stay below.
+  [[nodiscard]] virtual double valid_argument(int blade) const = 0;
+
+  /// A contact as it goes on where its blade stands, or as it opens there. None where the blade has no
+  /// equilibrium.
+  [[nodiscard]] virtual std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
+                                                  double speed) const = 0;
+  /// How often equilibria have been evaluated to find those.
+  [[nodiscard]] virtual std::uint64_t evaluations() const { return 0; }
+
+  /// This contact leads. Gives how far its blade is bent.
+  virtual Bending lead(const Touch& touch) = 0;
+  /// How far a further blade is bent.
+  [[nodiscard]] virtual double argument(const Touch& touch) const = 0;
+  /// ±1: to which side a blade is bent.
+  [[nodiscard]] virtual double side(const Touch& touch) const = 0;
+  /// Of the leading blade, where it takes the lead.
+  struct Start {
+    contact::TipForce force;
+    double gap_measure;  ///< g/Δ [m]
+    double chart_left;   ///< `InclinedLoad::chart_left`, of a blade under an inclined load
+  };
+  [[nodiscard]] virtual Start start(const Touch& touch, const contact::Pose& at, double speed) const = 0;
+  /// Where the arc leads from there, for a blade that is bent: dτ, dp and dl, of any length.
+  /// `acceleration`: of the shaft, seen from the ring, along (real) and across the blade [m per unit τ²].
+  struct Tangent {
+    double time, argument, lean;
+  };
+  [[nodiscard]] virtual Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
+                                        const std::complex<double>& acceleration) const = 0;
+  /// The leading blade's curve from the unbent blade on, roughly, with ends of pieces in p.
+  [[nodiscard]] virtual std::span<const blade::BendingTable::Knot> knots() const = 0;
+  /// Δ/p² [m] of the leading blade where it is hardly bent.
+  [[nodiscard]] virtual double deflection_per_square() const = 0;
+  /// A further blade, where another one takes the lead; only where several may touch.
+  [[nodiscard]] virtual FurtherStart further(const Touch& touch, const contact::Pose& at,
+                                             double speed) const = 0;
+
+  [[nodiscard]] virtual bool solve(const Contact& contact, const Closeness& closeness,
+                                   Interval& interval) const = 0;
+  [[nodiscard]] virtual Bounds bounds(const Contact& contact, const Interval& interval) const = 0;
+
+  /// The contact of a blade that is bent so.
+  [[nodiscard]] virtual Touch touch(int blade, double slip, const Bending& bending) const = 0;
+  /// Its force, and c [-].
+  [[nodiscard]] virtual contact::TipForce force(const Touch& touch, const contact::Pose& at,
+                                                double speed) const = 0;
+  [[nodiscard]] virtual double friction_coefficient(const Touch& touch,
+                                                    const contact::TipForce& force) const = 0;
+  /// Rates of what the leading blade is bent by, from those of the arc.
+  struct Rates {
+    double bending = 0.0;                   ///< of u
+    double modulus = 0.0, amplitude = 0.0;  ///< of κ and φ
+  };
+  [[nodiscard]] virtual Rates rates(const Bending& bending, const Tangent& along) const = 0;
+};
+
+}  // namespace rubatlas::collocation

@@ -1,0 +1,48 @@
+#include "collocation/axial_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace rubatlas::collocation {
+
+AxialLaw::AxialLaw(const Laws& laws, int blade_count, double max_shortening)
+    : laws_(&laws), solver_(interval_solver()) {
+  for (int k = 0; k < blade_count; ++k) {
+    const auto& knots = table(k).knots();
+    const auto beyond = std::find_if(knots.begin(), knots.end(), [&](const blade::BendingTable::Knot& knot) {
+      return knot.shortening > max_shortening;
+    });
+    valid_argument_.push_back(beyond == knots.begin() ? 0.0 : std::prev(beyond)->argument);
+  }
+}
+
+Blade AxialLaw::numbers(int blade) const {
+  const contact::ElasticaContact& law = laws_->of(blade);
+  return {.table = &table(blade),
+          .reach = law.geometry().reach,
+          .closing = law.geometry().closing(),
+          .length = law.length(),
+          .load_unit = law.load_unit(),
+          .friction = law.curve().friction(),
+          .yield_unit = law.yield_unit(),
+          .first_shortening = law.first_shortening(),
+          .first_yielding = law.first_yielding()};
+}
+
+ArcLaw::Start AxialLaw::start(const Touch& touch, const contact::Pose& at, double speed) const {
+  return {force(touch, at, speed), laws_->of(touch.blade).gap_per_deflection(at, touch.slip, touch.bending),
+          0.0};
+}
+
+ArcLaw::Tangent AxialLaw::tangent(const Touch& touch, const contact::Pose& at, double speed,
+                                  const std::complex<double>& /*acceleration*/) const {
+  const contact::ElasticaContact& law = laws_->of(touch.blade);
+  const auto there = law.constraint(at, touch.slip, touch.bending, speed);
+  const double angle = law.curve().load_angle();
+  // dh = h_u (β² + u²)^½ dp + h_τ dτ
+  const double slope = there.bending_slope * std::sqrt(angle * angle + touch.bending * touch.bending);
+  return {-slope, there.time_slope, 0.0};
+}
+
+}  // namespace rubatlas::collocation

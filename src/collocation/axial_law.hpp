@@ -1,0 +1,93 @@
+/// Elastic blades under an axial load, with Coulomb friction μ > 0, as an arc's law (MODEL 3, 4).
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "collocation/arc_law.hpp"
+#include "contact/elastica_contact.hpp"
+#include "contact/unequal_blades.hpp"
+
+namespace rubatlas::collocation {
+
+class AxialLaw final : public ArcLaw {
+ public:
+  using Laws = contact::UnequalBlades<contact::ElasticaContact>;
+  /// `laws` outlive it. `max_shortening`: of δ/L.
+  AxialLaw(const Laws& laws, int blade_count, double max_shortening);
+
+  [[nodiscard]] std::size_t most_contacts() const override { return 1 + kMostFurther; }
+  [[nodiscard]] Blade numbers(int blade) const override;
+  [[nodiscard]] contact::Geometry geometry(int blade) const override { return laws_->of(blade).geometry(); }
+  [[nodiscard]] bool has_slip_state() const override { return true; }
+  [[nodiscard]] bool leans() const override { return false; }
+  [[nodiscard]] bool releases_at_fold(int blade) const override {
+    return laws_->of(blade).releases_at_fold();
+  }
+  [[nodiscard]] bool has_branches(int blade) const override { return laws_->of(blade).has_branches(); }
+  [[nodiscard]] double valid_argument(int blade) const override {
+    return valid_argument_[static_cast<std::size_t>(blade)];
+  }
+  /// The motion has found where the blade stands.
+  [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& /*at*/,
+                                          double /*speed*/) const override {
+    return touch;
+  }
+  Bending lead(const Touch& touch) override {
+    leader_ = touch.blade;
+    return {argument(touch)};
+  }
+  [[nodiscard]] double argument(const Touch& touch) const override {
+    return table(touch.blade).argument(touch.bending);
+  }
+  [[nodiscard]] double side(const Touch& touch) const override { return touch.slip; }
+  [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override;
+  [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
+                                const std::complex<double>& acceleration) const override;
+  [[nodiscard]] std::span<const blade::BendingTable::Knot> knots() const override {
+    return table(leader_).knots();
+  }
+  [[nodiscard]] double deflection_per_square() const override {
+    return collocation::deflection_per_square(laws_->of(leader_));
+  }
+  [[nodiscard]] FurtherStart further(const Touch& touch, const contact::Pose& at,
+                                     double speed) const override {
+    return further_start(laws_->of(touch.blade), at, touch, speed);
+  }
+  [[nodiscard]] bool solve(const Contact& contact, const Closeness& closeness,
+                           Interval& interval) const override {
+    return solver_.solve(contact, closeness, interval);
+  }
+  [[nodiscard]] Bounds bounds(const Contact& contact, const Interval& interval) const override {
+    return solver_.bounds(contact, interval);
+  }
+  [[nodiscard]] Touch touch(int blade, double slip, const Bending& bending) const override {
+    return {blade, slip, table(blade).bending(bending.argument)};
+  }
+  [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
+                                        double speed) const override {
+    return laws_->of(touch.blade).constraint(at, touch.slip, touch.bending, speed).force;
+  }
+  [[nodiscard]] double friction_coefficient(const Touch& touch,
+                                            const contact::TipForce& /*force*/) const override {
+    return touch.slip * laws_->of(touch.blade).curve().friction();
+  }
+  [[nodiscard]] Rates rates(const Bending& bending, const Tangent& along) const override {
+    return {along.argument * table(leader_).bending_slope(bending.argument)};
+  }
+
+ private:
+  [[nodiscard]] const blade::BendingTable& table(int blade) const {
+    return laws_->of(blade).curve().over_asinh();
+  }
+
+  const Laws* laws_;
+  IntervalSolver solver_;
+  std::vector<double> valid_argument_;  ///< p of each blade up to which δ/L is within its limit
+  int leader_ = 0;
+};
+
+}  // namespace rubatlas::collocation

@@ -1,0 +1,71 @@
+#include "collocation/even_rules.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace rubatlas::collocation {
+namespace {
+
+constexpr std::size_t kFewest = 4;
+
+/// A rule, and the least distance of singularities up to which it is accurate: the larger semi-axis and the
+/// smaller one, added, of the ellipse around [−1, 1] that goes through them.
+struct Graded {
+  EvenRule rule;
+  double least_ellipse;
+};
+
+EvenRule gauss(std::size_t count) {
+  using Real = long double;
+  EvenRule rule;
+  rule.count = count;
+  const auto degree = 2 * count;
+  for (std::size_t i = 0; i < count; ++i) {
+    Real x = std::cos(std::numbers::pi_v<Real> * (static_cast<Real>(i) + 0.75L) /
+                      (static_cast<Real>(degree) + 0.5L));
+    Real slope = 0;
+    constexpr int kIterations = 8;
+    for (int iteration = 0; iteration < kIterations; ++iteration) {
+      Real before = 1;
+      Real now = x;
+      for (std::size_t k = 2; k <= degree; ++k) {
+        const auto order = static_cast<Real>(k);
+        const Real next = ((2 * order - 1) * x * now - (order - 1) * before) / order;
+        before = now;
+        now = next;
+      }
+      slope = static_cast<Real>(degree) * (x * now - before) / (x * x - 1);
+      x -= now / slope;
+    }
+    rule.square[i] = static_cast<double>(x * x);
+    rule.weight[i] = static_cast<double>(2 / ((1 - x * x) * slope * slope));
+  }
+  return rule;
+}
+
+std::vector<Graded> make_rules() {
+  constexpr double kLeft = 1e-14;
+  std::vector<Graded> rules;
+  for (std::size_t count = kFewest; count <= EvenRule::kMost; ++count)
+    rules.push_back({gauss(count), std::pow(kLeft, -1.0 / static_cast<double>(4 * count))});
+  return rules;
+}
+
+}  // namespace
+
+const EvenRule* even_rule(double modulus, double tangent) {
+  static const std::vector<Graded> kRules = make_rules();
+  if (!(modulus < 1.0)) return nullptr;
+  // The integrands' singularities φ' = ±i arcosh(1/|κ|) are at ±i tanh(arcosh(1/|κ|)/4) in tan(φ'/4).
+  const double half_square = (1.0 - modulus) / (1.0 + modulus);  // tanh²(arcosh(1/|κ|)/2)
+  const double quarter = std::sqrt(half_square) / (1.0 + std::sqrt(1.0 - half_square));
+  const double ratio = quarter / tangent;
+  const double ellipse = ratio + std::sqrt(1.0 + ratio * ratio);
+  for (const Graded& graded : kRules) {
+    if (graded.least_ellipse <= ellipse) return &graded.rule;
+  }
+  return nullptr;
+}
+
+}  // namespace rubatlas::collocation

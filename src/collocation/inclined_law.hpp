@@ -1,0 +1,260 @@
+/// Elastic blades under an inclined load, with any friction law, as an arc's law: one blade at a time.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <stdexcept>
+
+#include "collocation/arc_law.hpp"
+#include "collocation/inclined_load.hpp"
+#include "contact/directed_elastica.hpp"
+
+namespace rubatlas::collocation {
+
+/// `Law`: of all blades, `DirectedElastica` or one of each blade.
+template <class Law>
+class InclinedLaw final : public ArcLaw {
+ public:
+  /// `law` outlives it. `max_shortening`: of δ/L.
+  InclinedLaw(const Law& law, double max_shortening)
+      : law_(&law),
+        solver_(interval_solver()),
+        max_shortening_(max_shortening),
+        load_(numbers_of(law.of(0).direction(), law.of(0).friction())) {}
+
+  [[nodiscard]] std::size_t most_contacts() const override { return 1; }
+  [[nodiscard]] contact::Geometry geometry(int blade) const override { return law_->of(blade).geometry(); }
+  [[nodiscard]] std::uint64_t evaluations() const override { return law_->evaluations(); }
+  [[nodiscard]] Blade numbers(int blade) const override {
+    const auto& law = law_->of(blade);
+    return {.table = nullptr,
+            .reach = law.geometry().reach,
+            .closing = law.geometry().closing(),
+            .length = law.length(),
+            .load_unit = law.load_unit(),
+            .friction = 0.0,
+            .yield_unit = 0.0,
+            .first_shortening = 0.0,
+            .first_yielding = 0.0};
+  }
+  [[nodiscard]] bool has_slip_state() const override { return load_.law == InclinedLoad::Friction::coulomb; }
+  [[nodiscard]] bool leans() const override { return true; }
+  [[nodiscard]] bool releases_at_fold(int /*blade*/) const override { return false; }
+  [[nodiscard]] bool has_branches(int /*blade*/) const override { return true; }
+  [[nodiscard]] double valid_argument(int /*blade*/) const override { return max_shortening_; }
+  [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
+                                          double speed) const override {
+    const auto& law = law_->of(touch.blade);
+    Touch opened = touch;
+    if (goes_on(law, at, speed, opened, kNear)) return opened;
+    if (touch.bend.modulus == 0.0) {
+      // On the approaching side a contact opens from zero force (MODEL 4.2).
+      const double first = law.first_load_angle(at, touch.slip, speed);
+      if (first * at.tangential > 0.0 && at.gap <= contact::gap_rounding(law.geometry(), at)) {
+        opened.bend = {std::sin(0.5 * first), 0.0};
+        return opened;
+      }
+    }
+    if (touch.bend.modulus == 0.0 && opens_under_load(law, at, speed, opened)) return opened;
+    contact::TipForce force{};
+    if (!law.respond(at, touch.slip, speed, opened.bend.modulus, opened.bend.amplitude, force))
+      return std::nullopt;
+    return opened;
+  }
+  Bending lead(const Touch& touch) override {
+    const auto& law = law_->of(touch.blade);
+    load_.side = side(touch);
+    const double lean = lean_of(touch.bend);
+    load_.scale = std::max(2.0 * std::abs(lean), kLeastScale);
+    load_.strain_unit = law.strain_unit();
+    length_ = law.length();
+    set_knots(lean);
+    return {load_.argument(bending_of(touch.bend)), lean};
+  }
+  [[nodiscard]] double argument(const Touch& touch) const override {
+    return load_.argument(bending_of(touch.bend));
+  }
+  [[nodiscard]] double side(const Touch& touch) const override {
+    return std::copysign(1.0, touch.bend.modulus);
+  }
+  [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override {
+    const auto& law = law_->of(touch.blade);
+    const auto there = law.constraint_or_unloaded(at, touch.slip, speed, touch.bend);
+    // g/|D|, as h = 0 has it.
+    const double deflection = std::abs(there.blade.deflection.value);
+    const double share = deflection > kUnbent ? there.blade.shortening.value / deflection : 0.0;
+    const double measure = 2.0 * side(touch) * there.tangential + law.length() * deflection +
+                           share * (2.0 * there.radial + law.length() * there.blade.shortening.value);
+    return {law.force_of(at, speed, there), measure,
+            InclinedLoad::chart_left(bending_of(touch.bend), lean_of(touch.bend))};
+  }
+  [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
+                                const std::complex<double>& acceleration) const override {
+    const auto& law = law_->of(touch.blade);
+    const auto there = law.constraint(at, touch.slip, speed, touch.bend);
+    const auto drift = law.drift(at, touch.slip, speed, 0.0, acceleration, there);
+    const double modulus =
+        drift.misdirection * there.residual_by_amplitude - drift.residual * there.misdirection_by_amplitude;
+    const double amplitude =
+        drift.residual * there.misdirection_by_modulus - drift.misdirection * there.residual_by_modulus;
+    const double sine = std::sin(touch.bend.amplitude);
+    const double cosine = std::cos(touch.bend.amplitude);
+    const double bending = side(touch) * (modulus * sine + touch.bend.modulus * cosine * amplitude);
+    const double lean = side(touch) * (modulus * cosine - touch.bend.modulus * sine * amplitude);
+    const double slope = load_.bending_slope(load_.argument(bending_of(touch.bend)));
+    return {there.determinant(), bending / slope, lean};
+  }
+  [[nodiscard]] std::span<const blade::BendingTable::Knot> knots() const override { return knots_; }
+  [[nodiscard]] double deflection_per_square() const override { return deflection_per_square_; }
+  [[nodiscard]] FurtherStart further(const Touch& /*touch*/, const contact::Pose& /*at*/,
+                                     double /*speed*/) const override {
+    throw std::logic_error("collocation: a further blade under an inclined load");
+  }
+  [[nodiscard]] bool solve(const Contact& contact, const Closeness& closeness,
+                           Interval& interval) const override {
+    return solver_.solve_inclined(contact, load_, closeness, interval);
+  }
+  [[nodiscard]] Bounds bounds(const Contact& contact, const Interval& interval) const override {
+    return solver_.inclined_bounds(contact, interval);
+  }
+  [[nodiscard]] Touch touch(int blade, double slip, const Bending& bending) const override {
+    const double u = load_.bending(bending.argument);
+    return {blade, slip, 0.0, {load_.side * std::hypot(u, bending.lean), std::atan2(u, bending.lean)}};
+  }
+  [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
+                                        double speed) const override {
+    const auto& law = law_->of(touch.blade);
+    return law.force_of(at, speed, law.constraint_or_unloaded(at, touch.slip, speed, touch.bend));
+  }
+  [[nodiscard]] double friction_coefficient(const Touch& touch,
+                                            const contact::TipForce& force) const override {
+    return law_->of(touch.blade).friction().coefficient(force.slip_velocity, touch.slip);
+  }
+  [[nodiscard]] Rates rates(const Bending& bending, const Tangent& along) const override {
+    const double u = load_.bending(bending.argument);
+    const double rate = along.argument * load_.bending_slope(bending.argument);
+    const double square = u * u + bending.lean * bending.lean;
+    return {0.0, load_.side * (u * rate + bending.lean * along.lean) / std::sqrt(square),
+            (bending.lean * rate - u * along.lean) / square};
+  }
+
+ private:
+  static constexpr double kNear = 1e-3;        ///< of κ and φ: a bend that goes on differs by less
+  static constexpr double kLeastScale = 1e-3;  ///< of σ
+  static constexpr double kUnbent = 1e-9;      ///< of D/L: below it δ/D is less than rounding
+
+  /// A new contact whose blade is bent at once (MODEL 4.2): looks for the first root of h along the
+  /// equilibria from the unbent blade on, as `DirectedElastica::solve` does, in eight steps at once. False
+  /// where it is not found so.
+  template <class OfBlade>
+  bool opens_under_load(const OfBlade& law, const contact::Pose& at, double speed, Touch& touch) const {
+    constexpr double kLeastLean = 1e-3;
+    constexpr std::array kReaches{0.1, 0.25, 0.62};  // u up to which steps reach, one time after the other
+    constexpr int kRefinements = 2;
+    constexpr double kFound = 0.05;  // of κ and φ: what those leave
+    const double first = law.first_load_angle(at, touch.slip, speed);
+    const double lean = std::abs(std::sin(0.5 * first));
+    if (lean < kLeastLean) return false;
+    InclinedLoad load = load_;
+    load.side = std::copysign(1.0, first);
+    load.scale = 2.0 * lean;
+    Machine machine{};
+    machine.ring_radius = law.geometry().ring_radius;
+    const Blade blade = numbers(touch.blade);
+    const Contact contact{&machine, &blade, touch.slip};
+    BranchPoints points;
+    points.lean.value.fill(lean);
+    double from = 0.0;
+    double to = 0.0;
+    // Of the eight, the first where h is no longer positive; kNodes: none.
+    std::size_t beyond = kNodes;
+    const auto look = [&] {
+      for (std::size_t i = 0; i < kNodes; ++i)
+        points.argument[i] = from + (to - from) * static_cast<double>(i + 1) / kNodes;
+      if (!solver_.inclined_branch(contact, load, at, speed, points)) return false;
+      const auto& h = points.residual.value;
+      beyond = static_cast<std::size_t>(std::ranges::find_if(h, [](double there) { return !(there > 0.0); }) -
+                                        h.begin());
+      return true;
+    };
+    for (std::size_t i = 0; i < kReaches.size() && beyond == kNodes; ++i) {
+      from = to;
+      to = load.argument(kReaches[i]);
+      if (!look()) return false;
+      if (beyond == 0 && i == 0) return false;
+      points.lean.value.fill(points.lean[std::min(beyond, kNodes - 1)]);
+    }
+    if (beyond == kNodes) return false;
+    for (int i = 0; i < kRefinements; ++i) {
+      to = points.argument[beyond];
+      if (beyond > 0) from = points.argument[beyond - 1];
+      if (!look() || beyond == kNodes) return false;
+      points.lean.value.fill(points.lean[beyond]);
+    }
+    to = points.argument[beyond];
+    const double u = load.bending(to);
+    touch.bend = {load.side * std::hypot(u, points.lean[0]), std::atan2(u, points.lean[0])};
+    Touch found = touch;
+    if (!goes_on(law, at, speed, found, kFound)) return false;
+    const auto there = law.constraint(at, touch.slip, speed, found.bend);
+    if (!(there.determinant() > 0.0)) return false;
+    touch = found;
+    return true;
+  }
+  /// Moves a contact onto its equilibrium if that is as near to its bend as said.
+  template <class OfBlade>
+  static bool goes_on(const OfBlade& law, const contact::Pose& at, double speed, Touch& touch, double near) {
+    constexpr int kSteps = 4;
+    constexpr double kHere = 1e-9;  // Newton's next step is below rounding
+    if (touch.bend.modulus == 0.0 || !(touch.bend.amplitude > 0.0)) return false;
+    blade::Bend bend = touch.bend;
+    for (int i = 0; i < kSteps; ++i) {
+      const blade::Bend change = law.correction(law.constraint(at, touch.slip, speed, bend));
+      const double size =
+          std::max(std::abs(change.modulus / bend.modulus), std::abs(change.amplitude / bend.amplitude));
+      if (!(size < near)) return false;
+      bend = {bend.modulus + change.modulus, bend.amplitude + change.amplitude};
+      if (size < kHere) break;
+    }
+    touch.bend = bend;
+    return true;
+  }
+
+  static double bending_of(const blade::Bend& bend) {
+    return std::abs(bend.modulus) * std::sin(bend.amplitude);
+  }
+  static double lean_of(const blade::Bend& bend) { return std::abs(bend.modulus) * std::cos(bend.amplitude); }
+
+  /// As for small deflections, with the lean as it is: q = φ, D/L = 2 (u/φ − l), and a shortening as of a
+  /// quarter of a sine.
+  void set_knots(double lean) {
+    constexpr double kShortening = 0.617;  // π²/16
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+      const double argument = kKnotWidth * static_cast<double>(i + 1);
+      const double bending = load_.bending(argument);
+      const double amplitude = std::atan2(bending, lean);
+      const double deflection = std::max(2.0 * (bending / amplitude - lean), 0.0);
+      knots_[i] = {argument, amplitude * amplitude, kShortening * deflection * deflection, deflection};
+    }
+    deflection_per_square_ =
+        length_ * 2.0 / 3.0 * load_.scale * load_.scale / std::max(std::abs(lean), 0.5 * kLeastScale);
+  }
+
+  const Law* law_;
+  IntervalSolver solver_;
+  double max_shortening_;
+  InclinedLoad load_;
+  double length_ = 0.0;
+  static constexpr double kKnotWidth = 0.25;
+  static constexpr std::size_t kKnots = 14;
+  std::array<blade::BendingTable::Knot, kKnots> knots_{};
+  double deflection_per_square_ = 0.0;
+};
+
+}  // namespace rubatlas::collocation

@@ -1,0 +1,67 @@
+/// How an elastic blade under an inclined load stands in an interval, as numbers: one blade of
+/// `contact/directed_elastica.hpp`, without types.
+///
+/// With the chart (κ, φ) of `blade/inclined_elastica.hpp` as polar coordinates, and all of the blade
+/// mirrored such that it bends to the positive side,
+///     u = |κ| sin φ,   l = |κ| cos φ = ± sin(b/2),
+/// b the angle of the load against the blade's axis. u is what the blade bends by, as in the paper's law; the
+/// lean l of the load changes little during a contact and passes smoothly through zero where the load turns
+/// to the blade's other side. The arc is one in (τ, p), where
+///     u = σ (p + p³/3! + p⁵/5! + p⁷/7! + p⁹/9!),
+/// close to σ sinh p, with σ = 2 |l| where the contact begins; l is a further unknown at each node.
+#pragma once
+
+#include <cstdint>
+
+#include "contact/friction_law.hpp"
+#include "contact/pose.hpp"
+
+namespace rubatlas::collocation {
+
+struct InclinedLoad {
+  enum class Friction : std::uint8_t { coulomb, regularised, stribeck };
+
+  bool along_normal;             ///< else along the undeformed blade (`contact::LoadDirection`)
+  Friction law;                  ///< c(v) (`contact/friction_law.hpp`)
+  double friction;               ///< μ, or the kinetic μk [-]
+  double static_friction;        ///< μs [-]
+  double stribeck_velocity;      ///< vs [m per unit τ]
+  double regularising_velocity;  ///< v0 [m per unit τ]
+  double strain_unit = 0.0;      ///< h / (2 L) [-]
+  double side = 1.0;             ///< ±1: to which the blade is bent, the sign of κ
+  double scale = 1.0;            ///< σ [-]
+
+  /// Of π − φ where φ is largest (`blade::kLargestAmplitude`).
+  struct ChartEnd {
+    double cosine, sine;
+  };
+  static const ChartEnd kChartEnd;
+  /// |κ| sin(φ' − φ), φ' the largest φ: positive within the chart.
+  [[nodiscard]] static double chart_left(double u, double lean) {
+    return u * kChartEnd.cosine + lean * kChartEnd.sine;
+  }
+
+  /// u of p.
+  [[nodiscard]] double bending(double p) const {
+    const double square = p * p;
+    return scale * p *
+           (1.0 +
+            square * (1.0 / 6 + square * (1.0 / 120 + square * (1.0 / 5040 + square * (1.0 / 362880)))));
+  }
+  /// du/dp.
+  [[nodiscard]] double bending_slope(double p) const {
+    const double square = p * p;
+    return scale *
+           (1.0 + square * (0.5 + square * (1.0 / 24 + square * (1.0 / 720 + square * (1.0 / 40320)))));
+  }
+  /// p of u.
+  [[nodiscard]] double argument(double u) const;
+};
+
+/// The numbers of a law; where the blade stands is left open.
+InclinedLoad numbers_of(contact::LoadDirection direction, const contact::CoulombFriction& friction);
+InclinedLoad numbers_of(contact::LoadDirection direction, const contact::VelocityFriction& friction);
+/// Of a tip that slips.
+InclinedLoad numbers_of(contact::LoadDirection direction, const contact::StickingFriction& friction);
+
+}  // namespace rubatlas::collocation

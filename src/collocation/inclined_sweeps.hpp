@@ -1,0 +1,448 @@
+/// The sweeps that solve an interval of a blade under an inclined load (`inclined_load.hpp`). As those of the
+/// paper's law (`interval_sweeps.hpp`), with the lean of the load as a second unknown at each node and its
+/// direction as a second equation,
+///     e = sin(b − [α] − atan c) (1 + c²)^½ = Y − c X = 0,
+/// with X, Y = cos b, sin b, or along the normal X = a cos b + β sin b, Y = a sin b − β cos b over R, where
+/// (a, β) is the tip against the ring's centre along and across the blade.
+#pragma once
+
+#include "collocation/arc_sweeps.hpp"
+#include "collocation/even_rules.hpp"
+#include "collocation/functions_in_lanes.hpp"
+#include "collocation/inclined_load.hpp"
+#include "collocation/interval.hpp"
+#include "collocation/nodes_in_lanes.hpp"
+
+namespace rubatlas::collocation {
+namespace {
+
+/// A bent blade at eight nodes: integrals over its length as in `blade/inclined_elastica.cpp`, over tan(φ'/4)
+/// in place of φ', so that no angle is needed, by an even rule.
+template <std::size_t kWidth>
+struct InclinedBlade {
+  using Number = Lanes<kWidth>;
+  struct WithSlopes {
+    Number value, by_bending, by_lean;  ///< slopes by u and l
+  };
+  WithSlopes load;                    ///< P L²/EI = q²
+  WithSlopes shortening, deflection;  ///< δ/L and |D|/L
+  Number arc;                         ///< q
+  Number cosine;                      ///< cos(b/2)
+
+  /// Sets the values, and with `kSlopes` the slopes. False where no rule is accurate enough.
+  template <bool kSlopes>
+  RUBATLAS_INLINE bool set(const Number& bending, const Number& lean, const EvenRule*& rule) {
+    const Number square = bending * bending;
+    const Number modulus = root(square + lean * lean);
+    const Number inverse_modulus = Number(1.0) / modulus;
+    // Of the two forms of tan(φ/4) and of 1 − cos φ each is the one in which nothing cancels.
+    const Number upright = with_sign_of(Number(0.5), lean) + 0.5;  // 1 where l >= 0, else 0
+    const Number leaning = Number(1.0) - upright;
+    const Number sum = modulus + magnitude(lean);
+    const Number tangent = (upright * bending + leaning * sum) /
+                           ((upright * sum + leaning * bending) + root(sum * sum + square));
+    if constexpr (kSlopes) {
+      rule = even_rule(modulus.largest(), magnitude(tangent).largest());
+    }
+    if (rule == nullptr) return false;
+    cosine = root(Number(1.0) - lean * lean);
+    const Number versed_at_clamp = (upright * (square / sum) + leaning * sum) * inverse_modulus;
+    const Number tangent_square = tangent * tangent;
+    const Number per_cosine = Number(2.0) / cosine;
+    Number arcs(0.0), shortenings(0.0), deflections(0.0);
+    Number arc_slopes(0.0), shortening_slopes(0.0), deflection_slopes(0.0);
+    for (std::size_t i = 0; i < rule->count; ++i) {
+      const Number place = tangent_square * rule->square[i];
+      const Number per = Number(1.0) / (place + 1.0);
+      const Number versed = place * 8.0 * (per * per);  // 1 − cos φ'
+      const Number sine_psi = modulus - modulus * versed;
+      const Number cosine_psi = root(Number(1.0) - sine_psi * sine_psi);
+      const Number both = cosine_psi + cosine;
+      const Number inverse_both = Number(1.0) / (cosine_psi * both);
+      const Number inverse = inverse_both * both;  // 1/cos(ψ/2)
+      const Number measure = per * inverse * rule->weight[i];
+      const Number half_cosine = cosine * cosine_psi + lean * sine_psi;  // cos(θ/2)
+      const Number share = (versed_at_clamp - versed) * (half_cosine + 1.0) * (inverse_both * cosine_psi);
+      const Number half_sine = modulus * share;  // sin(θ/2)
+      const Number twice = half_sine * 2.0;
+      const Number sine_theta = twice * half_cosine;
+      const Number versed_theta = twice * half_sine;
+      arcs = arcs + measure;
+      shortenings = shortenings + measure * versed_theta;
+      deflections = deflections + measure * sine_theta;
+      if constexpr (kSlopes) {
+        // By κ at fixed φ'.
+        const Number theta_slope = per_cosine * share * inverse * measure;
+        const Number tangent_psi = sine_psi * inverse;
+        const Number measure_slope = tangent_psi * tangent_psi * measure;  // times κ
+        arc_slopes = arc_slopes + measure_slope;
+        shortening_slopes =
+            shortening_slopes + (sine_theta * theta_slope * modulus + measure_slope * versed_theta);
+        deflection_slopes = deflection_slopes + ((theta_slope - versed_theta * theta_slope) * modulus +
+                                                 measure_slope * sine_theta);
+      }
+    }
+    const Number per_arc = Number(1.0) / arcs;
+    arc = tangent * 4.0 * arcs;
+    load.value = arc * arc;
+    shortening.value = shortenings * per_arc;
+    deflection.value = deflections * per_arc;
+    if constexpr (kSlopes) {
+      // κ ∂/∂κ and ∂/∂φ, of which those by u and l are made.
+      const Number growth = Number(1.0) / cosine;  // dq/dφ
+      const Number load_by_modulus = load.value * 2.0 * (arc_slopes * per_arc);
+      const Number load_by_amplitude = arc * 2.0 * growth;
+      const Number shortening_by_modulus = (shortening_slopes - shortening.value * arc_slopes) * per_arc;
+      const Number deflection_by_modulus = (deflection_slopes - deflection.value * arc_slopes) * per_arc;
+      const Number turn = bending * per_cosine;  // −db/dφ
+      constexpr double kLeastArc = 1e-200;       // of a straight blade the quotients vanish
+      const Number growth_per_arc = growth * arc / (load.value + kLeastArc);
+      const Number shortening_by_amplitude = turn * deflection.value - growth_per_arc * shortening.value;
+      const Number deflection_by_amplitude =
+          turn * (Number(1.0) - shortening.value) - growth_per_arc * deflection.value;
+      const Number per_square = inverse_modulus * inverse_modulus;
+      const Number along = bending * per_square;
+      const Number across = lean * per_square;
+      const auto set_slopes = [&](WithSlopes& of, const Number& by_modulus, const Number& by_amplitude)
+                                  RUBATLAS_INLINED {
+                                    of.by_bending = by_modulus * along + by_amplitude * across;
+                                    of.by_lean = by_modulus * across - by_amplitude * along;
+                                  };
+      set_slopes(load, load_by_modulus, load_by_amplitude);
+      set_slopes(shortening, shortening_by_modulus, shortening_by_amplitude);
+      set_slopes(deflection, deflection_by_modulus, deflection_by_amplitude);
+    }
+    return true;
+  }
+};
+
+/// u of p, of which the square is known.
+template <std::size_t kWidth>
+RUBATLAS_INLINE Lanes<kWidth> bending_of(const InclinedLoad& load, const Lanes<kWidth>& argument,
+                                         const Lanes<kWidth>& square) {
+  return argument *
+         ((((square * (1.0 / 362880) + 1.0 / 5040) * square + 1.0 / 120) * square + 1.0 / 6) * square + 1.0) *
+         load.scale;
+}
+
+/// The shaft seen from the blade at eight nodes (`contact::Pose`).
+template <std::size_t kWidth>
+struct InclinedPose {
+  Lanes<kWidth> gap, radial, tangential, radial_velocity, tangential_velocity;
+  Lanes<kWidth> angular_speed;  ///< φ'
+};
+
+/// A blade's tip where it stands at eight nodes, with both equations and their slopes by u and l.
+template <std::size_t kWidth>
+class InclinedTip {
+ public:
+  using Number = Lanes<kWidth>;
+  using Pose = InclinedPose<kWidth>;
+
+  InclinedBlade<kWidth> blade;
+  Number shortening, deflection;  ///< δ and D [m]
+  Number a, b;                    ///< of the tip against the ring's centre in (er, et) [m]
+  Number a_rate, b_rate;          ///< by τ, of a blade that does not bend
+  Number slip_velocity;           ///< v
+  Number coefficient;             ///< c
+  Number h, e;
+  // Slopes.
+  Number a_by_bending, a_by_lean, b_by_bending, b_by_lean;
+  Number h_by_bending, h_by_lean, e_by_bending, e_by_lean;
+
+  InclinedTip(const Contact& contact, const InclinedLoad& load) : contact_(contact), load_(load) {}
+
+  /// False where there is no such blade.
+  template <bool kSlopes>
+  RUBATLAS_INLINE bool stand(const Number& bending, const Number& lean, const Pose& at,
+                             const EvenRule*& rule) {
+    const Blade& c = *contact_.blade;
+    if (!blade.template set<kSlopes>(bending, lean, rule)) return false;
+    const double across_length = load_.side * c.length;
+    shortening = blade.shortening.value * c.length;
+    deflection = blade.deflection.value * across_length;
+    const Number reach = at.radial + c.reach;
+    h = at.gap + (shortening * (shortening - reach * 2.0) + deflection * (deflection - at.tangential * 2.0));
+    a = reach - shortening;
+    b = at.tangential - deflection;
+    const Number along = at.radial_velocity + at.tangential * at.angular_speed;
+    const Number across = at.tangential_velocity - at.radial * at.angular_speed;
+    const double radius = contact_.machine->ring_radius;
+    const double per_radius = 1.0 / radius;
+    slip_velocity = (a * across - b * along) * per_radius + at.angular_speed * radius;
+    const Friction friction = friction_at(slip_velocity);
+    coefficient = friction.coefficient;
+    cosine_ = Number(1.0) - lean * lean * 2.0;
+    sine_ = lean * blade.cosine * (2.0 * load_.side);
+    direction_x_ = cosine_;
+    Number direction_y = sine_;
+    if (load_.along_normal) {
+      direction_x_ = (a * cosine_ + b * sine_) * per_radius;
+      direction_y = (a * sine_ - b * cosine_) * per_radius;
+    }
+    e = direction_y - coefficient * direction_x_;
+    if constexpr (kSlopes) {
+      a_by_bending = blade.shortening.by_bending * -c.length;
+      a_by_lean = blade.shortening.by_lean * -c.length;
+      b_by_bending = blade.deflection.by_bending * -across_length;
+      b_by_lean = blade.deflection.by_lean * -across_length;
+      a_rate = along;
+      b_rate = across;
+      h_by_bending = (a * a_by_bending + b * b_by_bending) * 2.0;
+      h_by_lean = (a * a_by_lean + b * b_by_lean) * 2.0;
+      const Number cosine_by_lean = lean * -4.0;
+      const Number sine_by_lean = cosine_ / blade.cosine * (2.0 * load_.side);
+      e_by_velocity_ = friction.slope * direction_x_ * -per_radius;
+      // By its parts: l, (a, β), of which v depends on (a, β), too.
+      Number by_lean = sine_by_lean - coefficient * cosine_by_lean;
+      Number by_a = e_by_velocity_ * across;
+      Number by_b = e_by_velocity_ * along * -1.0;
+      if (load_.along_normal) {
+        by_lean = ((a * sine_by_lean - b * cosine_by_lean) -
+                   coefficient * (a * cosine_by_lean + b * sine_by_lean)) *
+                  per_radius;
+        by_a = by_a + (sine_ - coefficient * cosine_) * per_radius;
+        by_b = by_b - (cosine_ + coefficient * sine_) * per_radius;
+      }
+      e_by_bending = by_a * a_by_bending + by_b * b_by_bending;
+      e_by_lean = by_lean + (by_a * a_by_lean + by_b * b_by_lean);
+    }
+    return true;
+  }
+
+  /// dh/dτ and de/dτ of a blade that does not bend, at constant speed. `ax`, `ay`: z'' along and across it.
+  RUBATLAS_INLINE Number h_rate() const { return (a * a_rate + b * b_rate) * 2.0; }
+  RUBATLAS_INLINE Number e_rate(const Pose& at, const Number& ax, const Number& ay) const {
+    const Number& speed = at.angular_speed;
+    const Number along_rate = ax + (at.tangential_velocity * 2.0 - at.radial * speed) * speed;
+    const Number across_rate = ay - (at.radial_velocity * 2.0 + at.tangential * speed) * speed;
+    Number rate = e_by_velocity_ * (a * across_rate - b * along_rate);
+    if (load_.along_normal) {
+      rate = rate + ((sine_ - coefficient * cosine_) * a_rate - (cosine_ + coefficient * sine_) * b_rate) *
+                        (1.0 / contact_.machine->ring_radius);
+    }
+    return rate;
+  }
+
+ private:
+  /// c(v) and its slope.
+  struct Friction {
+    Number coefficient, slope;
+  };
+  RUBATLAS_INLINE Friction friction_at(const Number& velocity) const {
+    if (load_.law == InclinedLoad::Friction::coulomb)
+      return {Number(contact_.slip * load_.friction), Number(0.0)};
+    const double per_velocity = 1.0 / load_.regularising_velocity;
+    const Number share = hyperbolic_tangent(velocity * per_velocity);
+    const Number rise = (Number(1.0) - share * share) * per_velocity;
+    if (load_.law == InclinedLoad::Friction::regularised)
+      return {share * load_.friction, rise * load_.friction};
+    const double excess = load_.static_friction - load_.friction;
+    const Number ratio = velocity * (1.0 / load_.stribeck_velocity);
+    const Number more = (Number(1.0) - decayed(ratio * ratio)) * excess;
+    const Number size = more + load_.friction;
+    return {size * share, size * rise - ratio * more * share * (2.0 / load_.stribeck_velocity)};
+  }
+
+  const Contact& contact_;
+  const InclinedLoad& load_;
+  Number cosine_, sine_;  ///< of b
+  Number direction_x_;    ///< X
+  Number e_by_velocity_;  ///< over R
+};
+
+template <std::size_t kWidth>
+class InclinedSweeps : public ArcSweeps<kWidth, false> {
+  using Base = ArcSweeps<kWidth, false>;
+  friend Base;
+
+ public:
+  using Number = Lanes<kWidth>;
+
+  InclinedSweeps(const Contact& contact, const InclinedLoad& load, const Closeness& closeness,
+                 Interval& interval)
+      : Base(contact, closeness, interval),
+        contact_(contact),
+        load_(load),
+        lean_(interval.lean),
+        tip_(contact, load) {
+    const auto first_guess = [](const Body& body, typename Base::Motion& motion) {
+      motion.ax = body.acceleration[0];
+      motion.ay = body.acceleration[1];
+    };
+    first_guess(interval.shaft, shaft_);
+    first_guess(interval.ring, ring_);
+  }
+
+  RUBATLAS_INLINE bool solve() { return this->converge(*this, kMostSweeps, kFullSweeps); }
+
+ private:
+  using Vector = typename Base::Vector;
+  static constexpr int kMostSweeps = 12;
+  static constexpr int kFullSweeps = 3;    ///< with slopes of their own
+  static constexpr double kUnbent = 1e-9;  ///< of D/L: below it δ/D is less than rounding
+
+  /// Returns the largest change of a velocity [m per unit τ]; not a number where there is no blade.
+  ///
+  /// A `light` sweep keeps the slopes of the sweep before.
+  template <bool kLight>
+  RUBATLAS_INLINE double sweep() {
+    const Blade& blade = *contact_.blade;
+    const Interval& in = interval_;
+    take_direction(elapsed());
+    const Number argument = chord_argument_ + deviation_ * in.normal.argument;
+    const Number square = argument * argument;
+    const Number bending = bending_of(load_, argument, square);
+    const Vector c = seen();
+    const Vector v = seen_velocity();
+    const Number radial = c.x * er_.x + c.y * er_.y;
+    const InclinedPose<kWidth> at{(c.x * c.x + c.y * c.y) + (radial * (2.0 * blade.reach) + blade.closing),
+                                  radial,
+                                  c.y * er_.x - c.x * er_.y,
+                                  v.x * er_.x + v.y * er_.y,
+                                  v.y * er_.x - v.x * er_.y,
+                                  angular_speed_};
+    if (!tip_.template stand<!kLight>(bending, lean_, at, rule_))
+      return std::numeric_limits<double>::quiet_NaN();
+    if constexpr (!kLight) {
+      bending_slope_ =
+          ((((square * (1.0 / 40320) + 1.0 / 720) * square + 1.0 / 24) * square + 0.5) * square + 1.0) *
+          load_.scale;
+      const Number bending_by_deviation = bending_slope_ * in.normal.argument;
+      const Number h_by_deviation = tip_.h_by_bending * bending_by_deviation + tip_.h_rate() * in.normal.time;
+      Vector acceleration{shaft_.ax, shaft_.ay};
+      if (ring_moves()) acceleration = {shaft_.ax - ring_.ax, shaft_.ay - ring_.ay};
+      const Number e_rate = tip_.e_rate(at, acceleration.x * er_.x + acceleration.y * er_.y,
+                                        acceleration.y * er_.x - acceleration.x * er_.y);
+      const Number e_by_deviation = tip_.e_by_bending * bending_by_deviation + e_rate * in.normal.time;
+      const Number inverse =
+          Number(-1.0) / (h_by_deviation * tip_.e_by_lean - tip_.h_by_lean * e_by_deviation);
+      deviation_per_h_ = tip_.e_by_lean * inverse;
+      deviation_per_e_ = tip_.h_by_lean * inverse;
+      lean_per_h_ = e_by_deviation * inverse;
+      lean_per_e_ = h_by_deviation * inverse;
+    }
+
+    // One Newton step; what follows is taken at its end.
+    const Number step = tip_.h * deviation_per_h_ - tip_.e * deviation_per_e_;
+    const Number lean_step = tip_.e * lean_per_e_ - tip_.h * lean_per_h_;
+    deviation_ = deviation_ + step;
+    lean_ = lean_ + lean_step;
+    largest_step_ = std::max(magnitude(step).largest(), magnitude(lean_step).largest());
+    const Number time_step = step * in.normal.time;
+    const Number bending_step = bending_slope_ * (step * in.normal.argument);
+    const Number a_step = tip_.a_by_bending * bending_step + tip_.a_by_lean * lean_step;
+    const Number b_step = tip_.b_by_bending * bending_step + tip_.b_by_lean * lean_step;
+    tip_.a = tip_.a + (tip_.a_rate * time_step + a_step);
+    tip_.b = tip_.b + (tip_.b_rate * time_step + b_step);
+    tip_.shortening = tip_.shortening - a_step;
+    tip_.deflection = tip_.deflection - b_step;
+    bending_ = bending + bending_step;
+    turn_on(time_step);
+    const auto& load = tip_.blade.load;
+    load_there_ = load.value + (load.by_bending * bending_step + load.by_lean * lean_step);
+    const Number push = load_there_ * (-blade.load_unit * machine_.force_unit);
+    const Number cosine = Number(1.0) - lean_ * lean_ * 2.0;
+    const Number sine = lean_ * root(Number(1.0) - lean_ * lean_) * (2.0 * load_.side);
+    Number along_blade = cosine;
+    Number across_blade = sine;
+    if (!load_.along_normal) {
+      const double per_radius = 1.0 / machine_.ring_radius;
+      along_blade = (tip_.a * cosine - tip_.b * sine) * per_radius;
+      across_blade = (tip_.b * cosine + tip_.a * sine) * per_radius;
+    }
+    along_blade = along_blade * push;
+    across_blade = across_blade * push;
+    return move({along_blade * er_.x - across_blade * er_.y, along_blade * er_.y + across_blade * er_.x});
+  }
+
+  void store() const {
+    const Blade& blade = *contact_.blade;
+    Interval& in = interval_;
+    store_motion();
+    lean_.store(in.lean);
+    const Number& a = tip_.a;
+    const Number& b = tip_.b;
+    const Number bent = larger(tip_.deflection * load_.side, Number(kUnbent * blade.length));
+    ((b * 2.0 + tip_.deflection) * load_.side + tip_.shortening / bent * (a * 2.0 + tip_.shortening))
+        .store(in.gap_measure);
+    const Vector v = seen_velocity();
+    const Number along = (v.x * er_.x + v.y * er_.y) + (b + tip_.deflection) * angular_speed_;
+    const Number across = (v.y * er_.x - v.x * er_.y) - (a + tip_.shortening - blade.reach) * angular_speed_;
+    ((a * across - b * along) * (1.0 / machine_.ring_radius) + angular_speed_ * machine_.ring_radius)
+        .store(in.slip_velocity);
+    (tip_.shortening * (1.0 / blade.length)).store(in.shortening);
+    (bending_ * InclinedLoad::kChartEnd.cosine + lean_ * InclinedLoad::kChartEnd.sine).store(in.chart_left);
+    (load_there_ * blade.load_unit / root(tip_.coefficient * tip_.coefficient + 1.0)).store(in.normal_force);
+    (bending_ * (2.0 * load_.strain_unit) * root(larger(load_there_, Number(0.0)))).store(in.root_strain);
+  }
+
+  using Base::angular_speed_;
+  using Base::chord_argument_;
+  using Base::deviation_;
+  using Base::elapsed;
+  using Base::er_;
+  using Base::interval_;
+  using Base::largest_step_;
+  using Base::machine_;
+  using Base::move;
+  using Base::ring_;
+  using Base::ring_moves;
+  using Base::seen;
+  using Base::seen_velocity;
+  using Base::shaft_;
+  using Base::store_motion;
+  using Base::take_direction;
+  using Base::turn_on;
+
+  const Contact& contact_;
+  const InclinedLoad& load_;
+  Number lean_;
+  InclinedTip<kWidth> tip_;
+  const EvenRule* rule_ = nullptr;
+  Number bending_, bending_slope_;                                      ///< u, du/dp
+  Number load_there_;                                                   ///< P L²/EI
+  Number deviation_per_h_, deviation_per_e_, lean_per_h_, lean_per_e_;  ///< Newton's steps
+};
+
+/// Sets h and l of the eight blades of `points`, in equilibrium but for h = 0. False where one of them has no
+/// such equilibrium that goes on from the unbent blade's.
+template <std::size_t kWidth>
+bool inclined_branch(const Contact& contact, const InclinedLoad& load, const contact::Pose& pose,
+                     double angular_speed, BranchPoints& points) {
+  using Number = Lanes<kWidth>;
+  constexpr int kMost = 8;
+  constexpr double kClosest = 1e-6;  // of l: h is for Newton's method to go on from
+  constexpr double kFarthest = 0.7;  // of l: no load leans more
+  const InclinedPose<kWidth> at{
+      pose.gap, pose.radial, pose.tangential, pose.radial_velocity, pose.tangential_velocity, angular_speed};
+  const Number argument(points.argument);
+  const Number square = argument * argument;
+  const Number bending = bending_of(load, argument, square);
+  Number lean(points.lean);
+  InclinedTip<kWidth> tip(contact, load);
+  const EvenRule* rule = nullptr;
+  for (int i = 0; i < kMost; ++i) {
+    if (!tip.template stand<true>(bending, lean, at, rule)) return false;
+    if (!((tip.e_by_lean * load.side).least() > 0.0)) return false;
+    const Number step = tip.e / tip.e_by_lean;
+    lean = lean - step;
+    const double largest = magnitude(step).largest();
+    if (!(magnitude(lean).largest() < kFarthest)) return false;
+    if (largest < kClosest) {
+      lean.store(points.lean);
+      (tip.h - tip.h_by_lean * step).store(points.residual);
+      return true;
+    }
+  }
+  return false;
+}
+
+template <std::size_t kWidth>
+bool inclined_solved(const Contact& contact, const InclinedLoad& load, const Closeness& closeness,
+                     Interval& interval) {
+  return InclinedSweeps<kWidth>(contact, load, closeness, interval).solve();
+}
+
+}  // namespace
+}  // namespace rubatlas::collocation

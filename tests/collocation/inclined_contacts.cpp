@@ -1,0 +1,283 @@
+/// Contacts under an inclined load by collocation: no worse than the tolerance against the same contacts in
+/// steps of the order-8 pair at a far lower one, for every direction of the load and every friction law.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "../support/hybrid_motion.hpp"
+#include "collocation/contact_arc.hpp"
+#include "collocation/inclined_law.hpp"
+#include "contact/directed_elastica.hpp"
+#include "motion/modes_of_inclined_loads.hpp"
+
+namespace rubatlas::test {
+namespace {
+
+using collocation::ContactArc;
+using contact::LoadDirection;
+
+constexpr double kGap = 0.01;  ///< clearance [m]
+constexpr double kMaxShortening = 0.5;
+
+double drawn(std::mt19937_64& generator, double least, double most) {
+  return least + (most - least) * static_cast<double>(generator() >> 11U) * 0x1p-53;
+}
+
+template <class Friction>
+using Inclined = contact::DirectedElastica<Friction>;
+
+/// A rotor whose contacts are compared. Numbers from a seed: thin blades to thick, little friction to much.
+template <class Friction>
+struct InclinedRotor {
+  rotor::RotorConstants rotor;
+  rotor::BladeSet blades;
+  Inclined<Friction> law;
+};
+template <class MakeFriction>
+auto inclined_rotor(std::mt19937_64& generator, LoadDirection direction, MakeFriction make_friction) {
+  const double friction = std::pow(10.0, drawn(generator, -2.0, -0.15));
+  const double thickness = std::pow(10.0, drawn(generator, -3.5, -2.7));
+  const double damping = std::pow(10.0, drawn(generator, -3.0, -0.3));
+  const double speed = drawn(generator, 0.05, 1.0);
+  const double velocity = std::pow(10.0, drawn(generator, -2.5, -1.5));
+  const double stiffness = 206e9 * 0.01 * thickness * thickness * thickness / 12.0;
+  using Friction = decltype(make_friction(friction, velocity));
+  return InclinedRotor<Friction>{
+      {speed, damping, kGap * drawn(generator, 0.5, 1.5), 0.01, kGap},
+      {3, speed},
+      {direction, {0.1, 0.11}, {0.1, thickness, stiffness}, make_friction(friction, velocity)}};
+}
+
+/// A contact of one blade alone: its touch-down and the event that ends it.
+struct InclinedContact {
+  modes::Event start;
+  modes::Event end;
+};
+class LoneContacts final : public modes::MotionListener {
+ public:
+  explicit LoneContacts(int open) : open_(open) {}
+  void event(const modes::Event& event) override {
+    if (event.kind == modes::Guard::touch_down) {
+      alone_ = ++open_ == 1;
+      if (alone_) start_ = event;
+      return;
+    }
+    if (alone_) found.push_back({start_, event});
+    alone_ = false;
+    if (event.kind == modes::Guard::lift_off) --open_;
+  }
+  void drops_open_contacts() { alone_ = false; }
+  std::vector<InclinedContact> found;
+
+ private:
+  int open_;
+  bool alone_ = false;
+  modes::Event start_{};
+};
+
+template <class Friction>
+contact::Pose pose_at(const InclinedRotor<Friction>& m, int blade, double time, const rotor::State& state) {
+  return rotor::pose_of(m.rotor, m.law.geometry(), m.blades.direction(blade, m.blades.first(time)), state);
+}
+
+template <class Friction>
+std::vector<InclinedContact> contacts_of(const InclinedRotor<Friction>& m, const rotor::State& start) {
+  constexpr double kTolerance = 1e-14;  // [m]
+  constexpr int kRevolutions = 5;
+  const auto motion = hybrid_motion(m.rotor, m.blades, m.law, rotor::NoForcing{},
+                                    modes::ContactLimits{kTolerance, kMaxShortening});
+  int open = 0;
+  for (int k = 0; k < m.blades.count(); ++k) {
+    if (pose_at(m, k, 0.0, start).gap > 0.0) ++open;
+  }
+  LoneContacts contacts(open);
+  if (motion->start(rotor::as_array(start)) != ending::PointStatus::done) return {};
+  for (int i = 0; i < kRevolutions; ++i) {
+    if (revolve(*motion, contacts) != ending::PointStatus::done) break;
+    contacts.drops_open_contacts();
+  }
+  return contacts.found;
+}
+
+modes::Guard end_of(const ContactArc& arc) {
+  switch (arc.ending().guard) {
+    case ContactArc::Guard::touch_down:
+      return modes::Guard::touch_down;
+    case ContactArc::Guard::slip_reversal:
+      return modes::Guard::slip_reversal;
+    case ContactArc::Guard::fold:
+    case ContactArc::Guard::chart_end:
+      return modes::Guard::snap;
+    default:
+      return modes::Guard::lift_off;
+  }
+}
+
+struct InclinedSurvey {
+  std::vector<double> errors;  ///< [tolerances] of states at the end, at the same time
+  int given_up = 0;            ///< contacts that were left to other modes
+  int ends_differ = 0;         ///< contacts that ended in another way
+  int ended_otherwise = 0;     ///< than by lift-off
+  int differ_at_start = 0;     ///< blades that were found bent otherwise than by the law itself
+};
+
+template <class MakeFriction>
+InclinedSurvey survey(int wanted, double tolerance, LoadDirection direction, MakeFriction make_friction) {
+  std::mt19937_64 generator(7);
+  InclinedSurvey result;
+  while (static_cast<int>(result.errors.size()) < wanted) {
+    const auto m = inclined_rotor(generator, direction, make_friction);
+    rotor::State kick;
+    for (double& component : kick) component = drawn(generator, -kGap, kGap);
+    const auto contacts = contacts_of(m, kick);
+    const rotor::Machine machine =
+        rotor::machine_of(m.rotor, m.blades, rotor::Harmonics(std::vector<rotor::Harmonic>{}));
+    collocation::InclinedLaw law(m.law, kMaxShortening);
+    ContactArc arc(machine, law, tolerance * kGap);
+    constexpr std::size_t kMostOfOne = 10;
+    for (std::size_t i = 0; i < std::min(contacts.size(), kMostOfOne); ++i) {
+      const auto& [start, end] = contacts[i];
+      const contact::Pose at = pose_at(m, start.blade, start.time, start.state);
+      const auto touch = law.open({start.blade, start.slip, 0.0}, at, m.rotor.speed_ratio);
+      blade::Bend bend{};
+      contact::TipForce force{};
+      const bool stands =
+          m.law.respond(at, start.slip, m.rotor.speed_ratio, bend.modulus, bend.amplitude, force);
+      // Where g is a rounding error, so is the force.
+      const double same = 1e-8 * m.law.load_unit();
+      if (stands != touch.has_value() ||
+          (stands && std::abs(law.force(*touch, at, m.rotor.speed_ratio).normal - force.normal) > same))
+        ++result.differ_at_start;
+      if (!touch) continue;
+      arc.begin(start.time, rotor::as<rotor::ShaftAndRing>(start.state), std::array{*touch});
+      bool made = true;
+      do {
+        made = arc.make() == ContactArc::Outcome::made;
+      } while (made && arc.ending().guard == ContactArc::Guard::none);
+      if (!made) {
+        ++result.given_up;
+        continue;
+      }
+      if (end_of(arc) != end.kind) ++result.ends_differ;
+      if (end.kind != modes::Guard::lift_off) ++result.ended_otherwise;
+      const rotor::State state = rotor::shaft(arc.end().bodies);
+      std::complex<double> force_then;
+      if (end.kind == modes::Guard::lift_off) {
+        const auto acceleration = rotor::shaft_acceleration(m.rotor, state, force_then);
+        const double late = end.time - arc.end().time;
+        const rotor::State there =
+            state + late * rotor::State(state[2], state[3], acceleration.real(), acceleration.imag());
+        result.errors.push_back((there - end.state).abs().maxCoeff() / (kGap * tolerance));
+      } else {
+        result.errors.push_back((state - end.state).abs().maxCoeff() / (kGap * tolerance));
+      }
+    }
+  }
+  std::ranges::sort(result.errors);
+  return result;
+}
+
+void expect_contacts_within_tolerance(const InclinedSurvey& found) {
+  const auto quantile = [&](double share) {
+    return found.errors[static_cast<std::size_t>(share * static_cast<double>(found.errors.size() - 1))];
+  };
+  SCOPED_TRACE(::testing::Message() << "median " << quantile(0.5) << ", 99 % " << quantile(0.99)
+                                    << ", largest " << quantile(1.0) << " tolerances; other ends "
+                                    << found.ended_otherwise << ", given up " << found.given_up);
+  EXPECT_LE(quantile(0.5), 1.0);
+  EXPECT_LE(quantile(0.99), 20.0);
+  EXPECT_LE(quantile(1.0), 200.0);
+  EXPECT_EQ(found.ends_differ, 0);
+  EXPECT_EQ(found.differ_at_start, 0);
+  EXPECT_LE(found.given_up, 0.003 * static_cast<double>(found.errors.size()));
+}
+
+void expect_contacts_of_all_laws_within_tolerance(int each, double tolerance) {
+  const auto coulomb = [](double friction, double /*velocity*/) {
+    return contact::CoulombFriction{friction};
+  };
+  const auto regularised = [](double friction, double velocity) {
+    return contact::VelocityFriction(contact::RegularisedFriction{friction, velocity});
+  };
+  const auto stribeck = [](double friction, double velocity) {
+    return contact::VelocityFriction(
+        contact::StribeckFriction{3.0 * friction, friction, 0.03, 0.2 * velocity});
+  };
+  expect_contacts_within_tolerance(survey(each, tolerance, LoadDirection::normal, coulomb));
+  for (const LoadDirection direction : {LoadDirection::axial, LoadDirection::normal}) {
+    expect_contacts_within_tolerance(survey(each, tolerance, direction, regularised));
+    expect_contacts_within_tolerance(survey(each, tolerance, direction, stribeck));
+  }
+}
+
+TEST(InclinedContacts, ErrByTheToleranceWhereverTheyEnd) {
+  expect_contacts_of_all_laws_within_tolerance(200, 1e-9);
+}
+
+TEST(InclinedContactsSlow, ErrByTheToleranceInTenThousandContactsOfEachLaw) {
+  for (const double tolerance : {1e-7, 1e-9, 1e-11})
+    expect_contacts_of_all_laws_within_tolerance(10000, tolerance);
+}
+
+TEST(InclinedContacts, HaveTheSameBitsOnEveryProcessor) {
+  using namespace collocation;
+  const double thickness = 1e-3;
+  collocation::Machine machine{};
+  machine.speed_ratio = 0.37;
+  machine.damping_ratio = 0.1;
+  machine.misalignment = 0.01001;
+  machine.ring_radius = 0.11;
+  machine.force_unit = 0.01;
+  collocation::Blade blade{};
+  blade.reach = 0.1;
+  blade.closing = -0.0021;
+  blade.length = 0.1;
+  blade.load_unit = 206e9 * 0.01 * thickness * thickness * thickness / 12.0 / 0.01;
+  const collocation::Contact contact{&machine, &blade, 1.0, true};
+  InclinedLoad load = numbers_of(LoadDirection::normal,
+                                 contact::VelocityFriction(contact::StribeckFriction{0.3, 0.1, 0.03, 0.002}));
+  load.strain_unit = 0.005;
+  Interval first{};
+  first.blade = {std::cos(-1.2), std::sin(-1.2)};
+  first.start_angular_speed = machine.speed_ratio;
+  // A shaft from which the tip of a blade that points down just reaches the ring.
+  const double x = 0.002;
+  const double y_from_ring = -0.1 * first.blade[1] - std::sqrt(std::pow(0.1 * first.blade[1], 2) -
+                                                               (x * x + 0.2 * x * first.blade[0] - 0.0021));
+  first.shaft.start = {x, y_from_ring - machine.misalignment, 0.01, -0.03};
+  const double angle = std::atan(0.1) + std::asin((y_from_ring * first.blade[0] - x * first.blade[1]) / 0.11);
+  load.scale = 2.0 * std::sin(0.5 * angle);
+  first.start_lean = std::sin(0.5 * angle);
+  first.lean.value.fill(first.start_lean);
+  first.chord = {0.004, 0.4};
+  first.normal = {-0.012, 0.12};
+  for (std::size_t i = 0; i < kNodes; ++i)
+    first.deviation[i] = 0.1 * node_tables().node[i] * (1.0 - node_tables().node[i]);
+  Interval in_pairs = first;
+  Interval here = first;
+  const Closeness closeness{1e-12, false};
+  ASSERT_TRUE(solver_in_pairs().solve_inclined(contact, load, closeness, in_pairs));
+  ASSERT_TRUE(interval_solver().solve_inclined(contact, load, closeness, here));
+  EXPECT_GT(here.argument.at_end(), 0.2);
+  EXPECT_EQ(in_pairs.sweeps, here.sweeps);
+  const auto same = [](const AtNodes& a, const AtNodes& b) {
+    return std::memcmp(a.value.data(), b.value.data(), sizeof a.value) == 0;
+  };
+  EXPECT_TRUE(same(in_pairs.shaft.vy, here.shaft.vy) && same(in_pairs.argument, here.argument) &&
+              same(in_pairs.lean, here.lean));
+  EXPECT_TRUE(same(in_pairs.gap_measure, here.gap_measure) &&
+              same(in_pairs.slip_velocity, here.slip_velocity) &&
+              same(in_pairs.normal_force, here.normal_force) && same(in_pairs.root_strain, here.root_strain));
+  EXPECT_EQ(solver_in_pairs().inclined_bounds(contact, in_pairs),
+            interval_solver().inclined_bounds(contact, here));
+}
+
+}  // namespace
+}  // namespace rubatlas::test
