@@ -46,8 +46,7 @@ void Flight::start(double time, const rotor::ShaftAndRing& bodies) {
   if (ring_ == nullptr) at_start_.tail<4>().setZero();
 }
 
-rotor::State Flight::shaft(double time) const {
-  const double elapsed = time - start_;
+inline rotor::State Flight::shaft_after(double elapsed) const {
   if (supported_ != nullptr)
     return supported_->support.state(start_, at_start_.head<4>().matrix(), elapsed).array();
   const Complex from(at_start_[0], at_start_[1]);
@@ -62,6 +61,17 @@ rotor::State Flight::shaft(double time) const {
     velocity += response.velocity;
   }
   return {position.real(), position.imag(), velocity.real(), velocity.imag()};
+}
+
+rotor::State Flight::shaft(double time) const {
+  return shaft_after(time - start_);
+}
+
+rotor::ShaftAndRing Flight::state(double time) const {
+  const double elapsed = time - start_;
+  rotor::ShaftAndRing bodies = rotor::shaft_and_ring(shaft_after(elapsed));
+  if (ring_ != nullptr) bodies.tail<4>() = ring_->free(rotor::ring(at_start_), elapsed);
+  return bodies;
 }
 
 bool Flight::resolves(double time) const {

@@ -46,11 +46,7 @@ class Flight {
 
   [[nodiscard]] double start_time() const { return start_; }
   [[nodiscard]] const rotor::ShaftAndRing& at_start() const { return at_start_; }
-  [[nodiscard]] rotor::ShaftAndRing state(double time) const {
-    rotor::ShaftAndRing bodies = rotor::shaft_and_ring(shaft(time));
-    if (ring_ != nullptr) bodies.tail<4>() = ring_->free(rotor::ring(at_start_), time - start_);
-    return bodies;
-  }
+  [[nodiscard]] rotor::ShaftAndRing state(double time) const;
   /// The shaft's part of it.
   [[nodiscard]] rotor::State shaft(double time) const;
 
@@ -93,6 +89,7 @@ class Flight {
   [[nodiscard]] double largest_displacement(double begin, double end, double known) const;
 
  private:
+  [[nodiscard]] rotor::State shaft_after(double elapsed) const;
   /// z'' is written with z, z' and the forcing, then each derivative with the two before it.
   [[nodiscard]] DerivativeBounds isotropic_derivative_bounds(double bound) const {
     const double damping = 2.0 * free_.damping_ratio();

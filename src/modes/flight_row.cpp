@@ -10,25 +10,29 @@ FlightRow::FlightRow(const rotor::Machine& machine, double spacing)
 }
 
 void FlightRow::start(double time, const rotor::ShaftAndRing& bodies, double fourth_bound) {
-  start_ = rotor::from_ring(bodies);
   remainder_ = remainder(fourth_bound, spacing());
-  states_.start(time, rotor::shaft(bodies));
   turn_.start(time);
-  if (ring_) {
-    const rotor::RingBody::State from = rotor::ring(bodies);
-    ring_->free.move(from[0], from[2] / ring_->frequency, ring_->rx, ring_->rvx);
-    ring_->free.move(from[1], from[3] / ring_->frequency, ring_->ry, ring_->rvy);
-    ring_->rvx *= ring_->frequency;
-    ring_->rvy *= ring_->frequency;
-    ring_->x = states_.x() - ring_->rx;
-    ring_->y = states_.y() - ring_->ry;
-    ring_->vx = states_.vx() - ring_->rvx;
-    ring_->vy = states_.vy() - ring_->rvy;
+  if (!ring_) {
+    start_ = rotor::shaft(bodies);
+    states_.start(time, start_);
+    see(states_.x(), states_.y(), states_.vx(), states_.vy());
+    return;
   }
-  const Values& x = ring_ ? ring_->x : states_.x();
-  const Values& y = ring_ ? ring_->y : states_.y();
-  const Values& vx = ring_ ? ring_->vx : states_.vx();
-  const Values& vy = ring_ ? ring_->vy : states_.vy();
+  start_ = rotor::from_ring(bodies);
+  states_.start(time, rotor::shaft(bodies));
+  const rotor::RingBody::State from = rotor::ring(bodies);
+  ring_->free.move(from[0], from[2] / ring_->frequency, ring_->rx, ring_->rvx);
+  ring_->free.move(from[1], from[3] / ring_->frequency, ring_->ry, ring_->rvy);
+  ring_->rvx *= ring_->frequency;
+  ring_->rvy *= ring_->frequency;
+  ring_->x = states_.x() - ring_->rx;
+  ring_->vx = states_.vx() - ring_->rvx;
+  ring_->vy = states_.vy() - ring_->rvy;
+  see(ring_->x, states_.y() - ring_->ry, ring_->vx, ring_->vy);
+}
+
+/// `x`, `y`, `vx`, `vy`: of the shaft, from the ring.
+void FlightRow::see(const Values& x, const Values& y, const Values& vx, const Values& vy) {
   y_ = y + misalignment_;
   square_ = x * x + y_ * y_;
   square_rate_ = 2.0 * (x * vx + y_ * vy);

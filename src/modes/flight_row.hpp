@@ -60,16 +60,18 @@ class FlightRow {
   /// `rounding`: more than the gaps are rounded by [m²].
   [[nodiscard]] int first_doubt(const Gaps& gaps, double rounding) const {
     const double remainder = remainder_ + rounding;
-    // The tip of a blade that has just lifted off starts at the ring, up to rounding.
-    double before = std::min(gaps.before, 0.0);
-    double rate_before = gaps.rate_before;
     const double third = spacing() / 3.0;
-    Values inner = gaps.gap - third * gaps.rate;
+    // The inner Bernstein coefficients: before a time, and, of the next interval, behind it.
+    const Values rise = third * gaps.rate;
+    const Values before = gaps.gap - rise;
+    const Values behind = gaps.gap + rise;
+    // The tip of a blade that has just lifted off starts at the ring, up to rounding.
+    double first = std::min(gaps.before, 0.0) + third * gaps.rate_before;
+    const double highest = before.max(behind).maxCoeff();
+    if (std::max(first, highest) + remainder < 0.0 && gaps.gap.maxCoeff() < 0.0) return kTimes;  // mostly
     for (int i = 0; i < kTimes; ++i) {
-      const double first = before + third * rate_before;
-      if (!(std::max(first, inner[i]) + remainder < 0.0 && gaps.gap[i] < 0.0)) return i;
-      before = gaps.gap[i];
-      rate_before = gaps.rate[i];
+      if (!(std::max(first, before[i]) + remainder < 0.0 && gaps.gap[i] < 0.0)) return i;
+      first = behind[i];
     }
     return kTimes;
   }
@@ -88,11 +90,13 @@ class FlightRow {
         : free(body.free_motion(), body.frequency() * spacing), frequency(body.frequency()) {}
 
     FreeRow free;
-    double frequency;     ///< ν [-]
-    Values rx, ry;        ///< [m]
-    Values rvx, rvy;      ///< [m per unit τ]
-    Values x, y, vx, vy;  ///< seen from the ring
+    double frequency;  ///< ν [-]
+    Values rx, ry;     ///< [m]
+    Values rvx, rvy;   ///< [m per unit τ]
+    Values x, vx, vy;  ///< seen from the ring
   };
+
+  void see(const Values& x, const Values& y, const Values& vx, const Values& vy);
 
   double misalignment_;
   StateRow states_;
