@@ -129,7 +129,7 @@ class ArcSweeps {
       // The changes form a geometric series in the end, of which this is the rest.
       const double ratio = interval_.sweeps > 1 ? std::min(change / before, kSlowest) : kSlowest;
       const double rest = change * std::max(ratio, interval_.sweeps > 2 ? ratio_before : 0.0);
-      if (rest <= closeness_.velocity && largest_step_ < kLargestStep) {
+      if (rest <= closeness_.velocity && largest_step_ < sweeps.largest_step_allowed()) {
         sweeps.store();
         return true;
       }

@@ -23,8 +23,14 @@ constexpr double kCareWithSeveral = 4.0;  ///< blades: coefficients fall less ev
 constexpr double kSafety = 100.0;
 constexpr double kClosest = 0.2;              ///< of the tolerance: what sweeps may leave
 constexpr std::size_t kMostIntervals = 1000;  ///< of a contact that is shorter or longer than was predicted
-/// p: a fold nearer to the unbent blade, where the force is some 1e-9 of EI/L², is its lift-off.
-constexpr double kNextToUnbent = 1e-4;
+
+/// Slope by θ of the polynomial through values at the places, just before θ.
+double slope_before(const AtPlaces& values, double fraction) {
+  constexpr double kApart = 1e-4;
+  const double rise =
+      sum_of_products(basis_at(fraction), values) - sum_of_products(basis_at(fraction - kApart), values);
+  return rise / kApart;
+}
 
 /// Cosine and sine of the angle from one blade to another.
 std::array<double, 2> offset_between(const contact::BladeDirection& from, const contact::BladeDirection& to) {
@@ -223,7 +229,7 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
     if (guard == Guard::slip_reversal && !(values[node] > 0.0)) return;  // it slips back from the start on
     const double fraction = crossing(values, node + 1);
     if (node + 1 < place_of_first || fraction < first.fraction) {
-      first = {guard, fraction, blade};
+      first = {guard, fraction, blade, slope_before(values, fraction)};
       place_of_first = node + 1;
     }
   };
@@ -275,7 +281,8 @@ std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interva
     // It may come near the ring without touching it, or it touches at the start: shorter intervals tell.
     if (place == kPlaces || (place == 1 && !(values[0] > 0.0))) return std::nullopt;
     const double fraction = crossing(values, place);
-    if (fraction < before.fraction) before = {Guard::touch_down, fraction, other.blade};
+    if (fraction < before.fraction)
+      before = {Guard::touch_down, fraction, other.blade, slope_before(values, fraction)};
   }
   return before;
 }
@@ -314,39 +321,44 @@ bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter) 
   return solve(shorter, true);
 }
 
-/// The same up to where a slip reverses or the chart ends, which the polynomials have only as accurately as
-/// velocities between the nodes.
-bool ContactArc::cut_at_zero(const Interval& whole, Ending& ending, Interval& shorter) {
-  const auto further = std::ranges::find(further_, ending.blade, &FurtherStart::blade);
-  const std::size_t number = static_cast<std::size_t>(further - further_.begin());
-  const bool of_chart = ending.guard == Guard::chart_end;
-  const auto nodes = [&](const Interval& interval) -> const AtNodes& {
-    if (of_chart) return interval.chart_left;
-    return ending.blade == blade_ ? interval.slip_velocity : interval.further[number].slip_velocity;
-  };
-  const double at_start = of_chart                 ? whole.start_chart_left
-                          : ending.blade == blade_ ? whole.start_slip_velocity
-                                                   : whole.further[number].start_slip_velocity;
-  const AtPlaces values = at_places(at_start, nodes(whole));
-  constexpr int kTimes = 3;
-  constexpr double kApart = 1e-4;  // θ
-  const double before = std::max(0.0, ending.fraction - kApart);
-  const double slope =
-      (sum_of_products(basis_at(before + kApart), values) - sum_of_products(basis_at(before), values)) /
-      kApart;
-  constexpr double kChartRounding = 1e-14;
-  const double rounding =
-      of_chart ? kChartRounding
-               : contact::kSlipRounding * std::abs(rotor_->speed_ratio) * machine().ring_radius;
+/// What is left of the guard's quantity at the end of an interval that it ends.
+double ContactArc::left_at_end(const Ending& ending, const Interval& interval) const {
+  switch (ending.guard) {
+    case Guard::touch_down:
+      return -pose(ending.blade, end_of(interval)).gap;
+    case Guard::under_load:
+      return interval.gap_measure.at_end();
+    case Guard::unbent:
+      return interval.argument.at_end();
+    case Guard::fold:
+      return interval.time_slope.at_end();
+    case Guard::chart_end:
+      return interval.chart_left.at_end();
+    default: {
+      if (ending.blade == blade_) return contact_.slip * interval.slip_velocity.at_end();
+      const FurtherBlade& further = interval.further[number_of(ending.blade)];
+      return further.slip * further.slip_velocity.at_end();
+    }
+  }
+}
+
+/// The same up to a guard, which the polynomials have only as accurately as velocities between the nodes.
+bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter) {
+  constexpr int kTimes = 4;
+  constexpr double kClosestFraction = 1e-11;
+  // At a fold time stands still, and where no force is left nothing is missed in a moment.
+  const bool once = ending.guard == Guard::fold || (ending.guard == Guard::unbent && further_.empty());
   for (int i = 0; i < kTimes; ++i) {
     if (!cut(whole, ending.fraction, shorter)) return false;
-    const double left = nodes(shorter).at_end();
-    rounding_at_end_ = std::abs(left) + rounding;
-    if (std::abs(left) <= rounding) return true;
-    ending.fraction -= left / slope;
-    if (!(ending.fraction > 0.0 && ending.fraction <= 1.0)) return false;
+    if (once) break;
+    const double left = left_at_end(ending, shorter);
+    rounding_at_end_ = 2.0 * std::abs(left);
+    const double less = left / ending.slope;
+    if (!(std::abs(less) > kClosestFraction) || ending.fraction - less > 1.0) break;
+    ending.fraction -= less;
+    if (!(ending.fraction > 0.0)) return false;
   }
-  return rounding_at_end_ <= tolerance_;
+  return true;
 }
 
 void ContactArc::move(Point& point, const Interval& interval, double late) {
@@ -367,7 +379,7 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
   end_ = end_of(interval);
   er_ = {interval.blade_x.at_end(), interval.blade_y.at_end()};
   ending_ = ending;
-  if (ending.guard == Guard::none && interval.chord.time == 0.0) ending_ = {Guard::unbent, 1.0, blade_};
+  if (ending.guard == Guard::none && interval.chord.time == 0.0) ending_ = {Guard::unbent, 1.0, blade_, 0.0};
   // To where the gap of a blade is zero: in time, and what is left, or all where the tip hardly moves against
   // the ring, the shortest way for the shaft.
   const auto goes_on_to_ring = [&](int blade) {
@@ -449,6 +461,17 @@ void ContactArc::leave_earlier() {
   if (kept_ != nullptr) kept_->count = number_;
 }
 
+/// Whether a fold is the lift-off of an unbent blade: time stands still there, too, so that rounding, or an
+/// error between the nodes where there can be no fold, is taken for one.
+bool ContactArc::is_next_to_unbent(const Interval& interval) const {
+  constexpr double kNext = 1e-4;  // p: the force is some 1e-9 of EI/L²
+  constexpr double kNear = 0.03;
+  if (contact_.leans && !(interval.lean.at_end() > 0.0)) return false;  // it is bent against its load
+  const double argument = interval.argument.at_end();
+  return argument < kNext ||
+         (argument < kNear && law_->starts_unloaded(blade_, contact_.slip, pose(blade_, end_of(interval))));
+}
+
 ContactArc::Verdict ContactArc::judge(Ending& ending) {
   const Interval& next = trial();
   const bool reaches_zero = next.chord.time == 0.0;
@@ -459,9 +482,7 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   const bool in_part = ending.guard != Guard::none;
   Interval& part = intervals_[made_];  // what has been made before is not asked for again
   if (in_part) {
-    const bool at_zero = ending.guard == Guard::slip_reversal || ending.guard == Guard::chart_end;
-    if (!(at_zero ? cut_at_zero(next, ending, part) : cut(next, ending.fraction, part)))
-      return Verdict::gives_up;
+    if (!cut_at(next, ending, part)) return Verdict::gives_up;
     // Beyond its ending the interval is no motion.
     const bool lifts = ending.guard == Guard::unbent || ending.guard == Guard::under_load;
     if (!lifts || !further_.empty() || !stays_valid(bounds, ending)) bounds = law_->bounds(contact_, part);
@@ -481,7 +502,7 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   const bool stays_bent = bounds.gap_measure > 0.0 && (begins_ || next.start_gap_measure > 0.0);
   if (ending.guard != Guard::under_load && !held_beyond_ring && !stays_bent) return Verdict::gives_up;
   const Interval& kept = in_part ? part : next;
-  if (ending.guard == Guard::fold && kept.argument.at_end() < kNextToUnbent) ending.guard = Guard::unbent;
+  if (ending.guard == Guard::fold && is_next_to_unbent(kept)) ending.guard = Guard::unbent;
   // At a fold a tip is free only outside the ring, or it snaps.
   if (ending.guard == Guard::fold && !law_->has_branches(blade_) && !(pose(blade_, end_of(kept)).gap < 0.0))
     return Verdict::gives_up;

@@ -63,6 +63,7 @@ class ContactArc {
     Guard guard = Guard::none;
     double fraction = 1.0;  ///< θ
     int blade = -1;
+    double slope = 0.0;  ///< by θ of the guard's quantity, which passes through zero there
   };
   /// Of the interval that has been made.
   [[nodiscard]] const Ending& ending() const { return ending_; }
@@ -149,7 +150,9 @@ class ContactArc {
   void leave_earlier();
   void guess_further(Interval& next) const;
   bool cut(const Interval& whole, double fraction, Interval& shorter);
-  bool cut_at_zero(const Interval& whole, Ending& ending, Interval& shorter);
+  [[nodiscard]] bool is_next_to_unbent(const Interval& interval) const;
+  [[nodiscard]] double left_at_end(const Ending& ending, const Interval& interval) const;
+  bool cut_at(const Interval& whole, Ending& ending, Interval& shorter);
   [[nodiscard]] static Point end_of(const Interval& interval);
   void end_at(const Interval& interval, const Ending& ending);
 

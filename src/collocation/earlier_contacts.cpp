@@ -76,9 +76,9 @@ double EarlierContacts::distance(const Beginning& a, const Beginning& b) const {
 }
 
 EarlierContacts::Found EarlierContacts::find(const Beginning& beginning) {
-  std::size_t nearest = oldest_;
+  std::size_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < kKept; ++i) {
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const double there = distance(beginning, beginnings_[i]);
     if (there < least) {
       least = there;
@@ -87,6 +87,7 @@ EarlierContacts::Found EarlierContacts::find(const Beginning& beginning) {
   }
   const std::size_t next = least < kSame ? nearest : oldest_;
   if (next == oldest_) oldest_ = (oldest_ + 1) % kKept;
+  if (next == contacts_.size()) contacts_.emplace_back();
   const Found found{least < kAlike ? &contacts_[nearest] : nullptr, &contacts_[next]};
   // Its intervals are read, one by one, before they are written.
   if (found.next != found.alike) found.next->count = 0;

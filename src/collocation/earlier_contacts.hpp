@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <deque>
 
 #include "collocation/interval.hpp"
 
@@ -67,7 +68,7 @@ class EarlierContacts {
   double reach_;
   double clearance_;
   std::array<Beginning, kKept> beginnings_;
-  std::array<EarlierContact, kKept> contacts_;
+  std::deque<EarlierContact> contacts_;  ///< made as they are needed: most motions have a few kinds
   std::size_t oldest_ = 0;
 };
 

@@ -42,6 +42,7 @@ ModeEnd Collocated::advance(double until, MotionListener& listener) {
       const double end = arc_.end().time;
       const bool beyond = end > until;
       piece_end_ = beyond ? until : end;
+      piece_stretch_.reset();
       most_bent_.fill(std::nullopt);
       if (piece_end_ > piece_begin_) listener.piece(*this);
       if (meter_->ended()) return {Guard::failed, -1, meter_->why()};
@@ -61,8 +62,8 @@ ModeEnd Collocated::advance(double until, MotionListener& listener) {
 
 ModeEnd Collocated::end_of_arc() const {
   using Reason = collocation::ContactArc::Guard;
-  const auto& [reason, fraction, blade] = arc_.ending();
-  switch (reason) {
+  const int blade = arc_.ending().blade;
+  switch (arc_.ending().guard) {
     case Reason::touch_down:
       return {Guard::touch_down, blade};
     case Reason::slip_reversal:
@@ -115,9 +116,8 @@ double Collocated::largest_displacement(double known, double /*speed_ratio*/) {
   return arc_.largest_displacement(piece_begin_, piece_end_, known);
 }
 
-contact::Pose Collocated::pose(int blade, const Point& point) const {
-  return rotor::pose_of(*rotor_, law_->geometry(blade), direction(blade, point.time),
-                        rotor::from_ring(point.bodies));
+contact::Pose Collocated::pose(int blade, const Point& point, const contact::BladeDirection& er) const {
+  return rotor::pose_of(*rotor_, law_->geometry(blade), er, rotor::from_ring(point.bodies));
 }
 contact::TipForce Collocated::force(std::size_t contact, const Point& point) const {
   const int number = blade(contact);
@@ -133,11 +133,13 @@ trajectory::ContactForce Collocated::contact_force(std::size_t contact, double t
   return contact_force(contact, arc_.solved_at(time));
 }
 trajectory::ContactForce Collocated::contact_force(std::size_t contact, const Point& point) const {
-  const contact::TipForce tip_force = force(contact, point);
-  const auto& open = contacts_[contact];
-  return modes::contact_force(
-      tip_force, {open.slip, law_->friction_coefficient(arc_.touch_of(open.blade, point), tip_force)},
-      direction(open.blade, point.time), pose(open.blade, point), blades_->angular_speed(point.time));
+  const collocation::Touch touch = arc_.touch_of(blade(contact), point);
+  const contact::BladeDirection er = direction(touch.blade, point.time);
+  const contact::Pose at = pose(touch.blade, point, er);
+  const double speed = blades_->angular_speed(point.time);
+  const contact::TipForce tip_force = law_->force(touch, at, speed);
+  return modes::contact_force(tip_force, {touch.slip, law_->friction_coefficient(touch, tip_force)}, er, at,
+                              speed);
 }
 trajectory::Tip Collocated::tip(int blade, const Point& point) const {
   return tip_of(law_->geometry(blade), pose(blade, point), blades_->angular_speed(point.time));
@@ -190,9 +192,10 @@ bool Collocated::forces_on_path(double share, trajectory::PathPoint& point,
   return true;
 }
 
-Collocated::Point Collocated::place_on_path(double share, trajectory::PathPoint& point) const {
-  const double from = arc_.fraction_at(piece_begin_);
-  const double length = arc_.fraction_at(piece_end_) - from;
+Collocated::Point Collocated::place_on_path(double share, trajectory::PathPoint& point) {
+  if (!piece_stretch_) piece_stretch_ = {arc_.fraction_at(piece_begin_), arc_.fraction_at(piece_end_)};
+  const auto [from, to] = *piece_stretch_;
+  const double length = to - from;
   const double fraction = from + share * length;
   Point there = arc_.point_at(fraction);
   const collocation::ArcLaw::Tangent rate = arc_.direction_at(fraction);

@@ -94,7 +94,10 @@ class Collocated final : public trajectory::MotionPiece {
   [[nodiscard]] contact::BladeDirection direction(int blade, double time) const {
     return blades_->direction(blade, blades_->first(time));
   }
-  [[nodiscard]] contact::Pose pose(int blade, const Point& point) const;
+  [[nodiscard]] contact::Pose pose(int blade, const Point& point) const {
+    return pose(blade, point, direction(blade, point.time));
+  }
+  [[nodiscard]] contact::Pose pose(int blade, const Point& point, const contact::BladeDirection& er) const;
   [[nodiscard]] ModeEnd end_of_arc() const;
   [[nodiscard]] trajectory::Tip tip(int blade, const Point& point) const;
   /// The piece is an interval, and not a part of one.
@@ -106,7 +109,7 @@ class Collocated final : public trajectory::MotionPiece {
   [[nodiscard]] LargestLoad largest_kept(trajectory::Load load, std::size_t contact, double known);
   [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, const Point& point) const;
   /// The place on the interval at a share of the piece, which goes into `point` too.
-  Point place_on_path(double share, trajectory::PathPoint& point) const;
+  Point place_on_path(double share, trajectory::PathPoint& point);
 
   std::unique_ptr<collocation::ArcLaw> law_;
   const rotor::RipplingBlades* blades_;
@@ -120,6 +123,11 @@ class Collocated final : public trajectory::MotionPiece {
   bool pending_ = false;  ///< an interval has been made and not been recorded to its end
   double piece_begin_ = 0.0;
   double piece_end_ = 0.0;
+  /// θ of both, once they are asked for.
+  struct Stretch {
+    double from, to;
+  };
+  std::optional<Stretch> piece_stretch_;
   /// Where a blade is bent most, and its force there.
   struct MostBent {
     double time;      ///< τ of the revolution

@@ -14,7 +14,6 @@
 
 #include "../effects/directed_law.hpp"
 #include "contact/elastica_contact.hpp"
-#include "modes/ring_flight.hpp"
 #include "motion/modes_of_axial_loads.hpp"
 #include "motion/modes_of_inclined_loads.hpp"
 

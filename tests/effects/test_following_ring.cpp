@@ -9,7 +9,6 @@
 
 #include "contact/elastic_ring_contact.hpp"
 #include "effect_scene.hpp"
-#include "modes/ring_flight.hpp"
 #include "motion/modes_of_following_ring.hpp"
 #include "motion/modes_of_rigid_blades.hpp"
 #include "motion/motion.hpp"

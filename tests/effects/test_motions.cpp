@@ -79,7 +79,8 @@ TEST(EveryEffect, ConvergesAsTheToleranceTightens) {
       const auto end = [&](double tolerance) {
         scene["accuracy"]["tolerance"] = tolerance;
         const auto outcome = run(parsed(scene));
-        EXPECT_EQ(outcome.status, PointStatus::done);
+        EXPECT_EQ(outcome.status, PointStatus::done)
+            << name_of<Effect>() << ", speed " << speed << ", tolerance " << tolerance;
         return outcome.final_state;
       };
       const auto best = end(1e-13);

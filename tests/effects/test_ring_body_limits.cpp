@@ -8,7 +8,6 @@
 #include "assembly/make_line_solver.hpp"
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
-#include "modes/ring_flight.hpp"
 #include "motion/modes_of_axial_loads.hpp"
 #include "motion/modes_of_rigid_blades.hpp"
 #include "motion/motion.hpp"
