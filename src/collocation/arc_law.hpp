@@ -40,6 +40,8 @@ class ArcLaw {
   [[nodiscard]] virtual bool releases_at_fold(int blade) const = 0;
   /// Where the equilibria end in a fold, the blade may snap to others.
   [[nodiscard]] virtual bool has_branches(int blade) const = 0;
+  /// The force of the leading blade vanishes with the gap where its tip stands.
+  [[nodiscard]] virtual bool starts_unloaded(int blade, double slip, const contact::Pose& at) const = 0;
   /// What `Bounds::argument` is to stay below.
   [[nodiscard]] virtual double valid_argument(int blade) const = 0;
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -130,7 +129,7 @@ class ArcSweeps {
       // The changes form a geometric series in the end, of which this is the rest.
       const double ratio = interval_.sweeps > 1 ? std::min(change / before, kSlowest) : kSlowest;
       const double rest = change * std::max(ratio, interval_.sweeps > 2 ? ratio_before : 0.0);
-      if (rest <= closeness_.velocity && largest_step_ < largest_step_allowed()) {
+      if (rest <= closeness_.velocity && largest_step_ < sweeps.largest_step_allowed()) {
         sweeps.store();
         return true;
       }
@@ -254,12 +253,6 @@ class ArcSweeps {
   /// Of Newton's steps: the next would be of its square. Velocities alone do not tell, where a blade is so
   /// soft that it hardly moves the shaft.
   static constexpr double kLargestStep = 1e-4;
-  static constexpr double kLittleBent = 0.1;  ///< p: blades that are bent less have shorter last steps
-  [[nodiscard]] double largest_step_allowed() const {
-    const Number argument = chord_argument_ + deviation_ * interval_.normal.argument;
-    const double largest = std::max(std::abs(interval_.start_argument), magnitude(argument).largest());
-    return kLargestStep * std::min(1.0, largest / kLittleBent);
-  }
   static constexpr double kSlowest = 0.5;  ///< ratio of changes, where none is known
 
   const Machine& machine_;

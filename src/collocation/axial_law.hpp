@@ -28,6 +28,9 @@ class AxialLaw final : public ArcLaw {
     return laws_->of(blade).releases_at_fold();
   }
   [[nodiscard]] bool has_branches(int blade) const override { return laws_->of(blade).has_branches(); }
+  [[nodiscard]] bool starts_unloaded(int blade, double slip, const contact::Pose& at) const override {
+    return laws_->of(blade).starts_unloaded(at, slip);
+  }
   [[nodiscard]] double valid_argument(int blade) const override {
     return valid_argument_[static_cast<std::size_t>(blade)];
   }

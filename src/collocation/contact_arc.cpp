@@ -466,12 +466,10 @@ void ContactArc::leave_earlier() {
 bool ContactArc::is_next_to_unbent(const Interval& interval) const {
   constexpr double kNext = 1e-4;  // p: the force is some 1e-9 of EI/L²
   constexpr double kNear = 0.03;
+  if (contact_.leans && !(interval.lean.at_end() > 0.0)) return false;  // it is bent against its load
   const double argument = interval.argument.at_end();
-  if (!(argument < kNear)) return false;
-  const Point end = end_of(interval);
-  const Touch unbent = law_->touch(blade_, contact_.slip, {});
   return argument < kNext ||
-         law_->start(unbent, pose(blade_, end), blades_->angular_speed(end.time)).gap_measure >= 0.0;
+         (argument < kNear && law_->starts_unloaded(blade_, contact_.slip, pose(blade_, end_of(interval))));
 }
 
 ContactArc::Verdict ContactArc::judge(Ending& ending) {

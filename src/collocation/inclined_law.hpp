@@ -47,6 +47,9 @@ class InclinedLaw final : public ArcLaw {
   [[nodiscard]] bool leans() const override { return true; }
   [[nodiscard]] bool releases_at_fold(int /*blade*/) const override { return false; }
   [[nodiscard]] bool has_branches(int /*blade*/) const override { return true; }
+  [[nodiscard]] bool starts_unloaded(int /*blade*/, double /*slip*/, const contact::Pose& at) const override {
+    return load_.side * at.tangential > 0.0;
+  }
   [[nodiscard]] double valid_argument(int /*blade*/) const override { return max_shortening_; }
   [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
                                           double speed) const override {

@@ -279,7 +279,8 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
  private:
   using Vector = typename Base::Vector;
   static constexpr int kMostSweeps = 12;
-  static constexpr int kFullSweeps = 3;    ///< with slopes of their own
+  static constexpr int kFullSweeps = 3;  ///< with slopes of their own
+  [[nodiscard]] static double largest_step_allowed() { return Base::kLargestStep; }
   static constexpr double kUnbent = 1e-9;  ///< of D/L: below it δ/D is less than rounding
 
   /// Returns the largest change of a velocity [m per unit τ]; not a number where there is no blade.

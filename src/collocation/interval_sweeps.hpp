@@ -45,7 +45,13 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
 
   static constexpr int kMostSweeps = 9;
   static constexpr std::size_t kSlopeDegree = 5;
-  static constexpr int kFullSweeps = 3;  ///< with slopes of their own
+  static constexpr int kFullSweeps = 3;       ///< with slopes of their own
+  static constexpr double kLittleBent = 0.1;  ///< p: blades that are bent less have shorter last steps
+  [[nodiscard]] double largest_step_allowed() const {
+    const Number argument = chord_argument_ + deviation_ * interval_.normal.argument;
+    const double largest = std::max(std::abs(interval_.start_argument), magnitude(argument).largest());
+    return Base::kLargestStep * std::min(1.0, largest / kLittleBent);
+  }
   /// Of Δ/L: below it δ/Δ is less than rounding of what it is added to.
   static constexpr double kUnbent = 1e-9;
 

@@ -24,7 +24,7 @@ MAY_INCLUDE = {
     "src/variation": ["settings", "blade", "contact", "rotor", "integrate", "trajectory"],
     "src/observables": ["settings", "integrate", "trajectory", "variation"],
     "src/modes": ["blade", "contact", "rotor", "integrate", "collocation", "trajectory", "ending"],
-    "src/motion": ["settings", "contact", "rotor", "integrate", "trajectory", "modes", "ending"],
+    "src/motion": ["settings", "contact", "rotor", "integrate", "trajectory", "modes", "collocation", "ending"],
     "src/point": ["settings", "rotor", "trajectory", "variation", "observables", "modes/motion_listener.hpp",
                   "modes/work_meter.hpp", "motion", "ending"],
     "src/assembly": ["settings", "plan", "blade", "contact", "rotor", "integrate", "variation", "modes", "motion",
