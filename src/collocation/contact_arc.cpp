@@ -127,8 +127,9 @@ void ContactArc::predict(const Touch& touch) {
   at_end_ = law_->start(touch, there, angular_speed);
   // A tip that has come loose slips from zero on in the direction of s.
   double& slip_velocity = at_end_.force.slip_velocity;
-  if (std::abs(slip_velocity) <=
-      contact::kSlipRounding * std::abs(rotor_->speed_ratio) * machine().ring_radius)
+  if (contact_.slip != 0.0 && std::abs(slip_velocity) <= contact::kSlipRounding *
+                                                             std::abs(rotor_->speed_ratio) *
+                                                             machine().ring_radius)
     slip_velocity = std::copysign(std::numeric_limits<double>::min(), contact_.slip);
   std::complex<double> force = contact::on_rotor(at_end_.force, er_);
   for (const FurtherStart& further : further_) {
@@ -166,6 +167,7 @@ void ContactArc::start_next(Interval& next) const {
   next.start_lean = end_.bending.lean;
   next.start_shortening = at_end_.force.shortening;
   next.start_chart_left = at_end_.chart_left;
+  next.start_cone_left = at_end_.cone_left;
   next.start_force = at_end_.force.normal;
   next.start_strain = at_end_.force.root_strain;
 }
@@ -203,7 +205,7 @@ double ContactArc::error_of(const Interval& interval) const {
 bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
   const auto is_valid = [&](int blade, double slip_velocity, double argument) {
     const bool reverses = ending.guard == Guard::slip_reversal && ending.blade == blade;
-    return (slip_velocity > (reverses ? -rounding_at_end_ : 0.0) || !law_->has_slip_state()) &&
+    return (slip_velocity > (reverses ? -rounding_at_end_ : 0.0) || !slips()) &&
            argument < law_->valid_argument(blade);
   };
   if (!(bounds.distance < machine().ring_radius)) return false;
@@ -211,6 +213,7 @@ bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
   for (std::size_t k = 0; k < further_.size(); ++k) {
     if (!is_valid(further_[k].blade, bounds.slip_velocity[1 + k], bounds.further_argument[k])) return false;
   }
+  if (contact_.slip == 0.0 && !(bounds.cone_left > 0.0)) return false;
   return !contact_.leans || (bounds.time_slope > 0.0 && bounds.chart_left > 0.0);
 }
 
@@ -243,7 +246,8 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
     look(Guard::fold, blade_, sum_of_products(node_tables().value_at_start, interval.time_slope),
          interval.time_slope, 1.0, count);
   if (contact_.leans) look(Guard::chart_end, blade_, interval.start_chart_left, interval.chart_left, 1.0);
-  if (!law_->has_slip_state()) return first;
+  if (contact_.slip == 0.0) look(Guard::loosening, blade_, interval.start_cone_left, interval.cone_left, 1.0);
+  if (!slips()) return first;
   look(Guard::slip_reversal, blade_, interval.start_slip_velocity, interval.slip_velocity, contact_.slip);
   for (std::size_t k = 0; k < further_.size(); ++k) {
     const FurtherBlade& further = interval.further[k];
@@ -303,6 +307,7 @@ bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter) 
     shorter.start_lean = whole.start_lean;
     shorter.start_shortening = whole.start_shortening;
     shorter.start_chart_left = whole.start_chart_left;
+    shorter.start_cone_left = whole.start_cone_left;
     shorter.start_force = whole.start_force;
     shorter.start_strain = whole.start_strain;
   }
@@ -334,6 +339,8 @@ double ContactArc::left_at_end(const Ending& ending, const Interval& interval) c
       return interval.time_slope.at_end();
     case Guard::chart_end:
       return interval.chart_left.at_end();
+    case Guard::loosening:
+      return interval.cone_left.at_end();
     default: {
       if (ending.blade == blade_) return contact_.slip * interval.slip_velocity.at_end();
       const FurtherBlade& further = interval.further[number_of(ending.blade)];
@@ -472,6 +479,16 @@ bool ContactArc::is_next_to_unbent(const Interval& interval) const {
          (argument < kNear && law_->starts_unloaded(blade_, contact_.slip, pose(blade_, end_of(interval))));
 }
 
+/// The blade of a tip at rest is no straight strut between hub and ring.
+bool ContactArc::is_held_firmly(const Interval& interval) const {
+  constexpr double kLeastModulus = 1e-3;  // κ
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    const Bending bending{interval.argument[i], interval.lean[i]};
+    if (!(std::abs(law_->touch(blade_, 0.0, bending).bend.modulus) > kLeastModulus)) return false;
+  }
+  return true;
+}
+
 ContactArc::Verdict ContactArc::judge(Ending& ending) {
   const Interval& next = trial();
   const bool reaches_zero = next.chord.time == 0.0;
@@ -503,6 +520,10 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   if (ending.guard != Guard::under_load && !held_beyond_ring && !stays_bent) return Verdict::gives_up;
   const Interval& kept = in_part ? part : next;
   if (ending.guard == Guard::fold && is_next_to_unbent(kept)) ending.guard = Guard::unbent;
+  // A tip at rest whose blade unbends, or which is about to be no longer firm, is for steps to follow.
+  if (contact_.slip == 0.0 && (ending.guard == Guard::unbent || ending.guard == Guard::fold ||
+                               ending.guard == Guard::chart_end || !is_held_firmly(kept)))
+    return Verdict::gives_up;
   // At a fold a tip is free only outside the ring, or it snaps.
   if (ending.guard == Guard::fold && !law_->has_branches(blade_) && !(pose(blade_, end_of(kept)).gap < 0.0))
     return Verdict::gives_up;
@@ -566,6 +587,7 @@ void ContactArc::goes_on(const Ending& ending) {
   if (contact_.leans) {
     at_end_.force.shortening = made().shortening.at_end();
     at_end_.chart_left = made().chart_left.at_end();
+    at_end_.cone_left = made().cone_left.at_end();
     at_end_.force.normal = made().normal_force.at_end();
     at_end_.force.root_strain = made().root_strain.at_end();
   }

@@ -32,7 +32,9 @@ InclinedLoad numbers_of(contact::LoadDirection direction, const contact::Coulomb
 }
 
 InclinedLoad numbers_of(contact::LoadDirection direction, const contact::StickingFriction& friction) {
-  return numbers_of(direction, contact::CoulombFriction{friction.friction});
+  InclinedLoad load = numbers_of(direction, contact::CoulombFriction{friction.friction});
+  load.static_friction = friction.largest_holding;
+  return load;
 }
 
 InclinedLoad numbers_of(contact::LoadDirection direction, const contact::VelocityFriction& friction) {

@@ -344,7 +344,9 @@ class Motion {
       if (any_rests) return begin_in(Mode::resting, *resting_, of_resting_law());
     }
     if constexpr (Modes::kSticks) {
-      if (any_rests) return begin_in(Mode::sticking, *sticking_, contacts_);
+      const bool alone = contacts_.size() == 1 && !handed_over_;
+      const bool collocates = Modes::kCollocates && collocated_ && alone;
+      if (any_rests && !collocates) return begin_in(Mode::sticking, *sticking_, contacts_);
     }
     if constexpr (Modes::kCarries) {
       if (begins_to_skim()) return begin_in(Mode::skimming, *skimming_, contacts_);
@@ -574,6 +576,7 @@ class Motion {
   }
   /// A tip at rest is no longer held, and slips in the direction of the pull.
   ending::StatusDetail come_loose(Contact contact, modes::MotionListener& listener) {
+    handed_over_ = false;
     const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());
     ending::StatusDetail settled = ending::StatusDetail::none;
     if constexpr (Modes::kSticks) {

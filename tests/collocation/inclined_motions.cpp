@@ -1,0 +1,145 @@
+/// Motions under an inclined load and motions whose tips stick: by collocation as in steps of the order-8
+/// pair at a far lower tolerance, with unequal blades, a speed that ripples and an unbalance.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "../support/hybrid_motion.hpp"
+#include "contact/directed_elastica.hpp"
+#include "contact/unequal_blades.hpp"
+#include "motion/modes_of_inclined_loads.hpp"
+#include "rotor/any_shaft.hpp"
+#include "rotor/rippling_blades.hpp"
+
+namespace rubatlas::test {
+namespace {
+
+constexpr double kClearanceOfMotions = 0.01;  // [m]
+constexpr int kRevolutionsOfMotions = 2;
+
+double random_between(std::mt19937_64& generator, double least, double most) {
+  return least + (most - least) * static_cast<double>(generator() >> 11U) * 0x1p-53;
+}
+
+template <class Friction>
+struct KickedRotor {
+  using Laws = contact::UnequalBlades<contact::DirectedElastica<Friction>>;
+  rotor::RotorConstants rotor;
+  rotor::RipplingBlades blades;
+  Laws laws;
+  rotor::AnyShaft shaft;
+  trajectory::State start;
+
+  /// States after revolutions by this tolerance [clearances]; fewer where the motion ends.
+  [[nodiscard]] std::vector<trajectory::State> states(double tolerance, bool collocates,
+                                                      modes::MotionListener& listener) const {
+    using Motion = motion::Motion<Laws, rotor::AnyShaft, integrate::DormandPrince853, rotor::RipplingBlades>;
+    motion::TypedMotion<Motion, false> motion(
+        rotor, blades, laws, shaft, modes::ContactLimits{tolerance * kClearanceOfMotions, 0.5}, collocates);
+    std::vector<trajectory::State> result;
+    if (motion.start(start) != ending::PointStatus::done) return result;
+    for (int i = 0; i < kRevolutionsOfMotions; ++i) {
+      if (revolve(motion, listener) != ending::PointStatus::done) break;
+      const auto state = motion.state();
+      result.push_back({state[0], state[1], state[2], state[3]});
+    }
+    return result;
+  }
+};
+
+template <class MakeFriction>
+auto kicked_rotor(std::mt19937_64& generator, contact::LoadDirection direction, MakeFriction make_friction) {
+  const auto between = [&](double least, double most) { return random_between(generator, least, most); };
+  const double friction = std::pow(10.0, between(-2.0, -0.15));
+  const double thickness = std::pow(10.0, between(-3.4, -2.7));
+  const double stiffness = 206e9 * 0.01 * thickness * thickness * thickness / 12.0;
+  const double speed = between(0.05, 1.0);
+  const double damping = std::pow(10.0, between(-2.5, -0.3));
+  const int count = 2 + static_cast<int>(between(0.0, 4.0));
+  using Friction = decltype(make_friction(friction));
+  std::vector<contact::DirectedElastica<Friction>> laws;
+  for (int k = 0; k < count; ++k) {
+    const double length = 0.1 + between(-1e-4, 1e-4);
+    laws.emplace_back(direction, contact::Geometry{length, 0.11},
+                      contact::ElasticaContact::Blade{length, thickness, stiffness}, make_friction(friction));
+  }
+  const double moment = std::pow(10.0, between(-5.0, -3.0));
+  const double ripple = between(0.0, 0.05);
+  const rotor::RotorConstants rotor{speed, damping, kClearanceOfMotions * between(0.5, 1.5), 0.01,
+                                    kClearanceOfMotions};
+  const double kick = std::pow(10.0, between(-3.5, -2.0));
+  trajectory::State start{};
+  for (double& component : start) component = between(-kick, kick);
+  effects::SpeedRipple speed_ripple;
+  speed_ripple.amplitude = ripple;
+  return KickedRotor<Friction>{
+      rotor,
+      {rotor::equal_angles(count), speed, speed_ripple},
+      contact::UnequalBlades(std::move(laws)),
+      {rotor::Harmonics(std::vector<rotor::Harmonic>{rotor::RotatingUnbalance(moment, 0.3, speed, damping)})},
+      start};
+}
+
+class CountedEvents final : public modes::MotionListener {
+ public:
+  void event(const modes::Event& event) override { ++count[static_cast<std::size_t>(event.kind)]; }
+  std::array<int, 32> count{};
+};
+
+double largest_difference(const std::vector<trajectory::State>& a, const std::vector<trajectory::State>& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    for (std::size_t k = 0; k < a[i].size(); ++k)
+      largest = std::max(largest, std::abs(a[i][k] - b[i][k]) / kClearanceOfMotions);
+  }
+  return largest;
+}
+
+/// Returns the events of the motions by collocation.
+template <class MakeFriction>
+CountedEvents expect_motions_as_in_steps(contact::LoadDirection direction, MakeFriction make_friction) {
+  constexpr int kRotors = 80;
+  constexpr double kTolerance = 1e-9;
+  std::mt19937_64 generator(11);
+  CountedEvents events;
+  std::vector<double> errors;
+  std::vector<double> errors_of_steps;
+  for (int i = 0; i < kRotors; ++i) {
+    const auto rotor = kicked_rotor(generator, direction, make_friction);
+    CountedEvents others;
+    const auto expected = rotor.states(1e-3 * kTolerance, false, others);
+    const auto found = rotor.states(kTolerance, true, events);
+    EXPECT_EQ(found.size(), expected.size()) << i;
+    errors.push_back(largest_difference(found, expected));
+    errors_of_steps.push_back(largest_difference(rotor.states(kTolerance, false, others), expected));
+  }
+  // Some of the motions are chaotic.
+  for (std::vector<double>* each : {&errors, &errors_of_steps}) std::ranges::sort(*each);
+  EXPECT_LE(errors[kRotors / 2], kTolerance);
+  for (const std::size_t place : {kRotors / 2, kRotors * 9 / 10})
+    EXPECT_LE(errors[place], errors_of_steps[place]);
+  return events;
+}
+
+TEST(InclinedMotions, UnderANormalLoadAreAsInSteps) {
+  const CountedEvents events = expect_motions_as_in_steps(
+      contact::LoadDirection::normal, [](double friction) { return contact::CoulombFriction{friction}; });
+  EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::slip_reversal)], 0);
+  EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::snap)], 0);
+}
+
+TEST(InclinedMotions, OfTipsThatStickAreAsInSteps) {
+  const CountedEvents events = expect_motions_as_in_steps(contact::LoadDirection::axial, [](double friction) {
+    return contact::StickingFriction{friction, 1.2 * friction};
+  });
+  EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::slip_reversal)], 0);
+  EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::comes_loose)], 0);
+}
+
+}  // namespace
+}  // namespace rubatlas::test
