@@ -19,10 +19,13 @@ requires Law::kHasBending struct ModesOf<Law, Forcing, Pair, Blades>
                                       std::is_same_v<Law, collocation::AxialLaw::Laws> &&
                                       std::is_same_v<Blades, rotor::RipplingBlades>;
   using Collocated = modes::Collocated;
-  /// None of the column (μ = 0), which has no argument p.
+  /// None of the column (μ = 0), which has no argument p, and where p has no room: friction so large, or a
+  /// blade so soft, that it is shortened beyond the table by the least load.
   static std::unique_ptr<collocation::ArcLaw> arc_law(const Law& law, int blade_count,
                                                       double max_shortening) {
-    if (!(law.of(0).curve().load_angle() > 0.0)) return nullptr;
+    for (int blade = 0; blade < blade_count; ++blade) {
+      if (law.of(blade).curve().over_asinh().last_piece() < 0) return nullptr;
+    }
     return std::make_unique<collocation::AxialLaw>(law, blade_count, max_shortening);
   }
   static constexpr bool kCarries = true;

@@ -17,7 +17,9 @@ template <class Law, class Forcing, class Pair, class Blades>
 requires HasTwoUnknowns<typename Law::OfBlade>
 struct ModesOf<Law, Forcing, Pair, Blades> : ModesWithRest<Law, Forcing, Pair, Blades> {
   static constexpr bool kSticks = contact::Sticks<Law>;
-  static constexpr bool kCollocates = kCollocatesOn<Forcing> && std::is_same_v<Blades, rotor::RipplingBlades>;
+  /// Tips that may stick go on in steps.
+  static constexpr bool kCollocates =
+      kCollocatesOn<Forcing> && std::is_same_v<Blades, rotor::RipplingBlades> && !contact::Sticks<Law>;
   using Collocated = modes::Collocated;
   static std::unique_ptr<collocation::ArcLaw> arc_law(const Law& law, int /*blade_count*/,
                                                       double max_shortening) {

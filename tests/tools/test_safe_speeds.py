@@ -122,10 +122,16 @@ class SafeSpeeds(unittest.TestCase):
 
     def test_one_speed_alone_is_no_band(self):
         with h5py.File(TINY / "atlas.h5") as atlas:
-            safe = (atlas["status"][0, 0, 0, 1] == DONE) & (atlas["max_displacement"][0, 0, 0, 1] <= 2e-3)
-            alone = atlas["speed_ratio"][...][safe & ~in_bands(safe)]
+            speeds, done = atlas["speed_ratio"][...], atlas["status"][0, 0, 0, 1] == DONE
+            largest = atlas["max_displacement"][0, 0, 0, 1]
+        for limit in np.arange(0.5, 10.0, 0.1).round(1):  # mm; which one leaves one speed alone is the motion's to say
+            safe = done & (largest <= 1e-3 * limit)
+            alone = speeds[safe & ~in_bands(safe)]
+            if len(alone) == 1:
+                break
         self.assertEqual(len(alone), 1)
-        result, text = self.bands("--keep", "max_displacement<=2 mm", "--damping_ratio", "0.1", "--operate", alone[0])
+        result, text = self.bands("--keep", f"max_displacement<={limit} mm", "--damping_ratio", "0.1",
+                                  "--operate", alone[0])
         np.testing.assert_array_equal(self.speeds_in(result), in_bands(safe))
         self.assertIn("left out are bands of one speed: 1", text)
         self.assertEqual((result["operate"]["safe"], result["operate"]["broken"]), (False, ["the band is too narrow"]))
