@@ -30,12 +30,12 @@ void EarlierInterval::Places::take(const Body& solved) {
   vy = solved.vy;
 }
 
-void EarlierInterval::Places::guess(Body& next, const AtNodes& elapsed) const {
+void EarlierInterval::Places::guess(Body& next, const AtNodes& times) const {
   std::array<double, 4> by{};
   for (std::size_t i = 0; i < by.size(); ++i) by[i] = next.start[i] - start[i];
   for (std::size_t i = 0; i < kNodes; ++i) {
-    next.x[i] = x[i] + (by[0] + by[2] * elapsed[i]);
-    next.y[i] = y[i] + (by[1] + by[3] * elapsed[i]);
+    next.x[i] = x[i] + (by[0] + by[2] * times[i]);
+    next.y[i] = y[i] + (by[1] + by[3] * times[i]);
     next.vx[i] = vx[i] + by[2];
     next.vy[i] = vy[i] + by[3];
   }

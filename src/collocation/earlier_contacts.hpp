@@ -33,7 +33,7 @@ struct EarlierInterval {
     AtNodes x, y, vx, vy;
 
     void take(const Body& solved);
-    void guess(Body& next, const AtNodes& elapsed) const;
+    void guess(Body& next, const AtNodes& times) const;
   } shaft, ring;
 
   void take(const Contact& contact, const Interval& solved, double length_of_arc);

@@ -13,12 +13,12 @@ const InclinedLoad::ChartEnd InclinedLoad::kChartEnd{std::cos(std::numbers::pi -
 
 double InclinedLoad::argument(double u) const {
   constexpr int kMost = 20;
-  constexpr double kClosest = 1e-15;
+  constexpr double kLastStep = 1e-15;
   double p = std::asinh(u / scale);
   for (int i = 0; i < kMost; ++i) {
     const double step = (u - bending(p)) / bending_slope(p);
     p += step;
-    if (std::abs(step) <= kClosest * std::abs(p)) break;
+    if (std::abs(step) <= kLastStep * std::abs(p)) break;
   }
   return p;
 }
