@@ -23,8 +23,10 @@ class Predictor {
 
   /// Both must outlive the predictor.
   Predictor(const rotor::Machine& machine, const ArcLaw& law)
-      : rotor_(&machine.constants), law_(&law), leans_(law.leans()) {
-    closing_unit_ = rotor_->force_unit;
+      : rotor_(&machine.constants),
+        law_(&law),
+        leans_(law.leans()),
+        closing_unit_(machine.constants.force_unit) {
     if (const rotor::RingBody* ring = machine.ring_body()) closing_unit_ += ring->force_unit();
   }
 

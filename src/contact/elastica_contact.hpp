@@ -148,9 +148,9 @@ class ElasticaContact {
                blade.bending_stiffness / (blade.length * blade.length) / ring.stiffness},
         ring_(ring),
         axial_unit_(blade.length * curve->axial_compliance()),
+        has_branches_(axial_unit_ > 0.0 || blade_.yield_unit > 0.0),
+        carried_(blade_.friction > 0.0 || !has_branches_),
         curve_(std::move(curve)) {
-    has_branches_ = axial_unit_ > 0.0 || blade_.yield_unit > 0.0;
-    carried_ = blade_.friction > 0.0 || !has_branches_;
     if (blade_.friction > 0.0) {
       const double per_lateral = 3.0 / (blade_.friction * blade_.length);
       axial_relief_ = per_lateral * axial_unit_;
@@ -351,8 +351,8 @@ class ElasticaContact {
   double axial_unit_;          ///< L ε [m]: axial shortening under F = EI/L²
   double axial_relief_ = 0.0;  ///< 3ε/μ [-]
   double ring_relief_ = 0.0;   ///< 3 EI R / (μ L³ kr) [m]
-  bool has_branches_ = false;
-  bool carried_ = true;
+  bool has_branches_;
+  bool carried_;
   std::shared_ptr<const blade::ElasticaCurve> curve_;
   mutable std::uint64_t evaluations_ = 0;  ///< what a motion cost, not what it is
 };

@@ -65,7 +65,6 @@ double top_of_cubic(const integrate::ValueAndSlope& first, const integrate::Valu
 TouchdownSearch::TouchdownSearch(const rotor::Machine& machine, std::vector<contact::Geometry> blades)
     : machine_(&machine),
       blades_(std::move(blades)),
-      farthest_(0.0),
       least_clearance_(std::numeric_limits<double>::infinity()),
       close_bounds_(bounds_are_close(machine)),
       turning_weight_(turning_weight(machine.constants)),

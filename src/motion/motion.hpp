@@ -249,6 +249,7 @@ class Motion {
 
   [[nodiscard]] std::vector<contact::Geometry> geometries() const {
     std::vector<contact::Geometry> result;
+    result.reserve(static_cast<std::size_t>(blades_.count()));
     for (int k = 0; k < blades_.count(); ++k) result.push_back(law_.of(k).geometry());
     return result;
   }
