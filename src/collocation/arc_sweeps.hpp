@@ -116,6 +116,32 @@ class ArcSweeps {
     if (ring_moves()) ring_.start(interval.ring, closeness.warm, elapsed());
   }
 
+  /// Δ of a tip that is bent to the side ±1, at least so much that it is no rounding of what it is added to.
+  template <class Tip>
+  RUBATLAS_INLINE static Number bent_by(const Tip& tip, double side, double length) {
+    return larger(tip.deflection * side, Number(kUnbent * length));
+  }
+  /// g/Δ of a tip [m], as h = 0 has it, in a ring that does not yield. `first_shortening`: δ/Δ of the unbent
+  /// blade, where the quotient is 0/0.
+  template <class Tip>
+  RUBATLAS_INLINE static Number gap_per_deflection(const Tip& tip, double side, double length,
+                                                   double first_shortening) {
+    const Number shorter = larger(tip.shortening, Number(first_shortening * kUnbent * length));
+    return (tip.b * 2.0 + tip.deflection) * side +
+           shorter / bent_by(tip, side, length) * (tip.a * 2.0 + tip.shortening);
+  }
+  /// v of a tip (MODEL 4.4), of the velocities that have been found. `per_radius`, `radius`: of the ring
+  /// there.
+  template <class Tip, class Radius>
+  RUBATLAS_INLINE Number slip_velocity_of(const Tip& tip, const Vector& er, double reach,
+                                          const Radius& per_radius, const Radius& radius) const {
+    const Number speed = angular_speed();
+    const Vector v = seen_velocity();
+    const Number along = (v.x * er.x + v.y * er.y) + (tip.b + tip.deflection) * speed;
+    const Number across = (v.y * er.x - v.x * er.y) - (tip.a + tip.shortening - reach) * speed;
+    return (tip.a * across - tip.b * along) * per_radius + speed * radius;
+  }
+
   /// Sweeps until what is left is below the tolerance. False where it does not become so. `full`: so many
   /// sweeps have slopes of their own.
   template <class Sweeps>
@@ -250,6 +276,7 @@ class ArcSweeps {
 
   static constexpr double kConverging = 0.25;  ///< ratio of changes below which slopes may be kept
   static constexpr double kFirstChange = std::numeric_limits<double>::infinity();
+  static constexpr double kUnbent = 1e-9;  ///< Δ/L: below it δ/Δ is less than rounding
   /// Of Newton's steps: the next would be of its square. Velocities alone do not tell, where a blade is so
   /// soft that it hardly moves the shaft.
   static constexpr double kLargestStep = 1e-4;

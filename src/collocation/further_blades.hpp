@@ -12,6 +12,12 @@
 
 namespace rubatlas::collocation {
 
+/// Cosine and sine of the angle from one blade to another.
+inline std::array<double, 2> offset_between(const contact::BladeDirection& from,
+                                            const contact::BladeDirection& to) {
+  return {to.cosine * from.cosine + to.sine * from.sine, to.sine * from.cosine - to.cosine * from.sine};
+}
+
 /// A blade that touches the ring.
 struct Touch {
   int blade;

@@ -289,7 +289,6 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   static constexpr int kMostSweeps = 12;
   static constexpr int kFullSweeps = 3;  ///< with slopes of their own
   [[nodiscard]] static double largest_step_allowed() { return Base::kLargestStep; }
-  static constexpr double kUnbent = 1e-9;  ///< of D/L: below it δ/D is less than rounding
 
   /// Returns the largest change of a velocity [m per unit τ]; not a number where there is no blade.
   ///
@@ -370,16 +369,9 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     Interval& in = interval_;
     store_motion();
     lean_.store(in.lean);
-    const Number& a = tip_.a;
-    const Number& b = tip_.b;
-    const Number bent = larger(tip_.deflection * load_.side, Number(kUnbent * blade.length));
-    ((b * 2.0 + tip_.deflection) * load_.side + tip_.shortening / bent * (a * 2.0 + tip_.shortening))
-        .store(in.gap_measure);
-    const Vector v = seen_velocity();
-    const Number along = (v.x * er_.x + v.y * er_.y) + (b + tip_.deflection) * angular_speed_;
-    const Number across = (v.y * er_.x - v.x * er_.y) - (a + tip_.shortening - blade.reach) * angular_speed_;
-    ((a * across - b * along) * (1.0 / machine_.ring_radius) + angular_speed_ * machine_.ring_radius)
-        .store(in.slip_velocity);
+    gap_per_deflection(tip_, load_.side, blade.length, 0.0).store(in.gap_measure);
+    const double radius = machine_.ring_radius;
+    slip_velocity_of(tip_, er_, blade.reach, 1.0 / radius, radius).store(in.slip_velocity);
     (tip_.shortening * (1.0 / blade.length)).store(in.shortening);
     (Number(load_.cone()) - tip_.coefficient * tip_.coefficient).store(in.cone_left);
     (bending_ * InclinedLoad::kChartEnd.cosine + lean_ * InclinedLoad::kChartEnd.sine).store(in.chart_left);
@@ -392,6 +384,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   using Base::deviation_;
   using Base::elapsed;
   using Base::er_;
+  using Base::gap_per_deflection;
   using Base::interval_;
   using Base::largest_step_;
   using Base::machine_;
@@ -401,6 +394,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   using Base::seen;
   using Base::seen_velocity;
   using Base::shaft_;
+  using Base::slip_velocity_of;
   using Base::store_motion;
   using Base::take_direction;
   using Base::turn_on;

@@ -52,8 +52,6 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     const double largest = std::max(std::abs(interval_.start_argument), magnitude(argument).largest());
     return Base::kLargestStep * std::min(1.0, largest / kLittleBent);
   }
-  /// Of Δ/L: below it δ/Δ is less than rounding of what it is added to.
-  static constexpr double kUnbent = 1e-9;
 
   /// Load, shortening and deflection of the blade at eight nodes.
   struct Bend {
@@ -278,29 +276,20 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     return move(push);
   }
 
-  /// g/Δ of a tip [m], as h = 0 has it. Next to the unbent blade δ and F/kr are Δ's share there.
+  /// g/Δ of a tip [m], as h = 0 has it. Next to the unbent blade F/kr is Δ's share there.
   RUBATLAS_INLINE static Number gap_measure_of(const Tip& tip, double ring_radius) {
     const Blade& blade = *tip.blade;
-    const double unbent = kUnbent * blade.length;
-    const Number bent = larger(tip.deflection * tip.slip, Number(unbent));
-    const Number shorter = larger(tip.shortening, Number(blade.first_shortening * unbent));
-    const Number measure =
-        (tip.b * 2.0 + tip.deflection) * tip.slip + shorter / bent * (tip.a * 2.0 + tip.shortening);
+    const Number measure = gap_per_deflection(tip, tip.slip, blade.length, blade.first_shortening);
     if (!yields(blade)) return measure;
-    const Number yields = larger(tip.yielding, Number(blade.first_yielding * unbent));
-    return measure + yields / bent * (tip.yielding + 2.0 * ring_radius);
+    const Number yielding = larger(tip.yielding, Number(blade.first_yielding * kUnbent * blade.length));
+    return measure + yielding / bent_by(tip, tip.slip, blade.length) * (tip.yielding + 2.0 * ring_radius);
   }
-  /// v of a tip (MODEL 4.4), of the velocities that have been found: light sweeps keep the tip's rates.
   RUBATLAS_INLINE Number slip_velocity_of(const Tip& tip, const Vector& er) const {
     const double radius = machine_.ring_radius;
-    const Vector v = seen_velocity();
-    const Number along = (v.x * er.x + v.y * er.y) + (tip.b + tip.deflection) * angular_speed();
-    const Number across =
-        (v.y * er.x - v.x * er.y) - (tip.a + tip.shortening - tip.blade->reach) * angular_speed();
-    const Number moment = tip.a * across - tip.b * along;
-    if (!yields(*tip.blade)) return moment * (1.0 / radius) + angular_speed() * radius;
+    const double reach = tip.blade->reach;
+    if (!yields(*tip.blade)) return Base::slip_velocity_of(tip, er, reach, 1.0 / radius, radius);
     const Number yielded = tip.yielding + radius;
-    return moment / yielded + angular_speed() * yielded;
+    return Base::slip_velocity_of(tip, er, reach, Number(1.0) / yielded, yielded);
   }
 
   void store() const {
@@ -316,11 +305,14 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   }
 
   using Base::angular_speed;
+  using Base::bent_by;
   using Base::chord_argument_;
   using Base::deviation_;
   using Base::elapsed;
   using Base::er_;
+  using Base::gap_per_deflection;
   using Base::interval_;
+  using Base::kUnbent;
   using Base::largest_step_;
   using Base::machine_;
   using Base::move;

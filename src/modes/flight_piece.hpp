@@ -12,7 +12,7 @@
 
 namespace rubatlas::modes {
 
-class FlightPiece final : public trajectory::MotionPiece {
+class FlightPiece final : public trajectory::PieceWithoutContact {
  public:
   /// From the start of the flight. `search` knows the tips.
   FlightPiece(const Flight& flight, TouchdownSearch& search, double end)
@@ -31,14 +31,6 @@ class FlightPiece final : public trajectory::MotionPiece {
   }
   [[nodiscard]] double largest_displacement(double known, double /*speed_ratio*/) override {
     return displacement_bound() > known ? flight_->largest_displacement(begin(), end_, known) : known;
-  }
-  [[nodiscard]] std::size_t contact_count() const override { return 0; }
-  [[nodiscard]] int blade(std::size_t /*contact*/) const override { return -1; }
-  [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return false; }
-  [[nodiscard]] double normal_force(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
-  [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
-  [[nodiscard]] trajectory::ContactForce contact_force(std::size_t /*contact*/, double /*time*/) override {
-    return {};
   }
   [[nodiscard]] trajectory::Tip tip(int blade, double time) override {
     return search_->tip(*flight_, blade, time);

@@ -49,16 +49,9 @@ inline Machine machine_of(const RotorConstants& rotor, const RipplingBlades& bla
                           const Harmonic& forcing) {
   return {rotor, blades, {Harmonics({forcing})}, {}};
 }
-template <class ShaftForcing>
-Machine machine_of(const RotorConstants& rotor, const RipplingBlades& blades,
-                   const WithRingBody<ShaftForcing>& forcing) {
-  Machine machine = machine_of(rotor, blades, forcing.shaft);
-  machine.ring = forcing.ring;
-  return machine;
-}
-template <class ShaftForcing>
-Machine machine_of(const RotorConstants& rotor, const RipplingBlades& blades,
-                   const WithFollowingRing<ShaftForcing>& forcing) {
+template <class Forcing>
+requires kRingMoves<Forcing> Machine machine_of(const RotorConstants& rotor, const RipplingBlades& blades,
+                                                const Forcing& forcing) {
   Machine machine = machine_of(rotor, blades, forcing.shaft);
   machine.ring = forcing.ring;
   return machine;

@@ -201,7 +201,7 @@ constexpr std::string_view kCarriedOrColumn =
     "solved; more, or one column (no friction) that shortens or stands in a yielding ring: a root each";
 constexpr std::string_view kExplicit = "the force of each blade is explicit";
 constexpr std::string_view kTwoBends =
-    "the bends of all blades in contact, two numbers each, are carried along as states, no root is solved";
+    "the bends of all blades in contact, two numbers each, are found along with the motion, no root is solved";
 
 }  // namespace
 

@@ -157,4 +157,15 @@ inline double spacing_of_distances(double speed_ratio) {
   return 0.125 * std::numbers::pi / std::max(1.0, std::abs(speed_ratio));
 }
 
+/// A piece in which no blade touches.
+class PieceWithoutContact : public MotionPiece {
+ public:
+  [[nodiscard]] std::size_t contact_count() const final { return 0; }
+  [[nodiscard]] int blade(std::size_t /*contact*/) const final { return -1; }
+  [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const final { return false; }
+  [[nodiscard]] double normal_force(std::size_t /*contact*/, double /*time*/) final { return 0.0; }
+  [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) final { return 0.0; }
+  [[nodiscard]] ContactForce contact_force(std::size_t /*contact*/, double /*time*/) final { return {}; }
+};
+
 }  // namespace rubatlas::trajectory

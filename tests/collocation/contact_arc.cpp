@@ -17,6 +17,7 @@
 #include "../support/hybrid_motion.hpp"
 #include "arc_of_rotor.hpp"
 #include "contact/elastica_contact.hpp"
+#include "lone_contacts.hpp"
 #include "rotor/harmonic.hpp"
 
 namespace rubatlas::test {
@@ -56,39 +57,9 @@ Machine machine(std::mt19937_64& generator) {
   return result;
 }
 
-/// A contact of one blade alone: its touch-down and the event that ends it.
-struct Contact {
-  modes::Event start;
-  modes::Event end;
-};
-
-/// Contacts that begin and end within a revolution, in which no other tip touches.
-class Contacts final : public modes::MotionListener {
- public:
-  explicit Contacts(int open) : open_(open) {}
-  void event(const modes::Event& event) override {
-    if (event.kind == modes::Guard::touch_down) {
-      alone_ = ++open_ == 1;
-      if (alone_) start_ = event;
-      return;
-    }
-    if (alone_) found.push_back({start_, event});
-    alone_ = false;
-    if (event.kind == modes::Guard::lift_off) --open_;
-  }
-  void drops_open_contacts() { alone_ = false; }
-  std::vector<Contact> found;
-
- private:
-  int open_;
-  bool alone_ = false;
-  modes::Event start_{};
-};
-
 template <class Forcing>
-std::vector<Contact> contacts_of(const Machine& m, const Forcing& forcing, const rotor::State& start) {
+std::vector<LoneContact> contacts_of(const Machine& m, const Forcing& forcing, const rotor::State& start) {
   constexpr double kTolerance = 1e-15;  // [m]
-  constexpr int kRevolutions = 5;
   const auto motion = hybrid_motion(m.rotor, m.blades, m.law, forcing, modes::ContactLimits{kTolerance, 0.5});
   int open = 0;
   for (int k = 0; k < m.blades.count(); ++k) {
@@ -96,18 +67,12 @@ std::vector<Contact> contacts_of(const Machine& m, const Forcing& forcing, const
         rotor::pose_of(m.rotor, m.law.geometry(), m.blades.direction(k, m.blades.first(0.0)), start);
     if (pose.gap > 0.0) ++open;
   }
-  Contacts contacts(open);
-  if (motion->start(rotor::as_array(start)) != ending::PointStatus::done) return {};
-  for (int i = 0; i < kRevolutions; ++i) {
-    if (revolve(*motion, contacts) != ending::PointStatus::done) break;
-    contacts.drops_open_contacts();
-  }
-  return contacts.found;
+  return lone_contacts(*motion, start, open);
 }
 
 /// Error of a state at its lift-off, at the time when the contact ends [clearances]: in flight from there on,
 /// for the moment by which the lift-off is late.
-double error_at_end(const Machine& m, const Contact& contact, double time, const rotor::State& state) {
+double error_at_end(const Machine& m, const LoneContact& contact, double time, const rotor::State& state) {
   const double late = contact.end.time - time;
   std::complex<double> acceleration = rotor::shaft_acceleration(m.rotor, state, std::complex<double>());
   if (m.unbalance) acceleration += m.unbalance->acceleration(time);
@@ -125,7 +90,7 @@ struct Solved {
 };
 
 /// The contact by collocation, where it begins.
-std::unique_ptr<ArcOfRotor> arc_of(const Machine& m, const Contact& contact, double tolerance) {
+std::unique_ptr<ArcOfRotor> arc_of(const Machine& m, const LoneContact& contact, double tolerance) {
   auto arc = std::make_unique<ArcOfRotor>(m.rotor, m.blades.count(), m.law, m.unbalance.get(),
                                           tolerance * kClearance);
   const modes::Event& start = contact.start;
@@ -137,7 +102,7 @@ std::unique_ptr<ArcOfRotor> arc_of(const Machine& m, const Contact& contact, dou
   return arc;
 }
 
-Solved solve(const Machine& m, const Contact& contact, double tolerance) {
+Solved solve(const Machine& m, const LoneContact& contact, double tolerance) {
   const auto held = arc_of(m, contact, tolerance);
   ContactArc& arc = held->arc;
   while (arc.ending().guard == ContactArc::Guard::none) {
@@ -161,7 +126,7 @@ class LiftOff final : public modes::MotionListener {
 
 /// The same contact in steps of the order-8 pair, on a rotor without unbalance. Nothing where it does not end
 /// by its lift-off.
-std::optional<double> error_of_hybrid(const Machine& m, const Contact& contact, double tolerance) {
+std::optional<double> error_of_hybrid(const Machine& m, const LoneContact& contact, double tolerance) {
   // The revolution starts with the contact, its blades turned as far as they are there.
   const double from = contact.start.time;
   std::vector<double> angles = rotor::equal_angles(m.blades.count());
@@ -285,22 +250,11 @@ TEST(ContactArc, HasTheSameBitsOnEveryProcessor) {
                       .first_shortening = full ? 0.01 : 0.0,
                       .first_yielding = full ? 0.02 : 0.0};
     const collocation::Contact contact{&machine, &blade, 1.0};
-    Interval first{};
-    // A blade that points down, and a shaft from which its tip just reaches the ring.
-    first.blade = {std::cos(-1.2), std::sin(-1.2)};
-    const double x = 0.002;
-    const double across = x * first.blade[0];
-    const double y_from_ring = -0.1 * first.blade[1] -
-                               std::sqrt(std::pow(0.1 * first.blade[1], 2) - (x * x + 0.2 * across - 0.0021));
-    first.shaft.start = {x, y_from_ring - machine.misalignment, 0.01, -0.03};
+    Interval first = interval_at_ring(machine.misalignment);
     first.forcing[0] = {1e-5, -2e-5};
     first.forcing[1] = {-1e-5, 1e-5};
     first.forcing[2] = {2e-5, 1e-5};
     first.ripple = {0.6, 0.8};
-    first.chord = {0.004, 0.4};
-    first.normal = {-0.012, 0.12};
-    for (std::size_t i = 0; i < kNodes; ++i)
-      first.deviation[i] = 0.1 * node_tables().node[i] * (1.0 - node_tables().node[i]);
     Interval in_pairs = first;
     Interval here = first;
     const Closeness closeness{1e-12, false};
@@ -332,7 +286,7 @@ TEST(ContactArc, HasTheSameBitsOnEveryProcessor) {
 /// The first contact, of rotors from a seed, that ends by lift-off.
 struct OneContact {
   Machine machine;
-  Contact contact;
+  LoneContact contact;
   /// The arc up to the interval in which `reached` holds.
   template <class Reached>
   [[nodiscard]] std::unique_ptr<ArcOfRotor> arc(double tolerance, Reached reached) const {
@@ -349,12 +303,12 @@ OneContact contact_of(std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   OneContact result{machine(generator), {}};
   const Machine& m = result.machine;
-  std::vector<Contact> contacts;
+  std::vector<LoneContact> contacts;
   while (contacts.empty()) {
     rotor::State start;
     for (double& component : start) component = between(generator, -0.01, 0.01);
     contacts = m.unbalance ? contacts_of(m, *m.unbalance, start) : contacts_of(m, rotor::NoForcing{}, start);
-    std::erase_if(contacts, [](const Contact& one) { return one.end.kind != modes::Guard::lift_off; });
+    std::erase_if(contacts, [](const LoneContact& one) { return one.end.kind != modes::Guard::lift_off; });
   }
   result.contact = contacts.front();
   return result;

@@ -15,6 +15,7 @@
 #include "collocation/contact_arc.hpp"
 #include "collocation/inclined_law.hpp"
 #include "contact/directed_elastica.hpp"
+#include "lone_contacts.hpp"
 #include "motion/modes_of_inclined_loads.hpp"
 
 namespace rubatlas::test {
@@ -55,55 +56,21 @@ auto inclined_rotor(std::mt19937_64& generator, LoadDirection direction, MakeFri
       {direction, {0.1, 0.11}, {0.1, thickness, stiffness}, make_friction(friction, velocity)}};
 }
 
-/// A contact of one blade alone: its touch-down and the event that ends it.
-struct InclinedContact {
-  modes::Event start;
-  modes::Event end;
-};
-class LoneContacts final : public modes::MotionListener {
- public:
-  explicit LoneContacts(int open) : open_(open) {}
-  void event(const modes::Event& event) override {
-    if (event.kind == modes::Guard::touch_down) {
-      alone_ = ++open_ == 1;
-      if (alone_) start_ = event;
-      return;
-    }
-    if (alone_) found.push_back({start_, event});
-    alone_ = false;
-    if (event.kind == modes::Guard::lift_off) --open_;
-  }
-  void drops_open_contacts() { alone_ = false; }
-  std::vector<InclinedContact> found;
-
- private:
-  int open_;
-  bool alone_ = false;
-  modes::Event start_{};
-};
-
 template <class Friction>
 contact::Pose pose_at(const InclinedRotor<Friction>& m, int blade, double time, const rotor::State& state) {
   return rotor::pose_of(m.rotor, m.law.geometry(), m.blades.direction(blade, m.blades.first(time)), state);
 }
 
 template <class Friction>
-std::vector<InclinedContact> contacts_of(const InclinedRotor<Friction>& m, const rotor::State& start) {
+std::vector<LoneContact> contacts_of(const InclinedRotor<Friction>& m, const rotor::State& start) {
   constexpr double kTolerance = 1e-14;  // [m]
-  constexpr int kRevolutions = 5;
   const auto motion = hybrid_motion(m.rotor, m.blades, m.law, rotor::NoForcing{},
                                     modes::ContactLimits{kTolerance, kMaxShortening});
   int open = 0;
   for (int k = 0; k < m.blades.count(); ++k) {
     if (pose_at(m, k, 0.0, start).gap > 0.0) ++open;
   }
-  LoneContacts contacts(open);
-  if (motion->start(rotor::as_array(start)) != ending::PointStatus::done) return {};
-  for (int i = 0; i < kRevolutions; ++i) {
-    if (revolve(*motion, contacts) != ending::PointStatus::done) break;
-    contacts.drops_open_contacts();
-  }
-  return contacts.found;
+  return lone_contacts(*motion, start, open);
 }
 
 modes::Guard end_of(const ContactArc& arc) {
@@ -193,7 +160,7 @@ void expect_contacts_within_tolerance(const InclinedSurvey& found) {
                                     << found.ended_otherwise << ", given up " << found.given_up);
   EXPECT_LE(quantile(0.5), 1.0);
   EXPECT_LE(quantile(0.99), 20.0);
-  EXPECT_LE(quantile(1.0), 1000.0);  // where a blade is soft and friction small
+  EXPECT_LE(quantile(1.0), 200.0);
   EXPECT_EQ(found.ends_differ, 0);
   EXPECT_EQ(found.differ_at_start, 0);
   EXPECT_LE(found.given_up, 0.003 * static_cast<double>(found.errors.size()));
@@ -244,22 +211,14 @@ TEST(InclinedContacts, HaveTheSameBitsOnEveryProcessor) {
   InclinedLoad load = numbers_of(LoadDirection::normal,
                                  contact::VelocityFriction(contact::StribeckFriction{0.3, 0.1, 0.03, 0.002}));
   load.strain_unit = 0.005;
-  Interval first{};
-  first.blade = {std::cos(-1.2), std::sin(-1.2)};
+  Interval first = interval_at_ring(machine.misalignment);
   first.start_angular_speed = machine.speed_ratio;
-  // A shaft from which the tip of a blade that points down just reaches the ring.
-  const double x = 0.002;
-  const double y_from_ring = -0.1 * first.blade[1] - std::sqrt(std::pow(0.1 * first.blade[1], 2) -
-                                                               (x * x + 0.2 * x * first.blade[0] - 0.0021));
-  first.shaft.start = {x, y_from_ring - machine.misalignment, 0.01, -0.03};
+  const double x = first.shaft.start[0];
+  const double y_from_ring = first.shaft.start[1] + machine.misalignment;
   const double angle = std::atan(0.1) + std::asin((y_from_ring * first.blade[0] - x * first.blade[1]) / 0.11);
   load.scale = 2.0 * std::sin(0.5 * angle);
   first.start_lean = std::sin(0.5 * angle);
   first.lean.value.fill(first.start_lean);
-  first.chord = {0.004, 0.4};
-  first.normal = {-0.012, 0.12};
-  for (std::size_t i = 0; i < kNodes; ++i)
-    first.deviation[i] = 0.1 * node_tables().node[i] * (1.0 - node_tables().node[i]);
   Interval in_pairs = first;
   Interval here = first;
   const Closeness closeness{1e-12, false};

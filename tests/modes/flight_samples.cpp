@@ -93,21 +93,13 @@ TEST(FlightSamples, AreThoseOfTheClosedFormToRounding) {
 }
 
 /// The same piece, of which only states are known.
-class StatesOnly final : public trajectory::MotionPiece {
+class StatesOnly final : public trajectory::PieceWithoutContact {
  public:
   explicit StatesOnly(modes::FlightPiece& piece) : piece_(&piece) {}
   [[nodiscard]] double begin() const override { return piece_->begin(); }
   [[nodiscard]] double end() const override { return piece_->end(); }
   [[nodiscard]] trajectory::State state(double time) override { return piece_->state(time); }
   [[nodiscard]] double displacement_bound() const override { return piece_->displacement_bound(); }
-  [[nodiscard]] std::size_t contact_count() const override { return 0; }
-  [[nodiscard]] int blade(std::size_t /*contact*/) const override { return -1; }
-  [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return false; }
-  [[nodiscard]] double normal_force(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
-  [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
-  [[nodiscard]] trajectory::ContactForce contact_force(std::size_t /*contact*/, double /*time*/) override {
-    return {};
-  }
   [[nodiscard]] trajectory::Tip tip(int blade, double time) override { return piece_->tip(blade, time); }
 
  private:

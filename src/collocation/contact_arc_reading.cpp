@@ -1,0 +1,147 @@
+// What is asked of the interval that has been made: states, extremes and tips within it.
+
+#include <algorithm>
+#include <cmath>
+
+#include "collocation/contact_arc.hpp"
+#include "collocation/interval_samples.hpp"
+
+namespace rubatlas::collocation {
+namespace {
+
+/// Between the nodes p and the loads err by a few times as much as velocities do, each against its own size.
+constexpr double kSafety = 100.0;
+
+}  // namespace
+
+double ContactArc::fraction_at(double time) const {
+  return collocation::fraction_at(made(), time - made().start_time);
+}
+/// θ of a time, or of the end, which may lie before that of the interval (`end_at`).
+double ContactArc::last_fraction(double time) const {
+  const bool whole = time >= end_.time && end_.time >= made().start_time + made().elapsed.at_end();
+  return whole ? 1.0 : fraction_at(std::min(time, end_.time));
+}
+
+ContactArc::Point ContactArc::solved_at(double time) {
+  if (time <= start_.time) return start_;
+  if (time >= end_.time) return end_;
+  const double fraction = fraction_at(time);
+  if (!cut(made(), fraction, trial())) return point_at(fraction);
+  Point point = end_of(trial());
+  move(point, trial(), time - point.time);
+  point.time = time;
+  return point;
+}
+
+ContactArc::Point ContactArc::solved_at_fraction(double fraction) {
+  if (fraction == 0.0) return start_;
+  if (fraction == 1.0) return end_;
+  return cut(made(), fraction, trial()) ? end_of(trial()) : point_at(fraction);
+}
+
+ContactArc::Stretch ContactArc::stretch(double from, double to) const {
+  return {from, to, from <= start_.time ? 0.0 : fraction_at(from), last_fraction(to)};
+}
+/// At θ of a stretch. The time of θ errs between the nodes: the ends of the stretch are those times.
+ContactArc::Point ContactArc::solved_in(const Stretch& stretch, double fraction) {
+  return fraction == stretch.first  ? solved_at(stretch.from)
+         : fraction == stretch.last ? solved_at(stretch.to)
+                                    : solved_at_fraction(fraction);
+}
+
+std::optional<ContactArc::Point> ContactArc::most_bent(int blade, double from, double to, double known) {
+  const double bound = 1.0 + kSafety * allowed_ / rotor_->length_scale;
+  const double least = known / bound;
+  const Stretch within = stretch(from, to);
+  const FurtherBlade* further = blade == blade_ ? nullptr : &made().further[number_of(blade)];
+  const AtPlaces values = further != nullptr ? at_places(further->start_square, further->square)
+                                             : at_places(made().start_argument, made().argument);
+  const auto most = largest_of(values, within.first, within.last, further != nullptr ? least * least : least);
+  const double argument = further != nullptr ? std::sqrt(std::max(0.0, most.value)) : most.value;
+  if (bound * argument <= known) return std::nullopt;
+  return solved_in(within, most.argument);
+}
+
+std::optional<ContactArc::Point> ContactArc::most_loaded(const AtNodes Interval::*load,
+                                                         double Interval::*at_start, double from, double to,
+                                                         double known) {
+  const Stretch within = stretch(from, to);
+  const AtPlaces values = at_places(made().*at_start, made().*load);
+  const double error =
+      kSafety * allowed_ / rotor_->length_scale * *std::max_element(values.begin(), values.end());
+  const auto most = largest_of(values, within.first, within.last, known - error);
+  if (most.value + error <= known) return std::nullopt;
+  return solved_in(within, most.argument);
+}
+
+double ContactArc::largest_displacement(double from, double to, double known) {
+  if (!(displacement_bound_ > known)) return known;
+  const Stretch within = stretch(from, to);
+  const Farthest there = farthest(made(), within.first, within.last);
+  // Between the nodes a place errs by less than a velocity would move it in a unit of time.
+  if (!(there.displacement + allowed_ > known)) return known;
+  const rotor::ShaftAndRing bodies = solved_in(within, there.fraction).bodies;
+  return std::max(known, std::sqrt(bodies[0] * bodies[0] + bodies[1] * bodies[1]));
+}
+
+std::array<double, 2> ContactArc::place_at(double fraction) const {
+  const AtPlaces basis = basis_at(fraction);
+  const Body& shaft = made().shaft;
+  return {sum_of_products(basis, at_places(shaft.start[0], shaft.x)),
+          sum_of_products(basis, at_places(shaft.start[1], shaft.y))};
+}
+
+ContactArc::Point ContactArc::point_at(double fraction) const {
+  const AtPlaces basis = basis_at(fraction);
+  const auto value = [&](double start, const AtNodes& nodes) {
+    return sum_of_products(basis, at_places(start, nodes));
+  };
+  const Body& shaft = made().shaft;
+  const Body& ring = made().ring;
+  Point point{.time = made().start_time + value(0.0, made().elapsed),
+              .bending = {value(made().start_argument, made().argument)}};
+  if (contact_.leans) point.bending.lean = value(made().start_lean, made().lean);
+  const auto place = [&](const Body& body, Eigen::Index first) {
+    point.bodies.segment<4>(first) << value(body.start[0], body.x), value(body.start[1], body.y),
+        value(body.start[2], body.vx), value(body.start[3], body.vy);
+  };
+  place(shaft, 0);
+  if (machine().ring.moves) place(ring, 4);
+  for (std::size_t k = 0; k < made().further_count; ++k)
+    point.squares[k] = value(made().further[k].start_square, made().further[k].square);
+  return point;
+}
+
+ArcLaw::Tangent ContactArc::direction_at(double fraction) const {
+  const AtNodes basis = slope_basis_at(fraction);
+  ArcLaw::Tangent tangent{sum_of_products(basis, made().time_slope),
+                          sum_of_products(basis, made().argument_slope), 0.0};
+  if (contact_.leans) {
+    AtNodes slopes{};
+    for (std::size_t j = 0; j < kNodes; ++j) {
+      for (std::size_t i = 0; i < kNodes; ++i)
+        slopes[i] += node_tables().slope[j][i] * (made().lean[j] - made().start_lean);
+    }
+    tangent.lean = sum_of_products(basis, slopes);
+  }
+  return tangent;
+}
+
+Bending ContactArc::bending_of(int blade, const Point& point) const {
+  if (blade == blade_) return point.bending;
+  return {std::sqrt(std::max(0.0, point.squares[number_of(blade)]))};
+}
+Touch ContactArc::touch_of(int blade, const Point& point) const {
+  const double slip = blade == blade_ ? contact_.slip : further_[number_of(blade)].slip;
+  return law_->touch(blade, slip, bending_of(blade, point));
+}
+
+std::optional<TipTop> ContactArc::top_of_tip(int blade) const {
+  const auto& from = offsets_[static_cast<std::size_t>(blade_)];
+  const auto& to = offsets_[static_cast<std::size_t>(blade)];
+  const auto offset = blade == blade_ ? std::array{1.0, 0.0} : offset_between(from, to);
+  return collocation::top_of_tip(machine(), made(), numbers(blade), offset);
+}
+
+}  // namespace rubatlas::collocation
