@@ -62,9 +62,7 @@ class ArcLaw {
   struct Start {
     contact::TipForce force;
     double gap_measure;  ///< g/Δ [m]
-    // Of a blade under an inclined load:
-    double chart_left = 0.0;  ///< `InclinedLoad::chart_left`
-    double cone_left = 0.0;   ///< `InclinedLoad::cone` less c²
+    double chart_left;   ///< `InclinedLoad::chart_left`, of a blade under an inclined load
   };
   [[nodiscard]] virtual Start start(const Touch& touch, const contact::Pose& at, double speed) const = 0;
   /// Where the arc leads from there, for a blade that is bent: dτ, dp and dl, of any length.
@@ -91,7 +89,7 @@ class ArcLaw {
   /// Its force, and c [-].
   [[nodiscard]] virtual contact::TipForce force(const Touch& touch, const contact::Pose& at,
                                                 double speed) const = 0;
-  [[nodiscard]] virtual double friction_coefficient(const Touch& touch, const contact::Pose& at,
+  [[nodiscard]] virtual double friction_coefficient(const Touch& touch,
                                                     const contact::TipForce& force) const = 0;
   /// Rates of what the leading blade is bent by, from those of the arc.
   struct Rates {

@@ -112,9 +112,8 @@ void ContactArc::predict(const Touch& touch) {
   at_end_ = law_->start(touch, there, angular_speed);
   // A tip that has come loose slips from zero on in the direction of s.
   double& slip_velocity = at_end_.force.slip_velocity;
-  if (contact_.slip != 0.0 && std::abs(slip_velocity) <= contact::kSlipRounding *
-                                                             std::abs(rotor_->speed_ratio) *
-                                                             machine().ring_radius)
+  if (std::abs(slip_velocity) <=
+      contact::kSlipRounding * std::abs(rotor_->speed_ratio) * machine().ring_radius)
     slip_velocity = std::copysign(std::numeric_limits<double>::min(), contact_.slip);
   std::complex<double> force = contact::on_rotor(at_end_.force, er_);
   for (const FurtherStart& further : further_) {
@@ -152,7 +151,6 @@ void ContactArc::start_next(Interval& next) const {
   next.start_lean = end_.bending.lean;
   next.start_shortening = at_end_.force.shortening;
   next.start_chart_left = at_end_.chart_left;
-  next.start_cone_left = at_end_.cone_left;
   next.start_force = at_end_.force.normal;
   next.start_strain = at_end_.force.root_strain;
 }
@@ -201,7 +199,6 @@ bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter) 
     shorter.start_lean = whole.start_lean;
     shorter.start_shortening = whole.start_shortening;
     shorter.start_chart_left = whole.start_chart_left;
-    shorter.start_cone_left = whole.start_cone_left;
     shorter.start_force = whole.start_force;
     shorter.start_strain = whole.start_strain;
   }
@@ -323,7 +320,6 @@ void ContactArc::goes_on(const Ending& ending) {
   if (contact_.leans) {
     at_end_.force.shortening = made().shortening.at_end();
     at_end_.chart_left = made().chart_left.at_end();
-    at_end_.cone_left = made().cone_left.at_end();
     at_end_.force.normal = made().normal_force.at_end();
     at_end_.force.root_strain = made().root_strain.at_end();
   }

@@ -56,18 +56,9 @@ class ContactArc {
   /// Makes the next interval, from the end of the one before.
   Outcome make();
   /// What ends an interval: the leading blade lifts off unbent or under load, or comes to the fold of its
-  /// branch or to the end of the chart of its equilibria; the slip of a blade reverses; a tip at rest comes
-  /// loose; another blade touches down.
-  enum class Guard : std::uint8_t {
-    none,
-    unbent,
-    under_load,
-    fold,
-    chart_end,
-    slip_reversal,
-    loosening,
-    touch_down
-  };
+  /// branch or to the end of the chart of its equilibria; the slip of a blade reverses; another blade touches
+  /// down.
+  enum class Guard : std::uint8_t { none, unbent, under_load, fold, chart_end, slip_reversal, touch_down };
   struct Ending {
     Guard guard = Guard::none;
     double fraction = 1.0;  ///< θ
@@ -159,9 +150,6 @@ class ContactArc {
   void leave_earlier();
   void guess_further(Interval& next) const;
   bool cut(const Interval& whole, double fraction, Interval& shorter);
-  /// Slip may reverse.
-  [[nodiscard]] bool slips() const { return law_->has_slip_state() && contact_.slip != 0.0; }
-  [[nodiscard]] bool is_held_firmly(const Interval& interval) const;
   [[nodiscard]] bool is_next_to_unbent(const Interval& interval) const;
   [[nodiscard]] double left_at_end(const Ending& ending, const Interval& interval) const;
   bool cut_at(const Interval& whole, Ending& ending, Interval& shorter);

@@ -26,7 +26,7 @@ double slope_before(const AtPlaces& values, double fraction) {
 bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
   const auto is_valid = [&](int blade, double slip_velocity, double argument) {
     const bool reverses = ending.guard == Guard::slip_reversal && ending.blade == blade;
-    return (slip_velocity > (reverses ? -rounding_at_end_ : 0.0) || !slips()) &&
+    return (slip_velocity > (reverses ? -rounding_at_end_ : 0.0) || !law_->has_slip_state()) &&
            argument < law_->valid_argument(blade);
   };
   if (!(bounds.distance < machine().ring_radius)) return false;
@@ -34,7 +34,6 @@ bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
   for (std::size_t k = 0; k < further_.size(); ++k) {
     if (!is_valid(further_[k].blade, bounds.slip_velocity[1 + k], bounds.further_argument[k])) return false;
   }
-  if (contact_.slip == 0.0 && !(bounds.cone_left > 0.0)) return false;
   return !contact_.leans || (bounds.time_slope > 0.0 && bounds.chart_left > 0.0);
 }
 
@@ -67,8 +66,7 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
     look(Guard::fold, blade_, sum_of_products(node_tables().value_at_start, interval.time_slope),
          interval.time_slope, 1.0, count);
   if (contact_.leans) look(Guard::chart_end, blade_, interval.start_chart_left, interval.chart_left, 1.0);
-  if (contact_.slip == 0.0) look(Guard::loosening, blade_, interval.start_cone_left, interval.cone_left, 1.0);
-  if (!slips()) return first;
+  if (!law_->has_slip_state()) return first;
   look(Guard::slip_reversal, blade_, interval.start_slip_velocity, interval.slip_velocity, contact_.slip);
   for (std::size_t k = 0; k < further_.size(); ++k) {
     const FurtherBlade& further = interval.further[k];
@@ -125,8 +123,6 @@ double ContactArc::left_at_end(const Ending& ending, const Interval& interval) c
       return interval.time_slope.at_end();
     case Guard::chart_end:
       return interval.chart_left.at_end();
-    case Guard::loosening:
-      return interval.cone_left.at_end();
     default: {
       if (ending.blade == blade_) return contact_.slip * interval.slip_velocity.at_end();
       const FurtherBlade& further = interval.further[number_of(ending.blade)];
@@ -165,16 +161,6 @@ bool ContactArc::is_next_to_unbent(const Interval& interval) const {
          (argument < kNear && law_->starts_unloaded(blade_, contact_.slip, pose(blade_, end_of(interval))));
 }
 
-/// The blade of a tip at rest is no straight strut between hub and ring.
-bool ContactArc::is_held_firmly(const Interval& interval) const {
-  constexpr double kLeastModulus = 1e-3;  // κ
-  for (std::size_t i = 0; i < kNodes; ++i) {
-    const Bending bending{interval.argument[i], interval.lean[i]};
-    if (!(std::abs(law_->touch(blade_, 0.0, bending).bend.modulus) > kLeastModulus)) return false;
-  }
-  return true;
-}
-
 ContactArc::Verdict ContactArc::judge(Ending& ending) {
   const Interval& next = trial();
   const bool reaches_zero = next.chord.time == 0.0;
@@ -206,10 +192,6 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   if (ending.guard != Guard::under_load && !held_beyond_ring && !stays_bent) return Verdict::gives_up;
   const Interval& kept = in_part ? part : next;
   if (ending.guard == Guard::fold && is_next_to_unbent(kept)) ending.guard = Guard::unbent;
-  // A tip at rest whose blade unbends, or which is about to be no longer firm, is for steps to follow.
-  if (contact_.slip == 0.0 && (ending.guard == Guard::unbent || ending.guard == Guard::fold ||
-                               ending.guard == Guard::chart_end || !is_held_firmly(kept)))
-    return Verdict::gives_up;
   // At a fold a tip is free only outside the ring, or it snaps.
   if (ending.guard == Guard::fold && !law_->has_branches(blade_) && !(pose(blade_, end_of(kept)).gap < 0.0))
     return Verdict::gives_up;

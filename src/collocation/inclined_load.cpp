@@ -31,12 +31,6 @@ InclinedLoad numbers_of(contact::LoadDirection direction, const contact::Coulomb
   return load;
 }
 
-InclinedLoad numbers_of(contact::LoadDirection direction, const contact::StickingFriction& friction) {
-  InclinedLoad load = numbers_of(direction, contact::CoulombFriction{friction.friction});
-  load.static_friction = friction.largest_holding;
-  return load;
-}
-
 InclinedLoad numbers_of(contact::LoadDirection direction, const contact::VelocityFriction& friction) {
   InclinedLoad load{};
   load.along_normal = direction == contact::LoadDirection::normal;

@@ -19,13 +19,12 @@
 namespace rubatlas::collocation {
 
 struct InclinedLoad {
-  /// `rest`: a tip that sticks, under which v = 0 takes the place of c = c(v).
-  enum class Friction : std::uint8_t { coulomb, regularised, stribeck, rest };
+  enum class Friction : std::uint8_t { coulomb, regularised, stribeck };
 
   bool along_normal;             ///< else along the undeformed blade (`contact::LoadDirection`)
   Friction law;                  ///< c(v) (`contact/friction_law.hpp`)
   double friction;               ///< μ, or the kinetic μk [-]
-  double static_friction;        ///< μs [-], of a tip that may stick, too
+  double static_friction;        ///< μs [-]
   double stribeck_velocity;      ///< vs [m per unit τ]
   double regularising_velocity;  ///< v0 [m per unit τ]
   double strain_unit = 0.0;      ///< h / (2 L) [-]
@@ -40,14 +39,6 @@ struct InclinedLoad {
   /// |κ| sin(φ' − φ), φ' the largest φ: positive within the chart.
   [[nodiscard]] static double chart_left(double u, double lean) {
     return u * kChartEnd.cosine + lean * kChartEnd.sine;
-  }
-
-  /// c² up to which friction holds a tip. A tip comes to rest at the very edge of the cone, where its
-  /// coefficient is known to some 1e-8: whether it rests must not depend on that.
-  [[nodiscard]] double cone() const {
-    constexpr double kShareBeyond = 1e-7;
-    const double largest = (1.0 + kShareBeyond) * static_friction;
-    return largest * largest;
   }
 
   /// u of p.
@@ -71,6 +62,5 @@ struct InclinedLoad {
 InclinedLoad numbers_of(contact::LoadDirection direction, const contact::CoulombFriction& friction);
 InclinedLoad numbers_of(contact::LoadDirection direction, const contact::VelocityFriction& friction);
 /// Of a tip that slips.
-InclinedLoad numbers_of(contact::LoadDirection direction, const contact::StickingFriction& friction);
 
 }  // namespace rubatlas::collocation

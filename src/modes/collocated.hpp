@@ -99,8 +99,6 @@ class Collocated final : public trajectory::MotionPiece {
   }
   [[nodiscard]] contact::Pose pose(int blade, const Point& point, const contact::BladeDirection& er) const;
   [[nodiscard]] ModeEnd end_of_arc() const;
-  /// The bends of a tip at rest are no coordinates of a path.
-  [[nodiscard]] bool any_rests() const { return contacts_.front().slip == 0.0; }
   [[nodiscard]] trajectory::Tip tip(int blade, const Point& point) const;
   /// The piece is an interval, and not a part of one.
   [[nodiscard]] bool is_whole() const {

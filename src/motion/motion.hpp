@@ -345,9 +345,7 @@ class Motion {
       if (any_rests) return begin_in(Mode::resting, *resting_, of_resting_law());
     }
     if constexpr (Modes::kSticks) {
-      const bool alone = contacts_.size() == 1 && !handed_over_;
-      const bool collocates = Modes::kCollocates && collocated_ && alone;
-      if (any_rests && !collocates) return begin_in(Mode::sticking, *sticking_, contacts_);
+      if (any_rests) return begin_in(Mode::sticking, *sticking_, contacts_);
     }
     if constexpr (Modes::kCarries) {
       if (begins_to_skim()) return begin_in(Mode::skimming, *skimming_, contacts_);
