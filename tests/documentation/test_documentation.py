@@ -126,7 +126,7 @@ class Documentation(PageTest):
                 continue
             for block in BLOCK.finditer(page.read_text()):
                 with self.subTest(page=str(page), block=block["text"][:60]):
-                    self.assertIn(block["language"], {*RUNS, "text", "json", "bibtex", "cpp"})
+                    self.assertIn(block["language"], {*RUNS, "text", "json", "bibtex", "cpp", "mermaid"})
 
     def test_every_scene_in_jobs_is_accepted(self):
         scenes = sorted((ROOT / "jobs").glob("*.json"))
