@@ -1,33 +1,14 @@
-/// What turns and pushes the shaft on one line, as types: the forcing and the blades of a point.
-///
-/// A machine makes both for a speed ratio. The paper's rotor has a machine without forcing and one with an
-/// unbalance, and nothing else in its equations.
+/// The machine of a line: what turns and pushes the shaft, and the ring.
 #pragma once
 
-#include "rotor/blade_set.hpp"
-#include "rotor/harmonic.hpp"
+#include "rotor/machine.hpp"
+#include "settings/combinations.hpp"
+#include "settings/scene.hpp"
 
 namespace rubatlas::assembly {
 
-/// Equal blades at constant speed, nothing but shaft and ring.
-struct PlainMachine {
-  static constexpr bool kMayChange = false;
-  int blade_count;
-  [[nodiscard]] rotor::NoForcing forcing(double /*speed_ratio*/) const { return {}; }
-  [[nodiscard]] rotor::BladeSet blades(double speed_ratio) const { return {blade_count, speed_ratio}; }
-};
-
-/// The same with an unbalance.
-struct UnbalancedMachine {
-  static constexpr bool kMayChange = false;
-  int blade_count;
-  double specific_moment;  ///< me/m [m]
-  double phase;            ///< γ [rad]
-  double damping_ratio;    ///< ζ [-]
-  [[nodiscard]] rotor::RotatingUnbalance forcing(double speed_ratio) const {
-    return {specific_moment, phase, speed_ratio, damping_ratio};
-  }
-  [[nodiscard]] rotor::BladeSet blades(double speed_ratio) const { return {blade_count, speed_ratio}; }
-};
+/// Only what the scene has acts. `kind`: the closed form of the isotropic shaft at constant speed is kept
+/// where the line has both.
+rotor::Machine machine_of(const settings::Scene& line, settings::Machine kind, double speed_ratio);
 
 }  // namespace rubatlas::assembly

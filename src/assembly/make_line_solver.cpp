@@ -1,24 +1,42 @@
 #include "assembly/make_line_solver.hpp"
 
+#include <algorithm>
+#include <limits>
+#include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "assembly/blade_tables.hpp"
-#include "assembly/effect_families.hpp"
+#include "assembly/machine.hpp"
 #include "assembly/methods.hpp"
+#include "motion/motion.hpp"
 #include "plan/scene_of_line.hpp"
+#include "point/solver_of_motions.hpp"
+#include "settings/effects/list.hpp"
 
 namespace rubatlas::assembly {
 
 namespace {
 
-/// The one family that is compiled for every method. By collocation it is one of those with effects.
-std::unique_ptr<point::LineSolver> make_by_method(const FamilyRequest& request) {
+modes::MakeModes law_of(const LineRequest& request) {
+  using enum settings::MotionFamily;
+  const bool rigid = request.line.contact.law == settings::ContactLaw::elastic_ring;
+  switch (request.combination.family->kind) {
+    case directed_elastic_blades:
+    case sticking_elastic_blades:
+      return law_of_inclined_loads(request);
+    case blades_on_damped_ring:
+      return law_of_damped_ring(request);
+    default:
+      return rigid ? law_of_rigid_blades(request) : law_of_axial_loads(request);
+  }
+}
+
+std::unique_ptr<point::LineSolver> make(const LineRequest& request) {
   switch (request.line.accuracy.method) {
     case settings::Method::hybrid:
-      return make_hybrid(request);
     case settings::Method::collocation:
-      return request.line.contact.law == settings::ContactLaw::elastic_ring ? make_rigid_blades(request)
-                                                                            : make_elastic_blades(request);
+      return hybrid_solver(request, law_of(request));
     case settings::Method::hybrid_54:
       return make_hybrid_54(request);
     case settings::Method::hybrid_32:
@@ -33,32 +51,34 @@ std::unique_ptr<point::LineSolver> make_by_method(const FamilyRequest& request) 
   throw std::logic_error("a method of integration that is none");
 }
 
-std::unique_ptr<point::LineSolver> make(const FamilyRequest& request) {
-  using enum settings::MotionFamily;
-  switch (request.combination.family->kind) {
-    case paper_s_rotor:
-      return make_by_method(request);
-    case rigid_blades:
-      return make_rigid_blades(request);
-    case sticking_rigid_blades:
-      return make_sticking_rigid_blades(request);
-    case elastic_blades:
-      return make_elastic_blades(request);
-    case directed_elastic_blades:
-      return make_directed_elastic_blades(request);
-    case sticking_elastic_blades:
-      return make_sticking_elastic_blades(request);
-    case blades_on_damped_ring:
-      return make_blades_on_damped_ring(request);
-    case blades_in_ring_body:
-      return make_blades_in_ring_body(request);
-    case blades_in_ring_without_mass:
-      return make_blades_in_ring_without_mass(request);
+}  // namespace
+
+std::vector<settings::Blades> each_blade(const settings::Scene& line) {
+  const auto count = static_cast<std::size_t>(line.blades.count);
+  std::vector<settings::Blades> blades(count, line.blades);
+  if (!line.unequal_blades) return blades;
+  const auto errors = line.unequal_blades->errors(line.blades.count);
+  for (std::size_t k = 0; k < count; ++k) {
+    blades[k].length += errors[k].length;
+    blades[k].thickness += errors[k].thickness;
   }
-  throw std::logic_error("a family of motions that is none");
+  return blades;
 }
 
-}  // namespace
+std::unique_ptr<point::LineSolver> hybrid_solver(const LineRequest& request, modes::MakeModes make_modes) {
+  return point::solver_of_motions(
+      request.line,
+      [line = request.line, kind = request.combination.machine, make_modes = std::move(make_modes)](
+          double speed_ratio, std::span<const double> lost) -> std::unique_ptr<motion::PointMotion> {
+        rotor::Machine machine = machine_of(line, kind, speed_ratio);
+        // No step can be closer than positions are rounded: a clearance of nanometres asks for more.
+        const double rounding = std::numeric_limits<double>::epsilon() * line.ring.radius;
+        const double tolerance = std::max(line.accuracy.tolerance * machine.constants.length_scale, rounding);
+        const motion::Motion::Settings settings{{tolerance, line.validity.max_shortening},
+                                                line.accuracy.method == settings::Method::collocation};
+        return std::make_unique<motion::Motion>(std::move(machine), make_modes, settings, lost);
+      });
+}
 
 std::shared_ptr<BladeTables> make_blade_tables() {
   return std::make_shared<BladeTables>();
@@ -68,7 +88,7 @@ std::unique_ptr<point::LineSolver> make_line_solver(const settings::Scene& scene
                                                     const plan::PointParameters& line,
                                                     const std::shared_ptr<BladeTables>& tables) {
   const settings::Scene own = plan::scene_of_line(scene, line);
-  return make({{own, *tables}, settings::combination_of(own)});
+  return make({own, *tables, settings::combination_of(own)});
 }
 
 }  // namespace rubatlas::assembly

@@ -121,8 +121,6 @@ void ContactArc::predict(const Touch& touch) {
                                      er_.sine * further.offset[0] + er_.cosine * further.offset[1]};
     force += contact::on_rotor(further.force, er);
   }
-  const rotor::RingBody* ring = whole_->ring_body();
-  const rotor::RingContactState full = rotor::full_state(end_.bodies, end_.time, 0.0);
   predictor_.begin(
       {.touch = touch,
        .blade = contact_.blade,
@@ -133,8 +131,7 @@ void ContactArc::predict(const Touch& touch) {
        .direction = er_,
        .bending = end_.bending,
        .gap_measure = at_end_.gap_measure,
-       .shaft_acceleration = whole_->shaft.shaft_acceleration(*rotor_, full, force),
-       .ring_acceleration = ring != nullptr ? ring->acceleration(rotor::ring(end_.bodies), -force) : 0.0});
+       .acceleration = whole_->acceleration(rotor::full_state(end_.bodies, end_.time, 0.0), force)});
 }
 
 void ContactArc::start_next(Interval& next) const {

@@ -33,8 +33,8 @@ double length_of(double x, double y) {
 }  // namespace
 
 void Predictor::begin(const Start& start) {
-  shaft_ = {.acceleration = {start.shaft_acceleration.real(), start.shaft_acceleration.imag()}};
-  ring_ = {.acceleration = {start.ring_acceleration.real(), start.ring_acceleration.imag()}};
+  shaft_ = {.acceleration = {start.acceleration.shaft.real(), start.acceleration.shaft.imag()}};
+  ring_ = {.acceleration = {start.acceleration.ring.real(), start.acceleration.ring.imag()}};
   const double speed = start.angular_speed;
   const rotor::State state = rotor::from_ring(start.bodies);
   const contact::Geometry geometry{start.blade->reach, start.ring_radius};
@@ -42,7 +42,7 @@ void Predictor::begin(const Start& start) {
   const double rate = contact::gap_rate(geometry, start.pose, speed);
   const double curvature = contact::gap_curvature(
       geometry, start.direction, start.pose, {state[0], state[1] + rotor_->misalignment},
-      {state[2], state[3]}, start.shaft_acceleration - start.ring_acceleration, speed);
+      {state[2], state[3]}, start.acceleration.shaft - start.acceleration.ring, speed);
   // Half of the contact, as far as the gap is a parabola: from its top to where it is closed.
   const double rate_at_end = std::sqrt(std::max(0.0, rate * rate - 2.0 * curvature * start.pose.gap));
   const double half = curvature < 0.0 ? std::min(-rate_at_end / curvature, kLongestHalf) : kLongestHalf;
@@ -60,7 +60,7 @@ void Predictor::begin_under_load(const Start& start, double half) {
   curvature_ = 0.0;
   const contact::BladeDirection& er = start.direction;
   const std::complex<double> acceleration =
-      (start.shaft_acceleration - start.ring_acceleration) * std::complex<double>(er.cosine, -er.sine);
+      (start.acceleration.shaft - start.acceleration.ring) * std::complex<double>(er.cosine, -er.sine);
   const ArcLaw::Tangent tangent = law_->tangent(start.touch, start.pose, start.angular_speed, acceleration);
   const double time = tangent.time / time_unit_;
   const double norm = length_of(time, tangent.argument);

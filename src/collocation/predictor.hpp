@@ -40,9 +40,8 @@ class Predictor {
     contact::Pose pose;                 ///< of the blade
     contact::BladeDirection direction;  ///< er
     Bending bending;
-    double gap_measure;                       ///< g/Δ [m]
-    std::complex<double> shaft_acceleration;  ///< z'' [m per unit τ²]
-    std::complex<double> ring_acceleration;   ///< r'' [m per unit τ²]
+    double gap_measure;  ///< g/Δ [m]
+    rotor::Acceleration acceleration;
   };
   void begin(const Start& start);
   /// Times and gaps of so short a contact are rounding.

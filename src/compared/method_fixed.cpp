@@ -1,7 +1,6 @@
 // `fixed`: classical Runge–Kutta in equal steps, a whole number of them in a revolution; contact by the sign
 // of g in each stage, events nowhere. What people write first.
 
-#include "compared/paper_s_rotor.hpp"
 #include "compared/stepped_method.hpp"
 #include "integrate/classical_runge_kutta.hpp"
 
@@ -21,7 +20,7 @@ struct Fixed {
 }  // namespace
 
 std::unique_ptr<point::LineSolver> make_fixed(const LineRequest& request) {
-  return compared::make_paper_s_rotor<SteppedMethod<Fixed>>(request);
+  return compared::stepped_solver<Fixed>(request);
 }
 
 }  // namespace rubatlas::assembly

@@ -2,7 +2,6 @@
 // and slip reversals are found by sign changes over a step and located on dense output, and the force is
 // solved for in each stage. What a good general library for differential equations does.
 
-#include "compared/paper_s_rotor.hpp"
 #include "compared/stepped_method.hpp"
 #include "integrate/dormand_prince_54.hpp"
 
@@ -22,7 +21,7 @@ struct Located {
 }  // namespace
 
 std::unique_ptr<point::LineSolver> make_located(const LineRequest& request) {
-  return compared::make_paper_s_rotor<SteppedMethod<Located>>(request);
+  return compared::stepped_solver<Located>(request);
 }
 
 }  // namespace rubatlas::assembly

@@ -3,7 +3,6 @@
 // neither the pair nor the increment: Fehlberg's 4(5), whose solution is of order 4, and the increment of the
 // scene.
 
-#include "compared/paper_s_rotor.hpp"
 #include "compared/stepped_method.hpp"
 #include "integrate/fehlberg_45.hpp"
 
@@ -30,7 +29,7 @@ struct Paper {
 }  // namespace
 
 std::unique_ptr<point::LineSolver> make_paper(const LineRequest& request) {
-  return compared::make_paper_s_rotor<SteppedMethod<Paper>>(request);
+  return compared::stepped_solver<Paper>(request);
 }
 
 }  // namespace rubatlas::assembly

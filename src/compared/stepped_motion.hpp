@@ -24,10 +24,9 @@
 #include "modes/motion_listener.hpp"
 #include "modes/tip_of.hpp"
 #include "modes/work_meter.hpp"
-#include "motion/point_start.hpp"
+#include "motion/point_motion.hpp"
 #include "motion/work_counts.hpp"
-#include "rotor/blade_set.hpp"
-#include "rotor/constants.hpp"
+#include "rotor/machine.hpp"
 #include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::compared {
@@ -38,26 +37,24 @@ struct SteppedLimits {
   double max_shortening;  ///< of δ/L [-]
 };
 
-template <class Law, class Forcing, class Scheme>
-class SteppedMotion final : public trajectory::MotionPiece {
+/// `Law`: of all blades, which are alike.
+template <class Law, class Scheme>
+class SteppedMotion final : public motion::PointMotion, public trajectory::MotionPiece {
  public:
-  SteppedMotion(const rotor::RotorConstants& rotor, rotor::BladeSet blades, Law law, Forcing forcing,
-                typename Scheme::Search search, const SteppedLimits& limits)
-      : rotor_(rotor),
-        directions_(std::move(blades)),
+  SteppedMotion(rotor::Machine machine, Law law, typename Scheme::Search search, const SteppedLimits& limits)
+      : machine_(std::move(machine)),
         law_(std::move(law)),
-        forcing_(std::move(forcing)),
         limits_(limits),
-        steps_in_revolution_(std::ceil(rotor.period() / limits.longest_step)),
-        system_(rotor_, directions_, law_, forcing_, std::move(search)),
-        size_(rotor.period() / steps_in_revolution_) {}
+        steps_in_revolution_(std::ceil(machine_.constants.period() / limits.longest_step)),
+        system_(machine_, law_, std::move(search)),
+        size_(machine_.constants.period() / steps_in_revolution_) {}
   SteppedMotion(const SteppedMotion&) = delete;  // parts point at each other
   SteppedMotion& operator=(const SteppedMotion&) = delete;
 
   /// Starts at phase 0; blades with g > 0 are in contact (MODEL 4.4).
-  ending::PointStatus start(const rotor::State& state) {
+  ending::PointStatus start(const motion::PointStart& start) override {
     SteppedState full;
-    full << state, 0.0;
+    full << rotor::as_state(start.state), 0.0;
     if (!full.isFinite().all()) return ends(ending::StatusDetail::beyond_precision);
     for (std::size_t k = 0; k < system_.blades().size(); ++k) {
       const contact::Pose at = system_.pose(k, full);
@@ -67,8 +64,9 @@ class SteppedMotion final : public trajectory::MotionPiece {
   }
 
   /// One revolution.
-  ending::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on = {}) {
-    const double period = rotor_.period();
+  ending::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
+                                 int /*number*/) override {
+    const double period = machine_.constants.period();
     meter_.begin_revolution(go_on);
     for (std::int64_t step = 1;; ++step) {
       if (const ending::PointStatus status = make_step(static_cast<double>(step), period);
@@ -85,12 +83,13 @@ class SteppedMotion final : public trajectory::MotionPiece {
     }
   }
   /// What ended the motion, where that is not done.
-  [[nodiscard]] ending::StatusDetail status_detail() const { return detail_; }
+  [[nodiscard]] ending::StatusDetail status_detail() const override { return detail_; }
 
-  /// At the end of the last revolution.
-  [[nodiscard]] rotor::State state() const { return step_.start().template head<4>(); }
+  [[nodiscard]] rotor::ShaftAndRing state() const override {
+    return rotor::shaft_and_ring(step_.start().template head<4>());
+  }
 
-  [[nodiscard]] motion::WorkCounts work() const {
+  [[nodiscard]] motion::WorkCounts work() const override {
     motion::WorkCounts result = work_;
     result.right_hand_sides = system_.evaluations();
     result.elastica_evaluations = modes::curve_evaluations(law_);
@@ -121,19 +120,19 @@ class SteppedMotion final : public trajectory::MotionPiece {
     const SteppedState full = state_at((time - begin()) / step_.size());
     const contact::TipForce force = system_.force(k, full);
     const contact::BladeDirection er =
-        directions_.direction(blade(contact), directions_.first(full[kSteppedTime]));
+        machine_.blades.direction(blade(contact), machine_.blades.first(full[kSteppedTime]));
     const double slip = before_[k].slip;
     return modes::contact_force(force, {slip, modes::friction_coefficient(law_, force, slip)}, er,
-                                system_.pose(k, full), rotor_.speed_ratio);
+                                system_.pose(k, full), machine_.constants.speed_ratio);
   }
   [[nodiscard]] trajectory::Tip tip(int blade, double time) override {
     const SteppedState full = state_at((time - begin()) / step_.size());
     return modes::tip_of(law_.geometry(), system_.pose(static_cast<std::size_t>(blade), full),
-                         rotor_.speed_ratio);
+                         machine_.constants.speed_ratio);
   }
 
  private:
-  using System = SteppedSystem<Law, Forcing, typename Scheme::Search, Scheme::kLocated>;
+  using System = SteppedSystem<Law, typename Scheme::Search, Scheme::kLocated>;
 
   static constexpr double kSmallestSize = 1e-15;  ///< in τ
 
@@ -169,7 +168,8 @@ class SteppedMotion final : public trajectory::MotionPiece {
     for (std::size_t k = 0; k < before_.size(); ++k) {
       if (before_[k].open) open_.push_back(k);
       // A tip whose slip has just reversed may stand at v = 0 to rounding: it has no sign yet.
-      const double rounding = contact::kSlipRounding * rotor_.speed_ratio * law_.geometry().ring_radius;
+      const double rounding =
+          contact::kSlipRounding * machine_.constants.speed_ratio * law_.geometry().ring_radius;
       if (std::abs(before_[k].slip_velocity) <= rounding) before_[k].slip_velocity = 0.0;
     }
   }
@@ -240,7 +240,7 @@ class SteppedMotion final : public trajectory::MotionPiece {
     const bool cut = event.fraction < 1.0;
     const SteppedState end = state_at(event.fraction);
     if (!end.isFinite().all()) return ends(ending::StatusDetail::beyond_precision);
-    if (std::hypot(end[0], end[1] + rotor_.misalignment) >= law_.geometry().ring_radius)
+    if (std::hypot(end[0], end[1] + machine_.constants.misalignment) >= law_.geometry().ring_radius)
       return ends(ending::StatusDetail::shaft_at_ring);
     if (!cut && system_.shortening() > limits_.max_shortening)
       return ends(ending::StatusDetail::shortening_limit);
@@ -298,10 +298,8 @@ class SteppedMotion final : public trajectory::MotionPiece {
                                 at.template head<4>()});
   }
 
-  rotor::RotorConstants rotor_;
-  rotor::BladeSet directions_;
+  rotor::Machine machine_;
   Law law_;
-  Forcing forcing_;
   SteppedLimits limits_;
   double steps_in_revolution_;  ///< of the longest step, a whole number
   System system_;

@@ -15,8 +15,7 @@
 #include <vector>
 
 #include "contact/pose.hpp"
-#include "rotor/blade_set.hpp"
-#include "rotor/constants.hpp"
+#include "rotor/machine.hpp"
 
 namespace rubatlas::compared {
 
@@ -34,17 +33,16 @@ struct SteppedBlade {
   double shortening = 0.0;     ///< δ/L there [-]
 };
 
-template <class Law, class Forcing, class Search, bool kFrozen>
+template <class Law, class Search, bool kFrozen>
 class SteppedSystem {
  public:
-  SteppedSystem(const rotor::RotorConstants& rotor, const rotor::BladeSet& directions, const Law& law,
-                const Forcing& forcing, Search search)
-      : rotor_(&rotor),
-        directions_(&directions),
+  SteppedSystem(const rotor::Machine& machine, const Law& law, Search search)
+      : machine_(&machine),
+        rotor_(&machine.constants),
+        directions_(&machine.blades),
         law_(&law),
-        forcing_(&forcing),
         search_(std::move(search)),
-        blades_(static_cast<std::size_t>(directions.count())) {}
+        blades_(static_cast<std::size_t>(directions_->count())) {}
 
   [[nodiscard]] std::vector<SteppedBlade>& blades() { return blades_; }
   [[nodiscard]] const std::vector<SteppedBlade>& blades() const { return blades_; }
@@ -62,25 +60,21 @@ class SteppedSystem {
   bool operator()(const SteppedState& state, SteppedState& derivative) {
     ++evaluations_;
     const contact::BladeDirection first = directions_->first(state[kSteppedTime]);
-    double force_x = 0.0;
-    double force_y = 0.0;
+    std::complex<double> force;
     for (std::size_t k = 0; k < blades_.size(); ++k) {
       SteppedBlade& blade = blades_[k];
       const contact::BladeDirection er = directions_->direction(static_cast<int>(k), first);
       const contact::Pose at = rotor::pose_of(*rotor_, law_->geometry(), er, state.head<4>());
       blade.gap = at.gap;
       if (!touches(blade, at)) continue;
-      contact::TipForce force{};
-      if (!find_force(blade, at, blade.bending, force)) return false;
-      blade.slip_velocity = force.slip_velocity;
-      blade.shortening = force.shortening;
-      force_x += force.radial * er.cosine - force.tangential * er.sine;
-      force_y += force.radial * er.sine + force.tangential * er.cosine;
+      contact::TipForce of_tip{};
+      if (!find_force(blade, at, blade.bending, of_tip)) return false;
+      blade.slip_velocity = of_tip.slip_velocity;
+      blade.shortening = of_tip.shortening;
+      force += contact::on_rotor(of_tip, er);
     }
-    const double damping = 2.0 * rotor_->damping_ratio;
-    std::complex<double> acceleration(force_x * rotor_->force_unit - damping * state[2] - state[0],
-                                      force_y * rotor_->force_unit - damping * state[3] - state[1]);
-    if constexpr (Forcing::kPresent) acceleration += forcing_->acceleration(state[kSteppedTime]);
+    const std::complex<double> acceleration =
+        machine_->shaft.acceleration(*rotor_, state[kSteppedTime], state.head<4>(), force);
     derivative << state[2], state[3], acceleration.real(), acceleration.imag(), 1.0;
     return true;
   }
@@ -120,10 +114,10 @@ class SteppedSystem {
     return search_(*law_, at, slip, rotor_->speed_ratio, bending, force);
   }
 
+  const rotor::Machine* machine_;
   const rotor::RotorConstants* rotor_;
-  const rotor::BladeSet* directions_;
+  const rotor::RipplingBlades* directions_;
   const Law* law_;
-  const Forcing* forcing_;
   Search search_;
   std::vector<SteppedBlade> blades_;
   std::uint64_t evaluations_ = 0;

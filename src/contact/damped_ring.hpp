@@ -29,8 +29,6 @@ class RigidBladeOnDampedRing {
   static constexpr bool kElastic = false;
   static constexpr bool kHasSlipState = true;
   static constexpr bool kLoadFollowsGap = false;
-  static constexpr bool kOnDampedRing = true;
-  static constexpr bool kYieldingIsState = false;
 
   RigidBladeOnDampedRing(Geometry geometry, DampedRing ring, CoulombFriction friction)
       : law_(geometry, ring.stiffness, friction), damping_(ring.damping) {}
@@ -68,8 +66,6 @@ class ElasticBladeOnDampedRing {
   static constexpr bool kElastic = true;
   static constexpr bool kHasSlipState = true;
   static constexpr bool kLoadFollowsGap = false;
-  static constexpr bool kOnDampedRing = true;
-  static constexpr bool kYieldingIsState = true;
 
   ElasticBladeOnDampedRing(ElasticaContact blade, DampedRing ring) : blade_(std::move(blade)), ring_(ring) {}
 
@@ -135,12 +131,6 @@ class ElasticBladeOnDampedRing {
   ElasticaContact blade_;
   DampedRing ring_;
   mutable std::uint64_t evaluations_ = 0;  ///< of curves in a ring that yields; no result depends on it
-};
-
-/// A law whose ring has a damper under each tip.
-template <class Law>
-inline constexpr bool kOnDampedRing = requires {
-  requires Law::OfBlade::kOnDampedRing;
 };
 
 }  // namespace rubatlas::contact

@@ -86,10 +86,6 @@ class RigidBladeContact {
 };
 
 /// The law of MODEL 4.7, with Coulomb friction μ.
-class ElasticRingContact : public RigidBladeContact<CoulombFriction> {
- public:
-  ElasticRingContact(Geometry geometry, double stiffness, double friction)
-      : RigidBladeContact(geometry, stiffness, CoulombFriction{friction}) {}
-};
+using ElasticRingContact = RigidBladeContact<CoulombFriction>;
 
 }  // namespace rubatlas::contact

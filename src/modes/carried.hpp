@@ -26,15 +26,14 @@
 #include "modes/contact_mode.hpp"
 #include "modes/guards.hpp"
 #include "modes/open_contact.hpp"
-#include "rotor/blade_set.hpp"
 #include "rotor/bodies.hpp"
 
 namespace rubatlas::modes {
 
-template <class Law, class Forcing, class Blades = rotor::BladeSet>
-class Carried : public ContactMode<Law, Forcing, Blades> {
+template <class Law>
+class Carried : public ContactMode<Law> {
  public:
-  using Base = ContactMode<Law, Forcing, Blades>;
+  using Base = ContactMode<Law>;
   using typename Base::Bodies;
   using typename Base::FullState;
   using typename Base::Setup;
@@ -43,7 +42,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
   static constexpr bool kCoarseSizes = false;
 
   explicit Carried(const Setup& setup) : Base(setup) {
-    for (int k = 0; k < this->blades_->count(); ++k)
+    for (int k = 0; k < this->blades().count(); ++k)
       valid_bending_.push_back(valid_bending(this->law_->of(k).curve()));
   }
 
@@ -65,16 +64,15 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
 
   bool operator()(const FullState& state, FullState& derivative) {
     ++this->evaluations_;
-    const contact::BladeDirection er = this->blades_->direction_near(anchor_, state[rotor::kTime]);
+    const contact::BladeDirection er = this->blades().direction_near(anchor_, state[rotor::kTime]);
     const contact::Pose pose =
-        rotor::pose_of(*this->rotor_, carried_law_->geometry(), er, rotor::from_ring(state));
+        rotor::pose_of(this->rotor(), carried_law_->geometry(), er, rotor::from_ring(state));
     last_ = carried_law_->constraint(pose, slip_, state[rotor::kBending],
-                                     this->blades_->angular_speed(state[rotor::kTime]));
+                                     this->blades().angular_speed(state[rotor::kTime]));
     std::complex<double> force = contact::on_rotor(last_.force, er);
     if (carried_law_->fold_measure(state[rotor::kBending], last_.bending_slope) > 0.0) met_fold_ = true;
     if (!add_others(state, force)) return false;
-    this->acceleration_ = rotor::acceleration_of_all(
-        state, *this->forcing_, modes::acceleration(*this->rotor_, *this->forcing_, state, force), force);
+    this->acceleration_ = this->machine().acceleration(state, force);
     const double time_rate = -scale_ * last_.bending_slope;
     derivative = rotor::full_state(Bodies(time_rate * rotor::rate_of(state, this->acceleration_)), time_rate,
                                    scale_ * last_.time_slope);
@@ -85,7 +83,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
 
   /// Takes the blade's direction at the start of a step, from which those of the stages are turned.
   void begins_step(const FullState& state) {
-    anchor_ = this->blades_->anchor(carried().blade, state[rotor::kTime]);
+    anchor_ = this->blades().anchor(carried().blade, state[rotor::kTime]);
     Base::begins_step(state);
   }
   /// All attempts have one price.
@@ -110,7 +108,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
   }
   template <class Step>
   [[nodiscard]] double scaled_error(const Step& step) const {
-    const double weight = kBendingWeight * this->rotor_->length_scale /
+    const double weight = kBendingWeight * this->rotor().length_scale /
                           std::min(scale(step.start()[rotor::kBending]), scale(step.end()[rotor::kBending]));
     return this->error_of(step, this->acceleration_, true, [&](const FullState& difference) {
       const double bending = weight * difference[rotor::kBending];
@@ -243,7 +241,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
   [[nodiscard]] auto constraint(const FullState& state) const {
     return carried_law_->constraint(this->pose(carried().blade, state), carried().slip,
                                     state[rotor::kBending],
-                                    this->blades_->angular_speed(state[rotor::kTime]));
+                                    this->blades().angular_speed(state[rotor::kTime]));
   }
 
   /// Adds the forces of the blades that touch besides to that on the rotor [N]. False where one has none.
@@ -253,10 +251,10 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
     for (std::size_t i = 1; i < this->contacts_.size(); ++i) {
       OpenContact& open = this->contacts_[i];
       const auto& law = this->law_->of(open.blade);
-      const contact::BladeDirection er = this->blades_->direction(open.blade, first);
-      const contact::Pose pose = rotor::pose_of(*this->rotor_, law.geometry(), er, rotor::from_ring(state));
+      const contact::BladeDirection er = this->blades().direction(open.blade, first);
+      const contact::Pose pose = rotor::pose_of(this->rotor(), law.geometry(), er, rotor::from_ring(state));
       without_force_ = i;
-      if (!respond(law, pose, this->blades_->angular_speed(state[rotor::kTime]), open, this->forces_[i]))
+      if (!respond(law, pose, this->blades().angular_speed(state[rotor::kTime]), open, this->forces_[i]))
         return false;
       sum += contact::on_rotor(this->forces_[i], er);
     }
@@ -400,7 +398,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
     const auto approach = [&](const FullState& state, const FullState& derivative) {
       const contact::Pose at = this->pose(carried().blade, state);
       const double rate =
-          at.tangential_velocity - this->blades_->angular_speed(state[rotor::kTime]) * at.radial;
+          at.tangential_velocity - this->blades().angular_speed(state[rotor::kTime]) * at.radial;
       return BladeGap{carried().slip * at.tangential,
                       carried().slip * rate * step.size() * derivative[rotor::kTime]};
     };
@@ -414,7 +412,7 @@ class Carried : public ContactMode<Law, Forcing, Blades> {
   const typename Law::OfBlade* carried_law_ = nullptr;  ///< of the carried blade
   double slip_ = 1.0;                                   ///< s of the carried contact
   double scale_ = 1.0;                                  ///< unit of σ against the rates of h [1/m²]
-  typename Blades::Anchor anchor_{};                    ///< where the blade stood when the step began
+  rotor::RipplingBlades::Anchor anchor_{};              ///< where the blade stood when the step began
   std::vector<double> valid_bending_;  ///< u up to which δ/L is within its limit, one per blade
   typename Law::OfBlade::Constraint last_{};
   std::uint64_t accepted_ = 0;     ///< steps since the mode began

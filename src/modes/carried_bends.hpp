@@ -25,15 +25,14 @@
 #include "modes/contact_mode.hpp"
 #include "modes/guards.hpp"
 #include "modes/open_contact.hpp"
-#include "rotor/blade_set.hpp"
 #include "rotor/bodies.hpp"
 
 namespace rubatlas::modes {
 
-template <class Law, class Forcing, class Blades = rotor::BladeSet>
-class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState> {
+template <class Law>
+class CarriedBends : public ContactMode<Law, rotor::BendsState> {
  public:
-  using Base = ContactMode<Law, Forcing, Blades, rotor::BendsState>;
+  using Base = ContactMode<Law, rotor::BendsState>;
   using FullState = rotor::BendsState;
   using typename Base::Setup;
   using Constraint = typename Law::OfBlade::Constraint;
@@ -43,7 +42,7 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
   static constexpr bool kCoarseSizes = false;
 
   explicit CarriedBends(const Setup& setup) : Base(setup) {
-    const auto most = static_cast<std::size_t>(this->blades_->count());
+    const auto most = static_cast<std::size_t>(this->blades().count());
     last_.contacts.reserve(most);
     kept_.contacts.reserve(most);
     scales_.reserve(most);
@@ -52,20 +51,20 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
   /// Opens the contacts where the rotor stands and gives the full state there. A contact goes on from its
   /// bend where that is in equilibrium but for the errors of dense output; elsewhere (a new contact, friction
   /// that has turned round, other blades) its equilibrium is looked for. False where a blade has none.
-  bool open(double time, const rotor::State& bodies, const std::vector<OpenContact>& contacts,
+  bool open(double time, const rotor::ShaftAndRing& bodies, const std::vector<OpenContact>& contacts,
             FullState& state) {
     this->stand(contacts);
     last_.contacts.resize(contacts.size());
     scales_.resize(contacts.size());
     state.resize(rotor::kFirstBend + 2 * static_cast<Eigen::Index>(contacts.size()));
-    state.head<4>() = bodies;
+    state.head<4>() = bodies.head<4>();
     state[rotor::kTime] = time;
     for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
       OpenContact& open = this->contacts_[i];
       const contact::Pose at = this->pose(open.blade, state);
-      if (!goes_on(open, at, this->blades_->angular_speed(time), kNear)) {
+      if (!goes_on(open, at, this->blades().angular_speed(time), kNear)) {
         contact::TipForce force{};
-        if (!this->respond_paid(at, this->blades_->angular_speed(time), open, force)) return false;
+        if (!this->respond_paid(at, this->blades().angular_speed(time), open, force)) return false;
       }
       state[modulus_of(i)] = open.bend.modulus;
       state[amplitude_of(i)] = open.bend.amplitude;
@@ -85,28 +84,26 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
   bool operator()(const FullState& state, FullState& derivative) {
     ++this->evaluations_;
     const double time = state[rotor::kTime];
-    const double speed = this->blades_->angular_speed(time);
-    const contact::BladeDirection first = this->blades_->first(time);
+    const double speed = this->blades().angular_speed(time);
+    const contact::BladeDirection first = this->blades().first(time);
     std::complex<double> force;
     for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
       Evaluated& contact = last_.contacts[i];
       const auto& law = this->law_->of(this->contacts_[i].blade);
       if (!law.has_chart(bend(i, state))) return false;
-      contact.direction = this->blades_->direction(this->contacts_[i].blade, first);
-      contact.pose = rotor::pose_of(*this->rotor_, law.geometry(), contact.direction, state.head<4>());
+      contact.direction = this->blades().direction(this->contacts_[i].blade, first);
+      contact.pose = rotor::pose_of(this->rotor(), law.geometry(), contact.direction, state.head<4>());
       contact.there =
           law.constraint_or_unloaded(contact.pose, this->contacts_[i].slip, speed, bend(i, state));
       contact.force = law.force_of(contact.pose, speed, contact.there);
       force += contact::on_rotor(contact.force, contact.direction);
     }
-    rotor::FullStateOf<Forcing> shaft = rotor::FullStateOf<Forcing>::Zero();
-    shaft.template head<5>() = state.head<5>();
-    last_.acceleration = modes::acceleration(*this->rotor_, *this->forcing_, shaft, force);
+    last_.acceleration = this->machine().acceleration(state, force);
 
     double time_rate = 1.0;
     for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
       const contact::BladeDirection& er = last_.contacts[i].direction;
-      const std::complex<double> along = last_.acceleration * std::complex<double>(er.cosine, -er.sine);
+      const std::complex<double> along = last_.acceleration.shaft * std::complex<double>(er.cosine, -er.sine);
       Rates& rates = last_.contacts[i].rates;
       rates = rates_of(i, time, along);
       time_rate *= rates.time;
@@ -120,7 +117,7 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
       derivative[modulus_of(i)] = share * last_.contacts[i].rates.modulus;
       derivative[amplitude_of(i)] = share * last_.contacts[i].rates.amplitude;
     }
-    derivative.head<4>() = time_rate * rotor::rate_of(state, last_.acceleration);
+    derivative.head<4>() = time_rate * rotor::rate_of(state, last_.acceleration).template head<4>();
     derivative[rotor::kTime] = time_rate;
     if (!derivative.isFinite().all()) return false;
     this->watch_shortening(shortening());
@@ -142,7 +139,7 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
   /// Moves the bends of a state of dense output onto their equilibria, if these are close: friction and rest
   /// depend on where the tip stands to the last digits.
   void place(FullState& state) const {
-    const double speed = this->blades_->angular_speed(state[rotor::kTime]);
+    const double speed = this->blades().angular_speed(state[rotor::kTime]);
     for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
       OpenContact open = this->contacts_[i];
       open.bend = {state[modulus_of(i)], state[amplitude_of(i)]};
@@ -177,7 +174,7 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
   }
   template <class Step>
   [[nodiscard]] double scaled_error(const Step& step) const {
-    const double weight = kBendingWeight * this->rotor_->length_scale;
+    const double weight = kBendingWeight * this->rotor().length_scale;
     return this->error_of(step, last_.acceleration, true, [&](const FullState& difference) {
       double square = difference.tail(difference.size() - rotor::kFirstBend).square().sum();
       square *= weight * weight;
@@ -206,7 +203,7 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
     const OpenContact& open = this->contacts_[contact];
     const auto& law = this->law_->of(open.blade);
     const contact::Pose at = this->pose(open.blade, state);
-    const double speed = this->blades_->angular_speed(state[rotor::kTime]);
+    const double speed = this->blades().angular_speed(state[rotor::kTime]);
     return law.force_of(at, speed, law.constraint_or_unloaded(at, open.slip, speed, bend(contact, state)));
   }
   /// D of a contact in a state [m² rad]: negative beyond a fold.
@@ -214,7 +211,7 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
     const OpenContact& open = this->contacts_[contact];
     return this->law_->of(open.blade)
         .constraint_or_unloaded(this->pose(open.blade, state), open.slip,
-                                this->blades_->angular_speed(state[rotor::kTime]), bend(contact, state))
+                                this->blades().angular_speed(state[rotor::kTime]), bend(contact, state))
         .determinant();
   }
 
@@ -306,7 +303,7 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
   };
   struct Evaluation {
     std::vector<Evaluated> contacts;
-    std::complex<double> acceleration;  ///< z''
+    rotor::Acceleration acceleration;
   };
 
   /// A step from rising load to beyond lift-off. Its error may be small at its end, but lift-off would be
@@ -337,11 +334,9 @@ class CarriedBends : public ContactMode<Law, Forcing, Blades, rotor::BendsState>
   [[nodiscard]] Rates rates_of(std::size_t contact, double time, const std::complex<double>& along) const {
     const Evaluated& now = last_.contacts[contact];
     const Constraint& there = now.there;
-    double angular_acceleration = 0.0;
-    if constexpr (Blades::kMayRipple) angular_acceleration = this->blades_->angular_acceleration(time);
     const auto drift = this->law_->of(this->contacts_[contact].blade)
-                           .drift(now.pose, this->contacts_[contact].slip, this->blades_->angular_speed(time),
-                                  angular_acceleration, along, there);
+                           .drift(now.pose, this->contacts_[contact].slip, this->blades().angular_speed(time),
+                                  this->blades().angular_acceleration(time), along, there);
     const Rates rates{
         there.determinant(),
         drift.misdirection * there.residual_by_amplitude - drift.residual * there.misdirection_by_amplitude,

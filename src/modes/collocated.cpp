@@ -8,7 +8,8 @@
 
 namespace rubatlas::modes {
 
-bool Collocated::start(double time, const Bodies& state, const std::vector<OpenContact>& contacts) {
+bool Collocated::start(double time, const rotor::ShaftAndRing& state,
+                       const std::vector<OpenContact>& contacts) {
   if (contacts.size() > most_contacts()) return false;
   contacts_ = contacts;
   start_ = state;
@@ -84,10 +85,9 @@ void Collocated::shift_time(double period) {
   piece_end_ -= period;
 }
 
-Collocated::FullState Collocated::end_state() const {
-  if (!stands_) return rotor::full_state(start_, start_time_, contacts_.front().bending);
-  const auto& end = arc_.end();
-  return rotor::full_state(end.bodies, end.time, arc_.touch_of(arc_.leader(), end).bending);
+Phase::End Collocated::where_it_ended() {
+  if (!stands_) return {start_time_, start_};
+  return {arc_.end().time, arc_.end().bodies};
 }
 OpenContact Collocated::contact_in(std::size_t contact, const Point& point) const {
   OpenContact open = contacts_[contact];
@@ -96,10 +96,10 @@ OpenContact Collocated::contact_in(std::size_t contact, const Point& point) cons
   open.bend = touch.bend;
   return open;
 }
-OpenContact Collocated::contact_at_end(std::size_t contact) const {
+OpenContact Collocated::contact_at_end(std::size_t contact) {
   return stands_ ? contact_in(contact, arc_.end()) : contacts_[contact];
 }
-OpenContact Collocated::contact_at(std::size_t contact, double time) const {
+OpenContact Collocated::contact_at(std::size_t contact, double time) {
   return contact_in(contact, arc_.point_at(arc_.fraction_at(time)));
 }
 

@@ -14,9 +14,9 @@
 
 #include "collocation/arc_law.hpp"
 #include "collocation/contact_arc.hpp"
-#include "modes/contact_mode.hpp"
-#include "modes/guard_search.hpp"
 #include "modes/motion_listener.hpp"
+#include "modes/open_contact.hpp"
+#include "modes/phase.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
@@ -24,11 +24,8 @@
 
 namespace rubatlas::modes {
 
-class Collocated final : public trajectory::MotionPiece {
+class Collocated final : public Phase {
  public:
-  using Bodies = rotor::ShaftAndRing;
-  using FullState = rotor::RingContactState;
-
   /// The machine and the meter outlive the mode.
   Collocated(const rotor::Machine& machine, std::unique_ptr<collocation::ArcLaw> law, double tolerance,
              WorkMeter& meter)
@@ -44,27 +41,22 @@ class Collocated final : public trajectory::MotionPiece {
 
   /// Starts at time τ of the revolution. Where a blade has no equilibrium the contacts are handed over at
   /// once. False where more blades touch.
-  bool start(double time, const Bodies& state, const std::vector<OpenContact>& contacts);
-  /// Why it could not start: that is for another mode to find.
-  [[nodiscard]] static ending::StatusDetail refusal() { return ending::StatusDetail::none; }
+  bool start(double time, const rotor::ShaftAndRing& state,
+             const std::vector<OpenContact>& contacts) override;
+  /// That is for another mode to find.
+  [[nodiscard]] ending::StatusDetail refusal() const override { return ending::StatusDetail::none; }
 
-  /// Goes on until a blade lifts off or touches down, the contacts are handed over, time reaches `until` or
-  /// the meter ends the revolution; hands every piece of motion to the listener.
-  ModeEnd advance(double until, MotionListener& listener);
-  void shift_time(double period);
+  ModeEnd advance(double until, MotionListener& listener) override;
+  void shift_time(double period) override;
 
-  /// State at a time of the piece that is being recorded.
-  [[nodiscard]] Bodies state_at(double time) { return arc_.solved_at(time).bodies; }
-  [[nodiscard]] FullState end_state() const;
-  [[nodiscard]] OpenContact contact_at_end(std::size_t contact) const;
-  [[nodiscard]] OpenContact contact_at(std::size_t contact, double time) const;
+  [[nodiscard]] rotor::ShaftAndRing state_at(double time) override { return arc_.solved_at(time).bodies; }
+  [[nodiscard]] End where_it_ended() override;
+  [[nodiscard]] OpenContact contact_at_end(std::size_t contact) override;
+  [[nodiscard]] OpenContact contact_at(std::size_t contact, double time) override;
 
   // The piece of motion that is being recorded.
   [[nodiscard]] double begin() const override { return piece_begin_; }
   [[nodiscard]] double end() const override { return piece_end_; }
-  [[nodiscard]] trajectory::State state(double time) override {
-    return rotor::as_array(rotor::shaft(state_at(time)));
-  }
   void places(const trajectory::SampleTimes& times, int first, std::span<double> x,
               std::span<double> y) override;
   [[nodiscard]] double displacement_bound() const override { return arc_.displacement_bound(); }
@@ -85,9 +77,9 @@ class Collocated final : public trajectory::MotionPiece {
                                     std::vector<trajectory::ContactForce>& forces) override;
 
   /// Right-hand sides: one at each node in each sweep.
-  [[nodiscard]] std::uint64_t evaluations() const { return collocation::kNodes * arc_.sweeps(); }
-  [[nodiscard]] std::uint64_t steps() const { return arc_.intervals(); }
-  [[nodiscard]] std::uint64_t rejected() const { return arc_.rejected(); }
+  [[nodiscard]] std::uint64_t evaluations() const override { return collocation::kNodes * arc_.sweeps(); }
+  [[nodiscard]] std::uint64_t steps() const override { return arc_.intervals(); }
+  [[nodiscard]] std::uint64_t rejected() const override { return arc_.rejected(); }
 
  private:
   using Point = collocation::ContactArc::Point;
@@ -117,7 +109,7 @@ class Collocated final : public trajectory::MotionPiece {
   WorkMeter* meter_;
   collocation::ContactArc arc_;
   std::vector<OpenContact> contacts_;
-  Bodies start_ = Bodies::Zero();
+  rotor::ShaftAndRing start_ = rotor::ShaftAndRing::Zero();
   double start_time_ = 0.0;
   bool stands_ = false;   ///< the blades stand on an arc; else the contacts are handed over where they begin
   bool pending_ = false;  ///< an interval has been made and not been recorded to its end

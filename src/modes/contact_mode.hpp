@@ -23,60 +23,49 @@
 #include "contact/friction_law.hpp"
 #include "contact/pose.hpp"
 #include "modes/contact_force.hpp"
+#include "modes/contact_limits.hpp"
 #include "modes/guards.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/tip_of.hpp"
 #include "modes/work_meter.hpp"
-#include "rotor/blade_set.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
+#include "rotor/machine.hpp"
 
 namespace rubatlas::modes {
 
-/// What bounds a mode and how accurate it is.
-struct ContactLimits {
-  double tolerance;       ///< local error of a step [m]: accuracy.tolerance × δc
-  double max_shortening;  ///< of δ/L [-]
-};
-
 /// All that the modes of one motion share; it must outlive them.
-template <class Law, class Forcing, class Blades>
+template <class Law>
 struct ContactSetup {
-  const rotor::RotorConstants* rotor;
-  const Blades* blades;
+  const rotor::Machine* machine;
   const Law* law;
-  const Forcing* forcing;
   ContactLimits limits;
   WorkMeter* meter;
 };
 
-template <class ModeLaw, class ModeForcing, class ModeBlades, class State = rotor::FullStateOf<ModeForcing>>
+template <class ModeLaw, class State = rotor::ContactState>
 class ContactMode {
  public:
   using Law = ModeLaw;
-  using Forcing = ModeForcing;
-  using Blades = ModeBlades;
-  using Setup = ContactSetup<Law, Forcing, Blades>;
+  using Setup = ContactSetup<Law>;
   using FullState = State;
-  using Bodies = rotor::BodiesOf<Forcing>;  ///< what moves, without time and u
+  using Bodies = rotor::ShaftAndRing;  ///< what moves, without time and u
 
   explicit ContactMode(const Setup& setup)
-      : rotor_(setup.rotor),
-        blades_(setup.blades),
-        law_(setup.law),
-        forcing_(setup.forcing),
-        limits_(setup.limits),
-        meter_(setup.meter) {
-    contacts_.reserve(static_cast<std::size_t>(blades_->count()));
-    forces_.reserve(static_cast<std::size_t>(blades_->count()));
+      : machine_(setup.machine), law_(setup.law), limits_(setup.limits), meter_(setup.meter) {
+    contacts_.reserve(static_cast<std::size_t>(blades().count()));
+    forces_.reserve(static_cast<std::size_t>(blades().count()));
   }
 
+  [[nodiscard]] const rotor::Machine& machine() const { return *machine_; }
+  [[nodiscard]] const rotor::RotorConstants& rotor() const { return machine_->constants; }
+  [[nodiscard]] const rotor::RipplingBlades& blades() const { return machine_->blades; }
   [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
   [[nodiscard]] const ContactLimits& limits() const { return limits_; }
   [[nodiscard]] double ring_radius() const { return law_->of(0).geometry().ring_radius; }
-  [[nodiscard]] double gap_rounding() const { return rotor_->gap_rounding(law_->of(0).geometry()); }
+  [[nodiscard]] double gap_rounding() const { return rotor().gap_rounding(law_->of(0).geometry()); }
   [[nodiscard]] double slip_rounding() const {
-    return contact::kSlipRounding * std::abs(rotor_->speed_ratio) * ring_radius();
+    return contact::kSlipRounding * std::abs(rotor().speed_ratio) * ring_radius();
   }
 
   /// Starts with these contacts in a state between modes. False where the mode cannot start there.
@@ -159,7 +148,7 @@ class ContactMode {
     contact::TipForce force{};
     if (is_stopped()) return force;
     OpenContact guess = contacts_[contact];
-    respond(law_->of(guess.blade), pose(guess.blade, state), blades_->angular_speed(state[rotor::kTime]),
+    respond(law_->of(guess.blade), pose(guess.blade, state), blades().angular_speed(state[rotor::kTime]),
             guess, force);
     pay_curves();
     return force;
@@ -196,7 +185,7 @@ class ContactMode {
 
   /// Direction of blade 0 in a state.
   [[nodiscard]] contact::BladeDirection first_blade(const FullState& state) const {
-    return blades_->first(state[rotor::kTime]);
+    return blades().first(state[rotor::kTime]);
   }
   [[nodiscard]] contact::Pose pose(int blade, const FullState& state) const {
     return pose(blade, state, first_blade(state));
@@ -204,7 +193,7 @@ class ContactMode {
   /// The same when blade 0 stands at `first`, for all blades in one state.
   [[nodiscard]] contact::Pose pose(int blade, const FullState& state,
                                    const contact::BladeDirection& first) const {
-    return rotor::pose_of(*rotor_, law_->of(blade).geometry(), blades_->direction(blade, first),
+    return rotor::pose_of(rotor(), law_->of(blade).geometry(), blades().direction(blade, first),
                           rotor::from_ring(state));
   }
   [[nodiscard]] BladeGap gap(int blade, const FullState& state) const {
@@ -213,11 +202,11 @@ class ContactMode {
   [[nodiscard]] BladeGap gap(int blade, const FullState& state, const contact::BladeDirection& first) const {
     const contact::Pose at = pose(blade, state, first);
     return {at.gap,
-            contact::gap_rate(law_->of(blade).geometry(), at, blades_->angular_speed(state[rotor::kTime]))};
+            contact::gap_rate(law_->of(blade).geometry(), at, blades().angular_speed(state[rotor::kTime]))};
   }
   [[nodiscard]] trajectory::Tip tip(int blade, const FullState& state) const {
     return tip_of(law_->of(blade).geometry(), pose(blade, state),
-                  blades_->angular_speed(state[rotor::kTime]));
+                  blades().angular_speed(state[rotor::kTime]));
   }
   /// c [-] of an open contact under `force` in a state.
   [[nodiscard]] double friction_of(std::size_t contact, const contact::TipForce& force,
@@ -229,13 +218,13 @@ class ContactMode {
                                                   double coefficient, const FullState& state) const {
     const OpenContact& open = contacts_[contact];
     const contact::BladeDirection first = first_blade(state);
-    return modes::contact_force(force, {open.slip, coefficient}, blades_->direction(open.blade, first),
-                                pose(open.blade, state, first), blades_->angular_speed(state[rotor::kTime]));
+    return modes::contact_force(force, {open.slip, coefficient}, blades().direction(open.blade, first),
+                                pose(open.blade, state, first), blades().angular_speed(state[rotor::kTime]));
   }
   /// |c|² − R² [m²]: the shaft's centre reaches the ring where it is positive (MODEL 5).
   [[nodiscard]] double beyond_ring(const FullState& state) const {
     const rotor::State seen = rotor::from_ring(state);
-    const double y = seen[1] + rotor_->misalignment;
+    const double y = seen[1] + rotor().misalignment;
     return seen[0] * seen[0] + y * y - ring_radius() * ring_radius();
   }
   [[nodiscard]] const auto& law_of(std::size_t contact) const { return law_->of(contacts_[contact].blade); }
@@ -371,13 +360,13 @@ class ContactMode {
     const rotor::State greatest = begin.max(end).max(second.max(third)) + margin;
     rotor::State farthest = least.abs().max(greatest.abs());
     farthest[1] =
-        std::max(std::abs(least[1] + rotor_->misalignment), std::abs(greatest[1] + rotor_->misalignment));
+        std::max(std::abs(least[1] + rotor().misalignment), std::abs(greatest[1] + rotor().misalignment));
     return {std::sqrt(farthest[0] * farthest[0] + farthest[1] * farthest[1]),
             std::sqrt(farthest[2] * farthest[2] + farthest[3] * farthest[3])};
   }
   /// No tip's slip can turn round within such bounds: v = c'·t + Ω (rk − c)·n, and |rk| >= R in contact.
   [[nodiscard]] bool slip_lasts(const Bounds& bounds) const {
-    return blades_->slowest() * (ring_radius() - bounds.distance) > bounds.speed;
+    return blades().slowest() * (ring_radius() - bounds.distance) > bounds.speed;
   }
 
   [[nodiscard]] bool all_at_rest() const {
@@ -421,16 +410,14 @@ class ContactMode {
     loss_of_validity(mode, search, bounds.distance);
   }
 
-  const rotor::RotorConstants* rotor_;
-  const Blades* blades_;
+  const rotor::Machine* machine_;
   const Law* law_;
-  const Forcing* forcing_;
   ContactLimits limits_;
   WorkMeter* meter_;
-  std::vector<OpenContact> contacts_;              ///< with the first guesses of their roots
-  std::vector<contact::TipForce> forces_;          ///< of the last evaluation, one a contact
-  rotor::AccelerationOf<Forcing> acceleration_{};  ///< of the last evaluation
-  double stage_shortening_ = 0.0;                  ///< largest δ/L that the stages of a step have met
+  std::vector<OpenContact> contacts_;      ///< with the first guesses of their roots
+  std::vector<contact::TipForce> forces_;  ///< of the last evaluation, one a contact
+  rotor::Acceleration acceleration_{};     ///< of the last evaluation
+  double stage_shortening_ = 0.0;          ///< largest δ/L that the stages of a step have met
   std::uint64_t evaluations_ = 0;
 
  private:

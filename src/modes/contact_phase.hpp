@@ -1,4 +1,4 @@
-/// One phase in contact: the motion in one mode, from a reset to the next guard.
+/// A phase in steps of a Runge–Kutta pair.
 ///
 /// Advances in steps that keep the tolerance. In each step the first guard is looked for on dense output, so
 /// that no step is repeated to find one. A phase goes on across the end of a revolution: the section is read
@@ -15,25 +15,27 @@
 #include "modes/contact_mode.hpp"
 #include "modes/guard_search.hpp"
 #include "modes/motion_listener.hpp"
+#include "modes/phase.hpp"
 #include "rotor/bodies.hpp"
 #include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::modes {
 
 template <class Mode, class Pair>
-class ContactPhase final : public trajectory::MotionPiece {
+class ContactPhase final : public Phase {
  public:
   using FullState = typename Mode::FullState;
-  using Bodies = typename Mode::Bodies;
 
   explicit ContactPhase(const typename Mode::Setup& setup)
-      : mode_(setup), step_(mode_), search_(mode_, step_, setup.blades->count()), meter_(setup.meter) {}
+      : mode_(setup),
+        step_(mode_),
+        search_(mode_, step_, setup.machine->blades.count()),
+        meter_(setup.meter) {}
   ContactPhase(const ContactPhase&) = delete;  // members hold pointers to each other
   ContactPhase& operator=(const ContactPhase&) = delete;
 
-  /// Starts at time τ of the revolution. False where the mode cannot start there, or outside of the model's
-  /// validity: contacts that have just changed may bend a blade too far at once.
-  bool start(double time, const Bodies& state, const std::vector<OpenContact>& contacts) {
+  bool start(double time, const rotor::ShaftAndRing& state,
+             const std::vector<OpenContact>& contacts) override {
     pending_ = false;
     refusal_ = ending::StatusDetail::no_equilibrium;
     FullState full;
@@ -47,12 +49,9 @@ class ContactPhase final : public trajectory::MotionPiece {
     return true;
   }
 
-  /// Why it could not start.
-  [[nodiscard]] ending::StatusDetail refusal() const { return refusal_; }
+  [[nodiscard]] ending::StatusDetail refusal() const override { return refusal_; }
 
-  /// Goes on until a guard ends the mode, time reaches `until` or the meter ends the revolution; hands every
-  /// piece of motion to the listener.
-  ModeEnd advance(double until, MotionListener& listener) {
+  ModeEnd advance(double until, MotionListener& listener) override {
     using Outcome = typename integrate::ControlledStep<Mode, Pair>::Outcome;
     while (true) {
       if (pending_) {
@@ -82,32 +81,29 @@ class ContactPhase final : public trajectory::MotionPiece {
     }
   }
 
-  /// Sets the time back by a revolution.
-  void shift_time(double period) {
+  void shift_time(double period) override {
     step_.shift(rotor::kTime, -period);
     segment_begin_ -= period;
     segment_end_ -= period;
   }
 
-  /// State at a time of the piece that is being recorded.
-  [[nodiscard]] Bodies state_at(double time) { return rotor::bodies(full_state_at(time)); }
-  /// Full state where the phase ended.
-  [[nodiscard]] FullState end_state() { return step_.at_fraction(end_fraction_); }
-  /// An open contact at the end of the phase, from which the next phase starts.
-  [[nodiscard]] OpenContact contact_at_end(std::size_t contact) {
+  [[nodiscard]] rotor::ShaftAndRing state_at(double time) override {
+    return rotor::bodies(full_state_at(time));
+  }
+  [[nodiscard]] End where_it_ended() override {
+    const FullState full = end_state();
+    return {full[rotor::kTime], rotor::bodies(full)};
+  }
+  [[nodiscard]] OpenContact contact_at_end(std::size_t contact) override {
     return mode_.contact_in(contact, end_state());
   }
-  /// An open contact at a time of the piece that is being recorded, from which another motion starts.
-  [[nodiscard]] OpenContact contact_at(std::size_t contact, double time) {
+  [[nodiscard]] OpenContact contact_at(std::size_t contact, double time) override {
     return mode_.contact_in(contact, full_state_at(time));
   }
 
   // The piece of motion that is being recorded.
   [[nodiscard]] double begin() const override { return segment_begin_; }
   [[nodiscard]] double end() const override { return segment_limit_; }
-  [[nodiscard]] trajectory::State state(double time) override {
-    return rotor::as_array(rotor::shaft(state_at(time)));
-  }
   [[nodiscard]] double displacement_bound() const override { return std::numeric_limits<double>::infinity(); }
   [[nodiscard]] std::size_t contact_count() const override { return mode_.contacts().size(); }
   [[nodiscard]] int blade(std::size_t contact) const override { return mode_.contacts()[contact].blade; }
@@ -151,12 +147,13 @@ class ContactPhase final : public trajectory::MotionPiece {
     return false;
   }
 
-  [[nodiscard]] const Mode& mode() const { return mode_; }
-  [[nodiscard]] std::uint64_t evaluations() const { return mode_.evaluations(); }
-  [[nodiscard]] std::uint64_t steps() const { return step_.accepted(); }
-  [[nodiscard]] std::uint64_t rejected() const { return step_.rejected(); }
+  [[nodiscard]] std::uint64_t evaluations() const override { return mode_.evaluations(); }
+  [[nodiscard]] std::uint64_t steps() const override { return step_.accepted(); }
+  [[nodiscard]] std::uint64_t rejected() const override { return step_.rejected(); }
 
  private:
+  /// Full state where the phase ended.
+  [[nodiscard]] FullState end_state() { return step_.at_fraction(end_fraction_); }
   /// Fraction of the step where it has reached a time.
   [[nodiscard]] double fraction_at(double time) {
     if (time >= segment_end_) return end_fraction_;
@@ -179,9 +176,8 @@ class ContactPhase final : public trajectory::MotionPiece {
     FullState full = step_.at_fraction(fraction);
     point.time = full[rotor::kTime];
     point.time_rate = length * step_.slope(fraction, rotor::kTime);
-    const auto bodies = rotor::bodies(full);
-    point.state = rotor::as_array(rotor::shaft(bodies));
-    if constexpr (requires { rotor::ring(bodies); }) point.ring = rotor::as_array(rotor::ring(bodies));
+    point.state = rotor::as_array(full.template head<4>());
+    point.ring = rotor::as_array(rotor::ring(full));
     point.contacts.clear();
     for (std::size_t i = 0; i < mode_.contacts().size(); ++i) {
       const OpenContact open = mode_.contact_in(i, full);

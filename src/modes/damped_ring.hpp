@@ -22,7 +22,6 @@
 #include "modes/guards.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/solved.hpp"
-#include "rotor/blade_set.hpp"
 #include "rotor/bodies.hpp"
 
 namespace rubatlas::modes {
@@ -43,10 +42,10 @@ void touch_down_of_damped_ring(const Mode& mode, Search& search, int k) {
 }
 
 /// Rigid blades.
-template <class Law, class Forcing, class Blades = rotor::BladeSet>
-class DampedRing : public Solved<Law, Forcing, Blades> {
+template <class Law>
+class DampedRing : public Solved<Law> {
  public:
-  using Base = Solved<Law, Forcing, Blades>;
+  using Base = Solved<Law>;
   using Base::Base;
   static constexpr bool kHasPath = false;
   using typename Base::FullState;
@@ -67,18 +66,18 @@ class DampedRing : public Solved<Law, Forcing, Blades> {
 };
 
 /// Elastic blades: (x, y, x', y', τ), and how far the ring yields under each contact.
-template <class Law, class Forcing, class Blades = rotor::BladeSet>
-class YieldingDampedRing : public ContactMode<Law, Forcing, Blades, rotor::BendsState> {
+template <class Law>
+class YieldingDampedRing : public ContactMode<Law, rotor::BendsState> {
  public:
-  using Base = ContactMode<Law, Forcing, Blades, rotor::BendsState>;
+  using Base = ContactMode<Law, rotor::BendsState>;
   using FullState = rotor::BendsState;
   using Base::Base;
 
-  bool open(double time, const rotor::State& bodies, const std::vector<OpenContact>& contacts,
+  bool open(double time, const rotor::ShaftAndRing& bodies, const std::vector<OpenContact>& contacts,
             FullState& state) {
     this->stand(contacts);
     state.resize(rotor::kFirstBend + static_cast<Eigen::Index>(contacts.size()));
-    state.head<4>() = bodies;
+    state.head<4>() = bodies.head<4>();
     state[rotor::kTime] = time;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const int blade = contacts[i].blade;
@@ -101,12 +100,10 @@ class YieldingDampedRing : public ContactMode<Law, Forcing, Blades, rotor::Bends
       double& rate = derivative[place_of(i)];
       if (!find_force(state, first, this->contacts_[i], state[place_of(i)], this->forces_[i], rate))
         return false;
-      force += contact::on_rotor(this->forces_[i], this->blades_->direction(this->contacts_[i].blade, first));
+      force += contact::on_rotor(this->forces_[i], this->blades().direction(this->contacts_[i].blade, first));
     }
-    rotor::FullStateOf<Forcing> shaft = rotor::FullStateOf<Forcing>::Zero();
-    shaft.template head<5>() = state.head<5>();
-    this->acceleration_ = modes::acceleration(*this->rotor_, *this->forcing_, shaft, force);
-    derivative.head<4>() = rotor::rate_of(state, this->acceleration_);
+    this->acceleration_ = this->machine().acceleration(state, force);
+    derivative.head<4>() = rotor::rate_of(state, this->acceleration_).template head<4>();
     derivative[rotor::kTime] = 1.0;
     this->watch_shortening(this->shortening());
     return derivative.isFinite().all();
@@ -176,7 +173,7 @@ class YieldingDampedRing : public ContactMode<Law, Forcing, Blades, rotor::Bends
       const FullState state = search.step().at_fraction(part);
       return this->law_->of(open.blade)
           .bending_load(this->pose(open.blade, state), open.slip,
-                        this->blades_->angular_speed(state[rotor::kTime]));
+                        this->blades().angular_speed(state[rotor::kTime]));
     };
     search.look_for([&](double part) { return -load(part); }, {Guard::lift_off, open.blade});
     search.look_for([&](double part) { return load(part) - to_bend(part); }, {Guard::pressed_in, open.blade});
@@ -193,7 +190,7 @@ class YieldingDampedRing : public ContactMode<Law, Forcing, Blades, rotor::Bends
   bool find_force(const FullState& state, const contact::BladeDirection& first, OpenContact& open,
                   double yielding, contact::TipForce& force, double& rate) const {
     const auto& law = this->law_->of(open.blade);
-    const double speed = this->blades_->angular_speed(state[rotor::kTime]);
+    const double speed = this->blades().angular_speed(state[rotor::kTime]);
     if (open.straight) {
       const contact::Pose pose = this->pose(open.blade, state, first);
       rate = law.depth_rate(pose, speed);
@@ -201,18 +198,12 @@ class YieldingDampedRing : public ContactMode<Law, Forcing, Blades, rotor::Bends
       return true;
     }
     const contact::Pose pose =
-        rotor::pose_of(*this->rotor_, law.geometry_at(yielding), this->blades_->direction(open.blade, first),
+        rotor::pose_of(this->rotor(), law.geometry_at(yielding), this->blades().direction(open.blade, first),
                        rotor::from_ring(state));
     const bool found = law.respond(pose, open.slip, speed, yielding, open.bending, force);
     rate = law.yielding_rate(force.normal, yielding);
     return this->pay_curves() && found;
   }
 };
-
-/// The mode that goes with a law on a damped ring.
-template <class Law, class Forcing, class Blades>
-using DampedRingOf =
-    std::conditional_t<Law::OfBlade::kYieldingIsState, YieldingDampedRing<Law, Forcing, Blades>,
-                       DampedRing<Law, Forcing, Blades>>;
 
 }  // namespace rubatlas::modes

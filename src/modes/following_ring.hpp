@@ -19,7 +19,6 @@
 
 #include "contact/pose.hpp"
 #include "modes/solved.hpp"
-#include "rotor/blade_set.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
 
@@ -27,13 +26,13 @@ namespace rubatlas::modes {
 
 /// The equations of `Solved`, with the ring where its spring balances the blades. Place and velocity of the
 /// ring are not degrees of freedom; they follow from the shaft's state.
-template <class Law, class Forcing, class Blades = rotor::BladeSet>
-class FollowingRing : public Solved<Law, Forcing, Blades> {
+template <class Law>
+class FollowingRing : public Solved<Law> {
  public:
-  using Base = Solved<Law, Forcing, Blades>;
+  using Base = Solved<Law>;
   using Base::Base;
   static constexpr bool kHasPath = false;
-  using FullState = rotor::RingContactState;
+  using FullState = rotor::ContactState;
 
   bool operator()(const FullState& state, FullState& derivative) {
     FullState placed = state;
@@ -77,7 +76,7 @@ class FollowingRing : public Solved<Law, Forcing, Blades> {
   bool settle(rotor::ShaftAndRing& bodies, double time, std::vector<OpenContact>& contacts, Touches touches) {
     const double radius = this->law_->of(0).geometry().ring_radius;
     const double rounding = kGapRounding * radius * radius;
-    for (int change = 0; change <= 2 * this->blades_->count(); ++change) {
+    for (int change = 0; change <= 2 * this->blades().count(); ++change) {
       FullState full;
       this->open(time, bodies, contacts, full);
       if (!place_ring(full)) return false;
@@ -85,7 +84,7 @@ class FollowingRing : public Solved<Law, Forcing, Blades> {
       int enters = -1;
       double deepest = rounding;
       auto leaves = contacts.end();
-      for (int k = 0; k < this->blades_->count(); ++k) {
+      for (int k = 0; k < this->blades().count(); ++k) {
         const double gap = this->pose(k, full).gap;
         const auto open = std::ranges::find(contacts, k, &OpenContact::blade);
         if (open == contacts.end() && gap > deepest) {
@@ -121,30 +120,30 @@ class FollowingRing : public Solved<Law, Forcing, Blades> {
 
   /// All open contacts slip in the direction of their s.
   [[nodiscard]] bool slides(const FullState& state) const {
-    const double speed = this->blades_->angular_speed(state[rotor::kTime]);
+    const double speed = this->blades().angular_speed(state[rotor::kTime]);
     return std::ranges::all_of(this->contacts(), [&](const OpenContact& contact) {
       const contact::Geometry& geometry = this->law_->of(contact.blade).geometry();
       const double velocity =
           contact::undeformed_slip_velocity(geometry, this->pose(contact.blade, state), speed);
       return contact.slip * velocity >=
-             -contact::kSlipRounding * std::abs(this->rotor_->speed_ratio) * geometry.ring_radius;
+             -contact::kSlipRounding * std::abs(this->rotor().speed_ratio) * geometry.ring_radius;
     });
   }
 
   [[nodiscard]] Balance weigh(const FullState& state) const {
-    const double stiffness = this->forcing_->ring.stiffness;
+    const double stiffness = this->machine().following_ring()->stiffness;
     const rotor::State seen = rotor::from_ring(state);
     Balance balance{-stiffness * state.segment<2>(kRing).matrix(), stiffness * Eigen::Matrix2d::Identity(),
                     Eigen::Vector2d::Zero()};
-    const contact::BladeDirection first = this->blades_->first(state[rotor::kTime]);
-    const double speed = this->blades_->angular_speed(state[rotor::kTime]);
+    const contact::BladeDirection first = this->blades().first(state[rotor::kTime]);
+    const double speed = this->blades().angular_speed(state[rotor::kTime]);
     for (const OpenContact& contact : this->contacts()) {
       const auto& law = this->law_->of(contact.blade);
       const contact::Geometry& geometry = law.geometry();
-      const contact::BladeDirection er = this->blades_->direction(contact.blade, first);
-      const contact::Pose at = rotor::pose_of(*this->rotor_, geometry, er, seen);
+      const contact::BladeDirection er = this->blades().direction(contact.blade, first);
+      const contact::Pose at = rotor::pose_of(this->rotor(), geometry, er, seen);
       const Eigen::Vector2d tip(seen[0] + geometry.reach * er.cosine,
-                                seen[1] + this->rotor_->misalignment + geometry.reach * er.sine);
+                                seen[1] + this->rotor().misalignment + geometry.reach * er.sine);
       const double distance = tip.norm();
       const double depth = at.gap / (distance + geometry.ring_radius);
       const Eigen::Vector2d normal = tip / distance;

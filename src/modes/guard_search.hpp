@@ -12,21 +12,13 @@
 #include <vector>
 
 #include "contact/pose.hpp"
-#include "ending/status.hpp"
 #include "integrate/controlled_step.hpp"
 #include "integrate/cubic_range.hpp"
 #include "integrate/first_crossing.hpp"
-#include "modes/motion_listener.hpp"
 #include "modes/open_contact.hpp"
+#include "modes/phase.hpp"
 
 namespace rubatlas::modes {
-
-/// How a mode ended; `blade` is −1 where the end is no event of a single blade.
-struct ModeEnd {
-  Guard guard;
-  int blade = -1;
-  ending::StatusDetail why = ending::StatusDetail::none;  ///< where the motion ends
-};
 
 /// Values of one blade that are kept from step to step.
 struct WatchedBlade {

@@ -1,13 +1,10 @@
 /// A blade in contact, and its force where it stands.
 #pragma once
 
-#include <complex>
 #include <limits>
 
 #include "blade/inclined_elastica.hpp"
 #include "contact/pose.hpp"
-#include "rotor/bodies.hpp"
-#include "rotor/constants.hpp"
 
 namespace rubatlas::modes {
 
@@ -40,21 +37,6 @@ bool respond(const Law& law, const contact::Pose& at, double speed, OpenContact&
     return law.respond(at, contact.slip, speed, contact.bend.modulus, contact.bend.amplitude, force);
   } else {
     return law.respond(at, contact.slip, speed, contact.bending, force);
-  }
-}
-
-/// z'' [m per unit τ²] of the shaft where blades push it by `force` [N].
-template <class Forcing, class State>
-std::complex<double> acceleration(const rotor::RotorConstants& rotor, const Forcing& forcing,
-                                  const State& state, const std::complex<double>& force) {
-  if constexpr (rotor::kRingMoves<Forcing>) {
-    return acceleration(rotor, forcing.shaft, rotor::ContactState(state.template head<6>()), force);
-  } else if constexpr (requires { forcing.shaft_acceleration(rotor, state, force); }) {
-    return forcing.shaft_acceleration(rotor, state, force);
-  } else {
-    std::complex<double> result = rotor::shaft_acceleration(rotor, state, force);
-    if constexpr (Forcing::kPresent) result += forcing.acceleration(state[rotor::kTime]);
-    return result;
   }
 }
 

@@ -19,15 +19,14 @@
 #include "modes/contact_mode.hpp"
 #include "modes/guards.hpp"
 #include "modes/open_contact.hpp"
-#include "rotor/blade_set.hpp"
 #include "rotor/constants.hpp"
 
 namespace rubatlas::modes {
 
-template <class Law, class Forcing, class Blades = rotor::BladeSet>
-class Skimming : public ContactMode<Law, Forcing, Blades> {
+template <class Law>
+class Skimming : public ContactMode<Law> {
  public:
-  using Base = ContactMode<Law, Forcing, Blades>;
+  using Base = ContactMode<Law>;
   using Base::Base;
   using typename Base::FullState;
 
@@ -36,9 +35,7 @@ class Skimming : public ContactMode<Law, Forcing, Blades> {
     Balance balance;
     if (!weigh(state, this->contacts_.front(), balance)) return false;
     this->forces_.front() = balance.force;
-    const std::complex<double> pushed = balance.share * balance.pushed;
-    this->acceleration_ = rotor::acceleration_of_all(state, *this->forcing_, balance.free + pushed,
-                                                     pushed / this->rotor_->force_unit);
+    this->acceleration_ = this->machine().acceleration(state, balance.share * balance.pushed);
     derivative = rotor::full_state(rotor::rate_of(state, this->acceleration_), 1.0, 0.0);
     this->watch_shortening(this->shortening());
     return true;
@@ -65,7 +62,7 @@ class Skimming : public ContactMode<Law, Forcing, Blades> {
     const FreeMotion free = free_motion(state, contact.blade);
     const contact::Geometry& geometry = this->law_->of(contact.blade).geometry();
     const double rate =
-        contact::gap_rate(geometry, free.pose, this->blades_->angular_speed(state[rotor::kTime]));
+        contact::gap_rate(geometry, free.pose, this->blades().angular_speed(state[rotor::kTime]));
     if (!(rate * rate <= 4.0 * geometry.ring_radius * hop * free.curvature)) return false;
     Balance balance;
     return weigh(state, contact, balance) && balance.share > 0.0 && balance.share < 1.0;
@@ -77,13 +74,13 @@ class Skimming : public ContactMode<Law, Forcing, Blades> {
     const contact::BladeDirection er = direction(state, this->contacts_.front().blade);
     const rotor::State seen = rotor::from_ring(state);
     const double outward_x = seen[0] + geometry.reach * er.cosine;
-    const double outward_y = seen[1] + this->rotor_->misalignment + geometry.reach * er.sine;
+    const double outward_y = seen[1] + this->rotor().misalignment + geometry.reach * er.sine;
     const double inverse = 0.5 / (outward_x * outward_x + outward_y * outward_y);
     const double gap = this->pose(this->contacts_.front().blade, state).gap;
     state[0] -= gap * inverse * outward_x;
     state[1] -= gap * inverse * outward_y;
     const double rate = contact::gap_rate(geometry, this->pose(this->contacts_.front().blade, state),
-                                          this->blades_->angular_speed(state[rotor::kTime]));
+                                          this->blades().angular_speed(state[rotor::kTime]));
     state[2] -= rate * inverse * outward_x;
     state[3] -= rate * inverse * outward_y;
   }
@@ -117,40 +114,34 @@ class Skimming : public ContactMode<Law, Forcing, Blades> {
 
   /// Free motion against the blade's full force.
   struct Balance {
-    std::complex<double> free;    ///< z'' without the blade
-    std::complex<double> pushed;  ///< what its full force adds
+    std::complex<double> pushed;  ///< its full force on the rotor [N]
     double share;                 ///< λ
     contact::TipForce force;      ///< λ times the force
   };
 
   [[nodiscard]] contact::BladeDirection direction(const FullState& state, int blade) const {
-    return this->blades_->direction(blade, this->first_blade(state));
+    return this->blades().direction(blade, this->first_blade(state));
   }
 
   /// The motion without the blade, as that sees it.
   struct FreeMotion {
     contact::BladeDirection direction;
     contact::Pose pose;
-    std::complex<double> acceleration;  ///< z''
-    double curvature;                   ///< g'' [m²]
+    double curvature;  ///< g'' [m²]
   };
   [[nodiscard]] FreeMotion free_motion(const FullState& state, int blade) const {
     const contact::Geometry& geometry = this->law_->of(blade).geometry();
     FreeMotion free;
     free.direction = direction(state, blade);
     const rotor::State seen = rotor::from_ring(state);
-    free.pose = rotor::pose_of(*this->rotor_, geometry, free.direction, seen);
-    free.acceleration = modes::acceleration(*this->rotor_, *this->forcing_, state, std::complex<double>{});
-    std::complex<double> closing = free.acceleration;
-    if constexpr (rotor::kRingMoves<Forcing>)
-      closing -= this->forcing_->ring.acceleration(rotor::ring(state), 0.0);
-    free.curvature = contact::gap_curvature(
-        geometry, free.direction, free.pose, {seen[0], seen[1] + this->rotor_->misalignment},
-        {seen[2], seen[3]}, closing, this->blades_->angular_speed(state[rotor::kTime]));
-    if constexpr (Blades::kMayRipple) {
-      free.curvature += 2.0 * geometry.reach * this->blades_->angular_acceleration(state[rotor::kTime]) *
-                        free.pose.tangential;
-    }
+    free.pose = rotor::pose_of(this->rotor(), geometry, free.direction, seen);
+    const rotor::Acceleration acceleration = this->machine().acceleration(state, 0.0);
+    free.curvature = contact::gap_curvature(geometry, free.direction, free.pose,
+                                            {seen[0], seen[1] + this->rotor().misalignment},
+                                            {seen[2], seen[3]}, acceleration.shaft - acceleration.ring,
+                                            this->blades().angular_speed(state[rotor::kTime]));
+    free.curvature += 2.0 * geometry.reach * this->blades().angular_acceleration(state[rotor::kTime]) *
+                      free.pose.tangential;
     return free;
   }
 
@@ -160,14 +151,12 @@ class Skimming : public ContactMode<Law, Forcing, Blades> {
     const contact::Pose& at = free.pose;
     const auto& law = this->law_->of(contact.blade);
     contact::TipForce& force = balance.force;
-    if (!law.respond(at, contact.slip, this->blades_->angular_speed(state[rotor::kTime]), contact.bending,
+    if (!law.respond(at, contact.slip, this->blades().angular_speed(state[rotor::kTime]), contact.bending,
                      force))
       return false;
-    balance.free = free.acceleration;
-    balance.pushed = this->rotor_->force_unit * std::complex<double>(force.radial, force.tangential) *
-                     std::complex<double>(er.cosine, er.sine);
+    balance.pushed = contact::on_rotor(force, er);
     const double pushed_curvature =
-        2.0 * rotor::closing_unit(*this->rotor_, *this->forcing_) *
+        2.0 * this->machine().closing_unit() *
         ((at.radial + law.geometry().reach) * force.radial + at.tangential * force.tangential);
     balance.share = -free.curvature / pushed_curvature;
     force.radial *= balance.share;

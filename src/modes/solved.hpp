@@ -12,15 +12,14 @@
 #include "modes/contact_mode.hpp"
 #include "modes/guards.hpp"
 #include "modes/open_contact.hpp"
-#include "rotor/blade_set.hpp"
 #include "rotor/bodies.hpp"
 
 namespace rubatlas::modes {
 
-template <class Law, class Forcing, class Blades = rotor::BladeSet>
-class Solved : public ContactMode<Law, Forcing, Blades> {
+template <class Law>
+class Solved : public ContactMode<Law> {
  public:
-  using Base = ContactMode<Law, Forcing, Blades>;
+  using Base = ContactMode<Law>;
   using Base::Base;
   using typename Base::FullState;
   static constexpr bool kHasPath = true;
@@ -72,10 +71,10 @@ class Solved : public ContactMode<Law, Forcing, Blades> {
                  std::complex<double>& sum) {
     OpenContact& open = this->contacts_[contact];
     contact::TipForce& force = this->forces_[contact];
-    const contact::BladeDirection er = this->blades_->direction(open.blade, first);
+    const contact::BladeDirection er = this->blades().direction(open.blade, first);
     const contact::Pose pose =
-        rotor::pose_of(*this->rotor_, this->law_->of(open.blade).geometry(), er, rotor::from_ring(state));
-    if (!this->respond_paid(pose, this->blades_->angular_speed(state[rotor::kTime]), open, force)) {
+        rotor::pose_of(this->rotor(), this->law_->of(open.blade).geometry(), er, rotor::from_ring(state));
+    if (!this->respond_paid(pose, this->blades().angular_speed(state[rotor::kTime]), open, force)) {
       lost_ = contact;
       return false;
     }
@@ -83,8 +82,7 @@ class Solved : public ContactMode<Law, Forcing, Blades> {
     return true;
   }
   void set_derivative(const FullState& state, const std::complex<double>& force, FullState& derivative) {
-    const std::complex<double> of_shaft = modes::acceleration(*this->rotor_, *this->forcing_, state, force);
-    this->acceleration_ = rotor::acceleration_of_all(state, *this->forcing_, of_shaft, force);
+    this->acceleration_ = this->machine().acceleration(state, force);
     derivative = rotor::full_state(rotor::rate_of(state, this->acceleration_), 1.0, 0.0);
   }
 

@@ -22,24 +22,23 @@
 #include "modes/contact_mode.hpp"
 #include "modes/guards.hpp"
 #include "modes/open_contact.hpp"
-#include "rotor/blade_set.hpp"
 #include "rotor/constants.hpp"
 
 namespace rubatlas::modes {
 
 /// σ = τ. An open contact with slip 0 sticks.
-template <class Law, class Forcing, class Blades = rotor::BladeSet>
-class Sticking : public ContactMode<Law, Forcing, Blades> {
+template <class Law>
+class Sticking : public ContactMode<Law> {
  public:
-  using Base = ContactMode<Law, Forcing, Blades>;
+  using Base = ContactMode<Law>;
   using Base::Base;
   using FullState = rotor::ContactState;
   static constexpr std::size_t kMostStuck = 2;
 
   bool operator()(const FullState& state, FullState& derivative) {
     ++this->evaluations_;
-    this->acceleration_ = balance(state, this->forces_).acceleration;
-    derivative << state[2], state[3], this->acceleration_.real(), this->acceleration_.imag(), 1.0, 0.0;
+    this->acceleration_ = {balance(state, this->forces_).acceleration, 0.0};
+    derivative = rotor::full_state(rotor::rate_of(state, this->acceleration_), 1.0, 0.0);
     return true;
   }
 
@@ -164,10 +163,10 @@ class Sticking : public ContactMode<Law, Forcing, Blades> {
 
   [[nodiscard]] Slipping slipping(OpenContact contact, const FullState& state) const {
     Slipping result{};
-    result.direction = this->blades_->direction(contact.blade, this->blades_->first(state[rotor::kTime]));
+    result.direction = this->blades().direction(contact.blade, this->blades().first(state[rotor::kTime]));
     const auto& law = this->law_->of(contact.blade);
-    result.pose = rotor::pose_of(*this->rotor_, law.geometry(), result.direction, state.head<4>());
-    respond(law, result.pose, this->blades_->angular_speed(state[rotor::kTime]), contact, result.force);
+    result.pose = rotor::pose_of(this->rotor(), law.geometry(), result.direction, state.head<4>());
+    respond(law, result.pose, this->blades().angular_speed(state[rotor::kTime]), contact, result.force);
     return result;
   }
 
@@ -179,7 +178,7 @@ class Sticking : public ContactMode<Law, Forcing, Blades> {
     const std::complex<double> outward(at.pose.radial + law.geometry().reach, at.pose.tangential);
     tip.tangent = tip.direction * outward / std::abs(outward) * std::complex<double>(0.0, 1.0);
     tip.pose = at.pose;
-    tip.load = at.force.normal * this->rotor_->force_unit;
+    tip.load = at.force.normal * this->rotor().force_unit;
     tip.largest = law.friction().largest_holding;
     tip.slip_velocity = at.force.slip_velocity;
     return tip;
@@ -196,18 +195,16 @@ class Sticking : public ContactMode<Law, Forcing, Blades> {
       if (!forces.empty()) forces[i] = at.force;
       if (this->contacts_[i].slip == 0.0) result.stuck[result.count++] = tip_at_rest(i, at);
     }
-    result.acceleration = modes::acceleration(*this->rotor_, *this->forcing_, state, force);
+    result.acceleration = this->machine().acceleration(state, force).shaft;
     const std::span<Stuck> stuck(result.stuck.data(), result.count);
     for (Stuck& tip : stuck) {
       const contact::Geometry& geometry = this->law_->of(this->contacts_[tip.contact].blade).geometry();
       const std::complex<double> seen = result.acceleration * std::conj(tip.direction);
       contact::OtherAcceleration other{seen.real(), seen.imag()};
       // The hub's own angular acceleration moves the tip across the blade.
-      if constexpr (Blades::kMayRipple) {
-        other.tangential += geometry.reach * this->blades_->angular_acceleration(state[rotor::kTime]);
-      }
+      other.tangential += geometry.reach * this->blades().angular_acceleration(state[rotor::kTime]);
       tip.rate = contact::slip_acceleration(
-          geometry, tip.pose, this->blades_->angular_speed(state[rotor::kTime]), other, tip.load, 0.0);
+          geometry, tip.pose, this->blades().angular_speed(state[rotor::kTime]), other, tip.load, 0.0);
     }
     share_out(stuck);
     for (const Stuck& tip : stuck) {
@@ -220,7 +217,7 @@ class Sticking : public ContactMode<Law, Forcing, Blades> {
   /// Adds the friction that holds a tip to the force of its contact.
   void hold(const Stuck& tip, contact::TipForce& force) const {
     const std::complex<double> friction =
-        -tip.pull / this->rotor_->force_unit * tip.tangent * std::conj(tip.direction);
+        -tip.pull / this->rotor().force_unit * tip.tangent * std::conj(tip.direction);
     force.radial += friction.real();
     force.tangential += friction.imag();
   }

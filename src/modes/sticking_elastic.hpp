@@ -24,17 +24,16 @@
 #include "modes/guards.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/solved.hpp"
-#include "rotor/blade_set.hpp"
 #include "rotor/constants.hpp"
 
 namespace rubatlas::modes {
 
 /// The equations of `Solved`. An open contact with slip 0 sticks, and is found from its bending and
 /// amplitude.
-template <class Law, class Forcing, class Blades = rotor::BladeSet>
-class StickingElastic : public Solved<Law, Forcing, Blades> {
+template <class Law>
+class StickingElastic : public Solved<Law> {
  public:
-  using Base = Solved<Law, Forcing, Blades>;
+  using Base = Solved<Law>;
   using Base::Base;
   static constexpr bool kHasPath = false;
   using typename Base::FullState;
@@ -143,7 +142,7 @@ class StickingElastic : public Solved<Law, Forcing, Blades> {
 
   [[nodiscard]] auto rest(const OpenContact& open, const FullState& state) const {
     return this->law_->of(open.blade)
-        .rest(this->pose(open.blade, state), this->blades_->angular_speed(state[rotor::kTime]), open.bend);
+        .rest(this->pose(open.blade, state), this->blades().angular_speed(state[rotor::kTime]), open.bend);
   }
   /// `excess` of a contact at what `rest` has found for it.
   template <class Rest>
@@ -155,7 +154,7 @@ class StickingElastic : public Solved<Law, Forcing, Blades> {
                      1.0 - std::abs(there->blade.bend.modulus) / least_modulus});
   }
   [[nodiscard]] double rounding_of_slip(int blade) const {
-    return contact::kSlipRounding * std::abs(this->rotor_->speed_ratio) *
+    return contact::kSlipRounding * std::abs(this->rotor().speed_ratio) *
            this->law_->of(blade).geometry().ring_radius;
   }
   [[nodiscard]] double beyond_cone(const OpenContact& open, double coefficient) const {
@@ -178,7 +177,7 @@ class StickingElastic : public Solved<Law, Forcing, Blades> {
     contact::TipForce force{};
     contact.slip = slip;
     const bool stands = respond(this->law_->of(contact.blade), this->pose(contact.blade, state),
-                                this->blades_->angular_speed(state[rotor::kTime]), contact, force);
+                                this->blades().angular_speed(state[rotor::kTime]), contact, force);
     return stands ? slip * force.slip_velocity : -std::numeric_limits<double>::infinity();
   }
 
@@ -206,10 +205,10 @@ class StickingElastic : public Solved<Law, Forcing, Blades> {
 
 /// The same where slip reversals have accumulated under Coulomb's law (MODEL 4.4): the tips that slip beside
 /// the one at rest reverse their slip at each zero of v, and nowhere else.
-template <class Law, class Forcing, class Blades = rotor::BladeSet>
-class Resting : public StickingElastic<Law, Forcing, Blades> {
+template <class Law>
+class Resting : public StickingElastic<Law> {
  public:
-  using Base = StickingElastic<Law, Forcing, Blades>;
+  using Base = StickingElastic<Law>;
   using Base::Base;
   using typename Base::FullState;
   static constexpr bool kRestsAtOnce = false;

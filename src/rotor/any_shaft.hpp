@@ -25,19 +25,15 @@ struct SupportedShaft {
 /// Harmonic forcings on the paper's isotropic support, or any linear support with its forcings. Each has its
 /// own closed form of flight (`modes/flight.hpp`).
 struct AnyShaft {
-  static constexpr bool kPresent = true;
   std::variant<Harmonics, SupportedShaft> shaft;
 
-  /// z'' [m per unit τ²] in a state of contact where blades push the shaft by `force` [N].
-  template <class FullState>
-  [[nodiscard]] std::complex<double> shaft_acceleration(const RotorConstants& rotor, const FullState& state,
-                                                        const std::complex<double>& force) const {
-    if (const auto* supported = std::get_if<SupportedShaft>(&shaft)) {
-      return supported->support.acceleration(state[kTime], state.template head<4>().matrix()) +
-             rotor.force_unit * force;
-    }
-    return rotor::shaft_acceleration(rotor, state, force) +
-           std::get_if<Harmonics>(&shaft)->acceleration(state[kTime]);
+  /// z'' [m per unit τ²] at time τ of the revolution, where blades push the shaft by `force` [N].
+  [[nodiscard]] std::complex<double> acceleration(const RotorConstants& rotor, double time,
+                                                  const State& state,
+                                                  const std::complex<double>& force) const {
+    if (const auto* supported = std::get_if<SupportedShaft>(&shaft))
+      return supported->support.acceleration(time, state.matrix()) + rotor.force_unit * force;
+    return shaft_acceleration(rotor, state, force) + std::get_if<Harmonics>(&shaft)->acceleration(time);
   }
 };
 

@@ -58,9 +58,6 @@ inline contact::BladeDirection turned(const contact::BladeDirection& from, doubl
 /// Blades at constant speed.
 class BladeSet : public BladePlaces {
  public:
-  static constexpr bool kMayRipple = false;
-  [[nodiscard]] static constexpr bool ripples() { return false; }
-
   BladeSet(std::span<const double> angles, double speed_ratio)
       : BladePlaces(angles), speed_ratio_(speed_ratio) {}
   /// Equally spaced.

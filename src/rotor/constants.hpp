@@ -43,9 +43,8 @@ inline contact::Pose pose_of(const RotorConstants& rotor, const contact::Geometr
 }
 
 /// z'' [m per unit τ²] of a shaft on an isotropic support under a force [N] (MODEL 1).
-template <class State>
-std::complex<double> shaft_acceleration(const RotorConstants& rotor, const State& state,
-                                        const std::complex<double>& force) {
+inline std::complex<double> shaft_acceleration(const RotorConstants& rotor, const State& state,
+                                               const std::complex<double>& force) {
   const double damping = 2.0 * rotor.damping_ratio;
   return {force.real() * rotor.force_unit - damping * state[2] - state[0],
           force.imag() * rotor.force_unit - damping * state[3] - state[1]};

@@ -3,7 +3,7 @@
 ///
 /// A forcing states its acceleration and the closed form of flight under it, the response from rest, which is
 /// added to the free motion:
-///     kPresent, amplitude(), rate(), rate_of_rate()   bounds of the acceleration and of its derivatives
+///     amplitude(), rate(), rate_of_rate()   bounds of the acceleration and of its derivatives
 ///     acceleration(time)              at time τ of the revolution [m per unit τ²]
 ///     steady(time)                    the steady response with its bounds, where it is known to exist
 ///     from_rest(start, elapsed, free, kernel)   the motion a time after rest at `start`
@@ -18,12 +18,6 @@
 #include "rotor/free_motion.hpp"
 
 namespace rubatlas::rotor {
-
-/// A rotor on which nothing acts but shaft and ring.
-class NoForcing {
- public:
-  static constexpr bool kPresent = false;
-};
 
 /// Position [m] and velocity [m per unit τ], as x + iy.
 struct Response {
@@ -40,7 +34,6 @@ struct Steady : Response {
 /// z'' + 2ζ z' + z = a e^{i(ντ+γ)}.
 class Harmonic {
  public:
-  static constexpr bool kPresent = true;
   using Complex = std::complex<double>;
 
   /// `amplitude` a [m per unit τ²], `phase` γ [rad], `frequency` ν [per unit τ].
@@ -131,7 +124,6 @@ class RotatingUnbalance final : public Harmonic {
 /// A sum of harmonics.
 class Harmonics {
  public:
-  static constexpr bool kPresent = true;
   using Complex = std::complex<double>;
 
   explicit Harmonics(std::vector<Harmonic> terms) : terms_(std::move(terms)) {

@@ -1,13 +1,11 @@
-/// What moves and what turns at one point, chosen at run time: the shaft on its support with what acts on it,
-/// the blades on the hub, and the ring.
+/// What moves and what turns at one point: the shaft on its support with what acts on it, the blades on the
+/// hub, and the ring. Chosen at run time.
 #pragma once
 
-#include <utility>
+#include <complex>
 #include <variant>
-#include <vector>
 
 #include "rotor/any_shaft.hpp"
-#include "rotor/blade_set.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
 #include "rotor/harmonic.hpp"
@@ -15,6 +13,11 @@
 #include "rotor/rippling_blades.hpp"
 
 namespace rubatlas::rotor {
+
+/// A ring without mass on a spring, which stands where blades push it, and in its place where none does.
+struct FollowingRing {
+  double stiffness;  ///< kr [N/m]
+};
 
 /// A ring that stands still, has no mass, or is a body.
 using Ring = std::variant<std::monostate, FollowingRing, RingBody>;
@@ -27,34 +30,27 @@ struct Machine {
 
   /// Null where the ring is no body.
   [[nodiscard]] const RingBody* ring_body() const { return std::get_if<RingBody>(&ring); }
+  /// Null where the ring has a mass, or stands still.
+  [[nodiscard]] const FollowingRing* following_ring() const { return std::get_if<FollowingRing>(&ring); }
+  [[nodiscard]] bool ring_moves() const { return ring.index() != 0; }
   /// What acts on an isotropic shaft; null where the shaft has another support.
   [[nodiscard]] const Harmonics* harmonics() const { return std::get_if<Harmonics>(&shaft.shaft); }
   /// Null where the shaft is isotropic.
   [[nodiscard]] const SupportedShaft* supported() const { return std::get_if<SupportedShaft>(&shaft.shaft); }
-};
 
-/// The same of what a motion is compiled for.
-inline Machine machine_of(const RotorConstants& rotor, const RipplingBlades& blades, const AnyShaft& shaft) {
-  return {rotor, blades, shaft, {}};
-}
-inline Machine machine_of(const RotorConstants& rotor, const RipplingBlades& blades,
-                          const Harmonics& forcing) {
-  return {rotor, blades, {forcing}, {}};
-}
-inline Machine machine_of(const RotorConstants& rotor, const RipplingBlades& blades,
-                          const NoForcing& /*forcing*/) {
-  return {rotor, blades, {Harmonics({})}, {}};
-}
-inline Machine machine_of(const RotorConstants& rotor, const RipplingBlades& blades,
-                          const Harmonic& forcing) {
-  return {rotor, blades, {Harmonics({forcing})}, {}};
-}
-template <class Forcing>
-requires kRingMoves<Forcing> Machine machine_of(const RotorConstants& rotor, const RipplingBlades& blades,
-                                                const Forcing& forcing) {
-  Machine machine = machine_of(rotor, blades, forcing.shaft);
-  machine.ring = forcing.ring;
-  return machine;
-}
+  /// Accelerations in a state of contact where blades push the shaft by `force` [N], and the ring by as much
+  /// the other way. A ring without mass has none: its velocity follows from the shaft's.
+  template <class FullState>
+  [[nodiscard]] Acceleration acceleration(const FullState& state, const std::complex<double>& force) const {
+    Acceleration result{shaft.acceleration(constants, state[kTime], state.template head<4>(), force), 0.0};
+    if (const RingBody* body = ring_body()) result.ring = body->acceleration(rotor::ring(state), -force);
+    return result;
+  }
+  /// Acceleration of one newton between shaft and ring, as a contact sees it [m/N].
+  [[nodiscard]] double closing_unit() const {
+    const RingBody* body = ring_body();
+    return constants.force_unit + (body ? body->force_unit() : 0.0);
+  }
+};
 
 }  // namespace rubatlas::rotor

@@ -17,7 +17,6 @@ class RipplingBlades : private BladeSet {
   using BladeSet::Anchor;
   using BladeSet::count;
   using BladeSet::direction;
-  static constexpr bool kMayRipple = true;
 
   /// `angles`: of each blade from blade 0's place [rad].
   RipplingBlades(std::span<const double> angles, double speed_ratio, const effects::SpeedRipple& ripple)

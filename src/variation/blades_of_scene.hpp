@@ -15,7 +15,7 @@ inline contact::Geometry geometry_of(const settings::Ring& ring, const settings:
 }
 inline contact::ElasticRingContact elastic_ring_law(const settings::Ring& ring, const settings::Blades& blade,
                                                     double friction) {
-  return {geometry_of(ring, blade), ring.stiffness, friction};
+  return {geometry_of(ring, blade), ring.stiffness, {friction}};
 }
 inline contact::ElasticaContact::Blade blade_of(const settings::Blades& blade) {
   const double thickness = blade.thickness;

@@ -6,10 +6,9 @@ namespace rubatlas::bench {
 
 ContactRotor::ContactRotor(const rotor::RotorConstants& rotor, int blade_count,
                            const contact::ElasticaContact& law)
-    : rotor_(rotor),
-      blades_(blade_count, rotor.speed_ratio),
+    : machine_{rotor, rotor::BladeSet(blade_count, rotor.speed_ratio), {rotor::Harmonics({})}, {}},
       law_(law),
-      system_({&rotor_, &blades_, &law_, &forcing_, {0.0, 1.0}, &meter_}),
+      system_({&machine_, &law_, {0.0, 1.0}, &meter_}),
       open_(static_cast<std::size_t>(blade_count), false),
       bending_(static_cast<std::size_t>(blade_count), 0.0) {
   contacts_.reserve(static_cast<std::size_t>(blade_count));
@@ -17,7 +16,7 @@ ContactRotor::ContactRotor(const rotor::RotorConstants& rotor, int blade_count,
 
 bool ContactRotor::evaluate(double time, const double* state, double* rates) {
   rotor::ContactState full;
-  full << state[0], state[1], state[2], state[3], time, 0.0;
+  full << state[0], state[1], state[2], state[3], time, 0.0, 0.0, 0.0, 0.0, 0.0;
   rotor::ContactState derivative;
   if (!system_(full, derivative)) return false;
   std::copy_n(derivative.data(), 4, rates);
@@ -28,10 +27,11 @@ bool ContactRotor::evaluate_by_gap(double time, const double* state, double* rat
   for (const modes::OpenContact& contact : system_.contacts())
     bending_[static_cast<std::size_t>(contact.blade)] = contact.bending;
   contacts_.clear();
-  const contact::BladeDirection first = blades_.first(time);
+  const contact::BladeDirection first = machine_.blades.first(time);
   const rotor::State at(state[0], state[1], state[2], state[3]);
   for (int k = 0; k < blade_count(); ++k) {
-    const contact::Pose there = rotor::pose_of(rotor_, law_.geometry(), blades_.direction(k, first), at);
+    const contact::Pose there =
+        rotor::pose_of(machine_.constants, law_.geometry(), machine_.blades.direction(k, first), at);
     if (there.gap > 0.0) contacts_.push_back({k, slip(there), bending_[static_cast<std::size_t>(k)]});
   }
   open_contacts();
@@ -43,7 +43,7 @@ double ContactRotor::gap(int blade, double time, const double* state) const {
 }
 
 double ContactRotor::gap_rate(int blade, double time, const double* state) const {
-  return contact::gap_rate(law_.geometry(), pose(blade, time, state), rotor_.speed_ratio);
+  return contact::gap_rate(law_.geometry(), pose(blade, time, state), machine_.constants.speed_ratio);
 }
 
 void ContactRotor::touch_down(int blade, double time, const double* state) {
@@ -70,12 +70,13 @@ void ContactRotor::count_touchdowns(double time, const double* state) {
 }
 
 contact::Pose ContactRotor::pose(int blade, double time, const double* state) const {
-  return rotor::pose_of(rotor_, law_.geometry(), blades_.direction(blade, blades_.first(time)),
-                        rotor::State(state));
+  return rotor::pose_of(machine_.constants, law_.geometry(),
+                        machine_.blades.direction(blade, machine_.blades.first(time)), rotor::State(state));
 }
 
 double ContactRotor::slip(const contact::Pose& at) const {
-  return contact::undeformed_slip_velocity(law_.geometry(), at, rotor_.speed_ratio) >= 0.0 ? 1.0 : -1.0;
+  return contact::undeformed_slip_velocity(law_.geometry(), at, machine_.constants.speed_ratio) >= 0.0 ? 1.0
+                                                                                                       : -1.0;
 }
 
 }  // namespace rubatlas::bench

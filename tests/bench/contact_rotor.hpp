@@ -10,9 +10,7 @@
 
 #include "contact/elastica_contact.hpp"
 #include "modes/solved.hpp"
-#include "rotor/blade_set.hpp"
-#include "rotor/constants.hpp"
-#include "rotor/harmonic.hpp"
+#include "rotor/machine.hpp"
 
 namespace rubatlas::bench {
 
@@ -28,10 +26,10 @@ class ContactRotor {
   ContactRotor(const ContactRotor&) = delete;  // parts point at each other
   ContactRotor& operator=(const ContactRotor&) = delete;
 
-  [[nodiscard]] int blade_count() const { return blades_.count(); }
-  [[nodiscard]] double period() const { return rotor_.period(); }
+  [[nodiscard]] int blade_count() const { return machine_.blades.count(); }
+  [[nodiscard]] double period() const { return machine_.constants.period(); }
   /// δc [m]: what tolerances are relative to.
-  [[nodiscard]] double clearance() const { return rotor_.length_scale; }
+  [[nodiscard]] double clearance() const { return machine_.constants.length_scale; }
 
   /// Rates of x, y, x', y' with the contacts that are open; false where a force does not exist (MODEL 5).
   bool evaluate(double time, const double* state, double* rates);
@@ -58,17 +56,15 @@ class ContactRotor {
   static constexpr modes::WorkBound kNoBound{kNever, kNever, 0};
   void open_contacts() {
     rotor::ContactState unused;
-    system_.open(0.0, rotor::State::Zero(), contacts_, unused);
+    system_.open(0.0, rotor::ShaftAndRing::Zero(), contacts_, unused);
   }
   [[nodiscard]] contact::Pose pose(int blade, double time, const double* state) const;
   [[nodiscard]] double slip(const contact::Pose& at) const;
 
-  rotor::RotorConstants rotor_;
-  rotor::BladeSet blades_;
+  rotor::Machine machine_;
   contact::ElasticaContact law_;
-  rotor::NoForcing forcing_;
   modes::WorkMeter meter_{kNoBound};
-  modes::Solved<contact::ElasticaContact, rotor::NoForcing> system_;
+  modes::Solved<contact::ElasticaContact> system_;
   std::vector<bool> open_;
   std::vector<double>
       bending_;  ///< of each blade when it was last loaded: where the search for its force starts

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "../support/hybrid_motion.hpp"
 #include "collocation/axial_law.hpp"
 #include "collocation/contact_arc.hpp"
 #include "rotor/machine.hpp"
@@ -14,9 +15,9 @@ struct ArcOfRotor {
   /// `unbalance`: null where none acts. `tolerance` [m].
   ArcOfRotor(const rotor::RotorConstants& rotor, int blade_count, const contact::ElasticaContact& law,
              const rotor::Harmonic* unbalance, double tolerance)
-      : machine(rotor::machine_of(rotor, rotor::BladeSet(blade_count, rotor.speed_ratio),
-                                  rotor::Harmonics(unbalance != nullptr ? std::vector{*unbalance}
-                                                                        : std::vector<rotor::Harmonic>{}))),
+      : machine(machine_of(rotor, rotor::BladeSet(blade_count, rotor.speed_ratio),
+                           rotor::Harmonics(unbalance != nullptr ? std::vector{*unbalance}
+                                                                 : std::vector<rotor::Harmonic>{}))),
         laws(std::vector(static_cast<std::size_t>(blade_count), law)),
         law_of_arc(laws, blade_count, kMaxShortening),
         arc(machine, law_of_arc, tolerance) {}
@@ -25,7 +26,7 @@ struct ArcOfRotor {
 
   /// Begins in a state of the shaft.
   void begin(double time, const rotor::State& state, std::span<const collocation::Touch> touching) {
-    arc.begin(time, rotor::as<rotor::ShaftAndRing>(state), touching);
+    arc.begin(time, rotor::shaft_and_ring(state), touching);
   }
   [[nodiscard]] bool lifts_off() const {
     using enum collocation::ContactArc::Guard;

@@ -131,8 +131,8 @@ std::optional<double> error_of_hybrid(const Machine& m, const LoneContact& conta
   const double from = contact.start.time;
   std::vector<double> angles = rotor::equal_angles(m.blades.count());
   for (double& angle : angles) angle += m.rotor.speed_ratio * from;
-  const auto motion = hybrid_motion(m.rotor, rotor::BladeSet(angles, m.rotor.speed_ratio), m.law,
-                                    rotor::NoForcing{}, modes::ContactLimits{tolerance * kClearance, 0.5});
+  const auto motion = hybrid_motion(m.rotor, rotor::BladeSet(angles, m.rotor.speed_ratio), m.law, kNoForcing,
+                                    modes::ContactLimits{tolerance * kClearance, 0.5});
   LiftOff lift_off(contact.start.blade);
   if (motion->start(rotor::as_array(contact.start.state)) != ending::PointStatus::done) return std::nullopt;
   if (revolve(*motion, lift_off) != ending::PointStatus::done || !lift_off.found) return std::nullopt;
@@ -162,7 +162,7 @@ Survey survey(int wanted, double tolerance, bool with_hybrid) {
     rotor::State start;
     for (double& component : start) component = between(generator, -0.01, 0.01);
     const auto contacts =
-        m.unbalance ? contacts_of(m, *m.unbalance, start) : contacts_of(m, rotor::NoForcing{}, start);
+        m.unbalance ? contacts_of(m, *m.unbalance, start) : contacts_of(m, kNoForcing, start);
     // A few of each motion, so that no motion has all the say.
     constexpr std::size_t kMostOfOne = 10;
     for (std::size_t i = 0; i < std::min(contacts.size(), kMostOfOne); ++i) {
@@ -307,7 +307,7 @@ OneContact contact_of(std::uint64_t seed) {
   while (contacts.empty()) {
     rotor::State start;
     for (double& component : start) component = between(generator, -0.01, 0.01);
-    contacts = m.unbalance ? contacts_of(m, *m.unbalance, start) : contacts_of(m, rotor::NoForcing{}, start);
+    contacts = m.unbalance ? contacts_of(m, *m.unbalance, start) : contacts_of(m, kNoForcing, start);
     std::erase_if(contacts, [](const LoneContact& one) { return one.end.kind != modes::Guard::lift_off; });
   }
   result.contact = contacts.front();

@@ -16,7 +16,6 @@
 #include "collocation/inclined_law.hpp"
 #include "contact/directed_elastica.hpp"
 #include "lone_contacts.hpp"
-#include "motion/modes_of_inclined_loads.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -64,8 +63,8 @@ contact::Pose pose_at(const InclinedRotor<Friction>& m, int blade, double time, 
 template <class Friction>
 std::vector<LoneContact> contacts_of(const InclinedRotor<Friction>& m, const rotor::State& start) {
   constexpr double kTolerance = 1e-14;  // [m]
-  const auto motion = hybrid_motion(m.rotor, m.blades, m.law, rotor::NoForcing{},
-                                    modes::ContactLimits{kTolerance, kMaxShortening});
+  const auto motion =
+      hybrid_motion(m.rotor, m.blades, m.law, kNoForcing, modes::ContactLimits{kTolerance, kMaxShortening});
   int open = 0;
   for (int k = 0; k < m.blades.count(); ++k) {
     if (pose_at(m, k, 0.0, start).gap > 0.0) ++open;
@@ -105,7 +104,7 @@ InclinedSurvey survey(int wanted, double tolerance, LoadDirection direction, Mak
     for (double& component : kick) component = drawn(generator, -kGap, kGap);
     const auto contacts = contacts_of(m, kick);
     const rotor::Machine machine =
-        rotor::machine_of(m.rotor, m.blades, rotor::Harmonics(std::vector<rotor::Harmonic>{}));
+        machine_of(m.rotor, m.blades, rotor::Harmonics(std::vector<rotor::Harmonic>{}));
     collocation::InclinedLaw law(m.law, kMaxShortening);
     ContactArc arc(machine, law, tolerance * kGap);
     constexpr std::size_t kMostOfOne = 10;
@@ -123,7 +122,7 @@ InclinedSurvey survey(int wanted, double tolerance, LoadDirection direction, Mak
           (stands && std::abs(law.force(*touch, at, m.rotor.speed_ratio).normal - force.normal) > same))
         ++result.differ_at_start;
       if (!touch) continue;
-      arc.begin(start.time, rotor::as<rotor::ShaftAndRing>(start.state), std::array{*touch});
+      arc.begin(start.time, rotor::shaft_and_ring(start.state), std::array{*touch});
       bool made = true;
       do {
         made = arc.make() == ContactArc::Outcome::made;

@@ -12,7 +12,6 @@
 #include "../support/hybrid_motion.hpp"
 #include "contact/directed_elastica.hpp"
 #include "contact/unequal_blades.hpp"
-#include "motion/modes_of_inclined_loads.hpp"
 #include "rotor/any_shaft.hpp"
 #include "rotor/rippling_blades.hpp"
 
@@ -38,14 +37,13 @@ struct KickedRotor {
   /// States after revolutions by this tolerance [clearances]; fewer where the motion ends.
   [[nodiscard]] std::vector<trajectory::State> states(double tolerance, bool collocates,
                                                       modes::MotionListener& listener) const {
-    using Motion = motion::Motion<Laws, rotor::AnyShaft, integrate::DormandPrince853, rotor::RipplingBlades>;
-    motion::TypedMotion<Motion, false> motion(
-        rotor, blades, laws, shaft, modes::ContactLimits{tolerance * kClearanceOfMotions, 0.5}, collocates);
+    const auto motion = hybrid_motion(rotor::Machine{rotor, blades, shaft, {}}, laws,
+                                      {tolerance * kClearanceOfMotions, 0.5}, collocates);
     std::vector<trajectory::State> result;
-    if (motion.start(start) != ending::PointStatus::done) return result;
+    if (motion->start(start) != ending::PointStatus::done) return result;
     for (int i = 0; i < kRevolutionsOfMotions; ++i) {
-      if (revolve(motion, listener) != ending::PointStatus::done) break;
-      const auto state = motion.state();
+      if (revolve(*motion, listener) != ending::PointStatus::done) break;
+      const auto state = motion->state();
       result.push_back({state[0], state[1], state[2], state[3]});
     }
     return result;

@@ -62,9 +62,9 @@ void expect_no_sample_above_the_largest_load(int least_contacts) {
       const Rotor rotor = random_rotor(generator);
       const rotor::State start = random_start(generator);
       const modes::ContactLimits limits{1e-9 * kClearanceOfSeveral, 0.5};
-      const auto motion =
-          collocated ? collocation_motion(rotor.constants, rotor.blades.count(), rotor.law, limits)
-                     : hybrid_motion(rotor.constants, rotor.blades, rotor.law, rotor::NoForcing{}, limits);
+      const auto motion = collocated
+                              ? collocation_motion(rotor.constants, rotor.blades.count(), rotor.law, limits)
+                              : hybrid_motion(rotor.constants, rotor.blades, rotor.law, kNoForcing, limits);
       LoadsOfPieces loads;
       auto status = motion->start(rotor::as_array(start));
       for (int i = 0; i < 20 && status == ending::PointStatus::done; ++i) status = revolve(*motion, loads);

@@ -103,8 +103,8 @@ Outcome solve(const Rotor& rotor, const Phase& phase, double tolerance) {
 }
 
 std::vector<Phase> phases_of(const Rotor& rotor, const rotor::State& start) {
-  const auto motion = hybrid_motion(rotor.constants, rotor.blades, rotor.law, rotor::NoForcing{},
-                                    modes::ContactLimits{1e-15, 0.5});
+  const auto motion =
+      hybrid_motion(rotor.constants, rotor.blades, rotor.law, kNoForcing, modes::ContactLimits{1e-15, 0.5});
   for (int k = 0; k < rotor.blades.count(); ++k) {
     if (pose_in(rotor, k, 0.0, start).gap > 0.0) return {};
   }

@@ -14,7 +14,7 @@ constexpr double kStiffness = 1e4;  // [N/m]
 constexpr double kFriction = 0.1;
 
 TEST(ElasticRingContact, ForceIsTheRingsStiffnessTimesItsYield) {
-  const ElasticRingContact law(kDefaultRotor.geometry(), kStiffness, kFriction);
+  const ElasticRingContact law(kDefaultRotor.geometry(), kStiffness, {kFriction});
   RandomContacts contacts(kDefaultRotor, 0.25, 21);
   for (int i = 0; i < 5000; ++i) {
     const Pose at = contacts.next();
@@ -38,7 +38,7 @@ TEST(ElasticRingContact, ForceIsTheRingsStiffnessTimesItsYield) {
 }
 
 TEST(ElasticRingContact, ForceIsContinuousAndLinearThroughLiftOff) {
-  const ElasticRingContact law(kDefaultRotor.geometry(), kStiffness, kFriction);
+  const ElasticRingContact law(kDefaultRotor.geometry(), kStiffness, {kFriction});
   double bending = 0.0;
   TipForce inside{};
   TipForce outside{};
@@ -53,7 +53,7 @@ TEST(ElasticRingContact, ForceIsContinuousAndLinearThroughLiftOff) {
 }
 
 TEST(ElasticRingContact, MirroredMotionHasTheMirroredForce) {
-  const ElasticRingContact law(kDefaultRotor.geometry(), kStiffness, kFriction);
+  const ElasticRingContact law(kDefaultRotor.geometry(), kStiffness, {kFriction});
   RandomContacts contacts(kDefaultRotor, 0.25, 22);
   for (int i = 0; i < 1000; ++i) {
     const Pose at = contacts.next();

@@ -61,7 +61,7 @@ TEST(FrictionLaw, StribeckWithEqualCoefficientsIsTheRegularisedLaw) {
 TEST(RigidBladeContact, RegularisedFrictionBecomesCoulombs) {
   RandomContacts contacts(kDefaultRotor, 0.25, 31);
   const Geometry geometry = kDefaultRotor.geometry();
-  const ElasticRingContact coulomb(geometry, kRingStiffness, 0.1);
+  const ElasticRingContact coulomb(geometry, kRingStiffness, {0.1});
   int bitwise = 0;
   for (int i = 0; i < 3000; ++i) {
     const Pose at = contacts.next();

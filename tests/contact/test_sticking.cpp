@@ -37,7 +37,7 @@ double sticking_coefficient(const Geometry& geometry, const Pose& at, double spe
 
 TEST(Sticking, TheCoefficientKeepsTheSlipVelocityAtRest) {
   const Geometry geometry = kDefaultRotor.geometry();
-  const ElasticRingContact normal_force(geometry, 1e4, 0.0);
+  const ElasticRingContact normal_force(geometry, 1e4, {0.0});
   const double force_unit = 1.0 / 100.0;
   RandomContacts contacts(kDefaultRotor, 0.25, 41);
   for (int i = 0; i < 3000; ++i) {

@@ -65,10 +65,10 @@ TEST(YieldingRing, IsTheRigidRingInTheLimitToFirstOrder) {
 TEST(YieldingRing, UnderAStiffBladeIsTheElasticRing) {
   constexpr double kStiffnessOfRing = 1e4;
   RandomContacts contacts(kDefaultRotor, 0.1, 24);
-  const ElasticRingContact ring(kDefaultRotor.geometry(), kStiffnessOfRing, 0.0);
+  const ElasticRingContact ring(kDefaultRotor.geometry(), kStiffnessOfRing, {0.0});
   const ElasticaContact column = make({0.0, 0.0, Theory::elastica, 0.01}, Ring{kStiffnessOfRing});
   // With friction a blade bends by μF L³/(3 EI); the thicker blades below bend less and less.
-  const ElasticRingContact rubbed(kDefaultRotor.geometry(), kStiffnessOfRing, 0.1);
+  const ElasticRingContact rubbed(kDefaultRotor.geometry(), kStiffnessOfRing, {0.1});
   const ElasticaContact stiff = make({0.1, 0.0, Theory::elastica, 0.05}, Ring{kStiffnessOfRing});
   const ElasticaContact stiffer = make({0.1, 0.0, Theory::elastica, 0.5}, Ring{kStiffnessOfRing});
   for (int i = 0; i < 300; ++i) {

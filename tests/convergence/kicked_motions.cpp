@@ -13,9 +13,8 @@
 #include <vector>
 
 #include "../effects/directed_law.hpp"
+#include "../support/hybrid_motion.hpp"
 #include "contact/elastica_contact.hpp"
-#include "motion/modes_of_axial_loads.hpp"
-#include "motion/modes_of_inclined_loads.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -87,7 +86,7 @@ void expect_that_error_follows_tolerance(Kicked point, EndOf end_of) {
 
 template <class Law>
 End one_revolution(const HardRotor& rotor, const Law& law, const State& start) {
-  const auto motion = follow(rotor, law, rotor::NoForcing{}, start, 1, [](trajectory::MotionPiece&) {});
+  const auto motion = follow(rotor, law, kNoForcing, start, 1, [](trajectory::MotionPiece&) {});
   return {motion.status, motion.sections.back()};
 }
 
@@ -106,21 +105,20 @@ TEST(KickedMotion, OfBladesUnderFrictionThatDependsOnTheSlipErrsByItsTolerance) 
     SCOPED_TRACE(index);
     const Kicked point = kicked(index);
     expect_that_error_follows_tolerance(point, [&](const HardRotor& rotor, const State& start) {
-      return one_revolution(
-          rotor,
-          directed_law(rotor, contact::RegularisedFriction{rotor.friction, point.regularising_velocity}),
-          start);
+      return one_revolution(rotor,
+                            directed_law(rotor, contact::VelocityFriction(contact::RegularisedFriction{
+                                                    rotor.friction, point.regularising_velocity})),
+                            start);
     });
   }
 }
 
 /// What an error of position within a contact becomes in velocity at its end, since the force F ends earlier
 /// or later: of the saltation matrix 1 + (f+ − f−) ∇gᵀ/ġ at g = 0 the largest entry.
-template <class Motion>
 class SaltationOfLiftOffs final : public modes::MotionListener {
  public:
   /// `force_unit`: acceleration of the shaft from the ring per newton.
-  SaltationOfLiftOffs(const HardRotor& rotor, const Motion& motion, double force_unit)
+  SaltationOfLiftOffs(const HardRotor& rotor, const motion::Motion& motion, double force_unit)
       : rotor_(&rotor), motion_(&motion), force_unit_(force_unit), forces_(rotor.blades) {}
 
   void piece(trajectory::MotionPiece& piece) override {
@@ -139,28 +137,25 @@ class SaltationOfLiftOffs final : public modes::MotionListener {
 
  private:
   const HardRotor* rotor_;
-  const Motion* motion_;
+  const motion::Motion* motion_;
   double force_unit_;  ///< [m/N]
   std::vector<double> forces_;
   double largest_ = 1.0;
 };
 
 TEST(KickedMotion, OfElasticBladesInARingThatMovesErrsByItsTolerance) {
-  using Forcing = rotor::WithRingBody<rotor::NoForcing>;
-  using Motion = motion::Motion<contact::ElasticaContact, Forcing>;
   for (int index = 0; index < kKicks; ++index) {
     SCOPED_TRACE(index);
     const contact::ElasticaContact law = kicked(index).rotor.elastica();
     expect_that_error_follows_tolerance(kicked(index), [&](const HardRotor& rotor, const State& start) {
       const rotor::RingBody ring(1.0, 1e4, 40.0, 10.0);
-      Motion motion(rotor.constants(), {rotor.blades, rotor.speed_ratio}, law, Forcing{{}, ring},
-                    rotor.limits());
-      rotor::ShaftAndRing bodies = rotor::ShaftAndRing::Zero();
-      bodies.head<4>() = start;
-      SaltationOfLiftOffs<Motion> listener(rotor, motion, rotor.force_unit + ring.force_unit());
-      PointStatus status = motion.start(bodies);
-      if (status == PointStatus::done) status = motion.revolution(listener);
-      return End{status, rotor::shaft(motion.state()), listener.largest()};
+      const rotor::BladeSet blades(rotor.blades, rotor.speed_ratio);
+      const auto motion =
+          hybrid_motion(machine_of(rotor.constants(), blades, kNoForcing, ring), law, rotor.limits());
+      SaltationOfLiftOffs listener(rotor, *motion, rotor.force_unit + ring.force_unit());
+      PointStatus status = test::start(*motion, start);
+      if (status == PointStatus::done) status = revolve(*motion, listener);
+      return End{status, rotor::shaft(motion->state()), listener.largest()};
     });
   }
 }

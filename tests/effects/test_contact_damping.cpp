@@ -9,10 +9,9 @@
 #include <vector>
 
 #include "../settings/scene_error_text.hpp"
+#include "../support/hybrid_motion.hpp"
 #include "contact/damped_ring.hpp"
 #include "effect_scene.hpp"
-#include "motion/modes_of_damped_ring.hpp"
-#include "motion/motion.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -101,15 +100,14 @@ struct FollowedWithDampers {
 };
 FollowedWithDampers follow_with_dampers() {
   const contact::RigidBladeOnDampedRing law(kDampedGeometry, {kRingStiffness, kRingDamping}, {0.0});
-  motion::Motion<contact::RigidBladeOnDampedRing, rotor::NoForcing> motion(
-      kDampedRotor, {kDampedBlades, kDampedRotor.speed_ratio}, law, {},
-      {1e-12 * kDampedRotor.length_scale, 0.5});
+  const auto motion = hybrid_motion(kDampedRotor, rotor::BladeSet(kDampedBlades, kDampedRotor.speed_ratio),
+                                    law, kNoForcing, {1e-12 * kDampedRotor.length_scale, 0.5});
   FollowedWithDampers followed{};
-  EXPECT_EQ(motion.start({0.0, 0.0, 0.004, 0.002}), PointStatus::done);
-  const double before = damped_energy(0.0, motion.state());
+  EXPECT_EQ(start(*motion, rotor::State{0.0, 0.0, 0.004, 0.002}), PointStatus::done);
+  const double before = damped_energy(0.0, rotor::shaft(motion->state()));
   for (int revolution = 0; revolution < 3; ++revolution)
-    EXPECT_EQ(motion.revolution(followed.watch), PointStatus::done);
-  followed.energy_gained = damped_energy(0.0, motion.state()) - before;
+    EXPECT_EQ(revolve(*motion, followed.watch), PointStatus::done);
+  followed.energy_gained = damped_energy(0.0, rotor::shaft(motion->state())) - before;
   return followed;
 }
 

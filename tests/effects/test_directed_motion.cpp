@@ -6,14 +6,14 @@
 #include <cstdint>
 #include <random>
 
+#include "../support/hybrid_motion.hpp"
 #include "directed_law.hpp"
-#include "motion/modes_of_inclined_loads.hpp"
 
 namespace rubatlas::test {
 namespace {
 
 RecordedMotion from_rest(const HardRotor& rotor, const auto& law) {
-  return follow(rotor, law, rotor::NoForcing{}, rotor::State::Zero(), 200, [](trajectory::MotionPiece&) {});
+  return follow(rotor, law, kNoForcing, rotor::State::Zero(), 200, [](trajectory::MotionPiece&) {});
 }
 
 /// Of the last sections, from one to the next [m].
@@ -50,7 +50,7 @@ struct Course {
 };
 Course course(HardRotor rotor, const auto& law, const rotor::State& start, double tolerance) {
   rotor.tolerance = tolerance;
-  const auto motion = follow(rotor, law, rotor::NoForcing{}, start, 5, [](trajectory::MotionPiece&) {});
+  const auto motion = follow(rotor, law, kNoForcing, start, 5, [](trajectory::MotionPiece&) {});
   const bool done = motion.status == ending::PointStatus::done;
   return {motion.status, motion.sections.size(), done ? motion.sections.back() : start};
 }

@@ -7,19 +7,21 @@
 #include <cmath>
 #include <numbers>
 
+#include "../support/hybrid_motion.hpp"
 #include "contact/elastic_ring_contact.hpp"
 #include "effect_scene.hpp"
-#include "motion/modes_of_following_ring.hpp"
-#include "motion/modes_of_rigid_blades.hpp"
-#include "motion/motion.hpp"
 
 namespace rubatlas::test {
 namespace {
 
-using Following = rotor::WithFollowingRing<rotor::NoForcing>;
-using InFollowingRing = motion::Motion<contact::ElasticRingContact, Following>;
-
 constexpr contact::Geometry kFollowedGeometry{0.1, 0.11};
+
+std::unique_ptr<motion::Motion> rigid_blades_in(const rotor::RotorConstants& rotor, int blades,
+                                                const contact::ElasticRingContact& law,
+                                                const rotor::Ring& ring, double tolerance = 1e-15) {
+  return hybrid_motion(machine_of(rotor, rotor::BladeSet(blades, rotor.speed_ratio), kNoForcing, ring), law,
+                       {tolerance, 0.5});
+}
 
 rotor::RotorConstants rotor_in_following_ring(double damping, double misalignment) {
   return {0.62, damping, misalignment, 0.01, 0.01};  // m = 1 kg, ωn = 10/s
@@ -33,21 +35,19 @@ class CountOfBlades final : public modes::MotionListener {
 };
 
 TEST(FollowingRing, UnderOneBladeWithoutFrictionIsASpringInSeriesWithThatUnderTheTip) {
-  const auto after = [](double tip, const auto& forcing) {
-    using Forcing = std::remove_cvref_t<decltype(forcing)>;
+  const auto after = [](double tip, const rotor::Ring& ring) {
     const rotor::RotorConstants rotor = rotor_in_following_ring(0.1, 0.01001);
-    motion::Motion<contact::ElasticRingContact, Forcing> motion(
-        rotor, {1, rotor.speed_ratio}, {kFollowedGeometry, tip, 0.0}, forcing, {1e-15, 0.5});
-    EXPECT_EQ(motion.start(rotor::ring_at_rest<Forcing>(rotor::State::Zero())), ending::PointStatus::done);
+    const auto motion = rigid_blades_in(rotor, 1, {kFollowedGeometry, tip, {0.0}}, ring);
+    EXPECT_EQ(start(*motion, rotor::State(rotor::State::Zero())), ending::PointStatus::done);
     modes::MotionListener nobody;
     for (int revolution = 0; revolution < 5; ++revolution) {
-      EXPECT_EQ(motion.revolution(nobody), ending::PointStatus::done);
+      EXPECT_EQ(revolve(*motion, nobody), ending::PointStatus::done);
     }
-    EXPECT_EQ(motion.work().touchdowns, 5U);
-    return rotor::shaft(motion.state());
+    EXPECT_EQ(motion->work().touchdowns, 5U);
+    return rotor::shaft(motion->state());
   };
-  const rotor::State together = after(3e4, Following{{}, {6e4}});
-  EXPECT_LE((together - after(2e4, rotor::NoForcing{})).abs().maxCoeff(), 1e-13);
+  const rotor::State together = after(3e4, rotor::FollowingRing{6e4});
+  EXPECT_LE((together - after(2e4, {})).abs().maxCoeff(), 1e-13);
 }
 
 /// Forces of all blades in contact balance the ring's spring, and no blade that is not in contact reaches
@@ -59,14 +59,14 @@ TEST(FollowingRing, BalancesAllBladesWhereverItIsAskedFor) {
   constexpr int kBlades = 24;
   const rotor::RotorConstants rotor = rotor_in_following_ring(0.1, 0.012);
   const rotor::BladeSet blades(kBlades, rotor.speed_ratio);
-  InFollowingRing motion(rotor, blades, {kFollowedGeometry, kTip, kFriction}, Following{{}, {kSpring}},
-                         {1e-14, 0.5});
-  ASSERT_EQ(motion.start(rotor::ShaftAndRing::Zero()), ending::PointStatus::done);
+  const auto motion = rigid_blades_in(rotor, kBlades, {kFollowedGeometry, kTip, {kFriction}},
+                                      rotor::FollowingRing{kSpring}, 1e-14);
+  ASSERT_EQ(start(*motion, rotor::ShaftAndRing(rotor::ShaftAndRing::Zero())), ending::PointStatus::done);
   CountOfBlades count;
   int pushed = 0;
   for (int revolution = 0; revolution < 40; ++revolution) {
-    ASSERT_EQ(motion.revolution(count), ending::PointStatus::done) << revolution;
-    const rotor::ShaftAndRing at = motion.state();
+    ASSERT_EQ(revolve(*motion, count), ending::PointStatus::done) << revolution;
+    const rotor::ShaftAndRing at = motion->state();
     const rotor::State seen = rotor::from_ring(at);
     std::complex<double> push;
     for (int k = 0; k < kBlades; ++k) {
@@ -102,18 +102,18 @@ TEST(FollowingRing, WithoutDampingAndFrictionKeepsTheJacobiIntegral) {
     }
     return energy - rotor.speed_ratio * kPerTime * (s[0] * s[3] - s[1] * s[2]);
   };
-  InFollowingRing motion(rotor, blades, {kFollowedGeometry, kTip, 0.0}, Following{{}, {kSpring}},
-                         {1e-15, 0.5});
+  const auto motion =
+      rigid_blades_in(rotor, kBlades, {kFollowedGeometry, kTip, {0.0}}, rotor::FollowingRing{kSpring});
   rotor::ShaftAndRing start = rotor::ShaftAndRing::Zero();
   start.head<4>() << 0.008, 0.002, 0.004, 0.009;
-  ASSERT_EQ(motion.start(start), ending::PointStatus::done);
-  const double before = integral(motion.state());
+  ASSERT_EQ(test::start(*motion, start), ending::PointStatus::done);
+  const double before = integral(motion->state());
   CountOfBlades count;
   for (int revolution = 0; revolution < 30; ++revolution) {
-    ASSERT_EQ(motion.revolution(count), ending::PointStatus::done);
-    EXPECT_NEAR(integral(motion.state()), before, 1e-10 * std::abs(before)) << revolution;
+    ASSERT_EQ(revolve(*motion, count), ending::PointStatus::done);
+    EXPECT_NEAR(integral(motion->state()), before, 1e-10 * std::abs(before)) << revolution;
   }
-  EXPECT_GT(motion.work().touchdowns, 20U);
+  EXPECT_GT(motion->work().touchdowns, 20U);
   EXPECT_GE(count.most, 2U);
 }
 
@@ -123,13 +123,13 @@ TEST(FollowingRing, AddsNoFreedom) {
   constexpr double kDamping = 0.05;
   const auto map = [&](const rotor::State& from) {
     const rotor::RotorConstants rotor = rotor_in_following_ring(kDamping, 0.012);
-    InFollowingRing motion(rotor, {24, rotor.speed_ratio}, {kFollowedGeometry, 1e3, 0.0},
-                           Following{{}, {5e3}}, {1e-15, 0.5});
-    EXPECT_EQ(motion.start(rotor::ring_at_rest<Following>(from)), ending::PointStatus::done);
+    const auto motion =
+        rigid_blades_in(rotor, 24, {kFollowedGeometry, 1e3, {0.0}}, rotor::FollowingRing{5e3});
+    EXPECT_EQ(start(*motion, rotor::State(from)), ending::PointStatus::done);
     CountOfBlades count;
-    EXPECT_EQ(motion.revolution(count), ending::PointStatus::done);
+    EXPECT_EQ(revolve(*motion, count), ending::PointStatus::done);
     EXPECT_GE(count.most, 2U);
-    return rotor::shaft(motion.state());
+    return rotor::shaft(motion->state());
   };
   const auto jacobian = [&](double step) {
     Eigen::Matrix4d matrix;
@@ -148,21 +148,19 @@ TEST(FollowingRing, AddsNoFreedom) {
 }
 
 TEST(FollowingRing, IsWhatACriticallyDampedRingComesToAsItsMassFalls) {
-  const auto after = [](const auto& forcing) {
-    using Forcing = std::remove_cvref_t<decltype(forcing)>;
+  const auto after = [](const rotor::Ring& ring) {
     const rotor::RotorConstants rotor = rotor_in_following_ring(0.1, 0.0105);
-    motion::Motion<contact::ElasticRingContact, Forcing> motion(
-        rotor, {24, rotor.speed_ratio}, {kFollowedGeometry, 1e3, 0.1}, forcing, {1e-15, 0.5});
-    EXPECT_EQ(motion.start(rotor::ring_at_rest<Forcing>({0.0, -1e-3, 0.0, 0.0})), ending::PointStatus::done);
+    const auto motion = rigid_blades_in(rotor, 24, {kFollowedGeometry, 1e3, {0.1}}, ring);
+    EXPECT_EQ(start(*motion, rotor::State(0.0, -1e-3, 0.0, 0.0)), ending::PointStatus::done);
     CountOfBlades count;  // no blade touches at the start, where a light ring would be thrown away
-    EXPECT_EQ(motion.revolution(count), ending::PointStatus::done);
+    EXPECT_EQ(revolve(*motion, count), ending::PointStatus::done);
     EXPECT_GE(count.most, 2U);
-    return rotor::shaft(motion.state());
+    return rotor::shaft(motion->state());
   };
-  const rotor::State limit = after(Following{{}, {1e4}});
+  const rotor::State limit = after(rotor::FollowingRing{1e4});
   const auto distance = [&](double mass) {
-    using Moving = rotor::WithRingBody<rotor::NoForcing>;
-    return (after(Moving{{}, {mass, 1e4, 2.0 * std::sqrt(1e4 * mass), 10.0}}) - limit).abs().maxCoeff();
+    const rotor::RingBody ring(mass, 1e4, 2.0 * std::sqrt(1e4 * mass), 10.0);
+    return (after(ring) - limit).abs().maxCoeff();
   };
   const double light = distance(1e-5);
   EXPECT_GT(light, 1e-10);
@@ -173,10 +171,9 @@ TEST(FollowingRing, StaysWhereOppositeBladesCancel) {
   const rotor::RotorConstants rotor = rotor_in_following_ring(0.1, 0.0);
   const contact::Geometry tight{0.1101, 0.11};
   for (const int count : {2, 4, 1}) {
-    InFollowingRing motion(rotor, {count, rotor.speed_ratio}, {tight, 1e4, 0.0}, Following{{}, {1e3}},
-                           {1e-15, 0.5});
-    ASSERT_EQ(motion.start(rotor::ShaftAndRing::Zero()), ending::PointStatus::done);
-    const double pushed = motion.state().segment<2>(4).matrix().norm();
+    const auto motion = rigid_blades_in(rotor, count, {tight, 1e4, {0.0}}, rotor::FollowingRing{1e3});
+    ASSERT_EQ(start(*motion, rotor::ShaftAndRing(rotor::ShaftAndRing::Zero())), ending::PointStatus::done);
+    const double pushed = motion->state().segment<2>(4).matrix().norm();
     // One blade alone: both springs share 0.1 mm.
     EXPECT_NEAR(pushed, count == 1 ? 1e-4 * 10.0 / 11.0 : 0.0, 1e-16) << count;
   }

@@ -9,15 +9,13 @@
 #include <numbers>
 #include <vector>
 
+#include "../support/hybrid_motion.hpp"
 #include "assembly/blade_tables.hpp"
 #include "assembly/make_line_solver.hpp"
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
 #include "modes/flight.hpp"
 #include "modes/touchdown_search.hpp"
-#include "motion/modes_of_axial_loads.hpp"
-#include "motion/modes_of_rigid_blades.hpp"
-#include "motion/motion.hpp"
 #include "rotor/machine.hpp"
 
 namespace rubatlas::test {
@@ -27,9 +25,6 @@ using ending::PointStatus;
 using rotor::RingBody;
 using rotor::ShaftAndRing;
 using rotor::State;
-using Forcing = rotor::WithRingBody<rotor::NoForcing>;
-using ElasticBlades = motion::Motion<contact::ElasticaContact, Forcing>;
-using RigidBlades = motion::Motion<contact::ElasticRingContact, Forcing>;
 
 constexpr double kNaturalFrequency = 10.0;
 constexpr contact::Geometry kBladeAndRing{0.1, 0.11};
@@ -47,12 +42,14 @@ class RingWitness final : public modes::MotionListener {
   std::size_t most = 0;  ///< blades in contact at once
 };
 
-ElasticBlades elastic_blades(const rotor::RotorConstants& rotor, const RingBody& ring, double friction = 0.1,
-                             int count = 3, double tolerance = 1e-16) {
+std::unique_ptr<motion::Motion> elastic_blades(const rotor::RotorConstants& rotor, const RingBody& ring,
+                                               double friction = 0.1, int count = 3,
+                                               double tolerance = 1e-16) {
   static assembly::BladeTables tables;
   const contact::ElasticaContact law(kBladeAndRing, {0.1, 1e-3, 206e9 * 0.01 * 1e-9 / 12.0},
                                      tables.curve(friction));
-  return {rotor, {count, rotor.speed_ratio}, law, Forcing{{}, ring}, {tolerance, 0.5}};
+  const rotor::BladeSet blades(count, rotor.speed_ratio);
+  return hybrid_motion(machine_of(rotor, blades, kNoForcing, ring), law, {tolerance, 0.5});
 }
 
 // --- the ring by itself ---
@@ -112,14 +109,14 @@ TEST(RingBody, FliesOnWithoutTheShaftAfterAContact) {
   // The rotor fits into the ring: it is kicked against it, and comes to rest without.
   const RingBody ring(1.0, 1e4, 2.0, kNaturalFrequency);
   auto motion = elastic_blades(ring_rotor(0.62, 0.1, 0.009), ring);
-  ASSERT_EQ(motion.start(rotor::ring_at_rest<Forcing>({1e-3, 0.0, 0.0, 8e-3})), PointStatus::done);
+  ASSERT_EQ(start(*motion, rotor::State{1e-3, 0.0, 0.0, 8e-3}), PointStatus::done);
   const double period = 2.0 * std::numbers::pi / 0.62;
   int flights = 0;
   for (int revolution = 0; revolution < 12; ++revolution) {
     RingWitness witness;
-    const RingBody::State before = motion.state().tail<4>();
-    ASSERT_EQ(motion.revolution(witness), PointStatus::done);
-    const RingBody::State after = motion.state().tail<4>();
+    const RingBody::State before = motion->state().tail<4>();
+    ASSERT_EQ(revolve(*motion, witness), PointStatus::done);
+    const RingBody::State after = motion->state().tail<4>();
     const double departure = (after - ring.free(before, period)).abs().maxCoeff();
     if (witness.most > 0) {
       EXPECT_GT(departure, 1e-7);
@@ -129,7 +126,7 @@ TEST(RingBody, FliesOnWithoutTheShaftAfterAContact) {
       ++flights;
     }
   }
-  EXPECT_GT(motion.work().touchdowns, 0U);
+  EXPECT_GT(motion->work().touchdowns, 0U);
   EXPECT_GT(flights, 3);
 }
 
@@ -144,7 +141,7 @@ TEST(RingBody, NoTouchdownIsMissedWhereShaftAndRingMoveTowardsEachOther) {
     const auto part = [&](int prime) { return 2.0 * std::fmod(0.618034 * (trial + 1) * prime, 1.0) - 1.0; };
     const RingBody ring(1.0, 100.0 * std::pow(30.0, 1.0 + part(3)), trial % 2 != 0 ? 0.0 : 20.0,
                         kNaturalFrequency);
-    const rotor::Machine machine = rotor::machine_of(rotor, blades, Forcing{{}, ring});
+    const rotor::Machine machine = machine_of(rotor, blades, kNoForcing, ring);
     modes::Flight flight(machine);
     ShaftAndRing start;
     start << 3e-3 * part(5), 3e-3 * part(7), 4e-3 * part(11), 4e-3 * part(13), 2e-3 * part(17),
@@ -185,7 +182,7 @@ TEST(RingBody, WithoutDampingAndFrictionKeepsTheJacobiIntegral) {
   constexpr double kSpring = 3000.0;
   const RingBody ring(kMass, kSpring, 0.0, kNaturalFrequency);
   const rotor::RotorConstants rotor = ring_rotor(0.45, 0.0, 0.0);
-  const contact::ElasticRingContact law(kBladeAndRing, kTip, 0.0);
+  const contact::ElasticRingContact law(kBladeAndRing, kTip, {0.0});
   const rotor::BladeSet blades(3, rotor.speed_ratio);
   const auto integral = [&](const ShaftAndRing& s) {
     const double per_time = kNaturalFrequency * kNaturalFrequency;  // from per τ² to per s²
@@ -201,18 +198,19 @@ TEST(RingBody, WithoutDampingAndFrictionKeepsTheJacobiIntegral) {
     const double spin = s[0] * s[3] - s[1] * s[2] + kMass * (s[4] * s[7] - s[5] * s[6]);
     return energy - rotor.speed_ratio * per_time * spin;
   };
-  RigidBlades motion(rotor, {3, rotor.speed_ratio}, law, Forcing{{}, ring}, {1e-15, 0.5});
+  const auto motion = hybrid_motion(
+      machine_of(rotor, rotor::BladeSet(3, rotor.speed_ratio), kNoForcing, ring), law, {1e-15, 0.5});
   ShaftAndRing start;
   start << 0.008, 0.002, 0.004, 0.009, 1e-4, 0.0, 0.0, 1e-3;
-  ASSERT_EQ(motion.start(start), PointStatus::done);
+  ASSERT_EQ(test::start(*motion, start), PointStatus::done);
   const double before = integral(start);
   RingWitness witness;
   for (int revolution = 0; revolution < 30; ++revolution) {
-    ASSERT_EQ(motion.revolution(witness), PointStatus::done);
-    EXPECT_NEAR(integral(motion.state()), before, 1e-10 * std::abs(before)) << revolution;
+    ASSERT_EQ(revolve(*motion, witness), PointStatus::done);
+    EXPECT_NEAR(integral(motion->state()), before, 1e-10 * std::abs(before)) << revolution;
   }
-  EXPECT_GT(motion.work().touchdowns, 20U);
-  EXPECT_GT((motion.state().tail<4>() - start.tail<4>()).abs().maxCoeff(), 1e-5)
+  EXPECT_GT(motion->work().touchdowns, 20U);
+  EXPECT_GT((motion->state().tail<4>() - start.tail<4>()).abs().maxCoeff(), 1e-5)
       << "the ring has been pushed";
 }
 
@@ -222,11 +220,11 @@ TEST(RingBody, PhaseVolumeContractsByTheDampingOfShaftAndRing) {
   const auto map = [&](const ShaftAndRing& from) {
     auto motion = elastic_blades(ring_rotor(speed, 0.05), ring);
     RingWitness witness;
-    EXPECT_EQ(motion.start(from), PointStatus::done);
-    EXPECT_EQ(motion.revolution(witness), PointStatus::done);
-    EXPECT_EQ(motion.work().slip_reversals, 0U);
-    EXPECT_GT(motion.work().touchdowns, 0U);
-    return motion.state();
+    EXPECT_EQ(test::start(*motion, from), PointStatus::done);
+    EXPECT_EQ(revolve(*motion, witness), PointStatus::done);
+    EXPECT_EQ(motion->work().slip_reversals, 0U);
+    EXPECT_GT(motion->work().touchdowns, 0U);
+    return motion->state();
   };
   ShaftAndRing start;
   start << 2e-3, -1e-3, 1e-3, 2e-3, 1e-4, -2e-4, 1e-3, 5e-4;
@@ -256,13 +254,13 @@ TEST(RingBody, MirroredWithTheRotorMovesTheMirroredWay) {
     auto motion = elastic_blades(ring_rotor(side * 0.5, 0.1, side * 0.01001), ring, 0.1, 3, 1e-13);
     ShaftAndRing start;
     start << 1e-3, side * 2e-3, 3e-3, side * -1e-3, 1e-4, side * 2e-4, -1e-3, side * 1e-3;
-    EXPECT_EQ(motion.start(start), PointStatus::done);
+    EXPECT_EQ(test::start(*motion, start), PointStatus::done);
     RingWitness witness;
     for (int revolution = 0; revolution < 4; ++revolution) {
-      EXPECT_EQ(motion.revolution(witness), PointStatus::done);
+      EXPECT_EQ(revolve(*motion, witness), PointStatus::done);
     }
     EXPECT_GT(witness.events.size(), 8U);
-    return motion.state();
+    return motion->state();
   };
   ShaftAndRing mirrored = follow(-1.0);
   const ShaftAndRing motion = follow(1.0);
@@ -277,13 +275,14 @@ TEST(RingBody, CarriesAllBladesInContactTogether) {
   const contact::Geometry tight{0.1101, 0.11};
   const RingBody ring(1.0, 1e3, 5.0, kNaturalFrequency);
   const auto displaced = [&](int count) {
-    const contact::ElasticRingContact law(tight, 1e4, 0.0);
-    RigidBlades motion(rotor, {count, rotor.speed_ratio}, law, Forcing{{}, ring}, {1e-15, 0.5});
-    EXPECT_EQ(motion.start(ShaftAndRing::Zero()), PointStatus::done);
+    const contact::ElasticRingContact law(tight, 1e4, {0.0});
+    const auto motion = hybrid_motion(
+        machine_of(rotor, rotor::BladeSet(count, rotor.speed_ratio), kNoForcing, ring), law, {1e-15, 0.5});
+    EXPECT_EQ(start(*motion, ShaftAndRing(ShaftAndRing::Zero())), PointStatus::done);
     RingWitness witness;
-    EXPECT_EQ(motion.revolution(witness), PointStatus::done);
+    EXPECT_EQ(revolve(*motion, witness), PointStatus::done);
     EXPECT_EQ(witness.most, static_cast<std::size_t>(count));
-    return motion.state().tail<4>().head<2>().abs().maxCoeff();
+    return motion->state().tail<4>().head<2>().abs().maxCoeff();
   };
   EXPECT_LE(displaced(2), 1e-16);
   EXPECT_LE(displaced(4), 1e-16);

@@ -6,11 +6,10 @@
 #include <random>
 #include <utility>
 
+#include "../support/hybrid_motion.hpp"
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/unequal_blades.hpp"
 #include "effect_scene.hpp"
-#include "motion/modes_of_rigid_blades.hpp"
-#include "motion/motion.hpp"
 #include "rotor/linear_support.hpp"
 #include "rotor/rippled_unbalance.hpp"
 #include "rotor/rippling_blades.hpp"
@@ -183,10 +182,8 @@ class GapWatch final : public modes::MotionListener {
 };
 
 TEST(SpeedRipple, NoTouchdownIsMissed) {
-  using Law = contact::UnequalBlades<contact::ElasticRingContact>;
-  using Rotor = motion::Motion<Law, rotor::Harmonics, integrate::DormandPrince853, RipplingBlades>;
   const contact::Geometry geometry{0.1, 0.11};
-  const contact::ElasticRingContact blade(geometry, 1e4, 0.1);
+  const contact::ElasticRingContact blade(geometry, 1e4, {0.1});
   Draw draw;
   int touchdowns = 0;
   for (int trial = 0; trial < 60; ++trial) {
@@ -195,11 +192,11 @@ TEST(SpeedRipple, NoTouchdownIsMissed) {
     const RipplingBlades blades(rotor::equal_angles(3), rotor.speed_ratio, ripple);
     const rotor::Harmonics forcing(
         rotor::rippled_unbalance(ripple, 1e-4, 0.0, rotor.speed_ratio, rotor.damping_ratio));
-    Rotor motion(rotor, blades, Law({blade, blade, blade}), forcing, {1e-11, 0.5});
+    const auto motion = hybrid_motion(rotor, blades, blade, forcing, {1e-11, 0.5});
     GapWatch<RipplingBlades> watch(rotor, geometry, blades);
-    PointStatus status = motion.start({draw(-1e-3, 1e-3), draw(-1e-3, 1e-3), 0.0, 0.0});
+    PointStatus status = start(*motion, rotor::State{draw(-1e-3, 1e-3), draw(-1e-3, 1e-3), 0.0, 0.0});
     for (int revolution = 0; revolution < 6 && status == PointStatus::done; ++revolution) {
-      status = motion.revolution(watch);
+      status = revolve(*motion, watch);
     }
     EXPECT_NE(status, PointStatus::integrator_failed) << trial;
     EXPECT_LE(watch.largest, 1e-15 * geometry.ring_radius) << trial;

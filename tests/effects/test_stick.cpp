@@ -13,7 +13,6 @@
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/unequal_blades.hpp"
 #include "modes/sticking.hpp"
-#include "motion/modes_of_rigid_blades.hpp"
 #include "rotor/rippling_blades.hpp"
 
 namespace rubatlas::test {
@@ -183,12 +182,12 @@ TEST(Stick, RollsOnTheHeldTipAsTheClosedFormSaysUntilTheConeEnds) {
           HardRotor rotor = rolling_rotor(speed, friction);
           rotor.blades = 1;
           rotor.misalignment = 1e-3;
-          motion::Motion<StickingLaw, rotor::NoForcing> motion(
-              rotor.constants(), {1, speed}, sticking_law(rotor, ratio), {}, rotor.limits());
+          const auto motion = hybrid_motion(rotor.constants(), rotor::BladeSet(1, speed),
+                                            sticking_law(rotor, ratio), kNoForcing, rotor.limits());
           HeldTipWatch watch(rotor, ratio * friction);
-          ending::PointStatus status = motion.start(kick(speed, excess));
+          ending::PointStatus status = start(*motion, kick(speed, excess));
           for (int revolution = 0; revolution < 3 && status == ending::PointStatus::done; ++revolution) {
-            status = motion.revolution(watch);
+            status = revolve(*motion, watch);
             watch.turned += rotor.constants().period();
           }
           EXPECT_NE(status, ending::PointStatus::integrator_failed);
@@ -233,14 +232,14 @@ FrictionAtWork friction_at_work(const HardRotor& rotor, const Law& law, const ro
     double largest = 0.0;
   };
   Watch watch(rotor);
-  motion::Motion<Law, rotor::NoForcing> motion(rotor.constants(), {rotor.blades, rotor.speed_ratio}, law, {},
-                                               rotor.limits());
-  ending::PointStatus status = motion.start(start);
+  const auto motion = hybrid_motion(rotor.constants(), rotor::BladeSet(rotor.blades, rotor.speed_ratio), law,
+                                    kNoForcing, rotor.limits());
+  ending::PointStatus status = test::start(*motion, start);
   for (int revolution = 0; revolution < 3 && status == ending::PointStatus::done; ++revolution) {
-    status = motion.revolution(watch);
+    status = revolve(*motion, watch);
   }
   EXPECT_NE(status, ending::PointStatus::integrator_failed);
-  return {watch.largest, motion.work()};
+  return {watch.largest, motion->work()};
 }
 
 TEST(Stick, FrictionNeverDrivesATipWhereTurningItRoundDoes) {
@@ -270,15 +269,16 @@ TEST(Stick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
   const HardRotor rotor = rolling_rotor(0.05, 0.3);
   const auto nothing = [](trajectory::MotionPiece&) {};
   const rotor::State start{0.005, 0.0, 0.0, -0.05};
-  const auto stuck = follow(rotor, sticking_law(rotor, 1.0), rotor::NoForcing{}, start, 1, nothing);
+  const auto stuck = follow(rotor, sticking_law(rotor, 1.0), kNoForcing, start, 1, nothing);
   ASSERT_EQ(stuck.status, ending::PointStatus::done);
   ASSERT_GE(
       std::ranges::count_if(stuck.events, [](const auto& entry) { return begins_to_stick(entry.event); }), 1);
   std::vector<double> distances;
   for (const double velocity : {1e-4, 1e-5, 1e-6}) {
-    const contact::RigidBladeContact law(rotor.geometry(), rotor.ring_stiffness,
-                                         contact::RegularisedFriction{rotor.friction, velocity});
-    const auto steep = follow(rotor, law, rotor::NoForcing{}, start, 1, nothing);
+    const contact::RigidBladeContact law(
+        rotor.geometry(), rotor.ring_stiffness,
+        contact::VelocityFriction(contact::RegularisedFriction{rotor.friction, velocity}));
+    const auto steep = follow(rotor, law, kNoForcing, start, 1, nothing);
     ASSERT_EQ(steep.status, ending::PointStatus::done);
     distances.push_back((steep.sections[0] - stuck.sections[0]).abs().maxCoeff());
   }
@@ -309,14 +309,13 @@ double slip_rate(System& system, const HardRotor& rotor, const Blades& blades, i
 template <class Blades>
 void expect_two_tips_at_rest(const HardRotor& rotor, const Blades& blades) {
   const StickingLaw law = sticking_law(rotor, 1e3);
-  const rotor::NoForcing forcing;
-  const rotor::RotorConstants constants = rotor.constants();
+  const rotor::Machine machine = machine_of(rotor.constants(), blades);
   modes::WorkMeter meter;
-  using Mode = modes::Sticking<StickingLaw, rotor::NoForcing, Blades>;
-  Mode mode({&constants, &blades, &law, &forcing, rotor.limits(), &meter});
+  using Mode = modes::Sticking<StickingLaw>;
+  Mode mode({&machine, &law, rotor.limits(), &meter});
   const std::vector<OpenContact> contacts{{0, 0.0, 0.0}, {1, 0.0, 0.0}};
   ContactState state;
-  mode.open(0.11, rotor::State(0.006, 0.0045, 0.01, -0.02), contacts, state);
+  mode.open(0.11, rotor::shaft_and_ring({0.006, 0.0045, 0.01, -0.02}), contacts, state);
   EXPECT_GT(std::abs(slip_of(rotor, 0, state[rotor::kTime], state.head<4>())), 1e-3);
   mode.project(state);
   for (const int blade : {0, 1}) {
@@ -330,7 +329,7 @@ void expect_two_tips_at_rest(const HardRotor& rotor, const Blades& blades) {
   // Beyond the cone of both, one after the other is let go.
   std::vector<OpenContact> settled = contacts;
   const StickingLaw slippery = sticking_law(rotor, 1e-9);
-  Mode judge({&constants, &blades, &slippery, &forcing, rotor.limits(), &meter});
+  Mode judge({&machine, &slippery, rotor.limits(), &meter});
   int told = 0;
   judge.settle(state, settled, [&](const OpenContact&) { ++told; });
   EXPECT_EQ(told, 2);
@@ -356,8 +355,8 @@ TEST(Stick, OfTheMirroredRotorIsTheMirrorImage) {
     image.speed_ratio = -image.speed_ratio;
     image.misalignment = -image.misalignment;
     const rotor::State start = kick(0.3, excess);
-    const auto motion = follow(rotor, sticking_law(rotor, 1.2), rotor::NoForcing{}, start, 2, nothing);
-    const auto mirrored = follow(image, sticking_law(image, 1.2), rotor::NoForcing{},
+    const auto motion = follow(rotor, sticking_law(rotor, 1.2), kNoForcing, start, 2, nothing);
+    const auto mirrored = follow(image, sticking_law(image, 1.2), kNoForcing,
                                  {start[0], -start[1], start[2], -start[3]}, 2, nothing);
     ASSERT_EQ(motion.events.size(), mirrored.events.size());
     for (std::size_t i = 0; i < motion.events.size(); ++i) {

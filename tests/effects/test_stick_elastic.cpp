@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "../support/hybrid_motion.hpp"
 #include "directed_law.hpp"
-#include "motion/modes_of_inclined_loads.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -52,8 +52,7 @@ TEST(ElasticStick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
   for (const Kicked& kicked : {one_elastic_blade(), one_blade_near_its_fold(), three_blades()}) {
     const HardRotor& rotor = kicked.rotor;
     SCOPED_TRACE(rotor.friction);
-    const auto stuck =
-        follow(rotor, elastic_sticking_law(rotor, 1.0), rotor::NoForcing{}, kicked.start, 1, nothing);
+    const auto stuck = follow(rotor, elastic_sticking_law(rotor, 1.0), kNoForcing, kicked.start, 1, nothing);
     ASSERT_EQ(stuck.status, ending::PointStatus::done);
     const auto rest = std::ranges::find_if(stuck.events, comes_to_rest);
     ASSERT_NE(rest, stuck.events.end());
@@ -62,8 +61,9 @@ TEST(ElasticStick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
     ASSERT_LT(rest->event.time, left[0].time) << "the first contact rests";
     double before = 0.0;
     for (const double velocity : {1e-3, 1e-4, 1e-5, 1e-6}) {
-      const auto law = directed_law(rotor, contact::RegularisedFriction{rotor.friction, velocity});
-      const auto steep = follow(rotor, law, rotor::NoForcing{}, kicked.start, 1, nothing);
+      const auto law = directed_law(
+          rotor, contact::VelocityFriction(contact::RegularisedFriction{rotor.friction, velocity}));
+      const auto steep = follow(rotor, law, kNoForcing, kicked.start, 1, nothing);
       ASSERT_EQ(steep.status, ending::PointStatus::done);
       const auto lifted = steep.of_kind(Guard::lift_off);
       ASSERT_FALSE(lifted.empty());
@@ -115,12 +115,11 @@ class RestWatch final : public modes::MotionListener {
 
 TEST(ElasticStick, LoadIsContinuousWhereATipComesToRestAndWhereItComesLooseAndNoneOfItSlidesInBetween) {
   const auto [rotor, start] = one_elastic_blade();
-  using Law = decltype(elastic_sticking_law(rotor, 1.0));
-  motion::Motion<Law, rotor::NoForcing> motion(rotor.constants(), {rotor.blades, rotor.speed_ratio},
-                                               elastic_sticking_law(rotor, 1.0), {}, rotor.limits());
-  ASSERT_EQ(motion.start(start), ending::PointStatus::done);
+  const auto motion = hybrid_motion(rotor.constants(), rotor::BladeSet(rotor.blades, rotor.speed_ratio),
+                                    elastic_sticking_law(rotor, 1.0), kNoForcing, rotor.limits());
+  ASSERT_EQ(test::start(*motion, start), ending::PointStatus::done);
   RestWatch watch;
-  ASSERT_EQ(motion.revolution(watch), ending::PointStatus::done);
+  ASSERT_EQ(revolve(*motion, watch), ending::PointStatus::done);
   EXPECT_GT(watch.looks, 100);
   EXPECT_GE(watch.loosened, 1);
   EXPECT_LE(watch.jump, 1e-6);
@@ -135,12 +134,13 @@ TEST(ElasticStick, LeavesValidityWhereATipCanNeitherRestNorSlip) {
   kicked.rotor.damping_ratio = 0.1;
   kicked.start = {0.002, 0.0, 0.03, -0.05};
   const auto nothing = [](trajectory::MotionPiece&) {};
-  const auto stuck = follow(kicked.rotor, elastic_sticking_law(kicked.rotor, 1.0), rotor::NoForcing{},
-                            kicked.start, 1, nothing);
+  const auto stuck =
+      follow(kicked.rotor, elastic_sticking_law(kicked.rotor, 1.0), kNoForcing, kicked.start, 1, nothing);
   EXPECT_EQ(stuck.status, ending::PointStatus::left_validity);
-  const auto steep = follow(
-      kicked.rotor, directed_law(kicked.rotor, contact::RegularisedFriction{kicked.rotor.friction, 1e-6}),
-      rotor::NoForcing{}, kicked.start, 1, nothing);
+  const auto steep = follow(kicked.rotor,
+                            directed_law(kicked.rotor, contact::VelocityFriction(contact::RegularisedFriction{
+                                                           kicked.rotor.friction, 1e-6})),
+                            kNoForcing, kicked.start, 1, nothing);
   EXPECT_EQ(steep.status, ending::PointStatus::left_validity);
   // The tip turns round once more, for 1e-4 in time, before it is found that it can do neither.
   EXPECT_LE((stuck.sections[0] - steep.sections[0]).head<2>().abs().maxCoeff(), 1e-5);
@@ -151,9 +151,9 @@ TEST(ElasticStick, WhereNoSlipComesToRestIsTheMotionOfTipsThatOnlySlide) {
   rotor.speed_ratio = 0.6;
   const auto nothing = [](trajectory::MotionPiece&) {};
   const auto with =
-      follow(rotor, elastic_sticking_law(rotor, 1.0), rotor::NoForcing{}, rotor::State::Zero(), 3, nothing);
+      follow(rotor, elastic_sticking_law(rotor, 1.0), kNoForcing, rotor::State::Zero(), 3, nothing);
   const auto without = follow(rotor, directed_law(rotor, contact::CoulombFriction{rotor.friction}),
-                              rotor::NoForcing{}, rotor::State::Zero(), 3, nothing);
+                              kNoForcing, rotor::State::Zero(), 3, nothing);
   ASSERT_EQ(with.status, ending::PointStatus::done);
   EXPECT_GT(with.work.touchdowns, 3U);
   EXPECT_EQ(with.work.slip_reversals, 0U);

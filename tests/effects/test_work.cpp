@@ -67,7 +67,7 @@ TEST(FlightThatGrows, ItsTouchDownIsFoundInFewSteps) {
     const rotor::BladeSet blades(3, rotor.speed_ratio);
     const rotor::AnyShaft shaft{
         rotor::SupportedShaft(rotor::LinearSupport(support.stiffness, support.damping, {}))};
-    const rotor::Machine machine = rotor::machine_of(rotor, blades, shaft);
+    const rotor::Machine machine{rotor, blades, shaft, {}};
     modes::Flight flight(machine);
     const auto largest_gap = [&](double time) {
       double largest = -std::numeric_limits<double>::infinity();

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "../support/honest_end.hpp"
+#include "../support/machine_of.hpp"
 #include "../support/point.hpp"
 #include "contact/pose.hpp"
 #include "modes/flight.hpp"
@@ -37,8 +38,8 @@ class FreeWhirl {
   using Search = modes::TouchdownSearch;
 
   FreeWhirl(int blades, double speed_ratio)
-      : machine_(rotor::machine_of({speed_ratio, 0.0, 0.0, 1.0, kClearance},
-                                   rotor::BladeSet(blades, speed_ratio), rotor::NoForcing{})),
+      : machine_(machine_of({speed_ratio, 0.0, 0.0, 1.0, kClearance}, rotor::BladeSet(blades, speed_ratio),
+                            kNoForcing)),
         flight_(machine_),
         search_(machine_, {static_cast<std::size_t>(blades), contact::Geometry{kReach, kRadius}}) {}
 

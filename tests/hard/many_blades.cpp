@@ -115,13 +115,12 @@ TEST(ManyBlades, NoBladeCountsMoreThanAnother) {
     SCOPED_TRACE(blades);
     rotor.blades = blades;
     with_each_law(rotor, [&](const auto& law) {
-      const rotor::NoForcing none;
-      const auto motion = follow(rotor, law, none, start, 3, kNoPiece);
+      const auto motion = follow(rotor, law, kNoForcing, start, 3, kNoPiece);
       ASSERT_EQ(motion.status, PointStatus::done);
       ASSERT_GE(motion.work.touchdowns, 2U);
       for (const int by : {1, blades / 2}) {
         const double angle = 2.0 * std::numbers::pi * by / blades;
-        const auto other = follow(rotor, law, none, turned(start, angle), 3, kNoPiece);
+        const auto other = follow(rotor, law, kNoForcing, turned(start, angle), 3, kNoPiece);
         ASSERT_EQ(other.status, PointStatus::done);
         ASSERT_EQ(other.events.size(), motion.events.size());
         for (std::size_t i = 0; i < motion.events.size(); ++i) {

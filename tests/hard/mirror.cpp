@@ -63,7 +63,7 @@ void expect_mirror_images(const HardRotor& rotor, MakeLaw make_law, MakeForcing 
 
 const auto kElastica = [](const HardRotor& rotor, double) { return rotor.elastica(); };
 const auto kElasticRing = [](const HardRotor& rotor, double) { return rotor.elastic_ring(); };
-const auto kUnforced = [](const HardRotor&, double) { return rotor::NoForcing{}; };
+const auto kUnforced = [](const HardRotor&, double) { return kNoForcing; };
 const auto kUnbalanced = [](const HardRotor& rotor, double side) {
   return rotor::RotatingUnbalance(1e-4, side * 0.7, rotor.speed_ratio, rotor.damping_ratio);
 };

@@ -9,8 +9,6 @@
 
 namespace rubatlas::test {
 
-/// Nothing but shaft and ring acts.
-inline constexpr rotor::NoForcing kNoForcing;
 /// For those who look at the sections of a motion alone.
 inline constexpr auto kNoPiece = [](trajectory::MotionPiece&) {};
 
@@ -45,7 +43,7 @@ struct HardRotor {
         geometry(), {length, thickness, bending_stiffness}, std::make_shared<blade::ElasticaCurve>(friction)};
   }
   [[nodiscard]] contact::ElasticRingContact elastic_ring() const {
-    return {geometry(), ring_stiffness, friction};
+    return {geometry(), ring_stiffness, {friction}};
   }
 };
 
@@ -90,9 +88,9 @@ class Recording final : public modes::MotionListener {
   OnPiece on_piece_;
 };
 
-template <class Blades, class Law, class Forcing, class OnPiece>
-RecordedMotion follow(const HardRotor& rotor, const Blades& blades, const Law& law, const Forcing& forcing,
-                      const rotor::State& start, int revolutions, OnPiece on_piece) {
+template <class Law, class Forcing, class OnPiece>
+RecordedMotion follow(const HardRotor& rotor, const rotor::RipplingBlades& blades, const Law& law,
+                      const Forcing& forcing, const rotor::State& start, int revolutions, OnPiece on_piece) {
   const auto motion = hybrid_motion(rotor.constants(), blades, law, forcing, rotor.limits());
   Recording<OnPiece> recording(on_piece);
   RecordedMotion result;

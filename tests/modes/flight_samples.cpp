@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "../support/machine_of.hpp"
 #include "contact/pose.hpp"
 #include "modes/flight_piece.hpp"
 #include "modes/touchdown_search.hpp"
@@ -28,13 +29,13 @@ void for_each_flight(Use use) {
       rotor::State state;
       for (double& component : state) component = between(generator, -kSize, kSize);
       const auto fly = [&](const auto& forcing) {
-        const rotor::Machine machine = rotor::machine_of(constants, rotor::BladeSet(3, speed), forcing);
+        const rotor::Machine machine = machine_of(constants, rotor::BladeSet(3, speed), forcing);
         modes::Flight flight(machine);
         flight.start(between(generator, 0.0, 0.1), rotor::shaft_and_ring(state));
         modes::TouchdownSearch search(machine, {3, contact::Geometry{0.1, 0.11}});
         use(flight, search, constants);
       };
-      fly(rotor::NoForcing{});
+      fly(kNoForcing);
       fly(rotor::RotatingUnbalance(0.1 * kSize, 0.4, speed, damping));
     }
   }

@@ -162,7 +162,7 @@ TEST(TorqueOfAContact, HasTheDeformedTipForItsLever) {
   const double length = 0.1;
   const double friction = 0.3;
   const contact::ElasticaContact elastic(geometry, {length, 1e-3, 1.7}, shared_tables()->curve(friction));
-  const contact::ElasticRingContact rigid(geometry, 1e4, friction);
+  const contact::ElasticRingContact rigid(geometry, 1e4, {friction});
   const contact::BladeDirection er{std::cos(0.4), std::sin(0.4)};
   for (int i = 0; i < 100; ++i) {
     const contact::Pose at = contact::pose(geometry, er, between(0.0, 0.02), between(0.0, 0.02),

@@ -9,11 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include "../support/hybrid_motion.hpp"
 #include "assembly/blade_tables.hpp"
 #include "contact/elastica_contact.hpp"
 #include "contact/unequal_blades.hpp"
-#include "motion/modes_of_axial_loads.hpp"
-#include "motion/motion.hpp"
+#include "integrate/dormand_prince_853.hpp"
+#include "modes/carried.hpp"
+#include "modes/contact_phase.hpp"
+#include "modes/solved.hpp"
 #include "rotor/harmonic.hpp"
 
 namespace rubatlas::test {
@@ -84,16 +87,13 @@ struct Run {
 template <class Law>
 Run<Law> run(const Law& law, double speed_ratio, int revolutions, int blades = 3, double tolerance = 1e-12,
              const rotor::State& start = rotor::State::Zero()) {
-  // As scenes have them: blades with numbers of their own, all alike.
-  using Blades = contact::UnequalBlades<Law>;
-  const Blades alike(std::vector<Law>(static_cast<std::size_t>(blades), law));
-  motion::Motion<Blades, rotor::NoForcing> motion(rotor_at(speed_ratio), {blades, speed_ratio}, alike, {},
-                                                  {tolerance, 0.5});
+  const auto motion = hybrid_motion(rotor_at(speed_ratio), rotor::BladeSet(blades, speed_ratio), law,
+                                    kNoForcing, {tolerance, 0.5});
   Run<Law> result{};
-  result.status = motion.start(start);
+  result.status = test::start(*motion, start);
   for (int i = 0; i < revolutions && result.status == ending::PointStatus::done; ++i)
-    result.status = motion.revolution(result.witness);
-  result.state = motion.state();
+    result.status = revolve(*motion, result.witness);
+  result.state = rotor::shaft(motion->state());
   return result;
 }
 
@@ -143,24 +143,21 @@ TEST(CompliantBlades, InAStiffRingMoveLikeInARigidOneToFirstOrder) {
 /// How one contact ends, from a state on.
 struct Ended {
   modes::ModeEnd end;
-  rotor::ContactState state;
+  modes::Phase::End where;
   modes::OpenContact contact;
 };
 template <class Mode, class Law>
-Ended follow(const Law& law, double speed_ratio, int blades, const rotor::ContactState& state,
+Ended follow(const Law& law, double speed_ratio, int blades, const modes::Phase::End& from,
              const modes::OpenContact& contact) {
-  const rotor::RotorConstants rotor = rotor_at(speed_ratio);
-  const rotor::BladeSet set(blades, speed_ratio);
-  const rotor::NoForcing none;
+  const rotor::Machine machine = machine_of(rotor_at(speed_ratio), rotor::BladeSet(blades, speed_ratio));
   modes::WorkMeter meter;
-  modes::ContactPhase<Mode, integrate::DormandPrince853> phase(
-      {&rotor, &set, &law, &none, {1e-13, 0.5}, &meter});
+  modes::ContactPhase<Mode, integrate::DormandPrince853> phase({&machine, &law, {1e-13, 0.5}, &meter});
   const modes::GoOn always;
   meter.begin_revolution(always);
-  EXPECT_TRUE(phase.start(state[rotor::kTime], state.template head<4>(), {contact}));
+  EXPECT_TRUE(phase.start(from.time, from.state, {contact}));
   modes::MotionListener nobody;
   const modes::ModeEnd end = phase.advance(1e3, nobody);
-  return {end, phase.end_state(), phase.contact_at_end(0)};
+  return {end, phase.where_it_ended(), phase.contact_at_end(0)};
 }
 
 /// Every touch-down of a motion, followed to its end with the bending parameter as a state and with forces
@@ -172,22 +169,22 @@ int expect_both_forms_agree(const Law& law, double speed_ratio, int blades, doub
   int compared = 0;
   for (const modes::Event& event : motion.witness.events) {
     if (event.kind != modes::Guard::touch_down) continue;
-    using Solved = modes::Solved<Law, rotor::NoForcing>;
-    using Carried = modes::Carried<Law, rotor::NoForcing>;
+    using Solved = modes::Solved<Law>;
+    using Carried = modes::Carried<Law>;
     modes::OpenContact contact{event.blade, event.slip, 0.0};
     const contact::Pose at = pose_at(speed_ratio, blades, event);
     if (!law.starts_unloaded(at, contact.slip)) contact.bending = law.solve(at, contact.slip).value();
-    const rotor::ContactState start = rotor::full_state(event.state, event.time, contact.bending);
+    const modes::Phase::End start{event.time, rotor::shaft_and_ring(event.state)};
     Ended solved = follow<Solved>(law, speed_ratio, blades, start, contact);
     // Up to its fold a force is carried, which both forms then agree in.
     if (solved.end.guard == modes::Guard::nears_fold)
-      solved = follow<Carried>(law, speed_ratio, blades, solved.state, solved.contact);
+      solved = follow<Carried>(law, speed_ratio, blades, solved.where, solved.contact);
     const Ended carried = follow<Carried>(law, speed_ratio, blades, start, contact);
     EXPECT_EQ(solved.end.guard, carried.end.guard);
     EXPECT_EQ(solved.end.blade, carried.end.blade);
-    const double time = std::abs(solved.state[rotor::kTime] - carried.state[rotor::kTime]);
+    const double time = std::abs(solved.where.time - carried.where.time);
     EXPECT_LT(time, allowed);
-    EXPECT_LT(difference(solved.state.template head<4>(), carried.state.template head<4>()),
+    EXPECT_LT(difference(rotor::shaft(solved.where.state), rotor::shaft(carried.where.state)),
               kFastest * allowed);
     if (solved.end.guard == modes::Guard::lift_off) ++compared;
   }

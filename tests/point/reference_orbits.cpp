@@ -101,7 +101,7 @@ TEST_P(ReferenceOrbit, EventsComeInTheSameOrderAtTheSameTimesWithTheSameForces) 
     run(rotor::RotatingUnbalance(c.scene.unbalance->moment / c.scene.rotor.mass, 0.0, c.speed_ratio,
                                  rotor.damping_ratio));
   } else {
-    run(rotor::NoForcing{});
+    run(kNoForcing);
   }
   EXPECT_EQ(touchdowns, c.touchdowns_in_ten);
 

@@ -1,38 +1,35 @@
 #include "hybrid_motion.hpp"
 
-#include <vector>
-
-#include "contact/unequal_blades.hpp"
-#include "rotor/any_shaft.hpp"
-#include "rotor/rippling_blades.hpp"
+#include "modes/modes_of_axial_loads.hpp"
+#include "modes/modes_of_damped_ring.hpp"
+#include "modes/modes_of_inclined_loads.hpp"
+#include "modes/modes_of_rigid_blades.hpp"
 
 namespace rubatlas::test {
 
-std::unique_ptr<motion::PointMotion> collocation_motion(const rotor::RotorConstants& rotor, int blade_count,
-                                                        const contact::ElasticaContact& law,
-                                                        const modes::ContactLimits& limits) {
-  using Laws = contact::UnequalBlades<contact::ElasticaContact>;
-  using Motion = motion::Motion<Laws, rotor::AnyShaft, integrate::DormandPrince853, rotor::RipplingBlades>;
-  return std::make_unique<motion::TypedMotion<Motion, false>>(
-      rotor, rotor::RipplingBlades(rotor::equal_angles(blade_count), rotor.speed_ratio, {}),
-      Laws(std::vector(static_cast<std::size_t>(blade_count), law)), rotor::AnyShaft{rotor::Harmonics({})},
-      limits, true);
+modes::MakeModes modes_of(const Blades<contact::ElasticaContact>& law) {
+  return modes::maker_of<modes::ModesOfAxialLoads<>>(law);
 }
-
-template std::unique_ptr<motion::PointMotion> hybrid_motion(const rotor::RotorConstants&,
-                                                            const rotor::BladeSet&,
-                                                            const contact::ElasticaContact&,
-                                                            const rotor::NoForcing&,
-                                                            const modes::ContactLimits&);
-template std::unique_ptr<motion::PointMotion> hybrid_motion(const rotor::RotorConstants&,
-                                                            const rotor::BladeSet&,
-                                                            const contact::ElasticaContact&,
-                                                            const rotor::RotatingUnbalance&,
-                                                            const modes::ContactLimits&);
-template std::unique_ptr<motion::PointMotion> hybrid_motion(const rotor::RotorConstants&,
-                                                            const rotor::BladeSet&,
-                                                            const contact::ElasticRingContact&,
-                                                            const rotor::NoForcing&,
-                                                            const modes::ContactLimits&);
+modes::MakeModes modes_of(const Blades<contact::ElasticRingContact>& law) {
+  return modes::maker_of<modes::ModesOfRigidBlades<contact::CoulombFriction>>(law);
+}
+modes::MakeModes modes_of(const Blades<contact::RigidBladeContact<contact::StickingFriction>>& law) {
+  return modes::maker_of<modes::ModesOfStickingRigid<>>(law);
+}
+modes::MakeModes modes_of(const Blades<contact::RigidBladeContact<contact::VelocityFriction>>& law) {
+  return modes::maker_of<modes::ModesOfRigidBlades<contact::VelocityFriction>>(law);
+}
+modes::MakeModes modes_of(const Blades<contact::DirectedElastica<contact::CoulombFriction>>& law) {
+  return modes::maker_of<modes::ModesOfInclinedCoulomb<>>(law);
+}
+modes::MakeModes modes_of(const Blades<contact::DirectedElastica<contact::StickingFriction>>& law) {
+  return modes::maker_of<modes::ModesOfStickingInclined<>>(law);
+}
+modes::MakeModes modes_of(const Blades<contact::DirectedElastica<contact::VelocityFriction>>& law) {
+  return modes::maker_of<modes::ModesOfInclinedVelocity<>>(law);
+}
+modes::MakeModes modes_of(const Blades<contact::RigidBladeOnDampedRing>& law) {
+  return modes::maker_of<modes::ModesOfRigidBladesOnDampedRing<>>(law);
+}
 
 }  // namespace rubatlas::test

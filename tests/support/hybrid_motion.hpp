@@ -1,50 +1,73 @@
-/// A motion of the method `hybrid` below the scene. Those of the paper's rotor are compiled once for all
-/// suites: each takes ten seconds or more of the compiler's time.
+/// Motions below the scene. Each law of contact is compiled once for all suites, in `hybrid_motion.cpp`.
 #pragma once
 
 #include <memory>
+#include <utility>
+#include <vector>
 
+#include "contact/damped_ring.hpp"
+#include "contact/directed_elastica.hpp"
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
-#include "motion/modes_of_axial_loads.hpp"
-#include "motion/modes_of_rigid_blades.hpp"
+#include "contact/friction_law.hpp"
+#include "contact/unequal_blades.hpp"
+#include "machine_of.hpp"
+#include "modes/contact_modes.hpp"
 #include "motion/motion.hpp"
-#include "motion/point_motion.hpp"
-#include "rotor/blade_set.hpp"
-#include "rotor/harmonic.hpp"
 
 namespace rubatlas::test {
 
-/// A law or a forcing of another kind needs the `motion/modes_of_...hpp` of its modes.
-template <class Law, class Forcing, class Blades>
-std::unique_ptr<motion::PointMotion> hybrid_motion(const rotor::RotorConstants& rotor, const Blades& blades,
-                                                   const Law& law, const Forcing& forcing,
-                                                   const modes::ContactLimits& limits) {
-  using Motion = motion::Motion<Law, Forcing, integrate::DormandPrince853, Blades>;
-  return std::make_unique<motion::TypedMotion<Motion, false>>(rotor, blades, law, forcing, limits);
+/// The law of blades that are alike.
+template <class Blade>
+contact::UnequalBlades<Blade> laws_of(const Blade& blade, int count) {
+  return contact::UnequalBlades(std::vector(static_cast<std::size_t>(count), blade));
+}
+template <class Blade>
+const contact::UnequalBlades<Blade>& laws_of(const contact::UnequalBlades<Blade>& laws, int /*count*/) {
+  return laws;
 }
 
-extern template std::unique_ptr<motion::PointMotion> hybrid_motion(const rotor::RotorConstants&,
-                                                                   const rotor::BladeSet&,
-                                                                   const contact::ElasticaContact&,
-                                                                   const rotor::NoForcing&,
-                                                                   const modes::ContactLimits&);
-extern template std::unique_ptr<motion::PointMotion> hybrid_motion(const rotor::RotorConstants&,
-                                                                   const rotor::BladeSet&,
-                                                                   const contact::ElasticaContact&,
-                                                                   const rotor::RotatingUnbalance&,
-                                                                   const modes::ContactLimits&);
-extern template std::unique_ptr<motion::PointMotion> hybrid_motion(const rotor::RotorConstants&,
-                                                                   const rotor::BladeSet&,
-                                                                   const contact::ElasticRingContact&,
-                                                                   const rotor::NoForcing&,
-                                                                   const modes::ContactLimits&);
+template <class Blade>
+using Blades = contact::UnequalBlades<Blade>;
+modes::MakeModes modes_of(const Blades<contact::ElasticaContact>& law);
+modes::MakeModes modes_of(const Blades<contact::ElasticRingContact>& law);
+modes::MakeModes modes_of(const Blades<contact::RigidBladeContact<contact::StickingFriction>>& law);
+modes::MakeModes modes_of(const Blades<contact::RigidBladeContact<contact::VelocityFriction>>& law);
+modes::MakeModes modes_of(const Blades<contact::DirectedElastica<contact::CoulombFriction>>& law);
+modes::MakeModes modes_of(const Blades<contact::DirectedElastica<contact::StickingFriction>>& law);
+modes::MakeModes modes_of(const Blades<contact::DirectedElastica<contact::VelocityFriction>>& law);
+modes::MakeModes modes_of(const Blades<contact::RigidBladeOnDampedRing>& law);
 
-/// The same rotor without unbalance by the method `collocation`.
-std::unique_ptr<motion::PointMotion> collocation_motion(const rotor::RotorConstants& rotor, int blade_count,
-                                                        const contact::ElasticaContact& law,
-                                                        const modes::ContactLimits& limits);
+/// A motion by the method `hybrid`; `law` of one blade, the same for all, or of all.
+template <class Law>
+std::unique_ptr<motion::Motion> hybrid_motion(const rotor::Machine& machine, const Law& law,
+                                              const modes::ContactLimits& limits, bool collocates = false) {
+  return std::make_unique<motion::Motion>(machine, modes_of(laws_of(law, machine.blades.count())),
+                                          motion::Motion::Settings{limits, collocates});
+}
+template <class Law, class Forcing>
+std::unique_ptr<motion::Motion> hybrid_motion(const rotor::RotorConstants& rotor,
+                                              const rotor::RipplingBlades& blades, const Law& law,
+                                              const Forcing& forcing, const modes::ContactLimits& limits) {
+  return hybrid_motion(machine_of(rotor, blades, forcing), law, limits);
+}
 
+/// A rotor without unbalance by the method `collocation`.
+inline std::unique_ptr<motion::Motion> collocation_motion(const rotor::RotorConstants& rotor, int blade_count,
+                                                          const contact::ElasticaContact& law,
+                                                          const modes::ContactLimits& limits) {
+  return hybrid_motion(machine_of(rotor, rotor::BladeSet(blade_count, rotor.speed_ratio)), law, limits, true);
+}
+
+/// Starts with shaft and ring in a state.
+inline ending::PointStatus start(motion::PointMotion& motion, const rotor::ShaftAndRing& state) {
+  return motion.start(
+      {rotor::as_array(rotor::shaft(state)), motion::Memory(rotor::as_array(rotor::ring(state)))});
+}
+/// Starts with the shaft in a state and the ring at rest in its place.
+inline ending::PointStatus start(motion::PointMotion& motion, const rotor::State& state) {
+  return start(motion, rotor::shaft_and_ring(state));
+}
 /// The next revolution.
 inline ending::PointStatus revolve(motion::PointMotion& motion, modes::MotionListener& listener) {
   return motion.revolution(listener, {}, 0);

@@ -1,0 +1,77 @@
+#include "assembly/machine.hpp"
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+#include "point/solver_of_motions.hpp"
+#include "rotor/rippled_unbalance.hpp"
+#include "settings/effects/list.hpp"
+#include "variation/support_of_scene.hpp"
+
+namespace rubatlas::assembly {
+
+namespace {
+
+using effects::Effects;
+
+/// All harmonic forcings that the scene has.
+std::vector<rotor::Harmonic> harmonics_of(const settings::Scene& line, double speed_ratio) {
+  const double damping = line.rotor.damping_ratio;
+  std::vector<rotor::Harmonic> terms;
+  if (effects::acts<&Effects::unbalance>(line)) {
+    const double specific_moment = line.unbalance->moment / line.rotor.mass;
+    if (effects::acts<&Effects::speed_ripple>(line)) {
+      terms = rotor::rippled_unbalance(*line.speed_ripple, specific_moment, line.unbalance->phase,
+                                       speed_ratio, damping);
+    } else {
+      terms.push_back(rotor::RotatingUnbalance(specific_moment, line.unbalance->phase, speed_ratio, damping));
+    }
+  }
+  const double frequency = line.rotor.natural_frequency;
+  const double stiffness = line.rotor.mass * frequency * frequency;
+  const auto add_static = [&](const auto& load) {
+    const std::complex<double> deflection = load->deflection(stiffness, frequency);
+    terms.emplace_back(std::abs(deflection), std::arg(deflection), 0.0, damping);
+  };
+  if (effects::acts<&Effects::gravity>(line)) add_static(line.gravity);
+  if (effects::acts<&Effects::side_load>(line)) add_static(line.side_load);
+  return terms;
+}
+
+rotor::AnyShaft shaft_of(const settings::Scene& line, settings::Machine kind, double speed_ratio) {
+  const std::vector<rotor::Harmonic> harmonics = harmonics_of(line, speed_ratio);
+  if (kind == settings::Machine::isotropic_shaft) return {rotor::Harmonics(harmonics)};
+  const rotor::SupportMatrices matrices = variation::support_of(line, speed_ratio);
+  std::vector<rotor::HarmonicForcing> forcing;
+  for (const rotor::Harmonic& term : harmonics) forcing.push_back({term.acceleration(0.0), term.frequency()});
+  return {rotor::SupportedShaft(rotor::LinearSupport(matrices.stiffness, matrices.damping, forcing))};
+}
+
+rotor::RipplingBlades blades_of(const settings::Scene& line, double speed_ratio) {
+  // From blade 0's place [rad].
+  std::vector<double> angles = rotor::equal_angles(line.blades.count);
+  if (effects::acts<&Effects::unequal_blades>(line)) {
+    const auto errors = line.unequal_blades->errors(line.blades.count);
+    for (std::size_t k = 0; k < angles.size(); ++k) angles[k] += errors[k].angle;
+  }
+  return {angles, speed_ratio, line.speed_ripple.value_or(effects::SpeedRipple{})};
+}
+
+rotor::Ring ring_of(const settings::Scene& line) {
+  if (!effects::acts<&Effects::ring_body>(line)) return {};
+  const double stiffness = 1.0 / line.ring_body->compliance;
+  if (line.ring_body->mass == 0.0) return rotor::FollowingRing{stiffness};
+  return rotor::RingBody(line.ring_body->mass, stiffness, line.ring_body->damping,
+                         line.rotor.natural_frequency);
+}
+
+}  // namespace
+
+rotor::Machine machine_of(const settings::Scene& line, settings::Machine kind, double speed_ratio) {
+  return {point::constants_of(line, speed_ratio), blades_of(line, speed_ratio),
+          shaft_of(line, kind, speed_ratio), ring_of(line)};
+}
+
+}  // namespace rubatlas::assembly

@@ -1,0 +1,60 @@
+/// One phase in contact: the motion in one mode, from a reset to the next guard.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "ending/status.hpp"
+#include "modes/motion_listener.hpp"
+#include "modes/open_contact.hpp"
+#include "rotor/bodies.hpp"
+#include "trajectory/motion_piece.hpp"
+
+namespace rubatlas::modes {
+
+/// How a mode ended; `blade` is −1 where the end is no event of a single blade.
+struct ModeEnd {
+  Guard guard;
+  int blade = -1;
+  ending::StatusDetail why = ending::StatusDetail::none;  ///< where the motion ends
+};
+
+/// Also the piece of motion that is being recorded.
+class Phase : public trajectory::MotionPiece {
+ public:
+  /// Starts at time τ of the revolution. False where the mode cannot start there, or outside of the model's
+  /// validity: contacts that have just changed may bend a blade too far at once.
+  virtual bool start(double time, const rotor::ShaftAndRing& state,
+                     const std::vector<OpenContact>& contacts) = 0;
+  /// Why it could not start.
+  [[nodiscard]] virtual ending::StatusDetail refusal() const = 0;
+  /// Goes on until a guard ends the mode, time reaches `until` or the work of the revolution is spent; hands
+  /// every piece of motion to the listener.
+  virtual ModeEnd advance(double until, MotionListener& listener) = 0;
+  /// Sets the time back by a revolution.
+  virtual void shift_time(double period) = 0;
+
+  /// State at a time of the piece that is being recorded.
+  [[nodiscard]] virtual rotor::ShaftAndRing state_at(double time) = 0;
+  [[nodiscard]] trajectory::State state(double time) override {
+    return rotor::as_array(rotor::shaft(state_at(time)));
+  }
+  /// Where the phase ended.
+  struct End {
+    double time;  ///< τ of the revolution
+    rotor::ShaftAndRing state;
+  };
+  [[nodiscard]] virtual End where_it_ended() = 0;
+  /// An open contact there, from which the next phase starts.
+  [[nodiscard]] virtual OpenContact contact_at_end(std::size_t contact) = 0;
+  /// An open contact at a time of the piece that is being recorded, from which another motion starts.
+  [[nodiscard]] virtual OpenContact contact_at(std::size_t contact, double time) = 0;
+
+  /// Right-hand sides and steps since the phase was made.
+  [[nodiscard]] virtual std::uint64_t evaluations() const = 0;
+  [[nodiscard]] virtual std::uint64_t steps() const = 0;
+  [[nodiscard]] virtual std::uint64_t rejected() const = 0;
+};
+
+}  // namespace rubatlas::modes

@@ -1,0 +1,440 @@
+#include "motion/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "modes/flight_piece.hpp"
+
+namespace rubatlas::motion {
+
+namespace {
+
+/// In tolerances: hops lower than this are replaced by their limit (MODEL 4.9). Their height may grow by some
+/// tens of tolerances while the force changes along the ring.
+constexpr double kUnresolvedHop = 1.0;
+/// τ: the slip reversals of a tip accumulate where the tip reverses its slip and reverses it again within
+/// this time. Each cycle of an accumulating sequence is a fixed share of the one before. Among 4800 reversals
+/// of randomly kicked rotors all cycles this short belonged to such sequences.
+constexpr double kShortestCycle = 1e-9;
+
+constexpr int kNoBlade = -1;
+
+}  // namespace
+
+Motion::Motion(rotor::Machine machine, const modes::MakeModes& make_modes, const Settings& settings,
+               std::span<const double> lost)
+    : machine_(std::move(machine)),
+      limits_(settings.limits),
+      modes_(make_modes({machine_, limits_, meter_, settings.collocates, lost})),
+      flight_(machine_),
+      search_(machine_, geometries()) {
+  contacts_.reserve(static_cast<std::size_t>(machine_.blades.count()));
+}
+
+ending::PointStatus Motion::start(const PointStart& start) {
+  return this->start(bodies_of(start), 0.0, kNoBlade);
+}
+ending::PointStatus Motion::start_at_touch_down(const TouchdownStart& start) {
+  return this->start(bodies_of(start), start.time, start.blade);
+}
+/// `touching`: its tip stands on the ring and touches down.
+ending::PointStatus Motion::start(const rotor::ShaftAndRing& state, double time, int touching) {
+  state_ = state;
+  time_ = time;
+  undecided_ = true;
+  phase_ = nullptr;
+  contacts_.clear();
+  for (int k = 0; k < machine_.blades.count(); ++k) {
+    const modes::TipPlace at = place(k);
+    const bool touches = k == touching || at.pose.gap > 0.0;
+    if (touches && !open(k, at)) return ends(ending::StatusDetail::no_equilibrium);
+  }
+  touched_down_ = touching != kNoBlade;
+  if (!place_ring()) return ends(ending::StatusDetail::ring_unbalanced);
+  if (!flight_.resolves(machine_.constants.period())) return ends(ending::StatusDetail::beyond_precision);
+  if (!modes_->settle(unbent(), contacts_, [](const modes::OpenContact&) {}))
+    return ends(ending::StatusDetail::slip_undecided);
+  begin_flight();
+  return ends(state_.isFinite().all() ? ending::StatusDetail::none : ending::StatusDetail::beyond_precision);
+}
+
+ending::PointStatus Motion::take_over(PointMotion& before) {
+  auto& other = dynamic_cast<Motion&>(before);
+  state_ = other.state_;
+  meter_ = other.meter_;
+  const std::vector<modes::OpenContact> held = other.contacts_now();
+  contacts_.clear();
+  for (int k = 0; k < machine_.blades.count(); ++k) {
+    const modes::TipPlace at = place(k);
+    const auto before_change = std::ranges::find(held, k, &modes::OpenContact::blade);
+    const bool found =
+        before_change == held.end() ? at.pose.gap <= 0.0 || open(k, at) : keep(*before_change, at);
+    if (!found) return ends(ending::StatusDetail::no_equilibrium);
+  }
+  begin_flight();
+  return ending::PointStatus::done;
+}
+
+std::vector<modes::OpenContact> Motion::contacts_now() {
+  std::vector<modes::OpenContact> contacts = contacts_;
+  if (undecided_ || phase_ == nullptr) return contacts;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    contacts[i] = phase_->contact_at(i, time_);
+    if (phase_ == modes_->resting()) modes_->leave_law_of_rest(contacts[i]);
+  }
+  return contacts;
+}
+
+ending::PointStatus Motion::revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
+                                       int /*number*/) {
+  const double period = machine_.constants.period();
+  meter_.begin_revolution(go_on);
+  while (meter_.spend(modes::Work::events, price_of_last_event())) {
+    if (undecided_ && !begin_mode()) return ends(refusal_);
+    const modes::ModeEnd end = phase_ == nullptr ? fly(period, listener) : touch(period, listener);
+    if (end.guard == modes::Guard::horizon) return finish_revolution(period);
+    if (end.guard == modes::Guard::failed || end.guard == modes::Guard::left_validity) return ends(end.why);
+    const ending::PointStatus status = reset(end, listener);
+    if (status != ending::PointStatus::done) return status;
+    if (!place_ring()) return ends(ending::StatusDetail::ring_unbalanced);
+  }
+  return ends(meter_.why());
+}
+
+Memory Motion::memory() const {
+  if (!machine_.ring_moves()) return {};
+  return Memory(rotor::as_array(rotor::ring(state_)));
+}
+
+WorkCounts Motion::work() const {
+  WorkCounts result = work_;
+  modes_->each_phase([&](const modes::Phase& phase) {
+    result.right_hand_sides += phase.evaluations();
+    result.steps += phase.steps();
+    result.rejected_steps += phase.rejected();
+  });
+  result.elastica_evaluations = modes_->curve_evaluations();
+  result.price = meter_.total();
+  result.gap_evaluations = search_.evaluations();
+  return result;
+}
+
+ending::PointStatus Motion::ends(ending::StatusDetail why) {
+  detail_ = why;
+  return ending::status_of(why);
+}
+
+rotor::ShaftAndRing Motion::bodies_of(const PointStart& start) const {
+  rotor::ShaftAndRing bodies = rotor::shaft_and_ring(rotor::as_state(start.state));
+  // Without a memory the ring starts at its place of rest, without velocity.
+  const std::span<const double> ring = start.memory.view();
+  if (machine_.ring_moves() && !ring.empty()) bodies.tail<4>() = rotor::State(ring.data());
+  return bodies;
+}
+
+std::vector<contact::Geometry> Motion::geometries() const {
+  std::vector<contact::Geometry> result;
+  for (int k = 0; k < machine_.blades.count(); ++k) result.push_back(modes_->geometry(k));
+  return result;
+}
+
+/// Where the search for new equilibria is long, it is included.
+std::int64_t Motion::price_of_last_event() {
+  const std::int64_t searches = modes_->price_of_searches();
+  return modes::WorkPrice::kEvent + (contacts_.empty() ? 0 : searches);
+}
+
+// Modes.
+
+/// Finds out whether blades can ever touch.
+void Motion::begin_flight() {
+  flight_.start(time_, state_);
+  never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);
+}
+
+modes::ModeEnd Motion::fly(double period, modes::MotionListener& listener) {
+  using modes::Guard;
+  flight_.start(time_, state_);
+  std::optional<modes::TouchdownSearch::Touchdown> touchdown;
+  if (!never_touches_) {
+    touchdown = search_.find(flight_, period, meter_);
+    if (meter_.ended()) return {Guard::failed, -1, meter_.why()};
+  }
+  const double end = touchdown ? touchdown->time : period;
+  if (search_.shaft_at_ring(flight_, end, meter_))
+    return {Guard::left_validity, -1, ending::StatusDetail::shaft_at_ring};
+  if (meter_.ended()) return {Guard::failed, -1, meter_.why()};
+  if (end > time_) {
+    modes::FlightPiece piece(flight_, search_, end);
+    listener.piece(piece);
+    state_ = touchdown ? touchdown->bodies : flight_.state(end);
+    time_ = end;
+    if (!state_.isFinite().all()) return {Guard::failed, -1, ending::StatusDetail::beyond_precision};
+  }
+  if (!touchdown) return {Guard::horizon};
+  return {Guard::touch_down, touchdown->blade};
+}
+
+modes::ModeEnd Motion::touch(double period, modes::MotionListener& listener) {
+  const modes::ModeEnd end = phase_->advance(period, listener);
+  modes_->searches_are_paid();
+  if (end.guard == modes::Guard::horizon) {
+    state_ = phase_->state_at(period);
+    time_ = period;
+    phase_->shift_time(period);
+    return end;
+  }
+  const modes::Phase::End full = phase_->where_it_ended();
+  state_ = full.state;
+  time_ = full.time;
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const modes::OpenContact there = phase_->contact_at_end(i);
+    contacts_[i].bending = there.bending;
+    contacts_[i].bend = there.bend;
+    contacts_[i].yielding = there.yielding;
+  }
+  if (phase_ == modes_->resting()) {
+    // Tips that slip beside a tip at rest go on under their own law, which finds their bending anew. The
+    // reset does this for the blade of the event.
+    for (modes::OpenContact& open : contacts_) {
+      if (open.slip != 0.0 && open.blade != end.blade && !modes_->bend_anew(place(open.blade), open))
+        return {modes::Guard::left_validity, -1, ending::StatusDetail::no_equilibrium};
+    }
+  }
+  if (!state_.isFinite().all()) return {modes::Guard::failed, -1, ending::StatusDetail::beyond_precision};
+  return end;
+}
+
+ending::PointStatus Motion::finish_revolution(double period) {
+  if (phase_ == nullptr) undecided_ = true;
+  ++work_.revolutions;
+  time_ -= period;  // exactly 0
+  for (modes::OpenContact& open : contacts_) {
+    open.reversed -= period;
+    open.reversed_before -= period;
+  }
+  return ends(state_.isFinite().all() ? ending::StatusDetail::none : ending::StatusDetail::beyond_precision);
+}
+
+bool Motion::begin_in(modes::Phase* phase, const std::vector<modes::OpenContact>& contacts) {
+  phase_ = phase;
+  undecided_ = false;
+  const bool started = phase->start(time_, state_, contacts);
+  refusal_ = phase->refusal();
+  return started;
+}
+
+/// From the contacts to the mode for them. False where no mode can begin; `refusal_` says why.
+bool Motion::begin_mode() {
+  refusal_ = ending::StatusDetail::no_equilibrium;
+  if (contacts_.empty()) {
+    phase_ = nullptr;
+    undecided_ = false;
+    return true;
+  }
+  if (std::ranges::count(contacts_, 0.0, &modes::OpenContact::slip) > 0) {
+    if (modes_->resting() != nullptr) return begin_in(modes_->resting(), modes_->at_rest(contacts_));
+    if (modes_->sticking() != nullptr) return begin_in(modes_->sticking(), contacts_);
+  }
+  modes::Collocated* const collocated = handed_over_ ? nullptr : modes_->collocated();
+  if (modes_->carried() != nullptr) {
+    if (begins_to_skim()) return begin_in(modes_->skimming(), contacts_);
+    const bool near_fold = std::exchange(near_fold_, false);
+    modes::OpenContact& first = contacts_.front();
+    if (near_fold || (contacts_.size() == 1 && modes_->carries(first.blade))) {
+      // The bending that another mode has left is a first guess; an unloaded blade starts at u = 0 exactly.
+      if (first.bending > 0.0 && !modes_->follow(place(first.blade), first)) return false;
+      if (collocated != nullptr && contacts_.size() == 1) return begin_in(collocated, contacts_);
+      // A column that now stands straight is solved for.
+      const bool bends = modes_->carries(first.blade) || first.bending > 0.0;
+      if (bends && begin_in(modes_->carried(), contacts_)) return true;
+    }
+  }
+  if (collocated != nullptr && (contacts_.size() > 1 || modes_->carried() == nullptr) &&
+      contacts_.size() <= collocated->most_contacts() && all_follow())
+    return begin_in(collocated, contacts_);
+  return begin_in(modes_->solved(), contacts_);
+}
+
+/// Finds the bending of all contacts, from where another mode has left it. False where one has no force.
+bool Motion::all_follow() {
+  return std::ranges::all_of(contacts_, [&](modes::OpenContact& open) {
+    return open.bending == 0.0 || modes_->follow(place(open.blade), open);
+  });
+}
+
+/// Whether the one blade in contact has just touched down and begins to skim.
+bool Motion::begins_to_skim() {
+  const bool touched_down = std::exchange(touched_down_, false);
+  return touched_down && contacts_.size() == 1 &&
+         modes_->begins_to_skim(unbent(), contacts_.front(), kUnresolvedHop * limits_.tolerance);
+}
+
+// Contacts.
+
+modes::TipPlace Motion::place(int blade) const {
+  const rotor::RipplingBlades& blades = machine_.blades;
+  return {rotor::pose_of(machine_.constants, modes_->geometry(blade),
+                         blades.direction(blade, blades.first(time_)), rotor::from_ring(state_)),
+          blades.angular_speed(time_)};
+}
+
+/// Opens the contact of a blade at the tip's place. False where no force exists (MODEL 5).
+bool Motion::open(int blade, const modes::TipPlace& at) {
+  const contact::Geometry& geometry = modes_->geometry(blade);
+  const double velocity = contact::undeformed_slip_velocity(geometry, at.pose, at.speed);
+  modes::OpenContact contact{blade, velocity >= 0.0 ? 1.0 : -1.0, 0.0};
+  const double tip_speed = std::abs(machine_.constants.speed_ratio) * geometry.ring_radius;
+  if (modes_->sticking() != nullptr && std::abs(velocity) <= contact::kSlipRounding * tip_speed)
+    contact.slip = 0.0;
+  if (!modes_->open(at, contact)) return false;
+  contacts_.push_back(contact);
+  return true;
+}
+
+/// Goes on with a contact at the tip's present place, or closes it where the tip has left the ring. False
+/// where no force exists (MODEL 5).
+bool Motion::keep(modes::OpenContact contact, const modes::TipPlace& at) {
+  const modes::Standing standing = modes_->keep(at, contact);
+  if (standing == modes::Standing::stands) contacts_.push_back(contact);
+  if (standing == modes::Standing::free) ++work_.liftoffs;
+  return standing != modes::Standing::lost;
+}
+
+bool Motion::place_ring() {
+  return modes_->place_ring(state_, time_, contacts_,
+                            [this](int blade) { return open(blade, place(blade)); });
+}
+
+/// Frees the tips at rest that friction cannot hold after an event of one blade; the listener is told of the
+/// others.
+ending::StatusDetail Motion::settle_others(int blade, modes::MotionListener& listener) {
+  const bool settled = modes_->settle(unbent(), contacts_, [&](const modes::OpenContact& other) {
+    if (other.blade != blade) tell(listener, modes::Guard::comes_loose, other.blade, other.slip);
+  });
+  return settled ? ending::StatusDetail::none : ending::StatusDetail::slip_undecided;
+}
+
+/// Whether the last reversals of a tip follow each other so fast that they accumulate (MODEL 4.4).
+bool Motion::accumulates(modes::OpenContact& contact) const {
+  const double cycle = time_ - contact.reversed_before;
+  contact.reversed_before = std::exchange(contact.reversed, time_);
+  return cycle < kShortestCycle;
+}
+
+// Resets.
+
+void Motion::tell(modes::MotionListener& listener, modes::Guard guard, int blade, double slip) const {
+  listener.event(modes::Event{guard, blade, time_, slip, rotor::shaft(state_)});
+}
+
+/// From the guard that has ended a mode to the contacts of the next mode.
+ending::PointStatus Motion::reset(const modes::ModeEnd& end, modes::MotionListener& listener) {
+  using modes::Guard;
+  undecided_ = true;
+  const auto contact = std::ranges::find(contacts_, end.blade, &modes::OpenContact::blade);
+  switch (end.guard) {
+    case Guard::touch_down:
+      return ends(touch_down(end.blade, listener));
+    case Guard::lift_off:
+      if (modes_->straightens(place(end.blade), *contact)) return ends(ending::StatusDetail::none);
+      return ends(lift_off(contact, listener));
+    case Guard::snap:
+      return ends(snap(contact, listener));
+    case Guard::nears_fold:
+      std::iter_swap(contacts_.begin(), contact);
+      near_fold_ = true;
+      return ends(ending::StatusDetail::none);
+    case Guard::comes_loose:
+      return ends(come_loose(contact, listener));
+    case Guard::slip_reversal:
+      return ends(reverse_slip(contact, listener));
+    case Guard::hands_over:
+      handed_over_ = true;
+      return ends(ending::StatusDetail::none);
+    case Guard::pressed_in:  // a tip that has skimmed goes on under its full force, a straight blade bends
+      contact->straight = false;
+      return ends(ending::StatusDetail::none);
+    default:
+      return ends(ending::StatusDetail::none);
+  }
+}
+
+ending::StatusDetail Motion::touch_down(int blade, modes::MotionListener& listener) {
+  ++work_.touchdowns;
+  if (!open(blade, place(blade))) return ending::StatusDetail::no_equilibrium;
+  touched_down_ = true;
+  handed_over_ = false;
+  const ending::StatusDetail settled = settle_others(blade, listener);
+  tell(listener, modes::Guard::touch_down, blade, contacts_.back().slip);
+  return settled;
+}
+
+ending::StatusDetail Motion::lift_off(Contact contact, modes::MotionListener& listener) {
+  const int blade = contact->blade;
+  ++work_.liftoffs;
+  handed_over_ = false;
+  tell(listener, modes::Guard::lift_off, blade, contact->slip);
+  contacts_.erase(contact);
+  return settle_others(blade, listener);
+}
+
+/// A blade has come to the end of its branch.
+ending::StatusDetail Motion::snap(Contact contact, modes::MotionListener& listener) {
+  handed_over_ = false;
+  switch (modes_->snap(place(contact->blade), *contact)) {
+    case modes::Standing::lost:
+      return ending::StatusDetail::no_equilibrium;
+    case modes::Standing::free:
+      return lift_off(contact, listener);
+    default:
+      tell(listener, modes::Guard::snap, contact->blade, contact->slip);
+      return ending::StatusDetail::none;
+  }
+}
+
+/// A tip at rest is no longer held, and slips in the direction of the pull.
+ending::StatusDetail Motion::come_loose(Contact contact, modes::MotionListener& listener) {
+  handed_over_ = false;
+  const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());
+  if (!modes_->let_go(unbent(), contacts_, place_in_list)) return ending::StatusDetail::slip_undecided;
+  if (!modes_->bend_anew(place(contact->blade), *contact)) return ending::StatusDetail::no_equilibrium;
+  const ending::StatusDetail settled = settle_others(contact->blade, listener);
+  tell(listener, modes::Guard::comes_loose, contact->blade, contact->slip);
+  return settled;
+}
+
+/// The slip velocity of a tip has come to zero: it reverses its slip, or comes to rest where it can stick.
+ending::StatusDetail Motion::reverse_slip(Contact contact, modes::MotionListener& listener) {
+  ++work_.slip_reversals;
+  handed_over_ = false;
+  ending::StatusDetail settled = ending::StatusDetail::none;
+  if (modes_->sticking() != nullptr) {
+    const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());
+    if (!modes_->arrest(unbent(), contacts_, place_in_list)) return ending::StatusDetail::slip_undecided;
+    settled = settle_others(contact->blade, listener);
+  } else {
+    const bool accumulated = accumulates(*contact);
+    if (accumulated && !modes_->has_law_of_rest()) return ending::StatusDetail::slip_undecided;
+    if (accumulated && modes_->comes_to_rest(unbent(), *contact)) {
+      ++work_.slip_accumulations;
+    } else {
+      contact->slip = -contact->slip;
+      const modes::TipPlace at = place(contact->blade);
+      if (!modes_->bend_anew(at, *contact)) {
+        // A tip that was held beyond the ring is free where the reversed friction cannot hold it.
+        if (!modes_->releases_at_fold(contact->blade) || at.pose.gap >= 0.0)
+          return ending::StatusDetail::no_equilibrium;
+        tell(listener, modes::Guard::slip_reversal, contact->blade, contact->slip);
+        return lift_off(contact, listener);
+      }
+    }
+  }
+  tell(listener, modes::Guard::slip_reversal, contact->blade, contact->slip);
+  return settled;
+}
+
+}  // namespace rubatlas::motion
