@@ -36,8 +36,7 @@ class Collocated final : public Phase {
         arc_(machine, *law_, tolerance),
         most_bent_of_blades_(static_cast<std::size_t>(blades_->count())) {}
 
-  /// So many blades may touch.
-  [[nodiscard]] std::size_t most_contacts() const { return law_->most_contacts(); }
+  [[nodiscard]] std::size_t most_contacts() const override { return law_->most_contacts(); }
 
   /// Starts at time τ of the revolution. Where a blade has no equilibrium the contacts are handed over at
   /// once. False where more blades touch.

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "contact/pose.hpp"
-#include "modes/collocated.hpp"
 #include "modes/contact_limits.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/phase.hpp"
@@ -42,7 +41,7 @@ class ContactModes {
   // Phases, one a mode; null where the law has no such mode.
 
   [[nodiscard]] Phase* solved() const { return solved_.get(); }  ///< any contacts; never null
-  [[nodiscard]] Collocated* collocated() const { return collocated_.get(); }
+  [[nodiscard]] Phase* collocated() const { return collocated_.get(); }
   [[nodiscard]] Phase* carried() const { return carried_.get(); }  ///< the first contact is carried
   [[nodiscard]] Phase* skimming() const { return skimming_.get(); }
   [[nodiscard]] Phase* sticking() const { return sticking_.get(); }  ///< tips that can stick
@@ -54,8 +53,7 @@ class ContactModes {
   /// Calls `use` with each phase that there is.
   template <class Use>
   void each_phase(Use use) const {
-    for (const Phase* phase :
-         {solved(), static_cast<Phase*>(collocated()), carried(), skimming(), sticking(), resting()}) {
+    for (const Phase* phase : {solved(), collocated(), carried(), skimming(), sticking(), resting()}) {
       if (phase != nullptr) use(*phase);
     }
   }
@@ -148,7 +146,7 @@ class ContactModes {
 
  protected:
   std::unique_ptr<Phase> solved_;
-  std::unique_ptr<Collocated> collocated_;
+  std::unique_ptr<Phase> collocated_;
   std::unique_ptr<Phase> carried_;
   std::unique_ptr<Phase> skimming_;
   std::unique_ptr<Phase> sticking_;

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "collocation/axial_law.hpp"
 #include "contact/elastica_contact.hpp"
 #include "contact/resting_law.hpp"
 #include "integrate/dormand_prince_853.hpp"
 #include "modes/carried.hpp"
+#include "modes/collocated_laws.hpp"
 #include "modes/modes_of_law.hpp"
 #include "modes/skimming.hpp"
 #include "modes/solved.hpp"
@@ -29,17 +29,11 @@ class ModesOfAxialLoads final : public ModesOfLaw<contact::ElasticaContact, Pair
 
   ModesOfAxialLoads(const ModesRequest& request, Law law)
       : Base(request, std::move(law)), skims_(this->setup_) {
-    const int count = request.machine.blades.count();
     this->solved_ = this->template phase_of<Solved<Law>>();
     this->carried_ = this->template phase_of<Carried<Law>>();
     this->skimming_ = this->template phase_of<Skimming<Law>>();
-    if (request.collocates && has_arcs(count)) {
-      this->collocated_ = std::make_unique<Collocated>(
-          request.machine,
-          std::make_unique<collocation::AxialLaw>(this->law_, count, request.limits.max_shortening),
-          request.limits.tolerance, request.meter);
-    }
-    if (auto law_of_rest = resting_law(this->law_, count)) {
+    this->collocated_ = modes::collocated(request, this->law_);
+    if (auto law_of_rest = resting_law(this->law_, request.machine.blades.count())) {
       tips_at_rest_.emplace(std::move(*law_of_rest), this->setup_, true);
       this->resting_ = tips_at_rest_->phase();
     }
@@ -128,14 +122,6 @@ class ModesOfAxialLoads final : public ModesOfLaw<contact::ElasticaContact, Pair
   }
 
  private:
-  /// Not of the column (μ = 0), which has no argument p, and where p has no room: friction so large, or a
-  /// blade so soft, that it is shortened beyond the table by the least load.
-  [[nodiscard]] bool has_arcs(int count) const {
-    for (int k = 0; k < count; ++k) {
-      if (this->law_.of(k).curve().over_asinh().last_piece() < 0) return false;
-    }
-    return true;
-  }
   static bool takes(const std::optional<double>& root, OpenContact& contact) {
     if (root) contact.bending = *root;
     return root.has_value();

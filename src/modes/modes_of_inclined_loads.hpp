@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "collocation/inclined_law.hpp"
 #include "contact/directed_elastica.hpp"
 #include "contact/friction_law.hpp"
 #include "contact/resting_law.hpp"
 #include "integrate/dormand_prince_853.hpp"
 #include "modes/carried_bends.hpp"
+#include "modes/collocated_laws.hpp"
 #include "modes/modes_of_law.hpp"
 #include "modes/sticking_elastic.hpp"
 #include "modes/tips_at_rest.hpp"
@@ -30,15 +30,7 @@ class ModesOfInclinedLoads : public ModesOfLaw<contact::DirectedElastica<Frictio
 
   ModesOfInclinedLoads(const ModesRequest& request, Law law) : Base(request, std::move(law)) {
     this->solved_ = this->template phase_of<CarriedBends<Law>>();
-    // Tips that may stick go on in steps.
-    if constexpr (!contact::Sticks<Law>) {
-      if (request.collocates) {
-        this->collocated_ = std::make_unique<Collocated>(
-            request.machine,
-            std::make_unique<collocation::InclinedLaw<Law>>(this->law_, request.limits.max_shortening),
-            request.limits.tolerance, request.meter);
-      }
-    }
+    this->collocated_ = modes::collocated(request, this->law_);
   }
 
   /// Snaps to another equilibrium on the side to which the blade is bent, or, where there is none, to one on

@@ -239,7 +239,7 @@ bool Motion::begin_mode() {
     if (modes_->resting() != nullptr) return begin_in(modes_->resting(), modes_->at_rest(contacts_));
     if (modes_->sticking() != nullptr) return begin_in(modes_->sticking(), contacts_);
   }
-  modes::Collocated* const collocated = handed_over_ ? nullptr : modes_->collocated();
+  modes::Phase* const collocated = handed_over_ ? nullptr : modes_->collocated();
   if (modes_->carried() != nullptr) {
     if (begins_to_skim()) return begin_in(modes_->skimming(), contacts_);
     const bool near_fold = std::exchange(near_fold_, false);

@@ -18,6 +18,7 @@
 
 #include "assembly/blade_tables.hpp"
 #include "assembly/methods.hpp"
+#include "modes/collocated_laws.hpp"
 #include "observables/observable.hpp"
 #include "observables/recorder.hpp"
 #include "point/line_solver.hpp"
@@ -31,6 +32,15 @@ Rows Recorder::rows(bool /*done*/) {
   return {};
 }
 }  // namespace rubatlas::observables
+
+// The method is `hybrid`: nothing is left to collocation.
+namespace rubatlas::modes {
+template <>
+std::unique_ptr<Phase> collocated(const ModesRequest& /*request*/,
+                                  const contact::UnequalBlades<contact::ElasticaContact>& /*law*/) {
+  return nullptr;
+}
+}  // namespace rubatlas::modes
 
 // There are no exceptions in the module. Sources that would throw one trap, which the page hears of.
 extern "C" void* __cxa_allocate_exception(std::size_t /*size*/) {  // NOLINT(bugprone-reserved-identifier)
@@ -146,7 +156,10 @@ RUBATLAS_EXPORT(compute) int compute() {
   if (!acceptable(request)) return -1;
   if (tables == nullptr) tables = new assembly::BladeTables;
   const settings::Scene scene = scene_of(request);
-  orbit = assembly::make_hybrid({scene, *tables})->orbit(request.speed_ratio, request.start);
+  const assembly::LineRequest line{scene, *tables, {}};
+  const bool rigid = scene.contact.law == settings::ContactLaw::elastic_ring;
+  orbit = assembly::hybrid_solver(line, rigid ? law_of_rigid_blades(line) : law_of_axial_loads(line))
+              ->orbit(request.speed_ratio, request.start);
   return static_cast<int>(orbit.status);
 }
 /// What ended the point that `compute` has computed last: its text, and how long that is.

@@ -1,0 +1,29 @@
+/// The phases by collocation of the laws that have arcs, compiled once for all that ask for them.
+#pragma once
+
+#include <memory>
+
+#include "contact/directed_elastica.hpp"
+#include "contact/elastica_contact.hpp"
+#include "contact/friction_law.hpp"
+#include "contact/unequal_blades.hpp"
+#include "modes/contact_modes.hpp"
+#include "modes/phase.hpp"
+
+namespace rubatlas::modes {
+
+/// `law` outlives the phase. None where contacts are not left to collocation, and of laws whose contacts have
+/// no arcs: of the column (μ = 0), which has no argument p, and where p has no room, since friction is so
+/// large, or a blade so soft, that it is shortened beyond the table by the least load.
+template <class Blade>
+std::unique_ptr<Phase> collocated(const ModesRequest& request, const contact::UnequalBlades<Blade>& law);
+
+/// Tips that may stick go on in steps.
+template <>
+inline std::unique_ptr<Phase> collocated(
+    const ModesRequest& /*request*/,
+    const contact::UnequalBlades<contact::DirectedElastica<contact::StickingFriction>>& /*law*/) {
+  return nullptr;
+}
+
+}  // namespace rubatlas::modes
