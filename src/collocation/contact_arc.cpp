@@ -326,16 +326,16 @@ void ContactArc::goes_on(const Ending& ending) {
   lead_has_changed_ = false;
 }
 
-ContactArc::Point ContactArc::end_of(const Interval& interval) {
+ContactArc::Point ContactArc::at_node(const Interval& interval, std::size_t node) {
   const Body& shaft = interval.shaft;
   const Body& ring = interval.ring;
-  Point end{.time = interval.start_time + interval.elapsed.at_end(),
-            .bending = {interval.argument.at_end(), interval.lean.at_end()}};
-  end.bodies << shaft.x.at_end(), shaft.y.at_end(), shaft.vx.at_end(), shaft.vy.at_end(), ring.x.at_end(),
-      ring.y.at_end(), ring.vx.at_end(), ring.vy.at_end();
+  Point point{.time = interval.start_time + interval.elapsed[node],
+              .bending = {interval.argument[node], interval.lean[node]}};
+  point.bodies << shaft.x[node], shaft.y[node], shaft.vx[node], shaft.vy[node], ring.x[node], ring.y[node],
+      ring.vx[node], ring.vy[node];
   for (std::size_t k = 0; k < interval.further_count; ++k)
-    end.squares[k] = interval.further[k].square.at_end();
-  return end;
+    point.squares[k] = interval.further[k].square[node];
+  return point;
 }
 
 std::size_t ContactArc::number_of(int blade) const {

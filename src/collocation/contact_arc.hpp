@@ -88,6 +88,13 @@ class ContactArc {
   /// Shaft's place x, y [m] at θ, on the interval's polynomials.
   [[nodiscard]] std::array<double, 2> place_at(double fraction) const;
   [[nodiscard]] Point point_at(double fraction) const;
+  [[nodiscard]] Point at_node(std::size_t node) const { return at_node(made(), node); }
+  /// Of a quadrature over the interval, of order 15 [in τ].
+  [[nodiscard]] double weight_of_node(std::size_t node) const {
+    return node_tables().integral[node].at_end() * made().time_slope[node];
+  }
+  /// The last node is where the interval ends, but for what has been left where a guard was located.
+  [[nodiscard]] bool ends_at_last_node() const;
   /// dτ/dθ, dp/dθ and dl/dθ of the leading blade there.
   [[nodiscard]] ArcLaw::Tangent direction_at(double fraction) const;
   /// How far a blade in contact is bent there.
@@ -153,7 +160,8 @@ class ContactArc {
   [[nodiscard]] bool is_next_to_unbent(const Interval& interval) const;
   [[nodiscard]] double left_at_end(const Ending& ending, const Interval& interval) const;
   bool cut_at(const Interval& whole, Ending& ending, Interval& shorter);
-  [[nodiscard]] static Point end_of(const Interval& interval);
+  [[nodiscard]] static Point at_node(const Interval& interval, std::size_t node);
+  [[nodiscard]] static Point end_of(const Interval& interval) { return at_node(interval, kNodes - 1); }
   void end_at(const Interval& interval, const Ending& ending);
 
   const rotor::Machine* whole_;

@@ -112,6 +112,11 @@ ContactArc::Point ContactArc::point_at(double fraction) const {
     point.squares[k] = value(made().further[k].start_square, made().further[k].square);
   return point;
 }
+bool ContactArc::ends_at_last_node() const {
+  constexpr double kLeft = 1e-10;  // of the interval
+  const double length = made().elapsed.at_end();
+  return std::abs(end_.time - made().start_time - length) <= kLeft * std::abs(length);
+}
 
 ArcLaw::Tangent ContactArc::direction_at(double fraction) const {
   const AtNodes basis = slope_basis_at(fraction);

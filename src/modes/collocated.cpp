@@ -192,6 +192,19 @@ bool Collocated::forces_on_path(double share, trajectory::PathPoint& point,
   return true;
 }
 
+bool Collocated::solved_places(bool with_forces, const trajectory::VisitPlace& visit) {
+  if (!is_whole() || !arc_.ends_at_last_node()) return false;
+  for (std::size_t node = 0; node < collocation::kNodes; ++node) {
+    const Point there = arc_.at_node(node);
+    const trajectory::State state = rotor::as_array(rotor::shaft(there.bodies));
+    forces_at_node_.clear();
+    for (std::size_t i = 0; with_forces && i < contacts_.size(); ++i)
+      forces_at_node_.push_back(contact_force(i, there));
+    visit({arc_.weight_of_node(node), there.time, state, forces_at_node_});
+  }
+  return true;
+}
+
 Collocated::Point Collocated::place_on_path(double share, trajectory::PathPoint& point) {
   if (!piece_stretch_) piece_stretch_ = {arc_.fraction_at(piece_begin_), arc_.fraction_at(piece_end_)};
   const auto [from, to] = *piece_stretch_;

@@ -75,6 +75,8 @@ class Collocated final : public Phase {
   [[nodiscard]] bool forces_on_path(double share, trajectory::PathPoint& point,
                                     std::vector<trajectory::ContactForce>& forces) override;
 
+  bool solved_places(bool with_forces, const trajectory::VisitPlace& visit) override;
+
   /// Right-hand sides: one at each node in each sweep.
   [[nodiscard]] std::uint64_t evaluations() const override { return collocation::kNodes * arc_.sweeps(); }
   [[nodiscard]] std::uint64_t steps() const override { return arc_.intervals(); }
@@ -112,6 +114,7 @@ class Collocated final : public Phase {
   double start_time_ = 0.0;
   bool stands_ = false;   ///< the blades stand on an arc; else the contacts are handed over where they begin
   bool pending_ = false;  ///< an interval has been made and not been recorded to its end
+  std::vector<trajectory::ContactForce> forces_at_node_;
   double piece_begin_ = 0.0;
   double piece_end_ = 0.0;
   /// θ of both, once they are asked for.

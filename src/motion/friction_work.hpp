@@ -27,7 +27,7 @@ class FrictionWork final : public modes::MotionListener {
 
   void piece(trajectory::MotionPiece& piece) override {
     listener_->piece(piece);
-    places_.with_forces(piece, [&](const trajectory::PlacesInPiece::Place& place) {
+    places_.with_forces(piece, [&](const trajectory::Place& place) {
       for (std::size_t contact = 0; contact < place.forces.size(); ++contact) {
         work_[static_cast<std::size_t>(piece.blade(contact))] +=
             std::abs(place.weight * place.forces[contact].friction_power());

@@ -52,7 +52,7 @@ ending::PointStatus Motion::start(const rotor::ShaftAndRing& state, double time,
     const bool touches = k == touching || at.pose.gap > 0.0;
     if (touches && !open(k, at)) return ends(ending::StatusDetail::no_equilibrium);
   }
-  touched_down_ = touching != kNoBlade;
+  ended_by_ = touching != kNoBlade ? modes::Guard::touch_down : modes::Guard::horizon;
   if (!place_ring()) return ends(ending::StatusDetail::ring_unbalanced);
   if (!flight_.resolves(machine_.constants.period())) return ends(ending::StatusDetail::beyond_precision);
   if (!modes_->settle(unbent(), contacts_, [](const modes::OpenContact&) {}))
@@ -239,10 +239,12 @@ bool Motion::begin_mode() {
     if (modes_->resting() != nullptr) return begin_in(modes_->resting(), modes_->at_rest(contacts_));
     if (modes_->sticking() != nullptr) return begin_in(modes_->sticking(), contacts_);
   }
-  modes::Phase* const collocated = handed_over_ ? nullptr : modes_->collocated();
+  // What collocation hands over it is not asked for again before the contacts change.
+  const bool near_fold = ended_by_ == modes::Guard::nears_fold;
+  const bool handed_over = near_fold || ended_by_ == modes::Guard::hands_over;
+  modes::Phase* const collocated = handed_over ? nullptr : modes_->collocated();
   if (modes_->carried() != nullptr) {
     if (begins_to_skim()) return begin_in(modes_->skimming(), contacts_);
-    const bool near_fold = std::exchange(near_fold_, false);
     modes::OpenContact& first = contacts_.front();
     if (near_fold || (contacts_.size() == 1 && modes_->carries(first.blade))) {
       // The bending that another mode has left is a first guess; an unloaded blade starts at u = 0 exactly.
@@ -267,9 +269,8 @@ bool Motion::all_follow() {
 }
 
 /// Whether the one blade in contact has just touched down and begins to skim.
-bool Motion::begins_to_skim() {
-  const bool touched_down = std::exchange(touched_down_, false);
-  return touched_down && contacts_.size() == 1 &&
+bool Motion::begins_to_skim() const {
+  return ended_by_ == modes::Guard::touch_down && contacts_.size() == 1 &&
          modes_->begins_to_skim(unbent(), contacts_.front(), kUnresolvedHop * limits_.tolerance);
 }
 
@@ -335,6 +336,7 @@ void Motion::tell(modes::MotionListener& listener, modes::Guard guard, int blade
 ending::PointStatus Motion::reset(const modes::ModeEnd& end, modes::MotionListener& listener) {
   using modes::Guard;
   undecided_ = true;
+  ended_by_ = end.guard;
   const auto contact = std::ranges::find(contacts_, end.blade, &modes::OpenContact::blade);
   switch (end.guard) {
     case Guard::touch_down:
@@ -346,15 +348,11 @@ ending::PointStatus Motion::reset(const modes::ModeEnd& end, modes::MotionListen
       return ends(snap(contact, listener));
     case Guard::nears_fold:
       std::iter_swap(contacts_.begin(), contact);
-      near_fold_ = true;
       return ends(ending::StatusDetail::none);
     case Guard::comes_loose:
       return ends(come_loose(contact, listener));
     case Guard::slip_reversal:
       return ends(reverse_slip(contact, listener));
-    case Guard::hands_over:
-      handed_over_ = true;
-      return ends(ending::StatusDetail::none);
     case Guard::pressed_in:  // a tip that has skimmed goes on under its full force, a straight blade bends
       contact->straight = false;
       return ends(ending::StatusDetail::none);
@@ -366,8 +364,6 @@ ending::PointStatus Motion::reset(const modes::ModeEnd& end, modes::MotionListen
 ending::StatusDetail Motion::touch_down(int blade, modes::MotionListener& listener) {
   ++work_.touchdowns;
   if (!open(blade, place(blade))) return ending::StatusDetail::no_equilibrium;
-  touched_down_ = true;
-  handed_over_ = false;
   const ending::StatusDetail settled = settle_others(blade, listener);
   tell(listener, modes::Guard::touch_down, blade, contacts_.back().slip);
   return settled;
@@ -376,7 +372,6 @@ ending::StatusDetail Motion::touch_down(int blade, modes::MotionListener& listen
 ending::StatusDetail Motion::lift_off(Contact contact, modes::MotionListener& listener) {
   const int blade = contact->blade;
   ++work_.liftoffs;
-  handed_over_ = false;
   tell(listener, modes::Guard::lift_off, blade, contact->slip);
   contacts_.erase(contact);
   return settle_others(blade, listener);
@@ -384,7 +379,6 @@ ending::StatusDetail Motion::lift_off(Contact contact, modes::MotionListener& li
 
 /// A blade has come to the end of its branch.
 ending::StatusDetail Motion::snap(Contact contact, modes::MotionListener& listener) {
-  handed_over_ = false;
   switch (modes_->snap(place(contact->blade), *contact)) {
     case modes::Standing::lost:
       return ending::StatusDetail::no_equilibrium;
@@ -398,7 +392,6 @@ ending::StatusDetail Motion::snap(Contact contact, modes::MotionListener& listen
 
 /// A tip at rest is no longer held, and slips in the direction of the pull.
 ending::StatusDetail Motion::come_loose(Contact contact, modes::MotionListener& listener) {
-  handed_over_ = false;
   const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());
   if (!modes_->let_go(unbent(), contacts_, place_in_list)) return ending::StatusDetail::slip_undecided;
   if (!modes_->bend_anew(place(contact->blade), *contact)) return ending::StatusDetail::no_equilibrium;
@@ -410,7 +403,6 @@ ending::StatusDetail Motion::come_loose(Contact contact, modes::MotionListener& 
 /// The slip velocity of a tip has come to zero: it reverses its slip, or comes to rest where it can stick.
 ending::StatusDetail Motion::reverse_slip(Contact contact, modes::MotionListener& listener) {
   ++work_.slip_reversals;
-  handed_over_ = false;
   ending::StatusDetail settled = ending::StatusDetail::none;
   if (modes_->sticking() != nullptr) {
     const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());

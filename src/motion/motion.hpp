@@ -63,7 +63,7 @@ class Motion final : public PointMotion {
   bool begin_in(modes::Phase* phase, const std::vector<modes::OpenContact>& contacts);
   bool begin_mode();
   [[nodiscard]] bool all_follow();
-  [[nodiscard]] bool begins_to_skim();
+  [[nodiscard]] bool begins_to_skim() const;
 
   // Contacts.
   [[nodiscard]] modes::TipPlace place(int blade) const;
@@ -95,12 +95,10 @@ class Motion final : public PointMotion {
   ending::StatusDetail detail_ = ending::StatusDetail::none;
   ending::StatusDetail refusal_ = ending::StatusDetail::none;  ///< why the last mode could not begin
   WorkCounts work_;
-  modes::Phase* phase_ = nullptr;  ///< of the present mode in contact; null in flight
-  bool undecided_ = true;          ///< the mode is to be chosen
-  bool handed_over_ = false;       ///< collocation has left the present contacts to other modes
-  bool near_fold_ = false;         ///< the first contact is about to come to the end of its branch
-  bool touched_down_ = false;      ///< the present contacts began with a touch-down
-  bool never_touches_ = false;     ///< proven at the start of the point: no blade can touch
+  modes::Phase* phase_ = nullptr;                  ///< of the present mode in contact; null in flight
+  bool undecided_ = true;                          ///< the mode is to be chosen
+  modes::Guard ended_by_ = modes::Guard::horizon;  ///< what ended the last mode; horizon: there is none
+  bool never_touches_ = false;                     ///< proven at the start of the point: no blade can touch
 };
 
 }  // namespace rubatlas::motion

@@ -77,7 +77,7 @@ class ImpulseOfBlades final : public OfBlades {
     return std::make_unique<ImpulseOfBlades>(scene);
   }
   void piece(trajectory::MotionPiece& piece) override {
-    places_.with_forces(piece, [&](const trajectory::PlacesInPiece::Place& place) {
+    places_.with_forces(piece, [&](const trajectory::Place& place) {
       for (std::size_t contact = 0; contact < place.forces.size(); ++contact)
         of(piece.blade(contact)) += place.weight * place.forces[contact].normal;
     });

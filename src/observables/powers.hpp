@@ -40,7 +40,7 @@ class FrictionPower final : public Observable {
   }
   void begin(const trajectory::PointConstants& /*point*/) override { mean_.begin(); }
   void piece(trajectory::MotionPiece& piece) override {
-    places_.with_forces(piece, [this](const trajectory::PlacesInPiece::Place& place) {
+    places_.with_forces(piece, [this](const trajectory::Place& place) {
       for (const trajectory::ContactForce& force : place.forces)
         mean_.add(place.weight * force.friction_power());
     });
@@ -71,7 +71,7 @@ class ViscousPower final : public Observable {
     fastest_ = 2.0 * std::max({1.0, std::abs(point.speed_ratio), 2.0 * damping_ratio_});
   }
   void piece(trajectory::MotionPiece& piece) override {
-    places_.states(piece, fastest_, [this](const trajectory::PlacesInPiece::Place& place) {
+    places_.states(piece, fastest_, [this](const trajectory::Place& place) {
       const trajectory::State& state = place.state;
       mean_.add(place.weight * (state[2] * state[2] + state[3] * state[3]));
     });
@@ -101,7 +101,7 @@ class DeformationPower final : public Observable {
   }
   void speed_changes(const trajectory::PointConstants& point) override { speed_ratio_ = point.speed_ratio; }
   void piece(trajectory::MotionPiece& piece) override {
-    places_.with_forces(piece, [this](const trajectory::PlacesInPiece::Place& place) {
+    places_.with_forces(piece, [this](const trajectory::Place& place) {
       for (const trajectory::ContactForce& force : place.forces) {
         const double of_shaft =
             force.on_rotor.real() * place.state[2] + force.on_rotor.imag() * place.state[3];
@@ -139,14 +139,14 @@ class DriveTorque final : public Observable {
   }
   void speed_changes(const trajectory::PointConstants& point) override { speed_ratio_ = point.speed_ratio; }
   void piece(trajectory::MotionPiece& piece) override {
-    places_.with_forces(piece, [this](const trajectory::PlacesInPiece::Place& place) {
+    places_.with_forces(piece, [this](const trajectory::Place& place) {
       for (const trajectory::ContactForce& force : place.forces) mean_.add(-place.weight * force.torque);
     });
     mean_.time_passes(piece);
     if (unbalance_ == 0.0) return;
     if (!before_) before_ = piece.state(piece.begin());
     const double fastest = std::max({2.0, 2.0 * std::abs(speed_ratio_), 2.0 * damping_ratio_});
-    places_.states(piece, fastest, [this](const trajectory::PlacesInPiece::Place& place) {
+    places_.states(piece, fastest, [this](const trajectory::Place& place) {
       const std::complex<double> u = unbalance_ * std::polar(1.0, speed_ratio_ * place.time);
       mean_.add(place.weight * speed_ratio_ * along(u, place.state));
     });

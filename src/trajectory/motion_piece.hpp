@@ -7,6 +7,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -86,6 +87,15 @@ struct PathPoint {
   std::vector<Contact> contacts;
 };
 
+/// A place of a piece. ∫ f dτ over the piece is the sum of weight × f at its places.
+struct Place {
+  double weight;  ///< in τ
+  double time;    ///< τ of the revolution
+  const State& state;
+  std::span<const ContactForce> forces;  ///< one a contact, where they are asked for
+};
+using VisitPlace = std::function<void(const Place&)>;
+
 /// The motion between two times of one revolution. States are exact in flight, of the step's order in
 /// contact.
 class MotionPiece {
@@ -143,6 +153,9 @@ class MotionPiece {
                                             std::vector<ContactForce>& /*forces*/) {
     return false;
   }
+  /// Calls `visit` for the places at which the equations of the piece have been solved, where that is how it
+  /// has been computed; else false.
+  virtual bool solved_places(bool /*with_forces*/, const VisitPlace& /*visit*/) { return false; }
 
  private:
   /// τ at a share of the piece's time.

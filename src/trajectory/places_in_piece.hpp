@@ -16,22 +16,11 @@ namespace rubatlas::trajectory {
 
 class PlacesInPiece {
  public:
-  struct Place {
-    double weight;  ///< in τ
-    double time;    ///< τ of the revolution
-    const State& state;
-    std::span<const ContactForce> forces;  ///< one a contact, where they are asked for
-  };
-
   /// Hands places of a piece in contact to `visit`, with the forces there.
-  template <class Visit>
-  void with_forces(MotionPiece& piece, const Visit& visit) {
-    in_contact(piece, true, visit);
-  }
+  void with_forces(MotionPiece& piece, const VisitPlace& visit) { in_contact(piece, true, visit); }
   /// The same without forces, of any piece. `fastest`: frequency, or rate of decay, of what is summed up in
   /// flight.
-  template <class Visit>
-  void states(MotionPiece& piece, double fastest, const Visit& visit) {
+  void states(MotionPiece& piece, double fastest, const VisitPlace& visit) {
     if (piece.contact_count() > 0) {
       in_contact(piece, false, visit);
       return;
@@ -53,7 +42,7 @@ class PlacesInPiece {
     double share;
     double weight;
   };
-  /// An interval of a collocated contact has eight nodes, and a step is of order 8 at most.
+  /// As many as an interval of a collocated contact has nodes; a step is of order 8 at most.
   static constexpr unsigned kOfPath = 8;
   /// Of a function of q that varies little in a step; of an oscillation of which each stretch has a whole
   /// period they leave 1e-14.
@@ -84,9 +73,8 @@ class PlacesInPiece {
     return std::ranges::any_of(point_.contacts, &PathPoint::Contact::carried);
   }
 
-  template <class Visit>
-  void in_contact(MotionPiece& piece, bool with_forces, const Visit& visit) {
-    if (piece.contact_count() == 0) return;
+  void in_contact(MotionPiece& piece, bool with_forces, const VisitPlace& visit) {
+    if (piece.contact_count() == 0 || piece.solved_places(with_forces, visit)) return;
     forces_.clear();
     // A path on which a blade's bending is a coordinate is smooth in its share. Without one a force that
     // starts or ends like a square root of the time (MODEL 3.3) is smooth in q, τ = begin + length q²(3 −
