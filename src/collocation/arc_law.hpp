@@ -36,6 +36,14 @@ class ArcLaw {
   [[nodiscard]] virtual bool has_slip_state() const = 0;
   /// The lean of the load is an unknown.
   [[nodiscard]] virtual bool leans() const = 0;
+  /// The force is explicit: the arc is a stretch of time.
+  [[nodiscard]] virtual bool is_rigid() const { return false; }
+  /// The leading blade's force and strain are kept at the nodes; else both grow with its p.
+  [[nodiscard]] bool keeps_loads() const { return leans() || is_rigid(); }
+  /// A contact that ends under load ends at g = 0.
+  [[nodiscard]] virtual bool ends_at_ring() const { return true; }
+  /// A tip whose v does not jump where s changes, and that cannot rest, may slip on against s (MODEL 4.4).
+  [[nodiscard]] virtual bool may_slip_back() const { return false; }
   /// A contact goes on beyond the ring while it has a force.
   [[nodiscard]] virtual bool releases_at_fold(int blade) const = 0;
   /// Where the equilibria end in a fold, the blade may snap to others.

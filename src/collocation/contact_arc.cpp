@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "collocation/interval_samples.hpp"
+#include "contact/sticking.hpp"
 
 namespace rubatlas::collocation {
 namespace {
@@ -110,28 +111,45 @@ void ContactArc::predict(const Touch& touch) {
   const double angular_speed = blades_->angular_speed(end_.time);
   const contact::Pose there = pose(blade_, end_);
   at_end_ = law_->start(touch, there, angular_speed);
-  // A tip that has come loose slips from zero on in the direction of s.
-  double& slip_velocity = at_end_.force.slip_velocity;
-  if (std::abs(slip_velocity) <=
-      contact::kSlipRounding * std::abs(rotor_->speed_ratio) * machine().ring_radius)
-    slip_velocity = std::copysign(std::numeric_limits<double>::min(), contact_.slip);
   std::complex<double> force = contact::on_rotor(at_end_.force, er_);
   for (const FurtherStart& further : further_) {
     const contact::BladeDirection er{er_.cosine * further.offset[0] - er_.sine * further.offset[1],
                                      er_.sine * further.offset[0] + er_.cosine * further.offset[1]};
     force += contact::on_rotor(further.force, er);
   }
-  predictor_.begin(
-      {.touch = touch,
-       .blade = contact_.blade,
-       .ring_radius = machine().ring_radius,
-       .angular_speed = angular_speed,
-       .bodies = end_.bodies,
-       .pose = there,
-       .direction = er_,
-       .bending = end_.bending,
-       .gap_measure = at_end_.gap_measure,
-       .acceleration = whole_->acceleration(rotor::full_state(end_.bodies, end_.time, 0.0), force)});
+  const rotor::Acceleration acceleration =
+      whole_->acceleration(rotor::full_state(end_.bodies, end_.time, 0.0), force);
+  const std::complex<double> closing = acceleration.shaft - acceleration.ring;
+  set_out(blade_, contact_.slip, closing, at_end_.force.slip_velocity);
+  for (FurtherStart& further : further_) set_out(further.blade, further.slip, closing, further.slip_velocity);
+  predictor_.begin({.touch = touch,
+                    .blade = contact_.blade,
+                    .ring_radius = machine().ring_radius,
+                    .angular_speed = angular_speed,
+                    .bodies = end_.bodies,
+                    .pose = there,
+                    .direction = er_,
+                    .bending = end_.bending,
+                    .gap_measure = at_end_.gap_measure,
+                    .acceleration = acceleration});
+}
+
+/// The sign of v where it starts from zero: that of s where a tip has come loose, of dv/dτ where it may slip
+/// back. `acceleration`: of the shaft, seen from the ring.
+void ContactArc::set_out(int blade, double slip, const std::complex<double>& acceleration,
+                         double& velocity) const {
+  if (std::abs(velocity) > contact::kSlipRounding * std::abs(rotor_->speed_ratio) * machine().ring_radius)
+    return;
+  double ahead = slip;
+  if (law_->may_slip_back()) {
+    const contact::BladeDirection er = blades_->direction(blade, blades_->first(end_.time));
+    const contact::Geometry geometry = law_->geometry(blade);
+    const std::complex<double> seen = acceleration * std::complex<double>(er.cosine, -er.sine);
+    const double turning = geometry.reach * blades_->angular_acceleration(end_.time);
+    ahead = contact::slip_acceleration(geometry, pose(blade, end_), blades_->angular_speed(end_.time),
+                                       {seen.real(), seen.imag() + turning}, 0.0, 0.0);
+  }
+  velocity = std::copysign(std::numeric_limits<double>::min(), ahead);
 }
 
 void ContactArc::start_next(Interval& next) const {
@@ -144,12 +162,14 @@ void ContactArc::start_next(Interval& next) const {
   next.start_gap_measure = at_end_.gap_measure;
   next.start_slip_velocity = at_end_.force.slip_velocity;
   next.further_count = further_.size();
+  if (law_->keeps_loads()) {
+    next.start_force = at_end_.force.normal;
+    next.start_strain = at_end_.force.root_strain;
+  }
   if (!contact_.leans) return;
   next.start_lean = end_.bending.lean;
   next.start_shortening = at_end_.force.shortening;
   next.start_chart_left = at_end_.chart_left;
-  next.start_force = at_end_.force.normal;
-  next.start_strain = at_end_.force.root_strain;
 }
 
 bool ContactArc::solve(Interval& interval, bool warm) {
@@ -192,12 +212,14 @@ bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter) 
   shorter.ripple = whole.ripple;
   shorter.start_gap_measure = whole.start_gap_measure;
   shorter.start_slip_velocity = whole.start_slip_velocity;
+  if (law_->keeps_loads()) {
+    shorter.start_force = whole.start_force;
+    shorter.start_strain = whole.start_strain;
+  }
   if (contact_.leans) {
     shorter.start_lean = whole.start_lean;
     shorter.start_shortening = whole.start_shortening;
     shorter.start_chart_left = whole.start_chart_left;
-    shorter.start_force = whole.start_force;
-    shorter.start_strain = whole.start_strain;
   }
   shorter.further_count = whole.further_count;
   for (std::size_t k = 0; k < whole.further_count; ++k) {
@@ -317,6 +339,8 @@ void ContactArc::goes_on(const Ending& ending) {
   if (contact_.leans) {
     at_end_.force.shortening = made().shortening.at_end();
     at_end_.chart_left = made().chart_left.at_end();
+  }
+  if (law_->keeps_loads()) {
     at_end_.force.normal = made().normal_force.at_end();
     at_end_.force.root_strain = made().root_strain.at_end();
   }

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <array>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -129,6 +130,7 @@ class ContactArc {
   [[nodiscard]] contact::Pose pose(int blade, const Point& point) const;
   static void move(Point& point, const Interval& interval, double late);
   void predict(const Touch& touch);
+  void set_out(int blade, double slip, const std::complex<double>& acceleration, double& velocity) const;
   [[nodiscard]] std::size_t number_of(int blade) const;
   [[nodiscard]] const Interval& made() const { return intervals_[made_]; }
   [[nodiscard]] Interval& trial() { return intervals_[1 - made_]; }
@@ -162,6 +164,7 @@ class ContactArc {
   bool cut_at(const Interval& whole, Ending& ending, Interval& shorter);
   [[nodiscard]] static Point at_node(const Interval& interval, std::size_t node);
   [[nodiscard]] static Point end_of(const Interval& interval) { return at_node(interval, kNodes - 1); }
+  void bring_to_rest(int blade);
   void end_at(const Interval& interval, const Ending& ending);
 
   const rotor::Machine* whole_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 
 #include "collocation/contact_arc.hpp"
@@ -24,15 +25,19 @@ double slope_before(const AtPlaces& values, double fraction) {
 /// No slip reverses but the one that ends the interval, no blade snaps, the shaft stays within the ring and
 /// the blades within their limit.
 bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
-  const auto is_valid = [&](int blade, double slip_velocity, double argument) {
+  const auto keeps_slip = [&](int blade, double slip, double start, double least) {
+    if (!law_->has_slip_state()) return true;
     const bool reverses = ending.guard == Guard::slip_reversal && ending.blade == blade;
-    return (slip_velocity > (reverses ? -rounding_at_end_ : 0.0) || !law_->has_slip_state()) &&
-           argument < law_->valid_argument(blade);
+    return least > (reverses ? -rounding_at_end_ : 0.0) && (slip * start > 0.0 || law_->may_slip_back());
   };
   if (!(bounds.distance < machine().ring_radius)) return false;
-  if (!is_valid(blade_, bounds.slip_velocity[0], bounds.argument)) return false;
+  if (!(bounds.argument < law_->valid_argument(blade_))) return false;
+  if (!keeps_slip(blade_, contact_.slip, at_end_.force.slip_velocity, bounds.slip_velocity[0])) return false;
   for (std::size_t k = 0; k < further_.size(); ++k) {
-    if (!is_valid(further_[k].blade, bounds.slip_velocity[1 + k], bounds.further_argument[k])) return false;
+    const FurtherStart& further = further_[k];
+    if (!(bounds.further_argument[k] < law_->valid_argument(further.blade)) ||
+        !keeps_slip(further.blade, further.slip, further.slip_velocity, bounds.slip_velocity[1 + k]))
+      return false;
   }
   return !contact_.leans || (bounds.time_slope > 0.0 && bounds.chart_left > 0.0);
 }
@@ -41,7 +46,7 @@ bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
 ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const {
   Ending first;
   std::size_t place_of_first = kPlaces;
-  // A quantity that is positive while the contact lasts, at the first `count` nodes.
+  // A quantity that keeps its sign while the contact lasts, at the first `count` nodes.
   const auto look = [&](Guard guard, int blade, double start, const AtNodes& nodes, double sign,
                         std::size_t count = kNodes) {
     std::size_t node = 0;
@@ -49,7 +54,6 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
     if (node == count || node + 1 > place_of_first) return;
     AtPlaces values = at_places(start, nodes);
     for (double& value : values) value *= sign;
-    if (guard == Guard::slip_reversal && !(values[node] > 0.0)) return;  // it slips back from the start on
     const double fraction = crossing(values, node + 1);
     if (node + 1 < place_of_first || fraction < first.fraction) {
       first = {guard, fraction, blade, slope_before(values, fraction)};
@@ -67,11 +71,13 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
          interval.time_slope, 1.0, count);
   if (contact_.leans) look(Guard::chart_end, blade_, interval.start_chart_left, interval.chart_left, 1.0);
   if (!law_->has_slip_state()) return first;
-  look(Guard::slip_reversal, blade_, interval.start_slip_velocity, interval.slip_velocity, contact_.slip);
+  const auto look_for_reversal = [&](int blade, double start, const AtNodes& nodes) {
+    look(Guard::slip_reversal, blade, start, nodes, std::copysign(1.0, start));
+  };
+  look_for_reversal(blade_, interval.start_slip_velocity, interval.slip_velocity);
   for (std::size_t k = 0; k < further_.size(); ++k) {
     const FurtherBlade& further = interval.further[k];
-    look(Guard::slip_reversal, further_[k].blade, further.start_slip_velocity, further.slip_velocity,
-         further.slip);
+    look_for_reversal(further_[k].blade, further.start_slip_velocity, further.slip_velocity);
   }
   return first;
 }
@@ -124,9 +130,12 @@ double ContactArc::left_at_end(const Ending& ending, const Interval& interval) c
     case Guard::chart_end:
       return interval.chart_left.at_end();
     default: {
-      if (ending.blade == blade_) return contact_.slip * interval.slip_velocity.at_end();
+      const auto left = [](double start, const AtNodes& nodes) {
+        return std::copysign(1.0, start) * nodes.at_end();
+      };
+      if (ending.blade == blade_) return left(interval.start_slip_velocity, interval.slip_velocity);
       const FurtherBlade& further = interval.further[number_of(ending.blade)];
-      return further.slip * further.slip_velocity.at_end();
+      return left(further.start_slip_velocity, further.slip_velocity);
     }
   }
 }
@@ -209,6 +218,20 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   return in_part ? Verdict::holds_in_part : Verdict::holds;
 }
 
+/// Takes from the shaft's velocity what is left of a rigid tip's v at the end, the shortest way: v does not
+/// jump where s changes, and its sign would be taken for that of what follows.
+void ContactArc::bring_to_rest(int blade) {
+  const contact::BladeDirection er = blades_->direction(blade, blades_->first(end_.time));
+  const contact::Pose there = pose(blade, end_);
+  const contact::Geometry geometry = law_->geometry(blade);
+  const double v = contact::undeformed_slip_velocity(geometry, there, blades_->angular_speed(end_.time));
+  const std::complex<double> outward = std::complex<double>(there.radial + geometry.reach, there.tangential) *
+                                       std::complex<double>(er.cosine, er.sine);
+  const std::complex<double> less = v * outward / std::abs(outward);
+  end_.bodies[2] += less.imag();
+  end_.bodies[3] -= less.real();
+}
+
 /// The end of an interval: of the contact, or at a touch-down, to rounding, where one ends it.
 void ContactArc::end_at(const Interval& interval, const Ending& ending) {
   start_ = end_;
@@ -244,8 +267,13 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
       goes_on_to_ring(blade_);
       break;
     case Guard::under_load:
+      if (law_->ends_at_ring()) goes_on_to_ring(ending_.blade);
+      break;
     case Guard::touch_down:
       goes_on_to_ring(ending_.blade);
+      break;
+    case Guard::slip_reversal:
+      if (law_->is_rigid()) bring_to_rest(ending_.blade);
       break;
     default:
       break;

@@ -26,7 +26,7 @@ class InclinedLaw final : public ArcLaw {
       : law_(&law),
         solver_(interval_solver()),
         max_shortening_(max_shortening),
-        load_(numbers_of(law.of(0).direction(), law.of(0).friction())) {}
+        load_{law.of(0).direction() == contact::LoadDirection::normal, numbers_of(law.of(0).friction())} {}
 
   [[nodiscard]] std::size_t most_contacts() const override { return 1; }
   [[nodiscard]] contact::Geometry geometry(int blade) const override { return law_->of(blade).geometry(); }
@@ -43,7 +43,9 @@ class InclinedLaw final : public ArcLaw {
             .first_shortening = 0.0,
             .first_yielding = 0.0};
   }
-  [[nodiscard]] bool has_slip_state() const override { return load_.law == InclinedLoad::Friction::coulomb; }
+  [[nodiscard]] bool has_slip_state() const override {
+    return load_.friction.law == FrictionNumbers::Law::coulomb;
+  }
   [[nodiscard]] bool leans() const override { return true; }
   [[nodiscard]] bool releases_at_fold(int /*blade*/) const override { return false; }
   [[nodiscard]] bool has_branches(int /*blade*/) const override { return true; }

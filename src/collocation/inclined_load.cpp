@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <variant>
 
 #include "blade/inclined_elastica.hpp"
 
@@ -21,32 +20,6 @@ double InclinedLoad::argument(double u) const {
     if (std::abs(step) <= kLastStep * std::abs(p)) break;
   }
   return p;
-}
-
-InclinedLoad numbers_of(contact::LoadDirection direction, const contact::CoulombFriction& friction) {
-  InclinedLoad load{};
-  load.along_normal = direction == contact::LoadDirection::normal;
-  load.law = InclinedLoad::Friction::coulomb;
-  load.friction = friction.friction;
-  return load;
-}
-
-InclinedLoad numbers_of(contact::LoadDirection direction, const contact::VelocityFriction& friction) {
-  InclinedLoad load{};
-  load.along_normal = direction == contact::LoadDirection::normal;
-  if (const auto* regularised = std::get_if<contact::RegularisedFriction>(&friction.law())) {
-    load.law = InclinedLoad::Friction::regularised;
-    load.friction = regularised->friction;
-    load.regularising_velocity = regularised->regularising_velocity;
-  } else {
-    const auto& stribeck = std::get<contact::StribeckFriction>(friction.law());
-    load.law = InclinedLoad::Friction::stribeck;
-    load.friction = stribeck.kinetic_friction;
-    load.static_friction = stribeck.static_friction;
-    load.stribeck_velocity = stribeck.stribeck_velocity;
-    load.regularising_velocity = stribeck.regularising_velocity;
-  }
-  return load;
 }
 
 }  // namespace rubatlas::collocation

@@ -11,25 +11,16 @@
 /// close to σ sinh p, with σ = 2 |l| where the contact begins; l is a further unknown at each node.
 #pragma once
 
-#include <cstdint>
-
-#include "contact/friction_law.hpp"
-#include "contact/pose.hpp"
+#include "collocation/friction_numbers.hpp"
 
 namespace rubatlas::collocation {
 
 struct InclinedLoad {
-  enum class Friction : std::uint8_t { coulomb, regularised, stribeck };
-
-  bool along_normal;             ///< else along the undeformed blade (`contact::LoadDirection`)
-  Friction law;                  ///< c(v) (`contact/friction_law.hpp`)
-  double friction;               ///< μ, or the kinetic μk [-]
-  double static_friction;        ///< μs [-]
-  double stribeck_velocity;      ///< vs [m per unit τ]
-  double regularising_velocity;  ///< v0 [m per unit τ]
-  double strain_unit = 0.0;      ///< h / (2 L) [-]
-  double side = 1.0;             ///< ±1: to which the blade is bent, the sign of κ
-  double scale = 1.0;            ///< σ [-]
+  bool along_normal;  ///< else along the undeformed blade (`contact::LoadDirection`)
+  FrictionNumbers friction;
+  double strain_unit = 0.0;  ///< h / (2 L) [-]
+  double side = 1.0;         ///< ±1: to which the blade is bent, the sign of κ
+  double scale = 1.0;        ///< σ [-]
 
   /// Of π − φ where φ is largest (`blade::kLargestAmplitude`).
   struct ChartEnd {
@@ -57,10 +48,5 @@ struct InclinedLoad {
   /// p of u.
   [[nodiscard]] double argument(double u) const;
 };
-
-/// The numbers of a law; where the blade stands is left open.
-InclinedLoad numbers_of(contact::LoadDirection direction, const contact::CoulombFriction& friction);
-InclinedLoad numbers_of(contact::LoadDirection direction, const contact::VelocityFriction& friction);
-/// Of a tip that slips.
 
 }  // namespace rubatlas::collocation

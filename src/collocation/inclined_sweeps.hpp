@@ -8,7 +8,7 @@
 
 #include "collocation/arc_sweeps.hpp"
 #include "collocation/even_rules.hpp"
-#include "collocation/functions_in_lanes.hpp"
+#include "collocation/friction_in_lanes.hpp"
 #include "collocation/inclined_load.hpp"
 #include "collocation/interval.hpp"
 #include "collocation/nodes_in_lanes.hpp"
@@ -170,7 +170,7 @@ class InclinedTip {
     const double radius = contact_.machine->ring_radius;
     const double per_radius = 1.0 / radius;
     slip_velocity = (a * across - b * along) * per_radius + at.angular_speed * radius;
-    const Friction friction = friction_at(slip_velocity);
+    const Friction<kWidth> friction = friction_at(load_.friction, contact_.slip, slip_velocity);
     coefficient = friction.coefficient;
     cosine_ = Number(1.0) - lean * lean * 2.0;
     sine_ = lean * blade.cosine * (2.0 * load_.side);
@@ -225,25 +225,6 @@ class InclinedTip {
   }
 
  private:
-  /// c(v) and its slope.
-  struct Friction {
-    Number coefficient, slope;
-  };
-  RUBATLAS_INLINE Friction friction_at(const Number& velocity) const {
-    if (load_.law == InclinedLoad::Friction::coulomb)
-      return {Number(contact_.slip * load_.friction), Number(0.0)};
-    const double per_velocity = 1.0 / load_.regularising_velocity;
-    const Number share = hyperbolic_tangent(velocity * per_velocity);
-    const Number rise = (Number(1.0) - share * share) * per_velocity;
-    if (load_.law == InclinedLoad::Friction::regularised)
-      return {share * load_.friction, rise * load_.friction};
-    const double excess = load_.static_friction - load_.friction;
-    const Number ratio = velocity * (1.0 / load_.stribeck_velocity);
-    const Number more = (Number(1.0) - decayed(ratio * ratio)) * excess;
-    const Number size = more + load_.friction;
-    return {size * share, size * rise - ratio * more * share * (2.0 / load_.stribeck_velocity)};
-  }
-
   const Contact& contact_;
   const InclinedLoad& load_;
   Number cosine_, sine_;  ///< of b

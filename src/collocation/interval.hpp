@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "blade/bending_table.hpp"
+#include "collocation/friction_numbers.hpp"
 #include "collocation/inclined_load.hpp"
 #include "collocation/nodes.hpp"
 #include "contact/pose.hpp"
@@ -53,15 +54,18 @@ struct Machine {
 
 /// A blade and the ring under its tip. Lengths in m.
 struct Blade {
-  const blade::BendingTable* table;
-  double reach;             ///< rh + L
-  double closing;           ///< (rh + L)² − R² [m²]
-  double length;            ///< L
-  double load_unit;         ///< EI/L² [N]
-  double friction;          ///< μ [-]
+  const blade::BendingTable* table;  ///< of a blade under an axial load
+  double reach;                      ///< rh + L
+  double closing;                    ///< (rh + L)² − R² [m²]
+  double length;                     ///< L
+  double load_unit;                  ///< EI/L² [N]
+  double friction;                   ///< μ [-]
   double yield_unit;        ///< EI/(L² kr) [m]: yielding of the ring under F = EI/L²; 0 where it does not
   double first_shortening;  ///< δ/Δ of a blade that is hardly bent [-]
   double first_yielding;    ///< (F/kr)/Δ there [-]
+  // Of a rigid blade.
+  double ring_stiffness = 0.0;  ///< kr [N/m]
+  double ring_damping = 0.0;    ///< cr ωn [N per (m per unit τ)]
 };
 
 /// A leading blade on a machine.
@@ -80,7 +84,8 @@ struct FurtherBlade {
   double start_square = 0.0;         ///< p² at the start
   double start_gap_measure = 0.0;    ///< `gap_measure` there
   double start_slip_velocity = 0.0;  ///< `slip_velocity` there
-  AtNodes square;         ///< p²: a first guess, then the solution. Smooth at a touch-down, unlike p
+  AtNodes square;         ///< p²; F/kr of a rigid blade [m]: a first guess, then the solution. Smooth at a
+                          ///< touch-down, unlike p
   AtNodes gap_measure;    ///< as in `Interval`
   AtNodes slip_velocity;  ///< likewise
 };
@@ -126,19 +131,22 @@ struct Interval {
   AtNodes argument_slope;    ///< dp/dθ
   AtNodes blade_x, blade_y;  ///< er of the blade
   AtNodes angular_speed;     ///< φ' [rad per unit τ]
-  AtNodes gap_measure;       ///< g/Δ [m], as h = 0 has it: it has the sign of g where the blade is bent
-  AtNodes slip_velocity;     ///< v of the tip (MODEL 4.4) [m per unit τ]
-  AtNodes coefficients;      ///< magnitudes of Legendre's coefficients of z'' dτ/dθ [m per unit τ]
+  AtNodes gap_measure;    ///< g/Δ [m], as h = 0 has it: it has the sign of g where the blade is bent; F/kr
+                          ///< of a rigid blade
+  AtNodes slip_velocity;  ///< v of the tip (MODEL 4.4) [m per unit τ]
+  AtNodes coefficients;   ///< magnitudes of Legendre's coefficients of z'' dτ/dθ [m per unit τ]
+
+  // Of a rigid blade, and of one under an inclined load.
+  double start_force = 0.0, start_strain = 0.0;  ///< F [N], and bending strain at the root [-]
+  AtNodes normal_force, root_strain;             ///< likewise
 
   // Of a blade under an inclined load (`inclined_load.hpp`).
-  double start_lean = 0.0;                       ///< l
-  double start_shortening = 0.0;                 ///< δ/L
-  double start_chart_left = 0.0;                 ///< `InclinedLoad::chart_left`
-  double start_force = 0.0, start_strain = 0.0;  ///< F [N], and bending strain at the root [-]
-  AtNodes lean;                                  ///< l: a first guess, then the solution
-  AtNodes shortening;                            ///< δ/L
-  AtNodes chart_left;                            ///< `InclinedLoad::chart_left`
-  AtNodes normal_force, root_strain;             ///< F [N], and bending strain at the root [-]
+  double start_lean = 0.0;        ///< l
+  double start_shortening = 0.0;  ///< δ/L
+  double start_chart_left = 0.0;  ///< `InclinedLoad::chart_left`
+  AtNodes lean;                   ///< l: a first guess, then the solution
+  AtNodes shortening;             ///< δ/L
+  AtNodes chart_left;             ///< `InclinedLoad::chart_left`
 
   std::size_t further_count = 0;
   std::array<FurtherBlade, kMostFurther> further;
@@ -165,6 +173,10 @@ inline constexpr double kFarthestTurn = 0.8;  ///< [rad]: series of sine and cos
 using SolveInclined = bool (*)(const Contact& contact, const InclinedLoad& load, const Closeness& closeness,
                                Interval& interval);
 
+/// The same for rigid blades, whose arc is a stretch of time: (p, w) = (p at the start, 0).
+using SolveRigid = bool (*)(const Contact& contact, const FrictionNumbers& friction,
+                            const Closeness& closeness, Interval& interval);
+
 /// Blades under an inclined load, one bent more than the other, where a shaft stands.
 struct BranchPoints {
   AtNodes argument;  ///< p
@@ -178,7 +190,7 @@ using BranchOf = bool (*)(const Contact& contact, const InclinedLoad& load, cons
 /// Bounds of what changes within an interval that is solved, as the polynomials through the start and the
 /// nodes have it: none of them leaves the range of its Bernstein coefficients.
 struct Bounds {
-  /// Least s v, of the leading blade and of the others: no slip reverses where it is positive [m per unit τ].
+  /// Least |v|, of the leading blade and of the others: no slip reverses where it is positive [m per unit τ].
   std::array<double, 1 + kMostFurther> slip_velocity;
   double gap_measure;   ///< least g/Δ of the leading blade; the start is left out, where it may be 0 [m]
   double argument;      ///< largest p of the leading blade; largest δ/L of one under an inclined load
@@ -201,6 +213,7 @@ using LargestGap = double (*)(const Contact& contact, const Interval& interval, 
 struct IntervalSolver {
   Solve solve;
   SolveInclined solve_inclined;
+  SolveRigid solve_rigid;
   BranchOf inclined_branch;
   BoundsOf bounds;
   BoundsOf inclined_bounds;

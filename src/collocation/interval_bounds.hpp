@@ -21,8 +21,7 @@ class IntervalBounds {
   RUBATLAS_INLINE Bounds bounds() const {
     const Interval& in = interval_;
     Bounds result{};
-    result.slip_velocity[0] =
-        least(contact_.slip * in.start_slip_velocity, Number(in.slip_velocity) * contact_.slip);
+    result.slip_velocity[0] = least_magnitude(in.start_slip_velocity, Number(in.slip_velocity));
     result.gap_measure = later(in.start_gap_measure, Number(in.gap_measure)).least();
     result.argument = largest(in.start_argument, Number(in.argument));
     const double across = largest_magnitude(in.shaft.start[0], Number(in.shaft.x));
@@ -33,8 +32,7 @@ class IntervalBounds {
     result.distance = root_of_squares(from_ring, largest_magnitude(start.y, nodes.y));
     for (std::size_t k = 0; k < in.further_count; ++k) {
       const FurtherBlade& blade = in.further[k];
-      result.slip_velocity[1 + k] =
-          least(blade.slip * blade.start_slip_velocity, Number(blade.slip_velocity) * blade.slip);
+      result.slip_velocity[1 + k] = least_magnitude(blade.start_slip_velocity, Number(blade.slip_velocity));
       const Number squares = later(blade.start_square, Number(blade.square));
       result.further_argument[k] = std::sqrt(std::max(blade.start_square, squares.largest()));
       result.stays[k] =
@@ -112,6 +110,10 @@ class IntervalBounds {
   }
   RUBATLAS_INLINE double least(double start, const Number& at_nodes) const {
     return std::min(start, later(start, at_nodes).least());
+  }
+  /// Positive where it keeps the sign that it has at the start.
+  RUBATLAS_INLINE double least_magnitude(double start, const Number& at_nodes) const {
+    return least(std::abs(start), at_nodes * std::copysign(1.0, start));
   }
   RUBATLAS_INLINE double largest(double start, const Number& at_nodes) const {
     return std::max(start, later(start, at_nodes).largest());

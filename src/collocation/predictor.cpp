@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numbers>
 #include <span>
 
 #include "blade/bending_table.hpp"
@@ -55,6 +56,9 @@ void Predictor::begin(const Start& start) {
 
 void Predictor::begin_under_load(const Start& start, double half) {
   time_unit_ = half;
+  // Half of the period on the ring's spring.
+  if (const double stiffness = start.blade->ring_stiffness * closing_unit_; stiffness > 0.0)
+    time_unit_ = std::min(half, std::numbers::pi / std::sqrt(stiffness));
   unit_length_ = 1.0;
   length_ = share_of_first_[1];
   curvature_ = 0.0;

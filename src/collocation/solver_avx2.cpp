@@ -4,11 +4,12 @@
 #include "collocation/inclined_sweeps.hpp"
 #include "collocation/interval_bounds.hpp"
 #include "collocation/interval_sweeps.hpp"
+#include "collocation/rigid_sweeps.hpp"
 
 namespace rubatlas::collocation {
 
 IntervalSolver solver_avx2() {
-  return {solved<4>,    inclined_solved<4>,    inclined_branch<4>,
+  return {solved<4>,    inclined_solved<4>,    rigid_solved<4>,  inclined_branch<4>,
           bounds_of<4>, inclined_bounds_of<4>, largest_gap_of<4>};
 }
 

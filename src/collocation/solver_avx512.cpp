@@ -4,11 +4,12 @@
 #include "collocation/inclined_sweeps.hpp"
 #include "collocation/interval_bounds.hpp"
 #include "collocation/interval_sweeps.hpp"
+#include "collocation/rigid_sweeps.hpp"
 
 namespace rubatlas::collocation {
 
 IntervalSolver solver_avx512() {
-  return {solved<8>,    inclined_solved<8>,    inclined_branch<8>,
+  return {solved<8>,    inclined_solved<8>,    rigid_solved<8>,  inclined_branch<8>,
           bounds_of<8>, inclined_bounds_of<8>, largest_gap_of<8>};
 }
 

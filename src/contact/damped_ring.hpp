@@ -37,6 +37,8 @@ class RigidBladeOnDampedRing {
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const Geometry& geometry() const { return law_.geometry(); }
   [[nodiscard]] const CoulombFriction& friction() const { return law_.friction(); }
+  [[nodiscard]] double stiffness() const { return law_.stiffness(); }  ///< kr [N/m]
+  [[nodiscard]] double damping() const { return damping_; }            ///< cr ωn [N per (m per unit τ)]
   /// The same blade, shorter at its tip by `lost` [m].
   [[nodiscard]] RigidBladeOnDampedRing shortened(double lost) const {
     return {law_.shortened(lost).geometry(), {law_.stiffness(), damping_}, law_.friction()};

@@ -29,6 +29,7 @@ class RigidBladeContact {
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const FrictionLaw& friction() const { return friction_; }
   [[nodiscard]] double stiffness() const { return stiffness_; }  ///< kr [N/m]
+  [[nodiscard]] static double damping() { return 0.0; }          ///< of the ring: none
   /// The same blade, shorter at its tip by `lost` [m].
   [[nodiscard]] RigidBladeContact shortened(double lost) const {
     return {{geometry_.reach - lost, geometry_.ring_radius}, stiffness_, friction_};

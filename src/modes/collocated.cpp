@@ -32,8 +32,22 @@ bool Collocated::start(double time, const rotor::ShaftAndRing& state,
   }
   meter_->spend(Work::contact,
                 static_cast<std::int64_t>(law_->evaluations() - evaluations) * WorkPrice::kInclinedCurve);
+  if (!law_->ends_at_ring() && any_returns_from_ring(time, state)) stands_ = false;
   if (stands_) arc_.begin(time, state, std::span(touching).first(contacts.size()));
   return true;
+}
+
+/// Whether a tip that does not touch is inside the undeformed ring: it has lifted off there.
+bool Collocated::any_returns_from_ring(double time, const rotor::ShaftAndRing& state) const {
+  Point there;
+  there.time = time;
+  there.bodies = state;
+  for (int k = 0; k < blades_->count(); ++k) {
+    if (std::ranges::find(contacts_, k, &OpenContact::blade) != contacts_.end()) continue;
+    const contact::Pose at = pose(k, there);
+    if (at.gap > contact::gap_rounding(law_->geometry(k), at)) return true;
+  }
+  return false;
 }
 
 ModeEnd Collocated::advance(double until, MotionListener& listener) {
@@ -210,7 +224,8 @@ Collocated::Point Collocated::place_on_path(double share, trajectory::PathPoint&
   const auto [from, to] = *piece_stretch_;
   const double length = to - from;
   const double fraction = from + share * length;
-  Point there = arc_.point_at(fraction);
+  // The force of a rigid tip is a small difference of places, which err between the nodes.
+  Point there = law_->is_rigid() ? arc_.solved_at_fraction(fraction) : arc_.point_at(fraction);
   const collocation::ArcLaw::Tangent rate = arc_.direction_at(fraction);
   point.time = there.time;
   point.time_rate = length * rate.time;
@@ -245,7 +260,7 @@ Collocated::LargestLoad Collocated::largest_kept(trajectory::Load load, std::siz
 /// Force and strain grow with the bending under an axial load, so that a blade that is bent less than where
 /// its load was known need not be looked at.
 Collocated::LargestLoad Collocated::largest(trajectory::Load load, std::size_t contact, double known) {
-  if (law_->leans()) return largest_kept(load, contact, known);
+  if (law_->keeps_loads() && blade(contact) == arc_.leader()) return largest_kept(load, contact, known);
   const auto value = [load](const MostBent& at) {
     return load == trajectory::Load::normal_force ? at.force.normal : at.force.root_strain;
   };

@@ -1,4 +1,4 @@
-/// Mode: one elastic blade in contact, or few, by collocation (`collocation/contact_arc.hpp`). Where it
+/// Mode: one blade in contact, or few, by collocation (`collocation/contact_arc.hpp`). Where it
 /// cannot prove that no other guard is met it hands the contacts over to the modes `Carried` and `Solved`,
 /// from the start of the interval in which one may be.
 #pragma once
@@ -92,6 +92,7 @@ class Collocated final : public Phase {
   }
   [[nodiscard]] contact::Pose pose(int blade, const Point& point, const contact::BladeDirection& er) const;
   [[nodiscard]] ModeEnd end_of_arc() const;
+  [[nodiscard]] bool any_returns_from_ring(double time, const rotor::ShaftAndRing& state) const;
   [[nodiscard]] trajectory::Tip tip(int blade, const Point& point) const;
   /// The piece is an interval, and not a part of one.
   [[nodiscard]] bool is_whole() const {

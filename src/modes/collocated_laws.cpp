@@ -4,6 +4,7 @@
 
 #include "collocation/axial_law.hpp"
 #include "collocation/inclined_law.hpp"
+#include "collocation/rigid_law.hpp"
 #include "modes/collocated.hpp"
 
 namespace rubatlas::modes {
@@ -13,6 +14,13 @@ namespace {
 std::unique_ptr<Phase> by_arcs(const ModesRequest& request, std::unique_ptr<collocation::ArcLaw> law) {
   return std::make_unique<Collocated>(request.machine, std::move(law), request.limits.tolerance,
                                       request.meter);
+}
+
+/// On a ring without mass the place of the ring hangs on all blades.
+template <class Blade>
+std::unique_ptr<Phase> rigid(const ModesRequest& request, const contact::UnequalBlades<Blade>& law) {
+  if (!request.collocates || request.machine.following_ring() != nullptr) return nullptr;
+  return by_arcs(request, std::make_unique<collocation::RigidLaw<contact::UnequalBlades<Blade>>>(law));
 }
 
 template <class Blade>
@@ -46,6 +54,29 @@ std::unique_ptr<Phase> collocated(
     const ModesRequest& request,
     const contact::UnequalBlades<contact::DirectedElastica<contact::VelocityFriction>>& law) {
   return under_inclined_loads(request, law);
+}
+
+template <>
+std::unique_ptr<Phase> collocated(const ModesRequest& request,
+                                  const contact::UnequalBlades<contact::ElasticRingContact>& law) {
+  return rigid(request, law);
+}
+template <>
+std::unique_ptr<Phase> collocated(
+    const ModesRequest& request,
+    const contact::UnequalBlades<contact::RigidBladeContact<contact::StickingFriction>>& law) {
+  return rigid(request, law);
+}
+template <>
+std::unique_ptr<Phase> collocated(
+    const ModesRequest& request,
+    const contact::UnequalBlades<contact::RigidBladeContact<contact::VelocityFriction>>& law) {
+  return rigid(request, law);
+}
+template <>
+std::unique_ptr<Phase> collocated(const ModesRequest& request,
+                                  const contact::UnequalBlades<contact::RigidBladeOnDampedRing>& law) {
+  return rigid(request, law);
 }
 
 }  // namespace rubatlas::modes

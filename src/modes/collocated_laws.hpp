@@ -3,7 +3,9 @@
 
 #include <memory>
 
+#include "contact/damped_ring.hpp"
 #include "contact/directed_elastica.hpp"
+#include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
 #include "contact/friction_law.hpp"
 #include "contact/unequal_blades.hpp"

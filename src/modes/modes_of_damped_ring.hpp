@@ -5,6 +5,7 @@
 
 #include "contact/damped_ring.hpp"
 #include "integrate/dormand_prince_853.hpp"
+#include "modes/collocated_laws.hpp"
 #include "modes/damped_ring.hpp"
 #include "modes/modes_of_law.hpp"
 
@@ -18,6 +19,7 @@ class ModesOfRigidBladesOnDampedRing final : public ModesOfLaw<contact::RigidBla
 
   ModesOfRigidBladesOnDampedRing(const ModesRequest& request, Law law) : Base(request, std::move(law)) {
     this->solved_ = this->template phase_of<DampedRing<Law>>();
+    this->collocated_ = modes::collocated(request, this->law_);
   }
 };
 

@@ -9,6 +9,7 @@
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/friction_law.hpp"
 #include "integrate/dormand_prince_853.hpp"
+#include "modes/collocated_laws.hpp"
 #include "modes/following_ring.hpp"
 #include "modes/modes_of_law.hpp"
 #include "modes/solved.hpp"
@@ -30,6 +31,7 @@ class ModesOfRigidBlades : public ModesOfLaw<contact::RigidBladeContact<Friction
     } else {
       this->solved_ = this->template phase_of<Solved<Law>>();
     }
+    this->collocated_ = modes::collocated(request, this->law_);
   }
 
   bool place_ring(rotor::ShaftAndRing& state, double time, std::vector<OpenContact>& contacts,

@@ -207,8 +207,8 @@ TEST(InclinedContacts, HaveTheSameBitsOnEveryProcessor) {
   blade.length = 0.1;
   blade.load_unit = 206e9 * 0.01 * thickness * thickness * thickness / 12.0 / 0.01;
   const collocation::Contact contact{&machine, &blade, 1.0, true};
-  InclinedLoad load = numbers_of(LoadDirection::normal,
-                                 contact::VelocityFriction(contact::StribeckFriction{0.3, 0.1, 0.03, 0.002}));
+  InclinedLoad load{true,
+                    numbers_of(contact::VelocityFriction(contact::StribeckFriction{0.3, 0.1, 0.03, 0.002}))};
   load.strain_unit = 0.005;
   Interval first = interval_at_ring(machine.misalignment);
   first.start_angular_speed = machine.speed_ratio;

@@ -35,11 +35,19 @@ Rows Recorder::rows(bool /*done*/) {
 
 // The method is `hybrid`: nothing is left to collocation.
 namespace rubatlas::modes {
-template <>
+template <class Blade>
 std::unique_ptr<Phase> collocated(const ModesRequest& /*request*/,
-                                  const contact::UnequalBlades<contact::ElasticaContact>& /*law*/) {
+                                  const contact::UnequalBlades<Blade>& /*law*/) {
   return nullptr;
 }
+template std::unique_ptr<Phase> collocated(const ModesRequest&,
+                                           const contact::UnequalBlades<contact::ElasticaContact>&);
+template std::unique_ptr<Phase> collocated(const ModesRequest&,
+                                           const contact::UnequalBlades<contact::ElasticRingContact>&);
+template std::unique_ptr<Phase> collocated(
+    const ModesRequest&, const contact::UnequalBlades<contact::RigidBladeContact<contact::StickingFriction>>&);
+template std::unique_ptr<Phase> collocated(
+    const ModesRequest&, const contact::UnequalBlades<contact::RigidBladeContact<contact::VelocityFriction>>&);
 }  // namespace rubatlas::modes
 
 // There are no exceptions in the module. Sources that would throw one trap, which the page hears of.

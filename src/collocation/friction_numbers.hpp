@@ -1,0 +1,25 @@
+/// The friction law of an interval, as numbers (`contact/friction_law.hpp`).
+#pragma once
+
+#include <cstdint>
+
+#include "contact/friction_law.hpp"
+
+namespace rubatlas::collocation {
+
+struct FrictionNumbers {
+  enum class Law : std::uint8_t { coulomb, regularised, stribeck };
+
+  Law law;                             ///< c(v)
+  double friction;                     ///< μ, or the kinetic μk [-]
+  double static_friction = 0.0;        ///< μs [-]
+  double stribeck_velocity = 0.0;      ///< vs [m per unit τ]
+  double regularising_velocity = 0.0;  ///< v0 [m per unit τ]
+};
+
+FrictionNumbers numbers_of(const contact::CoulombFriction& friction);
+FrictionNumbers numbers_of(const contact::VelocityFriction& friction);
+/// Of a tip that slips.
+FrictionNumbers numbers_of(const contact::StickingFriction& friction);
+
+}  // namespace rubatlas::collocation

@@ -1,0 +1,135 @@
+/// Rigid blades on a ring that yields under each tip, with any friction law, as an arc's law (MODEL 4.7). The
+/// force is a function of the tip's place and velocity: p is 1 throughout, and an arc is a stretch of time.
+#pragma once
+
+#include <algorithm>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "collocation/arc_law.hpp"
+
+namespace rubatlas::collocation {
+
+/// `Law`: of all blades, `RigidBladeContact` or `RigidBladeOnDampedRing`, or one of each blade.
+template <class Law>
+class RigidLaw final : public ArcLaw {
+ public:
+  /// `law` outlives it.
+  explicit RigidLaw(const Law& law)
+      : law_(&law), solver_(interval_solver()), friction_(numbers_of(law.of(0).friction())) {}
+
+  [[nodiscard]] std::size_t most_contacts() const override { return 1 + kMostFurther; }
+  [[nodiscard]] Blade numbers(int blade) const override {
+    const auto& law = law_->of(blade);
+    return {.table = nullptr,
+            .reach = law.geometry().reach,
+            .closing = law.geometry().closing(),
+            .length = 0.0,
+            .load_unit = 0.0,
+            .friction = 0.0,
+            .yield_unit = 0.0,
+            .first_shortening = 0.0,
+            .first_yielding = 0.0,
+            .ring_stiffness = law.stiffness(),
+            .ring_damping = law.damping()};
+  }
+  [[nodiscard]] contact::Geometry geometry(int blade) const override { return law_->of(blade).geometry(); }
+  [[nodiscard]] bool has_slip_state() const override {
+    return friction_.law == FrictionNumbers::Law::coulomb;
+  }
+  [[nodiscard]] bool leans() const override { return false; }
+  [[nodiscard]] bool is_rigid() const override { return true; }
+  [[nodiscard]] bool ends_at_ring() const override { return law_->of(0).damping() == 0.0; }
+  [[nodiscard]] bool may_slip_back() const override { return has_slip_state() && !contact::Sticks<Law>; }
+  [[nodiscard]] bool releases_at_fold(int /*blade*/) const override { return false; }
+  [[nodiscard]] bool has_branches(int /*blade*/) const override { return false; }
+  [[nodiscard]] bool starts_unloaded(int /*blade*/, double /*slip*/,
+                                     const contact::Pose& /*at*/) const override {
+    return ends_at_ring();
+  }
+  [[nodiscard]] double valid_argument(int /*blade*/) const override {
+    return std::numeric_limits<double>::infinity();
+  }
+  [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& /*at*/,
+                                          double /*speed*/) const override {
+    return touch;
+  }
+  Bending lead(const Touch& /*touch*/) override { return {kArgument}; }
+  [[nodiscard]] double argument(const Touch& /*touch*/) const override { return kArgument; }
+  [[nodiscard]] double side(const Touch& touch) const override { return touch.slip; }
+  [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override {
+    const contact::TipForce there = force(touch, at, speed);
+    return {there, there.normal / law_->of(touch.blade).stiffness(), 0.0};
+  }
+  [[nodiscard]] Tangent tangent(const Touch& /*touch*/, const contact::Pose& /*at*/, double /*speed*/,
+                                const std::complex<double>& /*acceleration*/) const override {
+    return {1.0, 0.0, 0.0};
+  }
+  [[nodiscard]] std::span<const blade::BendingTable::Knot> knots() const override { return {}; }
+  [[nodiscard]] double deflection_per_square() const override { return 0.0; }
+  [[nodiscard]] FurtherStart further(const Touch& touch, const contact::Pose& at,
+                                     double speed) const override {
+    const Start there = start(touch, at, speed);
+    return {.blade = touch.blade,
+            .slip = touch.slip,
+            .square = there.gap_measure,
+            .gap_measure = there.gap_measure,
+            .slip_velocity = there.force.slip_velocity,
+            .force = there.force};
+  }
+  [[nodiscard]] bool solve(const Contact& contact, const Closeness& closeness,
+                           Interval& interval) const override {
+    return solver_.solve_rigid(contact, friction_, closeness, interval) && resolves_friction(interval);
+  }
+  [[nodiscard]] Bounds bounds(const Contact& contact, const Interval& interval) const override {
+    return solver_.bounds(contact, interval);
+  }
+  [[nodiscard]] Touch touch(int blade, double slip, const Bending& /*bending*/) const override {
+    return {blade, slip, 0.0};
+  }
+  [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
+                                        double speed) const override {
+    double bending = 0.0;
+    contact::TipForce result{};
+    law_->of(touch.blade).respond(at, touch.slip, speed, bending, result);
+    return result;
+  }
+  [[nodiscard]] double friction_coefficient(const Touch& touch,
+                                            const contact::TipForce& force) const override {
+    return law_->of(touch.blade).friction().coefficient(force.slip_velocity, touch.slip);
+  }
+  [[nodiscard]] Rates rates(const Bending& /*bending*/, const Tangent& /*along*/) const override {
+    return {};
+  }
+
+ private:
+  /// Whether the nodes see how friction passes through zero slip, within v0: else what it does there could
+  /// hide between two of them.
+  [[nodiscard]] bool resolves_friction(const Interval& interval) const {
+    if (has_slip_state()) return true;
+    const double width = friction_.regularising_velocity;
+    const auto resolves = [width](double start, const AtNodes& nodes) {
+      constexpr double kSteep = 10.0;  // v/v0 up to which tanh changes
+      constexpr double kSeen = 3.0;
+      const auto [least, largest] = std::minmax_element(nodes.value.begin(), nodes.value.end());
+      const double low = std::min(start, *least);
+      const double high = std::max(start, *largest);
+      return low > kSteep * width || high < -kSteep * width || high - low < kSeen * width;
+    };
+    bool all = resolves(interval.start_slip_velocity, interval.slip_velocity);
+    for (std::size_t k = 0; k < interval.further_count; ++k)
+      all = all && resolves(interval.further[k].start_slip_velocity, interval.further[k].slip_velocity);
+    return all;
+  }
+
+  static constexpr double kArgument = 1.0;  ///< p: not 0, from where a blade would begin to bend
+
+  const Law* law_;
+  IntervalSolver solver_;
+  FrictionNumbers friction_;
+};
+
+}  // namespace rubatlas::collocation

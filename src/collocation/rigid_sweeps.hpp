@@ -1,0 +1,132 @@
+/// The sweeps of rigid blades on a ring that yields under each tip: the force follows from where the tip
+/// stands and how it moves, and the arc is a stretch of time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "collocation/arc_sweeps.hpp"
+#include "collocation/friction_in_lanes.hpp"
+#include "collocation/interval.hpp"
+#include "collocation/nodes_in_lanes.hpp"
+
+namespace rubatlas::collocation {
+namespace {
+
+template <std::size_t kWidth, bool kPlain>
+class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
+  using Base = ArcSweeps<kWidth, kPlain>;
+  friend Base;
+
+ public:
+  using Number = Lanes<kWidth>;
+
+  RUBATLAS_INLINE RigidSweeps(const Contact& contact, const FrictionNumbers& friction,
+                              const Closeness& closeness, Interval& interval)
+      : Base(contact, closeness, interval), contact_(contact), friction_(friction) {
+    take_direction(elapsed());
+  }
+
+  RUBATLAS_INLINE bool solve() { return this->converge(*this, kMostSweeps, kMostSweeps); }
+
+ private:
+  using Vector = typename Base::Vector;
+
+  static constexpr int kMostSweeps = 16;  ///< they are cheap
+  [[nodiscard]] static double largest_step_allowed() { return 1.0; }
+
+  struct Tip {
+    Number yielding;       ///< F/kr
+    Number slip_velocity;  ///< v
+    Number radial_normal, tangential_normal;
+  };
+  /// Of a blade in the direction er (MODEL 4.3, 4.7).
+  RUBATLAS_INLINE Tip tip_of(const Blade& blade, const Vector& er) const {
+    const Vector centre = seen();
+    const Vector velocity = seen_velocity();
+    const Number radial = centre.x * er.x + centre.y * er.y;
+    const Number tangential = centre.y * er.x - centre.x * er.y;
+    const Number radial_velocity = velocity.x * er.x + velocity.y * er.y;
+    const Number tangential_velocity = velocity.y * er.x - velocity.x * er.y;
+    const Number gap =
+        (centre.x * centre.x + centre.y * centre.y) + (radial * (2.0 * blade.reach) + blade.closing);
+    const Number along = radial + blade.reach;
+    const Number distance = root(along * along + tangential * tangential);
+    const Number per_distance = Number(1.0) / distance;
+    Tip tip;
+    tip.radial_normal = along * per_distance;
+    tip.tangential_normal = tangential * per_distance;
+    tip.slip_velocity = (tip.radial_normal * tangential_velocity - tip.tangential_normal * radial_velocity) +
+                        angular_speed() * tip.radial_normal * blade.reach;
+    tip.yielding = gap / (distance + machine_.ring_radius);
+    if (blade.ring_damping > 0.0) {
+      const Number rate = tip.radial_normal * (radial_velocity + angular_speed() * tangential) +
+                          tip.tangential_normal * (tangential_velocity - angular_speed() * radial);
+      tip.yielding = tip.yielding + rate * (blade.ring_damping / blade.ring_stiffness);
+    }
+    return tip;
+  }
+  /// What it does to the shaft, as an acceleration.
+  RUBATLAS_INLINE Vector push_of(const Blade& blade, double slip, const Vector& er) const {
+    const Tip tip = tip_of(blade, er);
+    const Number coefficient = friction_at(friction_, slip, tip.slip_velocity).coefficient;
+    const Number load = tip.yielding * (blade.ring_stiffness * machine_.force_unit);
+    const Number radial = load * (coefficient * tip.tangential_normal - tip.radial_normal);
+    const Number tangential = load * (tip.tangential_normal + coefficient * tip.radial_normal) * -1.0;
+    return {radial * er.x - tangential * er.y, radial * er.y + tangential * er.x};
+  }
+
+  template <bool kLight>
+  RUBATLAS_INLINE double sweep() {
+    Vector push = push_of(*contact_.blade, contact_.slip, er_);
+    for (std::size_t k = 0; k < interval_.further_count; ++k) {
+      const FurtherBlade& further = interval_.further[k];
+      const Vector more = push_of(*further.blade, further.slip, offset_by(er_, further.offset));
+      push = {push.x + more.x, push.y + more.y};
+    }
+    return move(push);
+  }
+
+  void store() const {
+    Interval& in = interval_;
+    store_motion();
+    const Tip lead = tip_of(*contact_.blade, er_);
+    lead.yielding.store(in.gap_measure);
+    lead.slip_velocity.store(in.slip_velocity);
+    (lead.yielding * contact_.blade->ring_stiffness).store(in.normal_force);
+    Number(0.0).store(in.root_strain);
+    for (std::size_t k = 0; k < in.further_count; ++k) {
+      FurtherBlade& further = in.further[k];
+      const Tip tip = tip_of(*further.blade, offset_by(er_, further.offset));
+      tip.yielding.store(further.square);
+      tip.yielding.store(further.gap_measure);
+      tip.slip_velocity.store(further.slip_velocity);
+    }
+  }
+
+  using Base::angular_speed;
+  using Base::elapsed;
+  using Base::er_;
+  using Base::interval_;
+  using Base::machine_;
+  using Base::move;
+  using Base::offset_by;
+  using Base::seen;
+  using Base::seen_velocity;
+  using Base::store_motion;
+  using Base::take_direction;
+
+  const Contact& contact_;
+  const FrictionNumbers& friction_;
+};
+
+template <std::size_t kWidth>
+bool rigid_solved(const Contact& contact, const FrictionNumbers& friction, const Closeness& closeness,
+                  Interval& interval) {
+  return contact.machine->is_plain()
+             ? RigidSweeps<kWidth, true>(contact, friction, closeness, interval).solve()
+             : RigidSweeps<kWidth, false>(contact, friction, closeness, interval).solve();
+}
+
+}  // namespace
+}  // namespace rubatlas::collocation

@@ -1,0 +1,207 @@
+/// Rigid blades on a ring that yields under each tip, by collocation: no worse than in steps of the order-8
+/// pair at the same tolerance, for every friction law, and with a damper beside the spring.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "../support/hybrid_motion.hpp"
+#include "collocation/interval.hpp"
+#include "contact/damped_ring.hpp"
+#include "contact/elastic_ring_contact.hpp"
+#include "several_blades.hpp"
+
+namespace rubatlas::test {
+namespace {
+
+class CountedReversals final : public modes::MotionListener {
+ public:
+  void event(const modes::Event& event) override {
+    count += event.kind == modes::Guard::slip_reversal ? 1 : 0;
+  }
+  int count = 0;
+};
+
+struct RigidRotor {
+  rotor::RotorConstants rotor;
+  int blade_count;
+  rotor::State kick;
+  contact::Geometry geometry;
+  double stiffness;  ///< kr [N/m]
+  double friction;   ///< μ [-]
+};
+/// Soft rings to stiff, of which one blade or several touch. `length` [m]: the ring is larger by the
+/// clearance; the tips of short blades are slow, so that their slip reverses.
+RigidRotor rigid_rotor(std::mt19937_64& generator, double length) {
+  return {{uniform(generator, 0.1, 1.0), std::pow(10.0, uniform(generator, -2.0, -0.3)),
+           kClearanceOfSeveral * uniform(generator, 0.5, 1.5), 0.01, kClearanceOfSeveral},
+          2 + static_cast<int>(uniform(generator, 0.0, 7.0)),
+          random_start(generator),
+          {length, length + kClearanceOfSeveral},
+          std::pow(10.0, uniform(generator, 2.0, 5.0)),
+          std::pow(10.0, uniform(generator, -2.0, -0.3))};
+}
+
+/// The state after a revolution, where the motion can be computed.
+template <class Law>
+std::optional<trajectory::State> after_revolution(const RigidRotor& m, const Law& law, double tolerance,
+                                                  bool collocates, CountedReversals& reversals) {
+  const rotor::BladeSet blades(m.blade_count, m.rotor.speed_ratio);
+  const auto motion =
+      hybrid_motion(machine_of(m.rotor, blades), law, {tolerance * kClearanceOfSeveral, 0.5}, collocates);
+  if (motion->start(rotor::as_array(m.kick)) != ending::PointStatus::done) return std::nullopt;
+  if (motion->revolution(reversals, {}, 0) != ending::PointStatus::done) return std::nullopt;
+  return rotor::as_array(rotor::shaft(motion->state()));
+}
+
+/// Returns the number of slip reversals.
+template <class MakeLaw>
+int expect_errors_no_larger_than_by_steps(int wanted, double length, MakeLaw make_law) {
+  constexpr double kTolerance = 1e-9;
+  constexpr double kFine = 1e-13;
+  std::mt19937_64 generator(11);
+  std::vector<double> by_collocation;
+  std::vector<double> by_steps;
+  CountedReversals reversals;
+  CountedReversals others;
+  while (static_cast<int>(by_steps.size()) < wanted) {
+    const RigidRotor m = rigid_rotor(generator, length);
+    const auto law = make_law(m);
+    const auto exact = after_revolution(m, law, kFine, false, others);
+    const auto steps = after_revolution(m, law, kTolerance, false, others);
+    const auto collocated = after_revolution(m, law, kTolerance, true, reversals);
+    EXPECT_EQ(exact.has_value(), collocated.has_value());
+    if (!exact || !steps || !collocated || *steps == *collocated) continue;  // it has not touched
+    const auto error = [&](const trajectory::State& state) {
+      double largest = 0.0;
+      for (std::size_t i = 0; i < state.size(); ++i)
+        largest = std::max(largest, std::abs(state[i] - (*exact)[i]));
+      return largest / (kTolerance * kClearanceOfSeveral);
+    };
+    by_collocation.push_back(error(*collocated));
+    by_steps.push_back(error(*steps));
+  }
+  std::ranges::sort(by_collocation);
+  std::ranges::sort(by_steps);
+  const auto quantile = [](const std::vector<double>& sorted, double share) {
+    return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+  };
+  // Motions that tumble from contact to contact magnify errors, so that the larger quantiles scatter.
+  constexpr double kScatter = 3.0;
+  for (const double share : {0.5, 0.9, 0.99}) {
+    EXPECT_LE(quantile(by_collocation, share), kScatter * std::max(1.0, quantile(by_steps, share))) << share;
+  }
+  EXPECT_LE(quantile(by_collocation, 0.5), 1.0);
+  return reversals.count;
+}
+
+constexpr double kLong = 0.1;    // [m]
+constexpr double kShort = 0.02;  // [m]
+constexpr int kFew = 100;
+constexpr int kMany = 10000;
+
+template <class Friction>
+contact::RigidBladeContact<Friction> law_of(const RigidRotor& m, const Friction& friction) {
+  return {m.geometry, m.stiffness, friction};
+}
+
+int expect_springs_as_by_steps(int wanted) {
+  return expect_errors_no_larger_than_by_steps(
+      wanted, kLong, [](const RigidRotor& m) { return law_of(m, contact::CoulombFriction{m.friction}); });
+}
+int expect_dampers_as_by_steps(int wanted) {
+  return expect_errors_no_larger_than_by_steps(wanted, kLong, [](const RigidRotor& m) {
+    const double critical = 2.0 * std::sqrt(m.stiffness / m.rotor.force_unit);
+    return contact::RigidBladeOnDampedRing(m.geometry, {m.stiffness, 0.1 * critical},
+                                           contact::CoulombFriction{m.friction});
+  });
+}
+int expect_reversals_as_by_steps(int wanted) {
+  return expect_errors_no_larger_than_by_steps(
+      wanted, kShort, [](const RigidRotor& m) { return law_of(m, contact::CoulombFriction{m.friction}); });
+}
+int expect_rests_as_by_steps(int wanted) {
+  return expect_errors_no_larger_than_by_steps(wanted, kShort, [](const RigidRotor& m) {
+    return law_of(m, contact::StickingFriction{m.friction, m.friction});
+  });
+}
+int expect_smooth_reversals_as_by_steps(int wanted) {
+  return expect_errors_no_larger_than_by_steps(wanted, kShort, [](const RigidRotor& m) {
+    return law_of(
+        m, contact::VelocityFriction(contact::StribeckFriction{2.0 * m.friction, m.friction, 0.03, 0.005}));
+  });
+}
+
+TEST(RigidBlades, OnSpringsErrNoMoreThanInSteps) {
+  expect_springs_as_by_steps(kFew);
+}
+TEST(RigidBlades, OnDampersErrNoMoreThanInSteps) {
+  expect_dampers_as_by_steps(kFew);
+}
+TEST(RigidBlades, WhoseSlipReversesErrNoMoreThanInSteps) {
+  EXPECT_GT(expect_reversals_as_by_steps(kFew), kFew / 2);
+}
+TEST(RigidBlades, WhoseTipsRestErrNoMoreThanInSteps) {
+  EXPECT_GT(expect_rests_as_by_steps(kFew), kFew / 2);
+}
+TEST(RigidBlades, WhoseFrictionDependsOnTheVelocityErrNoMoreThanInSteps) {
+  expect_smooth_reversals_as_by_steps(kFew);
+}
+
+TEST(RigidBladesSlow, ErrNoMoreThanInStepsInTenThousandMotions) {
+  expect_springs_as_by_steps(kMany);
+  expect_dampers_as_by_steps(kMany);
+  expect_reversals_as_by_steps(kMany);
+  expect_rests_as_by_steps(kMany);
+  expect_smooth_reversals_as_by_steps(kMany);
+}
+
+TEST(RigidBlades, HaveTheSameBitsOnEveryProcessor) {
+  using namespace collocation;
+  collocation::Machine machine{};
+  machine.speed_ratio = 0.37;
+  machine.damping_ratio = 0.1;
+  machine.misalignment = 0.01001;
+  machine.ring_radius = 0.11;
+  machine.force_unit = 0.01;
+  collocation::Blade blade{};
+  blade.reach = 0.1;
+  blade.closing = -0.0021;
+  blade.ring_stiffness = 2000.0;
+  blade.ring_damping = 20.0;
+  const collocation::Contact contact{&machine, &blade, 1.0};
+  const FrictionNumbers friction =
+      numbers_of(contact::VelocityFriction(contact::StribeckFriction{0.3, 0.1, 0.03, 0.02}));
+  Interval first{};
+  first.start_argument = 1.0;
+  first.blade = {std::cos(-1.2), std::sin(-1.2)};
+  first.start_angular_speed = machine.speed_ratio;
+  first.shaft.start = {0.002, -0.01, 0.01, -0.03};
+  first.chord = {0.3, 0.0};
+  first.normal = {0.0, 1.0};
+  first.further_count = 1;
+  first.further[0].blade = &blade;
+  first.further[0].offset = {0.5, std::sqrt(0.75)};
+  Interval in_pairs = first;
+  Interval here = first;
+  const Closeness closeness{1e-12, false};
+  ASSERT_TRUE(solver_in_pairs().solve_rigid(contact, friction, closeness, in_pairs));
+  ASSERT_TRUE(interval_solver().solve_rigid(contact, friction, closeness, here));
+  EXPECT_EQ(in_pairs.sweeps, here.sweeps);
+  const auto same = [](const AtNodes& a, const AtNodes& b) {
+    return std::memcmp(a.value.data(), b.value.data(), sizeof a.value) == 0;
+  };
+  EXPECT_TRUE(same(in_pairs.shaft.vy, here.shaft.vy) && same(in_pairs.gap_measure, here.gap_measure) &&
+              same(in_pairs.slip_velocity, here.slip_velocity) &&
+              same(in_pairs.normal_force, here.normal_force) &&
+              same(in_pairs.further[0].square, here.further[0].square));
+  EXPECT_EQ(solver_in_pairs().bounds(contact, in_pairs), interval_solver().bounds(contact, here));
+}
+
+}  // namespace
+}  // namespace rubatlas::test
