@@ -35,6 +35,8 @@ class ArcLaw {
   /// Friction takes its sign from s, so that a reversal of the slip is an event.
   [[nodiscard]] virtual bool has_slip_state() const = 0;
   /// The lean of the load is an unknown.
+  /// A tip at rest has an arc, too, while no other blade touches.
+  [[nodiscard]] virtual bool holds_tips() const { return false; }
   [[nodiscard]] virtual bool leans() const = 0;
   /// The force is explicit: the arc is a stretch of time.
   [[nodiscard]] virtual bool is_rigid() const { return false; }
@@ -70,7 +72,9 @@ class ArcLaw {
   struct Start {
     contact::TipForce force;
     double gap_measure;  ///< g/Δ [m]
-    double chart_left;   ///< `InclinedLoad::chart_left`, of a blade under an inclined load
+    // Of a blade under an inclined load:
+    double chart_left = 0.0;  ///< `InclinedLoad::chart_left`
+    double cone_left = 0.0;   ///< `InclinedLoad::cone` less c²
   };
   [[nodiscard]] virtual Start start(const Touch& touch, const contact::Pose& at, double speed) const = 0;
   /// Where the arc leads from there, for a blade that is bent: dτ, dp and dl, of any length.
@@ -97,7 +101,7 @@ class ArcLaw {
   /// Its force, and c [-].
   [[nodiscard]] virtual contact::TipForce force(const Touch& touch, const contact::Pose& at,
                                                 double speed) const = 0;
-  [[nodiscard]] virtual double friction_coefficient(const Touch& touch,
+  [[nodiscard]] virtual double friction_coefficient(const Touch& touch, const contact::Pose& at,
                                                     const contact::TipForce& force) const = 0;
   /// Rates of what the leading blade is bent by, from those of the arc.
   struct Rates {

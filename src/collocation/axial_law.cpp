@@ -31,8 +31,7 @@ Blade AxialLaw::numbers(int blade) const {
 }
 
 ArcLaw::Start AxialLaw::start(const Touch& touch, const contact::Pose& at, double speed) const {
-  return {force(touch, at, speed), laws_->of(touch.blade).gap_per_deflection(at, touch.slip, touch.bending),
-          0.0};
+  return {force(touch, at, speed), laws_->of(touch.blade).gap_per_deflection(at, touch.slip, touch.bending)};
 }
 
 ArcLaw::Tangent AxialLaw::tangent(const Touch& touch, const contact::Pose& at, double speed,

@@ -74,7 +74,7 @@ class AxialLaw final : public ArcLaw {
                                         double speed) const override {
     return laws_->of(touch.blade).constraint(at, touch.slip, touch.bending, speed).force;
   }
-  [[nodiscard]] double friction_coefficient(const Touch& touch,
+  [[nodiscard]] double friction_coefficient(const Touch& touch, const contact::Pose& /*at*/,
                                             const contact::TipForce& /*force*/) const override {
     return touch.slip * laws_->of(touch.blade).curve().friction();
   }

@@ -170,10 +170,11 @@ void ContactArc::start_next(Interval& next) const {
   next.start_lean = end_.bending.lean;
   next.start_shortening = at_end_.force.shortening;
   next.start_chart_left = at_end_.chart_left;
+  next.start_cone_left = at_end_.cone_left;
 }
 
-bool ContactArc::solve(Interval& interval, bool warm) {
-  const bool solved = law_->solve(contact_, {kClosest * tolerance_, warm}, interval);
+bool ContactArc::solve(Interval& interval, bool warm, double closest) {
+  const bool solved = law_->solve(contact_, {std::min(kClosest * tolerance_, closest), warm}, interval);
   sweeps_ += static_cast<std::uint64_t>(interval.sweeps);
   return solved;
 }
@@ -201,7 +202,7 @@ double ContactArc::error_of(const Interval& interval) const {
 }
 
 /// The stretch of an interval up to θ, solved for itself.
-bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter) {
+bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter, double closest) {
   shorter.start_time = whole.start_time;
   shorter.start_argument = whole.start_argument;
   shorter.shaft.start = whole.shaft.start;
@@ -220,6 +221,7 @@ bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter) 
     shorter.start_lean = whole.start_lean;
     shorter.start_shortening = whole.start_shortening;
     shorter.start_chart_left = whole.start_chart_left;
+    shorter.start_cone_left = whole.start_cone_left;
   }
   shorter.further_count = whole.further_count;
   for (std::size_t k = 0; k < whole.further_count; ++k) {
@@ -233,7 +235,7 @@ bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter) 
   shorter.chord = {fraction * whole.chord.time, fraction * whole.chord.argument};
   shorter.normal = whole.normal;
   read_stretch(contact_, whole, fraction, shorter);
-  return solve(shorter, true);
+  return solve(shorter, true, closest);
 }
 
 void ContactArc::move(Point& point, const Interval& interval, double late) {
@@ -339,6 +341,7 @@ void ContactArc::goes_on(const Ending& ending) {
   if (contact_.leans) {
     at_end_.force.shortening = made().shortening.at_end();
     at_end_.chart_left = made().chart_left.at_end();
+    at_end_.cone_left = made().cone_left.at_end();
   }
   if (law_->keeps_loads()) {
     at_end_.force.normal = made().normal_force.at_end();

@@ -15,9 +15,11 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -57,9 +59,18 @@ class ContactArc {
   /// Makes the next interval, from the end of the one before.
   Outcome make();
   /// What ends an interval: the leading blade lifts off unbent or under load, or comes to the fold of its
-  /// branch or to the end of the chart of its equilibria; the slip of a blade reverses; another blade touches
-  /// down.
-  enum class Guard : std::uint8_t { none, unbent, under_load, fold, chart_end, slip_reversal, touch_down };
+  /// branch or to the end of the chart of its equilibria; the slip of a blade reverses; a tip at rest comes
+  /// loose; another blade touches down.
+  enum class Guard : std::uint8_t {
+    none,
+    unbent,
+    under_load,
+    fold,
+    chart_end,
+    slip_reversal,
+    loosening,
+    touch_down
+  };
   struct Ending {
     Guard guard = Guard::none;
     double fraction = 1.0;  ///< θ
@@ -145,7 +156,8 @@ class ContactArc {
   [[nodiscard]] Stretch stretch(double from, double to) const;
   [[nodiscard]] Point solved_in(const Stretch& stretch, double fraction);
   void start_next(Interval& next) const;
-  bool solve(Interval& interval, bool warm);
+  /// `closest`: what sweeps may leave, if less than usual [m per unit τ].
+  bool solve(Interval& interval, bool warm, double closest = std::numeric_limits<double>::infinity());
   [[nodiscard]] double error_of(const Interval& interval) const;
   [[nodiscard]] bool stays_valid(const Bounds& bounds, const Ending& ending) const;
   [[nodiscard]] Ending guard_of_contacts(const Interval& interval) const;
@@ -158,7 +170,15 @@ class ContactArc {
   void change_leader(std::size_t further);
   void leave_earlier();
   void guess_further(Interval& next) const;
-  bool cut(const Interval& whole, double fraction, Interval& shorter);
+  bool cut(const Interval& whole, double fraction, Interval& shorter,
+           double closest = std::numeric_limits<double>::infinity());
+  /// |v| of a slip reversal that has been located [m per unit τ].
+  [[nodiscard]] double slip_rounding() const {
+    return contact::kSlipRounding * std::abs(rotor_->speed_ratio) * machine().ring_radius;
+  }
+  /// Slip may reverse.
+  [[nodiscard]] bool slips() const { return law_->has_slip_state() && contact_.slip != 0.0; }
+  [[nodiscard]] bool is_bent_firmly(const Interval& interval) const;
   [[nodiscard]] bool is_next_to_unbent(const Interval& interval) const;
   [[nodiscard]] double left_at_end(const Ending& ending, const Interval& interval) const;
   bool cut_at(const Interval& whole, Ending& ending, Interval& shorter);

@@ -26,9 +26,10 @@ double slope_before(const AtPlaces& values, double fraction) {
 /// the blades within their limit.
 bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
   const auto keeps_slip = [&](int blade, double slip, double start, double least) {
-    if (!law_->has_slip_state()) return true;
+    if (!slips()) return true;
     const bool reverses = ending.guard == Guard::slip_reversal && ending.blade == blade;
-    return least > (reverses ? -rounding_at_end_ : 0.0) && (slip * start > 0.0 || law_->may_slip_back());
+    const bool slips_on = reverses ? least >= -rounding_at_end_ : least > 0.0;
+    return slips_on && (slip * start > 0.0 || law_->may_slip_back());
   };
   if (!(bounds.distance < machine().ring_radius)) return false;
   if (!(bounds.argument < law_->valid_argument(blade_))) return false;
@@ -39,6 +40,7 @@ bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
         !keeps_slip(further.blade, further.slip, further.slip_velocity, bounds.slip_velocity[1 + k]))
       return false;
   }
+  if (contact_.slip == 0.0 && !(bounds.cone_left > 0.0)) return false;
   return !contact_.leans || (bounds.time_slope > 0.0 && bounds.chart_left > 0.0);
 }
 
@@ -70,7 +72,8 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
     look(Guard::fold, blade_, sum_of_products(node_tables().value_at_start, interval.time_slope),
          interval.time_slope, 1.0, count);
   if (contact_.leans) look(Guard::chart_end, blade_, interval.start_chart_left, interval.chart_left, 1.0);
-  if (!law_->has_slip_state()) return first;
+  if (contact_.slip == 0.0) look(Guard::loosening, blade_, interval.start_cone_left, interval.cone_left, 1.0);
+  if (!slips()) return first;
   const auto look_for_reversal = [&](int blade, double start, const AtNodes& nodes) {
     look(Guard::slip_reversal, blade, start, nodes, std::copysign(1.0, start));
   };
@@ -129,6 +132,8 @@ double ContactArc::left_at_end(const Ending& ending, const Interval& interval) c
       return interval.time_slope.at_end();
     case Guard::chart_end:
       return interval.chart_left.at_end();
+    case Guard::loosening:
+      return interval.cone_left.at_end();
     default: {
       const auto left = [](double start, const AtNodes& nodes) {
         return std::copysign(1.0, start) * nodes.at_end();
@@ -146,13 +151,18 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
   constexpr double kClosestFraction = 1e-11;
   // At a fold time stands still, and where no force is left nothing is missed in a moment.
   const bool once = ending.guard == Guard::fold || (ending.guard == Guard::unbent && further_.empty());
-  for (int i = 0; i < kTimes; ++i) {
-    if (!cut(whole, ending.fraction, shorter)) return false;
+  // Whether a tip comes to rest depends on v to rounding, the more so where friction hardly moves the tip.
+  constexpr double kToRounding = 1e-3;  // of what v may be, and of the fraction
+  const bool may_rest = contact_.leans && ending.guard == Guard::slip_reversal;
+  const double closest = may_rest ? kToRounding * slip_rounding() : std::numeric_limits<double>::infinity();
+  const double closest_fraction = may_rest ? kToRounding * kClosestFraction : kClosestFraction;
+  for (int i = 0; i < (may_rest ? 2 * kTimes : kTimes); ++i) {
+    if (!cut(whole, ending.fraction, shorter, closest)) return false;
     if (once) break;
     const double left = left_at_end(ending, shorter);
     rounding_at_end_ = 2.0 * std::abs(left);
     const double less = left / ending.slope;
-    if (!(std::abs(less) > kClosestFraction) || ending.fraction - less > 1.0) break;
+    if (!(std::abs(less) > closest_fraction) || ending.fraction - less > 1.0) break;
     ending.fraction -= less;
     if (!(ending.fraction > 0.0)) return false;
   }
@@ -168,6 +178,16 @@ bool ContactArc::is_next_to_unbent(const Interval& interval) const {
   const double argument = interval.argument.at_end();
   return argument < kNext ||
          (argument < kNear && law_->starts_unloaded(blade_, contact_.slip, pose(blade_, end_of(interval))));
+}
+
+/// The blade of a tip at rest is no straight strut between hub and ring.
+bool ContactArc::is_bent_firmly(const Interval& interval) const {
+  constexpr double kLeastModulus = 1e-3;  // κ
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    const Bending bending{interval.argument[i], interval.lean[i]};
+    if (!(std::abs(law_->touch(blade_, 0.0, bending).bend.modulus) > kLeastModulus)) return false;
+  }
+  return true;
 }
 
 ContactArc::Verdict ContactArc::judge(Ending& ending) {
@@ -201,6 +221,12 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   if (ending.guard != Guard::under_load && !held_beyond_ring && !stays_bent) return Verdict::gives_up;
   const Interval& kept = in_part ? part : next;
   if (ending.guard == Guard::fold && is_next_to_unbent(kept)) ending.guard = Guard::unbent;
+  if (contact_.slip == 0.0) {
+    // At a fold the place of a tip at rest is lost. One whose blade unbends is for steps to follow.
+    if (ending.guard == Guard::fold) ending.guard = Guard::loosening;
+    if (ending.guard == Guard::unbent || ending.guard == Guard::chart_end || !is_bent_firmly(kept))
+      return Verdict::gives_up;
+  }
   // At a fold a tip is free only outside the ring, or it snaps.
   if (ending.guard == Guard::fold && !law_->has_branches(blade_) && !(pose(blade_, end_of(kept)).gap < 0.0))
     return Verdict::gives_up;

@@ -9,7 +9,9 @@ FrictionNumbers numbers_of(const contact::CoulombFriction& friction) {
 }
 
 FrictionNumbers numbers_of(const contact::StickingFriction& friction) {
-  return {.law = FrictionNumbers::Law::coulomb, .friction = friction.friction};
+  return {.law = FrictionNumbers::Law::coulomb,
+          .friction = friction.friction,
+          .static_friction = friction.largest_holding};
 }
 
 FrictionNumbers numbers_of(const contact::VelocityFriction& friction) {

@@ -8,11 +8,12 @@
 namespace rubatlas::collocation {
 
 struct FrictionNumbers {
-  enum class Law : std::uint8_t { coulomb, regularised, stribeck };
+  /// `rest`: a tip that sticks, under which v = 0 takes the place of c = c(v).
+  enum class Law : std::uint8_t { coulomb, regularised, stribeck, rest };
 
   Law law;                             ///< c(v)
   double friction;                     ///< μ, or the kinetic μk [-]
-  double static_friction = 0.0;        ///< μs [-]
+  double static_friction = 0.0;        ///< μs [-], of a tip that may stick, too
   double stribeck_velocity = 0.0;      ///< vs [m per unit τ]
   double regularising_velocity = 0.0;  ///< v0 [m per unit τ]
 };

@@ -43,12 +43,11 @@ class InclinedLaw final : public ArcLaw {
             .first_shortening = 0.0,
             .first_yielding = 0.0};
   }
-  [[nodiscard]] bool has_slip_state() const override {
-    return load_.friction.law == FrictionNumbers::Law::coulomb;
-  }
+  [[nodiscard]] bool has_slip_state() const override { return law_of_slip_ == FrictionNumbers::Law::coulomb; }
+  [[nodiscard]] bool holds_tips() const override { return true; }
   [[nodiscard]] bool leans() const override { return true; }
   [[nodiscard]] bool releases_at_fold(int /*blade*/) const override { return false; }
-  [[nodiscard]] bool has_branches(int /*blade*/) const override { return true; }
+  [[nodiscard]] bool has_branches(int /*blade*/) const override { return has_branches_; }
   [[nodiscard]] bool starts_unloaded(int /*blade*/, double /*slip*/, const contact::Pose& at) const override {
     return load_.side * at.tangential > 0.0;
   }
@@ -57,6 +56,13 @@ class InclinedLaw final : public ArcLaw {
                                           double speed) const override {
     const auto& law = law_->of(touch.blade);
     Touch opened = touch;
+    if (touch.slip == 0.0) {
+      constexpr double kLeastFirmness = 1e-4;
+      const auto rest = law.rest(at, speed, touch.bend);
+      if (!rest || !(rest->firmness > kLeastFirmness)) return std::nullopt;
+      opened.bend = rest->blade.bend;
+      return opened;
+    }
     if (goes_on(law, at, speed, opened, kNear)) return opened;
     if (touch.bend.modulus == 0.0) {
       // On the approaching side a contact opens from zero force (MODEL 4.2).
@@ -74,7 +80,11 @@ class InclinedLaw final : public ArcLaw {
   }
   Bending lead(const Touch& touch) override {
     const auto& law = law_->of(touch.blade);
+    load_.friction.law = touch.slip == 0.0 ? FrictionNumbers::Law::rest : law_of_slip_;
     load_.side = side(touch);
+    // A blade that an axial load bends the way friction pushes has no fold (MODEL 4.2).
+    has_branches_ = load_.along_normal || load_.friction.law != FrictionNumbers::Law::coulomb ||
+                    load_.side * touch.slip < 0.0;
     const double lean = lean_of(touch.bend);
     load_.scale = std::max(2.0 * std::abs(lean), kLeastScale);
     load_.strain_unit = law.strain_unit();
@@ -90,30 +100,53 @@ class InclinedLaw final : public ArcLaw {
   }
   [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override {
     const auto& law = law_->of(touch.blade);
-    const auto there = law.constraint_or_unloaded(at, touch.slip, speed, touch.bend);
+    const auto there = constraint(touch, at, speed);
     // g/|D|, as h = 0 has it.
     const double deflection = std::abs(there.blade.deflection.value);
     const double share = deflection > kUnbent ? there.blade.shortening.value / deflection : 0.0;
     const double measure = 2.0 * side(touch) * there.tangential + law.length() * deflection +
                            share * (2.0 * there.radial + law.length() * there.blade.shortening.value);
     return {law.force_of(at, speed, there), measure,
-            InclinedLoad::chart_left(bending_of(touch.bend), lean_of(touch.bend))};
+            InclinedLoad::chart_left(bending_of(touch.bend), lean_of(touch.bend)),
+            load_.cone() - there.coefficient * there.coefficient};
   }
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
                                 const std::complex<double>& acceleration) const override {
     const auto& law = law_->of(touch.blade);
-    const auto there = law.constraint(at, touch.slip, speed, touch.bend);
-    const auto drift = law.drift(at, touch.slip, speed, 0.0, acceleration, there);
-    const double modulus =
+    auto there = law.constraint(at, touch.slip, speed, touch.bend);
+    auto drift = law.drift(at, touch.slip, speed, 0.0, acceleration, there);
+    if (touch.slip == 0.0) {
+      // v = 0 takes the place of d = 0.
+      const double along = at.radial_velocity + speed * at.tangential;
+      const double across = at.tangential_velocity - speed * at.radial;
+      const auto by = [&](double shortening, double deflection) {
+        return law.length() * (deflection * along - shortening * across);
+      };
+      const auto& [load, curvature, angle, shortening, deflection] = there.blade;
+      there.misdirection_by_modulus = by(shortening.by_modulus, deflection.by_modulus);
+      there.misdirection_by_amplitude = by(shortening.by_amplitude, deflection.by_amplitude);
+      const double along_rate =
+          acceleration.real() + speed * (2.0 * at.tangential_velocity - speed * at.radial);
+      const double across_rate =
+          acceleration.imag() - speed * (2.0 * at.radial_velocity + speed * at.tangential);
+      drift.misdirection = there.radial * across_rate - there.tangential * along_rate;
+    }
+    double modulus =
         drift.misdirection * there.residual_by_amplitude - drift.residual * there.misdirection_by_amplitude;
-    const double amplitude =
+    double amplitude =
         drift.residual * there.misdirection_by_modulus - drift.misdirection * there.residual_by_modulus;
+    double time = there.determinant();
+    if (touch.slip == 0.0 && time < 0.0) {
+      time = -time;
+      modulus = -modulus;
+      amplitude = -amplitude;
+    }
     const double sine = std::sin(touch.bend.amplitude);
     const double cosine = std::cos(touch.bend.amplitude);
     const double bending = side(touch) * (modulus * sine + touch.bend.modulus * cosine * amplitude);
     const double lean = side(touch) * (modulus * cosine - touch.bend.modulus * sine * amplitude);
     const double slope = load_.bending_slope(load_.argument(bending_of(touch.bend)));
-    return {there.determinant(), bending / slope, lean};
+    return {time, bending / slope, lean};
   }
   [[nodiscard]] std::span<const blade::BendingTable::Knot> knots() const override { return knots_; }
   [[nodiscard]] double deflection_per_square() const override { return deflection_per_square_; }
@@ -134,11 +167,11 @@ class InclinedLaw final : public ArcLaw {
   }
   [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
                                         double speed) const override {
-    const auto& law = law_->of(touch.blade);
-    return law.force_of(at, speed, law.constraint_or_unloaded(at, touch.slip, speed, touch.bend));
+    return law_->of(touch.blade).force_of(at, speed, constraint(touch, at, speed));
   }
-  [[nodiscard]] double friction_coefficient(const Touch& touch,
+  [[nodiscard]] double friction_coefficient(const Touch& touch, const contact::Pose& at,
                                             const contact::TipForce& force) const override {
+    if (touch.slip == 0.0) return holding_coefficient(touch, at);
     return law_->of(touch.blade).friction().coefficient(force.slip_velocity, touch.slip);
   }
   [[nodiscard]] Rates rates(const Bending& bending, const Tangent& along) const override {
@@ -167,6 +200,7 @@ class InclinedLaw final : public ArcLaw {
     const double lean = std::abs(std::sin(0.5 * first));
     if (lean < kLeastLean) return false;
     InclinedLoad load = load_;
+    load.friction.law = law_of_slip_;
     load.side = std::copysign(1.0, first);
     load.scale = 2.0 * lean;
     Machine machine{};
@@ -231,6 +265,21 @@ class InclinedLaw final : public ArcLaw {
     return true;
   }
 
+  /// c that holds a tip at rest.
+  [[nodiscard]] double holding_coefficient(const Touch& touch, const contact::Pose& at) const {
+    const auto& law = law_->of(touch.blade);
+    const blade::InclinedPoint point = blade::inclined_equilibrium(touch.bend.modulus, touch.bend.amplitude);
+    if (law.direction() == contact::LoadDirection::axial) return std::tan(point.load_angle.value);
+    const double along = at.radial + law.geometry().reach - law.length() * point.shortening.value;
+    const double across = at.tangential - law.length() * point.deflection.value;
+    return std::tan(point.load_angle.value - std::atan2(across, along));
+  }
+  [[nodiscard]] auto constraint(const Touch& touch, const contact::Pose& at, double speed) const {
+    auto there = law_->of(touch.blade).constraint_or_unloaded(at, touch.slip, speed, touch.bend);
+    if (touch.slip == 0.0) there.coefficient = holding_coefficient(touch, at);
+    return there;
+  }
+
   static double bending_of(const blade::Bend& bend) {
     return std::abs(bend.modulus) * std::sin(bend.amplitude);
   }
@@ -255,6 +304,8 @@ class InclinedLaw final : public ArcLaw {
   IntervalSolver solver_;
   double max_shortening_;
   InclinedLoad load_;
+  FrictionNumbers::Law law_of_slip_ = load_.friction.law;  ///< of the leading tip while it slips
+  bool has_branches_ = true;                               ///< of the leading blade
   double length_ = 0.0;
   static constexpr double kKnotWidth = 0.25;
   static constexpr std::size_t kKnots = 14;

@@ -32,6 +32,14 @@ struct InclinedLoad {
     return u * kChartEnd.cosine + lean * kChartEnd.sine;
   }
 
+  /// c² up to which friction holds a tip. A tip comes to rest at the very edge of the cone, where its
+  /// coefficient is known to some 1e-8: whether it rests must not depend on that.
+  [[nodiscard]] double cone() const {
+    constexpr double kShareBeyond = 1e-7;
+    const double largest = (1.0 + kShareBeyond) * friction.static_friction;
+    return largest * largest;
+  }
+
   /// u of p.
   [[nodiscard]] double bending(double p) const {
     const double square = p * p;

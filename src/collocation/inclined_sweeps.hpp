@@ -170,7 +170,9 @@ class InclinedTip {
     const double radius = contact_.machine->ring_radius;
     const double per_radius = 1.0 / radius;
     slip_velocity = (a * across - b * along) * per_radius + at.angular_speed * radius;
-    const Friction<kWidth> friction = friction_at(load_.friction, contact_.slip, slip_velocity);
+    const bool rests = load_.friction.law == FrictionNumbers::Law::rest;
+    const Friction<kWidth> friction = rests ? Friction<kWidth>{Number(0.0), Number(0.0)}
+                                            : friction_at(load_.friction, contact_.slip, slip_velocity);
     coefficient = friction.coefficient;
     cosine_ = Number(1.0) - lean * lean * 2.0;
     sine_ = lean * blade.cosine * (2.0 * load_.side);
@@ -181,6 +183,11 @@ class InclinedTip {
       direction_y = (a * sine_ - b * cosine_) * per_radius;
     }
     e = direction_y - coefficient * direction_x_;
+    const double per_speed = -1.0 / radius;  // a length: v over it is as large as an angle's rate
+    if (rests) {
+      coefficient = direction_y / direction_x_;
+      e = slip_velocity * per_speed;
+    }
     if constexpr (kSlopes) {
       a_by_bending = blade.shortening.by_bending * -c.length;
       a_by_lean = blade.shortening.by_lean * -c.length;
@@ -192,12 +199,14 @@ class InclinedTip {
       h_by_lean = (a * a_by_lean + b * b_by_lean) * 2.0;
       const Number cosine_by_lean = lean * -4.0;
       const Number sine_by_lean = cosine_ / blade.cosine * (2.0 * load_.side);
-      e_by_velocity_ = friction.slope * direction_x_ * -per_radius;
+      e_by_velocity_ = rests ? Number(per_speed * per_radius) : friction.slope * direction_x_ * -per_radius;
       // By its parts: l, (a, β), of which v depends on (a, β), too.
       Number by_lean = sine_by_lean - coefficient * cosine_by_lean;
       Number by_a = e_by_velocity_ * across;
       Number by_b = e_by_velocity_ * along * -1.0;
-      if (load_.along_normal) {
+      if (rests) {
+        by_lean = Number(0.0);
+      } else if (load_.along_normal) {
         by_lean = ((a * sine_by_lean - b * cosine_by_lean) -
                    coefficient * (a * cosine_by_lean + b * sine_by_lean)) *
                   per_radius;
@@ -217,7 +226,7 @@ class InclinedTip {
     const Number along_rate = ax + (at.tangential_velocity * 2.0 - at.radial * speed) * speed;
     const Number across_rate = ay - (at.radial_velocity * 2.0 + at.tangential * speed) * speed;
     Number rate = e_by_velocity_ * (a * across_rate - b * along_rate);
-    if (load_.along_normal) {
+    if (load_.along_normal && load_.friction.law != FrictionNumbers::Law::rest) {
       rate = rate + ((sine_ - coefficient * cosine_) * a_rate - (cosine_ + coefficient * sine_) * b_rate) *
                         (1.0 / contact_.machine->ring_radius);
     }
@@ -261,7 +270,12 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   using Vector = typename Base::Vector;
   static constexpr int kMostSweeps = 12;
   static constexpr int kFullSweeps = 3;  ///< with slopes of their own
-  [[nodiscard]] static double largest_step_allowed() { return Base::kLargestStep; }
+  /// An interval may be so short that its velocities hardly change, whatever its ends are.
+  [[nodiscard]] double largest_step_allowed() const {
+    constexpr double kShareOfInterval = 1e-3;
+    const double length = std::max(std::abs(interval_.chord.argument), interval_.chord.time);
+    return std::min(Base::kLargestStep, kShareOfInterval * length);
+  }
 
   /// Returns the largest change of a velocity [m per unit τ]; not a number where there is no blade.
   ///
@@ -346,6 +360,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     const double radius = machine_.ring_radius;
     slip_velocity_of(tip_, er_, blade.reach, 1.0 / radius, radius).store(in.slip_velocity);
     (tip_.shortening * (1.0 / blade.length)).store(in.shortening);
+    (Number(load_.cone()) - tip_.coefficient * tip_.coefficient).store(in.cone_left);
     (bending_ * InclinedLoad::kChartEnd.cosine + lean_ * InclinedLoad::kChartEnd.sine).store(in.chart_left);
     (load_there_ * blade.load_unit / root(tip_.coefficient * tip_.coefficient + 1.0)).store(in.normal_force);
     (bending_ * (2.0 * load_.strain_unit) * root(larger(load_there_, Number(0.0)))).store(in.root_strain);

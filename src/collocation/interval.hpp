@@ -144,9 +144,11 @@ struct Interval {
   double start_lean = 0.0;        ///< l
   double start_shortening = 0.0;  ///< δ/L
   double start_chart_left = 0.0;  ///< `InclinedLoad::chart_left`
+  double start_cone_left = 0.0;   ///< `InclinedLoad::cone` less c²
   AtNodes lean;                   ///< l: a first guess, then the solution
   AtNodes shortening;             ///< δ/L
   AtNodes chart_left;             ///< `InclinedLoad::chart_left`
+  AtNodes cone_left;              ///< `InclinedLoad::cone` less c²
 
   std::size_t further_count = 0;
   std::array<FurtherBlade, kMostFurther> further;
@@ -200,6 +202,7 @@ struct Bounds {
   std::array<bool, kMostFurther> stays;               ///< a further blade stays bent
   // Of a blade under an inclined load, the end left out.
   double chart_left;  ///< least of `InclinedLoad::chart_left`
+  double cone_left;   ///< least of `cone_left`
   double time_slope;  ///< least dτ/dθ, without that where a contact begins: it vanishes where a blade snaps
 
   friend bool operator==(const Bounds&, const Bounds&) = default;

@@ -48,6 +48,8 @@ class IntervalBounds {
     result.argument = largest(in.start_shortening, Number(in.shortening));
     result.chart_left =
         std::min(in.start_chart_left, least_before_end(later(in.start_chart_left, Number(in.chart_left))));
+    result.cone_left =
+        std::min(in.start_cone_left, least_before_end(later(in.start_cone_left, Number(in.cone_left))));
     const double slope = sum_of_products(nodes_.value_at_start, in.time_slope);
     result.time_slope = least_before_end(later(slope, Number(in.time_slope)));
     if (in.start_argument > 0.0) result.time_slope = std::min(result.time_slope, slope);

@@ -97,7 +97,7 @@ class RigidLaw final : public ArcLaw {
     law_->of(touch.blade).respond(at, touch.slip, speed, bending, result);
     return result;
   }
-  [[nodiscard]] double friction_coefficient(const Touch& touch,
+  [[nodiscard]] double friction_coefficient(const Touch& touch, const contact::Pose& /*at*/,
                                             const contact::TipForce& force) const override {
     return law_->of(touch.blade).friction().coefficient(force.slip_velocity, touch.slip);
   }

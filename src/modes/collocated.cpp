@@ -8,9 +8,14 @@
 
 namespace rubatlas::modes {
 
+bool Collocated::takes(const std::vector<OpenContact>& contacts) const {
+  const bool rests = std::ranges::count(contacts, 0.0, &OpenContact::slip) > 0;
+  return contacts.size() <= law_->most_contacts() && (!rests || (law_->holds_tips() && contacts.size() == 1));
+}
+
 bool Collocated::start(double time, const rotor::ShaftAndRing& state,
                        const std::vector<OpenContact>& contacts) {
-  if (contacts.size() > most_contacts()) return false;
+  if (!takes(contacts)) return false;
   contacts_ = contacts;
   start_ = state;
   start_time_ = time;
@@ -83,6 +88,8 @@ ModeEnd Collocated::end_of_arc() const {
       return {Guard::touch_down, blade};
     case Reason::slip_reversal:
       return {Guard::slip_reversal, blade};
+    case Reason::loosening:
+      return {Guard::comes_loose, blade};
     case Reason::chart_end:
       return {Guard::snap, blade};
     case Reason::fold:
@@ -152,8 +159,8 @@ trajectory::ContactForce Collocated::contact_force(std::size_t contact, const Po
   const contact::Pose at = pose(touch.blade, point, er);
   const double speed = blades_->angular_speed(point.time);
   const contact::TipForce tip_force = law_->force(touch, at, speed);
-  return modes::contact_force(tip_force, {touch.slip, law_->friction_coefficient(touch, tip_force)}, er, at,
-                              speed);
+  return modes::contact_force(tip_force, {touch.slip, law_->friction_coefficient(touch, at, tip_force)}, er,
+                              at, speed);
 }
 trajectory::Tip Collocated::tip(int blade, const Point& point) const {
   return tip_of(law_->geometry(blade), pose(blade, point), blades_->angular_speed(point.time));
@@ -194,12 +201,14 @@ trajectory::Tip Collocated::deepest(std::size_t contact, double enough) {
 }
 
 bool Collocated::path(double share, trajectory::PathPoint& point) {
+  if (any_rests()) return false;
   place_on_path(share, point);
   return true;
 }
 
 bool Collocated::forces_on_path(double share, trajectory::PathPoint& point,
                                 std::vector<trajectory::ContactForce>& forces) {
+  if (any_rests()) return false;
   const Point there = place_on_path(share, point);
   forces.clear();
   for (std::size_t i = 0; i < contacts_.size(); ++i) forces.push_back(contact_force(i, there));

@@ -36,7 +36,7 @@ class Collocated final : public Phase {
         arc_(machine, *law_, tolerance),
         most_bent_of_blades_(static_cast<std::size_t>(blades_->count())) {}
 
-  [[nodiscard]] std::size_t most_contacts() const override { return law_->most_contacts(); }
+  [[nodiscard]] bool takes(const std::vector<OpenContact>& contacts) const override;
 
   /// Starts at time τ of the revolution. Where a blade has no equilibrium the contacts are handed over at
   /// once. False where more blades touch.
@@ -93,6 +93,8 @@ class Collocated final : public Phase {
   [[nodiscard]] contact::Pose pose(int blade, const Point& point, const contact::BladeDirection& er) const;
   [[nodiscard]] ModeEnd end_of_arc() const;
   [[nodiscard]] bool any_returns_from_ring(double time, const rotor::ShaftAndRing& state) const;
+  /// The bends of a tip at rest are no coordinates of a path.
+  [[nodiscard]] bool any_rests() const { return contacts_.front().slip == 0.0; }
   [[nodiscard]] trajectory::Tip tip(int blade, const Point& point) const;
   /// The piece is an interval, and not a part of one.
   [[nodiscard]] bool is_whole() const {

@@ -52,6 +52,12 @@ std::unique_ptr<Phase> collocated(
 template <>
 std::unique_ptr<Phase> collocated(
     const ModesRequest& request,
+    const contact::UnequalBlades<contact::DirectedElastica<contact::StickingFriction>>& law) {
+  return under_inclined_loads(request, law);
+}
+template <>
+std::unique_ptr<Phase> collocated(
+    const ModesRequest& request,
     const contact::UnequalBlades<contact::DirectedElastica<contact::VelocityFriction>>& law) {
   return under_inclined_loads(request, law);
 }

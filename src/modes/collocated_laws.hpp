@@ -20,12 +20,4 @@ namespace rubatlas::modes {
 template <class Blade>
 std::unique_ptr<Phase> collocated(const ModesRequest& request, const contact::UnequalBlades<Blade>& law);
 
-/// Tips that may stick go on in steps.
-template <>
-inline std::unique_ptr<Phase> collocated(
-    const ModesRequest& /*request*/,
-    const contact::UnequalBlades<contact::DirectedElastica<contact::StickingFriction>>& /*law*/) {
-  return nullptr;
-}
-
 }  // namespace rubatlas::modes

@@ -23,8 +23,8 @@ struct ModeEnd {
 /// Also the piece of motion that is being recorded.
 class Phase : public trajectory::MotionPiece {
  public:
-  /// So many blades may touch.
-  [[nodiscard]] virtual std::size_t most_contacts() const { return rotor::kMostBlades; }
+  /// Whether the mode is for these contacts.
+  [[nodiscard]] virtual bool takes(const std::vector<OpenContact>& /*contacts*/) const { return true; }
   /// Starts at time τ of the revolution. False where the mode cannot start there, or outside of the model's
   /// validity: contacts that have just changed may bend a blade too far at once.
   virtual bool start(double time, const rotor::ShaftAndRing& state,

@@ -21,6 +21,7 @@
 
 #include "contact/friction_law.hpp"
 #include "contact/pose.hpp"
+#include "contact/sticking_elastica.hpp"
 #include "modes/guards.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/solved.hpp"
@@ -48,7 +49,7 @@ class StickingElastic : public Solved<Law> {
         if (rests(contact, state)) continue;
         if (!let_go(contact, state)) return false;
         tell(contact);
-      } else if (contact.bend.modulus == 0.0) {
+      } else if (contact.bend.modulus == 0.0 && may_rest(contact, state)) {
         OpenContact bent = contact;
         if (forward(bent, contact.slip, state) >= -rounding_of_slip(contact.blade)) continue;
         if (!arrest(contact = bent, state)) return false;
@@ -140,6 +141,12 @@ class StickingElastic : public Solved<Law> {
   /// leave the ring.
   static constexpr double kLeastModulus = 2e-4;
 
+  /// Whether v vanishes anywhere on the ring. Where it does not the undeformed tip's has the sign of all.
+  [[nodiscard]] bool may_rest(const OpenContact& open, const FullState& state) const {
+    return contact::resting_normal_angle(this->law_->of(open.blade).geometry(), this->pose(open.blade, state),
+                                         this->blades().angular_speed(state[rotor::kTime]), 0.0)
+        .has_value();
+  }
   [[nodiscard]] auto rest(const OpenContact& open, const FullState& state) const {
     return this->law_->of(open.blade)
         .rest(this->pose(open.blade, state), this->blades().angular_speed(state[rotor::kTime]), open.bend);

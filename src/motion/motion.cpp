@@ -235,28 +235,28 @@ bool Motion::begin_mode() {
     undecided_ = false;
     return true;
   }
-  if (std::ranges::count(contacts_, 0.0, &modes::OpenContact::slip) > 0) {
-    if (modes_->resting() != nullptr) return begin_in(modes_->resting(), modes_->at_rest(contacts_));
-    if (modes_->sticking() != nullptr) return begin_in(modes_->sticking(), contacts_);
-  }
   // What collocation hands over it is not asked for again before the contacts change.
   const bool near_fold = ended_by_ == modes::Guard::nears_fold;
   const bool handed_over = near_fold || ended_by_ == modes::Guard::hands_over;
   modes::Phase* const collocated = handed_over ? nullptr : modes_->collocated();
+  const bool takes = collocated != nullptr && collocated->takes(contacts_);
+  if (std::ranges::count(contacts_, 0.0, &modes::OpenContact::slip) > 0) {
+    if (modes_->resting() != nullptr) return begin_in(modes_->resting(), modes_->at_rest(contacts_));
+    if (modes_->sticking() != nullptr && !takes) return begin_in(modes_->sticking(), contacts_);
+  }
   if (modes_->carried() != nullptr) {
     if (begins_to_skim()) return begin_in(modes_->skimming(), contacts_);
     modes::OpenContact& first = contacts_.front();
     if (near_fold || (contacts_.size() == 1 && modes_->carries(first.blade))) {
       // The bending that another mode has left is a first guess; an unloaded blade starts at u = 0 exactly.
       if (first.bending > 0.0 && !modes_->follow(place(first.blade), first)) return false;
-      if (collocated != nullptr && contacts_.size() == 1) return begin_in(collocated, contacts_);
+      if (takes && contacts_.size() == 1) return begin_in(collocated, contacts_);
       // A column that now stands straight is solved for.
       const bool bends = modes_->carries(first.blade) || first.bending > 0.0;
       if (bends && begin_in(modes_->carried(), contacts_)) return true;
     }
   }
-  if (collocated != nullptr && (contacts_.size() > 1 || modes_->carried() == nullptr) &&
-      contacts_.size() <= collocated->most_contacts() && all_follow())
+  if (takes && (contacts_.size() > 1 || modes_->carried() == nullptr) && all_follow())
     return begin_in(collocated, contacts_);
   return begin_in(modes_->solved(), contacts_);
 }
@@ -351,6 +351,8 @@ ending::PointStatus Motion::reset(const modes::ModeEnd& end, modes::MotionListen
       return ends(ending::StatusDetail::none);
     case Guard::comes_loose:
       return ends(come_loose(contact, listener));
+    case Guard::hands_over:  // the last interval may have ended where friction no longer holds a tip
+      return ends(settle_others(kNoBlade, listener));
     case Guard::slip_reversal:
       return ends(reverse_slip(contact, listener));
     case Guard::pressed_in:  // a tip that has skimmed goes on under its full force, a straight blade bends

@@ -1,5 +1,6 @@
-/// Motions under an inclined load, or friction with a velocity: by collocation as in steps of the order-8
-/// pair at a far lower tolerance, with unequal blades, a speed that ripples and an unbalance.
+/// Motions under an inclined load, under friction with a velocity, and of tips that stick: by collocation as
+/// in steps of the order-8 pair at a far lower tolerance, with unequal blades, a speed that ripples and an
+/// unbalance.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -129,6 +130,14 @@ TEST(InclinedMotions, UnderANormalLoadAreAsInSteps) {
       contact::LoadDirection::normal, [](double friction) { return contact::CoulombFriction{friction}; });
   EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::slip_reversal)], 0);
   EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::snap)], 0);
+}
+
+TEST(InclinedMotions, OfTipsThatStickAreAsInSteps) {
+  const CountedEvents events = expect_motions_as_in_steps(contact::LoadDirection::axial, [](double friction) {
+    return contact::StickingFriction{friction, 1.2 * friction};
+  });
+  EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::slip_reversal)], 0);
+  EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::comes_loose)], 0);
 }
 
 TEST(InclinedMotions, UnderFrictionThatDependsOnTheVelocityAreAsInSteps) {
