@@ -43,7 +43,8 @@ MAY_INCLUDE = {
     "mpi/commands": ["settings", "plan", "observables", "modes/work_meter.hpp", "point", "assembly", "branch",
                      "atlas", "analysis", "mpi", "mpi/job", "mpi/accuracy"],
     "mpi": ["settings", "atlas", "analysis/analyse.hpp", "mpi/job", "mpi/accuracy", "mpi/commands"],
-    "tools/explorer_solver": ["settings/scene.hpp", "blade", "observables", "modes/collocated_laws.hpp", "point", "assembly"],
+    "tools/explorer_solver": ["settings/scene.hpp", "blade", "observables", "modes/collocated_laws.hpp", "point",
+                             "assembly"],
 }
 
 

@@ -244,6 +244,7 @@ void DenseFigures::follow_powers(MotionPiece& piece) {
   for_places(piece, stretches, !flies, [&](double weight, double time) {
     const State state = piece.state(time);
     viscous_.add(weight * (state[2] * state[2] + state[3] * state[3]));
+    fastest_ = std::max(fastest_, std::hypot(state[2], state[3]));
     torque_.add(weight * speed_ratio_ * product(unbalance * std::polar(1.0, speed_ratio_ * time), state));
     for (std::size_t i = 0; i < piece.contact_count(); ++i) {
       Blade& blade = blades_[static_cast<std::size_t>(piece.blade(i))];
@@ -269,6 +270,11 @@ double DenseFigures::closeness_of_tips() const {
 
 bool DenseFigures::only_brushes() const {
   return deepest_ >= 0.0 && deepest_ < 1e-9 * scene_.ring.radius;
+}
+
+bool DenseFigures::hardly_moves() const {
+  return fastest_ <
+         100.0 * scene_.accuracy.tolerance * point::constants_of(scene_, speed_ratio_).length_scale;
 }
 
 DenseFigures::Figure DenseFigures::of_blades(double Blade::*value, double unit) const {

@@ -35,6 +35,9 @@ class DenseFigures final : public modes::MotionListener {
   /// Blades touch, and never deeper than some millions of roundings of a place: rounding shows in their
   /// forces.
   [[nodiscard]] bool only_brushes() const;
+  /// The shaft is never faster than a hundred tolerances: between nodes and in steps its velocity errs by
+  /// some.
+  [[nodiscard]] bool hardly_moves() const;
   /// Sentences about tips that are in the ring without a contact, or in contact outside of it.
   [[nodiscard]] const std::vector<std::string>& contradictions() const { return contradictions_; }
 
@@ -85,6 +88,7 @@ class DenseFigures final : public modes::MotionListener {
   double time_ = 0.0;          ///< followed [τ]
   double in_contact_ = 0.0;    ///< [τ]
   double approach_ = 0.0;      ///< [m per unit τ]
+  double fastest_ = 0.0;       ///< |z'| of the shaft [m per unit τ]
   double deepest_ = -1.0;      ///< overlap of a tip in contact [m], negative without one
   Mean friction_, viscous_, deformation_, torque_;
   std::optional<Top> nearest_miss_, lightest_touch_;

@@ -45,9 +45,11 @@ template std::unique_ptr<Phase> collocated(const ModesRequest&,
 template std::unique_ptr<Phase> collocated(const ModesRequest&,
                                            const contact::UnequalBlades<contact::ElasticRingContact>&);
 template std::unique_ptr<Phase> collocated(
-    const ModesRequest&, const contact::UnequalBlades<contact::RigidBladeContact<contact::StickingFriction>>&);
+    const ModesRequest&,
+    const contact::UnequalBlades<contact::RigidBladeContact<contact::StickingFriction>>&);
 template std::unique_ptr<Phase> collocated(
-    const ModesRequest&, const contact::UnequalBlades<contact::RigidBladeContact<contact::VelocityFriction>>&);
+    const ModesRequest&,
+    const contact::UnequalBlades<contact::RigidBladeContact<contact::VelocityFriction>>&);
 }  // namespace rubatlas::modes
 
 // There are no exceptions in the module. Sources that would throw one trap, which the page hears of.
