@@ -146,11 +146,20 @@ std::string flight_text(const settings::Scene& scene, const settings::Combinatio
                      combination.family->flight.empty() ? "" : ", ", combination.family->flight);
 }
 
-/// Whether contacts are solved by collocation: those of the paper's elastic blades with
-/// friction.
+/// Whether contacts are solved by collocation (`modes/collocated_laws.hpp`): not those of columns, of elastic
+/// blades on dampers, and in a ring without mass.
 bool collocates(const settings::Scene& scene, const settings::Combination& combination) {
-  return combination.family->kind == settings::MotionFamily::paper_s_rotor &&
-         scene.contact.law != settings::ContactLaw::elastic_ring && scene.contact.friction > 0.0;
+  const bool rigid = scene.contact.law == settings::ContactLaw::elastic_ring;
+  switch (combination.family->kind) {
+    case settings::MotionFamily::blades_in_ring_without_mass:
+      return false;
+    case settings::MotionFamily::blades_on_damped_ring:
+      return rigid;
+    case settings::MotionFamily::directed_elastic_blades:
+      return true;
+    default:
+      return rigid || scene.contact.friction > 0.0;
+  }
 }
 std::string_view steps_of_hybrid(settings::Scene scene) {
   scene.accuracy.method = settings::Method::hybrid;

@@ -41,7 +41,7 @@ struct InclinedBlade {
     const Number sum = modulus + magnitude(lean);
     const Number tangent = (upright * bending + leaning * sum) /
                            ((upright * sum + leaning * bending) + root(sum * sum + square));
-    if constexpr (kSlopes) {
+    if (kSlopes) {
       rule = even_rule(modulus.largest(), magnitude(tangent).largest());
     }
     if (rule == nullptr) return false;
@@ -70,7 +70,7 @@ struct InclinedBlade {
       arcs = arcs + measure;
       shortenings = shortenings + measure * versed_theta;
       deflections = deflections + measure * sine_theta;
-      if constexpr (kSlopes) {
+      if (kSlopes) {
         // By κ at fixed φ'.
         const Number theta_slope = per_cosine * share * inverse * measure;
         const Number tangent_psi = sine_psi * inverse;
@@ -87,7 +87,7 @@ struct InclinedBlade {
     load.value = arc * arc;
     shortening.value = shortenings * per_arc;
     deflection.value = deflections * per_arc;
-    if constexpr (kSlopes) {
+    if (kSlopes) {
       // κ ∂/∂κ and ∂/∂φ, of which those by u and l are made.
       const Number growth = Number(1.0) / cosine;  // dq/dφ
       const Number load_by_modulus = load.value * 2.0 * (arc_slopes * per_arc);
@@ -188,7 +188,7 @@ class InclinedTip {
       coefficient = direction_y / direction_x_;
       e = slip_velocity * per_speed;
     }
-    if constexpr (kSlopes) {
+    if (kSlopes) {
       a_by_bending = blade.shortening.by_bending * -c.length;
       a_by_lean = blade.shortening.by_lean * -c.length;
       b_by_bending = blade.deflection.by_bending * -across_length;
@@ -299,7 +299,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
                                   angular_speed_};
     if (!tip_.template stand<!kLight>(bending, lean_, at, rule_))
       return std::numeric_limits<double>::quiet_NaN();
-    if constexpr (!kLight) {
+    if (!kLight) {
       bending_slope_ =
           ((((square * (1.0 / 40320) + 1.0 / 720) * square + 1.0 / 24) * square + 0.5) * square + 1.0) *
           load_.scale;

@@ -167,7 +167,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   template <bool kLight>
   RUBATLAS_INLINE static Bend bend_of(Tip& tip, const Number& argument) {
     const Places at = places(*tip.blade->table, argument);
-    if constexpr (kLight) return curve(at);
+    if (kLight) return curve(at);
     const Bend bend = curve_with_slopes(at, tip.slope);
     tip.slope.shortening = tip.slope.shortening * tip.blade->length;
     tip.slope.deflection = tip.slope.deflection * (tip.slip * tip.blade->length);
@@ -189,7 +189,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
                              tip.deflection * (tip.deflection - tangential * 2.0));
     tip.a = along - tip.shortening;
     tip.b = tangential - tip.deflection;
-    if constexpr (!kLight) {
+    if (!kLight) {
       const Vector v = seen_velocity();
       tip.argument_slope = (tip.a * tip.slope.shortening + tip.b * tip.slope.deflection) * -2.0;
       tip.a_rate = (v.x * er.x + v.y * er.y) + tangential * angular_speed();
@@ -199,7 +199,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     if (yields(blade)) {
       const Number yielding = bend.load * blade.yield_unit;
       residual = residual - yielding * (yielding + 2.0 * machine_.ring_radius);
-      if constexpr (!kLight)
+      if (!kLight)
         tip.argument_slope = tip.argument_slope -
                              (yielding + machine_.ring_radius) * tip.slope.load * (2.0 * blade.yield_unit);
     }
@@ -253,10 +253,10 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   template <bool kLight>
   RUBATLAS_INLINE double sweep() {
     const Interval& in = interval_;
-    if constexpr (!kLight) take_direction(elapsed());
+    if (!kLight) take_direction(elapsed());
     const Bend bend = bend_of<kLight>(lead_, chord_argument_ + deviation_ * in.normal.argument);
     const Number residual = residual_of<kLight>(lead_, bend, er_);
-    if constexpr (!kLight) {
+    if (!kLight) {
       per_residual_ =
           Number(-1.0) / (lead_.argument_slope * in.normal.argument + lead_.time_slope * in.normal.time);
     }
@@ -328,14 +328,20 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   Number per_residual_;  ///< Newton's step along the normal for a residual of h
 };
 
+/// A function of its own each: compilers keep more in registers.
+template <std::size_t kWidth, bool kPlain>
+[[gnu::noinline]] bool solved_by(const Contact& contact, const Closeness& closeness, Interval& interval) {
+  return Sweeps<kWidth, kPlain>(contact, closeness, interval).solve();
+}
+
 template <std::size_t kWidth>
 bool solved(const Contact& contact, const Closeness& closeness, Interval& interval) {
   const Machine& machine = *contact.machine;
   bool plain = machine.is_plain() && contact.blade->yield_unit == 0.0;
   for (std::size_t k = 0; k < interval.further_count; ++k)
     plain = plain && interval.further[k].blade->yield_unit == 0.0;
-  return plain ? Sweeps<kWidth, true>(contact, closeness, interval).solve()
-               : Sweeps<kWidth, false>(contact, closeness, interval).solve();
+  return plain ? solved_by<kWidth, true>(contact, closeness, interval)
+               : solved_by<kWidth, false>(contact, closeness, interval);
 }
 
 }  // namespace

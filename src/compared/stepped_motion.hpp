@@ -235,7 +235,7 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
   ending::PointStatus finish_step(modes::MotionListener& listener) {
     ++work_.steps;
     SteppedEvent event;
-    if constexpr (Scheme::kLocated)
+    if (Scheme::kLocated)
       event = first_event(system_, before_, [this](double part) { return state_at(part); });
     const bool cut = event.fraction < 1.0;
     const SteppedState end = state_at(event.fraction);
@@ -247,7 +247,7 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
     end_time_ = end[kSteppedTime];
     if (end_time_ > begin()) listener.piece(*this);
     bool changed = cut;
-    if constexpr (Scheme::kLocated) {
+    if (Scheme::kLocated) {
       if (event.kind != modes::Guard::horizon) {
         if (!meter_.spend(modes::Work::events, modes::WorkPrice::kEvent)) return ends(meter_.why());
         change(event.kind, event.blade, end, listener);

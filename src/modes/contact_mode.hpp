@@ -93,10 +93,10 @@ class ContactMode {
   /// A guess holds the side to which a blade is bent, or the branch on which it stands: what a step that goes
   /// too far has made of it is no guess for a shorter one.
   void begins_step(const FullState& /*state*/) {
-    if constexpr (kRemembers) remembered_ = contacts_;
+    if (kRemembers) remembered_ = contacts_;
   }
   void takes_back() {
-    if constexpr (kRemembers) contacts_ = remembered_;
+    if (kRemembers) contacts_ = remembered_;
   }
 
   /// Pays for an attempt, and for what was asked of the step before. False where no work is left.
@@ -109,8 +109,7 @@ class ContactMode {
 
   template <class Step>
   [[nodiscard]] double proposed_size(const Step& /*step*/, double relative) const {
-    if constexpr (kCoarseSizes)
-      return std::exp2(std::floor(kSizesPerOctave * std::log2(relative)) / kSizesPerOctave);
+    if (kCoarseSizes) return std::exp2(std::floor(kSizesPerOctave * std::log2(relative)) / kSizesPerOctave);
     return relative;
   }
   template <class Step>

@@ -159,8 +159,7 @@ class ContactPhase final : public Phase {
     if (time >= segment_end_) return end_fraction_;
     const double from = step_.start()[rotor::kTime];
     if (time <= from) return 0.0;
-    if constexpr (Mode::kTimeTurns)
-      return step_.fraction_where(rotor::kTime, time, end_fraction_, segment_end_);
+    if (Mode::kTimeTurns) return step_.fraction_where(rotor::kTime, time, end_fraction_, segment_end_);
     return end_fraction_ * (time - from) / (segment_end_ - from);
   }
   [[nodiscard]] FullState full_state_at(double time) { return step_.at_fraction(fraction_at(time)); }

@@ -32,7 +32,7 @@ class Solved : public ContactMode<Law> {
       if (!add_force(state, first, i, force)) return false;
     }
     set_derivative(state, force, derivative);
-    if constexpr (!Law::kLoadFollowsGap) this->watch_shortening(this->shortening());
+    if (!Law::kLoadFollowsGap) this->watch_shortening(this->shortening());
     return true;
   }
 

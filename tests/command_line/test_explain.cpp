@@ -136,8 +136,20 @@ TEST(Explain, SaysOfEachMethodHowItFliesAndHowItIntegratesContact) {
   }
   EXPECT_TRUE(holds(line_of(with("collocation"), "contact"),
                     "Radau IIA 15; where that gives up, Dormand-Prince 8(5,3)"));
-  EXPECT_TRUE(holds(line_of(with("collocation", R"(, "gravity": {"acceleration": 9.81})"), "contact"),
-                    "collocation does not apply here"));
+  for (const std::string acts :
+       {R"("gravity": {"acceleration": 9.81})", R"("stick": {})", R"("wear": {})",
+        R"("contact": {"law": "elastic_ring"}, "contact_damping": {"damping": 10})"}) {
+    const std::string text = with("collocation", ", " + acts);
+    EXPECT_TRUE(holds(line_of(text, "contact"), "Radau IIA 15")) << line_of(text, "contact");
+  }
+  for (const std::string acts :
+       {R"("contact": {"friction": 0})",
+        R"("yielding_ring": {"compliance": 1e-5}, "contact_damping": {"damping": 10})",
+        R"("contact": {"law": "elastic_ring"}, "ring_body": {"mass": 0})"}) {
+    const std::string text = with("collocation", ", " + acts);
+    EXPECT_TRUE(holds(line_of(text, "contact"), "collocation does not apply here"))
+        << line_of(text, "contact");
+  }
   struct Stepped {
     std::string method, flight, contact, guards, accuracy;
   };
@@ -191,7 +203,7 @@ TEST(Explain, SaysWhichMotionASceneHasAndHowItsContactIsIntegrated) {
          "with support, load_direction",
          "the exponential of the matrix of shaft and support;", "the bends of all blades in contact");
   expect(R"("stick": {})", "elastic blades whose tips may stick; with stick", isotropic,
-         "while all tips slip, the bends");
+         "while all tips slip, or the only one in contact sticks, the bends");
   expect(R"("release": {})", "elastic blades; with release", isotropic,
          "one blade in contact (by collocation up to four): its bending");
   expect(R"("ring_body": {})", "elastic blades in a ring that is a body; with ring_body",
