@@ -26,7 +26,6 @@ struct DampedRing {
 class RigidBladeOnDampedRing {
  public:
   static constexpr bool kHasBending = false;
-  static constexpr bool kElastic = false;
   static constexpr bool kHasSlipState = true;
   static constexpr bool kLoadFollowsGap = false;
 
@@ -65,7 +64,6 @@ class RigidBladeOnDampedRing {
 class ElasticBladeOnDampedRing {
  public:
   static constexpr bool kHasBending = false;
-  static constexpr bool kElastic = true;
   static constexpr bool kHasSlipState = true;
   static constexpr bool kLoadFollowsGap = false;
 

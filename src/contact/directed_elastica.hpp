@@ -42,8 +42,6 @@ class DirectedElastica {
   /// The law solves for the blade's equilibrium at the rotor's position. (`bending` is the first guess, and
   /// its sign keeps the side.)
   static constexpr bool kHasBending = false;
-  /// The blade bends, so that its slip velocity jumps where friction reverses.
-  static constexpr bool kElastic = true;
   static constexpr bool kHasSlipState = FrictionLaw::kHasSlipState;
   static constexpr bool kLoadFollowsGap = false;
   /// The law also finds the force of a tip at rest (s = 0).

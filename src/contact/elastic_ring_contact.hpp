@@ -15,8 +15,6 @@ class RigidBladeContact {
  public:
   /// The force follows from the position alone; no bending is carried along as a state.
   static constexpr bool kHasBending = false;
-  /// The blade does not bend, so that its slip velocity does not jump where friction reverses.
-  static constexpr bool kElastic = false;
   static constexpr bool kHasSlipState = FrictionLaw::kHasSlipState;
   static constexpr bool kLoadFollowsGap = true;
 

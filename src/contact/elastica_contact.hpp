@@ -130,8 +130,6 @@ class ElasticaContact {
  public:
   /// An open contact is described by its bending parameter u.
   static constexpr bool kHasBending = true;
-  /// The blade bends, so that its slip velocity jumps where friction turns round.
-  static constexpr bool kElastic = true;
   /// Friction takes its sign from a discrete state (MODEL 4.4).
   static constexpr bool kHasSlipState = true;
   /// The load is largest where the gap is.

@@ -73,7 +73,7 @@ constexpr std::string_view kRigid =
 /// The rows are tried in this order. Where several effects, or several sections beside them, match a row, the
 /// text names the first in the order of the effects' list.
 constexpr std::array kRefusals{
-    // The methods that `hybrid` is compared with are compiled for the paper's rotor alone.
+    // The methods that `hybrid` is compared with are for the paper's rotor alone.
     Refusal{.effects = kEveryEffect - effect_set<&Effects::unbalance>(),
             .beside = {},
             .where = method_takes_no_effects,
@@ -142,8 +142,8 @@ constexpr std::array kRefusals{
         .quantity = {},
         .sentence =
             "the ring does not yield under elastic blades; /yielding_ring with a compliance above 0 does"},
-    // Motions with a ring body are compiled for the plain contact laws, and for a machine that does not
-    // change between revolutions.
+    // Motions with a ring body are tested with the plain contact laws, and with a machine that does not
+    // change between revolutions: the memories of two effects would have to be told apart.
     Refusal{.effects = effect_set<&Effects::ring_body>(),
             .beside = effect_set<&Effects::yielding_ring, &Effects::release, &Effects::load_direction,
                                  &Effects::regularised_friction, &Effects::stribeck, &Effects::wear,

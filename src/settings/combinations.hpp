@@ -88,7 +88,7 @@ EffectSet acting(const Scene& line);
 /// a JSON pointer: the first row of the table of refusals that applies. None where the scene can be computed.
 std::optional<std::string> refusal_of_combination(const Scene& scene);
 
-/// The kinds of motions that are compiled; each has one function in `assembly`.
+/// The kinds of motions, as `explain` tells them apart: by the law of contact and by what acts.
 enum class MotionFamily : std::uint8_t {
   paper_s_rotor,
   rigid_blades,
