@@ -45,6 +45,7 @@ rotor::AnyShaft shaft_of(const settings::Scene& line, settings::Machine kind, do
   if (kind == settings::Machine::isotropic_shaft) return {rotor::Harmonics(harmonics)};
   const rotor::SupportMatrices matrices = variation::support_of(line, speed_ratio);
   std::vector<rotor::HarmonicForcing> forcing;
+  forcing.reserve(harmonics.size());
   for (const rotor::Harmonic& term : harmonics) forcing.push_back({term.acceleration(0.0), term.frequency()});
   return {rotor::SupportedShaft(rotor::LinearSupport(matrices.stiffness, matrices.damping, forcing))};
 }

@@ -45,8 +45,8 @@ class TipsAtRest {
     return true;
   }
   [[nodiscard]] std::vector<OpenContact> at_rest(const std::vector<OpenContact>& contacts) const {
-    std::vector<OpenContact> there;
-    for (const OpenContact& contact : contacts) there.push_back(in_own_unknowns(contact));
+    std::vector<OpenContact> there = contacts;
+    for (OpenContact& contact : there) contact = in_own_unknowns(contact);
     return there;
   }
 

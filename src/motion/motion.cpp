@@ -137,6 +137,7 @@ rotor::ShaftAndRing Motion::bodies_of(const PointStart& start) const {
 
 std::vector<contact::Geometry> Motion::geometries() const {
   std::vector<contact::Geometry> result;
+  result.reserve(static_cast<std::size_t>(machine_.blades.count()));
   for (int k = 0; k < machine_.blades.count(); ++k) result.push_back(modes_->geometry(k));
   return result;
 }
