@@ -138,8 +138,7 @@ void ContactArc::predict(const Touch& touch) {
 /// back. `acceleration`: of the shaft, seen from the ring.
 void ContactArc::set_out(int blade, double slip, const std::complex<double>& acceleration,
                          double& velocity) const {
-  if (std::abs(velocity) > contact::kSlipRounding * std::abs(rotor_->speed_ratio) * machine().ring_radius)
-    return;
+  if (slip == 0.0 || std::abs(velocity) > slip_rounding()) return;
   double ahead = slip;
   if (law_->may_slip_back()) {
     const contact::BladeDirection er = blades_->direction(blade, blades_->first(end_.time));

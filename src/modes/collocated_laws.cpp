@@ -11,78 +11,52 @@ namespace rubatlas::modes {
 
 namespace {
 
-std::unique_ptr<Phase> by_arcs(const ModesRequest& request, std::unique_ptr<collocation::ArcLaw> law) {
-  return std::make_unique<Collocated>(request.machine, std::move(law), request.limits.tolerance,
-                                      request.meter);
-}
+using collocation::ArcLaw;
+using contact::UnequalBlades;
 
-/// On a ring without mass the place of the ring hangs on all blades.
-template <class Blade>
-std::unique_ptr<Phase> rigid(const ModesRequest& request, const contact::UnequalBlades<Blade>& law) {
-  if (!request.collocates || request.machine.following_ring() != nullptr) return nullptr;
-  return by_arcs(request, std::make_unique<collocation::RigidLaw<contact::UnequalBlades<Blade>>>(law));
-}
+// The law of the arcs of contacts; null where they have none.
 
-template <class Blade>
-std::unique_ptr<Phase> under_inclined_loads(const ModesRequest& request,
-                                            const contact::UnequalBlades<Blade>& law) {
-  if (!request.collocates) return nullptr;
-  return by_arcs(request, std::make_unique<collocation::InclinedLaw<contact::UnequalBlades<Blade>>>(
-                              law, request.limits.max_shortening));
-}
-
-}  // namespace
-
-template <>
-std::unique_ptr<Phase> collocated(const ModesRequest& request,
-                                  const contact::UnequalBlades<contact::ElasticaContact>& law) {
-  if (!request.collocates) return nullptr;
+std::unique_ptr<ArcLaw> arcs_of(const ModesRequest& request,
+                                const UnequalBlades<contact::ElasticaContact>& law) {
   const int count = request.machine.blades.count();
   for (int k = 0; k < count; ++k) {
     if (law.of(k).curve().over_asinh().last_piece() < 0) return nullptr;
   }
-  return by_arcs(request, std::make_unique<collocation::AxialLaw>(law, count, request.limits.max_shortening));
+  return std::make_unique<collocation::AxialLaw>(law, count, request.limits.max_shortening);
 }
-template <>
-std::unique_ptr<Phase> collocated(
-    const ModesRequest& request,
-    const contact::UnequalBlades<contact::DirectedElastica<contact::CoulombFriction>>& law) {
-  return under_inclined_loads(request, law);
+template <class Friction>
+std::unique_ptr<ArcLaw> arcs_of(const ModesRequest& request,
+                                const UnequalBlades<contact::DirectedElastica<Friction>>& law) {
+  using Law = UnequalBlades<contact::DirectedElastica<Friction>>;
+  return std::make_unique<collocation::InclinedLaw<Law>>(law, request.limits.max_shortening);
 }
-template <>
-std::unique_ptr<Phase> collocated(
-    const ModesRequest& request,
-    const contact::UnequalBlades<contact::DirectedElastica<contact::StickingFriction>>& law) {
-  return under_inclined_loads(request, law);
-}
-template <>
-std::unique_ptr<Phase> collocated(
-    const ModesRequest& request,
-    const contact::UnequalBlades<contact::DirectedElastica<contact::VelocityFriction>>& law) {
-  return under_inclined_loads(request, law);
+/// Rigid blades. In a ring without mass the force of each hangs on all others.
+template <class Blade>
+std::unique_ptr<ArcLaw> arcs_of(const ModesRequest& request, const UnequalBlades<Blade>& law) {
+  if (request.machine.following_ring() != nullptr) return nullptr;
+  return std::make_unique<collocation::RigidLaw<UnequalBlades<Blade>>>(law);
 }
 
-template <>
-std::unique_ptr<Phase> collocated(const ModesRequest& request,
-                                  const contact::UnequalBlades<contact::ElasticRingContact>& law) {
-  return rigid(request, law);
+}  // namespace
+
+template <class Blade>
+std::unique_ptr<Phase> collocated(const ModesRequest& request, const UnequalBlades<Blade>& law) {
+  if (!request.collocates) return nullptr;
+  std::unique_ptr<ArcLaw> arcs = arcs_of(request, law);
+  if (arcs == nullptr) return nullptr;
+  return std::make_unique<Collocated>(request.machine, std::move(arcs), request.limits.tolerance,
+                                      request.meter);
 }
-template <>
-std::unique_ptr<Phase> collocated(
-    const ModesRequest& request,
-    const contact::UnequalBlades<contact::RigidBladeContact<contact::StickingFriction>>& law) {
-  return rigid(request, law);
-}
-template <>
-std::unique_ptr<Phase> collocated(
-    const ModesRequest& request,
-    const contact::UnequalBlades<contact::RigidBladeContact<contact::VelocityFriction>>& law) {
-  return rigid(request, law);
-}
-template <>
-std::unique_ptr<Phase> collocated(const ModesRequest& request,
-                                  const contact::UnequalBlades<contact::RigidBladeOnDampedRing>& law) {
-  return rigid(request, law);
-}
+
+template <class Blade>
+using PhaseOf = std::unique_ptr<Phase>(const ModesRequest&, const UnequalBlades<Blade>&);
+template PhaseOf<contact::ElasticaContact> collocated;
+template PhaseOf<contact::DirectedElastica<contact::CoulombFriction>> collocated;
+template PhaseOf<contact::DirectedElastica<contact::StickingFriction>> collocated;
+template PhaseOf<contact::DirectedElastica<contact::VelocityFriction>> collocated;
+template PhaseOf<contact::ElasticRingContact> collocated;
+template PhaseOf<contact::RigidBladeContact<contact::StickingFriction>> collocated;
+template PhaseOf<contact::RigidBladeContact<contact::VelocityFriction>> collocated;
+template PhaseOf<contact::RigidBladeOnDampedRing> collocated;
 
 }  // namespace rubatlas::modes

@@ -31,7 +31,6 @@ class Motion final : public PointMotion {
 
   /// Starts at phase 0; blades with g > 0 are in contact (MODEL 4.4).
   ending::PointStatus start(const PointStart& start) override;
-  /// A ring that moves is at rest in its place.
   ending::PointStatus start_at_touch_down(const TouchdownStart& start) override;
   ending::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
                                  int number) override;

@@ -216,13 +216,9 @@ TEST(ContactArcSlow, ErrsNoMoreThanHybridInTenThousandContacts) {
 
 /// The paper's machine with an unbalance, and one on which everything acts that a machine may have.
 std::array<collocation::Machine, 2> plain_and_full_machine() {
-  collocation::Machine plain{.speed_ratio = 0.37,
-                             .damping_ratio = 0.1,
-                             .misalignment = 0.01001,
-                             .ring_radius = 0.11,
-                             .force_unit = 0.01,
-                             .forcing_count = 1,
-                             .frequency = {0.37}};
+  collocation::Machine plain = machine_at_ring();
+  plain.forcing_count = 1;
+  plain.frequency = {plain.speed_ratio};
   collocation::Machine full = plain;
   full.support = {false, {1.1, 0.2, -0.1, 0.8}, {0.2, 0.05, -0.05, 0.3}};
   full.forcing_count = 3;

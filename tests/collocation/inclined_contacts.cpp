@@ -195,15 +195,8 @@ TEST(InclinedContactsSlow, ErrByTheToleranceInTwoThousandContactsOfEachLaw) {
 TEST(InclinedContacts, HaveTheSameBitsOnEveryProcessor) {
   using namespace collocation;
   const double thickness = 1e-3;
-  collocation::Machine machine{};
-  machine.speed_ratio = 0.37;
-  machine.damping_ratio = 0.1;
-  machine.misalignment = 0.01001;
-  machine.ring_radius = 0.11;
-  machine.force_unit = 0.01;
-  collocation::Blade blade{};
-  blade.reach = 0.1;
-  blade.closing = -0.0021;
+  const collocation::Machine machine = machine_at_ring();
+  collocation::Blade blade = blade_at_ring();
   blade.length = 0.1;
   blade.load_unit = 206e9 * 0.01 * thickness * thickness * thickness / 12.0 / 0.01;
   const collocation::Contact contact{&machine, &blade, 1.0, true};

@@ -55,6 +55,22 @@ inline std::vector<LoneContact> lone_contacts(motion::PointMotion& motion, const
   return contacts.found;
 }
 
+/// The machine of such an interval, and its blade without what a law of contact adds.
+inline collocation::Machine machine_at_ring() {
+  collocation::Machine machine{};
+  machine.speed_ratio = 0.37;
+  machine.damping_ratio = 0.1;
+  machine.misalignment = 0.01001;
+  machine.ring_radius = 0.11;
+  machine.force_unit = 0.01;
+  return machine;
+}
+inline collocation::Blade blade_at_ring() {
+  collocation::Blade blade{};
+  blade.reach = 0.1;
+  blade.closing = -0.0021;
+  return blade;
+}
 /// The start and the first guess of an interval: a blade that points down, of a hub of 0.1 m in a ring of
 /// 0.11 m, and a shaft from which its tip just reaches the ring.
 inline collocation::Interval interval_at_ring(double misalignment) {

@@ -14,6 +14,7 @@
 #include "collocation/interval.hpp"
 #include "contact/damped_ring.hpp"
 #include "contact/elastic_ring_contact.hpp"
+#include "lone_contacts.hpp"
 #include "several_blades.hpp"
 
 namespace rubatlas::test {
@@ -163,15 +164,8 @@ TEST(RigidBladesSlow, ErrNoMoreThanInStepsInTenThousandMotions) {
 
 TEST(RigidBlades, HaveTheSameBitsOnEveryProcessor) {
   using namespace collocation;
-  collocation::Machine machine{};
-  machine.speed_ratio = 0.37;
-  machine.damping_ratio = 0.1;
-  machine.misalignment = 0.01001;
-  machine.ring_radius = 0.11;
-  machine.force_unit = 0.01;
-  collocation::Blade blade{};
-  blade.reach = 0.1;
-  blade.closing = -0.0021;
+  const collocation::Machine machine = machine_at_ring();
+  collocation::Blade blade = blade_at_ring();
   blade.ring_stiffness = 2000.0;
   blade.ring_damping = 20.0;
   const collocation::Contact contact{&machine, &blade, 1.0};
