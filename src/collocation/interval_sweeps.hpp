@@ -83,18 +83,19 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   }
 
   /// Each node has its own piece, of which one register holds all three quantities.
-  using Row = simd::simd<double, simd::simd_abi::deduce_t<double, kWidth == 2 ? 2 : 4>>;
-  static constexpr std::size_t kRows = 4 / Row::size();
+  static constexpr std::size_t kRowWidth = kWidth == 2 ? 2 : 4;
+  using Row = typename Lanes<kRowWidth>::Part;
+  static constexpr std::size_t kRows = 4 / kRowWidth;
   template <std::size_t kCount>
   using Rows = std::array<std::array<Row, kRows>, kCount>;
 
   RUBATLAS_INLINE static Row row(const double* coefficients, std::size_t power, std::size_t part) {
-    return Row(coefficients + 4 * power + part * Row::size(), simd::vector_aligned);
+    return loaded_part<kRowWidth>(coefficients + 4 * power + part * kRowWidth);
   }
   RUBATLAS_INLINE static Bend across(const Rows<kNodes>& rows) {
     const auto quantity = [&](std::size_t q) RUBATLAS_INLINED {
       return Number::each([&](std::size_t k)
-                              RUBATLAS_INLINED { return rows[k][q / Row::size()][q % Row::size()]; });
+                              RUBATLAS_INLINED { return rows[k][q / kRowWidth][q % kRowWidth]; });
     };
     return {quantity(0), quantity(1), quantity(2)};
   }

@@ -1,17 +1,15 @@
 /// Eight numbers, one at each node, in parts of as many as a register holds.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <experimental/simd>
+#include <cstdint>
+#include <limits>
 
 #include "collocation/nodes.hpp"
 
 namespace rubatlas::collocation {
 namespace {
-
-namespace simd = std::experimental;
 
 // What stays a function of its own costs more than it does: a sweep is some hundred operations. (Sanitizers
 // check each of these operations, and compile for minutes what is inlined throughout.)
@@ -23,78 +21,124 @@ namespace simd = std::experimental;
 #define RUBATLAS_INLINED __attribute__((always_inline))  // of a lambda
 #endif
 
+/// The vectors of the compiler, GCC or Clang, which has them for every processor.
+template <class Value, std::size_t kWidth>
+struct VectorOf {
+  using Type [[gnu::vector_size(kWidth * sizeof(Value))]] = Value;
+  /// In an array of such values, on a boundary of its size.
+  using Place [[gnu::vector_size(kWidth * sizeof(Value)), gnu::may_alias]] = Value;
+};
+template <std::size_t kWidth>
+RUBATLAS_INLINE auto loaded_part(const double* from) {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): what the attribute is for
+  return typename VectorOf<double, kWidth>::Type(
+      *reinterpret_cast<const typename VectorOf<double, kWidth>::Place*>(from));
+}
+
 template <std::size_t kWidth>
 class Lanes {
  public:
-  using Part = simd::simd<double, simd::simd_abi::deduce_t<double, kWidth>>;
+  using Part = typename VectorOf<double, kWidth>::Type;
   static constexpr std::size_t kParts = kNodes / kWidth;
 
   Lanes() = default;
   // A number is the same at all nodes. NOLINTNEXTLINE(google-explicit-constructor)
-  Lanes(double number) { part_.fill(Part(number)); }
+  RUBATLAS_INLINE Lanes(double number) {
+    for (Part& part : part_) part = number - Part{};
+  }
   RUBATLAS_INLINE explicit Lanes(const AtNodes& at) : Lanes(loaded(at.value.data())) {}
   RUBATLAS_INLINE void store(AtNodes& at) const { store_to(at.value.data()); }
   /// From, and to, eight numbers on a boundary of 64 bytes.
   RUBATLAS_INLINE static Lanes loaded(const double* from) {
-    return of([&](std::size_t i) RUBATLAS_INLINED { return Part(from + i * kWidth, simd::vector_aligned); });
+    Lanes result;
+    for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = loaded_part<kWidth>(from + i * kWidth);
+    return result;
   }
   RUBATLAS_INLINE void store_to(double* to) const {
-    for (std::size_t i = 0; i < kParts; ++i) part_[i].copy_to(to + i * kWidth, simd::vector_aligned);
+    for (std::size_t i = 0; i < kParts; ++i) {
+      // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): what the attribute is for
+      *reinterpret_cast<typename VectorOf<double, kWidth>::Place*>(to + i * kWidth) = part_[i];
+    }
   }
 
   RUBATLAS_INLINE friend Lanes operator+(const Lanes& a, const Lanes& b) {
-    return of([&](std::size_t i) RUBATLAS_INLINED { return a.part_[i] + b.part_[i]; });
+    Lanes result;
+    for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = a.part_[i] + b.part_[i];
+    return result;
   }
   RUBATLAS_INLINE friend Lanes operator-(const Lanes& a, const Lanes& b) {
-    return of([&](std::size_t i) RUBATLAS_INLINED { return a.part_[i] - b.part_[i]; });
+    Lanes result;
+    for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = a.part_[i] - b.part_[i];
+    return result;
   }
   RUBATLAS_INLINE friend Lanes operator*(const Lanes& a, const Lanes& b) {
-    return of([&](std::size_t i) RUBATLAS_INLINED { return a.part_[i] * b.part_[i]; });
+    Lanes result;
+    for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = a.part_[i] * b.part_[i];
+    return result;
   }
   RUBATLAS_INLINE friend Lanes operator/(const Lanes& a, const Lanes& b) {
-    return of([&](std::size_t i) RUBATLAS_INLINED { return a.part_[i] / b.part_[i]; });
+    Lanes result;
+    for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = a.part_[i] / b.part_[i];
+    return result;
   }
   RUBATLAS_INLINE friend Lanes larger(const Lanes& a, const Lanes& b) {
-    return of([&](std::size_t i) RUBATLAS_INLINED { return simd::max(a.part_[i], b.part_[i]); });
+    Lanes result;
+    for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = larger_of(a.part_[i], b.part_[i]);
+    return result;
   }
   RUBATLAS_INLINE friend Lanes smaller(const Lanes& a, const Lanes& b) {
-    return of([&](std::size_t i) RUBATLAS_INLINED { return simd::min(a.part_[i], b.part_[i]); });
+    Lanes result;
+    for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = smaller_of(a.part_[i], b.part_[i]);
+    return result;
   }
   RUBATLAS_INLINE friend Lanes magnitude(const Lanes& a) {
-    return of([&](std::size_t i) RUBATLAS_INLINED { return simd::abs(a.part_[i]); });
+    Lanes result;
+    for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = Part(Bits(a.part_[i]) & ~sign_bits());
+    return result;
   }
   /// The magnitude of a with the sign of b.
   RUBATLAS_INLINE friend Lanes with_sign_of(const Lanes& a, const Lanes& b) {
-    return of([&](std::size_t i) RUBATLAS_INLINED { return simd::copysign(a.part_[i], b.part_[i]); });
+    return of([&](std::size_t i) RUBATLAS_INLINED {
+      return Part((Bits(a.part_[i]) & ~sign_bits()) | (Bits(b.part_[i]) & sign_bits()));
+    });
   }
   /// Without what follows the point. The numbers are within the range of an int.
   RUBATLAS_INLINE friend Lanes whole(const Lanes& a) {
     return of([&](std::size_t i) RUBATLAS_INLINED {
-      using Whole = simd::rebind_simd_t<int, Part>;
-      return simd::static_simd_cast<Part>(simd::static_simd_cast<Whole>(a.part_[i]));
+      return __builtin_convertvector(__builtin_convertvector(a.part_[i], Whole), Part);
     });
   }
   RUBATLAS_INLINE friend Lanes root(const Lanes& a) {
-    return of([&](std::size_t i) RUBATLAS_INLINED { return simd::sqrt(a.part_[i]); });
+    return of([&](std::size_t i) RUBATLAS_INLINED {
+      Part result;
+      for (std::size_t k = 0; k < kWidth; ++k) result[k] = __builtin_sqrt(a.part_[i][k]);
+      return result;
+    });
   }
   /// The least of the eight.
   [[nodiscard]] RUBATLAS_INLINE double least() const {
     Part part = part_[0];
-    for (std::size_t i = 1; i < kParts; ++i) part = simd::min(part, part_[i]);
-    return simd::hmin(part);
+    for (std::size_t i = 1; i < kParts; ++i) part = smaller_of(part, part_[i]);
+    double result = part[0];
+    for (std::size_t k = 1; k < kWidth; ++k) result = result < part[k] ? result : part[k];
+    return result;
   }
   /// The largest of the eight.
   [[nodiscard]] RUBATLAS_INLINE double largest() const {
     Part part = part_[0];
-    for (std::size_t i = 1; i < kParts; ++i) part = simd::max(part, part_[i]);
-    return simd::hmax(part);
+    for (std::size_t i = 1; i < kParts; ++i) part = larger_of(part, part_[i]);
+    double result = part[0];
+    for (std::size_t k = 1; k < kWidth; ++k) result = result > part[k] ? result : part[k];
+    return result;
   }
 
   /// From a function that gives the number at node j.
   template <class Function>
   RUBATLAS_INLINE static Lanes each(Function function) {
     return of([&](std::size_t i) RUBATLAS_INLINED {
-      return Part([&](auto lane) RUBATLAS_INLINED { return function(i * kWidth + lane); });
+      Part result;
+      for (std::size_t k = 0; k < kWidth; ++k) result[k] = function(i * kWidth + k);
+      return result;
     });
   }
 
@@ -116,6 +160,11 @@ class Lanes {
   }
 
  private:
+  using Bits = typename VectorOf<std::int64_t, kWidth>::Type;
+  using Whole = typename VectorOf<std::int32_t, kWidth>::Type;
+  RUBATLAS_INLINE static Bits sign_bits() { return std::numeric_limits<std::int64_t>::min() - Bits{}; }
+  RUBATLAS_INLINE static Part larger_of(const Part& a, const Part& b) { return a > b ? a : b; }
+  RUBATLAS_INLINE static Part smaller_of(const Part& a, const Part& b) { return a < b ? a : b; }
   template <class Function>
   RUBATLAS_INLINE static Lanes of(Function function) {
     Lanes result;
@@ -123,10 +172,10 @@ class Lanes {
     return result;
   }
   RUBATLAS_INLINE static Part column_part(const AtNodes& column, std::size_t part) {
-    return Part(column.value.data() + part * kWidth, simd::vector_aligned);
+    return loaded_part<kWidth>(column.value.data() + part * kWidth);
   }
 
-  std::array<Part, kParts> part_;
+  Part part_[kParts];
 };
 
 }  // namespace
