@@ -42,6 +42,7 @@
 #include "mpi/failure.hpp"
 #include "mpi/job/session.hpp"
 #include "settings/reader.hpp"
+#include "settings/scene_file.hpp"
 
 namespace rubatlas::mpi {
 namespace {

@@ -14,6 +14,7 @@
 #include "mpi/version.hpp"
 #include "plan/grid.hpp"
 #include "settings/reader.hpp"
+#include "settings/scene_file.hpp"
 
 namespace rubatlas::mpi {
 namespace {

@@ -22,6 +22,7 @@
 #include "settings/nearest.hpp"
 #include "settings/quantity.hpp"
 #include "settings/reader.hpp"
+#include "settings/scene_file.hpp"
 
 namespace rubatlas::mpi {
 namespace {

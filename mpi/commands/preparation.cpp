@@ -23,6 +23,7 @@
 #include "mpi/say.hpp"
 #include "plan/grid.hpp"
 #include "settings/reader.hpp"
+#include "settings/scene_file.hpp"
 
 namespace rubatlas::mpi {
 namespace {

@@ -50,6 +50,7 @@ struct Orbit {
   std::vector<double> force;                   ///< [time][blade], normal force F on each blade [N]
   std::vector<motion::SectionState> sections;  ///< Poincaré sections, one per sampled revolution
   ContactSamples contacts;
+  motion::Memory final_memory;  ///< of effects, after the last revolution
 };
 
 /// A tip that touches down, or passes the ring.

@@ -262,6 +262,7 @@ Orbit PointSolver::orbit(double speed_ratio, const motion::PointStart& start) {
   orbit.status = ending.status;
   orbit.detail = ending.detail;
   orbit.failed_revolution = ending.failed_revolution;
+  if (orbit.status == ending::PointStatus::done) orbit.final_memory = motion->memory();
   return orbit;
 }
 

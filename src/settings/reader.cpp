@@ -4,13 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -27,7 +23,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kLongestScene = std::size_t{64} << 20U;  // [bytes], far above any scene
 constexpr std::size_t kMostAxisValues = 1'000'000;
 constexpr double kMostPoints = 1e9;
 
@@ -437,24 +432,6 @@ void check_together(const json& document, Scene& scene) {
 }
 
 }  // namespace
-
-std::string read_text(const std::filesystem::path& path) {
-  const auto refuse = [&](std::string_view why) {
-    throw SceneError(fmt::format("cannot read the scene {}: {}", path.string(), why));
-  };
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) refuse("it is a directory");
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file) refuse(std::strerror(errno));
-  std::string text;
-  std::vector<char> block(std::size_t{1} << 16U);
-  while (const auto size = std::fread(block.data(), 1, block.size(), file.get())) {
-    text.append(block.data(), size);
-    if (text.size() > kLongestScene) refuse("it is longer than 64 MiB");
-  }
-  if (std::ferror(file.get()) != 0) refuse(std::strerror(errno));
-  return text;
-}
 
 Scene parse_scene(std::string_view text, std::string_view name) {
   const json document = parse_document(text, name);

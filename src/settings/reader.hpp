@@ -1,11 +1,10 @@
-/// From a scene file to a `Scene`. No other part of the program reads a scene's JSON.
+/// From a scene's text to a `Scene`. No other part of the program reads a scene's JSON.
 ///
 /// Every mistake (unknown key, wrong type, value out of range, empty grid) is one `SceneError` whose text has
 /// the JSON pointer, the value found, what is allowed and, for a key, the nearest known one:
 ///   /contact/friction: -0.1 is outside [0, 2]; Coulomb coefficient between blade tip and ring
 #pragma once
 
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -19,9 +18,6 @@ class SceneError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
-
-/// The file's text, unchanged. Throws SceneError when the file is missing or unreadable.
-std::string read_text(const std::filesystem::path& path);
 
 /// Parses and checks a scene. `name` stands for the file in messages. Throws SceneError.
 Scene parse_scene(std::string_view text, std::string_view name = "scene");

@@ -43,7 +43,7 @@ MAY_INCLUDE = {
     "mpi/commands": ["settings", "plan", "observables", "modes/work_meter.hpp", "point", "assembly", "branch",
                      "atlas", "analysis", "mpi", "mpi/job", "mpi/accuracy"],
     "mpi": ["settings", "atlas", "analysis/analyse.hpp", "mpi/job", "mpi/accuracy", "mpi/commands"],
-    "tools/explorer_solver": ["settings/scene.hpp", "blade", "observables", "modes/collocated_laws.hpp", "point",
+    "tools/explorer_solver": ["settings", "blade", "motion/point_start.hpp", "observables", "plan", "point",
                              "assembly"],
 }
 

@@ -15,6 +15,7 @@
 #include "random_scene.hpp"
 #include "settings/quantity.hpp"
 #include "settings/reader.hpp"
+#include "settings/scene_file.hpp"
 
 namespace rubatlas::test {
 namespace {

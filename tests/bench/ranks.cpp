@@ -13,6 +13,7 @@
 #include "assembly/make_line_solver.hpp"
 #include "mpi/clock.hpp"
 #include "settings/reader.hpp"
+#include "settings/scene_file.hpp"
 
 namespace rubatlas::mpi {
 namespace {

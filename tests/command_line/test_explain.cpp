@@ -12,6 +12,7 @@
 #include "settings/effects/list.hpp"
 #include "settings/quantity.hpp"
 #include "settings/reader.hpp"
+#include "settings/scene_file.hpp"
 
 namespace rubatlas::mpi {
 namespace {

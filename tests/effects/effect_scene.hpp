@@ -12,6 +12,7 @@
 #include "../support/point.hpp"
 #include "settings/quantity.hpp"
 #include "settings/reader.hpp"
+#include "settings/scene_file.hpp"
 
 namespace rubatlas::test {
 

@@ -65,14 +65,15 @@ class PageShows(ExplorerTest):
         self.assertNotIn("aperiodic", table, "no regions where nothing touches")
         self.assertEqual(self.browser.log(), [])
 
-    def test_where_the_solver_does_not_know_the_scene_the_page_says_so_and_shows_the_orbits_of_the_program(self):
+    def test_a_page_without_the_solver_says_so_and_shows_the_orbits_of_the_program(self):
         with h5py.File(TINY / "gravity.h5") as atlas:
             done = np.flatnonzero(atlas["status"][...] == 1)
             place = np.unravel_index(orbits.spread(done, 3)[1], atlas["status"].shape)
             at = ",".join(f"{axis}={float(atlas[axis][index])!r}"
                           for axis, index in zip(("damping_ratio", "speed_ratio"), place[-2:]))
-        self.open("#at=" + at, made(self.folder / "gravity.html", TINY / "gravity.h5", "--orbits", "3"))
-        self.assertIn("gravity", self.browser.text("#not-computed"))
+        self.open("#at=" + at, made(self.folder / "gravity.html", TINY / "gravity.h5", "--orbits", "3",
+                                    "--without-solver", solver=False))
+        self.assertIn("made without the solver", self.browser.text("#not-computed"))
         self.assertTrue(self.browser.find("#not-computed").is_displayed())
         self.assertFalse(self.browser.find("#own").is_displayed())
         self.assertEqual(self.browser.facts()["Status"], "done")

@@ -1,9 +1,11 @@
 // What the reader says to a mistake: the pointer, what was found, what is allowed.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
 #include "scene_error_text.hpp"
+#include "settings/scene_file.hpp"
 
 namespace rubatlas::settings {
 namespace {

@@ -10,6 +10,7 @@
 #include "settings/observable_names.hpp"
 #include "settings/quantity.hpp"
 #include "settings/reader.hpp"
+#include "settings/scene_file.hpp"
 
 namespace rubatlas::settings {
 namespace {

@@ -1,29 +1,26 @@
-/// The solver as a WebAssembly module: one point of a scene from numbers to its orbit, for the explorer's
-/// page.
+/// The solver as a WebAssembly module: one point of a scene to its orbit, for the explorer's page.
 ///
-/// The page writes a request, calls `compute`, and reads arrays from the module's memory. Settings, motions
-/// and the protocol of a point are those of the program, compiled from the same sources; this file fills a
-/// scene from numbers instead of from JSON. The scene is the paper's rotor: no effect besides the unbalance,
-/// method `hybrid`.
+/// The page writes a scene as JSON text, with a grid of one point, and what effects remember; it calls
+/// `compute`, and reads arrays from the module's memory. Reader, laws, effects and the protocol of a point
+/// are those of the program, compiled from the same sources.
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <memory>
-#include <string_view>
-#include <utility>
+#include <span>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
-#include "assembly/blade_tables.hpp"
+#include "assembly/make_line_solver.hpp"
 #include "assembly/methods.hpp"
-#include "modes/collocated_laws.hpp"
-#include "observables/observable.hpp"
+#include "motion/point_start.hpp"
 #include "observables/recorder.hpp"
+#include "plan/grid.hpp"
 #include "point/line_solver.hpp"
-#include "point/solver.hpp"
-#include "settings/scene.hpp"
+#include "settings/reader.hpp"
 
 // The page keeps orbits, not observables: its list of them is empty, and no spectrum is linked.
 namespace rubatlas::observables {
@@ -33,117 +30,39 @@ Rows Recorder::rows(bool /*done*/) {
 }
 }  // namespace rubatlas::observables
 
-// The method is `hybrid`: nothing is left to collocation.
-namespace rubatlas::modes {
-template <class Blade>
-std::unique_ptr<Phase> collocated(const ModesRequest& /*request*/,
-                                  const contact::UnequalBlades<Blade>& /*law*/) {
-  return nullptr;
+// Methods that only comparisons ask for are not linked; the page does not ask for them.
+namespace rubatlas::assembly {
+namespace {
+std::unique_ptr<point::LineSolver> not_here() {
+  throw std::logic_error("the page computes by collocation or hybrid");
 }
-template std::unique_ptr<Phase> collocated(const ModesRequest&,
-                                           const contact::UnequalBlades<contact::ElasticaContact>&);
-template std::unique_ptr<Phase> collocated(const ModesRequest&,
-                                           const contact::UnequalBlades<contact::ElasticRingContact>&);
-template std::unique_ptr<Phase> collocated(
-    const ModesRequest&,
-    const contact::UnequalBlades<contact::RigidBladeContact<contact::StickingFriction>>&);
-template std::unique_ptr<Phase> collocated(
-    const ModesRequest&,
-    const contact::UnequalBlades<contact::RigidBladeContact<contact::VelocityFriction>>&);
-}  // namespace rubatlas::modes
-
-// There are no exceptions in the module. Sources that would throw one trap, which the page hears of.
-extern "C" void* __cxa_allocate_exception(std::size_t /*size*/) {  // NOLINT(bugprone-reserved-identifier)
-  __builtin_trap();
+}  // namespace
+std::unique_ptr<point::LineSolver> make_hybrid_54(const LineRequest& /*request*/) {
+  return not_here();
 }
-extern "C" void __cxa_throw(void* /*thrown*/, void* /*type*/,
-                            void (* /*destroy*/)(void*)) {  // NOLINT(bugprone-reserved-identifier)
-  __builtin_trap();
+std::unique_ptr<point::LineSolver> make_hybrid_32(const LineRequest& /*request*/) {
+  return not_here();
 }
-// The module has one thread, which ends with the page: nothing is left to destroy.
-extern "C" int __cxa_thread_atexit(void (* /*destroy*/)(void*), void* /*object*/,
-                                   void* /*library*/) {  // NOLINT(bugprone-reserved-identifier)
-  return 0;
+std::unique_ptr<point::LineSolver> make_paper(const LineRequest& /*request*/) {
+  return not_here();
 }
+std::unique_ptr<point::LineSolver> make_located(const LineRequest& /*request*/) {
+  return not_here();
+}
+std::unique_ptr<point::LineSolver> make_fixed(const LineRequest& /*request*/) {
+  return not_here();
+}
+}  // namespace rubatlas::assembly
 
 namespace {
 
 using namespace rubatlas;
 
-/// What the page asks for. Numbers only, so that a script can write it; SI units.
-struct Request {
-  double speed_ratio;           ///< Ω [-]
-  double damping_ratio;         ///< ζ [-]
-  double friction;              ///< μ [-]
-  double unbalance;             ///< me [kg m]
-  double unbalance_phase;       ///< γ [rad]
-  double thickness;             ///< h [m]
-  double misalignment;          ///< y0 [m]
-  double mass;                  ///< m [kg]
-  double natural_frequency;     ///< ωn [rad/s]
-  double blade_count;           ///< n [-]
-  double blade_length;          ///< L [m]
-  double blade_width;           ///< b [m]
-  double youngs_modulus;        ///< E [Pa]
-  double hub_radius;            ///< rh [m]
-  double ring_radius;           ///< R [m]
-  double ring_stiffness;        ///< kr [N/m]
-  double contact_law;           ///< 0 elastica, 1 elastic_ring (`settings::ContactLaw`)
-  double max_shortening;        ///< limit of δ/L [-]
-  double tolerance;             ///< local error of a step relative to the clearance
-  std::array<double, 4> start;  ///< x, y [m], dx/dτ, dy/dτ [m]
-  double transient_revolutions;
-  double sampled_revolutions;
-  double samples_per_revolution;
-  double stop_when_periodic;  ///< 0 or 1
-};
-static_assert(sizeof(Request) % sizeof(double) == 0);
-
-Request request;
+std::string scene_text;
+std::array<double, motion::Memory::kMost> memory;
+std::string refusal;  ///< what a source has thrown
 point::Orbit orbit;
-assembly::BladeTables* tables = nullptr;
-
-settings::Scene scene_of(const Request& from) {
-  settings::Scene scene;
-  scene.rotor = {from.mass, from.natural_frequency, from.damping_ratio, from.misalignment};
-  scene.blades = {static_cast<int>(from.blade_count),
-                  from.blade_length,
-                  from.blade_width,
-                  from.thickness,
-                  from.youngs_modulus,
-                  from.hub_radius};
-  scene.ring = {from.ring_radius, from.ring_stiffness};
-  scene.contact = {static_cast<settings::ContactLaw>(from.contact_law), from.friction};
-  // An unbalance of zero is the absent effect, as in a line of an atlas.
-  if (from.unbalance != 0.0) scene.unbalance = settings::Unbalance{from.unbalance, from.unbalance_phase};
-  scene.protocol = {static_cast<int>(from.transient_revolutions), static_cast<int>(from.sampled_revolutions),
-                    static_cast<int>(from.samples_per_revolution), from.stop_when_periodic != 0.0};
-  scene.validity.max_shortening = from.max_shortening;
-  scene.accuracy.method = settings::Method::hybrid;
-  scene.accuracy.tolerance = from.tolerance;
-  return scene;
-}
-
-/// The module has no exceptions: what the reader of scenes would refuse must not come this far.
-bool acceptable(const Request& given) {
-  const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
-  const auto positive = [](double value, double high) { return value > 0.0 && value <= high; };
-  constexpr double kLongest = 1e3;  // m
-  return within(given.speed_ratio, 1e-4, 1e3) && within(given.damping_ratio, 0.0, 1e3) &&
-         within(given.friction, 0.0, 2.0) && within(given.unbalance, 0.0, 1e6) &&
-         within(given.unbalance_phase, -1e3, 1e3) && positive(given.thickness, kLongest) &&
-         within(given.misalignment, -kLongest, kLongest) && positive(given.mass, 1e9) &&
-         positive(given.natural_frequency, 1e6) && within(given.blade_count, 1.0, 50.0) &&
-         positive(given.blade_length, kLongest) && positive(given.blade_width, kLongest) &&
-         positive(given.youngs_modulus, 1e15) && within(given.hub_radius, 0.0, kLongest) &&
-         positive(given.ring_radius, kLongest) && positive(given.ring_stiffness, 1e15) &&
-         (given.contact_law == 0.0 || given.contact_law == 1.0) && positive(given.max_shortening, 0.75) &&
-         within(given.tolerance, 1e-13, 1e-2) &&
-         std::all_of(given.start.begin(), given.start.end(),
-                     [](double value) { return std::isfinite(value); }) &&
-         within(given.transient_revolutions, 0.0, 1e5) && within(given.sampled_revolutions, 1.0, 1e4) &&
-         within(given.samples_per_revolution, 2.0, 4096.0);
-}
+std::shared_ptr<assembly::BladeTables> tables;
 
 template <class Values>
 const void* address(const Values& values) {
@@ -152,25 +71,56 @@ const void* address(const Values& values) {
 
 }  // namespace
 
+// There are no exceptions in the module: what is thrown ends it with a trap, and leaves its sentence. All
+// that the program throws has std::exception as its first base.
+extern "C" void* __cxa_allocate_exception(std::size_t size) {  // NOLINT(bugprone-reserved-identifier)
+  return ::operator new(size);
+}
+extern "C" void __cxa_throw(void* thrown, void* /*type*/,
+                            void (* /*destroy*/)(void*)) {  // NOLINT(bugprone-reserved-identifier)
+  refusal = static_cast<const std::exception*>(thrown)->what();
+  __builtin_trap();
+}
+// Arithmetic of 128 bits in the compiler's library guards its stack.
+extern "C" std::uintptr_t __stack_chk_guard = 0x595e9fbd;  // NOLINT(bugprone-reserved-identifier)
+extern "C" void __stack_chk_fail() {                       // NOLINT(bugprone-reserved-identifier)
+  __builtin_trap();
+}
+// The module has one thread, which ends with the page: nothing is left to destroy.
+extern "C" int __cxa_thread_atexit(void (* /*destroy*/)(void*), void* /*object*/,
+                                   void* /*library*/) {  // NOLINT(bugprone-reserved-identifier)
+  return 0;
+}
+
 #define RUBATLAS_EXPORT(name) extern "C" __attribute__((export_name(#name), visibility("default")))
 
-RUBATLAS_EXPORT(request_numbers) double* request_numbers() {
-  return reinterpret_cast<double*>(&request);
+/// Where the page writes the scene's text of so many bytes.
+RUBATLAS_EXPORT(scene_of_size) char* scene_of_size(int size) {
+  scene_text.resize(static_cast<std::size_t>(size));
+  return scene_text.data();
 }
-RUBATLAS_EXPORT(request_size) int request_size() {
-  return static_cast<int>(sizeof(Request) / sizeof(double));
+/// Where it writes what effects remember, in the order of the atlas' `/final_state_<effect>`.
+RUBATLAS_EXPORT(memory_of_effects) double* memory_of_effects() {
+  return memory.data();
 }
-/// Computes the request. Returns the status of the point (`ending::PointStatus`), −1 for a request that no
-/// scene may make.
-RUBATLAS_EXPORT(compute) int compute() {
-  if (!acceptable(request)) return -1;
-  if (tables == nullptr) tables = new assembly::BladeTables;
-  const settings::Scene scene = scene_of(request);
-  const assembly::LineRequest line{scene, *tables, {}};
-  const bool rigid = scene.contact.law == settings::ContactLaw::elastic_ring;
-  orbit = assembly::hybrid_solver(line, rigid ? law_of_rigid_blades(line) : law_of_axial_loads(line))
-              ->orbit(request.speed_ratio, request.start);
+/// Computes the one point of the scene from its initial state and so many remembered numbers. Returns the
+/// status of the point (`ending::PointStatus`).
+RUBATLAS_EXPORT(compute) int compute(int remembered) {
+  if (!tables) tables = assembly::make_blade_tables();
+  const settings::Scene scene = settings::parse_scene(scene_text);
+  const plan::PointParameters point = plan::Grid(scene).parameters(0);
+  const motion::Memory start(std::span(memory).first(static_cast<std::size_t>(remembered)));
+  const settings::Initial& initial = scene.initial;
+  orbit = assembly::make_line_solver(scene, point, tables)
+              ->orbit(point.speed_ratio, {{initial.x, initial.y, initial.vx, initial.vy}, start});
   return static_cast<int>(orbit.status);
+}
+/// Why the module has ended with a trap, and how long that is; empty where nothing says why.
+RUBATLAS_EXPORT(refusal_text) const char* refusal_text() {
+  return refusal.data();
+}
+RUBATLAS_EXPORT(refusal_size) int refusal_size() {
+  return static_cast<int>(refusal.size());
 }
 /// What ended the point that `compute` has computed last: its text, and how long that is.
 RUBATLAS_EXPORT(ending) const char* ending() {
@@ -181,6 +131,13 @@ RUBATLAS_EXPORT(ending_size) int ending_size() {
 }
 RUBATLAS_EXPORT(failed_revolution) int failed_revolution() {
   return orbit.failed_revolution;
+}
+/// What effects remember at its end.
+RUBATLAS_EXPORT(final_memory) const void* final_memory() {
+  return orbit.final_memory.view().data();
+}
+RUBATLAS_EXPORT(final_memory_size) int final_memory_size() {
+  return static_cast<int>(orbit.final_memory.view().size());
 }
 /// Arrays of the last orbit. Sections and states are x, y, dx/dτ, dy/dτ; forces have one number per blade.
 RUBATLAS_EXPORT(section_count) int section_count() {

@@ -14,12 +14,10 @@ from rubatlas.atlas_file import DONE, SCENE_VALUE, SYMBOL, AtlasError, printable
 from rubatlas.elastica import angles_from_tip
 from rubatlas.report.blocks import Blocks
 from rubatlas.report.orbits import orbits_of
-from rubatlas.same_scene import MACHINE, POINTS, WORDS, require_same
+from rubatlas.same_scene import require_same
 
-# Laws and sections of a scene that the solver in the page knows. Everything else is an effect that it does not.
-LAWS_IN_PAGE = ("elastica", "elastic_ring")
-SECTIONS_IN_PAGE = {*WORDS, *POINTS, *MACHINE, "pieces", "unbalance"}
-
+# In the order in which the program remembers them.
+EFFECTS_THAT_REMEMBER = ("wear", "ring_body")
 # Bytes of all blocks; with the page's own half megabyte and the solver the file stays below 20 MB.
 MOST_BYTES = 17_000_000
 # Maps of an atlas with more points are single precision.
@@ -207,14 +205,8 @@ def runs_beside(path):
         return []
 
 
-def why_not_computed(scene, solver):
+def why_not_computed(solver):
     """Why the page computes no points of its own; empty where it does."""
-    effects = sorted(set(scene) - SECTIONS_IN_PAGE)
-    if effects:
-        return f"The page computes the rotor with unbalance only, and this scene has more: {', '.join(effects)}."
-    if scene["contact"].get("law", "elastica") not in LAWS_IN_PAGE:
-        return (f"The page computes the contact laws {' and '.join(LAWS_IN_PAGE)}, and this scene has "
-                f"{scene['contact']['law']}.")
     if solver is None:
         return ("This report was made without the solver, which `cmake --build build --target rubatlas_wasm` makes and "
                 "--solver names.")
@@ -234,6 +226,13 @@ def add_orbits(result, blocks, atlas, count):
         result["no_orbits"] = str(error)
 
 
+def remembered(atlas):
+    """What effects remember at the end of each point, one row a point."""
+    names = [f"final_state_{effect}" for effect in EFFECTS_THAT_REMEMBER if f"final_state_{effect}" in atlas]
+    count = atlas.dataset("status").size
+    return np.hstack([np.empty((count, 0)), *(atlas.dataset(name)[...].reshape(count, -1) for name in names)])
+
+
 def contents(atlas, maps, solver, orbits=None):
     """The JSON of a report, and its blocks. `solver`: bytes of the WebAssembly module, or none. `orbits`: see
     `add_orbits`."""
@@ -242,6 +241,7 @@ def contents(atlas, maps, solver, orbits=None):
     blocks = Blocks()
     status = atlas.dataset("status")[...]
     meanings = flags_of(atlas.dataset("status"))
+    memory = remembered(atlas)
     result = {
         "title": printable(atlas.scene.get("title") or os.path.basename(atlas.path)),
         "reference": printable(atlas.scene.get("reference", "")),
@@ -251,6 +251,8 @@ def contents(atlas, maps, solver, orbits=None):
         "axes": axes_of(atlas),
         "maps": maps_of(atlas, maps, blocks),
         "final_state": blocks.add("final_state", atlas.dataset("final_state")[...].astype("<f8").reshape(-1)),
+        "final_memory": blocks.add("final_memory", memory.astype("<f8").reshape(-1)),
+        "remembered": memory.shape[1],
         "points": {word: int((status == int(value)).sum()) for value, word in meanings.items()},
         "table1": group(maps, "table1"),
         "effects": group(maps, "effects"),
@@ -258,7 +260,7 @@ def contents(atlas, maps, solver, orbits=None):
                        for name in ("software", "software_version", "git_commit", "compiler", "schema_version")},
         "runs": runs_beside(atlas.path),
         "elastica": shapes_of_blades(),
-        "not_computed": why_not_computed(atlas.scene, solver),
+        "not_computed": why_not_computed(solver),
         "orbits": [],
         "no_orbits": "",
     }

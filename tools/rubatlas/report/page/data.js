@@ -40,10 +40,11 @@ const mapNamed = (name) => atlas.maps.find((map) => map.name === name);
 
 // Values of all maps, by name; filled before anything is shown.
 const values = {};
-let finalStates = null;
+let finalStates = null, finalMemory = null;
 async function openMaps() {
   await Promise.all(atlas.maps.map(async (map) => { values[map.name] = await numbers(map); }));
   finalStates = await numbers(atlas.final_state);
+  finalMemory = await numbers(atlas.final_memory);
 }
 
 /// Whether no blade touches the ring at a point, as the maps say it; false where it is not known.

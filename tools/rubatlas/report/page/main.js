@@ -131,7 +131,11 @@ function askedFor() {
   const wanted = requestAt(state.place);
   const fromAtlas = startsFromCell();
   const first = 4 * pointAt(state.place);
-  if (fromAtlas) [wanted.x, wanted.y, wanted.vx, wanted.vy] = finalStates.subarray(first, first + 4);
+  if (fromAtlas) {
+    [wanted.x, wanted.y, wanted.vx, wanted.vy] = finalStates.subarray(first, first + 4);
+    const {remembered} = atlas;
+    wanted.memory = finalMemory.subarray(remembered * pointAt(state.place), remembered * (pointAt(state.place) + 1));
+  }
   if (!state.own) return fromAtlas || state.start === 'initial' ? withTransient(wanted, !fromAtlas) : null;
   return withTransient({...wanted, ...state.own}, true, fromAtlas);
 }
@@ -180,7 +184,7 @@ async function compute() {
     }
     try {
       const begin = performance.now();
-      const answer = await computer.ask({wanted, maxOrder: atlas.scene.spectrum?.max_order ?? 12});
+      const answer = await computer.compute(wanted, atlas.scene.spectrum?.max_order ?? 12);
       if (again) continue;
       answer.orbit.ending = endingOf(answer.orbit, wanted, requestAt(state.place));
       view.showComputed({...answer, wanted, about, sections: answer.orbit.sections});
@@ -213,9 +217,10 @@ async function more() {
   running = true;
   const last = before.sections.length - 4;
   const [x, y, vx, vy] = before.sections.subarray(last, last + 4);
-  const wanted = {...before.wanted, x, y, vx, vy, transient_revolutions: 0, stop_when_periodic: 0};
+  const wanted = {...before.wanted, x, y, vx, vy, memory: before.orbit.memory, transient_revolutions: 0,
+    stop_when_periodic: 0};
   try {
-    const answer = await computer.ask({wanted, maxOrder: atlas.scene.spectrum?.max_order ?? 12});
+    const answer = await computer.compute(wanted, atlas.scene.spectrum?.max_order ?? 12);
     const sections = new Float64Array(before.sections.length + answer.orbit.sections.length);
     sections.set(before.sections);
     sections.set(answer.orbit.sections, before.sections.length);
@@ -496,8 +501,8 @@ async function open() {
   await computer.start(requestAt(state.place));
   byId('own').hidden = Boolean(computer.why);
   document.querySelector('.rotor').classList.toggle('alone', Boolean(computer.why));
-  byId('not-computed').hidden = !computer.why;
-  byId('not-computed').textContent = `${computer.why} ${computer.instead}`;
+  byId('not-computed').hidden = !computer.notice;
+  byId('not-computed').textContent = computer.notice;
   view.showMotion(computer);
   await compute();
   document.documentElement.dataset.computer = computer.why ? 'none' : 'there';

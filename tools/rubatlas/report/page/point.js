@@ -1,11 +1,9 @@
 // --- A point: its facts, its charts, and what the page computes of it. ---
 
-const LAWS = {elastica: 0, elastic_ring: 1};
 // Sections of one answer; more are computed on request, from where the last answer ended.
 const REVOLUTIONS = 64;
 const SAMPLES = 128;
-// Tighter than the program's usual 1e-9: the atlas and the page use different methods, and are to agree within 1e-9 of
-// the clearance.
+// Tighter than the program's usual 1e-9: what the atlas and the page have is to agree within 1e-9 of the clearance.
 const TOLERANCE = 1e-11;
 // A page does not wait for longer transients.
 const LONGEST_TRANSIENT = 2000;
@@ -20,21 +18,35 @@ function sceneAt(place) {
   });
   return scene;
 }
-/// The numbers that the solver asks for, of a place of the atlas.
+/// What a place of the atlas asks of the solver, as numbers in SI units; `sceneOf` puts them into the scene.
 function requestAt(place) {
   const scene = sceneAt(place);
   const {rotor, blades, ring, contact, unbalance, initial} = scene;
   return {
     speed_ratio: axes[SPEED].values[place[SPEED]], damping_ratio: rotor.damping_ratio, friction: contact.friction,
-    unbalance: unbalance?.moment ?? 0, unbalance_phase: unbalance?.phase ?? 0, thickness: blades.thickness,
-    misalignment: rotor.misalignment, mass: rotor.mass, natural_frequency: rotor.natural_frequency,
-    blade_count: blades.count, blade_length: blades.length, blade_width: blades.width,
-    youngs_modulus: blades.youngs_modulus, hub_radius: blades.hub_radius,
-    ring_radius: ring.radius, ring_stiffness: ring.stiffness ?? 1, contact_law: LAWS[contact.law],
-    max_shortening: scene.validity?.max_shortening ?? 0.5,
+    unbalance: unbalance?.moment ?? 0, thickness: blades.thickness,
+    misalignment: rotor.misalignment, blade_length: blades.length, blade_width: blades.width,
+    youngs_modulus: blades.youngs_modulus, hub_radius: blades.hub_radius, ring_radius: ring.radius,
     tolerance: Math.min(scene.accuracy?.tolerance ?? TOLERANCE, TOLERANCE),
     x: initial?.x ?? 0, y: initial?.y ?? 0, vx: initial?.vx ?? 0, vy: initial?.vy ?? 0,
-    transient_revolutions: 0, sampled_revolutions: REVOLUTIONS, samples_per_revolution: SAMPLES, stop_when_periodic: 0};
+    transient_revolutions: 0, sampled_revolutions: REVOLUTIONS, samples_per_revolution: SAMPLES, stop_when_periodic: 0,
+    memory: [], scene};
+}
+/// The scene of one point that the solver is given: that of `wanted` with its numbers, computed by collocation.
+function sceneOf(wanted) {
+  const {grid: _grid, sweep: _sweep, pieces: _pieces, observables: _observables, spectrum: _spectrum, unbalance,
+    ...scene} = wanted.scene;
+  return {...scene,
+    rotor: {...scene.rotor, damping_ratio: wanted.damping_ratio, misalignment: wanted.misalignment},
+    blades: {...scene.blades, thickness: wanted.thickness},
+    contact: {...scene.contact, friction: wanted.friction},
+    // An unbalance of zero is the absent effect, as in a line of an atlas.
+    ...(wanted.unbalance === 0 ? {} : {unbalance: {...unbalance, moment: wanted.unbalance}}),
+    initial: {x: wanted.x, y: wanted.y, vx: wanted.vx, vy: wanted.vy},
+    protocol: {transient_revolutions: wanted.transient_revolutions, sampled_revolutions: wanted.sampled_revolutions,
+      samples_per_revolution: wanted.samples_per_revolution, stop_when_periodic: wanted.stop_when_periodic === 1},
+    accuracy: {method: 'collocation', tolerance: wanted.tolerance},
+    grid: {speed_ratio: [wanted.speed_ratio]}};
 }
 
 /// The worker with the solver; none where the page cannot have one, and `why` says so.
@@ -65,23 +77,29 @@ class Computer {
       };
       await this.ask({module: await unpacked('solver')});
       // The browser translates the module in full when it runs first: a point that nobody waits for.
-      await this.ask({wanted: {...near, transient_revolutions: 0, sampled_revolutions: 30}, maxOrder: 1});
+      await this.compute({...near, transient_revolutions: 0, sampled_revolutions: 30}, 1);
     } catch (error) {
       this.why = `The page cannot compute points of its own (${error.message}).`;
       this.worker = null;
     }
   }
-  /// What a page that computes nothing shows instead.
-  get instead() {
+  /// What the reader has to know of what is computed and drawn; empty where nothing is missing.
+  get notice() {
     const count = atlas.orbits.length;
     const undrawn = {ring_body: 'the ring at rest', wear: 'blades without their wear',
       unequal_blades: 'blades without their errors'};
     const drawn = Object.keys(undrawn).filter((effect) => effect in atlas.scene).map((effect) => undrawn[effect]);
-    return (count && drawn.length ? `The moving rotor is drawn with ${drawn.join(' and ')}. ` : '')
-      + (count
+    const moves = !this.why || count > 0;
+    return [this.why,
+      moves && drawn.length && `The moving rotor is drawn with ${drawn.join(' and ')}.`,
+      this.why && (count
         ? `What is shown comes from the atlas, and orbits from the program, which computed those of ${count} points ` +
           "from the atlas' states when this page was made."
-      : 'Everything shown comes from the atlas.');
+        : 'Everything shown comes from the atlas.')].filter(Boolean).join(' ');
+  }
+  /// The orbit of a point, and its spectrum up to an order.
+  compute(wanted, maxOrder) {
+    return this.ask({request: {scene: sceneOf(wanted), memory: wanted.memory}, maxOrder});
   }
   ask(message) {
     return new Promise((resolve, reject) => {

@@ -1,12 +1,5 @@
-// The program's solver as a WebAssembly module: a request of numbers in, an orbit out.
+// The program's solver as a WebAssembly module: a scene of one point in, an orbit out.
 // Runs in a worker of the page, and in node for tests.
-
-// In the order of `Request` in tools/explorer_solver/solver.cpp; SI units.
-const REQUEST = [
-  'speed_ratio', 'damping_ratio', 'friction', 'unbalance', 'unbalance_phase', 'thickness', 'misalignment', 'mass',
-  'natural_frequency', 'blade_count', 'blade_length', 'blade_width', 'youngs_modulus', 'hub_radius', 'ring_radius',
-  'ring_stiffness', 'contact_law', 'max_shortening', 'tolerance', 'x', 'y', 'vx', 'vy', 'transient_revolutions',
-  'sampled_revolutions', 'samples_per_revolution', 'stop_when_periodic'];
 
 const DONE = 1;
 
@@ -26,6 +19,24 @@ function systemInterface() {
 }
 let module = null;
 
+/// The orbit with times in which all revolutions are equally long, as charts and the moving rotor need them: samples
+/// are equal parts of a revolution, also where a ramp makes one shorter than the other.
+function inEqualRevolutions(orbit, period) {
+  const {time, samples, contact} = orbit;
+  const place = (at) => {
+    let low = 0, high = time.length - 1;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (time[middle] > at) high = middle;
+      else low = middle;
+    }
+    return low + (at - time[low]) / (time[high] - time[low]);
+  };
+  const equal = (at) => place(at) * period / samples;
+  return {...orbit, time: time.map((_, i) => i * period / samples),
+    contact: {...contact, time: contact.time.map(equal)}};
+}
+
 async function makeSolver(bytes) {
   const compiled = await WebAssembly.compile(bytes);
   let calls = null;
@@ -34,39 +45,42 @@ async function makeSolver(bytes) {
     calls = instance.exports;
     module = {view: () => new DataView(calls.memory.buffer)};
     calls._initialize();
-    if (calls.request_size() !== REQUEST.length) throw new Error('the solver expects another request');
   }
   await start();
 
   const doubles = (address, count) => new Float64Array(calls.memory.buffer, address, count).slice();
   const integers = (address, count) => new Int32Array(calls.memory.buffer, address, count).slice();
 
-  /// The orbit of `wanted`, an object with a number for each name of REQUEST.
-  async function compute(wanted) {
-    const request = new Float64Array(calls.memory.buffer, calls.request_numbers(), REQUEST.length);
-    for (const [place, name] of REQUEST.entries()) {
-      if (!Number.isFinite(wanted[name])) throw new Error(`${name} is no number`);
-      request[place] = wanted[name];
-    }
+  const text = (address, size) => new TextDecoder().decode(new Uint8Array(calls.memory.buffer, address, size));
+
+  /// The orbit of the one point of a scene, from its initial state and what effects remember.
+  async function compute({scene, memory}) {
+    const bytes = new TextEncoder().encode(JSON.stringify(scene));
+    const place = calls.scene_of_size(bytes.length);
+    new Uint8Array(calls.memory.buffer, place, bytes.length).set(bytes);
+    new Float64Array(calls.memory.buffer, calls.memory_of_effects(), memory.length).set(memory);
     let status;
     try {
-      status = calls.compute();
+      status = calls.compute(memory.length);
     } catch (error) {
+      const refusal = text(calls.refusal_text(), calls.refusal_size());
       await start();  // a module that has trapped is not used again
-      throw error;
+      throw refusal ? new Error(refusal) : error;
     }
-    if (status < 0) throw new Error('a value is outside the range of the solver');
-    const blades = wanted.blade_count;
+    return orbitOf(status, scene);
+  }
+  function orbitOf(status, scene) {
+    const blades = scene.blades.count;
     const times = calls.time_count();
     const samples = calls.contact_sample_count();
-    return {
+    const orbit = {
       status,
-      ending: status === DONE ? ''
-        : new TextDecoder().decode(new Uint8Array(calls.memory.buffer, calls.ending(), calls.ending_size())),
+      ending: status === DONE ? '' : text(calls.ending(), calls.ending_size()),
       failedRevolution: calls.failed_revolution(),
       blades,
-      samples: wanted.samples_per_revolution,
+      samples: scene.protocol.samples_per_revolution,
       sections: doubles(calls.sections(), 4 * calls.section_count()),
+      memory: doubles(calls.final_memory(), calls.final_memory_size()),
       time: doubles(calls.times(), times),
       state: doubles(calls.states(), 4 * times),
       force: doubles(calls.forces(), blades * times),
@@ -77,6 +91,7 @@ async function makeSolver(bytes) {
         force: doubles(calls.contact_forces(), samples),
       },
     };
+    return scene.speed_ramp ? inEqualRevolutions(orbit, 2 * Math.PI / scene.grid.speed_ratio[0]) : orbit;
   }
   return {compute};
 }

@@ -76,8 +76,8 @@ function accuracy() {
     ['Method', `${how?.method}, local error per step ${shown(how?.tolerance, 3)} of the clearance`],
     ['Protocol', `${protocol.transient_revolutions} revolutions of transient, ${protocol.sampled_revolutions} sampled`],
     ['Points', points.join(', ')], ['Sections here', sections],
-    ['Computed here', atlas.not_computed || 'by the program’s own solver, compiled to WebAssembly: method hybrid, ' +
-      'local error per step 1e-11 of the clearance']])];
+    ['Computed here', atlas.not_computed || 'by the program’s own solver, compiled to WebAssembly: method ' +
+      'collocation, local error per step 1e-11 of the clearance']])];
 }
 function showTables() {
   byId('tables').append(part('Table 1', true, ...table1()),

@@ -24,16 +24,16 @@ function spectrumOf(orbit, samplesPerRevolution, maxOrder) {
 
 let solver = null;
 let busy = Promise.resolve();
-async function answer({id, wanted, maxOrder, module: bytes}) {
+async function answer({id, request, maxOrder, module: bytes}) {
   try {
     if (bytes) {
       solver = await makeSolver(bytes);
       return postMessage({id, ready: true});
     }
     const begin = performance.now();
-    const orbit = await solver.compute(wanted);
+    const orbit = await solver.compute(request);
     const milliseconds = performance.now() - begin;
-    const spectrum = orbit.status === DONE ? spectrumOf(orbit, wanted.samples_per_revolution, maxOrder) : null;
+    const spectrum = orbit.status === DONE ? spectrumOf(orbit, orbit.samples, maxOrder) : null;
     return postMessage({id, orbit, spectrum, milliseconds});
   } catch (error) {
     return postMessage({id, error: String(error.message || error)});
