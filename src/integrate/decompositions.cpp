@@ -10,10 +10,6 @@ EigenModes eigen_modes(const Eigen::Matrix4d& matrix) {
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-Eigen::Vector4cd generalised_eigenvalues(const Eigen::Matrix4d& matrix, const Eigen::Matrix4d& other) {
-  return Eigen::GeneralizedEigenSolver<Eigen::Matrix4d>(matrix, other, false).eigenvalues();
-}
-
 SymmetricModes symmetric_modes(const Eigen::Matrix4d& matrix) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(matrix);
   return {solver.eigenvalues(), solver.eigenvectors()};
