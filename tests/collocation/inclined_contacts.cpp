@@ -105,7 +105,7 @@ InclinedSurvey survey(int wanted, double tolerance, LoadDirection direction, Mak
     const auto contacts = contacts_of(m, kick);
     const rotor::Machine machine =
         machine_of(m.rotor, m.blades, rotor::Harmonics(std::vector<rotor::Harmonic>{}));
-    collocation::InclinedLaw law(m.law, kMaxShortening);
+    collocation::InclinedLaw law(m.law, m.blades.count(), kMaxShortening);
     ContactArc arc(machine, law, tolerance * kGap);
     constexpr std::size_t kMostOfOne = 10;
     for (std::size_t i = 0; i < std::min(contacts.size(), kMostOfOne); ++i) {
