@@ -270,6 +270,31 @@ class InclinedTip {
     return {result.along * push, result.across * push};
   }
 
+  /// How the push changes with the slip velocity where the shaft stands: the bend follows e, at h = 0. To be
+  /// asked for after `move_on`.
+  RUBATLAS_INLINE Push push_by_slip(double force_unit) const {
+    const Number e_by_slip = e_by_velocity_ * ring_radius_;
+    const Number inverse = e_by_slip / (h_by_bending * e_by_lean - h_by_lean * e_by_bending);
+    const Number bending_rate = h_by_lean * inverse;
+    const Number lean_rate = h_by_bending * inverse * -1.0;
+    const Number load_rate = blade.load.by_bending * bending_rate + blade.load.by_lean * lean_rate;
+    const Number cosine_rate = lean * lean_rate * -4.0;
+    const Number sine_rate = cosine_ / blade.cosine * (2.0 * load_->side) * lean_rate;
+    Push direction{cosine_, sine_};
+    Push turn{cosine_rate, sine_rate};
+    if (!load_->along_normal) {
+      const double per_radius = 1.0 / ring_radius_;
+      const Number moved_a = a_by_bending * bending_rate + a_by_lean * lean_rate;
+      const Number moved_b = b_by_bending * bending_rate + b_by_lean * lean_rate;
+      direction = {(a * cosine_ - b * sine_) * per_radius, (b * cosine_ + a * sine_) * per_radius};
+      turn = {((a * cosine_rate - b * sine_rate) + (moved_a * cosine_ - moved_b * sine_)) * per_radius,
+              ((b * cosine_rate + a * sine_rate) + (moved_b * cosine_ + moved_a * sine_)) * per_radius};
+    }
+    const double unit = -blade_->load_unit * force_unit;
+    return {(direction.along * load_rate + turn.along * load) * unit,
+            (direction.across * load_rate + turn.across * load) * unit};
+  }
+
   /// What an interval keeps of the tip, but for what has to do with velocities.
   void store(TipInTime& kept) const {
     lean.store(kept.lean);
@@ -416,7 +441,58 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
       const Vector more = along(further_[k].push, offset_by(er_, offset));
       push = {push.x + more.x, push.y + more.y};
     }
-    return move(push);
+    if (lead_.inclined().friction.law != FrictionNumbers::Law::rest) return move(push);
+    const Vector before{shaft_.vx, shaft_.vy};
+    const Vector expected{shaft_.vx + shaft_.ax * time_step, shaft_.vy + shaft_.ay * time_step};
+    move(push);
+    follow_slip<kLight>(expected);
+    return larger(magnitude(shaft_.vx - before.x), magnitude(shaft_.vy - before.y)).largest();
+  }
+
+  /// Newton's step for the slip velocity of the leading tip: while it rests its load follows the shaft's
+  /// velocity at once, which in turn is its integral, so that sweeps alone hardly converge. `expected`: the
+  /// velocity with which the tip was brought to rest.
+  template <bool kLight>
+  RUBATLAS_INLINE void follow_slip(const Vector& expected) {
+    const double per_radius = 1.0 / machine_.ring_radius;
+    const Vector along_ring{(lead_.b * er_.x + lead_.a * er_.y) * -per_radius,
+                            (lead_.a * er_.x - lead_.b * er_.y) * per_radius};
+    if (!kLight) {
+      push_by_slip_ = along(lead_.push_by_slip(machine_.force_unit), er_);
+      set_slip_coupling(along_ring);
+    }
+    const Number change = along_ring.x * (shaft_.vx - expected.x) + along_ring.y * (shaft_.vy - expected.y);
+    const Number slip = Number::combined(slip_coupling_, change);
+    add_push({push_by_slip_.x * slip, push_by_slip_.y * slip});
+  }
+  /// The inverse of 1 − ∂v/∂v by the way of the load, [j][i]: what a change at node j makes at node i.
+  RUBATLAS_INLINE void set_slip_coupling(const Vector& along_ring) {
+    std::array<AtNodes, kNodes> matrix;
+    AtNodes rate_x, rate_y, along_x, along_y;
+    (push_by_slip_.x * time_rate_).store(rate_x);
+    (push_by_slip_.y * time_rate_).store(rate_y);
+    along_ring.x.store(along_x);
+    along_ring.y.store(along_y);
+    for (std::size_t j = 0; j < kNodes; ++j) {
+      for (std::size_t i = 0; i < kNodes; ++i) {
+        const double unit = i == j ? 1.0 : 0.0;
+        matrix[j][i] = unit - nodes_.integral[j][i] * (along_x[i] * rate_x[j] + along_y[i] * rate_y[j]);
+        slip_coupling_[j][i] = unit;
+      }
+    }
+    // Gauss's elimination, of all rows but one at a time.
+    for (std::size_t k = 0; k < kNodes; ++k) {
+      const double per_pivot = 1.0 / matrix[k][k];
+      AtNodes factor;
+      for (std::size_t i = 0; i < kNodes; ++i)
+        factor[i] = i == k ? 1.0 - per_pivot : matrix[k][i] * per_pivot;
+      const auto eliminate = [&](AtNodes& column) {
+        const double in_row = column[k];
+        for (std::size_t i = 0; i < kNodes; ++i) column[i] -= factor[i] * in_row;
+      };
+      for (std::size_t j = k; j < kNodes; ++j) eliminate(matrix[j]);
+      for (AtNodes& column : slip_coupling_) eliminate(column);
+    }
   }
 
   /// False where there is no such blade. `er`: its direction before the step in time.
@@ -470,6 +546,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     }
   }
 
+  using Base::add_push;
   using Base::angular_speed_;
   using Base::chord_argument_;
   using Base::deviation_;
@@ -480,6 +557,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   using Base::largest_step_;
   using Base::machine_;
   using Base::move;
+  using Base::nodes_;
   using Base::offset_by;
   using Base::ring_;
   using Base::ring_moves;
@@ -489,12 +567,15 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   using Base::slip_velocity_of;
   using Base::store_motion;
   using Base::take_direction;
+  using Base::time_rate_;
   using Base::turn_on;
 
   Number lean_;
   Tip lead_;
   Number bending_slope_;                                                ///< du/dp
   Number deviation_per_h_, deviation_per_e_, lean_per_h_, lean_per_e_;  ///< Newton's steps
+  Vector push_by_slip_;                        ///< `Tip::push_by_slip` of the leading tip at rest
+  std::array<AtNodes, kNodes> slip_coupling_;  ///< of it
   std::array<FurtherTip, kMostFurther> further_;
 };
 
