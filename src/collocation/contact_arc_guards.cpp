@@ -179,17 +179,16 @@ bool ContactArc::is_next_to_unbent(const Interval& interval) const {
 /// The blades of tips at rest are no straight struts between hub and ring.
 bool ContactArc::are_bent_firmly(const Interval& interval) const {
   constexpr double kLeastModulus = 1e-3;  // κ
-  const auto is_bent = [&](const Touch& touch) {
-    return touch.slip != 0.0 || std::abs(touch.bend.modulus) > kLeastModulus;
-  };
-  for (std::size_t i = 0; i < kNodes; ++i) {
-    const Point there = at_node(interval, i);
-    if (!is_bent(touch_of(blade_, there))) return false;
-    for (const FurtherStart& further : further_) {
-      if (!is_bent(touch_of(further.blade, there))) return false;
+  const auto is_bent = [&](int blade, double slip) {
+    if (slip != 0.0) return true;
+    for (std::size_t i = 0; i < kNodes; ++i) {
+      if (!(std::abs(touch_of(blade, at_node(interval, i)).bend.modulus) > kLeastModulus)) return false;
     }
-  }
-  return true;
+    return true;
+  };
+  return is_bent(blade_, contact_.slip) && std::ranges::all_of(further_, [&](const FurtherStart& further) {
+           return is_bent(further.blade, further.slip);
+         });
 }
 
 ContactArc::Verdict ContactArc::judge(Ending& ending) {

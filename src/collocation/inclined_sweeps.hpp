@@ -466,7 +466,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     add_push({push_by_slip_.x * slip, push_by_slip_.y * slip});
   }
   /// The inverse of 1 − ∂v/∂v by the way of the load, [j][i]: what a change at node j makes at node i.
-  RUBATLAS_INLINE void set_slip_coupling(const Vector& along_ring) {
+  [[gnu::noinline]] void set_slip_coupling(const Vector& along_ring) {
     std::array<AtNodes, kNodes> matrix;
     AtNodes rate_x, rate_y, along_x, along_y;
     (push_by_slip_.x * time_rate_).store(rate_x);
@@ -495,9 +495,10 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     }
   }
 
-  /// False where there is no such blade. `er`: its direction before the step in time.
+  /// False where there is no such blade. `er`: its direction before the step in time. A function of its own:
+  /// compilers keep more of the leading blade in registers.
   template <bool kLight>
-  RUBATLAS_INLINE bool step_further(FurtherTip& further, const Vector& er, const Number& time_step) {
+  [[gnu::noinline]] bool step_further(FurtherTip& further, const Vector& er, const Number& time_step) {
     constexpr double kLeastLeft = 0.01;  // of p², in one step
     Tip& tip = further.tip;
     const Number argument = root(further.square);
