@@ -34,7 +34,7 @@ class ArcLaw {
   [[nodiscard]] virtual contact::Geometry geometry(int blade) const = 0;
   /// Friction takes its sign from s, so that a reversal of the slip is an event.
   [[nodiscard]] virtual bool has_slip_state() const = 0;
-  /// A tip at rest has an arc, too, while no other blade touches.
+  /// A tip at rest has an arc, too.
   [[nodiscard]] virtual bool holds_tips() const { return false; }
   /// The lean of the load is an unknown.
   [[nodiscard]] virtual bool leans() const = 0;
@@ -64,8 +64,6 @@ class ArcLaw {
 
   /// This contact leads. Gives how far its blade is bent.
   virtual Bending lead(const Touch& touch) = 0;
-  /// How far a further blade is bent.
-  [[nodiscard]] virtual double argument(const Touch& touch) const = 0;
   /// ±1: to which side a blade is bent.
   [[nodiscard]] virtual double side(const Touch& touch) const = 0;
   /// Of the leading blade, where it takes the lead.
@@ -88,9 +86,8 @@ class ArcLaw {
   [[nodiscard]] virtual std::span<const blade::BendingTable::Knot> knots() const = 0;
   /// Δ/p² [m] of the leading blade where it is hardly bent.
   [[nodiscard]] virtual double deflection_per_square() const = 0;
-  /// A further blade, where another one takes the lead; only where several may touch.
-  [[nodiscard]] virtual FurtherStart further(const Touch& touch, const contact::Pose& at,
-                                             double speed) const = 0;
+  /// A further blade, where another one takes the lead.
+  virtual FurtherStart further(const Touch& touch, const contact::Pose& at, double speed) = 0;
 
   [[nodiscard]] virtual bool solve(const Contact& contact, const Closeness& closeness,
                                    Interval& interval) const = 0;

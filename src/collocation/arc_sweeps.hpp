@@ -88,6 +88,19 @@ class ArcSweeps {
       vy = vy_next;
       return change;
     }
+    /// Adds an acceleration.
+    RUBATLAS_INLINE void add(const NodeTables& nodes, const Number& time_rate, const Number& more_x,
+                             const Number& more_y) {
+      const auto to = [&](const Number& more, Number& place, Number& velocity, Number& acceleration)
+                          RUBATLAS_INLINED {
+                            const Number faster = Number::combined(nodes.integral, more * time_rate);
+                            acceleration = acceleration + more;
+                            velocity = velocity + faster;
+                            place = place + Number::combined(nodes.integral, faster * time_rate);
+                          };
+      to(more_x, x, vx, ax);
+      to(more_y, y, vy, ay);
+    }
     /// Squares of Legendre's coefficients of the velocity's slope by θ.
     RUBATLAS_INLINE Number squares(const NodeTables& nodes, const Number& time_rate) const {
       const Number along_x = Number::combined(nodes.legendre, ax * time_rate);
@@ -255,6 +268,14 @@ class ArcSweeps {
       change = std::max(change, ring_.integrate(in.ring, nodes_, time_rate_));
     }
     return change;
+  }
+
+  /// Adds a push to the one by which shaft and ring have been moved.
+  RUBATLAS_INLINE void add_push(const Vector& more) {
+    shaft_.add(nodes_, time_rate_, more.x, more.y);
+    if (!ring_moves()) return;
+    const double share = -machine_.ring.force_unit / machine_.force_unit;
+    ring_.add(nodes_, time_rate_, more.x * share, more.y * share);
   }
 
   void store_motion() const {

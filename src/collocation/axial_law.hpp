@@ -41,10 +41,7 @@ class AxialLaw final : public ArcLaw {
   }
   Bending lead(const Touch& touch) override {
     leader_ = touch.blade;
-    return {argument(touch)};
-  }
-  [[nodiscard]] double argument(const Touch& touch) const override {
-    return table(touch.blade).argument(touch.bending);
+    return {table(touch.blade).argument(touch.bending)};
   }
   [[nodiscard]] double side(const Touch& touch) const override { return touch.slip; }
   [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override;
@@ -56,8 +53,7 @@ class AxialLaw final : public ArcLaw {
   [[nodiscard]] double deflection_per_square() const override {
     return collocation::deflection_per_square(laws_->of(leader_));
   }
-  [[nodiscard]] FurtherStart further(const Touch& touch, const contact::Pose& at,
-                                     double speed) const override {
+  FurtherStart further(const Touch& touch, const contact::Pose& at, double speed) override {
     return further_start(laws_->of(touch.blade), at, touch, speed);
   }
   [[nodiscard]] bool solve(const Contact& contact, const Closeness& closeness,

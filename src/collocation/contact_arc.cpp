@@ -77,7 +77,8 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
     FurtherStart& start =
         further_.emplace_back(law_->further(touch, pose(touch.blade, start_), blades_->angular_speed(time)));
     start.offset = offset_of(touch.blade);
-    start_.squares[further_.size() - 1] = start.square;
+    start_.squares[further_.size() - 1] = start.square.value;
+    start_.leans[further_.size() - 1] = start.lean.value;
   }
   end_ = start_;
   others_.clear();
@@ -121,7 +122,8 @@ void ContactArc::predict(const Touch& touch) {
       whole_->acceleration(rotor::full_state(end_.bodies, end_.time, 0.0), force);
   const std::complex<double> closing = acceleration.shaft - acceleration.ring;
   set_out(blade_, contact_.slip, closing, at_end_.force.slip_velocity);
-  for (FurtherStart& further : further_) set_out(further.blade, further.slip, closing, further.slip_velocity);
+  for (FurtherStart& further : further_)
+    set_out(further.blade, further.slip, closing, further.tip.start_slip_velocity);
   predictor_.begin({.touch = touch,
                     .blade = contact_.blade,
                     .ring_radius = machine().ring_radius,
@@ -210,26 +212,15 @@ bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter, 
   shorter.start_angular_speed = whole.start_angular_speed;
   std::copy_n(whole.forcing.begin(), machine().forcing_count, shorter.forcing.begin());
   shorter.ripple = whole.ripple;
-  shorter.start_gap_measure = whole.start_gap_measure;
-  shorter.start_slip_velocity = whole.start_slip_velocity;
-  if (law_->keeps_loads()) {
-    shorter.start_force = whole.start_force;
-    shorter.start_strain = whole.start_strain;
-  }
-  if (contact_.leans) {
-    shorter.start_lean = whole.start_lean;
-    shorter.start_shortening = whole.start_shortening;
-    shorter.start_chart_left = whole.start_chart_left;
-    shorter.start_cone_left = whole.start_cone_left;
-  }
+  static_cast<TipStart&>(shorter) = whole;
   shorter.further_count = whole.further_count;
   for (std::size_t k = 0; k < whole.further_count; ++k) {
+    static_cast<TipStart&>(shorter.further[k]) = whole.further[k];
     shorter.further[k].blade = whole.further[k].blade;
+    shorter.further[k].load = whole.further[k].load;
     shorter.further[k].offset = whole.further[k].offset;
     shorter.further[k].slip = whole.further[k].slip;
     shorter.further[k].start_square = whole.further[k].start_square;
-    shorter.further[k].start_gap_measure = whole.further[k].start_gap_measure;
-    shorter.further[k].start_slip_velocity = whole.further[k].start_slip_velocity;
   }
   shorter.chord = {fraction * whole.chord.time, fraction * whole.chord.argument};
   shorter.normal = whole.normal;
@@ -298,7 +289,8 @@ void ContactArc::leave_earlier() {
 void ContactArc::change_leader(std::size_t further) {
   std::vector<Touch> touching{law_->touch(blade_, contact_.slip, end_.bending)};
   for (const FurtherStart& start : further_)
-    touching.push_back(law_->touch(start.blade, start.slip, {std::sqrt(start.square)}));
+    touching.push_back(
+        law_->touch(start.blade, start.slip, {std::sqrt(start.square.value), start.lean.value}));
   lead(end_.time, rotor::ShaftAndRing(end_.bodies), touching, further + 1);
   lead_has_changed_ = true;
 }
@@ -359,8 +351,10 @@ ContactArc::Point ContactArc::at_node(const Interval& interval, std::size_t node
               .bending = {interval.argument[node], interval.lean[node]}};
   point.bodies << shaft.x[node], shaft.y[node], shaft.vx[node], shaft.vy[node], ring.x[node], ring.y[node],
       ring.vx[node], ring.vy[node];
-  for (std::size_t k = 0; k < interval.further_count; ++k)
+  for (std::size_t k = 0; k < interval.further_count; ++k) {
     point.squares[k] = interval.further[k].square[node];
+    point.leans[k] = interval.further[k].lean[node];
+  }
   return point;
 }
 

@@ -50,6 +50,7 @@ class ContactArc {
     rotor::ShaftAndRing bodies = rotor::ShaftAndRing::Zero();
     Bending bending;                             ///< of the leading blade
     std::array<double, kMostFurther> squares{};  ///< p² of the others
+    std::array<double, kMostFurther> leans{};    ///< and l of theirs
   };
 
   /// Begins where these blades touch, one to 1 + kMostFurther.
@@ -91,10 +92,11 @@ class ContactArc {
   /// Where a blade in contact is bent most between two times of the interval; none where its p is not larger
   /// than `known`.
   [[nodiscard]] std::optional<Point> most_bent(int blade, double from, double to, double known);
-  /// Where the leading blade bears most between two times of the interval, of a load that is kept at the
+  /// Where a blade bears most between two times of the interval, of a load that is kept at the
   /// nodes; none where that is not larger than `known`.
-  [[nodiscard]] std::optional<Point> most_loaded(const AtNodes Interval::*load, double Interval::*at_start,
-                                                 double from, double to, double known);
+  [[nodiscard]] std::optional<Point> most_loaded(int blade, const AtNodes TipInTime::*load,
+                                                 const double TipInTime::*at_start, double from, double to,
+                                                 double known);
   /// The largest |z| between two times of the interval [m], or `known` where it is not larger than that.
   [[nodiscard]] double largest_displacement(double from, double to, double known);
   /// Shaft's place x, y [m] at θ, on the interval's polynomials.
@@ -176,9 +178,9 @@ class ContactArc {
   [[nodiscard]] double slip_rounding() const {
     return contact::kSlipRounding * std::abs(rotor_->speed_ratio) * machine().ring_radius;
   }
-  /// Slip may reverse.
-  [[nodiscard]] bool slips() const { return law_->has_slip_state() && contact_.slip != 0.0; }
-  [[nodiscard]] bool is_bent_firmly(const Interval& interval) const;
+  /// Slip to this side may reverse.
+  [[nodiscard]] bool reverses(double slip) const { return law_->has_slip_state() && slip != 0.0; }
+  [[nodiscard]] bool are_bent_firmly(const Interval& interval) const;
   [[nodiscard]] bool is_next_to_unbent(const Interval& interval) const;
   [[nodiscard]] double left_at_end(const Ending& ending, const Interval& interval) const;
   bool cut_at(const Interval& whole, Ending& ending, Interval& shorter);

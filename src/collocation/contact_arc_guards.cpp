@@ -26,9 +26,9 @@ double slope_before(const AtPlaces& values, double fraction) {
 /// the blades within their limit.
 bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
   const auto keeps_slip = [&](int blade, double slip, double start, double least) {
-    if (!slips()) return true;
-    const bool reverses = ending.guard == Guard::slip_reversal && ending.blade == blade;
-    const bool slips_on = reverses ? least >= -rounding_at_end_ : least > 0.0;
+    if (!reverses(slip)) return true;
+    const bool reverses_here = ending.guard == Guard::slip_reversal && ending.blade == blade;
+    const bool slips_on = reverses_here ? least >= -rounding_at_end_ : least > 0.0;
     return slips_on && (slip * start > 0.0 || law_->may_slip_back());
   };
   if (!(bounds.distance < machine().ring_radius)) return false;
@@ -37,11 +37,11 @@ bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
   for (std::size_t k = 0; k < further_.size(); ++k) {
     const FurtherStart& further = further_[k];
     if (!(bounds.further_argument[k] < law_->valid_argument(further.blade)) ||
-        !keeps_slip(further.blade, further.slip, further.slip_velocity, bounds.slip_velocity[1 + k]))
+        !keeps_slip(further.blade, further.slip, further.tip.start_slip_velocity,
+                    bounds.slip_velocity[1 + k]))
       return false;
   }
-  if (contact_.slip == 0.0 && !(bounds.cone_left > 0.0)) return false;
-  return !contact_.leans || (bounds.time_slope > 0.0 && bounds.chart_left > 0.0);
+  return !contact_.leans || (bounds.cone_left > 0.0 && bounds.time_slope > 0.0 && bounds.chart_left > 0.0);
 }
 
 /// The first guard of the blades in contact.
@@ -72,16 +72,15 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
     look(Guard::fold, blade_, sum_of_products(node_tables().value_at_start, interval.time_slope),
          interval.time_slope, 1.0, count);
   if (contact_.leans) look(Guard::chart_end, blade_, interval.start_chart_left, interval.chart_left, 1.0);
-  if (contact_.slip == 0.0) look(Guard::loosening, blade_, interval.start_cone_left, interval.cone_left, 1.0);
-  if (!slips()) return first;
-  const auto look_for_reversal = [&](int blade, double start, const AtNodes& nodes) {
-    look(Guard::slip_reversal, blade, start, nodes, std::copysign(1.0, start));
+  const auto look_at_slip = [&](int blade, double slip, const TipInTime& tip) {
+    if (slip == 0.0) look(Guard::loosening, blade, tip.start_cone_left, tip.cone_left, 1.0);
+    if (!reverses(slip)) return;
+    const double sign = std::copysign(1.0, tip.start_slip_velocity);
+    look(Guard::slip_reversal, blade, tip.start_slip_velocity, tip.slip_velocity, sign);
   };
-  look_for_reversal(blade_, interval.start_slip_velocity, interval.slip_velocity);
-  for (std::size_t k = 0; k < further_.size(); ++k) {
-    const FurtherBlade& further = interval.further[k];
-    look_for_reversal(further_[k].blade, further.start_slip_velocity, further.slip_velocity);
-  }
+  look_at_slip(blade_, contact_.slip, interval);
+  for (std::size_t k = 0; k < further_.size(); ++k)
+    look_at_slip(further_[k].blade, further_[k].slip, interval.further[k]);
   return first;
 }
 
@@ -121,6 +120,9 @@ std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interva
 
 /// What is left of the guard's quantity at the end of an interval that it ends.
 double ContactArc::left_at_end(const Ending& ending, const Interval& interval) const {
+  const TipInTime& tip = ending.guard == Guard::touch_down || ending.blade == blade_
+                             ? static_cast<const TipInTime&>(interval)
+                             : interval.further[number_of(ending.blade)];
   switch (ending.guard) {
     case Guard::touch_down:
       return -pose(ending.blade, end_of(interval)).gap;
@@ -133,15 +135,9 @@ double ContactArc::left_at_end(const Ending& ending, const Interval& interval) c
     case Guard::chart_end:
       return interval.chart_left.at_end();
     case Guard::loosening:
-      return interval.cone_left.at_end();
-    default: {
-      const auto left = [](double start, const AtNodes& nodes) {
-        return std::copysign(1.0, start) * nodes.at_end();
-      };
-      if (ending.blade == blade_) return left(interval.start_slip_velocity, interval.slip_velocity);
-      const FurtherBlade& further = interval.further[number_of(ending.blade)];
-      return left(further.start_slip_velocity, further.slip_velocity);
-    }
+      return tip.cone_left.at_end();
+    default:
+      return std::copysign(1.0, tip.start_slip_velocity) * tip.slip_velocity.at_end();
   }
 }
 
@@ -180,14 +176,19 @@ bool ContactArc::is_next_to_unbent(const Interval& interval) const {
          (argument < kNear && law_->starts_unloaded(blade_, contact_.slip, pose(blade_, end_of(interval))));
 }
 
-/// The blade of a tip at rest is no straight strut between hub and ring.
-bool ContactArc::is_bent_firmly(const Interval& interval) const {
+/// The blades of tips at rest are no straight struts between hub and ring.
+bool ContactArc::are_bent_firmly(const Interval& interval) const {
   constexpr double kLeastModulus = 1e-3;  // κ
-  for (std::size_t i = 0; i < kNodes; ++i) {
-    const Bending bending{interval.argument[i], interval.lean[i]};
-    if (!(std::abs(law_->touch(blade_, 0.0, bending).bend.modulus) > kLeastModulus)) return false;
-  }
-  return true;
+  const auto is_bent = [&](int blade, double slip) {
+    if (slip != 0.0) return true;
+    for (std::size_t i = 0; i < kNodes; ++i) {
+      if (!(std::abs(touch_of(blade, at_node(interval, i)).bend.modulus) > kLeastModulus)) return false;
+    }
+    return true;
+  };
+  return is_bent(blade_, contact_.slip) && std::ranges::all_of(further_, [&](const FurtherStart& further) {
+           return is_bent(further.blade, further.slip);
+         });
 }
 
 ContactArc::Verdict ContactArc::judge(Ending& ending) {
@@ -224,9 +225,9 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   if (contact_.slip == 0.0) {
     // At a fold the place of a tip at rest is lost. One whose blade unbends is for steps to follow.
     if (ending.guard == Guard::fold) ending.guard = Guard::loosening;
-    if (ending.guard == Guard::unbent || ending.guard == Guard::chart_end || !is_bent_firmly(kept))
-      return Verdict::gives_up;
+    if (ending.guard == Guard::unbent || ending.guard == Guard::chart_end) return Verdict::gives_up;
   }
+  if (contact_.leans && !are_bent_firmly(kept)) return Verdict::gives_up;
   // At a fold a tip is free only outside the ring, or it snaps.
   if (ending.guard == Guard::fold && !law_->has_branches(blade_) && !(pose(blade_, end_of(kept)).gap < 0.0))
     return Verdict::gives_up;

@@ -63,11 +63,13 @@ std::optional<ContactArc::Point> ContactArc::most_bent(int blade, double from, d
   return solved_in(within, most.argument);
 }
 
-std::optional<ContactArc::Point> ContactArc::most_loaded(const AtNodes Interval::*load,
-                                                         double Interval::*at_start, double from, double to,
-                                                         double known) {
+std::optional<ContactArc::Point> ContactArc::most_loaded(int blade, const AtNodes TipInTime::*load,
+                                                         const double TipInTime::*at_start, double from,
+                                                         double to, double known) {
   const Stretch within = stretch(from, to);
-  const AtPlaces values = at_places(made().*at_start, made().*load);
+  const TipInTime& tip =
+      blade == blade_ ? static_cast<const TipInTime&>(made()) : made().further[number_of(blade)];
+  const AtPlaces values = at_places(tip.*at_start, tip.*load);
   const double error =
       kSafety * allowed_ / rotor_->length_scale * *std::max_element(values.begin(), values.end());
   const auto most = largest_of(values, within.first, within.last, known - error);
@@ -108,8 +110,11 @@ ContactArc::Point ContactArc::point_at(double fraction) const {
   };
   place(shaft, 0);
   if (machine().ring.moves) place(ring, 4);
-  for (std::size_t k = 0; k < made().further_count; ++k)
-    point.squares[k] = value(made().further[k].start_square, made().further[k].square);
+  for (std::size_t k = 0; k < made().further_count; ++k) {
+    const FurtherBlade& further = made().further[k];
+    point.squares[k] = value(further.start_square, further.square);
+    if (contact_.leans) point.leans[k] = value(further.start_lean, further.lean);
+  }
   return point;
 }
 bool ContactArc::ends_at_last_node() const {
@@ -135,7 +140,8 @@ ArcLaw::Tangent ContactArc::direction_at(double fraction) const {
 
 Bending ContactArc::bending_of(int blade, const Point& point) const {
   if (blade == blade_) return point.bending;
-  return {std::sqrt(std::max(0.0, point.squares[number_of(blade)]))};
+  const std::size_t k = number_of(blade);
+  return {std::sqrt(std::max(0.0, point.squares[k])), point.leans[k]};
 }
 Touch ContactArc::touch_of(int blade, const Point& point) const {
   const double slip = blade == blade_ ? contact_.slip : further_[number_of(blade)].slip;

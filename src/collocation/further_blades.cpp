@@ -32,40 +32,50 @@ FurtherStart further_start(const contact::ElasticaContact& law, const contact::P
   }
   return {.blade = touch.blade,
           .slip = touch.slip,
-          .square = argument * argument,
-          .rate = rate,
-          .gap_measure = gap_measure,
-          .slip_velocity = there.force.slip_velocity,
+          .square = {argument * argument, rate},
+          .tip = {.start_gap_measure = gap_measure, .start_slip_velocity = there.force.slip_velocity},
           .force = there.force};
 }
 
 void go_on(const Interval& made, const FurtherBlade& blade, FurtherStart& start) {
   constexpr std::size_t kLast = kNodes - 1;
-  const auto slope = [&](std::size_t node) {
-    return (blade.square[node + 1] - blade.square[node]) / (made.elapsed[node + 1] - made.elapsed[node]);
+  const auto course = [&](const AtNodes& nodes) {
+    const auto slope = [&](std::size_t node) {
+      return (nodes[node + 1] - nodes[node]) / (made.elapsed[node + 1] - made.elapsed[node]);
+    };
+    const double before = slope(kLast - 2);
+    const double after = slope(kLast - 1);
+    const double apart = made.elapsed[kLast] - made.elapsed[kLast - 2];
+    const double half_curvature = (after - before) / apart;
+    return FurtherStart::Course{nodes.at_end(),
+                                after + half_curvature * (made.elapsed[kLast] - made.elapsed[kLast - 1]),
+                                half_curvature};
   };
-  const double before = slope(kLast - 2);
-  const double after = slope(kLast - 1);
-  const double apart = made.elapsed[kLast] - made.elapsed[kLast - 2];
-  start.half_curvature = (after - before) / apart;
-  start.rate = after + start.half_curvature * (made.elapsed[kLast] - made.elapsed[kLast - 1]);
-  start.square = blade.square.at_end();
-  start.gap_measure = blade.gap_measure.at_end();
-  start.slip_velocity = blade.slip_velocity.at_end();
+  start.square = course(blade.square);
+  start.tip.start_gap_measure = blade.gap_measure.at_end();
+  start.tip.start_slip_velocity = blade.slip_velocity.at_end();
+  if (start.load == nullptr) return;
+  start.lean = course(blade.lean);
+  start.tip.start_force = blade.normal_force.at_end();
+  start.tip.start_strain = blade.root_strain.at_end();
+  start.tip.start_lean = blade.lean.at_end();
+  start.tip.start_shortening = blade.shortening.at_end();
+  start.tip.start_chart_left = blade.chart_left.at_end();
+  start.tip.start_cone_left = blade.cone_left.at_end();
 }
 
 void guess(const FurtherStart& start, const AtNodes& elapsed, FurtherBlade& blade) {
+  static_cast<TipStart&>(blade) = start.tip;
+  blade.load = start.load;
   blade.offset = start.offset;
   blade.slip = start.slip;
-  blade.start_square = start.square;
-  blade.start_gap_measure = start.gap_measure;
-  blade.start_slip_velocity = start.slip_velocity;
+  blade.start_square = start.square.value;
   constexpr double kLeast = 1e-8;       // p²
   constexpr double kLeastShare = 0.01;  // of that at the start
-  for (std::size_t i = 0; i < kNodes; ++i) {
-    const double later = start.square + elapsed[i] * (start.rate + elapsed[i] * start.half_curvature);
-    blade.square[i] = std::max({later, kLeastShare * start.square, kLeast});
-  }
+  for (std::size_t i = 0; i < kNodes; ++i)
+    blade.square[i] = std::max({start.square.after(elapsed[i]), kLeastShare * start.square.value, kLeast});
+  if (start.load == nullptr) return;
+  for (std::size_t i = 0; i < kNodes; ++i) blade.lean[i] = start.lean.after(elapsed[i]);
 }
 
 }  // namespace rubatlas::collocation

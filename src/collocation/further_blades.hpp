@@ -31,14 +31,23 @@ struct Touch {
 /// One of them where the next interval starts. p² is used, which is smooth in time where p starts from 0.
 struct FurtherStart {
   int blade = 0;
-  double slip = 1.0;               ///< s = ±1
-  std::array<double, 2> offset{};  ///< cosine and sine of its angle from the leading blade
-  double square = 0.0;             ///< p²
-  double rate = 0.0;               ///< of p² by τ
-  double half_curvature = 0.0;     ///< half of its second derivative
-  double gap_measure = 0.0;        ///< g/Δ [m]
-  double slip_velocity = 0.0;      ///< v [m per unit τ]
-  contact::TipForce force{};       ///< where the contact, or its leader, is new
+  double slip = 1.0;                   ///< s = ±1
+  const InclinedLoad* load = nullptr;  ///< where it is inclined
+  std::array<double, 2> offset{};      ///< cosine and sine of its angle from the leading blade
+  /// How a quantity goes on in τ.
+  struct Course {
+    double value = 0.0;
+    double rate = 0.0;
+    double half_curvature = 0.0;  ///< half of its second derivative
+
+    [[nodiscard]] double after(double elapsed) const {
+      return value + elapsed * (rate + elapsed * half_curvature);
+    }
+  };
+  Course square;  ///< p²
+  Course lean{};  ///< l of a blade under an inclined load
+  TipStart tip{};
+  contact::TipForce force{};  ///< where the contact, or its leader, is new
 };
 
 /// Δ/p² [m] of a blade that is hardly bent.
@@ -47,7 +56,7 @@ double deflection_per_square(const contact::ElasticaContact& law);
 /// From a blade's pose and the motion there.
 FurtherStart further_start(const contact::ElasticaContact& law, const contact::Pose& pose, const Touch& touch,
                            double angular_speed);
-/// How p² goes on from the end of an interval, as its last three nodes have it.
+/// How it goes on from the end of an interval, as its last three nodes have it.
 void go_on(const Interval& made, const FurtherBlade& blade, FurtherStart& start);
 
 /// The start of a further blade in an interval, and its first guess, where the guess of the times is known.

@@ -1,4 +1,4 @@
-/// Elastic blades under an inclined load, with any friction law, as an arc's law: one blade at a time.
+/// Elastic blades under an inclined load, with any friction law, as an arc's law.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <stdexcept>
+#include <vector>
 
 #include "collocation/arc_law.hpp"
 #include "collocation/inclined_load.hpp"
@@ -22,13 +22,20 @@ template <class Law>
 class InclinedLaw final : public ArcLaw {
  public:
   /// `law` outlives it. `max_shortening`: of δ/L.
-  InclinedLaw(const Law& law, double max_shortening)
+  InclinedLaw(const Law& law, int blade_count, double max_shortening)
       : law_(&law),
         solver_(interval_solver()),
         max_shortening_(max_shortening),
-        load_{law.of(0).direction() == contact::LoadDirection::normal, numbers_of(law.of(0).friction())} {}
+        law_of_slip_(numbers_of(law.of(0).friction()).law) {
+    for (int k = 0; k < blade_count; ++k) {
+      const auto& blade = law.of(k);
+      loads_.push_back({.along_normal = blade.direction() == contact::LoadDirection::normal,
+                        .friction = numbers_of(blade.friction()),
+                        .strain_unit = blade.strain_unit()});
+    }
+  }
 
-  [[nodiscard]] std::size_t most_contacts() const override { return 1; }
+  [[nodiscard]] std::size_t most_contacts() const override { return 1 + kMostFurther; }
   [[nodiscard]] contact::Geometry geometry(int blade) const override { return law_->of(blade).geometry(); }
   [[nodiscard]] std::uint64_t evaluations() const override { return law_->evaluations(); }
   [[nodiscard]] Blade numbers(int blade) const override {
@@ -48,8 +55,8 @@ class InclinedLaw final : public ArcLaw {
   [[nodiscard]] bool leans() const override { return true; }
   [[nodiscard]] bool releases_at_fold(int /*blade*/) const override { return false; }
   [[nodiscard]] bool has_branches(int /*blade*/) const override { return has_branches_; }
-  [[nodiscard]] bool starts_unloaded(int /*blade*/, double /*slip*/, const contact::Pose& at) const override {
-    return load_.side * at.tangential > 0.0;
+  [[nodiscard]] bool starts_unloaded(int blade, double /*slip*/, const contact::Pose& at) const override {
+    return load_of(blade).side * at.tangential > 0.0;
   }
   [[nodiscard]] double valid_argument(int /*blade*/) const override { return max_shortening_; }
   [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
@@ -79,21 +86,15 @@ class InclinedLaw final : public ArcLaw {
     return opened;
   }
   Bending lead(const Touch& touch) override {
-    const auto& law = law_->of(touch.blade);
-    load_.friction.law = touch.slip == 0.0 ? FrictionNumbers::Law::rest : law_of_slip_;
-    load_.side = side(touch);
+    leader_ = touch.blade;
+    const InclinedLoad& load = take(touch);
     // A blade that an axial load bends the way friction pushes has no fold (MODEL 4.2).
-    has_branches_ = load_.along_normal || load_.friction.law != FrictionNumbers::Law::coulomb ||
-                    load_.side * touch.slip < 0.0;
+    has_branches_ = load.along_normal || load.friction.law != FrictionNumbers::Law::coulomb ||
+                    load.side * touch.slip < 0.0;
     const double lean = lean_of(touch.bend);
-    load_.scale = std::max(2.0 * std::abs(lean), kLeastScale);
-    load_.strain_unit = law.strain_unit();
-    length_ = law.length();
-    set_knots(lean);
-    return {load_.argument(bending_of(touch.bend)), lean};
-  }
-  [[nodiscard]] double argument(const Touch& touch) const override {
-    return load_.argument(bending_of(touch.bend));
+    set_knots(load, lean);
+    deflection_per_square_ = law_->of(leader_).length() * load.deflection_per_square(lean);
+    return {argument_of(touch), lean};
   }
   [[nodiscard]] double side(const Touch& touch) const override {
     return std::copysign(1.0, touch.bend.modulus);
@@ -108,7 +109,7 @@ class InclinedLaw final : public ArcLaw {
                            share * (2.0 * there.radial + law.length() * there.blade.shortening.value);
     return {law.force_of(at, speed, there), measure,
             InclinedLoad::chart_left(bending_of(touch.bend), lean_of(touch.bend)),
-            load_.cone() - there.coefficient * there.coefficient};
+            load_of(touch.blade).cone() - there.coefficient * there.coefficient};
   }
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
                                 const std::complex<double>& acceleration) const override {
@@ -145,25 +146,49 @@ class InclinedLaw final : public ArcLaw {
     const double cosine = std::cos(touch.bend.amplitude);
     const double bending = side(touch) * (modulus * sine + touch.bend.modulus * cosine * amplitude);
     const double lean = side(touch) * (modulus * cosine - touch.bend.modulus * sine * amplitude);
-    const double slope = load_.bending_slope(load_.argument(bending_of(touch.bend)));
+    const double slope = load_of(touch.blade).bending_slope(argument_of(touch));
     return {time, bending / slope, lean};
   }
   [[nodiscard]] std::span<const blade::BendingTable::Knot> knots() const override { return knots_; }
   [[nodiscard]] double deflection_per_square() const override { return deflection_per_square_; }
-  [[nodiscard]] FurtherStart further(const Touch& /*touch*/, const contact::Pose& /*at*/,
-                                     double /*speed*/) const override {
-    throw std::logic_error("collocation: a further blade under an inclined load");
+  FurtherStart further(const Touch& touch, const contact::Pose& at, double speed) override {
+    const InclinedLoad& load = take(touch);
+    const Start there = start(touch, at, speed);
+    const double argument = argument_of(touch);
+    const double lean = lean_of(touch.bend);
+    FurtherStart result{
+        .blade = touch.blade,
+        .slip = touch.slip,
+        .load = &load,
+        .square = {argument * argument},
+        .lean = {lean},
+        .tip = {there.gap_measure, there.force.slip_velocity, there.force.normal, there.force.root_strain,
+                lean, there.force.shortening, there.chart_left, there.cone_left},
+        .force = there.force};
+    if (argument > 0.0) {
+      // As the shaft would move on without forces: for the first guess.
+      const Tangent along = tangent(touch, at, speed, {});
+      result.square.rate = 2.0 * argument * along.argument / along.time;
+      result.lean.rate = along.lean / along.time;
+    } else {
+      // Where the blade begins to bend, g = (g/|D|) |D|, with |D| ~ p².
+      const auto& law = law_->of(touch.blade);
+      result.square.rate = contact::gap_rate(law.geometry(), at, speed) /
+                           (there.gap_measure * law.length() * load.deflection_per_square(lean));
+    }
+    return result;
   }
   [[nodiscard]] bool solve(const Contact& contact, const Closeness& closeness,
                            Interval& interval) const override {
-    return solver_.solve_inclined(contact, load_, closeness, interval);
+    return solver_.solve_inclined(contact, load_of(leader_), closeness, interval);
   }
   [[nodiscard]] Bounds bounds(const Contact& contact, const Interval& interval) const override {
     return solver_.inclined_bounds(contact, interval);
   }
   [[nodiscard]] Touch touch(int blade, double slip, const Bending& bending) const override {
-    const double u = load_.bending(bending.argument);
-    return {blade, slip, 0.0, {load_.side * std::hypot(u, bending.lean), std::atan2(u, bending.lean)}};
+    const InclinedLoad& load = load_of(blade);
+    const double u = load.bending(bending.argument);
+    return {blade, slip, 0.0, {load.side * std::hypot(u, bending.lean), std::atan2(u, bending.lean)}};
   }
   [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
                                         double speed) const override {
@@ -175,17 +200,17 @@ class InclinedLaw final : public ArcLaw {
     return law_->of(touch.blade).friction().coefficient(force.slip_velocity, touch.slip);
   }
   [[nodiscard]] Rates rates(const Bending& bending, const Tangent& along) const override {
-    const double u = load_.bending(bending.argument);
-    const double rate = along.argument * load_.bending_slope(bending.argument);
+    const InclinedLoad& load = load_of(leader_);
+    const double u = load.bending(bending.argument);
+    const double rate = along.argument * load.bending_slope(bending.argument);
     const double square = u * u + bending.lean * bending.lean;
-    return {0.0, load_.side * (u * rate + bending.lean * along.lean) / std::sqrt(square),
+    return {0.0, load.side * (u * rate + bending.lean * along.lean) / std::sqrt(square),
             (bending.lean * rate - u * along.lean) / square};
   }
 
  private:
-  static constexpr double kNear = 1e-3;        ///< of κ and φ: a bend that goes on differs by less
-  static constexpr double kLeastScale = 1e-3;  ///< of σ
-  static constexpr double kUnbent = 1e-9;      ///< of D/L: below it δ/D is less than rounding
+  static constexpr double kNear = 1e-3;    ///< of κ and φ: a bend that goes on differs by less
+  static constexpr double kUnbent = 1e-9;  ///< of D/L: below it δ/D is less than rounding
 
   /// A new contact whose blade is bent at once (MODEL 4.2): looks for the first root of h along the
   /// equilibria from the unbent blade on, as `DirectedElastica::solve` does, in eight steps at once. False
@@ -199,7 +224,7 @@ class InclinedLaw final : public ArcLaw {
     const double first = law.first_load_angle(at, touch.slip, speed);
     const double lean = std::abs(std::sin(0.5 * first));
     if (lean < kLeastLean) return false;
-    InclinedLoad load = load_;
+    InclinedLoad load = load_of(touch.blade);
     load.friction.law = law_of_slip_;
     load.side = std::copysign(1.0, first);
     load.scale = 2.0 * lean;
@@ -280,6 +305,21 @@ class InclinedLaw final : public ArcLaw {
     return there;
   }
 
+  [[nodiscard]] const InclinedLoad& load_of(int blade) const {
+    return loads_[static_cast<std::size_t>(blade)];
+  }
+  /// The load of a contact that goes on from there.
+  const InclinedLoad& take(const Touch& touch) {
+    InclinedLoad& load = loads_[static_cast<std::size_t>(touch.blade)];
+    load.friction.law = touch.slip == 0.0 ? FrictionNumbers::Law::rest : law_of_slip_;
+    load.side = side(touch);
+    load.scale = std::max(2.0 * std::abs(lean_of(touch.bend)), InclinedLoad::kLeastScale);
+    return load;
+  }
+  /// p.
+  [[nodiscard]] double argument_of(const Touch& touch) const {
+    return load_of(touch.blade).argument(bending_of(touch.bend));
+  }
   static double bending_of(const blade::Bend& bend) {
     return std::abs(bend.modulus) * std::sin(bend.amplitude);
   }
@@ -287,26 +327,24 @@ class InclinedLaw final : public ArcLaw {
 
   /// As for small deflections, with the lean as it is: q = φ, D/L = 2 (u/φ − l), and a shortening as of a
   /// quarter of a sine.
-  void set_knots(double lean) {
+  void set_knots(const InclinedLoad& load, double lean) {
     constexpr double kShortening = 0.617;  // π²/16
     for (std::size_t i = 0; i < knots_.size(); ++i) {
       const double argument = kKnotWidth * static_cast<double>(i + 1);
-      const double bending = load_.bending(argument);
+      const double bending = load.bending(argument);
       const double amplitude = std::atan2(bending, lean);
       const double deflection = std::max(2.0 * (bending / amplitude - lean), 0.0);
       knots_[i] = {argument, amplitude * amplitude, kShortening * deflection * deflection, deflection};
     }
-    deflection_per_square_ =
-        length_ * 2.0 / 3.0 * load_.scale * load_.scale / std::max(std::abs(lean), 0.5 * kLeastScale);
   }
 
   const Law* law_;
   IntervalSolver solver_;
   double max_shortening_;
-  InclinedLoad load_;
-  FrictionNumbers::Law law_of_slip_ = load_.friction.law;  ///< of the leading tip while it slips
-  bool has_branches_ = true;                               ///< of the leading blade
-  double length_ = 0.0;
+  FrictionNumbers::Law law_of_slip_;  ///< of tips that slip
+  std::vector<InclinedLoad> loads_;   ///< of each blade, as it last began or went on
+  int leader_ = 0;
+  bool has_branches_ = true;  ///< of the leading blade
   static constexpr double kKnotWidth = 0.25;
   static constexpr std::size_t kKnots = 14;
   std::array<blade::BendingTable::Knot, kKnots> knots_{};

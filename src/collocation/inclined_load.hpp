@@ -11,6 +11,9 @@
 /// close to σ sinh p, with σ = 2 |l| where the contact begins; l is a further unknown at each node.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "collocation/friction_numbers.hpp"
 
 namespace rubatlas::collocation {
@@ -21,6 +24,8 @@ struct InclinedLoad {
   double strain_unit = 0.0;  ///< h / (2 L) [-]
   double side = 1.0;         ///< ±1: to which the blade is bent, the sign of κ
   double scale = 1.0;        ///< σ [-]
+
+  static constexpr double kLeastScale = 1e-3;  ///< of σ
 
   /// Of π − φ where φ is largest (`blade::kLargestAmplitude`).
   struct ChartEnd {
@@ -52,6 +57,10 @@ struct InclinedLoad {
     const double square = p * p;
     return scale *
            (1.0 + square * (0.5 + square * (1.0 / 24 + square * (1.0 / 720 + square * (1.0 / 40320)))));
+  }
+  /// D/L over p² where the blade is hardly bent.
+  [[nodiscard]] double deflection_per_square(double lean) const {
+    return 2.0 / 3.0 * scale * scale / std::max(std::abs(lean), 0.5 * kLeastScale);
   }
   /// p of u.
   [[nodiscard]] double argument(double u) const;

@@ -76,18 +76,41 @@ struct Contact {
   bool leans = false;  ///< the load is inclined (`inclined_load.hpp`)
 };
 
+/// A tip where an interval starts: what is named so in `TipInTime`.
+struct TipStart {
+  double start_gap_measure = 0.0;                ///< [m]
+  double start_slip_velocity = 0.0;              ///< [m per unit τ]
+  double start_force = 0.0, start_strain = 0.0;  ///< [N], [-]
+  double start_lean = 0.0;
+  double start_shortening = 0.0;
+  double start_chart_left = 0.0;
+  double start_cone_left = 0.0;
+};
+
+/// A tip in contact within an interval.
+struct TipInTime : TipStart {
+  AtNodes gap_measure;    ///< g/Δ [m], as h = 0 has it: it has the sign of g where the blade is bent; F/kr
+                          ///< of a rigid blade
+  AtNodes slip_velocity;  ///< v of the tip (MODEL 4.4) [m per unit τ]
+  // Of a rigid blade, and of one under an inclined load.
+  AtNodes normal_force, root_strain;  ///< F [N], and bending strain at the root [-]
+  // Of a blade under an inclined load (`inclined_load.hpp`).
+  AtNodes lean;        ///< l: a first guess, then the solution
+  AtNodes shortening;  ///< δ/L
+  AtNodes chart_left;  ///< `InclinedLoad::chart_left`
+  AtNodes cone_left;   ///< `InclinedLoad::cone` less c²
+};
+
 /// A further blade in contact. How far it is bent follows from where the shaft is.
-struct FurtherBlade {
+struct FurtherBlade : TipInTime {
   const Blade* blade = nullptr;
-  std::array<double, 2> offset{};    ///< cosine and sine of its angle from the leading blade
-  double slip = 1.0;                 ///< s = ±1
-  double start_square = 0.0;         ///< p² at the start
-  double start_gap_measure = 0.0;    ///< `gap_measure` there
-  double start_slip_velocity = 0.0;  ///< `slip_velocity` there
-  AtNodes square;         ///< p²; F/kr of a rigid blade [m]: a first guess, then the solution. Smooth at a
-                          ///< touch-down, unlike p
-  AtNodes gap_measure;    ///< as in `Interval`
-  AtNodes slip_velocity;  ///< likewise
+  const InclinedLoad* load = nullptr;  ///< where it is inclined
+  std::array<double, 2> offset{};      ///< cosine and sine of its angle from the leading blade
+  double slip = 1.0;                   ///< s = ±1
+  double start_square = 0.0;           ///< p² at the start
+  AtNodes square;    ///< p²; F/kr of a rigid blade [m]: a first guess, then the solution. Smooth at a
+                     ///< touch-down, unlike p
+  AtNodes firmness;  ///< of one under an inclined load: zero at the fold of its branch
 };
 inline constexpr std::size_t kMostFurther = 3;
 
@@ -105,7 +128,7 @@ struct Body {
 ///     (τ, p) = start + θ chord + w(θ) normal,
 /// where both vectors are the caller's. Every quantity is a polynomial of degree 8 through the start and the
 /// nodes. All of this is relative to the start, so that time keeps its digits.
-struct Interval {
+struct Interval : TipInTime {
   struct Direction {
     double time;      ///< τ
     double argument;  ///< p
@@ -117,8 +140,6 @@ struct Interval {
   double start_angular_speed = 0.0;  ///< φ' there [rad per unit τ]
   std::array<std::array<double, 2>, Machine::kMostForcings> forcing{};  ///< there [m per unit τ²]
   std::array<double, 2> ripple{};                                       ///< e^{i(fτ + ψ)} there
-  double start_gap_measure = 0.0;                                       ///< `gap_measure` there
-  double start_slip_velocity = 0.0;                                     ///< `slip_velocity` there
   Direction chord{};
   Direction normal{};
 
@@ -131,24 +152,7 @@ struct Interval {
   AtNodes argument_slope;    ///< dp/dθ
   AtNodes blade_x, blade_y;  ///< er of the blade
   AtNodes angular_speed;     ///< φ' [rad per unit τ]
-  AtNodes gap_measure;    ///< g/Δ [m], as h = 0 has it: it has the sign of g where the blade is bent; F/kr
-                          ///< of a rigid blade
-  AtNodes slip_velocity;  ///< v of the tip (MODEL 4.4) [m per unit τ]
-  AtNodes coefficients;   ///< magnitudes of Legendre's coefficients of z'' dτ/dθ [m per unit τ]
-
-  // Of a rigid blade, and of one under an inclined load.
-  double start_force = 0.0, start_strain = 0.0;  ///< F [N], and bending strain at the root [-]
-  AtNodes normal_force, root_strain;             ///< likewise
-
-  // Of a blade under an inclined load (`inclined_load.hpp`).
-  double start_lean = 0.0;        ///< l
-  double start_shortening = 0.0;  ///< δ/L
-  double start_chart_left = 0.0;  ///< `InclinedLoad::chart_left`
-  double start_cone_left = 0.0;   ///< `InclinedLoad::cone` less c²
-  AtNodes lean;                   ///< l: a first guess, then the solution
-  AtNodes shortening;             ///< δ/L
-  AtNodes chart_left;             ///< `InclinedLoad::chart_left`
-  AtNodes cone_left;              ///< `InclinedLoad::cone` less c²
+  AtNodes coefficients;      ///< magnitudes of Legendre's coefficients of z'' dτ/dθ [m per unit τ]
 
   std::size_t further_count = 0;
   std::array<FurtherBlade, kMostFurther> further;
@@ -198,11 +202,11 @@ struct Bounds {
   double argument;      ///< largest p of the leading blade; largest δ/L of one under an inclined load
   double displacement;  ///< largest |z| [m]
   double distance;      ///< largest |c|, of the shaft from the ring's centre [m]
-  std::array<double, kMostFurther> further_argument;  ///< largest p of the others
-  std::array<bool, kMostFurther> stays;               ///< a further blade stays bent
+  std::array<double, kMostFurther> further_argument;  ///< likewise of the others
+  std::array<bool, kMostFurther> stays;               ///< a further blade stays bent, and on its branch
   // Of a blade under an inclined load, the end left out.
   double chart_left;  ///< least of `InclinedLoad::chart_left`
-  double cone_left;   ///< least of `cone_left`
+  double cone_left;   ///< least of `cone_left`, of tips at rest
   double time_slope;  ///< least dτ/dθ, without that where a contact begins: it vanishes where a blade snaps
 
   friend bool operator==(const Bounds&, const Bounds&) = default;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "collocation/interval.hpp"
 #include "collocation/nodes_in_lanes.hpp"
@@ -46,10 +47,24 @@ class IntervalBounds {
     const Interval& in = interval_;
     Bounds result = bounds();
     result.argument = largest(in.start_shortening, Number(in.shortening));
-    result.chart_left =
-        std::min(in.start_chart_left, least_before_end(later(in.start_chart_left, Number(in.chart_left))));
-    result.cone_left =
-        std::min(in.start_cone_left, least_before_end(later(in.start_cone_left, Number(in.cone_left))));
+    const auto least_left = [this](double start, const AtNodes& left) {
+      return std::min(start, least_before_end(later(start, Number(left))));
+    };
+    result.chart_left = least_left(in.start_chart_left, in.chart_left);
+    result.cone_left = std::numeric_limits<double>::infinity();
+    const auto hold = [&](double slip, const TipInTime& tip) {
+      if (slip == 0.0)
+        result.cone_left = std::min(result.cone_left, least_left(tip.start_cone_left, tip.cone_left));
+    };
+    hold(contact_.slip, in);
+    for (std::size_t k = 0; k < in.further_count; ++k) {
+      const FurtherBlade& tip = in.further[k];
+      hold(tip.slip, tip);
+      result.further_argument[k] = largest(tip.start_shortening, Number(tip.shortening));
+      const double firmness = sum_of_products(nodes_.value_at_start, tip.firmness);
+      result.stays[k] = result.stays[k] && least(tip.start_chart_left, Number(tip.chart_left)) > 0.0 &&
+                        least(firmness, Number(tip.firmness)) > 0.0;
+    }
     const double slope = sum_of_products(nodes_.value_at_start, in.time_slope);
     result.time_slope = least_before_end(later(slope, Number(in.time_slope)));
     if (in.start_argument > 0.0) result.time_slope = std::min(result.time_slope, slope);

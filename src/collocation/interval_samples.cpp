@@ -227,8 +227,11 @@ void read_stretch(const Contact& contact, const Interval& interval, double fract
   read_body(interval.shaft, stretch.shaft);
   if (contact.machine->ring.moves) read_body(interval.ring, stretch.ring);
   if (contact.leans) read(interval.start_lean, interval.lean, stretch.lean);
-  for (std::size_t k = 0; k < interval.further_count; ++k)
-    read(interval.further[k].start_square, interval.further[k].square, stretch.further[k].square);
+  for (std::size_t k = 0; k < interval.further_count; ++k) {
+    const FurtherBlade& from = interval.further[k];
+    read(from.start_square, from.square, stretch.further[k].square);
+    if (contact.leans) read(from.start_lean, from.lean, stretch.further[k].lean);
+  }
 }
 
 }  // namespace rubatlas::collocation

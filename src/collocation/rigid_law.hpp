@@ -58,7 +58,6 @@ class RigidLaw final : public ArcLaw {
     return touch;
   }
   Bending lead(const Touch& /*touch*/) override { return {kArgument}; }
-  [[nodiscard]] double argument(const Touch& /*touch*/) const override { return kArgument; }
   [[nodiscard]] double side(const Touch& touch) const override { return touch.slip; }
   [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override {
     const contact::TipForce there = force(touch, at, speed);
@@ -70,14 +69,12 @@ class RigidLaw final : public ArcLaw {
   }
   [[nodiscard]] std::span<const blade::BendingTable::Knot> knots() const override { return {}; }
   [[nodiscard]] double deflection_per_square() const override { return 0.0; }
-  [[nodiscard]] FurtherStart further(const Touch& touch, const contact::Pose& at,
-                                     double speed) const override {
+  FurtherStart further(const Touch& touch, const contact::Pose& at, double speed) override {
     const Start there = start(touch, at, speed);
     return {.blade = touch.blade,
             .slip = touch.slip,
-            .square = there.gap_measure,
-            .gap_measure = there.gap_measure,
-            .slip_velocity = there.force.slip_velocity,
+            .square = {there.gap_measure},
+            .tip = {.start_gap_measure = there.gap_measure, .start_slip_velocity = there.force.slip_velocity},
             .force = there.force};
   }
   [[nodiscard]] bool solve(const Contact& contact, const Closeness& closeness,

@@ -10,7 +10,7 @@ namespace rubatlas::modes {
 
 bool Collocated::takes(const std::vector<OpenContact>& contacts) const {
   const bool rests = std::ranges::count(contacts, 0.0, &OpenContact::slip) > 0;
-  return contacts.size() <= law_->most_contacts() && (!rests || (law_->holds_tips() && contacts.size() == 1));
+  return contacts.size() <= law_->most_contacts() && (!rests || law_->holds_tips());
 }
 
 bool Collocated::start(double time, const rotor::ShaftAndRing& state,
@@ -255,12 +255,12 @@ Collocated::Point Collocated::place_on_path(double share, trajectory::PathPoint&
 
 /// Under an inclined load neither need follow the bending.
 Collocated::LargestLoad Collocated::largest_kept(trajectory::Load load, std::size_t contact, double known) {
-  using collocation::Interval;
+  using collocation::TipInTime;
   const bool of_force = load == trajectory::Load::normal_force;
-  const auto there = of_force ? arc_.most_loaded(&Interval::normal_force, &Interval::start_force,
-                                                 piece_begin_, piece_end_, known)
-                              : arc_.most_loaded(&Interval::root_strain, &Interval::start_strain,
-                                                 piece_begin_, piece_end_, known);
+  const auto there = of_force ? arc_.most_loaded(blade(contact), &TipInTime::normal_force,
+                                                 &TipInTime::start_force, piece_begin_, piece_end_, known)
+                              : arc_.most_loaded(blade(contact), &TipInTime::root_strain,
+                                                 &TipInTime::start_strain, piece_begin_, piece_end_, known);
   if (!there) return {piece_begin_, known};
   const contact::TipForce force_there = force(contact, *there);
   return {there->time, of_force ? force_there.normal : force_there.root_strain};
@@ -269,7 +269,8 @@ Collocated::LargestLoad Collocated::largest_kept(trajectory::Load load, std::siz
 /// Force and strain grow with the bending under an axial load, so that a blade that is bent less than where
 /// its load was known need not be looked at.
 Collocated::LargestLoad Collocated::largest(trajectory::Load load, std::size_t contact, double known) {
-  if (law_->keeps_loads() && blade(contact) == arc_.leader()) return largest_kept(load, contact, known);
+  if (law_->leans() || (law_->is_rigid() && blade(contact) == arc_.leader()))
+    return largest_kept(load, contact, known);
   const auto value = [load](const MostBent& at) {
     return load == trajectory::Load::normal_force ? at.force.normal : at.force.root_strain;
   };

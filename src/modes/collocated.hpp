@@ -3,6 +3,7 @@
 /// from the start of the interval in which one may be.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -94,7 +95,7 @@ class Collocated final : public Phase {
   [[nodiscard]] ModeEnd end_of_arc() const;
   [[nodiscard]] bool any_returns_from_ring(double time, const rotor::ShaftAndRing& state) const;
   /// The bends of a tip at rest are no coordinates of a path.
-  [[nodiscard]] bool any_rests() const { return contacts_.front().slip == 0.0; }
+  [[nodiscard]] bool any_rests() const { return std::ranges::count(contacts_, 0.0, &OpenContact::slip) > 0; }
   [[nodiscard]] trajectory::Tip tip(int blade, const Point& point) const;
   /// The piece is an interval, and not a part of one.
   [[nodiscard]] bool is_whole() const {

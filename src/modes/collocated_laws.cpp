@@ -28,7 +28,8 @@ template <class Friction>
 std::unique_ptr<ArcLaw> arcs_of(const ModesRequest& request,
                                 const UnequalBlades<contact::DirectedElastica<Friction>>& law) {
   using Law = UnequalBlades<contact::DirectedElastica<Friction>>;
-  return std::make_unique<collocation::InclinedLaw<Law>>(law, request.limits.max_shortening);
+  return std::make_unique<collocation::InclinedLaw<Law>>(law, request.machine.blades.count(),
+                                                         request.limits.max_shortening);
 }
 /// Rigid blades. In a ring without mass the force of each hangs on all others.
 template <class Blade>

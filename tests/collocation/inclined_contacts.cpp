@@ -105,7 +105,7 @@ InclinedSurvey survey(int wanted, double tolerance, LoadDirection direction, Mak
     const auto contacts = contacts_of(m, kick);
     const rotor::Machine machine =
         machine_of(m.rotor, m.blades, rotor::Harmonics(std::vector<rotor::Harmonic>{}));
-    collocation::InclinedLaw law(m.law, kMaxShortening);
+    collocation::InclinedLaw law(m.law, m.blades.count(), kMaxShortening);
     ContactArc arc(machine, law, tolerance * kGap);
     constexpr std::size_t kMostOfOne = 10;
     for (std::size_t i = 0; i < std::min(contacts.size(), kMostOfOne); ++i) {
@@ -211,6 +211,15 @@ TEST(InclinedContacts, HaveTheSameBitsOnEveryProcessor) {
   load.scale = 2.0 * std::sin(0.5 * angle);
   first.start_lean = std::sin(0.5 * angle);
   first.lean.value.fill(first.start_lean);
+  // A further blade in the same place, and just so bent.
+  first.further_count = 1;
+  FurtherBlade& further = first.further[0];
+  further.blade = &blade;
+  further.load = &load;
+  further.offset = {1.0, 0.0};
+  further.start_lean = first.start_lean;
+  further.lean.value.fill(first.start_lean);
+  for (std::size_t i = 0; i < kNodes; ++i) further.square[i] = 0.05 * node_tables().node[i];
   Interval in_pairs = first;
   Interval here = first;
   const Closeness closeness{1e-12, false};
@@ -226,6 +235,11 @@ TEST(InclinedContacts, HaveTheSameBitsOnEveryProcessor) {
   EXPECT_TRUE(same(in_pairs.gap_measure, here.gap_measure) &&
               same(in_pairs.slip_velocity, here.slip_velocity) &&
               same(in_pairs.normal_force, here.normal_force) && same(in_pairs.root_strain, here.root_strain));
+  EXPECT_TRUE(same(in_pairs.further[0].square, here.further[0].square) &&
+              same(in_pairs.further[0].lean, here.further[0].lean) &&
+              same(in_pairs.further[0].firmness, here.further[0].firmness));
+  for (std::size_t i = 0; i < kNodes; ++i)
+    EXPECT_NEAR(here.further[0].square[i], here.argument[i] * here.argument[i], 1e-9) << i;
   EXPECT_EQ(solver_in_pairs().inclined_bounds(contact, in_pairs),
             interval_solver().inclined_bounds(contact, here));
 }

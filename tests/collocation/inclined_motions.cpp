@@ -11,8 +11,10 @@
 #include <vector>
 
 #include "../support/hybrid_motion.hpp"
+#include "collocation/interval.hpp"
 #include "contact/directed_elastica.hpp"
 #include "contact/unequal_blades.hpp"
+#include "modes/collocated.hpp"
 #include "rotor/any_shaft.hpp"
 #include "rotor/rippling_blades.hpp"
 
@@ -52,14 +54,15 @@ struct KickedRotor {
 };
 
 template <class MakeFriction>
-auto kicked_rotor(std::mt19937_64& generator, contact::LoadDirection direction, MakeFriction make_friction) {
+auto kicked_rotor(std::mt19937_64& generator, contact::LoadDirection direction, int fewest,
+                  MakeFriction make_friction) {
   const auto between = [&](double least, double most) { return random_between(generator, least, most); };
   const double friction = std::pow(10.0, between(-2.0, -0.15));
   const double thickness = std::pow(10.0, between(-3.4, -2.7));
   const double stiffness = 206e9 * 0.01 * thickness * thickness * thickness / 12.0;
   const double speed = between(0.05, 1.0);
   const double damping = std::pow(10.0, between(-2.5, -0.3));
-  const int count = 2 + static_cast<int>(between(0.0, 4.0));
+  const int count = fewest + static_cast<int>(between(0.0, 4.0));
   using Friction = decltype(make_friction(friction));
   std::vector<contact::DirectedElastica<Friction>> laws;
   for (int k = 0; k < count; ++k) {
@@ -87,7 +90,15 @@ auto kicked_rotor(std::mt19937_64& generator, contact::LoadDirection direction, 
 class CountedEvents final : public modes::MotionListener {
  public:
   void event(const modes::Event& event) override { ++count[static_cast<std::size_t>(event.kind)]; }
+  void piece(trajectory::MotionPiece& piece) override {
+    if (piece.contact_count() < 2 || piece.contact_count() > 1 + collocation::kMostFurther) return;
+    const double length = piece.end() - piece.begin();
+    time_of_several += length;
+    if (dynamic_cast<modes::Collocated*>(&piece) != nullptr) collocated_time_of_several += length;
+  }
   std::array<int, 32> count{};
+  double time_of_several = 0.0;             ///< while two to four blades touch
+  double collocated_time_of_several = 0.0;  ///< by collocation
 };
 
 double largest_difference(const std::vector<trajectory::State>& a, const std::vector<trajectory::State>& b) {
@@ -101,7 +112,8 @@ double largest_difference(const std::vector<trajectory::State>& a, const std::ve
 
 /// Returns the events of the motions by collocation.
 template <class MakeFriction>
-CountedEvents expect_motions_as_in_steps(contact::LoadDirection direction, MakeFriction make_friction) {
+CountedEvents expect_motions_as_in_steps(contact::LoadDirection direction, MakeFriction make_friction,
+                                         int fewest_blades = 2) {
   constexpr int kRotors = 80;
   constexpr double kTolerance = 1e-9;
   std::mt19937_64 generator(11);
@@ -109,7 +121,7 @@ CountedEvents expect_motions_as_in_steps(contact::LoadDirection direction, MakeF
   std::vector<double> errors;
   std::vector<double> errors_of_steps;
   for (int i = 0; i < kRotors; ++i) {
-    const auto rotor = kicked_rotor(generator, direction, make_friction);
+    const auto rotor = kicked_rotor(generator, direction, fewest_blades, make_friction);
     CountedEvents others;
     const auto expected = rotor.states(1e-3 * kTolerance, false, others);
     const auto found = rotor.states(kTolerance, true, events);
@@ -145,6 +157,34 @@ TEST(InclinedMotions, UnderFrictionThatDependsOnTheVelocityAreAsInSteps) {
     return contact::VelocityFriction(contact::RegularisedFriction{friction, 0.01});
   });
   EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::lift_off)], 0);
+}
+
+/// Eight to eleven blades, of which several touch at once.
+template <class MakeFriction>
+void expect_several_as_in_steps(contact::LoadDirection direction, MakeFriction make_friction) {
+  constexpr double kMost = 0.85;
+  const CountedEvents events = expect_motions_as_in_steps(direction, make_friction, 8);
+  SCOPED_TRACE(::testing::Message() << events.time_of_several);
+  EXPECT_GE(events.collocated_time_of_several, kMost * events.time_of_several);
+}
+
+TEST(InclinedMotions, OfSeveralBladesUnderANormalLoadAreAsInSteps) {
+  expect_several_as_in_steps(contact::LoadDirection::normal,
+                             [](double friction) { return contact::CoulombFriction{friction}; });
+}
+
+TEST(InclinedMotions, OfSeveralTipsThatStickAreAsInSteps) {
+  expect_several_as_in_steps(contact::LoadDirection::axial, [](double friction) {
+    return contact::StickingFriction{friction, 1.2 * friction};
+  });
+}
+
+TEST(InclinedMotions, OfSeveralTipsUnderFrictionThatDependsOnTheVelocityAreAsInSteps) {
+  for (const auto direction : {contact::LoadDirection::axial, contact::LoadDirection::normal}) {
+    expect_several_as_in_steps(direction, [](double friction) {
+      return contact::VelocityFriction(contact::StribeckFriction{2.0 * friction, friction, 0.03, 0.01});
+    });
+  }
 }
 
 }  // namespace
