@@ -30,11 +30,10 @@ std::unique_ptr<ArcLaw> arcs_of(const ModesRequest& request,
   using Law = UnequalBlades<contact::DirectedElastica<Friction>>;
   return std::make_unique<collocation::InclinedLaw<Law>>(law, request.limits.max_shortening);
 }
-/// Rigid blades. In a ring without mass the force of each hangs on all others.
+/// Rigid blades.
 template <class Blade>
 std::unique_ptr<ArcLaw> arcs_of(const ModesRequest& request, const UnequalBlades<Blade>& law) {
-  if (request.machine.following_ring() != nullptr) return nullptr;
-  return std::make_unique<collocation::RigidLaw<UnequalBlades<Blade>>>(law);
+  return std::make_unique<collocation::RigidLaw<UnequalBlades<Blade>>>(law, request.machine);
 }
 
 }  // namespace
