@@ -1,4 +1,5 @@
-/// Elastic blades under an axial load, with Coulomb friction μ > 0, as an arc's law (MODEL 3, 4).
+/// Elastic blades under an axial load, with Coulomb friction, as an arc's law (MODEL 3, 4). Columns, μ = 0,
+/// are among them where they never stand straight.
 #pragma once
 
 #include <complex>

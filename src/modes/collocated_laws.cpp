@@ -20,7 +20,8 @@ std::unique_ptr<ArcLaw> arcs_of(const ModesRequest& request,
                                 const UnequalBlades<contact::ElasticaContact>& law) {
   const int count = request.machine.blades.count();
   for (int k = 0; k < count; ++k) {
-    if (law.of(k).curve().over_asinh().last_piece() < 0) return nullptr;
+    const contact::ElasticaContact& blade = law.of(k);
+    if (!blade.carried() || blade.curve().over_asinh().last_piece() < 0) return nullptr;
   }
   return std::make_unique<collocation::AxialLaw>(law, count, request.limits.max_shortening);
 }

@@ -297,7 +297,7 @@ std::span<const Family> families() {
        .is_for = ring_has_neither_mass_nor_damping,
        .contact =
            "the forces of all blades and the place of the ring, where its spring balances them, are found "
-           "together in each stage",
+           "together",
        .flight = "the ring stays at its place of rest"},
   };
   return rows;
