@@ -122,12 +122,12 @@ struct Case {
   Rotor rotor;
   Phase phase;
 };
-std::vector<Case> cases(std::size_t wanted, bool rubs) {
+std::vector<Case> cases(std::size_t wanted) {
   constexpr std::size_t kMostOfOne = 10;
   std::mt19937_64 generator(11);
   std::vector<Case> result;
   while (result.size() < wanted) {
-    const Rotor rotor = random_rotor(generator, rubs);
+    const Rotor rotor = random_rotor(generator);
     const rotor::State start = random_start(generator);
     const auto phases = phases_of(rotor, start);
     for (std::size_t i = 0; i < std::min(phases.size(), kMostOfOne); ++i)
@@ -136,7 +136,8 @@ std::vector<Case> cases(std::size_t wanted, bool rubs) {
   return result;
 }
 
-void expect_small_errors_at_events(const std::vector<Case>& all) {
+TEST(SeveralBlades, ErrByTheToleranceFromEventToEvent) {
+  const std::vector<Case> all = cases(200);
   for (const double tolerance : {1e-7, 1e-9, 1e-11}) {
     std::vector<double> errors;
     int given_up = 0;
@@ -156,13 +157,6 @@ void expect_small_errors_at_events(const std::vector<Case>& all) {
     EXPECT_EQ(other_event, 0);
     EXPECT_LE(given_up, 20);
   }
-}
-
-TEST(SeveralBlades, ErrByTheToleranceFromEventToEvent) {
-  expect_small_errors_at_events(cases(200, true));
-}
-TEST(SeveralBlades, ThatAreColumnsErrByTheToleranceFromEventToEvent) {
-  expect_small_errors_at_events(cases(200, false));
 }
 
 }  // namespace

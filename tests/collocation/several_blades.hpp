@@ -24,9 +24,9 @@ inline double uniform(std::mt19937_64& generator, double least, double most) {
   return least + (most - least) * static_cast<double>(generator() >> 11U) * 0x1p-53;
 }
 
-/// Two to twelve blades, so far beyond the ring's centre that several touch at a time. `rubs`: with friction.
-inline Rotor random_rotor(std::mt19937_64& generator, bool rubs = true) {
-  const double friction = rubs ? std::pow(10.0, uniform(generator, -2.0, 0.0)) : 0.0;
+/// Two to twelve blades, so far beyond the ring's centre that several touch at a time.
+inline Rotor random_rotor(std::mt19937_64& generator) {
+  const double friction = std::pow(10.0, uniform(generator, -2.0, 0.0));
   const double thickness = std::pow(10.0, uniform(generator, -3.7, -2.8));
   const double speed = uniform(generator, 0.1, 1.0);
   const double stiffness = 206e9 * 0.01 * thickness * thickness * thickness / 12.0;
