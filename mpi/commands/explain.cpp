@@ -146,19 +146,19 @@ std::string flight_text(const settings::Scene& scene, const settings::Combinatio
                      combination.family->flight.empty() ? "" : ", ", combination.family->flight);
 }
 
-/// Whether contacts are solved by collocation (`modes/collocated_laws.hpp`): not those of columns, of elastic
-/// blades on dampers, and in a ring without mass.
+/// Whether contacts are solved by collocation (`modes/collocated_laws.hpp`): not those of columns that may
+/// stand straight, and of elastic blades on dampers.
 bool collocates(const settings::Scene& scene, const settings::Combination& combination) {
   const bool rigid = scene.contact.law == settings::ContactLaw::elastic_ring;
   switch (combination.family->kind) {
-    case settings::MotionFamily::blades_in_ring_without_mass:
-      return false;
     case settings::MotionFamily::blades_on_damped_ring:
       return rigid;
     case settings::MotionFamily::directed_elastic_blades:
       return true;
     default:
-      return rigid || scene.contact.friction > 0.0;
+      return rigid || scene.contact.friction > 0.0 ||
+             !(combination.consumed.contains<&effects::Effects::axial_compliance>() ||
+               combination.consumed.contains<&effects::Effects::yielding_ring>());
   }
 }
 std::string_view steps_of_hybrid(settings::Scene scene) {

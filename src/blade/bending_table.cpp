@@ -41,7 +41,6 @@ const Fit& fit() {
 }  // namespace
 
 BendingTable::BendingTable(const ElasticaCurve& curve) : scale_(curve.load_angle()) {
-  if (!(scale_ > 0.0)) return;
   for (int piece = 0;; ++piece) {
     const double end = (piece + 1) * kWidth;
     const CurvePoint at_end = curve.at(bending(end));

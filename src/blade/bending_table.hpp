@@ -3,6 +3,9 @@
 /// In u the curve has branch points at ±iβ, next to the unloaded blade where friction is small. In p they are
 /// gone, so that pieces of one width and degree 11 follow it everywhere to 1e-13, and the piece of a number
 /// is found by one multiplication.
+///
+/// Without friction, β = 0, p = sqrt(u): a column's deflection, which grows as u, then grows as p², as that
+/// of any other blade does.
 #pragma once
 
 #include <array>
@@ -16,7 +19,7 @@ class ElasticaCurve;
 
 class BendingTable {
  public:
-  /// Up to a shortening of about 0.5 L. Empty where μ = 0, for which there is no p.
+  /// Up to a shortening of about 0.5 L.
   explicit BendingTable(const blade::ElasticaCurve& curve);
 
   static constexpr std::size_t kDegree = 11;
@@ -28,9 +31,18 @@ class BendingTable {
   [[nodiscard]] const Piece* pieces() const { return pieces_.data(); }
   [[nodiscard]] int last_piece() const { return static_cast<int>(pieces_.size()) - 1; }
 
-  [[nodiscard]] double bending(double p) const { return scale_ * std::sinh(p); }        ///< u
-  [[nodiscard]] double bending_slope(double p) const { return scale_ * std::cosh(p); }  ///< du/dp
-  [[nodiscard]] double argument(double u) const { return std::asinh(u / scale_); }      ///< p
+  [[nodiscard]] double bending(double p) const {  ///< u
+    return scale_ > 0.0 ? scale_ * std::sinh(p) : p * p;
+  }
+  [[nodiscard]] double bending_slope(double p) const {  ///< du/dp
+    return scale_ > 0.0 ? scale_ * std::cosh(p) : 2.0 * p;
+  }
+  [[nodiscard]] double argument(double u) const {  ///< p
+    return scale_ > 0.0 ? std::asinh(u / scale_) : std::sqrt(u);
+  }
+  [[nodiscard]] double bending_slope_at(double u) const {  ///< du/dp
+    return scale_ > 0.0 ? std::sqrt(scale_ * scale_ + u * u) : 2.0 * std::sqrt(u);
+  }
 
   /// The curve at the ends of the pieces, for estimates.
   struct Knot {

@@ -115,7 +115,7 @@ class ElasticaCurve {
     return knots_;
   }
 
-  /// The curve over p = asinh(u/β).
+  /// The curve over p = asinh(u/β), sqrt(u) where μ = 0.
   [[nodiscard]] const BendingTable& over_asinh() const {
     return *over_asinh_;
   }

@@ -12,6 +12,7 @@
 #include "collocation/further_blades.hpp"
 #include "collocation/interval.hpp"
 #include "contact/pose.hpp"
+#include "rotor/bodies.hpp"
 
 namespace rubatlas::collocation {
 
@@ -100,6 +101,9 @@ class ArcLaw {
                                                 double speed) const = 0;
   [[nodiscard]] virtual double friction_coefficient(const Touch& touch, const contact::Pose& at,
                                                     const contact::TipForce& force) const = 0;
+  /// Puts a ring without mass where its spring balances these contacts.
+  virtual void place_ring(double /*time*/, std::span<const Touch> /*touching*/,
+                          rotor::ShaftAndRing& /*bodies*/) const {}
   /// Rates of what the leading blade is bent by, from those of the arc.
   struct Rates {
     double bending = 0.0;                   ///< of u

@@ -180,6 +180,8 @@ class ArcSweeps {
   }
 
   [[nodiscard]] bool ring_moves() const { return !kPlain && machine_.ring.moves; }
+  [[nodiscard]] bool ring_is_massless() const { return !kPlain && machine_.ring.is_massless(); }
+  [[nodiscard]] bool ring_has_mass() const { return ring_moves() && !ring_is_massless(); }
   [[nodiscard]] bool ripples() const { return !kPlain && machine_.ripples(); }
   [[nodiscard]] bool is_isotropic() const { return kPlain || machine_.support.isotropic; }
   RUBATLAS_INLINE Number elapsed() const { return chord_time_ + deviation_ * interval_.normal.time; }
@@ -261,7 +263,7 @@ class ArcSweeps {
     deviation_slope_ = Number::combined(nodes_.slope, deviation_);
     time_rate_ = deviation_slope_ * in.normal.time + in.chord.time;
     double change = shaft_.integrate(in.shaft, nodes_, time_rate_);
-    if (ring_moves()) {
+    if (ring_has_mass()) {
       const double share = -m.ring.force_unit / m.force_unit;
       ring_.ax = (push.x * share - ring_.x * m.ring.stiffness) - ring_.vx * m.ring.damping;
       ring_.ay = (push.y * share - ring_.y * m.ring.stiffness) - ring_.vy * m.ring.damping;
@@ -291,7 +293,7 @@ class ArcSweeps {
     er_.y.store(in.blade_y);
     angular_speed().store(in.angular_speed);
     Number squares = shaft_.squares(nodes_, time_rate_);
-    if (ring_moves()) squares = squares + ring_.squares(nodes_, time_rate_);
+    if (ring_has_mass()) squares = squares + ring_.squares(nodes_, time_rate_);
     root(squares).store(in.coefficients);
   }
 

@@ -38,9 +38,8 @@ ArcLaw::Tangent AxialLaw::tangent(const Touch& touch, const contact::Pose& at, d
                                   const std::complex<double>& /*acceleration*/) const {
   const contact::ElasticaContact& law = laws_->of(touch.blade);
   const auto there = law.constraint(at, touch.slip, touch.bending, speed);
-  const double angle = law.curve().load_angle();
-  // dh = h_u (β² + u²)^½ dp + h_τ dτ
-  const double slope = there.bending_slope * std::sqrt(angle * angle + touch.bending * touch.bending);
+  // dh = h_u du/dp dp + h_τ dτ
+  const double slope = there.bending_slope * table(touch.blade).bending_slope_at(touch.bending);
   return {-slope, there.time_slope, 0.0};
 }
 

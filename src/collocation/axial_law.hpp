@@ -1,4 +1,5 @@
-/// Elastic blades under an axial load, with Coulomb friction μ > 0, as an arc's law (MODEL 3, 4).
+/// Elastic blades under an axial load, with Coulomb friction, as an arc's law (MODEL 3, 4). Columns, μ = 0,
+/// are among them where they never stand straight.
 #pragma once
 
 #include <complex>
@@ -19,7 +20,11 @@ class AxialLaw final : public ArcLaw {
   /// `laws` outlive it. `max_shortening`: of δ/L.
   AxialLaw(const Laws& laws, int blade_count, double max_shortening);
 
-  [[nodiscard]] std::size_t most_contacts() const override { return 1 + kMostFurther; }
+  /// Columns (μ = 0) one by one: the force of a further one does not vanish where it lifts off, which the
+  /// sweeps do not see in time.
+  [[nodiscard]] std::size_t most_contacts() const override {
+    return laws_->of(0).curve().friction() > 0.0 ? 1 + kMostFurther : 1;
+  }
   [[nodiscard]] Blade numbers(int blade) const override;
   [[nodiscard]] contact::Geometry geometry(int blade) const override { return laws_->of(blade).geometry(); }
   [[nodiscard]] bool has_slip_state() const override { return true; }

@@ -285,12 +285,18 @@ void ContactArc::leave_earlier() {
   if (kept_ != nullptr) kept_->count = number_;
 }
 
-/// Another blade leads from where the last interval has ended.
-void ContactArc::change_leader(std::size_t further) {
+/// The leading blade, then the others.
+std::vector<Touch> ContactArc::touching_at_end() const {
   std::vector<Touch> touching{law_->touch(blade_, contact_.slip, end_.bending)};
   for (const FurtherStart& start : further_)
     touching.push_back(
         law_->touch(start.blade, start.slip, {std::sqrt(start.square.value), start.lean.value}));
+  return touching;
+}
+
+/// Another blade leads from where the last interval has ended.
+void ContactArc::change_leader(std::size_t further) {
+  const std::vector<Touch> touching = touching_at_end();
   lead(end_.time, rotor::ShaftAndRing(end_.bodies), touching, further + 1);
   lead_has_changed_ = true;
 }

@@ -169,6 +169,7 @@ class ContactArc {
   Verdict judge(Ending& ending);
   bool solve_next();
   void goes_on(const Ending& ending);
+  [[nodiscard]] std::vector<Touch> touching_at_end() const;
   void change_leader(std::size_t further);
   void leave_earlier();
   void guess_further(Interval& next) const;

@@ -266,6 +266,9 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
   er_ = {interval.blade_x.at_end(), interval.blade_y.at_end()};
   ending_ = ending;
   if (ending.guard == Guard::none && interval.chord.time == 0.0) ending_ = {Guard::unbent, 1.0, blade_, 0.0};
+  const auto place_ring = [this] {
+    if (machine().ring.is_massless()) law_->place_ring(end_.time, touching_at_end(), end_.bodies);
+  };
   // To where the gap of a blade is zero: in time, and what is left, or all where the tip hardly moves against
   // the ring, the shortest way for the shaft.
   const auto goes_on_to_ring = [&](int blade) {
@@ -276,6 +279,7 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
       const double late =
           -there.gap / contact::gap_rate(law_->geometry(blade), there, blades_->angular_speed(end_.time));
       if (std::abs(late) < kFarthest * interval.elapsed.at_end()) move(end_, interval, late);
+      place_ring();
     }
     const double radius = machine().ring_radius;
     const double left = pose(blade, end_).gap / (2.0 * radius);
@@ -285,6 +289,7 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
     const double reach = numbers(blade).reach;
     end_.bodies[0] -= left * (seen[0] + reach * er.cosine) / radius;
     end_.bodies[1] -= left * (seen[1] + rotor_->misalignment + reach * er.sine) / radius;
+    place_ring();
   };
   switch (ending_.guard) {
     case Guard::unbent:
@@ -300,7 +305,7 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
       goes_on_to_ring(ending_.blade);
       break;
     case Guard::slip_reversal:
-      if (law_->is_rigid()) bring_to_rest(ending_.blade);
+      if (law_->is_rigid() && !machine().ring.is_massless()) bring_to_rest(ending_.blade);
       break;
     default:
       break;

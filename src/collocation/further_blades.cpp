@@ -21,10 +21,7 @@ FurtherStart further_start(const contact::ElasticaContact& law, const contact::P
   const double argument = table.argument(touch.bending);
   double rate = 0.0;
   if (touch.bending > 0.0) {
-    // dp/du = 1/(β² + u²)^½
-    const double angle = law.curve().load_angle();
-    const double along = std::sqrt(angle * angle + touch.bending * touch.bending);
-    rate = -2.0 * argument * there.time_slope / (there.bending_slope * along);
+    rate = -2.0 * argument * there.time_slope / (there.bending_slope * table.bending_slope_at(touch.bending));
   } else {
     // Where the blade begins to bend, g = 2 s ct Δ, with Δ ~ p².
     rate =

@@ -39,12 +39,15 @@ struct Machine {
     double depth = 0.0;      ///< aΩ/f [rad]
   } ripple{};
 
-  /// r'' + damping r' + stiffness r = −F force_unit.
+  /// r'' + damping r' + stiffness r = −F force_unit; or spring r = −F, without mass.
   struct Ring {
     bool moves = false;
     double stiffness = 0.0;   ///< ν² [-]
     double damping = 0.0;     ///< 2ζ_ring ν [-]
     double force_unit = 0.0;  ///< 1/(m_r ωn²) [m/N]
+    double spring = 0.0;      ///< kr [N/m] of a ring without mass
+
+    [[nodiscard]] bool is_massless() const { return spring > 0.0; }
   } ring{};
 
   [[nodiscard]] bool ripples() const { return ripple.amplitude != 0.0; }

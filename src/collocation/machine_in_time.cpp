@@ -36,6 +36,8 @@ MachineInTime::MachineInTime(const rotor::Machine& machine, double ring_radius)
     numbers_.ring = {true, frequency * frequency, 2.0 * ring->damping_ratio() * frequency,
                      ring->force_unit()};
   }
+  if (const rotor::FollowingRing* ring = machine.following_ring())
+    numbers_.ring = {.moves = true, .spring = ring->stiffness};
   double fastest = std::max(blades.speed_bound(), std::abs(numbers_.ripple.frequency));
   for (std::size_t j = 0; j < numbers_.forcing_count; ++j)
     fastest = std::max(fastest, std::abs(numbers_.frequency[j]));

@@ -10,6 +10,9 @@
 #include <span>
 
 #include "collocation/arc_law.hpp"
+#include "rotor/bodies.hpp"
+#include "rotor/machine.hpp"
+#include "rotor/ring_balance.hpp"
 
 namespace rubatlas::collocation {
 
@@ -17,9 +20,12 @@ namespace rubatlas::collocation {
 template <class Law>
 class RigidLaw final : public ArcLaw {
  public:
-  /// `law` outlives it.
-  explicit RigidLaw(const Law& law)
-      : law_(&law), solver_(interval_solver()), friction_(numbers_of(law.of(0).friction())) {}
+  /// Both outlive it.
+  RigidLaw(const Law& law, const rotor::Machine& machine)
+      : law_(&law),
+        machine_(&machine),
+        solver_(interval_solver()),
+        friction_(numbers_of(law.of(0).friction())) {}
 
   [[nodiscard]] std::size_t most_contacts() const override { return 1 + kMostFurther; }
   [[nodiscard]] Blade numbers(int blade) const override {
@@ -43,7 +49,10 @@ class RigidLaw final : public ArcLaw {
   [[nodiscard]] bool leans() const override { return false; }
   [[nodiscard]] bool is_rigid() const override { return true; }
   [[nodiscard]] bool ends_at_ring() const override { return law_->of(0).damping() == 0.0; }
-  [[nodiscard]] bool may_slip_back() const override { return has_slip_state() && !contact::Sticks<Law>; }
+  /// With a ring without mass v jumps, and a tip that would slip back is beyond the model.
+  [[nodiscard]] bool may_slip_back() const override {
+    return has_slip_state() && !contact::Sticks<Law> && machine_->following_ring() == nullptr;
+  }
   [[nodiscard]] bool releases_at_fold(int /*blade*/) const override { return false; }
   [[nodiscard]] bool has_branches(int /*blade*/) const override { return false; }
   [[nodiscard]] bool starts_unloaded(int /*blade*/, double /*slip*/,
@@ -98,6 +107,11 @@ class RigidLaw final : public ArcLaw {
                                             const contact::TipForce& force) const override {
     return law_->of(touch.blade).friction().coefficient(force.slip_velocity, touch.slip);
   }
+  void place_ring(double time, std::span<const Touch> touching, rotor::ShaftAndRing& bodies) const override {
+    if (machine_->following_ring() == nullptr) return;
+    rotor::ContactState placed = rotor::full_state(bodies, time, 0.0);
+    if (rotor::RingBalance(*machine_, *law_, touching).place(placed)) bodies = rotor::bodies(placed);
+  }
   [[nodiscard]] Rates rates(const Bending& /*bending*/, const Tangent& /*along*/) const override {
     return {};
   }
@@ -125,6 +139,7 @@ class RigidLaw final : public ArcLaw {
   static constexpr double kArgument = 1.0;  ///< p: not 0, from where a blade would begin to bend
 
   const Law* law_;
+  const rotor::Machine* machine_;
   IntervalSolver solver_;
   FrictionNumbers friction_;
 };

@@ -1,5 +1,6 @@
 /// The sweeps of rigid blades on a ring that yields under each tip: the force follows from where the tip
-/// stands and how it moves, and the arc is a stretch of time.
+/// stands and how it moves, and the arc is a stretch of time. A ring without mass makes one Newton step a
+/// sweep to where its spring balances the forces of all blades (`rotor/ring_balance.hpp`).
 #pragma once
 
 #include <array>
@@ -33,11 +34,13 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   using Vector = typename Base::Vector;
 
   static constexpr int kMostSweeps = 16;  ///< they are cheap
-  [[nodiscard]] static double largest_step_allowed() { return 1.0; }
+  /// Of the ring's last step, in R: the next, of its square, is below rounding.
+  [[nodiscard]] static double largest_step_allowed() { return 1e-6; }
 
   struct Tip {
     Number yielding;       ///< F/kr
     Number slip_velocity;  ///< v
+    Number distance;       ///< from the ring's centre
     Number radial_normal, tangential_normal;
   };
   /// Of a blade in the direction er (MODEL 4.3, 4.7).
@@ -51,14 +54,14 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     const Number gap =
         (centre.x * centre.x + centre.y * centre.y) + (radial * (2.0 * blade.reach) + blade.closing);
     const Number along = radial + blade.reach;
-    const Number distance = root(along * along + tangential * tangential);
-    const Number per_distance = Number(1.0) / distance;
     Tip tip;
+    tip.distance = root(along * along + tangential * tangential);
+    const Number per_distance = Number(1.0) / tip.distance;
     tip.radial_normal = along * per_distance;
     tip.tangential_normal = tangential * per_distance;
     tip.slip_velocity = (tip.radial_normal * tangential_velocity - tip.tangential_normal * radial_velocity) +
                         angular_speed() * tip.radial_normal * blade.reach;
-    tip.yielding = gap / (distance + machine_.ring_radius);
+    tip.yielding = gap / (tip.distance + machine_.ring_radius);
     if (blade.ring_damping > 0.0) {
       const Number rate = tip.radial_normal * (radial_velocity + angular_speed() * tangential) +
                           tip.tangential_normal * (tangential_velocity - angular_speed() * radial);
@@ -76,19 +79,103 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     return {radial * er.x - tangential * er.y, radial * er.y + tangential * er.x};
   }
 
-  template <bool kLight>
-  RUBATLAS_INLINE double sweep() {
-    Vector push = push_of(*contact_.blade, contact_.slip, er_);
+  /// Calls `use` with each blade in contact, its s and its direction.
+  template <class Use>
+  RUBATLAS_INLINE void each_blade(Use use) const {
+    use(*contact_.blade, contact_.slip, er_);
     for (std::size_t k = 0; k < interval_.further_count; ++k) {
       const FurtherBlade& further = interval_.further[k];
-      const Vector more = push_of(*further.blade, further.slip, offset_by(er_, further.offset));
-      push = {push.x + more.x, push.y + more.y};
+      use(*further.blade, further.slip, offset_by(er_, further.offset));
     }
+  }
+
+  /// Of a ring without mass.
+  struct Balance {
+    struct Matrix {
+      Number xx, xy, yx, yy;
+    } stiffness;     ///< kr I + ΣAk [N/m]
+    Vector excess;   ///< ΣNk − kr r [N]
+    Vector carried;  ///< ΣAk p'k [N per unit τ]
+
+    /// K⁻¹ of a vector.
+    RUBATLAS_INLINE Vector solved(const Vector& right) const {
+      const Matrix& k = stiffness;
+      const Number per_determinant = Number(1.0) / (k.xx * k.yy - k.xy * k.yx);
+      return {(k.yy * right.x - k.xy * right.y) * per_determinant,
+              (k.xx * right.y - k.yx * right.x) * per_determinant};
+    }
+  };
+  RUBATLAS_INLINE Balance weigh() const {
+    const double spring = machine_.ring.spring;
+    Balance sum{{Number(spring), Number(0.0), Number(0.0), Number(spring)},
+                {ring_.x * -spring, ring_.y * -spring},
+                {Number(0.0), Number(0.0)}};
+    each_blade([&](const Blade& blade, double slip, const Vector& er) RUBATLAS_INLINED {
+      const Tip tip = tip_of(blade, er);
+      const double friction = slip * friction_.friction;
+      const double stiffness = blade.ring_stiffness;
+      const Vector normal{er.x * tip.radial_normal - er.y * tip.tangential_normal,
+                          er.y * tip.radial_normal + er.x * tip.tangential_normal};
+      const Number load = tip.yielding * stiffness;
+      sum.excess.x = sum.excess.x + load * (normal.x - normal.y * friction);
+      sum.excess.y = sum.excess.y + load * (normal.y + normal.x * friction);
+      // kt (n nᵀ + (1 − R/|p|)(I − n nᵀ)), and turned by friction
+      const Number across = load / tip.distance;
+      const Number along = Number(stiffness) - across;
+      const Number xx = across + along * normal.x * normal.x;
+      const Number xy = along * normal.x * normal.y;
+      const Number yy = across + along * normal.y * normal.y;
+      const typename Balance::Matrix change{xx - xy * friction, xy - yy * friction, xy + xx * friction,
+                                            yy + xy * friction};
+      sum.stiffness.xx = sum.stiffness.xx + change.xx;
+      sum.stiffness.xy = sum.stiffness.xy + change.xy;
+      sum.stiffness.yx = sum.stiffness.yx + change.yx;
+      sum.stiffness.yy = sum.stiffness.yy + change.yy;
+      const Number tip_speed = angular_speed() * blade.reach;
+      const Vector velocity{shaft_.vx - tip_speed * er.y, shaft_.vy + tip_speed * er.x};
+      sum.carried.x = sum.carried.x + (change.xx * velocity.x + change.xy * velocity.y);
+      sum.carried.y = sum.carried.y + (change.yx * velocity.x + change.yy * velocity.y);
+    });
+    return sum;
+  }
+  /// A step of Newton's method to where the ring stands.
+  RUBATLAS_INLINE void place_ring() {
+    const Balance balance = weigh();
+    const Vector step = balance.solved(balance.excess);
+    ring_.x = ring_.x + step.x;
+    ring_.y = ring_.y + step.y;
+    largest_step_ = larger(magnitude(step.x), magnitude(step.y)).largest() / machine_.ring_radius;
+  }
+  /// Where the shaft has been found to be, with the ring's velocity and acceleration.
+  RUBATLAS_INLINE void settle_ring() {
+    place_ring();
+    const Balance balance = weigh();
+    const Vector velocity = balance.solved(balance.carried);
+    ring_.vx = velocity.x;
+    ring_.vy = velocity.y;
+    const Number time_step = Number(1.0) / time_rate_;
+    ring_.ax = Number::combined(nodes_.slope, ring_.vx - interval_.ring.start[2]) * time_step;
+    ring_.ay = Number::combined(nodes_.slope, ring_.vy - interval_.ring.start[3]) * time_step;
+  }
+
+  template <bool kLight>
+  RUBATLAS_INLINE double sweep() {
+    if (ring_is_massless()) {
+      place_ring();
+      const double share = -machine_.ring.spring * machine_.force_unit;
+      return move({ring_.x * share, ring_.y * share});
+    }
+    Vector push{Number(0.0), Number(0.0)};
+    each_blade([&](const Blade& blade, double slip, const Vector& er) RUBATLAS_INLINED {
+      const Vector more = push_of(blade, slip, er);
+      push = {push.x + more.x, push.y + more.y};
+    });
     return move(push);
   }
 
-  void store() const {
+  void store() {
     Interval& in = interval_;
+    if (ring_is_massless()) settle_ring();
     store_motion();
     const Tip lead = tip_of(*contact_.blade, er_);
     lead.yielding.store(in.gap_measure);
@@ -108,13 +195,19 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::elapsed;
   using Base::er_;
   using Base::interval_;
+  using Base::largest_step_;
   using Base::machine_;
   using Base::move;
+  using Base::nodes_;
   using Base::offset_by;
+  using Base::ring_;
+  using Base::ring_is_massless;
   using Base::seen;
   using Base::seen_velocity;
+  using Base::shaft_;
   using Base::store_motion;
   using Base::take_direction;
+  using Base::time_rate_;
 
   const Contact& contact_;
   const FrictionNumbers& friction_;

@@ -20,7 +20,8 @@ std::unique_ptr<ArcLaw> arcs_of(const ModesRequest& request,
                                 const UnequalBlades<contact::ElasticaContact>& law) {
   const int count = request.machine.blades.count();
   for (int k = 0; k < count; ++k) {
-    if (law.of(k).curve().over_asinh().last_piece() < 0) return nullptr;
+    const contact::ElasticaContact& blade = law.of(k);
+    if (!blade.carried() || blade.curve().over_asinh().last_piece() < 0) return nullptr;
   }
   return std::make_unique<collocation::AxialLaw>(law, count, request.limits.max_shortening);
 }
@@ -31,11 +32,10 @@ std::unique_ptr<ArcLaw> arcs_of(const ModesRequest& request,
   return std::make_unique<collocation::InclinedLaw<Law>>(law, request.machine.blades.count(),
                                                          request.limits.max_shortening);
 }
-/// Rigid blades. In a ring without mass the force of each hangs on all others.
+/// Rigid blades.
 template <class Blade>
 std::unique_ptr<ArcLaw> arcs_of(const ModesRequest& request, const UnequalBlades<Blade>& law) {
-  if (request.machine.following_ring() != nullptr) return nullptr;
-  return std::make_unique<collocation::RigidLaw<UnequalBlades<Blade>>>(law);
+  return std::make_unique<collocation::RigidLaw<UnequalBlades<Blade>>>(law, request.machine);
 }
 
 }  // namespace

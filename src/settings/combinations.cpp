@@ -190,12 +190,14 @@ constexpr EffectSet kFrictionWithVelocity = effect_set<&Effects::regularised_fri
 constexpr EffectSet kElasticBladeOrRing = effect_set<&Effects::axial_compliance, &Effects::yielding_ring>();
 
 constexpr std::string_view kCarried =
-    "one blade in contact (by collocation up to four): its bending is found along with the motion, no root "
+    "one blade in contact (by collocation up to four, if they rub): its bending is found along with the "
+    "motion, no root "
     "is solved; more: a root each";
 /// A column with compliance has two branches, compressed straight and bent, and a bending parameter carried
 /// as a state does not tell them apart.
 constexpr std::string_view kCarriedOrColumn =
-    "one blade in contact (by collocation up to four): its bending is found along with the motion, no root "
+    "one blade in contact (by collocation up to four, if they rub): its bending is found along with the "
+    "motion, no root "
     "is solved; more, or one column (no friction) that shortens or stands in a yielding ring: a root each";
 constexpr std::string_view kExplicit = "the force of each blade is explicit";
 constexpr std::string_view kTwoBends =
@@ -297,7 +299,7 @@ std::span<const Family> families() {
        .is_for = ring_has_neither_mass_nor_damping,
        .contact =
            "the forces of all blades and the place of the ring, where its spring balances them, are found "
-           "together in each stage",
+           "together",
        .flight = "the ring stays at its place of rest"},
   };
   return rows;

@@ -40,8 +40,8 @@ double between(std::mt19937_64& generator, double least, double most) {
   return least + (most - least) * static_cast<double>(generator() >> 11U) * 0x1p-53;
 }
 
-Machine machine(std::mt19937_64& generator) {
-  const double friction = std::pow(10.0, between(generator, -3.0, 0.3));
+Machine machine(std::mt19937_64& generator, bool rubs = true) {
+  const double friction = rubs ? std::pow(10.0, between(generator, -3.0, 0.3)) : 0.0;
   const double thickness = std::pow(10.0, between(generator, -3.7, -2.5));
   const double damping = std::pow(10.0, between(generator, -3.0, -0.3));
   const double speed = between(generator, 0.05, 1.0);
@@ -154,11 +154,11 @@ double quantile(std::vector<double> errors, double share) {
   return errors[static_cast<std::size_t>(share * static_cast<double>(errors.size() - 1))];
 }
 
-Survey survey(int wanted, double tolerance, bool with_hybrid) {
+Survey survey(int wanted, double tolerance, bool with_hybrid, bool rubs = true) {
   std::mt19937_64 generator(7);
   Survey result;
   while (static_cast<int>(result.errors.size()) < wanted) {
-    const Machine m = machine(generator);
+    const Machine m = machine(generator, rubs);
     rotor::State start;
     for (double& component : start) component = between(generator, -0.01, 0.01);
     const auto contacts =
@@ -204,6 +204,18 @@ void expect_that_errors_follow_the_tolerance(const Survey& found, double toleran
 TEST(ContactArc, ErrsByItsToleranceInContactsOfAllKinds) {
   for (const double tolerance : {1e-7, 1e-9, 1e-11})
     expect_that_errors_follow_the_tolerance(survey(300, tolerance, false), tolerance);
+}
+
+TEST(ContactArc, OfColumnsErrsByItsTolerance) {
+  for (const double tolerance : {1e-7, 1e-9, 1e-11})
+    expect_that_errors_follow_the_tolerance(survey(300, tolerance, false, false), tolerance);
+}
+
+TEST(ContactArcSlow, OfColumnsErrsNoMoreThanHybridInTenThousandContacts) {
+  const double tolerance = 1e-9;
+  const Survey found = survey(10000, tolerance, true, false);
+  expect_that_errors_follow_the_tolerance(found, tolerance);
+  EXPECT_LE(quantile(found.errors, 0.999), quantile(found.errors_of_hybrid, 0.999));
 }
 
 TEST(ContactArcSlow, ErrsNoMoreThanHybridInTenThousandContacts) {

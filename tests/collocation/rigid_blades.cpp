@@ -1,5 +1,6 @@
 /// Rigid blades on a ring that yields under each tip, by collocation: no worse than in steps of the order-8
-/// pair at the same tolerance, for every friction law, and with a damper beside the spring.
+/// pair at the same tolerance, for every friction law, with a damper beside the spring, and in a ring without
+/// mass.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,6 +36,7 @@ struct RigidRotor {
   contact::Geometry geometry;
   double stiffness;  ///< kr [N/m]
   double friction;   ///< μ [-]
+  rotor::Ring ring;
 };
 /// Soft rings to stiff, of which one blade or several touch. `length` [m]: the ring is larger by the
 /// clearance; the tips of short blades are slow, so that their slip reverses.
@@ -45,7 +47,8 @@ RigidRotor rigid_rotor(std::mt19937_64& generator, double length) {
           random_start(generator),
           {length, length + kClearanceOfSeveral},
           std::pow(10.0, uniform(generator, 2.0, 5.0)),
-          std::pow(10.0, uniform(generator, -2.0, -0.3))};
+          std::pow(10.0, uniform(generator, -2.0, -0.3)),
+          {}};
 }
 
 /// The state after a revolution, where the motion can be computed.
@@ -53,8 +56,8 @@ template <class Law>
 std::optional<trajectory::State> after_revolution(const RigidRotor& m, const Law& law, double tolerance,
                                                   bool collocates, CountedReversals& reversals) {
   const rotor::BladeSet blades(m.blade_count, m.rotor.speed_ratio);
-  const auto motion =
-      hybrid_motion(machine_of(m.rotor, blades), law, {tolerance * kClearanceOfSeveral, 0.5}, collocates);
+  const auto motion = hybrid_motion(machine_of(m.rotor, blades, kNoForcing, m.ring), law,
+                                    {tolerance * kClearanceOfSeveral, 0.5}, collocates);
   if (motion->start(rotor::as_array(m.kick)) != ending::PointStatus::done) return std::nullopt;
   if (motion->revolution(reversals, {}, 0) != ending::PointStatus::done) return std::nullopt;
   return rotor::as_array(rotor::shaft(motion->state()));
@@ -62,7 +65,8 @@ std::optional<trajectory::State> after_revolution(const RigidRotor& m, const Law
 
 /// Returns the number of slip reversals.
 template <class MakeLaw>
-int expect_errors_no_larger_than_by_steps(int wanted, double length, MakeLaw make_law) {
+int expect_errors_no_larger_than_by_steps(int wanted, double length, MakeLaw make_law,
+                                          bool ring_follows = false) {
   constexpr double kTolerance = 1e-9;
   constexpr double kFine = 1e-13;
   std::mt19937_64 generator(11);
@@ -71,7 +75,8 @@ int expect_errors_no_larger_than_by_steps(int wanted, double length, MakeLaw mak
   CountedReversals reversals;
   CountedReversals others;
   while (static_cast<int>(by_steps.size()) < wanted) {
-    const RigidRotor m = rigid_rotor(generator, length);
+    RigidRotor m = rigid_rotor(generator, length);
+    if (ring_follows) m.ring = rotor::FollowingRing{m.stiffness * uniform(generator, 0.2, 5.0)};
     const auto law = make_law(m);
     const auto exact = after_revolution(m, law, kFine, false, others);
     const auto steps = after_revolution(m, law, kTolerance, false, others);
@@ -122,6 +127,11 @@ int expect_dampers_as_by_steps(int wanted) {
                                            contact::CoulombFriction{m.friction});
   });
 }
+int expect_rings_without_mass_as_by_steps(int wanted, double length) {
+  return expect_errors_no_larger_than_by_steps(
+      wanted, length, [](const RigidRotor& m) { return law_of(m, contact::CoulombFriction{m.friction}); },
+      true);
+}
 int expect_reversals_as_by_steps(int wanted) {
   return expect_errors_no_larger_than_by_steps(
       wanted, kShort, [](const RigidRotor& m) { return law_of(m, contact::CoulombFriction{m.friction}); });
@@ -144,6 +154,12 @@ TEST(RigidBlades, OnSpringsErrNoMoreThanInSteps) {
 TEST(RigidBlades, OnDampersErrNoMoreThanInSteps) {
   expect_dampers_as_by_steps(kFew);
 }
+TEST(RigidBlades, InARingWithoutMassErrNoMoreThanInSteps) {
+  expect_rings_without_mass_as_by_steps(kFew, kLong);
+}
+TEST(RigidBlades, WhoseSlipReversesInARingWithoutMassErrNoMoreThanInSteps) {
+  EXPECT_GT(expect_rings_without_mass_as_by_steps(kFew, kShort), 0);
+}
 TEST(RigidBlades, WhoseSlipReversesErrNoMoreThanInSteps) {
   EXPECT_GT(expect_reversals_as_by_steps(kFew), kFew / 2);
 }
@@ -157,20 +173,20 @@ TEST(RigidBlades, WhoseFrictionDependsOnTheVelocityErrNoMoreThanInSteps) {
 TEST(RigidBladesSlow, ErrNoMoreThanInStepsInTenThousandMotions) {
   expect_springs_as_by_steps(kMany);
   expect_dampers_as_by_steps(kMany);
+  expect_rings_without_mass_as_by_steps(kMany, kLong);
+  expect_rings_without_mass_as_by_steps(kMany, kShort);
   expect_reversals_as_by_steps(kMany);
   expect_rests_as_by_steps(kMany);
   expect_smooth_reversals_as_by_steps(kMany);
 }
 
-TEST(RigidBlades, HaveTheSameBitsOnEveryProcessor) {
+void expect_same_bits(const collocation::Machine& machine, double damping,
+                      const collocation::FrictionNumbers& friction) {
   using namespace collocation;
-  const collocation::Machine machine = machine_at_ring();
   collocation::Blade blade = blade_at_ring();
   blade.ring_stiffness = 2000.0;
-  blade.ring_damping = 20.0;
+  blade.ring_damping = damping;
   const collocation::Contact contact{&machine, &blade, 1.0};
-  const FrictionNumbers friction =
-      numbers_of(contact::VelocityFriction(contact::StribeckFriction{0.3, 0.1, 0.03, 0.02}));
   Interval first{};
   first.start_argument = 1.0;
   first.blade = {std::cos(-1.2), std::sin(-1.2)};
@@ -190,11 +206,20 @@ TEST(RigidBlades, HaveTheSameBitsOnEveryProcessor) {
   const auto same = [](const AtNodes& a, const AtNodes& b) {
     return std::memcmp(a.value.data(), b.value.data(), sizeof a.value) == 0;
   };
+  EXPECT_TRUE(same(in_pairs.ring.vy, here.ring.vy) && same(in_pairs.ring.ax, here.ring.ax));
   EXPECT_TRUE(same(in_pairs.shaft.vy, here.shaft.vy) && same(in_pairs.gap_measure, here.gap_measure) &&
               same(in_pairs.slip_velocity, here.slip_velocity) &&
               same(in_pairs.normal_force, here.normal_force) &&
               same(in_pairs.further[0].square, here.further[0].square));
   EXPECT_EQ(solver_in_pairs().bounds(contact, in_pairs), interval_solver().bounds(contact, here));
+}
+TEST(RigidBlades, HaveTheSameBitsOnEveryProcessor) {
+  collocation::Machine machine = machine_at_ring();
+  expect_same_bits(
+      machine, 20.0,
+      collocation::numbers_of(contact::VelocityFriction(contact::StribeckFriction{0.3, 0.1, 0.03, 0.02})));
+  machine.ring = {.moves = true, .spring = 3000.0};
+  expect_same_bits(machine, 0.0, collocation::numbers_of(contact::CoulombFriction{0.2}));
 }
 
 }  // namespace

@@ -123,7 +123,8 @@ TEST(Explain, SaysOfEachMethodHowItFliesAndHowItIntegratesContact) {
                              more);
   };
   const std::string carried =
-      "; one blade in contact (by collocation up to four): its bending is found along with the motion";
+      "; one blade in contact (by collocation up to four, if they rub): its bending is found along with the "
+      "motion";
   for (const auto& [method, pair] :
        {std::pair{"hybrid", "Dormand-Prince 8(5,3)"}, std::pair{"hybrid_54", "Dormand-Prince 5(4)"},
         std::pair{"hybrid_32", "Bogacki-Shampine 3(2)"}}) {
@@ -139,14 +140,15 @@ TEST(Explain, SaysOfEachMethodHowItFliesAndHowItIntegratesContact) {
                     "Radau IIA 15; where that gives up, Dormand-Prince 8(5,3)"));
   for (const std::string acts :
        {R"("gravity": {"acceleration": 9.81})", R"("stick": {})", R"("wear": {})",
+        R"("contact": {"friction": 0})", R"("contact": {"law": "elastic_ring"}, "ring_body": {"mass": 0})",
         R"("contact": {"law": "elastic_ring"}, "contact_damping": {"damping": 10})"}) {
     const std::string text = with("collocation", ", " + acts);
     EXPECT_TRUE(holds(line_of(text, "contact"), "Radau IIA 15")) << line_of(text, "contact");
   }
   for (const std::string acts :
-       {R"("contact": {"friction": 0})",
-        R"("yielding_ring": {"compliance": 1e-5}, "contact_damping": {"damping": 10})",
-        R"("contact": {"law": "elastic_ring"}, "ring_body": {"mass": 0})"}) {
+       {R"("contact": {"friction": 0}, "axial_compliance": {})",
+        R"("contact": {"friction": 0}, "yielding_ring": {"compliance": 1e-5})",
+        R"("yielding_ring": {"compliance": 1e-5}, "contact_damping": {"damping": 10})"}) {
     const std::string text = with("collocation", ", " + acts);
     EXPECT_TRUE(holds(line_of(text, "contact"), "collocation does not apply here"))
         << line_of(text, "contact");
@@ -191,7 +193,7 @@ TEST(Explain, SaysWhichMotionASceneHasAndHowItsContactIsIntegrated) {
   const std::string isotropic = "complex exponentials of the isotropic shaft; no touch-down";
   const std::string rigid = R"("contact": {"law": "elastic_ring", "friction": 0.3}, )";
   expect("", "the paper's rotor with elastic blades", isotropic,
-         "one blade in contact (by collocation up to four): its bending");
+         "one blade in contact (by collocation up to four, if they rub): its bending");
   expect(rigid + R"("ring": {"stiffness": 1e4})", "the paper's rotor with rigid blades on an elastic ring",
          isotropic, "the force of each blade is explicit");
   expect(rigid + R"("gravity": {}, "stribeck": {"static_friction": 0.5})",
@@ -206,7 +208,7 @@ TEST(Explain, SaysWhichMotionASceneHasAndHowItsContactIsIntegrated) {
   expect(R"("stick": {})", "elastic blades whose tips may stick; with stick", isotropic,
          "while all tips slip, or the only one in contact sticks, the bends");
   expect(R"("release": {})", "elastic blades; with release", isotropic,
-         "one blade in contact (by collocation up to four): its bending");
+         "one blade in contact (by collocation up to four, if they rub): its bending");
   expect(R"("ring_body": {})", "elastic blades in a ring that is a body; with ring_body",
          "isotropic shaft, the ring oscillates freely beside the shaft;", "one blade in contact");
   expect(rigid + R"("ring_body": {"mass": 0})", "rigid blades in a ring without mass; with ring_body",
