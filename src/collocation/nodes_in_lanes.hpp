@@ -110,8 +110,8 @@ class Lanes {
   }
   RUBATLAS_INLINE friend Lanes root(const Lanes& a) {
     return of([&](std::size_t i) RUBATLAS_INLINED {
-      Part result;
-      for (std::size_t k = 0; k < kWidth; ++k) result[k] = __builtin_sqrt(a.part_[i][k]);
+      Part result = a.part_[i];
+      for (std::size_t k = 0; k < kWidth; ++k) result[k] = __builtin_sqrt(result[k]);
       return result;
     });
   }
@@ -136,7 +136,7 @@ class Lanes {
   template <class Function>
   RUBATLAS_INLINE static Lanes each(Function function) {
     return of([&](std::size_t i) RUBATLAS_INLINED {
-      Part result;
+      Part result{};
       for (std::size_t k = 0; k < kWidth; ++k) result[k] = function(i * kWidth + k);
       return result;
     });
