@@ -74,7 +74,7 @@ class ArcLaw {
     double gap_measure;  ///< g/Δ [m]
     // Of a blade under an inclined load:
     double chart_left = 0.0;  ///< `InclinedLoad::chart_left`
-    double cone_left = 0.0;   ///< `InclinedLoad::cone` less c²
+    double cone_left = 0.0;   ///< `Interval::cone_left`; of any tip at rest
   };
   [[nodiscard]] virtual Start start(const Touch& touch, const contact::Pose& at, double speed) const = 0;
   /// Where the arc leads from there, for a blade that is bent: dτ, dp and dl, of any length.

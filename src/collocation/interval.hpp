@@ -72,7 +72,7 @@ struct Blade {
 struct Contact {
   const Machine* machine;
   const Blade* blade;
-  double slip;         ///< s = ±1
+  double slip;         ///< s = ±1; 0: the tip is at rest
   bool leans = false;  ///< the load is inclined (`inclined_load.hpp`)
 };
 
@@ -144,11 +144,13 @@ struct Interval {
   double start_lean = 0.0;        ///< l
   double start_shortening = 0.0;  ///< δ/L
   double start_chart_left = 0.0;  ///< `InclinedLoad::chart_left`
-  double start_cone_left = 0.0;   ///< `InclinedLoad::cone` less c²
   AtNodes lean;                   ///< l: a first guess, then the solution
   AtNodes shortening;             ///< δ/L
   AtNodes chart_left;             ///< `InclinedLoad::chart_left`
-  AtNodes cone_left;              ///< `InclinedLoad::cone` less c²
+
+  // Of a tip at rest: `InclinedLoad::cone` less c²; of a rigid one (μs² − c²) F²/(m ωn²)² [m² per unit τ⁴].
+  double start_cone_left = 0.0;
+  AtNodes cone_left;
 
   std::size_t further_count = 0;
   std::array<FurtherBlade, kMostFurther> further;
@@ -202,7 +204,7 @@ struct Bounds {
   std::array<bool, kMostFurther> stays;               ///< a further blade stays bent
   // Of a blade under an inclined load, the end left out.
   double chart_left;  ///< least of `InclinedLoad::chart_left`
-  double cone_left;   ///< least of `cone_left`
+  double cone_left;   ///< least of `cone_left`; of any tip at rest
   double time_slope;  ///< least dτ/dθ, without that where a contact begins: it vanishes where a blade snaps
 
   friend bool operator==(const Bounds&, const Bounds&) = default;

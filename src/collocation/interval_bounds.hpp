@@ -30,6 +30,9 @@ class IntervalBounds {
     const Places nodes = from_ring();
     const double from_ring = contact_.machine->ring.moves ? largest_magnitude(start.x, nodes.x) : across;
     result.distance = root_of_squares(from_ring, largest_magnitude(start.y, nodes.y));
+    if (contact_.slip == 0.0)
+      result.cone_left =
+          std::min(in.start_cone_left, least_before_end(later(in.start_cone_left, Number(in.cone_left))));
     for (std::size_t k = 0; k < in.further_count; ++k) {
       const FurtherBlade& blade = in.further[k];
       result.slip_velocity[1 + k] = least_magnitude(blade.start_slip_velocity, Number(blade.slip_velocity));
@@ -48,8 +51,6 @@ class IntervalBounds {
     result.argument = largest(in.start_shortening, Number(in.shortening));
     result.chart_left =
         std::min(in.start_chart_left, least_before_end(later(in.start_chart_left, Number(in.chart_left))));
-    result.cone_left =
-        std::min(in.start_cone_left, least_before_end(later(in.start_cone_left, Number(in.cone_left))));
     const double slope = sum_of_products(nodes_.value_at_start, in.time_slope);
     result.time_slope = least_before_end(later(slope, Number(in.time_slope)));
     if (in.start_argument > 0.0) result.time_slope = std::min(result.time_slope, slope);

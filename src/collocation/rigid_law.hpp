@@ -10,6 +10,7 @@
 #include <span>
 
 #include "collocation/arc_law.hpp"
+#include "contact/sticking.hpp"
 
 namespace rubatlas::collocation {
 
@@ -17,9 +18,12 @@ namespace rubatlas::collocation {
 template <class Law>
 class RigidLaw final : public ArcLaw {
  public:
-  /// `law` outlives it.
-  explicit RigidLaw(const Law& law)
-      : law_(&law), solver_(interval_solver()), friction_(numbers_of(law.of(0).friction())) {}
+  /// `law` outlives it. `force_unit`: 1/(m ωn²) [m/N].
+  RigidLaw(const Law& law, double force_unit)
+      : law_(&law),
+        force_unit_(force_unit),
+        solver_(interval_solver()),
+        friction_(numbers_of(law.of(0).friction())) {}
 
   [[nodiscard]] std::size_t most_contacts() const override { return 1 + kMostFurther; }
   [[nodiscard]] Blade numbers(int blade) const override {
@@ -40,6 +44,7 @@ class RigidLaw final : public ArcLaw {
   [[nodiscard]] bool has_slip_state() const override {
     return friction_.law == FrictionNumbers::Law::coulomb;
   }
+  [[nodiscard]] bool holds_tips() const override { return contact::Sticks<Law>; }
   [[nodiscard]] bool leans() const override { return false; }
   [[nodiscard]] bool is_rigid() const override { return true; }
   [[nodiscard]] bool ends_at_ring() const override { return law_->of(0).damping() == 0.0; }
@@ -62,7 +67,11 @@ class RigidLaw final : public ArcLaw {
   [[nodiscard]] double side(const Touch& touch) const override { return touch.slip; }
   [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override {
     const contact::TipForce there = force(touch, at, speed);
-    return {there, there.normal / law_->of(touch.blade).stiffness(), 0.0};
+    const double load = there.normal * force_unit_;
+    const double largest = friction_.largest_at_rest();
+    return {.force = there,
+            .gap_measure = there.normal / law_->of(touch.blade).stiffness(),
+            .cone_left = (largest * largest - touch.holding * touch.holding) * load * load};
   }
   [[nodiscard]] Tangent tangent(const Touch& /*touch*/, const contact::Pose& /*at*/, double /*speed*/,
                                 const std::complex<double>& /*acceleration*/) const override {
@@ -95,10 +104,17 @@ class RigidLaw final : public ArcLaw {
     double bending = 0.0;
     contact::TipForce result{};
     law_->of(touch.blade).respond(at, touch.slip, speed, bending, result);
+    if (touch.slip == 0.0) {
+      const std::complex<double> tangent = contact::tangent(geometry(touch.blade), at);
+      const double friction = touch.holding * result.normal;
+      result.radial -= friction * tangent.real();
+      result.tangential -= friction * tangent.imag();
+    }
     return result;
   }
   [[nodiscard]] double friction_coefficient(const Touch& touch, const contact::Pose& /*at*/,
                                             const contact::TipForce& force) const override {
+    if (touch.slip == 0.0) return touch.holding;
     return law_->of(touch.blade).friction().coefficient(force.slip_velocity, touch.slip);
   }
   [[nodiscard]] Rates rates(const Bending& /*bending*/, const Tangent& /*along*/) const override {
@@ -128,6 +144,7 @@ class RigidLaw final : public ArcLaw {
   static constexpr double kArgument = 1.0;  ///< p: not 0, from where a blade would begin to bend
 
   const Law* law_;
+  double force_unit_;
   IntervalSolver solver_;
   FrictionNumbers friction_;
 };

@@ -34,7 +34,8 @@ std::unique_ptr<ArcLaw> arcs_of(const ModesRequest& request,
 template <class Blade>
 std::unique_ptr<ArcLaw> arcs_of(const ModesRequest& request, const UnequalBlades<Blade>& law) {
   if (request.machine.following_ring() != nullptr) return nullptr;
-  return std::make_unique<collocation::RigidLaw<UnequalBlades<Blade>>>(law);
+  return std::make_unique<collocation::RigidLaw<UnequalBlades<Blade>>>(law,
+                                                                       request.machine.constants.force_unit);
 }
 
 }  // namespace
