@@ -35,8 +35,8 @@ class ArcLaw {
   [[nodiscard]] virtual contact::Geometry geometry(int blade) const = 0;
   /// Friction takes its sign from s, so that a reversal of the slip is an event.
   [[nodiscard]] virtual bool has_slip_state() const = 0;
-  /// A tip at rest has an arc, too.
-  [[nodiscard]] virtual bool holds_tips() const { return false; }
+  /// Blades that may touch where a tip is at rest; none: there is no such arc.
+  [[nodiscard]] virtual std::size_t most_where_tips_rest() const { return 0; }
   /// The lean of the load is an unknown.
   [[nodiscard]] virtual bool leans() const = 0;
   /// The force is explicit: the arc is a stretch of time.
@@ -73,7 +73,7 @@ class ArcLaw {
     double gap_measure;  ///< g/Δ [m]
     // Of a blade under an inclined load:
     double chart_left = 0.0;  ///< `InclinedLoad::chart_left`
-    double cone_left = 0.0;   ///< `InclinedLoad::cone` less c²
+    double cone_left = 0.0;   ///< `Interval::cone_left`; of any tip at rest
   };
   [[nodiscard]] virtual Start start(const Touch& touch, const contact::Pose& at, double speed) const = 0;
   /// Where the arc leads from there, for a blade that is bent: dτ, dp and dl, of any length.

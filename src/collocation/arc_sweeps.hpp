@@ -188,6 +188,7 @@ class ArcSweeps {
   RUBATLAS_INLINE Number angular_speed() const {
     return kPlain ? Number(machine_.speed_ratio) : angular_speed_;
   }
+  RUBATLAS_INLINE Number angular_acceleration() const { return kPlain ? Number(0.0) : angular_acceleration_; }
   /// Shaft's centre and velocity as seen from the ring's.
   RUBATLAS_INLINE Vector seen() const {
     const Vector centre{shaft_.x, shaft_.y + machine_.misalignment};
@@ -202,10 +203,12 @@ class ArcSweeps {
     const Machine& m = machine_;
     Number angle = elapsed * m.speed_ratio;
     angular_speed_ = m.speed_ratio;
+    angular_acceleration_ = 0.0;
     if (ripples()) {
       const Vector ripple = turned(interval_.ripple, elapsed * m.ripple.frequency);
       angle = angle + (ripple.y - interval_.ripple[1]) * m.ripple.depth;
       angular_speed_ = ripple.x * (m.speed_ratio * m.ripple.amplitude) + m.speed_ratio;
+      angular_acceleration_ = ripple.y * (-m.speed_ratio * m.ripple.amplitude * m.ripple.frequency);
     }
     er_ = turned(interval_.blade, angle);
   }
@@ -246,8 +249,12 @@ class ArcSweeps {
   /// Moves shaft and ring along the arc where the contacts push the shaft so, as an acceleration. Returns the
   /// largest change of a velocity [m per unit τ].
   RUBATLAS_INLINE double move(const Vector& push) {
+    accelerate(push);
+    return advance(push);
+  }
+  /// The shaft's acceleration.
+  RUBATLAS_INLINE void accelerate(const Vector& push) {
     const Machine& m = machine_;
-    const Interval& in = interval_;
     if (is_isotropic()) {
       const double damping = 2.0 * m.damping_ratio;
       shaft_.ax = (push.x - shaft_.x) - shaft_.vx * damping;
@@ -259,7 +266,11 @@ class ArcSweeps {
       shaft_.ay = (push.y - (shaft_.x * kyx + shaft_.y * kyy)) - (shaft_.vx * cyx + shaft_.vy * cyy);
     }
     add_forcings();
-
+  }
+  /// Integrates it, and that of a ring that moves.
+  RUBATLAS_INLINE double advance(const Vector& push) {
+    const Machine& m = machine_;
+    const Interval& in = interval_;
     deviation_slope_ = Number::combined(nodes_.slope, deviation_);
     time_rate_ = deviation_slope_ * in.normal.time + in.chord.time;
     double change = shaft_.integrate(in.shaft, nodes_, time_rate_);
@@ -312,8 +323,9 @@ class ArcSweeps {
   Number chord_time_, chord_argument_;
   Number deviation_, deviation_slope_, time_rate_;
   Motion shaft_, ring_;
-  Vector er_;             ///< direction of the leading blade
-  Number angular_speed_;  ///< φ'
+  Vector er_;                    ///< direction of the leading blade
+  Number angular_speed_;         ///< φ'
+  Number angular_acceleration_;  ///< φ''
   double largest_step_ = 0.0;
 };
 

@@ -111,7 +111,9 @@ void ContactArc::look_for_earlier() {
 void ContactArc::predict(const Touch& touch) {
   const double angular_speed = blades_->angular_speed(end_.time);
   const contact::Pose there = pose(blade_, end_);
-  at_end_ = law_->start(touch, there, angular_speed);
+  Touch held = touch;
+  if (rests_rigidly()) held.holding = holding_coefficient(end_);
+  at_end_ = law_->start(held, there, angular_speed);
   std::complex<double> force = contact::on_rotor(at_end_.force, er_);
   for (const FurtherStart& further : further_) {
     const contact::BladeDirection er{er_.cosine * further.offset[0] - er_.sine * further.offset[1],
@@ -143,14 +145,30 @@ void ContactArc::set_out(int blade, double slip, const std::complex<double>& acc
   if (slip == 0.0 || std::abs(velocity) > slip_rounding()) return;
   double ahead = slip;
   if (law_->may_slip_back()) {
-    const contact::BladeDirection er = blades_->direction(blade, blades_->first(end_.time));
-    const contact::Geometry geometry = law_->geometry(blade);
-    const std::complex<double> seen = acceleration * std::complex<double>(er.cosine, -er.sine);
-    const double turning = geometry.reach * blades_->angular_acceleration(end_.time);
-    ahead = contact::slip_acceleration(geometry, pose(blade, end_), blades_->angular_speed(end_.time),
-                                       {seen.real(), seen.imag() + turning}, 0.0, 0.0);
+    ahead = slip_acceleration(blade, end_, acceleration);
   }
   velocity = std::copysign(std::numeric_limits<double>::min(), ahead);
+}
+
+/// dv/dτ of a rigid tip under an acceleration of the shaft, seen from the ring.
+double ContactArc::slip_acceleration(int blade, const Point& point,
+                                     const std::complex<double>& acceleration) const {
+  const contact::BladeDirection er = blades_->direction(blade, blades_->first(point.time));
+  const contact::Geometry geometry = law_->geometry(blade);
+  const std::complex<double> seen = acceleration * std::complex<double>(er.cosine, -er.sine);
+  const double turning = geometry.reach * blades_->angular_acceleration(point.time);
+  return contact::slip_acceleration(geometry, pose(blade, point), blades_->angular_speed(point.time),
+                                    {seen.real(), seen.imag() + turning}, 0.0, 0.0);
+}
+
+/// c of a rigid tip at rest: that which takes away dv/dτ.
+double ContactArc::holding_coefficient(const Point& point) const {
+  const contact::BladeDirection er = blades_->direction(blade_, blades_->first(point.time));
+  const contact::TipForce load =
+      law_->force({blade_, 0.0, 0.0}, pose(blade_, point), blades_->angular_speed(point.time));
+  const rotor::Acceleration acceleration =
+      whole_->acceleration(rotor::full_state(point.bodies, point.time, 0.0), contact::on_rotor(load, er));
+  return slip_acceleration(blade_, point, acceleration.shaft) / (load.normal * rotor_->force_unit);
 }
 
 void ContactArc::start_next(Interval& next) const {
@@ -166,12 +184,12 @@ void ContactArc::start_next(Interval& next) const {
   if (law_->keeps_loads()) {
     next.start_force = at_end_.force.normal;
     next.start_strain = at_end_.force.root_strain;
+    next.start_cone_left = at_end_.cone_left;
   }
   if (!contact_.leans) return;
   next.start_lean = end_.bending.lean;
   next.start_shortening = at_end_.force.shortening;
   next.start_chart_left = at_end_.chart_left;
-  next.start_cone_left = at_end_.cone_left;
 }
 
 bool ContactArc::solve(Interval& interval, bool warm, double closest) {
@@ -338,11 +356,11 @@ void ContactArc::goes_on(const Ending& ending) {
   if (contact_.leans) {
     at_end_.force.shortening = made().shortening.at_end();
     at_end_.chart_left = made().chart_left.at_end();
-    at_end_.cone_left = made().cone_left.at_end();
   }
   if (law_->keeps_loads()) {
     at_end_.force.normal = made().normal_force.at_end();
     at_end_.force.root_strain = made().root_strain.at_end();
+    at_end_.cone_left = made().cone_left.at_end();
   }
   for (std::size_t k = 0; k < further_.size(); ++k) go_on(made(), made().further[k], further_[k]);
   if (ending_.guard == Guard::none) predictor_.goes_on(made());

@@ -144,6 +144,10 @@ class ContactArc {
   static void move(Point& point, const Interval& interval, double late);
   void predict(const Touch& touch);
   void set_out(int blade, double slip, const std::complex<double>& acceleration, double& velocity) const;
+  [[nodiscard]] double slip_acceleration(int blade, const Point& point,
+                                         const std::complex<double>& acceleration) const;
+  [[nodiscard]] double holding_coefficient(const Point& point) const;
+  [[nodiscard]] bool rests_rigidly() const { return contact_.slip == 0.0 && law_->is_rigid(); }
   [[nodiscard]] std::size_t number_of(int blade) const;
   [[nodiscard]] const Interval& made() const { return intervals_[made_]; }
   [[nodiscard]] Interval& trial() { return intervals_[1 - made_]; }

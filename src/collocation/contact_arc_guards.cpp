@@ -8,6 +8,7 @@
 
 #include "collocation/contact_arc.hpp"
 #include "collocation/interval_samples.hpp"
+#include "contact/sticking.hpp"
 
 namespace rubatlas::collocation {
 namespace {
@@ -41,7 +42,8 @@ bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
                     bounds.slip_velocity[1 + k]))
       return false;
   }
-  return !contact_.leans || (bounds.cone_left > 0.0 && bounds.time_slope > 0.0 && bounds.chart_left > 0.0);
+  if (!(bounds.cone_left > 0.0)) return false;
+  return !contact_.leans || (bounds.time_slope > 0.0 && bounds.chart_left > 0.0);
 }
 
 /// The first guard of the blades in contact.
@@ -215,14 +217,15 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
     }
   }
   // Close to a fold bounds of shorter intervals tell.
-  if (!stays_valid(bounds, ending)) return contact_.leans ? Verdict::too_long : Verdict::gives_up;
+  if (!stays_valid(bounds, ending))
+    return contact_.leans || contact_.slip == 0.0 ? Verdict::too_long : Verdict::gives_up;
   displacement_bound_ = bounds.displacement;
   const bool held_beyond_ring = law_->releases_at_fold(blade_);
   const bool stays_bent = bounds.gap_measure > 0.0 && (begins_ || next.start_gap_measure > 0.0);
   if (ending.guard != Guard::under_load && !held_beyond_ring && !stays_bent) return Verdict::gives_up;
   const Interval& kept = in_part ? part : next;
   if (ending.guard == Guard::fold && is_next_to_unbent(kept)) ending.guard = Guard::unbent;
-  if (contact_.slip == 0.0) {
+  if (contact_.slip == 0.0 && contact_.leans) {
     // At a fold the place of a tip at rest is lost. One whose blade unbends is for steps to follow.
     if (ending.guard == Guard::fold) ending.guard = Guard::loosening;
     if (ending.guard == Guard::unbent || ending.guard == Guard::chart_end) return Verdict::gives_up;
@@ -246,17 +249,17 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
 }
 
 /// Takes from the shaft's velocity what is left of a rigid tip's v at the end, the shortest way: v does not
-/// jump where s changes, and its sign would be taken for that of what follows.
+/// jump where s changes, and its sign would be taken for that of what follows; v of a tip at rest does not
+/// drift.
 void ContactArc::bring_to_rest(int blade) {
   const contact::BladeDirection er = blades_->direction(blade, blades_->first(end_.time));
   const contact::Pose there = pose(blade, end_);
   const contact::Geometry geometry = law_->geometry(blade);
   const double v = contact::undeformed_slip_velocity(geometry, there, blades_->angular_speed(end_.time));
-  const std::complex<double> outward = std::complex<double>(there.radial + geometry.reach, there.tangential) *
-                                       std::complex<double>(er.cosine, er.sine);
-  const std::complex<double> less = v * outward / std::abs(outward);
-  end_.bodies[2] += less.imag();
-  end_.bodies[3] -= less.real();
+  const std::complex<double> less =
+      v * contact::tangent(geometry, there) * std::complex<double>(er.cosine, er.sine);
+  end_.bodies[2] -= less.real();
+  end_.bodies[3] -= less.imag();
 }
 
 /// The end of an interval: of the contact, or at a touch-down, to rounding, where one ends it.
@@ -310,6 +313,7 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
     default:
       break;
   }
+  if (rests_rigidly()) bring_to_rest(blade_);
 }
 
 }  // namespace rubatlas::collocation

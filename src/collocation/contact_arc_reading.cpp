@@ -145,7 +145,9 @@ Bending ContactArc::bending_of(int blade, const Point& point) const {
 }
 Touch ContactArc::touch_of(int blade, const Point& point) const {
   const double slip = blade == blade_ ? contact_.slip : further_[number_of(blade)].slip;
-  return law_->touch(blade, slip, bending_of(blade, point));
+  Touch touch = law_->touch(blade, slip, bending_of(blade, point));
+  if (rests_rigidly()) touch.holding = holding_coefficient(point);
+  return touch;
 }
 
 std::optional<TipTop> ContactArc::top_of_tip(int blade) const {

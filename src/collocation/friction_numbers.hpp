@@ -16,6 +16,12 @@ struct FrictionNumbers {
   double static_friction = 0.0;        ///< μs [-], of a tip that may stick, too
   double stribeck_velocity = 0.0;      ///< vs [m per unit τ]
   double regularising_velocity = 0.0;  ///< v0 [m per unit τ]
+
+  /// |c| up to which a rigid tip is held: rounding does not lead a tip back that has come loose.
+  [[nodiscard]] double largest_at_rest() const {
+    constexpr double kShareBeyond = 1e-9;
+    return (1.0 + kShareBeyond) * static_friction;
+  }
 };
 
 FrictionNumbers numbers_of(const contact::CoulombFriction& friction);

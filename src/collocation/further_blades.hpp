@@ -21,9 +21,10 @@ inline std::array<double, 2> offset_between(const contact::BladeDirection& from,
 /// A blade that touches the ring.
 struct Touch {
   int blade;
-  double slip;         ///< s = ±1
-  double bending;      ///< u of a blade under an axial load; 0: it touches down
-  blade::Bend bend{};  ///< κ and φ of a blade under an inclined load; φ = 0: it touches down
+  double slip;           ///< s = ±1
+  double bending;        ///< u of a blade under an axial load; 0: it touches down
+  blade::Bend bend{};    ///< κ and φ of a blade under an inclined load; φ = 0: it touches down
+  double holding = 0.0;  ///< c of a rigid tip at rest
 
   [[nodiscard]] bool touches_down() const { return bending == 0.0 && bend.amplitude == 0.0; }
 };

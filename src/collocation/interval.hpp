@@ -75,7 +75,7 @@ struct Blade {
 struct Contact {
   const Machine* machine;
   const Blade* blade;
-  double slip;         ///< s = ±1
+  double slip;         ///< s = ±1; 0: the tip is at rest
   bool leans = false;  ///< the load is inclined (`inclined_load.hpp`)
 };
 
@@ -101,7 +101,9 @@ struct TipInTime : TipStart {
   AtNodes lean;        ///< l: a first guess, then the solution
   AtNodes shortening;  ///< δ/L
   AtNodes chart_left;  ///< `InclinedLoad::chart_left`
-  AtNodes cone_left;   ///< `InclinedLoad::cone` less c²
+  // Of a tip at rest.
+  AtNodes
+      cone_left;  ///< `InclinedLoad::cone` less c²; of a rigid one (μs² − c²) F²/(m ωn²)² [m² per unit τ⁴]
 };
 
 /// A further blade in contact. How far it is bent follows from where the shaft is.

@@ -31,8 +31,15 @@ class IntervalBounds {
     const Places nodes = from_ring();
     const double from_ring = contact_.machine->ring.moves ? largest_magnitude(start.x, nodes.x) : across;
     result.distance = root_of_squares(from_ring, largest_magnitude(start.y, nodes.y));
+    result.cone_left = std::numeric_limits<double>::infinity();
+    const auto hold = [&](double slip, const TipInTime& tip) {
+      if (slip == 0.0)
+        result.cone_left = std::min(result.cone_left, least_left(tip.start_cone_left, tip.cone_left));
+    };
+    hold(contact_.slip, in);
     for (std::size_t k = 0; k < in.further_count; ++k) {
       const FurtherBlade& blade = in.further[k];
+      hold(blade.slip, blade);
       result.slip_velocity[1 + k] = least_magnitude(blade.start_slip_velocity, Number(blade.slip_velocity));
       const Number squares = later(blade.start_square, Number(blade.square));
       result.further_argument[k] = std::sqrt(std::max(blade.start_square, squares.largest()));
@@ -47,19 +54,9 @@ class IntervalBounds {
     const Interval& in = interval_;
     Bounds result = bounds();
     result.argument = largest(in.start_shortening, Number(in.shortening));
-    const auto least_left = [this](double start, const AtNodes& left) {
-      return std::min(start, least_before_end(later(start, Number(left))));
-    };
     result.chart_left = least_left(in.start_chart_left, in.chart_left);
-    result.cone_left = std::numeric_limits<double>::infinity();
-    const auto hold = [&](double slip, const TipInTime& tip) {
-      if (slip == 0.0)
-        result.cone_left = std::min(result.cone_left, least_left(tip.start_cone_left, tip.cone_left));
-    };
-    hold(contact_.slip, in);
     for (std::size_t k = 0; k < in.further_count; ++k) {
       const FurtherBlade& tip = in.further[k];
-      hold(tip.slip, tip);
       result.further_argument[k] = largest(tip.start_shortening, Number(tip.shortening));
       const double firmness = sum_of_products(nodes_.value_at_start, tip.firmness);
       result.stays[k] = result.stays[k] && least(tip.start_chart_left, Number(tip.chart_left)) > 0.0 &&
@@ -124,6 +121,10 @@ class IntervalBounds {
     AtNodes each;
     coefficients.store(each);
     return *std::min_element(each.value.begin(), each.value.end() - 1);
+  }
+  /// The least of what is left of a guard's quantity; where it ends the interval it is zero at the end.
+  RUBATLAS_INLINE double least_left(double start, const AtNodes& left) const {
+    return std::min(start, least_before_end(later(start, Number(left))));
   }
   RUBATLAS_INLINE double least(double start, const Number& at_nodes) const {
     return std::min(start, later(start, at_nodes).least());

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "collocation/arc_law.hpp"
+#include "contact/sticking.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
 #include "rotor/ring_balance.hpp"
@@ -46,6 +47,9 @@ class RigidLaw final : public ArcLaw {
   [[nodiscard]] bool has_slip_state() const override {
     return friction_.law == FrictionNumbers::Law::coulomb;
   }
+  [[nodiscard]] std::size_t most_where_tips_rest() const override {
+    return contact::Sticks<Law> && machine_->following_ring() == nullptr ? 1 : 0;
+  }
   [[nodiscard]] bool leans() const override { return false; }
   [[nodiscard]] bool is_rigid() const override { return true; }
   [[nodiscard]] bool ends_at_ring() const override { return law_->of(0).damping() == 0.0; }
@@ -70,7 +74,11 @@ class RigidLaw final : public ArcLaw {
   [[nodiscard]] double side(const Touch& touch) const override { return touch.slip; }
   [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override {
     const contact::TipForce there = force(touch, at, speed);
-    return {there, there.normal / law_->of(touch.blade).stiffness(), 0.0};
+    const double load = there.normal * machine_->constants.force_unit;
+    const double largest = friction_.largest_at_rest();
+    return {.force = there,
+            .gap_measure = there.normal / law_->of(touch.blade).stiffness(),
+            .cone_left = (largest * largest - touch.holding * touch.holding) * load * load};
   }
   [[nodiscard]] Tangent tangent(const Touch& /*touch*/, const contact::Pose& /*at*/, double /*speed*/,
                                 const std::complex<double>& /*acceleration*/) const override {
@@ -101,10 +109,17 @@ class RigidLaw final : public ArcLaw {
     double bending = 0.0;
     contact::TipForce result{};
     law_->of(touch.blade).respond(at, touch.slip, speed, bending, result);
+    if (touch.slip == 0.0) {
+      const std::complex<double> tangent = contact::tangent(geometry(touch.blade), at);
+      const double friction = touch.holding * result.normal;
+      result.radial -= friction * tangent.real();
+      result.tangential -= friction * tangent.imag();
+    }
     return result;
   }
   [[nodiscard]] double friction_coefficient(const Touch& touch, const contact::Pose& /*at*/,
                                             const contact::TipForce& force) const override {
+    if (touch.slip == 0.0) return touch.holding;
     return law_->of(touch.blade).friction().coefficient(force.slip_velocity, touch.slip);
   }
   void place_ring(double time, std::span<const Touch> touching, rotor::ShaftAndRing& bodies) const override {

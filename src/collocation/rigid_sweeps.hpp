@@ -42,6 +42,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     Number slip_velocity;  ///< v
     Number distance;       ///< from the ring's centre
     Number radial_normal, tangential_normal;
+    Number outward_velocity;  ///< n·r'
   };
   /// Of a blade in the direction er (MODEL 4.3, 4.7).
   RUBATLAS_INLINE Tip tip_of(const Blade& blade, const Vector& er) const {
@@ -62,6 +63,8 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     tip.slip_velocity = (tip.radial_normal * tangential_velocity - tip.tangential_normal * radial_velocity) +
                         angular_speed() * tip.radial_normal * blade.reach;
     tip.yielding = gap / (tip.distance + machine_.ring_radius);
+    tip.outward_velocity = tip.radial_normal * radial_velocity +
+                           tip.tangential_normal * (tangential_velocity + angular_speed() * blade.reach);
     if (blade.ring_damping > 0.0) {
       const Number rate = tip.radial_normal * (radial_velocity + angular_speed() * tangential) +
                           tip.tangential_normal * (tangential_velocity - angular_speed() * radial);
@@ -170,8 +173,32 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
       const Vector more = push_of(blade, slip, er);
       push = {push.x + more.x, push.y + more.y};
     });
-    return move(push);
+    if (!rests()) return move(push);
+    accelerate(push);
+    hold();
+    return advance(push);
   }
+
+  /// Adds the friction that keeps a tip at rest: −q t, with q = dv/dτ as it is without
+  /// (`contact/sticking.hpp`).
+  RUBATLAS_INLINE void hold() {
+    const Blade& blade = *contact_.blade;
+    const Tip tip = tip_of(blade, er_);
+    const Number speed = angular_speed();
+    const Vector tangent = tangent_of(tip);
+    pull_ = (tangent.x * shaft_.ax + tangent.y * shaft_.ay) +
+            angular_acceleration() * tip.radial_normal * blade.reach +
+            speed * speed * tip.tangential_normal * blade.reach -
+            tip.slip_velocity * tip.outward_velocity / tip.distance;
+    shaft_.ax = shaft_.ax - pull_ * tangent.x;
+    shaft_.ay = shaft_.ay - pull_ * tangent.y;
+  }
+  /// Of the leading blade.
+  RUBATLAS_INLINE Vector tangent_of(const Tip& tip) const {
+    return {(tip.tangential_normal * er_.x + tip.radial_normal * er_.y) * -1.0,
+            tip.radial_normal * er_.x - tip.tangential_normal * er_.y};
+  }
+  [[nodiscard]] bool rests() const { return contact_.slip == 0.0; }
 
   void store() {
     Interval& in = interval_;
@@ -182,6 +209,11 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     lead.slip_velocity.store(in.slip_velocity);
     (lead.yielding * contact_.blade->ring_stiffness).store(in.normal_force);
     Number(0.0).store(in.root_strain);
+    if (rests()) {
+      const double per_yielding = contact_.blade->ring_stiffness * machine_.force_unit;
+      const Number largest = lead.yielding * (friction_.largest_at_rest() * per_yielding);
+      (largest * largest - pull_ * pull_).store(in.cone_left);
+    }
     for (std::size_t k = 0; k < in.further_count; ++k) {
       FurtherBlade& further = in.further[k];
       const Tip tip = tip_of(*further.blade, offset_by(er_, further.offset));
@@ -191,6 +223,9 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     }
   }
 
+  using Base::accelerate;
+  using Base::advance;
+  using Base::angular_acceleration;
   using Base::angular_speed;
   using Base::elapsed;
   using Base::er_;
@@ -211,6 +246,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
 
   const Contact& contact_;
   const FrictionNumbers& friction_;
+  Number pull_;  ///< q of a tip at rest [m per unit τ²]
 };
 
 template <std::size_t kWidth>

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cmath>
+#include <complex>
 
 #include "contact/pose.hpp"
 
@@ -21,6 +22,12 @@ struct OtherAcceleration {
   double radial;      ///< ·er
   double tangential;  ///< ·et
 };
+
+/// Direction t of the slip of a rigid blade's tip, along (real) and across the blade.
+inline std::complex<double> tangent(const Geometry& geometry, const Pose& at) {
+  const std::complex<double> outward(at.radial + geometry.reach, at.tangential);
+  return outward / std::abs(outward) * std::complex<double>(0.0, 1.0);
+}
 
 /// dv/dτ [m per unit τ²] of a rigid blade's tip under the friction coefficient c; `load_acceleration` is
 /// F/(m ωn²) [m per unit τ²].

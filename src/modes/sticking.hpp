@@ -175,8 +175,7 @@ class Sticking : public ContactMode<Law> {
     Stuck tip;
     tip.contact = contact;
     tip.direction = {at.direction.cosine, at.direction.sine};
-    const std::complex<double> outward(at.pose.radial + law.geometry().reach, at.pose.tangential);
-    tip.tangent = tip.direction * outward / std::abs(outward) * std::complex<double>(0.0, 1.0);
+    tip.tangent = tip.direction * contact::tangent(law.geometry(), at.pose);
     tip.pose = at.pose;
     tip.load = at.force.normal * this->rotor().force_unit;
     tip.largest = law.friction().largest_holding;

@@ -16,6 +16,7 @@
 #include "contact/damped_ring.hpp"
 #include "contact/elastic_ring_contact.hpp"
 #include "lone_contacts.hpp"
+#include "modes/collocated.hpp"
 #include "several_blades.hpp"
 
 namespace rubatlas::test {
@@ -27,6 +28,34 @@ class CountedReversals final : public modes::MotionListener {
     count += event.kind == modes::Guard::slip_reversal ? 1 : 0;
   }
   int count = 0;
+};
+
+/// What tips at rest do in the pieces of motion that are found by collocation.
+class TipsAtRest final : public modes::MotionListener {
+ public:
+  TipsAtRest(double tip_speed, double largest_coefficient)
+      : tip_speed_(tip_speed), largest_coefficient_(largest_coefficient) {}
+  void piece(trajectory::MotionPiece& piece) override {
+    if (dynamic_cast<modes::Collocated*>(&piece) == nullptr || piece.contact_count() != 1) return;
+    for (const double share : {0.1, 0.5, 0.9, 1.0}) {
+      const double time = piece.begin() + share * (piece.end() - piece.begin());
+      const trajectory::ContactForce there = piece.contact_force(0, time);
+      if (there.slip != 0.0) return;
+      slip = std::max(slip, std::abs(there.slip_velocity) / tip_speed_);
+      share_of_cone = std::max(share_of_cone, std::abs(there.friction) / largest_coefficient_);
+    }
+    ++pieces;
+  }
+  void event(const modes::Event& event) override {
+    loosenings += event.kind == modes::Guard::comes_loose ? 1 : 0;
+  }
+  int pieces = 0;
+  int loosenings = 0;
+  double slip = 0.0;           ///< largest |v| over ΩR [-]
+  double share_of_cone = 0.0;  ///< largest |c|/μs [-]
+
+ private:
+  double tip_speed_, largest_coefficient_;
 };
 
 struct RigidRotor {
@@ -168,6 +197,31 @@ TEST(RigidBlades, WhoseTipsRestErrNoMoreThanInSteps) {
 }
 TEST(RigidBlades, WhoseFrictionDependsOnTheVelocityErrNoMoreThanInSteps) {
   expect_smooth_reversals_as_by_steps(kFew);
+}
+
+TEST(RigidBlades, AtRestDoNotSlipUntilTheyLeaveTheConeOfFriction) {
+  constexpr double kTolerance = 1e-9;
+  std::mt19937_64 generator(11);
+  int pieces = 0;
+  int loosenings = 0;
+  for (int i = 0; i < 3 * kFew; ++i) {
+    const RigidRotor m = rigid_rotor(generator, kShort);
+    TipsAtRest tips(m.rotor.speed_ratio * m.geometry.ring_radius, m.friction);
+    const rotor::BladeSet blades(m.blade_count, m.rotor.speed_ratio);
+    const auto motion = hybrid_motion(machine_of(m.rotor, blades),
+                                      law_of(m, contact::StickingFriction{m.friction, m.friction}),
+                                      {kTolerance * kClearanceOfSeveral, 0.5}, true);
+    if (motion->start(rotor::as_array(m.kick)) != ending::PointStatus::done) continue;
+    if (motion->revolution(tips, {}, 0) != ending::PointStatus::done) continue;
+    pieces += tips.pieces;
+    loosenings += tips.loosenings;
+    EXPECT_LT(tips.slip, kTolerance) << i;
+    EXPECT_LT(tips.share_of_cone, 1.0 + 1e-6) << i;
+  }
+  EXPECT_GT(pieces, kFew / 10);
+  EXPECT_GT(loosenings, 0);
+  RecordProperty("pieces", pieces);
+  RecordProperty("loosenings", loosenings);
 }
 
 TEST(RigidBladesSlow, ErrNoMoreThanInStepsInTenThousandMotions) {
