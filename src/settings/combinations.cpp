@@ -260,9 +260,9 @@ std::span<const Family> families() {
        .laws = {elastica},
        .consumes = kMachine | effect_set<&Effects::stick>(),
        .is_for = nullptr,
-       .contact =
-           "while all tips slip, or the only one in contact sticks, the bends of all blades in contact, "
-           "two numbers each, are found along with the motion, no root is solved; else a root each",
+       .contact = "the bends of all blades in contact, two numbers each, are found along with the motion, no "
+                  "root is "
+                  "solved; in steps a root each while a tip sticks",
        .flight = {}},
       {.kind = blades_on_damped_ring,
        .name = "elastic blades on a ring with a damper under each tip",

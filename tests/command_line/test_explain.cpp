@@ -206,7 +206,7 @@ TEST(Explain, SaysWhichMotionASceneHasAndHowItsContactIsIntegrated) {
          "with support, load_direction",
          "the exponential of the matrix of shaft and support;", "the bends of all blades in contact");
   expect(R"("stick": {})", "elastic blades whose tips may stick; with stick", isotropic,
-         "while all tips slip, or the only one in contact sticks, the bends");
+         "the bends of all blades in contact, two numbers each, are found along with the motion");
   expect(R"("release": {})", "elastic blades; with release", isotropic,
          "one blade in contact (by collocation up to four, if they rub): its bending");
   expect(R"("ring_body": {})", "elastic blades in a ring that is a body; with ring_body",
