@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "contact/friction_law.hpp"
+#include "contact/sticking.hpp"
 
 namespace rubatlas::collocation {
 
@@ -17,11 +18,8 @@ struct FrictionNumbers {
   double stribeck_velocity = 0.0;      ///< vs [m per unit τ]
   double regularising_velocity = 0.0;  ///< v0 [m per unit τ]
 
-  /// |c| up to which a rigid tip is held: rounding does not lead a tip back that has come loose.
-  [[nodiscard]] double largest_at_rest() const {
-    constexpr double kShareBeyond = 1e-9;
-    return (1.0 + kShareBeyond) * static_friction;
-  }
+  /// |c| up to which a rigid tip is held.
+  [[nodiscard]] double largest_at_rest() const { return (1.0 + contact::kShareBeyondCone) * static_friction; }
 };
 
 FrictionNumbers numbers_of(const contact::CoulombFriction& friction);

@@ -23,6 +23,9 @@ struct OtherAcceleration {
   double tangential;  ///< ·et
 };
 
+/// Of μs, beyond which a tip comes loose: rounding does not lead it back.
+inline constexpr double kShareBeyondCone = 1e-9;
+
 /// Direction t of the slip of a rigid blade's tip, along (real) and across the blade.
 inline std::complex<double> tangent(const Geometry& geometry, const Pose& at) {
   const std::complex<double> outward(at.radial + geometry.reach, at.tangential);

@@ -134,9 +134,6 @@ class Sticking : public ContactMode<Law> {
   }
 
  private:
-  /// Of μs, beyond which a tip comes loose: rounding does not lead it back.
-  static constexpr double kShareBeyond = 1e-9;
-
   struct Stuck {
     std::size_t contact = 0;
     std::complex<double> direction;  ///< er
@@ -147,7 +144,9 @@ class Sticking : public ContactMode<Law> {
     double slip_velocity = 0.0;  ///< v [m per unit τ]
     double rate = 0.0;           ///< dv/dτ without friction at the stuck tips
     double pull = 0.0;           ///< q [m per unit τ²]
-    [[nodiscard]] double excess() const { return std::abs(pull) - (1.0 + kShareBeyond) * largest * load; }
+    [[nodiscard]] double excess() const {
+      return std::abs(pull) - (1.0 + contact::kShareBeyondCone) * largest * load;
+    }
   };
   struct Balance {
     std::complex<double> acceleration;  ///< z''
