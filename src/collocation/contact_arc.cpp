@@ -230,10 +230,10 @@ bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter, 
   shorter.start_angular_speed = whole.start_angular_speed;
   std::copy_n(whole.forcing.begin(), machine().forcing_count, shorter.forcing.begin());
   shorter.ripple = whole.ripple;
-  static_cast<TipStart&>(shorter) = whole;
+  static_cast<TipStart&>(shorter) = static_cast<const TipStart&>(whole);
   shorter.further_count = whole.further_count;
   for (std::size_t k = 0; k < whole.further_count; ++k) {
-    static_cast<TipStart&>(shorter.further[k]) = whole.further[k];
+    static_cast<TipStart&>(shorter.further[k]) = static_cast<const TipStart&>(whole.further[k]);
     shorter.further[k].blade = whole.further[k].blade;
     shorter.further[k].load = whole.further[k].load;
     shorter.further[k].offset = whole.further[k].offset;
