@@ -63,7 +63,7 @@ class EarlierContacts {
  private:
   [[nodiscard]] double distance(const Beginning& a, const Beginning& b) const;
 
-  static constexpr std::size_t kKept = 64;
+  static constexpr std::size_t kKept = 16;
   bool ring_moves_;
   double reach_;
   double clearance_;
