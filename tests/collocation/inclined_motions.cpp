@@ -159,29 +159,29 @@ TEST(InclinedMotions, UnderFrictionThatDependsOnTheVelocityAreAsInSteps) {
   EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::lift_off)], 0);
 }
 
-/// Eight to eleven blades, of which several touch at once.
+/// Eight to eleven blades, of which several touch at once; arcs take at least this share of that time.
 template <class MakeFriction>
-void expect_several_as_in_steps(contact::LoadDirection direction, MakeFriction make_friction) {
-  constexpr double kMost = 0.85;
+void expect_several_as_in_steps(contact::LoadDirection direction, double least_share,
+                                MakeFriction make_friction) {
   const CountedEvents events = expect_motions_as_in_steps(direction, make_friction, 8);
   SCOPED_TRACE(::testing::Message() << events.time_of_several);
-  EXPECT_GE(events.collocated_time_of_several, kMost * events.time_of_several);
+  EXPECT_GE(events.collocated_time_of_several, least_share * events.time_of_several);
 }
 
 TEST(InclinedMotions, OfSeveralBladesUnderANormalLoadAreAsInSteps) {
-  expect_several_as_in_steps(contact::LoadDirection::normal,
+  expect_several_as_in_steps(contact::LoadDirection::normal, 0.85,  // it is 0.87
                              [](double friction) { return contact::CoulombFriction{friction}; });
 }
 
 TEST(InclinedMotions, OfSeveralTipsThatStickAreAsInSteps) {
-  expect_several_as_in_steps(contact::LoadDirection::axial, [](double friction) {
+  expect_several_as_in_steps(contact::LoadDirection::axial, 0.95, [](double friction) {
     return contact::StickingFriction{friction, 1.2 * friction};
   });
 }
 
 TEST(InclinedMotions, OfSeveralTipsUnderFrictionThatDependsOnTheVelocityAreAsInSteps) {
   for (const auto direction : {contact::LoadDirection::axial, contact::LoadDirection::normal}) {
-    expect_several_as_in_steps(direction, [](double friction) {
+    expect_several_as_in_steps(direction, 0.95, [](double friction) {
       return contact::VelocityFriction(contact::StribeckFriction{2.0 * friction, friction, 0.03, 0.01});
     });
   }
