@@ -93,6 +93,15 @@ class Report(unittest.TestCase):
         self.assertEqual(ended.returncode, 2)
         self.assertIn("no_program", ended.stderr)
 
+    def test_a_report_keeps_what_every_effect_remembers_in_the_order_of_the_program(self):
+        effects = ROOT / "src/settings/effects"
+        order = re.findall(r"operator\(\)<&Effects::(\w+)>", (effects / "list.hpp").read_text())
+        remember = {section for path in effects.glob("*.hpp") for part in path.read_text().split("struct ")
+                    if "static constexpr Memory kMemory" in part
+                    for section in re.findall(r'\.section = "/(\w+)"', part)}
+        self.assertGreater(len(remember), 1)
+        self.assertEqual([name for name in order if name in remember], list(contents.EFFECTS_THAT_REMEMBER))
+
     def test_a_number_of_orbits_is_a_whole_number(self):
         for word in ("-1", "some", "1.5"):
             ended = report(TINY / "atlas.h5", "-o", self.folder / "report.html", f"--orbits={word}")
