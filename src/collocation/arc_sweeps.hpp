@@ -155,6 +155,54 @@ class ArcSweeps {
     return (tip.a * across - tip.b * along) * per_radius + speed * radius;
   }
 
+  /// The tip of a blade that does not bend.
+  struct RigidTip {
+    Number depth;          ///< beyond the undeformed ring [m]
+    Number yielding;       ///< F/kr
+    Number slip_velocity;  ///< v
+    Number distance;       ///< from the ring's centre
+    Number radial_normal, tangential_normal;
+    Number outward_velocity;  ///< n·r'
+  };
+  /// Of a blade in the direction er (MODEL 4.3, 4.7).
+  RUBATLAS_INLINE RigidTip rigid_tip_of(const Blade& blade, const Vector& er) const {
+    const Vector centre = seen();
+    const Vector velocity = seen_velocity();
+    const Number radial = centre.x * er.x + centre.y * er.y;
+    const Number tangential = centre.y * er.x - centre.x * er.y;
+    const Number radial_velocity = velocity.x * er.x + velocity.y * er.y;
+    const Number tangential_velocity = velocity.y * er.x - velocity.x * er.y;
+    const Number gap =
+        (centre.x * centre.x + centre.y * centre.y) + (radial * (2.0 * blade.reach) + blade.closing);
+    const Number along = radial + blade.reach;
+    RigidTip tip;
+    tip.distance = root(along * along + tangential * tangential);
+    const Number per_distance = Number(1.0) / tip.distance;
+    tip.radial_normal = along * per_distance;
+    tip.tangential_normal = tangential * per_distance;
+    tip.slip_velocity = (tip.radial_normal * tangential_velocity - tip.tangential_normal * radial_velocity) +
+                        angular_speed() * tip.radial_normal * blade.reach;
+    tip.depth = gap / (tip.distance + machine_.ring_radius);
+    tip.yielding = tip.depth;
+    tip.outward_velocity = tip.radial_normal * radial_velocity +
+                           tip.tangential_normal * (tangential_velocity + angular_speed() * blade.reach);
+    if (blade.ring_damping > 0.0) {
+      const Number rate = tip.radial_normal * (radial_velocity + angular_speed() * tangential) +
+                          tip.tangential_normal * (tangential_velocity - angular_speed() * radial);
+      tip.yielding = tip.yielding + rate * (blade.ring_damping / blade.ring_stiffness);
+    }
+    return tip;
+  }
+  /// What it does to the shaft, as an acceleration; `coefficient`: c.
+  template <class Coefficient>
+  RUBATLAS_INLINE Vector push_of_rigid(const Blade& blade, const RigidTip& tip,
+                                       const Coefficient& coefficient, const Vector& er) const {
+    const Number load = tip.yielding * (blade.ring_stiffness * machine_.force_unit);
+    const Number radial = load * (tip.tangential_normal * coefficient - tip.radial_normal);
+    const Number tangential = load * (tip.tangential_normal + tip.radial_normal * coefficient) * -1.0;
+    return {radial * er.x - tangential * er.y, radial * er.y + tangential * er.x};
+  }
+
   /// Sweeps until what is left is below the tolerance. False where it does not become so. `full`: so many
   /// sweeps have slopes of their own.
   template <class Sweeps>

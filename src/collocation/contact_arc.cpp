@@ -71,6 +71,7 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
   blade_ = touching[leader].blade;
   contact_.blade = &numbers(blade_);
   contact_.slip = touching[leader].slip;
+  contact_.straight = touching[leader].straight;
   begins_ = true;
   ending_ = {};
   start_ = {time, bodies, law_->lead(touching[leader])};
@@ -106,7 +107,8 @@ void ContactArc::look_for_earlier() {
   Beginning beginning{.blade = {er_.cosine, er_.sine},
                       .angular_speed = blades_->angular_speed(end_.time),
                       .argument = end_.bending.argument,
-                      .slip = contact_.slip};
+                      .slip = contact_.slip,
+                      .straight = contact_.straight};
   std::copy_n(end_.bodies.begin(), 4, beginning.shaft.begin());
   std::copy_n(end_.bodies.begin() + 4, 4, beginning.ring.begin());
   const std::complex<double> forcing = machine_.forcing(end_.time);
@@ -192,7 +194,7 @@ void ContactArc::start_next(Interval& next) const {
   next.start_slip_velocity = at_end_.force.slip_velocity;
   next.start_yielding = end_.bending.yielding;
   next.further_count = further_.size();
-  if (law_->keeps_loads()) {
+  if (keeps_loads()) {
     next.start_force = at_end_.force.normal;
     next.start_strain = at_end_.force.root_strain;
     next.start_cone_left = at_end_.cone_left;
@@ -249,6 +251,7 @@ bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter, 
     shorter.further[k].load = whole.further[k].load;
     shorter.further[k].offset = whole.further[k].offset;
     shorter.further[k].slip = whole.further[k].slip;
+    shorter.further[k].straight = whole.further[k].straight;
     shorter.further[k].start_square = whole.further[k].start_square;
   }
   shorter.chord = {fraction * whole.chord.time, fraction * whole.chord.argument};
@@ -372,7 +375,7 @@ void ContactArc::goes_on(const Ending& ending) {
     at_end_.force.shortening = made().shortening.at_end();
     at_end_.chart_left = made().chart_left.at_end();
   }
-  if (law_->keeps_loads()) {
+  if (keeps_loads()) {
     at_end_.force.normal = made().normal_force.at_end();
     at_end_.force.root_strain = made().root_strain.at_end();
     at_end_.cone_left = made().cone_left.at_end();

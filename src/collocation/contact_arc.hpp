@@ -14,6 +14,7 @@
 /// with another mode from there.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -62,7 +63,7 @@ class ContactArc {
   Outcome make();
   /// What ends an interval: the leading blade lifts off unbent or under load, or comes to the fold of its
   /// branch or to the end of the chart of its equilibria; the slip of a blade reverses; a tip at rest comes
-  /// loose; another blade touches down.
+  /// loose; a straight blade is pressed in; another blade touches down.
   enum class Guard : std::uint8_t {
     none,
     unbent,
@@ -71,6 +72,7 @@ class ContactArc {
     chart_end,
     slip_reversal,
     loosening,
+    pressed_in,
     touch_down
   };
   struct Ending {
@@ -78,6 +80,8 @@ class ContactArc {
     double fraction = 1.0;  ///< θ
     int blade = -1;
     double slope = 0.0;  ///< by θ of the guard's quantity, which passes through zero there
+    /// The tip that touches down has been free inside a ring with dampers, and turns outwards (MODEL 7.16).
+    bool inside = false;
   };
   /// Of the interval that has been made.
   [[nodiscard]] const Ending& ending() const { return ending_; }
@@ -169,6 +173,9 @@ class ContactArc {
   [[nodiscard]] bool stays_valid(const Bounds& bounds, const Ending& ending) const;
   [[nodiscard]] Ending guard_of_contacts(const Interval& interval) const;
   [[nodiscard]] std::optional<Ending> touch_down(const Interval& interval, Ending before);
+  struct Other;
+  [[nodiscard]] bool starts_inside(int blade) const;
+  bool stays_off(const Other& other, const Interval& interval, double allowed);
   /// Whether the trial can be the next interval, up to its ending, and whether that is a stretch of it.
   enum class Verdict : std::uint8_t { holds, holds_in_part, too_long, another_leads, gives_up };
   Verdict judge(Ending& ending);
@@ -184,10 +191,16 @@ class ContactArc {
   [[nodiscard]] double slip_rounding() const {
     return contact::kSlipRounding * std::abs(rotor_->speed_ratio) * machine().ring_radius;
   }
+  [[nodiscard]] bool any_stands_straight() const {
+    return contact_.straight || std::ranges::count(further_, true, &FurtherStart::straight) > 0;
+  }
+  /// The leading blade's force and strain are kept at the nodes.
+  [[nodiscard]] bool keeps_loads() const { return law_->keeps_loads() || contact_.straight; }
   /// Slip to this side may reverse.
   [[nodiscard]] bool reverses(double slip) const { return law_->has_slip_state() && slip != 0.0; }
   [[nodiscard]] bool are_bent_firmly(const Interval& interval) const;
   [[nodiscard]] bool is_next_to_unbent(const Interval& interval) const;
+  [[nodiscard]] const TipInTime& tip_of(const Ending& ending, const Interval& interval) const;
   [[nodiscard]] double left_at_end(const Ending& ending, const Interval& interval) const;
   bool cut_at(const Interval& whole, Ending& ending, Interval& shorter);
   [[nodiscard]] static Point at_node(const Interval& interval, std::size_t node);

@@ -74,16 +74,36 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
     look(Guard::fold, blade_, sum_of_products(node_tables().value_at_start, interval.time_slope),
          interval.time_slope, 1.0, count);
   if (contact_.leans) look(Guard::chart_end, blade_, interval.start_chart_left, interval.chart_left, 1.0);
-  const auto look_at_slip = [&](int blade, double slip, const TipInTime& tip) {
+  const auto look_at_slip = [&](int blade, double slip, bool straight, const TipInTime& tip) {
+    if (straight) look(Guard::pressed_in, blade, tip.start_cone_left, tip.cone_left, 1.0);
     if (slip == 0.0) look(Guard::loosening, blade, tip.start_cone_left, tip.cone_left, 1.0);
     if (!reverses(slip)) return;
     const double sign = std::copysign(1.0, tip.start_slip_velocity);
     look(Guard::slip_reversal, blade, tip.start_slip_velocity, tip.slip_velocity, sign);
   };
-  look_at_slip(blade_, contact_.slip, interval);
+  look_at_slip(blade_, contact_.slip, contact_.straight, interval);
   for (std::size_t k = 0; k < further_.size(); ++k)
-    look_at_slip(further_[k].blade, further_[k].slip, interval.further[k]);
+    look_at_slip(further_[k].blade, further_[k].slip, further_[k].straight, interval.further[k]);
   return first;
+}
+
+/// Whether a tip that does not touch is inside the undeformed ring where the next interval starts: it has
+/// lifted off there, and moves inwards.
+bool ContactArc::starts_inside(int blade) const {
+  if (law_->ends_at_ring()) return false;
+  const contact::Pose there = pose(blade, end_);
+  return there.gap > contact::gap_rounding(law_->geometry(blade), there);
+}
+
+/// Whether another tip does not touch within an interval: its gap [m²] stays below what is allowed, or, where
+/// it starts inside the ring, half of the rate of that.
+bool ContactArc::stays_off(const Other& other, const Interval& interval, double allowed) {
+  const Blade& blade = numbers(other.blade);
+  const double bound = solver_.largest_gap(contact_, interval, blade, other.offset);
+  gap_bound_of_others_ = std::max(gap_bound_of_others_, bound);
+  return (starts_inside(other.blade)
+              ? largest_coefficient(gap_rates(machine(), interval, blade, other.offset))
+              : bound) < allowed;
 }
 
 /// The first touch-down of another blade, if it comes before this ending. None where it cannot be told.
@@ -91,9 +111,8 @@ std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interva
   gap_bound_of_others_ = -std::numeric_limits<double>::infinity();
   for (const Other& other : others_) {
     const Blade& blade = numbers(other.blade);
-    const double bound = solver_.largest_gap(contact_, interval, blade, other.offset);
-    gap_bound_of_others_ = std::max(gap_bound_of_others_, bound);
-    if (bound < 0.0) continue;
+    if (stays_off(other, interval, 0.0)) continue;
+    const bool inside = starts_inside(other.blade);
     const auto clear_of_ring = [&](double x, double y, double er_x, double er_y) {
       const double centre = y + machine().misalignment;
       const double along = er_x * other.offset[0] - er_y * other.offset[1];
@@ -109,25 +128,41 @@ std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interva
     for (std::size_t i = 0; i < kNodes; ++i) {
       values[i + 1] = clear_of_ring(shaft.x[i] - ring.x[i], shaft.y[i] - ring.y[i], interval.blade_x[i],
                                     interval.blade_y[i]);
-      if (place == kPlaces && values[i + 1] < 0.0) place = i + 1;
+    }
+    const AtPlaces gaps = values;
+    if (inside) {
+      values = gap_rates(machine(), interval, blade, other.offset);
+      for (double& value : values) value = -value;
+    }
+    for (std::size_t i = 0; i < kNodes && place == kPlaces; ++i) {
+      if (values[i + 1] < 0.0) place = i + 1;
     }
     // It may come near the ring without touching it, or it touches at the start: shorter intervals tell.
     if (place == kPlaces || (place == 1 && !(values[0] > 0.0))) return std::nullopt;
     const double fraction = crossing(values, place);
+    // Where it has left the ring before it turns outwards, it touches at the ring.
+    if (inside && !(sum_of_products(basis_at(fraction), gaps) < 0.0)) return std::nullopt;
     if (fraction < before.fraction)
-      before = {Guard::touch_down, fraction, other.blade, slope_before(values, fraction)};
+      before = {Guard::touch_down, fraction, other.blade, slope_before(values, fraction), inside};
   }
   return before;
 }
 
+/// The tip in contact whose guard that is; the leading one where another touches down.
+const TipInTime& ContactArc::tip_of(const Ending& ending, const Interval& interval) const {
+  if (ending.guard == Guard::touch_down || ending.blade == blade_) return interval;
+  return interval.further[number_of(ending.blade)];
+}
+
 /// What is left of the guard's quantity at the end of an interval that it ends.
 double ContactArc::left_at_end(const Ending& ending, const Interval& interval) const {
-  const TipInTime& tip = ending.guard == Guard::touch_down || ending.blade == blade_
-                             ? static_cast<const TipInTime&>(interval)
-                             : interval.further[number_of(ending.blade)];
+  const TipInTime& tip = tip_of(ending, interval);
   switch (ending.guard) {
-    case Guard::touch_down:
-      return -pose(ending.blade, end_of(interval)).gap;
+    case Guard::touch_down: {
+      const contact::Pose there = pose(ending.blade, end_of(interval));
+      if (!ending.inside) return -there.gap;
+      return -0.5 * contact::gap_rate(law_->geometry(ending.blade), there, interval.angular_speed.at_end());
+    }
     case Guard::under_load:
       return interval.gap_measure.at_end();
     case Guard::unbent:
@@ -137,6 +172,7 @@ double ContactArc::left_at_end(const Ending& ending, const Interval& interval) c
     case Guard::chart_end:
       return interval.chart_left.at_end();
     case Guard::loosening:
+    case Guard::pressed_in:
       return tip.cone_left.at_end();
     default:
       return std::copysign(1.0, tip.start_slip_velocity) * tip.slip_velocity.at_end();
@@ -204,6 +240,12 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   Interval& part = intervals_[made_];  // what has been made before is not asked for again
   if (in_part) {
     if (!cut_at(next, ending, part)) return Verdict::gives_up;
+    // The load that would bend a blade has a kink where its tip passes the deepest place: beyond it the
+    // polynomial tells nothing of where it was pressed in.
+    constexpr double kPressedIn = 1e-8;  // of F
+    if (ending.guard == Guard::pressed_in &&
+        std::abs(left_at_end(ending, part)) > kPressedIn * tip_of(ending, part).normal_force.at_end())
+      return Verdict::too_long;
     // Beyond its ending the interval is no motion.
     const bool lifts = ending.guard == Guard::unbent || ending.guard == Guard::under_load;
     if (!lifts || !further_.empty() || !stays_valid(bounds, ending)) bounds = law_->bounds(contact_, part);
@@ -211,14 +253,15 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
     const double at_ring = 2.0 * machine().ring_radius * tolerance_;
     gap_bound_of_others_ = -std::numeric_limits<double>::infinity();
     for (const Other& other : others_) {
-      const double bound = solver_.largest_gap(contact_, part, numbers(other.blade), other.offset);
-      gap_bound_of_others_ = std::max(gap_bound_of_others_, bound);
-      if (!(bound < (other.blade == ending.blade ? at_ring : 0.0))) return Verdict::too_long;
+      if (!stays_off(other, part, other.blade == ending.blade ? at_ring : 0.0)) return Verdict::too_long;
     }
   }
   // Close to a fold bounds of shorter intervals tell.
   if (!stays_valid(bounds, ending))
-    return contact_.leans || contact_.slip == 0.0 ? Verdict::too_long : Verdict::gives_up;
+    return contact_.leans || contact_.slip == 0.0 || any_stands_straight() ? Verdict::too_long
+                                                                           : Verdict::gives_up;
+  // The v of a straight blade does not jump where s changes.
+  if (ending.guard == Guard::slip_reversal && any_stands_straight()) return Verdict::gives_up;
   displacement_bound_ = bounds.displacement;
   const bool held_beyond_ring = law_->releases_at_fold(blade_);
   const bool stays_bent = bounds.gap_measure > 0.0 && (begins_ || next.start_gap_measure > 0.0);
@@ -305,7 +348,7 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
       if (law_->ends_at_ring()) goes_on_to_ring(ending_.blade);
       break;
     case Guard::touch_down:
-      goes_on_to_ring(ending_.blade);
+      if (!ending_.inside) goes_on_to_ring(ending_.blade);
       break;
     case Guard::slip_reversal:
       if (law_->is_rigid() && !machine().ring.is_massless()) bring_to_rest(ending_.blade);

@@ -34,8 +34,13 @@ std::optional<Touch> DampedLaw::open(const Touch& touch, const contact::Pose& at
   const contact::ElasticBladeOnDampedRing& law = laws_->of(touch.blade);
   const double radius = law.geometry().ring_radius;
   Touch found = touch;
-  if (touch.touches_down() && touch.yielding == 0.0)
-    found.yielding = std::max(0.0, at.gap / (radius + std::sqrt(radius * radius + at.gap)));
+  if (touch.straight) {
+    found.yielding = law.depth(at);
+    const Start there = start(found, at, speed);
+    if (there.force.normal > 0.0 && there.cone_left > 0.0) return found;
+    return std::nullopt;
+  }
+  if (touch.touches_down() && touch.yielding == 0.0) found.yielding = law.depth(at);
   contact::Pose there = at;
   there.gap = touch.touches_down() ? 0.0 : at.gap - found.yielding * (2.0 * radius + found.yielding);
   if (touch.touches_down() && starts_unloaded(touch.blade, touch.slip, there)) return found;
@@ -47,6 +52,8 @@ std::optional<Touch> DampedLaw::open(const Touch& touch, const contact::Pose& at
 Bending DampedLaw::lead(const Touch& touch) {
   Bending bending = AxialLaw::lead(touch);
   bending.yielding = touch.yielding;
+  if (touch.straight) bending.argument = kStraight;
+  standing_.assign(1, {touch.blade, touch.straight});
   return bending;
 }
 
@@ -57,6 +64,13 @@ double DampedLaw::ring_opens(const Touch& touch, const contact::Pose& at, double
 }
 
 ArcLaw::Start DampedLaw::start(const Touch& touch, const contact::Pose& at, double speed) const {
+  if (touch.straight) {
+    const contact::ElasticBladeOnDampedRing& law = laws_->of(touch.blade);
+    const contact::TipForce there = force(touch, at, speed);
+    return {.force = there,
+            .gap_measure = there.normal / law.ring().stiffness,
+            .cone_left = law.bending_load(at, touch.slip, speed) - there.normal};
+  }
   Start start = AxialLaw::start(touch, at, speed);
   start.ring_opens = ring_opens(touch, at, speed);
   return start;
@@ -64,19 +78,69 @@ ArcLaw::Start DampedLaw::start(const Touch& touch, const contact::Pose& at, doub
 
 ArcLaw::Tangent DampedLaw::tangent(const Touch& touch, const contact::Pose& at, double speed,
                                    const std::complex<double>& acceleration) const {
+  if (touch.straight) return {1.0, 0.0, 0.0};
   Tangent along = AxialLaw::tangent(touch, at, speed, acceleration);
   along.argument -= ring_opens(touch, at, speed);
   return along;
 }
 
 FurtherStart DampedLaw::further(const Touch& touch, const contact::Pose& at, double speed) {
+  standing_.push_back({touch.blade, touch.straight});
+  if (touch.straight) {
+    const Start there = start(touch, at, speed);
+    return {.blade = touch.blade,
+            .slip = touch.slip,
+            .straight = true,
+            .square = {there.gap_measure},
+            .tip = {.start_gap_measure = there.gap_measure,
+                    .start_slip_velocity = there.force.slip_velocity,
+                    .start_force = there.force.normal,
+                    .start_cone_left = there.cone_left,
+                    .start_yielding = touch.yielding},
+            .force = there.force};
+  }
   return further_start(of(touch.blade), at, touch, speed, ring_opens(touch, at, speed));
 }
 
 Touch DampedLaw::touch(int blade, double slip, const Bending& bending) const {
   Touch touch = AxialLaw::touch(blade, slip, bending);
   touch.yielding = bending.yielding;
+  touch.straight = std::ranges::find(standing_, blade, &Standing::blade)->straight;
+  if (touch.straight) touch.bending = 0.0;
   return touch;
+}
+
+contact::TipForce DampedLaw::force(const Touch& touch, const contact::Pose& at, double speed) const {
+  if (!touch.straight) return AxialLaw::force(touch, at, speed);
+  const contact::ElasticBladeOnDampedRing& law = laws_->of(touch.blade);
+  return law.straight(at, touch.slip, speed, law.ring_load(law.depth(at), law.depth_rate(at, speed)));
+}
+
+bool DampedLaw::solve(const Contact& contact, const Closeness& closeness, Interval& interval) const {
+  if (!AxialLaw::solve(contact, closeness, interval)) return false;
+  find_bending_left(contact, interval, standing_.front(), contact.slip, {1.0, 0.0}, interval);
+  for (std::size_t k = 0; k < interval.further_count; ++k) {
+    FurtherBlade& further = interval.further[k];
+    find_bending_left(contact, interval, standing_[1 + k], further.slip, further.offset, further);
+  }
+  return true;
+}
+
+/// At the nodes the load that would bend a straight blade, less its own.
+void DampedLaw::find_bending_left(const Contact& contact, const Interval& interval, const Standing& standing,
+                                  double slip, const std::array<double, 2>& offset, TipInTime& tip) const {
+  if (!standing.straight) return;
+  const contact::ElasticBladeOnDampedRing& law = laws_->of(standing.blade);
+  const Body& shaft = interval.shaft;
+  const Body& ring = interval.ring;
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    const contact::BladeDirection er{interval.blade_x[i] * offset[0] - interval.blade_y[i] * offset[1],
+                                     interval.blade_y[i] * offset[0] + interval.blade_x[i] * offset[1]};
+    const contact::Pose at = contact::pose(law.geometry(), er, shaft.x[i] - ring.x[i],
+                                           shaft.y[i] - ring.y[i] + contact.machine->misalignment,
+                                           shaft.vx[i] - ring.vx[i], shaft.vy[i] - ring.vy[i]);
+    tip.cone_left[i] = law.bending_load(at, slip, interval.angular_speed[i]) - tip.normal_force[i];
+  }
 }
 
 }  // namespace rubatlas::collocation

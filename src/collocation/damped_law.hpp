@@ -1,9 +1,12 @@
 /// Elastic blades under an axial load, with Coulomb friction, on a ring with a damper under each tip, as an
-/// arc's law (MODEL 7.16). A blade that stands straight is for another mode.
+/// arc's law (MODEL 7.16). Under a blade that stands straight only the ring yields, as under a rigid one: its
+/// p does not change, and an arc that it leads is a stretch of time.
 #pragma once
 
+#include <array>
 #include <complex>
 #include <optional>
+#include <vector>
 
 #include "collocation/axial_law.hpp"
 #include "contact/damped_ring.hpp"
@@ -30,12 +33,26 @@ class DampedLaw final : private BladesOfRing, public AxialLaw {
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
                                 const std::complex<double>& acceleration) const override;
   FurtherStart further(const Touch& touch, const contact::Pose& at, double speed) override;
+  [[nodiscard]] bool solve(const Contact& contact, const Closeness& closeness,
+                           Interval& interval) const override;
   [[nodiscard]] Touch touch(int blade, double slip, const Bending& bending) const override;
+  [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
+                                        double speed) const override;
 
  private:
+  static constexpr double kStraight = 1e-6;  ///< p: not 0, from where a blade would begin to bend
+
+  struct Standing {
+    int blade;
+    bool straight;
+  };
+  void find_bending_left(const Contact& contact, const Interval& interval, const Standing& standing,
+                         double slip, const std::array<double, 2>& offset, TipInTime& tip) const;
   [[nodiscard]] double ring_opens(const Touch& touch, const contact::Pose& at, double speed) const;
 
   const Laws* laws_;
+  std::vector<Standing>
+      standing_;  ///< of the blades in contact: the leading one, and the others in their order
 };
 
 }  // namespace rubatlas::collocation

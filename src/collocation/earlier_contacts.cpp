@@ -66,7 +66,7 @@ void EarlierInterval::guess(const Contact& contact, Interval& next) const {
 }
 
 double EarlierContacts::distance(const Beginning& a, const Beginning& b) const {
-  if (a.slip != b.slip || (a.argument == 0.0) != (b.argument == 0.0))
+  if (a.slip != b.slip || a.straight != b.straight || (a.argument == 0.0) != (b.argument == 0.0))
     return std::numeric_limits<double>::infinity();
   double of_places = std::max({largest_difference(a.shaft, b.shaft), largest_difference(a.forcing, b.forcing),
                                reach_ * largest_difference(a.blade, b.blade)});

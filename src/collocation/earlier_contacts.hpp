@@ -19,6 +19,7 @@ struct Beginning {
   std::array<double, 2> forcing{};  ///< acceleration by all forcings [m per unit τ²]
   double argument = 0.0;            ///< p
   double slip = 0.0;                ///< s
+  bool straight = false;            ///< as in `Contact`
 };
 
 /// The solution of an interval of an earlier contact.

@@ -55,14 +55,14 @@ void go_on(const Interval& made, const FurtherBlade& blade, FurtherStart& start)
   start.tip.start_gap_measure = blade.gap_measure.at_end();
   start.tip.start_slip_velocity = blade.slip_velocity.at_end();
   start.tip.start_yielding = blade.yielding.at_end();
-  if (start.load == nullptr) return;
-  start.lean = course(blade.lean);
   start.tip.start_force = blade.normal_force.at_end();
   start.tip.start_strain = blade.root_strain.at_end();
+  start.tip.start_cone_left = blade.cone_left.at_end();
+  if (start.load == nullptr) return;
+  start.lean = course(blade.lean);
   start.tip.start_lean = blade.lean.at_end();
   start.tip.start_shortening = blade.shortening.at_end();
   start.tip.start_chart_left = blade.chart_left.at_end();
-  start.tip.start_cone_left = blade.cone_left.at_end();
 }
 
 void guess(const FurtherStart& start, const AtNodes& elapsed, FurtherBlade& blade) {
@@ -70,6 +70,7 @@ void guess(const FurtherStart& start, const AtNodes& elapsed, FurtherBlade& blad
   blade.load = start.load;
   blade.offset = start.offset;
   blade.slip = start.slip;
+  blade.straight = start.straight;
   blade.start_square = start.square.value;
   constexpr double kLeast = 1e-8;       // p²
   constexpr double kLeastShare = 0.01;  // of that at the start

@@ -26,14 +26,16 @@ struct Touch {
   blade::Bend bend{};     ///< κ and φ of a blade under an inclined load; φ = 0: it touches down
   double holding = 0.0;   ///< c of a rigid tip at rest
   double yielding = 0.0;  ///< y of a ring with dampers under the tip [m]
+  bool straight = false;  ///< as in `Contact`
 
-  [[nodiscard]] bool touches_down() const { return bending == 0.0 && bend.amplitude == 0.0; }
+  [[nodiscard]] bool touches_down() const { return bending == 0.0 && bend.amplitude == 0.0 && !straight; }
 };
 
 /// One of them where the next interval starts. p² is used, which is smooth in time where p starts from 0.
 struct FurtherStart {
   int blade = 0;
   double slip = 1.0;                   ///< s = ±1
+  bool straight = false;               ///< as in `Contact`
   const InclinedLoad* load = nullptr;  ///< where it is inclined
   std::array<double, 2> offset{};      ///< cosine and sine of its angle from the leading blade
   /// How a quantity goes on in τ.

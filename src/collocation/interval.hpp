@@ -75,8 +75,9 @@ struct Blade {
 struct Contact {
   const Machine* machine;
   const Blade* blade;
-  double slip;         ///< s = ±1; 0: the tip is at rest
-  bool leans = false;  ///< the load is inclined (`inclined_load.hpp`)
+  double slip;            ///< s = ±1; 0: the tip is at rest
+  bool leans = false;     ///< the load is inclined (`inclined_load.hpp`)
+  bool straight = false;  ///< the blade does not bend, and only the ring yields under it (MODEL 7.16)
 };
 
 /// A tip where an interval starts: what is named so in `TipInTime`.
@@ -96,15 +97,16 @@ struct TipInTime : TipStart {
   AtNodes gap_measure;    ///< g/Δ [m], as h = 0 has it: it has the sign of g where the blade is bent; F/kr
                           ///< of a rigid blade
   AtNodes slip_velocity;  ///< v of the tip (MODEL 4.4) [m per unit τ]
-  // Of a rigid blade, and of one under an inclined load.
+  // Of a rigid or straight blade, and of one under an inclined load.
   AtNodes normal_force, root_strain;  ///< F [N], and bending strain at the root [-]
   // Of a blade under an inclined load (`inclined_load.hpp`).
   AtNodes lean;        ///< l: a first guess, then the solution
   AtNodes shortening;  ///< δ/L
   AtNodes chart_left;  ///< `InclinedLoad::chart_left`
-  // Of a tip at rest.
-  AtNodes
-      cone_left;  ///< `InclinedLoad::cone` less c²; of a rigid one (μs² − c²) F²/(m ωn²)² [m² per unit τ⁴]
+  /// What is left of the guard that ends the mode of a blade. Of a tip at rest `InclinedLoad::cone` less c²;
+  /// of a rigid one (μs² − c²) F²/(m ωn²)² [m² per unit τ⁴]. Of a blade that stands straight the load that
+  /// would bend it less F [N].
+  AtNodes cone_left;
   AtNodes yielding;  ///< y of a ring with dampers under an elastic blade [m]
 };
 
@@ -114,6 +116,7 @@ struct FurtherBlade : TipInTime {
   const InclinedLoad* load = nullptr;  ///< where it is inclined
   std::array<double, 2> offset{};      ///< cosine and sine of its angle from the leading blade
   double slip = 1.0;                   ///< s = ±1
+  bool straight = false;               ///< as in `Contact`
   double start_square = 0.0;           ///< p² at the start
   AtNodes square;    ///< p²; F/kr of a rigid blade [m]: a first guess, then the solution. Smooth at a
                      ///< touch-down, unlike p

@@ -32,14 +32,14 @@ class IntervalBounds {
     const double from_ring = contact_.machine->ring.moves ? largest_magnitude(start.x, nodes.x) : across;
     result.distance = root_of_squares(from_ring, largest_magnitude(start.y, nodes.y));
     result.cone_left = std::numeric_limits<double>::infinity();
-    const auto hold = [&](double slip, const TipInTime& tip) {
-      if (slip == 0.0)
+    const auto hold = [&](bool is_held, const TipInTime& tip) {
+      if (is_held)
         result.cone_left = std::min(result.cone_left, least_left(tip.start_cone_left, tip.cone_left));
     };
-    hold(contact_.slip, in);
+    hold(contact_.slip == 0.0 || contact_.straight, in);
     for (std::size_t k = 0; k < in.further_count; ++k) {
       const FurtherBlade& blade = in.further[k];
-      hold(blade.slip, blade);
+      hold(blade.slip == 0.0 || blade.straight, blade);
       result.slip_velocity[1 + k] = least_magnitude(blade.start_slip_velocity, Number(blade.slip_velocity));
       const Number squares = later(blade.start_square, Number(blade.square));
       result.further_argument[k] = std::sqrt(std::max(blade.start_square, squares.largest()));

@@ -61,6 +61,63 @@ class Shaft {
   AtPlaces x_, y_, vx_, vy_;
 };
 
+/// The tip of a straight blade within an interval.
+class StraightTip {
+ public:
+  StraightTip(const Machine& machine, const Interval& interval, const Blade& blade,
+              const std::array<double, 2>& offset)
+      : blade_(&blade),
+        offset_(offset),
+        values_{at_places(interval.shaft.start[0], interval.shaft.x),
+                at_places(interval.shaft.start[1], interval.shaft.y),
+                at_places(interval.shaft.start[2], interval.shaft.vx),
+                at_places(interval.shaft.start[3], interval.shaft.vy),
+                at_places(interval.blade[0], interval.blade_x),
+                at_places(interval.blade[1], interval.blade_y),
+                at_places(interval.start_angular_speed, interval.angular_speed)} {
+    const Body& ring = interval.ring;
+    const std::array<const AtNodes*, 4> nodes{&ring.x, &ring.y, &ring.vx, &ring.vy};
+    for (std::size_t k = 0; machine.ring.moves && k < nodes.size(); ++k) {
+      const AtPlaces of_ring = at_places(ring.start[k], *nodes[k]);
+      for (std::size_t i = 0; i < kPlaces; ++i) values_[k][i] -= of_ring[i];
+    }
+    for (double& y : values_[1]) y += machine.misalignment;
+  }
+
+  /// g [m²], and half of dg/dτ (MODEL 2): c·c' + (rh + L)(c'·er + φ' c·et).
+  struct Gap {
+    double gap, rate;
+  };
+  [[nodiscard]] Gap at_place(std::size_t place) const {
+    std::array<double, kValues> there{};
+    for (std::size_t k = 0; k < kValues; ++k) there[k] = values_[k][place];
+    return of(there);
+  }
+  [[nodiscard]] Gap at(double fraction) const {
+    const AtPlaces basis = basis_at(fraction);
+    std::array<double, kValues> there{};
+    for (std::size_t k = 0; k < kValues; ++k) there[k] = sum_of_products(basis, values_[k]);
+    return of(there);
+  }
+
+ private:
+  /// Shaft from the ring's centre, velocity, direction and φ' of the leading blade.
+  static constexpr std::size_t kValues = 7;
+  [[nodiscard]] Gap of(const std::array<double, kValues>& there) const {
+    const std::array er{there[4] * offset_[0] - there[5] * offset_[1],
+                        there[5] * offset_[0] + there[4] * offset_[1]};
+    return {there[0] * there[0] + there[1] * there[1] +
+                2.0 * blade_->reach * (there[0] * er[0] + there[1] * er[1]) + blade_->closing,
+            there[0] * there[2] + there[1] * there[3] +
+                blade_->reach *
+                    (there[2] * er[0] + there[3] * er[1] + there[6] * (there[1] * er[0] - there[0] * er[1]))};
+  }
+
+  const Blade* blade_;
+  std::array<double, 2> offset_;
+  std::array<AtPlaces, kValues> values_;
+};
+
 }  // namespace
 
 double fraction_at(const Interval& interval, double elapsed) {
@@ -135,60 +192,39 @@ Farthest farthest(const Interval& interval, double from, double to) {
 
 std::optional<TipTop> top_of_tip(const Machine& machine, const Interval& interval, const Blade& blade,
                                  const std::array<double, 2>& offset) {
-  const Body& shaft = interval.shaft;
-  const Body& ring = interval.ring;
-  // Shaft from the ring's centre, velocity, direction and φ' of the leading blade at the places.
-  std::array<AtPlaces, 7> values{at_places(shaft.start[0], shaft.x),
-                                 at_places(shaft.start[1], shaft.y),
-                                 at_places(shaft.start[2], shaft.vx),
-                                 at_places(shaft.start[3], shaft.vy),
-                                 at_places(interval.blade[0], interval.blade_x),
-                                 at_places(interval.blade[1], interval.blade_y),
-                                 at_places(interval.start_angular_speed, interval.angular_speed)};
-  if (machine.ring.moves) {
-    const std::array<const AtNodes*, 4> nodes{&ring.x, &ring.y, &ring.vx, &ring.vy};
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      const AtPlaces of_ring = at_places(ring.start[k], *nodes[k]);
-      for (std::size_t i = 0; i < kPlaces; ++i) values[k][i] -= of_ring[i];
-    }
-  }
-  for (double& y : values[1]) y += machine.misalignment;
-  std::array<double, 7> there{};
-  const auto direction = [&] {
-    return std::array{there[4] * offset[0] - there[5] * offset[1],
-                      there[5] * offset[0] + there[4] * offset[1]};
-  };
-  // Half of dg/dτ (MODEL 2): c·c' + (rh + L)(c'·er + φ' c·et).
-  const auto rate = [&] {
-    const auto er = direction();
-    return there[0] * there[2] + there[1] * there[3] +
-           blade.reach *
-               (there[2] * er[0] + there[3] * er[1] + there[6] * (there[1] * er[0] - there[0] * er[1]));
-  };
-  const auto rate_at_place = [&](std::size_t place) {
-    for (std::size_t k = 0; k < values.size(); ++k) there[k] = values[k][place];
-    return rate();
-  };
-  const auto rate_at = [&](double fraction) {
-    const AtPlaces basis = basis_at(fraction);
-    for (std::size_t k = 0; k < values.size(); ++k) there[k] = sum_of_products(basis, values[k]);
-    return rate();
-  };
-  double before = rate_at_place(0);
+  const StraightTip tip(machine, interval, blade, offset);
+  const auto rate_at = [&](double fraction) { return tip.at(fraction).rate; };
+  double before = tip.at_place(0).rate;
   for (std::size_t i = 1; i < kPlaces; ++i) {
-    const double after = rate_at_place(i);
+    const double after = tip.at_place(i).rate;
     if (before > 0.0 && after <= 0.0) {
       const AtPlaces& place = node_tables().place;
       const double fraction =
           integrate::root_between(rate_at, place[i - 1], place[i], before, after, kBitsOfTop);
-      rate_at(fraction);
-      const auto er = direction();
-      return TipTop{fraction, there[0] * there[0] + there[1] * there[1] +
-                                  2.0 * blade.reach * (there[0] * er[0] + there[1] * er[1]) + blade.closing};
+      return TipTop{fraction, tip.at(fraction).gap};
     }
     before = after;
   }
   return std::nullopt;
+}
+
+AtPlaces gap_rates(const Machine& machine, const Interval& interval, const Blade& blade,
+                   const std::array<double, 2>& offset) {
+  const StraightTip tip(machine, interval, blade, offset);
+  AtPlaces rates{};
+  for (std::size_t i = 0; i < kPlaces; ++i) rates[i] = tip.at_place(i).rate;
+  return rates;
+}
+
+double largest_coefficient(const AtPlaces& values) {
+  const NodeTables& tables = node_tables();
+  double largest = values[0];
+  for (std::size_t k = 0; k < kNodes; ++k) {
+    double coefficient = tables.bernstein_of_start[k] * values[0];
+    for (std::size_t j = 0; j < kNodes; ++j) coefficient += tables.bernstein[j][k] * values[j + 1];
+    largest = std::max(largest, coefficient);
+  }
+  return largest;
 }
 
 void read_stretch(const Contact& contact, const Interval& interval, double fraction, Interval& stretch) {

@@ -28,9 +28,11 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
       : Base(contact, closeness, interval) {
     lead_.blade = contact.blade;
     lead_.slip = contact.slip;
+    lead_.straight = contact.straight;
     for (std::size_t k = 0; k < interval.further_count; ++k) {
       further_[k].blade = interval.further[k].blade;
       further_[k].slip = interval.further[k].slip;
+      further_[k].straight = interval.further[k].straight;
       further_[k].square = Number(interval.further[k].square);
       further_[k].yielding = interval.further[k].start_yielding;
     }
@@ -53,6 +55,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   static constexpr int kFullSweeps = 3;       ///< with slopes of their own
   static constexpr double kLittleBent = 0.1;  ///< p: blades that are bent less have shorter last steps
   [[nodiscard]] double largest_step_allowed() const {
+    if (is_straight(lead_)) return Base::kLargestStep;
     const Number argument = chord_argument_ + deviation_ * interval_.normal.argument;
     const double largest = std::max(std::abs(interval_.start_argument), magnitude(argument).largest());
     return Base::kLargestStep * std::min(1.0, largest / kLittleBent);
@@ -154,6 +157,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   struct Tip {
     const Blade* blade;
     double slip;                        ///< s = ±1
+    bool straight = false;              ///< only the ring yields, as under a rigid blade
     Number shortening, deflection;      ///< δ and s Δ [m]
     Number a, b, a_rate, b_rate;        ///< of the tip against the ring's centre in (er, ep) [m], and by τ
     Bend slope;                         ///< of load, δ and s Δ by p
@@ -269,6 +273,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     constexpr double kLeastLeft = 0.01;  // of p², in one step
     FurtherTip& tip = further_[k];
     const std::array<double, 2>& offset = interval_.further[k].offset;
+    if (is_straight(tip)) return push_of_straight(tip, offset_by(er_, offset));
     const Number argument = root(tip.square);
     const Bend bend = bend_of<kLight>(tip, argument);
     Number residual =
@@ -290,6 +295,10 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   RUBATLAS_INLINE double sweep() {
     const Interval& in = interval_;
     if (!kLight) take_direction(elapsed());
+    if (is_straight(lead_)) {
+      largest_step_ = 0.0;
+      return move(with_further<kLight>(push_of_straight(lead_, er_), er_, Number(0.0)));
+    }
     const Bend bend = bend_of<kLight>(lead_, chord_argument_ + deviation_ * in.normal.argument);
     Number residual = residual_of<kLight>(lead_, bend, er_);
     if (!kLight) {
@@ -307,12 +316,32 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     const Number time_step = step * in.normal.time;
     const Vector er_before = er_;
     turn_on(time_step);
-    Vector push = push_of(lead_, bend, step * in.normal.argument, time_step, er_);
-    for (std::size_t k = 0; k < in.further_count; ++k) {
+    const Vector push = push_of(lead_, bend, step * in.normal.argument, time_step, er_);
+    return move(with_further<kLight>(push, er_before, time_step));
+  }
+  template <bool kLight>
+  RUBATLAS_INLINE Vector with_further(Vector push, const Vector& er_before, const Number& time_step) {
+    for (std::size_t k = 0; k < interval_.further_count; ++k) {
       const Vector more = push_of_further<kLight>(k, er_before, time_step);
       push = {push.x + more.x, push.y + more.y};
     }
-    return move(push);
+    return push;
+  }
+
+  [[nodiscard]] static bool is_straight(const Tip& tip) {
+    return !kPlain && tip.straight;
+  }
+  RUBATLAS_INLINE Vector push_of_straight(const Tip& tip, const Vector& er) const {
+    const Blade& blade = *tip.blade;
+    return this->push_of_rigid(blade, this->rigid_tip_of(blade, er), Number(tip.slip * blade.friction), er);
+  }
+  void store_straight(const Blade& blade, const Vector& er, TipInTime& stored) const {
+    const typename Base::RigidTip tip = this->rigid_tip_of(blade, er);
+    tip.yielding.store(stored.gap_measure);
+    tip.slip_velocity.store(stored.slip_velocity);
+    (tip.yielding * blade.ring_stiffness).store(stored.normal_force);
+    Number(0.0).store(stored.root_strain);
+    tip.depth.store(stored.yielding);
   }
 
   /// g/Δ of a tip [m], as h = 0 has it. Next to the unbent blade F/kr is Δ's share there.
@@ -332,17 +361,23 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     return Base::slip_velocity_of(tip, er, reach, Number(1.0) / yielded, yielded);
   }
 
+  void store(const Tip& tip, const Vector& er, TipInTime& stored) const {
+    if (is_straight(tip)) return store_straight(*tip.blade, er, stored);
+    gap_measure_of(tip, machine_.ring_radius).store(stored.gap_measure);
+    slip_velocity_of(tip, er).store(stored.slip_velocity);
+    if (is_damped(*tip.blade)) tip.yielding.store(stored.yielding);
+  }
   void store() const {
     Interval& in = interval_;
     store_motion();
-    gap_measure_of(lead_, machine_.ring_radius).store(in.gap_measure);
-    slip_velocity_of(lead_, er_).store(in.slip_velocity);
-    if (is_damped(*lead_.blade)) lead_.yielding.store(in.yielding);
+    store(lead_, er_, in);
     for (std::size_t k = 0; k < in.further_count; ++k) {
-      if (is_damped(*further_[k].blade)) further_[k].yielding.store(in.further[k].yielding);
-      further_[k].square.store(in.further[k].square);
-      gap_measure_of(further_[k], machine_.ring_radius).store(in.further[k].gap_measure);
-      slip_velocity_of(further_[k], offset_by(er_, in.further[k].offset)).store(in.further[k].slip_velocity);
+      store(further_[k], offset_by(er_, in.further[k].offset), in.further[k]);
+      if (is_straight(further_[k])) {
+        in.further[k].square = in.further[k].gap_measure;
+      } else {
+        further_[k].square.store(in.further[k].square);
+      }
     }
   }
 

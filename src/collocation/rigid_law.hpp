@@ -66,8 +66,10 @@ class RigidLaw final : public ArcLaw {
   [[nodiscard]] double valid_argument(int /*blade*/) const override {
     return std::numeric_limits<double>::infinity();
   }
-  [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& /*at*/,
-                                          double /*speed*/) const override {
+  /// A tip that moves inwards faster than a ring with dampers pushes it lifts off at once.
+  [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
+                                          double speed) const override {
+    if (!ends_at_ring() && !(force(touch, at, speed).normal > 0.0)) return std::nullopt;
     return touch;
   }
   Bending lead(const Touch& /*touch*/) override { return {kArgument}; }

@@ -37,49 +37,11 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   /// Of the ring's last step, in R: the next, of its square, is below rounding.
   [[nodiscard]] static double largest_step_allowed() { return 1e-6; }
 
-  struct Tip {
-    Number yielding;       ///< F/kr
-    Number slip_velocity;  ///< v
-    Number distance;       ///< from the ring's centre
-    Number radial_normal, tangential_normal;
-    Number outward_velocity;  ///< n·r'
-  };
-  /// Of a blade in the direction er (MODEL 4.3, 4.7).
-  RUBATLAS_INLINE Tip tip_of(const Blade& blade, const Vector& er) const {
-    const Vector centre = seen();
-    const Vector velocity = seen_velocity();
-    const Number radial = centre.x * er.x + centre.y * er.y;
-    const Number tangential = centre.y * er.x - centre.x * er.y;
-    const Number radial_velocity = velocity.x * er.x + velocity.y * er.y;
-    const Number tangential_velocity = velocity.y * er.x - velocity.x * er.y;
-    const Number gap =
-        (centre.x * centre.x + centre.y * centre.y) + (radial * (2.0 * blade.reach) + blade.closing);
-    const Number along = radial + blade.reach;
-    Tip tip;
-    tip.distance = root(along * along + tangential * tangential);
-    const Number per_distance = Number(1.0) / tip.distance;
-    tip.radial_normal = along * per_distance;
-    tip.tangential_normal = tangential * per_distance;
-    tip.slip_velocity = (tip.radial_normal * tangential_velocity - tip.tangential_normal * radial_velocity) +
-                        angular_speed() * tip.radial_normal * blade.reach;
-    tip.yielding = gap / (tip.distance + machine_.ring_radius);
-    tip.outward_velocity = tip.radial_normal * radial_velocity +
-                           tip.tangential_normal * (tangential_velocity + angular_speed() * blade.reach);
-    if (blade.ring_damping > 0.0) {
-      const Number rate = tip.radial_normal * (radial_velocity + angular_speed() * tangential) +
-                          tip.tangential_normal * (tangential_velocity - angular_speed() * radial);
-      tip.yielding = tip.yielding + rate * (blade.ring_damping / blade.ring_stiffness);
-    }
-    return tip;
-  }
+  using Tip = typename Base::RigidTip;
   /// What it does to the shaft, as an acceleration.
   RUBATLAS_INLINE Vector push_of(const Blade& blade, double slip, const Vector& er) const {
-    const Tip tip = tip_of(blade, er);
-    const Number coefficient = friction_at(friction_, slip, tip.slip_velocity).coefficient;
-    const Number load = tip.yielding * (blade.ring_stiffness * machine_.force_unit);
-    const Number radial = load * (coefficient * tip.tangential_normal - tip.radial_normal);
-    const Number tangential = load * (tip.tangential_normal + coefficient * tip.radial_normal) * -1.0;
-    return {radial * er.x - tangential * er.y, radial * er.y + tangential * er.x};
+    const Tip tip = rigid_tip_of(blade, er);
+    return push_of_rigid(blade, tip, friction_at(friction_, slip, tip.slip_velocity).coefficient, er);
   }
 
   /// Calls `use` with each blade in contact, its s and its direction.
@@ -114,7 +76,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
                 {ring_.x * -spring, ring_.y * -spring},
                 {Number(0.0), Number(0.0)}};
     each_blade([&](const Blade& blade, double slip, const Vector& er) RUBATLAS_INLINED {
-      const Tip tip = tip_of(blade, er);
+      const Tip tip = rigid_tip_of(blade, er);
       const double friction = slip * friction_.friction;
       const double stiffness = blade.ring_stiffness;
       const Vector normal{er.x * tip.radial_normal - er.y * tip.tangential_normal,
@@ -183,7 +145,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   /// (`contact/sticking.hpp`).
   RUBATLAS_INLINE void hold() {
     const Blade& blade = *contact_.blade;
-    const Tip tip = tip_of(blade, er_);
+    const Tip tip = rigid_tip_of(blade, er_);
     const Number speed = angular_speed();
     const Vector tangent = tangent_of(tip);
     pull_ = (tangent.x * shaft_.ax + tangent.y * shaft_.ay) +
@@ -204,7 +166,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     Interval& in = interval_;
     if (ring_is_massless()) settle_ring();
     store_motion();
-    const Tip lead = tip_of(*contact_.blade, er_);
+    const Tip lead = rigid_tip_of(*contact_.blade, er_);
     lead.yielding.store(in.gap_measure);
     lead.slip_velocity.store(in.slip_velocity);
     (lead.yielding * contact_.blade->ring_stiffness).store(in.normal_force);
@@ -216,7 +178,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     }
     for (std::size_t k = 0; k < in.further_count; ++k) {
       FurtherBlade& further = in.further[k];
-      const Tip tip = tip_of(*further.blade, offset_by(er_, further.offset));
+      const Tip tip = rigid_tip_of(*further.blade, offset_by(er_, further.offset));
       tip.yielding.store(further.square);
       tip.yielding.store(further.gap_measure);
       tip.slip_velocity.store(further.slip_velocity);
@@ -235,10 +197,10 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::move;
   using Base::nodes_;
   using Base::offset_by;
+  using Base::push_of_rigid;
+  using Base::rigid_tip_of;
   using Base::ring_;
   using Base::ring_is_massless;
-  using Base::seen;
-  using Base::seen_velocity;
   using Base::shaft_;
   using Base::store_motion;
   using Base::take_direction;

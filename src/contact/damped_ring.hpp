@@ -91,6 +91,11 @@ class ElasticBladeOnDampedRing {
     return (load - ring_.stiffness * yielding) / ring_.damping;
   }
 
+  /// How deep the tip of a straight blade stands in the undeformed ring [m]; 0 outside.
+  [[nodiscard]] double depth(const Pose& at) const {
+    const double radius = geometry().ring_radius;
+    return at.gap > 0.0 ? at.gap / (radius + std::sqrt(radius * radius + at.gap)) : 0.0;
+  }
   /// dy/dτ where the tip of a straight blade stands on the ring.
   [[nodiscard]] double depth_rate(const Pose& at, double angular_speed) const {
     return 0.5 * gap_rate(geometry(), at, angular_speed) /

@@ -9,7 +9,6 @@
 namespace rubatlas::modes {
 
 bool Collocated::takes(const std::vector<OpenContact>& contacts) const {
-  if (std::ranges::count(contacts, true, &OpenContact::straight) > 0) return false;
   const bool rests = std::ranges::count(contacts, 0.0, &OpenContact::slip) > 0;
   return contacts.size() <= (rests ? law_->most_where_tips_rest() : law_->most_contacts());
 }
@@ -35,29 +34,16 @@ bool Collocated::start(double time, const rotor::ShaftAndRing& state,
                                    .slip = open.slip,
                                    .bending = open.bending,
                                    .bend = open.bend,
-                                   .yielding = open.yielding},
+                                   .yielding = open.yielding,
+                                   .straight = open.straight},
                                   at, blades_->angular_speed(time));
     stands_ = touch.has_value();
     if (touch) touching[i] = *touch;
   }
   meter_->spend(Work::contact,
                 static_cast<std::int64_t>(law_->evaluations() - evaluations) * WorkPrice::kInclinedCurve);
-  if (!law_->ends_at_ring() && any_returns_from_ring(time, state)) stands_ = false;
   if (stands_) arc_.begin(time, state, std::span(touching).first(contacts.size()));
   return true;
-}
-
-/// Whether a tip that does not touch is inside the undeformed ring: it has lifted off there.
-bool Collocated::any_returns_from_ring(double time, const rotor::ShaftAndRing& state) const {
-  Point there;
-  there.time = time;
-  there.bodies = state;
-  for (int k = 0; k < blades_->count(); ++k) {
-    if (std::ranges::find(contacts_, k, &OpenContact::blade) != contacts_.end()) continue;
-    const contact::Pose at = pose(k, there);
-    if (at.gap > contact::gap_rounding(law_->geometry(k), at)) return true;
-  }
-  return false;
 }
 
 ModeEnd Collocated::advance(double until, MotionListener& listener) {
@@ -95,6 +81,8 @@ ModeEnd Collocated::end_of_arc() const {
       return {Guard::slip_reversal, blade};
     case Reason::loosening:
       return {Guard::comes_loose, blade};
+    case Reason::pressed_in:
+      return {Guard::pressed_in, blade};
     case Reason::chart_end:
       return {Guard::snap, blade};
     case Reason::fold:
@@ -240,7 +228,9 @@ Collocated::Point Collocated::place_on_path(double share, trajectory::PathPoint&
   const double length = to - from;
   const double fraction = from + share * length;
   // The force of a rigid tip is a small difference of places, which err between the nodes.
-  Point there = law_->is_rigid() ? arc_.solved_at_fraction(fraction) : arc_.point_at(fraction);
+  const bool explicit_force =
+      law_->is_rigid() || std::ranges::count(contacts_, true, &OpenContact::straight) > 0;
+  Point there = explicit_force ? arc_.solved_at_fraction(fraction) : arc_.point_at(fraction);
   const collocation::ArcLaw::Tangent rate = arc_.direction_at(fraction);
   point.time = there.time;
   point.time_rate = length * rate.time;
@@ -275,7 +265,7 @@ Collocated::LargestLoad Collocated::largest_kept(trajectory::Load load, std::siz
 /// Force and strain grow with the bending under an axial load, so that a blade that is bent less than where
 /// its load was known need not be looked at.
 Collocated::LargestLoad Collocated::largest(trajectory::Load load, std::size_t contact, double known) {
-  if (law_->leans() || (law_->is_rigid() && blade(contact) == arc_.leader()))
+  if (law_->leans() || contacts_[contact].straight || (law_->is_rigid() && blade(contact) == arc_.leader()))
     return largest_kept(load, contact, known);
   const auto value = [load](const MostBent& at) {
     return load == trajectory::Load::normal_force ? at.force.normal : at.force.root_strain;

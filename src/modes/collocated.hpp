@@ -93,7 +93,6 @@ class Collocated final : public Phase {
   }
   [[nodiscard]] contact::Pose pose(int blade, const Point& point, const contact::BladeDirection& er) const;
   [[nodiscard]] ModeEnd end_of_arc() const;
-  [[nodiscard]] bool any_returns_from_ring(double time, const rotor::ShaftAndRing& state) const;
   /// The bends of a tip at rest are no coordinates of a path.
   [[nodiscard]] bool any_rests() const { return std::ranges::count(contacts_, 0.0, &OpenContact::slip) > 0; }
   [[nodiscard]] trajectory::Tip tip(int blade, const Point& point) const;

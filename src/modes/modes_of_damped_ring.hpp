@@ -37,7 +37,7 @@ class ModesOfElasticBladesOnDampedRing final : public ModesOfLaw<contact::Elasti
 
   [[nodiscard]] bool open(const TipPlace& at, OpenContact& contact) const override {
     const auto& blade = this->blade(contact);
-    const double load = blade.ring_load(0.0, blade.depth_rate(at.pose, at.speed));
+    const double load = blade.ring_load(blade.depth(at.pose), blade.depth_rate(at.pose, at.speed));
     contact.straight = load < blade.bending_load(at.pose, contact.slip, at.speed);
     return true;
   }

@@ -89,8 +89,8 @@ void expect_dampers_of_elastic_blades_as_by_steps(std::size_t wanted) {
     EXPECT_LE(by_collocation[place], kScatter * std::max(1.0, by_steps[place])) << share;
   }
   EXPECT_LE(by_collocation[wanted / 2], 1.0);
-  // The rest is of blades that stand straight, and of tips that are free inside the ring.
-  constexpr double kLeastOnArcs = 0.4;
+  // The rest is of straight blades whose slip reverses, and of more than four contacts.
+  constexpr double kLeastOnArcs = 0.8;
   EXPECT_GE(time.on_arcs, kLeastOnArcs * time.in_contact);
 }
 
