@@ -237,6 +237,11 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   if (!first) return Verdict::too_long;
   ending = *first;
   const bool in_part = ending.guard != Guard::none;
+  // A blade that leaves a ring with dampers where it has just bent stands straight, and would bend there
+  // again.
+  constexpr double kAtStart = 1e-11;  // θ
+  if (!law_->ends_at_ring() && begins_ && ending.guard == Guard::under_load && !(ending.fraction > kAtStart))
+    return Verdict::gives_up;
   Interval& part = intervals_[made_];  // what has been made before is not asked for again
   if (in_part) {
     if (!cut_at(next, ending, part)) return Verdict::gives_up;

@@ -46,6 +46,7 @@ std::optional<Touch> DampedLaw::open(const Touch& touch, const contact::Pose& at
   if (touch.touches_down() && starts_unloaded(touch.blade, touch.slip, there)) return found;
   contact::TipForce force{};
   if (!law.respond(there, touch.slip, speed, found.yielding, found.bending, force)) return std::nullopt;
+  found.just_bent = touch.touches_down();
   return found;
 }
 
@@ -78,7 +79,9 @@ ArcLaw::Start DampedLaw::start(const Touch& touch, const contact::Pose& at, doub
 
 ArcLaw::Tangent DampedLaw::tangent(const Touch& touch, const contact::Pose& at, double speed,
                                    const std::complex<double>& acceleration) const {
-  if (touch.straight) return {1.0, 0.0, 0.0};
+  // The ring follows the load of a blade that has just bent in a moment, often within 1e-6: how p changes
+  // at first says nothing of the arc. Then it changes as slowly as the load of the ring.
+  if (touch.straight || touch.just_bent) return {1.0, 0.0, 0.0};
   Tangent along = AxialLaw::tangent(touch, at, speed, acceleration);
   along.argument -= ring_opens(touch, at, speed);
   return along;
@@ -99,7 +102,9 @@ FurtherStart DampedLaw::further(const Touch& touch, const contact::Pose& at, dou
                     .start_yielding = touch.yielding},
             .force = there.force};
   }
-  return further_start(of(touch.blade), at, touch, speed, ring_opens(touch, at, speed));
+  FurtherStart further = further_start(of(touch.blade), at, touch, speed, ring_opens(touch, at, speed));
+  if (touch.just_bent) further.square.rate = 0.0;
+  return further;
 }
 
 Touch DampedLaw::touch(int blade, double slip, const Bending& bending) const {

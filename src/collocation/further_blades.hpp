@@ -21,12 +21,13 @@ inline std::array<double, 2> offset_between(const contact::BladeDirection& from,
 /// A blade that touches the ring.
 struct Touch {
   int blade;
-  double slip;            ///< s = ±1
-  double bending;         ///< u of a blade under an axial load; 0: it touches down
-  blade::Bend bend{};     ///< κ and φ of a blade under an inclined load; φ = 0: it touches down
-  double holding = 0.0;   ///< c of a rigid tip at rest
-  double yielding = 0.0;  ///< y of a ring with dampers under the tip [m]
-  bool straight = false;  ///< as in `Contact`
+  double slip;             ///< s = ±1
+  double bending;          ///< u of a blade under an axial load; 0: it touches down
+  blade::Bend bend{};      ///< κ and φ of a blade under an inclined load; φ = 0: it touches down
+  double holding = 0.0;    ///< c of a rigid tip at rest
+  double yielding = 0.0;   ///< y of a ring with dampers under the tip [m]
+  bool straight = false;   ///< as in `Contact`
+  bool just_bent = false;  ///< the load of a ring with dampers has, from u = 0 at once
 
   [[nodiscard]] bool touches_down() const { return bending == 0.0 && bend.amplitude == 0.0 && !straight; }
 };

@@ -46,14 +46,17 @@ ElasticOnDampers elastic_on_dampers(std::mt19937_64& generator) {
   return {rotor, {rotor.law, {stiffness, damping}}, random_start(generator)};
 }
 
-/// The state after a revolution, where the motion can be computed.
-std::optional<trajectory::State> after_revolution(const ElasticOnDampers& m, double tolerance,
-                                                  bool collocates, TimeOnArcs& time) {
+struct Revolution {
+  std::optional<trajectory::State> end;  ///< where the motion can be computed
+  ending::StatusDetail detail;           ///< why not
+};
+Revolution revolution(const ElasticOnDampers& m, double tolerance, bool collocates, TimeOnArcs& time) {
   const auto motion = hybrid_motion(machine_of(m.rotor.constants, m.rotor.blades), m.law,
                                     {tolerance * kClearanceOfSeveral, 0.5}, collocates);
-  if (motion->start(rotor::as_array(m.kick)) != ending::PointStatus::done) return std::nullopt;
-  if (motion->revolution(time, {}, 0) != ending::PointStatus::done) return std::nullopt;
-  return rotor::as_array(rotor::shaft(motion->state()));
+  const bool done = motion->start(rotor::as_array(m.kick)) == ending::PointStatus::done &&
+                    motion->revolution(time, {}, 0) == ending::PointStatus::done;
+  if (!done) return {std::nullopt, motion->status_detail()};
+  return {rotor::as_array(rotor::shaft(motion->state())), ending::StatusDetail::none};
 }
 
 void expect_dampers_of_elastic_blades_as_by_steps(std::size_t wanted) {
@@ -66,10 +69,11 @@ void expect_dampers_of_elastic_blades_as_by_steps(std::size_t wanted) {
   TimeOnArcs others;
   while (by_steps.size() < wanted) {
     const ElasticOnDampers m = elastic_on_dampers(generator);
-    const auto exact = after_revolution(m, kFine, false, others);
-    const auto steps = after_revolution(m, kTolerance, false, others);
-    const auto collocated = after_revolution(m, kTolerance, true, time);
-    EXPECT_EQ(exact.has_value(), collocated.has_value());
+    const auto [exact, exact_detail] = revolution(m, kFine, false, others);
+    const auto [steps, steps_detail] = revolution(m, kTolerance, false, others);
+    const auto [collocated, collocated_detail] = revolution(m, kTolerance, true, time);
+    // Steps alone may run out of work, where the ring follows a load in far less time than the shaft does.
+    if (exact_detail != ending::StatusDetail::contact_work) EXPECT_EQ(exact_detail, collocated_detail);
     if (!exact || !steps || !collocated || *steps == *collocated) continue;  // it has not touched
     const auto error = [&](const trajectory::State& state) {
       double largest = 0.0;
@@ -95,7 +99,7 @@ void expect_dampers_of_elastic_blades_as_by_steps(std::size_t wanted) {
 }
 
 TEST(BladesOnDampedRing, ErrNoMoreThanInSteps) {
-  expect_dampers_of_elastic_blades_as_by_steps(50);
+  expect_dampers_of_elastic_blades_as_by_steps(60);
 }
 TEST(BladesOnDampedRingSlow, ErrNoMoreThanInStepsInAThousandMotions) {
   expect_dampers_of_elastic_blades_as_by_steps(1000);
