@@ -11,7 +11,6 @@
 #include "contact/elastica_contact.hpp"
 #include "contact/resting_law.hpp"
 #include "integrate/dormand_prince_853.hpp"
-#include "modes/carried.hpp"
 #include "modes/collocated_laws.hpp"
 #include "modes/modes_of_law.hpp"
 #include "modes/skimming.hpp"
@@ -30,7 +29,6 @@ class ModesOfAxialLoads final : public ModesOfLaw<contact::ElasticaContact, Pair
   ModesOfAxialLoads(const ModesRequest& request, Law law)
       : Base(request, std::move(law)), skims_(this->setup_) {
     this->solved_ = this->template phase_of<Solved<Law>>();
-    this->carried_ = this->template phase_of<Carried<Law>>();
     this->skimming_ = this->template phase_of<Skimming<Law>>();
     this->collocated_ = modes::collocated(request, this->law_);
     if (auto law_of_rest = resting_law(this->law_, request.machine.blades.count())) {
@@ -92,7 +90,6 @@ class ModesOfAxialLoads final : public ModesOfLaw<contact::ElasticaContact, Pair
     return true;
   }
 
-  [[nodiscard]] bool carries(int blade) const override { return this->law_.of(blade).carried(); }
   [[nodiscard]] bool releases_at_fold(int blade) const override {
     return this->law_.of(blade).releases_at_fold();
   }

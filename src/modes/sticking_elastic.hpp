@@ -100,12 +100,11 @@ class StickingElastic : public Solved<Law> {
     return this->error_of(step, this->acceleration_, this->all_at_rest(),
                           [](const FullState&) { return 0.0; });
   }
-  [[nodiscard]] bool gives_up() const { return false; }
   [[nodiscard]] ModeEnd without_force() const {
     // A tip at rest that nothing can hold beyond the start of the step.
     const OpenContact& lost = this->contacts_[this->lost_];
     if (lost.slip == 0.0) return {Guard::comes_loose, lost.blade};
-    return {Guard::left_validity, -1, ending::StatusDetail::no_equilibrium};
+    return Base::without_force();
   }
 
   template <class Search>

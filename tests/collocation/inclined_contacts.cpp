@@ -134,16 +134,19 @@ InclinedSurvey survey(int wanted, double tolerance, LoadDirection direction, Mak
       if (end_of(arc) != end.kind) ++result.ends_differ;
       if (end.kind != modes::Guard::lift_off) ++result.ended_otherwise;
       const rotor::State state = rotor::shaft(arc.end().bodies);
+      // Both at the time where the steps end; after a lift-off without a force.
       std::complex<double> force_then;
-      if (end.kind == modes::Guard::lift_off) {
-        const auto acceleration = rotor::shaft_acceleration(m.rotor, state, force_then);
-        const double late = end.time - arc.end().time;
-        const rotor::State there =
-            state + late * rotor::State(state[2], state[3], acceleration.real(), acceleration.imag());
-        result.errors.push_back((there - end.state).abs().maxCoeff() / (kGap * tolerance));
-      } else {
-        result.errors.push_back((state - end.state).abs().maxCoeff() / (kGap * tolerance));
+      if (end.kind != modes::Guard::lift_off) {
+        const contact::Pose there = pose_at(m, start.blade, arc.end().time, state);
+        force_then =
+            contact::on_rotor(law.force(arc.touch_of(start.blade, arc.end()), there, m.rotor.speed_ratio),
+                              m.blades.direction(start.blade, m.blades.first(arc.end().time)));
       }
+      const auto acceleration = rotor::shaft_acceleration(m.rotor, state, force_then);
+      const double late = end.time - arc.end().time;
+      const rotor::State then =
+          state + late * rotor::State(state[2], state[3], acceleration.real(), acceleration.imag());
+      result.errors.push_back((then - end.state).abs().maxCoeff() / (kGap * tolerance));
     }
   }
   std::ranges::sort(result.errors);

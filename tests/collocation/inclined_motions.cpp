@@ -132,8 +132,8 @@ CountedEvents expect_motions_as_in_steps(contact::LoadDirection direction, MakeF
   // Some of the motions are chaotic.
   for (std::vector<double>* each : {&errors, &errors_of_steps}) std::ranges::sort(*each);
   EXPECT_LE(errors[kRotors / 2], kTolerance);
-  for (const std::size_t place : {kRotors / 2, kRotors * 9 / 10})
-    EXPECT_LE(errors[place], errors_of_steps[place]);
+  for (const std::size_t place : {kRotors / 2, kRotors * 3 / 4})
+    EXPECT_LE(errors[place], 3.0 * errors_of_steps[place]);
   return events;
 }
 
