@@ -147,12 +147,12 @@ std::string flight_text(const settings::Scene& scene, const settings::Combinatio
 }
 
 /// Whether contacts are solved by collocation (`modes/collocated_laws.hpp`): not those of columns that may
-/// stand straight, and of elastic blades on dampers.
+/// stand straight, or are on dampers.
 bool collocates(const settings::Scene& scene, const settings::Combination& combination) {
   const bool rigid = scene.contact.law == settings::ContactLaw::elastic_ring;
   switch (combination.family->kind) {
     case settings::MotionFamily::blades_on_damped_ring:
-      return rigid;
+      return rigid || scene.contact.friction > 0.0;
     case settings::MotionFamily::directed_elastic_blades:
       return true;
     default:

@@ -20,6 +20,7 @@ namespace rubatlas::collocation {
 struct Bending {
   double argument = 0.0;  ///< p
   double lean = 0.0;      ///< l, of a blade under an inclined load
+  double yielding = 0.0;  ///< y of a ring with dampers under the tip [m]
 };
 
 class ArcLaw {
@@ -74,6 +75,7 @@ class ArcLaw {
     // Of a blade under an inclined load:
     double chart_left = 0.0;  ///< `InclinedLoad::chart_left`
     double cone_left = 0.0;   ///< `Interval::cone_left`; of any tip at rest
+    double ring_opens = 0.0;  ///< d(R + y)²/dτ of a ring with dampers [m² per unit τ]
   };
   [[nodiscard]] virtual Start start(const Touch& touch, const contact::Pose& at, double speed) const = 0;
   /// Where the arc leads from there, for a blade that is bent: dτ, dp and dl, of any length.

@@ -272,8 +272,7 @@ class ArcSweeps {
   RUBATLAS_INLINE double advance(const Vector& push) {
     const Machine& m = machine_;
     const Interval& in = interval_;
-    deviation_slope_ = Number::combined(nodes_.slope, deviation_);
-    time_rate_ = deviation_slope_ * in.normal.time + in.chord.time;
+    take_time_rate();
     double change = shaft_.integrate(in.shaft, nodes_, time_rate_);
     if (ring_has_mass()) {
       const double share = -m.ring.force_unit / m.force_unit;
@@ -282,6 +281,12 @@ class ArcSweeps {
       change = std::max(change, ring_.integrate(in.ring, nodes_, time_rate_));
     }
     return change;
+  }
+
+  /// dτ/dθ as the deviation has it.
+  RUBATLAS_INLINE void take_time_rate() {
+    deviation_slope_ = Number::combined(nodes_.slope, deviation_);
+    time_rate_ = deviation_slope_ * interval_.normal.time + interval_.chord.time;
   }
 
   /// Adds a push to the one by which shaft and ring have been moved.

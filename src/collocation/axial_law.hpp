@@ -14,7 +14,7 @@
 
 namespace rubatlas::collocation {
 
-class AxialLaw final : public ArcLaw {
+class AxialLaw : public ArcLaw {
  public:
   using Laws = contact::UnequalBlades<contact::ElasticaContact>;
   /// `laws` outlive it. `max_shortening`: of δ/L.
@@ -83,11 +83,13 @@ class AxialLaw final : public ArcLaw {
     return {along.argument * table(leader_).bending_slope(bending.argument)};
   }
 
- private:
+ protected:
+  [[nodiscard]] const contact::ElasticaContact& of(int blade) const { return laws_->of(blade); }
   [[nodiscard]] const blade::BendingTable& table(int blade) const {
     return laws_->of(blade).curve().over_asinh();
   }
 
+ private:
   const Laws* laws_;
   IntervalSolver solver_;
   std::vector<double> valid_argument_;  ///< p of each blade up to which δ/L is within its limit

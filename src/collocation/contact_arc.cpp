@@ -23,6 +23,14 @@ constexpr double kCareWithSeveral = 4.0;  ///< blades: coefficients fall less ev
 constexpr double kClosest = 0.2;          ///< of the tolerance: what sweeps may leave
 constexpr std::size_t kMostIntervals = 1000;  ///< of a contact that is shorter or longer than was predicted
 
+/// dy/dτ of a tip at the end of an interval.
+double yielding_rate_at_end(const Interval& interval, const TipInTime& tip) {
+  double slope = 0.0;
+  for (std::size_t j = 0; j < kNodes; ++j)
+    slope += node_tables().slope[j].at_end() * (tip.yielding[j] - tip.start_yielding);
+  return slope / interval.time_slope.at_end();
+}
+
 }  // namespace
 
 ContactArc::ContactArc(const rotor::Machine& machine, ArcLaw& law, double tolerance)
@@ -79,6 +87,7 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
     start.offset = offset_of(touch.blade);
     start_.squares[further_.size() - 1] = start.square.value;
     start_.leans[further_.size() - 1] = start.lean.value;
+    start_.yieldings[further_.size() - 1] = start.tip.start_yielding;
   }
   end_ = start_;
   others_.clear();
@@ -142,6 +151,7 @@ void ContactArc::predict(const Touch& touch) {
                     .direction = er_,
                     .bending = end_.bending,
                     .gap_measure = at_end_.gap_measure,
+                    .ring_opens = at_end_.ring_opens,
                     .acceleration = acceleration});
 }
 
@@ -187,6 +197,7 @@ void ContactArc::start_next(Interval& next) const {
   machine_.start(next);
   next.start_gap_measure = at_end_.gap_measure;
   next.start_slip_velocity = at_end_.force.slip_velocity;
+  next.start_yielding = end_.bending.yielding;
   next.further_count = further_.size();
   if (law_->keeps_loads()) {
     next.start_force = at_end_.force.normal;
@@ -263,6 +274,9 @@ void ContactArc::move(Point& point, const Interval& interval, double late) {
   point.bodies += late * rate;
   if (point.bending.argument > 0.0)
     point.bending.argument += late * interval.argument_slope.at_end() / interval.time_slope.at_end();
+  point.bending.yielding += late * yielding_rate_at_end(interval, interval);
+  for (std::size_t k = 0; k < interval.further_count; ++k)
+    point.yieldings[k] += late * yielding_rate_at_end(interval, interval.further[k]);
 }
 
 void ContactArc::guess_further(Interval& next) const {
@@ -315,7 +329,8 @@ std::vector<Touch> ContactArc::touching_at_end() const {
   std::vector<Touch> touching{law_->touch(blade_, contact_.slip, end_.bending)};
   for (const FurtherStart& start : further_)
     touching.push_back(
-        law_->touch(start.blade, start.slip, {std::sqrt(start.square.value), start.lean.value}));
+        law_->touch(start.blade, start.slip,
+                    {std::sqrt(start.square.value), start.lean.value, start.tip.start_yielding}));
   return touching;
 }
 
@@ -379,12 +394,13 @@ ContactArc::Point ContactArc::at_node(const Interval& interval, std::size_t node
   const Body& shaft = interval.shaft;
   const Body& ring = interval.ring;
   Point point{.time = interval.start_time + interval.elapsed[node],
-              .bending = {interval.argument[node], interval.lean[node]}};
+              .bending = {interval.argument[node], interval.lean[node], interval.yielding[node]}};
   point.bodies << shaft.x[node], shaft.y[node], shaft.vx[node], shaft.vy[node], ring.x[node], ring.y[node],
       ring.vx[node], ring.vy[node];
   for (std::size_t k = 0; k < interval.further_count; ++k) {
     point.squares[k] = interval.further[k].square[node];
     point.leans[k] = interval.further[k].lean[node];
+    point.yieldings[k] = interval.further[k].yielding[node];
   }
   return point;
 }

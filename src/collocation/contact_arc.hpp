@@ -48,9 +48,10 @@ class ContactArc {
   struct Point {
     double time = 0.0;  ///< τ of the revolution
     rotor::ShaftAndRing bodies = rotor::ShaftAndRing::Zero();
-    Bending bending;                             ///< of the leading blade
-    std::array<double, kMostFurther> squares{};  ///< p² of the others
-    std::array<double, kMostFurther> leans{};    ///< and l of theirs
+    Bending bending;                               ///< of the leading blade
+    std::array<double, kMostFurther> squares{};    ///< p² of the others
+    std::array<double, kMostFurther> leans{};      ///< and l of theirs
+    std::array<double, kMostFurther> yieldings{};  ///< and y of theirs
   };
 
   /// Begins where these blades touch, one to 1 + kMostFurther.

@@ -301,7 +301,7 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
       move(end_, interval,
            -end_.bending.argument * interval.time_slope.at_end() / interval.argument_slope.at_end());
       end_.bending.argument = 0.0;
-      goes_on_to_ring(blade_);
+      if (law_->ends_at_ring()) goes_on_to_ring(blade_);
       break;
     case Guard::under_load:
       if (law_->ends_at_ring()) goes_on_to_ring(ending_.blade);

@@ -103,6 +103,7 @@ ContactArc::Point ContactArc::point_at(double fraction) const {
   const Body& ring = made().ring;
   Point point{.time = made().start_time + value(0.0, made().elapsed),
               .bending = {value(made().start_argument, made().argument)}};
+  point.bending.yielding = value(made().start_yielding, made().yielding);
   if (contact_.leans) point.bending.lean = value(made().start_lean, made().lean);
   const auto place = [&](const Body& body, Eigen::Index first) {
     point.bodies.segment<4>(first) << value(body.start[0], body.x), value(body.start[1], body.y),
@@ -113,6 +114,7 @@ ContactArc::Point ContactArc::point_at(double fraction) const {
   for (std::size_t k = 0; k < made().further_count; ++k) {
     const FurtherBlade& further = made().further[k];
     point.squares[k] = value(further.start_square, further.square);
+    point.yieldings[k] = value(further.start_yielding, further.yielding);
     if (contact_.leans) point.leans[k] = value(further.start_lean, further.lean);
   }
   return point;
@@ -141,7 +143,7 @@ ArcLaw::Tangent ContactArc::direction_at(double fraction) const {
 Bending ContactArc::bending_of(int blade, const Point& point) const {
   if (blade == blade_) return point.bending;
   const std::size_t k = number_of(blade);
-  return {std::sqrt(std::max(0.0, point.squares[k])), point.leans[k]};
+  return {std::sqrt(std::max(0.0, point.squares[k])), point.leans[k], point.yieldings[k]};
 }
 Touch ContactArc::touch_of(int blade, const Point& point) const {
   const double slip = blade == blade_ ? contact_.slip : further_[number_of(blade)].slip;

@@ -14,23 +14,26 @@ double deflection_per_square(const contact::ElasticaContact& law) {
 }
 
 FurtherStart further_start(const contact::ElasticaContact& law, const contact::Pose& pose, const Touch& touch,
-                           double angular_speed) {
+                           double angular_speed, double ring_opens) {
   const blade::BendingTable& table = law.curve().over_asinh();
   const auto there = law.constraint(pose, touch.slip, touch.bending, angular_speed);
   const double gap_measure = law.gap_per_deflection(pose, touch.slip, touch.bending);
   const double argument = table.argument(touch.bending);
   double rate = 0.0;
   if (touch.bending > 0.0) {
-    rate = -2.0 * argument * there.time_slope / (there.bending_slope * table.bending_slope_at(touch.bending));
+    rate = -2.0 * argument * (there.time_slope - ring_opens) /
+           (there.bending_slope * table.bending_slope_at(touch.bending));
   } else {
     // Where the blade begins to bend, g = 2 s ct Δ, with Δ ~ p².
-    rate =
-        contact::gap_rate(law.geometry(), pose, angular_speed) / (gap_measure * deflection_per_square(law));
+    rate = (contact::gap_rate(law.geometry(), pose, angular_speed) - ring_opens) /
+           (gap_measure * deflection_per_square(law));
   }
   return {.blade = touch.blade,
           .slip = touch.slip,
           .square = {argument * argument, rate},
-          .tip = {.start_gap_measure = gap_measure, .start_slip_velocity = there.force.slip_velocity},
+          .tip = {.start_gap_measure = gap_measure,
+                  .start_slip_velocity = there.force.slip_velocity,
+                  .start_yielding = touch.yielding},
           .force = there.force};
 }
 
@@ -51,6 +54,7 @@ void go_on(const Interval& made, const FurtherBlade& blade, FurtherStart& start)
   start.square = course(blade.square);
   start.tip.start_gap_measure = blade.gap_measure.at_end();
   start.tip.start_slip_velocity = blade.slip_velocity.at_end();
+  start.tip.start_yielding = blade.yielding.at_end();
   if (start.load == nullptr) return;
   start.lean = course(blade.lean);
   start.tip.start_force = blade.normal_force.at_end();

@@ -21,10 +21,11 @@ inline std::array<double, 2> offset_between(const contact::BladeDirection& from,
 /// A blade that touches the ring.
 struct Touch {
   int blade;
-  double slip;           ///< s = ±1
-  double bending;        ///< u of a blade under an axial load; 0: it touches down
-  blade::Bend bend{};    ///< κ and φ of a blade under an inclined load; φ = 0: it touches down
-  double holding = 0.0;  ///< c of a rigid tip at rest
+  double slip;            ///< s = ±1
+  double bending;         ///< u of a blade under an axial load; 0: it touches down
+  blade::Bend bend{};     ///< κ and φ of a blade under an inclined load; φ = 0: it touches down
+  double holding = 0.0;   ///< c of a rigid tip at rest
+  double yielding = 0.0;  ///< y of a ring with dampers under the tip [m]
 
   [[nodiscard]] bool touches_down() const { return bending == 0.0 && bend.amplitude == 0.0; }
 };
@@ -54,9 +55,9 @@ struct FurtherStart {
 /// Δ/p² [m] of a blade that is hardly bent.
 double deflection_per_square(const contact::ElasticaContact& law);
 
-/// From a blade's pose and the motion there.
+/// From a blade's pose and the motion there. `ring_opens`: `ArcLaw::Start::ring_opens`.
 FurtherStart further_start(const contact::ElasticaContact& law, const contact::Pose& pose, const Touch& touch,
-                           double angular_speed);
+                           double angular_speed, double ring_opens = 0.0);
 /// How it goes on from the end of an interval, as its last three nodes have it.
 void go_on(const Interval& made, const FurtherBlade& blade, FurtherStart& start);
 

@@ -66,7 +66,7 @@ struct Blade {
   double yield_unit;        ///< EI/(L² kr) [m]: yielding of the ring under F = EI/L²; 0 where it does not
   double first_shortening;  ///< δ/Δ of a blade that is hardly bent [-]
   double first_yielding;    ///< (F/kr)/Δ there [-]
-  // Of a rigid blade.
+  // Of a rigid blade, and of one on a ring with dampers.
   double ring_stiffness = 0.0;  ///< kr [N/m]
   double ring_damping = 0.0;    ///< cr ωn [N per (m per unit τ)]
 };
@@ -88,6 +88,7 @@ struct TipStart {
   double start_shortening = 0.0;
   double start_chart_left = 0.0;
   double start_cone_left = 0.0;
+  double start_yielding = 0.0;
 };
 
 /// A tip in contact within an interval.
@@ -104,6 +105,7 @@ struct TipInTime : TipStart {
   // Of a tip at rest.
   AtNodes
       cone_left;  ///< `InclinedLoad::cone` less c²; of a rigid one (μs² − c²) F²/(m ωn²)² [m² per unit τ⁴]
+  AtNodes yielding;  ///< y of a ring with dampers under an elastic blade [m]
 };
 
 /// A further blade in contact. How far it is bent follows from where the shaft is.

@@ -11,6 +11,7 @@
 #include "collocation/arc_sweeps.hpp"
 #include "collocation/interval.hpp"
 #include "collocation/nodes_in_lanes.hpp"
+#include "collocation/yielding_step.hpp"
 
 namespace rubatlas::collocation {
 namespace {
@@ -31,13 +32,17 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
       further_[k].blade = interval.further[k].blade;
       further_[k].slip = interval.further[k].slip;
       further_[k].square = Number(interval.further[k].square);
+      further_[k].yielding = interval.further[k].start_yielding;
     }
+    lead_.yielding = interval.start_yielding;
+    if (!kPlain) take_time_rate();
   }
 
   RUBATLAS_INLINE bool solve() {
     // With several blades changes fall unevenly, and the slopes of one that is hardly bent change too fast to
     // be kept.
-    return this->converge(*this, kMostSweeps, interval_.further_count > 0 ? kMostSweeps : kFullSweeps);
+    const bool keeps_slopes = interval_.further_count == 0 && !is_damped(*lead_.blade);
+    return this->converge(*this, kMostSweeps, keeps_slopes ? kFullSweeps : kMostSweeps);
   }
 
  private:
@@ -153,15 +158,19 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     Number a, b, a_rate, b_rate;        ///< of the tip against the ring's centre in (er, ep) [m], and by τ
     Bend slope;                         ///< of load, δ and s Δ by p
     Number argument_slope, time_slope;  ///< of h by p, and along the motion (MODEL 4.1)
-    Number yielding;                    ///< F/kr of the ring under the tip [m]
+    Number yielding;                    ///< y of the ring under the tip, F/kr without dampers [m]
   };
   /// A further one, of which h = 0 is solved for p².
   struct FurtherTip : Tip {
     Number square;
   };
 
+  /// The ring yields as the load is, or in its own time.
   [[nodiscard]] static bool yields(const Blade& blade) {
     return !kPlain && blade.yield_unit != 0.0;
+  }
+  [[nodiscard]] static bool is_damped(const Blade& blade) {
+    return !kPlain && blade.ring_damping > 0.0;
   }
 
   /// Load, shortening and deflection of a tip, with their slopes unless those are kept.
@@ -204,7 +213,30 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
         tip.argument_slope = tip.argument_slope -
                              (yielding + machine_.ring_radius) * tip.slope.load * (2.0 * blade.yield_unit);
     }
+    if (is_damped(blade)) residual = residual - tip.yielding * (tip.yielding + 2.0 * machine_.ring_radius);
     return residual;
+  }
+
+  /// Lets a ring with dampers yield, in the step in which a residual of h makes a blade bend more by
+  /// `argument_by_residual` and time go on by `time_by_residual` times as much, and time by `time_step`
+  /// besides, which the residual contains. Returns the residual in the ring that has yielded.
+  RUBATLAS_INLINE Number yield(Tip& tip, const TipStart& start, const Bend& bend, const Number& residual,
+                               const Number& argument_by_residual, const Number& time_by_residual,
+                               const Number& time_step) const {
+    const Number by_yielding = (tip.yielding + machine_.ring_radius) * -2.0;  // ∂h/∂y
+    const Number load_by_residual = tip.slope.load * argument_by_residual * tip.blade->load_unit;
+    const auto at_nodes = [](const Number& number) {
+      AtNodes at;
+      number.store(at);
+      return at;
+    };
+    const Number step(yielding_step(
+        *tip.blade, start.start_yielding, at_nodes(tip.yielding), at_nodes(bend.load * tip.blade->load_unit),
+        at_nodes(time_rate_),
+        {at_nodes(load_by_residual * residual), at_nodes(load_by_residual * by_yielding)},
+        {at_nodes(time_by_residual * residual + time_step), at_nodes(time_by_residual * by_yielding)}));
+    tip.yielding = tip.yielding + step;
+    return residual + by_yielding * step;
   }
 
   /// Moves a tip on by steps in p and τ, and gives what it does to the shaft, as an acceleration (MODEL 4.3).
@@ -221,10 +253,9 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     tip.a = tip.a + (tip.a_rate * time_step - less);
     tip.b = tip.b + (tip.b_rate * time_step - more);
     Number per_radius = machine_.force_unit / machine_.ring_radius;
-    if (yields(blade)) {
-      tip.yielding = of_unit * blade.yield_unit;
+    if (yields(blade)) tip.yielding = of_unit * blade.yield_unit;
+    if (yields(blade) || is_damped(blade))
       per_radius = Number(machine_.force_unit) / (tip.yielding + machine_.ring_radius);
-    }
     const double friction = tip.slip * blade.friction;
     const Number radial = load * ((tip.b * friction - tip.a) * per_radius);
     const Number tangential = load * ((tip.a * friction + tip.b) * (per_radius * -1.0));
@@ -240,8 +271,12 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     const std::array<double, 2>& offset = interval_.further[k].offset;
     const Number argument = root(tip.square);
     const Bend bend = bend_of<kLight>(tip, argument);
-    const Number residual = residual_of<kLight>(tip, bend, offset_by(er_before, offset));
-    const Number step = argument * -2.0 * ((residual + tip.time_slope * time_step) / tip.argument_slope);
+    Number residual =
+        residual_of<kLight>(tip, bend, offset_by(er_before, offset)) + tip.time_slope * time_step;
+    if (is_damped(*tip.blade))
+      residual = yield(tip, interval_.further[k], bend, residual, Number(-1.0) / tip.argument_slope,
+                       Number(0.0), time_step);
+    const Number step = argument * -2.0 * (residual / tip.argument_slope);
     tip.square = larger(tip.square + step, tip.square * kLeastLeft);
     largest_step_ = std::max(largest_step_, magnitude(step).largest());
     return push_of(tip, bend, root(tip.square) - argument, time_step, offset_by(er_, offset));
@@ -256,12 +291,15 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     const Interval& in = interval_;
     if (!kLight) take_direction(elapsed());
     const Bend bend = bend_of<kLight>(lead_, chord_argument_ + deviation_ * in.normal.argument);
-    const Number residual = residual_of<kLight>(lead_, bend, er_);
+    Number residual = residual_of<kLight>(lead_, bend, er_);
     if (!kLight) {
       per_residual_ =
           Number(-1.0) / (lead_.argument_slope * in.normal.argument + lead_.time_slope * in.normal.time);
     }
 
+    if (is_damped(*lead_.blade))
+      residual = yield(lead_, in, bend, residual, per_residual_ * in.normal.argument,
+                       per_residual_ * in.normal.time, Number(0.0));
     // One Newton step along the normal; what follows is taken at its end.
     const Number step = residual * per_residual_;
     deviation_ = deviation_ + step;
@@ -288,7 +326,8 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   RUBATLAS_INLINE Number slip_velocity_of(const Tip& tip, const Vector& er) const {
     const double radius = machine_.ring_radius;
     const double reach = tip.blade->reach;
-    if (!yields(*tip.blade)) return Base::slip_velocity_of(tip, er, reach, 1.0 / radius, radius);
+    if (!yields(*tip.blade) && !is_damped(*tip.blade))
+      return Base::slip_velocity_of(tip, er, reach, 1.0 / radius, radius);
     const Number yielded = tip.yielding + radius;
     return Base::slip_velocity_of(tip, er, reach, Number(1.0) / yielded, yielded);
   }
@@ -298,7 +337,9 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     store_motion();
     gap_measure_of(lead_, machine_.ring_radius).store(in.gap_measure);
     slip_velocity_of(lead_, er_).store(in.slip_velocity);
+    if (is_damped(*lead_.blade)) lead_.yielding.store(in.yielding);
     for (std::size_t k = 0; k < in.further_count; ++k) {
+      if (is_damped(*further_[k].blade)) further_[k].yielding.store(in.further[k].yielding);
       further_[k].square.store(in.further[k].square);
       gap_measure_of(further_[k], machine_.ring_radius).store(in.further[k].gap_measure);
       slip_velocity_of(further_[k], offset_by(er_, in.further[k].offset)).store(in.further[k].slip_velocity);
@@ -322,6 +363,8 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::seen_velocity;
   using Base::store_motion;
   using Base::take_direction;
+  using Base::take_time_rate;
+  using Base::time_rate_;
   using Base::turn_on;
 
   Tip lead_;
@@ -338,9 +381,10 @@ template <std::size_t kWidth, bool kPlain>
 template <std::size_t kWidth>
 bool solved(const Contact& contact, const Closeness& closeness, Interval& interval) {
   const Machine& machine = *contact.machine;
-  bool plain = machine.is_plain() && contact.blade->yield_unit == 0.0;
+  const auto stands = [](const Blade& blade) { return blade.yield_unit == 0.0 && blade.ring_damping == 0.0; };
+  bool plain = machine.is_plain() && stands(*contact.blade);
   for (std::size_t k = 0; k < interval.further_count; ++k)
-    plain = plain && interval.further[k].blade->yield_unit == 0.0;
+    plain = plain && stands(*interval.further[k].blade);
   return plain ? solved_by<kWidth, true>(contact, closeness, interval)
                : solved_by<kWidth, false>(contact, closeness, interval);
 }

@@ -40,7 +40,7 @@ void Predictor::begin(const Start& start) {
   const rotor::State state = rotor::from_ring(start.bodies);
   const contact::Geometry geometry{start.blade->reach, start.ring_radius};
   lean_ = {start.bending.lean};
-  const double rate = contact::gap_rate(geometry, start.pose, speed);
+  const double rate = contact::gap_rate(geometry, start.pose, speed) - start.ring_opens;
   const double curvature = contact::gap_curvature(
       geometry, start.direction, start.pose, {state[0], state[1] + rotor_->misalignment},
       {state[2], state[3]}, start.acceleration.shaft - start.acceleration.ring, speed);

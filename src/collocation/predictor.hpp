@@ -41,6 +41,7 @@ class Predictor {
     contact::BladeDirection direction;  ///< er
     Bending bending;
     double gap_measure;  ///< g/Δ [m]
+    double ring_opens;   ///< `ArcLaw::Start::ring_opens`
     rotor::Acceleration acceleration;
   };
   void begin(const Start& start);

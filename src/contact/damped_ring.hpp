@@ -73,6 +73,8 @@ class ElasticBladeOnDampedRing {
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const Geometry& geometry() const { return blade_.geometry(); }
   [[nodiscard]] const blade::ElasticaCurve& curve() const { return blade_.curve(); }
+  [[nodiscard]] const ElasticaContact& blade() const { return blade_; }  ///< in a ring that does not yield
+  [[nodiscard]] const DampedRing& ring() const { return ring_; }
   /// The same blade, shorter at its tip by `lost` [m].
   [[nodiscard]] ElasticBladeOnDampedRing shortened(double lost) const {
     return {blade_.shortened(lost), ring_};

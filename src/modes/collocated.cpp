@@ -9,6 +9,7 @@
 namespace rubatlas::modes {
 
 bool Collocated::takes(const std::vector<OpenContact>& contacts) const {
+  if (std::ranges::count(contacts, true, &OpenContact::straight) > 0) return false;
   const bool rests = std::ranges::count(contacts, 0.0, &OpenContact::slip) > 0;
   return contacts.size() <= (rests ? law_->most_where_tips_rest() : law_->most_contacts());
 }
@@ -30,8 +31,12 @@ bool Collocated::start(double time, const rotor::ShaftAndRing& state,
     there.time = time;
     there.bodies = state;
     const contact::Pose at = pose(open.blade, there);
-    const auto touch =
-        law_->open({open.blade, open.slip, open.bending, open.bend}, at, blades_->angular_speed(time));
+    const auto touch = law_->open({.blade = open.blade,
+                                   .slip = open.slip,
+                                   .bending = open.bending,
+                                   .bend = open.bend,
+                                   .yielding = open.yielding},
+                                  at, blades_->angular_speed(time));
     stands_ = touch.has_value();
     if (touch) touching[i] = *touch;
   }
@@ -115,6 +120,7 @@ OpenContact Collocated::contact_in(std::size_t contact, const Point& point) cons
   const collocation::Touch touch = arc_.touch_of(open.blade, point);
   open.bending = touch.bending;
   open.bend = touch.bend;
+  open.yielding = touch.yielding;
   return open;
 }
 OpenContact Collocated::contact_at_end(std::size_t contact) {

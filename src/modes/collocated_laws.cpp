@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "collocation/axial_law.hpp"
+#include "collocation/damped_law.hpp"
 #include "collocation/inclined_law.hpp"
 #include "collocation/rigid_law.hpp"
 #include "modes/collocated.hpp"
@@ -24,6 +25,15 @@ std::unique_ptr<ArcLaw> arcs_of(const ModesRequest& request,
     if (!blade.carried() || blade.curve().over_asinh().last_piece() < 0) return nullptr;
   }
   return std::make_unique<collocation::AxialLaw>(law, count, request.limits.max_shortening);
+}
+std::unique_ptr<ArcLaw> arcs_of(const ModesRequest& request,
+                                const UnequalBlades<contact::ElasticBladeOnDampedRing>& law) {
+  const int count = request.machine.blades.count();
+  for (int k = 0; k < count; ++k) {
+    const blade::ElasticaCurve& curve = law.of(k).curve();
+    if (!(curve.friction() > 0.0) || curve.over_asinh().last_piece() < 0) return nullptr;
+  }
+  return std::make_unique<collocation::DampedLaw>(law, count, request.limits.max_shortening);
 }
 template <class Friction>
 std::unique_ptr<ArcLaw> arcs_of(const ModesRequest& request,
@@ -59,5 +69,6 @@ template PhaseOf<contact::ElasticRingContact> collocated;
 template PhaseOf<contact::RigidBladeContact<contact::StickingFriction>> collocated;
 template PhaseOf<contact::RigidBladeContact<contact::VelocityFriction>> collocated;
 template PhaseOf<contact::RigidBladeOnDampedRing> collocated;
+template PhaseOf<contact::ElasticBladeOnDampedRing> collocated;
 
 }  // namespace rubatlas::modes

@@ -15,8 +15,9 @@
 namespace rubatlas::modes {
 
 /// `law` outlives the phase. None where contacts are not left to collocation, and of laws whose contacts have
-/// no arcs: of the column (μ = 0) that may stand straight, and where p has no room, since friction is so
-/// large, or a blade so soft, that it is shortened beyond the table by the least load.
+/// no arcs: of the column (μ = 0) that may stand straight or is on a ring with dampers, and where p has no
+/// room, since friction is so large, or a blade so soft, that it is shortened beyond the table by the least
+/// load.
 template <class Blade>
 std::unique_ptr<Phase> collocated(const ModesRequest& request, const contact::UnequalBlades<Blade>& law);
 

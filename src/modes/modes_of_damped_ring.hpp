@@ -32,6 +32,7 @@ class ModesOfElasticBladesOnDampedRing final : public ModesOfLaw<contact::Elasti
 
   ModesOfElasticBladesOnDampedRing(const ModesRequest& request, Law law) : Base(request, std::move(law)) {
     this->solved_ = this->template phase_of<YieldingDampedRing<Law>>();
+    this->collocated_ = modes::collocated(request, this->law_);
   }
 
   [[nodiscard]] bool open(const TipPlace& at, OpenContact& contact) const override {

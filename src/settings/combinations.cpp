@@ -269,7 +269,7 @@ std::span<const Family> families() {
        .laws = bending,
        .consumes = kMachine | kChanges | effect_set<&Effects::yielding_ring, &Effects::contact_damping>(),
        .is_for = ring_yields,
-       .contact = "a root each; how far the ring yields under each contact is a state",
+       .contact = "how far the ring yields under each contact is a state; in steps a root each",
        .flight = {}},
       {.kind = blades_on_damped_ring,
        .name = "rigid blades on a ring with a damper under each tip",

@@ -31,5 +31,8 @@ modes::MakeModes modes_of(const Blades<contact::DirectedElastica<contact::Veloci
 modes::MakeModes modes_of(const Blades<contact::RigidBladeOnDampedRing>& law) {
   return modes::maker_of<modes::ModesOfRigidBladesOnDampedRing<>>(law);
 }
+modes::MakeModes modes_of(const Blades<contact::ElasticBladeOnDampedRing>& law) {
+  return modes::maker_of<modes::ModesOfElasticBladesOnDampedRing<>>(law);
+}
 
 }  // namespace rubatlas::test

@@ -37,6 +37,7 @@ modes::MakeModes modes_of(const Blades<contact::DirectedElastica<contact::Coulom
 modes::MakeModes modes_of(const Blades<contact::DirectedElastica<contact::StickingFriction>>& law);
 modes::MakeModes modes_of(const Blades<contact::DirectedElastica<contact::VelocityFriction>>& law);
 modes::MakeModes modes_of(const Blades<contact::RigidBladeOnDampedRing>& law);
+modes::MakeModes modes_of(const Blades<contact::ElasticBladeOnDampedRing>& law);
 
 /// A motion by the method `hybrid`; `law` of one blade, the same for all, or of all.
 template <class Law>

@@ -1,0 +1,41 @@
+/// Elastic blades under an axial load, with Coulomb friction, on a ring with a damper under each tip, as an
+/// arc's law (MODEL 7.16). A blade that stands straight is for another mode.
+#pragma once
+
+#include <complex>
+#include <optional>
+
+#include "collocation/axial_law.hpp"
+#include "contact/damped_ring.hpp"
+
+namespace rubatlas::collocation {
+
+/// What the base of a law is made from has to be there before.
+struct BladesOfRing {
+  AxialLaw::Laws blades;
+};
+
+class DampedLaw final : private BladesOfRing, public AxialLaw {
+ public:
+  using Laws = contact::UnequalBlades<contact::ElasticBladeOnDampedRing>;
+  /// `laws` outlive it. `max_shortening`: of δ/L.
+  DampedLaw(const Laws& laws, int blade_count, double max_shortening);
+
+  [[nodiscard]] Blade numbers(int blade) const override;
+  [[nodiscard]] bool ends_at_ring() const override { return false; }
+  [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
+                                          double speed) const override;
+  Bending lead(const Touch& touch) override;
+  [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override;
+  [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
+                                const std::complex<double>& acceleration) const override;
+  FurtherStart further(const Touch& touch, const contact::Pose& at, double speed) override;
+  [[nodiscard]] Touch touch(int blade, double slip, const Bending& bending) const override;
+
+ private:
+  [[nodiscard]] double ring_opens(const Touch& touch, const contact::Pose& at, double speed) const;
+
+  const Laws* laws_;
+};
+
+}  // namespace rubatlas::collocation

@@ -1,0 +1,131 @@
+/// Elastic blades on a ring with a damper under each tip, by collocation: no worse than in steps of the
+/// order-8 pair at the same tolerance, which both are held against at a thousandth of it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "../support/hybrid_motion.hpp"
+#include "collocation/interval.hpp"
+#include "contact/damped_ring.hpp"
+#include "lone_contacts.hpp"
+#include "modes/collocated.hpp"
+#include "several_blades.hpp"
+
+namespace rubatlas::test {
+namespace {
+
+/// How long blades touch, and how long of that on arcs [τ].
+class TimeOnArcs final : public modes::MotionListener {
+ public:
+  void piece(trajectory::MotionPiece& piece) override {
+    if (piece.contact_count() == 0) return;
+    in_contact += piece.end() - piece.begin();
+    if (dynamic_cast<modes::Collocated*>(&piece) != nullptr) on_arcs += piece.end() - piece.begin();
+  }
+  double in_contact = 0.0;
+  double on_arcs = 0.0;
+};
+
+struct ElasticOnDampers {
+  Rotor rotor;
+  contact::ElasticBladeOnDampedRing law;
+  rotor::State kick;
+};
+/// Soft rings to stiff, with dampers from a hundredth of the critical one to three times that.
+ElasticOnDampers elastic_on_dampers(std::mt19937_64& generator) {
+  const Rotor rotor = random_rotor(generator);
+  const double stiffness = std::pow(10.0, uniform(generator, 2.0, 5.0));
+  const double critical = 2.0 * std::sqrt(stiffness / rotor.constants.force_unit);
+  const double damping = critical * std::pow(10.0, uniform(generator, -2.0, 0.5));
+  return {rotor, {rotor.law, {stiffness, damping}}, random_start(generator)};
+}
+
+/// The state after a revolution, where the motion can be computed.
+std::optional<trajectory::State> after_revolution(const ElasticOnDampers& m, double tolerance,
+                                                  bool collocates, TimeOnArcs& time) {
+  const auto motion = hybrid_motion(machine_of(m.rotor.constants, m.rotor.blades), m.law,
+                                    {tolerance * kClearanceOfSeveral, 0.5}, collocates);
+  if (motion->start(rotor::as_array(m.kick)) != ending::PointStatus::done) return std::nullopt;
+  if (motion->revolution(time, {}, 0) != ending::PointStatus::done) return std::nullopt;
+  return rotor::as_array(rotor::shaft(motion->state()));
+}
+
+void expect_dampers_of_elastic_blades_as_by_steps(std::size_t wanted) {
+  constexpr double kTolerance = 1e-9;
+  constexpr double kFine = 1e-12;
+  std::mt19937_64 generator(11);
+  std::vector<double> by_collocation;
+  std::vector<double> by_steps;
+  TimeOnArcs time;
+  TimeOnArcs others;
+  while (by_steps.size() < wanted) {
+    const ElasticOnDampers m = elastic_on_dampers(generator);
+    const auto exact = after_revolution(m, kFine, false, others);
+    const auto steps = after_revolution(m, kTolerance, false, others);
+    const auto collocated = after_revolution(m, kTolerance, true, time);
+    EXPECT_EQ(exact.has_value(), collocated.has_value());
+    if (!exact || !steps || !collocated || *steps == *collocated) continue;  // it has not touched
+    const auto error = [&](const trajectory::State& state) {
+      double largest = 0.0;
+      for (std::size_t i = 0; i < state.size(); ++i)
+        largest = std::max(largest, std::abs(state[i] - (*exact)[i]));
+      return largest / (kTolerance * kClearanceOfSeveral);
+    };
+    by_collocation.push_back(error(*collocated));
+    by_steps.push_back(error(*steps));
+  }
+  std::ranges::sort(by_collocation);
+  std::ranges::sort(by_steps);
+  // Motions that tumble from contact to contact magnify errors, so that the larger quantiles scatter.
+  constexpr double kScatter = 3.0;
+  for (const double share : {0.5, 0.9, 0.99}) {
+    const auto place = static_cast<std::size_t>(share * static_cast<double>(wanted - 1));
+    EXPECT_LE(by_collocation[place], kScatter * std::max(1.0, by_steps[place])) << share;
+  }
+  EXPECT_LE(by_collocation[wanted / 2], 1.0);
+  // The rest is of blades that stand straight, and of tips that are free inside the ring.
+  constexpr double kLeastOnArcs = 0.4;
+  EXPECT_GE(time.on_arcs, kLeastOnArcs * time.in_contact);
+}
+
+TEST(BladesOnDampedRing, ErrNoMoreThanInSteps) {
+  expect_dampers_of_elastic_blades_as_by_steps(50);
+}
+TEST(BladesOnDampedRingSlow, ErrNoMoreThanInStepsInAThousandMotions) {
+  expect_dampers_of_elastic_blades_as_by_steps(1000);
+}
+
+TEST(BladesOnDampedRing, HaveTheSameBitsOnEveryProcessor) {
+  using namespace collocation;
+  const blade::ElasticaCurve curve(0.1);
+  const collocation::Machine machine = machine_at_ring();
+  collocation::Blade blade = blade_at_ring();
+  blade.table = &curve.over_asinh();
+  blade.length = 0.1;
+  blade.load_unit = 20.0;
+  blade.friction = 0.1;
+  blade.ring_stiffness = 2000.0;
+  blade.ring_damping = 200.0;
+  const collocation::Contact contact{&machine, &blade, -1.0};  // the blade approaches its deepest place
+  Interval in_pairs = interval_at_ring(machine.misalignment);
+  Interval here = in_pairs;
+  const Closeness closeness{1e-12, false};
+  ASSERT_TRUE(solver_in_pairs().solve(contact, closeness, in_pairs));
+  ASSERT_TRUE(interval_solver().solve(contact, closeness, here));
+  EXPECT_EQ(in_pairs.sweeps, here.sweeps);
+  const auto same = [](const AtNodes& a, const AtNodes& b) {
+    return std::memcmp(a.value.data(), b.value.data(), sizeof a.value) == 0;
+  };
+  EXPECT_TRUE(same(in_pairs.shaft.vy, here.shaft.vy) && same(in_pairs.yielding, here.yielding) &&
+              same(in_pairs.gap_measure, here.gap_measure));
+  EXPECT_GT(here.yielding.at_end(), 0.0);
+}
+
+}  // namespace
+}  // namespace rubatlas::test
