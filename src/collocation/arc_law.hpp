@@ -45,7 +45,7 @@ class ArcLaw {
   [[nodiscard]] bool keeps_loads() const { return leans() || is_rigid(); }
   /// A contact that ends under load ends at g = 0.
   [[nodiscard]] virtual bool ends_at_ring() const { return true; }
-  /// A tip whose v does not jump where s changes, and that cannot rest, may slip on against s (MODEL 4.4).
+  /// A tip that cannot rest may slip on against s (MODEL 4.4).
   [[nodiscard]] virtual bool may_slip_back() const { return false; }
   /// A contact goes on beyond the ring while it has a force.
   [[nodiscard]] virtual bool releases_at_fold(int blade) const = 0;

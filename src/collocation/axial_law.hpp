@@ -28,6 +28,7 @@ class AxialLaw final : public ArcLaw {
   [[nodiscard]] Blade numbers(int blade) const override;
   [[nodiscard]] contact::Geometry geometry(int blade) const override { return laws_->of(blade).geometry(); }
   [[nodiscard]] bool has_slip_state() const override { return true; }
+  [[nodiscard]] bool may_slip_back() const override { return true; }
   [[nodiscard]] bool leans() const override { return false; }
   [[nodiscard]] bool releases_at_fold(int blade) const override {
     return laws_->of(blade).releases_at_fold();

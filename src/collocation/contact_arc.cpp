@@ -138,13 +138,13 @@ void ContactArc::predict(const Touch& touch) {
                     .acceleration = acceleration});
 }
 
-/// The sign of v where it starts from zero: that of s where a tip has come loose, of dv/dτ where it may slip
-/// back. `acceleration`: of the shaft, seen from the ring.
+/// The sign of v where it starts from zero: that of s where a tip has come loose, of dv/dτ where a rigid one,
+/// whose v does not jump where s changes, may slip back. `acceleration`: of the shaft, seen from the ring.
 void ContactArc::set_out(int blade, double slip, const std::complex<double>& acceleration,
                          double& velocity) const {
   if (slip == 0.0 || std::abs(velocity) > slip_rounding()) return;
   double ahead = slip;
-  if (law_->may_slip_back()) {
+  if (law_->is_rigid() && law_->may_slip_back()) {
     ahead = slip_acceleration(blade, end_, acceleration);
   }
   velocity = std::copysign(std::numeric_limits<double>::min(), ahead);

@@ -52,6 +52,7 @@ class InclinedLaw final : public ArcLaw {
   }
   [[nodiscard]] bool has_slip_state() const override { return law_of_slip_ == FrictionNumbers::Law::coulomb; }
   [[nodiscard]] std::size_t most_where_tips_rest() const override { return most_contacts(); }
+  [[nodiscard]] bool may_slip_back() const override { return has_slip_state() && !contact::Sticks<Law>; }
   [[nodiscard]] bool leans() const override { return true; }
   [[nodiscard]] bool releases_at_fold(int /*blade*/) const override { return false; }
   [[nodiscard]] bool has_branches(int /*blade*/) const override { return has_branches_; }

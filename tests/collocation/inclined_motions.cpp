@@ -129,11 +129,13 @@ CountedEvents expect_motions_as_in_steps(contact::LoadDirection direction, MakeF
     errors.push_back(largest_difference(found, expected));
     errors_of_steps.push_back(largest_difference(rotor.states(kTolerance, false, others), expected));
   }
-  // Some of the motions are chaotic.
-  for (std::vector<double>* each : {&errors, &errors_of_steps}) std::ranges::sort(*each);
-  EXPECT_LE(errors[kRotors / 2], kTolerance);
-  for (const std::size_t place : {kRotors / 2, kRotors * 9 / 10})
-    EXPECT_LE(errors[place], errors_of_steps[place]);
+  // Errors of motions that are chaotic, beyond a thousand tolerances or so, tell nothing.
+  const auto as_close = [](const std::vector<double>& of, double tolerances) {
+    return std::ranges::count_if(of, [&](double error) { return error <= tolerances * kTolerance; });
+  };
+  EXPECT_GE(as_close(errors, 1.0), kRotors / 2);
+  for (const double tolerances : {1.0, 10.0, 100.0, 1000.0})
+    EXPECT_GE(as_close(errors, tolerances), as_close(errors_of_steps, tolerances)) << tolerances;
   return events;
 }
 
@@ -159,29 +161,29 @@ TEST(InclinedMotions, UnderFrictionThatDependsOnTheVelocityAreAsInSteps) {
   EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::lift_off)], 0);
 }
 
-/// Eight to eleven blades, of which several touch at once; arcs take at least this share of that time.
+/// Eight to eleven blades, of which several touch at once; arcs take nearly all of that time.
 template <class MakeFriction>
-void expect_several_as_in_steps(contact::LoadDirection direction, double least_share,
-                                MakeFriction make_friction) {
+void expect_several_as_in_steps(contact::LoadDirection direction, MakeFriction make_friction) {
   const CountedEvents events = expect_motions_as_in_steps(direction, make_friction, 8);
-  SCOPED_TRACE(::testing::Message() << events.time_of_several);
-  EXPECT_GE(events.collocated_time_of_several, least_share * events.time_of_several);
+  constexpr double kShareOfArcs = 0.999;
+  EXPECT_GE(events.collocated_time_of_several, kShareOfArcs * events.time_of_several)
+      << events.time_of_several;
 }
 
 TEST(InclinedMotions, OfSeveralBladesUnderANormalLoadAreAsInSteps) {
-  expect_several_as_in_steps(contact::LoadDirection::normal, 0.85,  // it is 0.87
+  expect_several_as_in_steps(contact::LoadDirection::normal,
                              [](double friction) { return contact::CoulombFriction{friction}; });
 }
 
 TEST(InclinedMotions, OfSeveralTipsThatStickAreAsInSteps) {
-  expect_several_as_in_steps(contact::LoadDirection::axial, 0.95, [](double friction) {
+  expect_several_as_in_steps(contact::LoadDirection::axial, [](double friction) {
     return contact::StickingFriction{friction, 1.2 * friction};
   });
 }
 
 TEST(InclinedMotions, OfSeveralTipsUnderFrictionThatDependsOnTheVelocityAreAsInSteps) {
   for (const auto direction : {contact::LoadDirection::axial, contact::LoadDirection::normal}) {
-    expect_several_as_in_steps(direction, 0.95, [](double friction) {
+    expect_several_as_in_steps(direction, [](double friction) {
       return contact::VelocityFriction(contact::StribeckFriction{2.0 * friction, friction, 0.03, 0.01});
     });
   }
