@@ -93,6 +93,16 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
   if (further_.empty()) look_for_earlier();
 }
 
+double ContactArc::shortening_at_start() const {
+  double largest = at_end_.force.shortening;
+  for (const FurtherStart& further : further_) largest = std::max(largest, further.force.shortening);
+  return largest;
+}
+bool ContactArc::starts_within_ring() const {
+  const rotor::State seen = rotor::from_ring(start_.bodies);
+  return std::hypot(seen[0], seen[1] + rotor_->misalignment) < machine().ring_radius;
+}
+
 void ContactArc::look_for_earlier() {
   Beginning beginning{.blade = {er_.cosine, er_.sine},
                       .angular_speed = blades_->angular_speed(end_.time),
@@ -320,7 +330,8 @@ void ContactArc::change_leader(std::size_t further) {
 }
 
 ContactArc::Outcome ContactArc::make() {
-  if (number_ >= kMostIntervals || predictor_.is_too_short()) return Outcome::gives_up;
+  if (number_ >= kMostIntervals) return Outcome::gives_up;
+  if (predictor_.is_too_short()) return Outcome::gives_up;
   predictor_.begin_interval();
   while (true) {
     if (!solve_next()) return Outcome::gives_up;

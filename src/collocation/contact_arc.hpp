@@ -57,11 +57,16 @@ class ContactArc {
   void begin(double time, const rotor::ShaftAndRing& bodies, std::span<const Touch> touching);
 
   enum class Outcome : std::uint8_t { made, gives_up };
+  /// δ/L of the blade that is shortened most where they begin.
+  [[nodiscard]] double shortening_at_start() const;
+  /// Whether the shaft is within the ring there.
+  [[nodiscard]] bool starts_within_ring() const;
   /// Makes the next interval, from the end of the one before.
   Outcome make();
   /// What ends an interval: the leading blade lifts off unbent or under load, or comes to the fold of its
   /// branch or to the end of the chart of its equilibria; the slip of a blade reverses; a tip at rest comes
-  /// loose; another blade touches down.
+  /// loose; another blade touches down; a blade comes to the limit of its shortening, or the shaft to the
+  /// ring (MODEL 5).
   enum class Guard : std::uint8_t {
     none,
     unbent,
@@ -70,7 +75,9 @@ class ContactArc {
     chart_end,
     slip_reversal,
     loosening,
-    touch_down
+    touch_down,
+    shortening_limit,
+    shaft_at_ring
   };
   struct Ending {
     Guard guard = Guard::none;
@@ -166,7 +173,17 @@ class ContactArc {
   bool solve(Interval& interval, bool warm, double closest = std::numeric_limits<double>::infinity());
   [[nodiscard]] double error_of(const Interval& interval) const;
   [[nodiscard]] bool stays_valid(const Bounds& bounds, const Ending& ending) const;
-  [[nodiscard]] Ending guard_of_contacts(const Interval& interval) const;
+  [[nodiscard]] Ending guard_of_contacts(const Interval& interval, const Bounds& bounds) const;
+  /// A quantity within an interval.
+  struct Course {
+    double start;
+    AtNodes nodes;
+  };
+  [[nodiscard]] Course validity_left(const Interval& interval, Guard guard, int blade) const;
+  [[nodiscard]] const TipInTime& tip_of(const Interval& interval, int blade) const {
+    if (blade == blade_) return interval;
+    return interval.further[number_of(blade)];
+  }
   [[nodiscard]] std::optional<Ending> touch_down(const Interval& interval, Ending before);
   /// Whether the trial can be the next interval, up to its ending, and whether that is a stretch of it.
   enum class Verdict : std::uint8_t { holds, holds_in_part, too_long, another_leads, gives_up };

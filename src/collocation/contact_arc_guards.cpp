@@ -13,6 +13,8 @@
 namespace rubatlas::collocation {
 namespace {
 
+constexpr int kNoBlade = -1;
+
 /// Slope by θ of the polynomial through values at the places, just before θ.
 double slope_before(const AtPlaces& values, double fraction) {
   constexpr double kApart = 1e-4;
@@ -32,12 +34,16 @@ bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
     const bool slips_on = reverses_here ? least >= -rounding_at_end_ : least > 0.0;
     return slips_on && (slip * start > 0.0 || law_->may_slip_back());
   };
-  if (!(bounds.distance < machine().ring_radius)) return false;
-  if (!(bounds.argument < law_->valid_argument(blade_))) return false;
+  const auto stays_short = [&](int blade, double largest) {
+    const bool limit_ends_it = ending.guard == Guard::shortening_limit && ending.blade == blade;
+    return limit_ends_it || largest < law_->valid_argument(blade);
+  };
+  if (!(bounds.distance < machine().ring_radius) && ending.guard != Guard::shaft_at_ring) return false;
+  if (!stays_short(blade_, bounds.argument)) return false;
   if (!keeps_slip(blade_, contact_.slip, at_end_.force.slip_velocity, bounds.slip_velocity[0])) return false;
   for (std::size_t k = 0; k < further_.size(); ++k) {
     const FurtherStart& further = further_[k];
-    if (!(bounds.further_argument[k] < law_->valid_argument(further.blade)) ||
+    if (!stays_short(further.blade, bounds.further_argument[k]) ||
         !keeps_slip(further.blade, further.slip, further.tip.start_slip_velocity,
                     bounds.slip_velocity[1 + k]))
       return false;
@@ -47,7 +53,7 @@ bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
 }
 
 /// The first guard of the blades in contact.
-ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const {
+ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval, const Bounds& bounds) const {
   Ending first;
   std::size_t place_of_first = kPlaces;
   // A quantity that keeps its sign while the contact lasts, at the first `count` nodes.
@@ -83,7 +89,48 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
   look_at_slip(blade_, contact_.slip, interval);
   for (std::size_t k = 0; k < further_.size(); ++k)
     look_at_slip(further_[k].blade, further_[k].slip, interval.further[k]);
+  const auto look_at_validity = [&](Guard guard, int blade) {
+    const Course left = validity_left(interval, guard, blade);
+    look(guard, blade, left.start, left.nodes, 1.0);
+  };
+  if (!(bounds.argument < law_->valid_argument(blade_))) look_at_validity(Guard::shortening_limit, blade_);
+  for (std::size_t k = 0; k < further_.size(); ++k) {
+    if (!(bounds.further_argument[k] < law_->valid_argument(further_[k].blade)))
+      look_at_validity(Guard::shortening_limit, further_[k].blade);
+  }
+  if (!(bounds.distance < machine().ring_radius)) look_at_validity(Guard::shaft_at_ring, kNoBlade);
   return first;
+}
+
+/// What is left of validity: of p, of its square or of δ/L up to the limit of the shortening; of |c|² up to
+/// the ring.
+ContactArc::Course ContactArc::validity_left(const Interval& interval, Guard guard, int blade) const {
+  if (guard == Guard::shaft_at_ring) {
+    const double radius = machine().ring_radius;
+    const auto left = [&](double x, double y) {
+      const double centre = y + machine().misalignment;
+      return radius * radius - (x * x + centre * centre);
+    };
+    const Body& shaft = interval.shaft;
+    const Body& ring = interval.ring;
+    Course result{left(shaft.start[0] - ring.start[0], shaft.start[1] - ring.start[1]), {}};
+    for (std::size_t i = 0; i < kNodes; ++i)
+      result.nodes[i] = left(shaft.x[i] - ring.x[i], shaft.y[i] - ring.y[i]);
+    return result;
+  }
+  const double limit = law_->valid_argument(blade);
+  const auto less = [](double most, double start, const AtNodes& nodes) {
+    Course result{most - start, {}};
+    for (std::size_t i = 0; i < kNodes; ++i) result.nodes[i] = most - nodes[i];
+    return result;
+  };
+  if (contact_.leans) {
+    const TipInTime& tip = tip_of(interval, blade);
+    return less(limit, tip.start_shortening, tip.shortening);
+  }
+  if (blade == blade_) return less(limit, interval.start_argument, interval.argument);
+  const FurtherBlade& further = interval.further[number_of(blade)];
+  return less(limit * limit, further.start_square, further.square);
 }
 
 /// The first touch-down of another blade, if it comes before this ending. None where it cannot be told.
@@ -122,10 +169,11 @@ std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interva
 
 /// What is left of the guard's quantity at the end of an interval that it ends.
 double ContactArc::left_at_end(const Ending& ending, const Interval& interval) const {
-  const TipInTime& tip = ending.guard == Guard::touch_down || ending.blade == blade_
-                             ? static_cast<const TipInTime&>(interval)
-                             : interval.further[number_of(ending.blade)];
+  const auto tip = [&]() -> const TipInTime& { return tip_of(interval, ending.blade); };
   switch (ending.guard) {
+    case Guard::shortening_limit:
+    case Guard::shaft_at_ring:
+      return validity_left(interval, ending.guard, ending.blade).nodes.at_end();
     case Guard::touch_down:
       return -pose(ending.blade, end_of(interval)).gap;
     case Guard::under_load:
@@ -137,9 +185,9 @@ double ContactArc::left_at_end(const Ending& ending, const Interval& interval) c
     case Guard::chart_end:
       return interval.chart_left.at_end();
     case Guard::loosening:
-      return tip.cone_left.at_end();
+      return tip().cone_left.at_end();
     default:
-      return std::copysign(1.0, tip.start_slip_velocity) * tip.slip_velocity.at_end();
+      return std::copysign(1.0, tip().start_slip_velocity) * tip().slip_velocity.at_end();
   }
 }
 
@@ -197,7 +245,7 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   const Interval& next = trial();
   const bool reaches_zero = next.chord.time == 0.0;
   Bounds bounds = law_->bounds(contact_, next);
-  const auto first = touch_down(next, guard_of_contacts(next));
+  const auto first = touch_down(next, guard_of_contacts(next, bounds));
   if (!first) return Verdict::too_long;
   ending = *first;
   const bool in_part = ending.guard != Guard::none;
@@ -216,9 +264,8 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
       if (!(bound < (other.blade == ending.blade ? at_ring : 0.0))) return Verdict::too_long;
     }
   }
-  // Close to a fold bounds of shorter intervals tell.
-  if (!stays_valid(bounds, ending))
-    return contact_.leans || contact_.slip == 0.0 ? Verdict::too_long : Verdict::gives_up;
+  // Bounds of shorter intervals tell.
+  if (!stays_valid(bounds, ending)) return Verdict::too_long;
   displacement_bound_ = bounds.displacement;
   const bool held_beyond_ring = law_->releases_at_fold(blade_);
   const bool stays_bent = bounds.gap_measure > 0.0 && (begins_ || next.start_gap_measure > 0.0);

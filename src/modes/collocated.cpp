@@ -38,8 +38,12 @@ bool Collocated::start(double time, const rotor::ShaftAndRing& state,
   meter_->spend(Work::contact,
                 static_cast<std::int64_t>(law_->evaluations() - evaluations) * WorkPrice::kInclinedCurve);
   if (!law_->ends_at_ring() && any_returns_from_ring(time, state)) stands_ = false;
-  if (stands_) arc_.begin(time, state, std::span(touching).first(contacts.size()));
-  return true;
+  refusal_ = ending::StatusDetail::none;
+  if (!stands_) return true;
+  arc_.begin(time, state, std::span(touching).first(contacts.size()));
+  if (arc_.shortening_at_start() > max_shortening_) refusal_ = ending::StatusDetail::shortening_limit;
+  if (!arc_.starts_within_ring()) refusal_ = ending::StatusDetail::shaft_at_ring;
+  return refusal_ == ending::StatusDetail::none;
 }
 
 /// Whether a tip that does not touch is inside the undeformed ring: it has lifted off there.
@@ -92,6 +96,10 @@ ModeEnd Collocated::end_of_arc() const {
       return {Guard::comes_loose, blade};
     case Reason::chart_end:
       return {Guard::snap, blade};
+    case Reason::shortening_limit:
+      return {Guard::left_validity, blade, ending::StatusDetail::shortening_limit};
+    case Reason::shaft_at_ring:
+      return {Guard::left_validity, blade, ending::StatusDetail::shaft_at_ring};
     case Reason::fold:
       // What follows on another branch is for the motion to find.
       return {law_->has_branches(blade) ? Guard::snap : Guard::lift_off, blade};

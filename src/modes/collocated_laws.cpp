@@ -45,8 +45,7 @@ std::unique_ptr<Phase> collocated(const ModesRequest& request, const UnequalBlad
   if (!request.collocates) return nullptr;
   std::unique_ptr<ArcLaw> arcs = arcs_of(request, law);
   if (arcs == nullptr) return nullptr;
-  return std::make_unique<Collocated>(request.machine, std::move(arcs), request.limits.tolerance,
-                                      request.meter);
+  return std::make_unique<Collocated>(request.machine, std::move(arcs), request.limits, request.meter);
 }
 
 template <class Blade>
