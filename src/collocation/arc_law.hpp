@@ -5,6 +5,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -30,7 +31,8 @@ class ArcLaw {
   virtual ~ArcLaw() = default;
 
   /// So many blades may touch at once.
-  [[nodiscard]] virtual std::size_t most_contacts() const = 0;
+  [[nodiscard]] virtual std::size_t most_contacts() const { return kAnyNumber; }
+  static constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
   [[nodiscard]] virtual Blade numbers(int blade) const = 0;
   [[nodiscard]] virtual contact::Geometry geometry(int blade) const = 0;
   /// Friction takes its sign from s, so that a reversal of the slip is an event.
@@ -92,7 +94,7 @@ class ArcLaw {
 
   [[nodiscard]] virtual bool solve(const Contact& contact, const Closeness& closeness,
                                    Interval& interval) const = 0;
-  [[nodiscard]] virtual Bounds bounds(const Contact& contact, const Interval& interval) const = 0;
+  virtual void bounds(const Contact& contact, const Interval& interval, Bounds& bounds) const = 0;
 
   /// The contact of a blade that is bent so.
   [[nodiscard]] virtual Touch touch(int blade, double slip, const Bending& bending) const = 0;

@@ -2,6 +2,7 @@
 // other guard is met before.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -40,12 +41,12 @@ bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
   };
   if (!(bounds.distance < machine().ring_radius) && ending.guard != Guard::shaft_at_ring) return false;
   if (!stays_short(blade_, bounds.argument)) return false;
-  if (!keeps_slip(blade_, contact_.slip, at_end_.force.slip_velocity, bounds.slip_velocity[0])) return false;
+  if (!keeps_slip(blade_, contact_.slip, at_end_.force.slip_velocity, bounds.slip_velocity)) return false;
   for (std::size_t k = 0; k < further_.size(); ++k) {
     const FurtherStart& further = further_[k];
-    if (!stays_short(further.blade, bounds.further_argument[k]) ||
+    if (!stays_short(further.blade, bounds.further[k].argument) ||
         !keeps_slip(further.blade, further.slip, further.tip.start_slip_velocity,
-                    bounds.slip_velocity[1 + k]))
+                    bounds.further[k].slip_velocity))
       return false;
   }
   if (!(bounds.cone_left > 0.0)) return false;
@@ -95,7 +96,7 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval, const
   };
   if (!(bounds.argument < law_->valid_argument(blade_))) look_at_validity(Guard::shortening_limit, blade_);
   for (std::size_t k = 0; k < further_.size(); ++k) {
-    if (!(bounds.further_argument[k] < law_->valid_argument(further_[k].blade)))
+    if (!(bounds.further[k].argument < law_->valid_argument(further_[k].blade)))
       look_at_validity(Guard::shortening_limit, further_[k].blade);
   }
   if (!(bounds.distance < machine().ring_radius)) look_at_validity(Guard::shaft_at_ring, kNoBlade);
@@ -241,20 +242,27 @@ bool ContactArc::are_bent_firmly(const Interval& interval) const {
          });
 }
 
+Bounds ContactArc::bounds_of(const Interval& interval) const {
+  Bounds bounds{};
+  bounds.further.resize(interval.further.size());
+  law_->bounds(contact_, interval, bounds);
+  return bounds;
+}
+
 ContactArc::Verdict ContactArc::judge(Ending& ending) {
   const Interval& next = trial();
   const bool reaches_zero = next.chord.time == 0.0;
-  Bounds bounds = law_->bounds(contact_, next);
+  Bounds bounds = bounds_of(next);
   const auto first = touch_down(next, guard_of_contacts(next, bounds));
   if (!first) return Verdict::too_long;
   ending = *first;
   const bool in_part = ending.guard != Guard::none;
   Interval& part = intervals_[made_];  // what has been made before is not asked for again
   if (in_part) {
-    if (!cut_at(next, ending, part)) return Verdict::gives_up;
+    if (!cut_at(next, ending, part)) return Verdict::too_long;
     // Beyond its ending the interval is no motion.
     const bool lifts = ending.guard == Guard::unbent || ending.guard == Guard::under_load;
-    if (!lifts || !further_.empty() || !stays_valid(bounds, ending)) bounds = law_->bounds(contact_, part);
+    if (!lifts || !further_.empty() || !stays_valid(bounds, ending)) bounds = bounds_of(part);
     // The tip that touches is at the ring at the end.
     const double at_ring = 2.0 * machine().ring_radius * tolerance_;
     gap_bound_of_others_ = -std::numeric_limits<double>::infinity();
@@ -269,7 +277,7 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   displacement_bound_ = bounds.displacement;
   const bool held_beyond_ring = law_->releases_at_fold(blade_);
   const bool stays_bent = bounds.gap_measure > 0.0 && (begins_ || next.start_gap_measure > 0.0);
-  if (ending.guard != Guard::under_load && !held_beyond_ring && !stays_bent) return Verdict::gives_up;
+  if (ending.guard != Guard::under_load && !held_beyond_ring && !stays_bent) return Verdict::too_long;
   const Interval& kept = in_part ? part : next;
   if (ending.guard == Guard::fold && is_next_to_unbent(kept)) ending.guard = Guard::unbent;
   if (contact_.slip == 0.0 && contact_.leans) {
@@ -284,10 +292,10 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   // Time goes on.
   for (std::size_t i = 0; i < kNodes; ++i) {
     const bool may_turn = i + 1 == kNodes && (reaches_zero || in_part);
-    if (!(kept.time_slope[i] > 0.0) && !may_turn) return Verdict::gives_up;
+    if (!(kept.time_slope[i] > 0.0) && !may_turn) return Verdict::too_long;
   }
   for (std::size_t k = 0; k < further_.size(); ++k) {
-    if (bounds.stays[k]) continue;
+    if (bounds.further[k].stays) continue;
     if (lead_has_changed_) return Verdict::too_long;
     change_leader(k);
     return Verdict::another_leads;
@@ -295,18 +303,29 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   return in_part ? Verdict::holds_in_part : Verdict::holds;
 }
 
-/// Takes from the shaft's velocity what is left of a rigid tip's v at the end, the shortest way: v does not
-/// jump where s changes, and its sign would be taken for that of what follows; v of a tip at rest does not
-/// drift.
-void ContactArc::bring_to_rest(int blade) {
-  const contact::BladeDirection er = blades_->direction(blade, blades_->first(end_.time));
-  const contact::Pose there = pose(blade, end_);
-  const contact::Geometry geometry = law_->geometry(blade);
-  const double v = contact::undeformed_slip_velocity(geometry, there, blades_->angular_speed(end_.time));
-  const std::complex<double> less =
-      v * contact::tangent(geometry, there) * std::complex<double>(er.cosine, er.sine);
-  end_.bodies[2] -= less.real();
-  end_.bodies[3] -= less.imag();
+/// Takes from the shaft's velocity what is left of v of rigid tips at rest at the end, which is not to drift,
+/// and of a tip whose slip has reversed, the shortest way: its v does not jump where s changes, and its sign
+/// would be taken for that of what follows.
+void ContactArc::bring_to_rest(int reversed) {
+  std::array<contact::AtRest, contact::kMostAtRest> tips{};
+  std::size_t count = 0;
+  const auto take = [&](int blade) {
+    if (count == contact::kMostAtRest) return;
+    const double v = contact::undeformed_slip_velocity(law_->geometry(blade), pose(blade, end_),
+                                                       blades_->angular_speed(end_.time));
+    tips[count++] = {tangent(blade, end_), v};
+  };
+  const auto take_at_rest = [&](int blade, double slip) {
+    if (slip == 0.0 && blade != reversed) take(blade);
+  };
+  take_at_rest(blade_, contact_.slip);
+  for (const FurtherStart& further : further_) take_at_rest(further.blade, further.slip);
+  if (reversed != kNoBlade) take(reversed);
+  contact::share_out(std::span(tips).first(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    end_.bodies[2] -= tips[i].pull * tips[i].tangent.real();
+    end_.bodies[3] -= tips[i].pull * tips[i].tangent.imag();
+  }
 }
 
 /// The end of an interval: of the contact, or at a touch-down, to rounding, where one ends it.
@@ -317,7 +336,7 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
   ending_ = ending;
   if (ending.guard == Guard::none && interval.chord.time == 0.0) ending_ = {Guard::unbent, 1.0, blade_, 0.0};
   const auto place_ring = [this] {
-    if (machine().ring.is_massless()) law_->place_ring(end_.time, touching_at_end(), end_.bodies);
+    if (machine().ring.is_massless()) law_->place_ring(end_.time, touching_at(end_), end_.bodies);
   };
   // To where the gap of a blade is zero: in time, and what is left, or all where the tip hardly moves against
   // the ring, the shortest way for the shaft.
@@ -354,13 +373,11 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
     case Guard::touch_down:
       goes_on_to_ring(ending_.blade);
       break;
-    case Guard::slip_reversal:
-      if (law_->is_rigid() && !machine().ring.is_massless()) bring_to_rest(ending_.blade);
-      break;
     default:
       break;
   }
-  if (rests_rigidly()) bring_to_rest(blade_);
+  if (law_->is_rigid() && !machine().ring.is_massless())
+    bring_to_rest(ending_.guard == Guard::slip_reversal ? ending_.blade : kNoBlade);
 }
 
 }  // namespace rubatlas::collocation

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "collocation/arc_sweeps.hpp"
 #include "collocation/interval.hpp"
@@ -24,10 +25,10 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   using Number = Lanes<kWidth>;
 
   RUBATLAS_INLINE Sweeps(const Contact& contact, const Closeness& closeness, Interval& interval)
-      : Base(contact, closeness, interval) {
+      : Base(contact, closeness, interval), further_(interval.further.size()) {
     lead_.blade = contact.blade;
     lead_.slip = contact.slip;
-    for (std::size_t k = 0; k < interval.further_count; ++k) {
+    for (std::size_t k = 0; k < interval.further.size(); ++k) {
       further_[k].blade = interval.further[k].blade;
       further_[k].slip = interval.further[k].slip;
       further_[k].square = Number(interval.further[k].square);
@@ -37,7 +38,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   RUBATLAS_INLINE bool solve() {
     // With several blades changes fall unevenly, and the slopes of one that is hardly bent change too fast to
     // be kept.
-    return this->converge(*this, kMostSweeps, interval_.further_count > 0 ? kMostSweeps : kFullSweeps);
+    return this->converge(*this, kMostSweeps, !interval_.further.empty() ? kMostSweeps : kFullSweeps);
   }
 
  private:
@@ -270,7 +271,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     const Vector er_before = er_;
     turn_on(time_step);
     Vector push = push_of(lead_, bend, step * in.normal.argument, time_step, er_);
-    for (std::size_t k = 0; k < in.further_count; ++k) {
+    for (std::size_t k = 0; k < in.further.size(); ++k) {
       const Vector more = push_of_further<kLight>(k, er_before, time_step);
       push = {push.x + more.x, push.y + more.y};
     }
@@ -298,7 +299,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     store_motion();
     gap_measure_of(lead_, machine_.ring_radius).store(in.gap_measure);
     slip_velocity_of(lead_, er_).store(in.slip_velocity);
-    for (std::size_t k = 0; k < in.further_count; ++k) {
+    for (std::size_t k = 0; k < in.further.size(); ++k) {
       further_[k].square.store(in.further[k].square);
       gap_measure_of(further_[k], machine_.ring_radius).store(in.further[k].gap_measure);
       slip_velocity_of(further_[k], offset_by(er_, in.further[k].offset)).store(in.further[k].slip_velocity);
@@ -325,7 +326,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::turn_on;
 
   Tip lead_;
-  std::array<FurtherTip, kMostFurther> further_;
+  std::vector<FurtherTip> further_;
   Number per_residual_;  ///< Newton's step along the normal for a residual of h
 };
 
@@ -339,7 +340,7 @@ template <std::size_t kWidth>
 bool solved(const Contact& contact, const Closeness& closeness, Interval& interval) {
   const Machine& machine = *contact.machine;
   bool plain = machine.is_plain() && contact.blade->yield_unit == 0.0;
-  for (std::size_t k = 0; k < interval.further_count; ++k)
+  for (std::size_t k = 0; k < interval.further.size(); ++k)
     plain = plain && interval.further[k].blade->yield_unit == 0.0;
   return plain ? solved_by<kWidth, true>(contact, closeness, interval)
                : solved_by<kWidth, false>(contact, closeness, interval);

@@ -135,8 +135,7 @@ class Collocated final : public Phase {
     double argument;  ///< p
     contact::TipForce force;
   };
-  std::array<std::optional<MostBent>, 1 + collocation::kMostFurther>
-      most_bent_;                                             ///< in the piece, once they are asked for
+  std::vector<std::optional<MostBent>> most_bent_;            ///< in the piece, once they are asked for
   std::vector<std::optional<MostBent>> most_bent_of_blades_;  ///< in the pieces that have been asked for it
 };
 
