@@ -54,6 +54,7 @@ void go_on(const Interval& made, const FurtherBlade& blade, FurtherStart& start)
   start.square = course(blade.square);
   start.tip.start_gap_measure = blade.gap_measure.at_end();
   start.tip.start_slip_velocity = blade.slip_velocity.at_end();
+  start.tip.start_cone_left = blade.cone_left.at_end();
   start.tip.start_yielding = blade.yielding.at_end();
   if (start.load == nullptr) return;
   start.lean = course(blade.lean);
@@ -62,7 +63,6 @@ void go_on(const Interval& made, const FurtherBlade& blade, FurtherStart& start)
   start.tip.start_lean = blade.lean.at_end();
   start.tip.start_shortening = blade.shortening.at_end();
   start.tip.start_chart_left = blade.chart_left.at_end();
-  start.tip.start_cone_left = blade.cone_left.at_end();
 }
 
 void guess(const FurtherStart& start, const AtNodes& elapsed, FurtherBlade& blade) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 #include "collocation/arc_sweeps.hpp"
 #include "collocation/inclined_load.hpp"
@@ -28,8 +29,11 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
 
   InclinedSweeps(const Contact& contact, const InclinedLoad& load, const Closeness& closeness,
                  Interval& interval)
-      : Base(contact, closeness, interval), lean_(interval.lean), lead_(contact, load) {
-    for (std::size_t k = 0; k < interval.further_count; ++k) {
+      : Base(contact, closeness, interval),
+        lean_(interval.lean),
+        lead_(contact, load),
+        further_(interval.further.size()) {
+    for (std::size_t k = 0; k < interval.further.size(); ++k) {
       const FurtherBlade& blade = interval.further[k];
       FurtherTip& further = further_[k];
       further.tip = {Contact{contact.machine, blade.blade, blade.slip, true}, *blade.load};
@@ -133,7 +137,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     const Vector er_before = er_;
     turn_on(time_step);
     Vector push = along(lead_.move_on(bending_step, lean_step, time_step, machine_.force_unit), er_);
-    for (std::size_t k = 0; k < in.further_count; ++k) {
+    for (std::size_t k = 0; k < in.further.size(); ++k) {
       const std::array<double, 2>& offset = in.further[k].offset;
       if (!step_further<kLight>(further_[k], offset_by(er_before, offset), time_step))
         return std::numeric_limits<double>::quiet_NaN();
@@ -232,7 +236,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     Interval& in = interval_;
     store_motion();
     store_tip(lead_, er_, in);
-    for (std::size_t k = 0; k < in.further_count; ++k) {
+    for (std::size_t k = 0; k < in.further.size(); ++k) {
       const FurtherTip& further = further_[k];
       FurtherBlade& kept = in.further[k];
       store_tip(further.tip, offset_by(er_, kept.offset), kept);
@@ -276,7 +280,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   Number deviation_per_h_, deviation_per_e_, lean_per_h_, lean_per_e_;  ///< Newton's steps
   Vector push_by_slip_;                      ///< `Tip::push_by_slip` of the leading tip at rest
   std::array<AtNodes, kNodes> elimination_;  ///< of its coupling, [k][i]: factors of row k in row i
-  std::array<FurtherTip, kMostFurther> further_;
+  std::vector<FurtherTip> further_;
 };
 
 /// Sets h and l of the eight blades of `points`, in equilibrium but for h = 0. False where one of them has no

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "collocation/arc_sweeps.hpp"
 #include "collocation/interval.hpp"
@@ -25,10 +26,10 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   using Number = Lanes<kWidth>;
 
   RUBATLAS_INLINE Sweeps(const Contact& contact, const Closeness& closeness, Interval& interval)
-      : Base(contact, closeness, interval) {
+      : Base(contact, closeness, interval), further_(interval.further.size()) {
     lead_.blade = contact.blade;
     lead_.slip = contact.slip;
-    for (std::size_t k = 0; k < interval.further_count; ++k) {
+    for (std::size_t k = 0; k < interval.further.size(); ++k) {
       further_[k].blade = interval.further[k].blade;
       further_[k].slip = interval.further[k].slip;
       further_[k].square = Number(interval.further[k].square);
@@ -41,7 +42,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   RUBATLAS_INLINE bool solve() {
     // With several blades changes fall unevenly, and the slopes of one that is hardly bent change too fast to
     // be kept.
-    const bool keeps_slopes = interval_.further_count == 0 && !is_damped(*lead_.blade);
+    const bool keeps_slopes = interval_.further.empty() && !is_damped(*lead_.blade);
     return this->converge(*this, kMostSweeps, keeps_slopes ? kFullSweeps : kMostSweeps);
   }
 
@@ -308,7 +309,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     const Vector er_before = er_;
     turn_on(time_step);
     Vector push = push_of(lead_, bend, step * in.normal.argument, time_step, er_);
-    for (std::size_t k = 0; k < in.further_count; ++k) {
+    for (std::size_t k = 0; k < in.further.size(); ++k) {
       const Vector more = push_of_further<kLight>(k, er_before, time_step);
       push = {push.x + more.x, push.y + more.y};
     }
@@ -338,7 +339,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     gap_measure_of(lead_, machine_.ring_radius).store(in.gap_measure);
     slip_velocity_of(lead_, er_).store(in.slip_velocity);
     if (is_damped(*lead_.blade)) lead_.yielding.store(in.yielding);
-    for (std::size_t k = 0; k < in.further_count; ++k) {
+    for (std::size_t k = 0; k < in.further.size(); ++k) {
       if (is_damped(*further_[k].blade)) further_[k].yielding.store(in.further[k].yielding);
       further_[k].square.store(in.further[k].square);
       gap_measure_of(further_[k], machine_.ring_radius).store(in.further[k].gap_measure);
@@ -368,7 +369,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::turn_on;
 
   Tip lead_;
-  std::array<FurtherTip, kMostFurther> further_;
+  std::vector<FurtherTip> further_;
   Number per_residual_;  ///< Newton's step along the normal for a residual of h
 };
 
@@ -383,8 +384,7 @@ bool solved(const Contact& contact, const Closeness& closeness, Interval& interv
   const Machine& machine = *contact.machine;
   const auto stands = [](const Blade& blade) { return blade.yield_unit == 0.0 && blade.ring_damping == 0.0; };
   bool plain = machine.is_plain() && stands(*contact.blade);
-  for (std::size_t k = 0; k < interval.further_count; ++k)
-    plain = plain && stands(*interval.further[k].blade);
+  for (const FurtherBlade& further : interval.further) plain = plain && stands(*further.blade);
   return plain ? solved_by<kWidth, true>(contact, closeness, interval)
                : solved_by<kWidth, false>(contact, closeness, interval);
 }

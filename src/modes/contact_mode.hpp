@@ -83,10 +83,9 @@ class ContactMode {
 
   static constexpr double kSmallestSize = 1e-15;  ///< in σ
   /// Near a force that starts or ends like a root of the gap many steps are rejected, and their sizes hang on
-  /// the last digits. Where no carried form takes that away sizes come from a coarse grid: a motion that
-  /// comes to the same place goes on by the same steps, and repeats itself to rounding instead of to the
-  /// tolerance.
-  static constexpr bool kCoarseSizes = !Law::kHasBending && !Law::kLoadFollowsGap;
+  /// the last digits. They come from a coarse grid: a motion that comes to the same place goes on by the same
+  /// steps, and repeats itself to rounding instead of to the tolerance.
+  static constexpr bool kCoarseSizes = !Law::kLoadFollowsGap;
   /// A tip whose slip velocity comes to zero may rest at once, as in MODEL 7.14.
   static constexpr bool kRestsAtOnce = contact::Sticks<Law>;
   /// The path of the mode is known as `trajectory::PathPoint`.

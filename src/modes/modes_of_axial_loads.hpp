@@ -85,7 +85,8 @@ class ModesOfAxialLoads final : public ModesOfLaw<contact::ElasticaContact, Pair
   /// A column whose u has come to 0 while its tip is still in the ring (g > 0) stands straight from there on.
   [[nodiscard]] bool straightens(const TipPlace& at, OpenContact& contact) const override {
     const auto& blade = this->blade(contact);
-    if (blade.carried() || at.pose.gap <= contact::gap_rounding(blade.geometry(), at.pose)) return false;
+    if (!blade.may_stand_straight() || at.pose.gap <= contact::gap_rounding(blade.geometry(), at.pose))
+      return false;
     contact.bending = 0.0;
     return true;
   }
@@ -98,7 +99,7 @@ class ModesOfAxialLoads final : public ModesOfLaw<contact::ElasticaContact, Pair
   [[nodiscard]] bool begins_to_skim(const rotor::ContactState& state, const OpenContact& contact,
                                     double hop) const override {
     const auto& blade = this->blade(contact);
-    return !blade.releases_at_fold() && blade.carried() && skims_.begins(state, contact, hop);
+    return !blade.releases_at_fold() && !blade.may_stand_straight() && skims_.begins(state, contact, hop);
   }
 
   /// For some elastic blades the model does not say it.

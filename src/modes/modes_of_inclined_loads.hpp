@@ -1,5 +1,5 @@
 /// Modes and resets of elastic blades under an inclined load, which have two unknowns, κ and φ. The mode that
-/// begins finds both where a contact opens (`carried_bends.hpp`).
+/// begins finds both where a contact opens.
 #pragma once
 
 #include <cmath>

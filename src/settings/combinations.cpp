@@ -189,20 +189,16 @@ constexpr EffectSet kChanges = effect_set<&Effects::wear, &Effects::speed_ramp>(
 constexpr EffectSet kFrictionWithVelocity = effect_set<&Effects::regularised_friction, &Effects::stribeck>();
 constexpr EffectSet kElasticBladeOrRing = effect_set<&Effects::axial_compliance, &Effects::yielding_ring>();
 
-constexpr std::string_view kCarried =
-    "one blade in contact (by collocation up to four, if they rub): its bending is found along with the "
-    "motion, no root "
-    "is solved; more: a root each";
-/// A column with compliance has two branches, compressed straight and bent, and a bending parameter carried
-/// as a state does not tell them apart.
-constexpr std::string_view kCarriedOrColumn =
-    "one blade in contact (by collocation up to four, if they rub): its bending is found along with the "
-    "motion, no root "
-    "is solved; more, or one column (no friction) that shortens or stands in a yielding ring: a root each";
+constexpr std::string_view kOneBend =
+    "by collocation the bending of each blade is found along with the motion; in steps a root each";
+constexpr std::string_view kOneBendOrColumn =
+    "by collocation the bending of each blade is found along with the motion; in steps, for several columns "
+    "(no friction) and where one may stand straight, a root each";
 constexpr std::string_view kExplicit = "the force of each blade is explicit";
 constexpr std::string_view kTwoBends =
-    "the bends of all blades in contact, two numbers each, are found along with the motion, no root is "
-    "solved";
+    "by collocation the bends of all blades in contact, two numbers each, are found along with the motion; "
+    "in "
+    "steps a root each";
 
 }  // namespace
 
@@ -216,7 +212,7 @@ std::span<const Family> families() {
        .laws = bending,
        .consumes = effect_set<&Effects::unbalance>(),
        .is_for = nullptr,
-       .contact = kCarried,
+       .contact = kOneBend,
        .flight = {}},
       {.kind = paper_s_rotor,
        .name = "the paper's rotor with rigid blades on an elastic ring",
@@ -245,7 +241,7 @@ std::span<const Family> families() {
        .laws = bending,
        .consumes = kMachine | kChanges | kElasticBladeOrRing | effect_set<&Effects::release>(),
        .is_for = nullptr,
-       .contact = kCarriedOrColumn,
+       .contact = kOneBendOrColumn,
        .flight = {}},
       {.kind = directed_elastic_blades,
        .name = "elastic blades under a load along the contact normal, or with friction that depends on the "
@@ -260,9 +256,7 @@ std::span<const Family> families() {
        .laws = {elastica},
        .consumes = kMachine | effect_set<&Effects::stick>(),
        .is_for = nullptr,
-       .contact = "the bends of all blades in contact, two numbers each, are found along with the motion, no "
-                  "root is "
-                  "solved; in steps a root each while a tip sticks",
+       .contact = kTwoBends,
        .flight = {}},
       {.kind = blades_on_damped_ring,
        .name = "elastic blades on a ring with a damper under each tip",
@@ -283,7 +277,7 @@ std::span<const Family> families() {
        .laws = bending,
        .consumes = kMachine | effect_set<&Effects::axial_compliance, &Effects::ring_body>(),
        .is_for = ring_has_mass,
-       .contact = kCarriedOrColumn,
+       .contact = kOneBendOrColumn,
        .flight = "the ring oscillates freely beside the shaft"},
       {.kind = blades_in_ring_body,
        .name = "rigid blades in a ring that is a body",
