@@ -202,6 +202,10 @@ class ContactArc {
   void guess_further(Interval& next) const;
   bool cut(const Interval& whole, double fraction, Interval& shorter,
            double closest = std::numeric_limits<double>::infinity());
+  /// `set_out` has given v its sign.
+  [[nodiscard]] static bool slips_from_zero(double start_velocity) {
+    return std::abs(start_velocity) == std::numeric_limits<double>::min();
+  }
   /// |v| of a slip reversal that has been located [m per unit τ].
   [[nodiscard]] double slip_rounding() const {
     return contact::kSlipRounding * std::abs(rotor_->speed_ratio) * machine().ring_radius;

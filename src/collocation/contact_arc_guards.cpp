@@ -32,7 +32,9 @@ bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
   const auto keeps_slip = [&](int blade, double slip, double start, double least) {
     if (!reverses(slip)) return true;
     const bool reverses_here = ending.guard == Guard::slip_reversal && ending.blade == blade;
-    const bool slips_on = reverses_here ? least >= -rounding_at_end_ : least > 0.0;
+    // From zero a tip slips on by the square of the time, at first less than the rounding of v.
+    const double rounding = reverses_here ? rounding_at_end_ : slips_from_zero(start) ? slip_rounding() : 0.0;
+    const bool slips_on = rounding > 0.0 ? least >= -rounding : least > 0.0;
     return slips_on && (slip * start > 0.0 || law_->may_slip_back());
   };
   const auto stays_short = [&](int blade, double largest) {
@@ -85,7 +87,11 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval, const
     if (slip == 0.0) look(Guard::loosening, blade, tip.start_cone_left, tip.cone_left, 1.0);
     if (!reverses(slip)) return;
     const double sign = std::copysign(1.0, tip.start_slip_velocity);
-    look(Guard::slip_reversal, blade, tip.start_slip_velocity, tip.slip_velocity, sign);
+    AtNodes velocity = tip.slip_velocity;
+    if (slips_from_zero(tip.start_slip_velocity)) {
+      for (double& v : velocity.value) v = std::abs(v) > slip_rounding() ? v : tip.start_slip_velocity;
+    }
+    look(Guard::slip_reversal, blade, tip.start_slip_velocity, velocity, sign);
   };
   look_at_slip(blade_, contact_.slip, interval);
   for (std::size_t k = 0; k < further_.size(); ++k)
