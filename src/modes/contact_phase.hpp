@@ -191,7 +191,8 @@ class ContactPhase final : public Phase {
   /// output, whose error the estimate at the end of the step does not tell.
   [[nodiscard]] bool holds_whole_contact() const {
     if (Mode::Law::kLoadFollowsGap || end_.guard != Guard::lift_off) return false;
-    return search_.blade(end_.blade).at_start.value <= mode_.gap_rounding();
+    const BladeGap& start = search_.blade(end_.blade).at_start;
+    return start.value <= mode_.gap_rounding() && start.rate > 0.0;
   }
 
   /// Finds what ends the phase in the step just made, if anything does, and where; or takes the step back.

@@ -193,7 +193,7 @@ TEST(Explain, SaysWhichMotionASceneHasAndHowItsContactIsIntegrated) {
   const std::string isotropic = "complex exponentials of the isotropic shaft; no touch-down";
   const std::string rigid = R"("contact": {"law": "elastic_ring", "friction": 0.3}, )";
   expect("", "the paper's rotor with elastic blades", isotropic,
-         "one blade in contact (by collocation up to four, if they rub): its bending");
+         "by collocation the bending of each blade is found");
   expect(rigid + R"("ring": {"stiffness": 1e4})", "the paper's rotor with rigid blades on an elastic ring",
          isotropic, "the force of each blade is explicit");
   expect(rigid + R"("gravity": {}, "stribeck": {"static_friction": 0.5})",
@@ -204,13 +204,13 @@ TEST(Explain, SaysWhichMotionASceneHasAndHowItsContactIsIntegrated) {
          "elastic blades under a load along the contact normal, or with friction that depends on the slip "
          "velocity; "
          "with support, load_direction",
-         "the exponential of the matrix of shaft and support;", "the bends of all blades in contact");
+         "the exponential of the matrix of shaft and support;", "by collocation the bends of all");
   expect(R"("stick": {})", "elastic blades whose tips may stick; with stick", isotropic,
-         "the bends of all blades in contact, two numbers each, are found along with the motion");
+         "by collocation the bends of all blades in contact, two numbers each, are found along");
   expect(R"("release": {})", "elastic blades; with release", isotropic,
-         "one blade in contact (by collocation up to four, if they rub): its bending");
+         "by collocation the bending of each blade is found");
   expect(R"("ring_body": {})", "elastic blades in a ring that is a body; with ring_body",
-         "isotropic shaft, the ring oscillates freely beside the shaft;", "one blade in contact");
+         "isotropic shaft, the ring oscillates freely beside the shaft;", "by collocation the bending");
   expect(rigid + R"("ring_body": {"mass": 0})", "rigid blades in a ring without mass; with ring_body",
          "the ring stays at its place of rest", "the forces of all blades and the place of the ring");
 }
