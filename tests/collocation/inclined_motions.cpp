@@ -126,13 +126,17 @@ CountedEvents expect_motions_as_in_steps(contact::LoadDirection direction, MakeF
     const auto expected = rotor.states(1e-3 * kTolerance, false, others);
     const auto found = rotor.states(kTolerance, true, events);
     EXPECT_EQ(found.size(), expected.size()) << i;
+    // In some of the motions differences grow a millionfold: no solver has them, and rounding says how near
+    // it comes.
+    const double of_steps = largest_difference(rotor.states(kTolerance, false, others), expected);
+    if (of_steps > 1e6 * kTolerance) continue;
+    errors_of_steps.push_back(of_steps);
     errors.push_back(largest_difference(found, expected));
-    errors_of_steps.push_back(largest_difference(rotor.states(kTolerance, false, others), expected));
   }
-  // Some of the motions are chaotic.
+  EXPECT_GT(errors.size(), kRotors * 3 / 4);
   for (std::vector<double>* each : {&errors, &errors_of_steps}) std::ranges::sort(*each);
-  EXPECT_LE(errors[kRotors / 2], kTolerance);
-  for (const std::size_t place : {kRotors / 2, kRotors * 9 / 10})
+  EXPECT_LE(errors[errors.size() / 2], kTolerance);
+  for (const std::size_t place : {errors.size() / 2, errors.size() * 9 / 10})
     EXPECT_LE(errors[place], errors_of_steps[place]);
   return events;
 }
