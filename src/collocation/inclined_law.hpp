@@ -72,10 +72,8 @@ class InclinedLaw final : public ArcLaw {
     }
     if (goes_on(law, at, speed, opened, kNear)) return opened;
     if (touch.bend.modulus == 0.0) {
-      // On the approaching side a contact opens from zero force (MODEL 4.2).
-      const double first = law.first_load_angle(at, touch.slip, speed);
-      if (first * at.tangential > 0.0 && at.gap <= contact::gap_rounding(law.geometry(), at)) {
-        opened.bend = {std::sin(0.5 * first), 0.0};
+      if (law.opens_unbent(at, touch.slip, speed)) {
+        opened.bend = {std::sin(0.5 * law.first_load_angle(at, touch.slip, speed)), 0.0};
         return opened;
       }
     }

@@ -49,7 +49,7 @@ class StickingElastic : public Solved<Law> {
         if (rests(contact, state)) continue;
         if (!let_go(contact, state)) return false;
         tell(contact);
-      } else if (contact.bend.modulus == 0.0 && may_rest(contact, state)) {
+      } else if (contact.bend.modulus == 0.0 && !opens_unbent(contact, state) && may_rest(contact, state)) {
         OpenContact bent = contact;
         if (forward(bent, contact.slip, state) >= -rounding_of_slip(contact.blade)) continue;
         if (!arrest(contact = bent, state)) return false;
@@ -146,6 +146,12 @@ class StickingElastic : public Solved<Law> {
     return contact::resting_normal_angle(this->law_->of(open.blade).geometry(), this->pose(open.blade, state),
                                          this->blades().angular_speed(state[rotor::kTime]), 0.0)
         .has_value();
+  }
+  /// Its tip then slips as the undeformed tip does, of which s is the sign.
+  [[nodiscard]] bool opens_unbent(const OpenContact& open, const FullState& state) const {
+    return this->law_->of(open.blade)
+        .opens_unbent(this->pose(open.blade, state), open.slip,
+                      this->blades().angular_speed(state[rotor::kTime]));
   }
   [[nodiscard]] auto rest(const OpenContact& open, const FullState& state) const {
     return this->law_->of(open.blade)
