@@ -181,16 +181,18 @@ bool ContactArc::is_next_to_unbent(const Interval& interval) const {
 /// The blades of tips at rest are no straight struts between hub and ring.
 bool ContactArc::are_bent_firmly(const Interval& interval) const {
   constexpr double kLeastModulus = 1e-3;  // κ
-  const auto is_bent = [&](int blade, double slip) {
+  const auto is_bent = [&](int blade, double slip, const TipInTime& tip) {
     if (slip != 0.0) return true;
     for (std::size_t i = 0; i < kNodes; ++i) {
+      if (std::abs(tip.lean[i]) > kLeastModulus) continue;  // l is a part of κ
       if (!(std::abs(touch_of(blade, at_node(interval, i)).bend.modulus) > kLeastModulus)) return false;
     }
     return true;
   };
-  return is_bent(blade_, contact_.slip) && std::ranges::all_of(further_, [&](const FurtherStart& further) {
-           return is_bent(further.blade, further.slip);
-         });
+  bool all = is_bent(blade_, contact_.slip, interval);
+  for (std::size_t k = 0; k < further_.size(); ++k)
+    all = all && is_bent(further_[k].blade, further_[k].slip, interval.further[k]);
+  return all;
 }
 
 ContactArc::Verdict ContactArc::judge(Ending& ending) {
