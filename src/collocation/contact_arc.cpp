@@ -37,7 +37,7 @@ ContactArc::ContactArc(const rotor::Machine& machine, ArcLaw& law, double tolera
       contact_{&machine_.numbers(), nullptr, 1.0, law.leans()},
       allowed_(kBetweenNodes * rotor_->length_scale *
                std::pow(tolerance / rotor_->length_scale, Predictor::kOrder / kOrderAtEnd)),
-      earlier_(machine.ring_body() != nullptr, law.geometry(0).reach, rotor_->length_scale) {
+      earlier_(machine.ring_body() != nullptr, rotor_->length_scale) {
   for (int k = 0; k < blades_->count(); ++k) {
     offsets_.push_back(blades_->direction(k, {1.0, 0.0}));
     numbers_.push_back(law.numbers(k));
@@ -94,14 +94,21 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
 }
 
 void ContactArc::look_for_earlier() {
-  Beginning beginning{.blade = {er_.cosine, er_.sine},
-                      .angular_speed = blades_->angular_speed(end_.time),
-                      .argument = end_.bending.argument,
-                      .slip = contact_.slip};
-  std::copy_n(end_.bodies.begin(), 4, beginning.shaft.begin());
-  std::copy_n(end_.bodies.begin() + 4, 4, beginning.ring.begin());
+  const auto seen = [this](double x, double y) {
+    return std::array{x * er_.cosine + y * er_.sine, y * er_.cosine - x * er_.sine};
+  };
+  const auto motion = [&](std::size_t body, double above) {
+    const auto [x, y] = seen(end_.bodies[body], end_.bodies[body + 1] + above);
+    const auto [vx, vy] = seen(end_.bodies[body + 2], end_.bodies[body + 3]);
+    return std::array{x, y, vx, vy};
+  };
   const std::complex<double> forcing = machine_.forcing(end_.time);
-  beginning.forcing = {forcing.real(), forcing.imag()};
+  const Beginning beginning{.shaft = motion(0, machine().misalignment),
+                            .ring = motion(4, 0.0),
+                            .angular_speed = blades_->angular_speed(end_.time),
+                            .forcing = seen(forcing.real(), forcing.imag()),
+                            .argument = end_.bending.argument,
+                            .slip = contact_.slip};
   const EarlierContacts::Found found = earlier_.find(beginning);
   alike_ = found.alike;
   kept_ = found.next;
