@@ -23,6 +23,7 @@
 #include "plan/grid.hpp"
 #include "plan/pieces.hpp"
 #include "settings/combinations.hpp"
+#include "settings/methods.hpp"
 #include "settings/printable.hpp"
 #include "settings/quantity.hpp"
 

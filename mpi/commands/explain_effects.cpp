@@ -12,6 +12,7 @@
 #include "mpi/commands/effect_cost.hpp"
 #include "plan/grid.hpp"
 #include "settings/combinations.hpp"
+#include "settings/methods.hpp"
 #include "settings/quantity.hpp"
 
 namespace rubatlas::mpi {

@@ -122,7 +122,9 @@ Preparation prepare(const RunOptions& options, const atlas::Software& software) 
   // no other run can take it at any moment.
   std::optional<atlas::AtlasLock>& lock = preparation.lock;
   if (std::filesystem::exists(output.path)) lock.emplace(output.path);
-  if (!goes_on(options)) {
+  const bool is_new = !goes_on(options);
+  const plan::Grid grid(scene);
+  if (is_new) {
     const atlas::AtlasHeader header{scene, preparation.scene_text, software, permission.part};
     atlas::create_atlas(output, header, [&](const auto& unpublished) {
       if (lock) {
@@ -135,18 +137,23 @@ Preparation prepare(const RunOptions& options, const atlas::Software& software) 
   if (const std::string remark = lock->remark(); !remark.empty()) {
     say_sentence(remark);
   }
-  const atlas::AtlasReader atlas(output.path);
-  if (const std::string commit = atlas.file().root().text("git_commit"); commit != software.git_commit) {
-    say_sentence(
-        fmt::format("{} was begun by commit {}, this is {}: its points may differ in the last digits",
-                    options.atlas.string(), commit, software.git_commit));
+  if (is_new) {
+    preparation.status.assign(grid.point_count(), 0);
+    if (scene.pieces) preparation.seam = preparation.status;
+  } else {
+    const atlas::AtlasReader atlas(output.path);
+    if (const std::string commit = atlas.file().root().text("git_commit"); commit != software.git_commit) {
+      say_sentence(
+          fmt::format("{} was begun by commit {}, this is {}: its points may differ in the last digits",
+                      options.atlas.string(), commit, software.git_commit));
+    }
+    preparation.status = atlas.status();
+    if (scene.pieces) preparation.seam = atlas.seam();
   }
-  preparation.status = atlas.status();
-  const auto [first, end] = atlas.points_of_part();
+  const auto [first, end] = plan::points_of(permission.part, grid);
   std::fill_n(preparation.status.begin(), first, kOfAnotherPart);
   std::fill(preparation.status.begin() + static_cast<std::ptrdiff_t>(end), preparation.status.end(),
             kOfAnotherPart);
-  if (scene.pieces) preparation.seam = atlas.seam();
   return preparation;
 }
 

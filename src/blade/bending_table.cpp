@@ -8,9 +8,9 @@
 namespace rubatlas::blade {
 namespace {
 
-/// Of L: a blade that is shortened more is left to other modes, since the next singularity of the curve is
-/// near.
-constexpr double kShorteningAtEnd = 0.5;
+/// Of L: the largest limit of validity that a scene may set. Not far beyond is the next singularity of the
+/// curve.
+constexpr double kLargestLimit = 0.6;
 
 constexpr auto kCount = static_cast<Eigen::Index>(BendingTable::kDegree + 1);
 using Points = Eigen::Matrix<double, kCount, 1>;
@@ -44,7 +44,7 @@ BendingTable::BendingTable(const ElasticaCurve& curve) : scale_(curve.load_angle
   for (int piece = 0;; ++piece) {
     const double end = (piece + 1) * kWidth;
     const CurvePoint at_end = curve.at(bending(end));
-    if (at_end.shortening > kShorteningAtEnd || bending(end) > curve.end()) break;
+    if (bending(end) > curve.end()) break;
     const double centre = (piece + 0.5) * kWidth;
     Eigen::Matrix<double, kCount, 3> samples;
     for (Eigen::Index i = 0; i < kCount; ++i) {
@@ -56,6 +56,7 @@ BendingTable::BendingTable(const ElasticaCurve& curve) : scale_(curve.load_angle
     for (Eigen::Index k = 0; k < kCount; ++k)
       made.coefficients[static_cast<std::size_t>(k)] = {fitted(k, 0), fitted(k, 1), fitted(k, 2), 0.0};
     knots_.push_back({end, at_end.load, at_end.shortening, at_end.deflection});
+    if (at_end.shortening > kLargestLimit) break;
   }
 }
 

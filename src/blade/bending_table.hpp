@@ -19,7 +19,7 @@ class ElasticaCurve;
 
 class BendingTable {
  public:
-  /// Up to a shortening of about 0.5 L.
+  /// Up to a shortening of about 0.6 L.
   explicit BendingTable(const blade::ElasticaCurve& curve);
 
   static constexpr std::size_t kDegree = 11;

@@ -14,7 +14,7 @@ using Real = long double;
 using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
 constexpr double kSmallestFriction = 1e-16;  ///< below it the blade is the column μ = 0 to the last bit
-constexpr double kLargestShortening = 0.75;  ///< of L: a margin over the largest limit that a scene may set
+constexpr double kLargestShortening = 0.8;   ///< of L: a margin over the largest limit that a scene may set
 
 /// Chebyshev points of (-1, 1).
 Real chebyshev_point(int i, int count) {

@@ -53,7 +53,7 @@ class BendingTable;
 
 class ElasticaCurve {
  public:
-  /// Tabulates the curve for a Coulomb coefficient μ in [0, 2] up to a shortening of 0.75 L.
+  /// Tabulates the curve for a Coulomb coefficient μ in [0, 2] up to a shortening of 0.8 L.
   /// `axial_compliance`: ε = EI/(EA L²) >= 0 [-], h²/(12 L²) for a rectangular section.
   explicit ElasticaCurve(double friction, Theory theory = Theory::elastica, double axial_compliance = 0.0);
 

@@ -5,6 +5,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -31,7 +32,8 @@ class ArcLaw {
   virtual ~ArcLaw() = default;
 
   /// So many blades may touch at once.
-  [[nodiscard]] virtual std::size_t most_contacts() const = 0;
+  [[nodiscard]] virtual std::size_t most_contacts() const { return kAnyNumber; }
+  static constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
   [[nodiscard]] virtual Blade numbers(int blade) const = 0;
   [[nodiscard]] virtual contact::Geometry geometry(int blade) const = 0;
   /// Friction takes its sign from s, so that a reversal of the slip is an event.
@@ -46,7 +48,7 @@ class ArcLaw {
   [[nodiscard]] bool keeps_loads() const { return leans() || is_rigid(); }
   /// A contact that ends under load ends at g = 0.
   [[nodiscard]] virtual bool ends_at_ring() const { return true; }
-  /// A tip whose v does not jump where s changes, and that cannot rest, may slip on against s (MODEL 4.4).
+  /// A tip that cannot rest may slip on against s (MODEL 4.4).
   [[nodiscard]] virtual bool may_slip_back() const { return false; }
   /// A contact goes on beyond the ring while it has a force.
   [[nodiscard]] virtual bool releases_at_fold(int blade) const = 0;
@@ -94,7 +96,7 @@ class ArcLaw {
 
   [[nodiscard]] virtual bool solve(const Contact& contact, const Closeness& closeness,
                                    Interval& interval) const = 0;
-  [[nodiscard]] virtual Bounds bounds(const Contact& contact, const Interval& interval) const = 0;
+  virtual void bounds(const Contact& contact, const Interval& interval, Bounds& bounds) const = 0;
 
   /// The contact of a blade that is bent so.
   [[nodiscard]] virtual Touch touch(int blade, double slip, const Bending& bending) const = 0;

@@ -213,9 +213,10 @@ class ArcSweeps {
     for (interval_.sweeps = 1; interval_.sweeps <= most; ++interval_.sweeps) {
       const double change = light ? sweeps.template sweep<true>() : sweeps.template sweep<false>();
       if (!(change < kFirstChange)) return false;
-      // The changes form a geometric series in the end, of which this is the rest.
+      // The changes form a geometric series in the end, of which this is the rest. The first one may hold
+      // little of what falls slowest.
       const double ratio = interval_.sweeps > 1 ? std::min(change / before, kSlowest) : kSlowest;
-      const double rest = change * std::max(ratio, interval_.sweeps > 2 ? ratio_before : 0.0);
+      const double rest = change * std::max(ratio, interval_.sweeps > 2 ? ratio_before : kOfSecond);
       if (rest <= closeness_.velocity && largest_step_ < sweeps.largest_step_allowed()) {
         sweeps.store();
         return true;
@@ -368,6 +369,8 @@ class ArcSweeps {
   /// soft that it hardly moves the shaft.
   static constexpr double kLargestStep = 1e-4;
   static constexpr double kSlowest = 0.5;  ///< ratio of changes, where none is known
+  static constexpr double kOfSecond =
+      0.1;  ///< the least ratio of the second change to the first one to believe
 
   const Machine& machine_;
   const Closeness& closeness_;

@@ -4,16 +4,26 @@
 #include <cmath>
 #include <iterator>
 
+#include "integrate/root_between.hpp"
+
 namespace rubatlas::collocation {
 
 AxialLaw::AxialLaw(const Laws& laws, int blade_count, double max_shortening)
     : laws_(&laws), solver_(interval_solver()) {
   for (int k = 0; k < blade_count; ++k) {
     const auto& knots = table(k).knots();
-    const auto beyond = std::find_if(knots.begin(), knots.end(), [&](const blade::BendingTable::Knot& knot) {
-      return knot.shortening > max_shortening;
-    });
-    valid_argument_.push_back(beyond == knots.begin() ? 0.0 : std::prev(beyond)->argument);
+    const auto beyond = std::ranges::find_if(
+        knots, [&](const blade::BendingTable::Knot& knot) { return knot.shortening > max_shortening; });
+    if (beyond == knots.end()) {
+      valid_argument_.push_back(knots.empty() ? 0.0 : knots.back().argument);
+      continue;
+    }
+    const auto excess = [&](double argument) {
+      return laws_->of(k).curve().at(table(k).bending(argument)).shortening - max_shortening;
+    };
+    const double before = beyond == knots.begin() ? 0.0 : std::prev(beyond)->argument;
+    valid_argument_.push_back(integrate::root_between(excess, before, beyond->argument, excess(before),
+                                                      beyond->shortening - max_shortening));
   }
 }
 

@@ -23,11 +23,12 @@ class AxialLaw : public ArcLaw {
   /// Columns (μ = 0) one by one: the force of a further one does not vanish where it lifts off, which the
   /// sweeps do not see in time.
   [[nodiscard]] std::size_t most_contacts() const override {
-    return laws_->of(0).curve().friction() > 0.0 ? 1 + kMostFurther : 1;
+    return laws_->of(0).curve().friction() > 0.0 ? kAnyNumber : 1;
   }
   [[nodiscard]] Blade numbers(int blade) const override;
   [[nodiscard]] contact::Geometry geometry(int blade) const override { return laws_->of(blade).geometry(); }
   [[nodiscard]] bool has_slip_state() const override { return true; }
+  [[nodiscard]] bool may_slip_back() const override { return true; }
   [[nodiscard]] bool leans() const override { return false; }
   [[nodiscard]] bool releases_at_fold(int blade) const override {
     return laws_->of(blade).releases_at_fold();
@@ -65,8 +66,8 @@ class AxialLaw : public ArcLaw {
                            Interval& interval) const override {
     return solver_.solve(contact, closeness, interval);
   }
-  [[nodiscard]] Bounds bounds(const Contact& contact, const Interval& interval) const override {
-    return solver_.bounds(contact, interval);
+  void bounds(const Contact& contact, const Interval& interval, Bounds& bounds) const override {
+    solver_.bounds(contact, interval, bounds);
   }
   [[nodiscard]] Touch touch(int blade, double slip, const Bending& bending) const override {
     return {blade, slip, table(blade).bending(bending.argument)};

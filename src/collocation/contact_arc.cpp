@@ -1,6 +1,7 @@
 #include "collocation/contact_arc.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -45,7 +46,7 @@ ContactArc::ContactArc(const rotor::Machine& machine, ArcLaw& law, double tolera
       contact_{&machine_.numbers(), nullptr, 1.0, law.leans()},
       allowed_(kBetweenNodes * rotor_->length_scale *
                std::pow(tolerance / rotor_->length_scale, Predictor::kOrder / kOrderAtEnd)),
-      earlier_(machine.ring_body() != nullptr, law.geometry(0).reach, rotor_->length_scale) {
+      earlier_(machine.ring_body() != nullptr, rotor_->length_scale) {
   for (int k = 0; k < blades_->count(); ++k) {
     offsets_.push_back(blades_->direction(k, {1.0, 0.0}));
     numbers_.push_back(law.numbers(k));
@@ -75,6 +76,12 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
   begins_ = true;
   ending_ = {};
   start_ = {time, bodies, law_->lead(touching[leader])};
+  std::vector<Touch> held;
+  if (law_->is_rigid() && std::ranges::count(touching, 0.0, &Touch::slip) > 0) {
+    held.assign(touching.begin(), touching.end());
+    hold(held, start_);
+    touching = held;
+  }
   er_ = blades_->direction(blade_, blades_->first(time));
   const contact::BladeDirection& from = offsets_[static_cast<std::size_t>(blade_)];
   const auto offset_of = [&](int blade) {
@@ -86,9 +93,7 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
     FurtherStart& start =
         further_.emplace_back(law_->further(touch, pose(touch.blade, start_), blades_->angular_speed(time)));
     start.offset = offset_of(touch.blade);
-    start_.squares[further_.size() - 1] = start.square.value;
-    start_.leans[further_.size() - 1] = start.lean.value;
-    start_.yieldings[further_.size() - 1] = start.tip.start_yielding;
+    start_.further.push_back({start.square.value, start.lean.value, start.tip.start_yielding});
   }
   end_ = start_;
   others_.clear();
@@ -103,16 +108,33 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
   if (further_.empty()) look_for_earlier();
 }
 
+double ContactArc::shortening_at_start() const {
+  double largest = at_end_.force.shortening;
+  for (const FurtherStart& further : further_) largest = std::max(largest, further.force.shortening);
+  return largest;
+}
+bool ContactArc::starts_within_ring() const {
+  const rotor::State seen = rotor::from_ring(start_.bodies);
+  return std::hypot(seen[0], seen[1] + rotor_->misalignment) < machine().ring_radius;
+}
+
 void ContactArc::look_for_earlier() {
-  Beginning beginning{.blade = {er_.cosine, er_.sine},
-                      .angular_speed = blades_->angular_speed(end_.time),
-                      .argument = end_.bending.argument,
-                      .slip = contact_.slip,
-                      .straight = contact_.straight};
-  std::copy_n(end_.bodies.begin(), 4, beginning.shaft.begin());
-  std::copy_n(end_.bodies.begin() + 4, 4, beginning.ring.begin());
+  const auto seen = [this](double x, double y) {
+    return std::array{x * er_.cosine + y * er_.sine, y * er_.cosine - x * er_.sine};
+  };
+  const auto motion = [&](std::size_t body, double above) {
+    const auto [x, y] = seen(end_.bodies[body], end_.bodies[body + 1] + above);
+    const auto [vx, vy] = seen(end_.bodies[body + 2], end_.bodies[body + 3]);
+    return std::array{x, y, vx, vy};
+  };
   const std::complex<double> forcing = machine_.forcing(end_.time);
-  beginning.forcing = {forcing.real(), forcing.imag()};
+  const Beginning beginning{.shaft = motion(0, machine().misalignment),
+                            .ring = motion(4, 0.0),
+                            .angular_speed = blades_->angular_speed(end_.time),
+                            .forcing = seen(forcing.real(), forcing.imag()),
+                            .argument = end_.bending.argument,
+                            .slip = contact_.slip,
+                            .straight = contact_.straight};
   const EarlierContacts::Found found = earlier_.find(beginning);
   alike_ = found.alike;
   kept_ = found.next;
@@ -122,9 +144,7 @@ void ContactArc::look_for_earlier() {
 void ContactArc::predict(const Touch& touch) {
   const double angular_speed = blades_->angular_speed(end_.time);
   const contact::Pose there = pose(blade_, end_);
-  Touch held = touch;
-  if (rests_rigidly()) held.holding = holding_coefficient(end_);
-  at_end_ = law_->start(held, there, angular_speed);
+  at_end_ = law_->start(touch, there, angular_speed);
   std::complex<double> force = contact::on_rotor(at_end_.force, er_);
   for (const FurtherStart& further : further_) {
     const contact::BladeDirection er{er_.cosine * further.offset[0] - er_.sine * further.offset[1],
@@ -150,19 +170,20 @@ void ContactArc::predict(const Touch& touch) {
                     .acceleration = acceleration});
 }
 
-/// The sign of v where it starts from zero: that of s where a tip has come loose, of dv/dτ where it may slip
-/// back. `acceleration`: of the shaft, seen from the ring.
+/// The sign of v where it starts from zero: that of s where a tip has come loose, of dv/dτ where a straight
+/// one, whose v does not jump where s changes, may slip back. `acceleration`: of the shaft, seen from the
+/// ring.
 void ContactArc::set_out(int blade, double slip, const std::complex<double>& acceleration,
                          double& velocity) const {
   if (slip == 0.0 || std::abs(velocity) > slip_rounding()) return;
   double ahead = slip;
-  if (law_->may_slip_back()) {
+  if (is_straight(blade) && law_->may_slip_back()) {
     ahead = slip_acceleration(blade, end_, acceleration);
   }
   velocity = std::copysign(std::numeric_limits<double>::min(), ahead);
 }
 
-/// dv/dτ of a rigid tip under an acceleration of the shaft, seen from the ring.
+/// dv/dτ of a straight tip under an acceleration of the shaft, seen from the ring.
 double ContactArc::slip_acceleration(int blade, const Point& point,
                                      const std::complex<double>& acceleration) const {
   const contact::BladeDirection er = blades_->direction(blade, blades_->first(point.time));
@@ -173,14 +194,36 @@ double ContactArc::slip_acceleration(int blade, const Point& point,
                                     {seen.real(), seen.imag() + turning}, 0.0, 0.0);
 }
 
-/// c of a rigid tip at rest: that which takes away dv/dτ.
-double ContactArc::holding_coefficient(const Point& point) const {
-  const contact::BladeDirection er = blades_->direction(blade_, blades_->first(point.time));
-  const contact::TipForce load =
-      law_->force({blade_, 0.0, 0.0}, pose(blade_, point), blades_->angular_speed(point.time));
-  const rotor::Acceleration acceleration =
-      whole_->acceleration(rotor::full_state(point.bodies, point.time, 0.0), contact::on_rotor(load, er));
-  return slip_acceleration(blade_, point, acceleration.shaft) / (load.normal * rotor_->force_unit);
+/// Direction of the slip of a straight tip.
+std::complex<double> ContactArc::tangent(int blade, const Point& point) const {
+  const contact::BladeDirection er = blades_->direction(blade, blades_->first(point.time));
+  return contact::tangent(law_->geometry(blade), pose(blade, point)) *
+         std::complex<double>(er.cosine, er.sine);
+}
+
+/// Finds c of rigid tips at rest among all that touch: those that take away dv/dτ of each.
+void ContactArc::hold(std::span<Touch> touching, const Point& point) const {
+  const auto force_of = [&](const Touch& touch) {
+    return law_->force(touch, pose(touch.blade, point), blades_->angular_speed(point.time));
+  };
+  std::complex<double> force;
+  for (Touch& touch : touching) {
+    touch.holding = 0.0;
+    force += contact::on_rotor(force_of(touch), blades_->direction(touch.blade, blades_->first(point.time)));
+  }
+  const std::complex<double> acceleration =
+      whole_->acceleration(rotor::full_state(point.bodies, point.time, 0.0), force).shaft;
+  std::array<contact::AtRest, contact::kMostAtRest> tips{};
+  std::array<Touch*, contact::kMostAtRest> touches{};
+  std::size_t count = 0;
+  for (Touch& touch : touching) {
+    if (touch.slip != 0.0 || count == contact::kMostAtRest) continue;
+    touches[count] = &touch;
+    tips[count++] = {tangent(touch.blade, point), slip_acceleration(touch.blade, point, acceleration)};
+  }
+  contact::share_out(std::span(tips).first(count));
+  for (std::size_t i = 0; i < count; ++i)
+    touches[i]->holding = tips[i].pull / (force_of(*touches[i]).normal * rotor_->force_unit);
 }
 
 void ContactArc::start_next(Interval& next) const {
@@ -193,7 +236,7 @@ void ContactArc::start_next(Interval& next) const {
   next.start_gap_measure = at_end_.gap_measure;
   next.start_slip_velocity = at_end_.force.slip_velocity;
   next.start_yielding = end_.bending.yielding;
-  next.further_count = further_.size();
+  next.further.resize(further_.size());
   if (keeps_loads()) {
     next.start_force = at_end_.force.normal;
     next.start_strain = at_end_.force.root_strain;
@@ -228,7 +271,7 @@ double ContactArc::error_of(const Interval& interval) const {
   const double fall_by_four = (fall * fall) * (fall * fall);
   const double at_end = last * fall_by_four * fall_by_four * kLargestIntegral;
   double error = std::max(between / allowed_, at_end / (kAtEnd * tolerance_));
-  if (interval.further_count > 0) error *= kCareWithSeveral;
+  if (!interval.further.empty()) error *= kCareWithSeveral;
   const double length = interval.elapsed.at_end() / machine_.longest_interval();
   return length > 1.0 ? std::max(error, std::pow(length, Predictor::kOrder)) : error;
 }
@@ -244,8 +287,8 @@ bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter, 
   std::copy_n(whole.forcing.begin(), machine().forcing_count, shorter.forcing.begin());
   shorter.ripple = whole.ripple;
   static_cast<TipStart&>(shorter) = static_cast<const TipStart&>(whole);
-  shorter.further_count = whole.further_count;
-  for (std::size_t k = 0; k < whole.further_count; ++k) {
+  shorter.further.resize(whole.further.size());
+  for (std::size_t k = 0; k < whole.further.size(); ++k) {
     static_cast<TipStart&>(shorter.further[k]) = static_cast<const TipStart&>(whole.further[k]);
     shorter.further[k].blade = whole.further[k].blade;
     shorter.further[k].load = whole.further[k].load;
@@ -271,8 +314,8 @@ void ContactArc::move(Point& point, const Interval& interval, double late) {
   if (point.bending.argument > 0.0)
     point.bending.argument += late * interval.argument_slope.at_end() / interval.time_slope.at_end();
   point.bending.yielding += late * yielding_rate_at_end(interval, interval);
-  for (std::size_t k = 0; k < interval.further_count; ++k)
-    point.yieldings[k] += late * yielding_rate_at_end(interval, interval.further[k]);
+  for (std::size_t k = 0; k < interval.further.size(); ++k)
+    point.further[k].yielding += late * yielding_rate_at_end(interval, interval.further[k]);
 }
 
 void ContactArc::guess_further(Interval& next) const {
@@ -321,18 +364,16 @@ void ContactArc::leave_earlier() {
 }
 
 /// The leading blade, then the others.
-std::vector<Touch> ContactArc::touching_at_end() const {
-  std::vector<Touch> touching{law_->touch(blade_, contact_.slip, end_.bending)};
-  for (const FurtherStart& start : further_)
-    touching.push_back(
-        law_->touch(start.blade, start.slip,
-                    {std::sqrt(start.square.value), start.lean.value, start.tip.start_yielding}));
+std::vector<Touch> ContactArc::touching_at(const Point& point) const {
+  std::vector<Touch> touching{law_->touch(blade_, contact_.slip, point.bending)};
+  for (const FurtherStart& further : further_)
+    touching.push_back(law_->touch(further.blade, further.slip, bending_of(further.blade, point)));
   return touching;
 }
 
 /// Another blade leads from where the last interval has ended.
 void ContactArc::change_leader(std::size_t further) {
-  const std::vector<Touch> touching = touching_at_end();
+  const std::vector<Touch> touching = touching_at(end_);
   lead(end_.time, rotor::ShaftAndRing(end_.bodies), touching, further + 1);
   lead_has_changed_ = true;
 }
@@ -393,11 +434,8 @@ ContactArc::Point ContactArc::at_node(const Interval& interval, std::size_t node
               .bending = {interval.argument[node], interval.lean[node], interval.yielding[node]}};
   point.bodies << shaft.x[node], shaft.y[node], shaft.vx[node], shaft.vy[node], ring.x[node], ring.y[node],
       ring.vx[node], ring.vy[node];
-  for (std::size_t k = 0; k < interval.further_count; ++k) {
-    point.squares[k] = interval.further[k].square[node];
-    point.leans[k] = interval.further[k].lean[node];
-    point.yieldings[k] = interval.further[k].yielding[node];
-  }
+  for (const FurtherBlade& further : interval.further)
+    point.further.push_back({further.square[node], further.lean[node], further.yielding[node]});
   return point;
 }
 

@@ -14,7 +14,6 @@
 /// with another mode from there.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -45,25 +44,34 @@ class ContactArc {
   ContactArc(const ContactArc&) = delete;
   ContactArc& operator=(const ContactArc&) = delete;
 
+  /// How far a blade is bent that does not lead.
+  struct FurtherPlace {
+    double square;          ///< p²
+    double lean;            ///< l
+    double yielding = 0.0;  ///< y
+  };
   /// A place on the contact's curve.
   struct Point {
     double time = 0.0;  ///< τ of the revolution
     rotor::ShaftAndRing bodies = rotor::ShaftAndRing::Zero();
-    Bending bending;                               ///< of the leading blade
-    std::array<double, kMostFurther> squares{};    ///< p² of the others
-    std::array<double, kMostFurther> leans{};      ///< and l of theirs
-    std::array<double, kMostFurther> yieldings{};  ///< and y of theirs
+    Bending bending;  ///< of the leading blade
+    std::vector<FurtherPlace> further{};
   };
 
-  /// Begins where these blades touch, one to 1 + kMostFurther.
+  /// Begins where these blades touch.
   void begin(double time, const rotor::ShaftAndRing& bodies, std::span<const Touch> touching);
 
   enum class Outcome : std::uint8_t { made, gives_up };
+  /// δ/L of the blade that is shortened most where they begin.
+  [[nodiscard]] double shortening_at_start() const;
+  /// Whether the shaft is within the ring there.
+  [[nodiscard]] bool starts_within_ring() const;
   /// Makes the next interval, from the end of the one before.
   Outcome make();
   /// What ends an interval: the leading blade lifts off unbent or under load, or comes to the fold of its
   /// branch or to the end of the chart of its equilibria; the slip of a blade reverses; a tip at rest comes
-  /// loose; a straight blade is pressed in; another blade touches down.
+  /// loose; a straight blade is pressed in; another blade touches down; a blade comes to the limit of its
+  /// shortening, or the shaft to the ring (MODEL 5).
   enum class Guard : std::uint8_t {
     none,
     unbent,
@@ -73,7 +81,9 @@ class ContactArc {
     slip_reversal,
     loosening,
     pressed_in,
-    touch_down
+    touch_down,
+    shortening_limit,
+    shaft_at_ring
   };
   struct Ending {
     Guard guard = Guard::none;
@@ -151,8 +161,8 @@ class ContactArc {
   void set_out(int blade, double slip, const std::complex<double>& acceleration, double& velocity) const;
   [[nodiscard]] double slip_acceleration(int blade, const Point& point,
                                          const std::complex<double>& acceleration) const;
-  [[nodiscard]] double holding_coefficient(const Point& point) const;
-  [[nodiscard]] bool rests_rigidly() const { return contact_.slip == 0.0 && law_->is_rigid(); }
+  [[nodiscard]] std::complex<double> tangent(int blade, const Point& point) const;
+  void hold(std::span<Touch> touching, const Point& point) const;
   [[nodiscard]] std::size_t number_of(int blade) const;
   [[nodiscard]] const Interval& made() const { return intervals_[made_]; }
   [[nodiscard]] Interval& trial() { return intervals_[1 - made_]; }
@@ -169,9 +179,20 @@ class ContactArc {
   void start_next(Interval& next) const;
   /// `closest`: what sweeps may leave, if less than usual [m per unit τ].
   bool solve(Interval& interval, bool warm, double closest = std::numeric_limits<double>::infinity());
+  [[nodiscard]] Bounds bounds_of(const Interval& interval) const;
   [[nodiscard]] double error_of(const Interval& interval) const;
   [[nodiscard]] bool stays_valid(const Bounds& bounds, const Ending& ending) const;
-  [[nodiscard]] Ending guard_of_contacts(const Interval& interval) const;
+  [[nodiscard]] Ending guard_of_contacts(const Interval& interval, const Bounds& bounds) const;
+  /// A quantity within an interval.
+  struct Course {
+    double start;
+    AtNodes nodes;
+  };
+  [[nodiscard]] Course validity_left(const Interval& interval, Guard guard, int blade) const;
+  [[nodiscard]] const TipInTime& tip_of(const Interval& interval, int blade) const {
+    if (blade == blade_) return interval;
+    return interval.further[number_of(blade)];
+  }
   [[nodiscard]] std::optional<Ending> touch_down(const Interval& interval, Ending before);
   struct Other;
   [[nodiscard]] bool starts_inside(int blade) const;
@@ -181,18 +202,24 @@ class ContactArc {
   Verdict judge(Ending& ending);
   bool solve_next();
   void goes_on(const Ending& ending);
-  [[nodiscard]] std::vector<Touch> touching_at_end() const;
+  [[nodiscard]] std::vector<Touch> touching_at(const Point& point) const;
   void change_leader(std::size_t further);
   void leave_earlier();
   void guess_further(Interval& next) const;
   bool cut(const Interval& whole, double fraction, Interval& shorter,
            double closest = std::numeric_limits<double>::infinity());
+  /// `set_out` has given v its sign.
+  [[nodiscard]] static bool slips_from_zero(double start_velocity) {
+    return std::abs(start_velocity) == std::numeric_limits<double>::min();
+  }
   /// |v| of a slip reversal that has been located [m per unit τ].
   [[nodiscard]] double slip_rounding() const {
     return contact::kSlipRounding * std::abs(rotor_->speed_ratio) * machine().ring_radius;
   }
-  [[nodiscard]] bool any_stands_straight() const {
-    return contact_.straight || std::ranges::count(further_, true, &FurtherStart::straight) > 0;
+  /// A blade in contact does not bend: it is rigid, or stands straight.
+  [[nodiscard]] bool is_straight(int blade) const {
+    if (law_->is_rigid()) return true;
+    return blade == blade_ ? contact_.straight : further_[number_of(blade)].straight;
   }
   /// The leading blade's force and strain are kept at the nodes.
   [[nodiscard]] bool keeps_loads() const { return law_->keeps_loads() || contact_.straight; }
@@ -200,12 +227,11 @@ class ContactArc {
   [[nodiscard]] bool reverses(double slip) const { return law_->has_slip_state() && slip != 0.0; }
   [[nodiscard]] bool are_bent_firmly(const Interval& interval) const;
   [[nodiscard]] bool is_next_to_unbent(const Interval& interval) const;
-  [[nodiscard]] const TipInTime& tip_of(const Ending& ending, const Interval& interval) const;
   [[nodiscard]] double left_at_end(const Ending& ending, const Interval& interval) const;
   bool cut_at(const Interval& whole, Ending& ending, Interval& shorter);
   [[nodiscard]] static Point at_node(const Interval& interval, std::size_t node);
   [[nodiscard]] static Point end_of(const Interval& interval) { return at_node(interval, kNodes - 1); }
-  void bring_to_rest(int blade);
+  void bring_to_rest(int reversed);
   void end_at(const Interval& interval, const Ending& ending);
 
   const rotor::Machine* whole_;

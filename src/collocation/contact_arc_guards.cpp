@@ -2,6 +2,7 @@
 // other guard is met before.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -12,6 +13,8 @@
 
 namespace rubatlas::collocation {
 namespace {
+
+constexpr int kNoBlade = -1;
 
 /// Slope by θ of the polynomial through values at the places, just before θ.
 double slope_before(const AtPlaces& values, double fraction) {
@@ -29,17 +32,23 @@ bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
   const auto keeps_slip = [&](int blade, double slip, double start, double least) {
     if (!reverses(slip)) return true;
     const bool reverses_here = ending.guard == Guard::slip_reversal && ending.blade == blade;
-    const bool slips_on = reverses_here ? least >= -rounding_at_end_ : least > 0.0;
+    // From zero a tip slips on by the square of the time, at first less than the rounding of v.
+    const double rounding = reverses_here ? rounding_at_end_ : slips_from_zero(start) ? slip_rounding() : 0.0;
+    const bool slips_on = rounding > 0.0 ? least >= -rounding : least > 0.0;
     return slips_on && (slip * start > 0.0 || law_->may_slip_back());
   };
-  if (!(bounds.distance < machine().ring_radius)) return false;
-  if (!(bounds.argument < law_->valid_argument(blade_))) return false;
-  if (!keeps_slip(blade_, contact_.slip, at_end_.force.slip_velocity, bounds.slip_velocity[0])) return false;
+  const auto stays_short = [&](int blade, double largest) {
+    const bool limit_ends_it = ending.guard == Guard::shortening_limit && ending.blade == blade;
+    return limit_ends_it || largest < law_->valid_argument(blade);
+  };
+  if (!(bounds.distance < machine().ring_radius) && ending.guard != Guard::shaft_at_ring) return false;
+  if (!stays_short(blade_, bounds.argument)) return false;
+  if (!keeps_slip(blade_, contact_.slip, at_end_.force.slip_velocity, bounds.slip_velocity)) return false;
   for (std::size_t k = 0; k < further_.size(); ++k) {
     const FurtherStart& further = further_[k];
-    if (!(bounds.further_argument[k] < law_->valid_argument(further.blade)) ||
+    if (!stays_short(further.blade, bounds.further[k].argument) ||
         !keeps_slip(further.blade, further.slip, further.tip.start_slip_velocity,
-                    bounds.slip_velocity[1 + k]))
+                    bounds.further[k].slip_velocity))
       return false;
   }
   if (!(bounds.cone_left > 0.0)) return false;
@@ -47,7 +56,7 @@ bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
 }
 
 /// The first guard of the blades in contact.
-ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const {
+ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval, const Bounds& bounds) const {
   Ending first;
   std::size_t place_of_first = kPlaces;
   // A quantity that keeps its sign while the contact lasts, at the first `count` nodes.
@@ -79,11 +88,25 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
     if (slip == 0.0) look(Guard::loosening, blade, tip.start_cone_left, tip.cone_left, 1.0);
     if (!reverses(slip)) return;
     const double sign = std::copysign(1.0, tip.start_slip_velocity);
-    look(Guard::slip_reversal, blade, tip.start_slip_velocity, tip.slip_velocity, sign);
+    AtNodes velocity = tip.slip_velocity;
+    if (slips_from_zero(tip.start_slip_velocity)) {
+      for (double& v : velocity.value) v = std::abs(v) > slip_rounding() ? v : tip.start_slip_velocity;
+    }
+    look(Guard::slip_reversal, blade, tip.start_slip_velocity, velocity, sign);
   };
   look_at_slip(blade_, contact_.slip, contact_.straight, interval);
   for (std::size_t k = 0; k < further_.size(); ++k)
     look_at_slip(further_[k].blade, further_[k].slip, further_[k].straight, interval.further[k]);
+  const auto look_at_validity = [&](Guard guard, int blade) {
+    const Course left = validity_left(interval, guard, blade);
+    look(guard, blade, left.start, left.nodes, 1.0);
+  };
+  if (!(bounds.argument < law_->valid_argument(blade_))) look_at_validity(Guard::shortening_limit, blade_);
+  for (std::size_t k = 0; k < further_.size(); ++k) {
+    if (!(bounds.further[k].argument < law_->valid_argument(further_[k].blade)))
+      look_at_validity(Guard::shortening_limit, further_[k].blade);
+  }
+  if (!(bounds.distance < machine().ring_radius)) look_at_validity(Guard::shaft_at_ring, kNoBlade);
   return first;
 }
 
@@ -104,6 +127,37 @@ bool ContactArc::stays_off(const Other& other, const Interval& interval, double 
   return (starts_inside(other.blade)
               ? largest_coefficient(gap_rates(machine(), interval, blade, other.offset))
               : bound) < allowed;
+}
+
+/// What is left of validity: of p, of its square or of δ/L up to the limit of the shortening; of |c|² up to
+/// the ring.
+ContactArc::Course ContactArc::validity_left(const Interval& interval, Guard guard, int blade) const {
+  if (guard == Guard::shaft_at_ring) {
+    const double radius = machine().ring_radius;
+    const auto left = [&](double x, double y) {
+      const double centre = y + machine().misalignment;
+      return radius * radius - (x * x + centre * centre);
+    };
+    const Body& shaft = interval.shaft;
+    const Body& ring = interval.ring;
+    Course result{left(shaft.start[0] - ring.start[0], shaft.start[1] - ring.start[1]), {}};
+    for (std::size_t i = 0; i < kNodes; ++i)
+      result.nodes[i] = left(shaft.x[i] - ring.x[i], shaft.y[i] - ring.y[i]);
+    return result;
+  }
+  const double limit = law_->valid_argument(blade);
+  const auto less = [](double most, double start, const AtNodes& nodes) {
+    Course result{most - start, {}};
+    for (std::size_t i = 0; i < kNodes; ++i) result.nodes[i] = most - nodes[i];
+    return result;
+  };
+  if (contact_.leans) {
+    const TipInTime& tip = tip_of(interval, blade);
+    return less(limit, tip.start_shortening, tip.shortening);
+  }
+  if (blade == blade_) return less(limit, interval.start_argument, interval.argument);
+  const FurtherBlade& further = interval.further[number_of(blade)];
+  return less(limit * limit, further.start_square, further.square);
 }
 
 /// The first touch-down of another blade, if it comes before this ending. None where it cannot be told.
@@ -148,16 +202,13 @@ std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interva
   return before;
 }
 
-/// The tip in contact whose guard that is; the leading one where another touches down.
-const TipInTime& ContactArc::tip_of(const Ending& ending, const Interval& interval) const {
-  if (ending.guard == Guard::touch_down || ending.blade == blade_) return interval;
-  return interval.further[number_of(ending.blade)];
-}
-
 /// What is left of the guard's quantity at the end of an interval that it ends.
 double ContactArc::left_at_end(const Ending& ending, const Interval& interval) const {
-  const TipInTime& tip = tip_of(ending, interval);
+  const auto tip = [&]() -> const TipInTime& { return tip_of(interval, ending.blade); };
   switch (ending.guard) {
+    case Guard::shortening_limit:
+    case Guard::shaft_at_ring:
+      return validity_left(interval, ending.guard, ending.blade).nodes.at_end();
     case Guard::touch_down: {
       const contact::Pose there = pose(ending.blade, end_of(interval));
       if (!ending.inside) return -there.gap;
@@ -173,9 +224,9 @@ double ContactArc::left_at_end(const Ending& ending, const Interval& interval) c
       return interval.chart_left.at_end();
     case Guard::loosening:
     case Guard::pressed_in:
-      return tip.cone_left.at_end();
+      return tip().cone_left.at_end();
     default:
-      return std::copysign(1.0, tip.start_slip_velocity) * tip.slip_velocity.at_end();
+      return std::copysign(1.0, tip().start_slip_velocity) * tip().slip_velocity.at_end();
   }
 }
 
@@ -217,23 +268,32 @@ bool ContactArc::is_next_to_unbent(const Interval& interval) const {
 /// The blades of tips at rest are no straight struts between hub and ring.
 bool ContactArc::are_bent_firmly(const Interval& interval) const {
   constexpr double kLeastModulus = 1e-3;  // κ
-  const auto is_bent = [&](int blade, double slip) {
+  const auto is_bent = [&](int blade, double slip, const TipInTime& tip) {
     if (slip != 0.0) return true;
     for (std::size_t i = 0; i < kNodes; ++i) {
+      if (std::abs(tip.lean[i]) > kLeastModulus) continue;  // l is a part of κ
       if (!(std::abs(touch_of(blade, at_node(interval, i)).bend.modulus) > kLeastModulus)) return false;
     }
     return true;
   };
-  return is_bent(blade_, contact_.slip) && std::ranges::all_of(further_, [&](const FurtherStart& further) {
-           return is_bent(further.blade, further.slip);
-         });
+  bool all = is_bent(blade_, contact_.slip, interval);
+  for (std::size_t k = 0; k < further_.size(); ++k)
+    all = all && is_bent(further_[k].blade, further_[k].slip, interval.further[k]);
+  return all;
+}
+
+Bounds ContactArc::bounds_of(const Interval& interval) const {
+  Bounds bounds{};
+  bounds.further.resize(interval.further.size());
+  law_->bounds(contact_, interval, bounds);
+  return bounds;
 }
 
 ContactArc::Verdict ContactArc::judge(Ending& ending) {
   const Interval& next = trial();
   const bool reaches_zero = next.chord.time == 0.0;
-  Bounds bounds = law_->bounds(contact_, next);
-  const auto first = touch_down(next, guard_of_contacts(next));
+  Bounds bounds = bounds_of(next);
+  const auto first = touch_down(next, guard_of_contacts(next, bounds));
   if (!first) return Verdict::too_long;
   ending = *first;
   const bool in_part = ending.guard != Guard::none;
@@ -244,16 +304,16 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
     return Verdict::gives_up;
   Interval& part = intervals_[made_];  // what has been made before is not asked for again
   if (in_part) {
-    if (!cut_at(next, ending, part)) return Verdict::gives_up;
+    if (!cut_at(next, ending, part)) return Verdict::too_long;
     // The load that would bend a blade has a kink where its tip passes the deepest place: beyond it the
     // polynomial tells nothing of where it was pressed in.
     constexpr double kPressedIn = 1e-8;  // of F
     if (ending.guard == Guard::pressed_in &&
-        std::abs(left_at_end(ending, part)) > kPressedIn * tip_of(ending, part).normal_force.at_end())
+        std::abs(left_at_end(ending, part)) > kPressedIn * tip_of(part, ending.blade).normal_force.at_end())
       return Verdict::too_long;
     // Beyond its ending the interval is no motion.
     const bool lifts = ending.guard == Guard::unbent || ending.guard == Guard::under_load;
-    if (!lifts || !further_.empty() || !stays_valid(bounds, ending)) bounds = law_->bounds(contact_, part);
+    if (!lifts || !further_.empty() || !stays_valid(bounds, ending)) bounds = bounds_of(part);
     // The tip that touches is at the ring at the end.
     const double at_ring = 2.0 * machine().ring_radius * tolerance_;
     gap_bound_of_others_ = -std::numeric_limits<double>::infinity();
@@ -261,16 +321,12 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
       if (!stays_off(other, part, other.blade == ending.blade ? at_ring : 0.0)) return Verdict::too_long;
     }
   }
-  // Close to a fold bounds of shorter intervals tell.
-  if (!stays_valid(bounds, ending))
-    return contact_.leans || contact_.slip == 0.0 || any_stands_straight() ? Verdict::too_long
-                                                                           : Verdict::gives_up;
-  // The v of a straight blade does not jump where s changes.
-  if (ending.guard == Guard::slip_reversal && any_stands_straight()) return Verdict::gives_up;
+  // Bounds of shorter intervals tell.
+  if (!stays_valid(bounds, ending)) return Verdict::too_long;
   displacement_bound_ = bounds.displacement;
   const bool held_beyond_ring = law_->releases_at_fold(blade_);
   const bool stays_bent = bounds.gap_measure > 0.0 && (begins_ || next.start_gap_measure > 0.0);
-  if (ending.guard != Guard::under_load && !held_beyond_ring && !stays_bent) return Verdict::gives_up;
+  if (ending.guard != Guard::under_load && !held_beyond_ring && !stays_bent) return Verdict::too_long;
   const Interval& kept = in_part ? part : next;
   if (ending.guard == Guard::fold && is_next_to_unbent(kept)) ending.guard = Guard::unbent;
   if (contact_.slip == 0.0 && contact_.leans) {
@@ -285,10 +341,10 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   // Time goes on.
   for (std::size_t i = 0; i < kNodes; ++i) {
     const bool may_turn = i + 1 == kNodes && (reaches_zero || in_part);
-    if (!(kept.time_slope[i] > 0.0) && !may_turn) return Verdict::gives_up;
+    if (!(kept.time_slope[i] > 0.0) && !may_turn) return Verdict::too_long;
   }
   for (std::size_t k = 0; k < further_.size(); ++k) {
-    if (bounds.stays[k]) continue;
+    if (bounds.further[k].stays) continue;
     if (lead_has_changed_) return Verdict::too_long;
     change_leader(k);
     return Verdict::another_leads;
@@ -296,18 +352,29 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   return in_part ? Verdict::holds_in_part : Verdict::holds;
 }
 
-/// Takes from the shaft's velocity what is left of a rigid tip's v at the end, the shortest way: v does not
-/// jump where s changes, and its sign would be taken for that of what follows; v of a tip at rest does not
-/// drift.
-void ContactArc::bring_to_rest(int blade) {
-  const contact::BladeDirection er = blades_->direction(blade, blades_->first(end_.time));
-  const contact::Pose there = pose(blade, end_);
-  const contact::Geometry geometry = law_->geometry(blade);
-  const double v = contact::undeformed_slip_velocity(geometry, there, blades_->angular_speed(end_.time));
-  const std::complex<double> less =
-      v * contact::tangent(geometry, there) * std::complex<double>(er.cosine, er.sine);
-  end_.bodies[2] -= less.real();
-  end_.bodies[3] -= less.imag();
+/// Takes from the shaft's velocity what is left of v of straight tips at rest at the end, which is not to
+/// drift, and of a tip whose slip has reversed, the shortest way: its v does not jump where s changes, and
+/// its sign would be taken for that of what follows.
+void ContactArc::bring_to_rest(int reversed) {
+  std::array<contact::AtRest, contact::kMostAtRest> tips{};
+  std::size_t count = 0;
+  const auto take = [&](int blade) {
+    if (count == contact::kMostAtRest) return;
+    const double v = contact::undeformed_slip_velocity(law_->geometry(blade), pose(blade, end_),
+                                                       blades_->angular_speed(end_.time));
+    tips[count++] = {tangent(blade, end_), v};
+  };
+  const auto take_at_rest = [&](int blade, double slip) {
+    if (slip == 0.0 && blade != reversed && is_straight(blade)) take(blade);
+  };
+  take_at_rest(blade_, contact_.slip);
+  for (const FurtherStart& further : further_) take_at_rest(further.blade, further.slip);
+  if (reversed != kNoBlade) take(reversed);
+  contact::share_out(std::span(tips).first(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    end_.bodies[2] -= tips[i].pull * tips[i].tangent.real();
+    end_.bodies[3] -= tips[i].pull * tips[i].tangent.imag();
+  }
 }
 
 /// The end of an interval: of the contact, or at a touch-down, to rounding, where one ends it.
@@ -318,7 +385,7 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
   ending_ = ending;
   if (ending.guard == Guard::none && interval.chord.time == 0.0) ending_ = {Guard::unbent, 1.0, blade_, 0.0};
   const auto place_ring = [this] {
-    if (machine().ring.is_massless()) law_->place_ring(end_.time, touching_at_end(), end_.bodies);
+    if (machine().ring.is_massless()) law_->place_ring(end_.time, touching_at(end_), end_.bodies);
   };
   // To where the gap of a blade is zero: in time, and what is left, or all where the tip hardly moves against
   // the ring, the shortest way for the shaft.
@@ -355,13 +422,13 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
     case Guard::touch_down:
       if (!ending_.inside) goes_on_to_ring(ending_.blade);
       break;
-    case Guard::slip_reversal:
-      if (law_->is_rigid() && !machine().ring.is_massless()) bring_to_rest(ending_.blade);
-      break;
     default:
       break;
   }
-  if (rests_rigidly()) bring_to_rest(blade_);
+  if (!machine().ring.is_massless()) {
+    const bool reverses_straight = ending_.guard == Guard::slip_reversal && is_straight(ending_.blade);
+    bring_to_rest(reverses_straight ? ending_.blade : kNoBlade);
+  }
 }
 
 }  // namespace rubatlas::collocation

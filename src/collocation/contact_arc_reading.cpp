@@ -111,11 +111,10 @@ ContactArc::Point ContactArc::point_at(double fraction) const {
   };
   place(shaft, 0);
   if (machine().ring.moves) place(ring, 4);
-  for (std::size_t k = 0; k < made().further_count; ++k) {
-    const FurtherBlade& further = made().further[k];
-    point.squares[k] = value(further.start_square, further.square);
-    point.yieldings[k] = value(further.start_yielding, further.yielding);
-    if (contact_.leans) point.leans[k] = value(further.start_lean, further.lean);
+  for (const FurtherBlade& further : made().further) {
+    const double lean = contact_.leans ? value(further.start_lean, further.lean) : 0.0;
+    point.further.push_back(
+        {value(further.start_square, further.square), lean, value(further.start_yielding, further.yielding)});
   }
   return point;
 }
@@ -142,14 +141,15 @@ ArcLaw::Tangent ContactArc::direction_at(double fraction) const {
 
 Bending ContactArc::bending_of(int blade, const Point& point) const {
   if (blade == blade_) return point.bending;
-  const std::size_t k = number_of(blade);
-  return {std::sqrt(std::max(0.0, point.squares[k])), point.leans[k], point.yieldings[k]};
+  const FurtherPlace& place = point.further[number_of(blade)];
+  return {std::sqrt(std::max(0.0, place.square)), place.lean, place.yielding};
 }
 Touch ContactArc::touch_of(int blade, const Point& point) const {
   const double slip = blade == blade_ ? contact_.slip : further_[number_of(blade)].slip;
-  Touch touch = law_->touch(blade, slip, bending_of(blade, point));
-  if (rests_rigidly()) touch.holding = holding_coefficient(point);
-  return touch;
+  if (slip != 0.0 || !law_->is_rigid()) return law_->touch(blade, slip, bending_of(blade, point));
+  std::vector<Touch> touching = touching_at(point);
+  hold(touching, point);
+  return *std::ranges::find(touching, blade, &Touch::blade);
 }
 
 std::optional<TipTop> ContactArc::top_of_tip(int blade) const {

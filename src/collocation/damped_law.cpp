@@ -124,7 +124,7 @@ contact::TipForce DampedLaw::force(const Touch& touch, const contact::Pose& at, 
 bool DampedLaw::solve(const Contact& contact, const Closeness& closeness, Interval& interval) const {
   if (!AxialLaw::solve(contact, closeness, interval)) return false;
   find_bending_left(contact, interval, standing_.front(), contact.slip, {1.0, 0.0}, interval);
-  for (std::size_t k = 0; k < interval.further_count; ++k) {
+  for (std::size_t k = 0; k < interval.further.size(); ++k) {
     FurtherBlade& further = interval.further[k];
     find_bending_left(contact, interval, standing_[1 + k], further.slip, further.offset, further);
   }

@@ -30,14 +30,18 @@ void EarlierInterval::Places::take(const Body& solved) {
   vy = solved.vy;
 }
 
-void EarlierInterval::Places::guess(Body& next, const AtNodes& times) const {
-  std::array<double, 4> by{};
-  for (std::size_t i = 0; i < by.size(); ++i) by[i] = next.start[i] - start[i];
+void EarlierInterval::Places::guess(Body& next, const std::array<double, 2>& turn,
+                                    const AtNodes& times) const {
+  const auto [cosine, sine] = turn;
+  const double faster_x = next.start[2] - (start[2] * cosine - start[3] * sine);
+  const double faster_y = next.start[3] - (start[3] * cosine + start[2] * sine);
   for (std::size_t i = 0; i < kNodes; ++i) {
-    next.x[i] = x[i] + (by[0] + by[2] * times[i]);
-    next.y[i] = y[i] + (by[1] + by[3] * times[i]);
-    next.vx[i] = vx[i] + by[2];
-    next.vy[i] = vy[i] + by[3];
+    const double along = x[i] - start[0];
+    const double across = y[i] - start[1];
+    next.x[i] = next.start[0] + ((along * cosine - across * sine) + faster_x * times[i]);
+    next.y[i] = next.start[1] + ((across * cosine + along * sine) + faster_y * times[i]);
+    next.vx[i] = (vx[i] * cosine - vy[i] * sine) + faster_x;
+    next.vy[i] = (vy[i] * cosine + vx[i] * sine) + faster_y;
   }
 }
 
@@ -45,6 +49,7 @@ void EarlierInterval::take(const Contact& contact, const Interval& solved, doubl
   length = length_of_arc;
   chord = solved.chord;
   normal = solved.normal;
+  blade = solved.blade;
   deviation = solved.deviation;
   elapsed = solved.elapsed;
   shaft.take(solved.shaft);
@@ -59,27 +64,31 @@ void EarlierInterval::guess(const Contact& contact, Interval& next) const {
   next.normal = normal;
   if (chord.time == 0.0) next.chord.argument = -next.start_argument;  // down to p = 0, wherever it starts
   next.deviation = deviation;
-  shaft.guess(next.shaft, elapsed);
-  if (contact.machine->ring.moves) ring.guess(next.ring, elapsed);
+  const std::array<double, 2> turn{next.blade[0] * blade[0] + next.blade[1] * blade[1],
+                                   next.blade[1] * blade[0] - next.blade[0] * blade[1]};
+  shaft.guess(next.shaft, turn, elapsed);
+  if (contact.machine->ring.moves) ring.guess(next.ring, turn, elapsed);
   if (!contact.leans) return;
   for (std::size_t i = 0; i < kNodes; ++i) next.lean[i] = lean[i] + (next.start_lean - start_lean);
 }
 
-double EarlierContacts::distance(const Beginning& a, const Beginning& b) const {
-  if (a.slip != b.slip || a.straight != b.straight || (a.argument == 0.0) != (b.argument == 0.0))
-    return std::numeric_limits<double>::infinity();
-  double of_places = std::max({largest_difference(a.shaft, b.shaft), largest_difference(a.forcing, b.forcing),
-                               reach_ * largest_difference(a.blade, b.blade)});
+double EarlierContacts::distance(const Beginning& a, const Beginning& b, double least) const {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  if (a.slip != b.slip || a.straight != b.straight || (a.argument == 0.0) != (b.argument == 0.0)) return kFar;
+  // Most are told apart by the first of these.
+  const double farthest = largest_difference(a.shaft, b.shaft) / clearance_;
+  if (!(farthest < least)) return kFar;
+  double of_places = largest_difference(a.forcing, b.forcing);
   if (ring_moves_) of_places = std::max(of_places, largest_difference(a.ring, b.ring));
-  return std::max({of_places / clearance_, std::abs(a.argument - b.argument),
+  return std::max({farthest, of_places / clearance_, std::abs(a.argument - b.argument),
                    std::abs(a.angular_speed - b.angular_speed)});
 }
 
 EarlierContacts::Found EarlierContacts::find(const Beginning& beginning) {
   std::size_t nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
+  double least = kAlike;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    const double there = distance(beginning, beginnings_[i]);
+    const double there = distance(beginning, beginnings_[i], least);
     if (there < least) {
       least = there;
       nearest = i;

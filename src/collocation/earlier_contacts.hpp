@@ -1,5 +1,6 @@
 /// The last contacts of a motion, as first guesses for those that begin alike: a motion that is periodic, or
-/// nearly so, meets the ring again and again in the same way.
+/// nearly so, meets the ring again and again in the same way, and one that whirls does so all around the
+/// ring. Contacts are therefore compared as seen from the blade that begins them.
 #pragma once
 
 #include <array>
@@ -10,11 +11,10 @@
 
 namespace rubatlas::collocation {
 
-/// How a contact begins.
+/// How a contact begins, along and across the blade.
 struct Beginning {
-  std::array<double, 4> shaft{};    ///< place and velocity
-  std::array<double, 4> ring{};     ///< likewise
-  std::array<double, 2> blade{};    ///< er
+  std::array<double, 4> shaft{};    ///< place from the centre of the ring at rest, and velocity
+  std::array<double, 4> ring{};     ///< place and velocity
   double angular_speed = 0.0;       ///< φ' [rad per unit τ]
   std::array<double, 2> forcing{};  ///< acceleration by all forcings [m per unit τ²]
   double argument = 0.0;            ///< p
@@ -27,14 +27,16 @@ struct EarlierInterval {
   double length = 0.0;  ///< of its arc in the plane (τ/T, p)
   Interval::Direction chord{};
   Interval::Direction normal{};
-  double start_lean = 0.0;  ///< l
+  std::array<double, 2> blade{};  ///< er where it starts
+  double start_lean = 0.0;        ///< l
   AtNodes deviation, elapsed, lean;
   struct Places {
     std::array<double, 4> start{};  ///< place and velocity
     AtNodes x, y, vx, vy;
 
     void take(const Body& solved);
-    void guess(Body& next, const AtNodes& times) const;
+    /// `turn`: cosine and sine of the angle from where this one started to where the next one does.
+    void guess(Body& next, const std::array<double, 2>& turn, const AtNodes& times) const;
   } shaft, ring;
 
   void take(const Contact& contact, const Interval& solved, double length_of_arc);
@@ -50,9 +52,8 @@ struct EarlierContact {
 
 class EarlierContacts {
  public:
-  /// `reach`, `clearance`: what differences of directions and of places are measured with [m].
-  EarlierContacts(bool ring_moves, double reach, double clearance)
-      : ring_moves_(ring_moves), reach_(reach), clearance_(clearance) {}
+  /// `clearance`: what differences of places are measured with [m].
+  EarlierContacts(bool ring_moves, double clearance) : ring_moves_(ring_moves), clearance_(clearance) {}
 
   struct Found {
     const EarlierContact* alike;  ///< that began most alike; null where none began nearly so
@@ -62,11 +63,11 @@ class EarlierContacts {
   Found find(const Beginning& beginning);
 
  private:
-  [[nodiscard]] double distance(const Beginning& a, const Beginning& b) const;
+  /// Infinite where it is not below `least`.
+  [[nodiscard]] double distance(const Beginning& a, const Beginning& b, double least) const;
 
-  static constexpr std::size_t kKept = 16;
+  static constexpr std::size_t kKept = 64;
   bool ring_moves_;
-  double reach_;
   double clearance_;
   std::array<Beginning, kKept> beginnings_;
   std::deque<EarlierContact> contacts_;  ///< made as they are needed: most motions have a few kinds

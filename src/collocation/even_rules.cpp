@@ -1,6 +1,7 @@
 #include "collocation/even_rules.hpp"
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <vector>
 
@@ -54,18 +55,23 @@ std::vector<Graded> make_rules() {
 
 }  // namespace
 
-const EvenRule* even_rule(double modulus, double tangent) {
+BladeRule blade_rule(double modulus, double tangent) {
   static const std::vector<Graded> kRules = make_rules();
-  if (!(modulus < 1.0)) return nullptr;
-  // The integrands' singularities φ' = ±i arcosh(1/|κ|) are at ±i tanh(arcosh(1/|κ|)/4) in tan(φ'/4).
+  if (!(modulus < 1.0)) return {};
   const double half_square = (1.0 - modulus) / (1.0 + modulus);  // tanh²(arcosh(1/|κ|)/2)
   const double quarter = std::sqrt(half_square) / (1.0 + std::sqrt(1.0 - half_square));
-  const double ratio = quarter / tangent;
-  const double ellipse = ratio + std::sqrt(1.0 + ratio * ratio);
+  const double square = quarter * quarter;
+  const double largest = tangent / (quarter + std::sqrt(square + tangent * tangent));
+  // The nearest singularity that is left, φ' = π + i arcosh(1/|κ|), is at (1 + iq)/(1 − iq) in tan(φ'/4).
+  using Complex = std::complex<double>;
+  const Complex there = Complex(1.0 - square, 2.0 * quarter) / (1.0 + square);
+  const Complex singularity = there / (quarter + std::sqrt(square + there * there));
+  const double axis = (std::abs(singularity - largest) + std::abs(singularity + largest)) / (2.0 * largest);
+  const double ellipse = axis + std::sqrt(axis * axis - 1.0);
   for (const Graded& graded : kRules) {
-    if (graded.least_ellipse <= ellipse) return &graded.rule;
+    if (graded.least_ellipse <= ellipse) return {&graded.rule, quarter};
   }
-  return nullptr;
+  return {};
 }
 
 }  // namespace rubatlas::collocation

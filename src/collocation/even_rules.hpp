@@ -14,8 +14,16 @@ struct EvenRule {
   std::array<double, kMost> weight{};  ///< whose sum is 1
 };
 
-/// The smallest rule that leaves less than about 1e-14 of the integrals over a bent blade
-/// (`inclined_blade.hpp`) up to a modulus |κ| and a tangent of φ/4. Null beyond the largest rule.
-const EvenRule* even_rule(double modulus, double tangent);
+/// How to integrate over a bent blade (`inclined_tip.hpp`): over z, with
+///     tan(φ'/4) = 2 q z / (1 − z²),   q = tanh(arcosh(1/|κ|)/4).
+/// The integrands' nearest singularities, roots at φ' = ±i arcosh(1/|κ|), are none over z.
+struct BladeRule {
+  const EvenRule* rule = nullptr;  ///< null: beyond the largest rule
+  double quarter = 0.0;            ///< q
+};
+
+/// The smallest rule that leaves less than about 1e-14 of the integrals up to a modulus |κ| and a tangent of
+/// φ/4.
+BladeRule blade_rule(double modulus, double tangent);
 
 }  // namespace rubatlas::collocation

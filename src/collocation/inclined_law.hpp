@@ -35,7 +35,6 @@ class InclinedLaw final : public ArcLaw {
     }
   }
 
-  [[nodiscard]] std::size_t most_contacts() const override { return 1 + kMostFurther; }
   [[nodiscard]] contact::Geometry geometry(int blade) const override { return law_->of(blade).geometry(); }
   [[nodiscard]] std::uint64_t evaluations() const override { return law_->evaluations(); }
   [[nodiscard]] Blade numbers(int blade) const override {
@@ -52,6 +51,7 @@ class InclinedLaw final : public ArcLaw {
   }
   [[nodiscard]] bool has_slip_state() const override { return law_of_slip_ == FrictionNumbers::Law::coulomb; }
   [[nodiscard]] std::size_t most_where_tips_rest() const override { return most_contacts(); }
+  [[nodiscard]] bool may_slip_back() const override { return has_slip_state() && !contact::Sticks<Law>; }
   [[nodiscard]] bool leans() const override { return true; }
   [[nodiscard]] bool releases_at_fold(int /*blade*/) const override { return false; }
   [[nodiscard]] bool has_branches(int /*blade*/) const override { return has_branches_; }
@@ -72,10 +72,8 @@ class InclinedLaw final : public ArcLaw {
     }
     if (goes_on(law, at, speed, opened, kNear)) return opened;
     if (touch.bend.modulus == 0.0) {
-      // On the approaching side a contact opens from zero force (MODEL 4.2).
-      const double first = law.first_load_angle(at, touch.slip, speed);
-      if (first * at.tangential > 0.0 && at.gap <= contact::gap_rounding(law.geometry(), at)) {
-        opened.bend = {std::sin(0.5 * first), 0.0};
+      if (law.opens_unbent(at, touch.slip, speed)) {
+        opened.bend = {std::sin(0.5 * law.first_load_angle(at, touch.slip, speed)), 0.0};
         return opened;
       }
     }
@@ -182,8 +180,8 @@ class InclinedLaw final : public ArcLaw {
                            Interval& interval) const override {
     return solver_.solve_inclined(contact, load_of(leader_), closeness, interval);
   }
-  [[nodiscard]] Bounds bounds(const Contact& contact, const Interval& interval) const override {
-    return solver_.inclined_bounds(contact, interval);
+  void bounds(const Contact& contact, const Interval& interval, Bounds& bounds) const override {
+    solver_.inclined_bounds(contact, interval, bounds);
   }
   [[nodiscard]] Touch touch(int blade, double slip, const Bending& bending) const override {
     const InclinedLoad& load = load_of(blade);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 #include "collocation/arc_sweeps.hpp"
 #include "collocation/inclined_load.hpp"
@@ -28,8 +29,11 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
 
   InclinedSweeps(const Contact& contact, const InclinedLoad& load, const Closeness& closeness,
                  Interval& interval)
-      : Base(contact, closeness, interval), lean_(interval.lean), lead_(contact, load) {
-    for (std::size_t k = 0; k < interval.further_count; ++k) {
+      : Base(contact, closeness, interval),
+        lean_(interval.lean),
+        lead_(contact, load),
+        further_(interval.further.size()) {
+    for (std::size_t k = 0; k < interval.further.size(); ++k) {
       const FurtherBlade& blade = interval.further[k];
       FurtherTip& further = further_[k];
       further.tip = {Contact{contact.machine, blade.blade, blade.slip, true}, *blade.load};
@@ -133,7 +137,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     const Vector er_before = er_;
     turn_on(time_step);
     Vector push = along(lead_.move_on(bending_step, lean_step, time_step, machine_.force_unit), er_);
-    for (std::size_t k = 0; k < in.further_count; ++k) {
+    for (std::size_t k = 0; k < in.further.size(); ++k) {
       const std::array<double, 2>& offset = in.further[k].offset;
       if (!step_further<kLight>(further_[k], offset_by(er_before, offset), time_step))
         return std::numeric_limits<double>::quiet_NaN();
@@ -161,10 +165,14 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
       set_slip_coupling(along_ring);
     }
     const Number change = along_ring.x * (shaft_.vx - expected.x) + along_ring.y * (shaft_.vy - expected.y);
-    const Number slip = Number::combined(slip_coupling_, change);
+    AtNodes slips;
+    change.store(slips);
+    for (std::size_t k = 0; k < kNodes; ++k) eliminate(k, slips);
+    const Number slip(slips);
     add_push({push_by_slip_.x * slip, push_by_slip_.y * slip});
   }
-  /// The inverse of 1 − ∂v/∂v by the way of the load, [j][i]: what a change at node j makes at node i.
+  /// Gauss's elimination of 1 − ∂v/∂v by the way of the load, [j][i]: what a change at node j makes at node
+  /// i.
   [[gnu::noinline]] void set_slip_coupling(const Vector& along_ring) {
     std::array<AtNodes, kNodes> matrix;
     AtNodes rate_x, rate_y, along_x, along_y;
@@ -173,25 +181,21 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     along_ring.x.store(along_x);
     along_ring.y.store(along_y);
     for (std::size_t j = 0; j < kNodes; ++j) {
-      for (std::size_t i = 0; i < kNodes; ++i) {
-        const double unit = i == j ? 1.0 : 0.0;
-        matrix[j][i] = unit - nodes_.integral[j][i] * (along_x[i] * rate_x[j] + along_y[i] * rate_y[j]);
-        slip_coupling_[j][i] = unit;
-      }
+      for (std::size_t i = 0; i < kNodes; ++i)
+        matrix[j][i] = -nodes_.integral[j][i] * (along_x[i] * rate_x[j] + along_y[i] * rate_y[j]);
+      matrix[j][j] += 1.0;
     }
-    // Gauss's elimination, of all rows but one at a time.
     for (std::size_t k = 0; k < kNodes; ++k) {
       const double per_pivot = 1.0 / matrix[k][k];
-      AtNodes factor;
-      for (std::size_t i = 0; i < kNodes; ++i)
-        factor[i] = i == k ? 1.0 - per_pivot : matrix[k][i] * per_pivot;
-      const auto eliminate = [&](AtNodes& column) {
-        const double in_row = column[k];
-        for (std::size_t i = 0; i < kNodes; ++i) column[i] -= factor[i] * in_row;
-      };
-      for (std::size_t j = k; j < kNodes; ++j) eliminate(matrix[j]);
-      for (AtNodes& column : slip_coupling_) eliminate(column);
+      for (std::size_t i = 0; i < kNodes; ++i) elimination_[k][i] = matrix[k][i] * per_pivot;
+      elimination_[k][k] = 1.0 - per_pivot;
+      for (std::size_t j = k + 1; j < kNodes; ++j) eliminate(k, matrix[j]);
     }
+  }
+  /// Of all rows but one at a time.
+  RUBATLAS_INLINE void eliminate(std::size_t k, AtNodes& column) const {
+    const double in_row = column[k];
+    for (std::size_t i = 0; i < kNodes; ++i) column[i] -= elimination_[k][i] * in_row;
   }
 
   /// False where there is no such blade. `er`: its direction before the step in time. A function of its own:
@@ -232,7 +236,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     Interval& in = interval_;
     store_motion();
     store_tip(lead_, er_, in);
-    for (std::size_t k = 0; k < in.further_count; ++k) {
+    for (std::size_t k = 0; k < in.further.size(); ++k) {
       const FurtherTip& further = further_[k];
       FurtherBlade& kept = in.further[k];
       store_tip(further.tip, offset_by(er_, kept.offset), kept);
@@ -274,9 +278,9 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   Tip lead_;
   Number bending_slope_;                                                ///< du/dp
   Number deviation_per_h_, deviation_per_e_, lean_per_h_, lean_per_e_;  ///< Newton's steps
-  Vector push_by_slip_;                        ///< `Tip::push_by_slip` of the leading tip at rest
-  std::array<AtNodes, kNodes> slip_coupling_;  ///< of it
-  std::array<FurtherTip, kMostFurther> further_;
+  Vector push_by_slip_;                      ///< `Tip::push_by_slip` of the leading tip at rest
+  std::array<AtNodes, kNodes> elimination_;  ///< of its coupling, [k][i]: factors of row k in row i
+  std::vector<FurtherTip> further_;
 };
 
 /// Sets h and l of the eight blades of `points`, in equilibrium but for h = 0. False where one of them has no

@@ -16,8 +16,8 @@
 namespace rubatlas::collocation {
 namespace {
 
-/// A bent blade at eight nodes: integrals over its length as in `blade/inclined_elastica.cpp`, over tan(φ'/4)
-/// in place of φ', so that no angle is needed, by an even rule.
+/// A bent blade at eight nodes: integrals over its length as in `blade/inclined_elastica.cpp`, over z of
+/// `BladeRule` in place of φ', so that no angle is needed, by an even rule.
 template <std::size_t kWidth>
 struct InclinedBlade {
   using Number = Lanes<kWidth>;
@@ -31,7 +31,7 @@ struct InclinedBlade {
 
   /// Sets the values, and with `kSlopes` the slopes. False where no rule is accurate enough.
   template <bool kSlopes>
-  RUBATLAS_INLINE bool set(const Number& bending, const Number& lean, const EvenRule*& rule) {
+  RUBATLAS_INLINE bool set(const Number& bending, const Number& lean, BladeRule& rule) {
     const Number square = bending * bending;
     const Number modulus = root(square + lean * lean);
     const Number inverse_modulus = Number(1.0) / modulus;
@@ -42,25 +42,32 @@ struct InclinedBlade {
     const Number tangent = (upright * bending + leaning * sum) /
                            ((upright * sum + leaning * bending) + root(sum * sum + square));
     if (kSlopes) {
-      rule = even_rule(modulus.largest(), magnitude(tangent).largest());
+      rule = blade_rule(modulus.largest(), magnitude(tangent).largest());
     }
-    if (rule == nullptr) return false;
+    if (rule.rule == nullptr) return false;
+    const EvenRule& points = *rule.rule;
+    const double twice_quarter = 2.0 * rule.quarter;
     cosine = root(Number(1.0) - lean * lean);
     const Number versed_at_clamp = (upright * (square / sum) + leaning * sum) * inverse_modulus;
-    const Number tangent_square = tangent * tangent;
+    // z at the clamp.
+    const Number largest = tangent / (root(tangent * tangent + rule.quarter * rule.quarter) + rule.quarter);
+    const Number largest_square = largest * largest;
     const Number per_cosine = Number(2.0) / cosine;
     Number arcs(0.0), shortenings(0.0), deflections(0.0);
     Number arc_slopes(0.0), shortening_slopes(0.0), deflection_slopes(0.0);
-    for (std::size_t i = 0; i < rule->count; ++i) {
-      const Number place = tangent_square * rule->square[i];
-      const Number per = Number(1.0) / (place + 1.0);
-      const Number versed = place * 8.0 * (per * per);  // 1 − cos φ'
+    for (std::size_t i = 0; i < points.count; ++i) {
+      const Number place = largest_square * points.square[i];  // z²
+      const Number away = Number(1.0) - place;
+      const Number denominator = away * away;  // of tan²(φ'/4)
+      const Number numerator = place * (twice_quarter * twice_quarter);
+      const Number per = Number(1.0) / (denominator + numerator);
+      const Number versed = (numerator * per) * (denominator * per) * 8.0;  // 1 − cos φ'
       const Number sine_psi = modulus - modulus * versed;
       const Number cosine_psi = root(Number(1.0) - sine_psi * sine_psi);
       const Number both = cosine_psi + cosine;
       const Number inverse_both = Number(1.0) / (cosine_psi * both);
       const Number inverse = inverse_both * both;  // 1/cos(ψ/2)
-      const Number measure = per * inverse * rule->weight[i];
+      const Number measure = (place + 1.0) * per * inverse * points.weight[i];
       const Number half_cosine = cosine * cosine_psi + lean * sine_psi;  // cos(θ/2)
       const Number share = (versed_at_clamp - versed) * (half_cosine + 1.0) * (inverse_both * cosine_psi);
       const Number half_sine = modulus * share;  // sin(θ/2)
@@ -83,7 +90,7 @@ struct InclinedBlade {
       }
     }
     const Number per_arc = Number(1.0) / arcs;
-    arc = tangent * 4.0 * arcs;
+    arc = largest * (4.0 * twice_quarter) * arcs;
     load.value = arc * arc;
     shortening.value = shortenings * per_arc;
     deflection.value = deflections * per_arc;
@@ -313,7 +320,7 @@ class InclinedTip {
   const InclinedLoad* load_ = nullptr;
   double slip_ = 0.0;
   double ring_radius_ = 0.0;
-  const EvenRule* rule_ = nullptr;
+  BladeRule rule_;
   Number cosine_, sine_;  ///< of b
   Number direction_x_;    ///< X
   Number e_by_velocity_;  ///< over R

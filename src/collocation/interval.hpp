@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "blade/bending_table.hpp"
 #include "collocation/friction_numbers.hpp"
@@ -122,7 +123,6 @@ struct FurtherBlade : TipInTime {
                      ///< touch-down, unlike p
   AtNodes firmness;  ///< of one under an inclined load: zero at the fold of its branch
 };
-inline constexpr std::size_t kMostFurther = 3;
 
 /// Shaft or ring within an interval.
 struct Body {
@@ -164,8 +164,7 @@ struct Interval : TipInTime {
   AtNodes angular_speed;     ///< φ' [rad per unit τ]
   AtNodes coefficients;      ///< magnitudes of Legendre's coefficients of z'' dτ/dθ [m per unit τ]
 
-  std::size_t further_count = 0;
-  std::array<FurtherBlade, kMostFurther> further;
+  std::vector<FurtherBlade> further;
   int sweeps = 0;  ///< that were made
 };
 
@@ -206,22 +205,29 @@ using BranchOf = bool (*)(const Contact& contact, const InclinedLoad& load, cons
 /// Bounds of what changes within an interval that is solved, as the polynomials through the start and the
 /// nodes have it: none of them leaves the range of its Bernstein coefficients.
 struct Bounds {
-  /// Least |v|, of the leading blade and of the others: no slip reverses where it is positive [m per unit τ].
-  std::array<double, 1 + kMostFurther> slip_velocity;
-  double gap_measure;   ///< least g/Δ of the leading blade; the start is left out, where it may be 0 [m]
-  double argument;      ///< largest p of the leading blade; largest δ/L of one under an inclined load
-  double displacement;  ///< largest |z| [m]
-  double distance;      ///< largest |c|, of the shaft from the ring's centre [m]
-  std::array<double, kMostFurther> further_argument;  ///< likewise of the others
-  std::array<bool, kMostFurther> stays;               ///< a further blade stays bent, and on its branch
+  double slip_velocity;  ///< least |v| of the leading blade: no slip reverses where it is positive [m per
+                         ///< unit τ]
+  double gap_measure;    ///< least g/Δ of the leading blade; the start is left out, where it may be 0 [m]
+  double argument;       ///< largest p of the leading blade; largest δ/L of one under an inclined load
+  double displacement;   ///< largest |z| [m]
+  double distance;       ///< largest |c|, of the shaft from the ring's centre [m]
+  /// Of a further blade.
+  struct OfFurther {
+    double slip_velocity, argument;  ///< likewise
+    bool stays;                      ///< bent, and on its branch
+
+    friend bool operator==(const OfFurther&, const OfFurther&) = default;
+  };
+  std::vector<OfFurther> further;
   // Of a blade under an inclined load, the end left out.
   double chart_left;  ///< least of `InclinedLoad::chart_left`
-  double cone_left;   ///< least of `cone_left`, of tips at rest
+  double cone_left;   ///< least of `cone_left`, of tips at rest and of blades that stand straight
   double time_slope;  ///< least dτ/dθ, without that where a contact begins: it vanishes where a blade snaps
 
   friend bool operator==(const Bounds&, const Bounds&) = default;
 };
-using BoundsOf = Bounds (*)(const Contact& contact, const Interval& interval);
+/// `bounds` has room for the further blades.
+using BoundsOf = void (*)(const Contact& contact, const Interval& interval, Bounds& bounds);
 /// Bound of the gap [m²] of another blade, straight, whose direction is that of the leading blade turned
 /// by the angle whose cosine and sine are given. The start is left out, where it may be 0.
 using LargestGap = double (*)(const Contact& contact, const Interval& interval, const Blade& blade,

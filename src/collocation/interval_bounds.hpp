@@ -19,10 +19,9 @@ class IntervalBounds {
   IntervalBounds(const Contact& contact, const Interval& interval)
       : contact_(contact), interval_(interval), nodes_(node_tables()) {}
 
-  RUBATLAS_INLINE Bounds bounds() const {
+  RUBATLAS_INLINE void bounds(Bounds& result) const {
     const Interval& in = interval_;
-    Bounds result{};
-    result.slip_velocity[0] = least_magnitude(in.start_slip_velocity, Number(in.slip_velocity));
+    result.slip_velocity = least_magnitude(in.start_slip_velocity, Number(in.slip_velocity));
     result.gap_measure = later(in.start_gap_measure, Number(in.gap_measure)).least();
     result.argument = largest(in.start_argument, Number(in.argument));
     const double across = largest_magnitude(in.shaft.start[0], Number(in.shaft.x));
@@ -37,35 +36,35 @@ class IntervalBounds {
         result.cone_left = std::min(result.cone_left, least_left(tip.start_cone_left, tip.cone_left));
     };
     hold(contact_.slip == 0.0 || contact_.straight, in);
-    for (std::size_t k = 0; k < in.further_count; ++k) {
+    for (std::size_t k = 0; k < in.further.size(); ++k) {
       const FurtherBlade& blade = in.further[k];
       hold(blade.slip == 0.0 || blade.straight, blade);
-      result.slip_velocity[1 + k] = least_magnitude(blade.start_slip_velocity, Number(blade.slip_velocity));
+      Bounds::OfFurther& of_blade = result.further[k];
+      of_blade.slip_velocity = least_magnitude(blade.start_slip_velocity, Number(blade.slip_velocity));
       const Number squares = later(blade.start_square, Number(blade.square));
-      result.further_argument[k] = std::sqrt(std::max(blade.start_square, squares.largest()));
-      result.stays[k] =
+      of_blade.argument = blade.straight ? 0.0 : std::sqrt(std::max(blade.start_square, squares.largest()));
+      of_blade.stays =
           squares.least() > 0.0 && later(blade.start_gap_measure, Number(blade.gap_measure)).least() > 0.0;
     }
-    return result;
   }
 
   /// Those of a blade under an inclined load.
-  RUBATLAS_INLINE Bounds inclined_bounds() const {
+  RUBATLAS_INLINE void inclined_bounds(Bounds& result) const {
     const Interval& in = interval_;
-    Bounds result = bounds();
+    bounds(result);
     result.argument = largest(in.start_shortening, Number(in.shortening));
     result.chart_left = least_left(in.start_chart_left, in.chart_left);
-    for (std::size_t k = 0; k < in.further_count; ++k) {
+    for (std::size_t k = 0; k < in.further.size(); ++k) {
       const FurtherBlade& tip = in.further[k];
-      result.further_argument[k] = largest(tip.start_shortening, Number(tip.shortening));
+      Bounds::OfFurther& of_blade = result.further[k];
+      of_blade.argument = largest(tip.start_shortening, Number(tip.shortening));
       const double firmness = sum_of_products(nodes_.value_at_start, tip.firmness);
-      result.stays[k] = result.stays[k] && least(tip.start_chart_left, Number(tip.chart_left)) > 0.0 &&
-                        least(firmness, Number(tip.firmness)) > 0.0;
+      of_blade.stays = of_blade.stays && least(tip.start_chart_left, Number(tip.chart_left)) > 0.0 &&
+                       least(firmness, Number(tip.firmness)) > 0.0;
     }
     const double slope = sum_of_products(nodes_.value_at_start, in.time_slope);
     result.time_slope = least_before_end(later(slope, Number(in.time_slope)));
     if (in.start_argument > 0.0) result.time_slope = std::min(result.time_slope, slope);
-    return result;
   }
 
   RUBATLAS_INLINE double gap(const Blade& blade, const std::array<double, 2>& offset) const {
@@ -146,12 +145,12 @@ class IntervalBounds {
 };
 
 template <std::size_t kWidth>
-Bounds bounds_of(const Contact& contact, const Interval& interval) {
-  return IntervalBounds<kWidth>(contact, interval).bounds();
+void bounds_of(const Contact& contact, const Interval& interval, Bounds& bounds) {
+  IntervalBounds<kWidth>(contact, interval).bounds(bounds);
 }
 template <std::size_t kWidth>
-Bounds inclined_bounds_of(const Contact& contact, const Interval& interval) {
-  return IntervalBounds<kWidth>(contact, interval).inclined_bounds();
+void inclined_bounds_of(const Contact& contact, const Interval& interval, Bounds& bounds) {
+  IntervalBounds<kWidth>(contact, interval).inclined_bounds(bounds);
 }
 template <std::size_t kWidth>
 double largest_gap_of(const Contact& contact, const Interval& interval, const Blade& blade,

@@ -263,7 +263,7 @@ void read_stretch(const Contact& contact, const Interval& interval, double fract
   read_body(interval.shaft, stretch.shaft);
   if (contact.machine->ring.moves) read_body(interval.ring, stretch.ring);
   if (contact.leans) read(interval.start_lean, interval.lean, stretch.lean);
-  for (std::size_t k = 0; k < interval.further_count; ++k) {
+  for (std::size_t k = 0; k < interval.further.size(); ++k) {
     const FurtherBlade& from = interval.further[k];
     read(from.start_square, from.square, stretch.further[k].square);
     if (contact.leans) read(from.start_lean, from.lean, stretch.further[k].lean);

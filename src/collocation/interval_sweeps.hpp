@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "collocation/arc_sweeps.hpp"
 #include "collocation/interval.hpp"
@@ -25,11 +26,11 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   using Number = Lanes<kWidth>;
 
   RUBATLAS_INLINE Sweeps(const Contact& contact, const Closeness& closeness, Interval& interval)
-      : Base(contact, closeness, interval) {
+      : Base(contact, closeness, interval), further_(interval.further.size()) {
     lead_.blade = contact.blade;
     lead_.slip = contact.slip;
     lead_.straight = contact.straight;
-    for (std::size_t k = 0; k < interval.further_count; ++k) {
+    for (std::size_t k = 0; k < interval.further.size(); ++k) {
       further_[k].blade = interval.further[k].blade;
       further_[k].slip = interval.further[k].slip;
       further_[k].straight = interval.further[k].straight;
@@ -43,7 +44,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   RUBATLAS_INLINE bool solve() {
     // With several blades changes fall unevenly, and the slopes of one that is hardly bent change too fast to
     // be kept.
-    const bool keeps_slopes = interval_.further_count == 0 && !is_damped(*lead_.blade);
+    const bool keeps_slopes = interval_.further.empty() && !is_damped(*lead_.blade);
     return this->converge(*this, kMostSweeps, keeps_slopes ? kFullSweeps : kMostSweeps);
   }
 
@@ -321,7 +322,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   }
   template <bool kLight>
   RUBATLAS_INLINE Vector with_further(Vector push, const Vector& er_before, const Number& time_step) {
-    for (std::size_t k = 0; k < interval_.further_count; ++k) {
+    for (std::size_t k = 0; k < interval_.further.size(); ++k) {
       const Vector more = push_of_further<kLight>(k, er_before, time_step);
       push = {push.x + more.x, push.y + more.y};
     }
@@ -371,7 +372,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     Interval& in = interval_;
     store_motion();
     store(lead_, er_, in);
-    for (std::size_t k = 0; k < in.further_count; ++k) {
+    for (std::size_t k = 0; k < in.further.size(); ++k) {
       store(further_[k], offset_by(er_, in.further[k].offset), in.further[k]);
       if (is_straight(further_[k])) {
         in.further[k].square = in.further[k].gap_measure;
@@ -403,7 +404,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::turn_on;
 
   Tip lead_;
-  std::array<FurtherTip, kMostFurther> further_;
+  std::vector<FurtherTip> further_;
   Number per_residual_;  ///< Newton's step along the normal for a residual of h
 };
 
@@ -418,8 +419,7 @@ bool solved(const Contact& contact, const Closeness& closeness, Interval& interv
   const Machine& machine = *contact.machine;
   const auto stands = [](const Blade& blade) { return blade.yield_unit == 0.0 && blade.ring_damping == 0.0; };
   bool plain = machine.is_plain() && stands(*contact.blade);
-  for (std::size_t k = 0; k < interval.further_count; ++k)
-    plain = plain && stands(*interval.further[k].blade);
+  for (const FurtherBlade& further : interval.further) plain = plain && stands(*further.blade);
   return plain ? solved_by<kWidth, true>(contact, closeness, interval)
                : solved_by<kWidth, false>(contact, closeness, interval);
 }

@@ -28,7 +28,6 @@ class RigidLaw final : public ArcLaw {
         solver_(interval_solver()),
         friction_(numbers_of(law.of(0).friction())) {}
 
-  [[nodiscard]] std::size_t most_contacts() const override { return 1 + kMostFurther; }
   [[nodiscard]] Blade numbers(int blade) const override {
     const auto& law = law_->of(blade);
     return {.table = nullptr,
@@ -48,7 +47,7 @@ class RigidLaw final : public ArcLaw {
     return friction_.law == FrictionNumbers::Law::coulomb;
   }
   [[nodiscard]] std::size_t most_where_tips_rest() const override {
-    return contact::Sticks<Law> && machine_->following_ring() == nullptr ? 1 : 0;
+    return contact::Sticks<Law> && machine_->following_ring() == nullptr ? kAnyNumber : 0;
   }
   [[nodiscard]] bool leans() const override { return false; }
   [[nodiscard]] bool is_rigid() const override { return true; }
@@ -93,15 +92,17 @@ class RigidLaw final : public ArcLaw {
     return {.blade = touch.blade,
             .slip = touch.slip,
             .square = {there.gap_measure},
-            .tip = {.start_gap_measure = there.gap_measure, .start_slip_velocity = there.force.slip_velocity},
+            .tip = {.start_gap_measure = there.gap_measure,
+                    .start_slip_velocity = there.force.slip_velocity,
+                    .start_cone_left = there.cone_left},
             .force = there.force};
   }
   [[nodiscard]] bool solve(const Contact& contact, const Closeness& closeness,
                            Interval& interval) const override {
     return solver_.solve_rigid(contact, friction_, closeness, interval) && resolves_friction(interval);
   }
-  [[nodiscard]] Bounds bounds(const Contact& contact, const Interval& interval) const override {
-    return solver_.bounds(contact, interval);
+  void bounds(const Contact& contact, const Interval& interval, Bounds& bounds) const override {
+    solver_.bounds(contact, interval, bounds);
   }
   [[nodiscard]] Touch touch(int blade, double slip, const Bending& /*bending*/) const override {
     return {blade, slip, 0.0};
@@ -148,7 +149,7 @@ class RigidLaw final : public ArcLaw {
       return low > kSteep * width || high < -kSteep * width || high - low < kSeen * width;
     };
     bool all = resolves(interval.start_slip_velocity, interval.slip_velocity);
-    for (std::size_t k = 0; k < interval.further_count; ++k)
+    for (std::size_t k = 0; k < interval.further.size(); ++k)
       all = all && resolves(interval.further[k].start_slip_velocity, interval.further[k].slip_velocity);
     return all;
   }

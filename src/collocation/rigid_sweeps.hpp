@@ -10,6 +10,7 @@
 #include "collocation/friction_in_lanes.hpp"
 #include "collocation/interval.hpp"
 #include "collocation/nodes_in_lanes.hpp"
+#include "contact/sticking.hpp"
 
 namespace rubatlas::collocation {
 namespace {
@@ -48,7 +49,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   template <class Use>
   RUBATLAS_INLINE void each_blade(Use use) const {
     use(*contact_.blade, contact_.slip, er_);
-    for (std::size_t k = 0; k < interval_.further_count; ++k) {
+    for (std::size_t k = 0; k < interval_.further.size(); ++k) {
       const FurtherBlade& further = interval_.further[k];
       use(*further.blade, further.slip, offset_by(er_, further.offset));
     }
@@ -135,32 +136,49 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
       const Vector more = push_of(blade, slip, er);
       push = {push.x + more.x, push.y + more.y};
     });
-    if (!rests()) return move(push);
+    if (count_at_rest() == 0) return move(push);
     accelerate(push);
     hold();
     return advance(push);
   }
 
-  /// Adds the friction that keeps a tip at rest: −q t, with q = dv/dτ as it is without
-  /// (`contact/sticking.hpp`).
+  /// Adds the friction that keeps tips at rest: −q t of each, such that dv/dτ vanishes
+  /// (`contact/sticking.hpp`). That of one tip changes dv/dτ of another one by the cosine between their
+  /// tangents.
   RUBATLAS_INLINE void hold() {
-    const Blade& blade = *contact_.blade;
-    const Tip tip = rigid_tip_of(blade, er_);
-    const Number speed = angular_speed();
-    const Vector tangent = tangent_of(tip);
-    pull_ = (tangent.x * shaft_.ax + tangent.y * shaft_.ay) +
-            angular_acceleration() * tip.radial_normal * blade.reach +
-            speed * speed * tip.tangential_normal * blade.reach -
-            tip.slip_velocity * tip.outward_velocity / tip.distance;
-    shaft_.ax = shaft_.ax - pull_ * tangent.x;
-    shaft_.ay = shaft_.ay - pull_ * tangent.y;
+    std::size_t count = 0;
+    std::array<Vector, contact::kMostAtRest> tangent;
+    each_blade([&](const Blade& blade, double slip, const Vector& er) RUBATLAS_INLINED {
+      if (slip != 0.0 || count == contact::kMostAtRest) return;
+      const Tip tip = rigid_tip_of(blade, er);
+      const Number speed = angular_speed();
+      const Vector along{(tip.tangential_normal * er.x + tip.radial_normal * er.y) * -1.0,
+                         tip.radial_normal * er.x - tip.tangential_normal * er.y};
+      pull_[count] = (along.x * shaft_.ax + along.y * shaft_.ay) +
+                     angular_acceleration() * tip.radial_normal * blade.reach +
+                     speed * speed * tip.tangential_normal * blade.reach -
+                     tip.slip_velocity * tip.outward_velocity / tip.distance;
+      tangent[count] = along;
+      ++count;
+    });
+    if (count == 2) {
+      const Number cosine = tangent[0].x * tangent[1].x + tangent[0].y * tangent[1].y;
+      const Number sine = tangent[0].x * tangent[1].y - tangent[0].y * tangent[1].x;
+      const Number per_square = Number(1.0) / (sine * sine);
+      const Number first = (pull_[0] - cosine * pull_[1]) * per_square;
+      pull_[1] = (pull_[1] - cosine * pull_[0]) * per_square;
+      pull_[0] = first;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      shaft_.ax = shaft_.ax - pull_[i] * tangent[i].x;
+      shaft_.ay = shaft_.ay - pull_[i] * tangent[i].y;
+    }
   }
-  /// Of the leading blade.
-  RUBATLAS_INLINE Vector tangent_of(const Tip& tip) const {
-    return {(tip.tangential_normal * er_.x + tip.radial_normal * er_.y) * -1.0,
-            tip.radial_normal * er_.x - tip.tangential_normal * er_.y};
+  [[nodiscard]] std::size_t count_at_rest() const {
+    std::size_t count = contact_.slip == 0.0 ? 1 : 0;
+    for (const FurtherBlade& further : interval_.further) count += further.slip == 0.0 ? 1 : 0;
+    return count;
   }
-  [[nodiscard]] bool rests() const { return contact_.slip == 0.0; }
 
   void store() {
     Interval& in = interval_;
@@ -171,17 +189,22 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     lead.slip_velocity.store(in.slip_velocity);
     (lead.yielding * contact_.blade->ring_stiffness).store(in.normal_force);
     Number(0.0).store(in.root_strain);
-    if (rests()) {
-      const double per_yielding = contact_.blade->ring_stiffness * machine_.force_unit;
-      const Number largest = lead.yielding * (friction_.largest_at_rest() * per_yielding);
-      (largest * largest - pull_ * pull_).store(in.cone_left);
-    }
-    for (std::size_t k = 0; k < in.further_count; ++k) {
+    std::size_t rest = 0;  // in the order of `hold`
+    const auto store_cone = [&](const Blade& blade, double slip, const Tip& tip, TipInTime& kept) {
+      if (slip != 0.0 || rest == contact::kMostAtRest) return;
+      const double per_yielding = blade.ring_stiffness * machine_.force_unit;
+      const Number largest = tip.yielding * (friction_.largest_at_rest() * per_yielding);
+      (largest * largest - pull_[rest] * pull_[rest]).store(kept.cone_left);
+      ++rest;
+    };
+    store_cone(*contact_.blade, contact_.slip, lead, in);
+    for (std::size_t k = 0; k < in.further.size(); ++k) {
       FurtherBlade& further = in.further[k];
       const Tip tip = rigid_tip_of(*further.blade, offset_by(er_, further.offset));
       tip.yielding.store(further.square);
       tip.yielding.store(further.gap_measure);
       tip.slip_velocity.store(further.slip_velocity);
+      store_cone(*further.blade, further.slip, tip, further);
     }
   }
 
@@ -208,7 +231,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
 
   const Contact& contact_;
   const FrictionNumbers& friction_;
-  Number pull_;  ///< q of a tip at rest [m per unit τ²]
+  std::array<Number, contact::kMostAtRest> pull_;  ///< q of tips at rest [m per unit τ²]
 };
 
 template <std::size_t kWidth>

@@ -204,6 +204,11 @@ class DirectedElastica {
     return result;
   }
 
+  /// On the approaching side a contact opens from zero force, with a blade that is not bent (MODEL 4.2).
+  [[nodiscard]] bool opens_unbent(const Pose& at, double slip, double angular_speed) const {
+    return first_load_angle(at, slip, angular_speed) * at.tangential > 0.0 &&
+           at.gap <= gap_rounding(geometry_, at);
+  }
   /// The first equilibrium on the given side (±1) that is reached when the bending grows from the unloaded
   /// blade, or from the fold where the equilibria on that side begin; none where the blade cannot stand on
   /// that side. Slow, since it walks along the equilibria. A contact that bends the blade by less than a

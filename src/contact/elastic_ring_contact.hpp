@@ -13,7 +13,7 @@ namespace rubatlas::contact {
 template <class FrictionLaw>
 class RigidBladeContact {
  public:
-  /// The force follows from the position alone; no bending is carried along as a state.
+  /// The force follows from the position alone; nothing bends.
   static constexpr bool kHasBending = false;
   static constexpr bool kHasSlipState = FrictionLaw::kHasSlipState;
   static constexpr bool kLoadFollowsGap = true;

@@ -134,7 +134,8 @@ std::optional<double> ElasticaContact::root_on(const Pose& at, double slip, cons
   const double at_begin = function(branch.begin);
   if (!(at_begin > 0.0)) {
     // Too light to load the blade, or to bend the column; else h has no root up here.
-    const bool unloaded = branch.begin == 0.0 && (!carried_ || at.gap >= -gap_rounding(geometry(), at));
+    const bool unloaded =
+        branch.begin == 0.0 && (may_stand_straight_ || at.gap >= -gap_rounding(geometry(), at));
     return unloaded ? std::optional(0.0) : std::nullopt;
   }
   auto knot = std::upper_bound(knots.begin(), knots.end(), branch.begin,
@@ -153,7 +154,7 @@ std::optional<double> ElasticaContact::root_on(const Pose& at, double slip, cons
 std::optional<double> ElasticaContact::solve_on_branches(const Pose& at, double slip) const {
   // An undeformed tip that has left the ring has a contact on the bent branch only.
   const bool outside = at.gap < -gap_rounding(geometry(), at);
-  if (!carried_ && !outside && straight_load(at) <= blade::kEulerLoad) return 0.0;
+  if (may_stand_straight_ && !outside && straight_load(at) <= blade::kEulerLoad) return 0.0;
   const Branches all = branches(at, slip);
   for (std::size_t i = 0; i < all.count; ++i) {
     if (outside && all.list[i].begin == 0.0) continue;
@@ -164,7 +165,7 @@ std::optional<double> ElasticaContact::solve_on_branches(const Pose& at, double 
 
 bool ElasticaContact::stands_beyond_fold(const Pose& at, double slip, double bending) const {
   if (bending == 0.0) return false;
-  if (!carried_) return true;
+  if (may_stand_straight_) return true;
   const Branches all = branches(at, slip);
   return all.count > 0 && all.list[all.of(bending)].begin > 0.0;
 }
@@ -184,11 +185,11 @@ auto ElasticaContact::incline(const Pose& at, double slip, const blade::CurvePoi
 std::optional<double> ElasticaContact::solve_near_on_branch(const Pose& at, double slip,
                                                             double bending) const {
   if (bending == 0.0) {
-    if (!carried_ && straight_load(at) <= blade::kEulerLoad) return 0.0;
+    if (may_stand_straight_ && straight_load(at) <= blade::kEulerLoad) return 0.0;
     // What starts from the unloaded blade, or the column where it buckles without a jump.
     const Branches all = branches(at, slip);
     if (all.count > 0 && all.list[0].begin == 0.0) return root_on(at, slip, all.list[0]);
-    return carried_ ? solve(at, slip) : std::nullopt;
+    return may_stand_straight_ ? std::nullopt : solve(at, slip);
   }
   // Newton, as long as no fold can lie between the root and where the blade comes from: between two places
   // where h falls it can rise only where its slope is small against what it bends by in between.
@@ -221,11 +222,11 @@ std::optional<double> ElasticaContact::snap(const Pose& at, double slip, double 
                                             double angular_speed) const {
   const Branches all = branches(at, slip);
   std::size_t next = all.of(bending);
-  if (!carried_ && bending == 0.0) {
+  if (may_stand_straight_ && bending == 0.0) {
     // Straight before, and bent is what comes next.
   } else if (closes_in(at, slip, bending, angular_speed)) {
     ++next;
-  } else if (!carried_) {
+  } else if (may_stand_straight_) {
     return at.gap > 0.0 ? std::optional(0.0) : std::nullopt;
   } else if (next == 0 || !(at.gap > 0.0)) {
     return std::nullopt;
@@ -260,11 +261,11 @@ bool ElasticaContact::respond(const Pose& at, double slip, double angular_speed,
   // Beyond a lift-off on the approaching side the gap is negative and no positive load exists. There the load
   // is continued as an odd function of the gap (at μ = 0, where it does not vanish at lift-off, as an even
   // one).
-  const bool beyond_end = carried_ && at.gap < 0.0 && ends_unloaded(at, slip, bending);
+  const bool beyond_end = !may_stand_straight_ && at.gap < 0.0 && ends_unloaded(at, slip, bending);
   Pose mirrored = at;
   if (beyond_end) mirrored.gap = -at.gap;
   const auto root = solve_near(mirrored, slip, bending);
-  const bool straightened = !carried_ && (root ? *root == 0.0 : bending == 0.0);
+  const bool straightened = may_stand_straight_ && (root ? *root == 0.0 : bending == 0.0);
   if (straightened) {
     // Linearly so beyond lift-off, and as far beyond the Euler load as it takes to see that the column snaps
     // there.
@@ -294,7 +295,7 @@ bool ElasticaContact::respond_upwards(const Pose& at, double slip, double angula
   const double first = kFirstBending * (blade_.friction > 0.0 ? curve_->load_angle() : 1.0);
   const double buckling = curve_at(0.0).load;
   const double step = increment / blade_.load_unit;
-  if (!carried_) {
+  if (may_stand_straight_) {
     const double stepped = std::ceil(straight_load(at) / step) * step;
     if (stepped <= blade::kEulerLoad) {
       force = constraint_at(at, slip, straight(stepped), angular_speed).force;

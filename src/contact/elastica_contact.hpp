@@ -17,8 +17,7 @@
 /// branch is meant.
 ///
 /// The column (μ = 0) of such a blade or in such a ring is compressed straight up to its Euler load before it
-/// bends: straight, `bending` = 0, and bent are its two branches. It is solved for, and carried around the
-/// fold of the bent branch only.
+/// bends: straight, `bending` = 0, and bent are its two branches. It is solved for.
 #pragma once
 
 #include <array>
@@ -147,7 +146,7 @@ class ElasticaContact {
         ring_(ring),
         axial_unit_(blade.length * curve->axial_compliance()),
         has_branches_(axial_unit_ > 0.0 || blade_.yield_unit > 0.0),
-        carried_(blade_.friction > 0.0 || !has_branches_),
+        may_stand_straight_(!(blade_.friction > 0.0) && has_branches_),
         curve_(std::move(curve)) {
     if (blade_.friction > 0.0) {
       const double per_lateral = 3.0 / (blade_.friction * blade_.length);
@@ -186,9 +185,8 @@ class ElasticaContact {
 
   /// Whether a contact on the receding side goes on while it has a force, with g < 0.
   [[nodiscard]] bool releases_at_fold() const { return ring_.release == Release::at_fold; }
-  /// A contact can be carried along h = 0 by its bending parameter from its touch-down on; else it is to be
-  /// solved for.
-  [[nodiscard]] bool carried() const { return carried_; }
+  /// A column that something gives way in series with: up to its Euler load it is compressed straight.
+  [[nodiscard]] bool may_stand_straight() const { return may_stand_straight_; }
   /// Whether h = 0 may have more than one root where a blade can stand.
   [[nodiscard]] bool has_branches() const { return has_branches_; }
 
@@ -196,7 +194,7 @@ class ElasticaContact {
   /// blade on, −dh/dF = 2 (rh + L + cr) dδ/dF + 2 s ct dΔ/dF + 2R/kr >= 0 with Δ = μ F L³/(3 EI) there.
   /// Without compliance: the approaching side (MODEL 4.2).
   [[nodiscard]] bool starts_unloaded(const Pose& at, double slip) const {
-    if (!carried_) return true;
+    if (may_stand_straight_) return true;
     return slip * at.tangential + (axial_relief_ * (at.radial + blade_.geometry.reach) + ring_relief_) >= 0.0;
   }
   /// The same for an open contact, which may stand on another branch.
@@ -252,7 +250,7 @@ class ElasticaContact {
   /// force goes on smoothly past it (`respond`), so that the end can be located. 1 where there is no such
   /// end.
   [[nodiscard]] double straight_reserve(const Pose& at, double slip, double bending) const {
-    const bool ends = !carried_ && bending == 0.0 && slip * at.tangential < 0.0;
+    const bool ends = may_stand_straight_ && bending == 0.0 && slip * at.tangential < 0.0;
     return ends ? 1.0 - straight_load(at) / blade::kEulerLoad : 1.0;
   }
 
@@ -350,7 +348,7 @@ class ElasticaContact {
   double axial_relief_ = 0.0;  ///< 3ε/μ [-]
   double ring_relief_ = 0.0;   ///< 3 EI R / (μ L³ kr) [m]
   bool has_branches_;
-  bool carried_;
+  bool may_stand_straight_;
   std::shared_ptr<const blade::ElasticaCurve> curve_;
   mutable std::uint64_t evaluations_ = 0;  ///< what a motion cost, not what it is
 };

@@ -22,7 +22,7 @@ namespace rubatlas::contact {
 inline std::optional<DirectedElastica<StickingFriction>> resting_law(const ElasticaContact& law) {
   const blade::ElasticaCurve& curve = law.curve();
   if (curve.theory() != blade::Theory::elastica || law.has_branches() || law.releases_at_fold() ||
-      !law.carried())
+      law.may_stand_straight())
     return std::nullopt;
   const double length = law.length();
   return DirectedElastica<StickingFriction>(

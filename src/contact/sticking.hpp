@@ -10,6 +10,8 @@
 
 #include <cmath>
 #include <complex>
+#include <cstddef>
+#include <span>
 
 #include "contact/pose.hpp"
 
@@ -25,6 +27,27 @@ struct OtherAcceleration {
 
 /// Of μs, beyond which a tip comes loose: rounding does not lead it back.
 inline constexpr double kShareBeyondCone = 1e-9;
+
+/// Of rigid tips: with v = Ω (|r| − p·n), p the rotor's instantaneous centre, all that are at rest touch the
+/// ring where a tangent to it leads to p.
+inline constexpr std::size_t kMostAtRest = 2;
+
+/// A rigid tip that is kept at rest.
+struct AtRest {
+  std::complex<double> tangent;  ///< t
+  double pull;                   ///< q of it alone, then of all that are kept at rest
+};
+/// The pulls along the tangents that take away the rates of all of them, which are the pulls that each would
+/// need if it were alone. `Tip`: has `tangent` and `pull`.
+template <class Tip>
+void share_out(std::span<Tip> tips) {
+  if (tips.size() != kMostAtRest) return;
+  const std::complex<double> between = std::conj(tips[0].tangent) * tips[1].tangent;
+  const double square = between.imag() * between.imag();
+  const double first = (tips[0].pull - between.real() * tips[1].pull) / square;
+  tips[1].pull = (tips[1].pull - between.real() * tips[0].pull) / square;
+  tips[0].pull = first;
+}
 
 /// Direction t of the slip of a rigid blade's tip, along (real) and across the blade.
 inline std::complex<double> tangent(const Geometry& geometry, const Pose& at) {

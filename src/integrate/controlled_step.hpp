@@ -9,10 +9,7 @@
 ///     takes_back()                      the attempt is rejected: first guesses as at the start of the step
 ///     begins_attempt(), is_stopped()    whether there is work left to spend on an attempt
 ///     proposed_size(step, relative)     the size, from the share of the system's own scale that is allowed
-///     aimed(step, size)                 the same, cut short where the system expects something to end
 ///     scaled_error(step)                local error in units of the tolerance
-///     trusts(step)                      false: the step is made again, half as long, whatever its error
-///     gives_up()                        no step, however short, will find a derivative
 ///     accepted(), goes_on()             the step counts; the next one starts at its end
 ///     project(state)                    moves the end of a step onto the system's constraints
 ///     place(state)                      the same for a state of dense output
@@ -24,7 +21,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "integrate/root_between.hpp"
 #include "integrate/runge_kutta.hpp"
 #include "integrate/step_control.hpp"
 
@@ -51,27 +47,21 @@ class ControlledStep {
   Outcome make() {
     system_->begins_step(step_.start());
     while (true) {
-      const double proposed = system_->proposed_size(step_, control_.relative_size());
-      const double size = system_->aimed(step_, proposed);
+      const double size = system_->proposed_size(step_, control_.relative_size());
       if (!system_->begins_attempt()) return Outcome::stopped;
       const bool evaluated = step_.attempt(*system_, size);
       if (system_->is_stopped()) return Outcome::stopped;
       const double error = evaluated ? system_->scaled_error(step_) : std::numeric_limits<double>::infinity();
       if (StepControl::acceptable(error)) {
-        if (system_->trusts(step_)) {
-          ++accepted_;
-          control_.accept(error, size < proposed);
-          system_->accepted();
-          system_->project(step_.end());
-          return Outcome::accepted;
-        }
-        control_.halve(size / proposed);
-      } else {
-        control_.reject(error, size / proposed);
+        ++accepted_;
+        control_.accept(error);
+        system_->accepted();
+        system_->project(step_.end());
+        return Outcome::accepted;
       }
+      control_.reject(error);
       ++rejected_;
       system_->takes_back();
-      if (!evaluated && system_->gives_up()) return Outcome::no_derivative;
       if (!(size > System::kSmallestSize)) return evaluated ? Outcome::too_short : Outcome::no_derivative;
     }
   }
@@ -82,7 +72,7 @@ class ControlledStep {
     if (!(step_.size() > System::kSmallestSize)) return false;
     --accepted_;
     ++rejected_;
-    control_.halve(1.0);
+    control_.halve();
     system_->takes_back();
     return true;
   }
@@ -110,49 +100,12 @@ class ControlledStep {
     system_->place(state);
     return state;
   }
-  /// The same, not placed on the system's constraints.
-  [[nodiscard]] State interpolated(double fraction) {
-    if (!make_dense()) {
-      return State::Constant(step_.end().size(), std::numeric_limits<double>::quiet_NaN());
-    }
-    return step_.interpolate(fraction);
-  }
-
   /// d/dθ of a component.
   [[nodiscard]] double slope(double fraction, int component) {
     if (fraction == 0.0) return step_.size() * step_.start_derivative()[component];
     if (fraction == 1.0) return step_.size() * step_.end_derivative()[component];
     return make_dense() ? step_.interpolate_with_slope(fraction, component).slope
                         : std::numeric_limits<double>::quiet_NaN();
-  }
-
-  /// Fraction strictly before `last` where a growing component has a value; `at_last` is the component at
-  /// `last`. Found by Newton's method, and by the bracketing solver where the component hardly grows.
-  [[nodiscard]] double fraction_where(int component, double value, double last, double at_last) {
-    const double from = step_.start()[component];
-    double fraction = last * (value - from) / (at_last - from);
-    if (!make_dense()) return fraction;
-    for (int i = 0; i < 8; ++i) {
-      const auto at = step_.interpolate_with_slope(fraction, component);
-      const double move = (value - at.value) / at.slope;
-      fraction += move;
-      if (!(fraction > 0.0 && fraction < last)) break;
-      if (std::abs(move) <= kFractionResolution) return fraction;
-    }
-    return root_between([&](double part) { return step_.interpolate(part, component) - value; }, 0.0, last,
-                        from - value, at_last - value);
-  }
-
-  /// Fraction where a component passes through a value, in a step that ends at or beyond this value.
-  [[nodiscard]] double crossing_of(int component, double value) {
-    if (!make_dense()) return 1.0;
-    // A component that starts at zero comes back to zero. Divided by the fraction of the step, it has no root
-    // at the start.
-    const bool from_zero = value == 0.0 && step_.start()[component] <= 0.0;
-    const auto excess = [&](double part) {
-      return from_zero ? step_.mean_slope(part, component) : step_.interpolate(part, component) - value;
-    };
-    return root_between(excess, 0.0, 1.0, excess(0.0), excess(1.0));
   }
 
   /// Moves the origin of a component.
@@ -163,7 +116,6 @@ class ControlledStep {
 
  private:
   static constexpr double kFirstSize = 0.1;  ///< of the scale; only the first step of a point starts with it
-  static constexpr double kFractionResolution = 1e-14;
 
   bool make_dense() {
     if (step_.is_dense()) return true;

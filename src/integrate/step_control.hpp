@@ -31,22 +31,20 @@ class StepControl {
   /// Errors in units of what is accepted: up to 1.
   [[nodiscard]] static bool acceptable(double error) { return error <= 1.0; }
 
-  /// A step has been accepted. A step that was cut short, to end at an event, tells nothing about the size.
-  void accept(double error, bool cut_short) {
-    if (!cut_short) relative_size_ *= std::pow(ideal_factor(error, kShrinkMost, kGrowMost), kTrust);
+  /// A step has been accepted.
+  void accept(double error) {
+    relative_size_ *= std::pow(ideal_factor(error, kShrinkMost, kGrowMost), kTrust);
     log_sizes_ += std::log(relative_size_);
     ++accepted_;
   }
 
-  /// A step of `share` of the proposed size has been rejected; the error is infinite where the step could not
-  /// be made at all.
-  void reject(double error, double share) {
-    relative_size_ *=
-        share * (std::isfinite(error) ? ideal_factor(error, kShrinkAtRejection, kLeastShrink) : kRetreat);
+  /// A step has been rejected; the error is infinite where it could not be made at all.
+  void reject(double error) {
+    relative_size_ *= std::isfinite(error) ? ideal_factor(error, kShrinkAtRejection, kLeastShrink) : kRetreat;
   }
 
   /// Tries again with half the step, whatever its error.
-  void halve(double share) { relative_size_ *= 0.5 * share; }
+  void halve() { relative_size_ *= 0.5; }
 
  private:
   /// Aimed error, as a share of the largest accepted one: low enough that only one step in thirty is

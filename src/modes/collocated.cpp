@@ -20,9 +20,9 @@ bool Collocated::start(double time, const rotor::ShaftAndRing& state,
   start_ = state;
   start_time_ = time;
   pending_ = false;
-  most_bent_.fill(std::nullopt);
+  most_bent_.assign(contacts.size(), std::nullopt);
   const std::uint64_t evaluations = law_->evaluations();
-  std::array<collocation::Touch, 1 + collocation::kMostFurther> touching{};
+  std::vector<collocation::Touch> touching;
   stands_ = true;
   for (std::size_t i = 0; i < contacts.size() && stands_; ++i) {
     const OpenContact& open = contacts[i];
@@ -38,12 +38,16 @@ bool Collocated::start(double time, const rotor::ShaftAndRing& state,
                                    .straight = open.straight},
                                   at, blades_->angular_speed(time));
     stands_ = touch.has_value();
-    if (touch) touching[i] = *touch;
+    if (touch) touching.push_back(*touch);
   }
   meter_->spend(Work::contact,
                 static_cast<std::int64_t>(law_->evaluations() - evaluations) * WorkPrice::kInclinedCurve);
-  if (stands_) arc_.begin(time, state, std::span(touching).first(contacts.size()));
-  return true;
+  refusal_ = ending::StatusDetail::none;
+  if (!stands_) return true;
+  arc_.begin(time, state, touching);
+  if (arc_.shortening_at_start() > max_shortening_) refusal_ = ending::StatusDetail::shortening_limit;
+  if (!arc_.starts_within_ring()) refusal_ = ending::StatusDetail::shaft_at_ring;
+  return refusal_ == ending::StatusDetail::none;
 }
 
 ModeEnd Collocated::advance(double until, MotionListener& listener) {
@@ -54,7 +58,7 @@ ModeEnd Collocated::advance(double until, MotionListener& listener) {
       const bool beyond = end > until;
       piece_end_ = beyond ? until : end;
       piece_stretch_.reset();
-      most_bent_.fill(std::nullopt);
+      most_bent_.assign(contacts_.size(), std::nullopt);
       if (piece_end_ > piece_begin_) listener.piece(*this);
       if (meter_->ended()) return {Guard::failed, -1, meter_->why()};
       piece_begin_ = piece_end_;
@@ -62,7 +66,8 @@ ModeEnd Collocated::advance(double until, MotionListener& listener) {
       pending_ = false;
       if (arc_.ending().guard != collocation::ContactArc::Guard::none) return end_of_arc();
     }
-    if (!meter_->spend(Work::contact, WorkPrice::kAttempt + WorkPrice::kForce))
+    if (!meter_->spend(Work::contact,
+                       WorkPrice::kAttempt + static_cast<std::int64_t>(contacts_.size()) * WorkPrice::kForce))
       return {Guard::failed, -1, meter_->why()};
     if (arc_.make() == collocation::ContactArc::Outcome::gives_up)
       return {Guard::hands_over, contacts_.front().blade};
@@ -85,6 +90,10 @@ ModeEnd Collocated::end_of_arc() const {
       return {Guard::pressed_in, blade};
     case Reason::chart_end:
       return {Guard::snap, blade};
+    case Reason::shortening_limit:
+      return {Guard::left_validity, blade, ending::StatusDetail::shortening_limit};
+    case Reason::shaft_at_ring:
+      return {Guard::left_validity, blade, ending::StatusDetail::shaft_at_ring};
     case Reason::fold:
       // What follows on another branch is for the motion to find.
       return {law_->has_branches(blade) ? Guard::snap : Guard::lift_off, blade};

@@ -1,6 +1,6 @@
-/// Mode: one blade in contact, or few, by collocation (`collocation/contact_arc.hpp`). Where it
-/// cannot prove that no other guard is met it hands the contacts over to the modes `Carried` and `Solved`,
-/// from the start of the interval in which one may be.
+/// Mode: blades in contact, by collocation (`collocation/contact_arc.hpp`). Where it cannot prove that no
+/// other guard is met it hands the contacts over to a mode in steps, from the start of the interval in which
+/// one may be.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 
 #include "collocation/arc_law.hpp"
 #include "collocation/contact_arc.hpp"
+#include "modes/contact_limits.hpp"
 #include "modes/motion_listener.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/phase.hpp"
@@ -28,23 +29,23 @@ namespace rubatlas::modes {
 class Collocated final : public Phase {
  public:
   /// The machine and the meter outlive the mode.
-  Collocated(const rotor::Machine& machine, std::unique_ptr<collocation::ArcLaw> law, double tolerance,
-             WorkMeter& meter)
+  Collocated(const rotor::Machine& machine, std::unique_ptr<collocation::ArcLaw> law,
+             const ContactLimits& limits, WorkMeter& meter)
       : law_(std::move(law)),
         blades_(&machine.blades),
         rotor_(&machine.constants),
         meter_(&meter),
-        arc_(machine, *law_, tolerance),
+        max_shortening_(limits.max_shortening),
+        arc_(machine, *law_, limits.tolerance),
         most_bent_of_blades_(static_cast<std::size_t>(blades_->count())) {}
 
   [[nodiscard]] bool takes(const std::vector<OpenContact>& contacts) const override;
 
   /// Starts at time τ of the revolution. Where a blade has no equilibrium the contacts are handed over at
-  /// once. False where more blades touch.
+  /// once. False where more blades touch, or outside of the model's validity.
   bool start(double time, const rotor::ShaftAndRing& state,
              const std::vector<OpenContact>& contacts) override;
-  /// That is for another mode to find.
-  [[nodiscard]] ending::StatusDetail refusal() const override { return ending::StatusDetail::none; }
+  [[nodiscard]] ending::StatusDetail refusal() const override { return refusal_; }
 
   ModeEnd advance(double until, MotionListener& listener) override;
   void shift_time(double period) override;
@@ -111,10 +112,12 @@ class Collocated final : public Phase {
   const rotor::RipplingBlades* blades_;
   const rotor::RotorConstants* rotor_;
   WorkMeter* meter_;
+  double max_shortening_;  ///< of δ/L
   collocation::ContactArc arc_;
   std::vector<OpenContact> contacts_;
   rotor::ShaftAndRing start_ = rotor::ShaftAndRing::Zero();
   double start_time_ = 0.0;
+  ending::StatusDetail refusal_ = ending::StatusDetail::none;
   bool stands_ = false;   ///< the blades stand on an arc; else the contacts are handed over where they begin
   bool pending_ = false;  ///< an interval has been made and not been recorded to its end
   std::vector<trajectory::ContactForce> forces_at_node_;
@@ -131,8 +134,7 @@ class Collocated final : public Phase {
     double argument;  ///< p
     contact::TipForce force;
   };
-  std::array<std::optional<MostBent>, 1 + collocation::kMostFurther>
-      most_bent_;                                             ///< in the piece, once they are asked for
+  std::vector<std::optional<MostBent>> most_bent_;            ///< in the piece, once they are asked for
   std::vector<std::optional<MostBent>> most_bent_of_blades_;  ///< in the pieces that have been asked for it
 };
 

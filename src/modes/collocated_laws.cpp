@@ -22,7 +22,7 @@ std::unique_ptr<ArcLaw> arcs_of(const ModesRequest& request,
   const int count = request.machine.blades.count();
   for (int k = 0; k < count; ++k) {
     const contact::ElasticaContact& blade = law.of(k);
-    if (!blade.carried() || blade.curve().over_asinh().last_piece() < 0) return nullptr;
+    if (blade.may_stand_straight() || blade.curve().over_asinh().last_piece() < 0) return nullptr;
   }
   return std::make_unique<collocation::AxialLaw>(law, count, request.limits.max_shortening);
 }
@@ -55,8 +55,7 @@ std::unique_ptr<Phase> collocated(const ModesRequest& request, const UnequalBlad
   if (!request.collocates) return nullptr;
   std::unique_ptr<ArcLaw> arcs = arcs_of(request, law);
   if (arcs == nullptr) return nullptr;
-  return std::make_unique<Collocated>(request.machine, std::move(arcs), request.limits.tolerance,
-                                      request.meter);
+  return std::make_unique<Collocated>(request.machine, std::move(arcs), request.limits, request.meter);
 }
 
 template <class Blade>

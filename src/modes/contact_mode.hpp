@@ -5,7 +5,7 @@
 /// (`rotor/bodies.hpp`). Each mode is one file and owns
 ///     open(time, bodies, contacts, state)   the state that it starts from; false: it cannot start there
 ///     operator()(state, derivative)         its equations
-///     end_of_branch(search), guards(search) what ends it
+///     guards(search)                        what ends it
 ///     project(state), place(state)          its constraints, where it has some
 ///     contact_in(contact, state)            what it hands over to the mode that follows
 /// and hides whatever of the defaults below does not hold for it. `integrate::ControlledStep` says what a
@@ -72,19 +72,20 @@ class ContactMode {
   bool open(double time, const Bodies& state, const std::vector<OpenContact>& contacts, FullState& full) {
     full = rotor::full_state(state, time, 0.0);
     stand(contacts);
-    return true;
+    // From here on each blade stays on the side to which it is bent.
+    return std::ranges::all_of(contacts_, [&](OpenContact& contact) {
+      contact::TipForce force{};
+      return respond_paid(pose(contact.blade, full), blades().angular_speed(time), contact, force);
+    });
   }
 
   // How a step is judged (`integrate::ControlledStep`).
 
   static constexpr double kSmallestSize = 1e-15;  ///< in σ
   /// Near a force that starts or ends like a root of the gap many steps are rejected, and their sizes hang on
-  /// the last digits. Where no carried form takes that away sizes come from a coarse grid: a motion that
-  /// comes to the same place goes on by the same steps, and repeats itself to rounding instead of to the
-  /// tolerance.
-  static constexpr bool kCoarseSizes = !Law::kHasBending && !Law::kLoadFollowsGap;
-  /// Time is a state, which turns back where a contact ends.
-  static constexpr bool kTimeTurns = false;
+  /// the last digits. They come from a coarse grid: a motion that comes to the same place goes on by the same
+  /// steps, and repeats itself to rounding instead of to the tolerance.
+  static constexpr bool kCoarseSizes = !Law::kLoadFollowsGap;
   /// A tip whose slip velocity comes to zero may rest at once, as in MODEL 7.14.
   static constexpr bool kRestsAtOnce = contact::Sticks<Law>;
   /// The path of the mode is known as `trajectory::PathPoint`.
@@ -113,18 +114,9 @@ class ContactMode {
     return relative;
   }
   template <class Step>
-  [[nodiscard]] double aimed(const Step& /*step*/, double size) const {
-    return size;
-  }
-  template <class Step>
   [[nodiscard]] double scaled_error(const Step& step) const {
     return error_of(step, acceleration_, Law::kLoadFollowsGap, [](const FullState&) { return 0.0; });
   }
-  template <class Step>
-  [[nodiscard]] bool trusts(const Step& /*step*/) const {
-    return true;
-  }
-  [[nodiscard]] bool gives_up() const { return false; }
   /// The first state has been evaluated.
   void begun() { stage_shortening_ = shortening(); }
   void accepted() { end_shortening_ = shortening(); }
@@ -160,15 +152,14 @@ class ContactMode {
     for (const contact::TipForce& force : forces_) largest = std::max(largest, force.shortening);
     return largest;
   }
-  /// Whether a load may rise and fall again within the step: it follows the gap where the ring yields, and is
-  /// to be looked at where it has been solved for.
-  template <class Step>
-  [[nodiscard]] bool load_may_peak(const Step& /*step*/, std::size_t /*contact*/, bool gap_peaks) const {
-    return !Law::kLoadFollowsGap || gap_peaks;
-  }
   /// An open contact in a state, from where the next mode goes on.
-  [[nodiscard]] OpenContact contact_in(std::size_t contact, const FullState& /*state*/) const {
-    return contacts_[contact];
+  [[nodiscard]] OpenContact contact_in(std::size_t contact, const FullState& state) const {
+    OpenContact open = contacts_[contact];
+    contact::TipForce force{};
+    if (!is_stopped())
+      respond(law_->of(open.blade), pose(open.blade, state), blades().angular_speed(state[rotor::kTime]),
+              open, force);
+    return open;
   }
   /// What ends the motion, or leads to the next mode, where no force can be found.
   [[nodiscard]] ModeEnd without_force() const {
@@ -229,20 +220,12 @@ class ContactMode {
   [[nodiscard]] const auto& law_of(std::size_t contact) const { return law_->of(contacts_[contact].blade); }
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
-  // Guards.
-
-  /// Modes in which a contact comes to the end of its own branch look for that first.
-  template <class Search>
-  void end_of_branch(Search& /*search*/) {}
-
  protected:
   static constexpr bool kRemembers = Law::kHasBending || requires {
     requires Law::OfBlade::kMayRememberSide;
   };
-  static constexpr double kAimBehind = 1.05;       ///< of the way to lift-off
-  static constexpr double kFromTouchDown = 0.01;   ///< of dτ/dσ at the end of a step, that at its start
-  static constexpr double kFoldResolution = 1e-6;  ///< of the scale on which the motion varies
-  static constexpr double kSizesPerOctave = 8.0;   ///< where they are coarse
+  static constexpr double kSizesPerOctave = 8.0;  ///< where they are coarse
+  static constexpr double kShareOfRoots = 0.01;   ///< of the tolerance: estimates beside roots of the time
   /// Of the limit of δ/L: what no stage of a step has met is not met between them.
   static constexpr double kFarFromLimit = 0.75;
 
@@ -272,18 +255,6 @@ class ContactMode {
     return pay_curves() && found;
   }
 
-  /// A contact that has lost its force where its branch ends. It is to be carried there, since its force ends
-  /// like a square root of the time. −1 where it has ended otherwise.
-  [[nodiscard]] int blade_at_fold([[maybe_unused]] std::size_t contact) const {
-    if constexpr (Law::kHasBending) {
-      const OpenContact& lost = contacts_[contact];
-      const auto& law = law_->of(lost.blade);
-      // A column that stands straight has no bending to carry along.
-      const bool carries = law.carried() || lost.bending > 0.0;
-      if (carries && (law.releases_at_fold() || law.has_branches())) return lost.blade;
-    }
-    return -1;
-  }
   /// Whether the contact of a blade whose force is found where it stands ends at g = 0 there.
   [[nodiscard]] bool ends_at_ring(int blade, const FullState& state) const {
     if constexpr (Law::kHasBending) {
@@ -301,8 +272,8 @@ class ContactMode {
   /// Local error of a step in units of the tolerance: of the state at fixed time, of the time along the path,
   /// and of what bends, as `square_of_bending` has it from a difference of states. Each of them passes
   /// through zero at places, the sum does not. `smooth`: no force starts or ends like a root of the time.
-  /// One that does has errors as large as their estimate; those of a smooth one are `kEstimateExcess` times
-  /// smaller.
+  /// Beside one that does errors are larger than their estimate; those of a smooth one are `kEstimateExcess`
+  /// times smaller.
   template <class Step, class Acceleration, class SquareOfBending>
   [[nodiscard]] double error_of(const Step& step, const Acceleration& acceleration, bool smooth,
                                 SquareOfBending square_of_bending) const {
@@ -315,29 +286,10 @@ class ContactMode {
       const Bodies state = rotor::bodies(difference) - rate * time;
       return std::sqrt(state.square().sum() + along * along + square_of_bending(difference));
     });
-    return estimate / ((smooth ? Step::Coefficients::kEstimateExcess : 1.0) * limits_.tolerance);
-  }
-
-  /// Lets the step that would take a component through zero end just behind it, and the two before share what
-  /// is left evenly. A step far past zero is wasted, and dense output is at its best near the ends of a step.
-  template <class Step>
-  [[nodiscard]] static double aimed_at_zero(const Step& step, int component, double size) {
-    const double value = step.start()[component];
-    const double rate = step.start_derivative()[component];
-    if (!(rate < 0.0) || !(value > 0.0)) return size;
-    const double remaining = kAimBehind * value / -rate;
-    if (remaining <= size) return remaining;
-    return remaining < 2.0 * size ? 0.5 * remaining : size;
-  }
-  /// A step in which time may turn round twice, as the cubic through its ends has it.
-  template <class Step>
-  [[nodiscard]] static bool time_may_turn_twice(const Step& step) {
-    if (!(step.end_derivative()[rotor::kTime] > 0.0)) return false;
-    const double start = step.size() * step.start_derivative()[rotor::kTime];
-    const double end = step.size() * step.end_derivative()[rotor::kTime];
-    // From a touch-down time starts as a power of σ up to the fourth, which is no cubic.
-    if (start < kFromTouchDown * end) return false;
-    return !(3.0 * (step.end()[rotor::kTime] - step.start()[rotor::kTime]) > start + end);
+    if (smooth) return estimate / (Step::Coefficients::kEstimateExcess * limits_.tolerance);
+    // No estimate can be less than the rounding of places.
+    const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * ring_radius();
+    return estimate / std::max(kShareOfRoots * limits_.tolerance, std::min(rounding, limits_.tolerance));
   }
 
   /// How far from the ring's centre the shaft gets in a step, and how fast, as seen from the ring: bounds

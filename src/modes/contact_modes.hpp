@@ -42,7 +42,6 @@ class ContactModes {
 
   [[nodiscard]] Phase* solved() const { return solved_.get(); }  ///< any contacts; never null
   [[nodiscard]] Phase* collocated() const { return collocated_.get(); }
-  [[nodiscard]] Phase* carried() const { return carried_.get(); }  ///< the first contact is carried
   [[nodiscard]] Phase* skimming() const { return skimming_.get(); }
   [[nodiscard]] Phase* sticking() const { return sticking_.get(); }  ///< tips that can stick
   /// Tips that always slip and come to rest where their slip reversals accumulate, under another law.
@@ -53,7 +52,7 @@ class ContactModes {
   /// Calls `use` with each phase that there is.
   template <class Use>
   void each_phase(Use use) const {
-    for (const Phase* phase : {solved(), collocated(), carried(), skimming(), sticking(), resting()}) {
+    for (const Phase* phase : {solved(), collocated(), skimming(), sticking(), resting()}) {
       if (phase != nullptr) use(*phase);
     }
   }
@@ -89,8 +88,6 @@ class ContactModes {
     return false;
   }
 
-  /// The bending of the blade can be carried as a state.
-  [[nodiscard]] virtual bool carries(int /*blade*/) const { return false; }
   /// The contact of a blade goes on beyond the ring while it has a force.
   [[nodiscard]] virtual bool releases_at_fold(int /*blade*/) const { return false; }
   /// Whether a blade that has just touched down begins to skim: it would hop at most `hop` [m] high, and
@@ -147,7 +144,6 @@ class ContactModes {
  protected:
   std::unique_ptr<Phase> solved_;
   std::unique_ptr<Phase> collocated_;
-  std::unique_ptr<Phase> carried_;
   std::unique_ptr<Phase> skimming_;
   std::unique_ptr<Phase> sticking_;
   std::unique_ptr<Phase> resting_;

@@ -109,11 +109,12 @@ class ContactPhase final : public Phase {
   [[nodiscard]] int blade(std::size_t contact) const override { return mode_.contacts()[contact].blade; }
   [[nodiscard]] bool load_peaks(std::size_t contact) const override {
     const WatchedBlade& watched = search_.of_contact(contact);
-    const auto& [start, end] = search_.time_slopes();
-    const bool gap_peaks =
-        integrate::cubic_may_peak(watched.at_start.rate * start,
-                                  watched.at_end.value - watched.at_start.value, watched.at_end.rate * end);
-    return mode_.load_may_peak(step_, contact, gap_peaks);
+    const double size = step_.size();
+    // A load that has been solved for is to be looked at; where the ring yields it follows the gap.
+    return !Mode::Law::kLoadFollowsGap ||
+           integrate::cubic_may_peak(watched.at_start.rate * size,
+                                     watched.at_end.value - watched.at_start.value,
+                                     watched.at_end.rate * size);
   }
   [[nodiscard]] double normal_force(std::size_t contact, double time) override {
     return mode_.force(contact, full_state_at(time)).normal;
@@ -159,7 +160,6 @@ class ContactPhase final : public Phase {
     if (time >= segment_end_) return end_fraction_;
     const double from = step_.start()[rotor::kTime];
     if (time <= from) return 0.0;
-    if (Mode::kTimeTurns) return step_.fraction_where(rotor::kTime, time, end_fraction_, segment_end_);
     return end_fraction_ * (time - from) / (segment_end_ - from);
   }
   [[nodiscard]] FullState full_state_at(double time) { return step_.at_fraction(fraction_at(time)); }
@@ -171,33 +171,35 @@ class ContactPhase final : public Phase {
   FullState place_on_path(double share, trajectory::PathPoint& point) {
     const double from = fraction_at(segment_begin_);
     const double length = fraction_at(segment_limit_) - from;
-    const double fraction = from + share * length;
+    // A force that starts or ends like a square root of the time is smooth along this path.
+    const double fraction = from + share * share * (3.0 - 2.0 * share) * length;
     FullState full = step_.at_fraction(fraction);
     point.time = full[rotor::kTime];
-    point.time_rate = length * step_.slope(fraction, rotor::kTime);
+    point.time_rate = 6.0 * share * (1.0 - share) * length * step_.size();
     point.state = rotor::as_array(full.template head<4>());
     point.ring = rotor::as_array(rotor::ring(full));
     point.contacts.clear();
     for (std::size_t i = 0; i < mode_.contacts().size(); ++i) {
       const OpenContact open = mode_.contact_in(i, full);
-      const auto rate = [&](int component) { return length * step_.slope(fraction, component); };
-      if constexpr (requires { Mode::modulus_of(i); }) {
-        point.contacts.push_back({open.blade, open.slip, 0.0, 0.0, true, open.bend.modulus,
-                                  open.bend.amplitude, rate(Mode::modulus_of(i)),
-                                  rate(Mode::amplitude_of(i))});
-      } else {
-        const bool carried = Mode::kTimeTurns && i == 0;
-        point.contacts.push_back(
-            {open.blade, open.slip, open.bending, carried ? rate(rotor::kBending) : 0.0, carried});
-      }
+      point.contacts.push_back({open.blade, open.slip, open.bending, 0.0, false, open.bend.modulus,
+                                open.bend.amplitude, 0.0, 0.0});
     }
     return full;
+  }
+
+  /// A force that starts or ends like a root of the time: lift-off would be read from the middle of dense
+  /// output, whose error the estimate at the end of the step does not tell.
+  [[nodiscard]] bool holds_whole_contact() const {
+    if (Mode::Law::kLoadFollowsGap || end_.guard != Guard::lift_off) return false;
+    const BladeGap& start = search_.blade(end_.blade).at_start;
+    return start.value <= mode_.gap_rounding() && start.rate > 0.0;
   }
 
   /// Finds what ends the phase in the step just made, if anything does, and where; or takes the step back.
   void find_end() {
     search_.find();
     end_ = search_.end();
+    if (holds_whole_contact() && step_.take_back()) return;
     end_fraction_ = search_.fraction();
     segment_begin_ = step_.start()[rotor::kTime];
     segment_end_ = end_state()[rotor::kTime];

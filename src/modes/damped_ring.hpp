@@ -38,7 +38,7 @@ void touch_down_of_damped_ring(const Mode& mode, Search& search, int k) {
     const BladeGap gap = mode.gap(k, search.step().at_fraction(part));
     return gap.value > 0.0 ? gap.rate : -std::abs(gap.rate);
   };
-  search.look_between(turns, {-std::abs(blade.at_start.rate), turns(search.last())}, {Guard::touch_down, k});
+  search.look_between(turns, {-std::abs(blade.at_start.rate), turns(1.0)}, {Guard::touch_down, k});
 }
 
 /// Rigid blades.
@@ -158,10 +158,10 @@ class YieldingDampedRing : public ContactMode<Law, rotor::BendsState> {
     const double at_start = outside(0.0);
     const ModeEnd end{Guard::lift_off, this->contacts_[contact].blade};
     if (at_start >= -this->gap_rounding()) {
-      search.look_from_zero([&](double part) { return outside(part) - at_start; },
-                            outside(search.last()) - at_start, end);
+      search.look_from_zero([&](double part) { return outside(part) - at_start; }, outside(1.0) - at_start,
+                            end);
     } else {
-      search.look_between(outside, {at_start, outside(search.last())}, end, this->gap_rounding());
+      search.look_between(outside, {at_start, outside(1.0)}, end, this->gap_rounding());
     }
   }
   /// The ring no longer pushes a straight blade, or pushes it enough to bend it.

@@ -22,9 +22,9 @@ namespace rubatlas::modes {
 
 /// Values of one blade that are kept from step to step.
 struct WatchedBlade {
-  bool open = false;           ///< in contact
-  BladeGap at_start{};         ///< of the step
-  BladeGap at_end{};           ///< of the part of the step that is searched
+  bool open = false;    ///< in contact
+  BladeGap at_start{};  ///< of the step
+  BladeGap at_end{};
   double slip_velocity = 0.0;  ///< v at the start of the step, of open contacts [m per unit τ]
   double end_slip_velocity = 0.0;
 };
@@ -63,13 +63,11 @@ class GuardSearch {
   /// Finds what ends the mode in the step just made: `Guard::horizon` at fraction 1 where nothing does.
   void find() {
     end_ = {Guard::horizon};
-    fraction_ = last_ = 1.0;
+    fraction_ = 1.0;
     for (std::size_t i = 0; i < mode_->contacts().size(); ++i)
       of_contact(i).end_slip_velocity = mode_->slip_velocity(i);
-    mode_->end_of_branch(*this);
-    const FullState end = step_->at_fraction(last_);
+    const FullState& end = step_->end();
     const contact::BladeDirection first = mode_->first_blade(end);
-    time_slopes_ = {last_ * step_->slope(0.0, rotor::kTime), last_ * step_->slope(last_, rotor::kTime)};
     for (int k = 0; k < static_cast<int>(watched_.size()); ++k) blade(k).at_end = mode_->gap(k, end, first);
     mode_->guards(*this);
   }
@@ -82,6 +80,7 @@ class GuardSearch {
 
   [[nodiscard]] Step& step() { return *step_; }
   [[nodiscard]] WatchedBlade& blade(int k) { return watched_[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] const WatchedBlade& blade(int k) const { return watched_[static_cast<std::size_t>(k)]; }
   [[nodiscard]] WatchedBlade& of_contact(std::size_t contact) {
     return blade(mode_->contacts()[contact].blade);
   }
@@ -89,29 +88,6 @@ class GuardSearch {
     return watched_[static_cast<std::size_t>(mode_->contacts()[contact].blade)];
   }
   [[nodiscard]] int blades() const { return static_cast<int>(watched_.size()); }
-  /// The step is searched up to this fraction.
-  [[nodiscard]] double last() const { return last_; }
-  /// dτ/dθ, times `last`, at both ends of the part of the step that is searched.
-  struct TimeSlopes {
-    double start = 0.0;
-    double end = 0.0;
-  };
-  [[nodiscard]] const TimeSlopes& time_slopes() const { return time_slopes_; }
-
-  /// The mode ends at this fraction at the latest; its states beyond it have no meaning.
-  void ends_latest(double fraction, const ModeEnd& end) {
-    last_ = fraction_ = fraction;
-    end_ = end;
-  }
-
-  /// The step is not searched beyond the end that has been found so far.
-  void looks_no_further() { last_ = fraction_; }
-  /// The mode ends where the step starts, since there is no force within the step.
-  void ends_at_start(const ModeEnd& end) {
-    end_ = end;
-    fraction_ = 0.0;
-  }
-
   void take_if_first(double fraction, const ModeEnd& end) {
     if (fraction < fraction_ || (fraction == fraction_ && end_.guard == Guard::horizon)) {
       fraction_ = fraction;
@@ -123,7 +99,7 @@ class GuardSearch {
   /// of the search, too.
   template <class Function>
   void look_for(const Function& function, const ModeEnd& end) {
-    look_between(function, {function(0.0), function(last_)}, end);
+    look_between(function, {function(0.0), function(1.0)}, end);
   }
   struct Ends {
     double start;
@@ -132,7 +108,7 @@ class GuardSearch {
   /// The same where its values at the ends are known.
   template <class Function>
   void look_between(const Function& function, const Ends& ends, const ModeEnd& end, double rounding = 0.0) {
-    if (const auto found = integrate::first_crossing(function, 0.0, last_, ends.start, ends.end, rounding))
+    if (const auto found = integrate::first_crossing(function, 0.0, 1.0, ends.start, ends.end, rounding))
       take_if_first(*found, end);
   }
 
@@ -141,12 +117,12 @@ class GuardSearch {
   /// magnifies rounding. So only a gap of more than its rounding is taken for a crossing, and one secant step
   /// leads back from there to the zero of the gap.
   template <class Function>
-  void look_from_zero(const Function& gap, double at_last, const ModeEnd& end) {
+  void look_from_zero(const Function& gap, double at_end, const ModeEnd& end) {
     constexpr double kJustBefore = 1.0 / 1024;
     const double rounding = mode_->gap_rounding();
     const auto beyond = [&](double part) { return (gap(part) - rounding) / part; };
-    const double at_end = (at_last - rounding) / last_;
-    const auto found = integrate::first_crossing(beyond, 0.0, last_, -std::abs(at_end), at_end);
+    const double end_value = at_end - rounding;
+    const auto found = integrate::first_crossing(beyond, 0.0, 1.0, -std::abs(end_value), end_value);
     if (!found) return;
     const double rise = gap(*found) - gap((1.0 - kJustBefore) * *found);
     const double back = kJustBefore * *found * rounding / rise;
@@ -159,8 +135,6 @@ class GuardSearch {
   std::vector<WatchedBlade> watched_;  ///< one per blade
   ModeEnd end_{Guard::horizon};
   double fraction_ = 1.0;
-  double last_ = 1.0;
-  TimeSlopes time_slopes_;
 };
 
 }  // namespace rubatlas::modes

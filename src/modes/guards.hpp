@@ -21,7 +21,7 @@ template <class Mode, class Search>
 void touch_down(const Mode& mode, Search& search, int k) {
   const BladeGap& start = search.blade(k).at_start;
   const BladeGap& end = search.blade(k).at_end;
-  const auto& slopes = search.time_slopes();
+  const double size = search.step().size();
   const auto gap = [&](double part) { return mode.gap(k, search.step().at_fraction(part)).value; };
   if (start.value >= 0.0) {
     // The tip has just lifted off or is about to touch. Rounding decides the sign of g; the slope of g tells
@@ -29,14 +29,12 @@ void touch_down(const Mode& mode, Search& search, int k) {
     if (start.rate > 0.0) return search.take_if_first(0.0, {Guard::touch_down, k});
     // The tip leaves the ring, and may return. Divided by the fraction of the step, g starts negative.
     const double more = end.value - start.value;
-    const auto range =
-        integrate::cubic_range_of_mean_slope(start.rate * slopes.start, more, end.rate * slopes.end);
+    const auto range = integrate::cubic_range_of_mean_slope(start.rate * size, more, end.rate * size);
     if (range.greatest < 0.0) return;
     return search.look_from_zero([&](double part) { return gap(part) - start.value; }, more,
                                  {Guard::touch_down, k});
   }
-  const auto range =
-      integrate::cubic_range(start.value, start.rate * slopes.start, end.value, end.rate * slopes.end);
+  const auto range = integrate::cubic_range(start.value, start.rate * size, end.value, end.rate * size);
   if (range.greatest < 0.0) return;
   search.look_between(gap, {start.value, end.value}, {Guard::touch_down, k}, mode.gap_rounding());
 }
@@ -54,12 +52,12 @@ bool stays_in_ring(const Mode& mode, Search& search, const WatchedBlade& blade) 
   const BladeGap& start = blade.at_start;
   const BladeGap& end = blade.at_end;
   if (!(end.value > 0.0)) return false;
-  const auto& slopes = search.time_slopes();
+  const double size = search.step().size();
   const integrate::Range range =
       has_just_opened(mode, blade)
-          ? integrate::cubic_range_of_mean_slope(
-                start.rate * slopes.start, end.value - std::min(start.value, 0.0), end.rate * slopes.end)
-          : integrate::cubic_range(start.value, start.rate * slopes.start, end.value, end.rate * slopes.end);
+          ? integrate::cubic_range_of_mean_slope(start.rate * size, end.value - std::min(start.value, 0.0),
+                                                 end.rate * size)
+          : integrate::cubic_range(start.value, start.rate * size, end.value, end.rate * size);
   return range.least > 0.0;
 }
 
@@ -110,7 +108,7 @@ void slip_reversal(const Mode& mode, Search& search, std::size_t contact, bool s
   };
   if (before == 0.0) {
     const auto mean = [&](double part) { return velocity(part) / part; };
-    const auto next = integrate::first_sign_change(mean, 0.0, search.last(), after / search.last());
+    const auto next = integrate::first_sign_change(mean, 0.0, 1.0, after);
     if (next) search.take_if_first(*next, end);
     return;
   }
@@ -130,12 +128,11 @@ void slip_comes_to_rest(const Mode& mode, Search& search, std::size_t contact, b
   const ModeEnd end{Guard::slip_reversal, mode.contacts()[contact].blade};
   if (before * after > 0.0 && slip_lasts) return;
   if (before == 0.0) {
-    const double last = search.last();
     const auto mean = [&](double part) {
       return mode.force(contact, search.step().at_fraction(part)).slip_velocity / part;
     };
     return search.look_between([&](double part) { return -slip * mean(part); },
-                               {-std::abs(after / last), -slip * after / last}, end);
+                               {-std::abs(after), -slip * after}, end);
   }
   slip_reversal(mode, search, contact, slip_lasts);
 }
@@ -175,7 +172,7 @@ void buckling(const Mode& mode, Search& search, std::size_t contact) {
     return mode.beyond_straight(contact, search.step().at_fraction(part));
   };
   const double at_start = beyond(0.0);
-  const double at_end = beyond(search.last());
+  const double at_end = beyond(1.0);
   // Where the column does not stand straight there is nothing to look for.
   if (at_start == -1.0 && at_end == -1.0) return;
   search.look_between(beyond, {at_start, at_end}, {Guard::snap, mode.contacts()[contact].blade});

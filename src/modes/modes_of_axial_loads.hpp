@@ -11,7 +11,6 @@
 #include "contact/elastica_contact.hpp"
 #include "contact/resting_law.hpp"
 #include "integrate/dormand_prince_853.hpp"
-#include "modes/carried.hpp"
 #include "modes/collocated_laws.hpp"
 #include "modes/modes_of_law.hpp"
 #include "modes/skimming.hpp"
@@ -30,7 +29,6 @@ class ModesOfAxialLoads final : public ModesOfLaw<contact::ElasticaContact, Pair
   ModesOfAxialLoads(const ModesRequest& request, Law law)
       : Base(request, std::move(law)), skims_(this->setup_) {
     this->solved_ = this->template phase_of<Solved<Law>>();
-    this->carried_ = this->template phase_of<Carried<Law>>();
     this->skimming_ = this->template phase_of<Skimming<Law>>();
     this->collocated_ = modes::collocated(request, this->law_);
     if (auto law_of_rest = resting_law(this->law_, request.machine.blades.count())) {
@@ -87,12 +85,12 @@ class ModesOfAxialLoads final : public ModesOfLaw<contact::ElasticaContact, Pair
   /// A column whose u has come to 0 while its tip is still in the ring (g > 0) stands straight from there on.
   [[nodiscard]] bool straightens(const TipPlace& at, OpenContact& contact) const override {
     const auto& blade = this->blade(contact);
-    if (blade.carried() || at.pose.gap <= contact::gap_rounding(blade.geometry(), at.pose)) return false;
+    if (!blade.may_stand_straight() || at.pose.gap <= contact::gap_rounding(blade.geometry(), at.pose))
+      return false;
     contact.bending = 0.0;
     return true;
   }
 
-  [[nodiscard]] bool carries(int blade) const override { return this->law_.of(blade).carried(); }
   [[nodiscard]] bool releases_at_fold(int blade) const override {
     return this->law_.of(blade).releases_at_fold();
   }
@@ -101,7 +99,7 @@ class ModesOfAxialLoads final : public ModesOfLaw<contact::ElasticaContact, Pair
   [[nodiscard]] bool begins_to_skim(const rotor::ContactState& state, const OpenContact& contact,
                                     double hop) const override {
     const auto& blade = this->blade(contact);
-    return !blade.releases_at_fold() && blade.carried() && skims_.begins(state, contact, hop);
+    return !blade.releases_at_fold() && !blade.may_stand_straight() && skims_.begins(state, contact, hop);
   }
 
   /// For some elastic blades the model does not say it.

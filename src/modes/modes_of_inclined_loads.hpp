@@ -1,5 +1,5 @@
 /// Modes and resets of elastic blades under an inclined load, which have two unknowns, κ and φ. The mode that
-/// begins finds both where a contact opens (`carried_bends.hpp`).
+/// begins finds both where a contact opens.
 #pragma once
 
 #include <cmath>
@@ -13,9 +13,9 @@
 #include "contact/friction_law.hpp"
 #include "contact/resting_law.hpp"
 #include "integrate/dormand_prince_853.hpp"
-#include "modes/carried_bends.hpp"
 #include "modes/collocated_laws.hpp"
 #include "modes/modes_of_law.hpp"
+#include "modes/solved.hpp"
 #include "modes/sticking_elastic.hpp"
 #include "modes/tips_at_rest.hpp"
 #include "modes/tips_that_stick.hpp"
@@ -29,7 +29,7 @@ class ModesOfInclinedLoads : public ModesOfLaw<contact::DirectedElastica<Frictio
   using typename Base::Law;
 
   ModesOfInclinedLoads(const ModesRequest& request, Law law) : Base(request, std::move(law)) {
-    this->solved_ = this->template phase_of<CarriedBends<Law>>();
+    this->solved_ = this->template phase_of<Solved<Law>>();
     this->collocated_ = modes::collocated(request, this->law_);
   }
 

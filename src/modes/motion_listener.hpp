@@ -19,7 +19,6 @@ enum class Guard : std::uint8_t {
   pressed_in,   ///< a tip that has skimmed has its full force, or a straight blade bends
   snap,         ///< a blade has come to the end of its branch of equilibria and goes over to the next
   hands_over,   ///< another mode goes on with the same contacts
-  nears_fold,   ///< a branch that is solved for is about to end: its blade is carried to the fold
   left_validity,
   failed
 };

@@ -36,16 +36,22 @@ class Solved : public ContactMode<Law> {
     return true;
   }
 
-  /// Where a branch has come to its end no step, however short, will find a force.
-  [[nodiscard]] bool gives_up() const { return this->blade_at_fold(lost_) >= 0; }
+  /// No step, however short, finds a force: the branch on which a blade stands has come to its end.
   [[nodiscard]] ModeEnd without_force() const {
-    if (const int blade = this->blade_at_fold(lost_); blade >= 0) return {Guard::nears_fold, blade};
+    const OpenContact& lost = this->contacts_[lost_];
+    if constexpr (Law::kHasBending) {
+      const auto& law = this->law_->of(lost.blade);
+      if (law.has_branches()) return {Guard::snap, lost.blade};
+      if (law.releases_at_fold()) return {Guard::lift_off, lost.blade};
+    } else if (!Law::kLoadFollowsGap) {
+      return {Guard::snap, lost.blade};
+    }
     return Base::without_force();
   }
 
   template <class Search>
   void guards(Search& search) {
-    const FullState end = search.step().at_fraction(search.last());
+    const FullState& end = search.step().end();
     for (int k = 0; k < search.blades(); ++k) {
       if (!search.blade(k).open) {
         touch_down(*this, search, k);
@@ -74,7 +80,10 @@ class Solved : public ContactMode<Law> {
     const contact::BladeDirection er = this->blades().direction(open.blade, first);
     const contact::Pose pose =
         rotor::pose_of(this->rotor(), this->law_->of(open.blade).geometry(), er, rotor::from_ring(state));
-    if (!this->respond_paid(pose, this->blades().angular_speed(state[rotor::kTime]), open, force)) {
+    const double side = open.bend.modulus;
+    const bool found =
+        this->respond_paid(pose, this->blades().angular_speed(state[rotor::kTime]), open, force);
+    if (!found || side * open.bend.modulus < 0.0) {
       lost_ = contact;
       return false;
     }

@@ -33,7 +33,6 @@ class Sticking : public ContactMode<Law> {
   using Base = ContactMode<Law>;
   using Base::Base;
   using FullState = rotor::ContactState;
-  static constexpr std::size_t kMostStuck = 2;
 
   bool operator()(const FullState& state, FullState& derivative) {
     ++this->evaluations_;
@@ -48,7 +47,7 @@ class Sticking : public ContactMode<Law> {
   bool settle(const FullState& state, std::vector<OpenContact>& contacts, Tell tell) {
     std::size_t stuck = 0;
     for (OpenContact& contact : contacts) {
-      if (contact.slip == 0.0 && ++stuck > kMostStuck) contact.slip = 1.0;
+      if (contact.slip == 0.0 && ++stuck > contact::kMostAtRest) contact.slip = 1.0;
     }
     if (stuck == 0) return true;
     while (true) {
@@ -71,7 +70,8 @@ class Sticking : public ContactMode<Law> {
   /// where the tip could do neither, which a rigid blade's always can.
   static bool arrest(std::vector<OpenContact>& contacts, std::size_t contact, const FullState& /*state*/) {
     const auto stuck = std::ranges::count(contacts, 0.0, &OpenContact::slip);
-    contacts[contact].slip = stuck >= std::ptrdiff_t{kMostStuck} ? -contacts[contact].slip : 0.0;
+    contacts[contact].slip =
+        stuck >= static_cast<std::ptrdiff_t>(contact::kMostAtRest) ? -contacts[contact].slip : 0.0;
     return true;
   }
   /// A tip that friction no longer holds slips the way it is pulled, which a rigid blade's always can.
@@ -106,16 +106,16 @@ class Sticking : public ContactMode<Law> {
 
   /// Puts the stuck tips of a state back to v = 0, the shortest way.
   void project(FullState& state) const {
-    std::array<Stuck, kMostStuck> tips{};
+    std::array<Stuck, contact::kMostAtRest> tips{};
     std::size_t count = 0;
     for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
       if (this->contacts_[i].slip != 0.0) continue;
       tips[count] = tip_at_rest(i, slipping(this->contacts_[i], state));
-      tips[count].rate = tips[count].slip_velocity;
+      tips[count].pull = tips[count].slip_velocity;
       ++count;
     }
     std::complex<double> velocity(state[2], state[3]);
-    share_out(std::span(tips.data(), count));
+    contact::share_out(std::span(tips.data(), count));
     for (const Stuck& tip : std::span(tips.data(), count)) velocity -= tip.pull * tip.tangent;
     state[2] = velocity.real();
     state[3] = velocity.imag();
@@ -142,15 +142,14 @@ class Sticking : public ContactMode<Law> {
     double load = 0.0;           ///< F/(m ωn²) [m per unit τ²]
     double largest = 0.0;        ///< μs [-]
     double slip_velocity = 0.0;  ///< v [m per unit τ]
-    double rate = 0.0;           ///< dv/dτ without friction at the stuck tips
-    double pull = 0.0;           ///< q [m per unit τ²]
+    double pull = 0.0;  ///< q [m per unit τ²]: dv/dτ without friction at the tips at rest, then shared out
     [[nodiscard]] double excess() const {
       return std::abs(pull) - (1.0 + contact::kShareBeyondCone) * largest * load;
     }
   };
   struct Balance {
     std::complex<double> acceleration;  ///< z''
-    std::array<Stuck, kMostStuck> stuck{};
+    std::array<Stuck, contact::kMostAtRest> stuck{};
     std::size_t count = 0;
   };
   /// A contact under the friction of its slip, of which a stuck one has none.
@@ -201,10 +200,10 @@ class Sticking : public ContactMode<Law> {
       contact::OtherAcceleration other{seen.real(), seen.imag()};
       // The hub's own angular acceleration moves the tip across the blade.
       other.tangential += geometry.reach * this->blades().angular_acceleration(state[rotor::kTime]);
-      tip.rate = contact::slip_acceleration(
+      tip.pull = contact::slip_acceleration(
           geometry, tip.pose, this->blades().angular_speed(state[rotor::kTime]), other, tip.load, 0.0);
     }
-    share_out(stuck);
+    contact::share_out(stuck);
     for (const Stuck& tip : stuck) {
       result.acceleration -= tip.pull * tip.tangent;
       if (!forces.empty()) hold(tip, forces[tip.contact]);
@@ -218,16 +217,6 @@ class Sticking : public ContactMode<Law> {
         -tip.pull / this->rotor().force_unit * tip.tangent * std::conj(tip.direction);
     force.radial += friction.real();
     force.tangential += friction.imag();
-  }
-
-  /// The pulls along the tangents that take away the rates of all stuck tips.
-  static void share_out(std::span<Stuck> tips) {
-    if (tips.size() == 1) tips[0].pull = tips[0].rate;
-    if (tips.size() != 2) return;
-    const double cosine = (std::conj(tips[0].tangent) * tips[1].tangent).real();
-    const double sine = (std::conj(tips[0].tangent) * tips[1].tangent).imag();
-    tips[0].pull = (tips[0].rate - cosine * tips[1].rate) / (sine * sine);
-    tips[1].pull = (tips[1].rate - cosine * tips[0].rate) / (sine * sine);
   }
 
   [[nodiscard]] Stuck stuck(std::size_t contact, const FullState& state) const {

@@ -49,7 +49,7 @@ class StickingElastic : public Solved<Law> {
         if (rests(contact, state)) continue;
         if (!let_go(contact, state)) return false;
         tell(contact);
-      } else if (contact.bend.modulus == 0.0 && may_rest(contact, state)) {
+      } else if (contact.bend.modulus == 0.0 && !opens_unbent(contact, state) && may_rest(contact, state)) {
         OpenContact bent = contact;
         if (forward(bent, contact.slip, state) >= -rounding_of_slip(contact.blade)) continue;
         if (!arrest(contact = bent, state)) return false;
@@ -100,12 +100,11 @@ class StickingElastic : public Solved<Law> {
     return this->error_of(step, this->acceleration_, this->all_at_rest(),
                           [](const FullState&) { return 0.0; });
   }
-  [[nodiscard]] bool gives_up() const { return false; }
   [[nodiscard]] ModeEnd without_force() const {
     // A tip at rest that nothing can hold beyond the start of the step.
     const OpenContact& lost = this->contacts_[this->lost_];
     if (lost.slip == 0.0) return {Guard::comes_loose, lost.blade};
-    return {Guard::left_validity, -1, ending::StatusDetail::no_equilibrium};
+    return Base::without_force();
   }
 
   template <class Search>
@@ -146,6 +145,12 @@ class StickingElastic : public Solved<Law> {
     return contact::resting_normal_angle(this->law_->of(open.blade).geometry(), this->pose(open.blade, state),
                                          this->blades().angular_speed(state[rotor::kTime]), 0.0)
         .has_value();
+  }
+  /// Its tip then slips as the undeformed tip does, of which s is the sign.
+  [[nodiscard]] bool opens_unbent(const OpenContact& open, const FullState& state) const {
+    return this->law_->of(open.blade)
+        .opens_unbent(this->pose(open.blade, state), open.slip,
+                      this->blades().angular_speed(state[rotor::kTime]));
   }
   [[nodiscard]] auto rest(const OpenContact& open, const FullState& state) const {
     return this->law_->of(open.blade)

@@ -237,28 +237,14 @@ bool Motion::begin_mode() {
     return true;
   }
   // What collocation hands over it is not asked for again before the contacts change.
-  const bool near_fold = ended_by_ == modes::Guard::nears_fold;
-  const bool handed_over = near_fold || ended_by_ == modes::Guard::hands_over;
-  modes::Phase* const collocated = handed_over ? nullptr : modes_->collocated();
+  modes::Phase* const collocated = ended_by_ == modes::Guard::hands_over ? nullptr : modes_->collocated();
   const bool takes = collocated != nullptr && collocated->takes(contacts_);
   if (std::ranges::count(contacts_, 0.0, &modes::OpenContact::slip) > 0) {
     if (modes_->resting() != nullptr) return begin_in(modes_->resting(), modes_->at_rest(contacts_));
     if (modes_->sticking() != nullptr && !takes) return begin_in(modes_->sticking(), contacts_);
   }
-  if (modes_->carried() != nullptr) {
-    if (begins_to_skim()) return begin_in(modes_->skimming(), contacts_);
-    modes::OpenContact& first = contacts_.front();
-    if (near_fold || (contacts_.size() == 1 && modes_->carries(first.blade))) {
-      // The bending that another mode has left is a first guess; an unloaded blade starts at u = 0 exactly.
-      if (first.bending > 0.0 && !modes_->follow(place(first.blade), first)) return false;
-      if (takes && contacts_.size() == 1) return begin_in(collocated, contacts_);
-      // A column that now stands straight is solved for.
-      const bool bends = modes_->carries(first.blade) || first.bending > 0.0;
-      if (bends && begin_in(modes_->carried(), contacts_)) return true;
-    }
-  }
-  if (takes && (contacts_.size() > 1 || modes_->carried() == nullptr) && all_follow())
-    return begin_in(collocated, contacts_);
+  if (begins_to_skim()) return begin_in(modes_->skimming(), contacts_);
+  if (takes && all_follow()) return begin_in(collocated, contacts_);
   return begin_in(modes_->solved(), contacts_);
 }
 
@@ -347,9 +333,6 @@ ending::PointStatus Motion::reset(const modes::ModeEnd& end, modes::MotionListen
       return ends(lift_off(contact, listener));
     case Guard::snap:
       return ends(snap(contact, listener));
-    case Guard::nears_fold:
-      std::iter_swap(contacts_.begin(), contact);
-      return ends(ending::StatusDetail::none);
     case Guard::comes_loose:
       return ends(come_loose(contact, listener));
     case Guard::hands_over:  // the last interval may have ended where friction no longer holds a tip

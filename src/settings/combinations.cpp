@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "settings/methods.hpp"
 #include "settings/quantity.hpp"
 
 namespace rubatlas::settings {
@@ -189,20 +190,16 @@ constexpr EffectSet kChanges = effect_set<&Effects::wear, &Effects::speed_ramp>(
 constexpr EffectSet kFrictionWithVelocity = effect_set<&Effects::regularised_friction, &Effects::stribeck>();
 constexpr EffectSet kElasticBladeOrRing = effect_set<&Effects::axial_compliance, &Effects::yielding_ring>();
 
-constexpr std::string_view kCarried =
-    "one blade in contact (by collocation up to four, if they rub): its bending is found along with the "
-    "motion, no root "
-    "is solved; more: a root each";
-/// A column with compliance has two branches, compressed straight and bent, and a bending parameter carried
-/// as a state does not tell them apart.
-constexpr std::string_view kCarriedOrColumn =
-    "one blade in contact (by collocation up to four, if they rub): its bending is found along with the "
-    "motion, no root "
-    "is solved; more, or one column (no friction) that shortens or stands in a yielding ring: a root each";
+constexpr std::string_view kOneBend =
+    "by collocation the bending of each blade is found along with the motion; in steps a root each";
+constexpr std::string_view kOneBendOrColumn =
+    "by collocation the bending of each blade is found along with the motion; in steps, for several columns "
+    "(no friction) and where one may stand straight, a root each";
 constexpr std::string_view kExplicit = "the force of each blade is explicit";
 constexpr std::string_view kTwoBends =
-    "the bends of all blades in contact, two numbers each, are found along with the motion, no root is "
-    "solved";
+    "by collocation the bends of all blades in contact, two numbers each, are found along with the motion; "
+    "in "
+    "steps a root each";
 
 }  // namespace
 
@@ -216,7 +213,7 @@ std::span<const Family> families() {
        .laws = bending,
        .consumes = effect_set<&Effects::unbalance>(),
        .is_for = nullptr,
-       .contact = kCarried,
+       .contact = kOneBend,
        .flight = {}},
       {.kind = paper_s_rotor,
        .name = "the paper's rotor with rigid blades on an elastic ring",
@@ -245,7 +242,7 @@ std::span<const Family> families() {
        .laws = bending,
        .consumes = kMachine | kChanges | kElasticBladeOrRing | effect_set<&Effects::release>(),
        .is_for = nullptr,
-       .contact = kCarriedOrColumn,
+       .contact = kOneBendOrColumn,
        .flight = {}},
       {.kind = directed_elastic_blades,
        .name = "elastic blades under a load along the contact normal, or with friction that depends on the "
@@ -260,9 +257,7 @@ std::span<const Family> families() {
        .laws = {elastica},
        .consumes = kMachine | effect_set<&Effects::stick>(),
        .is_for = nullptr,
-       .contact = "the bends of all blades in contact, two numbers each, are found along with the motion, no "
-                  "root is "
-                  "solved; in steps a root each while a tip sticks",
+       .contact = kTwoBends,
        .flight = {}},
       {.kind = blades_on_damped_ring,
        .name = "elastic blades on a ring with a damper under each tip",
@@ -283,7 +278,7 @@ std::span<const Family> families() {
        .laws = bending,
        .consumes = kMachine | effect_set<&Effects::axial_compliance, &Effects::ring_body>(),
        .is_for = ring_has_mass,
-       .contact = kCarriedOrColumn,
+       .contact = kOneBendOrColumn,
        .flight = "the ring oscillates freely beside the shaft"},
       {.kind = blades_in_ring_body,
        .name = "rigid blades in a ring that is a body",
@@ -388,68 +383,6 @@ std::vector<Combination> combinations_in(const Scene& scene) {
   };
   walk(walk, 0);
   return found;
-}
-
-// --- methods ---
-
-const MethodOfIntegration& method_of(const Scene& scene) {
-  constexpr std::string_view kLocated =
-      "located on dense output; a bound and a search in each step show that none is missed";
-  constexpr std::string_view kBetweenSteps =
-      "not located: the sign of the gap in each stage; contacts open, close and reverse at ends of steps";
-  constexpr std::string_view kSolved = "a root in each stage";
-  static constexpr std::array kMethods{
-      MethodOfIntegration{.method = Method::hybrid,
-                          .takes_effects = true,
-                          .flies_in_closed_form = true,
-                          .keeps_tolerance = true,
-                          .pair = "Dormand-Prince 8(5,3)",
-                          .guards = kLocated,
-                          .force = {}},
-      MethodOfIntegration{.method = Method::collocation,
-                          .takes_effects = true,
-                          .flies_in_closed_form = true,
-                          .keeps_tolerance = true,
-                          .pair = "Radau IIA 15; where that gives up, Dormand-Prince 8(5,3)",
-                          .guards = kLocated,
-                          .force = {}},
-      MethodOfIntegration{.method = Method::hybrid_54,
-                          .takes_effects = false,
-                          .flies_in_closed_form = true,
-                          .keeps_tolerance = true,
-                          .pair = "Dormand-Prince 5(4)",
-                          .guards = kLocated,
-                          .force = {}},
-      MethodOfIntegration{.method = Method::hybrid_32,
-                          .takes_effects = false,
-                          .flies_in_closed_form = true,
-                          .keeps_tolerance = true,
-                          .pair = "Bogacki-Shampine 3(2)",
-                          .guards = kLocated,
-                          .force = {}},
-      MethodOfIntegration{.method = Method::paper,
-                          .takes_effects = false,
-                          .flies_in_closed_form = false,
-                          .keeps_tolerance = true,
-                          .pair = "Fehlberg 4(5), the solution of order 4",
-                          .guards = kBetweenSteps,
-                          .force = "raised by increments until the residual of the contact changes sign"},
-      MethodOfIntegration{.method = Method::located,
-                          .takes_effects = false,
-                          .flies_in_closed_form = false,
-                          .keeps_tolerance = true,
-                          .pair = "Dormand-Prince 5(4)",
-                          .guards = "located on dense output where signs at the ends of a step differ",
-                          .force = kSolved},
-      MethodOfIntegration{.method = Method::fixed,
-                          .takes_effects = false,
-                          .flies_in_closed_form = false,
-                          .keeps_tolerance = false,
-                          .pair = "classical Runge-Kutta of order 4",
-                          .guards = kBetweenSteps,
-                          .force = kSolved},
-  };
-  return *std::ranges::find(kMethods, scene.accuracy.method, &MethodOfIntegration::method);
 }
 
 }  // namespace rubatlas::settings

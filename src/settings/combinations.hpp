@@ -139,16 +139,4 @@ Combination combination_of(const Scene& line);
 /// The combinations that the lines of a scene have, each once.
 std::vector<Combination> combinations_in(const Scene& scene);
 
-/// What a method of integration does (`Accuracy::method`).
-struct MethodOfIntegration {
-  Method method;
-  bool takes_effects;         ///< besides the unbalance
-  bool flies_in_closed_form;  ///< else flight is integrated in steps, too
-  bool keeps_tolerance;       ///< else all steps of a revolution have the same size
-  std::string_view pair;      ///< the Runge–Kutta coefficients
-  std::string_view guards;    ///< how touch-down, lift-off and slip reversal are found
-  std::string_view force;     ///< how a blade's force is found; empty: as `Family::contact` says
-};
-const MethodOfIntegration& method_of(const Scene& scene);
-
 }  // namespace rubatlas::settings

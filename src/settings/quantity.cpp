@@ -298,8 +298,8 @@ const auto& own_table() {
           .symbol = "",
           .unit = "",
           .meaning = "hybrid: closed-form flight, contacts of order 8 with located events, and the same of "
-                     "order 5(4) and 3(2); collocation: hybrid, with contacts of up to four blades "
-                     "by collocation; paper: the published scheme; located: one adaptive pair with "
+                     "order 5(4) and 3(2); collocation: hybrid, with contacts by collocation; "
+                     "paper: the published scheme; located: one adaptive pair with "
                      "located events; fixed: Runge-Kutta of order 4 with a fixed step",
           .source = "the paper's scheme and what it is compared with",
           .kind = Kind::choice,

@@ -69,34 +69,23 @@ class PlacesInPiece {
   bool find(MotionPiece& piece, double share, bool with_forces) {
     return with_forces ? piece.forces_on_path(share, point_, forces_) : piece.path(share, point_);
   }
-  [[nodiscard]] bool is_carried() const {
-    return std::ranges::any_of(point_.contacts, &PathPoint::Contact::carried);
-  }
-
   void in_contact(MotionPiece& piece, bool with_forces, const VisitPlace& visit) {
     if (piece.contact_count() == 0 || piece.solved_places(with_forces, visit)) return;
     forces_.clear();
-    // A path on which a blade's bending is a coordinate is smooth in its share. Without one a force that
-    // starts or ends like a square root of the time (MODEL 3.3) is smooth in q, τ = begin + length q²(3 −
-    // 2q).
-    const bool has_path = piece.path(0.5, point_);
-    if (has_path && is_carried()) {
+    if (piece.path(0.5, point_)) {
       for (const Point& at : points<kOfPath>()) {
         find(piece, at.share, with_forces);
         visit(Place{at.weight * point_.time_rate, point_.time, point_.state, forces_});
       }
       return;
     }
+    // Without a path: a force that starts or ends like a square root of the time (MODEL 3.3) is smooth in q,
+    // τ = begin + length q²(3 − 2q).
     const double length = piece.end() - piece.begin();
     for (const Point& at : points<kOfRoots>()) {
       const double q = at.share;
       const double share = q * q * (3.0 - 2.0 * q);
       const double weight = at.weight * 6.0 * q * (1.0 - q);
-      if (has_path) {
-        find(piece, share, with_forces);
-        visit(Place{weight * point_.time_rate, point_.time, point_.state, forces_});
-        continue;
-      }
       const double time = piece.begin() + length * share;
       const State state = piece.state(time);
       forces_.clear();

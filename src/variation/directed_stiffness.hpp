@@ -84,16 +84,17 @@ ForceSlopes slopes_of_directed_blade(const Law& law, const DirectedContact& at, 
   adjugate << there.misdirection_by_amplitude, -there.residual_by_amplitude, -there.misdirection_by_modulus,
       there.residual_by_modulus;
 
-  // λ from whichever of τ, κ and φ moves: all three are λ times a number that is known.
+  // λ from whichever of τ, κ and φ moves along the path: all three are λ times a number that is known.
   const std::complex<double> turned(at.er.cosine, -at.er.sine);
   const std::complex<double> along = std::complex<double>(at.acceleration[0], at.acceleration[1]) * turned;
   const auto drift = law.drift(pose, contact.slip, speed, 0.0, along, there);
   const Eigen::Vector2d bends = -adjugate * Eigen::Vector2d(drift.residual, drift.misdirection);
   const double by_time = there.determinant() / (scale.time_rate * scale.time_rate);
   const Eigen::Vector2d by_bending = bends / (scale.bending_rate * scale.bending_rate);
-  const double lambda = (at.time_rate * by_time + contact.modulus_rate * by_bending[0] +
-                         contact.amplitude_rate * by_bending[1]) /
-                        (there.determinant() * by_time + bends.dot(by_bending));
+  const double lambda = contact.carried ? (at.time_rate * by_time + contact.modulus_rate * by_bending[0] +
+                                           contact.amplitude_rate * by_bending[1]) /
+                                              (there.determinant() * by_time + bends.dot(by_bending))
+                                        : at.time_rate / there.determinant();
 
   const Eigen::Matrix2d by_closing = lambda * force_by_bend * adjugate;
   const Eigen::Matrix2d frame =

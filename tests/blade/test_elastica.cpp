@@ -16,7 +16,7 @@ namespace {
 constexpr long double kEulerLoad = std::numbers::pi_v<long double> * std::numbers::pi_v<long double> / 4;
 
 TEST(Elastica, EqualsTheLegendreFormHoweverSmallTheLoad) {
-  // Sixty points of Gauss in 80-bit arithmetic: what is left is a few hundred roundings of 5e-20.
+  // Gauss's rules in 80-bit arithmetic: what is left is a hundred roundings of 5e-20.
   constexpr long double kAccuracy = 1e-17L;
   for (const double friction : frictions()) {
     for (const double bending : bendings(friction, 0.6, 12)) {

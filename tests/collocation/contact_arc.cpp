@@ -282,8 +282,10 @@ TEST(ContactArc, HasTheSameBitsOnEveryProcessor) {
     EXPECT_TRUE(same(in_pairs.gap_measure, here.gap_measure) &&
                 same(in_pairs.slip_velocity, here.slip_velocity));
     EXPECT_TRUE(same(in_pairs.coefficients, here.coefficients));
-    const Bounds of_pairs = solver_in_pairs().bounds(contact, in_pairs);
-    const Bounds of_here = interval_solver().bounds(contact, here);
+    Bounds of_pairs{};
+    Bounds of_here{};
+    solver_in_pairs().bounds(contact, in_pairs, of_pairs);
+    interval_solver().bounds(contact, here, of_here);
     EXPECT_EQ(of_pairs, of_here);
     const std::array<double, 2> other{-0.5, 0.866};
     EXPECT_EQ(solver_in_pairs().largest_gap(contact, in_pairs, blade, other),

@@ -59,7 +59,7 @@ Revolution revolution(const ElasticOnDampers& m, double tolerance, bool collocat
   return {rotor::as_array(rotor::shaft(motion->state())), ending::StatusDetail::none};
 }
 
-void expect_dampers_of_elastic_blades_as_by_steps(std::size_t wanted) {
+void expect_errors_within_tolerance_on_dampers(std::size_t wanted) {
   constexpr double kTolerance = 1e-9;
   constexpr double kFine = 1e-12;
   std::mt19937_64 generator(11);
@@ -73,7 +73,9 @@ void expect_dampers_of_elastic_blades_as_by_steps(std::size_t wanted) {
     const auto [steps, steps_detail] = revolution(m, kTolerance, false, others);
     const auto [collocated, collocated_detail] = revolution(m, kTolerance, true, time);
     // Steps alone may run out of work, where the ring follows a load in far less time than the shaft does.
-    if (exact_detail != ending::StatusDetail::contact_work) EXPECT_EQ(exact_detail, collocated_detail);
+    if (exact_detail != ending::StatusDetail::contact_work) {
+      EXPECT_EQ(exact_detail, collocated_detail);
+    }
     if (!exact || !steps || !collocated || *steps == *collocated) continue;  // it has not touched
     const auto error = [&](const trajectory::State& state) {
       double largest = 0.0;
@@ -86,23 +88,24 @@ void expect_dampers_of_elastic_blades_as_by_steps(std::size_t wanted) {
   }
   std::ranges::sort(by_collocation);
   std::ranges::sort(by_steps);
-  // Motions that tumble from contact to contact magnify errors, so that the larger quantiles scatter.
-  constexpr double kScatter = 3.0;
-  for (const double share : {0.5, 0.9, 0.99}) {
+  // Motions that tumble from contact to contact magnify errors.
+  struct Quantile {
+    double share, most;  // tolerances
+  };
+  for (const auto& [share, most] : {Quantile{0.5, 1.0}, Quantile{0.9, 20.0}, Quantile{0.99, 200.0}}) {
     const auto place = static_cast<std::size_t>(share * static_cast<double>(wanted - 1));
-    EXPECT_LE(by_collocation[place], kScatter * std::max(1.0, by_steps[place])) << share;
+    EXPECT_LE(by_collocation[place], most) << share;
+    EXPECT_LE(by_steps[place], most) << share << ", in steps";
   }
-  EXPECT_LE(by_collocation[wanted / 2], 1.0);
-  // The rest is of straight blades whose slip reverses, and of more than four contacts.
-  constexpr double kLeastOnArcs = 0.8;
+  constexpr double kLeastOnArcs = 0.95;
   EXPECT_GE(time.on_arcs, kLeastOnArcs * time.in_contact);
 }
 
-TEST(BladesOnDampedRing, ErrNoMoreThanInSteps) {
-  expect_dampers_of_elastic_blades_as_by_steps(60);
+TEST(BladesOnDampedRing, ErrByTheToleranceAsInSteps) {
+  expect_errors_within_tolerance_on_dampers(25);
 }
-TEST(BladesOnDampedRingSlow, ErrNoMoreThanInStepsInAThousandMotions) {
-  expect_dampers_of_elastic_blades_as_by_steps(1000);
+TEST(BladesOnDampedRingSlow, ErrByTheToleranceInAThousandMotions) {
+  expect_errors_within_tolerance_on_dampers(1000);
 }
 
 TEST(BladesOnDampedRing, HaveTheSameBitsOnEveryProcessor) {

@@ -30,7 +30,7 @@ TEST(InclinedBladeInLanes, IsTheElasticaWithItsSlopes) {
     const double u = kappa * std::sin(phi);
     const double lean = kappa * std::cos(phi);
     InclinedBlade<2> at;
-    const EvenRule* rule = nullptr;
+    BladeRule rule;
     if (!at.set<true>(Number(u), Number(lean), rule)) continue;  // so long a rule is not kept
     const blade::InclinedPoint exact = blade::inclined_equilibrium(kappa, phi);
     const auto expect_same = [&](const InclinedBlade<2>::WithSlopes& found, const blade::Inclined& expected) {

@@ -91,13 +91,13 @@ class CountedEvents final : public modes::MotionListener {
  public:
   void event(const modes::Event& event) override { ++count[static_cast<std::size_t>(event.kind)]; }
   void piece(trajectory::MotionPiece& piece) override {
-    if (piece.contact_count() < 2 || piece.contact_count() > 1 + collocation::kMostFurther) return;
+    if (piece.contact_count() < 2) return;
     const double length = piece.end() - piece.begin();
     time_of_several += length;
     if (dynamic_cast<modes::Collocated*>(&piece) != nullptr) collocated_time_of_several += length;
   }
   std::array<int, 32> count{};
-  double time_of_several = 0.0;             ///< while two to four blades touch
+  double time_of_several = 0.0;             ///< while several blades touch
   double collocated_time_of_several = 0.0;  ///< by collocation
 };
 
@@ -114,26 +114,31 @@ double largest_difference(const std::vector<trajectory::State>& a, const std::ve
 template <class MakeFriction>
 CountedEvents expect_motions_as_in_steps(contact::LoadDirection direction, MakeFriction make_friction,
                                          int fewest_blades = 2) {
-  constexpr int kRotors = 80;
+  const int rotors = fewest_blades > 2 ? 40 : 80;
   constexpr double kTolerance = 1e-9;
   std::mt19937_64 generator(11);
   CountedEvents events;
   std::vector<double> errors;
   std::vector<double> errors_of_steps;
-  for (int i = 0; i < kRotors; ++i) {
+  for (int i = 0; i < rotors; ++i) {
     const auto rotor = kicked_rotor(generator, direction, fewest_blades, make_friction);
     CountedEvents others;
     const auto expected = rotor.states(1e-3 * kTolerance, false, others);
     const auto found = rotor.states(kTolerance, true, events);
     EXPECT_EQ(found.size(), expected.size()) << i;
+    // In some of the motions differences grow a millionfold: no solver has them, and rounding says how near
+    // it comes.
+    const double of_steps = largest_difference(rotor.states(kTolerance, false, others), expected);
+    if (of_steps > 1e6 * kTolerance) continue;
+    errors_of_steps.push_back(of_steps);
     errors.push_back(largest_difference(found, expected));
-    errors_of_steps.push_back(largest_difference(rotor.states(kTolerance, false, others), expected));
   }
-  // Some of the motions are chaotic.
+  EXPECT_GT(static_cast<int>(errors.size()), rotors * 3 / 4);
   for (std::vector<double>* each : {&errors, &errors_of_steps}) std::ranges::sort(*each);
-  EXPECT_LE(errors[kRotors / 2], kTolerance);
-  for (const std::size_t place : {kRotors / 2, kRotors * 9 / 10})
-    EXPECT_LE(errors[place], errors_of_steps[place]);
+  EXPECT_LE(errors[errors.size() / 2], kTolerance);
+  // Steps beside forces that start like roots of the time keep to a hundredth of the tolerance.
+  const std::size_t place = errors.size() * 3 / 4;  // beyond it some are chaotic
+  EXPECT_LE(errors[place], std::max(10.0 * kTolerance, 3.0 * errors_of_steps[place]));
   return events;
 }
 
@@ -159,29 +164,29 @@ TEST(InclinedMotions, UnderFrictionThatDependsOnTheVelocityAreAsInSteps) {
   EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::lift_off)], 0);
 }
 
-/// Eight to eleven blades, of which several touch at once; arcs take at least this share of that time.
+/// Eight to eleven blades, of which several touch at once; arcs take nearly all of that time.
 template <class MakeFriction>
-void expect_several_as_in_steps(contact::LoadDirection direction, double least_share,
-                                MakeFriction make_friction) {
+void expect_several_as_in_steps(contact::LoadDirection direction, MakeFriction make_friction) {
   const CountedEvents events = expect_motions_as_in_steps(direction, make_friction, 8);
-  SCOPED_TRACE(::testing::Message() << events.time_of_several);
-  EXPECT_GE(events.collocated_time_of_several, least_share * events.time_of_several);
+  constexpr double kShareOfArcs = 0.997;
+  EXPECT_GE(events.collocated_time_of_several, kShareOfArcs * events.time_of_several)
+      << events.time_of_several;
 }
 
 TEST(InclinedMotions, OfSeveralBladesUnderANormalLoadAreAsInSteps) {
-  expect_several_as_in_steps(contact::LoadDirection::normal, 0.85,  // it is 0.87
+  expect_several_as_in_steps(contact::LoadDirection::normal,
                              [](double friction) { return contact::CoulombFriction{friction}; });
 }
 
 TEST(InclinedMotions, OfSeveralTipsThatStickAreAsInSteps) {
-  expect_several_as_in_steps(contact::LoadDirection::axial, 0.95, [](double friction) {
+  expect_several_as_in_steps(contact::LoadDirection::axial, [](double friction) {
     return contact::StickingFriction{friction, 1.2 * friction};
   });
 }
 
 TEST(InclinedMotions, OfSeveralTipsUnderFrictionThatDependsOnTheVelocityAreAsInSteps) {
   for (const auto direction : {contact::LoadDirection::axial, contact::LoadDirection::normal}) {
-    expect_several_as_in_steps(direction, 0.95, [](double friction) {
+    expect_several_as_in_steps(direction, [](double friction) {
       return contact::VelocityFriction(contact::StribeckFriction{2.0 * friction, friction, 0.03, 0.01});
     });
   }

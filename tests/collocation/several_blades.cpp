@@ -25,12 +25,11 @@ struct Phase {
   std::vector<Touch> touching;  ///< without their bendings
 };
 
-/// Phases that begin and end within a revolution, in which two to four blades touch.
+/// Phases that begin and end within a revolution, in which several blades touch.
 class Phases final : public modes::MotionListener {
  public:
   void event(const modes::Event& event) override {
-    if (last_ && event.time > last_->time && touching_.size() >= 2 &&
-        touching_.size() <= 1 + collocation::kMostFurther)
+    if (last_ && event.time > last_->time && touching_.size() >= 2)
       found.push_back({*last_, event, touching_});
     if (event.kind == modes::Guard::touch_down) touching_.push_back({event.blade, event.slip, 0.0});
     if (event.kind == modes::Guard::lift_off)

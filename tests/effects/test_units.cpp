@@ -144,7 +144,7 @@ TEST(PaperSRotor, MovesTheSameInOtherUnitsByEveryMethodAndLaw) {
     for (const char* method : {"hybrid", "collocation"}) {
       SCOPED_TRACE(std::string(law) + " by " + method);
       const nlohmann::json scene = {{"contact", {{"law", law}}},
-                                    {"accuracy", {{"method", method}}},
+                                    {"accuracy", {{"method", method}, {"tolerance", 1e-11}}},
                                     {"grid", {{"speed_ratio", 0.62}}},
                                     {"protocol", {{"transient_revolutions", 0}, {"sampled_revolutions", 4}}}};
       expect_the_same_in_other_units(scene, generator);

@@ -63,16 +63,18 @@ struct LiftOff {
 
 /// The first lift-off of a motion of one blade.
 template <class Law>
-std::optional<LiftOff> first_lift_off(const HardRotor& rotor, const Law& law, const State& start) {
+std::optional<LiftOff> first_lift_off(const HardRotor& rotor, const Law& law, const State& start,
+                                      bool collocates) {
   double force = 0.0;
   bool touched = false;
   bool left = false;
-  const auto motion = follow(rotor, law, kNoForcing, start, 1, [&](trajectory::MotionPiece& piece) {
+  const auto on_piece = [&](trajectory::MotionPiece& piece) {
     left = left || (touched && piece.contact_count() == 0);
     if (left || piece.contact_count() == 0) return;
     touched = true;
     force = piece.normal_force(0, piece.end());
-  });
+  };
+  const auto motion = follow(rotor, law, kNoForcing, start, 1, on_piece, collocates);
   const auto lift_offs = motion.of_kind(Guard::lift_off);
   if (lift_offs.empty()) return std::nullopt;
   return LiftOff{lift_offs.front().state, force > 0.0};
@@ -99,16 +101,20 @@ TEST(Guards, ContactsThatEndOnTheRecedingSideErrByTheToleranceHoweverNearTheyAre
       const double outward = between_powers(-4.0, -2.0);
       const State start{along, across, outward, 1e-3 * (uniform(random) - 0.5)};
       rotor.tolerance = 1e-13;
-      const auto exact = first_lift_off(rotor, law, start);
+      const auto exact = first_lift_off(rotor, law, start, false);
       if (!exact || !exact->under_load) continue;
       ++receding;
       for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) {
         rotor.tolerance = tolerance;
-        const auto found = first_lift_off(rotor, law, start);
-        ASSERT_TRUE(found);
-        EXPECT_LE((found->state - exact->state).abs().maxCoeff(), 20.0 * tolerance * rotor.clearance())
-            << "friction " << friction << ", speed " << rotor.speed_ratio << ", across " << across
-            << ", tolerance " << tolerance;
+        const auto error = [&](bool collocates) {
+          const auto found = first_lift_off(rotor, law, start, collocates);
+          const double infinity = std::numeric_limits<double>::infinity();
+          return found ? (found->state - exact->state).abs().maxCoeff() / (tolerance * rotor.clearance())
+                       : infinity;
+        };
+        EXPECT_LE(error(false), 20.0) << "in steps";
+        EXPECT_LE(error(true), 40.0) << "friction " << friction << ", speed " << rotor.speed_ratio
+                                     << ", across " << across << ", tolerance " << tolerance;
       }
     }
   }
@@ -229,16 +235,17 @@ TEST(Guards, AShaftThatFliesToTheRingLeavesValidityHoweverShortlyItIsThere) {
 }
 
 TEST(Guards, ADefaultRotorIsNotAskedForDenseOutputToShowThatNothingHappens) {
-  // 12 evaluations an attempt, 1 at the start of a contact, 3 for dense output at its end and at sections.
+  // In steps: 12 evaluations an attempt, 2 at the start of a contact, 3 for dense output at its end and at
+  // sections.
   HardRotor rotor;
   rotor.tolerance = 1e-9;
   std::uint64_t evaluations = 0;
   std::uint64_t needed = 0;
   for (const double speed : {0.1, 0.2, 0.3, 0.45, 0.62, 0.8}) {
     rotor.speed_ratio = speed;
-    const auto motion = follow(rotor, rotor.elastica(), kNoForcing, State::Zero(), 20, kNoPiece);
+    const auto motion = follow(rotor, rotor.elastica(), kNoForcing, State::Zero(), 20, kNoPiece, false);
     evaluations += motion.work.right_hand_sides;
-    needed += 12 * (motion.work.steps + motion.work.rejected_steps) + 4 * motion.work.touchdowns;
+    needed += 12 * (motion.work.steps + motion.work.rejected_steps) + 5 * motion.work.touchdowns;
   }
   EXPECT_LE(static_cast<double>(evaluations), 1.01 * static_cast<double>(needed));
 }

@@ -44,7 +44,7 @@ TEST(ManyBlades, ToleranceHoldsHoweverManyTouchAtOnce) {
     std::uint64_t evaluations;  ///< at most, for each touch-down and lift-off
   };
   // By collocation eight are made side by side.
-  for (const Way& way : {Way{settings::ContactLaw::elastica, settings::Method::hybrid, 200},
+  for (const Way& way : {Way{settings::ContactLaw::elastica, settings::Method::hybrid, 500},
                          Way{settings::ContactLaw::elastica, settings::Method::collocation, 8 * 40},
                          Way{settings::ContactLaw::elastic_ring, settings::Method::hybrid, 200}}) {
     for (const int blades : {2, 4, 5, 12, 50}) {

@@ -88,10 +88,13 @@ class Recording final : public modes::MotionListener {
   OnPiece on_piece_;
 };
 
+/// By collocation, or in steps.
 template <class Law, class Forcing, class OnPiece>
 RecordedMotion follow(const HardRotor& rotor, const rotor::RipplingBlades& blades, const Law& law,
-                      const Forcing& forcing, const rotor::State& start, int revolutions, OnPiece on_piece) {
-  const auto motion = hybrid_motion(rotor.constants(), blades, law, forcing, rotor.limits());
+                      const Forcing& forcing, const rotor::State& start, int revolutions, OnPiece on_piece,
+                      bool collocates = true) {
+  const auto motion =
+      hybrid_motion(machine_of(rotor.constants(), blades, forcing), law, rotor.limits(), collocates);
   Recording<OnPiece> recording(on_piece);
   RecordedMotion result;
   result.status = motion->start(rotor::as_array(start));
@@ -108,9 +111,9 @@ RecordedMotion follow(const HardRotor& rotor, const rotor::RipplingBlades& blade
 /// The same with equally spaced blades at constant speed.
 template <class Law, class Forcing, class OnPiece>
 RecordedMotion follow(const HardRotor& rotor, const Law& law, const Forcing& forcing,
-                      const rotor::State& start, int revolutions, OnPiece on_piece) {
+                      const rotor::State& start, int revolutions, OnPiece on_piece, bool collocates = true) {
   return follow(rotor, rotor::BladeSet(rotor.blades, rotor.speed_ratio), law, forcing, start, revolutions,
-                on_piece);
+                on_piece, collocates);
 }
 
 }  // namespace rubatlas::test

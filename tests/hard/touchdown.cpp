@@ -36,13 +36,14 @@ TEST(Touchdown, HeadOnTheForceStartsLikeTheRootOfTime) {
       rotor, rotor.elastica(), kNoForcing, {rotor.clearance(), 0.0, velocity, 0.0}, 1,
       [&](trajectory::MotionPiece& piece) {
         if (piece.contact_count() == 0 || piece.begin() > 0.0) return;
-        for (const double time : {1e-16, 1e-14, 1e-12, 1e-10}) {
+        for (const double time : {1e-14, 1e-12, 1e-10}) {
           if (time >= piece.end()) continue;
           const double gap = 2.0 * rotor.ring_radius * velocity * time;
           EXPECT_NEAR(piece.normal_force(0, time) / (unit * std::sqrt(gap / steepness)), 1.0, 2e-2) << time;
           ++compared;
         }
-      });
+      },
+      false);
   EXPECT_EQ(motion.status, PointStatus::done);
   EXPECT_GE(compared, 3);
 }

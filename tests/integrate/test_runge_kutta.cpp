@@ -303,7 +303,7 @@ TEST(StepControl, RelativeSizeTendsToWhereTheErrorStandsBelowWhatIsAccepted) {
   const auto error = [](double size) { return std::pow(size / 0.3, 8); };
   for (const double first : {0.01, 0.1, 0.29}) {
     StepControl control(8, first);
-    for (int i = 0; i < 60; ++i) control.accept(error(control.relative_size()), false);
+    for (int i = 0; i < 60; ++i) control.accept(error(control.relative_size()));
     EXPECT_LT(error(control.relative_size()), 1.0) << "accepted with a margin";
     EXPECT_GT(error(control.relative_size()), 0.01) << "not wasted";
   }
@@ -313,7 +313,7 @@ TEST(StepControl, RejectedStepIsFollowedByAShorterOne) {
   for (const double error : {1.001, 3.0, 1e8, std::numeric_limits<double>::infinity()}) {
     StepControl control(8, 0.2);
     EXPECT_FALSE(StepControl::acceptable(error));
-    control.reject(error, 1.0);
+    control.reject(error);
     EXPECT_LT(control.relative_size(), 0.2) << error;
     EXPECT_GT(control.relative_size(), 0.0) << error;
   }
@@ -325,12 +325,6 @@ TEST(StepControl, RoundedSizeIsTheNearestPowerOfFour) {
     control.round_size();
     EXPECT_EQ(control.relative_size(), nearest) << size;
   }
-}
-
-TEST(StepControl, StepCutShortSaysNothingAboutTheNext) {
-  StepControl control(8, 0.2);
-  control.accept(1e-12, true);
-  EXPECT_EQ(control.relative_size(), 0.2);
 }
 
 }  // namespace

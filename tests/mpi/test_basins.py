@@ -72,11 +72,13 @@ class BasinsOfAttraction(JobTest):
         self.assertIn("attractor 1, period 11, from 33.3 % ± 27.2 %, up to 11.4 mm", text)
 
     def test_a_sweep_both_ways_says_where_the_two_differ(self):
+        # Both begin at this start: upwards at a speed that has period 1 alone, downwards at the one where it leads to
+        # period 11. From region 2 above, which is chaotic, rounding would decide to which motion the sweep comes.
         maps, text = self.analysed(self.fill(2, scene(
-            sweep="both", protocol=PROTOCOL, observables=OBSERVABLES,
-            grid={"speed_ratio": {"from": 0.434, "to": 0.444, "count": 6}})))
+            sweep="both", protocol=PROTOCOL, observables=OBSERVABLES, initial={"x": STARTS[0]},
+            grid={"speed_ratio": {"from": 0.434, "to": SPEED, "count": 3}})))
         with h5py.File(maps) as file:
-            self.assertEqual(list(file["class"][0].ravel()[:3]), [1, 1, 1])
+            self.assertEqual(list(file["class"][0].ravel()), [1, 1, 1])
             self.assertEqual(list(file["hysteresis/from"]), [SPEED])
             self.assertEqual(list(file["hysteresis/up"]), [1])
             self.assertEqual(list(file["hysteresis/down"]), [11])

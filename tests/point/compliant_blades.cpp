@@ -14,7 +14,7 @@
 #include "contact/elastica_contact.hpp"
 #include "contact/unequal_blades.hpp"
 #include "integrate/dormand_prince_853.hpp"
-#include "modes/carried.hpp"
+#include "modes/collocated_laws.hpp"
 #include "modes/contact_phase.hpp"
 #include "modes/solved.hpp"
 #include "rotor/harmonic.hpp"
@@ -87,8 +87,8 @@ struct Run {
 template <class Law>
 Run<Law> run(const Law& law, double speed_ratio, int revolutions, int blades = 3, double tolerance = 1e-12,
              const rotor::State& start = rotor::State::Zero()) {
-  const auto motion = hybrid_motion(rotor_at(speed_ratio), rotor::BladeSet(blades, speed_ratio), law,
-                                    kNoForcing, {tolerance, 0.5});
+  const auto motion = hybrid_motion(machine_of(rotor_at(speed_ratio), rotor::BladeSet(blades, speed_ratio)),
+                                    law, {tolerance, 0.5}, true);
   Run<Law> result{};
   result.status = test::start(*motion, start);
   for (int i = 0; i < revolutions && result.status == ending::PointStatus::done; ++i)
@@ -144,65 +144,60 @@ TEST(CompliantBlades, InAStiffRingMoveLikeInARigidOneToFirstOrder) {
 struct Ended {
   modes::ModeEnd end;
   modes::Phase::End where;
-  modes::OpenContact contact;
 };
-template <class Mode, class Law>
-Ended follow(const Law& law, double speed_ratio, int blades, const modes::Phase::End& from,
+Ended follow(modes::Phase& phase, modes::WorkMeter& meter, const modes::Phase::End& from,
              const modes::OpenContact& contact) {
-  const rotor::Machine machine = machine_of(rotor_at(speed_ratio), rotor::BladeSet(blades, speed_ratio));
-  modes::WorkMeter meter;
-  modes::ContactPhase<Mode, integrate::DormandPrince853> phase({&machine, &law, {1e-13, 0.5}, &meter});
   const modes::GoOn always;
   meter.begin_revolution(always);
   EXPECT_TRUE(phase.start(from.time, from.state, {contact}));
   modes::MotionListener nobody;
   const modes::ModeEnd end = phase.advance(1e3, nobody);
-  return {end, phase.where_it_ended(), phase.contact_at_end(0)};
+  return {end, phase.where_it_ended()};
 }
 
-/// Every touch-down of a motion, followed to its end with the bending parameter as a state and with forces
-/// solved for.
-template <class Law>
-int expect_both_forms_agree(const Law& law, double speed_ratio, int blades, double allowed) {
+/// Every touch-down of a motion, followed to its end by collocation and in steps whose forces are solved for.
+int expect_both_solvers_agree(const ElasticaContact& blade, double speed_ratio, int blades, double allowed) {
   constexpr double kFastest = 0.5;  // m per unit τ²: what 50 N do to the rotor
-  const auto motion = run(law, speed_ratio, 4, blades);
+  const auto motion = run(blade, speed_ratio, 4, blades);
+  const auto law = laws_of(blade, blades);
+  const rotor::Machine machine = machine_of(rotor_at(speed_ratio), rotor::BladeSet(blades, speed_ratio));
+  modes::WorkMeter meter;
+  const modes::ContactLimits limits{1e-13, 0.5};
+  const auto collocated = modes::collocated({machine, limits, meter, true, {}}, law);
+  using Solved = modes::Solved<Blades<ElasticaContact>>;
+  modes::ContactPhase<Solved, integrate::DormandPrince853> stepped({&machine, &law, limits, &meter});
   int compared = 0;
   for (const modes::Event& event : motion.witness.events) {
     if (event.kind != modes::Guard::touch_down) continue;
-    using Solved = modes::Solved<Law>;
-    using Carried = modes::Carried<Law>;
     modes::OpenContact contact{event.blade, event.slip, 0.0};
     const contact::Pose at = pose_at(speed_ratio, blades, event);
-    if (!law.starts_unloaded(at, contact.slip)) contact.bending = law.solve(at, contact.slip).value();
+    if (!blade.starts_unloaded(at, contact.slip)) contact.bending = blade.solve(at, contact.slip).value();
     const modes::Phase::End start{event.time, rotor::shaft_and_ring(event.state)};
-    Ended solved = follow<Solved>(law, speed_ratio, blades, start, contact);
-    // Up to its fold a force is carried, which both forms then agree in.
-    if (solved.end.guard == modes::Guard::nears_fold)
-      solved = follow<Carried>(law, speed_ratio, blades, solved.where, solved.contact);
-    const Ended carried = follow<Carried>(law, speed_ratio, blades, start, contact);
-    EXPECT_EQ(solved.end.guard, carried.end.guard);
-    EXPECT_EQ(solved.end.blade, carried.end.blade);
-    const double time = std::abs(solved.where.time - carried.where.time);
-    EXPECT_LT(time, allowed);
-    EXPECT_LT(difference(rotor::shaft(solved.where.state), rotor::shaft(carried.where.state)),
-              kFastest * allowed);
-    if (solved.end.guard == modes::Guard::lift_off) ++compared;
+    const Ended one = follow(*collocated, meter, start, contact);
+    if (one.end.guard == modes::Guard::hands_over) continue;
+    const Ended other = follow(stepped, meter, start, contact);
+    EXPECT_EQ(one.end.guard, other.end.guard);
+    EXPECT_EQ(one.end.blade, other.end.blade);
+    EXPECT_LT(std::abs(one.where.time - other.where.time), allowed);
+    EXPECT_LT(difference(rotor::shaft(one.where.state), rotor::shaft(other.where.state)), kFastest * allowed);
+    if (one.end.guard == modes::Guard::lift_off) ++compared;
   }
   return compared;
 }
 
-TEST(CompliantBlades, CarriedAndSolvedContactsAgree) {
-  constexpr double kAllowed = 1e-9;  // of τ: the solved form has no order where a contact begins head-on
+TEST(CompliantBlades, CollocationAndStepsAgree) {
+  constexpr double kAllowed = 1e-9;  // of τ: steps have no order where a contact begins head-on
   const Ring ring{1e5};
   for (const double speed : {0.36, 0.62}) {
-    EXPECT_GT(expect_both_forms_agree(make(0.1, 1.0), speed, 10, kAllowed), 10);
-    EXPECT_GT(expect_both_forms_agree(make(0.1, 0.0, Theory::beam_column), speed, 10, kAllowed), 10);
-    EXPECT_GT(expect_both_forms_agree(make(0.1, 1.0, Theory::elastica, ring), speed, 10, kAllowed), 10);
-    EXPECT_GT(expect_both_forms_agree(make(0.1, 0.0, Theory::elastica, kReleasedAtFold), speed, 10, kAllowed),
-              10);
+    EXPECT_GT(expect_both_solvers_agree(make(0.1, 1.0), speed, 10, kAllowed), 10);
+    EXPECT_GT(expect_both_solvers_agree(make(0.1, 0.0, Theory::beam_column), speed, 10, kAllowed), 10);
+    EXPECT_GT(expect_both_solvers_agree(make(0.1, 1.0, Theory::elastica, ring), speed, 10, kAllowed), 10);
     EXPECT_GT(
-        expect_both_forms_agree(make(0.1, 1.0, Theory::beam_column, Ring{ring.stiffness, Release::at_fold}),
-                                speed, 10, kAllowed),
+        expect_both_solvers_agree(make(0.1, 0.0, Theory::elastica, kReleasedAtFold), speed, 10, kAllowed),
+        10);
+    EXPECT_GT(
+        expect_both_solvers_agree(make(0.1, 1.0, Theory::beam_column, Ring{ring.stiffness, Release::at_fold}),
+                                  speed, 10, kAllowed),
         10);
   }
 }

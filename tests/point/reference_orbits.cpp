@@ -49,7 +49,7 @@ TEST_P(ReferenceOrbit, LargestDisplacementOfPeriodicMotionsAgrees) {
   const ReferenceCase& c = GetParam();
   if (!c.periodic || c.name == "default_Om0.68") return;  // the latter is still chaotic in revolution 201
   settings::Scene scene = c.scene;
-  scene.accuracy.tolerance = 1e-12;
+  scene.accuracy.tolerance = 1e-13;
   const auto outcome = test::run(scene, c.speed_ratio, c.start);
   ASSERT_EQ(outcome.status, ending::PointStatus::done);
   EXPECT_NEAR(outcome.rows[1][0], c.max_displacement, 1e-9 * c.max_displacement);

@@ -23,11 +23,11 @@ constexpr contact::Geometry kDefaultGeometry{0.1, 0.11};
 /// The creeping rotor, which hops on the receding side of each blade's passage.
 std::unique_ptr<motion::PointMotion> creeping(double friction, double tolerance) {
   const double bending_stiffness = 206e9 * 0.01 * 1e-9 / 12.0;
-  return hybrid_motion(kCreeping, rotor::BladeSet(3, kCreeping.speed_ratio),
+  const rotor::RotatingUnbalance unbalance(1e-4, 0.3, kCreeping.speed_ratio, kCreeping.damping_ratio);
+  return hybrid_motion(machine_of(kCreeping, rotor::BladeSet(3, kCreeping.speed_ratio), unbalance),
                        contact::ElasticaContact(kDefaultGeometry, {0.1, 0.001, bending_stiffness},
                                                 assembly::make_blade_tables()->curve(friction)),
-                       rotor::RotatingUnbalance(1e-4, 0.3, kCreeping.speed_ratio, kCreeping.damping_ratio),
-                       modes::ContactLimits{tolerance, 0.5});
+                       {tolerance, 0.5}, true);
 }
 
 /// Keeps the states at given times, and the events.
@@ -142,10 +142,10 @@ TEST(Skimming, IsPassedOverWhereHopsAreResolved) {
   const rotor::RotorConstants rotor{0.5, 0.1, 0.01001, 0.01, 0.01};
   const rotor::RotatingUnbalance unbalance(1e-5, 0.0, rotor.speed_ratio, rotor.damping_ratio);
   const auto motion =
-      hybrid_motion(rotor, rotor::BladeSet(3, rotor.speed_ratio),
+      hybrid_motion(machine_of(rotor, rotor::BladeSet(3, rotor.speed_ratio), unbalance),
                     contact::ElasticaContact(kDefaultGeometry, {0.1, 0.001, 206e9 * 0.01 * 1e-9 / 12.0},
                                              assembly::make_blade_tables()->curve(0.1)),
-                    unbalance, modes::ContactLimits{1e-11, 0.5});
+                    modes::ContactLimits{1e-11, 0.5}, true);
   Spectator witness({});
   motion->start({});
   for (int revolution = 0; revolution < 100; ++revolution)

@@ -19,10 +19,8 @@ ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests/support")]
 from forked_commands import ended_command  # noqa: E402
-from rubatlas import command_line  # noqa: E402
-from rubatlas import same_scene  # noqa: E402
 from rubatlas import style  # noqa: E402
-from rubatlas.atlas_file import AtlasError, AtlasFile  # noqa: E402
+from rubatlas.atlas_file import AtlasFile  # noqa: E402
 from rubatlas.palette import PALETTE  # noqa: E402
 from rubatlas.plots import KINDS  # noqa: E402
 
@@ -445,127 +443,6 @@ class ToolsPictures(unittest.TestCase):
         self.assertRegex(ended.stderr,
                          r"^rubatlas-plot bifurcation: .*damping_ratio 0.7 is not in this atlas, "
                          r"which has 0.05, 0.1, 0.2\n$")
-
-
-class ToolsOutputs(unittest.TestCase):
-    """What a picture may be called, and what it may replace."""
-
-    def setUp(self):
-        self.temporary = tempfile.TemporaryDirectory()
-        self.folder = pathlib.Path(self.temporary.name)
-
-    def tearDown(self):
-        self.temporary.cleanup()
-
-    def expect_refusal(self, output, sentence, tool="displacement", source=TINY / "atlas.h5", arguments=()):
-        ended = run(tool, source, *arguments, "-o", output)
-        self.assertEqual((ended.returncode, ended.stdout), (2, ""), ended.stderr)
-        self.assertRegex(ended.stderr, rf"^rubatlas-plot {tool}: .*{sentence}.*\n$")
-        self.assertEqual(ended.stderr.count("\n"), 1, ended.stderr)
-
-    def test_numbers_that_draw_nothing_are_refused(self):
-        with tempfile.TemporaryDirectory() as folder:
-            output = pathlib.Path(folder) / "picture.png"
-            for tool, source, option in (("displacement", "atlas.h5", "--dpi"), ("orbit", "orbit.h5", "--revolutions")):
-                for value in ("0", "-2", "nan", "1e9"):
-                    with self.subTest(option + value):
-                        ended = run(tool, TINY / source, f"{option}={value}", "-o", output)
-                        self.assertEqual(ended.returncode, 2)
-                        self.assertIn(f"{option}: {value} is no", ended.stderr)
-                        self.assertFalse(output.exists())
-
-    def test_an_unknown_ending_is_refused(self):
-        for name in ("a.jpeg", "a", "a.h5"):
-            self.expect_refusal(self.folder / name, "a picture ends in .png, .pdf, .svg")
-        self.assertEqual(list(self.folder.iterdir()), [])
-
-    def test_a_missing_folder_is_refused(self):
-        self.expect_refusal(self.folder / "none/a.png", "there is no folder")
-
-    def test_pictures_of_all_kinds_replace_pictures_with_the_same_bytes(self):
-        for kind in ("png", "svg", "pdf"):
-            path = self.folder / f"a.{kind}"
-            contents = []
-            for _ in range(2):
-                self.assertEqual(run("displacement", TINY / "atlas.h5", "--dpi", 50, "-o", path).returncode, 0)
-                contents.append(path.read_bytes())
-            self.assertEqual(contents[0], contents[1], kind)
-        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["a.pdf", "a.png", "a.svg"])
-
-    def test_a_file_that_is_no_picture_is_kept_whatever_its_name(self):
-        for name, content in (("notes.png", b"my notes"), ("empty.svg", b""),
-                              ("data.svg", b"<?xml version='1.0'?><data/>")):
-            path = self.folder / name
-            path.write_bytes(content)
-            self.expect_refusal(path, "is no picture; a picture replaces pictures only")
-            self.assertEqual(path.read_bytes(), content)
-        (self.folder / "folder.png").mkdir()
-        self.expect_refusal(self.folder / "folder.png", "no file that a picture could replace")
-
-    def test_the_input_is_never_replaced(self):
-        own = self.folder / "atlas.png"
-        own.write_bytes((TINY / "atlas.h5").read_bytes())
-        self.expect_refusal(own, "would replace .*, which it is made from", source=own)
-        link = self.folder / "link.png"
-        link.hardlink_to(own)
-        self.expect_refusal(link, "would replace .*, which it is made from", source=own)
-        self.assertEqual(own.read_bytes(), (TINY / "atlas.h5").read_bytes())
-
-    def test_a_study_of_accuracy_keeps_other_files_too(self):
-        (self.folder / "accuracy.png").write_text("my notes")
-        ended = run("accuracy", TINY / "accuracy.h5", "-o", self.folder)
-        self.assertEqual(ended.returncode, 2)
-        self.assertRegex(ended.stderr, r"^rubatlas-plot accuracy: .*is no picture.*\n$")
-        (self.folder / "file").write_text("")
-        ended = run("accuracy", TINY / "accuracy.h5", "-o", self.folder / "file")
-        self.assertEqual((ended.returncode, ended.stderr.count("\n")), (3, 1), ended.stderr)
-
-
-class ToolsSameScene(unittest.TestCase):
-    """Two files are drawn together only where they belong together."""
-
-    def expect_refusal(self, tool, sentence, *arguments):
-        with tempfile.TemporaryDirectory() as folder:
-            ended = run(tool, *arguments, "-o", pathlib.Path(folder) / "a.png")
-            self.assertEqual(list(pathlib.Path(folder).iterdir()), [])
-        self.assertEqual((ended.returncode, ended.stdout), (2, ""), ended.stderr)
-        self.assertRegex(ended.stderr, rf"^rubatlas-plot {tool}: .*{sentence}\n$")
-
-    def test_maps_of_another_atlas_are_refused(self):
-        sentence = "rings_maps.h5 was not made from the scene of .*atlas.h5: /grid/.* is .* here and .* there"
-        self.expect_refusal("map", sentence, TINY / "atlas.h5", "--maps", TINY / "rings_maps.h5")
-        self.expect_refusal("all", sentence, TINY / "atlas.h5", "--maps", TINY / "rings_maps.h5")
-
-    def test_maps_of_the_same_grid_but_another_rotor_are_refused(self):
-        for tool, *options in (["map"], ["stack", "--along", "damping_ratio"], ["bifurcation", "--zoom", "0.25:0.5"]):
-            self.expect_refusal(tool, "/gravity is there here and absent there", TINY / "gravity.h5", "--maps",
-                                TINY / "maps.h5", *options)
-
-    def test_an_effect_is_compared_with_its_own_absence_only(self):
-        self.expect_refusal("effect", "nothing is left out", TINY / "atlas.h5", "--without", TINY / "atlas.h5")
-        self.expect_refusal("effect", "nothing is left out", TINY / "atlas.h5", "--without", TINY / "gravity.h5")
-        self.expect_refusal("effect", "/grid/~1ring~1radius is absent here and .* there", TINY / "gravity.h5",
-                            "--without", TINY / "rings.h5")
-
-    def test_the_title_is_no_part_of_what_must_agree(self):
-        one = {"title": "a", "reference": "b", "rotor": {"mass": 1}, "grid": {"speed_ratio": [0.5]}}
-        same_scene.require_same("a.h5", one, "b.h5", {**one, "title": "c"})
-        with self.assertRaisesRegex(AtlasError, "/rotor/mass is 1 here and 2 there"):
-            same_scene.require_same("a.h5", one, "b.h5", {**one, "rotor": {"mass": 2}})
-
-    def test_two_studies_may_have_other_points_of_the_same_rotor(self):
-        one = {"rotor": {"mass": 1}, "grid": {"speed_ratio": [0.5]}}
-        same_scene.require_same_machine("a.h5", one, "b.h5", {**one, "grid": {"speed_ratio": [0.5, 0.6]}})
-        with self.assertRaisesRegex(AtlasError, "/rotor/mass is 1 here and 2 there"):
-            same_scene.require_same_machine("a.h5", one, "b.h5", {**one, "rotor": {"mass": 2}})
-
-    def test_an_effect_may_bring_its_axis_and_its_observables(self):
-        plain = {"rotor": {"mass": 1}, "grid": {"speed_ratio": [0.5]}, "observables": ["poincare"]}
-        worn = {**plain, "wear": {"rate": 1e-7}, "observables": ["poincare", "clearance_growth"],
-                "grid": {"speed_ratio": [0.5], "/wear/rate": [1e-7, 1e-6]}}
-        same_scene.require_without_effect("a.h5", worn, "b.h5", plain)
-        with self.assertRaisesRegex(AtlasError, "/grid/speed_ratio"):
-            same_scene.require_without_effect("a.h5", worn, "b.h5", {**plain, "grid": {"speed_ratio": [0.6]}})
 
 
 if __name__ == "__main__":

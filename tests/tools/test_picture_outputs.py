@@ -1,0 +1,88 @@
+"""What a picture may be called, and what it may replace."""
+import os
+import pathlib
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
+TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests/support")]
+from forked_commands import ended_command  # noqa: E402
+
+
+class ToolsOutputs(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.temporary.name)
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def expect_refusal(self, output, sentence, tool="displacement", source=TINY / "atlas.h5", arguments=()):
+        ended = ended_command("rubatlas-plot", tool, source, *arguments, "-o", output)
+        self.assertEqual((ended.returncode, ended.stdout), (2, ""), ended.stderr)
+        self.assertRegex(ended.stderr, rf"^rubatlas-plot {tool}: .*{sentence}.*\n$")
+        self.assertEqual(ended.stderr.count("\n"), 1, ended.stderr)
+
+    def test_numbers_that_draw_nothing_are_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            output = pathlib.Path(folder) / "picture.png"
+            for tool, source, option in (("displacement", "atlas.h5", "--dpi"), ("orbit", "orbit.h5", "--revolutions")):
+                for value in ("0", "-2", "nan", "1e9"):
+                    with self.subTest(option + value):
+                        ended = ended_command("rubatlas-plot", tool, TINY / source, f"{option}={value}", "-o", output)
+                        self.assertEqual(ended.returncode, 2)
+                        self.assertIn(f"{option}: {value} is no", ended.stderr)
+                        self.assertFalse(output.exists())
+
+    def test_an_unknown_ending_is_refused(self):
+        for name in ("a.jpeg", "a", "a.h5"):
+            self.expect_refusal(self.folder / name, "a picture ends in .png, .pdf, .svg")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_a_missing_folder_is_refused(self):
+        self.expect_refusal(self.folder / "none/a.png", "there is no folder")
+
+    def test_pictures_of_all_kinds_replace_pictures_with_the_same_bytes(self):
+        for kind in ("png", "svg", "pdf"):
+            path = self.folder / f"a.{kind}"
+            contents = []
+            for _ in range(2):
+                ended = ended_command("rubatlas-plot", "displacement", TINY / "atlas.h5", "--dpi", 50, "-o", path)
+                self.assertEqual(ended.returncode, 0)
+                contents.append(path.read_bytes())
+            self.assertEqual(contents[0], contents[1], kind)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["a.pdf", "a.png", "a.svg"])
+
+    def test_a_file_that_is_no_picture_is_kept_whatever_its_name(self):
+        for name, content in (("notes.png", b"my notes"), ("empty.svg", b""),
+                              ("data.svg", b"<?xml version='1.0'?><data/>")):
+            path = self.folder / name
+            path.write_bytes(content)
+            self.expect_refusal(path, "is no picture; a picture replaces pictures only")
+            self.assertEqual(path.read_bytes(), content)
+        (self.folder / "folder.png").mkdir()
+        self.expect_refusal(self.folder / "folder.png", "no file that a picture could replace")
+
+    def test_the_input_is_never_replaced(self):
+        own = self.folder / "atlas.png"
+        own.write_bytes((TINY / "atlas.h5").read_bytes())
+        self.expect_refusal(own, "would replace .*, which it is made from", source=own)
+        link = self.folder / "link.png"
+        link.hardlink_to(own)
+        self.expect_refusal(link, "would replace .*, which it is made from", source=own)
+        self.assertEqual(own.read_bytes(), (TINY / "atlas.h5").read_bytes())
+
+    def test_a_study_of_accuracy_keeps_other_files_too(self):
+        (self.folder / "accuracy.png").write_text("my notes")
+        ended = ended_command("rubatlas-plot", "accuracy", TINY / "accuracy.h5", "-o", self.folder)
+        self.assertEqual(ended.returncode, 2)
+        self.assertRegex(ended.stderr, r"^rubatlas-plot accuracy: .*is no picture.*\n$")
+        (self.folder / "file").write_text("")
+        ended = ended_command("rubatlas-plot", "accuracy", TINY / "accuracy.h5", "-o", self.folder / "file")
+        self.assertEqual((ended.returncode, ended.stderr.count("\n")), (3, 1), ended.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
