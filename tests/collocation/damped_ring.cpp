@@ -1,5 +1,5 @@
-/// Elastic blades on a ring with a damper under each tip, by collocation: no worse than in steps of the
-/// order-8 pair at the same tolerance, which both are held against at a thousandth of it.
+/// Elastic blades on a ring with a damper under each tip, by collocation and in steps of the order-8
+/// pair, held against such steps at a thousandth of the tolerance.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-/// Rigid blades on a ring that yields under each tip, by collocation: no worse than in steps of the order-8
-/// pair at the same tolerance, for every friction law, with a damper beside the spring, and in a ring without
-/// mass.
+/// Rigid blades on a ring that yields under each tip, by collocation, held against steps of the order-8 pair
+/// at a ten thousandth of the tolerance: for every friction law, with a damper beside the spring, and in a
+/// ring without mass.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,12 +22,14 @@
 namespace rubatlas::test {
 namespace {
 
-class CountedReversals final : public modes::MotionListener {
+class CountedGuards final : public modes::MotionListener {
  public:
   void event(const modes::Event& event) override {
-    count += event.kind == modes::Guard::slip_reversal ? 1 : 0;
+    reversals += event.kind == modes::Guard::slip_reversal ? 1 : 0;
+    touchdowns += event.kind == modes::Guard::touch_down ? 1 : 0;
   }
-  int count = 0;
+  int reversals = 0;
+  int touchdowns = 0;
 };
 
 /// What tips at rest do in the pieces of motion that are found by collocation.
@@ -83,56 +85,54 @@ RigidRotor rigid_rotor(std::mt19937_64& generator, double length) {
 /// The state after a revolution, where the motion can be computed.
 template <class Law>
 std::optional<trajectory::State> after_revolution(const RigidRotor& m, const Law& law, double tolerance,
-                                                  bool collocates, CountedReversals& reversals) {
+                                                  bool collocates, CountedGuards& events) {
   const rotor::BladeSet blades(m.blade_count, m.rotor.speed_ratio);
   const auto motion = hybrid_motion(machine_of(m.rotor, blades, kNoForcing, m.ring), law,
                                     {tolerance * kClearanceOfSeveral, 0.5}, collocates);
   if (motion->start(rotor::as_array(m.kick)) != ending::PointStatus::done) return std::nullopt;
-  if (motion->revolution(reversals, {}, 0) != ending::PointStatus::done) return std::nullopt;
+  if (motion->revolution(events, {}, 0) != ending::PointStatus::done) return std::nullopt;
   return rotor::as_array(rotor::shaft(motion->state()));
 }
 
-/// Returns the number of slip reversals.
+/// Of 100 motions 99 err after a revolution by less than the tolerance times what they magnify a change of
+/// their start by, of which those that tumble from contact to contact make millions. Returns the number of
+/// slip reversals.
 template <class MakeLaw>
-int expect_errors_no_larger_than_by_steps(int wanted, double length, MakeLaw make_law,
-                                          bool ring_follows = false) {
+int expect_errors_within_tolerance(int wanted, double length, MakeLaw make_law, bool ring_follows = false) {
   constexpr double kTolerance = 1e-9;
   constexpr double kFine = 1e-13;
+  constexpr double kUnit = kTolerance * kClearanceOfSeveral;
   std::mt19937_64 generator(11);
-  std::vector<double> by_collocation;
-  std::vector<double> by_steps;
-  CountedReversals reversals;
-  CountedReversals others;
-  while (static_cast<int>(by_steps.size()) < wanted) {
+  std::vector<double> errors;
+  CountedGuards events;
+  CountedGuards others;
+  while (static_cast<int>(errors.size()) < wanted) {
     RigidRotor m = rigid_rotor(generator, length);
     if (ring_follows) m.ring = rotor::FollowingRing{m.stiffness * uniform(generator, 0.2, 5.0)};
+    RigidRotor beside = m;
+    beside.kick += kUnit;
     const auto law = make_law(m);
+    const int touchdowns = events.touchdowns;
+    const auto collocated = after_revolution(m, law, kTolerance, true, events);
     const auto exact = after_revolution(m, law, kFine, false, others);
-    const auto steps = after_revolution(m, law, kTolerance, false, others);
-    const auto collocated = after_revolution(m, law, kTolerance, true, reversals);
+    const auto exact_beside = after_revolution(beside, law, kFine, false, others);
     EXPECT_EQ(exact.has_value(), collocated.has_value());
-    if (!exact || !steps || !collocated || *steps == *collocated) continue;  // it has not touched
-    const auto error = [&](const trajectory::State& state) {
+    if (!exact || !exact_beside || !collocated || events.touchdowns == touchdowns) continue;
+    const auto apart = [&](const trajectory::State& state) {
       double largest = 0.0;
       for (std::size_t i = 0; i < state.size(); ++i)
         largest = std::max(largest, std::abs(state[i] - (*exact)[i]));
-      return largest / (kTolerance * kClearanceOfSeveral);
+      return largest / kUnit;
     };
-    by_collocation.push_back(error(*collocated));
-    by_steps.push_back(error(*steps));
+    errors.push_back(apart(*collocated) / std::max(1.0, apart(*exact_beside)));
   }
-  std::ranges::sort(by_collocation);
-  std::ranges::sort(by_steps);
-  const auto quantile = [](const std::vector<double>& sorted, double share) {
-    return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+  std::ranges::sort(errors);
+  const auto quantile = [&](double share) {
+    return errors[static_cast<std::size_t>(share * static_cast<double>(errors.size() - 1))];
   };
-  // Motions that tumble from contact to contact magnify errors, so that the larger quantiles scatter.
-  constexpr double kScatter = 3.0;
-  for (const double share : {0.5, 0.9, 0.99}) {
-    EXPECT_LE(quantile(by_collocation, share), kScatter * std::max(1.0, quantile(by_steps, share))) << share;
-  }
-  EXPECT_LE(quantile(by_collocation, 0.5), 1.0);
-  return reversals.count;
+  EXPECT_LE(quantile(0.5), 0.1);
+  EXPECT_LE(quantile(0.99), 1.0);
+  return events.reversals;
 }
 
 constexpr double kLong = 0.1;    // [m]
@@ -145,58 +145,58 @@ contact::RigidBladeContact<Friction> law_of(const RigidRotor& m, const Friction&
   return {m.geometry, m.stiffness, friction};
 }
 
-int expect_springs_as_by_steps(int wanted) {
-  return expect_errors_no_larger_than_by_steps(
+int expect_springs_within_tolerance(int wanted) {
+  return expect_errors_within_tolerance(
       wanted, kLong, [](const RigidRotor& m) { return law_of(m, contact::CoulombFriction{m.friction}); });
 }
-int expect_dampers_as_by_steps(int wanted) {
-  return expect_errors_no_larger_than_by_steps(wanted, kLong, [](const RigidRotor& m) {
+int expect_dampers_within_tolerance(int wanted) {
+  return expect_errors_within_tolerance(wanted, kLong, [](const RigidRotor& m) {
     const double critical = 2.0 * std::sqrt(m.stiffness / m.rotor.force_unit);
     return contact::RigidBladeOnDampedRing(m.geometry, {m.stiffness, 0.1 * critical},
                                            contact::CoulombFriction{m.friction});
   });
 }
-int expect_rings_without_mass_as_by_steps(int wanted, double length) {
-  return expect_errors_no_larger_than_by_steps(
+int expect_rings_without_mass_within_tolerance(int wanted, double length) {
+  return expect_errors_within_tolerance(
       wanted, length, [](const RigidRotor& m) { return law_of(m, contact::CoulombFriction{m.friction}); },
       true);
 }
-int expect_reversals_as_by_steps(int wanted) {
-  return expect_errors_no_larger_than_by_steps(
+int expect_reversals_within_tolerance(int wanted) {
+  return expect_errors_within_tolerance(
       wanted, kShort, [](const RigidRotor& m) { return law_of(m, contact::CoulombFriction{m.friction}); });
 }
-int expect_rests_as_by_steps(int wanted) {
-  return expect_errors_no_larger_than_by_steps(wanted, kShort, [](const RigidRotor& m) {
+int expect_rests_within_tolerance(int wanted) {
+  return expect_errors_within_tolerance(wanted, kShort, [](const RigidRotor& m) {
     return law_of(m, contact::StickingFriction{m.friction, m.friction});
   });
 }
-int expect_smooth_reversals_as_by_steps(int wanted) {
-  return expect_errors_no_larger_than_by_steps(wanted, kShort, [](const RigidRotor& m) {
+int expect_smooth_reversals_within_tolerance(int wanted) {
+  return expect_errors_within_tolerance(wanted, kShort, [](const RigidRotor& m) {
     return law_of(
         m, contact::VelocityFriction(contact::StribeckFriction{2.0 * m.friction, m.friction, 0.03, 0.005}));
   });
 }
 
-TEST(RigidBlades, OnSpringsErrNoMoreThanInSteps) {
-  expect_springs_as_by_steps(kFew);
+TEST(RigidBlades, OnSpringsErrByTheTolerance) {
+  expect_springs_within_tolerance(kFew);
 }
-TEST(RigidBlades, OnDampersErrNoMoreThanInSteps) {
-  expect_dampers_as_by_steps(kFew);
+TEST(RigidBlades, OnDampersErrByTheTolerance) {
+  expect_dampers_within_tolerance(kFew);
 }
-TEST(RigidBlades, InARingWithoutMassErrNoMoreThanInSteps) {
-  expect_rings_without_mass_as_by_steps(kFew, kLong);
+TEST(RigidBlades, InARingWithoutMassErrByTheTolerance) {
+  expect_rings_without_mass_within_tolerance(kFew, kLong);
 }
-TEST(RigidBlades, WhoseSlipReversesInARingWithoutMassErrNoMoreThanInSteps) {
-  EXPECT_GT(expect_rings_without_mass_as_by_steps(kFew, kShort), 0);
+TEST(RigidBlades, WhoseSlipReversesInARingWithoutMassErrByTheTolerance) {
+  EXPECT_GT(expect_rings_without_mass_within_tolerance(kFew, kShort), 0);
 }
-TEST(RigidBlades, WhoseSlipReversesErrNoMoreThanInSteps) {
-  EXPECT_GT(expect_reversals_as_by_steps(kFew), kFew / 2);
+TEST(RigidBlades, WhoseSlipReversesErrByTheTolerance) {
+  EXPECT_GT(expect_reversals_within_tolerance(kFew), kFew / 2);
 }
-TEST(RigidBlades, WhoseTipsRestErrNoMoreThanInSteps) {
-  EXPECT_GT(expect_rests_as_by_steps(kFew), kFew / 2);
+TEST(RigidBlades, WhoseTipsRestErrByTheTolerance) {
+  EXPECT_GT(expect_rests_within_tolerance(kFew), kFew / 2);
 }
-TEST(RigidBlades, WhoseFrictionDependsOnTheVelocityErrNoMoreThanInSteps) {
-  expect_smooth_reversals_as_by_steps(kFew);
+TEST(RigidBlades, WhoseFrictionDependsOnTheVelocityErrByTheTolerance) {
+  expect_smooth_reversals_within_tolerance(kFew);
 }
 
 TEST(RigidBlades, AtRestDoNotSlipUntilTheyLeaveTheConeOfFriction) {
@@ -224,14 +224,14 @@ TEST(RigidBlades, AtRestDoNotSlipUntilTheyLeaveTheConeOfFriction) {
   RecordProperty("loosenings", loosenings);
 }
 
-TEST(RigidBladesSlow, ErrNoMoreThanInStepsInTenThousandMotions) {
-  expect_springs_as_by_steps(kMany);
-  expect_dampers_as_by_steps(kMany);
-  expect_rings_without_mass_as_by_steps(kMany, kLong);
-  expect_rings_without_mass_as_by_steps(kMany, kShort);
-  expect_reversals_as_by_steps(kMany);
-  expect_rests_as_by_steps(kMany);
-  expect_smooth_reversals_as_by_steps(kMany);
+TEST(RigidBladesSlow, ErrByTheToleranceInTenThousandMotions) {
+  expect_springs_within_tolerance(kMany);
+  expect_dampers_within_tolerance(kMany);
+  expect_rings_without_mass_within_tolerance(kMany, kLong);
+  expect_rings_without_mass_within_tolerance(kMany, kShort);
+  expect_reversals_within_tolerance(kMany);
+  expect_rests_within_tolerance(kMany);
+  expect_smooth_reversals_within_tolerance(kMany);
 }
 
 void expect_same_bits(const collocation::Machine& machine, double damping,
