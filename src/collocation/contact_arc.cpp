@@ -360,7 +360,7 @@ bool ContactArc::solve_next() {
 /// The earlier contact is followed no longer.
 void ContactArc::leave_earlier() {
   alike_ = nullptr;
-  if (kept_ != nullptr) kept_->count = number_;
+  if (kept_ != nullptr) kept_->count = std::min(kept_->count, number_);
 }
 
 /// The leading blade, then the others.
