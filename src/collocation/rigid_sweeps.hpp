@@ -32,6 +32,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   RUBATLAS_INLINE bool solve() { return this->converge(*this, kMostSweeps, kMostSweeps); }
 
  private:
+  using Direction = typename Base::Direction;
   using Vector = typename Base::Vector;
 
   static constexpr int kMostSweeps = 16;  ///< they are cheap
@@ -46,15 +47,13 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     Number outward_velocity;  ///< n·r'
   };
   /// Of a blade in the direction er (MODEL 4.3, 4.7).
-  RUBATLAS_INLINE Tip tip_of(const Blade& blade, const Vector& er) const {
+  RUBATLAS_INLINE Tip tip_of(const TipStart& start, const Blade& blade, const Direction& er) const {
     const Vector centre = seen();
     const Vector velocity = seen_velocity();
     const Number radial = centre.x * er.x + centre.y * er.y;
     const Number tangential = centre.y * er.x - centre.x * er.y;
     const Number radial_velocity = velocity.x * er.x + velocity.y * er.y;
     const Number tangential_velocity = velocity.y * er.x - velocity.x * er.y;
-    const Number gap =
-        (centre.x * centre.x + centre.y * centre.y) + (radial * (2.0 * blade.reach) + blade.closing);
     const Number along = radial + blade.reach;
     Tip tip;
     tip.distance = root(along * along + tangential * tangential);
@@ -63,7 +62,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     tip.tangential_normal = tangential * per_distance;
     tip.slip_velocity = (tip.radial_normal * tangential_velocity - tip.tangential_normal * radial_velocity) +
                         angular_speed() * tip.radial_normal * blade.reach;
-    tip.yielding = gap / (tip.distance + machine_.ring_radius);
+    tip.yielding = gap_of(start, blade, er) / (tip.distance + machine_.ring_radius);
     tip.outward_velocity = tip.radial_normal * radial_velocity +
                            tip.tangential_normal * (tangential_velocity + angular_speed() * blade.reach);
     if (blade.ring_damping > 0.0) {
@@ -74,8 +73,9 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     return tip;
   }
   /// What it does to the shaft, as an acceleration.
-  RUBATLAS_INLINE Vector push_of(const Blade& blade, double slip, const Vector& er) const {
-    const Tip tip = tip_of(blade, er);
+  RUBATLAS_INLINE Vector push_of(const TipStart& start, const Blade& blade, double slip,
+                                 const Direction& er) const {
+    const Tip tip = tip_of(start, blade, er);
     const Number coefficient = friction_at(friction_, slip, tip.slip_velocity).coefficient;
     const Number load = tip.yielding * (blade.ring_stiffness * machine_.force_unit);
     const Number radial = load * (coefficient * tip.tangential_normal - tip.radial_normal);
@@ -83,13 +83,13 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     return {radial * er.x - tangential * er.y, radial * er.y + tangential * er.x};
   }
 
-  /// Calls `use` with each blade in contact, its s and its direction.
+  /// Calls `use` with each tip in contact, its blade, s and direction.
   template <class Use>
   RUBATLAS_INLINE void each_blade(Use use) const {
-    use(*contact_.blade, contact_.slip, er_);
+    use(interval_, *contact_.blade, contact_.slip, er_);
     for (std::size_t k = 0; k < interval_.further.size(); ++k) {
       const FurtherBlade& further = interval_.further[k];
-      use(*further.blade, further.slip, offset_by(er_, further.offset));
+      use(further, *further.blade, further.slip, direction_at(er_, further.offset));
     }
   }
 
@@ -111,35 +111,37 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   };
   RUBATLAS_INLINE Balance weigh() const {
     const double spring = machine_.ring.spring;
+    const Vector place = ring_.place(interval_.ring);
     Balance sum{{Number(spring), Number(0.0), Number(0.0), Number(spring)},
-                {ring_.x * -spring, ring_.y * -spring},
+                {place.x * -spring, place.y * -spring},
                 {Number(0.0), Number(0.0)}};
-    each_blade([&](const Blade& blade, double slip, const Vector& er) RUBATLAS_INLINED {
-      const Tip tip = tip_of(blade, er);
-      const double friction = slip * friction_.friction;
-      const double stiffness = blade.ring_stiffness;
-      const Vector normal{er.x * tip.radial_normal - er.y * tip.tangential_normal,
-                          er.y * tip.radial_normal + er.x * tip.tangential_normal};
-      const Number load = tip.yielding * stiffness;
-      sum.excess.x = sum.excess.x + load * (normal.x - normal.y * friction);
-      sum.excess.y = sum.excess.y + load * (normal.y + normal.x * friction);
-      // kt (n nᵀ + (1 − R/|p|)(I − n nᵀ)), and turned by friction
-      const Number across = load / tip.distance;
-      const Number along = Number(stiffness) - across;
-      const Number xx = across + along * normal.x * normal.x;
-      const Number xy = along * normal.x * normal.y;
-      const Number yy = across + along * normal.y * normal.y;
-      const typename Balance::Matrix change{xx - xy * friction, xy - yy * friction, xy + xx * friction,
-                                            yy + xy * friction};
-      sum.stiffness.xx = sum.stiffness.xx + change.xx;
-      sum.stiffness.xy = sum.stiffness.xy + change.xy;
-      sum.stiffness.yx = sum.stiffness.yx + change.yx;
-      sum.stiffness.yy = sum.stiffness.yy + change.yy;
-      const Number tip_speed = angular_speed() * blade.reach;
-      const Vector velocity{shaft_.vx - tip_speed * er.y, shaft_.vy + tip_speed * er.x};
-      sum.carried.x = sum.carried.x + (change.xx * velocity.x + change.xy * velocity.y);
-      sum.carried.y = sum.carried.y + (change.yx * velocity.x + change.yy * velocity.y);
-    });
+    each_blade([&](const TipStart& start, const Blade& blade, double slip, const Direction& er)
+                   RUBATLAS_INLINED {
+                     const Tip tip = tip_of(start, blade, er);
+                     const double friction = slip * friction_.friction;
+                     const double stiffness = blade.ring_stiffness;
+                     const Vector normal{er.x * tip.radial_normal - er.y * tip.tangential_normal,
+                                         er.y * tip.radial_normal + er.x * tip.tangential_normal};
+                     const Number load = tip.yielding * stiffness;
+                     sum.excess.x = sum.excess.x + load * (normal.x - normal.y * friction);
+                     sum.excess.y = sum.excess.y + load * (normal.y + normal.x * friction);
+                     // kt (n nᵀ + (1 − R/|p|)(I − n nᵀ)), and turned by friction
+                     const Number across = load / tip.distance;
+                     const Number along = Number(stiffness) - across;
+                     const Number xx = across + along * normal.x * normal.x;
+                     const Number xy = along * normal.x * normal.y;
+                     const Number yy = across + along * normal.y * normal.y;
+                     const typename Balance::Matrix change{xx - xy * friction, xy - yy * friction,
+                                                           xy + xx * friction, yy + xy * friction};
+                     sum.stiffness.xx = sum.stiffness.xx + change.xx;
+                     sum.stiffness.xy = sum.stiffness.xy + change.xy;
+                     sum.stiffness.yx = sum.stiffness.yx + change.yx;
+                     sum.stiffness.yy = sum.stiffness.yy + change.yy;
+                     const Number tip_speed = angular_speed() * blade.reach;
+                     const Vector velocity{shaft_.vx - tip_speed * er.y, shaft_.vy + tip_speed * er.x};
+                     sum.carried.x = sum.carried.x + (change.xx * velocity.x + change.xy * velocity.y);
+                     sum.carried.y = sum.carried.y + (change.yx * velocity.x + change.yy * velocity.y);
+                   });
     return sum;
   }
   /// A step of Newton's method to where the ring stands.
@@ -167,13 +169,15 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     if (ring_is_massless()) {
       place_ring();
       const double share = -machine_.ring.spring * machine_.force_unit;
-      return move({ring_.x * share, ring_.y * share});
+      const Vector place = ring_.place(interval_.ring);
+      return move({place.x * share, place.y * share});
     }
     Vector push{Number(0.0), Number(0.0)};
-    each_blade([&](const Blade& blade, double slip, const Vector& er) RUBATLAS_INLINED {
-      const Vector more = push_of(blade, slip, er);
-      push = {push.x + more.x, push.y + more.y};
-    });
+    each_blade([&](const TipStart& start, const Blade& blade, double slip, const Direction& er)
+                   RUBATLAS_INLINED {
+                     const Vector more = push_of(start, blade, slip, er);
+                     push = {push.x + more.x, push.y + more.y};
+                   });
     if (count_at_rest() == 0) return move(push);
     accelerate(push);
     hold();
@@ -186,19 +190,20 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   RUBATLAS_INLINE void hold() {
     std::size_t count = 0;
     std::array<Vector, contact::kMostAtRest> tangent;
-    each_blade([&](const Blade& blade, double slip, const Vector& er) RUBATLAS_INLINED {
-      if (slip != 0.0 || count == contact::kMostAtRest) return;
-      const Tip tip = tip_of(blade, er);
-      const Number speed = angular_speed();
-      const Vector along{(tip.tangential_normal * er.x + tip.radial_normal * er.y) * -1.0,
-                         tip.radial_normal * er.x - tip.tangential_normal * er.y};
-      pull_[count] = (along.x * shaft_.ax + along.y * shaft_.ay) +
-                     angular_acceleration() * tip.radial_normal * blade.reach +
-                     speed * speed * tip.tangential_normal * blade.reach -
-                     tip.slip_velocity * tip.outward_velocity / tip.distance;
-      tangent[count] = along;
-      ++count;
-    });
+    each_blade([&](const TipStart& start, const Blade& blade, double slip, const Direction& er)
+                   RUBATLAS_INLINED {
+                     if (slip != 0.0 || count == contact::kMostAtRest) return;
+                     const Tip tip = tip_of(start, blade, er);
+                     const Number speed = angular_speed();
+                     const Vector along{(tip.tangential_normal * er.x + tip.radial_normal * er.y) * -1.0,
+                                        tip.radial_normal * er.x - tip.tangential_normal * er.y};
+                     pull_[count] = (along.x * shaft_.ax + along.y * shaft_.ay) +
+                                    angular_acceleration() * tip.radial_normal * blade.reach +
+                                    speed * speed * tip.tangential_normal * blade.reach -
+                                    tip.slip_velocity * tip.outward_velocity / tip.distance;
+                     tangent[count] = along;
+                     ++count;
+                   });
     if (count == 2) {
       const Number cosine = tangent[0].x * tangent[1].x + tangent[0].y * tangent[1].y;
       const Number sine = tangent[0].x * tangent[1].y - tangent[0].y * tangent[1].x;
@@ -222,7 +227,8 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     Interval& in = interval_;
     if (ring_is_massless()) settle_ring();
     store_motion();
-    const Tip lead = tip_of(*contact_.blade, er_);
+    const Tip lead = tip_of(in, *contact_.blade, er_);
+    gap_of(in, *contact_.blade, er_).store(in.gap);
     lead.yielding.store(in.gap_measure);
     lead.slip_velocity.store(in.slip_velocity);
     (lead.yielding * contact_.blade->ring_stiffness).store(in.normal_force);
@@ -238,7 +244,9 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     store_cone(*contact_.blade, contact_.slip, lead, in);
     for (std::size_t k = 0; k < in.further.size(); ++k) {
       FurtherBlade& further = in.further[k];
-      const Tip tip = tip_of(*further.blade, offset_by(er_, further.offset));
+      const Direction er = direction_at(er_, further.offset);
+      const Tip tip = tip_of(further, *further.blade, er);
+      gap_of(further, *further.blade, er).store(further.gap);
       tip.yielding.store(further.square);
       tip.yielding.store(further.gap_measure);
       tip.slip_velocity.store(further.slip_velocity);
@@ -250,14 +258,15 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::advance;
   using Base::angular_acceleration;
   using Base::angular_speed;
+  using Base::direction_at;
   using Base::elapsed;
   using Base::er_;
+  using Base::gap_of;
   using Base::interval_;
   using Base::largest_step_;
   using Base::machine_;
   using Base::move;
   using Base::nodes_;
-  using Base::offset_by;
   using Base::ring_;
   using Base::ring_is_massless;
   using Base::seen;
