@@ -1,6 +1,8 @@
 #include "blade/bending_table.hpp"
 
+#include <Eigen/Core>
 #include <Eigen/LU>
+#include <cmath>
 #include <numbers>
 
 #include "blade/elastica_curve.hpp"
@@ -8,55 +10,93 @@
 namespace rubatlas::blade {
 namespace {
 
-/// Of L: the largest limit of validity that a scene may set. Not far beyond is the next singularity of the
-/// curve.
+/// Of L: the largest limit of validity that a scene may set.
 constexpr double kLargestLimit = 0.6;
+/// Of a piece at its end, in units of its numbers. One that errs more is near the curve's next singularity,
+/// and the table ends before it.
+constexpr double kLargestError = 2e-13;
 
-constexpr auto kCount = static_cast<Eigen::Index>(BendingTable::kDegree + 1);
-using Points = Eigen::Matrix<double, kCount, 1>;
-using Fit = Eigen::Matrix<double, kCount, kCount>;
-
-const Points& chebyshev_points() {
-  static const Points kPoints = [] {
-    Points points;
-    for (Eigen::Index i = 0; i < kCount; ++i)
-      points[i] = std::cos(std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(kCount));
-    return points;
-  }();
-  return kPoints;
+using Row = Eigen::RowVector3d;
+Row row_of(const CurvePoint& at) {
+  return {at.load, at.shortening, at.deflection};
 }
 
-/// Maps values at the Chebyshev points to coefficients of powers.
-const Fit& fit() {
-  static const Fit kFit = [] {
+/// Chebyshev's points in [0, 1], and coefficients of powers from values there: sums of large terms, for which
+/// `double` has too few digits.
+template <int kCount>
+class Fit {
+ public:
+  using Values = Eigen::Matrix<double, kCount, 3>;
+
+  Fit() {
+    for (int i = 0; i < kCount; ++i)
+      points_[i] = 0.5 * (1.0 + std::cos(std::numbers::pi * (i + 0.5) / kCount));
     Eigen::Matrix<long double, kCount, kCount> powers;
     powers.col(0).setOnes();
-    for (Eigen::Index k = 1; k < kCount; ++k)
-      powers.col(k) = powers.col(k - 1).cwiseProduct(chebyshev_points().cast<long double>());
-    return Fit(powers.fullPivLu().inverse().cast<double>());
-  }();
-  return kFit;
+    for (int k = 1; k < kCount; ++k)
+      powers.col(k) = powers.col(k - 1).cwiseProduct(points_.template cast<long double>());
+    powers_.compute(powers);
+  }
+  [[nodiscard]] double point(int i) const { return points_[i]; }
+  [[nodiscard]] Values through(const Values& values) const {
+    return powers_.solve(values.template cast<long double>()).template cast<double>();
+  }
+
+ private:
+  Eigen::Matrix<double, kCount, 1> points_;
+  Eigen::FullPivLU<Eigen::Matrix<long double, kCount, kCount>> powers_;
+};
+
+constexpr int kCount = static_cast<int>(BendingTable::kDegree) + 1;
+using Coefficients = Eigen::Matrix<double, kCount, 3>;
+
+/// Of the piece that starts at p.
+Coefficients later_piece(const BendingTable& table, const ElasticaCurve& curve, double start) {
+  static const Fit<kCount> kFit;
+  Coefficients samples;
+  for (int i = 0; i < kCount; ++i)
+    samples.row(i) = row_of(curve.at(table.bending(start + BendingTable::kWidth * kFit.point(i))));
+  return kFit.through(samples);
+}
+
+/// From p = 0 all three are even functions of p. What they grow by from there keeps its digits however little
+/// the blade is bent.
+Coefficients first_piece(const BendingTable& table, const ElasticaCurve& curve) {
+  constexpr int kPowers = 5;  // of t²: the nearest singularities are at p = ±iπ/2
+  static const Fit<kPowers> kFit;
+  const Row unbent = row_of(curve.at(0.0));
+  Eigen::Matrix<double, kPowers, 3> samples;
+  for (int i = 0; i < kPowers; ++i) {
+    const double square = kFit.point(i);
+    samples.row(i) =
+        (row_of(curve.at(table.bending(BendingTable::kWidth * std::sqrt(square)))) - unbent) / square;
+  }
+  const Eigen::Matrix<double, kPowers, 3> fitted = kFit.through(samples);
+  Coefficients result = Coefficients::Zero();
+  result.row(0) = unbent;
+  for (int k = 0; k < kPowers; ++k) result.row(2 * k + 2) = fitted.row(k);
+  return result;
 }
 
 }  // namespace
 
 BendingTable::BendingTable(const ElasticaCurve& curve) : scale_(curve.load_angle()) {
-  for (int piece = 0;; ++piece) {
-    const double end = (piece + 1) * kWidth;
-    const CurvePoint at_end = curve.at(bending(end));
+  while (knots_.empty() || knots_.back().shortening <= kLargestLimit) {
+    const double start = static_cast<double>(pieces_.size()) * kWidth;
+    const double end = start + kWidth;
     if (bending(end) > curve.end()) break;
-    const double centre = (piece + 0.5) * kWidth;
-    Eigen::Matrix<double, kCount, 3> samples;
-    for (Eigen::Index i = 0; i < kCount; ++i) {
-      const CurvePoint at = curve.at(bending(centre + 0.5 * kWidth * chebyshev_points()[i]));
-      samples.row(i) << at.load, at.shortening, at.deflection;
-    }
-    const Eigen::Matrix<double, kCount, 3> fitted = fit() * samples;
+    const CurvePoint at_end = curve.at(bending(end));
+    const Coefficients fitted =
+        pieces_.empty() ? first_piece(*this, curve) : later_piece(*this, curve, start);
+    const Eigen::Array3d exact = row_of(at_end);
+    if (((fitted.colwise().sum().transpose().array() - exact).abs() > kLargestError * (1.0 + exact)).any())
+      break;
     Piece& made = pieces_.emplace_back();
-    for (Eigen::Index k = 0; k < kCount; ++k)
-      made.coefficients[static_cast<std::size_t>(k)] = {fitted(k, 0), fitted(k, 1), fitted(k, 2), 0.0};
+    for (std::size_t k = 0; k <= kDegree; ++k) {
+      const Row of_power = fitted.row(static_cast<Eigen::Index>(k));
+      made.coefficients[k] = {of_power[0], of_power[1], of_power[2], 0.0};
+    }
     knots_.push_back({end, at_end.load, at_end.shortening, at_end.deflection});
-    if (at_end.shortening > kLargestLimit) break;
   }
 }
 

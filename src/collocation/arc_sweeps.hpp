@@ -23,9 +23,13 @@ class ArcSweeps {
   struct Vector {
     Number x, y;
   };
-  /// A vector turned by an angle below 0.8 rad, by the series of sine and cosine: less than 1e-16 is left
-  /// out.
-  RUBATLAS_INLINE static Vector turned(const std::array<double, 2>& from, const Number& angle) {
+  /// Of a blade: er, and what it has changed by since the start, of which a short interval would lose digits.
+  struct Direction : Vector {
+    Vector change;
+  };
+  /// What turning a vector by an angle below 0.8 rad changes, by the series of sine and cosine: less than
+  /// 1e-16 of the angle is left out.
+  RUBATLAS_INLINE static Vector change_by_turning(const std::array<double, 2>& from, const Number& angle) {
     const Number square = angle * angle;
     const Number fourth = square * square;
     const Number sine =
@@ -36,11 +40,14 @@ class ArcSweeps {
         square * (((square * (1.0 / 24) - 0.5) + fourth * (square * (1.0 / 40320) - 1.0 / 720)) +
                   (fourth * fourth) * ((square * (1.0 / 479001600) - 1.0 / 3628800) +
                                        fourth * (square * (1.0 / 20922789888000.0) - 1.0 / 87178291200.0)));
-    return {(cosine_less_one * from[0] - sine * from[1]) + from[0],
-            (cosine_less_one * from[1] + sine * from[0]) + from[1]};
+    return {cosine_less_one * from[0] - sine * from[1], cosine_less_one * from[1] + sine * from[0]};
+  }
+  RUBATLAS_INLINE static Vector turned(const std::array<double, 2>& from, const Number& angle) {
+    const Vector change = change_by_turning(from, angle);
+    return {change.x + from[0], change.y + from[1]};
   }
 
-  /// A vector turned by a small angle, of which powers above the eighth are left out.
+  /// What turning a vector by a small angle changes, of which powers above the eighth are left out.
   struct Turn {
     Number sine, cosine_less_one;
     RUBATLAS_INLINE explicit Turn(const Number& angle) {
@@ -49,19 +56,19 @@ class ArcSweeps {
       cosine_less_one = square * (square * (square * (square * (1.0 / 40320) - 1.0 / 720) + 1.0 / 24) - 0.5);
     }
     RUBATLAS_INLINE Vector operator()(const Vector& from) const {
-      return {(from.x * cosine_less_one - from.y * sine) + from.x,
-              (from.y * cosine_less_one + from.x * sine) + from.y};
+      return {from.x * cosine_less_one - from.y * sine, from.y * cosine_less_one + from.x * sine};
     }
   };
 
   /// Shaft or ring at the nodes.
   struct Motion {
-    Number x, y, vx, vy, ax, ay;
+    Number x, y;  ///< from where the interval starts [m]
+    Number vx, vy, ax, ay;
 
     RUBATLAS_INLINE void start(const Body& body, bool warm, const Number& elapsed) {
       if (warm) {
-        x = Number(body.x);
-        y = Number(body.y);
+        x = Number(body.x) - body.start[0];
+        y = Number(body.y) - body.start[1];
         vx = Number(body.vx);
         vy = Number(body.vy);
         return;
@@ -70,9 +77,7 @@ class ArcSweeps {
         const double acceleration = body.acceleration[i];
         const double jerk = body.jerk[i];
         velocity = elapsed * (elapsed * (0.5 * jerk) + acceleration) + body.start[2 + i];
-        place =
-            elapsed * (elapsed * (elapsed * (jerk * (1.0 / 6)) + 0.5 * acceleration) + body.start[2 + i]) +
-            body.start[i];
+        place = elapsed * (elapsed * (elapsed * (jerk * (1.0 / 6)) + 0.5 * acceleration) + body.start[2 + i]);
       };
       taylor(0, x, vx);
       taylor(1, y, vy);
@@ -81,8 +86,8 @@ class ArcSweeps {
     RUBATLAS_INLINE double integrate(const Body& body, const NodeTables& nodes, const Number& time_rate) {
       const Number vx_next = Number::combined(nodes.integral, ax * time_rate) + body.start[2];
       const Number vy_next = Number::combined(nodes.integral, ay * time_rate) + body.start[3];
-      x = Number::combined(nodes.integral, vx_next * time_rate) + body.start[0];
-      y = Number::combined(nodes.integral, vy_next * time_rate) + body.start[1];
+      x = Number::combined(nodes.integral, vx_next * time_rate);
+      y = Number::combined(nodes.integral, vy_next * time_rate);
       const double change = larger(magnitude(vx_next - vx), magnitude(vy_next - vy)).largest();
       vx = vx_next;
       vy = vy_next;
@@ -107,9 +112,11 @@ class ArcSweeps {
       const Number along_y = Number::combined(nodes.legendre, ay * time_rate);
       return along_x * along_x + along_y * along_y;
     }
+    RUBATLAS_INLINE Vector place(const Body& body) const { return {x + body.start[0], y + body.start[1]}; }
     RUBATLAS_INLINE void store(Body& body) const {
-      x.store(body.x);
-      y.store(body.y);
+      const Vector there = place(body);
+      there.x.store(body.x);
+      there.y.store(body.y);
       vx.store(body.vx);
       vy.store(body.vy);
       ax.store(body.ax);
@@ -124,11 +131,23 @@ class ArcSweeps {
         nodes_(node_tables()),
         chord_time_(Number(nodes_.node) * interval.chord.time),
         chord_argument_(Number(nodes_.node) * interval.chord.argument + interval.start_argument),
-        deviation_(interval.deviation) {
+        deviation_(interval.deviation),
+        seen_start_{interval.shaft.start[0] - interval.ring.start[0],
+                    interval.shaft.start[1] - interval.ring.start[1] + contact.machine->misalignment} {
     shaft_.start(interval.shaft, closeness.warm, elapsed());
     if (ring_moves()) ring_.start(interval.ring, closeness.warm, elapsed());
   }
 
+  /// p² of a further blade after a step, of which a share is left. Where less would be left it has lifted
+  /// off, and this is no solution.
+  RUBATLAS_INLINE Number stepped(const Number& square, const Number& step) {
+    constexpr double kLeastLeft = 0.01;
+    const Number next = square + step;
+    const Number kept = larger(next, square * kLeastLeft);
+    const bool lifts_off = (kept - next).largest() > 0.0;
+    largest_step_ = lifts_off ? kFirstChange : std::max(largest_step_, magnitude(step).largest());
+    return kept;
+  }
   /// Δ of a tip that is bent to the side ±1, at least so much that it is no rounding of what it is added to.
   template <class Tip>
   RUBATLAS_INLINE static Number bent_by(const Tip& tip, double side, double length) {
@@ -165,15 +184,14 @@ class ArcSweeps {
     Number outward_velocity;  ///< n·r'
   };
   /// Of a blade in the direction er (MODEL 4.3, 4.7).
-  RUBATLAS_INLINE RigidTip rigid_tip_of(const Blade& blade, const Vector& er) const {
+  RUBATLAS_INLINE RigidTip rigid_tip_of(const TipStart& start, const Blade& blade,
+                                        const Direction& er) const {
     const Vector centre = seen();
     const Vector velocity = seen_velocity();
     const Number radial = centre.x * er.x + centre.y * er.y;
     const Number tangential = centre.y * er.x - centre.x * er.y;
     const Number radial_velocity = velocity.x * er.x + velocity.y * er.y;
     const Number tangential_velocity = velocity.y * er.x - velocity.x * er.y;
-    const Number gap =
-        (centre.x * centre.x + centre.y * centre.y) + (radial * (2.0 * blade.reach) + blade.closing);
     const Number along = radial + blade.reach;
     RigidTip tip;
     tip.distance = root(along * along + tangential * tangential);
@@ -182,7 +200,7 @@ class ArcSweeps {
     tip.tangential_normal = tangential * per_distance;
     tip.slip_velocity = (tip.radial_normal * tangential_velocity - tip.tangential_normal * radial_velocity) +
                         angular_speed() * tip.radial_normal * blade.reach;
-    tip.depth = gap / (tip.distance + machine_.ring_radius);
+    tip.depth = gap_of(start, blade, er) / (tip.distance + machine_.ring_radius);
     tip.yielding = tip.depth;
     tip.outward_velocity = tip.radial_normal * radial_velocity +
                            tip.tangential_normal * (tangential_velocity + angular_speed() * blade.reach);
@@ -238,10 +256,21 @@ class ArcSweeps {
     return kPlain ? Number(machine_.speed_ratio) : angular_speed_;
   }
   RUBATLAS_INLINE Number angular_acceleration() const { return kPlain ? Number(0.0) : angular_acceleration_; }
-  /// Shaft's centre and velocity as seen from the ring's.
+  /// Shaft's centre and velocity as seen from the ring's, and how far the centre has come since the start.
   RUBATLAS_INLINE Vector seen() const {
-    const Vector centre{shaft_.x, shaft_.y + machine_.misalignment};
-    return ring_moves() ? Vector{centre.x - ring_.x, centre.y - ring_.y} : centre;
+    const Vector come = seen_to_come();
+    return {come.x + seen_start_[0], come.y + seen_start_[1]};
+  }
+  RUBATLAS_INLINE Vector seen_to_come() const {
+    return ring_moves() ? Vector{shaft_.x - ring_.x, shaft_.y - ring_.y} : Vector{shaft_.x, shaft_.y};
+  }
+  /// g of a straight tip, by how far it has come: g of a light contact is smaller than the rounding of R².
+  RUBATLAS_INLINE Number gap_of(const TipStart& start, const Blade& blade, const Direction& er) const {
+    const Vector come = seen_to_come();
+    const auto& [x, y] = seen_start_;
+    return (come.x * (come.x + 2.0 * x) + come.y * (come.y + 2.0 * y)) +
+           ((come.x * er.x + come.y * er.y) + (er.change.x * x + er.change.y * y)) * (2.0 * blade.reach) +
+           start.start_gap;
   }
   RUBATLAS_INLINE Vector seen_velocity() const {
     return ring_moves() ? Vector{shaft_.vx - ring_.vx, shaft_.vy - ring_.vy} : Vector{shaft_.vx, shaft_.vy};
@@ -259,7 +288,12 @@ class ArcSweeps {
       angular_speed_ = ripple.x * (m.speed_ratio * m.ripple.amplitude) + m.speed_ratio;
       angular_acceleration_ = ripple.y * (-m.speed_ratio * m.ripple.amplitude * m.ripple.frequency);
     }
-    er_ = turned(interval_.blade, angle);
+    er_.change = change_by_turning(interval_.blade, angle);
+    turn_to_change();
+  }
+  RUBATLAS_INLINE void turn_to_change() {
+    er_.x = er_.change.x + interval_.blade[0];
+    er_.y = er_.change.y + interval_.blade[1];
   }
   /// Adds the acceleration by the forcings to that of the shaft.
   RUBATLAS_INLINE void add_forcings() {
@@ -285,13 +319,20 @@ class ArcSweeps {
   RUBATLAS_INLINE static Vector offset_by(const Vector& from, const std::array<double, 2>& offset) {
     return {from.x * offset[0] - from.y * offset[1], from.y * offset[0] + from.x * offset[1]};
   }
+  /// Of another blade.
+  RUBATLAS_INLINE static Direction direction_at(const Direction& leader,
+                                                const std::array<double, 2>& offset) {
+    return {offset_by(leader, offset), offset_by(leader.change, offset)};
+  }
 
   /// Turns the leading blade's direction on, after a step in τ that the deviation has taken.
   RUBATLAS_INLINE void turn_on(const Number& time_step) {
     if (ripples()) {
       take_direction(elapsed());
     } else {
-      er_ = Turn(time_step * machine_.speed_ratio)(er_);
+      const Vector more = Turn(time_step * machine_.speed_ratio)(er_);
+      er_.change = {er_.change.x + more.x, er_.change.y + more.y};
+      turn_to_change();
     }
   }
 
@@ -304,15 +345,16 @@ class ArcSweeps {
   /// The shaft's acceleration.
   RUBATLAS_INLINE void accelerate(const Vector& push) {
     const Machine& m = machine_;
+    const Vector place = shaft_.place(interval_.shaft);
     if (is_isotropic()) {
       const double damping = 2.0 * m.damping_ratio;
-      shaft_.ax = (push.x - shaft_.x) - shaft_.vx * damping;
-      shaft_.ay = (push.y - shaft_.y) - shaft_.vy * damping;
+      shaft_.ax = (push.x - place.x) - shaft_.vx * damping;
+      shaft_.ay = (push.y - place.y) - shaft_.vy * damping;
     } else {
       const auto& [kxx, kxy, kyx, kyy] = m.support.stiffness;
       const auto& [cxx, cxy, cyx, cyy] = m.support.damping;
-      shaft_.ax = (push.x - (shaft_.x * kxx + shaft_.y * kxy)) - (shaft_.vx * cxx + shaft_.vy * cxy);
-      shaft_.ay = (push.y - (shaft_.x * kyx + shaft_.y * kyy)) - (shaft_.vx * cyx + shaft_.vy * cyy);
+      shaft_.ax = (push.x - (place.x * kxx + place.y * kxy)) - (shaft_.vx * cxx + shaft_.vy * cxy);
+      shaft_.ay = (push.y - (place.x * kyx + place.y * kyy)) - (shaft_.vx * cyx + shaft_.vy * cyy);
     }
     add_forcings();
   }
@@ -324,8 +366,9 @@ class ArcSweeps {
     double change = shaft_.integrate(in.shaft, nodes_, time_rate_);
     if (ring_has_mass()) {
       const double share = -m.ring.force_unit / m.force_unit;
-      ring_.ax = (push.x * share - ring_.x * m.ring.stiffness) - ring_.vx * m.ring.damping;
-      ring_.ay = (push.y * share - ring_.y * m.ring.stiffness) - ring_.vy * m.ring.damping;
+      const Vector place = ring_.place(in.ring);
+      ring_.ax = (push.x * share - place.x * m.ring.stiffness) - ring_.vx * m.ring.damping;
+      ring_.ay = (push.y * share - place.y * m.ring.stiffness) - ring_.vy * m.ring.damping;
       change = std::max(change, ring_.integrate(in.ring, nodes_, time_rate_));
     }
     return change;
@@ -379,9 +422,10 @@ class ArcSweeps {
   Number chord_time_, chord_argument_;
   Number deviation_, deviation_slope_, time_rate_;
   Motion shaft_, ring_;
-  Vector er_;                    ///< direction of the leading blade
-  Number angular_speed_;         ///< φ'
-  Number angular_acceleration_;  ///< φ''
+  std::array<double, 2> seen_start_;  ///< shaft's centre at the start, from the ring's [m]
+  Direction er_;                      ///< of the leading blade
+  Number angular_speed_;              ///< φ'
+  Number angular_acceleration_;       ///< φ''
   double largest_step_ = 0.0;
 };
 

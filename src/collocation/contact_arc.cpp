@@ -58,6 +58,12 @@ contact::Pose ContactArc::pose(int blade, const Point& point) const {
                         rotor::from_ring(point.bodies));
 }
 
+/// g of a straight tip in contact [m²]. One that touches down stands on the ring.
+double ContactArc::gap_at(const Touch& touch, const Point& point) const {
+  if (law_->is_rigid() || !touch.touches_down()) return pose(touch.blade, point).gap;
+  return touch.yielding * (2.0 * machine().ring_radius + touch.yielding);
+}
+
 void ContactArc::begin(double time, const rotor::ShaftAndRing& bodies, std::span<const Touch> touching) {
   // Who touches down now is not the next to lift off.
   std::size_t leader = 0;
@@ -93,9 +99,11 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
     FurtherStart& start =
         further_.emplace_back(law_->further(touch, pose(touch.blade, start_), blades_->angular_speed(time)));
     start.offset = offset_of(touch.blade);
+    start.tip.start_gap = gap_at(touch, start_);
     start_.further.push_back({start.square.value, start.lean.value, start.tip.start_yielding});
   }
   end_ = start_;
+  gap_at_end_ = gap_at(touching[leader], start_);
   others_.clear();
   for (int blade = 0; blade < blades_->count(); ++blade) {
     if (std::ranges::find(touching, blade, &Touch::blade) == touching.end())
@@ -122,7 +130,7 @@ void ContactArc::look_for_earlier() {
   const auto seen = [this](double x, double y) {
     return std::array{x * er_.cosine + y * er_.sine, y * er_.cosine - x * er_.sine};
   };
-  const auto motion = [&](std::size_t body, double above) {
+  const auto motion = [&](Eigen::Index body, double above) {
     const auto [x, y] = seen(end_.bodies[body], end_.bodies[body + 1] + above);
     const auto [vx, vy] = seen(end_.bodies[body + 2], end_.bodies[body + 3]);
     return std::array{x, y, vx, vy};
@@ -233,6 +241,7 @@ void ContactArc::start_next(Interval& next) const {
   std::copy_n(end_.bodies.begin() + 4, 4, next.ring.start.begin());
   next.blade = {er_.cosine, er_.sine};
   machine_.start(next);
+  next.start_gap = gap_at_end_;
   next.start_gap_measure = at_end_.gap_measure;
   next.start_slip_velocity = at_end_.force.slip_velocity;
   next.start_yielding = end_.bending.yielding;
@@ -410,6 +419,7 @@ void ContactArc::goes_on(const Ending& ending) {
   ++number_;
   ++interval_count_;
   end_at(made(), ending);
+  gap_at_end_ = made().gap.at_end();
   at_end_.gap_measure = made().gap_measure.at_end();
   at_end_.force.slip_velocity = made().slip_velocity.at_end();
   if (contact_.leans) {

@@ -164,6 +164,7 @@ class ContactArc {
   [[nodiscard]] std::complex<double> tangent(int blade, const Point& point) const;
   void hold(std::span<Touch> touching, const Point& point) const;
   [[nodiscard]] std::size_t number_of(int blade) const;
+  [[nodiscard]] double gap_at(const Touch& touch, const Point& point) const;
   [[nodiscard]] const Interval& made() const { return intervals_[made_]; }
   [[nodiscard]] Interval& trial() { return intervals_[1 - made_]; }
   [[nodiscard]] const Interval& trial() const { return intervals_[1 - made_]; }
@@ -267,6 +268,7 @@ class ContactArc {
   EarlierContact* kept_ = nullptr;         ///< this contact, for later ones
   std::size_t number_ = 0;                 ///< of the next interval in the contact
   ArcLaw::Start at_end_{};                 ///< of the leading blade there
+  double gap_at_end_ = 0.0;                ///< g of its straight tip [m²]
   double rounding_at_end_ = 0.0;           ///< |v| or other where an ending is
   double displacement_bound_ = 0.0;
   double gap_bound_of_others_ = 0.0;

@@ -52,6 +52,7 @@ void go_on(const Interval& made, const FurtherBlade& blade, FurtherStart& start)
                                 half_curvature};
   };
   start.square = course(blade.square);
+  start.tip.start_gap = blade.gap.at_end();
   start.tip.start_gap_measure = blade.gap_measure.at_end();
   start.tip.start_slip_velocity = blade.slip_velocity.at_end();
   start.tip.start_yielding = blade.yielding.at_end();

@@ -154,15 +154,20 @@ class InclinedLaw final : public ArcLaw {
     const Start there = start(touch, at, speed);
     const double argument = argument_of(touch);
     const double lean = lean_of(touch.bend);
-    FurtherStart result{
-        .blade = touch.blade,
-        .slip = touch.slip,
-        .load = &load,
-        .square = {argument * argument},
-        .lean = {lean},
-        .tip = {there.gap_measure, there.force.slip_velocity, there.force.normal, there.force.root_strain,
-                lean, there.force.shortening, there.chart_left, there.cone_left},
-        .force = there.force};
+    FurtherStart result{.blade = touch.blade,
+                        .slip = touch.slip,
+                        .load = &load,
+                        .square = {argument * argument},
+                        .lean = {lean},
+                        .tip = {.start_gap_measure = there.gap_measure,
+                                .start_slip_velocity = there.force.slip_velocity,
+                                .start_force = there.force.normal,
+                                .start_strain = there.force.root_strain,
+                                .start_lean = lean,
+                                .start_shortening = there.force.shortening,
+                                .start_chart_left = there.chart_left,
+                                .start_cone_left = there.cone_left},
+                        .force = there.force};
     if (argument > 0.0) {
       // As the shaft would move on without forces: for the first guess.
       const Tangent along = tangent(touch, at, speed, {});

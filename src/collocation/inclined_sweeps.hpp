@@ -51,6 +51,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   RUBATLAS_INLINE bool solve() { return this->converge(*this, kMostSweeps, kFullSweeps); }
 
  private:
+  using Direction = typename Base::Direction;
   using Vector = typename Base::Vector;
   using Tip = InclinedTip<kWidth>;
   static constexpr int kMostSweeps = 12;
@@ -73,16 +74,13 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   };
 
   /// The shaft seen from a blade in the direction er.
-  RUBATLAS_INLINE InclinedPose<kWidth> pose_from(const Blade& blade, const Vector& er) const {
+  RUBATLAS_INLINE InclinedPose<kWidth> pose_from(const TipStart& start, const Blade& blade,
+                                                 const Direction& er) const {
     const Vector c = seen();
     const Vector v = seen_velocity();
     const Number radial = c.x * er.x + c.y * er.y;
-    return {(c.x * c.x + c.y * c.y) + (radial * (2.0 * blade.reach) + blade.closing),
-            radial,
-            c.y * er.x - c.x * er.y,
-            v.x * er.x + v.y * er.y,
-            v.y * er.x - v.x * er.y,
-            angular_speed_};
+    return {gap_of(start, blade, er), radial,        c.y * er.x - c.x * er.y, v.x * er.x + v.y * er.y,
+            v.y * er.x - v.x * er.y,  angular_speed_};
   }
   RUBATLAS_INLINE Number e_rate_of(const Tip& tip, const InclinedPose<kWidth>& at, const Vector& er) const {
     Vector acceleration{shaft_.ax, shaft_.ay};
@@ -108,7 +106,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     take_direction(elapsed());
     const Number argument = chord_argument_ + deviation_ * in.normal.argument;
     const Number square = argument * argument;
-    const InclinedPose<kWidth> at = pose_from(lead_.numbers(), er_);
+    const InclinedPose<kWidth> at = pose_from(in, lead_.numbers(), er_);
     if (!lead_.template stand<!kLight>(bending_of(lead_.inclined(), argument, square), lean_, at))
       return std::numeric_limits<double>::quiet_NaN();
     if (!kLight) {
@@ -134,12 +132,12 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     largest_step_ = std::max(magnitude(step).largest(), magnitude(lean_step).largest());
     const Number time_step = step * in.normal.time;
     const Number bending_step = bending_slope_ * (step * in.normal.argument);
-    const Vector er_before = er_;
+    const Direction er_before = er_;
     turn_on(time_step);
     Vector push = along(lead_.move_on(bending_step, lean_step, time_step, machine_.force_unit), er_);
     for (std::size_t k = 0; k < in.further.size(); ++k) {
       const std::array<double, 2>& offset = in.further[k].offset;
-      if (!step_further<kLight>(further_[k], offset_by(er_before, offset), time_step))
+      if (!step_further<kLight>(in.further[k], further_[k], direction_at(er_before, offset), time_step))
         return std::numeric_limits<double>::quiet_NaN();
       const Vector more = along(further_[k].push, offset_by(er_, offset));
       push = {push.x + more.x, push.y + more.y};
@@ -201,11 +199,11 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   /// False where there is no such blade. `er`: its direction before the step in time. A function of its own:
   /// compilers keep more of the leading blade in registers.
   template <bool kLight>
-  [[gnu::noinline]] bool step_further(FurtherTip& further, const Vector& er, const Number& time_step) {
-    constexpr double kLeastLeft = 0.01;  // of p², in one step
+  [[gnu::noinline]] bool step_further(const TipStart& start, FurtherTip& further, const Direction& er,
+                                      const Number& time_step) {
     Tip& tip = further.tip;
     const Number argument = root(further.square);
-    const InclinedPose<kWidth> at = pose_from(tip.numbers(), er);
+    const InclinedPose<kWidth> at = pose_from(start, tip.numbers(), er);
     if (!tip.template stand<!kLight>(bending_of(tip.inclined(), argument, further.square), further.lean, at))
       return false;
     if (!kLight) {
@@ -218,16 +216,17 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     const Number bending_step = (e * tip.h_by_lean - h * tip.e_by_lean) * further.inverse;
     const Number lean_step = (h * tip.e_by_bending - e * tip.h_by_bending) * further.inverse;
     const Number step = argument * 2.0 * (bending_step / further.bending_slope);
-    further.square = larger(further.square + step, further.square * kLeastLeft);
+    further.square = stepped(further.square, step);
     further.lean = further.lean + lean_step;
-    largest_step_ = std::max({largest_step_, magnitude(step).largest(), magnitude(lean_step).largest()});
+    largest_step_ = std::max(largest_step_, magnitude(lean_step).largest());
     further.push = tip.move_on((root(further.square) - argument) * further.bending_slope, lean_step,
                                time_step, machine_.force_unit);
     return true;
   }
 
-  void store_tip(const Tip& tip, const Vector& er, TipInTime& kept) const {
+  void store_tip(const Tip& tip, const Direction& er, TipInTime& kept) const {
     const double radius = machine_.ring_radius;
+    gap_of(kept, tip.numbers(), er).store(kept.gap);
     tip.store(kept);
     gap_per_deflection(tip, tip.inclined().side, tip.numbers().length, 0.0).store(kept.gap_measure);
     slip_velocity_of(tip, er, tip.numbers().reach, 1.0 / radius, radius).store(kept.slip_velocity);
@@ -239,7 +238,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     for (std::size_t k = 0; k < in.further.size(); ++k) {
       const FurtherTip& further = further_[k];
       FurtherBlade& kept = in.further[k];
-      store_tip(further.tip, offset_by(er_, kept.offset), kept);
+      store_tip(further.tip, direction_at(er_, kept.offset), kept);
       further.square.store(kept.square);
       // The determinant by p² and l: positive where a slipping tip's branch goes on from the unbent blade.
       (further.bending_slope / (further.inverse * root(further.square)) * -further.tip.inclined().side)
@@ -254,8 +253,10 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   using Base::angular_speed_;
   using Base::chord_argument_;
   using Base::deviation_;
+  using Base::direction_at;
   using Base::elapsed;
   using Base::er_;
+  using Base::gap_of;
   using Base::gap_per_deflection;
   using Base::interval_;
   using Base::largest_step_;
@@ -269,6 +270,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   using Base::seen_velocity;
   using Base::shaft_;
   using Base::slip_velocity_of;
+  using Base::stepped;
   using Base::store_motion;
   using Base::take_direction;
   using Base::time_rate_;

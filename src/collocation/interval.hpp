@@ -83,6 +83,7 @@ struct Contact {
 
 /// A tip where an interval starts: what is named so in `TipInTime`.
 struct TipStart {
+  double start_gap = 0.0;                        ///< g of the straight tip [m²]
   double start_gap_measure = 0.0;                ///< [m]
   double start_slip_velocity = 0.0;              ///< [m per unit τ]
   double start_force = 0.0, start_strain = 0.0;  ///< [N], [-]
@@ -95,6 +96,7 @@ struct TipStart {
 
 /// A tip in contact within an interval.
 struct TipInTime : TipStart {
+  AtNodes gap;            ///< g of the straight tip [m²]
   AtNodes gap_measure;    ///< g/Δ [m], as h = 0 has it: it has the sign of g where the blade is bent; F/kr
                           ///< of a rigid blade
   AtNodes slip_velocity;  ///< v of the tip (MODEL 4.4) [m per unit τ]

@@ -49,6 +49,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   }
 
  private:
+  using Direction = typename Base::Direction;
   using Vector = typename Base::Vector;
 
   static constexpr int kMostSweeps = 9;
@@ -67,7 +68,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     Number load, shortening, deflection;
   };
 
-  /// The piece of each node, and the place in it, in [−1, 1].
+  /// The piece of each node, and the place in it, in [0, 1].
   struct Places {
     std::array<const double*, kNodes> coefficients;
     std::array<double, kNodes> t;
@@ -83,7 +84,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     // NOLINTNEXTLINE(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
     alignas(64) double t[kNodes];
     piece.store_to(pieces);
-    ((place - piece) * 2.0 - 1.0).store_to(t);
+    (place - piece).store_to(t);
     for (std::size_t k = 0; k < kNodes; ++k) {
       result.coefficients[k] = table.pieces()[static_cast<int>(pieces[k])].coefficients[0].data();
       result.t[k] = t[k];
@@ -148,7 +149,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
         }
       }
     }
-    constexpr double kSlopeUnit = 2.0 / blade::BendingTable::kWidth;
+    constexpr double kSlopeUnit = 1.0 / blade::BendingTable::kWidth;
     slope = across(rate);
     slope = {slope.load * kSlopeUnit, slope.shortening * kSlopeUnit, slope.deflection * kSlopeUnit};
     return across(sum);
@@ -191,17 +192,17 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
 
   /// Pose of the blade (MODEL 2), and its residual of h = 0 (MODEL 4.1) with the slopes.
   template <bool kLight>
-  RUBATLAS_INLINE Number residual_of(Tip& tip, const Bend& bend, const Vector& er) const {
+  RUBATLAS_INLINE Number residual_of(Tip& tip, const TipStart& start, const Bend& bend,
+                                     const Direction& er) const {
     const Blade& blade = *tip.blade;
     const Vector c = seen();
     const Number radial = c.x * er.x + c.y * er.y;
     const Number tangential = c.y * er.x - c.x * er.y;
-    const Number gap = (c.x * c.x + c.y * c.y) + (radial * (2.0 * blade.reach) + blade.closing);
     tip.shortening = bend.shortening * blade.length;
     tip.deflection = bend.deflection * (tip.slip * blade.length);  // s Δ
     const Number along = radial + blade.reach;
-    Number residual = gap + (tip.shortening * (tip.shortening - along * 2.0) +
-                             tip.deflection * (tip.deflection - tangential * 2.0));
+    Number residual = gap_of(start, blade, er) + (tip.shortening * (tip.shortening - along * 2.0) +
+                                                  tip.deflection * (tip.deflection - tangential * 2.0));
     tip.a = along - tip.shortening;
     tip.b = tangential - tip.deflection;
     if (!kLight) {
@@ -270,21 +271,19 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   /// The same for a further blade, with a step of its own: one of Newton's for p², of which h is nearly
   /// linear where the blade is hardly bent.
   template <bool kLight>
-  RUBATLAS_INLINE Vector push_of_further(std::size_t k, const Vector& er_before, const Number& time_step) {
-    constexpr double kLeastLeft = 0.01;  // of p², in one step
+  RUBATLAS_INLINE Vector push_of_further(std::size_t k, const Direction& er_before, const Number& time_step) {
     FurtherTip& tip = further_[k];
     const std::array<double, 2>& offset = interval_.further[k].offset;
-    if (is_straight(tip)) return push_of_straight(tip, offset_by(er_, offset));
+    if (is_straight(tip)) return push_of_straight(interval_.further[k], tip, direction_at(er_, offset));
     const Number argument = root(tip.square);
     const Bend bend = bend_of<kLight>(tip, argument);
-    Number residual =
-        residual_of<kLight>(tip, bend, offset_by(er_before, offset)) + tip.time_slope * time_step;
+    Number residual = residual_of<kLight>(tip, interval_.further[k], bend, direction_at(er_before, offset)) +
+                      tip.time_slope * time_step;
     if (is_damped(*tip.blade))
       residual = yield(tip, interval_.further[k], bend, residual, Number(-1.0) / tip.argument_slope,
                        Number(0.0), time_step);
     const Number step = argument * -2.0 * (residual / tip.argument_slope);
-    tip.square = larger(tip.square + step, tip.square * kLeastLeft);
-    largest_step_ = std::max(largest_step_, magnitude(step).largest());
+    tip.square = stepped(tip.square, step);
     return push_of(tip, bend, root(tip.square) - argument, time_step, offset_by(er_, offset));
   }
 
@@ -298,10 +297,10 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     if (!kLight) take_direction(elapsed());
     if (is_straight(lead_)) {
       largest_step_ = 0.0;
-      return move(with_further<kLight>(push_of_straight(lead_, er_), er_, Number(0.0)));
+      return move(with_further<kLight>(push_of_straight(in, lead_, er_), er_, Number(0.0)));
     }
     const Bend bend = bend_of<kLight>(lead_, chord_argument_ + deviation_ * in.normal.argument);
-    Number residual = residual_of<kLight>(lead_, bend, er_);
+    Number residual = residual_of<kLight>(lead_, in, bend, er_);
     if (!kLight) {
       per_residual_ =
           Number(-1.0) / (lead_.argument_slope * in.normal.argument + lead_.time_slope * in.normal.time);
@@ -315,13 +314,13 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     deviation_ = deviation_ + step;
     largest_step_ = magnitude(step).largest();
     const Number time_step = step * in.normal.time;
-    const Vector er_before = er_;
+    const Direction er_before = er_;
     turn_on(time_step);
     const Vector push = push_of(lead_, bend, step * in.normal.argument, time_step, er_);
     return move(with_further<kLight>(push, er_before, time_step));
   }
   template <bool kLight>
-  RUBATLAS_INLINE Vector with_further(Vector push, const Vector& er_before, const Number& time_step) {
+  RUBATLAS_INLINE Vector with_further(Vector push, const Direction& er_before, const Number& time_step) {
     for (std::size_t k = 0; k < interval_.further.size(); ++k) {
       const Vector more = push_of_further<kLight>(k, er_before, time_step);
       push = {push.x + more.x, push.y + more.y};
@@ -332,12 +331,13 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   [[nodiscard]] static bool is_straight(const Tip& tip) {
     return !kPlain && tip.straight;
   }
-  RUBATLAS_INLINE Vector push_of_straight(const Tip& tip, const Vector& er) const {
+  RUBATLAS_INLINE Vector push_of_straight(const TipStart& start, const Tip& tip, const Direction& er) const {
     const Blade& blade = *tip.blade;
-    return this->push_of_rigid(blade, this->rigid_tip_of(blade, er), Number(tip.slip * blade.friction), er);
+    return this->push_of_rigid(blade, this->rigid_tip_of(start, blade, er), Number(tip.slip * blade.friction),
+                               er);
   }
-  void store_straight(const Blade& blade, const Vector& er, TipInTime& stored) const {
-    const typename Base::RigidTip tip = this->rigid_tip_of(blade, er);
+  void store_straight(const Blade& blade, const Direction& er, TipInTime& stored) const {
+    const typename Base::RigidTip tip = this->rigid_tip_of(stored, blade, er);
     tip.yielding.store(stored.gap_measure);
     tip.slip_velocity.store(stored.slip_velocity);
     (tip.yielding * blade.ring_stiffness).store(stored.normal_force);
@@ -362,7 +362,8 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     return Base::slip_velocity_of(tip, er, reach, Number(1.0) / yielded, yielded);
   }
 
-  void store(const Tip& tip, const Vector& er, TipInTime& stored) const {
+  void store(const Tip& tip, const Direction& er, TipInTime& stored) const {
+    gap_of(stored, *tip.blade, er).store(stored.gap);
     if (is_straight(tip)) return store_straight(*tip.blade, er, stored);
     gap_measure_of(tip, machine_.ring_radius).store(stored.gap_measure);
     slip_velocity_of(tip, er).store(stored.slip_velocity);
@@ -373,7 +374,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     store_motion();
     store(lead_, er_, in);
     for (std::size_t k = 0; k < in.further.size(); ++k) {
-      store(further_[k], offset_by(er_, in.further[k].offset), in.further[k]);
+      store(further_[k], direction_at(er_, in.further[k].offset), in.further[k]);
       if (is_straight(further_[k])) {
         in.further[k].square = in.further[k].gap_measure;
       } else {
@@ -386,8 +387,10 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::bent_by;
   using Base::chord_argument_;
   using Base::deviation_;
+  using Base::direction_at;
   using Base::elapsed;
   using Base::er_;
+  using Base::gap_of;
   using Base::gap_per_deflection;
   using Base::interval_;
   using Base::kUnbent;
@@ -397,6 +400,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::offset_by;
   using Base::seen;
   using Base::seen_velocity;
+  using Base::stepped;
   using Base::store_motion;
   using Base::take_direction;
   using Base::take_time_rate;

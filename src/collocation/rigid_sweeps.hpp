@@ -32,6 +32,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   RUBATLAS_INLINE bool solve() { return this->converge(*this, kMostSweeps, kMostSweeps); }
 
  private:
+  using Direction = typename Base::Direction;
   using Vector = typename Base::Vector;
 
   static constexpr int kMostSweeps = 16;  ///< they are cheap
@@ -39,19 +40,26 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   [[nodiscard]] static double largest_step_allowed() { return 1e-6; }
 
   using Tip = typename Base::RigidTip;
+  struct Touching {
+    const TipStart& start;
+    const Blade& blade;
+    double slip;  ///< s
+    Direction er;
+  };
   /// What it does to the shaft, as an acceleration.
-  RUBATLAS_INLINE Vector push_of(const Blade& blade, double slip, const Vector& er) const {
-    const Tip tip = rigid_tip_of(blade, er);
-    return push_of_rigid(blade, tip, friction_at(friction_, slip, tip.slip_velocity).coefficient, er);
+  RUBATLAS_INLINE Vector push_of(const Touching& at) const {
+    const Tip tip = rigid_tip_of(at.start, at.blade, at.er);
+    return push_of_rigid(at.blade, tip, friction_at(friction_, at.slip, tip.slip_velocity).coefficient,
+                         at.er);
   }
 
-  /// Calls `use` with each blade in contact, its s and its direction.
+  /// Calls `use` with each blade in contact.
   template <class Use>
   RUBATLAS_INLINE void each_blade(Use use) const {
-    use(*contact_.blade, contact_.slip, er_);
+    use(Touching{interval_, *contact_.blade, contact_.slip, er_});
     for (std::size_t k = 0; k < interval_.further.size(); ++k) {
       const FurtherBlade& further = interval_.further[k];
-      use(*further.blade, further.slip, offset_by(er_, further.offset));
+      use(Touching{further, *further.blade, further.slip, direction_at(er_, further.offset)});
     }
   }
 
@@ -73,13 +81,15 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   };
   RUBATLAS_INLINE Balance weigh() const {
     const double spring = machine_.ring.spring;
+    const Vector place = ring_.place(interval_.ring);
     Balance sum{{Number(spring), Number(0.0), Number(0.0), Number(spring)},
-                {ring_.x * -spring, ring_.y * -spring},
+                {place.x * -spring, place.y * -spring},
                 {Number(0.0), Number(0.0)}};
-    each_blade([&](const Blade& blade, double slip, const Vector& er) RUBATLAS_INLINED {
-      const Tip tip = rigid_tip_of(blade, er);
-      const double friction = slip * friction_.friction;
-      const double stiffness = blade.ring_stiffness;
+    each_blade([&](const Touching& at) RUBATLAS_INLINED {
+      const Tip tip = rigid_tip_of(at.start, at.blade, at.er);
+      const Direction& er = at.er;
+      const double friction = at.slip * friction_.friction;
+      const double stiffness = at.blade.ring_stiffness;
       const Vector normal{er.x * tip.radial_normal - er.y * tip.tangential_normal,
                           er.y * tip.radial_normal + er.x * tip.tangential_normal};
       const Number load = tip.yielding * stiffness;
@@ -97,7 +107,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
       sum.stiffness.xy = sum.stiffness.xy + change.xy;
       sum.stiffness.yx = sum.stiffness.yx + change.yx;
       sum.stiffness.yy = sum.stiffness.yy + change.yy;
-      const Number tip_speed = angular_speed() * blade.reach;
+      const Number tip_speed = angular_speed() * at.blade.reach;
       const Vector velocity{shaft_.vx - tip_speed * er.y, shaft_.vy + tip_speed * er.x};
       sum.carried.x = sum.carried.x + (change.xx * velocity.x + change.xy * velocity.y);
       sum.carried.y = sum.carried.y + (change.yx * velocity.x + change.yy * velocity.y);
@@ -129,11 +139,12 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     if (ring_is_massless()) {
       place_ring();
       const double share = -machine_.ring.spring * machine_.force_unit;
-      return move({ring_.x * share, ring_.y * share});
+      const Vector place = ring_.place(interval_.ring);
+      return move({place.x * share, place.y * share});
     }
     Vector push{Number(0.0), Number(0.0)};
-    each_blade([&](const Blade& blade, double slip, const Vector& er) RUBATLAS_INLINED {
-      const Vector more = push_of(blade, slip, er);
+    each_blade([&](const Touching& at) RUBATLAS_INLINED {
+      const Vector more = push_of(at);
       push = {push.x + more.x, push.y + more.y};
     });
     if (count_at_rest() == 0) return move(push);
@@ -148,15 +159,16 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   RUBATLAS_INLINE void hold() {
     std::size_t count = 0;
     std::array<Vector, contact::kMostAtRest> tangent;
-    each_blade([&](const Blade& blade, double slip, const Vector& er) RUBATLAS_INLINED {
-      if (slip != 0.0 || count == contact::kMostAtRest) return;
-      const Tip tip = rigid_tip_of(blade, er);
+    each_blade([&](const Touching& at) RUBATLAS_INLINED {
+      if (at.slip != 0.0 || count == contact::kMostAtRest) return;
+      const Tip tip = rigid_tip_of(at.start, at.blade, at.er);
+      const Direction& er = at.er;
       const Number speed = angular_speed();
       const Vector along{(tip.tangential_normal * er.x + tip.radial_normal * er.y) * -1.0,
                          tip.radial_normal * er.x - tip.tangential_normal * er.y};
       pull_[count] = (along.x * shaft_.ax + along.y * shaft_.ay) +
-                     angular_acceleration() * tip.radial_normal * blade.reach +
-                     speed * speed * tip.tangential_normal * blade.reach -
+                     angular_acceleration() * tip.radial_normal * at.blade.reach +
+                     speed * speed * tip.tangential_normal * at.blade.reach -
                      tip.slip_velocity * tip.outward_velocity / tip.distance;
       tangent[count] = along;
       ++count;
@@ -184,7 +196,8 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     Interval& in = interval_;
     if (ring_is_massless()) settle_ring();
     store_motion();
-    const Tip lead = rigid_tip_of(*contact_.blade, er_);
+    const Tip lead = rigid_tip_of(in, *contact_.blade, er_);
+    gap_of(in, *contact_.blade, er_).store(in.gap);
     lead.yielding.store(in.gap_measure);
     lead.slip_velocity.store(in.slip_velocity);
     (lead.yielding * contact_.blade->ring_stiffness).store(in.normal_force);
@@ -200,7 +213,9 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     store_cone(*contact_.blade, contact_.slip, lead, in);
     for (std::size_t k = 0; k < in.further.size(); ++k) {
       FurtherBlade& further = in.further[k];
-      const Tip tip = rigid_tip_of(*further.blade, offset_by(er_, further.offset));
+      const Direction er = direction_at(er_, further.offset);
+      const Tip tip = rigid_tip_of(further, *further.blade, er);
+      gap_of(further, *further.blade, er).store(further.gap);
       tip.yielding.store(further.square);
       tip.yielding.store(further.gap_measure);
       tip.slip_velocity.store(further.slip_velocity);
@@ -212,14 +227,15 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::advance;
   using Base::angular_acceleration;
   using Base::angular_speed;
+  using Base::direction_at;
   using Base::elapsed;
   using Base::er_;
+  using Base::gap_of;
   using Base::interval_;
   using Base::largest_step_;
   using Base::machine_;
   using Base::move;
   using Base::nodes_;
-  using Base::offset_by;
   using Base::push_of_rigid;
   using Base::rigid_tip_of;
   using Base::ring_;

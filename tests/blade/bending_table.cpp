@@ -15,7 +15,7 @@ using blade::BendingTable;
 
 std::array<double, 3> at(const BendingTable& table, double argument) {
   const int piece = std::clamp(static_cast<int>(argument / BendingTable::kWidth), 0, table.last_piece());
-  const double t = 2.0 * (argument / BendingTable::kWidth - piece) - 1.0;
+  const double t = argument / BendingTable::kWidth - piece;
   std::array<double, 3> sum{};
   const auto& coefficients = table.pieces()[piece].coefficients;
   for (std::size_t power = coefficients.size(); power-- > 0;) {
@@ -36,6 +36,22 @@ TEST(BendingTable, AgreesWithTheElasticaAtEveryFriction) {
       EXPECT_NEAR(found[0], exact.load, 3e-13 * (1.0 + exact.load));
       EXPECT_NEAR(found[1], exact.shortening, 3e-13);
       EXPECT_NEAR(found[2], exact.deflection, 3e-13);
+    }
+  }
+}
+
+TEST(BendingTable, KeepsTheDigitsOfABladeThatIsHardlyBent) {
+  for (const double friction : {0.0, 1e-6, 1e-3, 0.03, 0.1, 0.5, 2.0}) {
+    const blade::ElasticaCurve curve(friction);
+    const BendingTable& table = curve.over_asinh();
+    for (const double p : {0.05, 1e-3, 1e-5, 1e-7}) {
+      SCOPED_TRACE(::testing::Message() << "friction " << friction << ", p " << p);
+      const auto exact = curve.at(table.bending(p));
+      const auto found = at(table, p);
+      constexpr double kDigits = 1e-12;
+      EXPECT_NEAR(found[0], exact.load, kDigits * exact.load);
+      EXPECT_NEAR(found[1], exact.shortening, kDigits * exact.deflection) << "to which it is added";
+      EXPECT_NEAR(found[2], exact.deflection, kDigits * exact.deflection);
     }
   }
 }
