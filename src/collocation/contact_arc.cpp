@@ -97,7 +97,7 @@ void ContactArc::look_for_earlier() {
   const auto seen = [this](double x, double y) {
     return std::array{x * er_.cosine + y * er_.sine, y * er_.cosine - x * er_.sine};
   };
-  const auto motion = [&](std::size_t body, double above) {
+  const auto motion = [&](Eigen::Index body, double above) {
     const auto [x, y] = seen(end_.bodies[body], end_.bodies[body + 1] + above);
     const auto [vx, vy] = seen(end_.bodies[body + 2], end_.bodies[body + 3]);
     return std::array{x, y, vx, vy};
@@ -307,7 +307,7 @@ bool ContactArc::solve_next() {
 /// The earlier contact is followed no longer.
 void ContactArc::leave_earlier() {
   alike_ = nullptr;
-  if (kept_ != nullptr) kept_->count = number_;
+  if (kept_ != nullptr) kept_->count = std::min(kept_->count, number_);
 }
 
 /// The leading blade, then the others.
