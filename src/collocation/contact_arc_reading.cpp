@@ -26,12 +26,21 @@ double ContactArc::last_fraction(double time) const {
 ContactArc::Point ContactArc::solved_at(double time) {
   if (time <= start_.time) return start_;
   if (time >= end_.time) return end_;
-  const double fraction = fraction_at(time);
-  if (!cut(made(), fraction, trial())) return point_at(fraction);
-  Point point = end_of(trial());
-  move(point, trial(), time - point.time);
-  point.time = time;
-  return point;
+  constexpr int kTimes = 4;
+  constexpr double kClose = 1e-6;  // of the stretch: next to a lift-off p changes much in a moment
+  double fraction = fraction_at(time);
+  for (int i = 1;; ++i) {
+    if (!cut(made(), fraction, trial())) return point_at(fraction);
+    Point point = end_of(trial());
+    const double late = time - point.time;
+    if (i == kTimes || std::abs(late) < kClose * trial().elapsed.at_end()) {
+      move(point, trial(), late);
+      point.time = time;
+      return point;
+    }
+    const double next = fraction * (1.0 + late / trial().time_slope.at_end());
+    fraction = std::clamp(next, 0.5 * fraction, 0.5 * (1.0 + fraction));
+  }
 }
 
 ContactArc::Point ContactArc::solved_at_fraction(double fraction) {
@@ -60,7 +69,30 @@ std::optional<ContactArc::Point> ContactArc::most_bent(int blade, double from, d
   const auto most = largest_of(values, within.first, within.last, further != nullptr ? least * least : least);
   const double argument = further != nullptr ? std::sqrt(std::max(0.0, most.value)) : most.value;
   if (bound * argument <= known) return std::nullopt;
-  return solved_in(within, most.argument);
+  const Point there = solved_in(within, most.argument);
+  const double nearer = nearer_to_top(blade, there, values, most.argument);
+  if (nearer == most.argument || !(nearer > within.first && nearer < within.last)) return there;
+  const Point top = solved_in(within, nearer);
+  return bending_of(blade, top).argument > bending_of(blade, there).argument ? top : there;
+}
+
+/// θ of the place where a blade is bent most, nearer than one that the interval's polynomial has, if this one
+/// misses a billionth of the largest value; else the same. `values`: of p, or of p² of a further blade.
+double ContactArc::nearer_to_top(int blade, const Point& there, const AtPlaces& values,
+                                 double fraction) const {
+  constexpr double kApart = 0.01;   // of the interval
+  constexpr double kMissed = 1e-9;  // of the largest value
+  if (!(fraction > kApart && fraction < 1.0 - kApart)) return fraction;
+  const auto value = [&](double at) { return sum_of_products(basis_at(at), values); };
+  const double curvature =
+      (value(fraction - kApart) - 2.0 * value(fraction) + value(fraction + kApart)) / (kApart * kApart);
+  const double argument = bending_of(blade, there).argument;
+  const ArcLaw::Tangent tangent =
+      law_->tangent(touch_of(blade, there), pose(blade, there), blades_->angular_speed(there.time), {});
+  double slope = tangent.argument / tangent.time * direction_at(fraction).time;
+  if (blade != blade_) slope *= 2.0 * argument;
+  const double missed = -0.5 * slope * slope / curvature;
+  return curvature < 0.0 && missed > kMissed * value(fraction) ? fraction - slope / curvature : fraction;
 }
 
 std::optional<ContactArc::Point> ContactArc::most_loaded(int blade, const AtNodes TipInTime::*load,

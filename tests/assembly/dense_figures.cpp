@@ -222,6 +222,11 @@ void DenseFigures::follow_tip(MotionPiece& piece, const std::vector<double>& tim
   blade.before = before;
 }
 
+/// A hop may be so short that no piece of motion is between two contacts.
+void DenseFigures::event(const modes::Event& event) {
+  if (event.kind == modes::Guard::lift_off) ends_contact(blades_[static_cast<std::size_t>(event.blade)]);
+}
+
 void DenseFigures::ends_contact(Blade& blade) {
   if (blade.in_contact && blade.begun && blade.deepest) {
     blade.deepest->overlap = std::max(blade.deepest->overlap, 0.0);

@@ -22,6 +22,7 @@ class DenseFigures final : public modes::MotionListener {
   DenseFigures(const settings::Scene& scene, double speed_ratio);
 
   void piece(trajectory::MotionPiece& piece) override;
+  void event(const modes::Event& event) override;
   void speed_changes(double speed_ratio) override;
   void revolution_ends(const trajectory::State& section) override;
 
