@@ -165,6 +165,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   /// A further one, of which h = 0 is solved for p².
   struct FurtherTip : Tip {
     Number square;
+    bool lifts_off = false;
   };
 
   /// The ring yields as the load is, or in its own time.
@@ -278,7 +279,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
       residual = yield(tip, interval_.further[k], bend, residual, Number(-1.0) / tip.argument_slope,
                        Number(0.0), time_step);
     const Number step = argument * -2.0 * (residual / tip.argument_slope);
-    tip.square = stepped(tip.square, step);
+    tip.square = stepped(tip.square, step, tip.lifts_off);
     return push_of(tip, bend, root(tip.square) - argument, time_step, offset_by(er_, offset));
   }
 
@@ -342,6 +343,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     for (std::size_t k = 0; k < in.further.size(); ++k) {
       if (is_damped(*further_[k].blade)) further_[k].yielding.store(in.further[k].yielding);
       further_[k].square.store(in.further[k].square);
+      in.further[k].lifts_off = further_[k].lifts_off;
       const Direction er = direction_at(er_, in.further[k].offset);
       gap_of(in.further[k], *further_[k].blade, er).store(in.further[k].gap);
       gap_measure_of(further_[k], machine_.ring_radius).store(in.further[k].gap_measure);
