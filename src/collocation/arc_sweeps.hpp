@@ -138,14 +138,14 @@ class ArcSweeps {
     if (ring_moves()) ring_.start(interval.ring, closeness.warm, elapsed());
   }
 
-  /// p² of a further blade after a step, of which a share is left. Where less would be left it has lifted
-  /// off, and this is no solution.
-  RUBATLAS_INLINE Number stepped(const Number& square, const Number& step) {
+  /// p² of a further blade after a step, of which a share is left. `lifts_off`: none would be, somewhere.
+  RUBATLAS_INLINE Number stepped(const Number& square, const Number& step, bool& lifts_off) {
     constexpr double kLeastLeft = 0.01;
     const Number next = square + step;
     const Number kept = larger(next, square * kLeastLeft);
-    const bool lifts_off = (kept - next).largest() > 0.0;
-    largest_step_ = lifts_off ? kFirstChange : std::max(largest_step_, magnitude(step).largest());
+    lifts_off = !(next.least() > 0.0);
+    const bool is_far = !lifts_off && (kept - next).largest() > 0.0;
+    largest_step_ = is_far ? kFirstChange : std::max(largest_step_, magnitude(kept - square).largest());
     return kept;
   }
   /// Δ of a tip that is bent to the side ±1, at least so much that it is no rounding of what it is added to.

@@ -338,8 +338,9 @@ void ContactArc::guess_further(Interval& next) const {
   }
 }
 
-/// Makes the trial a solution that is accurate enough.
-bool ContactArc::solve_next() {
+/// Makes the trial a solution that is accurate enough. `learns`: its length is what errors allow, not what
+/// events do.
+bool ContactArc::solve_next(bool learns) {
   while (true) {
     Interval& next = trial();
     start_next(next);
@@ -354,7 +355,7 @@ bool ContactArc::solve_next() {
     const bool solved = solve(next, follows);
     const double error = solved ? error_of(next) : Predictor::kUnknownError;
     if (error <= 1.0) {
-      predictor_.accepts(error, begins_ && !follows ? &next : nullptr);
+      predictor_.accepts(error, learns && begins_ && !follows ? &next : nullptr);
       return true;
     }
     ++rejected_;
@@ -390,8 +391,9 @@ void ContactArc::change_leader(std::size_t further) {
 ContactArc::Outcome ContactArc::make() {
   if (number_ >= kMostIntervals || predictor_.is_too_short()) return Outcome::gives_up;
   predictor_.begin_interval();
+  bool learns = true;
   while (true) {
-    if (!solve_next()) return Outcome::gives_up;
+    if (!solve_next(learns)) return Outcome::gives_up;
     if (kept_ != nullptr && number_ < EarlierContact::kMostIntervals) {
       kept_->intervals[number_].take(contact_, trial(), predictor_.length_of_trial());
       kept_->count = std::max(kept_->count, number_ + 1);
@@ -408,6 +410,7 @@ ContactArc::Outcome ContactArc::make() {
     if (verdict == Verdict::another_leads) {
       predictor_.begin_interval();
     } else {
+      learns = false;
       leave_earlier();
       if (!predictor_.shortens(Predictor::kUnknownError)) return Outcome::gives_up;
     }

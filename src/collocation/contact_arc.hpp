@@ -203,7 +203,7 @@ class ContactArc {
   /// Whether the trial can be the next interval, up to its ending, and whether that is a stretch of it.
   enum class Verdict : std::uint8_t { holds, holds_in_part, too_long, another_leads, gives_up };
   Verdict judge(Ending& ending);
-  bool solve_next();
+  bool solve_next(bool learns);
   void goes_on(const Ending& ending);
   [[nodiscard]] std::vector<Touch> touching_at(const Point& point) const;
   void change_leader(std::size_t further);

@@ -124,9 +124,10 @@ bool ContactArc::stays_off(const Other& other, const Interval& interval, double 
   const Blade& blade = numbers(other.blade);
   const double bound = solver_.largest_gap(contact_, interval, blade, other.offset);
   gap_bound_of_others_ = std::max(gap_bound_of_others_, bound);
-  return (starts_inside(other.blade)
-              ? largest_coefficient(gap_rates(machine(), interval, blade, other.offset))
-              : bound) < allowed;
+  if (starts_inside(other.blade))
+    return largest_coefficient(gap_rates(machine(), interval, blade, other.offset)) < allowed;
+  // A tip that has just lifted off may stand at the ring for a while.
+  return bound < std::max(allowed, rotor_->gap_rounding(law_->geometry(other.blade)));
 }
 
 /// What is left of validity: of p, of its square or of δ/L up to the limit of the shortening; of |c|² up to

@@ -70,6 +70,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     Number bending_slope;  ///< du/dp
     Number e_rate;         ///< de/dτ
     Number inverse;        ///< of the determinant of h and e by u and l
+    bool lifts_off = false;
     typename Tip::Push push;
   };
 
@@ -216,7 +217,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     const Number bending_step = (e * tip.h_by_lean - h * tip.e_by_lean) * further.inverse;
     const Number lean_step = (h * tip.e_by_bending - e * tip.h_by_bending) * further.inverse;
     const Number step = argument * 2.0 * (bending_step / further.bending_slope);
-    further.square = stepped(further.square, step);
+    further.square = stepped(further.square, step, further.lifts_off);
     further.lean = further.lean + lean_step;
     largest_step_ = std::max(largest_step_, magnitude(lean_step).largest());
     further.push = tip.move_on((root(further.square) - argument) * further.bending_slope, lean_step,
@@ -240,6 +241,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
       FurtherBlade& kept = in.further[k];
       store_tip(further.tip, direction_at(er_, kept.offset), kept);
       further.square.store(kept.square);
+      kept.lifts_off = further.lifts_off;
       // The determinant by p² and l: positive where a slipping tip's branch goes on from the unbent blade.
       (further.bending_slope / (further.inverse * root(further.square)) * -further.tip.inclined().side)
           .store(kept.firmness);

@@ -121,9 +121,10 @@ struct FurtherBlade : TipInTime {
   double slip = 1.0;                   ///< s = ±1
   bool straight = false;               ///< as in `Contact`
   double start_square = 0.0;           ///< p² at the start
-  AtNodes square;    ///< p²; F/kr of a rigid blade [m]: a first guess, then the solution. Smooth at a
-                     ///< touch-down, unlike p
-  AtNodes firmness;  ///< of one under an inclined load: zero at the fold of its branch
+  AtNodes square;          ///< p²; F/kr of a rigid blade [m]: a first guess, then the solution. Smooth at a
+                           ///< touch-down, unlike p
+  bool lifts_off = false;  ///< it would be bent by less than nothing at a node, where some p² is left to it
+  AtNodes firmness;        ///< of one under an inclined load: zero at the fold of its branch
 };
 
 /// Shaft or ring within an interval.

@@ -169,6 +169,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   /// A further one, of which h = 0 is solved for p².
   struct FurtherTip : Tip {
     Number square;
+    bool lifts_off = false;
   };
 
   /// The ring yields as the load is, or in its own time.
@@ -283,7 +284,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
       residual = yield(tip, interval_.further[k], bend, residual, Number(-1.0) / tip.argument_slope,
                        Number(0.0), time_step);
     const Number step = argument * -2.0 * (residual / tip.argument_slope);
-    tip.square = stepped(tip.square, step);
+    tip.square = stepped(tip.square, step, tip.lifts_off);
     return push_of(tip, bend, root(tip.square) - argument, time_step, offset_by(er_, offset));
   }
 
@@ -375,6 +376,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     store(lead_, er_, in);
     for (std::size_t k = 0; k < in.further.size(); ++k) {
       store(further_[k], direction_at(er_, in.further[k].offset), in.further[k]);
+      in.further[k].lifts_off = further_[k].lifts_off;
       if (is_straight(further_[k])) {
         in.further[k].square = in.further[k].gap_measure;
       } else {

@@ -25,7 +25,6 @@ constexpr double kSteep = 0.48;       ///< sine of the slope with which an arc m
 constexpr double kReach = 0.15;       ///< of an arc: so far above p = 0 it is stretched to reach it
 constexpr double kLongestHalf = 1.5;  ///< [τ] half of a contact, as a first estimate
 constexpr double kShortestContact = 1e-11;  ///< [τ]
-constexpr double kLeastShare = 1e-3;        ///< of a contact, that its first interval is expected to be
 
 /// Without the care of `std::hypot` for numbers near overflow.
 double length_of(double x, double y) {
@@ -181,7 +180,7 @@ void Predictor::accepts(double error, const Interval* first) {
             std::clamp(kAim * std::pow(std::max(error, 1e-12), -1.0 / kOrder), kLeastGrowth, kMostGrowth);
   if (first == nullptr) return;
   double& share = share_of_first_[first->start_argument > 0.0 ? 1 : 0];
-  share = std::clamp(std::sqrt(share * length_ / unit_length_), kLeastShare, 1.0);
+  share = std::min(std::sqrt(share * length_ / unit_length_), 1.0);
 }
 
 bool Predictor::shortens(double error) {
