@@ -71,7 +71,7 @@ Equilibrium<long double> equilibrium(long double friction, long double bending) 
   if (suffices<20>(kappa, largest)) return integrate<20>(beta, kappa, largest);
   if (suffices<40>(kappa, largest)) return integrate<40>(beta, kappa, largest);
   if (suffices<80>(kappa, largest)) return integrate<80>(beta, kappa, largest);
-  return integrate<320>(beta, kappa, largest);  // the tip turns by more than 160°
+  return integrate<320>(beta, kappa, largest);  // without friction, θL above 145°
 }
 
 }  // namespace rubatlas::blade

@@ -69,7 +69,11 @@ TEST(Collocation, SolvesContactsOfSeveralBladesInAFractionOfTheSteps) {
   scene.accuracy.method = settings::Method::collocation;
   const auto nodes = run(scene, 0.3);
   ASSERT_EQ(nodes.status, ending::PointStatus::done);
-  EXPECT_LT(5 * nodes.work.steps, 3 * steps.work.steps);
+  // What was rejected counts too: shorter intervals of which fewer are rejected are no loss.
+  const auto attempts = [](const point::PointOutcome& outcome) {
+    return outcome.work.steps + outcome.work.rejected_steps;
+  };
+  EXPECT_LT(2 * attempts(nodes), attempts(steps));
 }
 
 TEST(Collocation, TakesAFractionOfTheEvaluationsOfOneNodeAfterTheOther) {
