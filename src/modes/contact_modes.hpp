@@ -90,10 +90,11 @@ class ContactModes {
 
   /// The contact of a blade goes on beyond the ring while it has a force.
   [[nodiscard]] virtual bool releases_at_fold(int /*blade*/) const { return false; }
-  /// Whether a blade that has just touched down begins to skim: it would hop at most `hop` [m] high, and
-  /// return.
+  /// Whether the first of these blades, which has just touched down, begins to skim: it would hop at most
+  /// `hop` [m] high, and return.
   [[nodiscard]] virtual bool begins_to_skim(const rotor::ContactState& /*state*/,
-                                            const OpenContact& /*contact*/, double /*hop*/) const {
+                                            const std::vector<OpenContact>& /*contacts*/,
+                                            double /*hop*/) const {
     return false;
   }
 

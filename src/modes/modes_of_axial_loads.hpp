@@ -96,10 +96,10 @@ class ModesOfAxialLoads final : public ModesOfLaw<contact::ElasticaContact, Pair
   }
   /// A blade released at the fold returns from a finite distance, and the force of a compressed column starts
   /// from zero: neither hops without end.
-  [[nodiscard]] bool begins_to_skim(const rotor::ContactState& state, const OpenContact& contact,
-                                    double hop) const override {
-    const auto& blade = this->blade(contact);
-    return !blade.releases_at_fold() && !blade.may_stand_straight() && skims_.begins(state, contact, hop);
+  [[nodiscard]] bool begins_to_skim(const rotor::ContactState& state,
+                                    const std::vector<OpenContact>& contacts, double hop) const override {
+    const auto& blade = this->blade(contacts.front());
+    return !blade.releases_at_fold() && !blade.may_stand_straight() && skims_.begins(state, contacts, hop);
   }
 
   /// For some elastic blades the model does not say it.

@@ -7,65 +7,78 @@
 ///     g'' (free) + λ g'' (full force) = 0,   0 <= λ <= 1
 /// (Filippov, Differential Equations with Discontinuous Righthand Sides, 1988, §4: the convex combination of
 /// the two sides; in λ also the share of time that hops spend in contact). At λ = 0 the tip leaves the ring,
-/// at λ = 1 it is pressed in.
+/// at λ = 1 it is pressed in. The tip is that of the first contact; the others bear their full force.
 #pragma once
 
 #include <complex>
-#include <cstdint>
+#include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "contact/pose.hpp"
-#include "modes/contact_mode.hpp"
 #include "modes/guards.hpp"
 #include "modes/open_contact.hpp"
+#include "modes/solved.hpp"
 #include "rotor/constants.hpp"
 
 namespace rubatlas::modes {
 
 template <class Law>
-class Skimming : public ContactMode<Law> {
+class Skimming : public Solved<Law> {
  public:
-  using Base = ContactMode<Law>;
+  using Base = Solved<Law>;
   using Base::Base;
   using typename Base::FullState;
+  static constexpr bool kHasPath = false;
 
   bool operator()(const FullState& state, FullState& derivative) {
     ++this->evaluations_;
+    const contact::BladeDirection first = this->first_blade(state);
+    std::complex<double> others;
+    for (std::size_t i = 1; i < this->contacts_.size(); ++i) {
+      if (!this->add_force(state, first, i, others)) return false;
+    }
     Balance balance;
-    if (!weigh(state, this->contacts_.front(), balance)) return false;
+    if (!weigh(state, this->contacts_.front(), others, balance)) return false;
     this->forces_.front() = balance.force;
-    this->acceleration_ = this->machine().acceleration(state, balance.share * balance.pushed);
-    derivative = rotor::full_state(rotor::rate_of(state, this->acceleration_), 1.0, 0.0);
+    this->set_derivative(state, others + balance.share * balance.pushed, derivative);
     this->watch_shortening(this->shortening());
     return true;
   }
 
-  /// λ in a state; NaN where the blade has no force.
+  /// λ in a state; NaN where a blade has no force.
   [[nodiscard]] double share(const FullState& state) const {
-    OpenContact contact = this->contacts_.front();
     Balance balance;
-    return weigh(state, contact, balance) ? balance.share : std::numeric_limits<double>::quiet_NaN();
+    const auto others = force_of_others(state, this->contacts_);
+    OpenContact contact = this->contacts_.front();
+    if (!others || !weigh(state, contact, *others, balance)) return std::numeric_limits<double>::quiet_NaN();
+    return balance.share;
   }
-  /// λ times what the blade does in full.
-  [[nodiscard]] contact::TipForce force(std::size_t /*contact*/, const FullState& state) const {
-    OpenContact contact = this->contacts_.front();
+  /// λ times what the blade that skims does in full.
+  [[nodiscard]] contact::TipForce force(std::size_t contact, const FullState& state) const {
+    if (contact > 0) return Base::force(contact, state);
     Balance balance;
-    weigh(state, contact, balance);
+    OpenContact open = this->contacts_.front();
+    weigh(state, open, force_of_others(state, this->contacts_).value_or(0.0), balance);
     return balance.force;
   }
 
-  /// Whether a blade that touches down in a state begins to skim: it would be thrown back and return, at most
-  /// `hop` [m] away from the ring.
-  [[nodiscard]] bool begins(const FullState& state, OpenContact contact, double hop) const {
-    // Hops are seldom that low: the force is asked for only where they are.
-    const FreeMotion free = free_motion(state, contact.blade);
+  /// Whether the first of these contacts, which touches down in a state, begins to skim: the blade would be
+  /// thrown back and return, at most `hop` [m] away from the ring.
+  [[nodiscard]] bool begins(const FullState& state, const std::vector<OpenContact>& contacts,
+                            double hop) const {
+    const auto others = force_of_others(state, contacts);
+    if (!others) return false;
+    // Hops are seldom that low: the blade's force is asked for only where they are.
+    OpenContact contact = contacts.front();
+    const FreeMotion free = free_motion(state, contact.blade, *others);
     const contact::Geometry& geometry = this->law_->of(contact.blade).geometry();
     const double rate =
         contact::gap_rate(geometry, free.pose, this->blades().angular_speed(state[rotor::kTime]));
     if (!(rate * rate <= 4.0 * geometry.ring_radius * hop * free.curvature)) return false;
     Balance balance;
-    return weigh(state, contact, balance) && balance.share > 0.0 && balance.share < 1.0;
+    return weigh(state, contact, *others, balance) && balance.share > 0.0 && balance.share < 1.0;
   }
 
   /// Puts a state back on g = 0, dg/dτ = 0, the shortest way for the shaft.
@@ -87,7 +100,8 @@ class Skimming : public ContactMode<Law> {
 
   template <class Step>
   [[nodiscard]] double scaled_error(const Step& step) const {
-    return this->error_of(step, this->acceleration_, true, [](const FullState&) { return 0.0; });
+    const bool alone = this->contacts_.size() == 1;
+    return this->error_of(step, this->acceleration_, alone, [](const FullState&) { return 0.0; });
   }
 
   /// The tip leaves the ring at λ = 0 and is pressed in at λ = 1; both by so much that rounding does not lead
@@ -95,18 +109,10 @@ class Skimming : public ContactMode<Law> {
   template <class Search>
   void guards(Search& search) {
     const int skims = this->contacts_.front().blade;
-    for (int k = 0; k < search.blades(); ++k) {
-      if (k != skims) {
-        touch_down(*this, search, k);
-        continue;
-      }
-      const auto at = [&](double part) { return share(search.step().at_fraction(part)); };
-      search.look_for([&](double part) { return -kShareBeyond - at(part); }, {Guard::lift_off, k});
-      search.look_for([&](double part) { return at(part) - (1.0 + kShareBeyond); }, {Guard::pressed_in, k});
-    }
-    const auto bounds = this->bounds(search.step());
-    this->slip_guard(*this, search, 0, this->slip_lasts(bounds));
-    this->loss_of_validity(*this, search, bounds.distance);
+    const auto at = [&](double part) { return share(search.step().at_fraction(part)); };
+    search.look_for([&](double part) { return -kShareBeyond - at(part); }, {Guard::lift_off, skims});
+    search.look_for([&](double part) { return at(part) - (1.0 + kShareBeyond); }, {Guard::pressed_in, skims});
+    this->guards_but_of(skims, search);
   }
 
  private:
@@ -123,19 +129,36 @@ class Skimming : public ContactMode<Law> {
     return this->blades().direction(blade, this->first_blade(state));
   }
 
-  /// The motion without the blade, as that sees it.
+  /// What the contacts behind the first do to the rotor [N]; none where one has no force.
+  [[nodiscard]] std::optional<std::complex<double>> force_of_others(
+      const FullState& state, const std::vector<OpenContact>& contacts) const {
+    std::complex<double> sum;
+    for (std::size_t i = 1; i < contacts.size(); ++i) {
+      OpenContact open = contacts[i];
+      contact::TipForce force{};
+      const contact::Pose at = this->pose(open.blade, state);
+      if (!respond(this->law_->of(open.blade), at, this->blades().angular_speed(state[rotor::kTime]), open,
+                   force))
+        return std::nullopt;
+      sum += contact::on_rotor(force, direction(state, open.blade));
+    }
+    return sum;
+  }
+
+  /// The motion without the blade, under the force of the others, as the blade sees it.
   struct FreeMotion {
     contact::BladeDirection direction;
     contact::Pose pose;
     double curvature;  ///< g'' [m²]
   };
-  [[nodiscard]] FreeMotion free_motion(const FullState& state, int blade) const {
+  [[nodiscard]] FreeMotion free_motion(const FullState& state, int blade,
+                                       const std::complex<double>& others) const {
     const contact::Geometry& geometry = this->law_->of(blade).geometry();
     FreeMotion free;
     free.direction = direction(state, blade);
     const rotor::State seen = rotor::from_ring(state);
     free.pose = rotor::pose_of(this->rotor(), geometry, free.direction, seen);
-    const rotor::Acceleration acceleration = this->machine().acceleration(state, 0.0);
+    const rotor::Acceleration acceleration = this->machine().acceleration(state, others);
     free.curvature = contact::gap_curvature(geometry, free.direction, free.pose,
                                             {seen[0], seen[1] + this->rotor().misalignment},
                                             {seen[2], seen[3]}, acceleration.shaft - acceleration.ring,
@@ -145,8 +168,9 @@ class Skimming : public ContactMode<Law> {
     return free;
   }
 
-  bool weigh(const FullState& state, OpenContact& contact, Balance& balance) const {
-    const FreeMotion free = free_motion(state, contact.blade);
+  bool weigh(const FullState& state, OpenContact& contact, const std::complex<double>& others,
+             Balance& balance) const {
+    const FreeMotion free = free_motion(state, contact.blade, others);
     const contact::BladeDirection& er = free.direction;
     const contact::Pose& at = free.pose;
     const auto& law = this->law_->of(contact.blade);

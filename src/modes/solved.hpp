@@ -51,11 +51,20 @@ class Solved : public ContactMode<Law> {
 
   template <class Search>
   void guards(Search& search) {
+    guards_but_of(kNone, search);
+  }
+
+ protected:
+  static constexpr int kNone = -1;
+
+  /// A blade whose touch-down or lift-off is not looked for has its own guards.
+  template <class Search>
+  void guards_but_of(int blade, Search& search) {
     const FullState& end = search.step().end();
     for (int k = 0; k < search.blades(); ++k) {
       if (!search.blade(k).open) {
         touch_down(*this, search, k);
-      } else if (this->ends_at_ring(k, end)) {
+      } else if (k != blade && this->ends_at_ring(k, end)) {
         lift_off_at_ring(*this, search, k);
       }
     }
@@ -70,7 +79,6 @@ class Solved : public ContactMode<Law> {
     }
   }
 
- protected:
   /// Adds the force of a contact to that on the rotor [N]; blade 0 stands at `first`. False where there is
   /// none.
   bool add_force(const FullState& state, const contact::BladeDirection& first, std::size_t contact,

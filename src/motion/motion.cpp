@@ -255,10 +255,14 @@ bool Motion::all_follow() {
   });
 }
 
-/// Whether the one blade in contact has just touched down and begins to skim.
-bool Motion::begins_to_skim() const {
-  return ended_by_ == modes::Guard::touch_down && contacts_.size() == 1 &&
-         modes_->begins_to_skim(unbent(), contacts_.front(), kUnresolvedHop * limits_.tolerance);
+/// Whether the blade that has just touched down begins to skim. If so, it is the first of the contacts.
+bool Motion::begins_to_skim() {
+  if (ended_by_ != modes::Guard::touch_down || modes_->skimming() == nullptr) return false;
+  std::vector<modes::OpenContact> contacts = contacts_;
+  std::swap(contacts.front(), contacts.back());
+  if (!modes_->begins_to_skim(unbent(), contacts, kUnresolvedHop * limits_.tolerance)) return false;
+  contacts_ = std::move(contacts);
+  return true;
 }
 
 // Contacts.

@@ -62,7 +62,7 @@ class Motion final : public PointMotion {
   bool begin_in(modes::Phase* phase, const std::vector<modes::OpenContact>& contacts);
   bool begin_mode();
   [[nodiscard]] bool all_follow();
-  [[nodiscard]] bool begins_to_skim() const;
+  bool begins_to_skim();
 
   // Contacts.
   [[nodiscard]] modes::TipPlace place(int blade) const;
