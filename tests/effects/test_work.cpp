@@ -125,7 +125,8 @@ TEST(WorkOfAPoint, ASupportThatDoublePrecisionDoesNotHoldEndsAtOnce) {
 }
 
 TEST(WorkOfAPoint, ALightRingThatBouncesIsFollowedAtEveryTolerance) {
-  // Hops die away slowly: 25 000 of them, and 53 000, are higher than the tolerance.
+  // Hops die away slowly: 12 000 of them, and 40 000, are higher than the tolerance. Where they are lower the
+  // tip skims, beside the other blade, too, which hops a hundred thousand times else.
   nlohmann::json scene = {{"ring_body", {{"mass", 1.718e-3}, {"compliance", 1.72e-3}, {"damping", 3.822}}},
                           {"contact", {{"friction", 0.1297}}},
                           {"grid", {{"speed_ratio", 0.3016}}},
@@ -137,6 +138,7 @@ TEST(WorkOfAPoint, ALightRingThatBouncesIsFollowedAtEveryTolerance) {
     const auto& at = parsed_scene.initial;
     const auto outcome = run(parsed_scene, {at.x, at.y, at.vx, at.vy});
     EXPECT_EQ(outcome.status, PointStatus::done) << tolerance << ": " << ending::text_of(outcome.detail);
+    EXPECT_LT(outcome.work.touchdowns, 60'000U) << tolerance;
   }
 }
 
