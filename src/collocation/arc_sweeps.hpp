@@ -23,9 +23,11 @@ class ArcSweeps {
   struct Vector {
     Number x, y;
   };
-  /// Of a blade: er, and what it has changed by since the start, of which a short interval would lose digits.
+  /// Of a blade: er, that at the start, and what it has changed by, of which a short interval would lose
+  /// digits.
   struct Direction : Vector {
     Vector change;
+    std::array<double, 2> start;
   };
   /// What turning a vector by an angle below 0.8 rad changes, by the series of sine and cosine: less than
   /// 1e-16 of the angle is left out.
@@ -134,6 +136,7 @@ class ArcSweeps {
         deviation_(interval.deviation),
         seen_start_{interval.shaft.start[0] - interval.ring.start[0],
                     interval.shaft.start[1] - interval.ring.start[1] + contact.machine->misalignment} {
+    er_.start = interval.blade;
     shaft_.start(interval.shaft, closeness.warm, elapsed());
     if (ring_moves()) ring_.start(interval.ring, closeness.warm, elapsed());
   }
@@ -186,13 +189,13 @@ class ArcSweeps {
   /// Of a blade in the direction er (MODEL 4.3, 4.7).
   RUBATLAS_INLINE RigidTip rigid_tip_of(const TipStart& start, const Blade& blade,
                                         const Direction& er) const {
-    const Vector centre = seen();
+    const Straight straight = straight_tip(start, blade, er);
     const Vector velocity = seen_velocity();
-    const Number radial = centre.x * er.x + centre.y * er.y;
-    const Number tangential = centre.y * er.x - centre.x * er.y;
+    const Number along = straight.along;
+    const Number tangential = straight.tangential;
+    const Number radial = along - blade.reach;
     const Number radial_velocity = velocity.x * er.x + velocity.y * er.y;
     const Number tangential_velocity = velocity.y * er.x - velocity.x * er.y;
-    const Number along = radial + blade.reach;
     RigidTip tip;
     tip.distance = root(along * along + tangential * tangential);
     const Number per_distance = Number(1.0) / tip.distance;
@@ -200,7 +203,7 @@ class ArcSweeps {
     tip.tangential_normal = tangential * per_distance;
     tip.slip_velocity = (tip.radial_normal * tangential_velocity - tip.tangential_normal * radial_velocity) +
                         angular_speed() * tip.radial_normal * blade.reach;
-    tip.depth = gap_of(start, blade, er) / (tip.distance + machine_.ring_radius);
+    tip.depth = straight.gap / (tip.distance + machine_.ring_radius);
     tip.yielding = tip.depth;
     tip.outward_velocity = tip.radial_normal * radial_velocity +
                            tip.tangential_normal * (tangential_velocity + angular_speed() * blade.reach);
@@ -256,22 +259,25 @@ class ArcSweeps {
     return kPlain ? Number(machine_.speed_ratio) : angular_speed_;
   }
   RUBATLAS_INLINE Number angular_acceleration() const { return kPlain ? Number(0.0) : angular_acceleration_; }
-  /// Shaft's centre and velocity as seen from the ring's, and how far the centre has come since the start.
-  RUBATLAS_INLINE Vector seen() const {
-    const Vector come = seen_to_come();
-    return {come.x + seen_start_[0], come.y + seen_start_[1]};
+  /// The tip of a blade that does not bend, from the ring's centre.
+  struct Straight {
+    Number along, tangential;  ///< (er, ep) [m]
+    /// g, by how far the tip has come since the start: that of a light contact is smaller than the rounding
+    /// of R².
+    Number gap;
+  };
+  RUBATLAS_INLINE Straight straight_tip(const TipStart& start, const Blade& blade,
+                                        const Direction& er) const {
+    Vector come{shaft_.x, shaft_.y};
+    if (ring_moves()) come = {come.x - ring_.x, come.y - ring_.y};
+    come = {come.x + er.change.x * blade.reach, come.y + er.change.y * blade.reach};
+    const double from_x = seen_start_[0] + blade.reach * er.start[0];
+    const double from_y = seen_start_[1] + blade.reach * er.start[1];
+    const Vector place{come.x + from_x, come.y + from_y};
+    return {place.x * er.x + place.y * er.y, place.y * er.x - place.x * er.y,
+            (come.x * (place.x + from_x) + come.y * (place.y + from_y)) + start.start_gap};
   }
-  RUBATLAS_INLINE Vector seen_to_come() const {
-    return ring_moves() ? Vector{shaft_.x - ring_.x, shaft_.y - ring_.y} : Vector{shaft_.x, shaft_.y};
-  }
-  /// g of a straight tip, by how far it has come: g of a light contact is smaller than the rounding of R².
-  RUBATLAS_INLINE Number gap_of(const TipStart& start, const Blade& blade, const Direction& er) const {
-    const Vector come = seen_to_come();
-    const auto& [x, y] = seen_start_;
-    return (come.x * (come.x + 2.0 * x) + come.y * (come.y + 2.0 * y)) +
-           ((come.x * er.x + come.y * er.y) + (er.change.x * x + er.change.y * y)) * (2.0 * blade.reach) +
-           start.start_gap;
-  }
+  /// The shaft's velocity as seen from the ring.
   RUBATLAS_INLINE Vector seen_velocity() const {
     return ring_moves() ? Vector{shaft_.vx - ring_.vx, shaft_.vy - ring_.vy} : Vector{shaft_.vx, shaft_.vy};
   }
@@ -322,7 +328,10 @@ class ArcSweeps {
   /// Of another blade.
   RUBATLAS_INLINE static Direction direction_at(const Direction& leader,
                                                 const std::array<double, 2>& offset) {
-    return {offset_by(leader, offset), offset_by(leader.change, offset)};
+    const auto& [x, y] = leader.start;
+    return {offset_by(leader, offset),
+            offset_by(leader.change, offset),
+            {x * offset[0] - y * offset[1], y * offset[0] + x * offset[1]}};
   }
 
   /// Turns the leading blade's direction on, after a step in τ that the deviation has taken.

@@ -127,7 +127,7 @@ bool ContactArc::stays_off(const Other& other, const Interval& interval, double 
   if (starts_inside(other.blade))
     return largest_coefficient(gap_rates(machine(), interval, blade, other.offset)) < allowed;
   // A tip that has just lifted off may stand at the ring for a while.
-  return bound < std::max(allowed, rotor_->gap_rounding(law_->geometry(other.blade)));
+  return bound < allowed || bound < rotor_->gap_rounding(law_->geometry(other.blade));
 }
 
 /// What is left of validity: of p, of its square or of δ/L up to the limit of the shortening; of |c|² up to
@@ -357,6 +357,7 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
 /// drift, and of a tip whose slip has reversed, the shortest way: its v does not jump where s changes, and
 /// its sign would be taken for that of what follows.
 void ContactArc::bring_to_rest(int reversed) {
+  if (reversed == kNoBlade && contact_.slip != 0.0 && further_.empty()) return;
   std::array<contact::AtRest, contact::kMostAtRest> tips{};
   std::size_t count = 0;
   const auto take = [&](int blade) {

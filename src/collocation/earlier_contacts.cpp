@@ -76,11 +76,12 @@ double EarlierContacts::distance(const Beginning& a, const Beginning& b, double 
   constexpr double kFar = std::numeric_limits<double>::infinity();
   if (a.slip != b.slip || a.straight != b.straight || (a.argument == 0.0) != (b.argument == 0.0)) return kFar;
   // Most are told apart by the first of these.
-  const double farthest = largest_difference(a.shaft, b.shaft) / clearance_;
-  if (!(farthest < least)) return kFar;
-  double of_places = largest_difference(a.forcing, b.forcing);
+  for (std::size_t i = 0; i < a.shaft.size(); ++i) {
+    if (!(std::abs(a.shaft[i] - b.shaft[i]) < least * clearance_)) return kFar;
+  }
+  double of_places = std::max(largest_difference(a.shaft, b.shaft), largest_difference(a.forcing, b.forcing));
   if (ring_moves_) of_places = std::max(of_places, largest_difference(a.ring, b.ring));
-  return std::max({farthest, of_places / clearance_, std::abs(a.argument - b.argument),
+  return std::max({of_places / clearance_, std::abs(a.argument - b.argument),
                    std::abs(a.angular_speed - b.angular_speed)});
 }
 

@@ -77,11 +77,14 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   /// The shaft seen from a blade in the direction er.
   RUBATLAS_INLINE InclinedPose<kWidth> pose_from(const TipStart& start, const Blade& blade,
                                                  const Direction& er) const {
-    const Vector c = seen();
+    const auto tip = straight_tip(start, blade, er);
     const Vector v = seen_velocity();
-    const Number radial = c.x * er.x + c.y * er.y;
-    return {gap_of(start, blade, er), radial,        c.y * er.x - c.x * er.y, v.x * er.x + v.y * er.y,
-            v.y * er.x - v.x * er.y,  angular_speed_};
+    return {tip.gap,
+            tip.along - blade.reach,
+            tip.tangential,
+            v.x * er.x + v.y * er.y,
+            v.y * er.x - v.x * er.y,
+            angular_speed_};
   }
   RUBATLAS_INLINE Number e_rate_of(const Tip& tip, const InclinedPose<kWidth>& at, const Vector& er) const {
     Vector acceleration{shaft_.ax, shaft_.ay};
@@ -227,7 +230,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
 
   void store_tip(const Tip& tip, const Direction& er, TipInTime& kept) const {
     const double radius = machine_.ring_radius;
-    gap_of(kept, tip.numbers(), er).store(kept.gap);
+    straight_tip(kept, tip.numbers(), er).gap.store(kept.gap);
     tip.store(kept);
     gap_per_deflection(tip, tip.inclined().side, tip.numbers().length, 0.0).store(kept.gap_measure);
     slip_velocity_of(tip, er, tip.numbers().reach, 1.0 / radius, radius).store(kept.slip_velocity);
@@ -258,7 +261,6 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   using Base::direction_at;
   using Base::elapsed;
   using Base::er_;
-  using Base::gap_of;
   using Base::gap_per_deflection;
   using Base::interval_;
   using Base::largest_step_;
@@ -268,12 +270,12 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   using Base::offset_by;
   using Base::ring_;
   using Base::ring_moves;
-  using Base::seen;
   using Base::seen_velocity;
   using Base::shaft_;
   using Base::slip_velocity_of;
   using Base::stepped;
   using Base::store_motion;
+  using Base::straight_tip;
   using Base::take_direction;
   using Base::time_rate_;
   using Base::turn_on;

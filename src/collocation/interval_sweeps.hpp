@@ -196,21 +196,20 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   RUBATLAS_INLINE Number residual_of(Tip& tip, const TipStart& start, const Bend& bend,
                                      const Direction& er) const {
     const Blade& blade = *tip.blade;
-    const Vector c = seen();
-    const Number radial = c.x * er.x + c.y * er.y;
-    const Number tangential = c.y * er.x - c.x * er.y;
+    const auto straight = straight_tip(start, blade, er);
+    const Number along = straight.along;
+    const Number tangential = straight.tangential;
     tip.shortening = bend.shortening * blade.length;
     tip.deflection = bend.deflection * (tip.slip * blade.length);  // s Δ
-    const Number along = radial + blade.reach;
-    Number residual = gap_of(start, blade, er) + (tip.shortening * (tip.shortening - along * 2.0) +
-                                                  tip.deflection * (tip.deflection - tangential * 2.0));
+    Number residual = straight.gap + (tip.shortening * (tip.shortening - along * 2.0) +
+                                      tip.deflection * (tip.deflection - tangential * 2.0));
     tip.a = along - tip.shortening;
     tip.b = tangential - tip.deflection;
     if (!kLight) {
       const Vector v = seen_velocity();
       tip.argument_slope = (tip.a * tip.slope.shortening + tip.b * tip.slope.deflection) * -2.0;
       tip.a_rate = (v.x * er.x + v.y * er.y) + tangential * angular_speed();
-      tip.b_rate = (v.y * er.x - v.x * er.y) - radial * angular_speed();
+      tip.b_rate = (v.y * er.x - v.x * er.y) - (along - blade.reach) * angular_speed();
       tip.time_slope = (tip.a * tip.a_rate + tip.b * tip.b_rate) * 2.0;
     }
     if (yields(blade)) {
@@ -364,7 +363,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   }
 
   void store(const Tip& tip, const Direction& er, TipInTime& stored) const {
-    gap_of(stored, *tip.blade, er).store(stored.gap);
+    straight_tip(stored, *tip.blade, er).gap.store(stored.gap);
     if (is_straight(tip)) return store_straight(*tip.blade, er, stored);
     gap_measure_of(tip, machine_.ring_radius).store(stored.gap_measure);
     slip_velocity_of(tip, er).store(stored.slip_velocity);
@@ -392,7 +391,6 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::direction_at;
   using Base::elapsed;
   using Base::er_;
-  using Base::gap_of;
   using Base::gap_per_deflection;
   using Base::interval_;
   using Base::kUnbent;
@@ -400,10 +398,10 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::machine_;
   using Base::move;
   using Base::offset_by;
-  using Base::seen;
   using Base::seen_velocity;
   using Base::stepped;
   using Base::store_motion;
+  using Base::straight_tip;
   using Base::take_direction;
   using Base::take_time_rate;
   using Base::time_rate_;

@@ -197,7 +197,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     if (ring_is_massless()) settle_ring();
     store_motion();
     const Tip lead = rigid_tip_of(in, *contact_.blade, er_);
-    gap_of(in, *contact_.blade, er_).store(in.gap);
+    straight_tip(in, *contact_.blade, er_).gap.store(in.gap);
     lead.yielding.store(in.gap_measure);
     lead.slip_velocity.store(in.slip_velocity);
     (lead.yielding * contact_.blade->ring_stiffness).store(in.normal_force);
@@ -215,7 +215,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
       FurtherBlade& further = in.further[k];
       const Direction er = direction_at(er_, further.offset);
       const Tip tip = rigid_tip_of(further, *further.blade, er);
-      gap_of(further, *further.blade, er).store(further.gap);
+      straight_tip(further, *further.blade, er).gap.store(further.gap);
       tip.yielding.store(further.square);
       tip.yielding.store(further.gap_measure);
       tip.slip_velocity.store(further.slip_velocity);
@@ -230,7 +230,6 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::direction_at;
   using Base::elapsed;
   using Base::er_;
-  using Base::gap_of;
   using Base::interval_;
   using Base::largest_step_;
   using Base::machine_;
@@ -242,6 +241,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::ring_is_massless;
   using Base::shaft_;
   using Base::store_motion;
+  using Base::straight_tip;
   using Base::take_direction;
   using Base::time_rate_;
 

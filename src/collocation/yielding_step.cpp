@@ -13,18 +13,18 @@ AtNodes yielding_step(const Blade& blade, double start, const AtNodes& yielding,
                       const ChangeWithYielding& time_changes) {
   constexpr auto kSize = static_cast<Eigen::Index>(kNodes);
   using Vector = Eigen::Array<double, kSize, 1>;
-  using Matrix = Eigen::Matrix<double, kSize, kSize>;
+  using Coupling = Eigen::Matrix<double, kSize, kSize>;
   const auto vector = [](const AtNodes& at) { return Eigen::Map<const Vector>(at.value.data()); };
   const auto matrix = [](const std::array<AtNodes, kNodes>& columns) {
-    return Eigen::Map<const Matrix>(columns.front().value.data());
+    return Eigen::Map<const Coupling>(columns.front().value.data());
   };
   const auto integral = matrix(node_tables().integral);
   const Vector rate = (vector(load) - blade.ring_stiffness * vector(yielding)) / blade.ring_damping;
   const Vector weight = vector(time_rate) / blade.ring_damping;
-  const Matrix of_time = integral * rate.matrix().asDiagonal() * matrix(node_tables().slope);
+  const Coupling of_time = integral * rate.matrix().asDiagonal() * matrix(node_tables().slope);
   const Vector stiffness = weight * (blade.ring_stiffness - vector(load_changes.slope));
-  const Matrix whole = Matrix::Identity() + integral * stiffness.matrix().asDiagonal() -
-                       of_time * vector(time_changes.slope).matrix().asDiagonal();
+  const Coupling whole = Coupling::Identity() + integral * stiffness.matrix().asDiagonal() -
+                         of_time * vector(time_changes.slope).matrix().asDiagonal();
   const Vector given = vector(time_rate) * rate + weight * vector(load_changes.change);
   const Vector right = start - vector(yielding) + (integral * given.matrix()).array() +
                        (of_time * vector(time_changes.change).matrix()).array();

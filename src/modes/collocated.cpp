@@ -22,7 +22,7 @@ bool Collocated::start(double time, const rotor::ShaftAndRing& state,
   pending_ = false;
   most_bent_.assign(contacts.size(), std::nullopt);
   const std::uint64_t evaluations = law_->evaluations();
-  std::vector<collocation::Touch> touching;
+  touching_.clear();
   stands_ = true;
   for (std::size_t i = 0; i < contacts.size() && stands_; ++i) {
     const OpenContact& open = contacts[i];
@@ -38,13 +38,13 @@ bool Collocated::start(double time, const rotor::ShaftAndRing& state,
                                    .straight = open.straight},
                                   at, blades_->angular_speed(time));
     stands_ = touch.has_value();
-    if (touch) touching.push_back(*touch);
+    if (touch) touching_.push_back(*touch);
   }
   meter_->spend(Work::contact,
                 static_cast<std::int64_t>(law_->evaluations() - evaluations) * WorkPrice::kInclinedCurve);
   refusal_ = ending::StatusDetail::none;
   if (!stands_) return true;
-  arc_.begin(time, state, touching);
+  arc_.begin(time, state, touching_);
   if (arc_.shortening_at_start() > max_shortening_) refusal_ = ending::StatusDetail::shortening_limit;
   if (!arc_.starts_within_ring()) refusal_ = ending::StatusDetail::shaft_at_ring;
   return refusal_ == ending::StatusDetail::none;

@@ -115,6 +115,7 @@ class Collocated final : public Phase {
   double max_shortening_;  ///< of δ/L
   collocation::ContactArc arc_;
   std::vector<OpenContact> contacts_;
+  std::vector<collocation::Touch> touching_;  ///< where they began
   rotor::ShaftAndRing start_ = rotor::ShaftAndRing::Zero();
   double start_time_ = 0.0;
   ending::StatusDetail refusal_ = ending::StatusDetail::none;

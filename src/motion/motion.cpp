@@ -239,7 +239,7 @@ bool Motion::begin_mode() {
   // What collocation hands over it is not asked for again before the contacts change.
   modes::Phase* const collocated = ended_by_ == modes::Guard::hands_over ? nullptr : modes_->collocated();
   const bool takes = collocated != nullptr && collocated->takes(contacts_);
-  if (std::ranges::count(contacts_, 0.0, &modes::OpenContact::slip) > 0) {
+  if (any_rests()) {
     if (modes_->resting() != nullptr) return begin_in(modes_->resting(), modes_->at_rest(contacts_));
     if (modes_->sticking() != nullptr && !takes) return begin_in(modes_->sticking(), contacts_);
   }
@@ -258,11 +258,11 @@ bool Motion::all_follow() {
 /// Whether the blade that has just touched down begins to skim. If so, it is the first of the contacts.
 bool Motion::begins_to_skim() {
   if (ended_by_ != modes::Guard::touch_down || modes_->skimming() == nullptr) return false;
-  std::vector<modes::OpenContact> contacts = contacts_;
-  std::swap(contacts.front(), contacts.back());
-  if (!modes_->begins_to_skim(unbent(), contacts, kUnresolvedHop * limits_.tolerance)) return false;
-  contacts_ = std::move(contacts);
-  return true;
+  const auto change_places = [this] { std::swap(contacts_.front(), contacts_.back()); };
+  change_places();
+  const bool skims = modes_->begins_to_skim(unbent(), contacts_, kUnresolvedHop * limits_.tolerance);
+  if (!skims) change_places();
+  return skims;
 }
 
 // Contacts.
@@ -304,6 +304,7 @@ bool Motion::place_ring() {
 /// Frees the tips at rest that friction cannot hold after an event of one blade; the listener is told of the
 /// others.
 ending::StatusDetail Motion::settle_others(int blade, modes::MotionListener& listener) {
+  if (!any_rests()) return ending::StatusDetail::none;
   const bool settled = modes_->settle(unbent(), contacts_, [&](const modes::OpenContact& other) {
     if (other.blade != blade) tell(listener, modes::Guard::comes_loose, other.blade, other.slip);
   });

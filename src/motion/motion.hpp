@@ -7,6 +7,7 @@
 /// that it does not lose digits in a long run.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <vector>
@@ -62,6 +63,9 @@ class Motion final : public PointMotion {
   bool begin_in(modes::Phase* phase, const std::vector<modes::OpenContact>& contacts);
   bool begin_mode();
   [[nodiscard]] bool all_follow();
+  [[nodiscard]] bool any_rests() const {
+    return std::ranges::count(contacts_, 0.0, &modes::OpenContact::slip) > 0;
+  }
   bool begins_to_skim();
 
   // Contacts.

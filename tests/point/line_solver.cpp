@@ -82,15 +82,15 @@ TEST(LineSolver, ADeepMisalignmentEndsWithAStatusAndRowsOfNaN) {
   }
 }
 
-TEST(LineSolver, TheDefaultRotorStaysWithinTheModelAt0_95AndLeavesItAt1_20) {
+TEST(LineSolver, TheDefaultRotorStaysWithinTheModelAt0_90AndLeavesItAt1_20) {
   // Between, motions from rest are chaotic and graze the model's border: whether and when one leaves hangs on
-  // the last digits (at 0.98, one in fourteen within 300 revolutions; MODEL 5).
+  // the last digits (within 300 revolutions one in 150 at 0.95, one in twenty at 0.98; MODEL 5).
   settings::Scene scene = default_scene();
   scene.protocol = {200, 100, 64};
   scene.observables = {"max_displacement"};
   for (const double tolerance : {1e-8, 1e-9, 1e-10}) {
     scene.accuracy.tolerance = tolerance;
-    EXPECT_EQ(run(scene, 0.95).status, ending::PointStatus::done) << "tolerance " << tolerance;
+    EXPECT_EQ(run(scene, 0.90).status, ending::PointStatus::done) << "tolerance " << tolerance;
     EXPECT_EQ(run(scene, 1.20).status, ending::PointStatus::left_validity) << "tolerance " << tolerance;
   }
 }
