@@ -3,9 +3,7 @@
 #pragma once
 
 #include <complex>
-#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 
@@ -31,15 +29,12 @@ class ArcLaw {
   ArcLaw& operator=(const ArcLaw&) = delete;
   virtual ~ArcLaw() = default;
 
-  /// So many blades may touch at once.
-  [[nodiscard]] virtual std::size_t most_contacts() const { return kAnyNumber; }
-  static constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
   [[nodiscard]] virtual Blade numbers(int blade) const = 0;
   [[nodiscard]] virtual contact::Geometry geometry(int blade) const = 0;
   /// Friction takes its sign from s, so that a reversal of the slip is an event.
   [[nodiscard]] virtual bool has_slip_state() const = 0;
-  /// Blades that may touch where a tip is at rest; none: there is no such arc.
-  [[nodiscard]] virtual std::size_t most_where_tips_rest() const { return 0; }
+  /// There are arcs of tips at rest, too.
+  [[nodiscard]] virtual bool holds_tips() const { return false; }
   /// The lean of the load is an unknown.
   [[nodiscard]] virtual bool leans() const = 0;
   /// The force is explicit: the arc is a stretch of time.

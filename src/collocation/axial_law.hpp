@@ -20,11 +20,6 @@ class AxialLaw : public ArcLaw {
   /// `laws` outlive it. `max_shortening`: of δ/L.
   AxialLaw(const Laws& laws, int blade_count, double max_shortening);
 
-  /// Columns (μ = 0) one by one: the force of a further one does not vanish where it lifts off, which the
-  /// sweeps do not see in time.
-  [[nodiscard]] std::size_t most_contacts() const override {
-    return laws_->of(0).curve().friction() > 0.0 ? kAnyNumber : 1;
-  }
   [[nodiscard]] Blade numbers(int blade) const override;
   [[nodiscard]] contact::Geometry geometry(int blade) const override { return laws_->of(blade).geometry(); }
   [[nodiscard]] bool has_slip_state() const override { return true; }

@@ -50,7 +50,7 @@ class InclinedLaw final : public ArcLaw {
             .first_yielding = 0.0};
   }
   [[nodiscard]] bool has_slip_state() const override { return law_of_slip_ == FrictionNumbers::Law::coulomb; }
-  [[nodiscard]] std::size_t most_where_tips_rest() const override { return most_contacts(); }
+  [[nodiscard]] bool holds_tips() const override { return true; }
   [[nodiscard]] bool may_slip_back() const override { return has_slip_state() && !contact::Sticks<Law>; }
   [[nodiscard]] bool leans() const override { return true; }
   [[nodiscard]] bool releases_at_fold(int /*blade*/) const override { return false; }

@@ -46,8 +46,8 @@ class RigidLaw final : public ArcLaw {
   [[nodiscard]] bool has_slip_state() const override {
     return friction_.law == FrictionNumbers::Law::coulomb;
   }
-  [[nodiscard]] std::size_t most_where_tips_rest() const override {
-    return contact::Sticks<Law> && machine_->following_ring() == nullptr ? kAnyNumber : 0;
+  [[nodiscard]] bool holds_tips() const override {
+    return contact::Sticks<Law> && machine_->following_ring() == nullptr;
   }
   [[nodiscard]] bool leans() const override { return false; }
   [[nodiscard]] bool is_rigid() const override { return true; }

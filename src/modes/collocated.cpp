@@ -9,8 +9,7 @@
 namespace rubatlas::modes {
 
 bool Collocated::takes(const std::vector<OpenContact>& contacts) const {
-  const bool rests = std::ranges::count(contacts, 0.0, &OpenContact::slip) > 0;
-  return contacts.size() <= (rests ? law_->most_where_tips_rest() : law_->most_contacts());
+  return law_->holds_tips() || std::ranges::count(contacts, 0.0, &OpenContact::slip) == 0;
 }
 
 bool Collocated::start(double time, const rotor::ShaftAndRing& state,

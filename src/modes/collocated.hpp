@@ -42,7 +42,7 @@ class Collocated final : public Phase {
   [[nodiscard]] bool takes(const std::vector<OpenContact>& contacts) const override;
 
   /// Starts at time τ of the revolution. Where a blade has no equilibrium the contacts are handed over at
-  /// once. False where more blades touch, or outside of the model's validity.
+  /// once. False where a tip rests that the law does not hold, or outside of the model's validity.
   bool start(double time, const rotor::ShaftAndRing& state,
              const std::vector<OpenContact>& contacts) override;
   [[nodiscard]] ending::StatusDetail refusal() const override { return refusal_; }

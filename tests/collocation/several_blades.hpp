@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <random>
 
@@ -24,9 +25,12 @@ inline double uniform(std::mt19937_64& generator, double least, double most) {
   return least + (most - least) * static_cast<double>(generator() >> 11U) * 0x1p-53;
 }
 
+enum class Friction : std::uint8_t { some, none };
+
 /// Two to twelve blades, so far beyond the ring's centre that several touch at a time.
-inline Rotor random_rotor(std::mt19937_64& generator) {
-  const double friction = std::pow(10.0, uniform(generator, -2.0, 0.0));
+inline Rotor random_rotor(std::mt19937_64& generator, Friction rubs = Friction::some) {
+  const double drawn = std::pow(10.0, uniform(generator, -2.0, 0.0));
+  const double friction = rubs == Friction::some ? drawn : 0.0;
   const double thickness = std::pow(10.0, uniform(generator, -3.7, -2.8));
   const double speed = uniform(generator, 0.1, 1.0);
   const double stiffness = 206e9 * 0.01 * thickness * thickness * thickness / 12.0;

@@ -70,7 +70,7 @@ class Edges(EdgesTest):
                 atlas = self.fill(2, content, f"{name}.h5")
                 before = atlas.read_bytes()
                 alone = self.edges(None, atlas, f"{name}0.h5", "--to", "1e-4")
-                self.assertEqual(set(self.rows(alone)["line"]), {0, 1}, "both lines have edges")
+                self.assertLessEqual({0, 1}, set(self.rows(alone)["line"]), "lines of both damping ratios have edges")
                 for ranks in (1, 3) if name == "up" else (3,):
                     self.assertTrue(alone.read_bytes() == self.edges(ranks, atlas, f"{name}{ranks}.h5", "--to",
                                                                      "1e-4").read_bytes(),
