@@ -10,6 +10,7 @@ namespace {
 
 AxialLaw::Laws blades_of(const DampedLaw::Laws& laws, int blade_count) {
   std::vector<contact::ElasticaContact> blades;
+  blades.reserve(static_cast<std::size_t>(blade_count));
   for (int k = 0; k < blade_count; ++k) blades.push_back(laws.of(k).blade());
   return AxialLaw::Laws(std::move(blades));
 }

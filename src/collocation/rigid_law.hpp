@@ -148,10 +148,10 @@ class RigidLaw final : public ArcLaw {
       const double high = std::max(start, *largest);
       return low > kSteep * width || high < -kSteep * width || high - low < kSeen * width;
     };
-    bool all = resolves(interval.start_slip_velocity, interval.slip_velocity);
-    for (std::size_t k = 0; k < interval.further.size(); ++k)
-      all = all && resolves(interval.further[k].start_slip_velocity, interval.further[k].slip_velocity);
-    return all;
+    const auto resolves_tip = [&](const TipInTime& tip) {
+      return resolves(tip.start_slip_velocity, tip.slip_velocity);
+    };
+    return resolves_tip(interval) && std::ranges::all_of(interval.further, resolves_tip);
   }
 
   static constexpr double kArgument = 1.0;  ///< p: not 0, from where a blade would begin to bend
