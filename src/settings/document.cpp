@@ -173,6 +173,14 @@ std::string shown(const json& value) {
   return cut(value.is_number_float() ? shortest(value.get<double>()) : value.dump());
 }
 
+std::string_view last_key(std::string_view pointer) {
+  return pointer.substr(pointer.rfind('/') + 1);
+}
+
+void fail(std::string_view pointer, std::string_view text) {
+  throw SceneError(in_short(fmt::format("{}: {}", pointer.empty() ? "/" : pointer, text)));
+}
+
 std::string in_short(std::string_view text) {
   std::string result;
   while (!text.empty()) {

@@ -15,6 +15,12 @@ nlohmann::json parse_document(std::string_view text, std::string_view name);
 /// `pointer` with one more reference token, escaped as RFC 6901 asks.
 std::string child(std::string_view pointer, std::string_view key);
 
+/// The last reference token of a pointer.
+std::string_view last_key(std::string_view pointer);
+
+/// Throws SceneError: what is wrong at a pointer.
+[[noreturn]] void fail(std::string_view pointer, std::string_view text);
+
 /// A value as short JSON text, for messages: cut after some 60 characters.
 std::string shown(const nlohmann::json& value);
 
