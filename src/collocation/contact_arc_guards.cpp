@@ -32,8 +32,11 @@ bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
   const auto keeps_slip = [&](int blade, double slip, double start, double least) {
     if (!reverses(slip)) return true;
     const bool reverses_here = ending.guard == Guard::slip_reversal && ending.blade == blade;
-    // From zero a tip slips on by the square of the time, at first less than the rounding of v.
-    const double rounding = reverses_here ? rounding_at_end_ : slips_from_zero(start) ? slip_rounding() : 0.0;
+    // Where v has been located as zero it has any sign. From zero a tip slips on by the square of the time,
+    // at first less than the rounding of v.
+    const double rounding = reverses_here            ? std::max(rounding_at_end_, slip_rounding())
+                            : slips_from_zero(start) ? slip_rounding()
+                                                     : 0.0;
     const bool slips_on = rounding > 0.0 ? least >= -rounding : least > 0.0;
     return slips_on && (slip * start > 0.0 || law_->may_slip_back());
   };
