@@ -55,12 +55,13 @@ class Skimming : public Solved<Law> {
     if (!others || !weigh(state, contact, *others, balance)) return std::numeric_limits<double>::quiet_NaN();
     return balance.share;
   }
-  /// λ times what the blade that skims does in full.
+  /// λ times what the blade that skims does in full; nothing where a blade has no force.
   [[nodiscard]] contact::TipForce force(std::size_t contact, const FullState& state) const {
     if (contact > 0) return Base::force(contact, state);
-    Balance balance;
+    Balance balance{};
     OpenContact open = this->contacts_.front();
-    weigh(state, open, force_of_others(state, this->contacts_).value_or(0.0), balance);
+    const auto others = force_of_others(state, this->contacts_);
+    if (!others || !weigh(state, open, *others, balance)) return {};
     return balance.force;
   }
 
