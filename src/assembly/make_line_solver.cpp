@@ -11,25 +11,11 @@ namespace rubatlas::assembly {
 
 namespace {
 
-modes::MakeModes law_of(const LineRequest& request) {
-  using enum settings::MotionFamily;
-  const bool rigid = request.line.contact.law == settings::ContactLaw::elastic_ring;
-  switch (request.combination.family->kind) {
-    case directed_elastic_blades:
-    case sticking_elastic_blades:
-      return law_of_inclined_loads(request);
-    case blades_on_damped_ring:
-      return law_of_damped_ring(request);
-    default:
-      return rigid ? law_of_rigid_blades(request) : law_of_axial_loads(request);
-  }
-}
-
 std::unique_ptr<point::LineSolver> make(const LineRequest& request) {
   switch (request.line.accuracy.method) {
     case settings::Method::hybrid:
     case settings::Method::collocation:
-      return hybrid_solver(request, law_of(request));
+      return hybrid_solver(request);
     case settings::Method::hybrid_54:
       return make_hybrid_54(request);
     case settings::Method::hybrid_32:

@@ -3,11 +3,9 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
-#include "contact/elastic_ring_contact.hpp"
-#include "contact/elastica_contact.hpp"
-#include "modes/contact_modes.hpp"
+#include "modes/contact_setup.hpp"
+#include "modes/law.hpp"
 #include "point/solver.hpp"
 #include "settings/combinations.hpp"
 #include "settings/scene.hpp"
@@ -23,29 +21,15 @@ struct LineRequest {
   settings::Combination combination;  ///< how the line is computed
 };
 
-/// The scene's blade, with the errors of each.
-std::vector<settings::Blades> each_blade(const settings::Scene& line);
-
-// The laws of contact, each by a source of its own (`law_of_<kind>.cpp`).
-
-modes::MakeModes law_of_rigid_blades(const LineRequest& request);
-modes::MakeModes law_of_axial_loads(const LineRequest& request);
-modes::MakeModes law_of_inclined_loads(const LineRequest& request);
-modes::MakeModes law_of_damped_ring(const LineRequest& request);
-
-/// Of each blade under an axial load.
-std::vector<contact::ElasticaContact> elastica_of_blades(const LineRequest& request);
-/// Of each rigid blade under Coulomb's law.
-std::vector<contact::ElasticRingContact> elastic_ring_of_blades(const settings::Scene& line);
-/// Of an elastic blade: elastica or beam-column, and its axial compliance.
-std::shared_ptr<const blade::ElasticaCurve> curve_of(const LineRequest& request,
-                                                     const settings::Blades& blade);
+/// The law of contact of a line.
+std::unique_ptr<modes::Law> law_of(const LineRequest& request);
 
 // Methods.
 
 /// Closed-form flight, located events; contacts by collocation where the scene's method asks for that, else
-/// in steps.
-std::unique_ptr<point::LineSolver> hybrid_solver(const LineRequest& request, modes::MakeModes make_modes);
+/// in the steps of `make_phase`.
+std::unique_ptr<point::LineSolver> hybrid_solver(const LineRequest& request,
+                                                 modes::MakePhase* make_phase = modes::phase_in_853_steps);
 
 std::unique_ptr<point::LineSolver> make_hybrid_54(const LineRequest& request);
 std::unique_ptr<point::LineSolver> make_hybrid_32(const LineRequest& request);

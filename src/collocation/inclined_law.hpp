@@ -14,23 +14,20 @@
 #include "collocation/arc_law.hpp"
 #include "collocation/inclined_load.hpp"
 #include "contact/directed_elastica.hpp"
+#include "contact/unequal_blades.hpp"
 
 namespace rubatlas::collocation {
 
-/// `Law`: of all blades, `DirectedElastica` or one of each blade.
-template <class Law>
 class InclinedLaw final : public ArcLaw {
  public:
+  using Laws = contact::UnequalBlades<contact::DirectedElastica>;
   /// `law` outlives it. `max_shortening`: of δ/L.
-  InclinedLaw(const Law& law, int blade_count, double max_shortening)
-      : law_(&law),
-        solver_(interval_solver()),
-        max_shortening_(max_shortening),
-        law_of_slip_(numbers_of(law.of(0).friction()).law) {
+  InclinedLaw(const Laws& law, int blade_count, double max_shortening)
+      : law_(&law), solver_(interval_solver()), max_shortening_(max_shortening) {
     for (int k = 0; k < blade_count; ++k) {
       const auto& blade = law.of(k);
       loads_.push_back({.along_normal = blade.direction() == contact::LoadDirection::normal,
-                        .friction = numbers_of(blade.friction()),
+                        .friction = blade.friction(),
                         .strain_unit = blade.strain_unit()});
     }
   }
@@ -49,9 +46,11 @@ class InclinedLaw final : public ArcLaw {
             .first_shortening = 0.0,
             .first_yielding = 0.0};
   }
-  [[nodiscard]] bool has_slip_state() const override { return law_of_slip_ == FrictionNumbers::Law::coulomb; }
+  [[nodiscard]] bool has_slip_state() const override { return law_->of(0).friction().has_slip_state(); }
   [[nodiscard]] bool holds_tips() const override { return true; }
-  [[nodiscard]] bool may_slip_back() const override { return has_slip_state() && !contact::Sticks<Law>; }
+  [[nodiscard]] bool may_slip_back() const override {
+    return has_slip_state() && !law_->of(0).friction().sticks;
+  }
   [[nodiscard]] bool leans() const override { return true; }
   [[nodiscard]] bool releases_at_fold(int /*blade*/) const override { return false; }
   [[nodiscard]] bool has_branches(int /*blade*/) const override { return has_branches_; }
@@ -87,7 +86,7 @@ class InclinedLaw final : public ArcLaw {
     leader_ = touch.blade;
     const InclinedLoad& load = take(touch);
     // A blade that an axial load bends the way friction pushes has no fold (MODEL 4.2).
-    has_branches_ = load.along_normal || load.friction.law != FrictionNumbers::Law::coulomb ||
+    has_branches_ = load.along_normal || load.rests || load.friction.depends_on_velocity() ||
                     load.side * touch.slip < 0.0;
     const double lean = lean_of(touch.bend);
     set_knots(load, lean);
@@ -218,8 +217,8 @@ class InclinedLaw final : public ArcLaw {
   /// A new contact whose blade is bent at once (MODEL 4.2): looks for the first root of h along the
   /// equilibria from the unbent blade on, as `DirectedElastica::solve` does, in eight steps at once. False
   /// where it is not found so.
-  template <class OfBlade>
-  bool opens_under_load(const OfBlade& law, const contact::Pose& at, double speed, Touch& touch) const {
+  bool opens_under_load(const contact::DirectedElastica& law, const contact::Pose& at, double speed,
+                        Touch& touch) const {
     constexpr double kLeastLean = 1e-3;
     constexpr std::array kReaches{0.1, 0.25, 0.62};  // u up to which steps reach, one time after the other
     constexpr int kRefinements = 2;
@@ -228,7 +227,7 @@ class InclinedLaw final : public ArcLaw {
     const double lean = std::abs(std::sin(0.5 * first));
     if (lean < kLeastLean) return false;
     InclinedLoad load = load_of(touch.blade);
-    load.friction.law = law_of_slip_;
+    load.rests = false;
     load.side = std::copysign(1.0, first);
     load.scale = 2.0 * lean;
     Machine machine{};
@@ -275,8 +274,8 @@ class InclinedLaw final : public ArcLaw {
     return true;
   }
   /// Moves a contact onto its equilibrium if that is as near to its bend as said.
-  template <class OfBlade>
-  static bool goes_on(const OfBlade& law, const contact::Pose& at, double speed, Touch& touch, double near) {
+  static bool goes_on(const contact::DirectedElastica& law, const contact::Pose& at, double speed,
+                      Touch& touch, double near) {
     constexpr int kSteps = 4;
     constexpr double kHere = 1e-9;  // Newton's next step is below rounding
     if (touch.bend.modulus == 0.0 || !(touch.bend.amplitude > 0.0)) return false;
@@ -302,7 +301,8 @@ class InclinedLaw final : public ArcLaw {
     const double across = at.tangential - law.length() * point.deflection.value;
     return std::tan(point.load_angle.value - std::atan2(across, along));
   }
-  [[nodiscard]] auto constraint(const Touch& touch, const contact::Pose& at, double speed) const {
+  [[nodiscard]] contact::DirectedElastica::Constraint constraint(const Touch& touch, const contact::Pose& at,
+                                                                 double speed) const {
     auto there = law_->of(touch.blade).constraint_or_unloaded(at, touch.slip, speed, touch.bend);
     if (touch.slip == 0.0) there.coefficient = holding_coefficient(touch, at);
     return there;
@@ -314,7 +314,7 @@ class InclinedLaw final : public ArcLaw {
   /// The load of a contact that goes on from there.
   const InclinedLoad& take(const Touch& touch) {
     InclinedLoad& load = loads_[static_cast<std::size_t>(touch.blade)];
-    load.friction.law = touch.slip == 0.0 ? FrictionNumbers::Law::rest : law_of_slip_;
+    load.rests = touch.slip == 0.0;
     load.side = side(touch);
     load.scale = std::max(2.0 * std::abs(lean_of(touch.bend)), InclinedLoad::kLeastScale);
     return load;
@@ -341,11 +341,10 @@ class InclinedLaw final : public ArcLaw {
     }
   }
 
-  const Law* law_;
+  const Laws* law_;
   IntervalSolver solver_;
   double max_shortening_;
-  FrictionNumbers::Law law_of_slip_;  ///< of tips that slip
-  std::vector<InclinedLoad> loads_;   ///< of each blade, as it last began or went on
+  std::vector<InclinedLoad> loads_;  ///< of each blade, as it last began or went on
   int leader_ = 0;
   bool has_branches_ = true;  ///< of the leading blade
   static constexpr double kKnotWidth = 0.25;

@@ -14,14 +14,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collocation/friction_numbers.hpp"
+#include "contact/friction_law.hpp"
 
 namespace rubatlas::collocation {
 
 struct InclinedLoad {
   bool along_normal;  ///< else along the undeformed blade (`contact::LoadDirection`)
-  FrictionNumbers friction;
+  contact::Friction friction;
   double strain_unit = 0.0;  ///< h / (2 L) [-]
+  bool rests = false;        ///< a tip that sticks: v = 0 takes the place of c = c(v)
   double side = 1.0;         ///< ±1: to which the blade is bent, the sign of κ
   double scale = 1.0;        ///< σ [-]
 

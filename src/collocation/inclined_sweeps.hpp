@@ -146,7 +146,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
       const Vector more = along(further_[k].push, offset_by(er_, offset));
       push = {push.x + more.x, push.y + more.y};
     }
-    if (lead_.inclined().friction.law != FrictionNumbers::Law::rest) return move(push);
+    if (!lead_.inclined().rests) return move(push);
     const Vector before{shaft_.vx, shaft_.vy};
     const Vector expected{shaft_.vx + shaft_.ax * time_step, shaft_.vy + shaft_.ay * time_step};
     move(push);

@@ -187,9 +187,9 @@ class InclinedTip {
     const double radius = ring_radius_;
     const double per_radius = 1.0 / radius;
     slip_velocity = (a * across - b * along) * per_radius + at.angular_speed * radius;
-    const bool rests = load_->friction.law == FrictionNumbers::Law::rest;
-    const Friction<kWidth> friction = rests ? Friction<kWidth>{Number(0.0), Number(0.0)}
-                                            : friction_at(load_->friction, slip_, slip_velocity);
+    const bool rests = load_->rests;
+    const FrictionAtNodes<kWidth> friction = rests ? FrictionAtNodes<kWidth>{Number(0.0), Number(0.0)}
+                                                   : friction_at(load_->friction, slip_, slip_velocity);
     coefficient = friction.coefficient;
     cosine_ = Number(1.0) - lean * lean * 2.0;
     sine_ = lean * blade.cosine * (2.0 * load_->side);
@@ -243,7 +243,7 @@ class InclinedTip {
     const Number along_rate = ax + (at.tangential_velocity * 2.0 - at.radial * speed) * speed;
     const Number across_rate = ay - (at.radial_velocity * 2.0 + at.tangential * speed) * speed;
     Number rate = e_by_velocity_ * (a * across_rate - b * along_rate);
-    if (load_->along_normal && load_->friction.law != FrictionNumbers::Law::rest) {
+    if (load_->along_normal && !load_->rests) {
       rate = rate + ((sine_ - coefficient * cosine_) * a_rate - (cosine_ + coefficient * sine_) * b_rate) *
                         (1.0 / ring_radius_);
     }

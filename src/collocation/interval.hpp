@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "blade/bending_table.hpp"
-#include "collocation/friction_numbers.hpp"
 #include "collocation/inclined_load.hpp"
 #include "collocation/nodes.hpp"
+#include "contact/friction_law.hpp"
 #include "contact/pose.hpp"
 
 namespace rubatlas::collocation {
@@ -192,7 +192,7 @@ using SolveInclined = bool (*)(const Contact& contact, const InclinedLoad& load,
                                Interval& interval);
 
 /// The same for rigid blades, whose arc is a stretch of time: (p, w) = (p at the start, 0).
-using SolveRigid = bool (*)(const Contact& contact, const FrictionNumbers& friction,
+using SolveRigid = bool (*)(const Contact& contact, const contact::Friction& friction,
                             const Closeness& closeness, Interval& interval);
 
 /// Blades under an inclined load, one bent more than the other, where a shaft stands.

@@ -10,23 +10,21 @@
 #include <span>
 
 #include "collocation/arc_law.hpp"
+#include "contact/elastic_ring_contact.hpp"
 #include "contact/sticking.hpp"
+#include "contact/unequal_blades.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
 #include "rotor/ring_balance.hpp"
 
 namespace rubatlas::collocation {
 
-/// `Law`: of all blades, `RigidBladeContact` or `RigidBladeOnDampedRing`, or one of each blade.
-template <class Law>
 class RigidLaw final : public ArcLaw {
  public:
+  using Laws = contact::UnequalBlades<contact::ElasticRingContact>;
   /// Both outlive it.
-  RigidLaw(const Law& law, const rotor::Machine& machine)
-      : law_(&law),
-        machine_(&machine),
-        solver_(interval_solver()),
-        friction_(numbers_of(law.of(0).friction())) {}
+  RigidLaw(const Laws& law, const rotor::Machine& machine)
+      : law_(&law), machine_(&machine), solver_(interval_solver()), friction_(law.of(0).friction()) {}
 
   [[nodiscard]] Blade numbers(int blade) const override {
     const auto& law = law_->of(blade);
@@ -43,18 +41,16 @@ class RigidLaw final : public ArcLaw {
             .ring_damping = law.damping()};
   }
   [[nodiscard]] contact::Geometry geometry(int blade) const override { return law_->of(blade).geometry(); }
-  [[nodiscard]] bool has_slip_state() const override {
-    return friction_.law == FrictionNumbers::Law::coulomb;
-  }
+  [[nodiscard]] bool has_slip_state() const override { return friction_.has_slip_state(); }
   [[nodiscard]] bool holds_tips() const override {
-    return contact::Sticks<Law> && machine_->following_ring() == nullptr;
+    return friction_.sticks && machine_->following_ring() == nullptr;
   }
   [[nodiscard]] bool leans() const override { return false; }
   [[nodiscard]] bool is_rigid() const override { return true; }
   [[nodiscard]] bool ends_at_ring() const override { return law_->of(0).damping() == 0.0; }
   /// With a ring without mass v jumps, and a tip that would slip back is beyond the model.
   [[nodiscard]] bool may_slip_back() const override {
-    return has_slip_state() && !contact::Sticks<Law> && machine_->following_ring() == nullptr;
+    return has_slip_state() && !friction_.sticks && machine_->following_ring() == nullptr;
   }
   [[nodiscard]] bool releases_at_fold(int /*blade*/) const override { return false; }
   [[nodiscard]] bool has_branches(int /*blade*/) const override { return false; }
@@ -76,7 +72,7 @@ class RigidLaw final : public ArcLaw {
   [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override {
     const contact::TipForce there = force(touch, at, speed);
     const double load = there.normal * machine_->constants.force_unit;
-    const double largest = friction_.largest_at_rest();
+    const double largest = contact::largest_at_rest(friction_);
     return {.force = there,
             .gap_measure = there.normal / law_->of(touch.blade).stiffness(),
             .cone_left = (largest * largest - touch.holding * touch.holding) * load * load};
@@ -156,10 +152,10 @@ class RigidLaw final : public ArcLaw {
 
   static constexpr double kArgument = 1.0;  ///< p: not 0, from where a blade would begin to bend
 
-  const Law* law_;
+  const Laws* law_;
   const rotor::Machine* machine_;
   IntervalSolver solver_;
-  FrictionNumbers friction_;
+  contact::Friction friction_;
 };
 
 }  // namespace rubatlas::collocation

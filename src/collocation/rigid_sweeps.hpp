@@ -23,7 +23,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
  public:
   using Number = Lanes<kWidth>;
 
-  RUBATLAS_INLINE RigidSweeps(const Contact& contact, const FrictionNumbers& friction,
+  RUBATLAS_INLINE RigidSweeps(const Contact& contact, const contact::Friction& friction,
                               const Closeness& closeness, Interval& interval)
       : Base(contact, closeness, interval), contact_(contact), friction_(friction) {
     take_direction(elapsed());
@@ -206,7 +206,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     const auto store_cone = [&](const Blade& blade, double slip, const Tip& tip, TipInTime& kept) {
       if (slip != 0.0 || rest == contact::kMostAtRest) return;
       const double per_yielding = blade.ring_stiffness * machine_.force_unit;
-      const Number largest = tip.yielding * (friction_.largest_at_rest() * per_yielding);
+      const Number largest = tip.yielding * (contact::largest_at_rest(friction_) * per_yielding);
       (largest * largest - pull_[rest] * pull_[rest]).store(kept.cone_left);
       ++rest;
     };
@@ -246,12 +246,12 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::time_rate_;
 
   const Contact& contact_;
-  const FrictionNumbers& friction_;
+  const contact::Friction& friction_;
   std::array<Number, contact::kMostAtRest> pull_;  ///< q of tips at rest [m per unit τ²]
 };
 
 template <std::size_t kWidth>
-bool rigid_solved(const Contact& contact, const FrictionNumbers& friction, const Closeness& closeness,
+bool rigid_solved(const Contact& contact, const contact::Friction& friction, const Closeness& closeness,
                   Interval& interval) {
   return contact.machine->is_plain()
              ? RigidSweeps<kWidth, true>(contact, friction, closeness, interval).solve()

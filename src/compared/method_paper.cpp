@@ -5,6 +5,8 @@
 
 #include "compared/stepped_method.hpp"
 #include "integrate/fehlberg_45.hpp"
+#include "modes/law_of_axial_loads.hpp"
+#include "modes/law_of_rigid_blades.hpp"
 
 namespace rubatlas::assembly {
 namespace {
@@ -13,10 +15,14 @@ struct Paper {
   using Table = integrate::Fehlberg45;
   struct Search {
     double increment;  ///< dF [N]
-    template <class Law>
-    bool operator()(const Law& law, const contact::Pose& at, double slip, double angular_speed,
-                    double& /*bending*/, contact::TipForce& force) const {
-      return law.respond_upwards(at, slip, angular_speed, increment, force);
+    bool operator()(const modes::Law& law, const modes::TipPlace& at, const modes::OpenContact& contact,
+                    contact::TipForce& force) const {
+      const auto respond = [&](const auto& blade) {
+        return blade.respond_upwards(at.pose, contact.slip, at.speed, increment, force);
+      };
+      if (const auto* rigid = dynamic_cast<const modes::LawOfRigidBlades*>(&law))
+        return respond(rigid->of(contact.blade));
+      return respond(dynamic_cast<const modes::LawOfAxialLoads&>(law).of(contact.blade));
     }
   };
   static constexpr bool kAdaptive = true;

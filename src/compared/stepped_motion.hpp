@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -37,16 +38,17 @@ struct SteppedLimits {
   double max_shortening;  ///< of δ/L [-]
 };
 
-/// `Law`: of all blades, which are alike.
-template <class Law, class Scheme>
+/// Its blades are alike.
+template <class Scheme>
 class SteppedMotion final : public motion::PointMotion, public trajectory::MotionPiece {
  public:
-  SteppedMotion(rotor::Machine machine, Law law, typename Scheme::Search search, const SteppedLimits& limits)
+  SteppedMotion(rotor::Machine machine, std::unique_ptr<modes::Law> law, typename Scheme::Search search,
+                const SteppedLimits& limits)
       : machine_(std::move(machine)),
         law_(std::move(law)),
         limits_(limits),
         steps_in_revolution_(std::ceil(machine_.constants.period() / limits.longest_step)),
-        system_(machine_, law_, std::move(search)),
+        system_(machine_, *law_, std::move(search)),
         size_(machine_.constants.period() / steps_in_revolution_) {}
   SteppedMotion(const SteppedMotion&) = delete;  // parts point at each other
   SteppedMotion& operator=(const SteppedMotion&) = delete;
@@ -92,7 +94,7 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
   [[nodiscard]] motion::WorkCounts work() const override {
     motion::WorkCounts result = work_;
     result.right_hand_sides = system_.evaluations();
-    result.elastica_evaluations = modes::curve_evaluations(law_);
+    result.elastica_evaluations = law_->evaluations();
     result.price = meter_.total();
     return result;
   }
@@ -122,17 +124,17 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
     const contact::BladeDirection er =
         machine_.blades.direction(blade(contact), machine_.blades.first(full[kSteppedTime]));
     const double slip = before_[k].slip;
-    return modes::contact_force(force, {slip, modes::friction_coefficient(law_, force, slip)}, er,
+    return modes::contact_force(force, {slip, law_->friction_coefficient(blade(contact), force, slip)}, er,
                                 system_.pose(k, full), machine_.constants.speed_ratio);
   }
   [[nodiscard]] trajectory::Tip tip(int blade, double time) override {
     const SteppedState full = state_at((time - begin()) / step_.size());
-    return modes::tip_of(law_.geometry(), system_.pose(static_cast<std::size_t>(blade), full),
+    return modes::tip_of(law_->geometry(blade), system_.pose(static_cast<std::size_t>(blade), full),
                          machine_.constants.speed_ratio);
   }
 
  private:
-  using System = SteppedSystem<Law, typename Scheme::Search, Scheme::kLocated>;
+  using System = SteppedSystem<typename Scheme::Search, Scheme::kLocated>;
 
   static constexpr double kSmallestSize = 1e-15;  ///< in τ
 
@@ -143,11 +145,11 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
 
   /// Counts what the attempt before has cost; false where the revolution is to end here.
   bool spend() {
-    const std::uint64_t evaluations = modes::curve_evaluations(law_);
+    const std::uint64_t evaluations = law_->evaluations();
     const auto blades = static_cast<std::int64_t>(system_.blades().size());
     const std::int64_t price =
         modes::WorkPrice::kAttempt + blades * modes::WorkPrice::kGap +
-        static_cast<std::int64_t>(evaluations - paid_evaluations_) * modes::price_of_curve<Law>();
+        static_cast<std::int64_t>(evaluations - paid_evaluations_) * law_->kind().price_of_curve;
     paid_evaluations_ = evaluations;
     return meter_.spend(modes::Work::contact, price);
   }
@@ -169,7 +171,7 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
       if (before_[k].open) open_.push_back(k);
       // A tip whose slip has just reversed may stand at v = 0 to rounding: it has no sign yet.
       const double rounding =
-          contact::kSlipRounding * machine_.constants.speed_ratio * law_.geometry().ring_radius;
+          contact::kSlipRounding * machine_.constants.speed_ratio * law_->geometry(0).ring_radius;
       if (std::abs(before_[k].slip_velocity) <= rounding) before_[k].slip_velocity = 0.0;
     }
   }
@@ -240,7 +242,7 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
     const bool cut = event.fraction < 1.0;
     const SteppedState end = state_at(event.fraction);
     if (!end.isFinite().all()) return ends(ending::StatusDetail::beyond_precision);
-    if (std::hypot(end[0], end[1] + machine_.constants.misalignment) >= law_.geometry().ring_radius)
+    if (std::hypot(end[0], end[1] + machine_.constants.misalignment) >= law_->geometry(0).ring_radius)
       return ends(ending::StatusDetail::shaft_at_ring);
     if (!cut && system_.shortening() > limits_.max_shortening)
       return ends(ending::StatusDetail::shortening_limit);
@@ -299,7 +301,7 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
   }
 
   rotor::Machine machine_;
-  Law law_;
+  std::unique_ptr<modes::Law> law_;
   SteppedLimits limits_;
   double steps_in_revolution_;  ///< of the longest step, a whole number
   System system_;

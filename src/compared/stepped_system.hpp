@@ -3,7 +3,7 @@
 ///
 /// Whether a blade touches is either frozen for a step (`located`, whose steps end at events) or decided by
 /// the sign of g wherever the right-hand side is asked for (MODEL 4.1). `Search` says how a blade's force is
-/// found: `bool operator()(law, pose, slip, angular_speed, bending, force)`.
+/// found: `bool operator()(law, place, contact, force)`.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "contact/pose.hpp"
+#include "modes/law.hpp"
 #include "rotor/machine.hpp"
 
 namespace rubatlas::compared {
@@ -33,10 +34,10 @@ struct SteppedBlade {
   double shortening = 0.0;     ///< δ/L there [-]
 };
 
-template <class Law, class Search, bool kFrozen>
+template <class Search, bool kFrozen>
 class SteppedSystem {
  public:
-  SteppedSystem(const rotor::Machine& machine, const Law& law, Search search)
+  SteppedSystem(const rotor::Machine& machine, const modes::Law& law, Search search)
       : machine_(&machine),
         rotor_(&machine.constants),
         directions_(&machine.blades),
@@ -48,10 +49,10 @@ class SteppedSystem {
   [[nodiscard]] const std::vector<SteppedBlade>& blades() const { return blades_; }
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
-  [[nodiscard]] double gap_rounding() const { return rotor_->gap_rounding(law_->geometry()); }
+  [[nodiscard]] double gap_rounding() const { return rotor_->gap_rounding(law_->geometry(0)); }
   [[nodiscard]] contact::Pose pose(std::size_t blade, const SteppedState& state) const {
     return rotor::pose_of(
-        *rotor_, law_->geometry(),
+        *rotor_, law_->geometry(static_cast<int>(blade)),
         directions_->direction(static_cast<int>(blade), directions_->first(state[kSteppedTime])),
         state.head<4>());
   }
@@ -64,11 +65,12 @@ class SteppedSystem {
     for (std::size_t k = 0; k < blades_.size(); ++k) {
       SteppedBlade& blade = blades_[k];
       const contact::BladeDirection er = directions_->direction(static_cast<int>(k), first);
-      const contact::Pose at = rotor::pose_of(*rotor_, law_->geometry(), er, state.head<4>());
+      const contact::Pose at =
+          rotor::pose_of(*rotor_, law_->geometry(static_cast<int>(k)), er, state.head<4>());
       blade.gap = at.gap;
       if (!touches(blade, at)) continue;
       contact::TipForce of_tip{};
-      if (!find_force(blade, at, blade.bending, of_tip)) return false;
+      if (!find_force(k, at, blade.bending, of_tip)) return false;
       blade.slip_velocity = of_tip.slip_velocity;
       blade.shortening = of_tip.shortening;
       force += contact::on_rotor(of_tip, er);
@@ -85,7 +87,7 @@ class SteppedSystem {
     contact::TipForce force{};
     const contact::Pose at = pose(blade, state);
     double bending = blades_[blade].bending;
-    if (!touches(blades_[blade], at) || !find_force(blades_[blade], at, bending, force)) return {};
+    if (!touches(blades_[blade], at) || !find_force(blade, at, bending, force)) return {};
     return force;
   }
 
@@ -100,24 +102,27 @@ class SteppedSystem {
 
   /// Slip direction that a contact opens with (MODEL 4.4).
   [[nodiscard]] double opening_slip(const contact::Pose& at) const {
-    return contact::undeformed_slip_velocity(law_->geometry(), at, rotor_->speed_ratio) >= 0.0 ? 1.0 : -1.0;
+    return contact::undeformed_slip_velocity(law_->geometry(0), at, rotor_->speed_ratio) >= 0.0 ? 1.0 : -1.0;
   }
 
  private:
   [[nodiscard]] static bool touches(const SteppedBlade& blade, const contact::Pose& at) {
     return kFrozen ? blade.open : at.gap > 0.0;
   }
-  bool find_force(const SteppedBlade& blade, const contact::Pose& at, double& bending,
+  bool find_force(std::size_t blade, const contact::Pose& at, double& bending,
                   contact::TipForce& force) const {
     // Within a step a blade may touch that was not open at its start.
-    const double slip = blade.open ? blade.slip : opening_slip(at);
-    return search_(*law_, at, slip, rotor_->speed_ratio, bending, force);
+    const double slip = blades_[blade].open ? blades_[blade].slip : opening_slip(at);
+    modes::OpenContact contact{static_cast<int>(blade), slip, bending};
+    const bool found = search_(*law_, modes::TipPlace{at, rotor_->speed_ratio}, contact, force);
+    bending = contact.bending;
+    return found;
   }
 
   const rotor::Machine* machine_;
   const rotor::RotorConstants* rotor_;
   const rotor::RipplingBlades* directions_;
-  const Law* law_;
+  const modes::Law* law_;
   Search search_;
   std::vector<SteppedBlade> blades_;
   std::uint64_t evaluations_ = 0;
@@ -125,10 +130,9 @@ class SteppedSystem {
 
 /// The root of the contact equation, as accurate as numbers allow.
 struct SolvedForce {
-  template <class Law>
-  bool operator()(const Law& law, const contact::Pose& at, double slip, double angular_speed, double& bending,
+  bool operator()(const modes::Law& law, const modes::TipPlace& at, modes::OpenContact& contact,
                   contact::TipForce& force) const {
-    return law.respond(at, slip, angular_speed, bending, force);
+    return law.respond(at, contact, force);
   }
 };
 

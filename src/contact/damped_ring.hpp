@@ -1,5 +1,6 @@
-/// Contact laws of a massless ring with a spring and a damper under each tip: F = kr y + cr y' (Kelvin and
-/// Voigt), y how far the ring yields. Source: Johnson, Contact Mechanics, 1985, §6.4.
+/// Contact law of elastic blades on a massless ring with a spring and a damper under each tip: F = kr y +
+/// cr y' (Kelvin and Voigt), y how far the ring yields. (Rigid blades: `elastic_ring_contact.hpp`.) Source:
+/// Johnson, Contact Mechanics, 1985, §6.4.
 ///
 /// The ring pushes and never pulls: a contact ends where F comes to zero, with the tip still inside the
 /// undeformed ring. The mode in contact is `modes/damped_ring.hpp`.
@@ -22,51 +23,12 @@ struct DampedRing {
   double damping;    ///< cr ωn [N per (m per unit τ)]
 };
 
-/// Rigid blades: y is the depth of the tip, and F is an explicit function of the tip's place and velocity.
-class RigidBladeOnDampedRing {
- public:
-  static constexpr bool kHasBending = false;
-  static constexpr bool kHasSlipState = true;
-  static constexpr bool kLoadFollowsGap = false;
-
-  RigidBladeOnDampedRing(Geometry geometry, DampedRing ring, CoulombFriction friction)
-      : law_(geometry, ring.stiffness, friction), damping_(ring.damping) {}
-
-  using OfBlade = RigidBladeOnDampedRing;
-  [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
-  [[nodiscard]] const Geometry& geometry() const { return law_.geometry(); }
-  [[nodiscard]] const CoulombFriction& friction() const { return law_.friction(); }
-  [[nodiscard]] double stiffness() const { return law_.stiffness(); }  ///< kr [N/m]
-  [[nodiscard]] double damping() const { return damping_; }            ///< cr ωn [N per (m per unit τ)]
-  /// The same blade, shorter at its tip by `lost` [m].
-  [[nodiscard]] RigidBladeOnDampedRing shortened(double lost) const {
-    return {law_.shortened(lost).geometry(), {law_.stiffness(), damping_}, law_.friction()};
-  }
-
-  /// The force is continued beyond F = 0, where Runge–Kutta stages may land.
-  bool respond(const Pose& at, double slip, double angular_speed, double& bending, TipForce& force) const {
-    const double distance = std::hypot(at.radial + geometry().reach, at.tangential);
-    const double rate = 0.5 * gap_rate(geometry(), at, angular_speed) / distance;
-    law_.respond(at, slip, angular_speed, bending, force);
-    force = law_.under_load(at, slip, angular_speed, force.normal + damping_ * rate);
-    return true;
-  }
-
- private:
-  RigidBladeContact<CoulombFriction> law_;
-  double damping_;  ///< cr ωn [N per (m per unit τ)]
-};
-
 /// Elastic blades: the blade stands in a ring of radius R + y, and y follows from its force,
 ///     cr y' = F − kr y.
 /// On the receding side a blade bends under a finite load only (MODEL 4.2). Below that it stands straight,
 /// and the ring yields under it as under a rigid one: y is the depth of the tip, and F = kr y + cr y'.
 class ElasticBladeOnDampedRing {
  public:
-  static constexpr bool kHasBending = false;
-  static constexpr bool kHasSlipState = true;
-  static constexpr bool kLoadFollowsGap = false;
-
   ElasticBladeOnDampedRing(ElasticaContact blade, DampedRing ring) : blade_(std::move(blade)), ring_(ring) {}
 
   using OfBlade = ElasticBladeOnDampedRing;
@@ -120,7 +82,7 @@ class ElasticBladeOnDampedRing {
   }
   /// Force of a straight blade under a load.
   [[nodiscard]] TipForce straight(const Pose& at, double slip, double angular_speed, double load) const {
-    return RigidBladeContact<CoulombFriction>(geometry(), 0.0, {curve().friction()})
+    return ElasticRingContact(geometry(), 0.0, {curve().friction()})
         .under_load(at, slip, angular_speed, load);
   }
 

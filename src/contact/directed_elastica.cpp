@@ -18,8 +18,7 @@ constexpr unsigned kCoefficientBits = 40;    ///< of c, which Newton's method on
 
 }  // namespace
 
-template <class FrictionLaw>
-auto DirectedElastica<FrictionLaw>::newton(const Pose& at, double slip, double angular_speed, Bend bend) const
+auto DirectedElastica::newton(const Pose& at, double slip, double angular_speed, Bend bend) const
     -> std::optional<Bend> {
   constexpr double kFarthest = 4.0;  // factor by which one step may shrink κ or φ
   const double side = std::copysign(1.0, bend.modulus);
@@ -43,7 +42,7 @@ auto DirectedElastica<FrictionLaw>::newton(const Pose& at, double slip, double a
     if (ends) {
       // On the branch that a growing load reaches h falls as |κ| grows along d = 0, and d falls as φ grows at
       // fixed κ. (Under friction that is steep in v, d need not fall; the determinant has the same sign.)
-      const bool falls = FrictionLaw::kDependsOnVelocity || side * there.misdirection_by_amplitude < 0.0;
+      const bool falls = friction_.depends_on_velocity() || side * there.misdirection_by_amplitude < 0.0;
       if (!falls || !(determinant > 0.0)) return std::nullopt;
     }
     const double modulus = side * (bend.modulus + by_modulus);
@@ -59,10 +58,8 @@ auto DirectedElastica<FrictionLaw>::newton(const Pose& at, double slip, double a
   return std::nullopt;
 }
 
-template <class FrictionLaw>
-std::optional<double> DirectedElastica<FrictionLaw>::amplitude_of(const Pose& at, double slip,
-                                                                  double angular_speed, double modulus,
-                                                                  double guess) const {
+std::optional<double> DirectedElastica::amplitude_of(const Pose& at, double slip, double angular_speed,
+                                                     double modulus, double guess) const {
   constexpr double kRounding = 1e-15;  // of d
   constexpr double kSmallStep = 1e-8;  // of φ: the next one is a rounding error
   // d falls from A − b of the unloaded blade (φ = 0), so that it has a root between the two ends or none.
@@ -98,8 +95,7 @@ std::optional<double> DirectedElastica<FrictionLaw>::amplitude_of(const Pose& at
 /// Walks along the equilibria on one side under a given friction coefficient. The parameter of the walk is
 /// the angle A = 2 asin |κ| of the tip against its load. It starts at the unloaded blade (A = b, or 0 for a
 /// column), or at the fold where the equilibria against the side of the load begin.
-template <class FrictionLaw>
-class DirectedElastica<FrictionLaw>::Walk {
+class DirectedElastica::Walk {
  public:
   Walk(const DirectedElastica& law, const Pose& at, double slip, double angular_speed, double side)
       : law_(law),
@@ -214,13 +210,12 @@ class DirectedElastica<FrictionLaw>::Walk {
   double at_low_ = 0.0, at_high_ = 0.0;
 };
 
-template <class FrictionLaw>
-auto DirectedElastica<FrictionLaw>::solve_for_coefficient(const Pose& at, double slip, double angular_speed,
-                                                          double side) const -> std::optional<Bend> {
+auto DirectedElastica::solve_for_coefficient(const Pose& at, double slip, double angular_speed,
+                                             double side) const -> std::optional<Bend> {
   constexpr int kSteps = 8;  // from the coefficient of the undeformed tip to the largest
   constexpr int kHalvings = 40;
   const auto at_coefficient = [&](double coefficient) {
-    const DirectedElastica<CoulombFriction> law(direction_, geometry_, {length_, 0.0, 1.0}, {coefficient});
+    const DirectedElastica law(direction_, geometry_, {length_, 0.0, 1.0}, {coefficient});
     const auto found = law.solve(at, 1.0, angular_speed, side);
     evaluations_ += law.evaluations();
     return found;
@@ -270,15 +265,14 @@ auto DirectedElastica<FrictionLaw>::solve_for_coefficient(const Pose& at, double
   return newton(at, slip, angular_speed, *bend);
 }
 
-template <class FrictionLaw>
-auto DirectedElastica<FrictionLaw>::follow_coefficient(const Pose& at, double slip, double angular_speed,
-                                                       Bend bend) const -> std::optional<Bend> {
+auto DirectedElastica::follow_coefficient(const Pose& at, double slip, double angular_speed, Bend bend) const
+    -> std::optional<Bend> {
   constexpr double kFirstStep = 1e-3;  // of the largest c
   constexpr int kDoublings = 11;       // from one end of its range to the other
   const double largest = friction_.largest();
   bool lost = false;
   const auto excess = [&](double coefficient) {
-    const DirectedElastica<CoulombFriction> law(direction_, geometry_, {length_, 0.0, 1.0}, {coefficient});
+    const DirectedElastica law(direction_, geometry_, {length_, 0.0, 1.0}, {coefficient});
     const auto root = law.newton(at, slip, angular_speed, bend);
     evaluations_ += law.evaluations();
     lost = lost || !root;
@@ -303,10 +297,9 @@ auto DirectedElastica<FrictionLaw>::follow_coefficient(const Pose& at, double sl
   return newton(at, slip, angular_speed, bend);
 }
 
-template <class FrictionLaw>
-auto DirectedElastica<FrictionLaw>::solve(const Pose& at, double slip, double angular_speed,
-                                          double side) const -> std::optional<Bend> {
-  if constexpr (FrictionLaw::kDependsOnVelocity) {
+auto DirectedElastica::solve(const Pose& at, double slip, double angular_speed, double side) const
+    -> std::optional<Bend> {
+  if (friction_.depends_on_velocity()) {
     return solve_for_coefficient(at, slip, angular_speed, side);
   } else {
     Walk walk(*this, at, slip, angular_speed, side);
@@ -314,9 +307,8 @@ auto DirectedElastica<FrictionLaw>::solve(const Pose& at, double slip, double an
   }
 }
 
-template <class FrictionLaw>
-auto DirectedElastica<FrictionLaw>::solve_near(const Pose& at, double slip, double angular_speed,
-                                               const Bend& near) const -> std::optional<Bend> {
+auto DirectedElastica::solve_near(const Pose& at, double slip, double angular_speed, const Bend& near) const
+    -> std::optional<Bend> {
   Bend start = near;
   const double side = std::copysign(1.0, near.modulus);
   if (!(near.amplitude > 0.0)) {
@@ -325,15 +317,14 @@ auto DirectedElastica<FrictionLaw>::solve_near(const Pose& at, double slip, doub
     start.amplitude = *amplitude;
   }
   auto root = newton(at, slip, angular_speed, start);
-  if constexpr (FrictionLaw::kDependsOnVelocity) {
+  if (friction_.depends_on_velocity()) {
     if (!root) root = follow_coefficient(at, slip, angular_speed, start);
   }
   return root ? root : solve(at, slip, angular_speed, side);
 }
 
-template <class FrictionLaw>
-void DirectedElastica<FrictionLaw>::set_force(const Pose& at, double angular_speed, const Constraint& there,
-                                              TipForce& force) const {
+void DirectedElastica::set_force(const Pose& at, double angular_speed, const Constraint& there,
+                                 TipForce& force) const {
   const double a = there.radial;
   const double b = there.tangential;
   const double inverse_distance = 1.0 / std::sqrt(a * a + b * b);
@@ -353,8 +344,7 @@ void DirectedElastica<FrictionLaw>::set_force(const Pose& at, double angular_spe
       angular_speed * ((a - at.radial) * normal_radial + (b - at.tangential) * normal_tangential);
 }
 
-template <class FrictionLaw>
-auto DirectedElastica<FrictionLaw>::rest(const Pose& at, double angular_speed, const Bend& near) const
+auto DirectedElastica::rest(const Pose& at, double angular_speed, const Bend& near) const
     -> std::optional<Rest> {
   constexpr int kSteps = 8;                        // where Newton's method does not converge at once
   constexpr std::uint64_t kEvaluationsOfHold = 8;  // as a rule, of Newton's method on both unknowns
@@ -378,9 +368,8 @@ auto DirectedElastica<FrictionLaw>::rest(const Pose& at, double angular_speed, c
   return Rest{*resting, firmness(*resting, geometry_, at, angular_speed, *place)};
 }
 
-template <class FrictionLaw>
-bool DirectedElastica<FrictionLaw>::respond_at_rest(const Pose& at, double angular_speed, double& bending,
-                                                    double& amplitude, TipForce& force) const {
+bool DirectedElastica::respond_at_rest(const Pose& at, double angular_speed, double& bending,
+                                       double& amplitude, TipForce& force) const {
   const auto there = rest(at, angular_speed, {bending, amplitude});
   if (!there) return false;
   bending = there->blade.bend.modulus;
@@ -391,12 +380,9 @@ bool DirectedElastica<FrictionLaw>::respond_at_rest(const Pose& at, double angul
   return true;
 }
 
-template <class FrictionLaw>
-bool DirectedElastica<FrictionLaw>::respond(const Pose& at, double slip, double angular_speed,
-                                            double& bending, double& amplitude, TipForce& force) const {
-  if constexpr (kHoldsTips) {
-    if (slip == 0.0) return respond_at_rest(at, angular_speed, bending, amplitude, force);
-  }
+bool DirectedElastica::respond(const Pose& at, double slip, double angular_speed, double& bending,
+                               double& amplitude, TipForce& force) const {
+  if (friction_.sticks && slip == 0.0) return respond_at_rest(at, angular_speed, bending, amplitude, force);
   const double first = first_load_angle(at, slip, angular_speed);
   double side = first != 0.0 ? std::copysign(1.0, first) : slip;
   bool known = bending != 0.0;
@@ -428,9 +414,5 @@ bool DirectedElastica<FrictionLaw>::respond(const Pose& at, double slip, double 
   }
   return true;
 }
-
-template class DirectedElastica<CoulombFriction>;
-template class DirectedElastica<StickingFriction>;
-template class DirectedElastica<VelocityFriction>;
 
 }  // namespace rubatlas::contact

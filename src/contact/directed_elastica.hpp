@@ -16,7 +16,7 @@
 /// held there by the load that bends it, until its equilibrium ends in a fold and it snaps through. So the
 /// side is a discrete state, as with any column; the sign of `bending` keeps it. A blade that has just
 /// touched has no side yet (`bending` = 0). It bends to the side of its first load, the sign of b of the
-/// undeformed tip, or to the side of s where that b is exactly 0. Under an axial load with CoulombFriction b
+/// undeformed tip, or to the side of s where that b is exactly 0. Under an axial load with Coulomb friction b
 /// never passes through zero, and the side is always that of s (MODEL 2). Where tips stick, the c of a tip at
 /// rest passes through zero, and the side is a discrete state, too.
 #pragma once
@@ -36,22 +36,11 @@
 
 namespace rubatlas::contact {
 
-template <class FrictionLaw>
 class DirectedElastica {
  public:
-  /// The law solves for the blade's equilibrium at the rotor's position. (`bending` is the first guess, and
-  /// its sign keeps the side.)
-  static constexpr bool kHasBending = false;
-  static constexpr bool kHasSlipState = FrictionLaw::kHasSlipState;
-  static constexpr bool kLoadFollowsGap = false;
-  /// The law also finds the force of a tip at rest (s = 0).
-  static constexpr bool kHoldsTips = requires(const FrictionLaw& friction) { friction.largest_holding; };
-  /// A contact may remember the side to which its blade is bent (`remembers_side`).
-  static constexpr bool kMayRememberSide = true;
-
   using Blade = ElasticaContact::Blade;
 
-  DirectedElastica(LoadDirection direction, Geometry geometry, Blade blade, FrictionLaw friction)
+  DirectedElastica(LoadDirection direction, Geometry geometry, Blade blade, const Friction& friction)
       : direction_(direction),
         geometry_(geometry),
         length_(blade.length),
@@ -64,7 +53,7 @@ class DirectedElastica {
   using OfBlade = DirectedElastica;
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] LoadDirection direction() const { return direction_; }
-  [[nodiscard]] const FrictionLaw& friction() const { return friction_; }
+  [[nodiscard]] const Friction& friction() const { return friction_; }
   [[nodiscard]] double length() const { return length_; }            ///< L [m]
   [[nodiscard]] double load_unit() const { return load_unit_; }      ///< EI / L² [N]
   [[nodiscard]] double strain_unit() const { return strain_unit_; }  ///< h / (2 L) [-]
@@ -79,8 +68,7 @@ class DirectedElastica {
   }
 
   /// The same blade under another friction law.
-  template <class OtherFriction>
-  [[nodiscard]] DirectedElastica<OtherFriction> with_friction(OtherFriction friction) const {
+  [[nodiscard]] DirectedElastica with_friction(const Friction& friction) const {
     return {direction_,
             geometry_,
             {length_, 2.0 * strain_unit_ * length_, load_unit_ * length_ * length_},
@@ -186,7 +174,7 @@ class DirectedElastica {
     const double inverse_square = 1.0 / (a * a + b * b);
     const double moment = a * across - b * along;
     if (follows_normal()) result.misdirection -= moment * inverse_square;
-    if constexpr (FrictionLaw::kDependsOnVelocity) {
+    if (friction_.depends_on_velocity()) {
       const double along_rate = acceleration.real() + 2.0 * angular_speed * at.tangential_velocity -
                                 angular_speed * angular_speed * at.radial +
                                 angular_acceleration * at.tangential;
@@ -246,13 +234,10 @@ class DirectedElastica {
   }
 
  private:
-  template <class>
-  friend class DirectedElastica;
-
   [[nodiscard]] bool follows_normal() const { return direction_ == LoadDirection::normal; }
   /// Does a contact remember the side to which its blade is bent?
   [[nodiscard]] bool remembers_side() const {
-    return follows_normal() || !FrictionLaw::kHasSlipState || kHoldsTips;
+    return follows_normal() || friction_.depends_on_velocity() || friction_.sticks;
   }
 
   class Walk;
@@ -273,7 +258,7 @@ class DirectedElastica {
       normal_angle = std::atan2(b, a);
       by_normal = 1.0;
     }
-    if constexpr (!FrictionLaw::kDependsOnVelocity) {
+    if (!friction_.depends_on_velocity()) {
       const double coefficient = friction_.coefficient(0.0, slip);
       return {normal_angle + std::atan(coefficient), by_normal, coefficient};
     }
@@ -316,7 +301,7 @@ class DirectedElastica {
   double length_;
   double load_unit_;    ///< EI / L² [N]
   double strain_unit_;  ///< h / (2 L) [-]
-  FrictionLaw friction_;
+  Friction friction_;
   mutable std::uint64_t evaluations_ = 0;  ///< counts work; no result depends on it
 };
 

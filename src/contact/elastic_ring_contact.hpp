@@ -9,31 +9,27 @@
 namespace rubatlas::contact {
 
 /// With any friction law: the slip velocity of a rigid blade does not depend on the force, so c(v) is
-/// explicit.
-template <class FrictionLaw>
-class RigidBladeContact {
+/// explicit. The ring may have a damper beside its spring under each tip, F = kr y + cr y' (Kelvin and
+/// Voigt), y the depth of the tip; a contact then ends where F comes to zero, with the tip still inside.
+class ElasticRingContact {
  public:
-  /// The force follows from the position alone; nothing bends.
-  static constexpr bool kHasBending = false;
-  static constexpr bool kHasSlipState = FrictionLaw::kHasSlipState;
-  static constexpr bool kLoadFollowsGap = true;
-
-  RigidBladeContact(Geometry geometry, double stiffness, FrictionLaw friction)
-      : geometry_(geometry), stiffness_(stiffness), friction_(friction) {}
+  /// `damping`: cr ωn [N per (m per unit τ)].
+  ElasticRingContact(Geometry geometry, double stiffness, const Friction& friction, double damping = 0.0)
+      : geometry_(geometry), stiffness_(stiffness), friction_(friction), damping_(damping) {}
 
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
   /// The law of one blade: the same for all.
-  using OfBlade = RigidBladeContact;
+  using OfBlade = ElasticRingContact;
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
-  [[nodiscard]] const FrictionLaw& friction() const { return friction_; }
+  [[nodiscard]] const Friction& friction() const { return friction_; }
   [[nodiscard]] double stiffness() const { return stiffness_; }  ///< kr [N/m]
-  [[nodiscard]] static double damping() { return 0.0; }          ///< of the ring: none
+  [[nodiscard]] double damping() const { return damping_; }      ///< cr ωn [N per (m per unit τ)]
   /// The same blade, shorter at its tip by `lost` [m].
-  [[nodiscard]] RigidBladeContact shortened(double lost) const {
-    return {{geometry_.reach - lost, geometry_.ring_radius}, stiffness_, friction_};
+  [[nodiscard]] ElasticRingContact shortened(double lost) const {
+    return {{geometry_.reach - lost, geometry_.ring_radius}, stiffness_, friction_, damping_};
   }
 
-  /// F = kr (|rk| − R). Always true: the force is continued linearly beyond lift-off, where Runge–Kutta
+  /// F = kr (|rk| − R) + cr d|rk|/dτ. Always true: the force is continued beyond lift-off, where Runge–Kutta
   /// stages may land.
   bool respond(const Pose& at, double slip, double angular_speed, double& /*bending*/,
                TipForce& force) const {
@@ -41,7 +37,8 @@ class RigidBladeContact {
     const double b = at.tangential;
     const double distance = std::sqrt(a * a + b * b);
     // |rk| − R from g = |rk|² − R²: exact where |rk| and R are nearly equal.
-    const double load = stiffness_ * at.gap / (distance + geometry_.ring_radius);
+    double load = stiffness_ * at.gap / (distance + geometry_.ring_radius);
+    if (damping_ > 0.0) load += damping_ * (0.5 * gap_rate(geometry_, at, angular_speed) / distance);
     force = under_load(at, slip, angular_speed, load);
     return true;
   }
@@ -81,10 +78,8 @@ class RigidBladeContact {
  private:
   Geometry geometry_;
   double stiffness_;  ///< kr [N/m]
-  FrictionLaw friction_;
+  Friction friction_;
+  double damping_;  ///< cr ωn [N per (m per unit τ)]
 };
-
-/// The law of MODEL 4.7, with Coulomb friction μ.
-using ElasticRingContact = RigidBladeContact<CoulombFriction>;
 
 }  // namespace rubatlas::contact

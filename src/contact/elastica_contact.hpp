@@ -127,12 +127,6 @@ inline Constraint constraint_of(const ElasticBladeInRing& blade, const Pose& at,
 
 class ElasticaContact {
  public:
-  /// An open contact is described by its bending parameter u.
-  static constexpr bool kHasBending = true;
-  /// Friction takes its sign from a discrete state (MODEL 4.4).
-  static constexpr bool kHasSlipState = true;
-  /// The load is largest where the gap is.
-  static constexpr bool kLoadFollowsGap = false;
   using Blade = ElasticBlade;
 
   ElasticaContact(Geometry geometry, Blade blade, std::shared_ptr<const blade::ElasticaCurve> curve,

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <span>
 
+#include "contact/friction_law.hpp"
 #include "contact/pose.hpp"
 
 namespace rubatlas::contact {
@@ -27,6 +28,10 @@ struct OtherAcceleration {
 
 /// Of μs, beyond which a tip comes loose: rounding does not lead it back.
 inline constexpr double kShareBeyondCone = 1e-9;
+/// |c| up to which a rigid tip is held.
+inline double largest_at_rest(const Friction& friction) {
+  return (1.0 + kShareBeyondCone) * friction.static_friction;
+}
 
 /// Of rigid tips: with v = Ω (|r| − p·n), p the rotor's instantaneous centre, all that are at rest touch the
 /// ring where a tangent to it leads to p.

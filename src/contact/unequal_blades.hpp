@@ -13,9 +13,6 @@ namespace rubatlas::contact {
 template <class Law>
 class UnequalBlades {
  public:
-  static constexpr bool kHasBending = Law::kHasBending;
-  static constexpr bool kHasSlipState = Law::kHasSlipState;
-  static constexpr bool kLoadFollowsGap = Law::kLoadFollowsGap;
   using OfBlade = Law;
 
   /// One law for each blade.

@@ -4,7 +4,8 @@
 /// (`bool system(const State&, State&)`; false: there is none, and the attempt is rejected) and answers these
 /// questions about its steps:
 ///
-///     kSmallestSize, kCoarseSizes       the shortest step; whether sizes start from a power of four
+///     kSmallestSize                     the shortest step
+///     has_coarse_sizes()                whether sizes start from a power of four
 ///     begins_step(state)                a step starts there
 ///     takes_back()                      the attempt is rejected: first guesses as at the start of the step
 ///     begins_attempt(), is_stopped()    whether there is work left to spend on an attempt
@@ -37,7 +38,7 @@ class ControlledStep {
   /// Starts a series of steps from a state. False where it has no derivative.
   bool begin(const State& state) {
     control_.begin_phase();
-    if constexpr (System::kCoarseSizes) control_.round_size();
+    if (system_->has_coarse_sizes()) control_.round_size();
     return step_.begin(*system_, state);
   }
 

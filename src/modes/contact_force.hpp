@@ -8,16 +8,6 @@
 
 namespace rubatlas::modes {
 
-/// c [-] of a tip that slips in the direction s, under the contact law of its blade (MODEL 4.3).
-template <class Law>
-double friction_coefficient(const Law& law, const contact::TipForce& force, double slip) {
-  if constexpr (requires { law.friction().coefficient(force.slip_velocity, slip); }) {
-    return law.friction().coefficient(force.slip_velocity, slip);
-  } else {
-    return slip * law.curve().friction();
-  }
-}
-
 /// How a tip rubs.
 struct Rubbing {
   double slip;         ///< s = ±1, 0 where it sticks

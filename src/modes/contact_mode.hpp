@@ -20,11 +20,12 @@
 #include <limits>
 #include <vector>
 
-#include "contact/friction_law.hpp"
 #include "contact/pose.hpp"
 #include "modes/contact_force.hpp"
 #include "modes/contact_limits.hpp"
+#include "modes/contact_setup.hpp"
 #include "modes/guards.hpp"
+#include "modes/law.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/tip_of.hpp"
 #include "modes/work_meter.hpp"
@@ -34,25 +35,18 @@
 
 namespace rubatlas::modes {
 
-/// All that the modes of one motion share; it must outlive them.
-template <class Law>
-struct ContactSetup {
-  const rotor::Machine* machine;
-  const Law* law;
-  ContactLimits limits;
-  WorkMeter* meter;
-};
-
-template <class ModeLaw, class State = rotor::ContactState>
+template <class State = rotor::ContactState>
 class ContactMode {
  public:
-  using Law = ModeLaw;
-  using Setup = ContactSetup<Law>;
   using FullState = State;
   using Bodies = rotor::ShaftAndRing;  ///< what moves, without time and u
 
-  explicit ContactMode(const Setup& setup)
-      : machine_(setup.machine), law_(setup.law), limits_(setup.limits), meter_(setup.meter) {
+  explicit ContactMode(const ContactSetup& setup)
+      : machine_(setup.machine),
+        law_(setup.law),
+        kind_(law_->kind()),
+        limits_(setup.limits),
+        meter_(setup.meter) {
     contacts_.reserve(static_cast<std::size_t>(blades().count()));
     forces_.reserve(static_cast<std::size_t>(blades().count()));
   }
@@ -62,8 +56,8 @@ class ContactMode {
   [[nodiscard]] const rotor::RipplingBlades& blades() const { return machine_->blades; }
   [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
   [[nodiscard]] const ContactLimits& limits() const { return limits_; }
-  [[nodiscard]] double ring_radius() const { return law_->of(0).geometry().ring_radius; }
-  [[nodiscard]] double gap_rounding() const { return rotor().gap_rounding(law_->of(0).geometry()); }
+  [[nodiscard]] double ring_radius() const { return law_->geometry(0).ring_radius; }
+  [[nodiscard]] double gap_rounding() const { return rotor().gap_rounding(law_->geometry(0)); }
   [[nodiscard]] double slip_rounding() const {
     return contact::kSlipRounding * std::abs(rotor().speed_ratio) * ring_radius();
   }
@@ -75,29 +69,25 @@ class ContactMode {
     // From here on each blade stays on the side to which it is bent.
     return std::ranges::all_of(contacts_, [&](OpenContact& contact) {
       contact::TipForce force{};
-      return respond_paid(pose(contact.blade, full), blades().angular_speed(time), contact, force);
+      return respond_paid({pose(contact.blade, full), blades().angular_speed(time)}, contact, force);
     });
   }
 
   // How a step is judged (`integrate::ControlledStep`).
 
   static constexpr double kSmallestSize = 1e-15;  ///< in σ
-  /// Near a force that starts or ends like a root of the gap many steps are rejected, and their sizes hang on
-  /// the last digits. They come from a coarse grid: a motion that comes to the same place goes on by the same
-  /// steps, and repeats itself to rounding instead of to the tolerance.
-  static constexpr bool kCoarseSizes = !Law::kLoadFollowsGap;
   /// A tip whose slip velocity comes to zero may rest at once, as in MODEL 7.14.
-  static constexpr bool kRestsAtOnce = contact::Sticks<Law>;
+  [[nodiscard]] bool rests_at_once() const { return kind_.sticks; }
   /// The path of the mode is known as `trajectory::PathPoint`.
   static constexpr bool kHasPath = false;
 
   /// A guess holds the side to which a blade is bent, or the branch on which it stands: what a step that goes
   /// too far has made of it is no guess for a shorter one.
   void begins_step(const FullState& /*state*/) {
-    if (kRemembers) remembered_ = contacts_;
+    if (kind_.remembers) remembered_ = contacts_;
   }
   void takes_back() {
-    if (kRemembers) contacts_ = remembered_;
+    if (kind_.remembers) contacts_ = remembered_;
   }
 
   /// Pays for an attempt, and for what was asked of the step before. False where no work is left.
@@ -108,14 +98,18 @@ class ContactMode {
   }
   [[nodiscard]] bool is_stopped() const { return meter_->ended(); }
 
+  /// Near a force that starts or ends like a root of the gap many steps are rejected, and their sizes hang on
+  /// the last digits. They come from a coarse grid: a motion that comes to the same place goes on by the same
+  /// steps, and repeats itself to rounding instead of to the tolerance.
+  [[nodiscard]] bool has_coarse_sizes() const { return !kind_.load_follows_gap; }
   template <class Step>
   [[nodiscard]] double proposed_size(const Step& /*step*/, double relative) const {
-    if (kCoarseSizes) return std::exp2(std::floor(kSizesPerOctave * std::log2(relative)) / kSizesPerOctave);
-    return relative;
+    if (!has_coarse_sizes()) return relative;
+    return std::exp2(std::floor(kSizesPerOctave * std::log2(relative)) / kSizesPerOctave);
   }
   template <class Step>
   [[nodiscard]] double scaled_error(const Step& step) const {
-    return error_of(step, acceleration_, Law::kLoadFollowsGap, [](const FullState&) { return 0.0; });
+    return error_of(step, acceleration_, kind_.load_follows_gap, [](const FullState&) { return 0.0; });
   }
   /// The first state has been evaluated.
   void begun() { stage_shortening_ = shortening(); }
@@ -139,8 +133,7 @@ class ContactMode {
     contact::TipForce force{};
     if (is_stopped()) return force;
     OpenContact guess = contacts_[contact];
-    respond(law_->of(guess.blade), pose(guess.blade, state), blades().angular_speed(state[rotor::kTime]),
-            guess, force);
+    law_->respond(place(guess.blade, state), guess, force);
     pay_curves();
     return force;
   }
@@ -156,9 +149,7 @@ class ContactMode {
   [[nodiscard]] OpenContact contact_in(std::size_t contact, const FullState& state) const {
     OpenContact open = contacts_[contact];
     contact::TipForce force{};
-    if (!is_stopped())
-      respond(law_->of(open.blade), pose(open.blade, state), blades().angular_speed(state[rotor::kTime]),
-              open, force);
+    if (!is_stopped()) law_->respond(place(open.blade, state), open, force);
     return open;
   }
   /// What ends the motion, or leads to the next mode, where no force can be found.
@@ -170,7 +161,7 @@ class ContactMode {
   /// branches.
   [[nodiscard]] double beyond_straight(std::size_t contact, const FullState& state) const {
     const OpenContact& open = contacts_[contact];
-    return -law_->of(open.blade).straight_reserve(pose(open.blade, state), open.slip, open.bending);
+    return -law_->straight_reserve(pose(open.blade, state), open);
   }
 
   /// Direction of blade 0 in a state.
@@ -180,10 +171,13 @@ class ContactMode {
   [[nodiscard]] contact::Pose pose(int blade, const FullState& state) const {
     return pose(blade, state, first_blade(state));
   }
+  [[nodiscard]] TipPlace place(int blade, const FullState& state) const {
+    return {pose(blade, state), blades().angular_speed(state[rotor::kTime])};
+  }
   /// The same when blade 0 stands at `first`, for all blades in one state.
   [[nodiscard]] contact::Pose pose(int blade, const FullState& state,
                                    const contact::BladeDirection& first) const {
-    return rotor::pose_of(rotor(), law_->of(blade).geometry(), blades().direction(blade, first),
+    return rotor::pose_of(rotor(), law_->geometry(blade), blades().direction(blade, first),
                           rotor::from_ring(state));
   }
   [[nodiscard]] BladeGap gap(int blade, const FullState& state) const {
@@ -192,16 +186,15 @@ class ContactMode {
   [[nodiscard]] BladeGap gap(int blade, const FullState& state, const contact::BladeDirection& first) const {
     const contact::Pose at = pose(blade, state, first);
     return {at.gap,
-            contact::gap_rate(law_->of(blade).geometry(), at, blades().angular_speed(state[rotor::kTime]))};
+            contact::gap_rate(law_->geometry(blade), at, blades().angular_speed(state[rotor::kTime]))};
   }
   [[nodiscard]] trajectory::Tip tip(int blade, const FullState& state) const {
-    return tip_of(law_->of(blade).geometry(), pose(blade, state),
-                  blades().angular_speed(state[rotor::kTime]));
+    return tip_of(law_->geometry(blade), pose(blade, state), blades().angular_speed(state[rotor::kTime]));
   }
   /// c [-] of an open contact under `force` in a state.
   [[nodiscard]] double friction_of(std::size_t contact, const contact::TipForce& force,
                                    const FullState& /*state*/) const {
-    return friction_coefficient(law_of(contact), force, contacts_[contact].slip);
+    return law_->friction_coefficient(contacts_[contact].blade, force, contacts_[contact].slip);
   }
   /// What such a contact does to the rotor.
   [[nodiscard]] trajectory::ContactForce on_rotor(std::size_t contact, const contact::TipForce& force,
@@ -217,13 +210,10 @@ class ContactMode {
     const double y = seen[1] + rotor().misalignment;
     return seen[0] * seen[0] + y * y - ring_radius() * ring_radius();
   }
-  [[nodiscard]] const auto& law_of(std::size_t contact) const { return law_->of(contacts_[contact].blade); }
+  [[nodiscard]] bool load_follows_gap() const { return kind_.load_follows_gap; }
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
  protected:
-  static constexpr bool kRemembers = Law::kHasBending || requires {
-    requires Law::OfBlade::kMayRememberSide;
-  };
   static constexpr double kSizesPerOctave = 8.0;  ///< where they are coarse
   static constexpr double kShareOfRoots = 0.01;   ///< of the tolerance: estimates beside roots of the time
   /// Of the limit of δ/L: what no stage of a step has met is not met between them.
@@ -232,38 +222,30 @@ class ContactMode {
   void stand(const std::vector<OpenContact>& contacts) {
     contacts_ = contacts;
     forces_.resize(contacts.size());
-    paid_evaluations_ = curve_evaluations(*law_);
+    paid_evaluations_ = law_->evaluations();
   }
 
   /// Of the evaluations of curves that are not paid yet.
   std::int64_t price_of_curves() const {
-    const std::uint64_t evaluations = curve_evaluations(*law_);
+    const std::uint64_t evaluations = law_->evaluations();
     const auto unpaid = static_cast<std::int64_t>(evaluations - paid_evaluations_);
     paid_evaluations_ = evaluations;
-    return unpaid * price_of_curve<Law>();
+    return unpaid * kind_.price_of_curve;
   }
   /// Searches without a table can take milliseconds for many blades, and are paid for at once. False where no
   /// work is left.
-  bool pay_curves() const {
-    if constexpr (requires { law_->evaluations(); } && !kCurveFromTable<Law>)
-      return meter_->spend(Work::contact, price_of_curves());
-    return true;
-  }
+  bool pay_curves() const { return !kind_.searches_long || meter_->spend(Work::contact, price_of_curves()); }
   /// Finds the force of a contact and pays for it. False where there is none, or no work left.
-  bool respond_paid(const contact::Pose& at, double speed, OpenContact& contact, contact::TipForce& force) {
-    const bool found = respond(law_->of(contact.blade), at, speed, contact, force);
+  bool respond_paid(const TipPlace& at, OpenContact& contact, contact::TipForce& force) {
+    const bool found = law_->respond(at, contact, force);
     return pay_curves() && found;
   }
 
   /// Whether the contact of a blade whose force is found where it stands ends at g = 0 there.
   [[nodiscard]] bool ends_at_ring(int blade, const FullState& state) const {
-    if constexpr (Law::kHasBending) {
-      const auto& law = law_->of(blade);
-      if (!law.releases_at_fold()) return true;
-      const auto open = std::ranges::find(contacts_, blade, &OpenContact::blade);
-      return law.ends_unloaded(pose(blade, state), open->slip, open->bending);
-    }
-    return true;
+    if (!law_->releases_at_fold(blade)) return true;
+    const auto open = std::ranges::find(contacts_, blade, &OpenContact::blade);
+    return law_->ends_unloaded(pose(blade, state), *open);
   }
 
   /// Called after each evaluation that has found its forces.
@@ -327,23 +309,22 @@ class ContactMode {
   /// Guards of the slip of an open contact that is not at rest.
   template <class Mode, class Search>
   static void slip_guard(const Mode& mode, Search& search, std::size_t contact, bool lasts) {
-    if constexpr (Mode::kRestsAtOnce) {
-      slip_comes_to_rest(mode, search, contact, lasts);
-    } else if constexpr (Law::kHasSlipState) {
-      // Beside a tip at rest each force is searched for anew, which may take a thousand times as long as to
-      // carry it: v is taken to turn round once in a step at most.
-      if constexpr (contact::Sticks<Law>) {
-        const WatchedBlade& blade = search.of_contact(contact);
-        if (blade.slip_velocity * blade.end_slip_velocity > 0.0) return;
-      }
-      slip_reversal(mode, search, contact, lasts);
+    if (!mode.kind_.has_slip_state) return;
+    if (mode.rests_at_once()) return slip_comes_to_rest(mode, search, contact, lasts);
+    // Beside a tip at rest each force is searched for anew, which may take a thousand times as long as to
+    // carry it: v is taken to turn round once in a step at most.
+    if (mode.kind_.sticks) {
+      const WatchedBlade& blade = search.of_contact(contact);
+      if (blade.slip_velocity * blade.end_slip_velocity > 0.0) return;
     }
+    slip_reversal(mode, search, contact, lasts);
   }
   /// Where forces are found from the place of the tip: `farthest` of the shaft in the step, all stages known.
   template <class Mode, class Search>
   static void loss_of_validity(const Mode& mode, Search& search, double farthest) {
     shaft_at_ring(mode, search, farthest);
-    if (Law::kLoadFollowsGap || mode.stage_shortening_ < kFarFromLimit * mode.limits_.max_shortening) return;
+    if (mode.kind_.load_follows_gap || mode.stage_shortening_ < kFarFromLimit * mode.limits_.max_shortening)
+      return;
     shortening_limit(mode, search);
   }
   /// All guards of a mode whose tips slip, or are at rest (s = 0).
@@ -363,6 +344,7 @@ class ContactMode {
 
   const rotor::Machine* machine_;
   const Law* law_;
+  Law::Kind kind_;
   ContactLimits limits_;
   WorkMeter* meter_;
   std::vector<OpenContact> contacts_;      ///< with the first guesses of their roots

@@ -26,7 +26,7 @@ class ContactPhase final : public Phase {
  public:
   using FullState = typename Mode::FullState;
 
-  explicit ContactPhase(const typename Mode::Setup& setup)
+  explicit ContactPhase(const ContactSetup& setup)
       : mode_(setup),
         step_(mode_),
         search_(mode_, step_, setup.machine->blades.count()),
@@ -111,7 +111,7 @@ class ContactPhase final : public Phase {
     const WatchedBlade& watched = search_.of_contact(contact);
     const double size = step_.size();
     // A load that has been solved for is to be looked at; where the ring yields it follows the gap.
-    return !Mode::Law::kLoadFollowsGap ||
+    return !mode_.load_follows_gap() ||
            integrate::cubic_may_peak(watched.at_start.rate * size,
                                      watched.at_end.value - watched.at_start.value,
                                      watched.at_end.rate * size);
@@ -190,7 +190,7 @@ class ContactPhase final : public Phase {
   /// A force that starts or ends like a root of the time: lift-off would be read from the middle of dense
   /// output, whose error the estimate at the end of the step does not tell.
   [[nodiscard]] bool holds_whole_contact() const {
-    if (Mode::Law::kLoadFollowsGap || end_.guard != Guard::lift_off) return false;
+    if (mode_.load_follows_gap() || end_.guard != Guard::lift_off) return false;
     const BladeGap& start = search_.blade(end_.blade).at_start;
     return start.value <= mode_.gap_rounding() && start.rate > 0.0;
   }

@@ -13,13 +13,13 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
 #include "contact/damped_ring.hpp"
 #include "contact/pose.hpp"
 #include "modes/contact_mode.hpp"
 #include "modes/guards.hpp"
+#include "modes/law_of_damped_ring.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/solved.hpp"
 #include "rotor/bodies.hpp"
@@ -42,47 +42,41 @@ void touch_down_of_damped_ring(const Mode& mode, Search& search, int k) {
 }
 
 /// Rigid blades.
-template <class Law>
-class DampedRing : public Solved<Law> {
+class DampedRing : public Solved {
  public:
-  using Base = Solved<Law>;
-  using Base::Base;
+  using Solved::Solved;
   static constexpr bool kHasPath = false;
-  using typename Base::FullState;
 
   template <class Search>
   void guards(Search& search) {
     for (int k = 0; k < search.blades(); ++k) {
       if (!search.blade(k).open) touch_down_of_damped_ring(*this, search, k);
     }
-    const auto bounds = this->bounds(search.step());
-    for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
-      const auto pull = [&](double part) { return -this->force(i, search.step().at_fraction(part)).normal; };
-      search.look_for(pull, {Guard::lift_off, this->contacts_[i].blade});
-      this->slip_guard(*this, search, i, this->slip_lasts(bounds));
+    const Bounds range = bounds(search.step());
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const auto pull = [&](double part) { return -force(i, search.step().at_fraction(part)).normal; };
+      search.look_for(pull, {Guard::lift_off, contacts_[i].blade});
+      slip_guard(*this, search, i, slip_lasts(range));
     }
-    shaft_at_ring(*this, search, bounds.distance);
+    shaft_at_ring(*this, search, range.distance);
   }
 };
 
 /// Elastic blades: (x, y, x', y', τ), and how far the ring yields under each contact.
-template <class Law>
-class YieldingDampedRing : public ContactMode<Law, rotor::BendsState> {
+class YieldingDampedRing : public ContactMode<rotor::BendsState> {
  public:
-  using Base = ContactMode<Law, rotor::BendsState>;
-  using FullState = rotor::BendsState;
-  using Base::Base;
+  using ContactMode::ContactMode;
 
   bool open(double time, const rotor::ShaftAndRing& bodies, const std::vector<OpenContact>& contacts,
             FullState& state) {
-    this->stand(contacts);
+    stand(contacts);
     state.resize(rotor::kFirstBend + static_cast<Eigen::Index>(contacts.size()));
     state.head<4>() = bodies.head<4>();
     state[rotor::kTime] = time;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const int blade = contacts[i].blade;
-      const contact::Geometry& geometry = this->law_->of(blade).geometry();
-      const double gap = this->pose(blade, state).gap;
+      const contact::Geometry& geometry = law_->geometry(blade);
+      const double gap = pose(blade, state).gap;
       const double depth =
           gap / (geometry.ring_radius + std::sqrt(geometry.ring_radius * geometry.ring_radius + gap));
       const bool is_new = contacts[i].bending == 0.0 && contacts[i].yielding == 0.0;
@@ -92,39 +86,38 @@ class YieldingDampedRing : public ContactMode<Law, rotor::BendsState> {
   }
 
   bool operator()(const FullState& state, FullState& derivative) {
-    ++this->evaluations_;
-    const contact::BladeDirection first = this->first_blade(state);
+    ++evaluations_;
+    const contact::BladeDirection first = first_blade(state);
     derivative.resize(state.size());
     std::complex<double> force;
-    for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
       double& rate = derivative[place_of(i)];
-      if (!find_force(state, first, this->contacts_[i], state[place_of(i)], this->forces_[i], rate))
-        return false;
-      force += contact::on_rotor(this->forces_[i], this->blades().direction(this->contacts_[i].blade, first));
+      if (!find_force(state, first, contacts_[i], state[place_of(i)], forces_[i], rate)) return false;
+      force += contact::on_rotor(forces_[i], blades().direction(contacts_[i].blade, first));
     }
-    this->acceleration_ = this->machine().acceleration(state, force);
-    derivative.head<4>() = rotor::rate_of(state, this->acceleration_).template head<4>();
+    acceleration_ = machine().acceleration(state, force);
+    derivative.head<4>() = rotor::rate_of(state, acceleration_).head<4>();
     derivative[rotor::kTime] = 1.0;
-    this->watch_shortening(this->shortening());
+    watch_shortening(shortening());
     return derivative.isFinite().all();
   }
 
   template <class Step>
   [[nodiscard]] double scaled_error(const Step& step) const {
-    return this->error_of(step, this->acceleration_, false, [](const FullState& difference) {
+    return error_of(step, acceleration_, false, [](const FullState& difference) {
       return difference.tail(difference.size() - rotor::kFirstBend).square().sum();
     });
   }
   [[nodiscard]] contact::TipForce force(std::size_t contact, const FullState& state) const {
     contact::TipForce force{};
-    if (this->is_stopped()) return force;
-    OpenContact guess = this->contacts_[contact];
+    if (is_stopped()) return force;
+    OpenContact guess = contacts_[contact];
     double rate = 0.0;
-    find_force(state, this->first_blade(state), guess, state[place_of(contact)], force, rate);
+    find_force(state, first_blade(state), guess, state[place_of(contact)], force, rate);
     return force;
   }
   [[nodiscard]] OpenContact contact_in(std::size_t contact, const FullState& state) const {
-    OpenContact open = this->contacts_[contact];
+    OpenContact open = contacts_[contact];
     open.yielding = state[place_of(contact)];
     return open;
   }
@@ -134,19 +127,22 @@ class YieldingDampedRing : public ContactMode<Law, rotor::BendsState> {
     for (int k = 0; k < search.blades(); ++k) {
       if (!search.blade(k).open) touch_down_of_damped_ring(*this, search, k);
     }
-    const auto bounds = this->bounds(search.step());
-    for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
-      if (this->contacts_[i].straight) {
+    const Bounds range = bounds(search.step());
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      if (contacts_[i].straight) {
         straight_guards(search, i);
       } else {
         leaves_circle(search, i);
       }
-      this->slip_guard(*this, search, i, this->slip_lasts(bounds));
+      slip_guard(*this, search, i, slip_lasts(range));
     }
-    this->loss_of_validity(*this, search, bounds.distance);
+    loss_of_validity(*this, search, range.distance);
   }
 
  private:
+  [[nodiscard]] const contact::ElasticBladeOnDampedRing& of(int blade) const {
+    return static_cast<const LawOfDampedRing&>(*law_).of(blade);
+  }
   [[nodiscard]] static Eigen::Index place_of(std::size_t contact) {
     return rotor::kFirstBend + static_cast<Eigen::Index>(contact);
   }
@@ -156,24 +152,23 @@ class YieldingDampedRing : public ContactMode<Law, rotor::BendsState> {
     // A contact that has just opened stands there to rounding, and is pressed in.
     const auto outside = [&](double part) { return -gap_to_ring(contact, search.step().at_fraction(part)); };
     const double at_start = outside(0.0);
-    const ModeEnd end{Guard::lift_off, this->contacts_[contact].blade};
-    if (at_start >= -this->gap_rounding()) {
+    const ModeEnd end{Guard::lift_off, contacts_[contact].blade};
+    if (at_start >= -gap_rounding()) {
       search.look_from_zero([&](double part) { return outside(part) - at_start; }, outside(1.0) - at_start,
                             end);
     } else {
-      search.look_between(outside, {at_start, outside(1.0)}, end, this->gap_rounding());
+      search.look_between(outside, {at_start, outside(1.0)}, end, gap_rounding());
     }
   }
   /// The ring no longer pushes a straight blade, or pushes it enough to bend it.
   template <class Search>
   void straight_guards(Search& search, std::size_t contact) {
-    const OpenContact& open = this->contacts_[contact];
+    const OpenContact& open = contacts_[contact];
     const auto load = [&](double part) { return force(contact, search.step().at_fraction(part)).normal; };
     const auto to_bend = [&](double part) {
       const FullState state = search.step().at_fraction(part);
-      return this->law_->of(open.blade)
-          .bending_load(this->pose(open.blade, state), open.slip,
-                        this->blades().angular_speed(state[rotor::kTime]));
+      return of(open.blade)
+          .bending_load(pose(open.blade, state), open.slip, blades().angular_speed(state[rotor::kTime]));
     };
     search.look_for([&](double part) { return -load(part); }, {Guard::lift_off, open.blade});
     search.look_for([&](double part) { return load(part) - to_bend(part); }, {Guard::pressed_in, open.blade});
@@ -181,28 +176,27 @@ class YieldingDampedRing : public ContactMode<Law, rotor::BendsState> {
 
   /// |rk|² − (R + y)² [m²] of an open contact.
   [[nodiscard]] double gap_to_ring(std::size_t contact, const FullState& state) const {
-    const OpenContact& open = this->contacts_[contact];
-    const double radius = this->law_->of(open.blade).geometry().ring_radius;
+    const OpenContact& open = contacts_[contact];
+    const double radius = law_->geometry(open.blade).ring_radius;
     const double yielding = state[place_of(contact)];
-    return this->pose(open.blade, state).gap - yielding * (2.0 * radius + yielding);
+    return pose(open.blade, state).gap - yielding * (2.0 * radius + yielding);
   }
   /// The force of a contact, and dy/dτ there. False where there is none.
   bool find_force(const FullState& state, const contact::BladeDirection& first, OpenContact& open,
                   double yielding, contact::TipForce& force, double& rate) const {
-    const auto& law = this->law_->of(open.blade);
-    const double speed = this->blades().angular_speed(state[rotor::kTime]);
+    const contact::ElasticBladeOnDampedRing& law = of(open.blade);
+    const double speed = blades().angular_speed(state[rotor::kTime]);
     if (open.straight) {
-      const contact::Pose pose = this->pose(open.blade, state, first);
-      rate = law.depth_rate(pose, speed);
-      force = law.straight(pose, open.slip, speed, law.ring_load(yielding, rate));
+      const contact::Pose at = pose(open.blade, state, first);
+      rate = law.depth_rate(at, speed);
+      force = law.straight(at, open.slip, speed, law.ring_load(yielding, rate));
       return true;
     }
-    const contact::Pose pose =
-        rotor::pose_of(this->rotor(), law.geometry_at(yielding), this->blades().direction(open.blade, first),
-                       rotor::from_ring(state));
-    const bool found = law.respond(pose, open.slip, speed, yielding, open.bending, force);
+    const contact::Pose at = rotor::pose_of(rotor(), law.geometry_at(yielding),
+                                            blades().direction(open.blade, first), rotor::from_ring(state));
+    const bool found = law.respond(at, open.slip, speed, yielding, open.bending, force);
     rate = law.yielding_rate(force.normal, yielding);
-    return this->pay_curves() && found;
+    return pay_curves() && found;
   }
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact/pose.hpp"
+#include "modes/law_of_rigid_blades.hpp"
 #include "modes/solved.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
@@ -17,17 +18,14 @@ namespace rubatlas::modes {
 
 /// The equations of `Solved`, with the ring where its spring balances the blades. Place and velocity of the
 /// ring are not degrees of freedom; they follow from the shaft's state.
-template <class Law>
-class FollowingRing : public Solved<Law> {
+class FollowingRing : public Solved {
  public:
-  using Base = Solved<Law>;
-  using Base::Base;
+  using Solved::Solved;
   static constexpr bool kHasPath = false;
-  using FullState = rotor::ContactState;
 
   bool operator()(const FullState& state, FullState& derivative) {
     FullState placed = state;
-    return place_ring(placed) && Base::operator()(placed, derivative);
+    return place_ring(placed) && Solved::operator()(placed, derivative);
   }
 
   void project(FullState& state) const { place_ring(state); }
@@ -37,14 +35,15 @@ class FollowingRing : public Solved<Law> {
   void guards(Search& search) {
     touch_downs_and_lift_offs(*this, search);
     // The rate of the ring does not tell how the ring moves on, so that no bound excludes these guards.
-    for (std::size_t i = 0; i < this->contacts_.size(); ++i) this->slip_guard(*this, search, i, false);
-    this->loss_of_validity(*this, search, std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < contacts_.size(); ++i) slip_guard(*this, search, i, false);
+    loss_of_validity(*this, search, std::numeric_limits<double>::infinity());
   }
 
   /// Puts the ring of a state where its spring balances the open contacts. False where there is no such place
   /// (MODEL 5).
   bool place_ring(FullState& state) const {
-    return rotor::RingBalance(this->machine(), *this->law_, this->contacts()).place(state);
+    return rotor::RingBalance(machine(), static_cast<const LawOfRigidBlades&>(*law_).blades(), contacts())
+        .place(state);
   }
 
   /// Finds the ring's place and the contacts together: `touches(blade)` opens the contact of a blade that
@@ -53,18 +52,18 @@ class FollowingRing : public Solved<Law> {
   /// unknown (MODEL 5).
   template <class Touches>
   bool settle(rotor::ShaftAndRing& bodies, double time, std::vector<OpenContact>& contacts, Touches touches) {
-    const double radius = this->law_->of(0).geometry().ring_radius;
+    const double radius = law_->geometry(0).ring_radius;
     const double rounding = kGapRounding * radius * radius;
-    for (int change = 0; change <= 2 * this->blades().count(); ++change) {
+    for (int change = 0; change <= 2 * blades().count(); ++change) {
       FullState full;
-      this->open(time, bodies, contacts, full);
+      open(time, bodies, contacts, full);
       if (!place_ring(full)) return false;
       bodies = rotor::bodies(full);
       int enters = -1;
       double deepest = rounding;
       auto leaves = contacts.end();
-      for (int k = 0; k < this->blades().count(); ++k) {
-        const double gap = this->pose(k, full).gap;
+      for (int k = 0; k < blades().count(); ++k) {
+        const double gap = pose(k, full).gap;
         const auto open = std::ranges::find(contacts, k, &OpenContact::blade);
         if (open == contacts.end() && gap > deepest) {
           deepest = gap;
@@ -89,13 +88,12 @@ class FollowingRing : public Solved<Law> {
 
   /// All open contacts slip in the direction of their s.
   [[nodiscard]] bool slides(const FullState& state) const {
-    const double speed = this->blades().angular_speed(state[rotor::kTime]);
-    return std::ranges::all_of(this->contacts(), [&](const OpenContact& contact) {
-      const contact::Geometry& geometry = this->law_->of(contact.blade).geometry();
-      const double velocity =
-          contact::undeformed_slip_velocity(geometry, this->pose(contact.blade, state), speed);
+    const double speed = blades().angular_speed(state[rotor::kTime]);
+    return std::ranges::all_of(contacts(), [&](const OpenContact& contact) {
+      const contact::Geometry& geometry = law_->geometry(contact.blade);
+      const double velocity = contact::undeformed_slip_velocity(geometry, pose(contact.blade, state), speed);
       return contact.slip * velocity >=
-             -contact::kSlipRounding * std::abs(this->rotor().speed_ratio) * geometry.ring_radius;
+             -contact::kSlipRounding * std::abs(rotor().speed_ratio) * geometry.ring_radius;
     });
   }
 };

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "blade/inclined_elastica.hpp"
-#include "contact/pose.hpp"
 
 namespace rubatlas::modes {
 
@@ -26,18 +25,5 @@ struct BladeGap {
   double value;  ///< [m²]
   double rate;   ///< [m² per unit τ]
 };
-
-/// The force of an open contact where its blade stands; updates its guesses. False where there is none.
-template <class Law>
-bool respond(const Law& law, const contact::Pose& at, double speed, OpenContact& contact,
-             contact::TipForce& force) {
-  if constexpr (requires {
-                  law.respond(at, contact.slip, speed, contact.bend.modulus, contact.bend.amplitude, force);
-                }) {
-    return law.respond(at, contact.slip, speed, contact.bend.modulus, contact.bend.amplitude, force);
-  } else {
-    return law.respond(at, contact.slip, speed, contact.bending, force);
-  }
-}
 
 }  // namespace rubatlas::modes

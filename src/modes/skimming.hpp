@@ -24,43 +24,40 @@
 
 namespace rubatlas::modes {
 
-template <class Law>
-class Skimming : public Solved<Law> {
+class Skimming : public Solved {
  public:
-  using Base = Solved<Law>;
-  using Base::Base;
-  using typename Base::FullState;
+  using Solved::Solved;
   static constexpr bool kHasPath = false;
 
   bool operator()(const FullState& state, FullState& derivative) {
-    ++this->evaluations_;
-    const contact::BladeDirection first = this->first_blade(state);
+    ++evaluations_;
+    const contact::BladeDirection first = first_blade(state);
     std::complex<double> others;
-    for (std::size_t i = 1; i < this->contacts_.size(); ++i) {
-      if (!this->add_force(state, first, i, others)) return false;
+    for (std::size_t i = 1; i < contacts_.size(); ++i) {
+      if (!add_force(state, first, i, others)) return false;
     }
     Balance balance;
-    if (!weigh(state, this->contacts_.front(), others, balance)) return false;
-    this->forces_.front() = balance.force;
-    this->set_derivative(state, others + balance.share * balance.pushed, derivative);
-    this->watch_shortening(this->shortening());
+    if (!weigh(state, contacts_.front(), others, balance)) return false;
+    forces_.front() = balance.force;
+    set_derivative(state, others + balance.share * balance.pushed, derivative);
+    watch_shortening(shortening());
     return true;
   }
 
   /// λ in a state; NaN where a blade has no force.
   [[nodiscard]] double share(const FullState& state) const {
     Balance balance;
-    const auto others = force_of_others(state, this->contacts_);
-    OpenContact contact = this->contacts_.front();
+    const auto others = force_of_others(state, contacts_);
+    OpenContact contact = contacts_.front();
     if (!others || !weigh(state, contact, *others, balance)) return std::numeric_limits<double>::quiet_NaN();
     return balance.share;
   }
   /// λ times what the blade that skims does in full; nothing where a blade has no force.
   [[nodiscard]] contact::TipForce force(std::size_t contact, const FullState& state) const {
-    if (contact > 0) return Base::force(contact, state);
+    if (contact > 0) return Solved::force(contact, state);
     Balance balance{};
-    OpenContact open = this->contacts_.front();
-    const auto others = force_of_others(state, this->contacts_);
+    OpenContact open = contacts_.front();
+    const auto others = force_of_others(state, contacts_);
     if (!others || !weigh(state, open, *others, balance)) return {};
     return balance.force;
   }
@@ -74,9 +71,8 @@ class Skimming : public Solved<Law> {
     // Hops are seldom that low: the blade's force is asked for only where they are.
     OpenContact contact = contacts.front();
     const FreeMotion free = free_motion(state, contact.blade, *others);
-    const contact::Geometry& geometry = this->law_->of(contact.blade).geometry();
-    const double rate =
-        contact::gap_rate(geometry, free.pose, this->blades().angular_speed(state[rotor::kTime]));
+    const contact::Geometry& geometry = law_->geometry(contact.blade);
+    const double rate = contact::gap_rate(geometry, free.pose, blades().angular_speed(state[rotor::kTime]));
     if (!(rate * rate <= 4.0 * geometry.ring_radius * hop * free.curvature)) return false;
     Balance balance;
     return weigh(state, contact, *others, balance) && balance.share > 0.0 && balance.share < 1.0;
@@ -84,36 +80,36 @@ class Skimming : public Solved<Law> {
 
   /// Puts a state back on g = 0, dg/dτ = 0, the shortest way for the shaft.
   void project(FullState& state) const {
-    const contact::Geometry& geometry = this->law_->of(this->contacts_.front().blade).geometry();
-    const contact::BladeDirection er = direction(state, this->contacts_.front().blade);
+    const contact::Geometry& geometry = law_->geometry(contacts_.front().blade);
+    const contact::BladeDirection er = direction(state, contacts_.front().blade);
     const rotor::State seen = rotor::from_ring(state);
     const double outward_x = seen[0] + geometry.reach * er.cosine;
-    const double outward_y = seen[1] + this->rotor().misalignment + geometry.reach * er.sine;
+    const double outward_y = seen[1] + rotor().misalignment + geometry.reach * er.sine;
     const double inverse = 0.5 / (outward_x * outward_x + outward_y * outward_y);
-    const double gap = this->pose(this->contacts_.front().blade, state).gap;
+    const double gap = pose(contacts_.front().blade, state).gap;
     state[0] -= gap * inverse * outward_x;
     state[1] -= gap * inverse * outward_y;
-    const double rate = contact::gap_rate(geometry, this->pose(this->contacts_.front().blade, state),
-                                          this->blades().angular_speed(state[rotor::kTime]));
+    const double rate = contact::gap_rate(geometry, pose(contacts_.front().blade, state),
+                                          blades().angular_speed(state[rotor::kTime]));
     state[2] -= rate * inverse * outward_x;
     state[3] -= rate * inverse * outward_y;
   }
 
   template <class Step>
   [[nodiscard]] double scaled_error(const Step& step) const {
-    const bool alone = this->contacts_.size() == 1;
-    return this->error_of(step, this->acceleration_, alone, [](const FullState&) { return 0.0; });
+    const bool alone = contacts_.size() == 1;
+    return error_of(step, acceleration_, alone, [](const FullState&) { return 0.0; });
   }
 
   /// The tip leaves the ring at λ = 0 and is pressed in at λ = 1; both by so much that rounding does not lead
   /// it back.
   template <class Search>
   void guards(Search& search) {
-    const int skims = this->contacts_.front().blade;
+    const int skims = contacts_.front().blade;
     const auto at = [&](double part) { return share(search.step().at_fraction(part)); };
     search.look_for([&](double part) { return -kShareBeyond - at(part); }, {Guard::lift_off, skims});
     search.look_for([&](double part) { return at(part) - (1.0 + kShareBeyond); }, {Guard::pressed_in, skims});
-    this->guards_but_of(skims, search);
+    guards_but_of(skims, search);
   }
 
  private:
@@ -127,7 +123,7 @@ class Skimming : public Solved<Law> {
   };
 
   [[nodiscard]] contact::BladeDirection direction(const FullState& state, int blade) const {
-    return this->blades().direction(blade, this->first_blade(state));
+    return blades().direction(blade, first_blade(state));
   }
 
   /// What the contacts behind the first do to the rotor [N]; none where one has no force.
@@ -137,10 +133,7 @@ class Skimming : public Solved<Law> {
     for (std::size_t i = 1; i < contacts.size(); ++i) {
       OpenContact open = contacts[i];
       contact::TipForce force{};
-      const contact::Pose at = this->pose(open.blade, state);
-      if (!respond(this->law_->of(open.blade), at, this->blades().angular_speed(state[rotor::kTime]), open,
-                   force))
-        return std::nullopt;
+      if (!law_->respond(place(open.blade, state), open, force)) return std::nullopt;
       sum += contact::on_rotor(force, direction(state, open.blade));
     }
     return sum;
@@ -154,18 +147,17 @@ class Skimming : public Solved<Law> {
   };
   [[nodiscard]] FreeMotion free_motion(const FullState& state, int blade,
                                        const std::complex<double>& others) const {
-    const contact::Geometry& geometry = this->law_->of(blade).geometry();
+    const contact::Geometry& geometry = law_->geometry(blade);
     FreeMotion free;
     free.direction = direction(state, blade);
     const rotor::State seen = rotor::from_ring(state);
-    free.pose = rotor::pose_of(this->rotor(), geometry, free.direction, seen);
-    const rotor::Acceleration acceleration = this->machine().acceleration(state, others);
-    free.curvature = contact::gap_curvature(geometry, free.direction, free.pose,
-                                            {seen[0], seen[1] + this->rotor().misalignment},
-                                            {seen[2], seen[3]}, acceleration.shaft - acceleration.ring,
-                                            this->blades().angular_speed(state[rotor::kTime]));
-    free.curvature += 2.0 * geometry.reach * this->blades().angular_acceleration(state[rotor::kTime]) *
-                      free.pose.tangential;
+    free.pose = rotor::pose_of(rotor(), geometry, free.direction, seen);
+    const rotor::Acceleration acceleration = machine().acceleration(state, others);
+    free.curvature = contact::gap_curvature(
+        geometry, free.direction, free.pose, {seen[0], seen[1] + rotor().misalignment}, {seen[2], seen[3]},
+        acceleration.shaft - acceleration.ring, blades().angular_speed(state[rotor::kTime]));
+    free.curvature +=
+        2.0 * geometry.reach * blades().angular_acceleration(state[rotor::kTime]) * free.pose.tangential;
     return free;
   }
 
@@ -174,15 +166,12 @@ class Skimming : public Solved<Law> {
     const FreeMotion free = free_motion(state, contact.blade, others);
     const contact::BladeDirection& er = free.direction;
     const contact::Pose& at = free.pose;
-    const auto& law = this->law_->of(contact.blade);
     contact::TipForce& force = balance.force;
-    if (!law.respond(at, contact.slip, this->blades().angular_speed(state[rotor::kTime]), contact.bending,
-                     force))
-      return false;
+    if (!law_->respond({at, blades().angular_speed(state[rotor::kTime])}, contact, force)) return false;
     balance.pushed = contact::on_rotor(force, er);
     const double pushed_curvature =
-        2.0 * this->machine().closing_unit() *
-        ((at.radial + law.geometry().reach) * force.radial + at.tangential * force.tangential);
+        2.0 * machine().closing_unit() *
+        ((at.radial + law_->geometry(contact.blade).reach) * force.radial + at.tangential * force.tangential);
     balance.share = -free.curvature / pushed_curvature;
     force.radial *= balance.share;
     force.tangential *= balance.share;

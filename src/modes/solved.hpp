@@ -16,38 +16,25 @@
 
 namespace rubatlas::modes {
 
-template <class Law>
-class Solved : public ContactMode<Law> {
+class Solved : public ContactMode<> {
  public:
-  using Base = ContactMode<Law>;
-  using Base::Base;
-  using typename Base::FullState;
+  using ContactMode::ContactMode;
   static constexpr bool kHasPath = true;
 
   bool operator()(const FullState& state, FullState& derivative) {
-    ++this->evaluations_;
-    const contact::BladeDirection first = this->first_blade(state);
+    ++evaluations_;
+    const contact::BladeDirection first = first_blade(state);
     std::complex<double> force;
-    for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
       if (!add_force(state, first, i, force)) return false;
     }
     set_derivative(state, force, derivative);
-    if (!Law::kLoadFollowsGap) this->watch_shortening(this->shortening());
+    if (!kind_.load_follows_gap) watch_shortening(shortening());
     return true;
   }
 
   /// No step, however short, finds a force: the branch on which a blade stands has come to its end.
-  [[nodiscard]] ModeEnd without_force() const {
-    const OpenContact& lost = this->contacts_[lost_];
-    if constexpr (Law::kHasBending) {
-      const auto& law = this->law_->of(lost.blade);
-      if (law.has_branches()) return {Guard::snap, lost.blade};
-      if (law.releases_at_fold()) return {Guard::lift_off, lost.blade};
-    } else if (!Law::kLoadFollowsGap) {
-      return {Guard::snap, lost.blade};
-    }
-    return Base::without_force();
-  }
+  [[nodiscard]] ModeEnd without_force() const { return law_->without_force(contacts_[lost_].blade); }
 
   template <class Search>
   void guards(Search& search) {
@@ -64,18 +51,15 @@ class Solved : public ContactMode<Law> {
     for (int k = 0; k < search.blades(); ++k) {
       if (!search.blade(k).open) {
         touch_down(*this, search, k);
-      } else if (k != blade && this->ends_at_ring(k, end)) {
+      } else if (k != blade && ends_at_ring(k, end)) {
         lift_off_at_ring(*this, search, k);
       }
     }
-    const auto bounds = this->bounds(search.step());
-    for (std::size_t i = 0; i < this->contacts_.size(); ++i)
-      this->slip_guard(*this, search, i, this->slip_lasts(bounds));
-    this->loss_of_validity(*this, search, bounds.distance);
-    if constexpr (Law::kHasBending) {
-      for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
-        if (this->law_->of(this->contacts_[i].blade).has_branches()) buckling(*this, search, i);
-      }
+    const Bounds range = bounds(search.step());
+    for (std::size_t i = 0; i < contacts_.size(); ++i) slip_guard(*this, search, i, slip_lasts(range));
+    loss_of_validity(*this, search, range.distance);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      if (law_->has_branches(contacts_[i].blade)) buckling(*this, search, i);
     }
   }
 
@@ -83,14 +67,13 @@ class Solved : public ContactMode<Law> {
   /// none.
   bool add_force(const FullState& state, const contact::BladeDirection& first, std::size_t contact,
                  std::complex<double>& sum) {
-    OpenContact& open = this->contacts_[contact];
-    contact::TipForce& force = this->forces_[contact];
-    const contact::BladeDirection er = this->blades().direction(open.blade, first);
+    OpenContact& open = contacts_[contact];
+    contact::TipForce& force = forces_[contact];
+    const contact::BladeDirection er = blades().direction(open.blade, first);
     const contact::Pose pose =
-        rotor::pose_of(this->rotor(), this->law_->of(open.blade).geometry(), er, rotor::from_ring(state));
+        rotor::pose_of(rotor(), law_->geometry(open.blade), er, rotor::from_ring(state));
     const double side = open.bend.modulus;
-    const bool found =
-        this->respond_paid(pose, this->blades().angular_speed(state[rotor::kTime]), open, force);
+    const bool found = respond_paid({pose, blades().angular_speed(state[rotor::kTime])}, open, force);
     if (!found || side * open.bend.modulus < 0.0) {
       lost_ = contact;
       return false;
@@ -99,8 +82,8 @@ class Solved : public ContactMode<Law> {
     return true;
   }
   void set_derivative(const FullState& state, const std::complex<double>& force, FullState& derivative) {
-    this->acceleration_ = this->machine().acceleration(state, force);
-    derivative = rotor::full_state(rotor::rate_of(state, this->acceleration_), 1.0, 0.0);
+    acceleration_ = machine().acceleration(state, force);
+    derivative = rotor::full_state(rotor::rate_of(state, acceleration_), 1.0, 0.0);
   }
 
   /// The contact that has found no force in the last evaluation that failed.

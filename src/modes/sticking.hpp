@@ -21,38 +21,36 @@
 #include "contact/sticking.hpp"
 #include "modes/contact_mode.hpp"
 #include "modes/guards.hpp"
+#include "modes/law_of_rigid_blades.hpp"
 #include "modes/open_contact.hpp"
+#include "modes/rest_judge.hpp"
 #include "rotor/constants.hpp"
 
 namespace rubatlas::modes {
 
 /// σ = τ. An open contact with slip 0 sticks.
-template <class Law>
-class Sticking : public ContactMode<Law> {
+class Sticking : public ContactMode<>, public RestJudge {
  public:
-  using Base = ContactMode<Law>;
-  using Base::Base;
-  using FullState = rotor::ContactState;
+  using ContactMode::ContactMode;
 
   bool operator()(const FullState& state, FullState& derivative) {
-    ++this->evaluations_;
-    this->acceleration_ = {balance(state, this->forces_).acceleration, 0.0};
-    derivative = rotor::full_state(rotor::rate_of(state, this->acceleration_), 1.0, 0.0);
+    ++evaluations_;
+    acceleration_ = {balance(state, forces_).acceleration, 0.0};
+    derivative = rotor::full_state(rotor::rate_of(state, acceleration_), 1.0, 0.0);
     return true;
   }
 
   /// Of the contacts with s = 0 in a state, those stay at rest that friction can hold; the others get the
-  /// direction in which they are pulled, of which `tell` is called. A rigid tip can always do either: true.
-  template <class Tell>
-  bool settle(const FullState& state, std::vector<OpenContact>& contacts, Tell tell) {
+  /// direction in which they are pulled. A rigid tip can always do either: true.
+  bool settle(const FullState& state, std::vector<OpenContact>& contacts, const Tell& tell) override {
     std::size_t stuck = 0;
     for (OpenContact& contact : contacts) {
       if (contact.slip == 0.0 && ++stuck > contact::kMostAtRest) contact.slip = 1.0;
     }
     if (stuck == 0) return true;
     while (true) {
-      this->stand(contacts);
-      const Balance now = balance(state, this->forces_);
+      stand(contacts);
+      const Balance now = balance(state, forces_);
       const Stuck* loosest = nullptr;
       for (std::size_t i = 0; i < now.count; ++i) {
         const Stuck& tip = now.stuck[i];
@@ -66,17 +64,16 @@ class Sticking : public ContactMode<Law> {
     }
   }
 
-  /// The slip velocity of a tip has come to zero. Where two tips stick already, a third passes through. False
-  /// where the tip could do neither, which a rigid blade's always can.
-  static bool arrest(std::vector<OpenContact>& contacts, std::size_t contact, const FullState& /*state*/) {
+  /// Where two tips stick already, a third passes through.
+  bool arrest(const FullState& /*state*/, std::vector<OpenContact>& contacts, std::size_t contact) override {
     const auto stuck = std::ranges::count(contacts, 0.0, &OpenContact::slip);
     contacts[contact].slip =
         stuck >= static_cast<std::ptrdiff_t>(contact::kMostAtRest) ? -contacts[contact].slip : 0.0;
     return true;
   }
-  /// A tip that friction no longer holds slips the way it is pulled, which a rigid blade's always can.
-  bool let_go(std::vector<OpenContact>& contacts, std::size_t contact, const FullState& state) {
-    this->stand(contacts);
+  /// It slips the way it is pulled.
+  bool let_go(const FullState& state, std::vector<OpenContact>& contacts, std::size_t contact) override {
+    stand(contacts);
     contacts[contact].slip = std::copysign(1.0, coefficient(contact, state));
     return true;
   }
@@ -93,24 +90,24 @@ class Sticking : public ContactMode<Law> {
   }
   /// What a contact does in a state.
   [[nodiscard]] contact::TipForce force(std::size_t contact, const FullState& state) const {
-    contact::TipForce result = slipping(this->contacts_[contact], state).force;
-    if (this->contacts_[contact].slip == 0.0) hold(stuck(contact, state), result);
+    contact::TipForce result = slipping(contacts_[contact], state).force;
+    if (contacts_[contact].slip == 0.0) hold(stuck(contact, state), result);
     return result;
   }
 
   [[nodiscard]] double friction_of(std::size_t contact, const contact::TipForce& force,
                                    const FullState& state) const {
-    return this->contacts_[contact].slip == 0.0 ? coefficient(contact, state)
-                                                : Base::friction_of(contact, force, state);
+    return contacts_[contact].slip == 0.0 ? coefficient(contact, state)
+                                          : ContactMode::friction_of(contact, force, state);
   }
 
   /// Puts the stuck tips of a state back to v = 0, the shortest way.
   void project(FullState& state) const {
     std::array<Stuck, contact::kMostAtRest> tips{};
     std::size_t count = 0;
-    for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
-      if (this->contacts_[i].slip != 0.0) continue;
-      tips[count] = tip_at_rest(i, slipping(this->contacts_[i], state));
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      if (contacts_[i].slip != 0.0) continue;
+      tips[count] = tip_at_rest(i, slipping(contacts_[i], state));
       tips[count].pull = tips[count].slip_velocity;
       ++count;
     }
@@ -123,14 +120,13 @@ class Sticking : public ContactMode<Law> {
 
   template <class Step>
   [[nodiscard]] double scaled_error(const Step& step) const {
-    return this->error_of(step, this->acceleration_, this->all_at_rest(),
-                          [](const FullState&) { return 0.0; });
+    return error_of(step, acceleration_, all_at_rest(), [](const FullState&) { return 0.0; });
   }
   void place(FullState& state) const { project(state); }
 
   template <class Search>
   void guards(Search& search) const {
-    this->guards_of_tips(*this, search);
+    guards_of_tips(*this, search);
   }
 
  private:
@@ -161,22 +157,22 @@ class Sticking : public ContactMode<Law> {
 
   [[nodiscard]] Slipping slipping(OpenContact contact, const FullState& state) const {
     Slipping result{};
-    result.direction = this->blades().direction(contact.blade, this->blades().first(state[rotor::kTime]));
-    const auto& law = this->law_->of(contact.blade);
-    result.pose = rotor::pose_of(this->rotor(), law.geometry(), result.direction, state.head<4>());
-    respond(law, result.pose, this->blades().angular_speed(state[rotor::kTime]), contact, result.force);
+    result.direction = blades().direction(contact.blade, blades().first(state[rotor::kTime]));
+    result.pose = rotor::pose_of(rotor(), law_->geometry(contact.blade), result.direction, state.head<4>());
+    law_->respond({result.pose, blades().angular_speed(state[rotor::kTime])}, contact, result.force);
     return result;
   }
 
   [[nodiscard]] Stuck tip_at_rest(std::size_t contact, const Slipping& at) const {
-    const auto& law = this->law_->of(this->contacts_[contact].blade);
+    const contact::ElasticRingContact& law =
+        static_cast<const LawOfRigidBlades&>(*law_).of(contacts_[contact].blade);
     Stuck tip;
     tip.contact = contact;
     tip.direction = {at.direction.cosine, at.direction.sine};
     tip.tangent = tip.direction * contact::tangent(law.geometry(), at.pose);
     tip.pose = at.pose;
-    tip.load = at.force.normal * this->rotor().force_unit;
-    tip.largest = law.friction().largest_holding;
+    tip.load = at.force.normal * rotor().force_unit;
+    tip.largest = law.friction().static_friction;
     tip.slip_velocity = at.force.slip_velocity;
     return tip;
   }
@@ -185,23 +181,23 @@ class Sticking : public ContactMode<Law> {
   [[nodiscard]] Balance balance(const FullState& state, std::span<contact::TipForce> forces) const {
     Balance result;
     std::complex<double> force;
-    for (std::size_t i = 0; i < this->contacts_.size(); ++i) {
-      const Slipping at = slipping(this->contacts_[i], state);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const Slipping at = slipping(contacts_[i], state);
       force += std::complex<double>(at.force.radial, at.force.tangential) *
                std::complex<double>(at.direction.cosine, at.direction.sine);
       if (!forces.empty()) forces[i] = at.force;
-      if (this->contacts_[i].slip == 0.0) result.stuck[result.count++] = tip_at_rest(i, at);
+      if (contacts_[i].slip == 0.0) result.stuck[result.count++] = tip_at_rest(i, at);
     }
-    result.acceleration = this->machine().acceleration(state, force).shaft;
+    result.acceleration = machine().acceleration(state, force).shaft;
     const std::span<Stuck> stuck(result.stuck.data(), result.count);
     for (Stuck& tip : stuck) {
-      const contact::Geometry& geometry = this->law_->of(this->contacts_[tip.contact].blade).geometry();
+      const contact::Geometry& geometry = law_->geometry(contacts_[tip.contact].blade);
       const std::complex<double> seen = result.acceleration * std::conj(tip.direction);
       contact::OtherAcceleration other{seen.real(), seen.imag()};
       // The hub's own angular acceleration moves the tip across the blade.
-      other.tangential += geometry.reach * this->blades().angular_acceleration(state[rotor::kTime]);
-      tip.pull = contact::slip_acceleration(
-          geometry, tip.pose, this->blades().angular_speed(state[rotor::kTime]), other, tip.load, 0.0);
+      other.tangential += geometry.reach * blades().angular_acceleration(state[rotor::kTime]);
+      tip.pull = contact::slip_acceleration(geometry, tip.pose, blades().angular_speed(state[rotor::kTime]),
+                                            other, tip.load, 0.0);
     }
     contact::share_out(stuck);
     for (const Stuck& tip : stuck) {
@@ -214,7 +210,7 @@ class Sticking : public ContactMode<Law> {
   /// Adds the friction that holds a tip to the force of its contact.
   void hold(const Stuck& tip, contact::TipForce& force) const {
     const std::complex<double> friction =
-        -tip.pull / this->rotor().force_unit * tip.tangent * std::conj(tip.direction);
+        -tip.pull / rotor().force_unit * tip.tangent * std::conj(tip.direction);
     force.radial += friction.real();
     force.tangential += friction.imag();
   }

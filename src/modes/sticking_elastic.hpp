@@ -23,7 +23,9 @@
 #include "contact/pose.hpp"
 #include "contact/sticking_elastica.hpp"
 #include "modes/guards.hpp"
+#include "modes/law_of_inclined_loads.hpp"
 #include "modes/open_contact.hpp"
+#include "modes/rest_judge.hpp"
 #include "modes/solved.hpp"
 #include "rotor/constants.hpp"
 
@@ -31,19 +33,13 @@ namespace rubatlas::modes {
 
 /// The equations of `Solved`. An open contact with slip 0 sticks, and is found from its bending and
 /// amplitude.
-template <class Law>
-class StickingElastic : public Solved<Law> {
+class StickingElastic : public Solved, public RestJudge {
  public:
-  using Base = Solved<Law>;
-  using Base::Base;
+  using Solved::Solved;
   static constexpr bool kHasPath = false;
-  using typename Base::FullState;
 
-  /// The tips at rest that friction cannot hold in a state get the direction in which they slip, of which
-  /// `tell` is called. A contact that is new slips, or rests, as Coulomb's inclusion has it there. False
-  /// where the inclusion leaves a tip neither rest nor a direction (MODEL 5).
-  template <class Tell>
-  bool settle(const FullState& state, std::vector<OpenContact>& contacts, Tell tell) const {
+  /// A contact that is new slips, or rests, as Coulomb's inclusion has it there.
+  bool settle(const FullState& state, std::vector<OpenContact>& contacts, const Tell& tell) override {
     for (OpenContact& contact : contacts) {
       if (contact.slip == 0.0) {
         if (rests(contact, state)) continue;
@@ -59,8 +55,8 @@ class StickingElastic : public Solved<Law> {
   }
 
   /// A slipping tip whose slip velocity has come to zero, or is against its direction: rests where it can,
-  /// and slips the other way where it cannot. False where Coulomb's inclusion leaves it neither (MODEL 5).
-  bool arrest(std::vector<OpenContact>& contacts, std::size_t contact, const FullState& state) const {
+  /// and slips the other way where it cannot.
+  bool arrest(const FullState& state, std::vector<OpenContact>& contacts, std::size_t contact) override {
     return arrest(contacts[contact], state);
   }
   /// Puts a slipping tip to rest where friction can hold it next to where it slips; false, and nothing
@@ -72,44 +68,43 @@ class StickingElastic : public Solved<Law> {
     contact = there;
     return true;
   }
-  /// A tip that rests no longer slips the way it is pulled. False where it can slip in neither direction.
-  bool let_go(std::vector<OpenContact>& contacts, std::size_t contact, const FullState& state) const {
+  /// It slips the way it is pulled.
+  bool let_go(const FullState& state, std::vector<OpenContact>& contacts, std::size_t contact) override {
     return let_go(contacts[contact], state);
   }
 
   /// |c| − μs [-], or how far a tip is from being firm, and its blade from being bent: it comes loose where
   /// that is positive. One that nothing can hold has come loose.
   [[nodiscard]] double excess(std::size_t contact, const FullState& state) const {
-    if (this->is_stopped()) return -1.0;
-    const OpenContact& open = this->contacts_[contact];
+    if (is_stopped()) return -1.0;
+    const OpenContact& open = contacts_[contact];
     const double result = looseness(open, rest(open, state));
-    this->pay_curves();
+    pay_curves();
     return result;
   }
   /// c [-] that holds a tip at rest, or under which it slips.
   [[nodiscard]] double friction_of(std::size_t contact, const contact::TipForce& force,
                                    const FullState& state) const {
-    const OpenContact& open = this->contacts_[contact];
-    if (open.slip != 0.0) return Base::friction_of(contact, force, state);
+    const OpenContact& open = contacts_[contact];
+    if (open.slip != 0.0) return Solved::friction_of(contact, force, state);
     const auto there = rest(open, state);
     return there ? there->blade.coefficient : 0.0;
   }
   /// The force of tips that are all at rest is smooth.
   template <class Step>
   [[nodiscard]] double scaled_error(const Step& step) const {
-    return this->error_of(step, this->acceleration_, this->all_at_rest(),
-                          [](const FullState&) { return 0.0; });
+    return error_of(step, acceleration_, all_at_rest(), [](const FullState&) { return 0.0; });
   }
   [[nodiscard]] ModeEnd without_force() const {
     // A tip at rest that nothing can hold beyond the start of the step.
-    const OpenContact& lost = this->contacts_[this->lost_];
+    const OpenContact& lost = contacts_[lost_];
     if (lost.slip == 0.0) return {Guard::comes_loose, lost.blade};
-    return Base::without_force();
+    return Solved::without_force();
   }
 
   template <class Search>
   void guards(Search& search) const {
-    this->guards_of_tips(*this, search);
+    guards_of_tips(*this, search);
   }
 
  protected:
@@ -131,6 +126,10 @@ class StickingElastic : public Solved<Law> {
   }
 
  private:
+  [[nodiscard]] const contact::DirectedElastica& of(int blade) const {
+    return static_cast<const LawOfInclinedLoads&>(*law_).of(blade);
+  }
+
   /// Of μs, beyond which a tip comes loose. A tip comes to rest at the very edge of the cone, where its
   /// coefficient is known to some 1e-8: whether it rests must not depend on that.
   static constexpr double kShareBeyond = 1e-7;
@@ -142,36 +141,33 @@ class StickingElastic : public Solved<Law> {
 
   /// Whether v vanishes anywhere on the ring. Where it does not the undeformed tip's has the sign of all.
   [[nodiscard]] bool may_rest(const OpenContact& open, const FullState& state) const {
-    return contact::resting_normal_angle(this->law_->of(open.blade).geometry(), this->pose(open.blade, state),
-                                         this->blades().angular_speed(state[rotor::kTime]), 0.0)
+    return contact::resting_normal_angle(law_->geometry(open.blade), pose(open.blade, state),
+                                         blades().angular_speed(state[rotor::kTime]), 0.0)
         .has_value();
   }
   /// Its tip then slips as the undeformed tip does, of which s is the sign.
   [[nodiscard]] bool opens_unbent(const OpenContact& open, const FullState& state) const {
-    return this->law_->of(open.blade)
-        .opens_unbent(this->pose(open.blade, state), open.slip,
-                      this->blades().angular_speed(state[rotor::kTime]));
+    return of(open.blade)
+        .opens_unbent(pose(open.blade, state), open.slip, blades().angular_speed(state[rotor::kTime]));
   }
-  [[nodiscard]] auto rest(const OpenContact& open, const FullState& state) const {
-    return this->law_->of(open.blade)
-        .rest(this->pose(open.blade, state), this->blades().angular_speed(state[rotor::kTime]), open.bend);
+  using Rest = contact::DirectedElastica::Rest;
+  [[nodiscard]] std::optional<Rest> rest(const OpenContact& open, const FullState& state) const {
+    return of(open.blade)
+        .rest(pose(open.blade, state), blades().angular_speed(state[rotor::kTime]), open.bend);
   }
   /// `excess` of a contact at what `rest` has found for it.
-  template <class Rest>
   [[nodiscard]] double looseness(const OpenContact& open, const std::optional<Rest>& there) const {
     constexpr double kLost = 1.0;
     if (!there) return kLost;
-    const double least_modulus = kLeastModulus * this->law_->of(open.blade).friction().largest_holding;
+    const double least_modulus = kLeastModulus * of(open.blade).friction().static_friction;
     return std::max({beyond_cone(open, there->blade.coefficient), 1.0 - there->firmness / kLeastFirmness,
                      1.0 - std::abs(there->blade.bend.modulus) / least_modulus});
   }
   [[nodiscard]] double rounding_of_slip(int blade) const {
-    return contact::kSlipRounding * std::abs(this->rotor().speed_ratio) *
-           this->law_->of(blade).geometry().ring_radius;
+    return contact::kSlipRounding * std::abs(rotor().speed_ratio) * law_->geometry(blade).ring_radius;
   }
   [[nodiscard]] double beyond_cone(const OpenContact& open, double coefficient) const {
-    return std::abs(coefficient) -
-           (1.0 + kShareBeyond) * this->law_->of(open.blade).friction().largest_holding;
+    return std::abs(coefficient) - (1.0 + kShareBeyond) * of(open.blade).friction().static_friction;
   }
 
   /// Puts a tip to rest where friction can hold it near its bend; false, and nothing changed, where not.
@@ -188,8 +184,7 @@ class StickingElastic : public Solved<Law> {
   double forward(OpenContact& contact, double slip, const FullState& state) const {
     contact::TipForce force{};
     contact.slip = slip;
-    const bool stands = respond(this->law_->of(contact.blade), this->pose(contact.blade, state),
-                                this->blades().angular_speed(state[rotor::kTime]), contact, force);
+    const bool stands = law_->respond(place(contact.blade, state), contact, force);
     return stands ? slip * force.slip_velocity : -std::numeric_limits<double>::infinity();
   }
 
@@ -217,22 +212,19 @@ class StickingElastic : public Solved<Law> {
 
 /// The same where slip reversals have accumulated under Coulomb's law (MODEL 4.4): the tips that slip beside
 /// the one at rest reverse their slip at each zero of v, and nowhere else.
-template <class Law>
-class Resting : public StickingElastic<Law> {
+class Resting : public StickingElastic {
  public:
-  using Base = StickingElastic<Law>;
-  using Base::Base;
-  using typename Base::FullState;
-  static constexpr bool kRestsAtOnce = false;
+  using StickingElastic::StickingElastic;
+  [[nodiscard]] static bool rests_at_once() { return false; }
 
-  /// A tip that rests no longer slips the way it is pulled.
-  void let_go(std::vector<OpenContact>& contacts, std::size_t contact, const FullState& state) const {
-    this->leave_rest(contacts[contact], state);
+  bool let_go(const FullState& state, std::vector<OpenContact>& contacts, std::size_t contact) override {
+    leave_rest(contacts[contact], state);
+    return true;
   }
 
   template <class Search>
   void guards(Search& search) const {
-    this->guards_of_tips(*this, search);
+    guards_of_tips(*this, search);
   }
 };
 

@@ -73,20 +73,4 @@ class WorkMeter {
   ending::StatusDetail why_ = ending::StatusDetail::none;
 };
 
-/// How often the curves of a law's blades have been evaluated; 0 where they have none.
-template <class Law>
-std::uint64_t curve_evaluations(const Law& law) {
-  if constexpr (requires { law.evaluations(); }) return law.evaluations();
-  return 0;
-}
-/// Whether a blade's curve comes from a table; else each evaluation is a quadrature.
-template <class Law>
-inline constexpr bool kCurveFromTable = requires(const typename Law::OfBlade& blade) {
-  blade.curve();
-};
-template <class Law>
-std::int64_t price_of_curve() {
-  return kCurveFromTable<Law> ? WorkPrice::kCurve : WorkPrice::kInclinedCurve;
-}
-
 }  // namespace rubatlas::modes

@@ -24,11 +24,10 @@ constexpr int kNoBlade = -1;
 
 }  // namespace
 
-Motion::Motion(rotor::Machine machine, const modes::MakeModes& make_modes, const Settings& settings,
-               std::span<const double> lost)
+Motion::Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const Settings& settings)
     : machine_(std::move(machine)),
       limits_(settings.limits),
-      modes_(make_modes({machine_, limits_, meter_, settings.collocates, lost})),
+      modes_({machine_, limits_, meter_, settings.collocates, settings.make_phase}, std::move(law)),
       flight_(machine_),
       search_(machine_, geometries()) {
   contacts_.reserve(static_cast<std::size_t>(machine_.blades.count()));
@@ -55,7 +54,7 @@ ending::PointStatus Motion::start(const rotor::ShaftAndRing& state, double time,
   ended_by_ = touching != kNoBlade ? modes::Guard::touch_down : modes::Guard::horizon;
   if (!place_ring()) return ends(ending::StatusDetail::ring_unbalanced);
   if (!flight_.resolves(machine_.constants.period())) return ends(ending::StatusDetail::beyond_precision);
-  if (!modes_->settle(unbent(), contacts_, [](const modes::OpenContact&) {}))
+  if (!modes_.settle(unbent(), contacts_, [](const modes::OpenContact&) {}))
     return ends(ending::StatusDetail::slip_undecided);
   begin_flight();
   return ends(state_.isFinite().all() ? ending::StatusDetail::none : ending::StatusDetail::beyond_precision);
@@ -83,7 +82,7 @@ std::vector<modes::OpenContact> Motion::contacts_now() {
   if (undecided_ || phase_ == nullptr) return contacts;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     contacts[i] = phase_->contact_at(i, time_);
-    if (phase_ == modes_->resting()) modes_->leave_law_of_rest(contacts[i]);
+    if (phase_ == modes_.resting()) modes_.leave_law_of_rest(contacts[i]);
   }
   return contacts;
 }
@@ -111,12 +110,12 @@ Memory Motion::memory() const {
 
 WorkCounts Motion::work() const {
   WorkCounts result = work_;
-  modes_->each_phase([&](const modes::Phase& phase) {
+  modes_.each_phase([&](const modes::Phase& phase) {
     result.right_hand_sides += phase.evaluations();
     result.steps += phase.steps();
     result.rejected_steps += phase.rejected();
   });
-  result.elastica_evaluations = modes_->curve_evaluations();
+  result.elastica_evaluations = law().evaluations();
   result.price = meter_.total();
   result.gap_evaluations = search_.evaluations();
   return result;
@@ -138,13 +137,13 @@ rotor::ShaftAndRing Motion::bodies_of(const PointStart& start) const {
 std::vector<contact::Geometry> Motion::geometries() const {
   std::vector<contact::Geometry> result;
   result.reserve(static_cast<std::size_t>(machine_.blades.count()));
-  for (int k = 0; k < machine_.blades.count(); ++k) result.push_back(modes_->geometry(k));
+  for (int k = 0; k < machine_.blades.count(); ++k) result.push_back(law().geometry(k));
   return result;
 }
 
 /// Where the search for new equilibria is long, it is included.
 std::int64_t Motion::price_of_last_event() {
-  const std::int64_t searches = modes_->price_of_searches();
+  const std::int64_t searches = modes_.price_of_searches();
   return modes::WorkPrice::kEvent + (contacts_.empty() ? 0 : searches);
 }
 
@@ -181,7 +180,7 @@ modes::ModeEnd Motion::fly(double period, modes::MotionListener& listener) {
 
 modes::ModeEnd Motion::touch(double period, modes::MotionListener& listener) {
   const modes::ModeEnd end = phase_->advance(period, listener);
-  modes_->searches_are_paid();
+  modes_.searches_are_paid();
   if (end.guard == modes::Guard::horizon) {
     state_ = phase_->state_at(period);
     time_ = period;
@@ -197,11 +196,11 @@ modes::ModeEnd Motion::touch(double period, modes::MotionListener& listener) {
     contacts_[i].bend = there.bend;
     contacts_[i].yielding = there.yielding;
   }
-  if (phase_ == modes_->resting()) {
+  if (phase_ == modes_.resting()) {
     // Tips that slip beside a tip at rest go on under their own law, which finds their bending anew. The
     // reset does this for the blade of the event.
     for (modes::OpenContact& open : contacts_) {
-      if (open.slip != 0.0 && open.blade != end.blade && !modes_->bend_anew(place(open.blade), open))
+      if (open.slip != 0.0 && open.blade != end.blade && !law().bend_anew(place(open.blade), open))
         return {modes::Guard::left_validity, -1, ending::StatusDetail::no_equilibrium};
     }
   }
@@ -237,30 +236,30 @@ bool Motion::begin_mode() {
     return true;
   }
   // What collocation hands over it is not asked for again before the contacts change.
-  modes::Phase* const collocated = ended_by_ == modes::Guard::hands_over ? nullptr : modes_->collocated();
+  modes::Phase* const collocated = ended_by_ == modes::Guard::hands_over ? nullptr : modes_.collocated();
   const bool takes = collocated != nullptr && collocated->takes(contacts_);
   if (any_rests()) {
-    if (modes_->resting() != nullptr) return begin_in(modes_->resting(), modes_->at_rest(contacts_));
-    if (modes_->sticking() != nullptr && !takes) return begin_in(modes_->sticking(), contacts_);
+    if (modes_.resting() != nullptr) return begin_in(modes_.resting(), modes_.at_rest(contacts_));
+    if (modes_.sticking() != nullptr && !takes) return begin_in(modes_.sticking(), contacts_);
   }
-  if (begins_to_skim()) return begin_in(modes_->skimming(), contacts_);
+  if (begins_to_skim()) return begin_in(modes_.skimming(), contacts_);
   if (takes && all_follow()) return begin_in(collocated, contacts_);
-  return begin_in(modes_->solved(), contacts_);
+  return begin_in(modes_.solved(), contacts_);
 }
 
 /// Finds the bending of all contacts, from where another mode has left it. False where one has no force.
 bool Motion::all_follow() {
   return std::ranges::all_of(contacts_, [&](modes::OpenContact& open) {
-    return open.bending == 0.0 || modes_->follow(place(open.blade), open);
+    return open.bending == 0.0 || law().follow(place(open.blade), open);
   });
 }
 
 /// Whether the blade that has just touched down begins to skim. If so, it is the first of the contacts.
 bool Motion::begins_to_skim() {
-  if (ended_by_ != modes::Guard::touch_down || modes_->skimming() == nullptr) return false;
+  if (ended_by_ != modes::Guard::touch_down || modes_.skimming() == nullptr) return false;
   const auto change_places = [this] { std::swap(contacts_.front(), contacts_.back()); };
   change_places();
-  const bool skims = modes_->begins_to_skim(unbent(), contacts_, kUnresolvedHop * limits_.tolerance);
+  const bool skims = modes_.begins_to_skim(unbent(), contacts_, kUnresolvedHop * limits_.tolerance);
   if (!skims) change_places();
   return skims;
 }
@@ -269,20 +268,20 @@ bool Motion::begins_to_skim() {
 
 modes::TipPlace Motion::place(int blade) const {
   const rotor::RipplingBlades& blades = machine_.blades;
-  return {rotor::pose_of(machine_.constants, modes_->geometry(blade),
+  return {rotor::pose_of(machine_.constants, law().geometry(blade),
                          blades.direction(blade, blades.first(time_)), rotor::from_ring(state_)),
           blades.angular_speed(time_)};
 }
 
 /// Opens the contact of a blade at the tip's place. False where no force exists (MODEL 5).
 bool Motion::open(int blade, const modes::TipPlace& at) {
-  const contact::Geometry& geometry = modes_->geometry(blade);
+  const contact::Geometry& geometry = law().geometry(blade);
   const double velocity = contact::undeformed_slip_velocity(geometry, at.pose, at.speed);
   modes::OpenContact contact{blade, velocity >= 0.0 ? 1.0 : -1.0, 0.0};
   const double tip_speed = std::abs(machine_.constants.speed_ratio) * geometry.ring_radius;
-  if (modes_->sticking() != nullptr && std::abs(velocity) <= contact::kSlipRounding * tip_speed)
+  if (modes_.sticking() != nullptr && std::abs(velocity) <= contact::kSlipRounding * tip_speed)
     contact.slip = 0.0;
-  if (!modes_->open(at, contact)) return false;
+  if (!law().open(at, contact)) return false;
   contacts_.push_back(contact);
   return true;
 }
@@ -290,22 +289,21 @@ bool Motion::open(int blade, const modes::TipPlace& at) {
 /// Goes on with a contact at the tip's present place, or closes it where the tip has left the ring. False
 /// where no force exists (MODEL 5).
 bool Motion::keep(modes::OpenContact contact, const modes::TipPlace& at) {
-  const modes::Standing standing = modes_->keep(at, contact);
+  const modes::Standing standing = law().keep(at, contact);
   if (standing == modes::Standing::stands) contacts_.push_back(contact);
   if (standing == modes::Standing::free) ++work_.liftoffs;
   return standing != modes::Standing::lost;
 }
 
 bool Motion::place_ring() {
-  return modes_->place_ring(state_, time_, contacts_,
-                            [this](int blade) { return open(blade, place(blade)); });
+  return modes_.place_ring(state_, time_, contacts_, [this](int blade) { return open(blade, place(blade)); });
 }
 
 /// Frees the tips at rest that friction cannot hold after an event of one blade; the listener is told of the
 /// others.
 ending::StatusDetail Motion::settle_others(int blade, modes::MotionListener& listener) {
   if (!any_rests()) return ending::StatusDetail::none;
-  const bool settled = modes_->settle(unbent(), contacts_, [&](const modes::OpenContact& other) {
+  const bool settled = modes_.settle(unbent(), contacts_, [&](const modes::OpenContact& other) {
     if (other.blade != blade) tell(listener, modes::Guard::comes_loose, other.blade, other.slip);
   });
   return settled ? ending::StatusDetail::none : ending::StatusDetail::slip_undecided;
@@ -334,7 +332,7 @@ ending::PointStatus Motion::reset(const modes::ModeEnd& end, modes::MotionListen
     case Guard::touch_down:
       return ends(touch_down(end.blade, listener));
     case Guard::lift_off:
-      if (modes_->straightens(place(end.blade), *contact)) return ends(ending::StatusDetail::none);
+      if (law().straightens(place(end.blade), *contact)) return ends(ending::StatusDetail::none);
       return ends(lift_off(contact, listener));
     case Guard::snap:
       return ends(snap(contact, listener));
@@ -370,7 +368,7 @@ ending::StatusDetail Motion::lift_off(Contact contact, modes::MotionListener& li
 
 /// A blade has come to the end of its branch.
 ending::StatusDetail Motion::snap(Contact contact, modes::MotionListener& listener) {
-  switch (modes_->snap(place(contact->blade), *contact)) {
+  switch (law().snap(place(contact->blade), *contact)) {
     case modes::Standing::lost:
       return ending::StatusDetail::no_equilibrium;
     case modes::Standing::free:
@@ -384,8 +382,8 @@ ending::StatusDetail Motion::snap(Contact contact, modes::MotionListener& listen
 /// A tip at rest is no longer held, and slips in the direction of the pull.
 ending::StatusDetail Motion::come_loose(Contact contact, modes::MotionListener& listener) {
   const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());
-  if (!modes_->let_go(unbent(), contacts_, place_in_list)) return ending::StatusDetail::slip_undecided;
-  if (!modes_->bend_anew(place(contact->blade), *contact)) return ending::StatusDetail::no_equilibrium;
+  if (!modes_.let_go(unbent(), contacts_, place_in_list)) return ending::StatusDetail::slip_undecided;
+  if (!law().bend_anew(place(contact->blade), *contact)) return ending::StatusDetail::no_equilibrium;
   const ending::StatusDetail settled = settle_others(contact->blade, listener);
   tell(listener, modes::Guard::comes_loose, contact->blade, contact->slip);
   return settled;
@@ -395,21 +393,21 @@ ending::StatusDetail Motion::come_loose(Contact contact, modes::MotionListener& 
 ending::StatusDetail Motion::reverse_slip(Contact contact, modes::MotionListener& listener) {
   ++work_.slip_reversals;
   ending::StatusDetail settled = ending::StatusDetail::none;
-  if (modes_->sticking() != nullptr) {
+  if (modes_.sticking() != nullptr) {
     const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());
-    if (!modes_->arrest(unbent(), contacts_, place_in_list)) return ending::StatusDetail::slip_undecided;
+    if (!modes_.arrest(unbent(), contacts_, place_in_list)) return ending::StatusDetail::slip_undecided;
     settled = settle_others(contact->blade, listener);
   } else {
     const bool accumulated = accumulates(*contact);
-    if (accumulated && !modes_->has_law_of_rest()) return ending::StatusDetail::slip_undecided;
-    if (accumulated && modes_->comes_to_rest(unbent(), *contact)) {
+    if (accumulated && !law().knows_rest()) return ending::StatusDetail::slip_undecided;
+    if (accumulated && modes_.comes_to_rest(unbent(), *contact)) {
       ++work_.slip_accumulations;
     } else {
       contact->slip = -contact->slip;
       const modes::TipPlace at = place(contact->blade);
-      if (!modes_->bend_anew(at, *contact)) {
+      if (!law().bend_anew(at, *contact)) {
         // A tip that was held beyond the ring is free where the reversed friction cannot hold it.
-        if (!modes_->releases_at_fold(contact->blade) || at.pose.gap >= 0.0)
+        if (!law().releases_at_fold(contact->blade) || at.pose.gap >= 0.0)
           return ending::StatusDetail::no_equilibrium;
         tell(listener, modes::Guard::slip_reversal, contact->blade, contact->slip);
         return lift_off(contact, listener);

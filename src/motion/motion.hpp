@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "modes/contact_modes.hpp"
@@ -25,10 +24,9 @@ class Motion final : public PointMotion {
   struct Settings {
     modes::ContactLimits limits;
     bool collocates;  ///< contacts that collocation can solve are left to it
+    modes::MakePhase* make_phase = modes::phase_in_853_steps;
   };
-  /// `lost`: the length that each blade has lost [m], empty where no blade wears.
-  Motion(rotor::Machine machine, const modes::MakeModes& make_modes, const Settings& settings,
-         std::span<const double> lost = {});
+  Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const Settings& settings);
 
   /// Starts at phase 0; blades with g > 0 are in contact (MODEL 4.4).
   ending::PointStatus start(const PointStart& start) override;
@@ -69,6 +67,7 @@ class Motion final : public PointMotion {
   bool begins_to_skim();
 
   // Contacts.
+  [[nodiscard]] const modes::Law& law() const { return modes_.law(); }
   [[nodiscard]] modes::TipPlace place(int blade) const;
   [[nodiscard]] rotor::ContactState unbent() const { return rotor::full_state(state_, time_, 0.0); }
   bool open(int blade, const modes::TipPlace& at);
@@ -89,7 +88,7 @@ class Motion final : public PointMotion {
   rotor::Machine machine_;
   modes::ContactLimits limits_;
   modes::WorkMeter meter_;
-  std::unique_ptr<modes::ContactModes> modes_;
+  modes::ContactModes modes_;
   modes::Flight flight_;
   modes::TouchdownSearch search_;
   std::vector<modes::OpenContact> contacts_;

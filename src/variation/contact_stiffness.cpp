@@ -37,18 +37,14 @@ std::shared_ptr<const blade::ElasticaCurve> curve_of(double friction, blade::The
 
 ContactStiffness::Law ContactStiffness::law_of(const settings::Scene& line) {
   const contact::Geometry geometry = geometry_of(line.ring, line.blades);
-  return with_friction(line, [&]<class Friction>(const Friction& friction) -> Law {
-    if (line.contact.law == settings::ContactLaw::elastic_ring)
-      return RigidBlade{line.ring.stiffness, friction};
-    if constexpr (Friction::kDependsOnVelocity) {
-      return DirectedBlade(contact::LoadDirection::axial, geometry, blade_of(line.blades), friction);
-    } else {
-      const auto theory = line.contact.law == settings::ContactLaw::beam_column ? blade::Theory::beam_column
-                                                                                : blade::Theory::elastica;
-      return contact::ElasticaContact(geometry, blade_of(line.blades),
-                                      curve_of(line.contact.friction, theory));
-    }
-  });
+  const contact::Friction friction = friction_of(line);
+  if (line.contact.law == settings::ContactLaw::elastic_ring)
+    return RigidBlade{line.ring.stiffness, friction};
+  if (friction.depends_on_velocity())
+    return DirectedBlade(contact::LoadDirection::axial, geometry, blade_of(line.blades), friction);
+  const auto theory = line.contact.law == settings::ContactLaw::beam_column ? blade::Theory::beam_column
+                                                                            : blade::Theory::elastica;
+  return contact::ElasticaContact(geometry, blade_of(line.blades), curve_of(line.contact.friction, theory));
 }
 
 ContactStiffness::ContactStiffness(const settings::Scene& line)
@@ -107,12 +103,8 @@ ForceSlopes ContactStiffness::of_rigid_blade(const RigidBlade& law, const Contac
   const double load = law.stiffness * (distance - geometry_.ring_radius);
   // v = c'·Jn + Ω (w − c)·n (MODEL 4.4), n the normal.
   const double slip_velocity = velocity.dot(tangent) + rotor_.speed_ratio * to_tip.dot(normal);
-  const auto [coefficient, slope] = std::visit(
-      [&](const auto& friction) {
-        return std::pair(friction.coefficient(slip_velocity, contact.slip),
-                         friction.slope(slip_velocity, contact.slip));
-      },
-      law.friction);
+  const double coefficient = law.friction.coefficient(slip_velocity, contact.slip);
+  const double slope = law.friction.slope(slip_velocity, contact.slip);
   const Eigen::RowVector2d velocity_by_place =
       (rotor_.speed_ratio * to_tip - turned_by_quarter(velocity)).transpose() * across / distance;
   ForceSlopes slopes;

@@ -82,10 +82,10 @@ class ContactStiffness {
   /// Rigid blades on the elastic ring.
   struct RigidBlade {
     double stiffness;  ///< kr [N/m]
-    std::variant<contact::CoulombFriction, contact::VelocityFriction> friction;
+    contact::Friction friction;
   };
   /// Elastic blades with friction that depends on the slip velocity.
-  using DirectedBlade = contact::DirectedElastica<contact::VelocityFriction>;
+  using DirectedBlade = contact::DirectedElastica;
   using Law = std::variant<contact::ElasticaContact, RigidBlade, DirectedBlade>;
   static Law law_of(const settings::Scene& line);
   [[nodiscard]] ForceSlopes of_rigid_blade(const RigidBlade& law,

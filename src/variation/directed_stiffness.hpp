@@ -13,6 +13,7 @@
 #include <cmath>
 #include <complex>
 
+#include "contact/directed_elastica.hpp"
 #include "contact/pose.hpp"
 #include "trajectory/motion_piece.hpp"
 #include "variation/force_slopes.hpp"
@@ -29,9 +30,9 @@ struct DirectedContact {
   const trajectory::PathPoint::Contact* contact;
 };
 
-/// `Law`: a `contact::DirectedElastica` under an axial load.
-template <class Law>
-ForceSlopes slopes_of_directed_blade(const Law& law, const DirectedContact& at, const PathScale& scale) {
+/// `law`: of an axial load.
+inline ForceSlopes slopes_of_directed_blade(const contact::DirectedElastica& law, const DirectedContact& at,
+                                            const PathScale& scale) {
   const auto& contact = *at.contact;
   const contact::Pose& pose = at.pose;
   const double speed = at.speed_ratio;

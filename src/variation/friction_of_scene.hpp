@@ -1,4 +1,4 @@
-/// The friction law of a scene, as a type.
+/// The friction law of a scene.
 #pragma once
 
 #include "contact/friction_law.hpp"
@@ -7,22 +7,20 @@
 
 namespace rubatlas::variation {
 
-/// Calls `use` with the friction law of a line; velocities become metres per unit τ.
-template <class Use>
-auto with_friction(const settings::Scene& line, Use use) {
+/// Of tips that do not stick.
+inline contact::Friction friction_of(const settings::Scene& line) {
   using effects::Effects;
   const double per_time = 1.0 / line.rotor.natural_frequency;
   const double friction = line.contact.friction;
   if (effects::acts<&Effects::stribeck>(line)) {
     const effects::Stribeck& law = *line.stribeck;
-    return use(contact::VelocityFriction(contact::StribeckFriction{
-        law.static_friction, friction, law.velocity * per_time, law.regularising_velocity * per_time}));
+    return contact::Friction::stribeck(law.static_friction, friction, law.velocity * per_time,
+                                       law.regularising_velocity * per_time);
   }
   // Without friction there is nothing to be regularised.
   if (effects::acts<&Effects::regularised_friction>(line) && friction != 0.0)
-    return use(contact::VelocityFriction(
-        contact::RegularisedFriction{friction, line.regularised_friction->velocity * per_time}));
-  return use(contact::CoulombFriction{friction});
+    return contact::Friction::regularised(friction, line.regularised_friction->velocity * per_time);
+  return contact::Friction::coulomb(friction);
 }
 
 }  // namespace rubatlas::variation

@@ -7,7 +7,7 @@ namespace rubatlas::bench {
 ContactRotor::ContactRotor(const rotor::RotorConstants& rotor, int blade_count,
                            const contact::ElasticaContact& law)
     : machine_{rotor, rotor::BladeSet(blade_count, rotor.speed_ratio), {rotor::Harmonics({})}, {}},
-      law_(law),
+      law_(contact::UnequalBlades(std::vector(static_cast<std::size_t>(machine_.blades.count()), law))),
       system_({&machine_, &law_, {0.0, 1.0}, &meter_}),
       open_(static_cast<std::size_t>(blade_count), false),
       bending_(static_cast<std::size_t>(blade_count), 0.0) {
@@ -31,7 +31,7 @@ bool ContactRotor::evaluate_by_gap(double time, const double* state, double* rat
   const rotor::State at(state[0], state[1], state[2], state[3]);
   for (int k = 0; k < blade_count(); ++k) {
     const contact::Pose there =
-        rotor::pose_of(machine_.constants, law_.geometry(), machine_.blades.direction(k, first), at);
+        rotor::pose_of(machine_.constants, law_.geometry(0), machine_.blades.direction(k, first), at);
     if (there.gap > 0.0) contacts_.push_back({k, slip(there), bending_[static_cast<std::size_t>(k)]});
   }
   open_contacts();
@@ -43,7 +43,7 @@ double ContactRotor::gap(int blade, double time, const double* state) const {
 }
 
 double ContactRotor::gap_rate(int blade, double time, const double* state) const {
-  return contact::gap_rate(law_.geometry(), pose(blade, time, state), machine_.constants.speed_ratio);
+  return contact::gap_rate(law_.geometry(0), pose(blade, time, state), machine_.constants.speed_ratio);
 }
 
 void ContactRotor::touch_down(int blade, double time, const double* state) {
@@ -70,13 +70,14 @@ void ContactRotor::count_touchdowns(double time, const double* state) {
 }
 
 contact::Pose ContactRotor::pose(int blade, double time, const double* state) const {
-  return rotor::pose_of(machine_.constants, law_.geometry(),
+  return rotor::pose_of(machine_.constants, law_.geometry(0),
                         machine_.blades.direction(blade, machine_.blades.first(time)), rotor::State(state));
 }
 
 double ContactRotor::slip(const contact::Pose& at) const {
-  return contact::undeformed_slip_velocity(law_.geometry(), at, machine_.constants.speed_ratio) >= 0.0 ? 1.0
-                                                                                                       : -1.0;
+  return contact::undeformed_slip_velocity(law_.geometry(0), at, machine_.constants.speed_ratio) >= 0.0
+             ? 1.0
+             : -1.0;
 }
 
 }  // namespace rubatlas::bench

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "contact/elastica_contact.hpp"
+#include "modes/law_of_axial_loads.hpp"
 #include "modes/solved.hpp"
 #include "rotor/machine.hpp"
 
@@ -62,9 +63,9 @@ class ContactRotor {
   [[nodiscard]] double slip(const contact::Pose& at) const;
 
   rotor::Machine machine_;
-  contact::ElasticaContact law_;
+  modes::LawOfAxialLoads law_;
   modes::WorkMeter meter_{kNoBound};
-  modes::Solved<contact::ElasticaContact> system_;
+  modes::Solved system_;
   std::vector<bool> open_;
   std::vector<double>
       bending_;  ///< of each blade when it was last loaded: where the search for its force starts

@@ -30,38 +30,32 @@ double drawn(std::mt19937_64& generator, double least, double most) {
   return least + (most - least) * static_cast<double>(generator() >> 11U) * 0x1p-53;
 }
 
-template <class Friction>
-using Inclined = contact::DirectedElastica<Friction>;
-
 /// A rotor whose contacts are compared. Numbers from a seed: thin blades to thick, little friction to much.
-template <class Friction>
 struct InclinedRotor {
   rotor::RotorConstants rotor;
   rotor::BladeSet blades;
-  Inclined<Friction> law;
+  contact::DirectedElastica law;
 };
 template <class MakeFriction>
-auto inclined_rotor(std::mt19937_64& generator, LoadDirection direction, MakeFriction make_friction) {
+InclinedRotor inclined_rotor(std::mt19937_64& generator, LoadDirection direction,
+                             MakeFriction make_friction) {
   const double friction = std::pow(10.0, drawn(generator, -2.0, -0.15));
   const double thickness = std::pow(10.0, drawn(generator, -3.5, -2.7));
   const double damping = std::pow(10.0, drawn(generator, -3.0, -0.3));
   const double speed = drawn(generator, 0.05, 1.0);
   const double velocity = std::pow(10.0, drawn(generator, -2.5, -1.5));
   const double stiffness = 206e9 * 0.01 * thickness * thickness * thickness / 12.0;
-  using Friction = decltype(make_friction(friction, velocity));
-  return InclinedRotor<Friction>{
+  return InclinedRotor{
       {speed, damping, kGap * drawn(generator, 0.5, 1.5), 0.01, kGap},
       {3, speed},
       {direction, {0.1, 0.11}, {0.1, thickness, stiffness}, make_friction(friction, velocity)}};
 }
 
-template <class Friction>
-contact::Pose pose_at(const InclinedRotor<Friction>& m, int blade, double time, const rotor::State& state) {
+contact::Pose pose_at(const InclinedRotor& m, int blade, double time, const rotor::State& state) {
   return rotor::pose_of(m.rotor, m.law.geometry(), m.blades.direction(blade, m.blades.first(time)), state);
 }
 
-template <class Friction>
-std::vector<LoneContact> contacts_of(const InclinedRotor<Friction>& m, const rotor::State& start) {
+std::vector<LoneContact> contacts_of(const InclinedRotor& m, const rotor::State& start) {
   constexpr double kTolerance = 1e-14;  // [m]
   const auto motion =
       hybrid_motion(m.rotor, m.blades, m.law, kNoForcing, modes::ContactLimits{kTolerance, kMaxShortening});
@@ -105,7 +99,8 @@ InclinedSurvey survey(int wanted, double tolerance, LoadDirection direction, Mak
     const auto contacts = contacts_of(m, kick);
     const rotor::Machine machine =
         machine_of(m.rotor, m.blades, rotor::Harmonics(std::vector<rotor::Harmonic>{}));
-    collocation::InclinedLaw law(m.law, m.blades.count(), kMaxShortening);
+    const auto laws = laws_of(m.law, m.blades.count());
+    collocation::InclinedLaw law(laws, m.blades.count(), kMaxShortening);
     ContactArc arc(machine, law, tolerance * kGap);
     constexpr std::size_t kMostOfOne = 10;
     for (std::size_t i = 0; i < std::min(contacts.size(), kMostOfOne); ++i) {
@@ -170,14 +165,13 @@ void expect_contacts_within_tolerance(const InclinedSurvey& found) {
 
 void expect_contacts_of_all_laws_within_tolerance(int each, double tolerance) {
   const auto coulomb = [](double friction, double /*velocity*/) {
-    return contact::CoulombFriction{friction};
+    return contact::Friction::coulomb(friction);
   };
   const auto regularised = [](double friction, double velocity) {
-    return contact::VelocityFriction(contact::RegularisedFriction{friction, velocity});
+    return contact::Friction::regularised(friction, velocity);
   };
   const auto stribeck = [](double friction, double velocity) {
-    return contact::VelocityFriction(
-        contact::StribeckFriction{3.0 * friction, friction, 0.03, 0.2 * velocity});
+    return contact::Friction::stribeck(3.0 * friction, friction, 0.03, 0.2 * velocity);
   };
   expect_contacts_within_tolerance(survey(each, tolerance, LoadDirection::normal, coulomb));
   for (const LoadDirection direction : {LoadDirection::axial, LoadDirection::normal}) {
@@ -203,8 +197,7 @@ TEST(InclinedContacts, HaveTheSameBitsOnEveryProcessor) {
   blade.length = 0.1;
   blade.load_unit = 206e9 * 0.01 * thickness * thickness * thickness / 12.0 / 0.01;
   const collocation::Contact contact{&machine, &blade, 1.0, true};
-  InclinedLoad load{true,
-                    numbers_of(contact::VelocityFriction(contact::StribeckFriction{0.3, 0.1, 0.03, 0.002}))};
+  InclinedLoad load{true, contact::Friction::stribeck(0.3, 0.1, 0.03, 0.002)};
   load.strain_unit = 0.005;
   Interval first = interval_at_ring(machine.misalignment);
   first.start_angular_speed = machine.speed_ratio;

@@ -28,9 +28,8 @@ double random_between(std::mt19937_64& generator, double least, double most) {
   return least + (most - least) * static_cast<double>(generator() >> 11U) * 0x1p-53;
 }
 
-template <class Friction>
 struct KickedRotor {
-  using Laws = contact::UnequalBlades<contact::DirectedElastica<Friction>>;
+  using Laws = contact::UnequalBlades<contact::DirectedElastica>;
   rotor::RotorConstants rotor;
   rotor::RipplingBlades blades;
   Laws laws;
@@ -54,8 +53,8 @@ struct KickedRotor {
 };
 
 template <class MakeFriction>
-auto kicked_rotor(std::mt19937_64& generator, contact::LoadDirection direction, int fewest,
-                  MakeFriction make_friction) {
+KickedRotor kicked_rotor(std::mt19937_64& generator, contact::LoadDirection direction, int fewest,
+                         MakeFriction make_friction) {
   const auto between = [&](double least, double most) { return random_between(generator, least, most); };
   const double friction = std::pow(10.0, between(-2.0, -0.15));
   const double thickness = std::pow(10.0, between(-3.4, -2.7));
@@ -63,8 +62,7 @@ auto kicked_rotor(std::mt19937_64& generator, contact::LoadDirection direction, 
   const double speed = between(0.05, 1.0);
   const double damping = std::pow(10.0, between(-2.5, -0.3));
   const int count = fewest + static_cast<int>(between(0.0, 4.0));
-  using Friction = decltype(make_friction(friction));
-  std::vector<contact::DirectedElastica<Friction>> laws;
+  std::vector<contact::DirectedElastica> laws;
   for (int k = 0; k < count; ++k) {
     const double length = 0.1 + between(-1e-4, 1e-4);
     laws.emplace_back(direction, contact::Geometry{length, 0.11},
@@ -79,7 +77,7 @@ auto kicked_rotor(std::mt19937_64& generator, contact::LoadDirection direction, 
   for (double& component : start) component = between(-kick, kick);
   effects::SpeedRipple speed_ripple;
   speed_ripple.amplitude = ripple;
-  return KickedRotor<Friction>{
+  return KickedRotor{
       rotor,
       {rotor::equal_angles(count), speed, speed_ripple},
       contact::UnequalBlades(std::move(laws)),
@@ -144,14 +142,14 @@ CountedEvents expect_motions_as_in_steps(contact::LoadDirection direction, MakeF
 
 TEST(InclinedMotions, UnderANormalLoadAreAsInSteps) {
   const CountedEvents events = expect_motions_as_in_steps(
-      contact::LoadDirection::normal, [](double friction) { return contact::CoulombFriction{friction}; });
+      contact::LoadDirection::normal, [](double friction) { return contact::Friction::coulomb(friction); });
   EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::slip_reversal)], 0);
   EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::snap)], 0);
 }
 
 TEST(InclinedMotions, OfTipsThatStickAreAsInSteps) {
   const CountedEvents events = expect_motions_as_in_steps(contact::LoadDirection::axial, [](double friction) {
-    return contact::StickingFriction{friction, 1.2 * friction};
+    return contact::Friction::sticking(friction, 1.2 * friction);
   });
   EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::slip_reversal)], 0);
   EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::comes_loose)], 0);
@@ -159,7 +157,7 @@ TEST(InclinedMotions, OfTipsThatStickAreAsInSteps) {
 
 TEST(InclinedMotions, UnderFrictionThatDependsOnTheVelocityAreAsInSteps) {
   const CountedEvents events = expect_motions_as_in_steps(contact::LoadDirection::axial, [](double friction) {
-    return contact::VelocityFriction(contact::RegularisedFriction{friction, 0.01});
+    return contact::Friction::regularised(friction, 0.01);
   });
   EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::lift_off)], 0);
 }
@@ -175,19 +173,19 @@ void expect_several_as_in_steps(contact::LoadDirection direction, MakeFriction m
 
 TEST(InclinedMotions, OfSeveralBladesUnderANormalLoadAreAsInSteps) {
   expect_several_as_in_steps(contact::LoadDirection::normal,
-                             [](double friction) { return contact::CoulombFriction{friction}; });
+                             [](double friction) { return contact::Friction::coulomb(friction); });
 }
 
 TEST(InclinedMotions, OfSeveralTipsThatStickAreAsInSteps) {
   expect_several_as_in_steps(contact::LoadDirection::axial, [](double friction) {
-    return contact::StickingFriction{friction, 1.2 * friction};
+    return contact::Friction::sticking(friction, 1.2 * friction);
   });
 }
 
 TEST(InclinedMotions, OfSeveralTipsUnderFrictionThatDependsOnTheVelocityAreAsInSteps) {
   for (const auto direction : {contact::LoadDirection::axial, contact::LoadDirection::normal}) {
     expect_several_as_in_steps(direction, [](double friction) {
-      return contact::VelocityFriction(contact::StribeckFriction{2.0 * friction, friction, 0.03, 0.01});
+      return contact::Friction::stribeck(2.0 * friction, friction, 0.03, 0.01);
     });
   }
 }

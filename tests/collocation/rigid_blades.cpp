@@ -140,40 +140,37 @@ constexpr double kShort = 0.02;  // [m]
 constexpr int kFew = 100;
 constexpr int kMany = 10000;
 
-template <class Friction>
-contact::RigidBladeContact<Friction> law_of(const RigidRotor& m, const Friction& friction) {
+contact::ElasticRingContact law_of(const RigidRotor& m, const contact::Friction& friction) {
   return {m.geometry, m.stiffness, friction};
 }
 
 int expect_springs_within_tolerance(int wanted) {
   return expect_errors_within_tolerance(
-      wanted, kLong, [](const RigidRotor& m) { return law_of(m, contact::CoulombFriction{m.friction}); });
+      wanted, kLong, [](const RigidRotor& m) { return law_of(m, contact::Friction::coulomb(m.friction)); });
 }
 int expect_dampers_within_tolerance(int wanted) {
   return expect_errors_within_tolerance(wanted, kLong, [](const RigidRotor& m) {
     const double critical = 2.0 * std::sqrt(m.stiffness / m.rotor.force_unit);
-    return contact::RigidBladeOnDampedRing(m.geometry, {m.stiffness, 0.1 * critical},
-                                           contact::CoulombFriction{m.friction});
+    return contact::ElasticRingContact(m.geometry, m.stiffness, {m.friction}, 0.1 * critical);
   });
 }
 int expect_rings_without_mass_within_tolerance(int wanted, double length) {
   return expect_errors_within_tolerance(
-      wanted, length, [](const RigidRotor& m) { return law_of(m, contact::CoulombFriction{m.friction}); },
+      wanted, length, [](const RigidRotor& m) { return law_of(m, contact::Friction::coulomb(m.friction)); },
       true);
 }
 int expect_reversals_within_tolerance(int wanted) {
   return expect_errors_within_tolerance(
-      wanted, kShort, [](const RigidRotor& m) { return law_of(m, contact::CoulombFriction{m.friction}); });
+      wanted, kShort, [](const RigidRotor& m) { return law_of(m, contact::Friction::coulomb(m.friction)); });
 }
 int expect_rests_within_tolerance(int wanted) {
   return expect_errors_within_tolerance(wanted, kShort, [](const RigidRotor& m) {
-    return law_of(m, contact::StickingFriction{m.friction, m.friction});
+    return law_of(m, contact::Friction::sticking(m.friction, m.friction));
   });
 }
 int expect_smooth_reversals_within_tolerance(int wanted) {
   return expect_errors_within_tolerance(wanted, kShort, [](const RigidRotor& m) {
-    return law_of(
-        m, contact::VelocityFriction(contact::StribeckFriction{2.0 * m.friction, m.friction, 0.03, 0.005}));
+    return law_of(m, contact::Friction::stribeck(2.0 * m.friction, m.friction, 0.03, 0.005));
   });
 }
 
@@ -209,7 +206,7 @@ TEST(RigidBlades, AtRestDoNotSlipUntilTheyLeaveTheConeOfFriction) {
     TipsAtRest tips(m.rotor.speed_ratio * m.geometry.ring_radius, m.friction);
     const rotor::BladeSet blades(m.blade_count, m.rotor.speed_ratio);
     const auto motion = hybrid_motion(machine_of(m.rotor, blades),
-                                      law_of(m, contact::StickingFriction{m.friction, m.friction}),
+                                      law_of(m, contact::Friction::sticking(m.friction, m.friction)),
                                       {kTolerance * kClearanceOfSeveral, 0.5}, true);
     if (motion->start(rotor::as_array(m.kick)) != ending::PointStatus::done) continue;
     if (motion->revolution(tips, {}, 0) != ending::PointStatus::done) continue;
@@ -235,7 +232,7 @@ TEST(RigidBladesSlow, ErrByTheToleranceInTenThousandMotions) {
 }
 
 void expect_same_bits(const collocation::Machine& machine, double damping,
-                      const collocation::FrictionNumbers& friction) {
+                      const contact::Friction& friction) {
   using namespace collocation;
   collocation::Blade blade = blade_at_ring();
   blade.ring_stiffness = 2000.0;
@@ -274,11 +271,9 @@ void expect_same_bits(const collocation::Machine& machine, double damping,
 }
 TEST(RigidBlades, HaveTheSameBitsOnEveryProcessor) {
   collocation::Machine machine = machine_at_ring();
-  expect_same_bits(
-      machine, 20.0,
-      collocation::numbers_of(contact::VelocityFriction(contact::StribeckFriction{0.3, 0.1, 0.03, 0.02})));
+  expect_same_bits(machine, 20.0, contact::Friction::stribeck(0.3, 0.1, 0.03, 0.02));
   machine.ring = {.moves = true, .spring = 3000.0};
-  expect_same_bits(machine, 0.0, collocation::numbers_of(contact::CoulombFriction{0.2}));
+  expect_same_bits(machine, 0.0, contact::Friction::coulomb(0.2));
 }
 
 }  // namespace

@@ -3,24 +3,17 @@
 
 #include <array>
 #include <cmath>
-#include <type_traits>
 
 #include "contact/directed_elastica.hpp"
 #include "rotors.hpp"
 
 namespace rubatlas::contact {
 
-/// The law's friction: those that depend on the velocity are chosen at run time.
-template <class FrictionLaw>
-using Compiled = std::conditional_t<FrictionLaw::kDependsOnVelocity, VelocityFriction, FrictionLaw>;
-
-template <class FrictionLaw>
-DirectedElastica<Compiled<FrictionLaw>> directed(LoadDirection direction, const TestRotor& rotor,
-                                                 FrictionLaw friction) {
+inline DirectedElastica directed(LoadDirection direction, const TestRotor& rotor, const Friction& friction) {
   return {direction,
           rotor.geometry(),
           {rotor.length, rotor.thickness, rotor.load_unit() * rotor.length * rotor.length},
-          Compiled<FrictionLaw>(friction)};
+          friction};
 }
 
 /// A contact with its blade, as `respond` leaves it.

@@ -17,7 +17,7 @@ TEST(DirectedElastica, AxialLoadWithCoulombFrictionIsTheLawOfTheModel) {
   for (const TestRotor& rotor : {kDefaultRotor, kRig}) {
     for (const double friction : {0.0, 1e-4, 0.01, 0.1, 0.5, 2.0}) {
       const ElasticaContact model = rotor.contact(friction);
-      const auto law = directed(LoadDirection::axial, rotor, CoulombFriction{friction});
+      const auto law = directed(LoadDirection::axial, rotor, Friction::coulomb(friction));
       RandomContacts contacts(rotor, 0.25, 51);
       for (int i = 0; i < 2000; ++i) {
         Pose at = contacts.next();
@@ -105,7 +105,7 @@ TEST(DirectedElastica, BladeUnderTheTrueNormalIsInEquilibriumAndTouchesTheRing) 
   int against = 0;
   for (const TestRotor& rotor : {kDefaultRotor, kRig}) {
     for (const double friction : {0.0, 0.01, 0.1, 0.5}) {
-      const auto law = directed(LoadDirection::normal, rotor, CoulombFriction{friction});
+      const auto law = directed(LoadDirection::normal, rotor, Friction::coulomb(friction));
       RandomContacts contacts(rotor, 0.2, 52);
       for (int i = 0; i < 60; ++i) {
         Pose at = contacts.next();
@@ -130,7 +130,7 @@ TEST(DirectedElastica, BladeUnderTheTrueNormalIsInEquilibriumAndTouchesTheRing) 
 }
 
 TEST(DirectedElastica, VelocityDependentFrictionIsThatOfTheSlipWhereTheDeformedTipStands) {
-  const StribeckFriction friction{0.3, 0.1, 0.02, 0.005};
+  const Friction friction = Friction::stribeck(0.3, 0.1, 0.02, 0.005);
   const auto normal = directed(LoadDirection::normal, kDefaultRotor, friction);
   const auto axial = directed(LoadDirection::axial, kDefaultRotor, friction);
   RandomContacts contacts(kDefaultRotor, 0.15, 53);
@@ -161,7 +161,7 @@ TEST(DirectedElastica, VelocityDependentFrictionIsThatOfTheSlipWhereTheDeformedT
         ASSERT_NEAR(b, std::atan(c), 1e-12);
         if (met.bending * c > 0.0) {
           const Met same =
-              meet(directed(LoadDirection::axial, kDefaultRotor, CoulombFriction{c}), at, 1.0, 0.5);
+              meet(directed(LoadDirection::axial, kDefaultRotor, Friction::coulomb(c)), at, 1.0, 0.5);
           ASSERT_LE(difference(met.force, same.force), 1e-10 * load) << i;
         }
       }
@@ -173,7 +173,7 @@ TEST(DirectedElastica, VelocityDependentFrictionIsThatOfTheSlipWhereTheDeformedT
 }
 
 TEST(DirectedElastica, SlopesOfTheConstraintAreItsDerivatives) {
-  const auto law = directed(LoadDirection::normal, kDefaultRotor, StribeckFriction{0.3, 0.1, 0.2, 0.05});
+  const auto law = directed(LoadDirection::normal, kDefaultRotor, Friction::stribeck(0.3, 0.1, 0.2, 0.05));
   RandomContacts contacts(kDefaultRotor, 0.25, 54);
   for (int i = 0; i < 300; ++i) {
     const Pose at = contacts.next();
@@ -201,7 +201,7 @@ TEST(DirectedElastica, SlopesOfTheConstraintAreItsDerivatives) {
 TEST(DirectedElastica, RootFromANeighbourIsTheRootFromScratch) {
   int compared = 0;
   for (const double friction : {0.0, 0.1, 0.5}) {
-    const auto law = directed(LoadDirection::normal, kDefaultRotor, CoulombFriction{friction});
+    const auto law = directed(LoadDirection::normal, kDefaultRotor, Friction::coulomb(friction));
     RandomContacts contacts(kDefaultRotor, 0.25, 55);
     for (int i = 0; i < 4000; ++i) {
       const Pose at = contacts.next();
@@ -234,7 +234,7 @@ TEST(DirectedElastica, ThereIsOneEquilibriumOnASideOrNone) {
   // Along d = 0, its smallest φ at each κ found by a scan, h changes sign once, from plus to minus, or never.
   const double speed = 0.5;
   for (const double friction : {0.0, 0.1, 0.3}) {
-    const auto law = directed(LoadDirection::normal, kRig, CoulombFriction{friction});
+    const auto law = directed(LoadDirection::normal, kRig, Friction::coulomb(friction));
     RandomContacts contacts(kRig, 0.25, 57);
     for (int i = 0; i < 40; ++i) {
       const Pose at = contacts.next();
@@ -275,7 +275,7 @@ TEST(DirectedElastica, ThereIsOneEquilibriumOnASideOrNone) {
 }
 
 TEST(DirectedElastica, MirroredMotionHasTheMirroredForce) {
-  const auto law = directed(LoadDirection::normal, kDefaultRotor, CoulombFriction{0.1});
+  const auto law = directed(LoadDirection::normal, kDefaultRotor, Friction::coulomb(0.1));
   RandomContacts contacts(kDefaultRotor, 0.25, 56);
   for (int i = 0; i < 1000; ++i) {
     const Pose at = contacts.next();

@@ -38,10 +38,10 @@ TEST(DirectedSides, ColumnUnderTheNormalBucklesWhereTimoshenkoSaysAboveTheEulerL
                                                 boost::math::tools::eps_tolerance<double>())
                          .first;
     const Pose at = pressed(rotor, 1e-9 * rotor.length, 0.0);
-    const Met met = meet(directed(LoadDirection::normal, rotor, CoulombFriction{0.0}), at, 1.0, 0.5);
+    const Met met = meet(directed(LoadDirection::normal, rotor, Friction::coulomb(0.0)), at, 1.0, 0.5);
     ASSERT_TRUE(met.found);
     EXPECT_NEAR(met.force.normal / (q * q * rotor.load_unit()), 1.0, 1e-6);
-    const Met axial = meet(directed(LoadDirection::axial, rotor, CoulombFriction{0.0}), at, 1.0, 0.5);
+    const Met axial = meet(directed(LoadDirection::axial, rotor, Friction::coulomb(0.0)), at, 1.0, 0.5);
     EXPECT_NEAR(axial.force.normal / rotor.euler_load(), 1.0, 1e-6);
     // 3.3 Euler loads for the default rotor, 1.8 for the rig.
     EXPECT_GT(met.force.normal, 1.7 * axial.force.normal);
@@ -56,8 +56,8 @@ TEST(DirectedSides, NormalLoadOnAVeryLargeRingIsTheAxialOne) {
     rotor.ring_radius = radius;
     rotor.hub_radius = radius - rotor.length - 0.01;
     const Pose at = pressed(rotor, 0.002, 0.0);
-    const Met normal = meet(directed(LoadDirection::normal, rotor, CoulombFriction{0.1}), at, 1.0, 1.0);
-    const Met axial = meet(directed(LoadDirection::axial, rotor, CoulombFriction{0.1}), at, 1.0, 1.0);
+    const Met normal = meet(directed(LoadDirection::normal, rotor, Friction::coulomb(0.1)), at, 1.0, 1.0);
+    const Met axial = meet(directed(LoadDirection::axial, rotor, Friction::coulomb(0.1)), at, 1.0, 1.0);
     const double apart = difference(normal.force, axial.force) / axial.force.normal;
     if (before > 0.0) {
       EXPECT_NEAR(before / apart, 10.0, 0.2) << radius;
@@ -76,9 +76,9 @@ TEST(DirectedSides, AxialAssumptionOfALightContactGetsWorseWithTheDistanceFromTo
     for (const double share : {0.01, 0.025, 0.05, 0.1, 0.2}) {  // |ct|/R
       const Pose at = pressed(kDefaultRotor, 1e-12, share * kDefaultRotor.ring_radius);
       const Met normal =
-          meet(directed(LoadDirection::normal, kDefaultRotor, CoulombFriction{friction}), at, 1.0, 0.5);
+          meet(directed(LoadDirection::normal, kDefaultRotor, Friction::coulomb(friction)), at, 1.0, 0.5);
       const Met axial =
-          meet(directed(LoadDirection::axial, kDefaultRotor, CoulombFriction{friction}), at, 1.0, 0.5);
+          meet(directed(LoadDirection::axial, kDefaultRotor, Friction::coulomb(friction)), at, 1.0, 0.5);
       ASSERT_TRUE(normal.found && axial.found);
       const double ratio = axial.force.normal / normal.force.normal;
       EXPECT_NEAR(ratio, std::sin(std::asin(share) + beta) / std::sin(beta), 1e-5 * ratio);
@@ -94,8 +94,8 @@ TEST(DirectedSides, TrueNormalRemovesTheFiniteForceAtLiftOffBeyondTheFrictionAng
   // normal the load's angle is α + β, which turns with α < −β: the blade then bends the other way, out of the
   // ring's way, and the force starts from zero.
   const double friction = 0.1;
-  const auto law = directed(LoadDirection::normal, kDefaultRotor, CoulombFriction{friction});
-  const auto small_angle = directed(LoadDirection::axial, kDefaultRotor, CoulombFriction{friction});
+  const auto law = directed(LoadDirection::normal, kDefaultRotor, Friction::coulomb(friction));
+  const auto small_angle = directed(LoadDirection::axial, kDefaultRotor, Friction::coulomb(friction));
   for (const double share : {-0.02, -0.05, -0.15}) {
     const Pose at = pressed(kDefaultRotor, 1e-12, share * kDefaultRotor.ring_radius);
     const Met normal = meet(law, at, 1.0, 0.5);
@@ -130,7 +130,7 @@ double largest_jump(const Law& law, double tangential, int steps, bool remembers
 }
 
 TEST(DirectedSides, RegularisedForceIsContinuousThroughZeroSlipWhileTheBladeStaysOnItsSide) {
-  const RegularisedFriction friction{0.1, 0.01};
+  const Friction friction = Friction::regularised(0.1, 0.01);
   const auto axial = directed(LoadDirection::axial, kDefaultRotor, friction);
   const auto normal = directed(LoadDirection::normal, kDefaultRotor, friction);
   EXPECT_NEAR(largest_jump(axial, 0.0, 400, true) / largest_jump(axial, 0.0, 800, true), 2.0, 0.05);
@@ -143,7 +143,7 @@ TEST(DirectedSides, RegularisedForceIsContinuousThroughZeroSlipWhileTheBladeStay
 
 TEST(DirectedSides, BladeBentAgainstItsLoadSnapsThroughAtAFoldAndStaysThere) {
   // Bent to −et by friction at v > 0; then the slip turns, and the shaft draws back.
-  const RegularisedFriction friction{0.1, 0.001};
+  const Friction friction = Friction::regularised(0.1, 0.001);
   const auto law = directed(LoadDirection::axial, kDefaultRotor, friction);
   const auto at_overlap = [&](double overlap, double slip) {
     return pressed(kDefaultRotor, overlap, 0.0, slip);
@@ -181,7 +181,7 @@ TEST(DirectedSides, BladeBentAgainstItsLoadSnapsThroughAtAFoldAndStaysThere) {
 }
 
 TEST(DirectedSides, RegularisedFrictionBecomesCoulombs) {
-  const auto coulomb = directed(LoadDirection::normal, kDefaultRotor, CoulombFriction{0.2});
+  const auto coulomb = directed(LoadDirection::normal, kDefaultRotor, Friction::coulomb(0.2));
   RandomContacts contacts(kDefaultRotor, 0.2, 61);
   int compared = 0;
   for (int i = 0; i < 300; ++i) {
@@ -193,7 +193,7 @@ TEST(DirectedSides, RegularisedFrictionBecomesCoulombs) {
     double before = INFINITY;
     for (const double v0 : {3e-2, 3e-3, 3e-4, 3e-5}) {
       const Met soft =
-          meet(directed(LoadDirection::normal, kDefaultRotor, RegularisedFriction{0.2, v0}), at, slip, 0.5);
+          meet(directed(LoadDirection::normal, kDefaultRotor, Friction::regularised(0.2, v0)), at, slip, 0.5);
       ASSERT_TRUE(soft.found) << i;
       const double apart = difference(soft.force, sharp.force) / sharp.force.normal;
       ASSERT_LE(apart, before + 1e-12) << i << ", " << v0;
@@ -207,14 +207,13 @@ TEST(DirectedSides, RegularisedFrictionBecomesCoulombs) {
 
 /// How often c − c(v) changes its sign along the equilibria to one side, under c from one end of its range to
 /// the other.
-template <class FrictionLaw>
-int equilibria(const DirectedElastica<FrictionLaw>& law, const Pose& at, double speed, double side) {
+int equilibria(const DirectedElastica& law, const Pose& at, double speed, double side) {
   constexpr int kLooks = 200;
   int found = 0;
   double before = NAN;
   for (int i = -kLooks; i <= kLooks; ++i) {
     const double c = law.friction().largest() * i / kLooks;
-    const auto bend = law.with_friction(CoulombFriction{c}).solve(at, 1.0, speed, side);
+    const auto bend = law.with_friction(Friction::coulomb(c)).solve(at, 1.0, speed, side);
     const double excess =
         bend ? c - law.constraint(at, 1.0, speed, {bend->modulus, std::max(bend->amplitude, 1e-300)})
                        .coefficient
@@ -229,7 +228,7 @@ TEST(DirectedSides, EquilibriumUnderVelocityDependentFrictionIsFoundAlsoNextToTh
   // Without a load along t a blade stands on neither side for long: at ct ~ 0 and at light contacts the
   // equilibria to a side begin near c = 0.
   constexpr double kSpeed = 0.5;
-  const auto law = directed(LoadDirection::axial, kDefaultRotor, StribeckFriction{0.8, 0.1, 0.01, 0.002});
+  const auto law = directed(LoadDirection::axial, kDefaultRotor, Friction::stribeck(0.8, 0.1, 0.01, 0.002));
   RandomContacts random(kDefaultRotor, 0.1, 64);
   int odd = 0;
   for (int i = 0; i < 16; ++i) {
@@ -258,7 +257,7 @@ TEST(StickingElastica, HeldBladeNeedsTheFrictionUnderWhichASlidingOneStandsThere
   for (int i = 0; i < 1000; ++i) {
     Pose at = contacts.next();
     const double c = 0.6 * contacts.uniform() - 0.3;
-    const auto law = directed(LoadDirection::normal, kDefaultRotor, CoulombFriction{c});
+    const auto law = directed(LoadDirection::normal, kDefaultRotor, Friction::coulomb(c));
     const Met sliding = meet(law, at, 1.0, speed);
     ASSERT_TRUE(sliding.found);
     const auto there = law.constraint(at, 1.0, speed, {sliding.bending, sliding.amplitude});
@@ -295,7 +294,7 @@ TEST(StickingElastica, FrictionOfAHeldTipGrowsAsTheShaftMovesOnUntilTheTipSlides
   // From a frictionless contact on, the tip stays where it is on the ring while the shaft moves along et.
   // Where c reaches μ, the blade stands as the sliding one does.
   constexpr double kFriction = 0.1;
-  const auto law = directed(LoadDirection::normal, kDefaultRotor, CoulombFriction{0.0});
+  const auto law = directed(LoadDirection::normal, kDefaultRotor, Friction::coulomb(0.0));
   const Pose start = pressed(kDefaultRotor, 1e-3, 0.004);
   const Met met = meet(law, start, 1.0, 0.5);
   ASSERT_TRUE(met.found);
@@ -324,7 +323,7 @@ TEST(StickingElastica, FrictionOfAHeldTipGrowsAsTheShaftMovesOnUntilTheTipSlides
   by = boost::math::tools::bisect([&](double moved_by) { return held(moved_by) - kFriction; }, by - 1e-5, by,
                                   boost::math::tools::eps_tolerance<double>())
            .second;
-  const auto sliding_law = directed(LoadDirection::normal, kDefaultRotor, CoulombFriction{kFriction});
+  const auto sliding_law = directed(LoadDirection::normal, kDefaultRotor, Friction::coulomb(kFriction));
   const Met sliding = meet(sliding_law, moved(by), 1.0, 0.5);
   ASSERT_TRUE(sliding.found);
   const auto slides = sliding_law.constraint(moved(by), 1.0, 0.5, {sliding.bending, sliding.amplitude});

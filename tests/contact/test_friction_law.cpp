@@ -14,8 +14,8 @@ namespace {
 constexpr double kRingStiffness = 1e4;  // [N/m]
 
 TEST(FrictionLaw, IsOddInTheSlipAndOpposesIt) {
-  const RegularisedFriction regularised{0.2, 1e-3};
-  const StribeckFriction stribeck{0.3, 0.1, 0.02, 1e-3};
+  const Friction regularised = Friction::regularised(0.2, 1e-3);
+  const Friction stribeck = Friction::stribeck(0.3, 0.1, 0.02, 1e-3);
   for (const double v : {1e-9, 1e-4, 1e-3, 0.01, 0.3}) {
     EXPECT_EQ(regularised.coefficient(-v, 1.0), -regularised.coefficient(v, 1.0));
     EXPECT_EQ(stribeck.coefficient(-v, 1.0), -stribeck.coefficient(v, 1.0));
@@ -24,12 +24,12 @@ TEST(FrictionLaw, IsOddInTheSlipAndOpposesIt) {
   }
   EXPECT_EQ(regularised.coefficient(0.0, 1.0), 0.0);
   EXPECT_EQ(stribeck.coefficient(0.0, 1.0), 0.0);
-  EXPECT_EQ((CoulombFriction{0.2}.coefficient(-1.0, 1.0)), 0.2) << "the sign is the caller's";
+  EXPECT_EQ(Friction::coulomb(0.2).coefficient(-1.0, 1.0), 0.2) << "the sign is the caller's";
 }
 
 TEST(FrictionLaw, SlopesAreTheDerivativesOfTheCoefficients) {
-  const RegularisedFriction regularised{0.2, 0.01};
-  const StribeckFriction stribeck{0.3, 0.1, 0.02, 0.005};
+  const Friction regularised = Friction::regularised(0.2, 0.01);
+  const Friction stribeck = Friction::stribeck(0.3, 0.1, 0.02, 0.005);
   const auto difference = [](const auto& law, double v) {
     const double step = 1e-5;
     const auto c = [&](double shift) { return law.coefficient(v + shift, 1.0); };
@@ -42,7 +42,7 @@ TEST(FrictionLaw, SlopesAreTheDerivativesOfTheCoefficients) {
 }
 
 TEST(FrictionLaw, StribeckRisesToTheStaticCoefficientAndFallsToTheKineticOne) {
-  const StribeckFriction law{0.3, 0.1, 0.02, 1e-5};
+  const Friction law = Friction::stribeck(0.3, 0.1, 0.02, 1e-5);
   double largest = 0.0;
   for (double v = 0.0; v < 0.1; v += 1e-6) largest = std::max(largest, law.coefficient(v, 1.0));
   EXPECT_LT(largest, 0.3);
@@ -52,13 +52,13 @@ TEST(FrictionLaw, StribeckRisesToTheStaticCoefficientAndFallsToTheKineticOne) {
 }
 
 TEST(FrictionLaw, StribeckWithEqualCoefficientsIsTheRegularisedLaw) {
-  const StribeckFriction stribeck{0.2, 0.2, 0.02, 1e-3};
-  const RegularisedFriction regularised{0.2, 1e-3};
+  const Friction stribeck = Friction::stribeck(0.2, 0.2, 0.02, 1e-3);
+  const Friction regularised = Friction::regularised(0.2, 1e-3);
   for (double v = -0.01; v < 0.01; v += 1e-4)
     EXPECT_EQ(stribeck.coefficient(v, 1.0), regularised.coefficient(v, 1.0));
 }
 
-TEST(RigidBladeContact, RegularisedFrictionBecomesCoulombs) {
+TEST(ElasticRingContact, RegularisedFrictionBecomesCoulombs) {
   RandomContacts contacts(kDefaultRotor, 0.25, 31);
   const Geometry geometry = kDefaultRotor.geometry();
   const ElasticRingContact coulomb(geometry, kRingStiffness, {0.1});
@@ -71,7 +71,7 @@ TEST(RigidBladeContact, RegularisedFrictionBecomesCoulombs) {
     coulomb.respond(at, slip, 0.4, bending, sharp);
     double before = INFINITY;
     for (const double v0 : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
-      const RigidBladeContact law(geometry, kRingStiffness, RegularisedFriction{0.1, v0});
+      const ElasticRingContact law(geometry, kRingStiffness, Friction::regularised(0.1, v0));
       TipForce soft{};
       law.respond(at, slip, 0.4, bending, soft);
       const double difference =
@@ -87,9 +87,9 @@ TEST(RigidBladeContact, RegularisedFrictionBecomesCoulombs) {
   EXPECT_GT(bitwise, 2900);
 }
 
-TEST(RigidBladeContact, RegularisedForceIsContinuousThroughZeroSlip) {
+TEST(ElasticRingContact, RegularisedForceIsContinuousThroughZeroSlip) {
   const Geometry geometry = kDefaultRotor.geometry();
-  const RigidBladeContact law(geometry, kRingStiffness, RegularisedFriction{0.1, 1e-3});
+  const ElasticRingContact law(geometry, kRingStiffness, Friction::regularised(0.1, 1e-3));
   const double speed = 0.4;
   double bending = 0.0;
   TipForce before{};

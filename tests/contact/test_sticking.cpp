@@ -50,7 +50,7 @@ TEST(Sticking, TheCoefficientKeepsTheSlipVelocityAtRest) {
     const double load = force.normal * force_unit;
     const double c = sticking_coefficient(geometry, at, speed, other, load);
     // The whole force of a contact with this coefficient, its normal part included.
-    const RigidBladeContact stuck(geometry, 1e4, CoulombFriction{c});
+    const ElasticRingContact stuck(geometry, 1e4, Friction::coulomb(c));
     stuck.respond(at, 1.0, speed, bending, force);
     const double rate = differentiated_slip(geometry, at, speed, other.radial + force_unit * force.radial,
                                             other.tangential + force_unit * force.tangential);

@@ -94,7 +94,7 @@ TEST(KickedMotion, OfBladesUnderTheNormalLoadErrsByItsTolerance) {
   for (int index = 0; index < kKicks; ++index) {
     SCOPED_TRACE(index);
     expect_that_error_follows_tolerance(kicked(index), [](const HardRotor& rotor, const State& start) {
-      const contact::CoulombFriction friction{rotor.friction};
+      const contact::Friction friction = contact::Friction::coulomb(rotor.friction);
       return one_revolution(rotor, directed_law(rotor, friction, contact::LoadDirection::normal), start);
     });
   }
@@ -105,10 +105,10 @@ TEST(KickedMotion, OfBladesUnderFrictionThatDependsOnTheSlipErrsByItsTolerance) 
     SCOPED_TRACE(index);
     const Kicked point = kicked(index);
     expect_that_error_follows_tolerance(point, [&](const HardRotor& rotor, const State& start) {
-      return one_revolution(rotor,
-                            directed_law(rotor, contact::VelocityFriction(contact::RegularisedFriction{
-                                                    rotor.friction, point.regularising_velocity})),
-                            start);
+      return one_revolution(
+          rotor,
+          directed_law(rotor, contact::Friction::regularised(rotor.friction, point.regularising_velocity)),
+          start);
     });
   }
 }

@@ -99,7 +99,7 @@ struct FollowedWithDampers {
   double energy_gained;
 };
 FollowedWithDampers follow_with_dampers() {
-  const contact::RigidBladeOnDampedRing law(kDampedGeometry, {kRingStiffness, kRingDamping}, {0.0});
+  const contact::ElasticRingContact law(kDampedGeometry, kRingStiffness, {0.0}, kRingDamping);
   const auto motion = hybrid_motion(kDampedRotor, rotor::BladeSet(kDampedBlades, kDampedRotor.speed_ratio),
                                     law, kNoForcing, {1e-12 * kDampedRotor.length_scale, 0.5});
   FollowedWithDampers followed{};

@@ -32,7 +32,7 @@ TEST(DirectedMotion, RepeatsItselfToRoundingWhereItIsPeriodicOnTheOrbitOfTheCarr
     rotor.speed_ratio = speed;
     rotor.tolerance = 1e-9;
     const auto carried = from_rest(rotor, rotor.elastica());
-    const auto solved = from_rest(rotor, directed_law(rotor, contact::CoulombFriction{rotor.friction}));
+    const auto solved = from_rest(rotor, directed_law(rotor, contact::Friction::coulomb(rotor.friction)));
     ASSERT_EQ(carried.status, ending::PointStatus::done);
     ASSERT_EQ(solved.status, ending::PointStatus::done);
     EXPECT_LE(closing_distance(carried), 1e-14);
@@ -90,8 +90,9 @@ TEST(DirectedMotion, StatusOfAPredictableMotionDoesNotHangOnTheTolerance) {
     for (int k = 0; k < 4; ++k) start[k] = (k < 2 ? 0.005 : 0.03) * (2 * uniform(random) - 1);
     if (i % 3 == 0) start.setZero();
     const double v0 = between(1e-5, 0.1);
-    const contact::RegularisedFriction regularised{rotor.friction, v0};
-    const contact::StribeckFriction stribeck{uniform(random), rotor.friction, between(1e-4, 0.1), 0.3 * v0};
+    const contact::Friction regularised = contact::Friction::regularised(rotor.friction, v0);
+    const contact::Friction stribeck =
+        contact::Friction::stribeck(uniform(random), rotor.friction, between(1e-4, 0.1), 0.3 * v0);
     bool same = false;
     if (i % 4 == 0) same = ends_alike(rotor, directed_law(rotor, regularised), start);
     if (i % 4 == 1) same = ends_alike(rotor, directed_law(rotor, stribeck), start);
@@ -117,11 +118,11 @@ TEST(DirectedMotion, NoForceIsMissedAtAnOrdinaryTouchDownNorShortlyBeforeALiftOf
   kick << 3.519e-3, 3.498e-3, 0.0142, -0.01473;
   for (const double tolerance : {1e-9, 1e-10}) {
     const Course from_rest =
-        course(fast, directed_law(fast, contact::StribeckFriction{0.8, 0.1, 0.01, 0.002}),
+        course(fast, directed_law(fast, contact::Friction::stribeck(0.8, 0.1, 0.01, 0.002)),
                rotor::State::Zero(), tolerance);
     EXPECT_EQ(from_rest.status, ending::PointStatus::done);
-    const Course from_kick =
-        course(kicked, directed_law(kicked, contact::RegularisedFriction{0.3975, 0.06257}), kick, tolerance);
+    const Course from_kick = course(
+        kicked, directed_law(kicked, contact::Friction::regularised(0.3975, 0.06257)), kick, tolerance);
     EXPECT_EQ(from_kick.status, ending::PointStatus::done);
   }
 }

@@ -11,7 +11,6 @@
 #include "../hard/recorded_motion.hpp"
 #include "../settings/scene_error_text.hpp"
 #include "contact/elastic_ring_contact.hpp"
-#include "contact/unequal_blades.hpp"
 #include "modes/sticking.hpp"
 #include "rotor/rippling_blades.hpp"
 
@@ -22,12 +21,11 @@ using modes::Event;
 using modes::Guard;
 using modes::OpenContact;
 using rotor::ContactState;
-using StickingLaw = contact::RigidBladeContact<contact::StickingFriction>;
 using Point = std::complex<double>;
 
-StickingLaw sticking_law(const HardRotor& rotor, double static_ratio) {
+contact::ElasticRingContact sticking_law(const HardRotor& rotor, double static_ratio) {
   return {rotor.geometry(), rotor.ring_stiffness,
-          contact::StickingFriction{rotor.friction, static_ratio * rotor.friction}};
+          contact::Friction::sticking(rotor.friction, static_ratio * rotor.friction)};
 }
 
 /// Kicked against its spin, faster than the tips run.
@@ -275,9 +273,8 @@ TEST(Stick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
       std::ranges::count_if(stuck.events, [](const auto& entry) { return begins_to_stick(entry.event); }), 1);
   std::vector<double> distances;
   for (const double velocity : {1e-4, 1e-5, 1e-6}) {
-    const contact::RigidBladeContact law(
-        rotor.geometry(), rotor.ring_stiffness,
-        contact::VelocityFriction(contact::RegularisedFriction{rotor.friction, velocity}));
+    const contact::ElasticRingContact law(rotor.geometry(), rotor.ring_stiffness,
+                                          contact::Friction::regularised(rotor.friction, velocity));
     const auto steep = follow(rotor, law, kNoForcing, start, 1, nothing);
     ASSERT_EQ(steep.status, ending::PointStatus::done);
     distances.push_back((steep.sections[0] - stuck.sections[0]).abs().maxCoeff());
@@ -308,11 +305,10 @@ double slip_rate(System& system, const HardRotor& rotor, const Blades& blades, i
 
 template <class Blades>
 void expect_two_tips_at_rest(const HardRotor& rotor, const Blades& blades) {
-  const StickingLaw law = sticking_law(rotor, 1e3);
+  const auto law = law_of(laws_of(sticking_law(rotor, 1e3), rotor.blades));
   const rotor::Machine machine = machine_of(rotor.constants(), blades);
   modes::WorkMeter meter;
-  using Mode = modes::Sticking<StickingLaw>;
-  Mode mode({&machine, &law, rotor.limits(), &meter});
+  modes::Sticking mode({&machine, law.get(), rotor.limits(), &meter});
   const std::vector<OpenContact> contacts{{0, 0.0, 0.0}, {1, 0.0, 0.0}};
   ContactState state;
   mode.open(0.11, rotor::shaft_and_ring({0.006, 0.0045, 0.01, -0.02}), contacts, state);
@@ -328,8 +324,8 @@ void expect_two_tips_at_rest(const HardRotor& rotor, const Blades& blades) {
   }
   // Beyond the cone of both, one after the other is let go.
   std::vector<OpenContact> settled = contacts;
-  const StickingLaw slippery = sticking_law(rotor, 1e-9);
-  Mode judge({&machine, &slippery, rotor.limits(), &meter});
+  const auto slippery = law_of(laws_of(sticking_law(rotor, 1e-9), rotor.blades));
+  modes::Sticking judge({&machine, slippery.get(), rotor.limits(), &meter});
   int told = 0;
   judge.settle(state, settled, [&](const OpenContact&) { ++told; });
   EXPECT_EQ(told, 2);

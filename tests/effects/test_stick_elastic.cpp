@@ -16,7 +16,7 @@ using modes::Event;
 using modes::Guard;
 
 auto elastic_sticking_law(const HardRotor& rotor, double static_ratio) {
-  return directed_law(rotor, contact::StickingFriction{rotor.friction, static_ratio * rotor.friction});
+  return directed_law(rotor, contact::Friction::sticking(rotor.friction, static_ratio * rotor.friction));
 }
 
 /// A kicked rotor whose tips come to rest.
@@ -61,8 +61,7 @@ TEST(ElasticStick, IsTheLimitOfFrictionThatTurnsRoundOverEverLowerSlip) {
     ASSERT_LT(rest->event.time, left[0].time) << "the first contact rests";
     double before = 0.0;
     for (const double velocity : {1e-3, 1e-4, 1e-5, 1e-6}) {
-      const auto law = directed_law(
-          rotor, contact::VelocityFriction(contact::RegularisedFriction{rotor.friction, velocity}));
+      const auto law = directed_law(rotor, contact::Friction::regularised(rotor.friction, velocity));
       const auto steep = follow(rotor, law, kNoForcing, kicked.start, 1, nothing);
       ASSERT_EQ(steep.status, ending::PointStatus::done);
       const auto lifted = steep.of_kind(Guard::lift_off);
@@ -137,10 +136,9 @@ TEST(ElasticStick, LeavesValidityWhereATipCanNeitherRestNorSlip) {
   const auto stuck =
       follow(kicked.rotor, elastic_sticking_law(kicked.rotor, 1.0), kNoForcing, kicked.start, 1, nothing);
   EXPECT_EQ(stuck.status, ending::PointStatus::left_validity);
-  const auto steep = follow(kicked.rotor,
-                            directed_law(kicked.rotor, contact::VelocityFriction(contact::RegularisedFriction{
-                                                           kicked.rotor.friction, 1e-6})),
-                            kNoForcing, kicked.start, 1, nothing);
+  const auto steep = follow(
+      kicked.rotor, directed_law(kicked.rotor, contact::Friction::regularised(kicked.rotor.friction, 1e-6)),
+      kNoForcing, kicked.start, 1, nothing);
   EXPECT_EQ(steep.status, ending::PointStatus::left_validity);
   // The tip turns round once more, for 1e-4 in time, before it is found that it can do neither.
   EXPECT_LE((stuck.sections[0] - steep.sections[0]).head<2>().abs().maxCoeff(), 1e-5);
@@ -152,7 +150,7 @@ TEST(ElasticStick, WhereNoSlipComesToRestIsTheMotionOfTipsThatOnlySlide) {
   const auto nothing = [](trajectory::MotionPiece&) {};
   const auto with =
       follow(rotor, elastic_sticking_law(rotor, 1.0), kNoForcing, rotor::State::Zero(), 3, nothing);
-  const auto without = follow(rotor, directed_law(rotor, contact::CoulombFriction{rotor.friction}),
+  const auto without = follow(rotor, directed_law(rotor, contact::Friction::coulomb(rotor.friction)),
                               kNoForcing, rotor::State::Zero(), 3, nothing);
   ASSERT_EQ(with.status, ending::PointStatus::done);
   EXPECT_GT(with.work.touchdowns, 3U);

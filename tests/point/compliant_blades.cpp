@@ -13,10 +13,8 @@
 #include "assembly/blade_tables.hpp"
 #include "contact/elastica_contact.hpp"
 #include "contact/unequal_blades.hpp"
-#include "integrate/dormand_prince_853.hpp"
-#include "modes/collocated_laws.hpp"
-#include "modes/contact_phase.hpp"
-#include "modes/solved.hpp"
+#include "modes/collocated.hpp"
+#include "modes/contact_setup.hpp"
 #include "rotor/harmonic.hpp"
 
 namespace rubatlas::test {
@@ -159,13 +157,12 @@ Ended follow(modes::Phase& phase, modes::WorkMeter& meter, const modes::Phase::E
 int expect_both_solvers_agree(const ElasticaContact& blade, double speed_ratio, int blades, double allowed) {
   constexpr double kFastest = 0.5;  // m per unit τ²: what 50 N do to the rotor
   const auto motion = run(blade, speed_ratio, 4, blades);
-  const auto law = laws_of(blade, blades);
+  const auto law = law_of(laws_of(blade, blades));
   const rotor::Machine machine = machine_of(rotor_at(speed_ratio), rotor::BladeSet(blades, speed_ratio));
   modes::WorkMeter meter;
   const modes::ContactLimits limits{1e-13, 0.5};
-  const auto collocated = modes::collocated({machine, limits, meter, true, {}}, law);
-  using Solved = modes::Solved<Blades<ElasticaContact>>;
-  modes::ContactPhase<Solved, integrate::DormandPrince853> stepped({&machine, &law, limits, &meter});
+  modes::Collocated collocated(machine, law->arcs(machine, limits.max_shortening), limits, meter);
+  const auto stepped = modes::phase_in_853_steps(modes::Form::solved, {&machine, law.get(), limits, &meter});
   int compared = 0;
   for (const modes::Event& event : motion.witness.events) {
     if (event.kind != modes::Guard::touch_down) continue;
@@ -173,9 +170,9 @@ int expect_both_solvers_agree(const ElasticaContact& blade, double speed_ratio, 
     const contact::Pose at = pose_at(speed_ratio, blades, event);
     if (!blade.starts_unloaded(at, contact.slip)) contact.bending = blade.solve(at, contact.slip).value();
     const modes::Phase::End start{event.time, rotor::shaft_and_ring(event.state)};
-    const Ended one = follow(*collocated, meter, start, contact);
+    const Ended one = follow(collocated, meter, start, contact);
     if (one.end.guard == modes::Guard::hands_over) continue;
-    const Ended other = follow(stepped, meter, start, contact);
+    const Ended other = follow(*stepped, meter, start, contact);
     EXPECT_EQ(one.end.guard, other.end.guard);
     EXPECT_EQ(one.end.blade, other.end.blade);
     EXPECT_LT(std::abs(one.where.time - other.where.time), allowed);

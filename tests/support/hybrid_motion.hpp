@@ -1,4 +1,4 @@
-/// Motions below the scene. Each law of contact is compiled once for all suites, in `hybrid_motion.cpp`.
+/// Motions below the scene.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 #include "contact/friction_law.hpp"
 #include "contact/unequal_blades.hpp"
 #include "machine_of.hpp"
-#include "modes/contact_modes.hpp"
+#include "modes/law.hpp"
 #include "motion/motion.hpp"
 
 namespace rubatlas::test {
@@ -29,21 +29,16 @@ const contact::UnequalBlades<Blade>& laws_of(const contact::UnequalBlades<Blade>
 
 template <class Blade>
 using Blades = contact::UnequalBlades<Blade>;
-modes::MakeModes modes_of(const Blades<contact::ElasticaContact>& law);
-modes::MakeModes modes_of(const Blades<contact::ElasticRingContact>& law);
-modes::MakeModes modes_of(const Blades<contact::RigidBladeContact<contact::StickingFriction>>& law);
-modes::MakeModes modes_of(const Blades<contact::RigidBladeContact<contact::VelocityFriction>>& law);
-modes::MakeModes modes_of(const Blades<contact::DirectedElastica<contact::CoulombFriction>>& law);
-modes::MakeModes modes_of(const Blades<contact::DirectedElastica<contact::StickingFriction>>& law);
-modes::MakeModes modes_of(const Blades<contact::DirectedElastica<contact::VelocityFriction>>& law);
-modes::MakeModes modes_of(const Blades<contact::RigidBladeOnDampedRing>& law);
-modes::MakeModes modes_of(const Blades<contact::ElasticBladeOnDampedRing>& law);
+std::unique_ptr<modes::Law> law_of(const Blades<contact::ElasticaContact>& blades);
+std::unique_ptr<modes::Law> law_of(const Blades<contact::ElasticRingContact>& blades);
+std::unique_ptr<modes::Law> law_of(const Blades<contact::DirectedElastica>& blades);
+std::unique_ptr<modes::Law> law_of(const Blades<contact::ElasticBladeOnDampedRing>& blades);
 
 /// A motion by the method `hybrid`; `law` of one blade, the same for all, or of all.
 template <class Law>
 std::unique_ptr<motion::Motion> hybrid_motion(const rotor::Machine& machine, const Law& law,
                                               const modes::ContactLimits& limits, bool collocates = false) {
-  return std::make_unique<motion::Motion>(machine, modes_of(laws_of(law, machine.blades.count())),
+  return std::make_unique<motion::Motion>(machine, law_of(laws_of(law, machine.blades.count())),
                                           motion::Motion::Settings{limits, collocates});
 }
 template <class Law, class Forcing>

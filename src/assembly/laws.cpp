@@ -1,0 +1,136 @@
+// The law of contact of a line, from its blades, ring, friction and effects.
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "assembly/blade_tables.hpp"
+#include "assembly/methods.hpp"
+#include "modes/law_of_axial_loads.hpp"
+#include "modes/law_of_damped_ring.hpp"
+#include "modes/law_of_inclined_loads.hpp"
+#include "modes/law_of_rigid_blades.hpp"
+#include "settings/effects/list.hpp"
+#include "variation/blades_of_scene.hpp"
+#include "variation/friction_of_scene.hpp"
+
+namespace rubatlas::assembly {
+
+namespace {
+
+using effects::Effects;
+
+/// The scene's blade, with the errors of each.
+std::vector<settings::Blades> each_blade(const settings::Scene& line) {
+  const auto count = static_cast<std::size_t>(line.blades.count);
+  std::vector<settings::Blades> blades(count, line.blades);
+  if (!line.unequal_blades) return blades;
+  const auto errors = line.unequal_blades->errors(line.blades.count);
+  for (std::size_t k = 0; k < count; ++k) {
+    blades[k].length += errors[k].length;
+    blades[k].thickness += errors[k].thickness;
+  }
+  return blades;
+}
+
+/// Of elastica or beam-column, and its axial compliance.
+std::shared_ptr<const blade::ElasticaCurve> curve_of(const LineRequest& request,
+                                                     const settings::Blades& blade) {
+  const settings::Scene& line = request.line;
+  const auto theory = line.contact.law == settings::ContactLaw::beam_column ? blade::Theory::beam_column
+                                                                            : blade::Theory::elastica;
+  double compliance = 0.0;
+  if (effects::acts<&Effects::axial_compliance>(line)) {
+    const double slenderness = blade.thickness / blade.length;
+    compliance = line.axial_compliance->share * slenderness * slenderness / 12.0;
+  }
+  return request.tables.curve(line.contact.friction, theory, compliance);
+}
+
+contact::Friction friction_of(const LineRequest& request) {
+  const settings::Scene& line = request.line;
+  const double friction = line.contact.friction;
+  if (request.combination.consumed.contains<&Effects::stick>())
+    return contact::Friction::sticking(friction, line.stick->static_ratio * friction);
+  return variation::friction_of(line);
+}
+
+/// c ωn of the dampers under the tips [N per (m per unit τ)]; 0 where there are none.
+double ring_damping(const LineRequest& request) {
+  const settings::Scene& line = request.line;
+  return request.combination.family->kind == settings::MotionFamily::blades_on_damped_ring
+             ? line.contact_damping->damping * line.rotor.natural_frequency
+             : 0.0;
+}
+
+std::vector<contact::DirectedElastica> directed_elastica_of_blades(const LineRequest& request) {
+  const settings::Scene& line = request.line;
+  const auto direction = request.combination.consumed.contains<&Effects::load_direction>()
+                             ? contact::LoadDirection::normal
+                             : contact::LoadDirection::axial;
+  std::vector<contact::DirectedElastica> laws;
+  for (const settings::Blades& blade : each_blade(line)) {
+    laws.emplace_back(direction, variation::geometry_of(line.ring, blade), variation::blade_of(blade),
+                      friction_of(request));
+  }
+  return laws;
+}
+
+std::vector<contact::ElasticBladeOnDampedRing> elastica_on_damped_ring(const LineRequest& request) {
+  const settings::Scene& line = request.line;
+  const contact::DampedRing ring{1.0 / line.yielding_ring->compliance, ring_damping(request)};
+  std::vector<contact::ElasticBladeOnDampedRing> laws;
+  for (const settings::Blades& blade : each_blade(line)) {
+    laws.emplace_back(contact::ElasticaContact(variation::geometry_of(line.ring, blade),
+                                               variation::blade_of(blade), curve_of(request, blade)),
+                      ring);
+  }
+  return laws;
+}
+
+std::vector<contact::ElasticRingContact> elastic_ring_of_blades(const LineRequest& request) {
+  const settings::Scene& line = request.line;
+  std::vector<contact::ElasticRingContact> laws;
+  for (const settings::Blades& blade : each_blade(line))
+    laws.emplace_back(variation::geometry_of(line.ring, blade), line.ring.stiffness, friction_of(request),
+                      ring_damping(request));
+  return laws;
+}
+
+std::vector<contact::ElasticaContact> elastica_of_blades(const LineRequest& request) {
+  const settings::Scene& line = request.line;
+  const settings::EffectSet& consumed = request.combination.consumed;
+  contact::Ring ring;
+  if (consumed.contains<&Effects::yielding_ring>()) ring.stiffness = 1.0 / line.yielding_ring->compliance;
+  if (consumed.contains<&Effects::release>()) ring.release = contact::Release::at_fold;
+  std::vector<contact::ElasticaContact> laws;
+  for (const settings::Blades& blade : each_blade(line)) {
+    laws.emplace_back(variation::geometry_of(line.ring, blade), variation::blade_of(blade),
+                      curve_of(request, blade), ring);
+  }
+  return laws;
+}
+
+template <class Law>
+std::unique_ptr<modes::Law> of_blades(auto blades) {
+  return std::make_unique<Law>(contact::UnequalBlades(std::move(blades)));
+}
+
+}  // namespace
+
+std::unique_ptr<modes::Law> law_of(const LineRequest& request) {
+  using enum settings::MotionFamily;
+  if (request.line.contact.law == settings::ContactLaw::elastic_ring)
+    return of_blades<modes::LawOfRigidBlades>(elastic_ring_of_blades(request));
+  switch (request.combination.family->kind) {
+    case directed_elastic_blades:
+    case sticking_elastic_blades:
+      return of_blades<modes::LawOfInclinedLoads>(directed_elastica_of_blades(request));
+    case blades_on_damped_ring:
+      return of_blades<modes::LawOfDampedRing>(elastica_on_damped_ring(request));
+    default:
+      return of_blades<modes::LawOfAxialLoads>(elastica_of_blades(request));
+  }
+}
+
+}  // namespace rubatlas::assembly

@@ -1,0 +1,59 @@
+#include "modes/contact_modes.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "modes/collocated.hpp"
+#include "modes/sticking.hpp"
+#include "modes/sticking_elastic.hpp"
+
+namespace rubatlas::modes {
+
+ContactModes::ContactModes(const ModesRequest& request, std::unique_ptr<Law> law)
+    : law_(std::move(law)), setup_{&request.machine, law_.get(), request.limits, &request.meter} {
+  solved_ = request.make_phase(law_->form(request.machine), setup_);
+  if (request.collocates) {
+    if (auto arcs = law_->arcs(request.machine, request.limits.max_shortening))
+      collocated_ =
+          std::make_unique<Collocated>(request.machine, std::move(arcs), request.limits, request.meter);
+  }
+  if (law_->may_skim(0)) {
+    skimming_ = request.make_phase(Form::skimming, setup_);
+    skims_ = std::make_unique<Skimming>(setup_);
+  }
+  const int count = request.machine.blades.count();
+  if (law_->kind().sticks) {
+    const Form form = law_->form_of_sticking();
+    sticking_ = request.make_phase(form, setup_);
+    if (form == Form::sticking) {
+      judge_ = std::make_unique<Sticking>(setup_);
+    } else {
+      judge_ = std::make_unique<StickingElastic>(setup_);
+    }
+  } else if (auto law_of_rest = law_->law_of_rest(count)) {
+    tips_at_rest_.emplace(std::move(*law_of_rest), setup_);
+    resting_ = request.make_phase(Form::resting, tips_at_rest_->setup());
+  }
+  if (request.machine.following_ring() != nullptr) ring_placer_.emplace(setup_);
+}
+
+std::int64_t ContactModes::price_of_searches() {
+  const Law::Kind kind = law_->kind();
+  if (!kind.searches_long) return 0;
+  const std::uint64_t evaluations = law_->evaluations();
+  return static_cast<std::int64_t>(evaluations - std::exchange(paid_evaluations_, evaluations)) *
+         kind.price_of_curve;
+}
+
+bool ContactModes::begins_to_skim(const rotor::ContactState& state, const std::vector<OpenContact>& contacts,
+                                  double hop) const {
+  return skims_ && law_->may_skim(contacts.front().blade) && skims_->begins(state, contacts, hop);
+}
+
+void ContactModes::leave_law_of_rest(OpenContact& contact) const {
+  if (contact.slip == 0.0) contact.slip = std::copysign(1.0, contact.bend.modulus);
+  if (law_->bends_in_u()) contact.bending = 0.0;
+}
+
+}  // namespace rubatlas::modes

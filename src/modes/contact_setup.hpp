@@ -1,0 +1,26 @@
+/// What the modes of one motion share, and who makes their phases.
+#pragma once
+
+#include <memory>
+
+#include "modes/contact_limits.hpp"
+#include "modes/law.hpp"
+#include "modes/phase.hpp"
+#include "modes/work_meter.hpp"
+#include "rotor/machine.hpp"
+
+namespace rubatlas::modes {
+
+/// All of it outlives the modes.
+struct ContactSetup {
+  const rotor::Machine* machine;
+  const Law* law;
+  ContactLimits limits;
+  WorkMeter* meter;
+};
+
+using MakePhase = std::unique_ptr<Phase>(Form, const ContactSetup&);
+/// In steps of order 8(5,3).
+MakePhase phase_in_853_steps;
+
+}  // namespace rubatlas::modes

@@ -1,0 +1,147 @@
+/// A law of contact as the modes know it: what a blade does where it stands, and what becomes of its contact
+/// at a reset. Each kind of law implements this interface once (`law_of_<kind>.hpp`); it does not override
+/// what cannot occur under it.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "collocation/arc_law.hpp"
+#include "contact/directed_elastica.hpp"
+#include "contact/pose.hpp"
+#include "contact/unequal_blades.hpp"
+#include "modes/open_contact.hpp"
+#include "modes/phase.hpp"
+#include "modes/work_meter.hpp"
+#include "rotor/machine.hpp"
+
+namespace rubatlas::modes {
+
+/// What has become of a contact: it stands in equilibrium, it is free, or neither (MODEL 5).
+enum class Standing : std::uint8_t { stands, free, lost };
+
+/// Where the tip of a contact is: its pose, and dφ/dτ there.
+struct TipPlace {
+  contact::Pose pose;
+  double speed;
+};
+
+class Law {
+ public:
+  Law() = default;
+  Law& operator=(const Law&) = delete;  // phases point at it
+  virtual ~Law() = default;
+  /// The law of the same blades, each shorter at its tip by what it has lost [m]; empty: none has.
+  [[nodiscard]] virtual std::unique_ptr<Law> of_shortened(std::span<const double> lost) const = 0;
+
+  [[nodiscard]] virtual const contact::Geometry& geometry(int blade) const = 0;
+  /// The force of an open contact where its blade stands; updates its guesses. False where there is none.
+  virtual bool respond(const TipPlace& at, OpenContact& contact, contact::TipForce& force) const = 0;
+  /// c [-] of a tip that slips in the direction s under a force (MODEL 4.3).
+  [[nodiscard]] virtual double friction_coefficient(int blade, const contact::TipForce& force,
+                                                    double slip) const = 0;
+  struct Kind {
+    bool has_slip_state = true;     ///< friction takes its sign from s, so that a slip reversal is an event
+    bool sticks = false;            ///< a tip whose slip velocity comes to zero may rest at once (MODEL 7.14)
+    bool load_follows_gap = false;  ///< the force follows from the place of the tip alone, and nothing bends
+    bool remembers = false;         ///< the last bending says on which branch or side a blade stands
+    std::int64_t price_of_curve = 0;  ///< of an evaluation of a blade's curve [ns]
+    bool searches_long = false;  ///< without a table a search may take milliseconds, and is paid for at once
+  };
+  [[nodiscard]] virtual Kind kind() const = 0;
+  /// The form of its equations for any contacts in steps.
+  [[nodiscard]] virtual Form form(const rotor::Machine& /*machine*/) const { return Form::solved; }
+  /// The same where tips stick, of a law under which they can.
+  [[nodiscard]] virtual Form form_of_sticking() const { return Form::sticking_elastic; }
+  /// How often curves of blades have been evaluated.
+  [[nodiscard]] virtual std::uint64_t evaluations() const { return 0; }
+  /// What it means that a blade finds no force.
+  [[nodiscard]] virtual ModeEnd without_force(int /*blade*/) const {
+    return {Guard::left_validity, -1, ending::StatusDetail::no_equilibrium};
+  }
+  /// The law of the arcs of these contacts; null where they have none.
+  [[nodiscard]] virtual std::unique_ptr<collocation::ArcLaw> arcs(const rotor::Machine& machine,
+                                                                  double max_shortening) const = 0;
+
+  // Ends of a contact and of its branch.
+
+  [[nodiscard]] virtual bool has_branches(int /*blade*/) const { return false; }
+  /// The contact of a blade goes on beyond the ring while it has a force.
+  [[nodiscard]] virtual bool releases_at_fold(int /*blade*/) const { return false; }
+  /// Whether the force of a contact vanishes with the gap where its tip stands.
+  [[nodiscard]] virtual bool ends_unloaded(const contact::Pose& /*at*/,
+                                           const OpenContact& /*contact*/) const {
+    return true;
+  }
+  /// What a straight column is short of the end of its branch, in Euler loads.
+  [[nodiscard]] virtual double straight_reserve(const contact::Pose& /*at*/,
+                                                const OpenContact& /*contact*/) const {
+    return 1.0;
+  }
+  /// Tips that hop without end skim (MODEL 4.9).
+  [[nodiscard]] virtual bool may_skim(int /*blade*/) const { return false; }
+
+  // Resets of one contact.
+
+  /// A contact opens. False where no force exists (MODEL 5).
+  [[nodiscard]] virtual bool open(const TipPlace& /*at*/, OpenContact& /*contact*/) const { return true; }
+  /// A contact goes on where the tip stands now, after a change of the blade or of its speed.
+  [[nodiscard]] virtual Standing keep(const TipPlace& at, OpenContact& /*contact*/) const {
+    return at.pose.gap <= 0.0 ? Standing::free : Standing::stands;
+  }
+  /// Finds the bending that another mode has left again where the tip stands. False where there is none.
+  [[nodiscard]] virtual bool follow(const TipPlace& /*at*/, OpenContact& /*contact*/) const { return true; }
+  /// Goes from the end of a branch to the next equilibrium.
+  [[nodiscard]] virtual Standing snap(const TipPlace& /*at*/, OpenContact& /*contact*/) const {
+    return Standing::lost;
+  }
+  /// Finds the bending after a change of the slip direction. False where there is none.
+  [[nodiscard]] virtual bool bend_anew(const TipPlace& /*at*/, OpenContact& /*contact*/) const {
+    return true;
+  }
+  /// A blade that has unbent stays in contact, standing straight.
+  [[nodiscard]] virtual bool straightens(const TipPlace& /*at*/, OpenContact& /*contact*/) const {
+    return false;
+  }
+
+  // Rest where slip reversals accumulate (MODEL 4.4).
+
+  /// Whether the model says what follows there.
+  [[nodiscard]] virtual bool knows_rest() const { return true; }
+  /// The law of the tips that then rest, if it is another one.
+  [[nodiscard]] virtual std::optional<contact::UnequalBlades<contact::DirectedElastica>> law_of_rest(
+      int /*blade_count*/) const {
+    return std::nullopt;
+  }
+  /// While a tip slips its blade has the unknown u, and κ and φ of that law are to be found anew.
+  [[nodiscard]] virtual bool bends_in_u() const { return false; }
+
+ protected:
+  Law(const Law&) = default;
+};
+
+/// What all kinds have in common: blades with a law each.
+template <class Derived, class Blade>
+class LawOfBlades : public Law {
+ public:
+  using Blades = contact::UnequalBlades<Blade>;
+  explicit LawOfBlades(Blades blades) : blades_(std::move(blades)) {}
+
+  [[nodiscard]] std::unique_ptr<Law> of_shortened(std::span<const double> lost) const override {
+    return std::make_unique<Derived>(lost.empty() ? blades_ : blades_.shortened(lost));
+  }
+  [[nodiscard]] const contact::Geometry& geometry(int blade) const override {
+    return blades_.of(blade).geometry();
+  }
+  [[nodiscard]] const Blades& blades() const { return blades_; }
+  [[nodiscard]] const Blade& of(int blade) const { return blades_.of(blade); }
+
+ private:
+  Blades blades_;
+};
+
+}  // namespace rubatlas::modes

@@ -1,0 +1,146 @@
+// The laws of contact: their arcs, and the resets of one contact.
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "collocation/axial_law.hpp"
+#include "collocation/damped_law.hpp"
+#include "collocation/inclined_law.hpp"
+#include "collocation/rigid_law.hpp"
+#include "modes/law_of_axial_loads.hpp"
+#include "modes/law_of_damped_ring.hpp"
+#include "modes/law_of_inclined_loads.hpp"
+#include "modes/law_of_rigid_blades.hpp"
+
+namespace rubatlas::modes {
+
+using collocation::ArcLaw;
+
+namespace {
+
+/// Whether a blade's table covers all bends that are valid.
+bool has_table(const blade::ElasticaCurve& curve) {
+  return curve.over_asinh().last_piece() >= 0;
+}
+bool takes(const std::optional<double>& root, OpenContact& contact) {
+  if (root) contact.bending = *root;
+  return root.has_value();
+}
+
+}  // namespace
+
+// Rigid blades.
+
+std::unique_ptr<ArcLaw> LawOfRigidBlades::arcs(const rotor::Machine& machine,
+                                               double /*max_shortening*/) const {
+  return std::make_unique<collocation::RigidLaw>(blades(), machine);
+}
+
+// Elastic blades on a ring with dampers.
+
+std::unique_ptr<ArcLaw> LawOfDampedRing::arcs(const rotor::Machine& machine, double max_shortening) const {
+  const int count = machine.blades.count();
+  for (int k = 0; k < count; ++k) {
+    if (!(of(k).curve().friction() > 0.0) || !has_table(of(k).curve())) return nullptr;
+  }
+  return std::make_unique<collocation::DampedLaw>(blades(), count, max_shortening);
+}
+
+bool LawOfDampedRing::open(const TipPlace& at, OpenContact& contact) const {
+  const auto& blade = of(contact.blade);
+  const double load = blade.ring_load(blade.depth(at.pose), blade.depth_rate(at.pose, at.speed));
+  contact.straight = load < blade.bending_load(at.pose, contact.slip, at.speed);
+  return true;
+}
+
+bool LawOfDampedRing::straightens(const TipPlace& at, OpenContact& contact) const {
+  const auto& blade = of(contact.blade);
+  const double rate = blade.depth_rate(at.pose, at.speed);
+  if (contact.straight || !(blade.ring_load(contact.yielding, rate) > 0.0)) return false;
+  contact.straight = true;
+  contact.bending = 0.0;
+  return true;
+}
+
+// Elastic blades under an inclined load.
+
+std::unique_ptr<ArcLaw> LawOfInclinedLoads::arcs(const rotor::Machine& machine, double max_shortening) const {
+  return std::make_unique<collocation::InclinedLaw>(blades(), machine.blades.count(), max_shortening);
+}
+
+Standing LawOfInclinedLoads::snap(const TipPlace& at, OpenContact& contact) const {
+  constexpr double kSame = 1e-3;  // of κ: a root so close to the fold is the one that ends there
+  const auto& blade = of(contact.blade);
+  const double modulus = contact.bend.modulus;
+  const double side = std::copysign(1.0, modulus);
+  auto root = blade.solve(at.pose, contact.slip, at.speed, side);
+  if (root && std::abs(root->modulus - modulus) < kSame * std::abs(modulus)) root = std::nullopt;
+  if (!root) root = blade.solve(at.pose, contact.slip, at.speed, -side);
+  if (!root) return Standing::lost;
+  contact.bend = *root;
+  return Standing::stands;
+}
+
+// Elastic blades under an axial load.
+
+std::unique_ptr<ArcLaw> LawOfAxialLoads::arcs(const rotor::Machine& machine, double max_shortening) const {
+  const int count = machine.blades.count();
+  for (int k = 0; k < count; ++k) {
+    if (of(k).may_stand_straight() || !has_table(of(k).curve())) return nullptr;
+  }
+  return std::make_unique<collocation::AxialLaw>(blades(), count, max_shortening);
+}
+
+bool LawOfAxialLoads::open(const TipPlace& at, OpenContact& contact) const {
+  const auto& blade = of(contact.blade);
+  if (at.pose.gap <= contact::gap_rounding(blade.geometry(), at.pose) &&
+      blade.starts_unloaded(at.pose, contact.slip))
+    return true;
+  return takes(blade.solve(at.pose, contact.slip), contact);
+}
+
+Standing LawOfAxialLoads::keep(const TipPlace& at, OpenContact& contact) const {
+  const auto& blade = of(contact.blade);
+  const bool outside = at.pose.gap <= 0.0;
+  if (at.pose.gap <= contact::gap_rounding(blade.geometry(), at.pose) && ends_unloaded(at.pose, contact)) {
+    contact.bending = 0.0;
+    return outside ? Standing::free : Standing::stands;
+  }
+  if (outside && !blade.releases_at_fold()) return Standing::free;
+  const bool found =
+      contact.bending > 0.0 ? follow(at, contact) : takes(blade.solve(at.pose, contact.slip), contact);
+  if (found) return Standing::stands;
+  return outside ? Standing::free : Standing::lost;
+}
+
+bool LawOfAxialLoads::follow(const TipPlace& at, OpenContact& contact) const {
+  const auto& blade = of(contact.blade);
+  auto root = blade.solve_near(at.pose, contact.slip, contact.bending);
+  if (!root && blade.has_branches()) root = blade.snap(at.pose, contact.slip, contact.bending, at.speed);
+  return takes(root, contact);
+}
+
+Standing LawOfAxialLoads::snap(const TipPlace& at, OpenContact& contact) const {
+  const auto& blade = of(contact.blade);
+  if (takes(blade.snap(at.pose, contact.slip, contact.bending, at.speed), contact)) return Standing::stands;
+  const bool free = at.pose.gap <= 0.0 && !blade.closes_in(at.pose, contact.slip, contact.bending, at.speed);
+  return free ? Standing::free : Standing::lost;
+}
+
+bool LawOfAxialLoads::bend_anew(const TipPlace& at, OpenContact& contact) const {
+  const auto root = of(contact.blade).solve(at.pose, contact.slip);
+  contact.bending = root.value_or(0.0);
+  return root.has_value();
+}
+
+bool LawOfAxialLoads::straightens(const TipPlace& at, OpenContact& contact) const {
+  const auto& blade = of(contact.blade);
+  if (!blade.may_stand_straight() || at.pose.gap <= contact::gap_rounding(blade.geometry(), at.pose))
+    return false;
+  contact.bending = 0.0;
+  return true;
+}
+
+}  // namespace rubatlas::modes
