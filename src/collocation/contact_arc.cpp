@@ -178,17 +178,40 @@ void ContactArc::predict(const Touch& touch) {
                     .acceleration = acceleration});
 }
 
-/// The sign of v where it starts from zero: that of s where a tip has come loose, of dv/dτ where a straight
-/// one, whose v does not jump where s changes, may slip back. `acceleration`: of the shaft, seen from the
-/// ring.
+/// The sign of v where it starts from zero: that of s, or, of a tip that may slip back, of dv/dτ.
+/// `acceleration`: of the shaft, seen from the ring.
 void ContactArc::set_out(int blade, double slip, const std::complex<double>& acceleration,
                          double& velocity) const {
   if (slip == 0.0 || std::abs(velocity) > slip_rounding()) return;
   double ahead = slip;
-  if (is_straight(blade) && law_->may_slip_back()) {
-    ahead = slip_acceleration(blade, end_, acceleration);
+  if (law_->may_slip_back()) {
+    ahead = is_straight(blade) ? slip_acceleration(blade, end_, acceleration)
+                               : slip_of_bent_tip_ahead(blade, acceleration);
   }
   velocity = std::copysign(std::numeric_limits<double>::min(), ahead);
+}
+
+/// v of a bent tip a little later.
+double ContactArc::slip_of_bent_tip_ahead(int blade, const std::complex<double>& acceleration) const {
+  constexpr double kLittle = 1e-6;  // τ
+  const Touch touch = touch_of(blade, end_);
+  const contact::BladeDirection er = blades_->direction(blade, blades_->first(end_.time));
+  const ArcLaw::Tangent along = law_->tangent(touch, pose(blade, end_), blades_->angular_speed(end_.time),
+                                              acceleration * std::complex<double>(er.cosine, -er.sine));
+  Point later = end_;
+  later.time += kLittle;
+  later.bodies[0] += kLittle * end_.bodies[2];
+  later.bodies[1] += kLittle * end_.bodies[3];
+  later.bodies[2] += kLittle * acceleration.real();
+  later.bodies[3] += kLittle * acceleration.imag();
+  later.bodies[4] += kLittle * end_.bodies[6];
+  later.bodies[5] += kLittle * end_.bodies[7];
+  Bending bending = bending_of(blade, end_);
+  bending.argument += kLittle * along.argument / along.time;
+  bending.lean += kLittle * along.lean / along.time;
+  return law_
+      ->force(law_->touch(blade, touch.slip, bending), pose(blade, later), blades_->angular_speed(later.time))
+      .slip_velocity;
 }
 
 /// dv/dτ of a straight tip under an acceleration of the shaft, seen from the ring.

@@ -159,6 +159,7 @@ class ContactArc {
   static void move(Point& point, const Interval& interval, double late);
   void predict(const Touch& touch);
   void set_out(int blade, double slip, const std::complex<double>& acceleration, double& velocity) const;
+  [[nodiscard]] double slip_of_bent_tip_ahead(int blade, const std::complex<double>& acceleration) const;
   [[nodiscard]] double slip_acceleration(int blade, const Point& point,
                                          const std::complex<double>& acceleration) const;
   [[nodiscard]] std::complex<double> tangent(int blade, const Point& point) const;

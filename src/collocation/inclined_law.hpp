@@ -21,9 +21,14 @@ namespace rubatlas::collocation {
 class InclinedLaw final : public ArcLaw {
  public:
   using Laws = contact::UnequalBlades<contact::DirectedElastica>;
-  /// `law` outlives it. `max_shortening`: of δ/L.
-  InclinedLaw(const Laws& law, int blade_count, double max_shortening)
-      : law_(&law), solver_(interval_solver()), max_shortening_(max_shortening) {
+  /// `law` outlives it. `max_shortening`: of δ/L. `rests_at_once`: a tip that can rest does so where its slip
+  /// velocity comes to zero, else only where its reversals accumulate (MODEL 4.4).
+  InclinedLaw(const Laws& law, int blade_count, double max_shortening, bool rests_at_once = true)
+      : law_(&law),
+        solver_(interval_solver()),
+        max_shortening_(max_shortening),
+        may_slip_back_(law.of(0).friction().has_slip_state() &&
+                       !(rests_at_once && law.of(0).friction().sticks)) {
     for (int k = 0; k < blade_count; ++k) {
       const auto& blade = law.of(k);
       loads_.push_back({.along_normal = blade.direction() == contact::LoadDirection::normal,
@@ -48,9 +53,7 @@ class InclinedLaw final : public ArcLaw {
   }
   [[nodiscard]] bool has_slip_state() const override { return law_->of(0).friction().has_slip_state(); }
   [[nodiscard]] bool holds_tips() const override { return true; }
-  [[nodiscard]] bool may_slip_back() const override {
-    return has_slip_state() && !law_->of(0).friction().sticks;
-  }
+  [[nodiscard]] bool may_slip_back() const override { return may_slip_back_; }
   [[nodiscard]] bool leans() const override { return true; }
   [[nodiscard]] bool releases_at_fold(int /*blade*/) const override { return false; }
   [[nodiscard]] bool has_branches(int /*blade*/) const override { return has_branches_; }
@@ -344,6 +347,7 @@ class InclinedLaw final : public ArcLaw {
   const Laws* law_;
   IntervalSolver solver_;
   double max_shortening_;
+  bool may_slip_back_;
   std::vector<InclinedLoad> loads_;  ///< of each blade, as it last began or went on
   int leader_ = 0;
   bool has_branches_ = true;  ///< of the leading blade

@@ -13,11 +13,11 @@ namespace rubatlas::modes {
 ContactModes::ContactModes(const ModesRequest& request, std::unique_ptr<Law> law)
     : law_(std::move(law)), setup_{&request.machine, law_.get(), request.limits, &request.meter} {
   solved_ = request.make_phase(law_->form(request.machine), setup_);
-  if (request.collocates) {
-    if (auto arcs = law_->arcs(request.machine, request.limits.max_shortening))
-      collocated_ =
-          std::make_unique<Collocated>(request.machine, std::move(arcs), request.limits, request.meter);
-  }
+  const auto on_arcs = [&](std::unique_ptr<collocation::ArcLaw> arcs) -> std::unique_ptr<Phase> {
+    if (!request.collocates || arcs == nullptr) return nullptr;
+    return std::make_unique<Collocated>(request.machine, std::move(arcs), request.limits, request.meter);
+  };
+  collocated_ = on_arcs(law_->arcs(request.machine, request.limits.max_shortening));
   if (law_->may_skim(0)) {
     skimming_ = request.make_phase(Form::skimming, setup_);
     skims_ = std::make_unique<Skimming>(setup_);
@@ -34,6 +34,7 @@ ContactModes::ContactModes(const ModesRequest& request, std::unique_ptr<Law> law
   } else if (auto law_of_rest = law_->law_of_rest(count)) {
     tips_at_rest_.emplace(std::move(*law_of_rest), setup_);
     resting_ = request.make_phase(Form::resting, tips_at_rest_->setup());
+    resting_on_arcs_ = on_arcs(tips_at_rest_->arcs());
   }
   if (request.machine.following_ring() != nullptr) ring_placer_.emplace(setup_);
 }

@@ -51,11 +51,16 @@ class ContactModes {
   [[nodiscard]] Phase* sticking() const { return sticking_.get(); }  ///< tips that can stick
   /// Tips that always slip and come to rest where their slip reversals accumulate, under another law.
   [[nodiscard]] Phase* resting() const { return resting_.get(); }
+  [[nodiscard]] Phase* resting_on_arcs() const { return resting_on_arcs_.get(); }
+  [[nodiscard]] bool is_law_of_rest(const Phase* phase) const {
+    return phase != nullptr && (phase == resting() || phase == resting_on_arcs());
+  }
 
   /// Calls `use` with each phase that there is.
   template <class Use>
   void each_phase(Use use) const {
-    for (const Phase* phase : {solved(), collocated(), skimming(), sticking(), resting()}) {
+    for (const Phase* phase :
+         {solved(), collocated(), skimming(), sticking(), resting(), resting_on_arcs()}) {
       if (phase != nullptr) use(*phase);
     }
   }
@@ -118,6 +123,7 @@ class ContactModes {
   std::unique_ptr<RestJudge> judge_;        ///< of tips that stick
   std::optional<TipsAtRest> tips_at_rest_;  ///< of those that rest because reversals accumulate
   std::unique_ptr<Phase> resting_;
+  std::unique_ptr<Phase> resting_on_arcs_;
   std::unique_ptr<Skimming> skims_;           ///< judges whether a blade begins to
   std::optional<FollowingRing> ring_placer_;  ///< of a ring without mass
 };

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
+#include "collocation/inclined_law.hpp"
 #include "modes/contact_setup.hpp"
 #include "modes/law_of_inclined_loads.hpp"
 #include "modes/sticking_elastic.hpp"
@@ -24,6 +26,11 @@ class TipsAtRest {
   TipsAtRest& operator=(const TipsAtRest&) = delete;
 
   [[nodiscard]] const ContactSetup& setup() const { return setup_; }
+  /// Those that slip beside a tip at rest reverse their slip at each zero of v.
+  [[nodiscard]] std::unique_ptr<collocation::ArcLaw> arcs() const {
+    return std::make_unique<collocation::InclinedLaw>(law_.blades(), setup_.machine->blades.count(),
+                                                      setup_.limits.max_shortening, false);
+  }
   /// The functions of `ContactModes` of these names.
   bool comes_to_rest(const rotor::ContactState& state, OpenContact& contact) const {
     OpenContact there = in_own_unknowns(contact);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -82,7 +83,7 @@ std::vector<modes::OpenContact> Motion::contacts_now() {
   if (undecided_ || phase_ == nullptr) return contacts;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     contacts[i] = phase_->contact_at(i, time_);
-    if (phase_ == modes_.resting()) modes_.leave_law_of_rest(contacts[i]);
+    if (modes_.is_law_of_rest(phase_)) modes_.leave_law_of_rest(contacts[i]);
   }
   return contacts;
 }
@@ -196,7 +197,7 @@ modes::ModeEnd Motion::touch(double period, modes::MotionListener& listener) {
     contacts_[i].bend = there.bend;
     contacts_[i].yielding = there.yielding;
   }
-  if (phase_ == modes_.resting()) {
+  if (modes_.is_law_of_rest(phase_)) {
     // Tips that slip beside a tip at rest go on under their own law, which finds their bending anew. The
     // reset does this for the blade of the event.
     for (modes::OpenContact& open : contacts_) {
@@ -236,9 +237,12 @@ bool Motion::begin_mode() {
     return true;
   }
   // What collocation hands over it is not asked for again before the contacts change.
-  modes::Phase* const collocated = ended_by_ == modes::Guard::hands_over ? nullptr : modes_.collocated();
+  const bool on_arcs = ended_by_ != modes::Guard::hands_over;
+  modes::Phase* const collocated = on_arcs ? modes_.collocated() : nullptr;
   const bool takes = collocated != nullptr && collocated->takes(contacts_);
   if (any_rests()) {
+    if (on_arcs && modes_.resting_on_arcs() != nullptr)
+      return begin_in(modes_.resting_on_arcs(), modes_.at_rest(contacts_));
     if (modes_.resting() != nullptr) return begin_in(modes_.resting(), modes_.at_rest(contacts_));
     if (modes_.sticking() != nullptr && !takes) return begin_in(modes_.sticking(), contacts_);
   }
@@ -384,9 +388,27 @@ ending::StatusDetail Motion::come_loose(Contact contact, modes::MotionListener& 
   const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());
   if (!modes_.let_go(unbent(), contacts_, place_in_list)) return ending::StatusDetail::slip_undecided;
   if (!law().bend_anew(place(contact->blade), *contact)) return ending::StatusDetail::no_equilibrium;
+  if (modes_.is_law_of_rest(phase_)) set_out_from_rest(*contact);
   const ending::StatusDetail settled = settle_others(contact->blade, listener);
   tell(listener, modes::Guard::comes_loose, contact->blade, contact->slip);
   return settled;
+}
+
+/// Puts the shaft's velocity, which errs by the tolerance, where v = 0: a tip that has come loose must not
+/// slip back to it, which would be a slip reversal.
+void Motion::set_out_from_rest(modes::OpenContact contact) {
+  const modes::TipPlace at = place(contact.blade);
+  contact::TipForce force{};
+  if (!law().respond(at, contact, force) || !(force.normal > 0.0)) return;
+  const std::complex<double> tangent =
+      -std::complex<double>(force.radial, force.tangential) /
+      (force.normal *
+       std::complex<double>(law().friction_coefficient(contact.blade, force, contact.slip), -1.0));
+  const contact::BladeDirection er = machine_.blades.direction(contact.blade, machine_.blades.first(time_));
+  const std::complex<double> change =
+      -force.slip_velocity * tangent * std::complex<double>(er.cosine, er.sine);
+  state_[2] += change.real();
+  state_[3] += change.imag();
 }
 
 /// The slip velocity of a tip has come to zero: it reverses its slip, or comes to rest where it can stick.

@@ -133,6 +133,12 @@ TEST(Rest, WhereReversalsAccumulateIsTheSameAtFiveTolerances) {
 TEST(Rest, OfTipsThatMayStickIsTheSameAtFiveTolerances) {
   expect_the_same_at_every_tolerance(true, 80);
 }
+TEST(Rest, OfATipThatComesLooseAndIsDraggedAgainstItsFrictionIsTheSameAtFiveTolerances) {
+  Found found;
+  for (const std::uint64_t seed : {113, 624, 741, 1910}) look_at(seed, false, found);
+  EXPECT_EQ(found.differing, "");
+  EXPECT_EQ(found.resting, 4);
+}
 TEST(RestSlow, WhereReversalsAccumulateIsTheSameAtFiveTolerancesFromTwoThousandStarts) {
   expect_the_same_at_every_tolerance(false, 2000);
 }
