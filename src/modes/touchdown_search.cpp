@@ -126,8 +126,8 @@ bool TouchdownSearch::stays_clear(const Flight& flight, double time, const rotor
 }
 
 FlightRow& TouchdownSearch::row(std::size_t number, double spacing) {
-  std::optional<FlightRow>& row = rows_by_spacing_[number];
-  if (!row) row.emplace(*machine_, spacing);
+  std::unique_ptr<FlightRow>& row = rows_by_spacing_[number];
+  if (!row) row = std::make_unique<FlightRow>(*machine_, spacing);
   return *row;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -139,7 +140,7 @@ class TouchdownSearch {
   TurningBounds turning_;
   double first_spacing_;  ///< of rows [τ]
   std::vector<double> clear_until_;
-  std::array<std::optional<FlightRow>, kSpacings> rows_by_spacing_;
+  std::array<std::unique_ptr<FlightRow>, kSpacings> rows_by_spacing_;
   // What was found along the flight, where it is kept: gaps row by row, and in them blade by blade.
   bool keeps_rows_ = false;
   rotor::ShaftAndRing rows_state_ = rotor::ShaftAndRing::Zero();  ///< at the first of the rows
