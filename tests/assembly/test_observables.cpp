@@ -27,6 +27,9 @@ constexpr double kCloseness = 1e-6;
 constexpr double kTolerances = 100.0;
 /// Of a motion [ns of counted work], times its blades: dense samples take a hundred times as long.
 constexpr std::int64_t kDearest = 30'000'000;
+/// A motion asks whether to go on after each revolution, and after each 2 ms of work: one that has asked so
+/// often, beside its few revolutions, is dearer for certain.
+constexpr std::int64_t kMostQuestions = 2 * kDearest / 2'000'000;
 
 /// The methods by which a scene can be computed that differ in what they tell their observables.
 std::vector<Method> methods_of(const settings::Scene& scene) {
@@ -50,7 +53,9 @@ class Observables : public ::testing::TestWithParam<ObservedScenes> {
     const double speed_ratio = scene.grid.speed_ratio.front();
     const motion::SectionState start{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy};
     const auto solver = solver_of(scene, tables_);
-    const point::PointOutcome outcome = solver->run(speed_ratio, start);
+    std::int64_t questions = 0;
+    const point::PointOutcome outcome =
+        solver->run(speed_ratio, start, [&questions] { return ++questions <= kMostQuestions; });
     if (outcome.status != ending::PointStatus::done) return;
     if (outcome.work.price * scene.blades.count > kDearest) return;
     DenseFigures dense(scene, speed_ratio);

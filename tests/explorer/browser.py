@@ -53,6 +53,12 @@ class Browser:
         self.driver.get(f"file://{path}{address}")
         self.wait_for("document.documentElement.dataset.computer")
 
+    def go(self, address):
+        """Another address in the report that is open, as by a link that is pasted."""
+        self.computes(lambda: self.run("document.activeElement.blur(); "
+                                       "history.replaceState(null, '', arguments[0] || location.pathname); "
+                                       "dispatchEvent(new HashChangeEvent('hashchange'))", address))
+
     def find(self, selector):
         return self.driver.find_element(By.CSS_SELECTOR, selector)
 

@@ -89,7 +89,7 @@ class PageComputes(ExplorerTest):
             periodic = (maps["class"][0, 0, 0, 1] == 1) & (atlas["max_contact_force"][0, 0, 0, 1] > 1.0)
             place = int(np.flatnonzero(periodic)[0])
             section = atlas["poincare"][0, 0, 0, 1, place, -1, :2]
-        self.open(cell(1, place))
+        self.show(cell(1, place))
         # What the maps call period 1 repeats within 1e-6 of its size.
         self.assertLess(np.abs(self.computed_sections() - section).max(), 2e-6 * np.linalg.norm(section))
 
@@ -111,7 +111,7 @@ class PageComputes(ExplorerTest):
         self.assertEqual(self.browser.facts(), facts)
 
     def test_a_value_outside_its_range_is_refused_in_words(self):
-        self.open()
+        self.show()
         field = self.browser.find("[data-own-number=friction]")
         field.clear()
         field.send_keys("2.5", Keys.ENTER)
@@ -119,7 +119,7 @@ class PageComputes(ExplorerTest):
         self.assertIn("from the atlas", self.browser.text("#origin"))
 
     def test_more_revolutions_add_sections_where_the_last_ended(self):
-        self.open(self.own(speed_ratio=0.4))
+        self.show(self.own(speed_ratio=0.4))
         first = self.computed_sections()
         self.browser.computes(lambda: self.browser.find("#more").click())
         second = self.computed_sections()
@@ -127,12 +127,12 @@ class PageComputes(ExplorerTest):
         np.testing.assert_array_equal(second[:len(first)], first)
 
     def test_a_motion_that_leaves_the_model_says_what_ended_it(self):
-        self.open(self.own(speed_ratio=1.5))
+        self.show(self.own(speed_ratio=1.5))
         self.assertRegex(self.browser.facts()["Status"],
                          "left off in revolution [0-9]+: .*(equilibrium|shortened|ring)")
 
     def test_a_start_that_the_misalignment_puts_beyond_the_ring_says_so_and_offers_the_initial_state(self):
-        self.open(cell(1, 17) + "&own=misalignment=0.09")
+        self.show(cell(1, 17) + "&own=misalignment=0.09")
         status = self.browser.facts()["Status"]
         self.assertRegex(status, "the start lies [0-9.]+ mm beyond the ring; ")
         said = float(re.search("lies ([0-9.]+) mm", status)[1])
@@ -147,7 +147,7 @@ class PageComputes(ExplorerTest):
         self.assertFalse(self.browser.find("#from-initial").is_displayed())
 
     def test_a_motion_that_leaves_the_model_from_within_the_ring_is_not_said_to_start_beyond_it(self):
-        self.open(self.own(speed_ratio=1.5))
+        self.show(self.own(speed_ratio=1.5))
         self.assertNotIn("the start lies", self.browser.facts()["Status"])
 
     # --- the animation ---

@@ -26,7 +26,7 @@ class PageServes(ExplorerTest):
                 self.assertGreater(max(map(len, columns(self.browser.exported("CSV", panel)).values())), 1)
 
     def test_saved_numbers_have_all_digits_of_the_atlas(self):
-        self.open("#map=max_displacement")
+        self.show("#map=max_displacement")
         table = columns(self.browser.exported("CSV", "map"))
         with h5py.File(TINY / "atlas.h5") as file:
             values, done = file["max_displacement"][...].ravel(), file["status"][...].ravel() == 1
@@ -41,7 +41,7 @@ class PageServes(ExplorerTest):
         return re.sub(r"\s", "", "".join("".join(text.itertext()) for text in drawing.iter(f"{SVG}text")))
 
     def test_pictures_of_the_atlas_beside_an_own_point_are_titled_with_what_they_show(self):
-        self.open(cell(1, 17) + "&own=friction=0.37,damping_ratio=0.123")
+        self.show(cell(1, 17) + "&own=friction=0.37,damping_ratio=0.123")
         for panel in self.OF_LINES:
             with self.subTest(panel):
                 words = self.drawn_words(panel)
@@ -54,7 +54,7 @@ class PageServes(ExplorerTest):
                 self.assertIn("ζ0.123,μ0.37", self.drawn_words(panel))
 
     def test_pictures_have_three_pixels_for_each_of_the_screen(self):
-        self.open(cell(1, 17))
+        self.show(cell(1, 17))
         for panel, of in (("map", "#map canvas"), ("orbit", "#chart-orbit canvas")):
             shown = self.browser.run("return document.querySelector(arguments[0]).clientWidth", of)
             width, = struct.unpack(">I", self.browser.exported("PNG", panel).read_bytes()[16:20])
@@ -87,7 +87,7 @@ class PageServes(ExplorerTest):
         atlas, own = {"friction": 0.1}, {"speed_ratio": 0.6234, "friction": 0.15, "thickness": 0.0011}
         of_own = cell(1, 17) + "&own=" + ",".join(f"{name}={value}" for name, value in own.items())
         for address, values in ((cell(1, 17), atlas), (of_own, own)):
-            self.open(address)
+            self.show(address)
             for panel in self.PANELS:
                 with self.subTest(f"{address} {panel}"):
                     path = self.browser.exported("CSV", panel)
@@ -175,7 +175,7 @@ class PageServes(ExplorerTest):
         self.assertEqual(self.browser.text("#play"), "Pause")
 
     def test_every_control_has_a_name(self):
-        self.open()
+        self.show()
         nameless = self.browser.run("""
             return [...document.querySelectorAll('input, select, button, canvas[role], [tabindex]')]
                 .filter((one) => !one.getAttribute('aria-label') && !one.labels?.length && !one.textContent.trim() &&
@@ -184,7 +184,7 @@ class PageServes(ExplorerTest):
         self.assertEqual(nameless, [])
 
     def test_screen_readers_hear_what_every_picture_shows_and_every_value(self):
-        self.open(cell(1, 17))
+        self.show(cell(1, 17))
         self.browser.command("Accessibility.enable")
         self.addCleanup(self.browser.command, "Accessibility.disable")
         nodes = [node for node in self.browser.command("Accessibility.getFullAXTree")["nodes"] if not node["ignored"]]

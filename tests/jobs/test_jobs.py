@@ -119,18 +119,14 @@ class Jobs(unittest.TestCase):
 
     def test_quickstart_ends_with_the_table_and_the_paths_of_atlas_and_pictures(self):
         self.clone()
-        first = run("jobs/quickstart.sh", TINY, cwd=self.folder)
-        self.assertEqual(first.returncode, 0, first.stdout + first.stderr)
-        self.assertIn("REGIONS AND TRIGGERS", first.stdout)
-        end = first.stdout[first.stdout.rindex("Atlas:"):]
+        ended = run("jobs/quickstart.sh", TINY, cwd=self.folder)
+        self.assertEqual(ended.returncode, 0, ended.stdout + ended.stderr)
+        self.assertIn("REGIONS AND TRIGGERS", ended.stdout)
+        end = ended.stdout[ended.stdout.rindex("Atlas:"):]
         paths = [word for word in end.split() if word.startswith("atlases/")]
         self.assertGreaterEqual(len(paths), 3 + 6)
         for path in paths:
             self.assertGreater((self.folder / path).stat().st_size, 1000)
-
-        again = run("jobs/quickstart.sh", TINY, cwd=self.folder)
-        self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
-        self.assertIn("0 computed", again.stderr)
 
     def all_ranks_compute(self):
         """All processes of the program that work in this test's folder."""

@@ -80,7 +80,7 @@ class Edges(EdgesTest):
     def test_sweeps_up_and_down_start_from_the_side_they_come_from(self):
         # Both sides of each edge are the classes of its line's own points of the grid.
         atlas = self.fill(2, short(sweep="both"))
-        found = self.rows(self.edges(2, atlas))
+        found = self.rows(self.edges(2, atlas, "edges.h5", "--to", "1e-4"))
         maps = self.directory / "maps.h5"
         self.assertEqual(self.execute(None, "analyse", atlas, "--edges", "edges.h5", "-o", maps).returncode, 0)
         with h5py.File(maps, "r") as file:
@@ -101,7 +101,7 @@ class Edges(EdgesTest):
                         protocol={"transient_revolutions": 60, "sampled_revolutions": 40, "samples_per_revolution": 32},
                         observables=["poincare"])
         atlas = self.fill(2, content)
-        found = self.rows(self.edges(2, atlas))
+        found = self.rows(self.edges(2, atlas, "edges.h5", "--to", "1e-4"))
         validity = found["kind"] == 4
         self.assertTrue(validity.any())
         self.assertTrue(((found["class_below"] == 253) | (found["class_above"] == 253))[validity].all())

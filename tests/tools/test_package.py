@@ -95,7 +95,7 @@ class Package(unittest.TestCase):
                             **elsewhere)
         self.assertIn(b"<svg", (self.folder / "a.svg").read_bytes())
         self.expect_success(venv / "rubatlas-report", TINY / "atlas.h5", "-o", self.folder / "a.html",
-                            "--without-solver", **elsewhere)
+                            "--without-solver", "--orbits", "3", **elsewhere)
         self.assertGreater((self.folder / "a.html").stat().st_size, 200_000)
 
     def test_types_agree_and_are_complete_in_what_others_import(self):

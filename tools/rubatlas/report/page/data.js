@@ -8,7 +8,9 @@ const KINDS = {Float32Array, Float64Array, Uint8Array, Uint16Array};
 async function unpacked(name) {
   const element = document.querySelector(`script[data-block="${name}"]`);
   if (!element) throw new Error(`the report has no block ${name}`);
-  const packed = Uint8Array.from(atob(element.textContent), (letter) => letter.charCodeAt(0));
+  const letters = atob(element.textContent);
+  const packed = new Uint8Array(letters.length);
+  for (let i = 0; i < letters.length; ++i) packed[i] = letters.charCodeAt(i);
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
   return new Response(stream).arrayBuffer();
 }
