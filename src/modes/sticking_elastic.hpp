@@ -201,10 +201,11 @@ class StickingElastic : public Solved, public RestJudge {
     return true;
   }
 
-  /// A tip that rests no longer slips. False, and nothing changed, where neither direction is that of its v.
+  /// A tip that rests no longer slips. Where neither direction is that of its v it has been let go a little
+  /// early, and rests on; false, and nothing changed, where it does not.
   bool let_go(OpenContact& contact, const FullState& state) const {
     OpenContact there = contact;
-    if (leave_rest(there, state) < -rounding_of_slip(contact.blade)) return false;
+    if (leave_rest(there, state) < -rounding_of_slip(contact.blade)) return rests(contact, state);
     contact = there;
     return true;
   }

@@ -387,6 +387,11 @@ ending::StatusDetail Motion::snap(Contact contact, modes::MotionListener& listen
 ending::StatusDetail Motion::come_loose(Contact contact, modes::MotionListener& listener) {
   const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());
   if (!modes_.let_go(unbent(), contacts_, place_in_list)) return ending::StatusDetail::slip_undecided;
+  if (contact->slip == 0.0) {  // an arc has let it go a little early
+    if (phase_ != modes_.collocated()) return ending::StatusDetail::slip_undecided;
+    ended_by_ = modes::Guard::hands_over;
+    return ending::StatusDetail::none;
+  }
   if (!law().bend_anew(place(contact->blade), *contact)) return ending::StatusDetail::no_equilibrium;
   if (modes_.is_law_of_rest(phase_)) set_out_from_rest(*contact);
   const ending::StatusDetail settled = settle_others(contact->blade, listener);
