@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "settings/combinations.hpp"
+#include "settings/document.hpp"
 #include "settings/linearisation.hpp"
 #include "settings/quantity.hpp"
 #include "settings/reader.hpp"
@@ -41,9 +42,9 @@ void check_scaled(const Scene& scene) {
     if (!scale || entry.kind != Kind::number || entry.read == nullptr) continue;
     for (const double value : values_in(scene, entry.pointer)) {
       if (value == 0.0 || std::abs(value) / scale->size <= kLargest) continue;
-      throw SceneError(fmt::format(
-          "{}: {} {}, divided by {} = {:.3g}, is more than {:g}, with which nothing can be computed",
-          entry.pointer, value, entry.unit, scale->text, scale->size, kLargest));
+      fail(entry.pointer,
+           fmt::format("{} {}, divided by {} = {:.3g}, is more than {:g}, with which nothing can be computed",
+                       value, entry.unit, scale->text, scale->size, kLargest));
     }
   }
 }
@@ -52,19 +53,17 @@ void check_unequal_blades(const Scene& scene) {
   if (!scene.unequal_blades) return;
   const auto& blades = scene.blades;
   const auto check = [&](std::string_view pointer, const std::vector<double>& errors) {
-    if (!errors.empty() && std::ssize(errors) != blades.count) {
-      throw SceneError(fmt::format("{}: {} numbers for {} blades; one a blade, or none", pointer,
-                                   errors.size(), blades.count));
-    }
+    if (!errors.empty() && std::ssize(errors) != blades.count)
+      fail(pointer,
+           fmt::format("{} numbers for {} blades; one a blade, or none", errors.size(), blades.count));
   };
   check("/unequal_blades/length_errors", scene.unequal_blades->length_errors);
   check("/unequal_blades/thickness_errors", scene.unequal_blades->thickness_errors);
   check("/unequal_blades/angle_errors", scene.unequal_blades->angle_errors);
   if (scene.contact.law == ContactLaw::elastic_ring) {
     const auto refuse_thickness = [](std::string_view pointer, bool given) {
-      if (!given) return;
-      throw SceneError(fmt::format(
-          R"({}: has no effect under the contact law "elastic_ring", whose blades are rigid)", pointer));
+      if (given)
+        fail(pointer, R"(has no effect under the contact law "elastic_ring", whose blades are rigid)");
     };
     const auto& errors = scene.unequal_blades->thickness_errors;
     refuse_thickness("/unequal_blades/thickness_errors",
@@ -76,27 +75,22 @@ void check_unequal_blades(const Scene& scene) {
   const double length = smallest("/blades/length");
   const double thickness = smallest("/blades/thickness");
   for (const auto& error : scene.unequal_blades->errors(blades.count)) {
-    if (!(length + error.length > 0.0) || !(thickness + error.thickness > 0.0)) {
-      throw SceneError(fmt::format(
-          "/unequal_blades: a blade {} m shorter and {} m thinner than it should be; nothing of it is left",
-          -error.length, -error.thickness));
-    }
+    if (!(length + error.length > 0.0) || !(thickness + error.thickness > 0.0))
+      fail("/unequal_blades",
+           fmt::format("a blade {} m shorter and {} m thinner than it should be; nothing of it is left",
+                       -error.length, -error.thickness));
   }
 }
 
 void check_wear(const Scene& scene) {
   const bool kept = std::ranges::count(scene.observables, "clearance_growth") > 0;
-  if (kept && !scene.wear) {
-    throw SceneError(
-        "/observables: \"clearance_growth\" is that of blades that wear; there is no section /wear");
-  }
+  if (kept && !scene.wear)
+    fail("/observables", R"("clearance_growth" is that of blades that wear; there is no section /wear)");
   if (!scene.wear) return;
-  if (scene.protocol.stop_when_periodic) {
-    throw SceneError("/wear: /protocol/stop_when_periodic leaves out revolutions, in which blades wear too");
-  }
-  if (scene.wear->carries_over && scene.sweep == Sweep::independent) {
-    throw SceneError(R"(/wear/carries_over: the sweep is "independent"; no point comes after another)");
-  }
+  if (scene.protocol.stop_when_periodic)
+    fail("/wear", "/protocol/stop_when_periodic leaves out revolutions, in which blades wear too");
+  if (scene.wear->carries_over && scene.sweep == Sweep::independent)
+    fail("/wear/carries_over", R"(the sweep is "independent"; no point comes after another)");
 }
 
 /// What an observable has no meaning beside.
@@ -120,7 +114,7 @@ void check_observables(const Scene& scene) {
   };
   for (const Meaningless& refusal : refusals) {
     if (refusal.applies && std::ranges::count(scene.observables, refusal.observable) > 0)
-      throw SceneError(fmt::format("/observables: \"{}\" {}", refusal.observable, refusal.sentence));
+      fail("/observables", fmt::format("\"{}\" {}", refusal.observable, refusal.sentence));
   }
 }
 
@@ -134,10 +128,10 @@ void check_speed_ramp(const Scene& scene) {
     for (const double first : {scene.grid.speed_ratio.front(), scene.grid.speed_ratio.back()}) {
       const double last = first + ramped * rate;
       if (legal.contains(last)) continue;
-      throw SceneError(fmt::format(
-          "/speed_ramp/rate: from speed ratio {} on {} leads to {} in the last sampled revolution; "
-          "speed ratios are {}",
-          first, rate, last, legal.text()));
+      fail("/speed_ramp/rate",
+           fmt::format("from speed ratio {} on {} leads to {} in the last sampled revolution; speed ratios "
+                       "are {}",
+                       first, rate, last, legal.text()));
     }
   }
 }
@@ -145,7 +139,7 @@ void check_speed_ramp(const Scene& scene) {
 void check_exponents(const Scene& scene) {
   if (std::ranges::count(scene.observables, "lyapunov") == 0) return;
   if (const auto refusal = refusal_of_linearisation(scene))
-    throw SceneError(fmt::format("/observables: \"lyapunov\" is not to be had; {}", *refusal));
+    fail("/observables", fmt::format("\"lyapunov\" is not to be had; {}", *refusal));
 }
 
 }  // namespace

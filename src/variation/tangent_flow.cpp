@@ -129,8 +129,11 @@ void TangentFlow::piece(trajectory::MotionPiece& piece, const std::function<void
   if (!known_) return;
   if (!events_.empty()) jump(piece, force_in(piece, piece.begin()));
   if (piece.contact_count() == 0) {
+    constexpr double kMostParts = 1e5;  // some 0.1 s
     double left = piece.end() - piece.begin();
-    for (const double longest = longest_flight(); between && left > longest; left -= longest) {
+    const double longest = longest_flight();
+    if (between && left > kMostParts * longest) return loses_track();
+    for (; between && left > longest; left -= longest) {
       fly(longest);
       between();
     }

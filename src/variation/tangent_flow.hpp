@@ -34,7 +34,8 @@ class TangentFlow {
   /// A point at the speed ratio Ω starts, with unit tangents.
   void begin(double speed_ratio);
   /// `between` is called again and again during a long flight, while no tangent has become so small, or so
-  /// nearly parallel to another, that its direction is lost; it may set other tangents.
+  /// nearly parallel to another, that its direction is lost; it may set other tangents. Where it would be
+  /// called without end, by a ring or shaft whose motion dies at once, there are no tangents from here on.
   void piece(trajectory::MotionPiece& piece, const std::function<void()>& between = {});
   /// Between two pieces: a blade touches down or lifts off; the slip of a tip turns round.
   void passes_ring(int blade) { events_.push_back({blade, false}); }

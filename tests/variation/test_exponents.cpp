@@ -84,6 +84,15 @@ TEST(Lyapunov, ARingThatIsABodyAddsItsOwnFour) {
   EXPECT_NEAR(found.residual, 0.0, 1e-12);
 }
 
+TEST(Lyapunov, ExponentsOfARingWhoseMotionDiesAtOnceAreNotFollowedAndThePointEnds) {
+  settings::Scene scene = with_exponents(0, 1);
+  scene.rotor.misalignment = 0.0;
+  scene.ring_body = effects::RingBody{.mass = 1.0, .compliance = 1e-3, .damping = 1e15};
+  const auto outcome = run(scene, 1e-4, motion::SectionState{1e-3, 0.0, 0.0, 0.0});
+  EXPECT_EQ(outcome.status, ending::PointStatus::done);
+  for (const double exponent : outcome.rows[0]) EXPECT_TRUE(std::isnan(exponent));
+}
+
 TEST(Lyapunov, TheSumIsThatOfTheDampersOnAnySupportAndInARingThatIsABody) {
   settings::Scene supported = with_exponents(100, 50);
   supported.support = effects::Support{.stiffness_xx = 20.0, .damping_yy = 0.5, .rotating_damping = 0.3};
