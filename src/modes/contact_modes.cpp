@@ -11,12 +11,10 @@
 namespace rubatlas::modes {
 
 ContactModes::ContactModes(const ModesRequest& request, std::unique_ptr<Law> law)
-    : law_(std::move(law)), setup_{&request.machine, law_.get(), request.limits, &request.meter} {
+    : law_(std::move(law)),
+      setup_{&request.machine, law_.get(), request.limits, &request.meter},
+      collocates_(request.collocates) {
   solved_ = request.make_phase(law_->form(request.machine), setup_);
-  const auto on_arcs = [&](std::unique_ptr<collocation::ArcLaw> arcs) -> std::unique_ptr<Phase> {
-    if (!request.collocates || arcs == nullptr) return nullptr;
-    return std::make_unique<Collocated>(request.machine, std::move(arcs), request.limits, request.meter);
-  };
   collocated_ = on_arcs(law_->arcs(request.machine, request.limits.max_shortening));
   if (law_->may_skim(0)) {
     skimming_ = request.make_phase(Form::skimming, setup_);
@@ -34,9 +32,18 @@ ContactModes::ContactModes(const ModesRequest& request, std::unique_ptr<Law> law
   } else if (auto law_of_rest = law_->law_of_rest(count)) {
     tips_at_rest_.emplace(std::move(*law_of_rest), setup_);
     resting_ = request.make_phase(Form::resting, tips_at_rest_->setup());
-    resting_on_arcs_ = on_arcs(tips_at_rest_->arcs());
   }
   if (request.machine.following_ring() != nullptr) ring_placer_.emplace(setup_);
+}
+
+std::unique_ptr<Phase> ContactModes::on_arcs(std::unique_ptr<collocation::ArcLaw> arcs) const {
+  if (!collocates_ || arcs == nullptr) return nullptr;
+  return std::make_unique<Collocated>(*setup_.machine, std::move(arcs), setup_.limits, *setup_.meter);
+}
+
+Phase* ContactModes::resting_on_arcs() {
+  if (resting_on_arcs_ == nullptr && tips_at_rest_) resting_on_arcs_ = on_arcs(tips_at_rest_->arcs());
+  return resting_on_arcs_.get();
 }
 
 std::int64_t ContactModes::price_of_searches() {

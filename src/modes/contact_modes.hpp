@@ -51,17 +51,17 @@ class ContactModes {
   [[nodiscard]] Phase* sticking() const { return sticking_.get(); }  ///< tips that can stick
   /// Tips that always slip and come to rest where their slip reversals accumulate, under another law.
   [[nodiscard]] Phase* resting() const { return resting_.get(); }
-  [[nodiscard]] Phase* resting_on_arcs() const { return resting_on_arcs_.get(); }
+  /// The same by collocation; made where it is asked for, since an arc is large and tips seldom rest.
+  [[nodiscard]] Phase* resting_on_arcs();
   [[nodiscard]] bool is_law_of_rest(const Phase* phase) const {
-    return phase != nullptr && (phase == resting() || phase == resting_on_arcs());
+    return phase != nullptr && (phase == resting_.get() || phase == resting_on_arcs_.get());
   }
 
   /// Calls `use` with each phase that there is.
   template <class Use>
   void each_phase(Use use) const {
-    for (const Phase* phase :
-         {solved(), collocated(), skimming(), sticking(), resting(), resting_on_arcs()}) {
-      if (phase != nullptr) use(*phase);
+    for (const auto* phase : {&solved_, &collocated_, &skimming_, &sticking_, &resting_, &resting_on_arcs_}) {
+      if (*phase != nullptr) use(**phase);
     }
   }
 
@@ -113,8 +113,11 @@ class ContactModes {
   }
 
  private:
+  [[nodiscard]] std::unique_ptr<Phase> on_arcs(std::unique_ptr<collocation::ArcLaw> arcs) const;
+
   std::unique_ptr<Law> law_;
   ContactSetup setup_;
+  bool collocates_;
   std::uint64_t paid_evaluations_ = 0;  ///< of curves, whose price has been told
   std::unique_ptr<Phase> solved_;
   std::unique_ptr<Phase> collocated_;
