@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "collocation/interval_samples.hpp"
-#include "contact/sticking.hpp"
 
 namespace rubatlas::collocation {
 namespace {
@@ -176,85 +175,6 @@ void ContactArc::predict(const Touch& touch) {
                     .gap_measure = at_end_.gap_measure,
                     .ring_opens = at_end_.ring_opens,
                     .acceleration = acceleration});
-}
-
-/// The sign of v where it starts from zero: that of s, or, of a tip that may slip back, of dv/dτ.
-/// `acceleration`: of the shaft, seen from the ring.
-void ContactArc::set_out(int blade, double slip, const std::complex<double>& acceleration,
-                         double& velocity) const {
-  if (slip == 0.0 || std::abs(velocity) > slip_rounding()) return;
-  double ahead = slip;
-  if (law_->may_slip_back()) {
-    ahead = is_straight(blade) ? slip_acceleration(blade, end_, acceleration)
-                               : slip_of_bent_tip_ahead(blade, acceleration);
-  }
-  velocity = std::copysign(std::numeric_limits<double>::min(), ahead);
-}
-
-/// v of a bent tip a little later.
-double ContactArc::slip_of_bent_tip_ahead(int blade, const std::complex<double>& acceleration) const {
-  constexpr double kLittle = 1e-6;  // τ
-  const Touch touch = touch_of(blade, end_);
-  const contact::BladeDirection er = blades_->direction(blade, blades_->first(end_.time));
-  const ArcLaw::Tangent along = law_->tangent(touch, pose(blade, end_), blades_->angular_speed(end_.time),
-                                              acceleration * std::complex<double>(er.cosine, -er.sine));
-  Point later = end_;
-  later.time += kLittle;
-  later.bodies[0] += kLittle * end_.bodies[2];
-  later.bodies[1] += kLittle * end_.bodies[3];
-  later.bodies[2] += kLittle * acceleration.real();
-  later.bodies[3] += kLittle * acceleration.imag();
-  later.bodies[4] += kLittle * end_.bodies[6];
-  later.bodies[5] += kLittle * end_.bodies[7];
-  Bending bending = bending_of(blade, end_);
-  bending.argument += kLittle * along.argument / along.time;
-  bending.lean += kLittle * along.lean / along.time;
-  return law_
-      ->force(law_->touch(blade, touch.slip, bending), pose(blade, later), blades_->angular_speed(later.time))
-      .slip_velocity;
-}
-
-/// dv/dτ of a straight tip under an acceleration of the shaft, seen from the ring.
-double ContactArc::slip_acceleration(int blade, const Point& point,
-                                     const std::complex<double>& acceleration) const {
-  const contact::BladeDirection er = blades_->direction(blade, blades_->first(point.time));
-  const contact::Geometry geometry = law_->geometry(blade);
-  const std::complex<double> seen = acceleration * std::complex<double>(er.cosine, -er.sine);
-  const double turning = geometry.reach * blades_->angular_acceleration(point.time);
-  return contact::slip_acceleration(geometry, pose(blade, point), blades_->angular_speed(point.time),
-                                    {seen.real(), seen.imag() + turning}, 0.0, 0.0);
-}
-
-/// Direction of the slip of a straight tip.
-std::complex<double> ContactArc::tangent(int blade, const Point& point) const {
-  const contact::BladeDirection er = blades_->direction(blade, blades_->first(point.time));
-  return contact::tangent(law_->geometry(blade), pose(blade, point)) *
-         std::complex<double>(er.cosine, er.sine);
-}
-
-/// Finds c of rigid tips at rest among all that touch: those that take away dv/dτ of each.
-void ContactArc::hold(std::span<Touch> touching, const Point& point) const {
-  const auto force_of = [&](const Touch& touch) {
-    return law_->force(touch, pose(touch.blade, point), blades_->angular_speed(point.time));
-  };
-  std::complex<double> force;
-  for (Touch& touch : touching) {
-    touch.holding = 0.0;
-    force += contact::on_rotor(force_of(touch), blades_->direction(touch.blade, blades_->first(point.time)));
-  }
-  const std::complex<double> acceleration =
-      whole_->acceleration(rotor::full_state(point.bodies, point.time, 0.0), force).shaft;
-  std::array<contact::AtRest, contact::kMostAtRest> tips{};
-  std::array<Touch*, contact::kMostAtRest> touches{};
-  std::size_t count = 0;
-  for (Touch& touch : touching) {
-    if (touch.slip != 0.0 || count == contact::kMostAtRest) continue;
-    touches[count] = &touch;
-    tips[count++] = {tangent(touch.blade, point), slip_acceleration(touch.blade, point, acceleration)};
-  }
-  contact::share_out(std::span(tips).first(count));
-  for (std::size_t i = 0; i < count; ++i)
-    touches[i]->holding = tips[i].pull / (force_of(*touches[i]).normal * rotor_->force_unit);
 }
 
 void ContactArc::start_next(Interval& next) const {

@@ -151,6 +151,8 @@ class ContactArc {
   [[nodiscard]] std::uint64_t sweeps() const { return sweeps_; }
 
  private:
+  static constexpr int kNoBlade = -1;
+
   void lead(double time, const rotor::ShaftAndRing& bodies, std::span<const Touch> touching,
             std::size_t leader);
   [[nodiscard]] const Blade& numbers(int blade) const { return numbers_[static_cast<std::size_t>(blade)]; }

@@ -9,12 +9,9 @@
 
 #include "collocation/contact_arc.hpp"
 #include "collocation/interval_samples.hpp"
-#include "contact/sticking.hpp"
 
 namespace rubatlas::collocation {
 namespace {
-
-constexpr int kNoBlade = -1;
 
 /// Slope by θ of the polynomial through values at the places, just before θ.
 double slope_before(const AtPlaces& values, double fraction) {
@@ -354,32 +351,6 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
     return Verdict::another_leads;
   }
   return in_part ? Verdict::holds_in_part : Verdict::holds;
-}
-
-/// Takes from the shaft's velocity what is left of v of straight tips at rest at the end, which is not to
-/// drift, and of a tip whose slip has reversed, the shortest way: its v does not jump where s changes, and
-/// its sign would be taken for that of what follows.
-void ContactArc::bring_to_rest(int reversed) {
-  if (reversed == kNoBlade && contact_.slip != 0.0 && further_.empty()) return;
-  std::array<contact::AtRest, contact::kMostAtRest> tips{};
-  std::size_t count = 0;
-  const auto take = [&](int blade) {
-    if (count == contact::kMostAtRest) return;
-    const double v = contact::undeformed_slip_velocity(law_->geometry(blade), pose(blade, end_),
-                                                       blades_->angular_speed(end_.time));
-    tips[count++] = {tangent(blade, end_), v};
-  };
-  const auto take_at_rest = [&](int blade, double slip) {
-    if (slip == 0.0 && blade != reversed && is_straight(blade)) take(blade);
-  };
-  take_at_rest(blade_, contact_.slip);
-  for (const FurtherStart& further : further_) take_at_rest(further.blade, further.slip);
-  if (reversed != kNoBlade) take(reversed);
-  contact::share_out(std::span(tips).first(count));
-  for (std::size_t i = 0; i < count; ++i) {
-    end_.bodies[2] -= tips[i].pull * tips[i].tangent.real();
-    end_.bodies[3] -= tips[i].pull * tips[i].tangent.imag();
-  }
 }
 
 /// The end of an interval: of the contact, or at a touch-down, to rounding, where one ends it.
