@@ -115,7 +115,7 @@ class InclinedLaw final : public ArcLaw {
                                 const std::complex<double>& acceleration) const override {
     const auto& law = law_->of(touch.blade);
     auto there = law.constraint(at, touch.slip, speed, touch.bend);
-    auto drift = law.drift(at, touch.slip, speed, 0.0, acceleration, there);
+    auto drift = law.drift(at, speed, 0.0, acceleration, there);
     if (touch.slip == 0.0) {
       // v = 0 takes the place of d = 0.
       const double along = at.radial_velocity + speed * at.tangential;

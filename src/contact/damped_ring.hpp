@@ -35,6 +35,7 @@ class ElasticBladeOnDampedRing {
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const Geometry& geometry() const { return blade_.geometry(); }
   [[nodiscard]] const blade::ElasticaCurve& curve() const { return blade_.curve(); }
+  [[nodiscard]] Friction friction() const { return blade_.friction(); }
   [[nodiscard]] const ElasticaContact& blade() const { return blade_; }  ///< in a ring that does not yield
   [[nodiscard]] const DampedRing& ring() const { return ring_; }
   /// The same blade, shorter at its tip by `lost` [m].

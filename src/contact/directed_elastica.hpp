@@ -163,7 +163,7 @@ class DirectedElastica {
     double misdirection;
   };
   /// `acceleration`: that of the shaft's centre along (real part) and across the blade [m per unit τ²].
-  [[nodiscard]] Drift drift(const Pose& at, double slip, double angular_speed, double angular_acceleration,
+  [[nodiscard]] Drift drift(const Pose& at, double angular_speed, double angular_acceleration,
                             const std::complex<double>& acceleration, const Constraint& there) const {
     const double a = there.radial;
     const double b = there.tangential;
@@ -187,7 +187,7 @@ class DirectedElastica {
                                                        moment * (a * along + b * across) * inverse_square) +
                                    angular_acceleration * geometry_.ring_radius;
       result.misdirection -=
-          friction_.slope(velocity, slip) * velocity_rate / (1.0 + there.coefficient * there.coefficient);
+          friction_.slope(velocity) * velocity_rate / (1.0 + there.coefficient * there.coefficient);
     }
     return result;
   }
@@ -269,10 +269,9 @@ class DirectedElastica {
         inverse_distance * (a * across - b * along) + angular_speed * geometry_.ring_radius;
     const double velocity_by_normal = -inverse_distance * (b * across + a * along);
     const double coefficient = friction_.coefficient(velocity, slip);
-    return {
-        normal_angle + std::atan(coefficient),
-        by_normal + friction_.slope(velocity, slip) * velocity_by_normal / (1.0 + coefficient * coefficient),
-        coefficient};
+    return {normal_angle + std::atan(coefficient),
+            by_normal + friction_.slope(velocity) * velocity_by_normal / (1.0 + coefficient * coefficient),
+            coefficient};
   }
 
   /// `respond` of a tip at rest.

@@ -29,6 +29,7 @@
 #include <optional>
 
 #include "blade/elastica_curve.hpp"
+#include "contact/friction_law.hpp"
 #include "contact/pose.hpp"
 
 namespace rubatlas::contact {
@@ -154,6 +155,7 @@ class ElasticaContact {
   using OfBlade = ElasticaContact;
   [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const blade::ElasticaCurve& curve() const { return *curve_; }
+  [[nodiscard]] Friction friction() const { return Friction::coulomb(blade_.friction); }
   [[nodiscard]] double length() const { return blade_.length; }            ///< L [m]
   [[nodiscard]] double load_unit() const { return blade_.load_unit; }      ///< EI / L² [N]
   [[nodiscard]] double strain_unit() const { return blade_.strain_unit; }  ///< h / (2 L) [-]

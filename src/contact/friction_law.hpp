@@ -60,7 +60,7 @@ struct Friction {
     return size(velocity) * std::tanh(velocity / regularising_velocity);
   }
   /// dc/dv [1/(m per unit τ)] at fixed s.
-  [[nodiscard]] double slope(double velocity, double /*slip*/) const {
+  [[nodiscard]] double slope(double velocity) const {
     if (law == Law::coulomb) return 0.0;
     const double share = std::tanh(velocity / regularising_velocity);
     if (law == Law::regularised) return friction / regularising_velocity * (1.0 - share * share);

@@ -1,6 +1,7 @@
 #include "modes/contact_modes.hpp"
 
 #include <cmath>
+#include <complex>
 #include <cstdint>
 #include <utility>
 
@@ -57,6 +58,22 @@ std::int64_t ContactModes::price_of_searches() {
 bool ContactModes::begins_to_skim(const rotor::ContactState& state, const std::vector<OpenContact>& contacts,
                                   double hop) const {
   return skims_ && law_->may_skim(contacts.front().blade) && skims_->begins(state, contacts, hop);
+}
+
+void ContactModes::set_out_from_rest(rotor::ShaftAndRing& state, double time, OpenContact contact) const {
+  const rotor::Machine& machine = *setup_.machine;
+  const contact::BladeDirection er = machine.blades.direction(contact.blade, machine.blades.first(time));
+  const TipPlace at{
+      rotor::pose_of(machine.constants, law_->geometry(contact.blade), er, rotor::from_ring(state)),
+      machine.blades.angular_speed(time)};
+  contact::TipForce force{};
+  if (!law_->respond(at, contact, force) || !(force.normal > 0.0)) return;
+  // The force is −F (n + c t), t = i n.
+  const double coefficient = law_->friction_coefficient(contact.blade, force, contact.slip);
+  const std::complex<double> tangent =
+      -contact::on_rotor(force, er) / (force.normal * std::complex<double>(coefficient, -1.0));
+  state[2] -= force.slip_velocity * tangent.real();
+  state[3] -= force.slip_velocity * tangent.imag();
 }
 
 void ContactModes::leave_law_of_rest(OpenContact& contact) const {

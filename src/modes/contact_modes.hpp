@@ -98,6 +98,9 @@ class ContactModes {
   [[nodiscard]] std::vector<OpenContact> at_rest(const std::vector<OpenContact>& contacts) const {
     return tips_at_rest_ ? tips_at_rest_->at_rest(contacts) : contacts;
   }
+  /// Puts the shaft's velocity, which errs by the tolerance, where v = 0: a tip that has come loose under the
+  /// law of rest must not slip back to it, which would be a slip reversal.
+  void set_out_from_rest(rotor::ShaftAndRing& state, double time, OpenContact contact) const;
   /// A contact under the law of tips at rest, as another motion takes it over: a tip at rest comes loose
   /// where the machine changes, and s becomes the side to which its blade is bent.
   void leave_law_of_rest(OpenContact& contact) const;

@@ -137,6 +137,10 @@ class LawOfBlades : public Law {
   [[nodiscard]] const contact::Geometry& geometry(int blade) const override {
     return blades_.of(blade).geometry();
   }
+  [[nodiscard]] double friction_coefficient(int blade, const contact::TipForce& force,
+                                            double slip) const override {
+    return of(blade).friction().coefficient(force.slip_velocity, slip);
+  }
   [[nodiscard]] const Blades& blades() const { return blades_; }
   [[nodiscard]] const Blade& of(int blade) const { return blades_.of(blade); }
 

@@ -19,10 +19,6 @@ class LawOfAxialLoads final : public LawOfBlades<LawOfAxialLoads, contact::Elast
   bool respond(const TipPlace& at, OpenContact& contact, contact::TipForce& force) const override {
     return of(contact.blade).respond(at.pose, contact.slip, at.speed, contact.bending, force);
   }
-  [[nodiscard]] double friction_coefficient(int blade, const contact::TipForce& /*force*/,
-                                            double slip) const override {
-    return slip * of(blade).curve().friction();
-  }
   [[nodiscard]] Kind kind() const override {
     return {.remembers = true, .price_of_curve = WorkPrice::kCurve};
   }

@@ -19,10 +19,6 @@ class LawOfDampedRing final : public LawOfBlades<LawOfDampedRing, contact::Elast
     return of(contact.blade)
         .respond(at.pose, contact.slip, at.speed, contact.yielding, contact.bending, force);
   }
-  [[nodiscard]] double friction_coefficient(int blade, const contact::TipForce& /*force*/,
-                                            double slip) const override {
-    return slip * of(blade).curve().friction();
-  }
   [[nodiscard]] Kind kind() const override { return {.price_of_curve = WorkPrice::kCurve}; }
   [[nodiscard]] Form form(const rotor::Machine& /*machine*/) const override {
     return Form::yielding_damped_ring;

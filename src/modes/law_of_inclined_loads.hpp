@@ -20,10 +20,6 @@ class LawOfInclinedLoads final : public LawOfBlades<LawOfInclinedLoads, contact:
     return of(contact.blade)
         .respond(at.pose, contact.slip, at.speed, contact.bend.modulus, contact.bend.amplitude, force);
   }
-  [[nodiscard]] double friction_coefficient(int blade, const contact::TipForce& force,
-                                            double slip) const override {
-    return of(blade).friction().coefficient(force.slip_velocity, slip);
-  }
   [[nodiscard]] Kind kind() const override {
     const contact::Friction& friction = of(0).friction();
     return {.has_slip_state = friction.has_slip_state(),

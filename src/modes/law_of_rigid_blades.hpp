@@ -16,10 +16,6 @@ class LawOfRigidBlades final : public LawOfBlades<LawOfRigidBlades, contact::Ela
   bool respond(const TipPlace& at, OpenContact& contact, contact::TipForce& force) const override {
     return of(contact.blade).respond(at.pose, contact.slip, at.speed, contact.bending, force);
   }
-  [[nodiscard]] double friction_coefficient(int blade, const contact::TipForce& force,
-                                            double slip) const override {
-    return of(blade).friction().coefficient(force.slip_velocity, slip);
-  }
   [[nodiscard]] Kind kind() const override {
     const contact::Friction& friction = of(0).friction();
     return {.has_slip_state = friction.has_slip_state(),

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -393,27 +392,10 @@ ending::StatusDetail Motion::come_loose(Contact contact, modes::MotionListener& 
     return ending::StatusDetail::none;
   }
   if (!law().bend_anew(place(contact->blade), *contact)) return ending::StatusDetail::no_equilibrium;
-  if (modes_.is_law_of_rest(phase_)) set_out_from_rest(*contact);
+  if (modes_.is_law_of_rest(phase_)) modes_.set_out_from_rest(state_, time_, *contact);
   const ending::StatusDetail settled = settle_others(contact->blade, listener);
   tell(listener, modes::Guard::comes_loose, contact->blade, contact->slip);
   return settled;
-}
-
-/// Puts the shaft's velocity, which errs by the tolerance, where v = 0: a tip that has come loose must not
-/// slip back to it, which would be a slip reversal.
-void Motion::set_out_from_rest(modes::OpenContact contact) {
-  const modes::TipPlace at = place(contact.blade);
-  contact::TipForce force{};
-  if (!law().respond(at, contact, force) || !(force.normal > 0.0)) return;
-  const std::complex<double> tangent =
-      -std::complex<double>(force.radial, force.tangential) /
-      (force.normal *
-       std::complex<double>(law().friction_coefficient(contact.blade, force, contact.slip), -1.0));
-  const contact::BladeDirection er = machine_.blades.direction(contact.blade, machine_.blades.first(time_));
-  const std::complex<double> change =
-      -force.slip_velocity * tangent * std::complex<double>(er.cosine, er.sine);
-  state_[2] += change.real();
-  state_[3] += change.imag();
 }
 
 /// The slip velocity of a tip has come to zero: it reverses its slip, or comes to rest where it can stick.

@@ -83,7 +83,6 @@ class Motion final : public PointMotion {
   ending::StatusDetail lift_off(Contact contact, modes::MotionListener& listener);
   ending::StatusDetail snap(Contact contact, modes::MotionListener& listener);
   ending::StatusDetail come_loose(Contact contact, modes::MotionListener& listener);
-  void set_out_from_rest(modes::OpenContact contact);
   ending::StatusDetail reverse_slip(Contact contact, modes::MotionListener& listener);
 
   rotor::Machine machine_;

@@ -104,7 +104,7 @@ ForceSlopes ContactStiffness::of_rigid_blade(const RigidBlade& law, const Contac
   // v = c'·Jn + Ω (w − c)·n (MODEL 4.4), n the normal.
   const double slip_velocity = velocity.dot(tangent) + rotor_.speed_ratio * to_tip.dot(normal);
   const double coefficient = law.friction.coefficient(slip_velocity, contact.slip);
-  const double slope = law.friction.slope(slip_velocity, contact.slip);
+  const double slope = law.friction.slope(slip_velocity);
   const Eigen::RowVector2d velocity_by_place =
       (rotor_.speed_ratio * to_tip - turned_by_quarter(velocity)).transpose() * across / distance;
   ForceSlopes slopes;

@@ -53,7 +53,7 @@ inline ForceSlopes slopes_of_directed_blade(const contact::DirectedElastica& law
   const double share = 1.0 / (1.0 + c * c);
   const double load_unit = law.load_unit() * std::sqrt(share);
   const double load = load_unit * there.blade.load.value;
-  const double slope = law.friction().slope(law.force_of(pose, speed, there).slip_velocity, contact.slip);
+  const double slope = law.friction().slope(law.force_of(pose, speed, there).slip_velocity);
   // The tip's place turns the normal, and with it the slip velocity; so does that of the shaft, besides Ω.
   const Eigen::RowVector2d velocity_by_tip = -(normal.dot(u) / distance) * tangent.transpose();
   const Eigen::RowVector2d velocity_by_place = velocity_by_tip - speed * normal.transpose();
@@ -88,7 +88,7 @@ inline ForceSlopes slopes_of_directed_blade(const contact::DirectedElastica& law
   // λ from whichever of τ, κ and φ moves along the path: all three are λ times a number that is known.
   const std::complex<double> turned(at.er.cosine, -at.er.sine);
   const std::complex<double> along = std::complex<double>(at.acceleration[0], at.acceleration[1]) * turned;
-  const auto drift = law.drift(pose, contact.slip, speed, 0.0, along, there);
+  const auto drift = law.drift(pose, speed, 0.0, along, there);
   const Eigen::Vector2d bends = -adjugate * Eigen::Vector2d(drift.residual, drift.misdirection);
   const double by_time = there.determinant() / (scale.time_rate * scale.time_rate);
   const Eigen::Vector2d by_bending = bends / (scale.bending_rate * scale.bending_rate);

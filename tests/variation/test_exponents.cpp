@@ -90,6 +90,7 @@ TEST(Lyapunov, ExponentsOfARingWhoseMotionDiesAtOnceAreNotFollowedAndThePointEnd
   scene.ring_body = effects::RingBody{.mass = 1.0, .compliance = 1e-3, .damping = 1e15};
   const auto outcome = run(scene, 1e-4, motion::SectionState{1e-3, 0.0, 0.0, 0.0});
   EXPECT_EQ(outcome.status, ending::PointStatus::done);
+  ASSERT_EQ(outcome.rows[0].size(), 8U);
   for (const double exponent : outcome.rows[0]) EXPECT_TRUE(std::isnan(exponent));
 }
 
