@@ -58,6 +58,11 @@ class ArcLaw {
   /// equilibrium.
   [[nodiscard]] virtual std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
                                                   double speed) const = 0;
+  /// The same to rounding, of a contact that an arc has left somewhat off its equilibrium.
+  [[nodiscard]] virtual std::optional<Touch> found_anew(const Touch& touch, const contact::Pose& at,
+                                                        double speed) const {
+    return open(touch, at, speed);
+  }
   /// How often equilibria have been evaluated to find those.
   [[nodiscard]] virtual std::uint64_t evaluations() const { return 0; }
 

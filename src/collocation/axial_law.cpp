@@ -37,7 +37,8 @@ Blade AxialLaw::numbers(int blade) const {
           .friction = law.curve().friction(),
           .yield_unit = law.yield_unit(),
           .first_shortening = law.first_shortening(),
-          .first_yielding = law.first_yielding()};
+          .first_yielding = law.first_yielding(),
+          .held_beyond_ring = law.releases_at_fold()};
 }
 
 ArcLaw::Start AxialLaw::start(const Touch& touch, const contact::Pose& at, double speed) const {

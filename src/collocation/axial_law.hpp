@@ -40,6 +40,14 @@ class AxialLaw : public ArcLaw {
                                           double /*speed*/) const override {
     return touch;
   }
+  [[nodiscard]] std::optional<Touch> found_anew(const Touch& touch, const contact::Pose& at,
+                                                double /*speed*/) const override {
+    const auto root = laws_->of(touch.blade).solve_near(at, touch.slip, touch.bending);
+    if (!root) return std::nullopt;
+    Touch found = touch;
+    found.bending = *root;
+    return found;
+  }
   Bending lead(const Touch& touch) override {
     leader_ = touch.blade;
     return {table(touch.blade).argument(touch.bending)};

@@ -21,7 +21,6 @@ constexpr double kOrderAtEnd = 14.0;
 constexpr double kAtEnd = 1.0;            ///< tolerances: of that at the end, as far as it can be estimated
 constexpr double kCareWithSeveral = 4.0;  ///< blades: coefficients fall less evenly
 constexpr double kClosest = 0.2;          ///< of the tolerance: what sweeps may leave
-constexpr std::size_t kMostIntervals = 1000;  ///< of a contact that is shorter or longer than was predicted
 
 /// dy/dτ of a tip at the end of an interval.
 double yielding_rate_at_end(const Interval& interval, const TipInTime& tip) {
@@ -324,39 +323,62 @@ std::vector<Touch> ContactArc::touching_at(const Point& point) const {
   return touching;
 }
 
-/// Another blade leads from where the last interval has ended.
-void ContactArc::change_leader(std::size_t further) {
-  const std::vector<Touch> touching = touching_at(end_);
-  lead(end_.time, rotor::ShaftAndRing(end_.bodies), touching, further + 1);
-  lead_has_changed_ = true;
+/// Begins anew where the last interval has ended: what sweeps have left of the leader's equation there would
+/// be a jump at the start of the next one. `leader`: as in `touching_at`. False where it cannot be found
+/// anew.
+bool ContactArc::begin_anew(std::size_t leader) {
+  std::vector<Touch> touching = touching_at(end_);
+  // Gaps by how far the tips have come: those of places would lose digits, or be nothing but rounding.
+  std::vector<double> gaps{gap_at_end_};
+  for (const FurtherStart& further : further_) gaps.push_back(further.tip.start_gap);
+  Touch& leads = touching[leader];
+  contact::Pose there = pose(leads.blade, end_);
+  there.gap = gaps[leader];
+  std::optional<Touch> found;
+  if (std::abs(there.gap) > contact::gap_rounding(law_->geometry(leads.blade), there))
+    found = law_->found_anew(leads, there, blades_->angular_speed(end_.time));
+  leads = found.value_or(leads);
+  lead(end_.time, rotor::ShaftAndRing(end_.bodies), touching, leader);
+  gap_at_end_ = gaps[leader];
+  gaps.erase(gaps.begin() + static_cast<std::ptrdiff_t>(leader));
+  for (std::size_t k = 0; k < further_.size(); ++k) further_[k].tip.start_gap = gaps[k];
+  predictor_.begin_interval();
+  return found.has_value();
 }
 
 ContactArc::Outcome ContactArc::make() {
-  if (number_ >= kMostIntervals || predictor_.is_too_short()) return Outcome::gives_up;
+  if (predictor_.is_too_short()) return Outcome::gives_up;
   predictor_.begin_interval();
   bool learns = true;
+  bool has_begun_anew = false;
   while (true) {
-    if (!solve_next(learns)) return Outcome::gives_up;
-    if (kept_ != nullptr && number_ < EarlierContact::kMostIntervals) {
+    Ending ending;
+    const bool solved = solve_next(learns);
+    if (solved && kept_ != nullptr && number_ < EarlierContact::kMostIntervals) {
       kept_->intervals[number_].take(contact_, trial(), predictor_.length_of_trial());
       kept_->count = std::max(kept_->count, number_ + 1);
     }
-    Ending ending;
-    const Verdict verdict = judge(ending);
+    const Verdict verdict = solved ? judge(ending) : Verdict::too_long;
     if (verdict == Verdict::gives_up) return Outcome::gives_up;
     if (verdict == Verdict::holds || verdict == Verdict::holds_in_part) {
       if (verdict == Verdict::holds) made_ = 1 - made_;
       goes_on(ending);
       return Outcome::made;
     }
-    ++rejected_;
-    if (verdict == Verdict::another_leads) {
-      predictor_.begin_interval();
-    } else {
+    if (solved) {
+      ++rejected_;
+      if (verdict == Verdict::another_leads) continue;
       learns = false;
       leave_earlier();
-      if (!predictor_.shortens(Predictor::kUnknownError)) return Outcome::gives_up;
+      if (predictor_.shortens(Predictor::kUnknownError)) continue;
     }
+    if (const int blade = touches_at_once(); blade != kNoBlade) {
+      start_ = end_;
+      ending_ = {Guard::touch_down, 0.0, blade, 0.0};
+      return Outcome::made;
+    }
+    if (has_begun_anew || !begin_anew(0)) return Outcome::gives_up;
+    has_begun_anew = true;
   }
 }
 
@@ -381,6 +403,19 @@ void ContactArc::goes_on(const Ending& ending) {
   if (ending_.guard == Guard::none) predictor_.goes_on(made());
   begins_ = false;
   lead_has_changed_ = false;
+}
+
+/// The blade whose tip is at the ring where an arc begins, and moves outwards.
+int ContactArc::touches_at_once() const {
+  if (!begins_ || !law_->ends_at_ring()) return kNoBlade;
+  for (const Other& other : others_) {
+    const contact::Pose there = pose(other.blade, end_);
+    const contact::Geometry geometry = law_->geometry(other.blade);
+    const bool at_ring = std::abs(there.gap) <= contact::gap_rounding(geometry, there);
+    if (at_ring && contact::gap_rate(geometry, there, blades_->angular_speed(end_.time)) > 0.0)
+      return other.blade;
+  }
+  return kNoBlade;
 }
 
 ContactArc::Point ContactArc::at_node(const Interval& interval, std::size_t node) {

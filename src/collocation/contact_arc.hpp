@@ -201,6 +201,7 @@ class ContactArc {
   }
   [[nodiscard]] std::optional<Ending> touch_down(const Interval& interval, Ending before);
   struct Other;
+  [[nodiscard]] int touches_at_once() const;
   [[nodiscard]] bool starts_inside(int blade) const;
   bool stays_off(const Other& other, const Interval& interval, double allowed);
   /// Whether the trial can be the next interval, up to its ending, and whether that is a stretch of it.
@@ -209,7 +210,7 @@ class ContactArc {
   bool solve_next(bool learns);
   void goes_on(const Ending& ending);
   [[nodiscard]] std::vector<Touch> touching_at(const Point& point) const;
-  void change_leader(std::size_t further);
+  bool begin_anew(std::size_t leader);
   void leave_earlier();
   void guess_further(Interval& next) const;
   bool cut(const Interval& whole, double fraction, Interval& shorter,

@@ -339,15 +339,18 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   // At a fold a tip is free only outside the ring, or it snaps.
   if (ending.guard == Guard::fold && !law_->has_branches(blade_) && !(pose(blade_, end_of(kept)).gap < 0.0))
     return Verdict::gives_up;
-  // Time goes on.
+  // Time goes on, but for rounding next to the unbent blade.
+  constexpr double kAllBut = 1e-4;  // p
+  const bool is_all_but_unbent = reaches_zero && next.chord.argument < 0.0 && next.start_argument < kAllBut;
   for (std::size_t i = 0; i < kNodes; ++i) {
-    const bool may_turn = i + 1 == kNodes && (reaches_zero || in_part);
+    const bool may_turn = is_all_but_unbent || (i + 1 == kNodes && (reaches_zero || in_part));
     if (!(kept.time_slope[i] > 0.0) && !may_turn) return Verdict::too_long;
   }
   for (std::size_t k = 0; k < further_.size(); ++k) {
     if (bounds.further[k].stays) continue;
     if (lead_has_changed_) return Verdict::too_long;
-    change_leader(k);
+    begin_anew(k + 1);
+    lead_has_changed_ = true;
     return Verdict::another_leads;
   }
   return in_part ? Verdict::holds_in_part : Verdict::holds;

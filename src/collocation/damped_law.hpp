@@ -28,6 +28,10 @@ class DampedLaw final : private BladesOfRing, public AxialLaw {
   [[nodiscard]] bool ends_at_ring() const override { return false; }
   [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
                                           double speed) const override;
+  [[nodiscard]] std::optional<Touch> found_anew(const Touch& touch, const contact::Pose& at,
+                                                double speed) const override {
+    return open(touch, at, speed);
+  }
   Bending lead(const Touch& touch) override;
   [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override;
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,

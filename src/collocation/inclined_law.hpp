@@ -284,7 +284,8 @@ class InclinedLaw final : public ArcLaw {
     if (touch.bend.modulus == 0.0 || !(touch.bend.amplitude > 0.0)) return false;
     blade::Bend bend = touch.bend;
     for (int i = 0; i < kSteps; ++i) {
-      const blade::Bend change = law.correction(law.constraint(at, touch.slip, speed, bend));
+      const blade::Bend change =
+          contact::DirectedElastica::correction(law.constraint(at, touch.slip, speed, bend));
       const double size =
           std::max(std::abs(change.modulus / bend.modulus), std::abs(change.amplitude / bend.amplitude));
       if (!(size < near)) return false;

@@ -67,6 +67,7 @@ struct Blade {
   double yield_unit;        ///< EI/(L² kr) [m]: yielding of the ring under F = EI/L²; 0 where it does not
   double first_shortening;  ///< δ/Δ of a blade that is hardly bent [-]
   double first_yielding;    ///< (F/kr)/Δ there [-]
+  bool held_beyond_ring = false;  ///< its contact goes on there while it has a force
   // Of a rigid blade, and of one on a ring with dampers.
   double ring_stiffness = 0.0;  ///< kr [N/m]
   double ring_damping = 0.0;    ///< cr ωn [N per (m per unit τ)]
@@ -124,7 +125,8 @@ struct FurtherBlade : TipInTime {
   AtNodes square;          ///< p²; F/kr of a rigid blade [m]: a first guess, then the solution. Smooth at a
                            ///< touch-down, unlike p
   bool lifts_off = false;  ///< it would be bent by less than nothing at a node, where some p² is left to it
-  AtNodes firmness;        ///< of one under an inclined load: zero at the fold of its branch
+  AtNodes firmness;  ///< zero at the fold of its branch, or a little short of it: of one under an inclined
+                     ///< load, and of one that is held beyond the ring
 };
 
 /// Shaft or ring within an interval.

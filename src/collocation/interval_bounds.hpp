@@ -43,8 +43,10 @@ class IntervalBounds {
       of_blade.slip_velocity = least_magnitude(blade.start_slip_velocity, Number(blade.slip_velocity));
       const Number squares = later(blade.start_square, Number(blade.square));
       of_blade.argument = blade.straight ? 0.0 : std::sqrt(std::max(blade.start_square, squares.largest()));
-      of_blade.stays = !blade.lifts_off && squares.least() > 0.0 &&
-                       later(blade.start_gap_measure, Number(blade.gap_measure)).least() > 0.0;
+      const double left = blade.blade->held_beyond_ring
+                              ? least_firmness(blade)
+                              : later(blade.start_gap_measure, Number(blade.gap_measure)).least();
+      of_blade.stays = !blade.lifts_off && squares.least() > 0.0 && left > 0.0;
     }
   }
 
@@ -58,9 +60,8 @@ class IntervalBounds {
       const FurtherBlade& tip = in.further[k];
       Bounds::OfFurther& of_blade = result.further[k];
       of_blade.argument = largest(tip.start_shortening, Number(tip.shortening));
-      const double firmness = sum_of_products(nodes_.value_at_start, tip.firmness);
       of_blade.stays = of_blade.stays && least(tip.start_chart_left, Number(tip.chart_left)) > 0.0 &&
-                       least(firmness, Number(tip.firmness)) > 0.0;
+                       least_firmness(tip) > 0.0;
     }
     const double slope = sum_of_products(nodes_.value_at_start, in.time_slope);
     result.time_slope = least_before_end(later(slope, Number(in.time_slope)));
@@ -127,6 +128,9 @@ class IntervalBounds {
   }
   RUBATLAS_INLINE double least(double start, const Number& at_nodes) const {
     return std::min(start, later(start, at_nodes).least());
+  }
+  RUBATLAS_INLINE double least_firmness(const FurtherBlade& tip) const {
+    return least(sum_of_products(nodes_.value_at_start, tip.firmness), Number(tip.firmness));
   }
   /// Positive where it keeps the sign that it has at the start.
   RUBATLAS_INLINE double least_magnitude(double start, const Number& at_nodes) const {

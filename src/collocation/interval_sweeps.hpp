@@ -362,6 +362,12 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     return Base::slip_velocity_of(tip, er, reach, Number(1.0) / yielded, yielded);
   }
 
+  /// What ∂h/∂p leaves of the share of δ in it: zero at a fold, and short of it by so much that the blade can
+  /// still be found there.
+  RUBATLAS_INLINE static Number firmness_of(const Tip& tip) {
+    constexpr double kShort = 0.2;
+    return tip.a * tip.slope.shortening * (1.0 - kShort) + tip.b * tip.slope.deflection;
+  }
   void store(const Tip& tip, const Direction& er, TipInTime& stored) const {
     straight_tip(stored, *tip.blade, er).gap.store(stored.gap);
     if (is_straight(tip)) return store_straight(*tip.blade, er, stored);
@@ -376,6 +382,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     for (std::size_t k = 0; k < in.further.size(); ++k) {
       store(further_[k], direction_at(er_, in.further[k].offset), in.further[k]);
       in.further[k].lifts_off = further_[k].lifts_off;
+      if (further_[k].blade->held_beyond_ring) firmness_of(further_[k]).store(in.further[k].firmness);
       if (is_straight(further_[k])) {
         in.further[k].square = in.further[k].gap_measure;
       } else {

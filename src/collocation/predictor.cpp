@@ -24,7 +24,7 @@ constexpr double kStraight = 1e-6;    ///< [rad]: an arc that turns by less has 
 constexpr double kSteep = 0.48;       ///< sine of the slope with which an arc may be followed down to p = 0
 constexpr double kReach = 0.15;       ///< of an arc: so far above p = 0 it is stretched to reach it
 constexpr double kLongestHalf = 1.5;  ///< [τ] half of a contact, as a first estimate
-constexpr double kShortestContact = 1e-11;  ///< [τ]
+constexpr double kShortestContact = 1e-14;  ///< [τ]
 
 /// Without the care of `std::hypot` for numbers near overflow.
 double length_of(double x, double y) {
@@ -55,10 +55,11 @@ void Predictor::begin(const Start& start) {
 }
 
 void Predictor::begin_under_load(const Start& start, double half) {
-  time_unit_ = half;
+  constexpr double kShortestHalf = 1e-6;  // a contact that ends before is a part of its first interval
+  time_unit_ = std::max(half, kShortestHalf);
   // Half of the period on the ring's spring.
   if (const double stiffness = start.blade->ring_stiffness * closing_unit_; stiffness > 0.0)
-    time_unit_ = std::min(half, std::numbers::pi / std::sqrt(stiffness));
+    time_unit_ = std::min(time_unit_, std::numbers::pi / std::sqrt(stiffness));
   unit_length_ = 1.0;
   length_ = share_of_first_[1];
   curvature_ = 0.0;

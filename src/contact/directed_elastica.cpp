@@ -299,12 +299,9 @@ auto DirectedElastica::follow_coefficient(const Pose& at, double slip, double an
 
 auto DirectedElastica::solve(const Pose& at, double slip, double angular_speed, double side) const
     -> std::optional<Bend> {
-  if (friction_.depends_on_velocity()) {
-    return solve_for_coefficient(at, slip, angular_speed, side);
-  } else {
-    Walk walk(*this, at, slip, angular_speed, side);
-    return walk.find() ? walk.root() : walk.unbent();
-  }
+  if (friction_.depends_on_velocity()) return solve_for_coefficient(at, slip, angular_speed, side);
+  Walk walk(*this, at, slip, angular_speed, side);
+  return walk.find() ? walk.root() : walk.unbent();
 }
 
 auto DirectedElastica::solve_near(const Pose& at, double slip, double angular_speed, const Bend& near) const
