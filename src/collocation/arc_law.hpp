@@ -47,6 +47,12 @@ class ArcLaw {
   [[nodiscard]] virtual bool may_slip_back() const { return false; }
   /// A contact goes on beyond the ring while it has a force.
   [[nodiscard]] virtual bool releases_at_fold(int blade) const = 0;
+  /// A blade that is bent begins and ends above the ring, straight.
+  [[nodiscard]] virtual bool may_stand_straight(int /*blade*/) const { return false; }
+  /// A straight blade that buckles finds no equilibrium next to it.
+  [[nodiscard]] virtual bool buckles_with_a_jump(const Touch& /*touch*/, const contact::Pose& /*at*/) const {
+    return false;
+  }
   /// Where the equilibria end in a fold, the blade may snap to others.
   [[nodiscard]] virtual bool has_branches(int blade) const = 0;
   /// The force of the leading blade vanishes with the gap where its tip stands.

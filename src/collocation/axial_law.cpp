@@ -38,15 +38,90 @@ Blade AxialLaw::numbers(int blade) const {
           .yield_unit = law.yield_unit(),
           .first_shortening = law.first_shortening(),
           .first_yielding = law.first_yielding(),
+          .axial_unit = law.may_stand_straight() ? law.axial_unit() : 0.0,
+          .buckling_load = law.may_stand_straight() ? blade::kEulerLoad * law.load_unit() : 0.0,
           .held_beyond_ring = law.releases_at_fold()};
 }
 
+std::optional<Touch> AxialLaw::open(const Touch& touch, const contact::Pose& at, double /*speed*/) const {
+  const contact::ElasticaContact& law = laws_->of(touch.blade);
+  Touch found = touch;
+  // One that has just buckled, or straightened, has its Euler load to rounding.
+  constexpr double kClearlyLess = 1.0 - 1e-9;
+  if (law.may_stand_straight() && touch.bending == 0.0)
+    found.straight = touch.straight || law.straight_load(at) < kClearlyLess * blade::kEulerLoad;
+  return found;
+}
+
+std::optional<Touch> AxialLaw::found_anew(const Touch& touch, const contact::Pose& at,
+                                          double /*speed*/) const {
+  Touch found = touch;
+  if (touch.straight) return found;
+  const auto root = laws_->of(touch.blade).solve_near(at, touch.slip, touch.bending);
+  if (!root || (*root == 0.0 && touch.bending > 0.0)) return std::nullopt;
+  found.bending = *root;
+  return found;
+}
+
+Bending AxialLaw::lead(const Touch& touch) {
+  leader_ = touch.blade;
+  standing_.assign(1, {touch.blade, touch.straight});
+  return {.argument = touch.straight ? kStraight : table(touch.blade).argument(touch.bending)};
+}
+
+FurtherStart AxialLaw::further(const Touch& touch, const contact::Pose& at, double speed) {
+  standing_.push_back({touch.blade, touch.straight});
+  if (!touch.straight) {
+    FurtherStart further = further_start(laws_->of(touch.blade), at, touch, speed);
+    further.tip.start_gap_measure = gap_measure(touch, at);
+    return further;
+  }
+  const Start there = start(touch, at, speed);
+  return {.blade = touch.blade,
+          .slip = touch.slip,
+          .straight = true,
+          .square = {there.gap_measure},
+          .tip = {.start_gap_measure = there.gap_measure,
+                  .start_slip_velocity = there.force.slip_velocity,
+                  .start_force = there.force.normal,
+                  .start_cone_left = there.cone_left,
+                  .start_yielding = touch.yielding},
+          .force = there.force};
+}
+
+Touch AxialLaw::touch(int blade, double slip, const Bending& bending) const {
+  Touch touch{blade, slip, 0.0};
+  touch.straight = std::ranges::find(standing_, blade, &Standing::blade)->straight;
+  if (!touch.straight) touch.bending = table(blade).bending(bending.argument);
+  return touch;
+}
+
+contact::TipForce AxialLaw::force(const Touch& touch, const contact::Pose& at, double speed) const {
+  const contact::ElasticaContact& law = laws_->of(touch.blade);
+  if (touch.straight) return law.straight_force(at, touch.slip, speed);
+  return law.constraint(at, touch.slip, touch.bending, speed).force;
+}
+
+/// g/Δ, or g/2R of a column that bends from above the ring, where g/Δ has no limit.
+double AxialLaw::gap_measure(const Touch& touch, const contact::Pose& at) const {
+  const contact::ElasticaContact& law = laws_->of(touch.blade);
+  return law.may_stand_straight() ? at.gap / (2.0 * law.geometry().ring_radius)
+                                  : law.gap_per_deflection(at, touch.slip, touch.bending);
+}
+
 ArcLaw::Start AxialLaw::start(const Touch& touch, const contact::Pose& at, double speed) const {
-  return {force(touch, at, speed), laws_->of(touch.blade).gap_per_deflection(at, touch.slip, touch.bending)};
+  Start there{.force = force(touch, at, speed), .gap_measure = gap_measure(touch, at)};
+  if (!touch.straight) return there;
+  // Of a column that has just straightened no load is left, to rounding.
+  constexpr double kLeast = 1e-12;
+  const double buckling = numbers(touch.blade).buckling_load;
+  there.cone_left = std::max(buckling - there.force.normal, kLeast * buckling);
+  return there;
 }
 
 ArcLaw::Tangent AxialLaw::tangent(const Touch& touch, const contact::Pose& at, double speed,
                                   const std::complex<double>& /*acceleration*/) const {
+  if (touch.straight) return {1.0, 0.0, 0.0};
   const contact::ElasticaContact& law = laws_->of(touch.blade);
   const auto there = law.constraint(at, touch.slip, touch.bending, speed);
   // dh = h_u du/dp dp + h_τ dτ

@@ -1,5 +1,6 @@
 /// Elastic blades under an axial load, with Coulomb friction, as an arc's law (MODEL 3, 4). Columns, μ = 0,
-/// are among them where they never stand straight.
+/// are among them. One that something gives way in series with stands straight up to its Euler load: its p
+/// does not change then, and an arc that it leads is a stretch of time.
 #pragma once
 
 #include <complex>
@@ -35,23 +36,18 @@ class AxialLaw : public ArcLaw {
   [[nodiscard]] double valid_argument(int blade) const override {
     return valid_argument_[static_cast<std::size_t>(blade)];
   }
-  /// The motion has found where the blade stands.
-  [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& /*at*/,
-                                          double /*speed*/) const override {
-    return touch;
+  [[nodiscard]] bool may_stand_straight(int blade) const override {
+    return laws_->of(blade).may_stand_straight();
   }
+  [[nodiscard]] bool buckles_with_a_jump(const Touch& touch, const contact::Pose& at) const override {
+    return touch.slip * at.tangential < 0.0;
+  }
+  /// The motion has found where a blade stands that is bent.
+  [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
+                                          double speed) const override;
   [[nodiscard]] std::optional<Touch> found_anew(const Touch& touch, const contact::Pose& at,
-                                                double /*speed*/) const override {
-    const auto root = laws_->of(touch.blade).solve_near(at, touch.slip, touch.bending);
-    if (!root) return std::nullopt;
-    Touch found = touch;
-    found.bending = *root;
-    return found;
-  }
-  Bending lead(const Touch& touch) override {
-    leader_ = touch.blade;
-    return {table(touch.blade).argument(touch.bending)};
-  }
+                                                double speed) const override;
+  Bending lead(const Touch& touch) override;
   [[nodiscard]] double side(const Touch& touch) const override { return touch.slip; }
   [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override;
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
@@ -62,9 +58,7 @@ class AxialLaw : public ArcLaw {
   [[nodiscard]] double deflection_per_square() const override {
     return collocation::deflection_per_square(laws_->of(leader_));
   }
-  FurtherStart further(const Touch& touch, const contact::Pose& at, double speed) override {
-    return further_start(laws_->of(touch.blade), at, touch, speed);
-  }
+  FurtherStart further(const Touch& touch, const contact::Pose& at, double speed) override;
   [[nodiscard]] bool solve(const Contact& contact, const Closeness& closeness,
                            Interval& interval) const override {
     return solver_.solve(contact, closeness, interval);
@@ -72,13 +66,9 @@ class AxialLaw : public ArcLaw {
   void bounds(const Contact& contact, const Interval& interval, Bounds& bounds) const override {
     solver_.bounds(contact, interval, bounds);
   }
-  [[nodiscard]] Touch touch(int blade, double slip, const Bending& bending) const override {
-    return {blade, slip, table(blade).bending(bending.argument)};
-  }
+  [[nodiscard]] Touch touch(int blade, double slip, const Bending& bending) const override;
   [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
-                                        double speed) const override {
-    return laws_->of(touch.blade).constraint(at, touch.slip, touch.bending, speed).force;
-  }
+                                        double speed) const override;
   [[nodiscard]] double friction_coefficient(const Touch& touch, const contact::Pose& /*at*/,
                                             const contact::TipForce& /*force*/) const override {
     return touch.slip * laws_->of(touch.blade).curve().friction();
@@ -88,15 +78,25 @@ class AxialLaw : public ArcLaw {
   }
 
  protected:
+  static constexpr double kStraight = 1e-6;  ///< p: not 0, from where a blade would begin to bend
+  struct Standing {
+    int blade;
+    bool straight;
+  };
+  /// Of the blades in contact: the leading one, and the others in their order.
+  [[nodiscard]] const std::vector<Standing>& standing() const { return standing_; }
   [[nodiscard]] const contact::ElasticaContact& of(int blade) const { return laws_->of(blade); }
   [[nodiscard]] const blade::BendingTable& table(int blade) const {
     return laws_->of(blade).curve().over_asinh();
   }
 
  private:
+  [[nodiscard]] double gap_measure(const Touch& touch, const contact::Pose& at) const;
+
   const Laws* laws_;
   IntervalSolver solver_;
   std::vector<double> valid_argument_;  ///< p of each blade up to which δ/L is within its limit
+  std::vector<Standing> standing_;
   int leader_ = 0;
 };
 

@@ -58,7 +58,8 @@ contact::Pose ContactArc::pose(int blade, const Point& point) const {
 
 /// g of a straight tip in contact [m²]. One that touches down stands on the ring.
 double ContactArc::gap_at(const Touch& touch, const Point& point) const {
-  if (law_->is_rigid() || !touch.touches_down()) return pose(touch.blade, point).gap;
+  if (law_->is_rigid() || law_->may_stand_straight(touch.blade) || !touch.touches_down())
+    return pose(touch.blade, point).gap;
   return touch.yielding * (2.0 * machine().ring_radius + touch.yielding);
 }
 

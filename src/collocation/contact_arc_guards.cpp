@@ -73,13 +73,13 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval, const
       place_of_first = node + 1;
     }
   };
-  const bool releases_at_fold = law_->releases_at_fold(blade_);
+  const bool releases_at_fold = law_->releases_at_fold(blade_) && !is_straight(blade_);
   if (!releases_at_fold)
     look(Guard::under_load, blade_, interval.start_gap_measure, interval.gap_measure, 1.0);
   // Over p itself the last node is the unbent blade.
   const std::size_t count = interval.chord.time == 0.0 ? kNodes - 1 : kNodes;
   look(Guard::unbent, blade_, interval.start_argument, interval.argument, 1.0, count);
-  if (releases_at_fold || law_->has_branches(blade_))
+  if (releases_at_fold || (law_->has_branches(blade_) && !is_straight(blade_)))
     look(Guard::fold, blade_, sum_of_products(node_tables().value_at_start, interval.time_slope),
          interval.time_slope, 1.0, count);
   if (contact_.leans) look(Guard::chart_end, blade_, interval.start_chart_left, interval.chart_left, 1.0);
@@ -262,6 +262,7 @@ bool ContactArc::is_next_to_unbent(const Interval& interval) const {
   constexpr double kNear = 0.03;
   if (contact_.leans && !(interval.lean.at_end() > 0.0)) return false;  // it is bent against its load
   const double argument = interval.argument.at_end();
+  if (law_->may_stand_straight(blade_)) return argument < kNext;
   return argument < kNext ||
          (argument < kNear && law_->starts_unloaded(blade_, contact_.slip, pose(blade_, end_of(interval))));
 }
@@ -325,7 +326,7 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   // Bounds of shorter intervals tell.
   if (!stays_valid(bounds, ending)) return Verdict::too_long;
   displacement_bound_ = bounds.displacement;
-  const bool held_beyond_ring = law_->releases_at_fold(blade_);
+  const bool held_beyond_ring = law_->releases_at_fold(blade_) && !is_straight(blade_);
   const bool stays_bent = bounds.gap_measure > 0.0 && (begins_ || next.start_gap_measure > 0.0);
   if (ending.guard != Guard::under_load && !held_beyond_ring && !stays_bent) return Verdict::too_long;
   const Interval& kept = in_part ? part : next;
@@ -393,7 +394,7 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
       move(end_, interval,
            -end_.bending.argument * interval.time_slope.at_end() / interval.argument_slope.at_end());
       end_.bending.argument = 0.0;
-      if (law_->ends_at_ring()) goes_on_to_ring(blade_);
+      if (law_->ends_at_ring() && !law_->may_stand_straight(blade_)) goes_on_to_ring(blade_);
       break;
     case Guard::under_load:
       if (law_->ends_at_ring()) goes_on_to_ring(ending_.blade);

@@ -59,8 +59,6 @@ std::optional<Touch> DampedLaw::open(const Touch& touch, const contact::Pose& at
 Bending DampedLaw::lead(const Touch& touch) {
   Bending bending = AxialLaw::lead(touch);
   bending.yielding = touch.yielding;
-  if (touch.straight) bending.argument = kStraight;
-  standing_.assign(1, {touch.blade, touch.straight});
   return bending;
 }
 
@@ -94,21 +92,9 @@ ArcLaw::Tangent DampedLaw::tangent(const Touch& touch, const contact::Pose& at, 
 }
 
 FurtherStart DampedLaw::further(const Touch& touch, const contact::Pose& at, double speed) {
-  standing_.push_back({touch.blade, touch.straight});
-  if (touch.straight) {
-    const Start there = start(touch, at, speed);
-    return {.blade = touch.blade,
-            .slip = touch.slip,
-            .straight = true,
-            .square = {there.gap_measure},
-            .tip = {.start_gap_measure = there.gap_measure,
-                    .start_slip_velocity = there.force.slip_velocity,
-                    .start_force = there.force.normal,
-                    .start_cone_left = there.cone_left,
-                    .start_yielding = touch.yielding},
-            .force = there.force};
-  }
-  FurtherStart further = further_start(of(touch.blade), at, touch, speed, ring_opens(touch, at, speed));
+  FurtherStart further = AxialLaw::further(touch, at, speed);
+  if (touch.straight) return further;
+  further = further_start(of(touch.blade), at, touch, speed, ring_opens(touch, at, speed));
   if (touch.just_bent) further.square.rate = 0.0;
   return further;
 }
@@ -116,8 +102,6 @@ FurtherStart DampedLaw::further(const Touch& touch, const contact::Pose& at, dou
 Touch DampedLaw::touch(int blade, double slip, const Bending& bending) const {
   Touch touch = AxialLaw::touch(blade, slip, bending);
   touch.yielding = bending.yielding;
-  touch.straight = std::ranges::find(standing_, blade, &Standing::blade)->straight;
-  if (touch.straight) touch.bending = 0.0;
   return touch;
 }
 
@@ -129,10 +113,10 @@ contact::TipForce DampedLaw::force(const Touch& touch, const contact::Pose& at, 
 
 bool DampedLaw::solve(const Contact& contact, const Closeness& closeness, Interval& interval) const {
   if (!AxialLaw::solve(contact, closeness, interval)) return false;
-  find_bending_left(contact, interval, standing_.front(), contact.slip, {1.0, 0.0}, interval);
+  find_bending_left(contact, interval, standing().front(), contact.slip, {1.0, 0.0}, interval);
   for (std::size_t k = 0; k < interval.further.size(); ++k) {
     FurtherBlade& further = interval.further[k];
-    find_bending_left(contact, interval, standing_[1 + k], further.slip, further.offset, further);
+    find_bending_left(contact, interval, standing()[1 + k], further.slip, further.offset, further);
   }
   return true;
 }

@@ -26,6 +26,9 @@ class DampedLaw final : private BladesOfRing, public AxialLaw {
 
   [[nodiscard]] Blade numbers(int blade) const override;
   [[nodiscard]] bool ends_at_ring() const override { return false; }
+  [[nodiscard]] bool buckles_with_a_jump(const Touch& /*touch*/, const contact::Pose& /*at*/) const override {
+    return false;
+  }
   [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
                                           double speed) const override;
   [[nodiscard]] std::optional<Touch> found_anew(const Touch& touch, const contact::Pose& at,
@@ -44,19 +47,11 @@ class DampedLaw final : private BladesOfRing, public AxialLaw {
                                         double speed) const override;
 
  private:
-  static constexpr double kStraight = 1e-6;  ///< p: not 0, from where a blade would begin to bend
-
-  struct Standing {
-    int blade;
-    bool straight;
-  };
   void find_bending_left(const Contact& contact, const Interval& interval, const Standing& standing,
                          double slip, const std::array<double, 2>& offset, TipInTime& tip) const;
   [[nodiscard]] double ring_opens(const Touch& touch, const contact::Pose& at, double speed) const;
 
   const Laws* laws_;
-  std::vector<Standing>
-      standing_;  ///< of the blades in contact: the leading one, and the others in their order
 };
 
 }  // namespace rubatlas::collocation

@@ -67,6 +67,10 @@ struct Blade {
   double yield_unit;        ///< EI/(L² kr) [m]: yielding of the ring under F = EI/L²; 0 where it does not
   double first_shortening;  ///< δ/Δ of a blade that is hardly bent [-]
   double first_yielding;    ///< (F/kr)/Δ there [-]
+  // Of a column that may stand straight: axial shortening under F = EI/L² [m], and the F at which it bends
+  // [N].
+  double axial_unit = 0.0;
+  double buckling_load = 0.0;
   bool held_beyond_ring = false;  ///< its contact goes on there while it has a force
   // Of a rigid blade, and of one on a ring with dampers.
   double ring_stiffness = 0.0;  ///< kr [N/m]
@@ -79,7 +83,8 @@ struct Contact {
   const Blade* blade;
   double slip;            ///< s = ±1; 0: the tip is at rest
   bool leans = false;     ///< the load is inclined (`inclined_load.hpp`)
-  bool straight = false;  ///< the blade does not bend, and only the ring yields under it (MODEL 7.16)
+  bool straight = false;  ///< the blade does not bend: a column below its Euler load, or one under which only
+                          ///< a ring with dampers yields (MODEL 7.16)
 };
 
 /// A tip where an interval starts: what is named so in `TipInTime`.
@@ -109,7 +114,7 @@ struct TipInTime : TipStart {
   AtNodes chart_left;  ///< `InclinedLoad::chart_left`
   /// What is left of the guard that ends the mode of a blade. Of a tip at rest `InclinedLoad::cone` less c²;
   /// of a rigid one (μs² − c²) F²/(m ωn²)² [m² per unit τ⁴]. Of a blade that stands straight the load that
-  /// would bend it less F [N].
+  /// would bend it, that of Euler of a column, less F [N].
   AtNodes cone_left;
   AtNodes yielding;  ///< y of a ring with dampers under an elastic blade [m]
 };

@@ -43,7 +43,7 @@ class IntervalBounds {
       of_blade.slip_velocity = least_magnitude(blade.start_slip_velocity, Number(blade.slip_velocity));
       const Number squares = later(blade.start_square, Number(blade.square));
       of_blade.argument = blade.straight ? 0.0 : std::sqrt(std::max(blade.start_square, squares.largest()));
-      const double left = blade.blade->held_beyond_ring
+      const double left = blade.blade->held_beyond_ring && !blade.straight
                               ? least_firmness(blade)
                               : later(blade.start_gap_measure, Number(blade.gap_measure)).least();
       of_blade.stays = !blade.lifts_off && squares.least() > 0.0 && left > 0.0;

@@ -249,15 +249,19 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   /// `er`: at the end of the steps. The force's normal is (a, b)/(R + F/kr) where h = 0.
   RUBATLAS_INLINE Vector push_of(Tip& tip, const Bend& bend, const Number& argument_step,
                                  const Number& time_step, const Vector& er) const {
-    const Blade& blade = *tip.blade;
     const Number of_unit = bend.load + tip.slope.load * argument_step;
-    const Number load = of_unit * blade.load_unit;
     const Number less = tip.slope.shortening * argument_step;
     const Number more = tip.slope.deflection * argument_step;
     tip.shortening = tip.shortening + less;
     tip.deflection = tip.deflection + more;
     tip.a = tip.a + (tip.a_rate * time_step - less);
     tip.b = tip.b + (tip.b_rate * time_step - more);
+    return push_by(tip, of_unit, er);
+  }
+  /// What a tip does to the shaft under a load [EI/L²], where it stands.
+  RUBATLAS_INLINE Vector push_by(Tip& tip, const Number& of_unit, const Vector& er) const {
+    const Blade& blade = *tip.blade;
+    const Number load = of_unit * blade.load_unit;
     Number per_radius = machine_.force_unit / machine_.ring_radius;
     if (yields(blade)) tip.yielding = of_unit * blade.yield_unit;
     if (yields(blade) || is_damped(blade))
@@ -331,10 +335,33 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   [[nodiscard]] static bool is_straight(const Tip& tip) {
     return !kPlain && tip.straight;
   }
-  RUBATLAS_INLINE Vector push_of_straight(const TipStart& start, const Tip& tip, const Direction& er) const {
+  RUBATLAS_INLINE Vector push_of_straight(const TipStart& start, Tip& tip, const Direction& er) const {
     const Blade& blade = *tip.blade;
+    if (!is_damped(blade)) return push_by(tip, compress(tip, start, er), er);
     return this->push_of_rigid(blade, this->rigid_tip_of(start, blade, er), Number(tip.slip * blade.friction),
                                er);
+  }
+  /// Load [EI/L²] of a straight column whose tip lies on the ring, h = 0 at Δ = 0.
+  RUBATLAS_INLINE Number compress(Tip& tip, const TipStart& start, const Direction& er) const {
+    const Blade& blade = *tip.blade;
+    const auto straight = straight_tip(start, blade, er);
+    const Number linear = straight.along * blade.axial_unit + machine_.ring_radius * blade.yield_unit;
+    const double square = blade.axial_unit * blade.axial_unit - blade.yield_unit * blade.yield_unit;
+    const Number load = straight.gap / (linear + root(linear * linear - straight.gap * square));
+    tip.shortening = load * blade.axial_unit;
+    tip.deflection = Number(0.0);
+    tip.a = straight.along - tip.shortening;
+    tip.b = straight.tangential;
+    tip.yielding = load * blade.yield_unit;
+    return load;
+  }
+  void store_column(Tip tip, const Direction& er, TipInTime& stored) const {
+    const Blade& blade = *tip.blade;
+    const Number load = compress(tip, stored, er);
+    slip_velocity_of(tip, er).store(stored.slip_velocity);
+    (load * blade.load_unit).store(stored.normal_force);
+    Number(0.0).store(stored.root_strain);
+    (load * -blade.load_unit + blade.buckling_load).store(stored.cone_left);
   }
   void store_straight(const Blade& blade, const Direction& er, TipInTime& stored) const {
     const typename Base::RigidTip tip = this->rigid_tip_of(stored, blade, er);
@@ -369,9 +396,13 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     return tip.a * tip.slope.shortening * (1.0 - kShort) + tip.b * tip.slope.deflection;
   }
   void store(const Tip& tip, const Direction& er, TipInTime& stored) const {
-    straight_tip(stored, *tip.blade, er).gap.store(stored.gap);
+    const Number gap = straight_tip(stored, *tip.blade, er).gap;
+    gap.store(stored.gap);
+    const bool is_column = tip.blade->buckling_load > 0.0;
+    if (is_column) (gap * (0.5 / machine_.ring_radius)).store(stored.gap_measure);
+    if (is_straight(tip) && !is_damped(*tip.blade)) return store_column(tip, er, stored);
     if (is_straight(tip)) return store_straight(*tip.blade, er, stored);
-    gap_measure_of(tip, machine_.ring_radius).store(stored.gap_measure);
+    if (!is_column) gap_measure_of(tip, machine_.ring_radius).store(stored.gap_measure);
     slip_velocity_of(tip, er).store(stored.slip_velocity);
     if (is_damped(*tip.blade)) tip.yielding.store(stored.yielding);
   }
@@ -382,7 +413,8 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     for (std::size_t k = 0; k < in.further.size(); ++k) {
       store(further_[k], direction_at(er_, in.further[k].offset), in.further[k]);
       in.further[k].lifts_off = further_[k].lifts_off;
-      if (further_[k].blade->held_beyond_ring) firmness_of(further_[k]).store(in.further[k].firmness);
+      if (further_[k].blade->held_beyond_ring && !is_straight(further_[k]))
+        firmness_of(further_[k]).store(in.further[k].firmness);
       if (is_straight(further_[k])) {
         in.further[k].square = in.further[k].gap_measure;
       } else {
@@ -428,7 +460,9 @@ template <std::size_t kWidth, bool kPlain>
 template <std::size_t kWidth>
 bool solved(const Contact& contact, const Closeness& closeness, Interval& interval) {
   const Machine& machine = *contact.machine;
-  const auto stands = [](const Blade& blade) { return blade.yield_unit == 0.0 && blade.ring_damping == 0.0; };
+  const auto stands = [](const Blade& blade) {
+    return blade.yield_unit == 0.0 && blade.ring_damping == 0.0 && blade.axial_unit == 0.0;
+  };
   bool plain = machine.is_plain() && stands(*contact.blade);
   for (const FurtherBlade& further : interval.further) plain = plain && stands(*further.blade);
   return plain ? solved_by<kWidth, true>(contact, closeness, interval)

@@ -273,7 +273,7 @@ bool ElasticaContact::respond(const Pose& at, double slip, double angular_speed,
     const double load = straight_load(at);
     if (!(load <= kFarthest * blade::kEulerLoad)) return false;
     bending = 0.0;
-    force = constraint_at(at, slip, straight(load), angular_speed).force;
+    force = straight_force(at, slip, angular_speed);
     return true;
   }
   if (!root) return false;

@@ -160,6 +160,7 @@ class ElasticaContact {
   [[nodiscard]] double load_unit() const { return blade_.load_unit; }      ///< EI / L² [N]
   [[nodiscard]] double strain_unit() const { return blade_.strain_unit; }  ///< h / (2 L) [-]
   [[nodiscard]] double yield_unit() const { return blade_.yield_unit; }    ///< EI/(L² kr) [m]
+  [[nodiscard]] double axial_unit() const { return axial_unit_; }  ///< axial shortening under F = EI/L² [m]
   /// δ/Δ and (F/kr)/Δ of a blade that is hardly bent, where μ > 0 [-].
   [[nodiscard]] double first_shortening() const { return axial_relief_; }
   [[nodiscard]] double first_yielding() const { return ring_relief_ / blade_.geometry.ring_radius; }
@@ -250,6 +251,19 @@ class ElasticaContact {
     return ends ? 1.0 - straight_load(at) / blade::kEulerLoad : 1.0;
   }
 
+  /// F L²/EI of a straight column whose tip lies on the ring: the smaller root of h = 0, which is quadratic
+  /// in F at Δ = 0. At most the Euler load where the column is straight indeed.
+  [[nodiscard]] double straight_load(const Pose& at) const {
+    const double linear =
+        (at.radial + blade_.geometry.reach) * axial_unit_ + blade_.geometry.ring_radius * blade_.yield_unit;
+    const double square = axial_unit_ * axial_unit_ - blade_.yield_unit * blade_.yield_unit;
+    return at.gap / (linear + std::sqrt(linear * linear - square * at.gap));
+  }
+  /// Its force, beyond the Euler load, too.
+  [[nodiscard]] TipForce straight_force(const Pose& at, double slip, double angular_speed) const {
+    return constraint_at(at, slip, straight(straight_load(at)), angular_speed).force;
+  }
+
   /// Force at the root on the branch of `bending`, which is updated; false where there is none. Smooth a
   /// little beyond the end of the contact (g < 0), where Runge–Kutta stages may land: the force is continued
   /// as an odd function. Smooth beyond the Euler load of a straight column that will snap there, too.
@@ -286,14 +300,6 @@ class ElasticaContact {
     return bending_slope_of(blade_, a, b, slip, point);
   }
 
-  /// F L²/EI of a straight column whose tip lies on the ring: the smaller root of h = 0, which is quadratic
-  /// in F at Δ = 0. At most the Euler load where the column is straight indeed.
-  [[nodiscard]] double straight_load(const Pose& at) const {
-    const double linear =
-        (at.radial + blade_.geometry.reach) * axial_unit_ + blade_.geometry.ring_radius * blade_.yield_unit;
-    const double square = axial_unit_ * axial_unit_ - blade_.yield_unit * blade_.yield_unit;
-    return at.gap / (linear + std::sqrt(linear * linear - square * at.gap));
-  }
   [[nodiscard]] blade::CurvePoint straight(double load) const {
     return {load, curve_->axial_compliance() * load, 0.0, 0.0, 0.0, 0.0};
   }

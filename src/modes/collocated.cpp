@@ -37,7 +37,9 @@ bool Collocated::start(double time, const rotor::ShaftAndRing& state,
                                    .straight = open.straight},
                                   at, blades_->angular_speed(time));
     stands_ = touch.has_value();
-    if (touch) touching_.push_back(*touch);
+    if (!touch) break;
+    contacts_[i].straight = touch->straight;
+    touching_.push_back(*touch);
   }
   meter_->spend(Work::contact,
                 static_cast<std::int64_t>(law_->evaluations() - evaluations) * WorkPrice::kInclinedCurve);
@@ -86,6 +88,8 @@ ModeEnd Collocated::end_of_arc() const {
     case Reason::loosening:
       return {Guard::comes_loose, blade};
     case Reason::pressed_in:
+      if (law_->buckles_with_a_jump(arc_.touch_of(blade, arc_.end()), pose(blade, arc_.end())))
+        return {Guard::snap, blade};
       return {Guard::pressed_in, blade};
     case Reason::chart_end:
       return {Guard::snap, blade};

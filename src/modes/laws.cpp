@@ -88,7 +88,7 @@ Standing LawOfInclinedLoads::snap(const TipPlace& at, OpenContact& contact) cons
 std::unique_ptr<ArcLaw> LawOfAxialLoads::arcs(const rotor::Machine& machine, double max_shortening) const {
   const int count = machine.blades.count();
   for (int k = 0; k < count; ++k) {
-    if (of(k).may_stand_straight() || !has_table(of(k).curve())) return nullptr;
+    if (!has_table(of(k).curve())) return nullptr;
   }
   return std::make_unique<collocation::AxialLaw>(blades(), count, max_shortening);
 }
@@ -124,6 +124,7 @@ bool LawOfAxialLoads::follow(const TipPlace& at, OpenContact& contact) const {
 
 Standing LawOfAxialLoads::snap(const TipPlace& at, OpenContact& contact) const {
   const auto& blade = of(contact.blade);
+  contact.straight = false;
   if (takes(blade.snap(at.pose, contact.slip, contact.bending, at.speed), contact)) return Standing::stands;
   const bool free = at.pose.gap <= 0.0 && !blade.closes_in(at.pose, contact.slip, contact.bending, at.speed);
   return free ? Standing::free : Standing::lost;
@@ -140,6 +141,7 @@ bool LawOfAxialLoads::straightens(const TipPlace& at, OpenContact& contact) cons
   if (!blade.may_stand_straight() || at.pose.gap <= contact::gap_rounding(blade.geometry(), at.pose))
     return false;
   contact.bending = 0.0;
+  contact.straight = true;
   return true;
 }
 

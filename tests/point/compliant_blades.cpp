@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -197,6 +198,54 @@ TEST(CompliantBlades, CollocationAndStepsAgree) {
                                   speed, 10, kAllowed),
         10);
   }
+}
+
+/// Kicked columns, by collocation and in steps, for a revolution each.
+struct Columns {
+  std::ptrdiff_t snaps = 0;
+  std::vector<double> differences;  ///< at the end [m]
+};
+void compare_columns(const ElasticaContact& column, int blades, double tolerance, Columns& found) {
+  constexpr int kStarts = 60;
+  constexpr double kFastest = 3e-3;  // [m per unit τ]
+  std::mt19937 random(7);            // NOLINT(bugprone-random-generator-seed)
+  std::uniform_real_distribution<double> share(-1.0, 1.0);
+  for (int i = 0; i < kStarts; ++i) {
+    SCOPED_TRACE(::testing::Message() << blades << " blades, start " << i);
+    const double speed_ratio = 0.65 + 0.3 * share(random);
+    const rotor::State start(0.0, 0.0, kFastest * share(random), kFastest * share(random));
+    const auto revolved = [&](bool collocates) {
+      const auto motion =
+          hybrid_motion(machine_of(rotor_at(speed_ratio), rotor::BladeSet(blades, speed_ratio)), column,
+                        {tolerance, 0.5}, collocates);
+      Run<ElasticaContact> result{.status = test::start(*motion, start)};
+      if (result.status == ending::PointStatus::done) result.status = revolve(*motion, result.witness);
+      result.state = rotor::shaft(motion->state());
+      return result;
+    };
+    const auto arcs = revolved(true);
+    const auto steps = revolved(false);
+    ASSERT_EQ(arcs.status, steps.status);
+    ASSERT_TRUE(std::ranges::equal(arcs.witness.events, steps.witness.events, {}, &modes::Event::kind,
+                                   &modes::Event::kind));
+    found.snaps += std::ranges::count(arcs.witness.events, modes::Guard::snap, &modes::Event::kind);
+    found.differences.push_back(difference(arcs.state, steps.state));
+  }
+}
+
+TEST(CompliantBlades, ColumnsThatAreCompressedStraightBeforeTheyBuckleMoveAsInSteps) {
+  constexpr double kTolerance = 1e-11;  // [m]
+  Columns all;
+  for (const int blades : {3, 10}) {
+    for (const ElasticaContact& column :
+         {make(0.0, 1.0), make(0.0, 0.0, Theory::elastica, Ring{1e5}),
+          make(0.0, 1.0, Theory::elastica, Ring{1e5}), make(0.0, 1.0, Theory::elastica, Ring{1e7})})
+      compare_columns(column, blades, kTolerance, all);
+  }
+  std::ranges::sort(all.differences);
+  EXPECT_GT(all.snaps, 50);
+  EXPECT_LT(all.differences[all.differences.size() / 2], kTolerance);
+  EXPECT_LT(all.differences.back(), 1e3 * kTolerance) << "steps at a tenth of it: 300";
 }
 
 /// Receding lift-offs of a motion that are at the fold; also how many while other blades touched.
