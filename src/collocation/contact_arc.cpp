@@ -21,6 +21,7 @@ constexpr double kOrderAtEnd = 14.0;
 constexpr double kAtEnd = 1.0;            ///< tolerances: of that at the end, as far as it can be estimated
 constexpr double kCareWithSeveral = 4.0;  ///< blades: coefficients fall less evenly
 constexpr double kClosest = 0.2;          ///< of the tolerance: what sweeps may leave
+constexpr std::size_t kMostIntervals = 1000;  ///< of a contact that is shorter or longer than was predicted
 
 /// dy/dτ of a tip at the end of an interval.
 double yielding_rate_at_end(const Interval& interval, const TipInTime& tip) {
@@ -348,10 +349,9 @@ bool ContactArc::begin_anew(std::size_t leader) {
 }
 
 ContactArc::Outcome ContactArc::make() {
-  if (predictor_.is_too_short()) return Outcome::gives_up;
+  if (number_ >= kMostIntervals || predictor_.is_too_short()) return Outcome::gives_up;
   predictor_.begin_interval();
   bool learns = true;
-  bool has_begun_anew = false;
   while (true) {
     Ending ending;
     const bool solved = solve_next(learns);
@@ -378,8 +378,7 @@ ContactArc::Outcome ContactArc::make() {
       ending_ = {Guard::touch_down, 0.0, blade, 0.0};
       return Outcome::made;
     }
-    if (has_begun_anew || !begin_anew(0)) return Outcome::gives_up;
-    has_begun_anew = true;
+    if (begins_ || !begin_anew(0)) return Outcome::gives_up;
   }
 }
 
