@@ -211,8 +211,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
       ++rest;
     };
     store_cone(*contact_.blade, contact_.slip, lead, in);
-    for (std::size_t k = 0; k < in.further.size(); ++k) {
-      FurtherBlade& further = in.further[k];
+    for (FurtherBlade& further : in.further) {
       const Direction er = direction_at(er_, further.offset);
       const Tip tip = rigid_tip_of(further, *further.blade, er);
       straight_tip(further, *further.blade, er).gap.store(further.gap);

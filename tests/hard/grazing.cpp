@@ -142,7 +142,7 @@ point::PointOutcome locked_whirl(double depth) {
   const std::complex<double> stiffness(1.0 - speed * speed, 2.0 * scene.rotor.damping_ratio * speed);
   scene.unbalance =
       settings::Unbalance{amplitude * std::abs(stiffness) / (speed * speed), std::arg(stiffness)};
-  const auto outcome = run(scene, speed, {amplitude, 0.0, 0.0, speed * amplitude});
+  auto outcome = run(scene, speed, {amplitude, 0.0, 0.0, speed * amplitude});
   expect_an_honest_end(scene, outcome);
   return outcome;
 }
