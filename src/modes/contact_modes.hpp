@@ -43,9 +43,9 @@ class ContactModes {
 
   [[nodiscard]] const Law& law() const { return *law_; }
 
-  // Phases, one a mode; null where the law has no such mode.
+  // Phases, one a mode; null where there is none.
 
-  [[nodiscard]] Phase* solved() const { return solved_.get(); }  ///< any contacts; never null
+  [[nodiscard]] Phase* solved() const { return solved_.get(); }  ///< any contacts
   [[nodiscard]] Phase* collocated() const { return collocated_.get(); }
   [[nodiscard]] Phase* skimming() const { return skimming_.get(); }
   [[nodiscard]] Phase* sticking() const { return sticking_.get(); }  ///< tips that can stick
@@ -77,6 +77,10 @@ class ContactModes {
 
   // Rest.
 
+  /// A tip whose slip velocity comes to zero may rest at once.
+  [[nodiscard]] bool tips_stick() const { return judge_ != nullptr; }
+  /// Tips that rest do so under another law.
+  [[nodiscard]] bool has_law_of_rest() const { return tips_at_rest_.has_value(); }
   /// The functions of `RestJudge` of these names; where no tip can rest there is nothing to judge.
   bool settle(const rotor::ContactState& state, std::vector<OpenContact>& contacts,
               const RestJudge::Tell& tell) {

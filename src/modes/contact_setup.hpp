@@ -19,6 +19,7 @@ struct ContactSetup {
   WorkMeter* meter;
 };
 
+/// Null where there is none: contacts that collocation leaves then end the point.
 using MakePhase = std::unique_ptr<Phase>(Form, const ContactSetup&);
 /// In steps of order 8(5,3).
 MakePhase phase_in_853_steps;

@@ -220,6 +220,10 @@ ending::PointStatus Motion::finish_revolution(double period) {
 }
 
 bool Motion::begin_in(modes::Phase* phase, const std::vector<modes::OpenContact>& contacts) {
+  if (phase == nullptr) {
+    refusal_ = ending::StatusDetail::step_too_short;
+    return false;
+  }
   phase_ = phase;
   undecided_ = false;
   const bool started = phase->start(time_, state_, contacts);
@@ -239,12 +243,11 @@ bool Motion::begin_mode() {
   const bool on_arcs = ended_by_ != modes::Guard::hands_over;
   modes::Phase* const collocated = on_arcs ? modes_.collocated() : nullptr;
   const bool takes = collocated != nullptr && collocated->takes(contacts_);
-  if (any_rests()) {
-    if (on_arcs && modes_.resting_on_arcs() != nullptr)
-      return begin_in(modes_.resting_on_arcs(), modes_.at_rest(contacts_));
-    if (modes_.resting() != nullptr) return begin_in(modes_.resting(), modes_.at_rest(contacts_));
-    if (modes_.sticking() != nullptr && !takes) return begin_in(modes_.sticking(), contacts_);
+  if (any_rests() && modes_.has_law_of_rest()) {
+    modes::Phase* const arcs = on_arcs ? modes_.resting_on_arcs() : nullptr;
+    return begin_in(arcs != nullptr ? arcs : modes_.resting(), modes_.at_rest(contacts_));
   }
+  if (any_rests() && !takes) return begin_in(modes_.sticking(), contacts_);
   if (begins_to_skim()) return begin_in(modes_.skimming(), contacts_);
   if (takes && all_follow()) return begin_in(collocated, contacts_);
   return begin_in(modes_.solved(), contacts_);
@@ -282,8 +285,7 @@ bool Motion::open(int blade, const modes::TipPlace& at) {
   const double velocity = contact::undeformed_slip_velocity(geometry, at.pose, at.speed);
   modes::OpenContact contact{blade, velocity >= 0.0 ? 1.0 : -1.0, 0.0};
   const double tip_speed = std::abs(machine_.constants.speed_ratio) * geometry.ring_radius;
-  if (modes_.sticking() != nullptr && std::abs(velocity) <= contact::kSlipRounding * tip_speed)
-    contact.slip = 0.0;
+  if (modes_.tips_stick() && std::abs(velocity) <= contact::kSlipRounding * tip_speed) contact.slip = 0.0;
   if (!law().open(at, contact)) return false;
   contacts_.push_back(contact);
   return true;
@@ -402,7 +404,7 @@ ending::StatusDetail Motion::come_loose(Contact contact, modes::MotionListener& 
 ending::StatusDetail Motion::reverse_slip(Contact contact, modes::MotionListener& listener) {
   ++work_.slip_reversals;
   ending::StatusDetail settled = ending::StatusDetail::none;
-  if (modes_.sticking() != nullptr) {
+  if (modes_.tips_stick()) {
     const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());
     if (!modes_.arrest(unbent(), contacts_, place_in_list)) return ending::StatusDetail::slip_undecided;
     settled = settle_others(contact->blade, listener);

@@ -218,7 +218,8 @@ void compare_columns(const ElasticaContact& column, int blades, double tolerance
       const auto motion =
           hybrid_motion(machine_of(rotor_at(speed_ratio), rotor::BladeSet(blades, speed_ratio)), column,
                         {tolerance, 0.5}, collocates);
-      Run<ElasticaContact> result{.status = test::start(*motion, start)};
+      Run<ElasticaContact> result{};
+      result.status = test::start(*motion, start);
       if (result.status == ending::PointStatus::done) result.status = revolve(*motion, result.witness);
       result.state = rotor::shaft(motion->state());
       return result;
