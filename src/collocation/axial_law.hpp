@@ -40,7 +40,7 @@ class AxialLaw : public ArcLaw {
     return laws_->of(blade).may_stand_straight();
   }
   [[nodiscard]] bool buckles_with_a_jump(const Touch& touch, const contact::Pose& at) const override {
-    return touch.slip * at.tangential < 0.0;
+    return may_stand_straight(touch.blade) && touch.slip * at.tangential < 0.0;
   }
   /// The motion has found where a blade stands that is bent.
   [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,

@@ -13,6 +13,9 @@
 namespace rubatlas::collocation {
 namespace {
 
+/// p: the force of a blade that is bent less is some 1e-9 of EI/L².
+constexpr double kNextToUnbent = 1e-4;
+
 /// Slope by θ of the polynomial through values at the places, just before θ.
 double slope_before(const AtPlaces& values, double fraction) {
   constexpr double kApart = 1e-4;
@@ -258,13 +261,13 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
 /// Whether a fold is the lift-off of an unbent blade: time stands still there, too, so that rounding, or an
 /// error between the nodes where there can be no fold, is taken for one.
 bool ContactArc::is_next_to_unbent(const Interval& interval) const {
-  constexpr double kNext = 1e-4;  // p: the force is some 1e-9 of EI/L²
   constexpr double kNear = 0.03;
   if (contact_.leans && !(interval.lean.at_end() > 0.0)) return false;  // it is bent against its load
   const double argument = interval.argument.at_end();
-  if (law_->may_stand_straight(blade_)) return argument < kNext;
-  return argument < kNext ||
-         (argument < kNear && law_->starts_unloaded(blade_, contact_.slip, pose(blade_, end_of(interval))));
+  // A column that may stand straight bends from above the ring, where a fold may be one.
+  return argument < kNextToUnbent ||
+         (argument < kNear && !law_->may_stand_straight(blade_) &&
+          law_->starts_unloaded(blade_, contact_.slip, pose(blade_, end_of(interval))));
 }
 
 /// The blades of tips at rest are no straight struts between hub and ring.
@@ -341,8 +344,8 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   if (ending.guard == Guard::fold && !law_->has_branches(blade_) && !(pose(blade_, end_of(kept)).gap < 0.0))
     return Verdict::gives_up;
   // Time goes on, but for rounding next to the unbent blade.
-  constexpr double kAllBut = 1e-4;  // p
-  const bool is_all_but_unbent = reaches_zero && next.chord.argument < 0.0 && next.start_argument < kAllBut;
+  const bool is_all_but_unbent =
+      reaches_zero && next.chord.argument < 0.0 && next.start_argument < kNextToUnbent;
   for (std::size_t i = 0; i < kNodes; ++i) {
     const bool may_turn = is_all_but_unbent || (i + 1 == kNodes && (reaches_zero || in_part));
     if (!(kept.time_slope[i] > 0.0) && !may_turn) return Verdict::too_long;

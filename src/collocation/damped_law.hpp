@@ -26,9 +26,6 @@ class DampedLaw final : private BladesOfRing, public AxialLaw {
 
   [[nodiscard]] Blade numbers(int blade) const override;
   [[nodiscard]] bool ends_at_ring() const override { return false; }
-  [[nodiscard]] bool buckles_with_a_jump(const Touch& /*touch*/, const contact::Pose& /*at*/) const override {
-    return false;
-  }
   [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
                                           double speed) const override;
   [[nodiscard]] std::optional<Touch> found_anew(const Touch& touch, const contact::Pose& at,

@@ -24,7 +24,8 @@ constexpr double kStraight = 1e-6;    ///< [rad]: an arc that turns by less has 
 constexpr double kSteep = 0.48;       ///< sine of the slope with which an arc may be followed down to p = 0
 constexpr double kReach = 0.15;       ///< of an arc: so far above p = 0 it is stretched to reach it
 constexpr double kLongestHalf = 1.5;  ///< [τ] half of a contact, as a first estimate
-constexpr double kShortestContact = 1e-14;  ///< [τ]
+/// [τ]: below it a contact's own times and gaps, which count from where it begins, are rounding.
+constexpr double kShortestContact = 1e-14;
 
 /// Without the care of `std::hypot` for numbers near overflow.
 double length_of(double x, double y) {
