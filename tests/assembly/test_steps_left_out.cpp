@@ -1,10 +1,8 @@
 // The default method without phases in steps: the same bytes wherever arcs end their contacts by themselves.
 #include <gtest/gtest.h>
 
-#include <filesystem>
+#include <cstddef>
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "assembly/blade_tables.hpp"
 #include "assembly/methods.hpp"
@@ -23,46 +21,41 @@ std::unique_ptr<modes::Phase> no_phase(modes::Form /*form*/, const modes::Contac
   return nullptr;
 }
 
-/// First and last line of a scene, thinned out.
-std::vector<settings::Scene> lines_of(settings::Scene scene) {
-  scene.protocol.transient_revolutions = 30;
-  scene.protocol.sampled_revolutions = 10;
-  scene.observables = {"poincare"};
-  const plan::Grid grid(scene);
-  std::vector<settings::Scene> lines;
-  for (const std::size_t line : {std::size_t{0}, grid.line_count() - 1})
-    lines.push_back(plan::scene_of_line(scene, grid.parameters(grid.point(line, 0))));
-  return lines;
+/// A line's sweep up through all its speeds, each from where the one before has ended.
+std::size_t swept_without_steps(const settings::Scene& line, assembly::BladeTables& tables) {
+  const assembly::LineRequest request{line, tables, settings::combination_of(line)};
+  motion::PointStart start;
+  for (const double speed_ratio : line.grid.speed_ratio) {
+    const auto with = assembly::hybrid_solver(request)->run(speed_ratio, start);
+    const auto without = assembly::hybrid_solver(request, no_phase)->run(speed_ratio, start);
+    EXPECT_EQ(with.detail, without.detail) << "speed ratio " << speed_ratio;
+    EXPECT_EQ(with.failed_revolution, without.failed_revolution) << "speed ratio " << speed_ratio;
+    const bool done = with.detail == ending::StatusDetail::none;
+    // Of a point that has failed they are not a number.
+    if (done) {
+      EXPECT_EQ(with.rows, without.rows) << "speed ratio " << speed_ratio;
+    }
+    start = done ? motion::PointStart{with.final_state, with.final_memory} : motion::PointStart{};
+  }
+  return line.grid.speed_ratio.size();
 }
 
-TEST(StepsLeftOut, ChangeNothingInTheShippedScenes) {
-  constexpr std::size_t kSpeeds = 4;
+TEST(StepsLeftOut, ChangeNothingInSweepsOfTheTestRig) {
+  // Its soft blades often touch two at a time: with the jumps that sweeps leave at the start of an interval
+  // 14 of these points needed steps.
   assembly::BladeTables tables;
-  int points = 0;
-  for (const auto& file : std::filesystem::directory_iterator(RUBATLAS_SOURCE_DIR "/jobs")) {
-    if (file.path().extension() != ".json") continue;
-    SCOPED_TRACE(file.path());
-    const settings::Scene scene = settings::parse_scene(settings::read_text(file.path().string()));
-    if (scene.accuracy.method != settings::Method::collocation) continue;
-    for (const settings::Scene& line : lines_of(scene)) {
-      const assembly::LineRequest request{line, tables, settings::combination_of(line)};
-      const auto& speeds = scene.grid.speed_ratio;
-      for (std::size_t i = 0; i < kSpeeds; ++i) {
-        const double speed_ratio = speeds[i * (speeds.size() - 1) / (kSpeeds - 1)];
-        const auto with = assembly::hybrid_solver(request)->run(speed_ratio, motion::PointStart{});
-        const auto without =
-            assembly::hybrid_solver(request, no_phase)->run(speed_ratio, motion::PointStart{});
-        EXPECT_EQ(with.detail, without.detail) << "speed ratio " << speed_ratio;
-        EXPECT_EQ(with.failed_revolution, without.failed_revolution) << "speed ratio " << speed_ratio;
-        // Of a point that has failed they are not a number.
-        if (with.detail == ending::StatusDetail::none) {
-          EXPECT_EQ(with.rows, without.rows) << "speed ratio " << speed_ratio;
-        }
-        ++points;
-      }
-    }
+  settings::Scene scene = settings::parse_scene(settings::read_text(RUBATLAS_SOURCE_DIR "/jobs/rig.json"));
+  scene.protocol.transient_revolutions = 60;
+  scene.protocol.sampled_revolutions = 20;
+  scene.observables = {"poincare"};
+  const plan::Grid grid(scene);
+  std::size_t points = 0;
+  for (std::size_t number = 0; number < grid.line_count(); ++number) {
+    settings::Scene line = plan::scene_of_line(scene, grid.parameters(grid.point(number, 0)));
+    line.grid.speed_ratio = scene.grid.speed_ratio;
+    points += swept_without_steps(line, tables);
   }
-  EXPECT_GT(points, 300);
+  EXPECT_GT(points, 100U);
 }
 
 }  // namespace
