@@ -147,20 +147,10 @@ std::string flight_text(const settings::Scene& scene, const settings::Combinatio
                      combination.family->flight.empty() ? "" : ", ", combination.family->flight);
 }
 
-/// Whether contacts are solved by collocation (`modes/collocated_laws.hpp`): not those of columns that may
-/// stand straight, or are on dampers.
+/// Whether contacts are solved by collocation: not those of columns on dampers.
 bool collocates(const settings::Scene& scene, const settings::Combination& combination) {
-  const bool rigid = scene.contact.law == settings::ContactLaw::elastic_ring;
-  switch (combination.family->kind) {
-    case settings::MotionFamily::blades_on_damped_ring:
-      return rigid || scene.contact.friction > 0.0;
-    case settings::MotionFamily::directed_elastic_blades:
-      return true;
-    default:
-      return rigid || scene.contact.friction > 0.0 ||
-             !(combination.consumed.contains<&effects::Effects::axial_compliance>() ||
-               combination.consumed.contains<&effects::Effects::yielding_ring>());
-  }
+  return combination.family->kind != settings::MotionFamily::blades_on_damped_ring ||
+         scene.contact.law == settings::ContactLaw::elastic_ring || scene.contact.friction > 0.0;
 }
 std::string_view steps_of_hybrid(settings::Scene scene) {
   scene.accuracy.method = settings::Method::hybrid;

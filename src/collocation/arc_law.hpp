@@ -20,6 +20,7 @@ struct Bending {
   double argument = 0.0;  ///< p
   double lean = 0.0;      ///< l, of a blade under an inclined load
   double yielding = 0.0;  ///< y of a ring with dampers under the tip [m]
+  double share = 1.0;     ///< λ of a tip that skims
 };
 
 class ArcLaw {
@@ -64,6 +65,11 @@ class ArcLaw {
   /// equilibrium.
   [[nodiscard]] virtual std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
                                                   double speed) const = 0;
+  /// A contact that does not open is free again at once, instead of having no equilibrium.
+  [[nodiscard]] virtual bool is_free_at_once(const Touch& /*touch*/, const contact::Pose& /*at*/,
+                                             double /*speed*/) const {
+    return false;
+  }
   /// The same to rounding, of a contact that an arc has left somewhat off its equilibrium.
   [[nodiscard]] virtual std::optional<Touch> found_anew(const Touch& touch, const contact::Pose& at,
                                                         double speed) const {

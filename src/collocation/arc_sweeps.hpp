@@ -369,18 +369,25 @@ class ArcSweeps {
   }
   /// Integrates it, and that of a ring that moves.
   RUBATLAS_INLINE double advance(const Vector& push) {
-    const Machine& m = machine_;
     const Interval& in = interval_;
     take_time_rate();
     double change = shaft_.integrate(in.shaft, nodes_, time_rate_);
     if (ring_has_mass()) {
-      const double share = -m.ring.force_unit / m.force_unit;
-      const Vector place = ring_.place(in.ring);
-      ring_.ax = (push.x * share - place.x * m.ring.stiffness) - ring_.vx * m.ring.damping;
-      ring_.ay = (push.y * share - place.y * m.ring.stiffness) - ring_.vy * m.ring.damping;
+      const Vector acceleration = acceleration_of_ring(push);
+      ring_.ax = acceleration.x;
+      ring_.ay = acceleration.y;
       change = std::max(change, ring_.integrate(in.ring, nodes_, time_rate_));
     }
     return change;
+  }
+
+  /// Of a ring with a mass, which the push on the shaft moves the other way.
+  RUBATLAS_INLINE Vector acceleration_of_ring(const Vector& push) const {
+    const Machine& m = machine_;
+    const double share = -m.ring.force_unit / m.force_unit;
+    const Vector place = ring_.place(interval_.ring);
+    return {(push.x * share - place.x * m.ring.stiffness) - ring_.vx * m.ring.damping,
+            (push.y * share - place.y * m.ring.stiffness) - ring_.vy * m.ring.damping};
   }
 
   /// dτ/dθ as the deviation has it.

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "integrate/root_between.hpp"
+#include "rotor/skimming.hpp"
 
 namespace rubatlas::collocation {
 
@@ -65,15 +66,19 @@ std::optional<Touch> AxialLaw::found_anew(const Touch& touch, const contact::Pos
 
 Bending AxialLaw::lead(const Touch& touch) {
   leader_ = touch.blade;
-  standing_.assign(1, {touch.blade, touch.straight});
+  standing_.assign(1, {touch.blade, touch.straight, touch.skims});
   return {.argument = touch.straight ? kStraight : table(touch.blade).argument(touch.bending)};
 }
 
 FurtherStart AxialLaw::further(const Touch& touch, const contact::Pose& at, double speed) {
-  standing_.push_back({touch.blade, touch.straight});
+  standing_.push_back({touch.blade, touch.straight, touch.skims});
   if (!touch.straight) {
     FurtherStart further = further_start(laws_->of(touch.blade), at, touch, speed);
-    further.tip.start_gap_measure = gap_measure(touch, at);
+    const Start there = start(touch, at, speed);
+    further.skims = touch.skims;
+    further.tip.start_gap_measure = there.gap_measure;
+    further.tip.start_cone_left = there.cone_left;
+    further.force = there.force;
     return further;
   }
   const Start there = start(touch, at, speed);
@@ -91,7 +96,10 @@ FurtherStart AxialLaw::further(const Touch& touch, const contact::Pose& at, doub
 
 Touch AxialLaw::touch(int blade, double slip, const Bending& bending) const {
   Touch touch{blade, slip, 0.0};
-  touch.straight = std::ranges::find(standing_, blade, &Standing::blade)->straight;
+  const Standing& standing = *std::ranges::find(standing_, blade, &Standing::blade);
+  touch.straight = standing.straight;
+  touch.skims = standing.skims;
+  touch.share = bending.share;
   if (!touch.straight) touch.bending = table(blade).bending(bending.argument);
   return touch;
 }
@@ -99,11 +107,13 @@ Touch AxialLaw::touch(int blade, double slip, const Bending& bending) const {
 contact::TipForce AxialLaw::force(const Touch& touch, const contact::Pose& at, double speed) const {
   const contact::ElasticaContact& law = laws_->of(touch.blade);
   if (touch.straight) return law.straight_force(at, touch.slip, speed);
-  return law.constraint(at, touch.slip, touch.bending, speed).force;
+  const contact::TipForce force = law.constraint(at, touch.slip, touch.bending, speed).force;
+  return touch.skims ? rotor::share_of(force, touch.share) : force;
 }
 
 /// g/Δ, or g/2R of a column that bends from above the ring, where g/Δ has no limit.
 double AxialLaw::gap_measure(const Touch& touch, const contact::Pose& at) const {
+  if (touch.skims) return touch.share + kShareBeyond;
   const contact::ElasticaContact& law = laws_->of(touch.blade);
   return law.may_stand_straight() ? at.gap / (2.0 * law.geometry().ring_radius)
                                   : law.gap_per_deflection(at, touch.slip, touch.bending);
@@ -111,6 +121,7 @@ double AxialLaw::gap_measure(const Touch& touch, const contact::Pose& at) const 
 
 ArcLaw::Start AxialLaw::start(const Touch& touch, const contact::Pose& at, double speed) const {
   Start there{.force = force(touch, at, speed), .gap_measure = gap_measure(touch, at)};
+  if (touch.skims) there.cone_left = 1.0 + kShareBeyond - touch.share;
   if (!touch.straight) return there;
   // Of a column that has just straightened no load is left, to rounding.
   constexpr double kLeast = 1e-12;

@@ -82,6 +82,7 @@ class AxialLaw : public ArcLaw {
   struct Standing {
     int blade;
     bool straight;
+    bool skims;
   };
   /// Of the blades in contact: the leading one, and the others in their order.
   [[nodiscard]] const std::vector<Standing>& standing() const { return standing_; }

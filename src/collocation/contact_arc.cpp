@@ -20,8 +20,11 @@ constexpr double kBetweenNodes = 0.27;
 constexpr double kOrderAtEnd = 14.0;
 constexpr double kAtEnd = 1.0;            ///< tolerances: of that at the end, as far as it can be estimated
 constexpr double kCareWithSeveral = 4.0;  ///< blades: coefficients fall less evenly
-constexpr double kClosest = 0.2;          ///< of the tolerance: what sweeps may leave
-constexpr std::size_t kMostIntervals = 1000;  ///< of a contact that is shorter or longer than was predicted
+/// [τ]: times and gaps of so short a contact, which count from where it begins, are rounding; and of one that
+/// may be all but rounding.
+constexpr double kImpact = 1e-14;
+constexpr double kAllButImpact = 1e-11;
+constexpr double kClosest = 0.2;  ///< of the tolerance: what sweeps may leave
 
 /// dy/dτ of a tip at the end of an interval.
 double yielding_rate_at_end(const Interval& interval, const TipInTime& tip) {
@@ -69,7 +72,7 @@ void ContactArc::begin(double time, const rotor::ShaftAndRing& bodies, std::span
   std::size_t leader = 0;
   while (leader + 1 < touching.size() && touching[leader].touches_down()) ++leader;
   if (touching[leader].touches_down()) leader = 0;
-  lead_has_changed_ = false;
+  lead_changes_ = 0;
   lead(time, bodies, touching, leader);
 }
 
@@ -79,10 +82,17 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
   contact_.blade = &numbers(blade_);
   contact_.slip = touching[leader].slip;
   contact_.straight = touching[leader].straight;
+  contact_.skims = touching[leader].skims;
   begins_ = true;
   ending_ = {};
-  start_ = {time, bodies, law_->lead(touching[leader])};
+  start_ = {.time = time, .bodies = bodies, .bending = {}};
   std::vector<Touch> held;
+  if (std::ranges::count(touching, true, &Touch::skims) > 0) {
+    held.assign(touching.begin(), touching.end());
+    skim(held, start_);
+    touching = held;
+  }
+  start_.bending = law_->lead(touching[leader]);
   if (law_->is_rigid() && std::ranges::count(touching, 0.0, &Touch::slip) > 0) {
     held.assign(touching.begin(), touching.end());
     hold(held, start_);
@@ -100,7 +110,7 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
         further_.emplace_back(law_->further(touch, pose(touch.blade, start_), blades_->angular_speed(time)));
     start.offset = offset_of(touch.blade);
     start.tip.start_gap = gap_at(touch, start_);
-    start_.further.push_back({start.square.value, start.lean.value, start.tip.start_yielding});
+    start_.further.push_back({start.square.value, start.lean.value, start.tip.start_yielding, touch.share});
   }
   end_ = start_;
   gap_at_end_ = gap_at(touching[leader], start_);
@@ -113,7 +123,7 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
   alike_ = nullptr;
   kept_ = nullptr;
   number_ = 0;
-  if (further_.empty()) look_for_earlier();
+  if (further_.empty() && !contact_.skims) look_for_earlier();
 }
 
 double ContactArc::shortening_at_start() const {
@@ -193,8 +203,8 @@ void ContactArc::start_next(Interval& next) const {
   if (keeps_loads()) {
     next.start_force = at_end_.force.normal;
     next.start_strain = at_end_.force.root_strain;
-    next.start_cone_left = at_end_.cone_left;
   }
+  if (keeps_loads() || contact_.skims) next.start_cone_left = at_end_.cone_left;
   if (!contact_.leans) return;
   next.start_lean = end_.bending.lean;
   next.start_shortening = at_end_.force.shortening;
@@ -245,9 +255,11 @@ bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter, 
     static_cast<TipStart&>(shorter.further[k]) = static_cast<const TipStart&>(whole.further[k]);
     shorter.further[k].blade = whole.further[k].blade;
     shorter.further[k].load = whole.further[k].load;
+    shorter.further[k].short_of_fold = whole.further[k].short_of_fold;
     shorter.further[k].offset = whole.further[k].offset;
     shorter.further[k].slip = whole.further[k].slip;
     shorter.further[k].straight = whole.further[k].straight;
+    shorter.further[k].skims = whole.further[k].skims;
     shorter.further[k].start_square = whole.further[k].start_square;
   }
   shorter.chord = {fraction * whole.chord.time, fraction * whole.chord.argument};
@@ -276,8 +288,12 @@ void ContactArc::guess_further(Interval& next) const {
   const AtNodes& node = node_tables().node;
   for (std::size_t i = 0; i < kNodes; ++i)
     elapsed[i] = node[i] * next.chord.time + next.deviation[i] * next.normal.time;
+  // The next to come to a fold leads, long before. Of two that are close to theirs either may.
+  constexpr double kShort = 0.2;
+  constexpr double kJustShort = 1e-3;
   for (std::size_t k = 0; k < further_.size(); ++k) {
     next.further[k].blade = &numbers(further_[k].blade);
+    next.further[k].short_of_fold = lead_changes_ > 0 ? kJustShort : kShort;
     guess(further_[k], elapsed, next.further[k]);
   }
 }
@@ -285,6 +301,10 @@ void ContactArc::guess_further(Interval& next) const {
 /// Makes the trial a solution that is accurate enough. `learns`: its length is what errors allow, not what
 /// events do.
 bool ContactArc::solve_next(bool learns) {
+  constexpr double kFalls = 0.9;      // of an error when the interval becomes shorter; it should by much more
+  constexpr double kRounding = 10.0;  // the error of a blade so stiff that rounding shakes it
+  double error_before = Predictor::kUnknownError;
+  jumps_ = false;
   while (true) {
     Interval& next = trial();
     start_next(next);
@@ -298,11 +318,17 @@ bool ContactArc::solve_next(bool learns) {
     if (!further_.empty()) guess_further(next);
     const bool solved = solve(next, follows);
     const double error = solved ? error_of(next) : Predictor::kUnknownError;
-    if (error <= 1.0) {
-      predictor_.accepts(error, learns && begins_ && !follows ? &next : nullptr);
+    const bool falls = !(solved && !follows && error > kFalls * error_before);
+    if (error <= 1.0 || (!falls && begins_ && error <= kRounding)) {
+      // An error that does not fall tells nothing of the length: the next interval may be longer.
+      constexpr double kMayBeLonger = 0.01;
+      predictor_.accepts(falls ? error : kMayBeLonger, learns && begins_ && !follows ? &next : nullptr);
       return true;
     }
     ++rejected_;
+    jumps_ = !falls && !begins_;
+    if (jumps_) return false;
+    if (solved && !follows) error_before = error;
     if (follows) {
       leave_earlier();
     } else if (!predictor_.shortens(error)) {
@@ -330,26 +356,33 @@ std::vector<Touch> ContactArc::touching_at(const Point& point) const {
 /// anew.
 bool ContactArc::begin_anew(std::size_t leader) {
   std::vector<Touch> touching = touching_at(end_);
-  // Gaps by how far the tips have come: those of places would lose digits, or be nothing but rounding.
-  std::vector<double> gaps{gap_at_end_};
-  for (const FurtherStart& further : further_) gaps.push_back(further.tip.start_gap);
   Touch& leads = touching[leader];
   contact::Pose there = pose(leads.blade, end_);
-  there.gap = gaps[leader];
+  there.gap = leader == 0 ? gap_at_end_ : further_[leader - 1].tip.start_gap;
   std::optional<Touch> found;
   if (std::abs(there.gap) > contact::gap_rounding(law_->geometry(leads.blade), there))
     found = law_->found_anew(leads, there, blades_->angular_speed(end_.time));
   leads = found.value_or(leads);
+  begin_anew(touching, leader);
+  return found.has_value();
+}
+/// Gaps stay those by how far the tips have come: those of places would lose digits, or be nothing but
+/// rounding.
+void ContactArc::begin_anew(std::span<const Touch> touching, std::size_t leader) {
+  std::vector<double> gaps{gap_at_end_};
+  for (const FurtherStart& further : further_) gaps.push_back(further.tip.start_gap);
   lead(end_.time, rotor::ShaftAndRing(end_.bodies), touching, leader);
   gap_at_end_ = gaps[leader];
   gaps.erase(gaps.begin() + static_cast<std::ptrdiff_t>(leader));
   for (std::size_t k = 0; k < further_.size(); ++k) further_[k].tip.start_gap = gaps[k];
   predictor_.begin_interval();
-  return found.has_value();
 }
 
 ContactArc::Outcome ContactArc::make() {
-  if (number_ >= kMostIntervals || predictor_.is_too_short()) return Outcome::gives_up;
+  if (is_shorter_than(kImpact)) {
+    rebound();
+    return Outcome::made;
+  }
   predictor_.begin_interval();
   bool learns = true;
   while (true) {
@@ -373,12 +406,23 @@ ContactArc::Outcome ContactArc::make() {
       leave_earlier();
       if (predictor_.shortens(Predictor::kUnknownError)) continue;
     }
+    if (jumps_) {
+      begin_anew(0);
+      continue;
+    }
     if (const int blade = touches_at_once(); blade != kNoBlade) {
-      start_ = end_;
-      ending_ = {Guard::touch_down, 0.0, blade, 0.0};
+      end_at_once({Guard::touch_down, 0.0, blade, 0.0});
       return Outcome::made;
     }
-    if (begins_ || !begin_anew(0)) return Outcome::gives_up;
+    if (!begins_ && begin_anew(0)) continue;
+    if (is_shorter_than(kAllButImpact)) {
+      rebound();
+      return Outcome::made;
+    }
+    if (!solved || !is_met_at_once(ending)) return Outcome::gives_up;
+    ending.guard = guard_of_tip(ending.guard);
+    end_at_once(ending);
+    return Outcome::made;
   }
 }
 
@@ -397,36 +441,25 @@ void ContactArc::goes_on(const Ending& ending) {
   if (keeps_loads()) {
     at_end_.force.normal = made().normal_force.at_end();
     at_end_.force.root_strain = made().root_strain.at_end();
-    at_end_.cone_left = made().cone_left.at_end();
   }
+  if (keeps_loads() || contact_.skims) at_end_.cone_left = made().cone_left.at_end();
   for (std::size_t k = 0; k < further_.size(); ++k) go_on(made(), made().further[k], further_[k]);
   if (ending_.guard == Guard::none) predictor_.goes_on(made());
   begins_ = false;
-  lead_has_changed_ = false;
-}
-
-/// The blade whose tip is at the ring where an arc begins, and moves outwards.
-int ContactArc::touches_at_once() const {
-  if (!begins_ || !law_->ends_at_ring()) return kNoBlade;
-  for (const Other& other : others_) {
-    const contact::Pose there = pose(other.blade, end_);
-    const contact::Geometry geometry = law_->geometry(other.blade);
-    const bool at_ring = std::abs(there.gap) <= contact::gap_rounding(geometry, there);
-    if (at_ring && contact::gap_rate(geometry, there, blades_->angular_speed(end_.time)) > 0.0)
-      return other.blade;
-  }
-  return kNoBlade;
+  lead_changes_ = 0;
 }
 
 ContactArc::Point ContactArc::at_node(const Interval& interval, std::size_t node) {
   const Body& shaft = interval.shaft;
   const Body& ring = interval.ring;
   Point point{.time = interval.start_time + interval.elapsed[node],
-              .bending = {interval.argument[node], interval.lean[node], interval.yielding[node]}};
+              .bending = {interval.argument[node], interval.lean[node], interval.yielding[node],
+                          interval.gap_measure[node] - kShareBeyond}};
   point.bodies << shaft.x[node], shaft.y[node], shaft.vx[node], shaft.vy[node], ring.x[node], ring.y[node],
       ring.vx[node], ring.vy[node];
   for (const FurtherBlade& further : interval.further)
-    point.further.push_back({further.square[node], further.lean[node], further.yielding[node]});
+    point.further.push_back({further.square[node], further.lean[node], further.yielding[node],
+                             further.gap_measure[node] - kShareBeyond});
   return point;
 }
 

@@ -9,9 +9,9 @@
 /// The others are bent as the shaft's motion has it (`further_blades.hpp`). The one that lifts off next has
 /// to lead: near its lift-off its bending is no smooth function of time.
 ///
-/// Where it cannot prove that no other guard is met within an interval (a limit of validity, a guard that the
-/// model does not let a contact pass), the arc gives up at the start of this interval, and the motion goes on
-/// with another mode from there.
+/// Where no interval can be made the next event is at hand: a contact that is shorter than times are rounded
+/// is an impact, and a guard may be met where an interval begins. Where it cannot be told which, the arc
+/// gives up, and the motion goes on with another mode from there.
 #pragma once
 
 #include <array>
@@ -49,6 +49,7 @@ class ContactArc {
     double square;          ///< p²
     double lean;            ///< l
     double yielding = 0.0;  ///< y
+    double share = 1.0;     ///< λ of a tip that skims
   };
   /// A place on the contact's curve.
   struct Point {
@@ -166,6 +167,8 @@ class ContactArc {
                                          const std::complex<double>& acceleration) const;
   [[nodiscard]] std::complex<double> tangent(int blade, const Point& point) const;
   void hold(std::span<Touch> touching, const Point& point) const;
+  void skim(std::span<Touch> touching, const Point& point) const;
+  [[nodiscard]] int skimming_blade() const;
   [[nodiscard]] std::size_t number_of(int blade) const;
   [[nodiscard]] double gap_at(const Touch& touch, const Point& point) const;
   [[nodiscard]] const Interval& made() const { return intervals_[made_]; }
@@ -202,6 +205,11 @@ class ContactArc {
   [[nodiscard]] std::optional<Ending> touch_down(const Interval& interval, Ending before);
   struct Other;
   [[nodiscard]] int touches_at_once() const;
+  [[nodiscard]] bool is_shorter_than(double duration) const;
+  void rebound();
+  [[nodiscard]] Guard guard_of_tip(Guard guard) const;
+  [[nodiscard]] bool is_met_at_once(const Ending& ending) const;
+  void end_at_once(const Ending& ending);
   [[nodiscard]] bool starts_inside(int blade) const;
   bool stays_off(const Other& other, const Interval& interval, double allowed);
   /// Whether the trial can be the next interval, up to its ending, and whether that is a stretch of it.
@@ -211,6 +219,7 @@ class ContactArc {
   void goes_on(const Ending& ending);
   [[nodiscard]] std::vector<Touch> touching_at(const Point& point) const;
   bool begin_anew(std::size_t leader);
+  void begin_anew(std::span<const Touch> touching, std::size_t leader);
   void leave_earlier();
   void guess_further(Interval& next) const;
   bool cut(const Interval& whole, double fraction, Interval& shorter,
@@ -264,7 +273,8 @@ class ContactArc {
   int blade_ = 0;
   bool begins_ = false;  ///< the next interval is the first of the contact
   Ending ending_;
-  bool lead_has_changed_ = false;  ///< since the last interval
+  bool jumps_ = false;    ///< the error of trials does not fall with their length
+  int lead_changes_ = 0;  ///< since the last interval
   Point start_, end_;
   contact::BladeDirection er_{};         ///< of the blade at the end
   std::array<Interval, 2> intervals_{};  ///< the last that was made, and the next

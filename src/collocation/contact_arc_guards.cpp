@@ -9,6 +9,7 @@
 
 #include "collocation/contact_arc.hpp"
 #include "collocation/interval_samples.hpp"
+#include "rotor/skimming.hpp"
 
 namespace rubatlas::collocation {
 namespace {
@@ -86,8 +87,8 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval, const
     look(Guard::fold, blade_, sum_of_products(node_tables().value_at_start, interval.time_slope),
          interval.time_slope, 1.0, count);
   if (contact_.leans) look(Guard::chart_end, blade_, interval.start_chart_left, interval.chart_left, 1.0);
-  const auto look_at_slip = [&](int blade, double slip, bool straight, const TipInTime& tip) {
-    if (straight) look(Guard::pressed_in, blade, tip.start_cone_left, tip.cone_left, 1.0);
+  const auto look_at_slip = [&](int blade, double slip, bool may_be_pressed_in, const TipInTime& tip) {
+    if (may_be_pressed_in) look(Guard::pressed_in, blade, tip.start_cone_left, tip.cone_left, 1.0);
     if (slip == 0.0) look(Guard::loosening, blade, tip.start_cone_left, tip.cone_left, 1.0);
     if (!reverses(slip)) return;
     const double sign = std::copysign(1.0, tip.start_slip_velocity);
@@ -97,9 +98,10 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval, const
     }
     look(Guard::slip_reversal, blade, tip.start_slip_velocity, velocity, sign);
   };
-  look_at_slip(blade_, contact_.slip, contact_.straight, interval);
+  look_at_slip(blade_, contact_.slip, contact_.straight || contact_.skims, interval);
   for (std::size_t k = 0; k < further_.size(); ++k)
-    look_at_slip(further_[k].blade, further_[k].slip, further_[k].straight, interval.further[k]);
+    look_at_slip(further_[k].blade, further_[k].slip, further_[k].straight || further_[k].skims,
+                 interval.further[k]);
   const auto look_at_validity = [&](Guard guard, int blade) {
     const Course left = validity_left(interval, guard, blade);
     look(guard, blade, left.start, left.nodes, 1.0);
@@ -246,7 +248,10 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
   const double closest = may_rest ? kToRounding * slip_rounding() : std::numeric_limits<double>::infinity();
   const double closest_fraction = may_rest ? kToRounding * kClosestFraction : kClosestFraction;
   for (int i = 0; i < (may_rest ? 2 * kTimes : kTimes); ++i) {
-    if (!cut(whole, ending.fraction, shorter, closest)) return false;
+    if (!cut(whole, ending.fraction, shorter, closest)) {
+      // As closely as that it may not be known.
+      if (!may_rest || !cut(whole, ending.fraction, shorter)) return false;
+    }
     if (once) break;
     const double left = left_at_end(ending, shorter);
     rounding_at_end_ = 2.0 * std::abs(left);
@@ -294,6 +299,13 @@ Bounds ContactArc::bounds_of(const Interval& interval) const {
   return bounds;
 }
 
+/// What a guard of the leading blade is. At a fold the place of a tip at rest is lost, and where its blade
+/// unbends nothing holds it.
+ContactArc::Guard ContactArc::guard_of_tip(Guard guard) const {
+  const bool is_end_of_branch = guard == Guard::fold || guard == Guard::unbent || guard == Guard::chart_end;
+  return contact_.slip == 0.0 && contact_.leans && is_end_of_branch ? Guard::loosening : guard;
+}
+
 ContactArc::Verdict ContactArc::judge(Ending& ending) {
   const Interval& next = trial();
   const bool reaches_zero = next.chord.time == 0.0;
@@ -313,7 +325,7 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
     // The load that would bend a blade has a kink where its tip passes the deepest place: beyond it the
     // polynomial tells nothing of where it was pressed in.
     constexpr double kPressedIn = 1e-8;  // of F
-    if (ending.guard == Guard::pressed_in &&
+    if (ending.guard == Guard::pressed_in && is_straight(ending.blade) &&
         std::abs(left_at_end(ending, part)) > kPressedIn * tip_of(part, ending.blade).normal_force.at_end())
       return Verdict::too_long;
     // Beyond its ending the interval is no motion.
@@ -334,15 +346,8 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   if (ending.guard != Guard::under_load && !held_beyond_ring && !stays_bent) return Verdict::too_long;
   const Interval& kept = in_part ? part : next;
   if (ending.guard == Guard::fold && is_next_to_unbent(kept)) ending.guard = Guard::unbent;
-  if (contact_.slip == 0.0 && contact_.leans) {
-    // At a fold the place of a tip at rest is lost. One whose blade unbends is for steps to follow.
-    if (ending.guard == Guard::fold) ending.guard = Guard::loosening;
-    if (ending.guard == Guard::unbent || ending.guard == Guard::chart_end) return Verdict::gives_up;
-  }
+  ending.guard = guard_of_tip(ending.guard);
   if (contact_.leans && !are_bent_firmly(kept)) return Verdict::gives_up;
-  // At a fold a tip is free only outside the ring, or it snaps.
-  if (ending.guard == Guard::fold && !law_->has_branches(blade_) && !(pose(blade_, end_of(kept)).gap < 0.0))
-    return Verdict::gives_up;
   // Time goes on, but for rounding next to the unbent blade.
   const bool is_all_but_unbent =
       reaches_zero && next.chord.argument < 0.0 && next.start_argument < kNextToUnbent;
@@ -350,11 +355,13 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
     const bool may_turn = is_all_but_unbent || (i + 1 == kNodes && (reaches_zero || in_part));
     if (!(kept.time_slope[i] > 0.0) && !may_turn) return Verdict::too_long;
   }
+  // To the one that is close to its fold, and back to one that is closer.
+  constexpr int kMostLeadChanges = 2;
   for (std::size_t k = 0; k < further_.size(); ++k) {
     if (bounds.further[k].stays) continue;
-    if (lead_has_changed_) return Verdict::too_long;
+    if (lead_changes_ == kMostLeadChanges) return Verdict::too_long;
     begin_anew(k + 1);
-    lead_has_changed_ = true;
+    ++lead_changes_;
     return Verdict::another_leads;
   }
   return in_part ? Verdict::holds_in_part : Verdict::holds;
@@ -367,6 +374,11 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
   er_ = {interval.blade_x.at_end(), interval.blade_y.at_end()};
   ending_ = ending;
   if (ending.guard == Guard::none && interval.chord.time == 0.0) ending_ = {Guard::unbent, 1.0, blade_, 0.0};
+  if (const int skims = skimming_blade(); skims != kNoBlade) {
+    rotor::put_on_ring(*whole_, law_->geometry(skims), blades_->direction(skims, blades_->first(end_.time)),
+                       blades_->angular_speed(end_.time), end_.bodies);
+    if (ending_.guard == Guard::under_load && ending_.blade == skims) return;
+  }
   const auto place_ring = [this] {
     if (machine().ring.is_massless()) law_->place_ring(end_.time, touching_at(end_), end_.bodies);
   };

@@ -136,6 +136,8 @@ ContactArc::Point ContactArc::point_at(double fraction) const {
   Point point{.time = made().start_time + value(0.0, made().elapsed),
               .bending = {value(made().start_argument, made().argument)}};
   point.bending.yielding = value(made().start_yielding, made().yielding);
+  if (contact_.skims)
+    point.bending.share = value(made().start_gap_measure, made().gap_measure) - kShareBeyond;
   if (contact_.leans) point.bending.lean = value(made().start_lean, made().lean);
   const auto place = [&](const Body& body, Eigen::Index first) {
     point.bodies.segment<4>(first) << value(body.start[0], body.x), value(body.start[1], body.y),
@@ -146,7 +148,8 @@ ContactArc::Point ContactArc::point_at(double fraction) const {
   for (const FurtherBlade& further : made().further) {
     const double lean = contact_.leans ? value(further.start_lean, further.lean) : 0.0;
     point.further.push_back(
-        {value(further.start_square, further.square), lean, value(further.start_yielding, further.yielding)});
+        {value(further.start_square, further.square), lean, value(further.start_yielding, further.yielding),
+         further.skims ? value(further.start_gap_measure, further.gap_measure) - kShareBeyond : 1.0});
   }
   return point;
 }
@@ -174,7 +177,7 @@ ArcLaw::Tangent ContactArc::direction_at(double fraction) const {
 Bending ContactArc::bending_of(int blade, const Point& point) const {
   if (blade == blade_) return point.bending;
   const FurtherPlace& place = point.further[number_of(blade)];
-  return {std::sqrt(std::max(0.0, place.square)), place.lean, place.yielding};
+  return {std::sqrt(std::max(0.0, place.square)), place.lean, place.yielding, place.share};
 }
 Touch ContactArc::touch_of(int blade, const Point& point) const {
   const double slip = blade == blade_ ? contact_.slip : further_[number_of(blade)].slip;

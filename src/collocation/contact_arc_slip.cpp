@@ -10,6 +10,7 @@
 
 #include "collocation/contact_arc.hpp"
 #include "contact/sticking.hpp"
+#include "rotor/skimming.hpp"
 
 namespace rubatlas::collocation {
 
@@ -90,6 +91,34 @@ void ContactArc::hold(std::span<Touch> touching, const Point& point) const {
   contact::share_out(std::span(tips).first(count));
   for (std::size_t i = 0; i < count; ++i)
     touches[i]->holding = tips[i].pull / (force_of(*touches[i]).normal * rotor_->force_unit);
+}
+
+/// Finds λ of the tip that skims, under the forces of the others.
+void ContactArc::skim(std::span<Touch> touching, const Point& point) const {
+  const double speed = blades_->angular_speed(point.time);
+  const contact::BladeDirection first = blades_->first(point.time);
+  const rotor::ContactState state = rotor::full_state(point.bodies, point.time, 0.0);
+  Touch& skims = *std::ranges::find(touching, true, &Touch::skims);
+  const auto force_of = [&](const Touch& touch) {
+    return law_->force(touch, pose(touch.blade, point), speed);
+  };
+  std::complex<double> others;
+  for (const Touch& touch : touching) {
+    if (!touch.skims) others += contact::on_rotor(force_of(touch), blades_->direction(touch.blade, first));
+  }
+  skims.share = 1.0;
+  const contact::Geometry geometry = law_->geometry(skims.blade);
+  const contact::Pose there = pose(skims.blade, point);
+  skims.share = -rotor::free_gap_curvature(*whole_, geometry, blades_->direction(skims.blade, first), there,
+                                           state, others) /
+                rotor::pushed_gap_curvature(*whole_, geometry, there, force_of(skims));
+}
+
+/// The blade of the tip that skims, or none.
+int ContactArc::skimming_blade() const {
+  if (contact_.skims) return blade_;
+  const auto skims = std::ranges::find(further_, true, &FurtherStart::skims);
+  return skims == further_.end() ? kNoBlade : skims->blade;
 }
 
 /// Takes from the shaft's velocity what is left of v of straight tips at rest at the end, which is not to

@@ -22,8 +22,8 @@ struct BladeRule {
   double quarter = 0.0;            ///< q
 };
 
-/// The smallest rule that leaves less than about 1e-14 of the integrals up to a modulus |κ| and a tangent of
-/// φ/4.
-BladeRule blade_rule(double modulus, double tangent);
+/// The smallest rule that leaves less than about such a share of the integrals up to a modulus |κ| and a
+/// tangent of φ/4.
+BladeRule blade_rule(double modulus, double tangent, double left);
 
 }  // namespace rubatlas::collocation

@@ -72,6 +72,7 @@ void guess(const FurtherStart& start, const AtNodes& elapsed, FurtherBlade& blad
   blade.offset = start.offset;
   blade.slip = start.slip;
   blade.straight = start.straight;
+  blade.skims = start.skims;
   blade.start_square = start.square.value;
   constexpr double kLeast = 1e-8;       // p²
   constexpr double kLeastShare = 0.01;  // of that at the start

@@ -27,6 +27,8 @@ struct Touch {
   double holding = 0.0;    ///< c of a rigid tip at rest
   double yielding = 0.0;   ///< y of a ring with dampers under the tip [m]
   bool straight = false;   ///< as in `Contact`
+  bool skims = false;      ///< it stays on the ring under a share of its force (MODEL 4.9)
+  double share = 1.0;      ///< λ of such a tip
   bool just_bent = false;  ///< the load of a ring with dampers has, from u = 0 at once
 
   [[nodiscard]] bool touches_down() const { return bending == 0.0 && bend.amplitude == 0.0 && !straight; }
@@ -35,8 +37,9 @@ struct Touch {
 /// One of them where the next interval starts. p² is used, which is smooth in time where p starts from 0.
 struct FurtherStart {
   int blade = 0;
-  double slip = 1.0;                   ///< s = ±1
-  bool straight = false;               ///< as in `Contact`
+  double slip = 1.0;      ///< s = ±1
+  bool straight = false;  ///< as in `Contact`
+  bool skims = false;
   const InclinedLoad* load = nullptr;  ///< where it is inclined
   std::array<double, 2> offset{};      ///< cosine and sine of its angle from the leading blade
   /// How a quantity goes on in τ.

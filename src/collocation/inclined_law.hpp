@@ -66,10 +66,11 @@ class InclinedLaw final : public ArcLaw {
     const auto& law = law_->of(touch.blade);
     Touch opened = touch;
     if (touch.slip == 0.0) {
-      constexpr double kLeastFirmness = 1e-4;
+      constexpr double kLeastFirmness = 1e-6;
       const auto rest = law.rest(at, speed, touch.bend);
       if (!rest || !(rest->firmness > kLeastFirmness)) return std::nullopt;
       opened.bend = rest->blade.bend;
+      goes_on(law, at, speed, opened, kNear);  // to rounding
       return opened;
     }
     if (goes_on(law, at, speed, opened, kNear)) return opened;
@@ -114,18 +115,9 @@ class InclinedLaw final : public ArcLaw {
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
                                 const std::complex<double>& acceleration) const override {
     const auto& law = law_->of(touch.blade);
-    auto there = law.constraint(at, touch.slip, speed, touch.bend);
+    const auto there = equations(law, at, speed, touch.slip, touch.bend);
     auto drift = law.drift(at, speed, 0.0, acceleration, there);
     if (touch.slip == 0.0) {
-      // v = 0 takes the place of d = 0.
-      const double along = at.radial_velocity + speed * at.tangential;
-      const double across = at.tangential_velocity - speed * at.radial;
-      const auto by = [&](double shortening, double deflection) {
-        return law.length() * (deflection * along - shortening * across);
-      };
-      const auto& [load, curvature, angle, shortening, deflection] = there.blade;
-      there.misdirection_by_modulus = by(shortening.by_modulus, deflection.by_modulus);
-      there.misdirection_by_amplitude = by(shortening.by_amplitude, deflection.by_amplitude);
       const double along_rate =
           acceleration.real() + speed * (2.0 * at.tangential_velocity - speed * at.radial);
       const double across_rate =
@@ -276,6 +268,24 @@ class InclinedLaw final : public ArcLaw {
     touch = found;
     return true;
   }
+  /// h = 0 and d = 0; v = 0 takes the place of d = 0 for a tip at rest.
+  static contact::DirectedElastica::Constraint equations(const contact::DirectedElastica& law,
+                                                         const contact::Pose& at, double speed, double slip,
+                                                         const blade::Bend& bend) {
+    auto there = law.constraint(at, slip, speed, bend);
+    if (slip != 0.0) return there;
+    const double along = at.radial_velocity + speed * at.tangential;
+    const double across = at.tangential_velocity - speed * at.radial;
+    const auto by = [&](double shortening, double deflection) {
+      return law.length() * (deflection * along - shortening * across);
+    };
+    const auto& [load, curvature, angle, shortening, deflection] = there.blade;
+    const double radius = law.geometry().ring_radius;
+    there.misdirection = there.radial * across - there.tangential * along + speed * radius * radius;
+    there.misdirection_by_modulus = by(shortening.by_modulus, deflection.by_modulus);
+    there.misdirection_by_amplitude = by(shortening.by_amplitude, deflection.by_amplitude);
+    return there;
+  }
   /// Moves a contact onto its equilibrium if that is as near to its bend as said.
   static bool goes_on(const contact::DirectedElastica& law, const contact::Pose& at, double speed,
                       Touch& touch, double near) {
@@ -285,7 +295,7 @@ class InclinedLaw final : public ArcLaw {
     blade::Bend bend = touch.bend;
     for (int i = 0; i < kSteps; ++i) {
       const blade::Bend change =
-          contact::DirectedElastica::correction(law.constraint(at, touch.slip, speed, bend));
+          contact::DirectedElastica::correction(equations(law, at, speed, touch.slip, bend));
       const double size =
           std::max(std::abs(change.modulus / bend.modulus), std::abs(change.amplitude / bend.amplitude));
       if (!(size < near)) return false;

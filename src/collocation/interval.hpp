@@ -85,7 +85,11 @@ struct Contact {
   bool leans = false;     ///< the load is inclined (`inclined_load.hpp`)
   bool straight = false;  ///< the blade does not bend: a column below its Euler load, or one under which only
                           ///< a ring with dampers yields (MODEL 7.16)
+  bool skims = false;     ///< the tip stays on the ring under a share λ of its force (MODEL 4.9)
 };
+
+/// Of λ past 0 or 1: a tip that skims ends to so late that rounding does not lead it back.
+inline constexpr double kShareBeyond = 1e-9;
 
 /// A tip where an interval starts: what is named so in `TipInTime`.
 struct TipStart {
@@ -104,7 +108,7 @@ struct TipStart {
 struct TipInTime : TipStart {
   AtNodes gap;            ///< g of the straight tip [m²]
   AtNodes gap_measure;    ///< g/Δ [m], as h = 0 has it: it has the sign of g where the blade is bent; F/kr
-                          ///< of a rigid blade
+                          ///< of a rigid blade; λ, and `kShareBeyond`, of a tip that skims
   AtNodes slip_velocity;  ///< v of the tip (MODEL 4.4) [m per unit τ]
   // Of a rigid or straight blade, and of one under an inclined load.
   AtNodes normal_force, root_strain;  ///< F [N], and bending strain at the root [-]
@@ -114,7 +118,7 @@ struct TipInTime : TipStart {
   AtNodes chart_left;  ///< `InclinedLoad::chart_left`
   /// What is left of the guard that ends the mode of a blade. Of a tip at rest `InclinedLoad::cone` less c²;
   /// of a rigid one (μs² − c²) F²/(m ωn²)² [m² per unit τ⁴]. Of a blade that stands straight the load that
-  /// would bend it, that of Euler of a column, less F [N].
+  /// would bend it, that of Euler of a column, less F [N]. Of a tip that skims 1 − λ.
   AtNodes cone_left;
   AtNodes yielding;  ///< y of a ring with dampers under an elastic blade [m]
 };
@@ -126,12 +130,14 @@ struct FurtherBlade : TipInTime {
   std::array<double, 2> offset{};      ///< cosine and sine of its angle from the leading blade
   double slip = 1.0;                   ///< s = ±1
   bool straight = false;               ///< as in `Contact`
+  bool skims = false;                  ///< likewise
   double start_square = 0.0;           ///< p² at the start
   AtNodes square;          ///< p²; F/kr of a rigid blade [m]: a first guess, then the solution. Smooth at a
                            ///< touch-down, unlike p
   bool lifts_off = false;  ///< it would be bent by less than nothing at a node, where some p² is left to it
-  AtNodes firmness;  ///< zero at the fold of its branch, or a little short of it: of one under an inclined
-                     ///< load, and of one that is held beyond the ring
+  AtNodes firmness;  ///< zero at the fold of its branch, or short of it: of one under an inclined load, and
+                     ///< of one that is held beyond the ring
+  double short_of_fold = 0.0;  ///< by that share of δ in ∂h/∂p of the latter
 };
 
 /// Shaft or ring within an interval.

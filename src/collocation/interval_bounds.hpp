@@ -35,10 +35,10 @@ class IntervalBounds {
       if (is_held)
         result.cone_left = std::min(result.cone_left, least_left(tip.start_cone_left, tip.cone_left));
     };
-    hold(contact_.slip == 0.0 || contact_.straight, in);
+    hold(contact_.slip == 0.0 || contact_.straight || contact_.skims, in);
     for (std::size_t k = 0; k < in.further.size(); ++k) {
       const FurtherBlade& blade = in.further[k];
-      hold(blade.slip == 0.0 || blade.straight, blade);
+      hold(blade.slip == 0.0 || blade.straight || blade.skims, blade);
       Bounds::OfFurther& of_blade = result.further[k];
       of_blade.slip_velocity = least_magnitude(blade.start_slip_velocity, Number(blade.slip_velocity));
       const Number squares = later(blade.start_square, Number(blade.square));
@@ -60,8 +60,10 @@ class IntervalBounds {
       const FurtherBlade& tip = in.further[k];
       Bounds::OfFurther& of_blade = result.further[k];
       of_blade.argument = largest(tip.start_shortening, Number(tip.shortening));
-      of_blade.stays = of_blade.stays && least(tip.start_chart_left, Number(tip.chart_left)) > 0.0 &&
-                       least_firmness(tip) > 0.0;
+      // The chart ends only where the lean is negative. What is left of it begins like a root of the time.
+      const bool in_chart = least(tip.start_lean, Number(tip.lean)) > 0.0 ||
+                            least(tip.start_chart_left, Number(tip.chart_left)) > 0.0;
+      of_blade.stays = of_blade.stays && in_chart && least_firmness(tip) > 0.0;
     }
     const double slope = sum_of_products(nodes_.value_at_start, in.time_slope);
     result.time_slope = least_before_end(later(slope, Number(in.time_slope)));

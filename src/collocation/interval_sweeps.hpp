@@ -30,10 +30,12 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     lead_.blade = contact.blade;
     lead_.slip = contact.slip;
     lead_.straight = contact.straight;
+    lead_.skims = contact.skims;
     for (std::size_t k = 0; k < interval.further.size(); ++k) {
       further_[k].blade = interval.further[k].blade;
       further_[k].slip = interval.further[k].slip;
       further_[k].straight = interval.further[k].straight;
+      further_[k].skims = interval.further[k].skims;
       further_[k].square = Number(interval.further[k].square);
       further_[k].yielding = interval.further[k].start_yielding;
     }
@@ -160,6 +162,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     const Blade* blade;
     double slip;                        ///< s = ±1
     bool straight = false;              ///< only the ring yields, as under a rigid blade
+    bool skims = false;                 ///< it bears a share of its force
     Number shortening, deflection;      ///< δ and s Δ [m]
     Number a, b, a_rate, b_rate;        ///< of the tip against the ring's centre in (er, ep) [m], and by τ
     Bend slope;                         ///< of load, δ and s Δ by p
@@ -301,7 +304,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     if (!kLight) take_direction(elapsed());
     if (is_straight(lead_)) {
       largest_step_ = 0.0;
-      return move(with_further<kLight>(push_of_straight(in, lead_, er_), er_, Number(0.0)));
+      return move_by<kLight>(push_of_straight(in, lead_, er_), er_, Number(0.0));
     }
     const Bend bend = bend_of<kLight>(lead_, chord_argument_ + deviation_ * in.normal.argument);
     Number residual = residual_of<kLight>(lead_, in, bend, er_);
@@ -321,15 +324,62 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     const Direction er_before = er_;
     turn_on(time_step);
     const Vector push = push_of(lead_, bend, step * in.normal.argument, time_step, er_);
-    return move(with_further<kLight>(push, er_before, time_step));
+    return move_by<kLight>(push, er_before, time_step);
   }
+  /// Under the push of the leading blade and those of the others.
   template <bool kLight>
-  RUBATLAS_INLINE Vector with_further(Vector push, const Direction& er_before, const Number& time_step) {
+  RUBATLAS_INLINE double move_by(const Vector& push_of_lead, const Direction& er_before,
+                                 const Number& time_step) {
+    Vector push = push_of_lead;
+    if (skims(lead_)) push = {Number(0.0), Number(0.0)};
+    const Tip* skimming = skims(lead_) ? &lead_ : nullptr;
+    Vector full = push_of_lead;
+    Direction er = er_;
     for (std::size_t k = 0; k < interval_.further.size(); ++k) {
       const Vector more = push_of_further<kLight>(k, er_before, time_step);
-      push = {push.x + more.x, push.y + more.y};
+      if (skims(further_[k])) {
+        skimming = &further_[k];
+        full = more;
+        er = direction_at(er_, interval_.further[k].offset);
+      } else {
+        push = {push.x + more.x, push.y + more.y};
+      }
     }
-    return push;
+    if (skimming == nullptr) return move(push);
+    share_ = share_on_ring(push, full, *skimming->blade, er);
+    return move({push.x + full.x * share_, push.y + full.y * share_});
+  }
+
+  [[nodiscard]] static bool skims(const Tip& tip) {
+    return !kPlain && tip.skims;
+  }
+  /// λ: that share of its full push keeps a tip on the ring, g'' = 0. The place p of the tip from the ring's
+  /// centre has p·p'' + p'·p' = 0 there.
+  RUBATLAS_INLINE Number share_on_ring(const Vector& others, const Vector& full, const Blade& blade,
+                                       const Direction& er) {
+    this->accelerate(others);
+    const Machine& m = machine_;
+    Vector acceleration{shaft_.ax, shaft_.ay};
+    double closing = 1.0;
+    if (this->ring_has_mass()) {
+      const Vector ring = this->acceleration_of_ring(others);
+      acceleration = {acceleration.x - ring.x, acceleration.y - ring.y};
+      closing += m.ring.force_unit / m.force_unit;
+    }
+    const Number speed = angular_speed();
+    const Number turning = this->angular_acceleration() * blade.reach;
+    const Number inward = speed * speed * blade.reach;
+    acceleration = {acceleration.x - turning * er.y - inward * er.x,
+                    acceleration.y + turning * er.x - inward * er.y};
+    const Vector seen = seen_velocity();
+    const Number by_turning = speed * blade.reach;
+    const Vector velocity{seen.x - by_turning * er.y, seen.y + by_turning * er.x};
+    const auto straight = straight_tip(interval_, blade, er);
+    const Vector place{straight.along * er.x - straight.tangential * er.y,
+                       straight.along * er.y + straight.tangential * er.x};
+    const Number free = place.x * acceleration.x + place.y * acceleration.y + velocity.x * velocity.x +
+                        velocity.y * velocity.y;
+    return free * (-1.0 / closing) / (place.x * full.x + place.y * full.y);
   }
 
   [[nodiscard]] static bool is_straight(const Tip& tip) {
@@ -389,11 +439,9 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     return Base::slip_velocity_of(tip, er, reach, Number(1.0) / yielded, yielded);
   }
 
-  /// What ∂h/∂p leaves of the share of δ in it: zero at a fold, and short of it by so much that the blade can
-  /// still be found there.
-  RUBATLAS_INLINE static Number firmness_of(const Tip& tip) {
-    constexpr double kShort = 0.2;
-    return tip.a * tip.slope.shortening * (1.0 - kShort) + tip.b * tip.slope.deflection;
+  /// What ∂h/∂p leaves of the share of δ in it.
+  RUBATLAS_INLINE static Number firmness_of(const Tip& tip, double short_of_fold) {
+    return tip.a * tip.slope.shortening * (1.0 - short_of_fold) + tip.b * tip.slope.deflection;
   }
   void store(const Tip& tip, const Direction& er, TipInTime& stored) const {
     const Number gap = straight_tip(stored, *tip.blade, er).gap;
@@ -402,7 +450,12 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     if (is_column) (gap * (0.5 / machine_.ring_radius)).store(stored.gap_measure);
     if (is_straight(tip) && !is_damped(*tip.blade)) return store_column(tip, er, stored);
     if (is_straight(tip)) return store_straight(*tip.blade, er, stored);
-    if (!is_column) gap_measure_of(tip, machine_.ring_radius).store(stored.gap_measure);
+    if (skims(tip)) {
+      (share_ + kShareBeyond).store(stored.gap_measure);
+      (share_ * -1.0 + (1.0 + kShareBeyond)).store(stored.cone_left);
+    } else if (!is_column) {
+      gap_measure_of(tip, machine_.ring_radius).store(stored.gap_measure);
+    }
     slip_velocity_of(tip, er).store(stored.slip_velocity);
     if (is_damped(*tip.blade)) tip.yielding.store(stored.yielding);
   }
@@ -414,7 +467,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
       store(further_[k], direction_at(er_, in.further[k].offset), in.further[k]);
       in.further[k].lifts_off = further_[k].lifts_off;
       if (further_[k].blade->held_beyond_ring && !is_straight(further_[k]))
-        firmness_of(further_[k]).store(in.further[k].firmness);
+        firmness_of(further_[k], in.further[k].short_of_fold).store(in.further[k].firmness);
       if (is_straight(further_[k])) {
         in.further[k].square = in.further[k].gap_measure;
       } else {
@@ -438,6 +491,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::move;
   using Base::offset_by;
   using Base::seen_velocity;
+  using Base::shaft_;
   using Base::stepped;
   using Base::store_motion;
   using Base::straight_tip;
@@ -448,6 +502,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
 
   Tip lead_;
   std::vector<FurtherTip> further_;
+  Number share_;         ///< λ of a tip that skims
   Number per_residual_;  ///< Newton's step along the normal for a residual of h
 };
 
@@ -463,8 +518,9 @@ bool solved(const Contact& contact, const Closeness& closeness, Interval& interv
   const auto stands = [](const Blade& blade) {
     return blade.yield_unit == 0.0 && blade.ring_damping == 0.0 && blade.axial_unit == 0.0;
   };
-  bool plain = machine.is_plain() && stands(*contact.blade);
-  for (const FurtherBlade& further : interval.further) plain = plain && stands(*further.blade);
+  bool plain = machine.is_plain() && stands(*contact.blade) && !contact.skims;
+  for (const FurtherBlade& further : interval.further)
+    plain = plain && stands(*further.blade) && !further.skims;
   return plain ? solved_by<kWidth, true>(contact, closeness, interval)
                : solved_by<kWidth, false>(contact, closeness, interval);
 }

@@ -24,8 +24,6 @@ constexpr double kStraight = 1e-6;    ///< [rad]: an arc that turns by less has 
 constexpr double kSteep = 0.48;       ///< sine of the slope with which an arc may be followed down to p = 0
 constexpr double kReach = 0.15;       ///< of an arc: so far above p = 0 it is stretched to reach it
 constexpr double kLongestHalf = 1.5;  ///< [τ] half of a contact, as a first estimate
-/// [τ]: below it a contact's own times and gaps, which count from where it begins, are rounding.
-constexpr double kShortestContact = 1e-14;
 
 /// Without the care of `std::hypot` for numbers near overflow.
 double length_of(double x, double y) {
@@ -47,7 +45,8 @@ void Predictor::begin(const Start& start) {
       {state[2], state[3]}, start.acceleration.shaft - start.acceleration.ring, speed);
   // Half of the contact, as far as the gap is a parabola: from its top to where it is closed.
   const double rate_at_end = std::sqrt(std::max(0.0, rate * rate - 2.0 * curvature * start.pose.gap));
-  const double half = curvature < 0.0 ? std::min(-rate_at_end / curvature, kLongestHalf) : kLongestHalf;
+  const double half =
+      curvature < 0.0 && !start.touch.skims ? std::min(-rate_at_end / curvature, kLongestHalf) : kLongestHalf;
   if (start.bending.argument > 0.0) {
     begin_under_load(start, half);
   } else {
@@ -61,6 +60,7 @@ void Predictor::begin_under_load(const Start& start, double half) {
   // Half of the period on the ring's spring.
   if (const double stiffness = start.blade->ring_stiffness * closing_unit_; stiffness > 0.0)
     time_unit_ = std::min(time_unit_, std::numbers::pi / std::sqrt(stiffness));
+  duration_ = std::min(half, time_unit_);
   unit_length_ = 1.0;
   length_ = share_of_first_[1];
   curvature_ = 0.0;
@@ -112,6 +112,7 @@ void Predictor::begin_unloaded(const Start& start, double half, double rate, dou
   constexpr double kRound = 1.6;  // between a parabola, 2, and the quarter of a sine, π/2
   largest = std::max(largest, kLeastBending);
   if (gap > 0.0 && rate > 0.0) half = std::min(half, kRound * gap / rate);
+  duration_ = half;
   time_unit_ = half / largest;
   unit_length_ = largest;
   length_ = share_of_first_[0] * unit_length_;
@@ -121,10 +122,16 @@ void Predictor::begin_unloaded(const Start& start, double half, double rate, dou
   constexpr double kSharpest = 3.0;
   curvature_ =
       -std::clamp(2.0 * start.gap_measure * deflection / (rate * time_unit_), 0.0, kSharpest / largest);
-}
-
-bool Predictor::is_too_short() const {
-  return !(time_unit_ * unit_length_ > kShortestContact);
+  // A tip that hardly moves outwards, but ever faster, bends its blade in proportion to the time: then g =
+  // d²g/dτ² τ²/2.
+  constexpr double kHardly = 1e-3;
+  const double of_square = start.gap_measure * deflection;
+  if (curvature_of_gap > 0.0 && rate < kHardly * largest * std::sqrt(2.0 * curvature_of_gap * of_square)) {
+    const double time = std::sqrt(2.0 * of_square / curvature_of_gap) / time_unit_;
+    const double norm = length_of(time, 1.0);
+    tangent_ = {time / norm, 1.0 / norm};
+    curvature_ = 0.0;
+  }
 }
 
 void Predictor::begin_interval() {

@@ -45,8 +45,8 @@ class Predictor {
     rotor::Acceleration acceleration;
   };
   void begin(const Start& start);
-  /// Times and gaps of so short a contact are rounding.
-  [[nodiscard]] bool is_too_short() const;
+  /// How long a contact that has just begun lasts, roughly [τ].
+  [[nodiscard]] double duration() const { return duration_; }
 
   void begin_interval();
   /// The first guess of the next interval, whose start is known.
@@ -76,7 +76,8 @@ class Predictor {
   const rotor::RotorConstants* rotor_;
   const ArcLaw* law_;
   bool leans_;
-  double closing_unit_;       ///< acceleration between shaft and ring of one newton [m/N]
+  double closing_unit_;  ///< acceleration between shaft and ring of one newton [m/N]
+  double duration_ = 1.0;
   double time_unit_ = 1.0;    ///< T
   Tangent tangent_{};         ///< where the next interval starts
   double curvature_ = 0.0;    ///< there, in the plane (τ/T, p)

@@ -64,8 +64,12 @@ class RigidLaw final : public ArcLaw {
   /// A tip that moves inwards faster than a ring with dampers pushes it lifts off at once.
   [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
                                           double speed) const override {
-    if (!ends_at_ring() && !(force(touch, at, speed).normal > 0.0)) return std::nullopt;
+    if (is_free_at_once(touch, at, speed)) return std::nullopt;
     return touch;
+  }
+  [[nodiscard]] bool is_free_at_once(const Touch& touch, const contact::Pose& at,
+                                     double speed) const override {
+    return !ends_at_ring() && !(force(touch, at, speed).normal > 0.0);
   }
   Bending lead(const Touch& /*touch*/) override { return {kArgument}; }
   [[nodiscard]] double side(const Touch& touch) const override { return touch.slip; }

@@ -22,29 +22,38 @@ bool Collocated::start(double time, const rotor::ShaftAndRing& state,
   most_bent_.assign(contacts.size(), std::nullopt);
   const std::uint64_t evaluations = law_->evaluations();
   touching_.clear();
-  stands_ = true;
-  for (std::size_t i = 0; i < contacts.size() && stands_; ++i) {
+  at_once_.reset();
+  refusal_ = ending::StatusDetail::none;
+  for (std::size_t i = 0; i < contacts.size() && touching_.size() == i; ++i) {
     const OpenContact& open = contacts[i];
     Point there;
     there.time = time;
     there.bodies = state;
     const contact::Pose at = pose(open.blade, there);
-    const auto touch = law_->open({.blade = open.blade,
+    const collocation::Touch touch{.blade = open.blade,
                                    .slip = open.slip,
                                    .bending = open.bending,
                                    .bend = open.bend,
                                    .yielding = open.yielding,
-                                   .straight = open.straight},
-                                  at, blades_->angular_speed(time));
-    stands_ = touch.has_value();
-    if (!touch) break;
-    contacts_[i].straight = touch->straight;
-    touching_.push_back(*touch);
+                                   .straight = open.straight,
+                                   .skims = open.skims};
+    const double speed = blades_->angular_speed(time);
+    if (const auto opened = law_->open(touch, at, speed)) {
+      contacts_[i].straight = opened->straight;
+      touching_.push_back(*opened);
+    } else if (law_->is_free_at_once(touch, at, speed)) {
+      at_once_ = {Guard::lift_off, open.blade};
+    } else if (open.slip == 0.0) {
+      at_once_ = {Guard::comes_loose, open.blade};
+    } else if (!law_->ends_at_ring()) {
+      at_once_ = {Guard::hands_over, open.blade};
+    } else {
+      refusal_ = ending::StatusDetail::no_equilibrium;
+    }
   }
   meter_->spend(Work::contact,
                 static_cast<std::int64_t>(law_->evaluations() - evaluations) * WorkPrice::kInclinedCurve);
-  refusal_ = ending::StatusDetail::none;
-  if (!stands_) return true;
+  if (touching_.size() < contacts.size()) return refusal_ == ending::StatusDetail::none;
   arc_.begin(time, state, touching_);
   if (arc_.shortening_at_start() > max_shortening_) refusal_ = ending::StatusDetail::shortening_limit;
   if (!arc_.starts_within_ring()) refusal_ = ending::StatusDetail::shaft_at_ring;
@@ -52,7 +61,7 @@ bool Collocated::start(double time, const rotor::ShaftAndRing& state,
 }
 
 ModeEnd Collocated::advance(double until, MotionListener& listener) {
-  if (!stands_) return {Guard::hands_over, contacts_.front().blade};
+  if (at_once_) return *at_once_;
   while (true) {
     if (pending_) {
       const double end = arc_.end().time;
@@ -67,10 +76,16 @@ ModeEnd Collocated::advance(double until, MotionListener& listener) {
       pending_ = false;
       if (arc_.ending().guard != collocation::ContactArc::Guard::none) return end_of_arc();
     }
-    if (!meter_->spend(Work::contact,
-                       WorkPrice::kAttempt + static_cast<std::int64_t>(contacts_.size()) * WorkPrice::kForce))
-      return {Guard::failed, -1, meter_->why()};
-    if (arc_.make() == collocation::ContactArc::Outcome::gives_up)
+    const std::int64_t price =
+        WorkPrice::kAttempt + static_cast<std::int64_t>(contacts_.size()) * WorkPrice::kForce;
+    if (!meter_->spend(Work::contact, price)) return {Guard::failed, -1, meter_->why()};
+    const std::uint64_t rejected = arc_.rejected();
+    const auto outcome = arc_.make();
+    // The price of an interval has a few that are too long in it.
+    constexpr std::uint64_t kFew = 8;
+    const std::uint64_t too_long = arc_.rejected() - rejected;
+    if (too_long > kFew) meter_->spend(Work::contact, price * static_cast<std::int64_t>(too_long - kFew));
+    if (outcome == collocation::ContactArc::Outcome::gives_up)
       return {Guard::hands_over, contacts_.front().blade};
     pending_ = true;
     piece_begin_ = arc_.start().time;
@@ -98,8 +113,10 @@ ModeEnd Collocated::end_of_arc() const {
     case Reason::shaft_at_ring:
       return {Guard::left_validity, blade, ending::StatusDetail::shaft_at_ring};
     case Reason::fold:
-      // What follows on another branch is for the motion to find.
-      return {law_->has_branches(blade) ? Guard::snap : Guard::lift_off, blade};
+      // What follows on another branch is for the motion to find. A tip is free only outside the ring.
+      return {
+          law_->has_branches(blade) || !(pose(blade, arc_.end()).gap < 0.0) ? Guard::snap : Guard::lift_off,
+          blade};
     default:
       return {Guard::lift_off, blade};
   }
@@ -112,7 +129,7 @@ void Collocated::shift_time(double period) {
 }
 
 Phase::End Collocated::where_it_ended() {
-  if (!stands_) return {start_time_, start_};
+  if (at_once_) return {start_time_, start_};
   return {arc_.end().time, arc_.end().bodies};
 }
 OpenContact Collocated::contact_in(std::size_t contact, const Point& point) const {
@@ -124,7 +141,7 @@ OpenContact Collocated::contact_in(std::size_t contact, const Point& point) cons
   return open;
 }
 OpenContact Collocated::contact_at_end(std::size_t contact) {
-  return stands_ ? contact_in(contact, arc_.end()) : contacts_[contact];
+  return at_once_ ? contacts_[contact] : contact_in(contact, arc_.end());
 }
 OpenContact Collocated::contact_at(std::size_t contact, double time) {
   return contact_in(contact, arc_.point_at(arc_.fraction_at(time)));
@@ -277,6 +294,7 @@ Collocated::LargestLoad Collocated::largest_kept(trajectory::Load load, std::siz
 /// Force and strain grow with the bending under an axial load, so that a blade that is bent less than where
 /// its load was known need not be looked at.
 Collocated::LargestLoad Collocated::largest(trajectory::Load load, std::size_t contact, double known) {
+  if (contacts_[contact].skims) return MotionPiece::largest(load, contact, known);
   if (law_->leans() || contacts_[contact].straight || (law_->is_rigid() && blade(contact) == arc_.leader()))
     return largest_kept(load, contact, known);
   const auto value = [load](const MostBent& at) {

@@ -119,8 +119,8 @@ class Collocated final : public Phase {
   rotor::ShaftAndRing start_ = rotor::ShaftAndRing::Zero();
   double start_time_ = 0.0;
   ending::StatusDetail refusal_ = ending::StatusDetail::none;
-  bool stands_ = false;   ///< the blades stand on an arc; else the contacts are handed over where they begin
-  bool pending_ = false;  ///< an interval has been made and not been recorded to its end
+  std::optional<ModeEnd> at_once_;  ///< one of the blades does not stand where they begin
+  bool pending_ = false;            ///< an interval has been made and not been recorded to its end
   std::vector<trajectory::ContactForce> forces_at_node_;
   double piece_begin_ = 0.0;
   double piece_end_ = 0.0;

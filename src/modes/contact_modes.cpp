@@ -18,7 +18,7 @@ ContactModes::ContactModes(const ModesRequest& request, std::unique_ptr<Law> law
   solved_ = request.make_phase(law_->form(request.machine), setup_);
   collocated_ = on_arcs(law_->arcs(request.machine, request.limits.max_shortening));
   if (law_->may_skim(0)) {
-    skimming_ = request.make_phase(Form::skimming, setup_);
+    if (collocated_ == nullptr) skimming_ = request.make_phase(Form::skimming, setup_);
     skims_ = std::make_unique<Skimming>(setup_);
   }
   const int count = request.machine.blades.count();

@@ -131,9 +131,8 @@ Standing LawOfAxialLoads::snap(const TipPlace& at, OpenContact& contact) const {
 }
 
 bool LawOfAxialLoads::bend_anew(const TipPlace& at, OpenContact& contact) const {
-  const auto root = of(contact.blade).solve(at.pose, contact.slip);
-  contact.bending = root.value_or(0.0);
-  return root.has_value();
+  contact.bending = 0.0;
+  return open(at, contact);
 }
 
 bool LawOfAxialLoads::straightens(const TipPlace& at, OpenContact& contact) const {

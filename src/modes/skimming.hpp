@@ -21,6 +21,7 @@
 #include "modes/open_contact.hpp"
 #include "modes/solved.hpp"
 #include "rotor/constants.hpp"
+#include "rotor/skimming.hpp"
 
 namespace rubatlas::modes {
 
@@ -78,21 +79,10 @@ class Skimming : public Solved {
     return weigh(state, contact, *others, balance) && balance.share > 0.0 && balance.share < 1.0;
   }
 
-  /// Puts a state back on g = 0, dg/dτ = 0, the shortest way for the shaft.
   void project(FullState& state) const {
-    const contact::Geometry& geometry = law_->geometry(contacts_.front().blade);
-    const contact::BladeDirection er = direction(state, contacts_.front().blade);
-    const rotor::State seen = rotor::from_ring(state);
-    const double outward_x = seen[0] + geometry.reach * er.cosine;
-    const double outward_y = seen[1] + rotor().misalignment + geometry.reach * er.sine;
-    const double inverse = 0.5 / (outward_x * outward_x + outward_y * outward_y);
-    const double gap = pose(contacts_.front().blade, state).gap;
-    state[0] -= gap * inverse * outward_x;
-    state[1] -= gap * inverse * outward_y;
-    const double rate = contact::gap_rate(geometry, pose(contacts_.front().blade, state),
-                                          blades().angular_speed(state[rotor::kTime]));
-    state[2] -= rate * inverse * outward_x;
-    state[3] -= rate * inverse * outward_y;
+    const int skims = contacts_.front().blade;
+    rotor::put_on_ring(machine(), law_->geometry(skims), direction(state, skims),
+                       blades().angular_speed(state[rotor::kTime]), state);
   }
 
   template <class Step>
@@ -150,14 +140,8 @@ class Skimming : public Solved {
     const contact::Geometry& geometry = law_->geometry(blade);
     FreeMotion free;
     free.direction = direction(state, blade);
-    const rotor::State seen = rotor::from_ring(state);
-    free.pose = rotor::pose_of(rotor(), geometry, free.direction, seen);
-    const rotor::Acceleration acceleration = machine().acceleration(state, others);
-    free.curvature = contact::gap_curvature(
-        geometry, free.direction, free.pose, {seen[0], seen[1] + rotor().misalignment}, {seen[2], seen[3]},
-        acceleration.shaft - acceleration.ring, blades().angular_speed(state[rotor::kTime]));
-    free.curvature +=
-        2.0 * geometry.reach * blades().angular_acceleration(state[rotor::kTime]) * free.pose.tangential;
+    free.pose = rotor::pose_of(rotor(), geometry, free.direction, rotor::from_ring(state));
+    free.curvature = rotor::free_gap_curvature(machine(), geometry, free.direction, free.pose, state, others);
     return free;
   }
 
@@ -169,14 +153,9 @@ class Skimming : public Solved {
     contact::TipForce& force = balance.force;
     if (!law_->respond({at, blades().angular_speed(state[rotor::kTime])}, contact, force)) return false;
     balance.pushed = contact::on_rotor(force, er);
-    const double pushed_curvature =
-        2.0 * machine().closing_unit() *
-        ((at.radial + law_->geometry(contact.blade).reach) * force.radial + at.tangential * force.tangential);
-    balance.share = -free.curvature / pushed_curvature;
-    force.radial *= balance.share;
-    force.tangential *= balance.share;
-    force.normal *= balance.share;
-    force.root_strain *= balance.share;
+    balance.share =
+        -free.curvature / rotor::pushed_gap_curvature(machine(), law_->geometry(contact.blade), at, force);
+    force = rotor::share_of(force, balance.share);
     return true;
   }
 };

@@ -248,7 +248,10 @@ bool Motion::begin_mode() {
     return begin_in(arcs != nullptr ? arcs : modes_.resting(), modes_.at_rest(contacts_));
   }
   if (any_rests() && !takes) return begin_in(modes_.sticking(), contacts_);
-  if (begins_to_skim()) return begin_in(modes_.skimming(), contacts_);
+  if (begins_to_skim()) {
+    if (modes_.skimming() != nullptr) return begin_in(modes_.skimming(), contacts_);
+    contacts_.front().skims = true;
+  }
   if (takes && all_follow()) return begin_in(collocated, contacts_);
   return begin_in(modes_.solved(), contacts_);
 }
@@ -262,7 +265,7 @@ bool Motion::all_follow() {
 
 /// Whether the blade that has just touched down begins to skim. If so, it is the first of the contacts.
 bool Motion::begins_to_skim() {
-  if (ended_by_ != modes::Guard::touch_down || modes_.skimming() == nullptr) return false;
+  if (ended_by_ != modes::Guard::touch_down) return false;
   const auto change_places = [this] { std::swap(contacts_.front(), contacts_.back()); };
   change_places();
   const bool skims = modes_.begins_to_skim(unbent(), contacts_, kUnresolvedHop * limits_.tolerance);
@@ -332,6 +335,7 @@ ending::PointStatus Motion::reset(const modes::ModeEnd& end, modes::MotionListen
   using modes::Guard;
   undecided_ = true;
   ended_by_ = end.guard;
+  for (modes::OpenContact& open : contacts_) open.skims = false;
   const auto contact = std::ranges::find(contacts_, end.blade, &modes::OpenContact::blade);
   switch (end.guard) {
     case Guard::touch_down:

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <memory>
 
+#include <nlohmann/json.hpp>
+
 #include "assembly/blade_tables.hpp"
 #include "assembly/methods.hpp"
 #include "motion/point_start.hpp"
@@ -38,6 +40,33 @@ std::size_t swept_without_steps(const settings::Scene& line, assembly::BladeTabl
     start = done ? motion::PointStart{with.final_state, with.final_memory} : motion::PointStart{};
   }
   return line.grid.speed_ratio.size();
+}
+
+TEST(StepsLeftOut, ChangeNothingWhereTipsSkimAndRestOnALightRing) {
+  // An overdamped rotor that creeps, whose tips skim, and a ring of two grams that bounces, on which a tip
+  // skims beside another blade, and rests as a stiff strut between hub and ring.
+  const nlohmann::json creeping = {{"rotor", {{"damping_ratio", 1.0}}},
+                                   {"unbalance", {{"moment", 1e-4}}},
+                                   {"grid", {{"speed_ratio", 0.005}}}};
+  const nlohmann::json bouncing = {
+      {"ring_body", {{"mass", 1.718e-3}, {"compliance", 1.72e-3}, {"damping", 3.822}}},
+      {"contact", {{"friction", 0.1297}}},
+      {"initial", {{"x", -5.234e-3}, {"y", 3.763e-3}, {"vx", 0.04395}, {"vy", -0.02827}}},
+      {"grid", {{"speed_ratio", 0.3016}}}};
+  assembly::BladeTables tables;
+  for (nlohmann::json document : {creeping, bouncing}) {
+    document["protocol"] = {{"transient_revolutions", 0}, {"sampled_revolutions", 1}};
+    const settings::Scene scene = settings::parse_scene(document.dump());
+    const assembly::LineRequest request{scene, tables, settings::combination_of(scene)};
+    const motion::PointStart start{{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy}};
+    const auto with = assembly::hybrid_solver(request)->run(scene.grid.speed_ratio.front(), start);
+    const auto without =
+        assembly::hybrid_solver(request, no_phase)->run(scene.grid.speed_ratio.front(), start);
+    EXPECT_EQ(with.detail, ending::StatusDetail::none);
+    EXPECT_EQ(without.detail, ending::StatusDetail::none);
+    EXPECT_EQ(with.final_state, without.final_state);
+    EXPECT_GT(without.work.touchdowns, 100U);
+  }
 }
 
 TEST(StepsLeftOut, ChangeNothingInSweepsOfTheTestRig) {

@@ -276,5 +276,47 @@ TEST(RigidBlades, HaveTheSameBitsOnEveryProcessor) {
   expect_same_bits(machine, 0.0, contact::Friction::coulomb(0.2));
 }
 
+/// The state in which the first contact of a kicked rotor with one blade ends, and how long it lasts.
+struct FirstContact {
+  rotor::State begin, end;
+  double duration;
+};
+FirstContact first_contact(double stiffness) {
+  class Keeper final : public modes::MotionListener {
+   public:
+    void event(const modes::Event& event) override {
+      if (event.kind != modes::Guard::slip_reversal) events.push_back(event);
+    }
+    std::vector<modes::Event> events;
+  } keeper;
+  const rotor::RotorConstants rotor{0.3, 0.1, 0.01001, 0.01, 0.01};
+  const auto motion =
+      hybrid_motion(machine_of(rotor, rotor::BladeSet(1, rotor.speed_ratio)),
+                    contact::ElasticRingContact({0.1, 0.11}, stiffness, {0.1}), {1e-11, 0.5}, true);
+  start(*motion, rotor::State(0.0, 0.0, 0.02, 0.004));
+  revolve(*motion, keeper);
+  const modes::Event& down = keeper.events.at(0);
+  const modes::Event& up = keeper.events.at(1);
+  return {down.state, up.state, up.time - down.time};
+}
+
+TEST(RigidBlades, WhoseContactIsShorterThanTimesAreRoundedRebound) {
+  const FirstContact impact = first_contact(1e33);
+  EXPECT_EQ(impact.duration, 0.0);
+  EXPECT_EQ(impact.begin[0], impact.end[0]);
+  EXPECT_EQ(impact.begin[1], impact.end[1]);
+  EXPECT_GT((impact.end - impact.begin).abs().maxCoeff(), 0.01) << "the tip comes with some speed";
+  // The limit of ever stiffer rings.
+  double apart_before = 1.0;
+  for (const double stiffness : {1e8, 1e10, 1e12}) {
+    const FirstContact contact = first_contact(stiffness);
+    EXPECT_GT(contact.duration, 0.0);
+    const double apart = (contact.end - impact.end).abs().maxCoeff();
+    EXPECT_LT(apart, 0.2 * apart_before) << stiffness;  // as the root of 1/kr
+    apart_before = apart;
+  }
+  EXPECT_LT(apart_before, 1e-6);
+}
+
 }  // namespace
 }  // namespace rubatlas::test
