@@ -175,9 +175,10 @@ class InclinedTip {
     const Blade& c = *blade_;
     bending = bending_there;
     lean = lean_there;
-    // The place of a tip at rest hardly tells κ and φ apart.
-    const double left_of_integrals = load_->rests ? 1e-17 : 1e-14;
-    if (!blade.template set<kSlopes>(bending, lean, left_of_integrals, rule_)) return false;
+    // What is left is a jump where an interval has another rule than the one before, and the place of a tip
+    // at rest hardly tells κ and φ apart.
+    constexpr double kLeftOfIntegrals = 1e-17;
+    if (!blade.template set<kSlopes>(bending, lean, kLeftOfIntegrals, rule_)) return false;
     load = blade.load.value;
     const double across_length = load_->side * c.length;
     shortening = blade.shortening.value * c.length;

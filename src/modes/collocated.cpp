@@ -45,6 +45,8 @@ bool Collocated::start(double time, const rotor::ShaftAndRing& state,
       at_once_ = {Guard::lift_off, open.blade};
     } else if (open.slip == 0.0) {
       at_once_ = {Guard::comes_loose, open.blade};
+    } else if (open.bend.modulus != 0.0) {
+      at_once_ = {Guard::snap, open.blade};
     } else if (!law_->ends_at_ring()) {
       at_once_ = {Guard::hands_over, open.blade};
     } else {
