@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "collocation/arc_sweeps.hpp"
+#include "collocation/bending_in_lanes.hpp"
 #include "collocation/interval.hpp"
 #include "collocation/nodes_in_lanes.hpp"
 #include "collocation/yielding_step.hpp"
@@ -55,7 +56,6 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   using Vector = typename Base::Vector;
 
   static constexpr int kMostSweeps = 9;
-  static constexpr std::size_t kSlopeDegree = 5;
   static constexpr int kFullSweeps = 3;       ///< with slopes of their own
   static constexpr double kLittleBent = 0.1;  ///< p: blades that are bent less have shorter last steps
   [[nodiscard]] double largest_step_allowed() const {
@@ -65,97 +65,8 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     return Base::kLargestStep * std::min(1.0, largest / kLittleBent);
   }
 
-  /// Load, shortening and deflection of the blade at eight nodes.
-  struct Bend {
-    Number load, shortening, deflection;
-  };
-
-  /// The piece of each node, and the place in it, in [0, 1].
-  struct Places {
-    std::array<const double*, kNodes> coefficients;
-    std::array<double, kNodes> t;
-  };
-  RUBATLAS_INLINE static Places places(const blade::BendingTable& table, const Number& argument) {
-    constexpr double kPerPiece = 1.0 / blade::BendingTable::kWidth;
-    const Number place = argument * kPerPiece;
-    const Number piece =
-        whole(smaller(larger(place, Number(0.0)), Number(static_cast<double>(table.last_piece()))));
-    Places result;
-    // Not set to zero first. NOLINTNEXTLINE(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
-    alignas(64) double pieces[kNodes];
-    // NOLINTNEXTLINE(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
-    alignas(64) double t[kNodes];
-    piece.store_to(pieces);
-    (place - piece).store_to(t);
-    for (std::size_t k = 0; k < kNodes; ++k) {
-      result.coefficients[k] = table.pieces()[static_cast<int>(pieces[k])].coefficients[0].data();
-      result.t[k] = t[k];
-    }
-    return result;
-  }
-
-  /// Each node has its own piece, of which one register holds all three quantities.
-  static constexpr std::size_t kRowWidth = kWidth == 2 ? 2 : 4;
-  using Row = typename Lanes<kRowWidth>::Part;
-  static constexpr std::size_t kRows = 4 / kRowWidth;
-  template <std::size_t kCount>
-  using Rows = std::array<std::array<Row, kRows>, kCount>;
-
-  RUBATLAS_INLINE static Row row(const double* coefficients, std::size_t power, std::size_t part) {
-    return loaded_part<kRowWidth>(coefficients + 4 * power + part * kRowWidth);
-  }
-  RUBATLAS_INLINE static Bend across(const Rows<kNodes>& rows) {
-    const auto quantity = [&](std::size_t q) RUBATLAS_INLINED {
-      return Number::each([&](std::size_t k)
-                              RUBATLAS_INLINED { return rows[k][q / kRowWidth][q % kRowWidth]; });
-    };
-    return {quantity(0), quantity(1), quantity(2)};
-  }
-
-  RUBATLAS_INLINE static Bend curve(const Places& at) {
-    Rows<kNodes> sum;
-    for (std::size_t k = 0; k < kNodes; ++k) {
-      for (std::size_t r = 0; r < kRows; ++r)
-        sum[k][r] = row(at.coefficients[k], blade::BendingTable::kDegree, r);
-    }
-#pragma GCC unroll 16
-    for (std::size_t below = 1; below <= blade::BendingTable::kDegree; ++below) {
-      for (std::size_t k = 0; k < kNodes; ++k) {
-        for (std::size_t r = 0; r < kRows; ++r)
-          sum[k][r] = sum[k][r] * at.t[k] + row(at.coefficients[k], blade::BendingTable::kDegree - below, r);
-      }
-    }
-    return across(sum);
-  }
-
-  /// With the slopes by p, of the powers up to `kSlopeDegree`: they are for Newton's steps only. Four nodes
-  /// at a time: as many as registers hold.
-  RUBATLAS_INLINE static Bend curve_with_slopes(const Places& at, Bend& slope) {
-    constexpr std::size_t kAtOnce = 4;
-    Rows<kNodes> sum;
-    Rows<kNodes> rate;
-    for (std::size_t i = 0; i < kNodes; i += kAtOnce) {
-      for (std::size_t k = i; k < i + kAtOnce; ++k) {
-        for (std::size_t r = 0; r < kRows; ++r)
-          sum[k][r] = row(at.coefficients[k], blade::BendingTable::kDegree, r);
-      }
-#pragma GCC unroll 16
-      for (std::size_t below = 1; below <= blade::BendingTable::kDegree; ++below) {
-        const std::size_t power = blade::BendingTable::kDegree - below;
-        for (std::size_t k = i; k < i + kAtOnce; ++k) {
-          for (std::size_t r = 0; r < kRows; ++r) {
-            if (power + 1 == kSlopeDegree) rate[k][r] = sum[k][r];
-            if (power + 1 < kSlopeDegree) rate[k][r] = rate[k][r] * at.t[k] + sum[k][r];
-            sum[k][r] = sum[k][r] * at.t[k] + row(at.coefficients[k], power, r);
-          }
-        }
-      }
-    }
-    constexpr double kSlopeUnit = 1.0 / blade::BendingTable::kWidth;
-    slope = across(rate);
-    slope = {slope.load * kSlopeUnit, slope.shortening * kSlopeUnit, slope.deflection * kSlopeUnit};
-    return across(sum);
-  }
+  using Table = BendingInLanes<kWidth>;
+  using Bend = typename Table::Bend;
 
   /// A blade in contact.
   struct Tip {
@@ -176,19 +87,15 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   };
 
   /// The ring yields as the load is, or in its own time.
-  [[nodiscard]] static bool yields(const Blade& blade) {
-    return !kPlain && blade.yield_unit != 0.0;
-  }
-  [[nodiscard]] static bool is_damped(const Blade& blade) {
-    return !kPlain && blade.ring_damping > 0.0;
-  }
+  [[nodiscard]] static bool yields(const Blade& blade) { return !kPlain && blade.yield_unit != 0.0; }
+  [[nodiscard]] static bool is_damped(const Blade& blade) { return !kPlain && blade.ring_damping > 0.0; }
 
   /// Load, shortening and deflection of a tip, with their slopes unless those are kept.
   template <bool kLight>
   RUBATLAS_INLINE static Bend bend_of(Tip& tip, const Number& argument) {
-    const Places at = places(*tip.blade->table, argument);
-    if (kLight) return curve(at);
-    const Bend bend = curve_with_slopes(at, tip.slope);
+    const auto at = Table::places(*tip.blade->table, argument);
+    if (kLight) return Table::curve(at);
+    const Bend bend = Table::curve_with_slopes(at, tip.slope);
     tip.slope.shortening = tip.slope.shortening * tip.blade->length;
     tip.slope.deflection = tip.slope.deflection * (tip.slip * tip.blade->length);
     return bend;
@@ -350,9 +257,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     return move({push.x + full.x * share_, push.y + full.y * share_});
   }
 
-  [[nodiscard]] static bool skims(const Tip& tip) {
-    return !kPlain && tip.skims;
-  }
+  [[nodiscard]] static bool skims(const Tip& tip) { return !kPlain && tip.skims; }
   /// λ: that share of its full push keeps a tip on the ring, g'' = 0. The place p of the tip from the ring's
   /// centre has p·p'' + p'·p' = 0 there.
   RUBATLAS_INLINE Number share_on_ring(const Vector& others, const Vector& full, const Blade& blade,
@@ -382,9 +287,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     return free * (-1.0 / closing) / (place.x * full.x + place.y * full.y);
   }
 
-  [[nodiscard]] static bool is_straight(const Tip& tip) {
-    return !kPlain && tip.straight;
-  }
+  [[nodiscard]] static bool is_straight(const Tip& tip) { return !kPlain && tip.straight; }
   RUBATLAS_INLINE Vector push_of_straight(const TipStart& start, Tip& tip, const Direction& er) const {
     const Blade& blade = *tip.blade;
     if (!is_damped(blade)) return push_by(tip, compress(tip, start, er), er);

@@ -1,0 +1,116 @@
+/// The table of a blade under an axial load, read at eight nodes at once.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "blade/bending_table.hpp"
+#include "collocation/nodes.hpp"
+#include "collocation/nodes_in_lanes.hpp"
+
+namespace rubatlas::collocation {
+namespace {
+
+template <std::size_t kWidth>
+class BendingInLanes {
+ public:
+  using Number = Lanes<kWidth>;
+
+  /// Load, shortening and deflection of the blade at eight nodes.
+  struct Bend {
+    Number load, shortening, deflection;
+  };
+
+  /// The piece of each node, and the place in it, in [0, 1].
+  struct Places {
+    std::array<const double*, kNodes> coefficients;
+    std::array<double, kNodes> t;
+  };
+  RUBATLAS_INLINE static Places places(const blade::BendingTable& table, const Number& argument) {
+    constexpr double kPerPiece = 1.0 / blade::BendingTable::kWidth;
+    const Number place = argument * kPerPiece;
+    const Number piece =
+        whole(smaller(larger(place, Number(0.0)), Number(static_cast<double>(table.last_piece()))));
+    Places result;
+    // Not set to zero first. NOLINTNEXTLINE(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
+    alignas(64) double pieces[kNodes];
+    // NOLINTNEXTLINE(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
+    alignas(64) double t[kNodes];
+    piece.store_to(pieces);
+    (place - piece).store_to(t);
+    for (std::size_t k = 0; k < kNodes; ++k) {
+      result.coefficients[k] = table.pieces()[static_cast<int>(pieces[k])].coefficients[0].data();
+      result.t[k] = t[k];
+    }
+    return result;
+  }
+
+  RUBATLAS_INLINE static Bend curve(const Places& at) {
+    Rows<kNodes> sum;
+    for (std::size_t k = 0; k < kNodes; ++k) {
+      for (std::size_t r = 0; r < kRows; ++r)
+        sum[k][r] = row(at.coefficients[k], blade::BendingTable::kDegree, r);
+    }
+#pragma GCC unroll 16
+    for (std::size_t below = 1; below <= blade::BendingTable::kDegree; ++below) {
+      for (std::size_t k = 0; k < kNodes; ++k) {
+        for (std::size_t r = 0; r < kRows; ++r)
+          sum[k][r] = sum[k][r] * at.t[k] + row(at.coefficients[k], blade::BendingTable::kDegree - below, r);
+      }
+    }
+    return across(sum);
+  }
+
+  /// With the slopes by p, of the powers up to `kSlopeDegree`: they are for Newton's steps only. Four nodes
+  /// at a time: as many as registers hold.
+  RUBATLAS_INLINE static Bend curve_with_slopes(const Places& at, Bend& slope) {
+    constexpr std::size_t kAtOnce = 4;
+    Rows<kNodes> sum;
+    Rows<kNodes> rate;
+    for (std::size_t i = 0; i < kNodes; i += kAtOnce) {
+      for (std::size_t k = i; k < i + kAtOnce; ++k) {
+        for (std::size_t r = 0; r < kRows; ++r)
+          sum[k][r] = row(at.coefficients[k], blade::BendingTable::kDegree, r);
+      }
+#pragma GCC unroll 16
+      for (std::size_t below = 1; below <= blade::BendingTable::kDegree; ++below) {
+        const std::size_t power = blade::BendingTable::kDegree - below;
+        for (std::size_t k = i; k < i + kAtOnce; ++k) {
+          for (std::size_t r = 0; r < kRows; ++r) {
+            if (power + 1 == kSlopeDegree) rate[k][r] = sum[k][r];
+            if (power + 1 < kSlopeDegree) rate[k][r] = rate[k][r] * at.t[k] + sum[k][r];
+            sum[k][r] = sum[k][r] * at.t[k] + row(at.coefficients[k], power, r);
+          }
+        }
+      }
+    }
+    constexpr double kSlopeUnit = 1.0 / blade::BendingTable::kWidth;
+    slope = across(rate);
+    slope = {slope.load * kSlopeUnit, slope.shortening * kSlopeUnit, slope.deflection * kSlopeUnit};
+    return across(sum);
+  }
+
+ private:
+  static constexpr std::size_t kSlopeDegree = 5;
+
+  /// Each node has its own piece, of which one register holds all three quantities.
+  static constexpr std::size_t kRowWidth = kWidth == 2 ? 2 : 4;
+  using Row = typename Lanes<kRowWidth>::Part;
+  static constexpr std::size_t kRows = 4 / kRowWidth;
+  template <std::size_t kCount>
+  using Rows = std::array<std::array<Row, kRows>, kCount>;
+
+  RUBATLAS_INLINE static Row row(const double* coefficients, std::size_t power, std::size_t part) {
+    return loaded_part<kRowWidth>(coefficients + 4 * power + part * kRowWidth);
+  }
+  RUBATLAS_INLINE static Bend across(const Rows<kNodes>& rows) {
+    const auto quantity = [&](std::size_t q) RUBATLAS_INLINED {
+      return Number::each([&](std::size_t k)
+                              RUBATLAS_INLINED { return rows[k][q / kRowWidth][q % kRowWidth]; });
+    };
+    return {quantity(0), quantity(1), quantity(2)};
+  }
+};
+
+}  // namespace
+}  // namespace rubatlas::collocation
