@@ -8,6 +8,14 @@
 #include "rotor/skimming.hpp"
 
 namespace rubatlas::collocation {
+namespace {
+
+/// `TipInTime::cone_left` of a tip that skims.
+double left_until_pressed_in(const Touch& touch) {
+  return 1.0 + kShareBeyond - touch.share;
+}
+
+}  // namespace
 
 AxialLaw::AxialLaw(const Laws& laws, int blade_count, double max_shortening)
     : laws_(&laws), solver_(interval_solver()) {
@@ -74,11 +82,11 @@ FurtherStart AxialLaw::further(const Touch& touch, const contact::Pose& at, doub
   standing_.push_back({touch.blade, touch.straight, touch.skims});
   if (!touch.straight) {
     FurtherStart further = further_start(laws_->of(touch.blade), at, touch, speed);
-    const Start there = start(touch, at, speed);
-    further.skims = touch.skims;
-    further.tip.start_gap_measure = there.gap_measure;
-    further.tip.start_cone_left = there.cone_left;
-    further.force = there.force;
+    further.tip.start_gap_measure = gap_measure(touch, at);
+    if (!touch.skims) return further;
+    further.skims = true;
+    further.tip.start_cone_left = left_until_pressed_in(touch);
+    further.force = rotor::share_of(further.force, touch.share);
     return further;
   }
   const Start there = start(touch, at, speed);
@@ -121,7 +129,7 @@ double AxialLaw::gap_measure(const Touch& touch, const contact::Pose& at) const 
 
 ArcLaw::Start AxialLaw::start(const Touch& touch, const contact::Pose& at, double speed) const {
   Start there{.force = force(touch, at, speed), .gap_measure = gap_measure(touch, at)};
-  if (touch.skims) there.cone_left = 1.0 + kShareBeyond - touch.share;
+  if (touch.skims) there.cone_left = left_until_pressed_in(touch);
   if (!touch.straight) return there;
   // Of a column that has just straightened no load is left, to rounding.
   constexpr double kLeast = 1e-12;

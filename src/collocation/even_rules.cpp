@@ -10,6 +10,13 @@ namespace {
 
 constexpr std::size_t kFewest = 4;
 
+/// A rule, and the least distance of singularities up to which it is accurate: the larger semi-axis and the
+/// smaller one, added, of the ellipse around [−1, 1] that goes through them.
+struct Graded {
+  EvenRule rule;
+  double least_ellipse;
+};
+
 EvenRule gauss(std::size_t count) {
   using Real = long double;
   EvenRule rule;
@@ -38,16 +45,18 @@ EvenRule gauss(std::size_t count) {
   return rule;
 }
 
-std::vector<EvenRule> make_rules() {
-  std::vector<EvenRule> rules;
-  for (std::size_t count = kFewest; count <= EvenRule::kMost; ++count) rules.push_back(gauss(count));
+std::vector<Graded> make_rules() {
+  constexpr double kLeft = 1e-17;
+  std::vector<Graded> rules;
+  for (std::size_t count = kFewest; count <= EvenRule::kMost; ++count)
+    rules.push_back({gauss(count), std::pow(kLeft, -1.0 / static_cast<double>(4 * count))});
   return rules;
 }
 
 }  // namespace
 
-BladeRule blade_rule(double modulus, double tangent, double left) {
-  static const std::vector<EvenRule> kRules = make_rules();
+BladeRule blade_rule(double modulus, double tangent) {
+  static const std::vector<Graded> kRules = make_rules();
   if (!(modulus < 1.0)) return {};
   const double half_square = (1.0 - modulus) / (1.0 + modulus);  // tanh²(arcosh(1/|κ|)/2)
   const double quarter = std::sqrt(half_square) / (1.0 + std::sqrt(1.0 - half_square));
@@ -58,10 +67,9 @@ BladeRule blade_rule(double modulus, double tangent, double left) {
   const Complex there = Complex(1.0 - square, 2.0 * quarter) / (1.0 + square);
   const Complex singularity = there / (quarter + std::sqrt(square + there * there));
   const double axis = (std::abs(singularity - largest) + std::abs(singularity + largest)) / (2.0 * largest);
-  // The larger semi-axis and the smaller one, added, of the ellipse around [−1, 1] that goes through it.
-  const double digits = std::log(axis + std::sqrt(axis * axis - 1.0));
-  for (const EvenRule& rule : kRules) {
-    if (4.0 * static_cast<double>(rule.count) * digits >= -std::log(left)) return {&rule, quarter};
+  const double ellipse = axis + std::sqrt(axis * axis - 1.0);
+  for (const Graded& graded : kRules) {
+    if (graded.least_ellipse <= ellipse) return {&graded.rule, quarter};
   }
   return {};
 }

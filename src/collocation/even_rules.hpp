@@ -22,8 +22,9 @@ struct BladeRule {
   double quarter = 0.0;            ///< q
 };
 
-/// The smallest rule that leaves less than about such a share of the integrals up to a modulus |κ| and a
-/// tangent of φ/4.
-BladeRule blade_rule(double modulus, double tangent, double left);
+/// The smallest rule that leaves less than about 1e-17 of the integrals up to a modulus |κ| and a tangent of
+/// φ/4. What is left is a jump where an interval has another rule than the one before, and the place of a tip
+/// at rest hardly tells κ and φ apart.
+BladeRule blade_rule(double modulus, double tangent);
 
 }  // namespace rubatlas::collocation

@@ -37,9 +37,9 @@ struct Touch {
 /// One of them where the next interval starts. p² is used, which is smooth in time where p starts from 0.
 struct FurtherStart {
   int blade = 0;
-  double slip = 1.0;      ///< s = ±1
-  bool straight = false;  ///< as in `Contact`
-  bool skims = false;
+  double slip = 1.0;                   ///< s = ±1
+  bool straight = false;               ///< as in `Contact`
+  bool skims = false;                  ///< likewise
   const InclinedLoad* load = nullptr;  ///< where it is inclined
   std::array<double, 2> offset{};      ///< cosine and sine of its angle from the leading blade
   /// How a quantity goes on in τ.

@@ -66,9 +66,8 @@ class InclinedLaw final : public ArcLaw {
     const auto& law = law_->of(touch.blade);
     Touch opened = touch;
     if (touch.slip == 0.0) {
-      constexpr double kLeastFirmness = 1e-6;
       const auto rest = law.rest(at, speed, touch.bend);
-      if (!rest || !(rest->firmness > kLeastFirmness)) return std::nullopt;
+      if (!rest || !(rest->firmness > contact::kLeastFirmness)) return std::nullopt;
       opened.bend = rest->blade.bend;
       goes_on(law, at, speed, opened, kNear);  // to rounding
       return opened;

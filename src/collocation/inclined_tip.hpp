@@ -29,11 +29,9 @@ struct InclinedBlade {
   Number arc;                         ///< q
   Number cosine;                      ///< cos(b/2)
 
-  /// Sets the values, and with `kSlopes` the slopes, to `left_of_integrals`. False where no rule is accurate
-  /// enough.
+  /// Sets the values, and with `kSlopes` the slopes. False where no rule is accurate enough.
   template <bool kSlopes>
-  RUBATLAS_INLINE bool set(const Number& bending, const Number& lean, double left_of_integrals,
-                           BladeRule& rule) {
+  RUBATLAS_INLINE bool set(const Number& bending, const Number& lean, BladeRule& rule) {
     const Number square = bending * bending;
     const Number modulus = root(square + lean * lean);
     const Number inverse_modulus = Number(1.0) / modulus;
@@ -44,7 +42,7 @@ struct InclinedBlade {
     const Number tangent = (upright * bending + leaning * sum) /
                            ((upright * sum + leaning * bending) + root(sum * sum + square));
     if (kSlopes) {
-      rule = blade_rule(modulus.largest(), magnitude(tangent).largest(), left_of_integrals);
+      rule = blade_rule(modulus.largest(), magnitude(tangent).largest());
     }
     if (rule.rule == nullptr) return false;
     const EvenRule& points = *rule.rule;
@@ -175,10 +173,7 @@ class InclinedTip {
     const Blade& c = *blade_;
     bending = bending_there;
     lean = lean_there;
-    // What is left is a jump where an interval has another rule than the one before, and the place of a tip
-    // at rest hardly tells κ and φ apart.
-    constexpr double kLeftOfIntegrals = 1e-17;
-    if (!blade.template set<kSlopes>(bending, lean, kLeftOfIntegrals, rule_)) return false;
+    if (!blade.template set<kSlopes>(bending, lean, rule_)) return false;
     load = blade.load.value;
     const double across_length = load_->side * c.length;
     shortening = blade.shortening.value * c.length;

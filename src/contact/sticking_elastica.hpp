@@ -118,6 +118,10 @@ inline std::optional<RestingBlade> hold(LoadDirection direction, const Geometry&
   return std::nullopt;
 }
 
+/// Of `firmness`, at which a tip comes loose: where dv/dα passes through zero, c changes within times that
+/// vanish with it.
+inline constexpr double kLeastFirmness = 1e-6;
+
 /// How firmly a tip rests: dv/dα / (Ω R), with the sign that makes it positive where v falls as c grows, so
 /// that rest is stable, and negative where rest is unstable.
 inline double firmness(const RestingBlade& resting, const Geometry& geometry, const Pose& at,

@@ -133,8 +133,6 @@ class StickingElastic : public Solved, public RestJudge {
   /// Of μs, beyond which a tip comes loose. A tip comes to rest at the very edge of the cone, where its
   /// coefficient is known to some 1e-8: whether it rests must not depend on that.
   static constexpr double kShareBeyond = 1e-7;
-  /// Where dv/dα passes through zero, c changes within times that vanish with it.
-  static constexpr double kLeastFirmness = 1e-6;
   /// κ, of μs, below which the blade is a straight strut between hub and ring, as stiff as 1/κ², and about to
   /// leave the ring.
   static constexpr double kLeastModulus = 2e-4;
@@ -160,7 +158,8 @@ class StickingElastic : public Solved, public RestJudge {
     constexpr double kLost = 1.0;
     if (!there) return kLost;
     const double least_modulus = kLeastModulus * of(open.blade).friction().static_friction;
-    return std::max({beyond_cone(open, there->blade.coefficient), 1.0 - there->firmness / kLeastFirmness,
+    return std::max({beyond_cone(open, there->blade.coefficient),
+                     1.0 - there->firmness / contact::kLeastFirmness,
                      1.0 - std::abs(there->blade.bend.modulus) / least_modulus});
   }
   [[nodiscard]] double rounding_of_slip(int blade) const {
