@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "assembly/make_line_solver.hpp"
 #include "atlas/free_space.hpp"
 #include "atlas/schema.hpp"
 #include "mpi/commands/estimate.hpp"
@@ -147,11 +148,6 @@ std::string flight_text(const settings::Scene& scene, const settings::Combinatio
                      combination.family->flight.empty() ? "" : ", ", combination.family->flight);
 }
 
-/// Whether contacts are solved by collocation: not those of columns on dampers.
-bool collocates(const settings::Scene& scene, const settings::Combination& combination) {
-  return combination.family->kind != settings::MotionFamily::blades_on_damped_ring ||
-         scene.contact.law == settings::ContactLaw::elastic_ring || scene.contact.friction > 0.0;
-}
 std::string_view steps_of_hybrid(settings::Scene scene) {
   scene.accuracy.method = settings::Method::hybrid;
   return settings::method_of(scene).pair;
@@ -160,7 +156,7 @@ std::string_view steps_of_hybrid(settings::Scene scene) {
 std::string contact_text(const settings::Scene& scene, const settings::Combination& combination) {
   const auto& method = settings::method_of(scene);
   if (method.flies_in_closed_form) {
-    if (scene.accuracy.method == settings::Method::collocation && !collocates(scene, combination)) {
+    if (scene.accuracy.method == settings::Method::collocation && !assembly::collocates(scene)) {
       return fmt::format("{}; {}; collocation does not apply here", steps_of_hybrid(scene),
                          combination.family->contact);
     }

@@ -13,9 +13,11 @@ namespace {
 
 std::unique_ptr<point::LineSolver> make(const LineRequest& request) {
   switch (request.line.accuracy.method) {
-    case settings::Method::hybrid:
     case settings::Method::collocation:
-      return hybrid_solver(request);
+      return has_arcs(request) ? hybrid_solver(request, modes::phase_on_arcs, phase_in_steps)
+                               : hybrid_solver(request, phase_in_steps);
+    case settings::Method::hybrid:
+      return hybrid_solver(request, phase_in_steps);
     case settings::Method::hybrid_54:
       return make_hybrid_54(request);
     case settings::Method::hybrid_32:
@@ -34,6 +36,10 @@ std::unique_ptr<point::LineSolver> make(const LineRequest& request) {
 
 std::shared_ptr<BladeTables> make_blade_tables() {
   return std::make_shared<BladeTables>();
+}
+
+bool collocates(const settings::Scene& line) {
+  return has_arcs({line, *make_blade_tables(), settings::combination_of(line)});
 }
 
 std::unique_ptr<point::LineSolver> make_line_solver(const settings::Scene& scene,

@@ -23,13 +23,17 @@ struct LineRequest {
 
 /// The law of contact of a line.
 std::unique_ptr<modes::Law> law_of(const LineRequest& request);
+/// Whether its contacts have arcs: not those of columns on dampers, nor of blades whose bends no table holds.
+bool has_arcs(const LineRequest& request);
 
 // Methods.
 
-/// Closed-form flight, located events; contacts by collocation where the scene's method asks for that, else
-/// in the steps of `make_phase`.
-std::unique_ptr<point::LineSolver> hybrid_solver(const LineRequest& request,
-                                                 modes::MakePhase* make_phase = modes::phase_in_853_steps);
+/// Closed-form flight, located events; contacts in the phases of `make_phase`, and, where these hand them
+/// over, in those of `make_fallback`.
+std::unique_ptr<point::LineSolver> hybrid_solver(const LineRequest& request, modes::MakePhase* make_phase,
+                                                 modes::MakePhase* make_fallback = nullptr);
+/// Phases in steps of order 8(5,3).
+modes::MakePhase phase_in_steps;
 
 std::unique_ptr<point::LineSolver> make_hybrid_54(const LineRequest& request);
 std::unique_ptr<point::LineSolver> make_hybrid_32(const LineRequest& request);

@@ -34,8 +34,6 @@ class ArcLaw {
   [[nodiscard]] virtual contact::Geometry geometry(int blade) const = 0;
   /// Friction takes its sign from s, so that a reversal of the slip is an event.
   [[nodiscard]] virtual bool has_slip_state() const = 0;
-  /// There are arcs of tips at rest, too.
-  [[nodiscard]] virtual bool holds_tips() const { return false; }
   /// The lean of the load is an unknown.
   [[nodiscard]] virtual bool leans() const = 0;
   /// The force is explicit: the arc is a stretch of time.

@@ -26,14 +26,6 @@ constexpr double kImpact = 1e-14;
 constexpr double kAllButImpact = 1e-11;
 constexpr double kClosest = 0.2;  ///< of the tolerance: what sweeps may leave
 
-/// dy/dτ of a tip at the end of an interval.
-double yielding_rate_at_end(const Interval& interval, const TipInTime& tip) {
-  double slope = 0.0;
-  for (std::size_t j = 0; j < kNodes; ++j)
-    slope += node_tables().slope[j].at_end() * (tip.yielding[j] - tip.start_yielding);
-  return slope / interval.time_slope.at_end();
-}
-
 }  // namespace
 
 ContactArc::ContactArc(const rotor::Machine& machine, ArcLaw& law, double tolerance)
@@ -68,10 +60,22 @@ double ContactArc::gap_at(const Touch& touch, const Point& point) const {
 }
 
 void ContactArc::begin(double time, const rotor::ShaftAndRing& bodies, std::span<const Touch> touching) {
-  // Who touches down now is not the next to lift off.
+  // Who touches down now is not the next to lift off. But the load of a blade with next to no friction all
+  // but jumps there, which takes a time that only an arc over its bending resolves.
+  const auto all_but_jumps = [this](const Touch& touch) {
+    constexpr double kLongest = 10.0;  // p of the largest bend
+    const blade::BendingTable* const table = numbers(touch.blade).table;
+    return touch.touches_down() && table != nullptr && table->knots().back().argument > kLongest;
+  };
+  const auto leads = std::ranges::find_if(touching, all_but_jumps);
+  const auto is_bent =
+      std::ranges::find_if(touching, [](const Touch& touch) { return !touch.touches_down(); });
   std::size_t leader = 0;
-  while (leader + 1 < touching.size() && touching[leader].touches_down()) ++leader;
-  if (touching[leader].touches_down()) leader = 0;
+  if (leads != touching.end()) {
+    leader = static_cast<std::size_t>(leads - touching.begin());
+  } else if (is_bent != touching.end()) {
+    leader = static_cast<std::size_t>(is_bent - touching.begin());
+  }
   lead_changes_ = 0;
   lead(time, bodies, touching, leader);
 }
@@ -212,7 +216,12 @@ void ContactArc::start_next(Interval& next) const {
 }
 
 bool ContactArc::solve(Interval& interval, bool warm, double closest) {
-  const bool solved = law_->solve(contact_, {std::min(kClosest * tolerance_, closest), warm}, interval);
+  // No closer than places and velocities are rounded.
+  const double rounding =
+      std::numeric_limits<double>::epsilon() *
+      std::max(machine().ring_radius, 4.0 * std::hypot(interval.shaft.start[2], interval.shaft.start[3]));
+  const double velocity = std::min(std::max(kClosest * tolerance_, rounding), closest);
+  const bool solved = law_->solve(contact_, {velocity, warm}, interval);
   sweeps_ += static_cast<std::uint64_t>(interval.sweeps);
   return solved;
 }
@@ -278,9 +287,17 @@ void ContactArc::move(Point& point, const Interval& interval, double late) {
   point.bodies += late * rate;
   if (point.bending.argument > 0.0)
     point.bending.argument += late * interval.argument_slope.at_end() / interval.time_slope.at_end();
-  point.bending.yielding += late * yielding_rate_at_end(interval, interval);
-  for (std::size_t k = 0; k < interval.further.size(); ++k)
-    point.further[k].yielding += late * yielding_rate_at_end(interval, interval.further[k]);
+  if (late == 0.0) return;
+  const auto go_on = [&](const AtNodes& nodes, double& value) {
+    value += late * course_at_end(interval, nodes).rate;
+  };
+  go_on(interval.yielding, point.bending.yielding);
+  for (std::size_t k = 0; k < interval.further.size(); ++k) {
+    const FurtherBlade& further = interval.further[k];
+    go_on(further.square, point.further[k].square);
+    go_on(further.lean, point.further[k].lean);
+    go_on(further.yielding, point.further[k].yielding);
+  }
 }
 
 void ContactArc::guess_further(Interval& next) const {
@@ -289,11 +306,10 @@ void ContactArc::guess_further(Interval& next) const {
   for (std::size_t i = 0; i < kNodes; ++i)
     elapsed[i] = node[i] * next.chord.time + next.deviation[i] * next.normal.time;
   // The next to come to a fold leads, long before. Of two that are close to theirs either may.
-  constexpr double kShort = 0.2;
-  constexpr double kJustShort = 1e-3;
+  constexpr std::array<double, kMostLeadChanges + 1> kShort{0.2, 1e-3, 0.0};
   for (std::size_t k = 0; k < further_.size(); ++k) {
     next.further[k].blade = &numbers(further_[k].blade);
-    next.further[k].short_of_fold = lead_changes_ > 0 ? kJustShort : kShort;
+    next.further[k].short_of_fold = kShort[static_cast<std::size_t>(lead_changes_)];
     guess(further_[k], elapsed, next.further[k]);
   }
 }
@@ -385,6 +401,7 @@ ContactArc::Outcome ContactArc::make() {
   }
   predictor_.begin_interval();
   bool learns = true;
+  bool is_anew = false;
   while (true) {
     Ending ending;
     const bool solved = solve_next(learns);
@@ -414,9 +431,21 @@ ContactArc::Outcome ContactArc::make() {
       end_at_once({Guard::touch_down, 0.0, blade, 0.0});
       return Outcome::made;
     }
-    if (!begins_ && begin_anew(0)) continue;
+    if (!is_anew) {
+      is_anew = begin_anew(0);
+      if (is_anew) continue;
+    }
     if (is_shorter_than(kAllButImpact)) {
       rebound();
+      return Outcome::made;
+    }
+    if (lifts_off_at_once()) {
+      end_at_once({Guard::unbent, 0.0, blade_, 0.0});
+      return Outcome::made;
+    }
+    // Several are at their folds; the one that leads has been closest.
+    if (lead_changes_ == kMostLeadChanges && law_->releases_at_fold(blade_) && !is_straight(blade_)) {
+      end_at_once({Guard::fold, 0.0, blade_, 0.0});
       return Outcome::made;
     }
     if (!solved || !is_met_at_once(ending)) return Outcome::gives_up;

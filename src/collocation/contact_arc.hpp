@@ -153,6 +153,9 @@ class ContactArc {
 
  private:
   static constexpr int kNoBlade = -1;
+  static constexpr int kMostLeadChanges = 2;  ///< where no interval is made between them
+  /// p: the force of a blade that is bent less is some 1e-9 of EI/L².
+  static constexpr double kNextToUnbent = 1e-4;
 
   void lead(double time, const rotor::ShaftAndRing& bodies, std::span<const Touch> touching,
             std::size_t leader);
@@ -209,6 +212,8 @@ class ContactArc {
   void rebound();
   [[nodiscard]] Guard guard_of_tip(Guard guard) const;
   [[nodiscard]] bool is_met_at_once(const Ending& ending) const;
+  [[nodiscard]] bool moves_little(double late) const;
+  [[nodiscard]] bool lifts_off_at_once() const;
   void end_at_once(const Ending& ending);
   [[nodiscard]] bool starts_inside(int blade) const;
   bool stays_off(const Other& other, const Interval& interval, double allowed);

@@ -60,13 +60,26 @@ bool ContactArc::is_met_at_once(const Ending& ending) const {
     default:  // it would be met again at once
       return false;
   }
-  const double late = std::max(0.0, ending.fraction) * trial().elapsed.at_end();
+  return moves_little(std::max(0.0, ending.fraction) * trial().elapsed.at_end());
+}
+
+/// Whether shaft and ring move by less than the tolerance until then [τ from where the next interval begins].
+bool ContactArc::moves_little(double late) const {
   const auto moved = [&](const Body& body) {
     const double velocity = std::hypot(body.start[2], body.start[3]);
     const double acceleration = std::hypot(body.ax[0], body.ay[0]);
     return std::abs(late) * std::max(velocity, acceleration);
   };
   return moved(trial().shaft) < tolerance_ && moved(trial().ring) < tolerance_;
+}
+
+/// Whether a blade that is all but unbent moves off the ring, and has left it before anything has moved.
+bool ContactArc::lifts_off_at_once() const {
+  if (law_->is_rigid() || is_straight(blade_) || machine().ring.is_massless()) return false;
+  if (!(end_.bending.argument < kNextToUnbent) || !(gap_at_end_ > 0.0)) return false;
+  const double rate =
+      contact::gap_rate(law_->geometry(blade_), pose(blade_, end_), blades_->angular_speed(end_.time));
+  return rate < 0.0 && moves_little(-gap_at_end_ / rate);
 }
 
 /// The next event is where the next interval would begin.

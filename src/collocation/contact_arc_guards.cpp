@@ -14,9 +14,6 @@
 namespace rubatlas::collocation {
 namespace {
 
-/// p: the force of a blade that is bent less is some 1e-9 of EI/L².
-constexpr double kNextToUnbent = 1e-4;
-
 /// Slope by θ of the polynomial through values at the places, just before θ.
 double slope_before(const AtPlaces& values, double fraction) {
   constexpr double kApart = 1e-4;
@@ -356,7 +353,6 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
     if (!(kept.time_slope[i] > 0.0) && !may_turn) return Verdict::too_long;
   }
   // To the one that is close to its fold, and back to one that is closer.
-  constexpr int kMostLeadChanges = 2;
   for (std::size_t k = 0; k < further_.size(); ++k) {
     if (bounds.further[k].stays) continue;
     if (lead_changes_ == kMostLeadChanges) return Verdict::too_long;

@@ -37,21 +37,20 @@ FurtherStart further_start(const contact::ElasticaContact& law, const contact::P
           .force = there.force};
 }
 
-void go_on(const Interval& made, const FurtherBlade& blade, FurtherStart& start) {
+FurtherStart::Course course_at_end(const Interval& made, const AtNodes& nodes) {
   constexpr std::size_t kLast = kNodes - 1;
-  const auto course = [&](const AtNodes& nodes) {
-    const auto slope = [&](std::size_t node) {
-      return (nodes[node + 1] - nodes[node]) / (made.elapsed[node + 1] - made.elapsed[node]);
-    };
-    const double before = slope(kLast - 2);
-    const double after = slope(kLast - 1);
-    const double apart = made.elapsed[kLast] - made.elapsed[kLast - 2];
-    const double half_curvature = (after - before) / apart;
-    return FurtherStart::Course{nodes.at_end(),
-                                after + half_curvature * (made.elapsed[kLast] - made.elapsed[kLast - 1]),
-                                half_curvature};
+  const auto slope = [&](std::size_t node) {
+    return (nodes[node + 1] - nodes[node]) / (made.elapsed[node + 1] - made.elapsed[node]);
   };
-  start.square = course(blade.square);
+  const double before = slope(kLast - 2);
+  const double after = slope(kLast - 1);
+  const double half_curvature = (after - before) / (made.elapsed[kLast] - made.elapsed[kLast - 2]);
+  return {nodes.at_end(), after + half_curvature * (made.elapsed[kLast] - made.elapsed[kLast - 1]),
+          half_curvature};
+}
+
+void go_on(const Interval& made, const FurtherBlade& blade, FurtherStart& start) {
+  start.square = course_at_end(made, blade.square);
   start.tip.start_gap = blade.gap.at_end();
   start.tip.start_gap_measure = blade.gap_measure.at_end();
   start.tip.start_slip_velocity = blade.slip_velocity.at_end();
@@ -60,11 +59,29 @@ void go_on(const Interval& made, const FurtherBlade& blade, FurtherStart& start)
   start.tip.start_strain = blade.root_strain.at_end();
   start.tip.start_cone_left = blade.cone_left.at_end();
   if (start.load == nullptr) return;
-  start.lean = course(blade.lean);
+  start.lean = course_at_end(made, blade.lean);
   start.tip.start_lean = blade.lean.at_end();
   start.tip.start_shortening = blade.shortening.at_end();
   start.tip.start_chart_left = blade.chart_left.at_end();
 }
+
+namespace {
+
+/// p² of a blade that bends from zero, where p² would have grown to this if the deflection went on to grow
+/// as p² does next to the unbent blade. It grows more with little friction, as exp p.
+double square_of_deflection(const blade::BendingTable& table, double square) {
+  const std::vector<blade::BendingTable::Knot>& knots = table.knots();
+  const auto square_at = [&](std::size_t k) { return knots[k].argument * knots[k].argument; };
+  if (!(square > square_at(0))) return square;
+  const double deflection = square / square_at(0) * knots[0].deflection;
+  std::size_t next = 1;
+  while (next + 1 < knots.size() && knots[next].deflection < deflection) ++next;
+  const double share =
+      (deflection - knots[next - 1].deflection) / (knots[next].deflection - knots[next - 1].deflection);
+  return std::lerp(square_at(next - 1), square_at(next), std::clamp(share, 0.0, 1.0));
+}
+
+}  // namespace
 
 void guess(const FurtherStart& start, const AtNodes& elapsed, FurtherBlade& blade) {
   static_cast<TipStart&>(blade) = start.tip;
@@ -74,11 +91,15 @@ void guess(const FurtherStart& start, const AtNodes& elapsed, FurtherBlade& blad
   blade.straight = start.straight;
   blade.skims = start.skims;
   blade.start_square = start.square.value;
-  constexpr double kLeast = 1e-8;       // p²
+  constexpr double kLeast = 1e-24;      // p²
   constexpr double kLeastShare = 0.01;  // of that at the start
   for (std::size_t i = 0; i < kNodes; ++i)
     blade.square[i] = std::max({start.square.after(elapsed[i]), kLeastShare * start.square.value, kLeast});
-  if (start.load == nullptr) return;
+  if (start.load == nullptr) {
+    if (start.square.value > 0.0 || blade.blade->table == nullptr) return;
+    for (double& square : blade.square.value) square = square_of_deflection(*blade.blade->table, square);
+    return;
+  }
   for (std::size_t i = 0; i < kNodes; ++i) blade.lean[i] = start.lean.after(elapsed[i]);
 }
 

@@ -64,7 +64,9 @@ double deflection_per_square(const contact::ElasticaContact& law);
 /// From a blade's pose and the motion there. `ring_opens`: `ArcLaw::Start::ring_opens`.
 FurtherStart further_start(const contact::ElasticaContact& law, const contact::Pose& pose, const Touch& touch,
                            double angular_speed, double ring_opens = 0.0);
-/// How it goes on from the end of an interval, as its last three nodes have it.
+/// How a quantity goes on from the end of an interval, as the last three nodes have it.
+FurtherStart::Course course_at_end(const Interval& made, const AtNodes& nodes);
+/// How a blade goes on from there.
 void go_on(const Interval& made, const FurtherBlade& blade, FurtherStart& start);
 
 /// The start of a further blade in an interval, and its first guess, where the guess of the times is known.

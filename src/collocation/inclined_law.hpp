@@ -52,7 +52,6 @@ class InclinedLaw final : public ArcLaw {
             .first_yielding = 0.0};
   }
   [[nodiscard]] bool has_slip_state() const override { return law_->of(0).friction().has_slip_state(); }
-  [[nodiscard]] bool holds_tips() const override { return true; }
   [[nodiscard]] bool may_slip_back() const override { return may_slip_back_; }
   [[nodiscard]] bool leans() const override { return true; }
   [[nodiscard]] bool releases_at_fold(int /*blade*/) const override { return false; }

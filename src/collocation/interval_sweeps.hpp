@@ -342,9 +342,9 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     return Base::slip_velocity_of(tip, er, reach, Number(1.0) / yielded, yielded);
   }
 
-  /// What ∂h/∂p leaves of the share of δ in it.
+  /// What ∂h/∂p leaves of the share in it of δ and of the ring that yields.
   RUBATLAS_INLINE static Number firmness_of(const Tip& tip, double short_of_fold) {
-    return tip.a * tip.slope.shortening * (1.0 - short_of_fold) + tip.b * tip.slope.deflection;
+    return tip.argument_slope * (-0.5 * (1.0 - short_of_fold)) + tip.b * tip.slope.deflection * short_of_fold;
   }
   void store(const Tip& tip, const Direction& er, TipInTime& stored) const {
     const Number gap = straight_tip(stored, *tip.blade, er).gap;

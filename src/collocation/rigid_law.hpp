@@ -42,9 +42,6 @@ class RigidLaw final : public ArcLaw {
   }
   [[nodiscard]] contact::Geometry geometry(int blade) const override { return law_->of(blade).geometry(); }
   [[nodiscard]] bool has_slip_state() const override { return friction_.has_slip_state(); }
-  [[nodiscard]] bool holds_tips() const override {
-    return friction_.sticks && machine_->following_ring() == nullptr;
-  }
   [[nodiscard]] bool leans() const override { return false; }
   [[nodiscard]] bool is_rigid() const override { return true; }
   [[nodiscard]] bool ends_at_ring() const override { return law_->of(0).damping() == 0.0; }

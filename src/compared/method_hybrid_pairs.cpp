@@ -1,17 +1,17 @@
 // `hybrid_54` and `hybrid_32`: as `hybrid`, with a pair of lower order in contact: what the order is worth.
 
 #include "assembly/methods.hpp"
+#include "compared/phases_in_steps.hpp"
 #include "integrate/bogacki_shampine_32.hpp"
 #include "integrate/dormand_prince_54.hpp"
-#include "modes/phases_in_steps.hpp"
 
 namespace rubatlas::assembly {
 
 std::unique_ptr<point::LineSolver> make_hybrid_54(const LineRequest& request) {
-  return hybrid_solver(request, modes::phase_in_steps<integrate::DormandPrince54>);
+  return hybrid_solver(request, compared::phase_in_steps<integrate::DormandPrince54>);
 }
 std::unique_ptr<point::LineSolver> make_hybrid_32(const LineRequest& request) {
-  return hybrid_solver(request, modes::phase_in_steps<integrate::BogackiShampine32>);
+  return hybrid_solver(request, compared::phase_in_steps<integrate::BogackiShampine32>);
 }
 
 }  // namespace rubatlas::assembly

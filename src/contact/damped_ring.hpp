@@ -3,7 +3,8 @@
 /// Johnson, Contact Mechanics, 1985, §6.4.
 ///
 /// The ring pushes and never pulls: a contact ends where F comes to zero, with the tip still inside the
-/// undeformed ring. The mode in contact is `modes/damped_ring.hpp`.
+/// undeformed ring. The laws of its arcs are
+/// `collocation/rigid_law.hpp` and `damped_law.hpp`; in steps it is `compared/damped_ring.hpp`.
 #pragma once
 
 #include <cmath>

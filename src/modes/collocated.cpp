@@ -4,17 +4,33 @@
 #include <cstdint>
 
 #include "modes/contact_force.hpp"
+#include "modes/contact_setup.hpp"
+#include "modes/law_of_inclined_loads.hpp"
 #include "modes/tip_of.hpp"
 
 namespace rubatlas::modes {
 
-bool Collocated::takes(const std::vector<OpenContact>& contacts) const {
-  return law_->holds_tips() || std::ranges::count(contacts, 0.0, &OpenContact::slip) == 0;
+std::unique_ptr<Phase> phase_on_arcs(Form form, const ContactSetup& setup) {
+  std::unique_ptr<collocation::ArcLaw> arcs;
+  switch (form) {
+    case Form::sticking:
+    case Form::sticking_elastic:
+    case Form::skimming:
+      return nullptr;  // that of slipping tips is for them, too
+    case Form::resting:
+      // Tips that slip beside one at rest reverse their slip at each zero of v.
+      arcs = static_cast<const LawOfInclinedLoads&>(*setup.law)
+                 .arcs_beside_rest(*setup.machine, setup.limits.max_shortening);
+      break;
+    default:
+      arcs = setup.law->arcs(*setup.machine, setup.limits.max_shortening);
+  }
+  if (arcs == nullptr) return nullptr;
+  return std::make_unique<Collocated>(*setup.machine, std::move(arcs), setup.limits, *setup.meter);
 }
 
 bool Collocated::start(double time, const rotor::ShaftAndRing& state,
                        const std::vector<OpenContact>& contacts) {
-  if (!takes(contacts)) return false;
   contacts_ = contacts;
   start_ = state;
   start_time_ = time;

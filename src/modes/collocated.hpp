@@ -1,6 +1,6 @@
-/// Mode: blades in contact, by collocation (`collocation/contact_arc.hpp`). Where it cannot prove that no
-/// other guard is met it hands the contacts over to a mode in steps, from the start of the interval in which
-/// one may be.
+/// Mode: blades in contact, by collocation (`collocation/contact_arc.hpp`), whether their tips slip, rest or
+/// skim. Where it cannot tell what follows, or prove that no other guard is met, it hands the contacts over
+/// to another phase, from the start of the interval in which one may be.
 #pragma once
 
 #include <algorithm>
@@ -39,10 +39,7 @@ class Collocated final : public Phase {
         arc_(machine, *law_, limits.tolerance),
         most_bent_of_blades_(static_cast<std::size_t>(blades_->count())) {}
 
-  [[nodiscard]] bool takes(const std::vector<OpenContact>& contacts) const override;
-
-  /// Starts at time τ of the revolution. Where a blade has no equilibrium the contacts are handed over at
-  /// once. False where a tip rests that the law does not hold, or outside of the model's validity.
+  /// Starts at time τ of the revolution. False also where a blade has no equilibrium.
   bool start(double time, const rotor::ShaftAndRing& state,
              const std::vector<OpenContact>& contacts) override;
   [[nodiscard]] ending::StatusDetail refusal() const override { return refusal_; }

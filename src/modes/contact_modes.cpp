@@ -5,46 +5,28 @@
 #include <cstdint>
 #include <utility>
 
-#include "modes/collocated.hpp"
-#include "modes/sticking.hpp"
-#include "modes/sticking_elastic.hpp"
+#include "modes/rest_of_elastic_blades.hpp"
+#include "modes/rest_of_rigid_blades.hpp"
 
 namespace rubatlas::modes {
 
 ContactModes::ContactModes(const ModesRequest& request, std::unique_ptr<Law> law)
     : law_(std::move(law)),
       setup_{&request.machine, law_.get(), request.limits, &request.meter},
-      collocates_(request.collocates) {
-  solved_ = request.make_phase(law_->form(request.machine), setup_);
-  collocated_ = on_arcs(law_->arcs(request.machine, request.limits.max_shortening));
-  if (law_->may_skim(0)) {
-    if (collocated_ == nullptr) skimming_ = request.make_phase(Form::skimming, setup_);
-    skims_ = std::make_unique<Skimming>(setup_);
-  }
+      phases_(request.make_phase, setup_) {
+  if (request.make_fallback != nullptr) fallback_.emplace(request.make_fallback, setup_);
+  if (law_->may_skim(0)) skimming_judge_.emplace(setup_);
   const int count = request.machine.blades.count();
   if (law_->kind().sticks) {
-    const Form form = law_->form_of_sticking();
-    sticking_ = request.make_phase(form, setup_);
-    if (form == Form::sticking) {
-      judge_ = std::make_unique<Sticking>(setup_);
+    if (law_->form_of_sticking() == Form::sticking) {
+      judge_ = std::make_unique<RestOfRigidBlades>(setup_);
     } else {
-      judge_ = std::make_unique<StickingElastic>(setup_);
+      judge_ = std::make_unique<RestOfElasticBlades>(setup_);
     }
   } else if (auto law_of_rest = law_->law_of_rest(count)) {
     tips_at_rest_.emplace(std::move(*law_of_rest), setup_);
-    resting_ = request.make_phase(Form::resting, tips_at_rest_->setup());
   }
   if (request.machine.following_ring() != nullptr) ring_placer_.emplace(setup_);
-}
-
-std::unique_ptr<Phase> ContactModes::on_arcs(std::unique_ptr<collocation::ArcLaw> arcs) const {
-  if (!collocates_ || arcs == nullptr) return nullptr;
-  return std::make_unique<Collocated>(*setup_.machine, std::move(arcs), setup_.limits, *setup_.meter);
-}
-
-Phase* ContactModes::resting_on_arcs() {
-  if (resting_on_arcs_ == nullptr && tips_at_rest_) resting_on_arcs_ = on_arcs(tips_at_rest_->arcs());
-  return resting_on_arcs_.get();
 }
 
 std::int64_t ContactModes::price_of_searches() {
@@ -57,7 +39,8 @@ std::int64_t ContactModes::price_of_searches() {
 
 bool ContactModes::begins_to_skim(const rotor::ContactState& state, const std::vector<OpenContact>& contacts,
                                   double hop) const {
-  return skims_ && law_->may_skim(contacts.front().blade) && skims_->begins(state, contacts, hop);
+  return skimming_judge_ && law_->may_skim(contacts.front().blade) &&
+         skimming_judge_->begins(state, contacts, hop);
 }
 
 void ContactModes::set_out_from_rest(rotor::ShaftAndRing& state, double time, OpenContact contact) const {

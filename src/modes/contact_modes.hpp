@@ -5,20 +5,20 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "modes/contact_limits.hpp"
+#include "modes/contact_phases.hpp"
 #include "modes/contact_setup.hpp"
-#include "modes/following_ring.hpp"
 #include "modes/law.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/phase.hpp"
 #include "modes/rest_judge.hpp"
-#include "modes/skimming.hpp"
+#include "modes/ring_placer.hpp"
+#include "modes/skimming_judge.hpp"
 #include "modes/tips_at_rest.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/bodies.hpp"
@@ -31,8 +31,8 @@ struct ModesRequest {
   const rotor::Machine& machine;  ///< outlives the modes, as the meter does
   ContactLimits limits;
   WorkMeter& meter;
-  bool collocates;  ///< contacts that collocation can solve are left to it
-  MakePhase* make_phase = phase_in_853_steps;
+  MakePhase* make_phase;
+  MakePhase* make_fallback = nullptr;  ///< phases for contacts that the first ones hand over
 };
 
 class ContactModes {
@@ -43,26 +43,25 @@ class ContactModes {
 
   [[nodiscard]] const Law& law() const { return *law_; }
 
-  // Phases, one a mode; null where there is none.
+  // Phases.
 
-  [[nodiscard]] Phase* solved() const { return solved_.get(); }  ///< any contacts
-  [[nodiscard]] Phase* collocated() const { return collocated_.get(); }
-  [[nodiscard]] Phase* skimming() const { return skimming_.get(); }
-  [[nodiscard]] Phase* sticking() const { return sticking_.get(); }  ///< tips that can stick
-  /// Tips that always slip and come to rest where their slip reversals accumulate, under another law.
-  [[nodiscard]] Phase* resting() const { return resting_.get(); }
-  /// The same by collocation; made where it is asked for, since an arc is large and tips seldom rest.
-  [[nodiscard]] Phase* resting_on_arcs();
+  [[nodiscard]] ContactPhases& phases() { return phases_; }
+  /// Those for contacts that the first ones hand over.
+  [[nodiscard]] ContactPhases& fallback() { return fallback_ ? *fallback_ : phases_; }
+  [[nodiscard]] bool may_hand_over(const Phase* phase) const {
+    return fallback_.has_value() && phases_.has_slipping(phase);
+  }
+  [[nodiscard]] Phase* resting(ContactPhases& phases) { return phases.resting(tips_at_rest_->setup()); }
   [[nodiscard]] bool is_law_of_rest(const Phase* phase) const {
-    return phase != nullptr && (phase == resting_.get() || phase == resting_on_arcs_.get());
+    return phase != nullptr &&
+           (phases_.has_resting(phase) || (fallback_.has_value() && fallback_->has_resting(phase)));
   }
 
-  /// Calls `use` with each phase that there is.
+  /// Calls `use` with each phase that has been made.
   template <class Use>
   void each_phase(Use use) const {
-    for (const auto* phase : {&solved_, &collocated_, &skimming_, &sticking_, &resting_, &resting_on_arcs_}) {
-      if (*phase != nullptr) use(**phase);
-    }
+    phases_.each(use);
+    if (fallback_) fallback_->each(use);
   }
 
   /// Price of the searches for equilibria since the last phase or call; nothing where they are short [ns].
@@ -111,31 +110,22 @@ class ContactModes {
 
   // A ring without mass.
 
-  using Touches = std::function<bool(int blade)>;
-  /// Puts such a ring where its spring balances the blades in contact; `touches` opens the contact of a blade
-  /// that reaches into it there. False where there is no such place (MODEL 5).
+  /// `RingPlacer::settle`.
   bool place_ring(rotor::ShaftAndRing& state, double time, std::vector<OpenContact>& contacts,
-                  const Touches& touches) {
+                  const RingPlacer::Touches& touches) const {
     return !ring_placer_ || ring_placer_->settle(state, time, contacts, touches);
   }
 
  private:
-  [[nodiscard]] std::unique_ptr<Phase> on_arcs(std::unique_ptr<collocation::ArcLaw> arcs) const;
-
   std::unique_ptr<Law> law_;
   ContactSetup setup_;
-  bool collocates_;
   std::uint64_t paid_evaluations_ = 0;  ///< of curves, whose price has been told
-  std::unique_ptr<Phase> solved_;
-  std::unique_ptr<Phase> collocated_;
-  std::unique_ptr<Phase> skimming_;
-  std::unique_ptr<Phase> sticking_;
+  ContactPhases phases_;
+  std::optional<ContactPhases> fallback_;
   std::unique_ptr<RestJudge> judge_;        ///< of tips that stick
   std::optional<TipsAtRest> tips_at_rest_;  ///< of those that rest because reversals accumulate
-  std::unique_ptr<Phase> resting_;
-  std::unique_ptr<Phase> resting_on_arcs_;
-  std::unique_ptr<Skimming> skims_;           ///< judges whether a blade begins to
-  std::optional<FollowingRing> ring_placer_;  ///< of a ring without mass
+  std::optional<SkimmingJudge> skimming_judge_;
+  std::optional<RingPlacer> ring_placer_;  ///< of a ring without mass
 };
 
 }  // namespace rubatlas::modes

@@ -19,9 +19,9 @@ struct ContactSetup {
   WorkMeter* meter;
 };
 
-/// Null where there is none: contacts that collocation leaves then end the point.
+/// Null where there is none.
 using MakePhase = std::unique_ptr<Phase>(Form, const ContactSetup&);
-/// In steps of order 8(5,3).
-MakePhase phase_in_853_steps;
+/// By collocation (`Collocated`), which has one form for all.
+MakePhase phase_on_arcs;
 
 }  // namespace rubatlas::modes

@@ -30,6 +30,9 @@ class LawOfInclinedLoads final : public LawOfBlades<LawOfInclinedLoads, contact:
   }
   [[nodiscard]] std::uint64_t evaluations() const override { return blades().evaluations(); }
   [[nodiscard]] ModeEnd without_force(int blade) const override { return {Guard::snap, blade}; }
+  /// Tips come to rest beside one at rest only where their slip reversals accumulate (MODEL 4.4).
+  [[nodiscard]] std::unique_ptr<collocation::ArcLaw> arcs_beside_rest(const rotor::Machine& machine,
+                                                                      double max_shortening) const;
   [[nodiscard]] std::unique_ptr<collocation::ArcLaw> arcs(const rotor::Machine& machine,
                                                           double max_shortening) const override;
 

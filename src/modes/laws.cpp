@@ -70,6 +70,11 @@ std::unique_ptr<ArcLaw> LawOfInclinedLoads::arcs(const rotor::Machine& machine, 
   return std::make_unique<collocation::InclinedLaw>(blades(), machine.blades.count(), max_shortening);
 }
 
+std::unique_ptr<ArcLaw> LawOfInclinedLoads::arcs_beside_rest(const rotor::Machine& machine,
+                                                             double max_shortening) const {
+  return std::make_unique<collocation::InclinedLaw>(blades(), machine.blades.count(), max_shortening, false);
+}
+
 Standing LawOfInclinedLoads::snap(const TipPlace& at, OpenContact& contact) const {
   constexpr double kSame = 1e-3;  // of κ: a root so close to the fold is the one that ends there
   const auto& blade = of(contact.blade);

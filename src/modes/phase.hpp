@@ -20,7 +20,7 @@ struct ModeEnd {
   ending::StatusDetail why = ending::StatusDetail::none;  ///< where the motion ends
 };
 
-/// The forms of the equations of contacts in steps.
+/// The forms of the equations of contacts; those of arcs are one.
 enum class Form : std::uint8_t {
   solved,
   following_ring,        ///< the ring has no mass
@@ -35,8 +35,6 @@ enum class Form : std::uint8_t {
 /// Also the piece of motion that is being recorded.
 class Phase : public trajectory::MotionPiece {
  public:
-  /// Whether the mode is for these contacts.
-  [[nodiscard]] virtual bool takes(const std::vector<OpenContact>& /*contacts*/) const { return true; }
   /// Starts at time τ of the revolution. False where the mode cannot start there, or outside of the model's
   /// validity: contacts that have just changed may bend a blade too far at once.
   virtual bool start(double time, const rotor::ShaftAndRing& state,

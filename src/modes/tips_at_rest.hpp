@@ -3,14 +3,12 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <utility>
 #include <vector>
 
-#include "collocation/inclined_law.hpp"
 #include "modes/contact_setup.hpp"
 #include "modes/law_of_inclined_loads.hpp"
-#include "modes/sticking_elastic.hpp"
+#include "modes/rest_of_elastic_blades.hpp"
 
 namespace rubatlas::modes {
 
@@ -26,11 +24,6 @@ class TipsAtRest {
   TipsAtRest& operator=(const TipsAtRest&) = delete;
 
   [[nodiscard]] const ContactSetup& setup() const { return setup_; }
-  /// Those that slip beside a tip at rest reverse their slip at each zero of v.
-  [[nodiscard]] std::unique_ptr<collocation::ArcLaw> arcs() const {
-    return std::make_unique<collocation::InclinedLaw>(law_.blades(), setup_.machine->blades.count(),
-                                                      setup_.limits.max_shortening, false);
-  }
   /// The functions of `ContactModes` of these names.
   bool comes_to_rest(const rotor::ContactState& state, OpenContact& contact) const {
     OpenContact there = in_own_unknowns(contact);
@@ -59,7 +52,7 @@ class TipsAtRest {
 
   LawOfInclinedLoads law_;
   ContactSetup setup_;
-  Resting judge_;
+  RestAfterReversals judge_;
   bool slips_in_u_;
 };
 

@@ -27,7 +27,7 @@ constexpr int kNoBlade = -1;
 Motion::Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const Settings& settings)
     : machine_(std::move(machine)),
       limits_(settings.limits),
-      modes_({machine_, limits_, meter_, settings.collocates, settings.make_phase}, std::move(law)),
+      modes_({machine_, limits_, meter_, settings.make_phase, settings.make_fallback}, std::move(law)),
       flight_(machine_),
       search_(machine_, geometries()) {
   contacts_.reserve(static_cast<std::size_t>(machine_.blades.count()));
@@ -239,21 +239,18 @@ bool Motion::begin_mode() {
     undecided_ = false;
     return true;
   }
-  // What collocation hands over it is not asked for again before the contacts change.
-  const bool on_arcs = ended_by_ != modes::Guard::hands_over;
-  modes::Phase* const collocated = on_arcs ? modes_.collocated() : nullptr;
-  const bool takes = collocated != nullptr && collocated->takes(contacts_);
-  if (any_rests() && modes_.has_law_of_rest()) {
-    modes::Phase* const arcs = on_arcs ? modes_.resting_on_arcs() : nullptr;
-    return begin_in(arcs != nullptr ? arcs : modes_.resting(), modes_.at_rest(contacts_));
+  // What has been handed over is not asked for again before the contacts change.
+  const bool handed_over = ended_by_ == modes::Guard::hands_over;
+  modes::ContactPhases& phases = handed_over ? modes_.fallback() : modes_.phases();
+  if (any_rests()) {
+    return modes_.has_law_of_rest() ? begin_in(modes_.resting(phases), modes_.at_rest(contacts_))
+                                    : begin_in(phases.sticking(), contacts_);
   }
-  if (any_rests() && !takes) return begin_in(modes_.sticking(), contacts_);
   if (begins_to_skim()) {
-    if (modes_.skimming() != nullptr) return begin_in(modes_.skimming(), contacts_);
+    if (modes::Phase* const skimming = phases.skimming()) return begin_in(skimming, contacts_);
     contacts_.front().skims = true;
   }
-  if (takes && all_follow()) return begin_in(collocated, contacts_);
-  return begin_in(modes_.solved(), contacts_);
+  return begin_in(handed_over || all_follow() ? phases.slipping() : modes_.fallback().slipping(), contacts_);
 }
 
 /// Finds the bending of all contacts, from where another mode has left it. False where one has no force.
@@ -393,7 +390,7 @@ ending::StatusDetail Motion::come_loose(Contact contact, modes::MotionListener& 
   const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());
   if (!modes_.let_go(unbent(), contacts_, place_in_list)) return ending::StatusDetail::slip_undecided;
   if (contact->slip == 0.0) {  // an arc has let it go a little early
-    if (phase_ != modes_.collocated()) return ending::StatusDetail::slip_undecided;
+    if (!modes_.may_hand_over(phase_)) return ending::StatusDetail::slip_undecided;
     ended_by_ = modes::Guard::hands_over;
     return ending::StatusDetail::none;
   }

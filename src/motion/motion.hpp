@@ -23,8 +23,8 @@ class Motion final : public PointMotion {
   /// How contacts are computed.
   struct Settings {
     modes::ContactLimits limits;
-    bool collocates;  ///< contacts that collocation can solve are left to it
-    modes::MakePhase* make_phase = modes::phase_in_853_steps;
+    modes::MakePhase* make_phase = modes::phase_on_arcs;
+    modes::MakePhase* make_fallback = nullptr;  ///< phases for contacts that the first ones hand over
   };
   Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const Settings& settings);
 

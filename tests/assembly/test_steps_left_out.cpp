@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 
 #include <nlohmann/json.hpp>
@@ -19,8 +20,25 @@
 namespace rubatlas::test {
 namespace {
 
-std::unique_ptr<modes::Phase> no_phase(modes::Form /*form*/, const modes::ContactSetup& /*setup*/) {
-  return nullptr;
+/// The default method, or the same where nothing goes on with contacts that arcs hand over.
+std::unique_ptr<point::LineSolver> with_steps(const assembly::LineRequest& request) {
+  return assembly::hybrid_solver(request, modes::phase_on_arcs, assembly::phase_in_steps);
+}
+std::unique_ptr<point::LineSolver> without_steps(const assembly::LineRequest& request) {
+  return assembly::hybrid_solver(request, modes::phase_on_arcs);
+}
+
+/// The first point of a scene, from its initial state. Returns the number of its touch-downs.
+std::uint64_t run_without_steps(const settings::Scene& scene, assembly::BladeTables& tables) {
+  const assembly::LineRequest request{scene, tables, settings::combination_of(scene)};
+  const motion::PointStart start{{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy}};
+  const double speed_ratio = scene.grid.speed_ratio.front();
+  const auto with = with_steps(request)->run(speed_ratio, start);
+  const auto without = without_steps(request)->run(speed_ratio, start);
+  EXPECT_EQ(with.detail, ending::StatusDetail::none);
+  EXPECT_EQ(without.detail, ending::StatusDetail::none);
+  EXPECT_EQ(with.final_state, without.final_state);
+  return without.work.touchdowns;
 }
 
 /// A line's sweep up through all its speeds, each from where the one before has ended.
@@ -28,8 +46,8 @@ std::size_t swept_without_steps(const settings::Scene& line, assembly::BladeTabl
   const assembly::LineRequest request{line, tables, settings::combination_of(line)};
   motion::PointStart start;
   for (const double speed_ratio : line.grid.speed_ratio) {
-    const auto with = assembly::hybrid_solver(request)->run(speed_ratio, start);
-    const auto without = assembly::hybrid_solver(request, no_phase)->run(speed_ratio, start);
+    const auto with = with_steps(request)->run(speed_ratio, start);
+    const auto without = without_steps(request)->run(speed_ratio, start);
     EXPECT_EQ(with.detail, without.detail) << "speed ratio " << speed_ratio;
     EXPECT_EQ(with.failed_revolution, without.failed_revolution) << "speed ratio " << speed_ratio;
     const bool done = with.detail == ending::StatusDetail::none;
@@ -56,16 +74,8 @@ TEST(StepsLeftOut, ChangeNothingWhereTipsSkimAndRestOnALightRing) {
   assembly::BladeTables tables;
   for (nlohmann::json document : {creeping, bouncing}) {
     document["protocol"] = {{"transient_revolutions", 0}, {"sampled_revolutions", 1}};
-    const settings::Scene scene = settings::parse_scene(document.dump());
-    const assembly::LineRequest request{scene, tables, settings::combination_of(scene)};
-    const motion::PointStart start{{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy}};
-    const auto with = assembly::hybrid_solver(request)->run(scene.grid.speed_ratio.front(), start);
-    const auto without =
-        assembly::hybrid_solver(request, no_phase)->run(scene.grid.speed_ratio.front(), start);
-    EXPECT_EQ(with.detail, ending::StatusDetail::none);
-    EXPECT_EQ(without.detail, ending::StatusDetail::none);
-    EXPECT_EQ(with.final_state, without.final_state);
-    EXPECT_GT(without.work.touchdowns, 100U);
+    const auto touchdowns = run_without_steps(settings::parse_scene(document.dump()), tables);
+    EXPECT_GT(touchdowns, 100U);
   }
 }
 
@@ -85,6 +95,54 @@ TEST(StepsLeftOut, ChangeNothingInSweepsOfTheTestRig) {
     points += swept_without_steps(line, tables);
   }
   EXPECT_GT(points, 100U);
+}
+
+TEST(StepsLeftOut, ChangeNothingWhereSeveralBladesHardlyBend) {
+  // Thick blades on a soft ring, and stiff columns that lift off while they are all but unbent.
+  const nlohmann::json thick = {
+      {"accuracy", {{"tolerance", 7e-4}}},
+      {"rotor",
+       {{"mass", 114}, {"damping_ratio", 0.97}, {"natural_frequency", 514}, {"misalignment", -1.012}}},
+      {"blades",
+       {{"count", 34},
+        {"hub_radius", 0.0},
+        {"length", 119.268},
+        {"thickness", 15.8},
+        {"width", 67.5},
+        {"youngs_modulus", 1.24e12}}},
+      {"ring", {{"radius", 120.28}}},
+      {"contact", {{"friction", 0.01}}},
+      {"yielding_ring", {{"compliance", 0.693}}},
+      {"initial", {{"vy", -0.498}}},
+      {"grid", {{"speed_ratio", 1.0}}}};
+  const nlohmann::json stiff_columns = {
+      {"accuracy", {{"tolerance", 7.9e-7}}},
+      {"rotor",
+       {{"mass", 0.04702},
+        {"damping_ratio", 0.18},
+        {"natural_frequency", 822.2},
+        {"misalignment", -1.3812e-3}}},
+      {"blades",
+       {{"count", 7},
+        {"hub_radius", 0.4471151},
+        {"length", 1.8753045},
+        {"thickness", 3.066e-3},
+        {"width", 0.9656},
+        {"youngs_modulus", 1e15}}},
+      {"ring", {{"radius", 2.3238016}}},
+      {"contact", {{"friction", 0.0}}},
+      {"stribeck",
+       {{"regularising_velocity", 0.0733}, {"static_friction", 5.2557e-4}, {"velocity", 2.8275e-3}}},
+      {"gravity", {{"acceleration", 16.49}}},
+      {"initial", {{"vx", 5.252e-4}}},
+      {"grid", {{"speed_ratio", 2.3653}}}};
+  assembly::BladeTables tables;
+  for (nlohmann::json document : {thick, stiff_columns}) {
+    document["protocol"] = {{"transient_revolutions", 0}, {"sampled_revolutions", 2}};
+    document["validity"] = {{"max_shortening", 0.2}};
+    SCOPED_TRACE(document["contact"].dump());
+    EXPECT_GT(run_without_steps(settings::parse_scene(document.dump()), tables), 1U);
+  }
 }
 
 }  // namespace

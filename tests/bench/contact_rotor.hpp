@@ -8,9 +8,9 @@
 #include <limits>
 #include <vector>
 
+#include "compared/solved.hpp"
 #include "contact/elastica_contact.hpp"
 #include "modes/law_of_axial_loads.hpp"
-#include "modes/solved.hpp"
 #include "rotor/machine.hpp"
 
 namespace rubatlas::bench {
@@ -65,7 +65,7 @@ class ContactRotor {
   rotor::Machine machine_;
   modes::LawOfAxialLoads law_;
   modes::WorkMeter meter_{kNoBound};
-  modes::Solved system_;
+  compared::Solved system_;
   std::vector<bool> open_;
   std::vector<double>
       bending_;  ///< of each blade when it was last loaded: where the search for its force starts

@@ -10,8 +10,8 @@
 
 #include "../hard/recorded_motion.hpp"
 #include "../settings/scene_error_text.hpp"
+#include "compared/sticking.hpp"
 #include "contact/elastic_ring_contact.hpp"
-#include "modes/sticking.hpp"
 #include "rotor/rippling_blades.hpp"
 
 namespace rubatlas::test {
@@ -308,7 +308,7 @@ void expect_two_tips_at_rest(const HardRotor& rotor, const Blades& blades) {
   const auto law = law_of(laws_of(sticking_law(rotor, 1e3), rotor.blades));
   const rotor::Machine machine = machine_of(rotor.constants(), blades);
   modes::WorkMeter meter;
-  modes::Sticking mode({&machine, law.get(), rotor.limits(), &meter});
+  compared::Sticking mode({&machine, law.get(), rotor.limits(), &meter});
   const std::vector<OpenContact> contacts{{0, 0.0, 0.0}, {1, 0.0, 0.0}};
   ContactState state;
   mode.open(0.11, rotor::shaft_and_ring({0.006, 0.0045, 0.01, -0.02}), contacts, state);
@@ -325,7 +325,7 @@ void expect_two_tips_at_rest(const HardRotor& rotor, const Blades& blades) {
   // Beyond the cone of both, one after the other is let go.
   std::vector<OpenContact> settled = contacts;
   const auto slippery = law_of(laws_of(sticking_law(rotor, 1e-9), rotor.blades));
-  modes::Sticking judge({&machine, slippery.get(), rotor.limits(), &meter});
+  modes::RestOfRigidBlades judge({&machine, slippery.get(), rotor.limits(), &meter});
   int told = 0;
   judge.settle(state, settled, [&](const OpenContact&) { ++told; });
   EXPECT_EQ(told, 2);

@@ -163,7 +163,7 @@ int expect_both_solvers_agree(const ElasticaContact& blade, double speed_ratio, 
   modes::WorkMeter meter;
   const modes::ContactLimits limits{1e-13, 0.5};
   modes::Collocated collocated(machine, law->arcs(machine, limits.max_shortening), limits, meter);
-  const auto stepped = modes::phase_in_853_steps(modes::Form::solved, {&machine, law.get(), limits, &meter});
+  const auto stepped = assembly::phase_in_steps(modes::Form::solved, {&machine, law.get(), limits, &meter});
   int compared = 0;
   for (const modes::Event& event : motion.witness.events) {
     if (event.kind != modes::Guard::touch_down) continue;

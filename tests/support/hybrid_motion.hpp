@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "assembly/methods.hpp"
 #include "contact/damped_ring.hpp"
 #include "contact/directed_elastica.hpp"
 #include "contact/elastic_ring_contact.hpp"
@@ -38,8 +39,11 @@ std::unique_ptr<modes::Law> law_of(const Blades<contact::ElasticBladeOnDampedRin
 template <class Law>
 std::unique_ptr<motion::Motion> hybrid_motion(const rotor::Machine& machine, const Law& law,
                                               const modes::ContactLimits& limits, bool collocates = false) {
-  return std::make_unique<motion::Motion>(machine, law_of(laws_of(law, machine.blades.count())),
-                                          motion::Motion::Settings{limits, collocates});
+  using Settings = motion::Motion::Settings;
+  return std::make_unique<motion::Motion>(
+      machine, law_of(laws_of(law, machine.blades.count())),
+      collocates ? Settings{limits, modes::phase_on_arcs, assembly::phase_in_steps}
+                 : Settings{limits, assembly::phase_in_steps});
 }
 template <class Law, class Forcing>
 std::unique_ptr<motion::Motion> hybrid_motion(const rotor::RotorConstants& rotor,

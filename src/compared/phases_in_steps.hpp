@@ -4,16 +4,16 @@
 #include <memory>
 #include <stdexcept>
 
-#include "modes/contact_modes.hpp"
-#include "modes/contact_phase.hpp"
-#include "modes/damped_ring.hpp"
-#include "modes/following_ring.hpp"
-#include "modes/skimming.hpp"
-#include "modes/solved.hpp"
-#include "modes/sticking.hpp"
-#include "modes/sticking_elastic.hpp"
+#include "compared/contact_phase.hpp"
+#include "compared/damped_ring.hpp"
+#include "compared/following_ring.hpp"
+#include "compared/skimming.hpp"
+#include "compared/solved.hpp"
+#include "compared/sticking.hpp"
+#include "compared/sticking_elastic.hpp"
+#include "modes/contact_setup.hpp"
 
-namespace rubatlas::modes {
+namespace rubatlas::compared {
 
 /// A `MakePhase`.
 template <class Pair>
@@ -39,4 +39,4 @@ std::unique_ptr<Phase> phase_in_steps(Form form, const ContactSetup& setup) {
   throw std::logic_error("a form of the equations that is none");
 }
 
-}  // namespace rubatlas::modes
+}  // namespace rubatlas::compared

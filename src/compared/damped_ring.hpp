@@ -15,16 +15,16 @@
 #include <cstddef>
 #include <vector>
 
+#include "compared/contact_mode.hpp"
+#include "compared/guards.hpp"
+#include "compared/solved.hpp"
 #include "contact/damped_ring.hpp"
 #include "contact/pose.hpp"
-#include "modes/contact_mode.hpp"
-#include "modes/guards.hpp"
 #include "modes/law_of_damped_ring.hpp"
 #include "modes/open_contact.hpp"
-#include "modes/solved.hpp"
 #include "rotor/bodies.hpp"
 
-namespace rubatlas::modes {
+namespace rubatlas::compared {
 
 /// A blade that is not in contact touches: at g = 0, or, after a lift-off inside the ring, where it turns
 /// outwards.
@@ -200,4 +200,4 @@ class YieldingDampedRing : public ContactMode<rotor::BendsState> {
   }
 };
 
-}  // namespace rubatlas::modes
+}  // namespace rubatlas::compared

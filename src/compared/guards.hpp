@@ -10,11 +10,11 @@
 #include <cmath>
 #include <cstddef>
 
+#include "compared/guard_search.hpp"
 #include "integrate/cubic_range.hpp"
 #include "integrate/first_crossing.hpp"
-#include "modes/guard_search.hpp"
 
-namespace rubatlas::modes {
+namespace rubatlas::compared {
 
 /// A blade that is not in contact touches the ring: g = 0 from below.
 template <class Mode, class Search>
@@ -178,4 +178,4 @@ void buckling(const Mode& mode, Search& search, std::size_t contact) {
   search.look_between(beyond, {at_start, at_end}, {Guard::snap, mode.contacts()[contact].blade});
 }
 
-}  // namespace rubatlas::modes
+}  // namespace rubatlas::compared

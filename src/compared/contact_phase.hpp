@@ -10,16 +10,16 @@
 #include <limits>
 #include <vector>
 
+#include "compared/contact_mode.hpp"
+#include "compared/guard_search.hpp"
 #include "integrate/controlled_step.hpp"
 #include "integrate/cubic_range.hpp"
-#include "modes/contact_mode.hpp"
-#include "modes/guard_search.hpp"
 #include "modes/motion_listener.hpp"
 #include "modes/phase.hpp"
 #include "rotor/bodies.hpp"
 #include "trajectory/motion_piece.hpp"
 
-namespace rubatlas::modes {
+namespace rubatlas::compared {
 
 template <class Mode, class Pair>
 class ContactPhase final : public Phase {
@@ -228,4 +228,4 @@ class ContactPhase final : public Phase {
   double segment_limit_ = 0.0;
 };
 
-}  // namespace rubatlas::modes
+}  // namespace rubatlas::compared

@@ -8,13 +8,13 @@
 #include <complex>
 #include <cstddef>
 
+#include "compared/contact_mode.hpp"
+#include "compared/guards.hpp"
 #include "contact/pose.hpp"
-#include "modes/contact_mode.hpp"
-#include "modes/guards.hpp"
 #include "modes/open_contact.hpp"
 #include "rotor/bodies.hpp"
 
-namespace rubatlas::modes {
+namespace rubatlas::compared {
 
 class Solved : public ContactMode<> {
  public:
@@ -90,4 +90,4 @@ class Solved : public ContactMode<> {
   std::size_t lost_ = 0;
 };
 
-}  // namespace rubatlas::modes
+}  // namespace rubatlas::compared

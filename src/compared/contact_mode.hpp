@@ -20,47 +20,37 @@
 #include <limits>
 #include <vector>
 
+#include "compared/guards.hpp"
 #include "contact/pose.hpp"
 #include "modes/contact_force.hpp"
 #include "modes/contact_limits.hpp"
 #include "modes/contact_setup.hpp"
-#include "modes/guards.hpp"
 #include "modes/law.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/tip_of.hpp"
+#include "modes/tip_places.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
 #include "rotor/machine.hpp"
 
-namespace rubatlas::modes {
+namespace rubatlas::compared {
 
 template <class State = rotor::ContactState>
-class ContactMode {
+class ContactMode : public TipPlaces {
  public:
   using FullState = State;
   using Bodies = rotor::ShaftAndRing;  ///< what moves, without time and u
 
   explicit ContactMode(const ContactSetup& setup)
-      : machine_(setup.machine),
-        law_(setup.law),
-        kind_(law_->kind()),
-        limits_(setup.limits),
-        meter_(setup.meter) {
+      : TipPlaces(setup), kind_(law_->kind()), limits_(setup.limits), meter_(setup.meter) {
     contacts_.reserve(static_cast<std::size_t>(blades().count()));
     forces_.reserve(static_cast<std::size_t>(blades().count()));
   }
 
-  [[nodiscard]] const rotor::Machine& machine() const { return *machine_; }
-  [[nodiscard]] const rotor::RotorConstants& rotor() const { return machine_->constants; }
-  [[nodiscard]] const rotor::RipplingBlades& blades() const { return machine_->blades; }
   [[nodiscard]] const std::vector<OpenContact>& contacts() const { return contacts_; }
   [[nodiscard]] const ContactLimits& limits() const { return limits_; }
-  [[nodiscard]] double ring_radius() const { return law_->geometry(0).ring_radius; }
   [[nodiscard]] double gap_rounding() const { return rotor().gap_rounding(law_->geometry(0)); }
-  [[nodiscard]] double slip_rounding() const {
-    return contact::kSlipRounding * std::abs(rotor().speed_ratio) * ring_radius();
-  }
 
   /// Starts with these contacts in a state between modes. False where the mode cannot start there.
   bool open(double time, const Bodies& state, const std::vector<OpenContact>& contacts, FullState& full) {
@@ -133,7 +123,7 @@ class ContactMode {
     contact::TipForce force{};
     if (is_stopped()) return force;
     OpenContact guess = contacts_[contact];
-    law_->respond(place(guess.blade, state), guess, force);
+    law_->respond(tip_place(guess.blade, state), guess, force);
     pay_curves();
     return force;
   }
@@ -149,7 +139,7 @@ class ContactMode {
   [[nodiscard]] OpenContact contact_in(std::size_t contact, const FullState& state) const {
     OpenContact open = contacts_[contact];
     contact::TipForce force{};
-    if (!is_stopped()) law_->respond(place(open.blade, state), open, force);
+    if (!is_stopped()) law_->respond(tip_place(open.blade, state), open, force);
     return open;
   }
   /// What ends the motion, or leads to the next mode, where no force can be found.
@@ -164,22 +154,6 @@ class ContactMode {
     return -law_->straight_reserve(pose(open.blade, state), open);
   }
 
-  /// Direction of blade 0 in a state.
-  [[nodiscard]] contact::BladeDirection first_blade(const FullState& state) const {
-    return blades().first(state[rotor::kTime]);
-  }
-  [[nodiscard]] contact::Pose pose(int blade, const FullState& state) const {
-    return pose(blade, state, first_blade(state));
-  }
-  [[nodiscard]] TipPlace place(int blade, const FullState& state) const {
-    return {pose(blade, state), blades().angular_speed(state[rotor::kTime])};
-  }
-  /// The same when blade 0 stands at `first`, for all blades in one state.
-  [[nodiscard]] contact::Pose pose(int blade, const FullState& state,
-                                   const contact::BladeDirection& first) const {
-    return rotor::pose_of(rotor(), law_->geometry(blade), blades().direction(blade, first),
-                          rotor::from_ring(state));
-  }
   [[nodiscard]] BladeGap gap(int blade, const FullState& state) const {
     return gap(blade, state, first_blade(state));
   }
@@ -342,8 +316,6 @@ class ContactMode {
     loss_of_validity(mode, search, bounds.distance);
   }
 
-  const rotor::Machine* machine_;
-  const Law* law_;
   Law::Kind kind_;
   ContactLimits limits_;
   WorkMeter* meter_;
@@ -361,4 +333,4 @@ class ContactMode {
   mutable std::uint64_t paid_evaluations_ = 0;  ///< of curves: what has been spent, not what the mode is
 };
 
-}  // namespace rubatlas::modes
+}  // namespace rubatlas::compared

@@ -18,7 +18,9 @@
 #include "modes/open_contact.hpp"
 #include "modes/phase.hpp"
 
-namespace rubatlas::modes {
+namespace rubatlas::compared {
+
+using namespace modes;  // phases in steps are phases of a motion
 
 /// Values of one blade that are kept from step to step.
 struct WatchedBlade {
@@ -137,4 +139,4 @@ class GuardSearch {
   double fraction_ = 1.0;
 };
 
-}  // namespace rubatlas::modes
+}  // namespace rubatlas::compared

@@ -1,0 +1,14 @@
+// `hybrid`: contacts in steps of order 8(5,3), of which all forces are solved for and all guards located: the
+// oracle of collocation, and what goes on with contacts that this hands over.
+
+#include "assembly/methods.hpp"
+#include "compared/phases_in_steps.hpp"
+#include "integrate/dormand_prince_853.hpp"
+
+namespace rubatlas::assembly {
+
+std::unique_ptr<modes::Phase> phase_in_steps(modes::Form form, const modes::ContactSetup& setup) {
+  return compared::phase_in_steps<integrate::DormandPrince853>(form, setup);
+}
+
+}  // namespace rubatlas::assembly

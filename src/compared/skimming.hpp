@@ -1,0 +1,86 @@
+/// Mode: a tip that skims the ring (`modes/skimming_judge.hpp`), that of the first contact.
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+#include "compared/guards.hpp"
+#include "compared/solved.hpp"
+#include "contact/pose.hpp"
+#include "modes/open_contact.hpp"
+#include "modes/skimming_judge.hpp"
+#include "rotor/skimming.hpp"
+
+namespace rubatlas::compared {
+
+class Skimming : public Solved {
+ public:
+  explicit Skimming(const modes::ContactSetup& setup) : Solved(setup), judge_(setup) {}
+  static constexpr bool kHasPath = false;
+
+  bool operator()(const FullState& state, FullState& derivative) {
+    ++evaluations_;
+    const contact::BladeDirection first = first_blade(state);
+    std::complex<double> others;
+    for (std::size_t i = 1; i < contacts_.size(); ++i) {
+      if (!add_force(state, first, i, others)) return false;
+    }
+    const auto balance = judge_.weigh(state, contacts_.front(), others);
+    if (!balance) return false;
+    forces_.front() = balance->force;
+    set_derivative(state, others + balance->share * balance->pushed, derivative);
+    watch_shortening(shortening());
+    return true;
+  }
+
+  /// λ in a state; NaN where a blade has no force.
+  [[nodiscard]] double share(const FullState& state) const {
+    const auto balance = balance_in(state);
+    return balance ? balance->share : std::numeric_limits<double>::quiet_NaN();
+  }
+  /// λ times what the blade that skims does in full; nothing where a blade has no force.
+  [[nodiscard]] contact::TipForce force(std::size_t contact, const FullState& state) const {
+    if (contact > 0) return Solved::force(contact, state);
+    const auto balance = balance_in(state);
+    return balance ? balance->force : contact::TipForce{};
+  }
+
+  void project(FullState& state) const {
+    const int skims = contacts_.front().blade;
+    rotor::put_on_ring(machine(), law_->geometry(skims), blades().direction(skims, first_blade(state)),
+                       blades().angular_speed(state[rotor::kTime]), state);
+  }
+
+  template <class Step>
+  [[nodiscard]] double scaled_error(const Step& step) const {
+    const bool alone = contacts_.size() == 1;
+    return error_of(step, acceleration_, alone, [](const FullState&) { return 0.0; });
+  }
+
+  /// The tip leaves the ring at λ = 0 and is pressed in at λ = 1; both by so much that rounding does not lead
+  /// it back.
+  template <class Search>
+  void guards(Search& search) {
+    const int skims = contacts_.front().blade;
+    const auto at = [&](double part) { return share(search.step().at_fraction(part)); };
+    search.look_for([&](double part) { return -kShareBeyond - at(part); }, {modes::Guard::lift_off, skims});
+    search.look_for([&](double part) { return at(part) - (1.0 + kShareBeyond); },
+                    {modes::Guard::pressed_in, skims});
+    guards_but_of(skims, search);
+  }
+
+ private:
+  static constexpr double kShareBeyond = 1e-9;  ///< of λ past 0 or 1
+
+  [[nodiscard]] std::optional<modes::SkimmingJudge::Balance> balance_in(const FullState& state) const {
+    modes::OpenContact contact = contacts_.front();
+    const auto others = judge_.force_of_others(state, contacts_);
+    return others ? judge_.weigh(state, contact, *others) : std::nullopt;
+  }
+
+  modes::SkimmingJudge judge_;
+};
+
+}  // namespace rubatlas::compared

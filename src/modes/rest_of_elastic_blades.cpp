@@ -1,0 +1,135 @@
+#include "modes/rest_of_elastic_blades.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/friction_law.hpp"
+#include "contact/pose.hpp"
+#include "contact/sticking_elastica.hpp"
+#include "modes/law_of_inclined_loads.hpp"
+#include "rotor/constants.hpp"
+
+namespace rubatlas::modes {
+namespace {
+
+/// Of μs, beyond which a tip comes loose. A tip comes to rest at the very edge of the cone, where its
+/// coefficient is known to some 1e-8: whether it rests must not depend on that.
+constexpr double kShareBeyond = 1e-7;
+/// κ, of μs, below which the blade is a straight strut between hub and ring, as stiff as 1/κ², and about to
+/// leave the ring.
+constexpr double kLeastModulus = 2e-4;
+
+}  // namespace
+
+const contact::DirectedElastica& RestOfElasticBlades::of(int blade) const {
+  return static_cast<const LawOfInclinedLoads&>(*law_).of(blade);
+}
+
+bool RestOfElasticBlades::settle(const State& state, std::vector<OpenContact>& contacts, const Tell& tell) {
+  for (OpenContact& contact : contacts) {
+    if (contact.slip == 0.0) {
+      if (rests(contact, state)) continue;
+      if (!let_go(contact, state)) return false;
+      tell(contact);
+    } else if (contact.bend.modulus == 0.0 && !opens_unbent(contact, state) && may_rest(contact, state)) {
+      OpenContact bent = contact;
+      if (forward(bent, contact.slip, state) >= -slip_rounding()) continue;
+      if (!arrest(contact = bent, state)) return false;
+    }
+  }
+  return true;
+}
+
+bool RestOfElasticBlades::come_to_rest(OpenContact& contact, const State& state) const {
+  OpenContact there = contact;
+  forward(there, contact.slip, state);
+  if (!rests(there, state)) return false;
+  contact = there;
+  return true;
+}
+
+/// The direction in which a tip slips that rests no longer: that of the pull at the edge of the cone; where
+/// its place is lost within the cone, the one with the larger s v, which is returned [m per unit τ].
+double RestOfElasticBlades::leave_rest(OpenContact& contact, const State& state) const {
+  constexpr double kAtTheEdge = 1e-6;  // of the cone
+  const auto there = rest(contact, state);
+  if (there && beyond_cone(contact, (1.0 + kAtTheEdge) * there->blade.coefficient) > 0.0) {
+    contact.slip = std::copysign(1.0, there->blade.coefficient);
+    return 0.0;
+  }
+  OpenContact ahead = contact;
+  OpenContact back = contact;
+  const double forwards = forward(ahead, 1.0, state);
+  const double backwards = forward(back, -1.0, state);
+  contact = forwards >= backwards ? ahead : back;
+  return std::max(forwards, backwards);
+}
+
+/// Whether v vanishes anywhere on the ring. Where it does not the undeformed tip's has the sign of all.
+bool RestOfElasticBlades::may_rest(const OpenContact& open, const State& state) const {
+  return contact::resting_normal_angle(law_->geometry(open.blade), pose(open.blade, state),
+                                       angular_speed(state), 0.0)
+      .has_value();
+}
+/// Its tip then slips as the undeformed tip does, of which s is the sign.
+bool RestOfElasticBlades::opens_unbent(const OpenContact& open, const State& state) const {
+  return of(open.blade).opens_unbent(pose(open.blade, state), open.slip, angular_speed(state));
+}
+std::optional<RestOfElasticBlades::Rest> RestOfElasticBlades::rest(const OpenContact& open,
+                                                                   const State& state) const {
+  return of(open.blade).rest(pose(open.blade, state), angular_speed(state), open.bend);
+}
+double RestOfElasticBlades::looseness(const OpenContact& open, const std::optional<Rest>& there) const {
+  constexpr double kLost = 1.0;
+  if (!there) return kLost;
+  const double least_modulus = kLeastModulus * of(open.blade).friction().static_friction;
+  return std::max({beyond_cone(open, there->blade.coefficient),
+                   1.0 - there->firmness / contact::kLeastFirmness,
+                   1.0 - std::abs(there->blade.bend.modulus) / least_modulus});
+}
+double RestOfElasticBlades::beyond_cone(const OpenContact& open, double coefficient) const {
+  return std::abs(coefficient) - (1.0 + kShareBeyond) * of(open.blade).friction().static_friction;
+}
+
+/// Puts a tip to rest where friction can hold it near its bend; false, and nothing changed, where not.
+bool RestOfElasticBlades::rests(OpenContact& contact, const State& state) const {
+  const auto there = rest(contact, state);
+  if (looseness(contact, there) > 0.0) return false;
+  contact.slip = 0.0;
+  contact.bend = there->blade.bend;
+  return true;
+}
+
+/// s v [m per unit τ] of a contact that slips in the direction s, whose bend is updated; −∞ where it has no
+/// equilibrium.
+double RestOfElasticBlades::forward(OpenContact& contact, double slip, const State& state) const {
+  contact::TipForce force{};
+  contact.slip = slip;
+  const bool stands = law_->respond(tip_place(contact.blade, state), contact, force);
+  return stands ? slip * force.slip_velocity : -std::numeric_limits<double>::infinity();
+}
+
+bool RestOfElasticBlades::arrest(OpenContact& contact, const State& state) const {
+  OpenContact there = contact;
+  forward(there, contact.slip, state);
+  if (!rests(there, state)) {
+    // v that has been located as zero has any sign, the more so where friction hardly moves the tip.
+    const bool slips = forward(there, -contact.slip, state) >= -slip_rounding();
+    // Neither direction slips as it should: v may be zero next to the other one.
+    if (!slips && !rests(there, state)) return false;
+  }
+  contact = there;
+  return true;
+}
+
+/// A tip that rests no longer slips. Where neither direction is that of its v it has been let go a little
+/// early, and rests on; false, and nothing changed, where it does not.
+bool RestOfElasticBlades::let_go(OpenContact& contact, const State& state) const {
+  OpenContact there = contact;
+  if (leave_rest(there, state) < -slip_rounding()) return rests(contact, state);
+  contact = there;
+  return true;
+}
+
+}  // namespace rubatlas::modes

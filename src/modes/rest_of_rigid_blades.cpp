@@ -1,0 +1,132 @@
+#include "modes/rest_of_rigid_blades.hpp"
+
+#include <algorithm>
+
+#include "modes/law_of_rigid_blades.hpp"
+#include "rotor/constants.hpp"
+
+namespace rubatlas::modes {
+
+bool RestOfRigidBlades::settle(const State& state, std::vector<OpenContact>& contacts, const Tell& tell) {
+  std::size_t count = 0;
+  for (OpenContact& contact : contacts) {
+    if (contact.slip == 0.0 && ++count > contact::kMostAtRest) contact.slip = 1.0;
+  }
+  if (count == 0) return true;
+  while (true) {
+    const Balance now = balance(state, contacts, {});
+    const AtRest* loosest = nullptr;
+    for (std::size_t i = 0; i < now.count; ++i) {
+      const AtRest& tip = now.at_rest[i];
+      if (tip.excess() <= 0.0) continue;
+      if (loosest == nullptr || tip.excess() > loosest->excess()) loosest = &tip;
+    }
+    if (loosest == nullptr) return true;
+    OpenContact& freed = contacts[loosest->contact];
+    freed.slip = loosest->pull >= 0.0 ? 1.0 : -1.0;
+    tell(freed);
+  }
+}
+
+bool RestOfRigidBlades::arrest(const State& /*state*/, std::vector<OpenContact>& contacts,
+                               std::size_t contact) {
+  const auto count = std::ranges::count(contacts, 0.0, &OpenContact::slip);
+  contacts[contact].slip =
+      count >= static_cast<std::ptrdiff_t>(contact::kMostAtRest) ? -contacts[contact].slip : 0.0;
+  return true;
+}
+
+bool RestOfRigidBlades::let_go(const State& state, std::vector<OpenContact>& contacts, std::size_t contact) {
+  contacts[contact].slip = std::copysign(1.0, at_rest(state, contacts, contact).coefficient());
+  return true;
+}
+
+contact::TipForce RestOfRigidBlades::force(const State& state, Contacts contacts, std::size_t contact) const {
+  contact::TipForce result = slipping(contacts[contact], state).force;
+  if (contacts[contact].slip == 0.0) hold(at_rest(state, contacts, contact), result);
+  return result;
+}
+
+void RestOfRigidBlades::project(State& state, Contacts contacts) const {
+  std::array<AtRest, contact::kMostAtRest> tips{};
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (contacts[i].slip != 0.0) continue;
+    tips[count] = at_rest(contacts, i, slipping(contacts[i], state));
+    tips[count].pull = tips[count].slip_velocity;
+    ++count;
+  }
+  std::complex<double> velocity(state[2], state[3]);
+  contact::share_out(std::span(tips.data(), count));
+  for (const AtRest& tip : std::span(tips.data(), count)) velocity -= tip.pull * tip.tangent;
+  state[2] = velocity.real();
+  state[3] = velocity.imag();
+}
+
+RestOfRigidBlades::Slipping RestOfRigidBlades::slipping(OpenContact contact, const State& state) const {
+  Slipping result{};
+  result.direction = blades().direction(contact.blade, first_blade(state));
+  result.pose = rotor::pose_of(rotor(), law_->geometry(contact.blade), result.direction, state.head<4>());
+  law_->respond({result.pose, angular_speed(state)}, contact, result.force);
+  return result;
+}
+
+RestOfRigidBlades::AtRest RestOfRigidBlades::at_rest(Contacts contacts, std::size_t contact,
+                                                     const Slipping& at) const {
+  const contact::ElasticRingContact& law =
+      static_cast<const LawOfRigidBlades&>(*law_).of(contacts[contact].blade);
+  AtRest tip;
+  tip.contact = contact;
+  tip.direction = {at.direction.cosine, at.direction.sine};
+  tip.tangent = tip.direction * contact::tangent(law.geometry(), at.pose);
+  tip.pose = at.pose;
+  tip.load = at.force.normal * rotor().force_unit;
+  tip.largest = law.friction().static_friction;
+  tip.slip_velocity = at.force.slip_velocity;
+  return tip;
+}
+
+RestOfRigidBlades::Balance RestOfRigidBlades::balance(const State& state, Contacts contacts,
+                                                      std::span<contact::TipForce> forces) const {
+  Balance result;
+  std::complex<double> force;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Slipping at = slipping(contacts[i], state);
+    force += std::complex<double>(at.force.radial, at.force.tangential) *
+             std::complex<double>(at.direction.cosine, at.direction.sine);
+    if (!forces.empty()) forces[i] = at.force;
+    if (contacts[i].slip == 0.0) result.at_rest[result.count++] = at_rest(contacts, i, at);
+  }
+  result.acceleration = machine().acceleration(state, force).shaft;
+  const std::span<AtRest> tips(result.at_rest.data(), result.count);
+  for (AtRest& tip : tips) {
+    const contact::Geometry& geometry = law_->geometry(contacts[tip.contact].blade);
+    const std::complex<double> seen = result.acceleration * std::conj(tip.direction);
+    contact::OtherAcceleration other{seen.real(), seen.imag()};
+    // The hub's own angular acceleration moves the tip across the blade.
+    other.tangential += geometry.reach * blades().angular_acceleration(state[rotor::kTime]);
+    tip.pull = contact::slip_acceleration(geometry, tip.pose, angular_speed(state), other, tip.load, 0.0);
+  }
+  contact::share_out(tips);
+  for (const AtRest& tip : tips) {
+    result.acceleration -= tip.pull * tip.tangent;
+    if (!forces.empty()) hold(tip, forces[tip.contact]);
+  }
+  return result;
+}
+
+/// Adds the friction that holds a tip to the force of its contact.
+void RestOfRigidBlades::hold(const AtRest& tip, contact::TipForce& force) const {
+  const std::complex<double> friction =
+      -tip.pull / rotor().force_unit * tip.tangent * std::conj(tip.direction);
+  force.radial += friction.real();
+  force.tangential += friction.imag();
+}
+
+RestOfRigidBlades::AtRest RestOfRigidBlades::at_rest(const State& state, Contacts contacts,
+                                                     std::size_t contact) const {
+  const Balance now = balance(state, contacts, {});
+  return now.count == 2 && now.at_rest[1].contact == contact ? now.at_rest[1] : now.at_rest[0];
+}
+
+}  // namespace rubatlas::modes

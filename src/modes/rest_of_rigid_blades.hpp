@@ -1,0 +1,84 @@
+/// Which tips of rigid blades rest on the ring: the friction on a tip at rest is the one that keeps it there.
+///
+/// The slip velocities v of the tips at rest stay zero, and dv/dτ of each is linear in the friction q = c
+/// F/(m ωn²) at all of them (`contact/sticking.hpp`), so that q solves a system with the cosines between the
+/// tangents. A tip comes loose where |c| > μs (Filippov's sliding mode on v = 0; with two tips, on the
+/// intersection). No more than two can rest: with v = Ω (|r| − p·n), p the rotor's instantaneous centre, all
+/// of them touch the ring where a tangent to it leads to p.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "contact/pose.hpp"
+#include "contact/sticking.hpp"
+#include "modes/open_contact.hpp"
+#include "modes/rest_judge.hpp"
+#include "modes/tip_places.hpp"
+#include "rotor/bodies.hpp"
+
+namespace rubatlas::modes {
+
+class RestOfRigidBlades final : public RestJudge, public TipPlaces {
+ public:
+  using State = rotor::ContactState;
+  using Contacts = std::span<const OpenContact>;
+  using TipPlaces::TipPlaces;
+
+  /// Of the contacts with s = 0 in a state, those stay at rest that friction can hold; the others get the
+  /// direction in which they are pulled. A rigid tip can always do either: true.
+  bool settle(const State& state, std::vector<OpenContact>& contacts, const Tell& tell) override;
+  /// Where two tips rest already, a third passes through.
+  bool arrest(const State& state, std::vector<OpenContact>& contacts, std::size_t contact) override;
+  /// It slips the way it is pulled.
+  bool let_go(const State& state, std::vector<OpenContact>& contacts, std::size_t contact) override;
+
+  struct AtRest {
+    std::size_t contact = 0;
+    std::complex<double> direction;  ///< er
+    std::complex<double> tangent;    ///< t
+    contact::Pose pose{};
+    double load = 0.0;           ///< F/(m ωn²) [m per unit τ²]
+    double largest = 0.0;        ///< μs [-]
+    double slip_velocity = 0.0;  ///< v [m per unit τ]
+    double pull = 0.0;  ///< q [m per unit τ²]: dv/dτ without friction at the tips at rest, then shared out
+    /// What friction has to give beyond what it can, |q| − μs F/(m ωn²) [m per unit τ²]: the tip comes loose
+    /// where it is positive.
+    [[nodiscard]] double excess() const {
+      return std::abs(pull) - (1.0 + contact::kShareBeyondCone) * largest * load;
+    }
+    [[nodiscard]] double coefficient() const { return pull / load; }  ///< c [-]
+  };
+  /// Forces on the rotor, those of the tips at rest worked out of the motion.
+  struct Balance {
+    std::complex<double> acceleration;  ///< z''
+    std::array<AtRest, contact::kMostAtRest> at_rest{};
+    std::size_t count = 0;
+  };
+  /// `forces`: one a contact, or none.
+  [[nodiscard]] Balance balance(const State& state, Contacts contacts,
+                                std::span<contact::TipForce> forces) const;
+  /// A tip at rest of these contacts.
+  [[nodiscard]] AtRest at_rest(const State& state, Contacts contacts, std::size_t contact) const;
+  /// What a contact does in a state.
+  [[nodiscard]] contact::TipForce force(const State& state, Contacts contacts, std::size_t contact) const;
+  /// Puts the tips at rest of a state back to v = 0, the shortest way.
+  void project(State& state, Contacts contacts) const;
+
+ private:
+  /// A contact under the friction of its slip, of which one at rest has none.
+  struct Slipping {
+    contact::BladeDirection direction;
+    contact::Pose pose;
+    contact::TipForce force;
+  };
+  [[nodiscard]] Slipping slipping(OpenContact contact, const State& state) const;
+  [[nodiscard]] AtRest at_rest(Contacts contacts, std::size_t contact, const Slipping& at) const;
+  void hold(const AtRest& tip, contact::TipForce& force) const;
+};
+
+}  // namespace rubatlas::modes
