@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "assembly/blade_tables.hpp"
-#include "assembly/machine.hpp"
 #include "assembly/methods.hpp"
 #include "modes/law_of_axial_loads.hpp"
 #include "modes/law_of_damped_ring.hpp"
@@ -132,12 +131,6 @@ std::unique_ptr<modes::Law> law_of(const LineRequest& request) {
     default:
       return of_blades<modes::LawOfAxialLoads>(elastica_of_blades(request));
   }
-}
-
-bool has_arcs(const LineRequest& request) {
-  constexpr double kAnySpeed = 1.0;
-  const rotor::Machine machine = machine_of(request.line, request.combination.machine, kAnySpeed);
-  return law_of(request)->arcs(machine, request.line.validity.max_shortening) != nullptr;
 }
 
 }  // namespace rubatlas::assembly

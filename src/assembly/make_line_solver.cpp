@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "assembly/blade_tables.hpp"
+#include "assembly/machine.hpp"
 #include "assembly/methods.hpp"
 #include "plan/scene_of_line.hpp"
 
@@ -14,8 +15,7 @@ namespace {
 std::unique_ptr<point::LineSolver> make(const LineRequest& request) {
   switch (request.line.accuracy.method) {
     case settings::Method::collocation:
-      return has_arcs(request) ? hybrid_solver(request, modes::phase_on_arcs, phase_in_steps)
-                               : hybrid_solver(request, phase_in_steps);
+      return hybrid_solver(request, modes::phase_on_arcs, phase_in_steps);
     case settings::Method::hybrid:
       return hybrid_solver(request, phase_in_steps);
     case settings::Method::hybrid_54:
@@ -39,7 +39,11 @@ std::shared_ptr<BladeTables> make_blade_tables() {
 }
 
 bool collocates(const settings::Scene& line) {
-  return has_arcs({line, *make_blade_tables(), settings::combination_of(line)});
+  constexpr double kAnySpeed = 1.0;
+  const std::shared_ptr<BladeTables> tables = make_blade_tables();
+  const LineRequest request{line, *tables, settings::combination_of(line)};
+  const rotor::Machine machine = machine_of(line, request.combination.machine, kAnySpeed);
+  return law_of(request)->arcs(machine, line.validity.max_shortening) != nullptr;
 }
 
 std::unique_ptr<point::LineSolver> make_line_solver(const settings::Scene& scene,

@@ -18,7 +18,8 @@ std::unique_ptr<point::LineSolver> make_line_solver(const settings::Scene& scene
                                                     const plan::PointParameters& line,
                                                     const std::shared_ptr<BladeTables>& tables);
 
-/// Whether the method `collocation` applies to a scene of one line; else it is `hybrid`.
+/// Whether the method `collocation` applies to a scene of one line: not to columns on dampers, nor to blades
+/// whose bends no table holds, which are computed as by `hybrid`.
 bool collocates(const settings::Scene& line);
 
 }  // namespace rubatlas::assembly

@@ -23,8 +23,6 @@ struct LineRequest {
 
 /// The law of contact of a line.
 std::unique_ptr<modes::Law> law_of(const LineRequest& request);
-/// Whether its contacts have arcs: not those of columns on dampers, nor of blades whose bends no table holds.
-bool has_arcs(const LineRequest& request);
 
 // Methods.
 

@@ -72,7 +72,7 @@ namespace {
 double square_of_deflection(const blade::BendingTable& table, double square) {
   const std::vector<blade::BendingTable::Knot>& knots = table.knots();
   const auto square_at = [&](std::size_t k) { return knots[k].argument * knots[k].argument; };
-  if (!(square > square_at(0))) return square;
+  if (knots.size() == 1 || !(square > square_at(0))) return square;
   const double deflection = square / square_at(0) * knots[0].deflection;
   std::size_t next = 1;
   while (next + 1 < knots.size() && knots[next].deflection < deflection) ++next;

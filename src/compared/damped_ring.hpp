@@ -41,6 +41,13 @@ void touch_down_of_damped_ring(const Mode& mode, Search& search, int k) {
   search.look_between(turns, {-std::abs(blade.at_start.rate), turns(1.0)}, {Guard::touch_down, k});
 }
 
+template <class Mode, class Search>
+void touch_downs_of_damped_ring(const Mode& mode, Search& search) {
+  for (int k = 0; k < search.blades(); ++k) {
+    if (!search.blade(k).open) touch_down_of_damped_ring(mode, search, k);
+  }
+}
+
 /// Rigid blades.
 class DampedRing : public Solved {
  public:
@@ -49,9 +56,7 @@ class DampedRing : public Solved {
 
   template <class Search>
   void guards(Search& search) {
-    for (int k = 0; k < search.blades(); ++k) {
-      if (!search.blade(k).open) touch_down_of_damped_ring(*this, search, k);
-    }
+    touch_downs_of_damped_ring(*this, search);
     const Bounds range = bounds(search.step());
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const auto pull = [&](double part) { return -force(i, search.step().at_fraction(part)).normal; };
@@ -124,9 +129,7 @@ class YieldingDampedRing : public ContactMode<rotor::BendsState> {
 
   template <class Search>
   void guards(Search& search) {
-    for (int k = 0; k < search.blades(); ++k) {
-      if (!search.blade(k).open) touch_down_of_damped_ring(*this, search, k);
-    }
+    touch_downs_of_damped_ring(*this, search);
     const Bounds range = bounds(search.step());
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       if (contacts_[i].straight) {

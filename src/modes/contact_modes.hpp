@@ -45,9 +45,11 @@ class ContactModes {
 
   // Phases.
 
-  [[nodiscard]] ContactPhases& phases() { return phases_; }
-  /// Those for contacts that the first ones hand over.
-  [[nodiscard]] ContactPhases& fallback() { return fallback_ ? *fallback_ : phases_; }
+  /// The first ones, or, where these have handed the contacts over or there are none, those of the fallback.
+  [[nodiscard]] ContactPhases& phases(bool handed_over) {
+    const bool are_first = !fallback_ || (!handed_over && phases_.slipping() != nullptr);
+    return are_first ? phases_ : *fallback_;
+  }
   [[nodiscard]] bool may_hand_over(const Phase* phase) const {
     return fallback_.has_value() && phases_.has_slipping(phase);
   }

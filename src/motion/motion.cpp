@@ -241,7 +241,7 @@ bool Motion::begin_mode() {
   }
   // What has been handed over is not asked for again before the contacts change.
   const bool handed_over = ended_by_ == modes::Guard::hands_over;
-  modes::ContactPhases& phases = handed_over ? modes_.fallback() : modes_.phases();
+  modes::ContactPhases& phases = modes_.phases(handed_over);
   if (any_rests()) {
     return modes_.has_law_of_rest() ? begin_in(modes_.resting(phases), modes_.at_rest(contacts_))
                                     : begin_in(phases.sticking(), contacts_);
@@ -250,7 +250,7 @@ bool Motion::begin_mode() {
     if (modes::Phase* const skimming = phases.skimming()) return begin_in(skimming, contacts_);
     contacts_.front().skims = true;
   }
-  return begin_in(handed_over || all_follow() ? phases.slipping() : modes_.fallback().slipping(), contacts_);
+  return begin_in(modes_.phases(handed_over || !all_follow()).slipping(), contacts_);
 }
 
 /// Finds the bending of all contacts, from where another mode has left it. False where one has no force.

@@ -98,7 +98,8 @@ TEST(StepsLeftOut, ChangeNothingInSweepsOfTheTestRig) {
 }
 
 TEST(StepsLeftOut, ChangeNothingWhereSeveralBladesHardlyBend) {
-  // Thick blades on a soft ring, and stiff columns that lift off while they are all but unbent.
+  // Thick blades on a soft ring; blades with next to no friction, whose load all but jumps to Euler's; stiff
+  // columns that lift off while they are all but unbent.
   const nlohmann::json thick = {
       {"accuracy", {{"tolerance", 7e-4}}},
       {"rotor",
@@ -136,8 +137,28 @@ TEST(StepsLeftOut, ChangeNothingWhereSeveralBladesHardlyBend) {
       {"gravity", {{"acceleration", 16.49}}},
       {"initial", {{"vx", 5.252e-4}}},
       {"grid", {{"speed_ratio", 2.3653}}}};
+  const nlohmann::json next_to_no_friction = {
+      {"accuracy", {{"tolerance", 1.205092118171626e-09}}},
+      {"rotor",
+       {{"mass", 0.008531761038513809},
+        {"damping_ratio", 2.7989346407597495e-12},
+        {"natural_frequency", 0.08301853322041257},
+        {"misalignment", 0.005182058145319836}}},
+      {"blades",
+       {{"count", 16},
+        {"hub_radius", 0.018466518947100052},
+        {"length", 2.1700942630864217},
+        {"thickness", 0.0153697096539276},
+        {"width", 2.2753253038532318e-11},
+        {"youngs_modulus", 7.188840437473722}}},
+      {"ring", {{"radius", 2.1885946842923323}}},
+      {"contact", {{"friction", 4.385437650827236e-08}}},
+      {"yielding_ring", nlohmann::json::object()},
+      {"speed_ramp", {{"rate", 0.024729000826420183}}},
+      {"initial", {{"vx", 4.085296382469858e-09}, {"vy", 2.075223002143767e-10}}},
+      {"grid", {{"speed_ratio", 664.7232317368299}}}};
   assembly::BladeTables tables;
-  for (nlohmann::json document : {thick, stiff_columns}) {
+  for (nlohmann::json document : {thick, next_to_no_friction, stiff_columns}) {
     document["protocol"] = {{"transient_revolutions", 0}, {"sampled_revolutions", 2}};
     document["validity"] = {{"max_shortening", 0.2}};
     SCOPED_TRACE(document["contact"].dump());
