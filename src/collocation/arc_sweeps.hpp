@@ -31,7 +31,7 @@ class ArcSweeps {
   };
   /// What turning a vector by an angle below 0.8 rad changes, by the series of sine and cosine: less than
   /// 1e-16 of the angle is left out.
-  RUBATLAS_INLINE static Vector change_by_turning(const std::array<double, 2>& from, const Number& angle) {
+  static Vector change_by_turning(const std::array<double, 2>& from, const Number& angle) {
     const Number square = angle * angle;
     const Number fourth = square * square;
     const Number sine =
@@ -44,7 +44,7 @@ class ArcSweeps {
                                        fourth * (square * (1.0 / 20922789888000.0) - 1.0 / 87178291200.0)));
     return {cosine_less_one * from[0] - sine * from[1], cosine_less_one * from[1] + sine * from[0]};
   }
-  RUBATLAS_INLINE static Vector turned(const std::array<double, 2>& from, const Number& angle) {
+  static Vector turned(const std::array<double, 2>& from, const Number& angle) {
     const Vector change = change_by_turning(from, angle);
     return {change.x + from[0], change.y + from[1]};
   }
@@ -52,12 +52,12 @@ class ArcSweeps {
   /// What turning a vector by a small angle changes, of which powers above the eighth are left out.
   struct Turn {
     Number sine, cosine_less_one;
-    RUBATLAS_INLINE explicit Turn(const Number& angle) {
+    explicit Turn(const Number& angle) {
       const Number square = angle * angle;
       sine = angle * (square * (square * (square * (-1.0 / 5040) + 1.0 / 120) - 1.0 / 6) + 1.0);
       cosine_less_one = square * (square * (square * (square * (1.0 / 40320) - 1.0 / 720) + 1.0 / 24) - 0.5);
     }
-    RUBATLAS_INLINE Vector operator()(const Vector& from) const {
+    Vector operator()(const Vector& from) const {
       return {from.x * cosine_less_one - from.y * sine, from.y * cosine_less_one + from.x * sine};
     }
   };
@@ -67,7 +67,7 @@ class ArcSweeps {
     Number x, y;  ///< from where the interval starts [m]
     Number vx, vy, ax, ay;
 
-    RUBATLAS_INLINE void start(const Body& body, bool warm, const Number& elapsed) {
+    void start(const Body& body, bool warm, const Number& elapsed) {
       if (warm) {
         x = Number(body.x) - body.start[0];
         y = Number(body.y) - body.start[1];
@@ -75,7 +75,7 @@ class ArcSweeps {
         vy = Number(body.vy);
         return;
       }
-      const auto taylor = [&](std::size_t i, Number& place, Number& velocity) RUBATLAS_INLINED {
+      const auto taylor = [&](std::size_t i, Number& place, Number& velocity) {
         const double acceleration = body.acceleration[i];
         const double jerk = body.jerk[i];
         velocity = elapsed * (elapsed * (0.5 * jerk) + acceleration) + body.start[2 + i];
@@ -85,7 +85,7 @@ class ArcSweeps {
       taylor(1, y, vy);
     }
     /// Integrates the accelerations; `time_rate`: dτ/dθ. Returns the largest change of a velocity.
-    RUBATLAS_INLINE double integrate(const Body& body, const NodeTables& nodes, const Number& time_rate) {
+    double integrate(const Body& body, const NodeTables& nodes, const Number& time_rate) {
       const Number vx_next = Number::combined(nodes.integral, ax * time_rate) + body.start[2];
       const Number vy_next = Number::combined(nodes.integral, ay * time_rate) + body.start[3];
       x = Number::combined(nodes.integral, vx_next * time_rate);
@@ -96,26 +96,24 @@ class ArcSweeps {
       return change;
     }
     /// Adds an acceleration.
-    RUBATLAS_INLINE void add(const NodeTables& nodes, const Number& time_rate, const Number& more_x,
-                             const Number& more_y) {
-      const auto to = [&](const Number& more, Number& place, Number& velocity, Number& acceleration)
-                          RUBATLAS_INLINED {
-                            const Number faster = Number::combined(nodes.integral, more * time_rate);
-                            acceleration = acceleration + more;
-                            velocity = velocity + faster;
-                            place = place + Number::combined(nodes.integral, faster * time_rate);
-                          };
+    void add(const NodeTables& nodes, const Number& time_rate, const Number& more_x, const Number& more_y) {
+      const auto to = [&](const Number& more, Number& place, Number& velocity, Number& acceleration) {
+        const Number faster = Number::combined(nodes.integral, more * time_rate);
+        acceleration = acceleration + more;
+        velocity = velocity + faster;
+        place = place + Number::combined(nodes.integral, faster * time_rate);
+      };
       to(more_x, x, vx, ax);
       to(more_y, y, vy, ay);
     }
     /// Squares of Legendre's coefficients of the velocity's slope by θ.
-    RUBATLAS_INLINE Number squares(const NodeTables& nodes, const Number& time_rate) const {
+    Number squares(const NodeTables& nodes, const Number& time_rate) const {
       const Number along_x = Number::combined(nodes.legendre, ax * time_rate);
       const Number along_y = Number::combined(nodes.legendre, ay * time_rate);
       return along_x * along_x + along_y * along_y;
     }
-    RUBATLAS_INLINE Vector place(const Body& body) const { return {x + body.start[0], y + body.start[1]}; }
-    RUBATLAS_INLINE void store(Body& body) const {
+    Vector place(const Body& body) const { return {x + body.start[0], y + body.start[1]}; }
+    void store(Body& body) const {
       const Vector there = place(body);
       there.x.store(body.x);
       there.y.store(body.y);
@@ -126,7 +124,7 @@ class ArcSweeps {
     }
   };
 
-  RUBATLAS_INLINE ArcSweeps(const Contact& contact, const Closeness& closeness, Interval& interval)
+  ArcSweeps(const Contact& contact, const Closeness& closeness, Interval& interval)
       : machine_(*contact.machine),
         closeness_(closeness),
         interval_(interval),
@@ -142,7 +140,7 @@ class ArcSweeps {
   }
 
   /// p² of a further blade after a step, of which a share is left. `lifts_off`: none would be, somewhere.
-  RUBATLAS_INLINE Number stepped(const Number& square, const Number& step, bool& lifts_off) {
+  Number stepped(const Number& square, const Number& step, bool& lifts_off) {
     constexpr double kLeastLeft = 0.01;
     const Number next = square + step;
     const Number kept = larger(next, square * kLeastLeft);
@@ -153,14 +151,13 @@ class ArcSweeps {
   }
   /// Δ of a tip that is bent to the side ±1, at least so much that it is no rounding of what it is added to.
   template <class Tip>
-  RUBATLAS_INLINE static Number bent_by(const Tip& tip, double side, double length) {
+  static Number bent_by(const Tip& tip, double side, double length) {
     return larger(tip.deflection * side, Number(kUnbent * length));
   }
   /// g/Δ of a tip [m], as h = 0 has it, in a ring that does not yield. `first_shortening`: δ/Δ of the unbent
   /// blade, where the quotient is 0/0.
   template <class Tip>
-  RUBATLAS_INLINE static Number gap_per_deflection(const Tip& tip, double side, double length,
-                                                   double first_shortening) {
+  static Number gap_per_deflection(const Tip& tip, double side, double length, double first_shortening) {
     const Number shorter = larger(tip.shortening, Number(first_shortening * kUnbent * length));
     return (tip.b * 2.0 + tip.deflection) * side +
            shorter / bent_by(tip, side, length) * (tip.a * 2.0 + tip.shortening);
@@ -168,8 +165,8 @@ class ArcSweeps {
   /// v of a tip (MODEL 4.4), of the velocities that have been found. `per_radius`, `radius`: of the ring
   /// there.
   template <class Tip, class Radius>
-  RUBATLAS_INLINE Number slip_velocity_of(const Tip& tip, const Vector& er, double reach,
-                                          const Radius& per_radius, const Radius& radius) const {
+  Number slip_velocity_of(const Tip& tip, const Vector& er, double reach, const Radius& per_radius,
+                          const Radius& radius) const {
     const Number speed = angular_speed();
     const Vector v = seen_velocity();
     const Number along = (v.x * er.x + v.y * er.y) + (tip.b + tip.deflection) * speed;
@@ -187,8 +184,7 @@ class ArcSweeps {
     Number outward_velocity;  ///< n·r'
   };
   /// Of a blade in the direction er (MODEL 4.3, 4.7).
-  RUBATLAS_INLINE RigidTip rigid_tip_of(const TipStart& start, const Blade& blade,
-                                        const Direction& er) const {
+  RigidTip rigid_tip_of(const TipStart& start, const Blade& blade, const Direction& er) const {
     const Straight straight = straight_tip(start, blade, er);
     const Vector velocity = seen_velocity();
     const Number along = straight.along;
@@ -216,8 +212,8 @@ class ArcSweeps {
   }
   /// What it does to the shaft, as an acceleration; `coefficient`: c.
   template <class Coefficient>
-  RUBATLAS_INLINE Vector push_of_rigid(const Blade& blade, const RigidTip& tip,
-                                       const Coefficient& coefficient, const Vector& er) const {
+  Vector push_of_rigid(const Blade& blade, const RigidTip& tip, const Coefficient& coefficient,
+                       const Vector& er) const {
     const Number load = tip.yielding * (blade.ring_stiffness * machine_.force_unit);
     const Number radial = load * (tip.tangential_normal * coefficient - tip.radial_normal);
     const Number tangential = load * (tip.tangential_normal + tip.radial_normal * coefficient) * -1.0;
@@ -227,7 +223,7 @@ class ArcSweeps {
   /// Sweeps until what is left is below the tolerance. False where it does not become so. `full`: so many
   /// sweeps have slopes of their own.
   template <class Sweeps>
-  RUBATLAS_INLINE bool converge(Sweeps& sweeps, int most, int full) {
+  bool converge(Sweeps& sweeps, int most, int full) {
     double before = kFirstChange;
     bool light = false;
     double ratio_before = kSlowest;
@@ -254,11 +250,9 @@ class ArcSweeps {
   [[nodiscard]] bool ring_has_mass() const { return ring_moves() && !ring_is_massless(); }
   [[nodiscard]] bool ripples() const { return !kPlain && machine_.ripples(); }
   [[nodiscard]] bool is_isotropic() const { return kPlain || machine_.support.isotropic; }
-  RUBATLAS_INLINE Number elapsed() const { return chord_time_ + deviation_ * interval_.normal.time; }
-  RUBATLAS_INLINE Number angular_speed() const {
-    return kPlain ? Number(machine_.speed_ratio) : angular_speed_;
-  }
-  RUBATLAS_INLINE Number angular_acceleration() const { return kPlain ? Number(0.0) : angular_acceleration_; }
+  Number elapsed() const { return chord_time_ + deviation_ * interval_.normal.time; }
+  Number angular_speed() const { return kPlain ? Number(machine_.speed_ratio) : angular_speed_; }
+  Number angular_acceleration() const { return kPlain ? Number(0.0) : angular_acceleration_; }
   /// The tip of a blade that does not bend, from the ring's centre.
   struct Straight {
     Number along, tangential;  ///< (er, ep) [m]
@@ -266,8 +260,7 @@ class ArcSweeps {
     /// of R².
     Number gap;
   };
-  RUBATLAS_INLINE Straight straight_tip(const TipStart& start, const Blade& blade,
-                                        const Direction& er) const {
+  Straight straight_tip(const TipStart& start, const Blade& blade, const Direction& er) const {
     Vector come{shaft_.x, shaft_.y};
     if (ring_moves()) come = {come.x - ring_.x, come.y - ring_.y};
     come = {come.x + er.change.x * blade.reach, come.y + er.change.y * blade.reach};
@@ -278,12 +271,12 @@ class ArcSweeps {
             (come.x * (place.x + from_x) + come.y * (place.y + from_y)) + start.start_gap};
   }
   /// The shaft's velocity as seen from the ring.
-  RUBATLAS_INLINE Vector seen_velocity() const {
+  Vector seen_velocity() const {
     return ring_moves() ? Vector{shaft_.vx - ring_.vx, shaft_.vy - ring_.vy} : Vector{shaft_.vx, shaft_.vy};
   }
 
   /// Direction of the leading blade, and how fast it turns, at these times.
-  RUBATLAS_INLINE void take_direction(const Number& elapsed) {
+  void take_direction(const Number& elapsed) {
     const Machine& m = machine_;
     Number angle = elapsed * m.speed_ratio;
     angular_speed_ = m.speed_ratio;
@@ -297,12 +290,12 @@ class ArcSweeps {
     er_.change = change_by_turning(interval_.blade, angle);
     turn_to_change();
   }
-  RUBATLAS_INLINE void turn_to_change() {
+  void turn_to_change() {
     er_.x = er_.change.x + interval_.blade[0];
     er_.y = er_.change.y + interval_.blade[1];
   }
   /// Adds the acceleration by the forcings to that of the shaft.
-  RUBATLAS_INLINE void add_forcings() {
+  void add_forcings() {
     const std::array<double, 2>& blade = interval_.blade;
     for (std::size_t j = 0; j < machine_.forcing_count; ++j) {
       const std::array<double, 2>& start = interval_.forcing[j];
@@ -322,12 +315,11 @@ class ArcSweeps {
     }
   }
 
-  RUBATLAS_INLINE static Vector offset_by(const Vector& from, const std::array<double, 2>& offset) {
+  static Vector offset_by(const Vector& from, const std::array<double, 2>& offset) {
     return {from.x * offset[0] - from.y * offset[1], from.y * offset[0] + from.x * offset[1]};
   }
   /// Of another blade.
-  RUBATLAS_INLINE static Direction direction_at(const Direction& leader,
-                                                const std::array<double, 2>& offset) {
+  static Direction direction_at(const Direction& leader, const std::array<double, 2>& offset) {
     const auto& [x, y] = leader.start;
     return {offset_by(leader, offset),
             offset_by(leader.change, offset),
@@ -335,7 +327,7 @@ class ArcSweeps {
   }
 
   /// Turns the leading blade's direction on, after a step in τ that the deviation has taken.
-  RUBATLAS_INLINE void turn_on(const Number& time_step) {
+  void turn_on(const Number& time_step) {
     if (ripples()) {
       take_direction(elapsed());
     } else {
@@ -347,12 +339,12 @@ class ArcSweeps {
 
   /// Moves shaft and ring along the arc where the contacts push the shaft so, as an acceleration. Returns the
   /// largest change of a velocity [m per unit τ].
-  RUBATLAS_INLINE double move(const Vector& push) {
+  double move(const Vector& push) {
     accelerate(push);
     return advance(push);
   }
   /// The shaft's acceleration.
-  RUBATLAS_INLINE void accelerate(const Vector& push) {
+  void accelerate(const Vector& push) {
     const Machine& m = machine_;
     const Vector place = shaft_.place(interval_.shaft);
     if (is_isotropic()) {
@@ -368,7 +360,7 @@ class ArcSweeps {
     add_forcings();
   }
   /// Integrates it, and that of a ring that moves.
-  RUBATLAS_INLINE double advance(const Vector& push) {
+  double advance(const Vector& push) {
     const Interval& in = interval_;
     take_time_rate();
     double change = shaft_.integrate(in.shaft, nodes_, time_rate_);
@@ -382,7 +374,7 @@ class ArcSweeps {
   }
 
   /// Of a ring with a mass, which the push on the shaft moves the other way.
-  RUBATLAS_INLINE Vector acceleration_of_ring(const Vector& push) const {
+  Vector acceleration_of_ring(const Vector& push) const {
     const Machine& m = machine_;
     const double share = -m.ring.force_unit / m.force_unit;
     const Vector place = ring_.place(interval_.ring);
@@ -391,13 +383,13 @@ class ArcSweeps {
   }
 
   /// dτ/dθ as the deviation has it.
-  RUBATLAS_INLINE void take_time_rate() {
+  void take_time_rate() {
     deviation_slope_ = Number::combined(nodes_.slope, deviation_);
     time_rate_ = deviation_slope_ * interval_.normal.time + interval_.chord.time;
   }
 
   /// Adds a push to the one by which shaft and ring have been moved.
-  RUBATLAS_INLINE void add_push(const Vector& more) {
+  void add_push(const Vector& more) {
     shaft_.add(nodes_, time_rate_, more.x, more.y);
     if (!ring_moves()) return;
     const double share = -machine_.ring.force_unit / machine_.force_unit;

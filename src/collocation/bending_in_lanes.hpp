@@ -26,7 +26,7 @@ class BendingInLanes {
     std::array<const double*, kNodes> coefficients;
     std::array<double, kNodes> t;
   };
-  RUBATLAS_INLINE static Places places(const blade::BendingTable& table, const Number& argument) {
+  static Places places(const blade::BendingTable& table, const Number& argument) {
     constexpr double kPerPiece = 1.0 / blade::BendingTable::kWidth;
     const Number place = argument * kPerPiece;
     const Number piece =
@@ -45,7 +45,7 @@ class BendingInLanes {
     return result;
   }
 
-  RUBATLAS_INLINE static Bend curve(const Places& at) {
+  static Bend curve(const Places& at) {
     Rows<kNodes> sum;
     for (std::size_t k = 0; k < kNodes; ++k) {
       for (std::size_t r = 0; r < kRows; ++r)
@@ -63,7 +63,7 @@ class BendingInLanes {
 
   /// With the slopes by p, of the powers up to `kSlopeDegree`: they are for Newton's steps only. Four nodes
   /// at a time: as many as registers hold.
-  RUBATLAS_INLINE static Bend curve_with_slopes(const Places& at, Bend& slope) {
+  static Bend curve_with_slopes(const Places& at, Bend& slope) {
     constexpr std::size_t kAtOnce = 4;
     Rows<kNodes> sum;
     Rows<kNodes> rate;
@@ -100,13 +100,12 @@ class BendingInLanes {
   template <std::size_t kCount>
   using Rows = std::array<std::array<Row, kRows>, kCount>;
 
-  RUBATLAS_INLINE static Row row(const double* coefficients, std::size_t power, std::size_t part) {
+  static Row row(const double* coefficients, std::size_t power, std::size_t part) {
     return loaded_part<kRowWidth>(coefficients + 4 * power + part * kRowWidth);
   }
-  RUBATLAS_INLINE static Bend across(const Rows<kNodes>& rows) {
-    const auto quantity = [&](std::size_t q) RUBATLAS_INLINED {
-      return Number::each([&](std::size_t k)
-                              RUBATLAS_INLINED { return rows[k][q / kRowWidth][q % kRowWidth]; });
+  static Bend across(const Rows<kNodes>& rows) {
+    const auto quantity = [&](std::size_t q) {
+      return Number::each([&](std::size_t k) { return rows[k][q / kRowWidth][q % kRowWidth]; });
     };
     return {quantity(0), quantity(1), quantity(2)};
   }

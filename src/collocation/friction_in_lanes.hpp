@@ -14,8 +14,8 @@ struct FrictionAtNodes {
   Lanes<kWidth> coefficient, slope;
 };
 template <std::size_t kWidth>
-RUBATLAS_INLINE FrictionAtNodes<kWidth> friction_at(const contact::Friction& law, double slip,
-                                                    const Lanes<kWidth>& velocity) {
+FrictionAtNodes<kWidth> friction_at(const contact::Friction& law, double slip,
+                                    const Lanes<kWidth>& velocity) {
   using Number = Lanes<kWidth>;
   if (law.law == contact::Friction::Law::coulomb) return {Number(slip * law.friction), Number(0.0)};
   const double per_velocity = 1.0 / law.regularising_velocity;

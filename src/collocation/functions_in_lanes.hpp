@@ -11,7 +11,7 @@ namespace {
 ///
 /// The series at x/64, and six times y(2x) = y (2 − y), which loses no digits.
 template <std::size_t kWidth>
-RUBATLAS_INLINE Lanes<kWidth> decayed(const Lanes<kWidth>& x) {
+Lanes<kWidth> decayed(const Lanes<kWidth>& x) {
   using Number = Lanes<kWidth>;
   constexpr double kLargest = 40.0;
   constexpr int kDoublings = 6;
@@ -26,7 +26,7 @@ RUBATLAS_INLINE Lanes<kWidth> decayed(const Lanes<kWidth>& x) {
 
 /// tanh x, with an error of less than 2e-15 of it.
 template <std::size_t kWidth>
-RUBATLAS_INLINE Lanes<kWidth> hyperbolic_tangent(const Lanes<kWidth>& x) {
+Lanes<kWidth> hyperbolic_tangent(const Lanes<kWidth>& x) {
   // Of the same sign as x: x/|x| would be no number at 0.
   const Lanes<kWidth> decay = decayed(magnitude(x) * 2.0);
   const Lanes<kWidth> size = decay / (Lanes<kWidth>(2.0) - decay);

@@ -48,7 +48,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     first_guess(interval.ring, ring_);
   }
 
-  RUBATLAS_INLINE bool solve() { return this->converge(*this, kMostSweeps, kFullSweeps); }
+  bool solve() { return this->converge(*this, kMostSweeps, kFullSweeps); }
 
  private:
   using Direction = typename Base::Direction;
@@ -75,8 +75,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   };
 
   /// The shaft seen from a blade in the direction er.
-  RUBATLAS_INLINE InclinedPose<kWidth> pose_from(const TipStart& start, const Blade& blade,
-                                                 const Direction& er) const {
+  InclinedPose<kWidth> pose_from(const TipStart& start, const Blade& blade, const Direction& er) const {
     const auto tip = straight_tip(start, blade, er);
     const Vector v = seen_velocity();
     return {tip.gap,
@@ -86,18 +85,18 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
             v.y * er.x - v.x * er.y,
             angular_speed_};
   }
-  RUBATLAS_INLINE Number e_rate_of(const Tip& tip, const InclinedPose<kWidth>& at, const Vector& er) const {
+  Number e_rate_of(const Tip& tip, const InclinedPose<kWidth>& at, const Vector& er) const {
     Vector acceleration{shaft_.ax, shaft_.ay};
     if (ring_moves()) acceleration = {shaft_.ax - ring_.ax, shaft_.ay - ring_.ay};
     return tip.e_rate(at, acceleration.x * er.x + acceleration.y * er.y,
                       acceleration.y * er.x - acceleration.x * er.y);
   }
   /// du/dp, of which p² is known.
-  RUBATLAS_INLINE static Number bending_slope_of(const InclinedLoad& load, const Number& square) {
+  static Number bending_slope_of(const InclinedLoad& load, const Number& square) {
     return ((((square * (1.0 / 40320) + 1.0 / 720) * square + 1.0 / 24) * square + 0.5) * square + 1.0) *
            load.scale;
   }
-  RUBATLAS_INLINE static Vector along(const typename Tip::Push& push, const Vector& er) {
+  static Vector along(const typename Tip::Push& push, const Vector& er) {
     return {push.along * er.x - push.across * er.y, push.along * er.y + push.across * er.x};
   }
 
@@ -105,7 +104,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   ///
   /// A `light` sweep keeps the slopes of the sweep before.
   template <bool kLight>
-  RUBATLAS_INLINE double sweep() {
+  [[gnu::flatten]] double sweep() {  // as `plain_solved` is
     const Interval& in = interval_;
     take_direction(elapsed());
     const Number argument = chord_argument_ + deviation_ * in.normal.argument;
@@ -158,7 +157,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   /// velocity at once, which in turn is its integral, so that sweeps alone hardly converge. `expected`: the
   /// velocity with which the tip was brought to rest.
   template <bool kLight>
-  RUBATLAS_INLINE void follow_slip(const Vector& expected) {
+  void follow_slip(const Vector& expected) {
     const double per_radius = 1.0 / machine_.ring_radius;
     const Vector along_ring{(lead_.b * er_.x + lead_.a * er_.y) * -per_radius,
                             (lead_.a * er_.x - lead_.b * er_.y) * per_radius};
@@ -195,7 +194,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     }
   }
   /// Of all rows but one at a time.
-  RUBATLAS_INLINE void eliminate(std::size_t k, AtNodes& column) const {
+  void eliminate(std::size_t k, AtNodes& column) const {
     const double in_row = column[k];
     for (std::size_t i = 0; i < kNodes; ++i) column[i] -= elimination_[k][i] * in_row;
   }

@@ -31,7 +31,7 @@ struct InclinedBlade {
 
   /// Sets the values, and with `kSlopes` the slopes. False where no rule is accurate enough.
   template <bool kSlopes>
-  RUBATLAS_INLINE bool set(const Number& bending, const Number& lean, BladeRule& rule) {
+  bool set(const Number& bending, const Number& lean, BladeRule& rule) {
     const Number square = bending * bending;
     const Number modulus = root(square + lean * lean);
     const Number inverse_modulus = Number(1.0) / modulus;
@@ -110,11 +110,10 @@ struct InclinedBlade {
       const Number per_square = inverse_modulus * inverse_modulus;
       const Number along = bending * per_square;
       const Number across = lean * per_square;
-      const auto set_slopes = [&](WithSlopes& of, const Number& by_modulus, const Number& by_amplitude)
-                                  RUBATLAS_INLINED {
-                                    of.by_bending = by_modulus * along + by_amplitude * across;
-                                    of.by_lean = by_modulus * across - by_amplitude * along;
-                                  };
+      const auto set_slopes = [&](WithSlopes& of, const Number& by_modulus, const Number& by_amplitude) {
+        of.by_bending = by_modulus * along + by_amplitude * across;
+        of.by_lean = by_modulus * across - by_amplitude * along;
+      };
       set_slopes(load, load_by_modulus, load_by_amplitude);
       set_slopes(shortening, shortening_by_modulus, shortening_by_amplitude);
       set_slopes(deflection, deflection_by_modulus, deflection_by_amplitude);
@@ -125,8 +124,8 @@ struct InclinedBlade {
 
 /// u of p, of which the square is known.
 template <std::size_t kWidth>
-RUBATLAS_INLINE Lanes<kWidth> bending_of(const InclinedLoad& load, const Lanes<kWidth>& argument,
-                                         const Lanes<kWidth>& square) {
+Lanes<kWidth> bending_of(const InclinedLoad& load, const Lanes<kWidth>& argument,
+                         const Lanes<kWidth>& square) {
   return argument *
          ((((square * (1.0 / 362880) + 1.0 / 5040) * square + 1.0 / 120) * square + 1.0 / 6) * square + 1.0) *
          load.scale;
@@ -169,7 +168,7 @@ class InclinedTip {
 
   /// False where there is no such blade. The quadrature is chosen with the slopes, and kept.
   template <bool kSlopes>
-  RUBATLAS_INLINE bool stand(const Number& bending_there, const Number& lean_there, const Pose& at) {
+  bool stand(const Number& bending_there, const Number& lean_there, const Pose& at) {
     const Blade& c = *blade_;
     bending = bending_there;
     lean = lean_there;
@@ -237,8 +236,8 @@ class InclinedTip {
   }
 
   /// dh/dτ and de/dτ of a blade that does not bend, at constant speed. `ax`, `ay`: z'' along and across it.
-  RUBATLAS_INLINE Number h_rate() const { return (a * a_rate + b * b_rate) * 2.0; }
-  RUBATLAS_INLINE Number e_rate(const Pose& at, const Number& ax, const Number& ay) const {
+  Number h_rate() const { return (a * a_rate + b * b_rate) * 2.0; }
+  Number e_rate(const Pose& at, const Number& ax, const Number& ay) const {
     const Number& speed = at.angular_speed;
     const Number along_rate = ax + (at.tangential_velocity * 2.0 - at.radial * speed) * speed;
     const Number across_rate = ay - (at.radial_velocity * 2.0 + at.tangential * speed) * speed;
@@ -255,8 +254,8 @@ class InclinedTip {
   struct Push {
     Number along, across;
   };
-  RUBATLAS_INLINE Push move_on(const Number& bending_step, const Number& lean_step, const Number& time_step,
-                               double force_unit) {
+  Push move_on(const Number& bending_step, const Number& lean_step, const Number& time_step,
+               double force_unit) {
     const Number a_step = a_by_bending * bending_step + a_by_lean * lean_step;
     const Number b_step = b_by_bending * bending_step + b_by_lean * lean_step;
     a = a + (a_rate * time_step + a_step);
@@ -279,7 +278,7 @@ class InclinedTip {
 
   /// How the push changes with the slip velocity where the shaft stands: the bend follows e, at h = 0. To be
   /// asked for after `move_on`.
-  RUBATLAS_INLINE Push push_by_slip(double force_unit) const {
+  Push push_by_slip(double force_unit) const {
     const Number e_by_slip = e_by_velocity_ * ring_radius_;
     const Number inverse = e_by_slip / (h_by_bending * e_by_lean - h_by_lean * e_by_bending);
     const Number bending_rate = h_by_lean * inverse;

@@ -19,7 +19,7 @@ class IntervalBounds {
   IntervalBounds(const Contact& contact, const Interval& interval)
       : contact_(contact), interval_(interval), nodes_(node_tables()) {}
 
-  RUBATLAS_INLINE void bounds(Bounds& result) const {
+  void bounds(Bounds& result) const {
     const Interval& in = interval_;
     result.slip_velocity = least_magnitude(in.start_slip_velocity, Number(in.slip_velocity));
     result.gap_measure = later(in.start_gap_measure, Number(in.gap_measure)).least();
@@ -51,7 +51,7 @@ class IntervalBounds {
   }
 
   /// Those of a blade under an inclined load.
-  RUBATLAS_INLINE void inclined_bounds(Bounds& result) const {
+  void inclined_bounds(Bounds& result) const {
     const Interval& in = interval_;
     bounds(result);
     result.argument = largest(in.start_shortening, Number(in.shortening));
@@ -70,7 +70,7 @@ class IntervalBounds {
     if (in.start_argument > 0.0) result.time_slope = std::min(result.time_slope, slope);
   }
 
-  RUBATLAS_INLINE double gap(const Blade& blade, const std::array<double, 2>& offset) const {
+  double gap(const Blade& blade, const std::array<double, 2>& offset) const {
     const Interval& in = interval_;
     const Number blade_x(in.blade_x);
     const Number blade_y(in.blade_y);
@@ -100,7 +100,7 @@ class IntervalBounds {
     return {in.shaft.start[0] - in.ring.start[0],
             in.shaft.start[1] - in.ring.start[1] + contact_.machine->misalignment};
   }
-  RUBATLAS_INLINE Places from_ring() const {
+  Places from_ring() const {
     const Body& shaft = interval_.shaft;
     const Body& ring = interval_.ring;
     const double misalignment = contact_.machine->misalignment;
@@ -109,39 +109,39 @@ class IntervalBounds {
   }
   /// Of the tip of a straight blade in the direction er (MODEL 2).
   template <class Value>
-  RUBATLAS_INLINE static Value gap_of(const Blade& blade, const Value& x, const Value& y, const Value& er_x,
-                                      const Value& er_y) {
+  static Value gap_of(const Blade& blade, const Value& x, const Value& y, const Value& er_x,
+                      const Value& er_y) {
     return (x * x + y * y) + ((x * er_x + y * er_y) * (2.0 * blade.reach) + blade.closing);
   }
 
   /// Coefficients 1 to 8; coefficient 0 is the value at the start.
-  RUBATLAS_INLINE Number later(double start, const Number& at_nodes) const {
+  Number later(double start, const Number& at_nodes) const {
     return Number::combined(nodes_.bernstein, at_nodes) + Number(nodes_.bernstein_of_start) * start;
   }
   /// Of coefficients 1 to 7.
-  RUBATLAS_INLINE static double least_before_end(const Number& coefficients) {
+  static double least_before_end(const Number& coefficients) {
     AtNodes each;
     coefficients.store(each);
     return *std::min_element(each.value.begin(), each.value.end() - 1);
   }
   /// The least of what is left of a guard's quantity; where it ends the interval it is zero at the end.
-  RUBATLAS_INLINE double least_left(double start, const AtNodes& left) const {
+  double least_left(double start, const AtNodes& left) const {
     return std::min(start, least_before_end(later(start, Number(left))));
   }
-  RUBATLAS_INLINE double least(double start, const Number& at_nodes) const {
+  double least(double start, const Number& at_nodes) const {
     return std::min(start, later(start, at_nodes).least());
   }
-  RUBATLAS_INLINE double least_firmness(const FurtherBlade& tip) const {
+  double least_firmness(const FurtherBlade& tip) const {
     return least(sum_of_products(nodes_.value_at_start, tip.firmness), Number(tip.firmness));
   }
   /// Positive where it keeps the sign that it has at the start.
-  RUBATLAS_INLINE double least_magnitude(double start, const Number& at_nodes) const {
+  double least_magnitude(double start, const Number& at_nodes) const {
     return least(std::abs(start), at_nodes * std::copysign(1.0, start));
   }
-  RUBATLAS_INLINE double largest(double start, const Number& at_nodes) const {
+  double largest(double start, const Number& at_nodes) const {
     return std::max(start, later(start, at_nodes).largest());
   }
-  RUBATLAS_INLINE double largest_magnitude(double start, const Number& at_nodes) const {
+  double largest_magnitude(double start, const Number& at_nodes) const {
     return std::max(std::abs(start), magnitude(later(start, at_nodes)).largest());
   }
 

@@ -26,7 +26,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
  public:
   using Number = Lanes<kWidth>;
 
-  RUBATLAS_INLINE Sweeps(const Contact& contact, const Closeness& closeness, Interval& interval)
+  Sweeps(const Contact& contact, const Closeness& closeness, Interval& interval)
       : Base(contact, closeness, interval), further_(interval.further.size()) {
     lead_.blade = contact.blade;
     lead_.slip = contact.slip;
@@ -44,7 +44,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     if (!kPlain) take_time_rate();
   }
 
-  RUBATLAS_INLINE bool solve() {
+  bool solve() {
     // With several blades changes fall unevenly, and the slopes of one that is hardly bent change too fast to
     // be kept.
     const bool keeps_slopes = interval_.further.empty() && !is_damped(*lead_.blade);
@@ -92,7 +92,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
 
   /// Load, shortening and deflection of a tip, with their slopes unless those are kept.
   template <bool kLight>
-  RUBATLAS_INLINE static Bend bend_of(Tip& tip, const Number& argument) {
+  static Bend bend_of(Tip& tip, const Number& argument) {
     const auto at = Table::places(*tip.blade->table, argument);
     if (kLight) return Table::curve(at);
     const Bend bend = Table::curve_with_slopes(at, tip.slope);
@@ -103,8 +103,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
 
   /// Pose of the blade (MODEL 2), and its residual of h = 0 (MODEL 4.1) with the slopes.
   template <bool kLight>
-  RUBATLAS_INLINE Number residual_of(Tip& tip, const TipStart& start, const Bend& bend,
-                                     const Direction& er) const {
+  Number residual_of(Tip& tip, const TipStart& start, const Bend& bend, const Direction& er) const {
     const Blade& blade = *tip.blade;
     const auto straight = straight_tip(start, blade, er);
     const Number along = straight.along;
@@ -136,9 +135,9 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   /// Lets a ring with dampers yield, in the step in which a residual of h makes a blade bend more by
   /// `argument_by_residual` and time go on by `time_by_residual` times as much, and time by `time_step`
   /// besides, which the residual contains. Returns the residual in the ring that has yielded.
-  RUBATLAS_INLINE Number yield(Tip& tip, const TipStart& start, const Bend& bend, const Number& residual,
-                               const Number& argument_by_residual, const Number& time_by_residual,
-                               const Number& time_step) const {
+  Number yield(Tip& tip, const TipStart& start, const Bend& bend, const Number& residual,
+               const Number& argument_by_residual, const Number& time_by_residual,
+               const Number& time_step) const {
     const Number by_yielding = (tip.yielding + machine_.ring_radius) * -2.0;  // ∂h/∂y
     const Number load_by_residual = tip.slope.load * argument_by_residual * tip.blade->load_unit;
     const auto at_nodes = [](const Number& number) {
@@ -157,8 +156,8 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
 
   /// Moves a tip on by steps in p and τ, and gives what it does to the shaft, as an acceleration (MODEL 4.3).
   /// `er`: at the end of the steps. The force's normal is (a, b)/(R + F/kr) where h = 0.
-  RUBATLAS_INLINE Vector push_of(Tip& tip, const Bend& bend, const Number& argument_step,
-                                 const Number& time_step, const Vector& er) const {
+  Vector push_of(Tip& tip, const Bend& bend, const Number& argument_step, const Number& time_step,
+                 const Vector& er) const {
     const Number of_unit = bend.load + tip.slope.load * argument_step;
     const Number less = tip.slope.shortening * argument_step;
     const Number more = tip.slope.deflection * argument_step;
@@ -169,7 +168,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     return push_by(tip, of_unit, er);
   }
   /// What a tip does to the shaft under a load [EI/L²], where it stands.
-  RUBATLAS_INLINE Vector push_by(Tip& tip, const Number& of_unit, const Vector& er) const {
+  Vector push_by(Tip& tip, const Number& of_unit, const Vector& er) const {
     const Blade& blade = *tip.blade;
     const Number load = of_unit * blade.load_unit;
     Number per_radius = machine_.force_unit / machine_.ring_radius;
@@ -185,7 +184,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   /// The same for a further blade, with a step of its own: one of Newton's for p², of which h is nearly
   /// linear where the blade is hardly bent.
   template <bool kLight>
-  RUBATLAS_INLINE Vector push_of_further(std::size_t k, const Direction& er_before, const Number& time_step) {
+  Vector push_of_further(std::size_t k, const Direction& er_before, const Number& time_step) {
     FurtherTip& tip = further_[k];
     const std::array<double, 2>& offset = interval_.further[k].offset;
     if (is_straight(tip)) return push_of_straight(interval_.further[k], tip, direction_at(er_, offset));
@@ -206,7 +205,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   /// A `light` sweep keeps the slopes of the sweep before, and turns its directions on: changes are small by
   /// then, and the solution does not depend on the slopes.
   template <bool kLight>
-  RUBATLAS_INLINE double sweep() {
+  double sweep() {
     const Interval& in = interval_;
     if (!kLight) take_direction(elapsed());
     if (is_straight(lead_)) {
@@ -235,8 +234,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   }
   /// Under the push of the leading blade and those of the others.
   template <bool kLight>
-  RUBATLAS_INLINE double move_by(const Vector& push_of_lead, const Direction& er_before,
-                                 const Number& time_step) {
+  double move_by(const Vector& push_of_lead, const Direction& er_before, const Number& time_step) {
     Vector push = push_of_lead;
     if (skims(lead_)) push = {Number(0.0), Number(0.0)};
     const Tip* skimming = skims(lead_) ? &lead_ : nullptr;
@@ -260,8 +258,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   [[nodiscard]] static bool skims(const Tip& tip) { return !kPlain && tip.skims; }
   /// λ: that share of its full push keeps a tip on the ring, g'' = 0. The place p of the tip from the ring's
   /// centre has p·p'' + p'·p' = 0 there.
-  RUBATLAS_INLINE Number share_on_ring(const Vector& others, const Vector& full, const Blade& blade,
-                                       const Direction& er) {
+  Number share_on_ring(const Vector& others, const Vector& full, const Blade& blade, const Direction& er) {
     this->accelerate(others);
     const Machine& m = machine_;
     Vector acceleration{shaft_.ax, shaft_.ay};
@@ -288,14 +285,14 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   }
 
   [[nodiscard]] static bool is_straight(const Tip& tip) { return !kPlain && tip.straight; }
-  RUBATLAS_INLINE Vector push_of_straight(const TipStart& start, Tip& tip, const Direction& er) const {
+  Vector push_of_straight(const TipStart& start, Tip& tip, const Direction& er) const {
     const Blade& blade = *tip.blade;
     if (!is_damped(blade)) return push_by(tip, compress(tip, start, er), er);
     return this->push_of_rigid(blade, this->rigid_tip_of(start, blade, er), Number(tip.slip * blade.friction),
                                er);
   }
   /// Load [EI/L²] of a straight column whose tip lies on the ring, h = 0 at Δ = 0.
-  RUBATLAS_INLINE Number compress(Tip& tip, const TipStart& start, const Direction& er) const {
+  Number compress(Tip& tip, const TipStart& start, const Direction& er) const {
     const Blade& blade = *tip.blade;
     const auto straight = straight_tip(start, blade, er);
     const Number linear = straight.along * blade.axial_unit + machine_.ring_radius * blade.yield_unit;
@@ -326,14 +323,14 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   }
 
   /// g/Δ of a tip [m], as h = 0 has it. Next to the unbent blade F/kr is Δ's share there.
-  RUBATLAS_INLINE static Number gap_measure_of(const Tip& tip, double ring_radius) {
+  static Number gap_measure_of(const Tip& tip, double ring_radius) {
     const Blade& blade = *tip.blade;
     const Number measure = gap_per_deflection(tip, tip.slip, blade.length, blade.first_shortening);
     if (!yields(blade)) return measure;
     const Number yielding = larger(tip.yielding, Number(blade.first_yielding * kUnbent * blade.length));
     return measure + yielding / bent_by(tip, tip.slip, blade.length) * (tip.yielding + 2.0 * ring_radius);
   }
-  RUBATLAS_INLINE Number slip_velocity_of(const Tip& tip, const Vector& er) const {
+  Number slip_velocity_of(const Tip& tip, const Vector& er) const {
     const double radius = machine_.ring_radius;
     const double reach = tip.blade->reach;
     if (!yields(*tip.blade) && !is_damped(*tip.blade))
@@ -343,7 +340,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   }
 
   /// What ∂h/∂p leaves of the share in it of δ and of the ring that yields.
-  RUBATLAS_INLINE static Number firmness_of(const Tip& tip, double short_of_fold) {
+  static Number firmness_of(const Tip& tip, double short_of_fold) {
     return tip.argument_slope * (-0.5 * (1.0 - short_of_fold)) + tip.b * tip.slope.deflection * short_of_fold;
   }
   void store(const Tip& tip, const Direction& er, TipInTime& stored) const {
@@ -409,10 +406,11 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   Number per_residual_;  ///< Newton's step along the normal for a residual of h
 };
 
-/// A function of its own each: compilers keep more in registers.
-template <std::size_t kWidth, bool kPlain>
-[[gnu::noinline]] bool solved_by(const Contact& contact, const Closeness& closeness, Interval& interval) {
-  return Sweeps<kWidth, kPlain>(contact, closeness, interval).solve();
+/// What it calls is a few operations on registers each, and would take more as functions of their own.
+template <std::size_t kWidth>
+[[gnu::flatten, gnu::noinline]] bool plain_solved(const Contact& contact, const Closeness& closeness,
+                                                  Interval& interval) {
+  return Sweeps<kWidth, true>(contact, closeness, interval).solve();
 }
 
 template <std::size_t kWidth>
@@ -424,8 +422,8 @@ bool solved(const Contact& contact, const Closeness& closeness, Interval& interv
   bool plain = machine.is_plain() && stands(*contact.blade) && !contact.skims;
   for (const FurtherBlade& further : interval.further)
     plain = plain && stands(*further.blade) && !further.skims;
-  return plain ? solved_by<kWidth, true>(contact, closeness, interval)
-               : solved_by<kWidth, false>(contact, closeness, interval);
+  return plain ? plain_solved<kWidth>(contact, closeness, interval)
+               : Sweeps<kWidth, false>(contact, closeness, interval).solve();
 }
 
 }  // namespace

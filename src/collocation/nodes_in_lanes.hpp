@@ -11,16 +11,6 @@
 namespace rubatlas::collocation {
 namespace {
 
-// What stays a function of its own costs more than it does: a sweep is some hundred operations. (Sanitizers
-// check each of these operations, and compile for minutes what is inlined throughout.)
-#ifdef RUBATLAS_SANITIZED
-#define RUBATLAS_INLINE inline
-#define RUBATLAS_INLINED
-#else
-#define RUBATLAS_INLINE [[gnu::always_inline]] inline
-#define RUBATLAS_INLINED __attribute__((always_inline))  // of a lambda
-#endif
-
 /// The vectors of the compiler, GCC or Clang, which has them for every processor.
 template <class Value, std::size_t kWidth>
 struct VectorOf {
@@ -29,7 +19,7 @@ struct VectorOf {
   using Place [[gnu::vector_size(kWidth * sizeof(Value)), gnu::may_alias]] = Value;
 };
 template <std::size_t kWidth>
-RUBATLAS_INLINE auto loaded_part(const double* from) {
+auto loaded_part(const double* from) {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): what the attribute is for
   return typename VectorOf<double, kWidth>::Type(
       *reinterpret_cast<const typename VectorOf<double, kWidth>::Place*>(from));
@@ -43,80 +33,80 @@ class Lanes {
 
   Lanes() = default;
   // A number is the same at all nodes. NOLINTNEXTLINE(google-explicit-constructor)
-  RUBATLAS_INLINE Lanes(double number) {
+  Lanes(double number) {
     for (Part& part : part_) part = number - Part{};
   }
-  RUBATLAS_INLINE explicit Lanes(const AtNodes& at) : Lanes(loaded(at.value.data())) {}
-  RUBATLAS_INLINE void store(AtNodes& at) const { store_to(at.value.data()); }
+  explicit Lanes(const AtNodes& at) : Lanes(loaded(at.value.data())) {}
+  void store(AtNodes& at) const { store_to(at.value.data()); }
   /// From, and to, eight numbers on a boundary of 64 bytes.
-  RUBATLAS_INLINE static Lanes loaded(const double* from) {
+  static Lanes loaded(const double* from) {
     Lanes result;
     for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = loaded_part<kWidth>(from + i * kWidth);
     return result;
   }
-  RUBATLAS_INLINE void store_to(double* to) const {
+  void store_to(double* to) const {
     for (std::size_t i = 0; i < kParts; ++i) {
       // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): what the attribute is for
       *reinterpret_cast<typename VectorOf<double, kWidth>::Place*>(to + i * kWidth) = part_[i];
     }
   }
 
-  RUBATLAS_INLINE friend Lanes operator+(const Lanes& a, const Lanes& b) {
+  friend Lanes operator+(const Lanes& a, const Lanes& b) {
     Lanes result;
     for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = a.part_[i] + b.part_[i];
     return result;
   }
-  RUBATLAS_INLINE friend Lanes operator-(const Lanes& a, const Lanes& b) {
+  friend Lanes operator-(const Lanes& a, const Lanes& b) {
     Lanes result;
     for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = a.part_[i] - b.part_[i];
     return result;
   }
-  RUBATLAS_INLINE friend Lanes operator*(const Lanes& a, const Lanes& b) {
+  friend Lanes operator*(const Lanes& a, const Lanes& b) {
     Lanes result;
     for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = a.part_[i] * b.part_[i];
     return result;
   }
-  RUBATLAS_INLINE friend Lanes operator/(const Lanes& a, const Lanes& b) {
+  friend Lanes operator/(const Lanes& a, const Lanes& b) {
     Lanes result;
     for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = a.part_[i] / b.part_[i];
     return result;
   }
-  RUBATLAS_INLINE friend Lanes larger(const Lanes& a, const Lanes& b) {
+  friend Lanes larger(const Lanes& a, const Lanes& b) {
     Lanes result;
     for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = larger_of(a.part_[i], b.part_[i]);
     return result;
   }
-  RUBATLAS_INLINE friend Lanes smaller(const Lanes& a, const Lanes& b) {
+  friend Lanes smaller(const Lanes& a, const Lanes& b) {
     Lanes result;
     for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = smaller_of(a.part_[i], b.part_[i]);
     return result;
   }
-  RUBATLAS_INLINE friend Lanes magnitude(const Lanes& a) {
+  friend Lanes magnitude(const Lanes& a) {
     Lanes result;
     for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = Part(Bits(a.part_[i]) & ~sign_bits());
     return result;
   }
   /// The magnitude of a with the sign of b.
-  RUBATLAS_INLINE friend Lanes with_sign_of(const Lanes& a, const Lanes& b) {
-    return of([&](std::size_t i) RUBATLAS_INLINED {
+  friend Lanes with_sign_of(const Lanes& a, const Lanes& b) {
+    return of([&](std::size_t i) {
       return Part((Bits(a.part_[i]) & ~sign_bits()) | (Bits(b.part_[i]) & sign_bits()));
     });
   }
   /// Without what follows the point. The numbers are within the range of an int.
-  RUBATLAS_INLINE friend Lanes whole(const Lanes& a) {
-    return of([&](std::size_t i) RUBATLAS_INLINED {
+  friend Lanes whole(const Lanes& a) {
+    return of([&](std::size_t i) {
       return __builtin_convertvector(__builtin_convertvector(a.part_[i], Whole), Part);
     });
   }
-  RUBATLAS_INLINE friend Lanes root(const Lanes& a) {
-    return of([&](std::size_t i) RUBATLAS_INLINED {
+  friend Lanes root(const Lanes& a) {
+    return of([&](std::size_t i) {
       Part result = a.part_[i];
       for (std::size_t k = 0; k < kWidth; ++k) result[k] = __builtin_sqrt(result[k]);
       return result;
     });
   }
   /// The least of the eight.
-  [[nodiscard]] RUBATLAS_INLINE double least() const {
+  [[nodiscard]] double least() const {
     Part part = part_[0];
     for (std::size_t i = 1; i < kParts; ++i) part = smaller_of(part, part_[i]);
     double result = part[0];
@@ -124,7 +114,7 @@ class Lanes {
     return result;
   }
   /// The largest of the eight.
-  [[nodiscard]] RUBATLAS_INLINE double largest() const {
+  [[nodiscard]] double largest() const {
     Part part = part_[0];
     for (std::size_t i = 1; i < kParts; ++i) part = larger_of(part, part_[i]);
     double result = part[0];
@@ -134,8 +124,8 @@ class Lanes {
 
   /// From a function that gives the number at node j.
   template <class Function>
-  RUBATLAS_INLINE static Lanes each(Function function) {
-    return of([&](std::size_t i) RUBATLAS_INLINED {
+  static Lanes each(Function function) {
+    return of([&](std::size_t i) {
       Part result{};
       for (std::size_t k = 0; k < kWidth; ++k) result[k] = function(i * kWidth + k);
       return result;
@@ -143,12 +133,12 @@ class Lanes {
   }
 
   /// Sum over j of the columns, each times the number at node j.
-  RUBATLAS_INLINE static Lanes combined(const std::array<AtNodes, kNodes>& columns, const Lanes& factors) {
+  static Lanes combined(const std::array<AtNodes, kNodes>& columns, const Lanes& factors) {
     // Not set to zero first. NOLINTNEXTLINE(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
     alignas(64) double stored[kNodes];
     factors.store_to(stored);
     const double* const factor = &stored[0];
-    return of([&](std::size_t i) RUBATLAS_INLINED {
+    return of([&](std::size_t i) {
       Part even = column_part(columns[0], i) * factor[0];
       Part odd = column_part(columns[1], i) * factor[1];
       for (std::size_t j = 2; j < kNodes; j += 2) {
@@ -162,16 +152,16 @@ class Lanes {
  private:
   using Bits = typename VectorOf<std::int64_t, kWidth>::Type;
   using Whole = typename VectorOf<std::int32_t, kWidth>::Type;
-  RUBATLAS_INLINE static Bits sign_bits() { return std::numeric_limits<std::int64_t>::min() - Bits{}; }
-  RUBATLAS_INLINE static Part larger_of(const Part& a, const Part& b) { return a > b ? a : b; }
-  RUBATLAS_INLINE static Part smaller_of(const Part& a, const Part& b) { return a < b ? a : b; }
+  static Bits sign_bits() { return std::numeric_limits<std::int64_t>::min() - Bits{}; }
+  static Part larger_of(const Part& a, const Part& b) { return a > b ? a : b; }
+  static Part smaller_of(const Part& a, const Part& b) { return a < b ? a : b; }
   template <class Function>
-  RUBATLAS_INLINE static Lanes of(Function function) {
+  static Lanes of(Function function) {
     Lanes result;
     for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = function(i);
     return result;
   }
-  RUBATLAS_INLINE static Part column_part(const AtNodes& column, std::size_t part) {
+  static Part column_part(const AtNodes& column, std::size_t part) {
     return loaded_part<kWidth>(column.value.data() + part * kWidth);
   }
 

@@ -23,13 +23,13 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
  public:
   using Number = Lanes<kWidth>;
 
-  RUBATLAS_INLINE RigidSweeps(const Contact& contact, const contact::Friction& friction,
-                              const Closeness& closeness, Interval& interval)
+  RigidSweeps(const Contact& contact, const contact::Friction& friction, const Closeness& closeness,
+              Interval& interval)
       : Base(contact, closeness, interval), contact_(contact), friction_(friction) {
     take_direction(elapsed());
   }
 
-  RUBATLAS_INLINE bool solve() { return this->converge(*this, kMostSweeps, kMostSweeps); }
+  bool solve() { return this->converge(*this, kMostSweeps, kMostSweeps); }
 
  private:
   using Direction = typename Base::Direction;
@@ -47,7 +47,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     Direction er;
   };
   /// What it does to the shaft, as an acceleration.
-  RUBATLAS_INLINE Vector push_of(const Touching& at) const {
+  Vector push_of(const Touching& at) const {
     const Tip tip = rigid_tip_of(at.start, at.blade, at.er);
     return push_of_rigid(at.blade, tip, friction_at(friction_, at.slip, tip.slip_velocity).coefficient,
                          at.er);
@@ -55,7 +55,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
 
   /// Calls `use` with each blade in contact.
   template <class Use>
-  RUBATLAS_INLINE void each_blade(Use use) const {
+  void each_blade(Use use) const {
     use(Touching{interval_, *contact_.blade, contact_.slip, er_});
     for (std::size_t k = 0; k < interval_.further.size(); ++k) {
       const FurtherBlade& further = interval_.further[k];
@@ -72,20 +72,20 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     Vector carried;  ///< ΣAk p'k [N per unit τ]
 
     /// K⁻¹ of a vector.
-    RUBATLAS_INLINE Vector solved(const Vector& right) const {
+    Vector solved(const Vector& right) const {
       const Matrix& k = stiffness;
       const Number per_determinant = Number(1.0) / (k.xx * k.yy - k.xy * k.yx);
       return {(k.yy * right.x - k.xy * right.y) * per_determinant,
               (k.xx * right.y - k.yx * right.x) * per_determinant};
     }
   };
-  RUBATLAS_INLINE Balance weigh() const {
+  Balance weigh() const {
     const double spring = machine_.ring.spring;
     const Vector place = ring_.place(interval_.ring);
     Balance sum{{Number(spring), Number(0.0), Number(0.0), Number(spring)},
                 {place.x * -spring, place.y * -spring},
                 {Number(0.0), Number(0.0)}};
-    each_blade([&](const Touching& at) RUBATLAS_INLINED {
+    each_blade([&](const Touching& at) {
       const Tip tip = rigid_tip_of(at.start, at.blade, at.er);
       const Direction& er = at.er;
       const double friction = at.slip * friction_.friction;
@@ -115,7 +115,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     return sum;
   }
   /// A step of Newton's method to where the ring stands.
-  RUBATLAS_INLINE void place_ring() {
+  void place_ring() {
     const Balance balance = weigh();
     const Vector step = balance.solved(balance.excess);
     ring_.x = ring_.x + step.x;
@@ -123,7 +123,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     largest_step_ = larger(magnitude(step.x), magnitude(step.y)).largest() / machine_.ring_radius;
   }
   /// Where the shaft has been found to be, with the ring's velocity and acceleration.
-  RUBATLAS_INLINE void settle_ring() {
+  void settle_ring() {
     place_ring();
     const Balance balance = weigh();
     const Vector velocity = balance.solved(balance.carried);
@@ -135,7 +135,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   }
 
   template <bool kLight>
-  RUBATLAS_INLINE double sweep() {
+  [[gnu::flatten]] double sweep() {  // as `plain_solved` is
     if (ring_is_massless()) {
       place_ring();
       const double share = -machine_.ring.spring * machine_.force_unit;
@@ -143,7 +143,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
       return move({place.x * share, place.y * share});
     }
     Vector push{Number(0.0), Number(0.0)};
-    each_blade([&](const Touching& at) RUBATLAS_INLINED {
+    each_blade([&](const Touching& at) {
       const Vector more = push_of(at);
       push = {push.x + more.x, push.y + more.y};
     });
@@ -156,10 +156,10 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   /// Adds the friction that keeps tips at rest: −q t of each, such that dv/dτ vanishes
   /// (`contact/sticking.hpp`). That of one tip changes dv/dτ of another one by the cosine between their
   /// tangents.
-  RUBATLAS_INLINE void hold() {
+  void hold() {
     std::size_t count = 0;
     std::array<Vector, contact::kMostAtRest> tangent;
-    each_blade([&](const Touching& at) RUBATLAS_INLINED {
+    each_blade([&](const Touching& at) {
       if (at.slip != 0.0 || count == contact::kMostAtRest) return;
       const Tip tip = rigid_tip_of(at.start, at.blade, at.er);
       const Direction& er = at.er;
