@@ -246,7 +246,6 @@ class ContactArc {
   [[nodiscard]] bool keeps_loads() const { return law_->keeps_loads() || contact_.straight; }
   /// Slip to this side may reverse.
   [[nodiscard]] bool reverses(double slip) const { return law_->has_slip_state() && slip != 0.0; }
-  [[nodiscard]] bool are_bent_firmly(const Interval& interval) const;
   [[nodiscard]] bool is_next_to_unbent(const Interval& interval) const;
   [[nodiscard]] double left_at_end(const Ending& ending, const Interval& interval) const;
   bool cut_at(const Interval& whole, Ending& ending, Interval& shorter);

@@ -46,6 +46,7 @@ void ContactArc::rebound() {
 bool ContactArc::is_met_at_once(const Ending& ending) const {
   switch (guard_of_tip(ending.guard)) {
     case Guard::loosening:
+    case Guard::slip_reversal:
     case Guard::shortening_limit:
     case Guard::shaft_at_ring:
       break;

@@ -241,9 +241,15 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
   const bool once = ending.guard == Guard::fold || (ending.guard == Guard::unbent && further_.empty());
   // Whether a tip comes to rest depends on v to rounding, the more so where friction hardly moves the tip.
   constexpr double kToRounding = 1e-3;  // of what v may be, and of the fraction
-  const bool may_rest = contact_.leans && ending.guard == Guard::slip_reversal;
-  const double closest = may_rest ? kToRounding * slip_rounding() : std::numeric_limits<double>::infinity();
+  const Guard guard = guard_of_tip(ending.guard);
+  const bool may_rest = contact_.leans && (guard == Guard::slip_reversal || guard == Guard::loosening);
+  const double rounding = guard == Guard::loosening
+                              ? std::numeric_limits<double>::epsilon() * machine().ring_radius
+                              : kToRounding * slip_rounding();
+  const double closest = may_rest ? rounding : std::numeric_limits<double>::infinity();
   const double closest_fraction = may_rest ? kToRounding * kClosestFraction : kClosestFraction;
+  double left_before = 0.0;
+  double less = 0.0;
   for (int i = 0; i < (may_rest ? 2 * kTimes : kTimes); ++i) {
     if (!cut(whole, ending.fraction, shorter, closest)) {
       // As closely as that it may not be known.
@@ -252,7 +258,11 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
     if (once) break;
     const double left = left_at_end(ending, shorter);
     rounding_at_end_ = 2.0 * std::abs(left);
-    const double less = left / ending.slope;
+    // Where the polynomial tells little of the slope, two places do.
+    constexpr double kFalls = 0.1;
+    if (i > 0 && std::abs(left) > kFalls * std::abs(left_before)) ending.slope = (left_before - left) / less;
+    left_before = left;
+    less = left / ending.slope;
     if (!(std::abs(less) > closest_fraction) || ending.fraction - less > 1.0) break;
     ending.fraction -= less;
     if (!(ending.fraction > 0.0)) return false;
@@ -270,23 +280,6 @@ bool ContactArc::is_next_to_unbent(const Interval& interval) const {
   return argument < kNextToUnbent ||
          (argument < kNear && !law_->may_stand_straight(blade_) &&
           law_->starts_unloaded(blade_, contact_.slip, pose(blade_, end_of(interval))));
-}
-
-/// The blades of tips at rest are no straight struts between hub and ring.
-bool ContactArc::are_bent_firmly(const Interval& interval) const {
-  constexpr double kLeastModulus = 1e-3;  // κ
-  const auto is_bent = [&](int blade, double slip, const TipInTime& tip) {
-    if (slip != 0.0) return true;
-    for (std::size_t i = 0; i < kNodes; ++i) {
-      if (std::abs(tip.lean[i]) > kLeastModulus) continue;  // l is a part of κ
-      if (!(std::abs(touch_of(blade, at_node(interval, i)).bend.modulus) > kLeastModulus)) return false;
-    }
-    return true;
-  };
-  bool all = is_bent(blade_, contact_.slip, interval);
-  for (std::size_t k = 0; k < further_.size(); ++k)
-    all = all && is_bent(further_[k].blade, further_[k].slip, interval.further[k]);
-  return all;
 }
 
 Bounds ContactArc::bounds_of(const Interval& interval) const {
@@ -344,7 +337,6 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   const Interval& kept = in_part ? part : next;
   if (ending.guard == Guard::fold && is_next_to_unbent(kept)) ending.guard = Guard::unbent;
   ending.guard = guard_of_tip(ending.guard);
-  if (contact_.leans && !are_bent_firmly(kept)) return Verdict::gives_up;
   // Time goes on, but for rounding next to the unbent blade.
   const bool is_all_but_unbent =
       reaches_zero && next.chord.argument < 0.0 && next.start_argument < kNextToUnbent;

@@ -107,7 +107,7 @@ class InclinedLaw final : public ArcLaw {
     const double measure = 2.0 * side(touch) * there.tangential + law.length() * deflection +
                            share * (2.0 * there.radial + law.length() * there.blade.shortening.value);
     return {law.force_of(at, speed, there), measure,
-            InclinedLoad::chart_left(bending_of(touch.bend), lean_of(touch.bend)),
+            load_of(touch.blade).chart_left(bending_of(touch.bend), lean_of(touch.bend)),
             load_of(touch.blade).cone() - there.coefficient * there.coefficient};
   }
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,

@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "contact/friction_law.hpp"
+#include "contact/sticking_elastica.hpp"
 
 namespace rubatlas::collocation {
 
@@ -33,9 +34,16 @@ struct InclinedLoad {
     double cosine, sine;
   };
   static const ChartEnd kChartEnd;
-  /// |κ| sin(φ' − φ), φ' the largest φ: positive within the chart.
-  [[nodiscard]] static double chart_left(double u, double lean) {
-    return u * kChartEnd.cosine + lean * kChartEnd.sine;
+  /// |κ| sin(φ' − φ), φ' the largest φ: positive within the chart. Of a tip at rest times what is left of κ²
+  /// until its blade is a strut.
+  template <class Number>
+  [[nodiscard]] Number chart_left(const Number& u, const Number& lean) const {
+    const Number left = u * kChartEnd.cosine + lean * kChartEnd.sine;
+    if (!rests) return left;
+    // A little less, so that who judges the end of rest finds it there.
+    constexpr double kLess = 1.0 - 1e-6;
+    const double least = kLess * contact::kLeastModulus * friction.static_friction;
+    return left * ((u * u + lean * lean) - least * least);
   }
 
   /// c² up to which friction holds a tip. A tip comes to rest at the very edge of the cone, where its

@@ -96,6 +96,10 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     return ((((square * (1.0 / 40320) + 1.0 / 720) * square + 1.0 / 24) * square + 0.5) * square + 1.0) *
            load.scale;
   }
+  /// |v| of a tip at rest before a step: only what follows the steps is seen in the shaft's velocity.
+  double slip_left(const Tip& tip) const {
+    return tip.inclined().rests ? magnitude(tip.e).largest() * machine_.ring_radius : 0.0;
+  }
   static Vector along(const typename Tip::Push& push, const Vector& er) {
     return {push.along * er.x - push.across * er.y, push.along * er.y + push.across * er.x};
   }
@@ -127,6 +131,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
       lean_per_e_ = h_by_deviation * inverse;
     }
 
+    slip_left_ = slip_left(lead_);
     // One Newton step; what follows is taken at its end.
     const Number step = lead_.h * deviation_per_h_ - lead_.e * deviation_per_e_;
     const Number lean_step = lead_.e * lean_per_e_ - lead_.h * lean_per_h_;
@@ -145,12 +150,12 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
       const Vector more = along(further_[k].push, offset_by(er_, offset));
       push = {push.x + more.x, push.y + more.y};
     }
-    if (!lead_.inclined().rests) return move(push);
-    const Vector before{shaft_.vx, shaft_.vy};
+    if (!lead_.inclined().rests) return std::max(move(push), slip_left_);
     const Vector expected{shaft_.vx + shaft_.ax * time_step, shaft_.vy + shaft_.ay * time_step};
     move(push);
     follow_slip<kLight>(expected);
-    return larger(magnitude(shaft_.vx - before.x), magnitude(shaft_.vy - before.y)).largest();
+    return std::max(slip_left_,
+                    larger(magnitude(shaft_.vx - expected.x), magnitude(shaft_.vy - expected.y)).largest());
   }
 
   /// Newton's step for the slip velocity of the leading tip: while it rests its load follows the shaft's
@@ -214,6 +219,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
       further.e_rate = e_rate_of(tip, at, er);
       further.inverse = Number(1.0) / (tip.h_by_bending * tip.e_by_lean - tip.h_by_lean * tip.e_by_bending);
     }
+    slip_left_ = std::max(slip_left_, slip_left(tip));
     const Number h = tip.h + tip.h_rate() * time_step;
     const Number e = tip.e + further.e_rate * time_step;
     const Number bending_step = (e * tip.h_by_lean - h * tip.e_by_lean) * further.inverse;
@@ -286,6 +292,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   Vector push_by_slip_;                      ///< `Tip::push_by_slip` of the leading tip at rest
   std::array<AtNodes, kNodes> elimination_;  ///< of its coupling, [k][i]: factors of row k in row i
   std::vector<FurtherTip> further_;
+  double slip_left_ = 0.0;  ///< of tips at rest [m per unit τ]
 };
 
 /// Sets h and l of the eight blades of `points`, in equilibrium but for h = 0. False where one of them has no

@@ -268,6 +268,9 @@ class InclinedTip {
     const Number push = load * (-blade_->load_unit * force_unit);
     const Number cosine = Number(1.0) - lean * lean * 2.0;
     const Number sine = lean * root(Number(1.0) - lean * lean) * (2.0 * load_->side);
+    if (load_->rests) {
+      coefficient = load_->along_normal ? (a * sine - b * cosine) / (a * cosine + b * sine) : sine / cosine;
+    }
     Push result{cosine, sine};
     if (!load_->along_normal) {
       const double per_radius = 1.0 / ring_radius_;
@@ -306,7 +309,7 @@ class InclinedTip {
     lean.store(kept.lean);
     (shortening * (1.0 / blade_->length)).store(kept.shortening);
     (Number(load_->cone()) - coefficient * coefficient).store(kept.cone_left);
-    (bending * InclinedLoad::kChartEnd.cosine + lean * InclinedLoad::kChartEnd.sine).store(kept.chart_left);
+    load_->chart_left(bending, lean).store(kept.chart_left);
     (load * blade_->load_unit / root(coefficient * coefficient + 1.0)).store(kept.normal_force);
     (bending * (2.0 * load_->strain_unit) * root(larger(load, Number(0.0)))).store(kept.root_strain);
   }

@@ -60,8 +60,9 @@ class IntervalBounds {
       const FurtherBlade& tip = in.further[k];
       Bounds::OfFurther& of_blade = result.further[k];
       of_blade.argument = largest(tip.start_shortening, Number(tip.shortening));
-      // The chart ends only where the lean is negative. What is left of it begins like a root of the time.
-      const bool in_chart = least(tip.start_lean, Number(tip.lean)) > 0.0 ||
+      // The chart of a slipping tip ends only where the lean is negative. What is left of it begins like a
+      // root of the time.
+      const bool in_chart = (tip.slip != 0.0 && least(tip.start_lean, Number(tip.lean)) > 0.0) ||
                             least(tip.start_chart_left, Number(tip.chart_left)) > 0.0;
       of_blade.stays = of_blade.stays && in_chart && least_firmness(tip) > 0.0;
     }

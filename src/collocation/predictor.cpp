@@ -19,8 +19,10 @@ constexpr double kLeastGrowth = 0.5;
 constexpr double kMostGrowth = 2.0;
 constexpr double kLeastRetry = 0.3;
 constexpr double kUnsolvedRetry = 0.5;
-constexpr double kShortest = 1e-5;    ///< of the arc with which an interval is begun
-constexpr double kStraight = 1e-6;    ///< [rad]: an arc that turns by less has no curvature
+constexpr double kShortest = 1e-5;        ///< of the arc with which an interval is begun
+constexpr double kShortestAtRest = 1e-8;  ///< likewise, where a tip is all but loose
+constexpr double kFirstAtRest = 0.1;      ///< length of the first arc of a tip at rest
+constexpr double kStraight = 1e-6;        ///< [rad]: an arc that turns by less has no curvature
 constexpr double kSteep = 0.48;       ///< sine of the slope with which an arc may be followed down to p = 0
 constexpr double kReach = 0.15;       ///< of an arc: so far above p = 0 it is stretched to reach it
 constexpr double kLongestHalf = 1.5;  ///< [τ] half of a contact, as a first estimate
@@ -68,14 +70,27 @@ void Predictor::begin_under_load(const Start& start, double half) {
   const std::complex<double> acceleration =
       (start.acceleration.shaft - start.acceleration.ring) * std::complex<double>(er.cosine, -er.sine);
   const ArcLaw::Tangent tangent = law_->tangent(start.touch, start.pose, start.angular_speed, acceleration);
+  rests_ = leans_ && start.touch.slip == 0.0;
+  if (rests_) {
+    longest_unit_ = time_unit_;
+    time_unit_ = unit_at_rest(tangent.time, tangent.argument, tangent.lean);
+    length_ = kFirstAtRest;
+  }
   const double time = tangent.time / time_unit_;
   const double norm = length_of(time, tangent.argument);
   tangent_ = {time / norm, tangent.argument / norm};
   lean_.rate = tangent.lean / tangent.time;
 }
 
+/// T for a tip at rest, which bend and lean follow together: near where its place is lost all of it moves
+/// ever faster, and either may turn round.
+double Predictor::unit_at_rest(double time, double argument, double lean) const {
+  return std::min(longest_unit_, time / length_of(argument, lean));
+}
+
 /// `rate`, `curvature_of_gap`: dg/dτ, d²g/dτ².
 void Predictor::begin_unloaded(const Start& start, double half, double rate, double curvature_of_gap) {
+  rests_ = false;
   // The largest bending: the force takes away what the gap's rate has of energy, (dg/dτ)²/2, as the blade
   // follows the gap with ct as it is.
   const Blade& blade = *start.blade;
@@ -135,7 +150,7 @@ void Predictor::begin_unloaded(const Start& start, double half, double rate, dou
 }
 
 void Predictor::begin_interval() {
-  shortest_ = kShortest * length_;
+  shortest_ = (rests_ ? kShortestAtRest : kShortest) * length_;
 }
 
 void Predictor::guess_lean(Interval& next) const {
@@ -187,7 +202,7 @@ void Predictor::guess(Interval& next) {
 void Predictor::accepts(double error, const Interval* first) {
   length_ = length_of_trial_ *
             std::clamp(kAim * std::pow(std::max(error, 1e-12), -1.0 / kOrder), kLeastGrowth, kMostGrowth);
-  if (first == nullptr) return;
+  if (first == nullptr || rests_) return;
   double& share = share_of_first_[first->start_argument > 0.0 ? 1 : 0];
   share = std::min(std::sqrt(share * length_ / unit_length_), 1.0);
 }
@@ -218,6 +233,13 @@ void Predictor::goes_on(const Interval& interval) {
     return Place{
         {time / norm, argument / norm}, interval.elapsed[node] / time_unit_, interval.argument[node]};
   };
+  if (rests_) {
+    const double time = interval.time_slope.at_end();
+    const double argument = interval.argument_slope.at_end();
+    const double before = length_of(time / time_unit_, argument);
+    time_unit_ = unit_at_rest(time, argument, time * course_at_end(interval, interval.lean).rate);
+    length_ *= length_of(time / time_unit_, argument) / before;
+  }
   const std::array<Place, 3> last{place(kNodes - 3), place(kNodes - 2), place(kNodes - 1)};
   const auto between = [](const Place& from, const Place& to) {
     return length_of(to.time - from.time, to.argument - from.argument);

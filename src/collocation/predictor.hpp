@@ -70,6 +70,7 @@ class Predictor {
     double argument;
   };
   void begin_under_load(const Start& start, double half);
+  [[nodiscard]] double unit_at_rest(double time, double argument, double lean) const;
   void guess_lean(Interval& next) const;
   void begin_unloaded(const Start& start, double half, double rate, double curvature_of_gap);
 
@@ -78,10 +79,12 @@ class Predictor {
   bool leans_;
   double closing_unit_;  ///< acceleration between shaft and ring of one newton [m/N]
   double duration_ = 1.0;
-  double time_unit_ = 1.0;    ///< T
-  Tangent tangent_{};         ///< where the next interval starts
-  double curvature_ = 0.0;    ///< there, in the plane (τ/T, p)
-  double unit_length_ = 1.0;  ///< of the first arc: the largest bending to be expected
+  double time_unit_ = 1.0;     ///< T
+  bool rests_ = false;         ///< the leading blade is elastic, and its tip at rest
+  double longest_unit_ = 1.0;  ///< of T in that case
+  Tangent tangent_{};          ///< where the next interval starts
+  double curvature_ = 0.0;     ///< there, in the plane (τ/T, p)
+  double unit_length_ = 1.0;   ///< of the first arc: the largest bending to be expected
   /// Length of the first arc against that unit, as the contacts of this motion have had it so far: of
   /// contacts that start unloaded, and under load.
   std::array<double, 2> share_of_first_{0.5, 1.0};

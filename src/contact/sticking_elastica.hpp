@@ -121,6 +121,9 @@ inline std::optional<RestingBlade> hold(LoadDirection direction, const Geometry&
 /// Of `firmness`, at which a tip comes loose: where dv/dα passes through zero, c changes within times that
 /// vanish with it.
 inline constexpr double kLeastFirmness = 1e-6;
+/// κ, of μs, below which the blade of a tip at rest is a straight strut between hub and ring, as stiff as
+/// 1/κ², and about to leave the ring: the tip comes loose.
+inline constexpr double kLeastModulus = 2e-4;
 
 /// How firmly a tip rests: dv/dα / (Ω R), with the sign that makes it positive where v falls as c grows, so
 /// that rest is stable, and negative where rest is unstable.

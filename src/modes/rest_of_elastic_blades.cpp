@@ -16,9 +16,6 @@ namespace {
 /// Of μs, beyond which a tip comes loose. A tip comes to rest at the very edge of the cone, where its
 /// coefficient is known to some 1e-8: whether it rests must not depend on that.
 constexpr double kShareBeyond = 1e-7;
-/// κ, of μs, below which the blade is a straight strut between hub and ring, as stiff as 1/κ², and about to
-/// leave the ring.
-constexpr double kLeastModulus = 2e-4;
 
 }  // namespace
 
@@ -83,7 +80,7 @@ std::optional<RestOfElasticBlades::Rest> RestOfElasticBlades::rest(const OpenCon
 double RestOfElasticBlades::looseness(const OpenContact& open, const std::optional<Rest>& there) const {
   constexpr double kLost = 1.0;
   if (!there) return kLost;
-  const double least_modulus = kLeastModulus * of(open.blade).friction().static_friction;
+  const double least_modulus = contact::kLeastModulus * of(open.blade).friction().static_friction;
   return std::max({beyond_cone(open, there->blade.coefficient),
                    1.0 - there->firmness / contact::kLeastFirmness,
                    1.0 - std::abs(there->blade.bend.modulus) / least_modulus});

@@ -314,11 +314,11 @@ ending::StatusDetail Motion::settle_others(int blade, modes::MotionListener& lis
   return settled ? ending::StatusDetail::none : ending::StatusDetail::slip_undecided;
 }
 
-/// Whether the last reversals of a tip follow each other so fast that they accumulate (MODEL 4.4).
-bool Motion::accumulates(modes::OpenContact& contact) const {
+/// How long the last two reversals of a tip and this one took [τ].
+double Motion::reversal_cycle(modes::OpenContact& contact) const {
   const double cycle = time_ - contact.reversed_before;
   contact.reversed_before = std::exchange(contact.reversed, time_);
-  return cycle < kShortestCycle;
+  return cycle;
 }
 
 // Resets.
@@ -405,12 +405,15 @@ ending::StatusDetail Motion::come_loose(Contact contact, modes::MotionListener& 
 ending::StatusDetail Motion::reverse_slip(Contact contact, modes::MotionListener& listener) {
   ++work_.slip_reversals;
   ending::StatusDetail settled = ending::StatusDetail::none;
+  const double cycle = reversal_cycle(*contact);
   if (modes_.tips_stick()) {
+    // Nothing moves: it neither rests nor slips.
+    if (!(cycle > 0.0)) return ending::StatusDetail::slip_undecided;
     const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());
     if (!modes_.arrest(unbent(), contacts_, place_in_list)) return ending::StatusDetail::slip_undecided;
     settled = settle_others(contact->blade, listener);
   } else {
-    const bool accumulated = accumulates(*contact);
+    const bool accumulated = cycle < kShortestCycle;  // MODEL 4.4
     if (accumulated && !law().knows_rest()) return ending::StatusDetail::slip_undecided;
     if (accumulated && modes_.comes_to_rest(unbent(), *contact)) {
       ++work_.slip_accumulations;

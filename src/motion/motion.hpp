@@ -74,7 +74,7 @@ class Motion final : public PointMotion {
   bool keep(modes::OpenContact contact, const modes::TipPlace& at);
   bool place_ring();
   ending::StatusDetail settle_others(int blade, modes::MotionListener& listener);
-  [[nodiscard]] bool accumulates(modes::OpenContact& contact) const;
+  double reversal_cycle(modes::OpenContact& contact) const;
 
   // Resets.
   void tell(modes::MotionListener& listener, modes::Guard guard, int blade, double slip) const;

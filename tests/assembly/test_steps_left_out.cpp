@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <random>
 
 #include <nlohmann/json.hpp>
 
@@ -28,17 +29,19 @@ std::unique_ptr<point::LineSolver> without_steps(const assembly::LineRequest& re
   return assembly::hybrid_solver(request, modes::phase_on_arcs);
 }
 
-/// The first point of a scene, from its initial state. Returns the number of its touch-downs.
-std::uint64_t run_without_steps(const settings::Scene& scene, assembly::BladeTables& tables) {
+/// The first point of a scene, from its initial state, as it comes out both ways.
+motion::WorkCounts run_without_steps(const settings::Scene& scene, assembly::BladeTables& tables) {
   const assembly::LineRequest request{scene, tables, settings::combination_of(scene)};
   const motion::PointStart start{{scene.initial.x, scene.initial.y, scene.initial.vx, scene.initial.vy}};
   const double speed_ratio = scene.grid.speed_ratio.front();
   const auto with = with_steps(request)->run(speed_ratio, start);
   const auto without = without_steps(request)->run(speed_ratio, start);
-  EXPECT_EQ(with.detail, ending::StatusDetail::none);
-  EXPECT_EQ(without.detail, ending::StatusDetail::none);
-  EXPECT_EQ(with.final_state, without.final_state);
-  return without.work.touchdowns;
+  EXPECT_EQ(with.detail, without.detail);
+  if (with.detail == ending::StatusDetail::none) {
+    EXPECT_EQ(with.final_state, without.final_state);
+  }
+  EXPECT_NE(without.status, ending::PointStatus::integrator_failed);
+  return without.work;
 }
 
 /// A line's sweep up through all its speeds, each from where the one before has ended.
@@ -74,8 +77,7 @@ TEST(StepsLeftOut, ChangeNothingWhereTipsSkimAndRestOnALightRing) {
   assembly::BladeTables tables;
   for (nlohmann::json document : {creeping, bouncing}) {
     document["protocol"] = {{"transient_revolutions", 0}, {"sampled_revolutions", 1}};
-    const auto touchdowns = run_without_steps(settings::parse_scene(document.dump()), tables);
-    EXPECT_GT(touchdowns, 100U);
+    EXPECT_GT(run_without_steps(settings::parse_scene(document.dump()), tables).touchdowns, 100U);
   }
 }
 
@@ -162,8 +164,37 @@ TEST(StepsLeftOut, ChangeNothingWhereSeveralBladesHardlyBend) {
     document["protocol"] = {{"transient_revolutions", 0}, {"sampled_revolutions", 2}};
     document["validity"] = {{"max_shortening", 0.2}};
     SCOPED_TRACE(document["contact"].dump());
-    EXPECT_GT(run_without_steps(settings::parse_scene(document.dump()), tables), 1U);
+    EXPECT_GT(run_without_steps(settings::parse_scene(document.dump()), tables).touchdowns, 1U);
   }
+}
+
+TEST(StepsLeftOut, ChangeNothingWhereTipsOfElasticBladesRest) {
+  // Slow rotors kicked against their spin. Their tips come loose at the edge of the cone, where their place
+  // is lost, and as a strut between hub and ring.
+  std::mt19937_64 bits(2);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(bits() >> 11U) * 0x1p-53;
+  };
+  assembly::BladeTables tables;
+  std::uint64_t reversals = 0;
+  constexpr int kStarts = 300;
+  for (int i = 0; i < kStarts; ++i) {
+    SCOPED_TRACE(i);
+    nlohmann::json document = {
+        {"rotor", {{"damping_ratio", uniform(0.02, 0.3)}, {"misalignment", uniform(0.0, 0.012)}}},
+        {"blades", {{"count", 1 + static_cast<int>(uniform(0.0, 8.0))}, {"thickness", 1e-3}}},
+        {"contact", {{"law", "elastica"}, {"friction", uniform(0.2, 0.8)}}},
+        {"stick", nlohmann::json::object()},
+        {"initial",
+         {{"x", uniform(-5e-3, 5e-3)},
+          {"y", uniform(-5e-3, 5e-3)},
+          {"vx", uniform(-0.04, 0.04)},
+          {"vy", uniform(-0.04, 0.04)}}},
+        {"protocol", {{"transient_revolutions", 0}, {"sampled_revolutions", 1}}},
+        {"grid", {{"speed_ratio", uniform(0.03, 0.6)}}}};
+    reversals += run_without_steps(settings::parse_scene(document.dump()), tables).slip_reversals;
+  }
+  EXPECT_GT(reversals, 1U * kStarts);
 }
 
 }  // namespace
