@@ -45,8 +45,10 @@ void ContactArc::rebound() {
 /// Whether the motion up to a guard that could not be located within the trial is no more than its error.
 bool ContactArc::is_met_at_once(const Ending& ending) const {
   switch (guard_of_tip(ending.guard)) {
-    case Guard::loosening:
     case Guard::slip_reversal:
+      if (!contact_.leans) return false;  // it would reverse again at once
+      break;
+    case Guard::loosening:
     case Guard::shortening_limit:
     case Guard::shaft_at_ring:
       break;

@@ -258,9 +258,10 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
     if (once) break;
     const double left = left_at_end(ending, shorter);
     rounding_at_end_ = 2.0 * std::abs(left);
-    // Where the polynomial tells little of the slope, two places do.
+    // What holds a tip changes so fast that the polynomial tells little of the slope: two places do.
     constexpr double kFalls = 0.1;
-    if (i > 0 && std::abs(left) > kFalls * std::abs(left_before)) ending.slope = (left_before - left) / less;
+    if (guard == Guard::loosening && i > 0 && std::abs(left) > kFalls * std::abs(left_before))
+      ending.slope = (left_before - left) / less;
     left_before = left;
     less = left / ending.slope;
     if (!(std::abs(less) > closest_fraction) || ending.fraction - less > 1.0) break;
