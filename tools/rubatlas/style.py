@@ -146,7 +146,7 @@ def _wrap(text, excess):
 
 def wrap_words(made):
     """Breaks the lines of titles and labels that would be cut; the picture becomes taller by the lines of titles."""
-    made.draw_without_rendering()  # places what is measured
+    made.get_layout_engine().execute(made)  # places what is measured
     titles = [made._suptitle, made._supxlabel, *(axes._left_title for axes in made.axes)]
     for text in [text for text in titles if text is not None]:
         more = _wrap(text, lambda text=text: text.get_window_extent().x1 - made.bbox.x1 + 4.0)
