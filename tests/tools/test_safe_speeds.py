@@ -19,6 +19,8 @@ TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
 sys.path.insert(0, str(ROOT / "tests/support"))
 from bands import in_bands  # noqa: E402
 from forked_commands import ended_command  # noqa: E402
+from rubatlas import style  # noqa: E402
+from rubatlas.plots import safe_speeds  # noqa: E402
 PROGRAM = pathlib.Path(os.environ["RUBATLAS_PROGRAM"])
 DONE, APERIODIC = 1, 255
 NATURAL_FREQUENCY = 10.0  # rad/s, of the default rotor
@@ -30,14 +32,31 @@ class SafeSpeeds(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def run_tool(self, *arguments, atlas=TINY / "atlas.h5"):
-        return ended_command("rubatlas-plot", "safe_speeds", atlas, "-o", self.folder / "safe.png", *arguments)
+    def words(self, *arguments, atlas=TINY / "atlas.h5"):
+        return list(map(str, (atlas, "-o", self.folder / "safe.png", *arguments)))
 
-    def bands(self, *arguments, atlas=TINY / "atlas.h5"):
-        ended = self.run_tool("--json", self.folder / "safe.json", *arguments, atlas=atlas)
-        self.assertEqual((ended.returncode, ended.stderr), (0, ""))
-        self.assertTrue((self.folder / "safe.png").read_bytes().startswith(b"\x89PNG"))
-        return json.loads((self.folder / "safe.json").read_text()), ended.stdout
+    def said(self, *arguments, **more):
+        """Exit code, output and errors of the command in this process, for what it says and not what it draws."""
+        output, errors, code = io.StringIO(), io.StringIO(), 0
+        with contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors), \
+                unittest.mock.patch.object(safe_speeds, "draw_picture"):
+            try:
+                safe_speeds.main(self.words(*arguments, **more))
+            except SystemExit as end:
+                code = end.code
+        return code, output.getvalue(), errors.getvalue()
+
+    def bands(self, *arguments, drawn=False, **more):
+        """Bands as a file and in words; `drawn`: of a process that draws the picture, too."""
+        arguments = "--json", self.folder / "safe.json", *arguments
+        if drawn:
+            ended = ended_command("rubatlas-plot", "safe_speeds", *self.words(*arguments, **more))
+            code, text, errors = ended.returncode, ended.stdout, ended.stderr
+            self.assertTrue((self.folder / "safe.png").read_bytes().startswith(b"\x89PNG"))
+        else:
+            code, text, errors = self.said(*arguments, **more)
+        self.assertEqual((code, errors), (0, ""))
+        return json.loads((self.folder / "safe.json").read_text()), text
 
     def speeds_in(self, result):
         with h5py.File(TINY / "atlas.h5") as atlas:
@@ -50,7 +69,7 @@ class SafeSpeeds(unittest.TestCase):
         return inside
 
     def test_bands_are_the_speeds_at_which_every_line_keeps_every_limit(self):
-        result, _ = self.bands("--keep", "max_displacement<=0.008", "--keep", "max_contact_force<=200")
+        result, _ = self.bands("--keep", "max_displacement<=0.008", "--keep", "max_contact_force<=200", drawn=True)
         with h5py.File(TINY / "atlas.h5") as atlas:
             kept = (atlas["status"][...] == DONE) & (atlas["max_displacement"][...] <=
                                                      0.008) & (atlas["max_contact_force"][...] <= 200)
@@ -79,7 +98,7 @@ class SafeSpeeds(unittest.TestCase):
 
     def test_limits_on_margin_and_class_are_those_of_the_maps(self):
         result, _ = self.bands("--maps", TINY / "maps.h5", "--keep", "class<=1", "--keep", "margin>=0.03",
-                               "--damping_ratio", "0.1")
+                               "--damping_ratio", "0.1", drawn=True)
         with h5py.File(TINY / "maps.h5") as maps:
             line = (0, 0, 0, 1)
             margin = maps["margins/along_speed_ratio"][line]
@@ -88,7 +107,7 @@ class SafeSpeeds(unittest.TestCase):
         np.testing.assert_array_equal(self.speeds_in(result), in_bands(safe))
 
     def test_a_miss_that_does_not_occur_keeps_its_limit(self):
-        result, _ = self.bands("--keep", "nearest_miss>=1e9")
+        result, _ = self.bands("--keep", "nearest_miss>=1e9", drawn=True)
         with h5py.File(TINY / "atlas.h5") as atlas:
             safe = ((atlas["status"][...] == DONE) & np.isnan(atlas["nearest_miss"][...])).reshape(3, -1).all(axis=0)
         np.testing.assert_array_equal(self.speeds_in(result), in_bands(safe))
@@ -117,7 +136,7 @@ class SafeSpeeds(unittest.TestCase):
         with h5py.File(self.folder / "atlas.h5", "r+") as atlas:
             atlas["nearest_miss"][...] = np.nan
         self.assertIn("limits nothing: no point has a nearest_miss",
-                      self.bands("--keep", "nearest_miss>=1 mm", atlas=self.folder / "atlas.h5")[1])
+                      self.bands("--keep", "nearest_miss>=1 mm", atlas=self.folder / "atlas.h5", drawn=True)[1])
         self.assertIn("nearest_miss ≥ 1e-17 mm", self.bands("--keep", "nearest_miss>=1e-20")[0]["notes"][0])
 
     def test_one_speed_alone_is_no_band(self):
@@ -177,14 +196,10 @@ class SafeSpeeds(unittest.TestCase):
         self.assertAlmostEqual(band["from_hz"], band["from"] * NATURAL_FREQUENCY / (2 * np.pi), places=9)
 
     def test_the_picture_says_in_which_sweep_and_has_a_legend_and_an_axis_in_rpm(self):
-        sys.path.insert(0, str(ROOT / "tools"))
-        from rubatlas import style  # pylint: disable=import-outside-toplevel
-        from rubatlas.plots import safe_speeds  # pylint: disable=import-outside-toplevel
         caught = []
         with unittest.mock.patch.object(style, "save", lambda figure, options: caught.append(figure)), \
                 contextlib.redirect_stdout(io.StringIO()):
-            safe_speeds.main([str(TINY / "atlas.h5"), "-o", str(self.folder / "safe.png"), "--operate", "24 rpm",
-                              "--keep", "max_displacement<=8 mm"])
+            safe_speeds.main(self.words("--operate", "24 rpm", "--keep", "max_displacement<=8 mm"))
         panel = caught[0].axes[0]
         self.assertIn("in the sweep up", panel.get_title(loc="left"))
         self.assertEqual([text.get_text() for text in panel.get_legend().get_texts()][:4],
@@ -208,7 +223,7 @@ class SafeSpeeds(unittest.TestCase):
         result, text = self.bands("--keep", "max_displacement<=0.008")
         self.assertEqual((result["said_of"], result["other_motions"]), ("the sweep up", []))
         self.assertIn('"sweep": "both" in the scene looks for it', text)
-        basins, text = self.bands("--keep", "max_displacement<=12 mm", atlas=TINY / "basins.h5")
+        basins, text = self.bands("--keep", "max_displacement<=12 mm", atlas=TINY / "basins.h5", drawn=True)
         self.assertEqual(basins["said_of"], "the motions from the initial states of the grid")
         self.assertNotIn("looks for it", text)
 
@@ -227,7 +242,7 @@ class SafeSpeeds(unittest.TestCase):
             # As if two calm motions were possible at the first three speeds.
             mapped["attractor"][1, 0, 0, 0, 0, :3] = 77
         limit = "--keep", "max_displacement<=12 mm"
-        result, text = self.bands(*limit, atlas=both)
+        result, text = self.bands(*limit, atlas=both, drawn=True)
         self.assertEqual(result["said_of"], "both sweeps")
         self.assertEqual([(one["from"], one["to"], one["keeps_every_limit"]) for one in result["other_motions"]],
                          [(speed[0], speed[2], True)])
@@ -245,8 +260,8 @@ class SafeSpeeds(unittest.TestCase):
         first, _ = self.bands("--keep", "max_displacement<=0.008")
         self.assertEqual(first, self.bands("--keep", "max_displacement<=0.008")[0])
         (self.folder / "safe.json").write_text('{"grid": 1}')
-        ended = self.run_tool("--keep", "max_displacement<=0.008", "--json", self.folder / "safe.json")
-        self.assertEqual(ended.returncode, 2)
+        code, _, _ = self.said("--keep", "max_displacement<=0.008", "--json", self.folder / "safe.json")
+        self.assertEqual(code, 2)
         self.assertEqual((self.folder / "safe.json").read_text(), '{"grid": 1}')
 
     def test_a_mistake_is_one_sentence_and_exit_code_2(self):
@@ -261,9 +276,9 @@ class SafeSpeeds(unittest.TestCase):
                                  (["--keep", "class<=1"], "--maps"),
                                  (["--keep", "max_displacement<=1", "--operate", "3"], "outside the atlas"),
                                  (["--keep", "max_displacement<=1", "--json", "/nowhere/safe.json"], "folder")):
-            ended = self.run_tool(*arguments)
-            self.assertEqual((ended.returncode, ended.stderr.count("\n")), (2, 1), ended.stderr)
-            self.assertIn(words, ended.stderr)
+            code, _, errors = self.said(*arguments)
+            self.assertEqual((code, errors.count("\n")), (2, 1), errors)
+            self.assertIn(words, errors)
 
 
 if __name__ == "__main__":
