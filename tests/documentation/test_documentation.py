@@ -17,6 +17,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from forked_commands import ended_script  # noqa: E402
 from mpi_environment import CROWDED  # noqa: E402
 
+import rubatlas.atlas  # noqa: E402, F401  # with xarray, which scripts then find imported
+
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 PROGRAM = pathlib.Path(os.environ["RUBATLAS_PROGRAM"])
 TINY = PROGRAM.parent / "tests/tiny_atlas"

@@ -10,7 +10,7 @@ import traceback
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 
-from rubatlas import plot_command  # noqa: E402
+from rubatlas import plot_command, style  # noqa: E402, F401  # style: every picture needs matplotlib
 from rubatlas.report import command as report_command  # noqa: E402
 
 MAINS = {"rubatlas-plot": plot_command.main, "rubatlas-report": report_command.main}

@@ -13,7 +13,7 @@ class Blocks:
 
     def keep(self, name, content):
         """Bytes that the page unpacks by their name."""
-        self.texts[name] = base64.b64encode(zlib.compress(content, 9)).decode("ascii")
+        self.texts[name] = base64.b64encode(zlib.compress(content)).decode("ascii")
 
     def add(self, name, values):
         """An array, and the entry of the JSON that leads to it."""

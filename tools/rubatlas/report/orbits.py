@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from rubatlas.atlas import Atlas
 from rubatlas.atlas_file import DONE, AtlasError
 from rubatlas.program import find_program
 from rubatlas.report.blocks import Blocks
@@ -50,6 +49,8 @@ def shown_part(orbit):
 def orbits_of(atlas, count, most_bytes, blocks):
     """Orbits of at most `count` points of an atlas, as blocks that take at most `most_bytes`; none where no point is
     done."""
+    # Only here: most reports hold no orbits, and xarray takes a second to be imported.
+    from rubatlas.atlas import Atlas  # pylint: disable=import-outside-toplevel
     status = atlas.dataset("status")[...]
     points = spread(np.flatnonzero(status == DONE), count)
     source = Atlas(atlas.path)
