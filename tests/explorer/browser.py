@@ -19,10 +19,13 @@ class Browser:
             raise unittest.SkipTest(f"this machine has no {DRIVER} (Debian's package chromium-driver)")
         options = webdriver.ChromeOptions()
         for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-                         "--hide-scrollbars", "--force-prefers-reduced-motion"):
+                         "--hide-scrollbars", "--force-prefers-reduced-motion",
+                         # Pages of Chromium's own, which it would load at its start: they take longer than a report.
+                         "--disable-features=WebUIOmniboxPopup,WebUIOmniboxAimPopup"):
             options.add_argument(argument)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         self.driver = webdriver.Chrome(service=Service(str(DRIVER)), options=options)
+        self.opened = 0
         self.downloads = pathlib.Path(downloads)
         self.command("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(downloads))
         self.resize(width, height)
@@ -49,8 +52,8 @@ class Browser:
 
     def open(self, path, address=""):
         """A report, with all that it shows at first."""
-        self.driver.get("about:blank")
-        self.driver.get(f"file://{path}{address}")
+        self.opened += 1  # in the address, since one that differs behind the # alone opens nothing
+        self.driver.get(f"file://{path}?{self.opened}{address}")
         self.wait_for("document.documentElement.dataset.computer")
 
     def go(self, address):
