@@ -94,7 +94,7 @@ class PageComputes(ExplorerTest):
         self.assertLess(np.abs(self.computed_sections() - section).max(), 2e-6 * np.linalg.norm(section))
 
     def test_a_slider_asks_for_a_new_point_and_the_way_back_leads_to_the_cell(self):
-        self.open(cell(1, 17))
+        self.show(cell(1, 4))
         facts = self.browser.facts()
         slider = self.browser.find("[data-own=friction]")
         slider.click()
@@ -153,7 +153,7 @@ class PageComputes(ExplorerTest):
     # --- the animation ---
 
     def test_the_rotor_moves_while_it_plays_and_stands_while_it_does_not(self):
-        self.open(cell(1, 17))
+        self.show(cell(1, 17))
         self.assertEqual(self.browser.run("return document.getElementById('rotor').dataset.time"), "0")
         before = self.browser.pixels("#rotor")
         self.browser.find("#play").click()
@@ -165,7 +165,7 @@ class PageComputes(ExplorerTest):
         self.assertEqual(self.browser.run("return document.getElementById('rotor').dataset.time"), stopped)
 
     def test_a_step_leads_to_the_next_touch_down(self):
-        self.open(cell(1, 17))
+        self.show(cell(1, 17))
         forces = columns(self.browser.exported("CSV", "forces"))
         # Samples of a contact are close together.
         times, blades = np.array(forces["tau"], float), np.array(forces["blade"], int)
@@ -179,7 +179,7 @@ class PageComputes(ExplorerTest):
 
     def test_the_shape_of_a_blade_ends_where_the_closed_form_says(self):
         excess = np.array([1e-3, 0.05, 0.3])
-        self.browser.driver.get("about:blank")
+        self.show_nothing()
         for friction in (0.02, 0.1, 1.0):
             for load, shortening, deflection in zip(*elastica.curve(friction, excess)):
                 for side in (1.0, -1.0):
@@ -193,7 +193,7 @@ class PageComputes(ExplorerTest):
                     self.assertAlmostEqual(points[-1][1], side * deflection, delta=1e-3)
 
     def test_a_blade_without_friction_stands_straight_below_the_load_of_euler(self):
-        self.browser.driver.get("about:blank")
+        self.show_nothing()
         for share, bent in ((0.0, False), (0.99, False), (1.1, True)):
             across = self.browser.run((PAGE / "elastica.js").read_text() +
                                       "return bladeShape(...arguments).map(([, across]) => across)",

@@ -14,6 +14,7 @@ from selenium.webdriver.common.keys import Keys
 
 sys.path.insert(0, str(ROOT / "tools"))
 
+import rubatlas.atlas  # noqa: E402, F401  # with xarray, which reports with orbits then find imported
 from rubatlas.report import orbits  # noqa: E402
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -124,11 +125,6 @@ class PageShows(ExplorerTest):
 
     # --- the map ---
 
-    def of_maps(self, name, atlas, *options):
-        """A report for a look at its maps: without solver and orbits it opens in a third of the time."""
-        return made(self.folder / f"{name}_maps.html", atlas, "--without-solver", "--orbits", "0", *options,
-                    solver=False)
-
     def test_a_click_on_a_cell_opens_its_point_in_every_panel(self):
         self.show()
         panels = ["#chart-bifurcation canvas", "#chart-poincare canvas", "#chart-orbit canvas", "#chart-forces canvas",
@@ -144,7 +140,7 @@ class PageShows(ExplorerTest):
         self.assertEqual(self.browser.log(), [])
 
     def test_the_facts_of_a_cell_are_those_of_the_atlas(self):
-        self.show(cell(1, 17))
+        self.show_maps(cell(1, 17))
         with h5py.File(TINY / "atlas.h5") as file:
             self.assertEqual(file["status"][0, 0, 0, 1, 17], 1)
             displacement, force = (file[name][0, 0, 0, 1, 17] for name in ("max_displacement", "max_contact_force"))
@@ -153,20 +149,20 @@ class PageShows(ExplorerTest):
         self.assertEqual(facts["Max contact force"], f"{float(f'{force:.4g}'):g} N")
 
     def test_arrow_keys_walk_over_the_map(self):
-        self.show(cell(1, 10))
+        self.show_maps(cell(1, 10))
         self.browser.computes(lambda: self.press(Keys.ARROW_RIGHT))
         self.assertTrue(self.browser.driver.current_url.endswith(cell(1, 11)[1:]), self.browser.driver.current_url)
         self.browser.computes(lambda: self.press(Keys.ARROW_UP))
         self.assertTrue(self.browser.driver.current_url.endswith(cell(2, 11)[1:]), self.browser.driver.current_url)
 
     def test_the_address_shows_a_colleague_the_same_view(self):
-        self.open(cell(1, 10))
+        self.show_maps(cell(1, 10))
         self.click_cell(0.75, 0.9)
         self.browser.run("const s = document.getElementById('map-quantity'); s.value = 'max_displacement'; "
                          "s.onchange()")
         address, facts = self.browser.driver.current_url, self.browser.facts()
         picture = self.browser.pixels("#map canvas")
-        self.open("#" + address.split("#")[1])
+        self.open("#" + address.split("#")[1], self.maps_alone)
         self.assertEqual(self.browser.facts(), facts)
         self.assertEqual(self.browser.pixels("#map canvas"), picture)
 
@@ -174,7 +170,7 @@ class PageShows(ExplorerTest):
         for address in ("#where=constructor > 1", "#where=" + 4000 * "(", "#x=damping_ratio&y=damping_ratio",
                         "#x=damping_ratio", "#at=9,9,9,9,9", "#at=" + 5000 * "a,"):
             with self.subTest(address[:30]):
-                self.show(address)
+                self.show_maps(address)
                 self.assertNotEqual(*(self.browser.run(f"return document.getElementById('map-{side}').value")
                                       for side in "xy"))
                 self.assertEqual(self.browser.facts()["Status"], "done")
@@ -237,7 +233,7 @@ class PageShows(ExplorerTest):
         self.assertGreater(left, 0.05)
         for quantity in ("class", "max_displacement", "status"):
             with self.subTest(quantity):
-                self.show(f"#map={quantity}")
+                self.show_maps(f"#map={quantity}")
                 self.assertAlmostEqual(self.hatched("left the model's validity"), left, delta=2e-3)
 
     def test_a_map_of_many_cells_is_hatched_where_and_only_where_there_is_no_motion(self):
@@ -342,13 +338,13 @@ class PageShows(ExplorerTest):
         return self.browser.text("#address-notice") if self.browser.find("#address-notice").is_displayed() else ""
 
     def test_a_link_holds_values_by_name_or_symbol(self):
-        self.show(cell(1, 17))
+        self.show_maps(cell(1, 17))
         facts = self.browser.facts()
         with h5py.File(TINY / "atlas.h5") as atlas:
             speed = float(atlas["speed_ratio"][17])
         self.assertEqual(facts["Damping ratio ζ"], "0.1")
         self.assertEqual(self.notice(), "")
-        self.show(f"#at=ζ=0.1,Ω={speed!r}")
+        self.show_maps(f"#at=ζ=0.1,Ω={speed!r}")
         self.assertEqual(self.browser.facts(), facts)
         self.assertEqual(self.notice(), "")
 
@@ -364,14 +360,14 @@ class PageShows(ExplorerTest):
                 ("#from=here", "from=here is neither"),
                 ("#own=friction=3", "friction=3 is outside 0 to 2"), ("#own=0.6,0.1", "0.6 is no name=value")):
             with self.subTest(address):
-                self.show(address)
+                self.show_maps(address)
                 self.assertIn(said, self.notice())
                 self.assertEqual(self.browser.text("#origin"), "from the atlas")
         self.browser.computes(lambda: self.press(Keys.ARROW_RIGHT))
         self.assertEqual(self.notice(), "")
 
     def test_the_way_back_leads_over_what_was_chosen(self):
-        self.open(cell(1, 10))
+        self.show_maps(cell(1, 10))
         first = self.browser.facts()
         self.click_cell(0.75, 0.9)
         second = self.browser.facts()
@@ -388,7 +384,7 @@ class PageShows(ExplorerTest):
     # --- queries ---
 
     def test_a_query_marks_the_points_of_which_it_is_true(self):
-        self.show()
+        self.show_maps()
         plain = self.browser.pixels("#map canvas")
         field = self.browser.find("#query")
         field.send_keys("class = period 1 and max displacement > 5 mm", Keys.ENTER)
@@ -403,7 +399,7 @@ class PageShows(ExplorerTest):
         self.assertIn("where=", self.browser.driver.current_url)
 
     def test_a_query_is_echoed_in_units_and_its_names_are_listed(self):
-        self.show()
+        self.show_maps()
         self.browser.find("#query").send_keys("max displacement > 0.25 and 60 rpm >= speed", Keys.ENTER)
         self.assertRegex(self.browser.text("#query-answer"),
                          r"^0 of \d+ points that are done are marked: max_displacement > 250 mm, 25 clearances; "
@@ -416,14 +412,14 @@ class PageShows(ExplorerTest):
             self.assertIn(word, named)
 
     def test_a_query_with_an_unknown_name_says_which_is_nearest(self):
-        self.show()
+        self.show_maps()
         self.browser.find("#query").send_keys("max_displacment > 1", Keys.ENTER)
         self.assertIn("nearest name is max_displacement", self.browser.text("#query-answer"))
 
     def test_queries_mean_what_the_table_of_cases_says(self):
         table = json.loads((ROOT / "tests/explorer/query_cases.json").read_text())
         grammar = json.loads((ROOT / "tools/rubatlas/query_grammar.json").read_text())
-        self.browser.driver.get("about:blank")
+        self.show_nothing()
         for cases in (table["cases"], table["trees"]):
             found = self.browser.run((PAGE / "query.js").read_text() + """
                 const [names, sizes, cases, grammar] = [...arguments].map((text) => JSON.parse(text));
