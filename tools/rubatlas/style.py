@@ -146,7 +146,10 @@ def _wrap(text, excess):
 
 def wrap_words(made):
     """Breaks the lines of titles and labels that would be cut; the picture becomes taller by the lines of titles."""
-    made.get_layout_engine().execute(made)  # places what is measured
+    # Places what is measured, as drawing it would.
+    made.get_layout_engine().execute(made)
+    for axes in made.axes:
+        axes.apply_aspect()
     titles = [made._suptitle, made._supxlabel, *(axes._left_title for axes in made.axes)]
     for text in [text for text in titles if text is not None]:
         more = _wrap(text, lambda text=text: text.get_window_extent().x1 - made.bbox.x1 + 4.0)
