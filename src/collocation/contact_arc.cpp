@@ -275,16 +275,15 @@ ContactArc::Outcome ContactArc::make() {
     }
     // A tip that rests, and cannot be followed in the shortest of times, is about to lose its place. Whether
     // it does is seen where it leads.
-    const auto resting = std::ranges::find(further_, 0.0, &FurtherStart::slip);
-    if (contact_.leans && contact_.slip != 0.0 && resting != further_.end() &&
-        lead_changes_ < kMostLeadChanges) {
-      begin_anew(1 + static_cast<std::size_t>(resting - further_.begin()));
-      ++lead_changes_;
-      continue;
-    }
     if (contact_.leans && contact_.slip == 0.0) {
       end_at_once({Guard::loosening, 0.0, blade_, 0.0});
       return Outcome::made;
+    }
+    const auto resting = std::ranges::find(further_, 0.0, &FurtherStart::slip);
+    if (contact_.leans && resting != further_.end() && lead_changes_ < kMostLeadChanges) {
+      begin_anew(1 + static_cast<std::size_t>(resting - further_.begin()));
+      ++lead_changes_;
+      continue;
     }
     if (!solved || !is_met_at_once(ending)) return Outcome::gives_up;
     ending.guard = guard_of_tip(ending.guard);

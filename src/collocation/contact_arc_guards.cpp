@@ -239,13 +239,14 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
   constexpr double kClosestFraction = 1e-11;
   // At a fold time stands still, and where no force is left nothing is missed in a moment.
   const bool once = ending.guard == Guard::fold || (ending.guard == Guard::unbent && further_.empty());
-  // Whether a tip comes to rest depends on v to rounding, the more so where friction hardly moves the tip.
+  // Whether a tip comes to rest, and which way one slips that comes loose, depends on v to rounding, the more
+  // so where friction hardly moves the tip.
   constexpr double kToRounding = 1e-3;  // of what v may be, and of the fraction
   const Guard guard = guard_of_tip(ending.guard);
-  const bool may_rest = contact_.leans && (guard == Guard::slip_reversal || guard == Guard::loosening);
-  const double rounding = guard == Guard::loosening
-                              ? std::numeric_limits<double>::epsilon() * machine().ring_radius
-                              : kToRounding * slip_rounding();
+  const bool loosens = guard == Guard::loosening;
+  const bool may_rest = contact_.leans && (loosens || guard == Guard::slip_reversal);
+  const double rounding = loosens ? std::numeric_limits<double>::epsilon() * machine().ring_radius
+                                  : kToRounding * slip_rounding();
   const double closest = may_rest ? rounding : std::numeric_limits<double>::infinity();
   const double closest_fraction = may_rest ? kToRounding * kClosestFraction : kClosestFraction;
   double left_before = 0.0;
@@ -260,7 +261,7 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
     rounding_at_end_ = 2.0 * std::abs(left);
     // What holds a tip changes so fast that the polynomial tells little of the slope: two places do.
     constexpr double kFalls = 0.1;
-    if (guard == Guard::loosening && i > 0 && std::abs(left) > kFalls * std::abs(left_before))
+    if (loosens && i > 0 && std::abs(left) > kFalls * std::abs(left_before))
       ending.slope = (left_before - left) / less;
     left_before = left;
     less = left / ending.slope;

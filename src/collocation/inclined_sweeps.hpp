@@ -96,7 +96,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     return ((((square * (1.0 / 40320) + 1.0 / 720) * square + 1.0 / 24) * square + 0.5) * square + 1.0) *
            load.scale;
   }
-  /// |v| of a tip at rest before a step: only what follows the steps is seen in the shaft's velocity.
+  /// |v| that a tip at rest had before the step. The shaft's velocity shows only what steps change.
   double slip_left(const Tip& tip) const {
     return tip.inclined().rests ? magnitude(tip.e).largest() * machine_.ring_radius : 0.0;
   }

@@ -268,7 +268,7 @@ class InclinedTip {
     const Number push = load * (-blade_->load_unit * force_unit);
     const Number cosine = Number(1.0) - lean * lean * 2.0;
     const Number sine = lean * root(Number(1.0) - lean * lean) * (2.0 * load_->side);
-    if (load_->rests) {
+    if (load_->rests) {  // what holds it there
       coefficient = load_->along_normal ? (a * sine - b * cosine) / (a * cosine + b * sine) : sine / cosine;
     }
     Push result{cosine, sine};
