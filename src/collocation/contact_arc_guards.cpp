@@ -249,8 +249,7 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
                                   : kToRounding * slip_rounding();
   const double closest = may_rest ? rounding : std::numeric_limits<double>::infinity();
   const double closest_fraction = may_rest ? kToRounding * kClosestFraction : kClosestFraction;
-  double left_before = 0.0;
-  double less = 0.0;
+  double left_before = std::numeric_limits<double>::infinity();
   for (int i = 0; i < (may_rest ? 2 * kTimes : kTimes); ++i) {
     if (!cut(whole, ending.fraction, shorter, closest)) {
       // As closely as that it may not be known.
@@ -259,12 +258,14 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
     if (once) break;
     const double left = left_at_end(ending, shorter);
     rounding_at_end_ = 2.0 * std::abs(left);
-    // What holds a tip changes so fast that the polynomial tells little of the slope: two places do.
+    // What holds a tip may change so fast that the polynomial tells little of the slope: two places do. What
+    // hardly falls is rounding.
     constexpr double kFalls = 0.1;
-    if (loosens && i > 0 && std::abs(left) > kFalls * std::abs(left_before))
-      ending.slope = (left_before - left) / less;
+    constexpr double kHardly = 0.5;
+    const double ratio = left / left_before;
+    if (loosens && may_rest && std::abs(ratio) > kFalls && ratio < kHardly) ending.slope *= 1.0 - ratio;
     left_before = left;
-    less = left / ending.slope;
+    const double less = left / ending.slope;
     if (!(std::abs(less) > closest_fraction) || ending.fraction - less > 1.0) break;
     ending.fraction -= less;
     if (!(ending.fraction > 0.0)) return false;
