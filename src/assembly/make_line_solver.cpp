@@ -12,10 +12,17 @@ namespace rubatlas::assembly {
 
 namespace {
 
+/// Whether contacts have arcs; where they have none the method is `hybrid`.
+bool collocates(const LineRequest& request) {
+  constexpr double kAnySpeed = 1.0;
+  const rotor::Machine machine = machine_of(request.line, request.combination.machine, kAnySpeed);
+  return law_of(request)->arcs(machine, request.line.validity.max_shortening) != nullptr;
+}
+
 std::unique_ptr<point::LineSolver> make(const LineRequest& request) {
   switch (request.line.accuracy.method) {
     case settings::Method::collocation:
-      return hybrid_solver(request, modes::phase_on_arcs, phase_in_steps);
+      return hybrid_solver(request, collocates(request) ? modes::phase_on_arcs : phase_in_steps);
     case settings::Method::hybrid:
       return hybrid_solver(request, phase_in_steps);
     case settings::Method::hybrid_54:
@@ -39,11 +46,8 @@ std::shared_ptr<BladeTables> make_blade_tables() {
 }
 
 bool collocates(const settings::Scene& line) {
-  constexpr double kAnySpeed = 1.0;
   const std::shared_ptr<BladeTables> tables = make_blade_tables();
-  const LineRequest request{line, *tables, settings::combination_of(line)};
-  const rotor::Machine machine = machine_of(line, request.combination.machine, kAnySpeed);
-  return law_of(request)->arcs(machine, line.validity.max_shortening) != nullptr;
+  return collocates(LineRequest{line, *tables, settings::combination_of(line)});
 }
 
 std::unique_ptr<point::LineSolver> make_line_solver(const settings::Scene& scene,

@@ -26,10 +26,8 @@ std::unique_ptr<modes::Law> law_of(const LineRequest& request);
 
 // Methods.
 
-/// Closed-form flight, located events; contacts in the phases of `make_phase`, and, where these hand them
-/// over, in those of `make_fallback`.
-std::unique_ptr<point::LineSolver> hybrid_solver(const LineRequest& request, modes::MakePhase* make_phase,
-                                                 modes::MakePhase* make_fallback = nullptr);
+/// Closed-form flight, located events; contacts in the phases of `make_phase`.
+std::unique_ptr<point::LineSolver> hybrid_solver(const LineRequest& request, modes::MakePhase* make_phase);
 /// Phases in steps of order 8(5,3).
 modes::MakePhase phase_in_steps;
 

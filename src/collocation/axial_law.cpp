@@ -59,6 +59,9 @@ std::optional<Touch> AxialLaw::open(const Touch& touch, const contact::Pose& at,
   constexpr double kClearlyLess = 1.0 - 1e-9;
   if (law.may_stand_straight() && touch.bending == 0.0)
     found.straight = touch.straight || law.straight_load(at) < kClearlyLess * blade::kEulerLoad;
+  // Another arc has left it off its equilibrium by what sweeps leave.
+  if (touch.bending > 0.0)
+    found.bending = law.solve_near(at, touch.slip, touch.bending).value_or(touch.bending);
   return found;
 }
 

@@ -274,14 +274,15 @@ ContactArc::Outcome ContactArc::make() {
       return Outcome::made;
     }
     // A tip that rests, and cannot be followed in the shortest of times, is about to lose its place. Whether
-    // it does is seen where it leads.
+    // it does is seen where it leads; so is the fold of a tip whose friction turns round steeply.
     if (contact_.leans && contact_.slip == 0.0) {
       end_at_once({Guard::loosening, 0.0, blade_, 0.0});
       return Outcome::made;
     }
-    const auto resting = std::ranges::find(further_, 0.0, &FurtherStart::slip);
-    if (contact_.leans && resting != further_.end() && lead_changes_ < kMostLeadChanges) {
-      begin_anew(1 + static_cast<std::size_t>(resting - further_.begin()));
+    if (contact_.leans && !further_.empty() && lead_changes_ < kMostLeadChanges) {
+      const auto resting = std::ranges::find(further_, 0.0, &FurtherStart::slip);
+      const auto next = resting == further_.end() ? further_.begin() : resting;
+      begin_anew(1 + static_cast<std::size_t>(next - further_.begin()));
       ++lead_changes_;
       continue;
     }

@@ -41,11 +41,6 @@ std::optional<Touch> DampedLaw::open(const Touch& touch, const contact::Pose& at
     if (there.force.normal > 0.0 && there.cone_left > 0.0) return found;
     return std::nullopt;
   }
-  // Where the v of a straight blade comes to zero and the blade bends, steps tell to which side v sets out.
-  const double rounding = contact::kSlipRounding * std::abs(speed) * radius;
-  if (touch.touches_down() &&
-      !(std::abs(contact::undeformed_slip_velocity(law.geometry(), at, speed)) > rounding))
-    return std::nullopt;
   if (touch.touches_down() && touch.yielding == 0.0) found.yielding = law.depth(at);
   contact::Pose there = at;
   there.gap = touch.touches_down() ? 0.0 : at.gap - found.yielding * (2.0 * radius + found.yielding);

@@ -28,6 +28,11 @@ class DampedLaw final : private BladesOfRing, public AxialLaw {
   [[nodiscard]] bool ends_at_ring() const override { return false; }
   [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
                                           double speed) const override;
+  /// A straight blade that the ring would pull.
+  [[nodiscard]] bool is_free_at_once(const Touch& touch, const contact::Pose& at,
+                                     double speed) const override {
+    return touch.straight && !(force(touch, at, speed).normal > 0.0);
+  }
   [[nodiscard]] std::optional<Touch> found_anew(const Touch& touch, const contact::Pose& at,
                                                 double speed) const override {
     return open(touch, at, speed);

@@ -282,8 +282,7 @@ class InclinedTip {
   /// How the push changes with the slip velocity where the shaft stands: the bend follows e, at h = 0. To be
   /// asked for after `move_on`.
   Push push_by_slip(double force_unit) const {
-    const Number e_by_slip = e_by_velocity_ * ring_radius_;
-    const Number inverse = e_by_slip / (h_by_bending * e_by_lean - h_by_lean * e_by_bending);
+    const Number inverse = e_by_velocity() / (h_by_bending * e_by_lean - h_by_lean * e_by_bending);
     const Number bending_rate = h_by_lean * inverse;
     const Number lean_rate = h_by_bending * inverse * -1.0;
     const Number load_rate = blade.load.by_bending * bending_rate + blade.load.by_lean * lean_rate;
@@ -314,6 +313,8 @@ class InclinedTip {
     (bending * (2.0 * load_->strain_unit) * root(larger(load, Number(0.0)))).store(kept.root_strain);
   }
 
+  /// ∂e/∂v.
+  [[nodiscard]] Number e_by_velocity() const { return e_by_velocity_ * ring_radius_; }
   [[nodiscard]] const InclinedLoad& inclined() const { return *load_; }
   [[nodiscard]] const Blade& numbers() const { return *blade_; }
 

@@ -59,12 +59,12 @@ bool Collocated::start(double time, const rotor::ShaftAndRing& state,
       touching_.push_back(*opened);
     } else if (law_->is_free_at_once(touch, at, speed)) {
       at_once_ = {Guard::lift_off, open.blade};
+    } else if (open.straight) {
+      at_once_ = {Guard::pressed_in, open.blade};
     } else if (open.slip == 0.0) {
       at_once_ = {Guard::comes_loose, open.blade};
     } else if (open.bend.modulus != 0.0) {
       at_once_ = {Guard::snap, open.blade};
-    } else if (!law_->ends_at_ring()) {
-      at_once_ = {Guard::hands_over, open.blade};
     } else {
       refusal_ = ending::StatusDetail::no_equilibrium;
     }
@@ -104,7 +104,7 @@ ModeEnd Collocated::advance(double until, MotionListener& listener) {
     const std::uint64_t too_long = arc_.rejected() - rejected;
     if (too_long > kFew) meter_->spend(Work::contact, price * static_cast<std::int64_t>(too_long - kFew));
     if (outcome == collocation::ContactArc::Outcome::gives_up)
-      return {Guard::hands_over, contacts_.front().blade};
+      return {Guard::failed, -1, ending::StatusDetail::step_too_short};
     pending_ = true;
     piece_begin_ = arc_.start().time;
   }

@@ -14,7 +14,6 @@ ContactModes::ContactModes(const ModesRequest& request, std::unique_ptr<Law> law
     : law_(std::move(law)),
       setup_{&request.machine, law_.get(), request.limits, &request.meter},
       phases_(request.make_phase, setup_) {
-  if (request.make_fallback != nullptr) fallback_.emplace(request.make_fallback, setup_);
   if (law_->may_skim(0)) skimming_judge_.emplace(setup_);
   const int count = request.machine.blades.count();
   if (law_->kind().sticks) {
@@ -51,6 +50,7 @@ void ContactModes::set_out_from_rest(rotor::ShaftAndRing& state, double time, Op
       machine.blades.angular_speed(time)};
   contact::TipForce force{};
   if (!law_->respond(at, contact, force) || !(force.normal > 0.0)) return;
+  if (!(contact.slip * force.slip_velocity < 0.0)) return;
   // The force is −F (n + c t), t = i n.
   const double coefficient = law_->friction_coefficient(contact.blade, force, contact.slip);
   const std::complex<double> tangent =

@@ -32,7 +32,6 @@ struct ModesRequest {
   ContactLimits limits;
   WorkMeter& meter;
   MakePhase* make_phase;
-  MakePhase* make_fallback = nullptr;  ///< phases for contacts that the first ones hand over
 };
 
 class ContactModes {
@@ -43,27 +42,11 @@ class ContactModes {
 
   [[nodiscard]] const Law& law() const { return *law_; }
 
-  // Phases.
-
-  /// The first ones, or, where these have handed the contacts over or there are none, those of the fallback.
-  [[nodiscard]] ContactPhases& phases(bool handed_over) {
-    const bool are_first = !fallback_ || (!handed_over && phases_.slipping() != nullptr);
-    return are_first ? phases_ : *fallback_;
-  }
-  [[nodiscard]] bool may_hand_over(const Phase* phase) const {
-    return fallback_.has_value() && phases_.has_slipping(phase);
-  }
-  [[nodiscard]] Phase* resting(ContactPhases& phases) { return phases.resting(tips_at_rest_->setup()); }
+  [[nodiscard]] ContactPhases& phases() { return phases_; }
+  [[nodiscard]] const ContactPhases& phases() const { return phases_; }
+  [[nodiscard]] Phase* resting() { return phases_.resting(tips_at_rest_->setup()); }
   [[nodiscard]] bool is_law_of_rest(const Phase* phase) const {
-    return phase != nullptr &&
-           (phases_.has_resting(phase) || (fallback_.has_value() && fallback_->has_resting(phase)));
-  }
-
-  /// Calls `use` with each phase that has been made.
-  template <class Use>
-  void each_phase(Use use) const {
-    phases_.each(use);
-    if (fallback_) fallback_->each(use);
+    return phase != nullptr && phases_.has_resting(phase);
   }
 
   /// Price of the searches for equilibria since the last phase or call; nothing where they are short [ns].
@@ -103,8 +86,8 @@ class ContactModes {
   [[nodiscard]] std::vector<OpenContact> at_rest(const std::vector<OpenContact>& contacts) const {
     return tips_at_rest_ ? tips_at_rest_->at_rest(contacts) : contacts;
   }
-  /// Puts the shaft's velocity, which errs by the tolerance, where v = 0: a tip that has come loose under the
-  /// law of rest must not slip back to it, which would be a slip reversal.
+  /// A tip that has come loose and slips against s, as its velocity errs by the tolerance, would slip back to
+  /// where it was: puts the shaft's velocity where v = 0.
   void set_out_from_rest(rotor::ShaftAndRing& state, double time, OpenContact contact) const;
   /// A contact under the law of tips at rest, as another motion takes it over: a tip at rest comes loose
   /// where the machine changes, and s becomes the side to which its blade is bent.
@@ -123,7 +106,6 @@ class ContactModes {
   ContactSetup setup_;
   std::uint64_t paid_evaluations_ = 0;  ///< of curves, whose price has been told
   ContactPhases phases_;
-  std::optional<ContactPhases> fallback_;
   std::unique_ptr<RestJudge> judge_;        ///< of tips that stick
   std::optional<TipsAtRest> tips_at_rest_;  ///< of those that rest because reversals accumulate
   std::optional<SkimmingJudge> skimming_judge_;

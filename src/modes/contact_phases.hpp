@@ -1,4 +1,4 @@
-/// The phases in contact of one motion that are made in one way, each where it is first asked for.
+/// The phases in contact of one motion, each made where it is first asked for.
 #pragma once
 
 #include <memory>
@@ -25,7 +25,6 @@ class ContactPhases {
   /// Tips that always slip and come to rest where their slip reversals accumulate, under the law of
   /// `at_rest`.
   [[nodiscard]] Phase* resting(const ContactSetup& at_rest) { return made(resting_, Form::resting, at_rest); }
-  [[nodiscard]] bool has_slipping(const Phase* phase) const { return phase == slipping_.get(); }
   [[nodiscard]] bool has_resting(const Phase* phase) const { return phase == resting_.get(); }
 
   /// Calls `use` with each phase that has been made.

@@ -93,8 +93,6 @@ class Law {
   [[nodiscard]] virtual Standing keep(const TipPlace& at, OpenContact& /*contact*/) const {
     return at.pose.gap <= 0.0 ? Standing::free : Standing::stands;
   }
-  /// Finds the bending that another mode has left again where the tip stands. False where there is none.
-  [[nodiscard]] virtual bool follow(const TipPlace& /*at*/, OpenContact& /*contact*/) const { return true; }
   /// Goes from the end of a branch to the next equilibrium.
   [[nodiscard]] virtual Standing snap(const TipPlace& /*at*/, OpenContact& /*contact*/) const {
     return Standing::lost;

@@ -50,9 +50,6 @@ class LawOfAxialLoads final : public LawOfBlades<LawOfAxialLoads, contact::Elast
   /// 4.2).
   [[nodiscard]] bool open(const TipPlace& at, OpenContact& contact) const override;
   [[nodiscard]] Standing keep(const TipPlace& at, OpenContact& contact) const override;
-  /// On its branch, or on the next one where a change of the blade or of its speed, or rounding next to a
-  /// fold, has taken it past the end.
-  [[nodiscard]] bool follow(const TipPlace& at, OpenContact& contact) const override;
   /// In the direction in which the blade moves. Where there is no next equilibrium, the blade is free if the
   /// ring opens and the undeformed tip is outside it.
   [[nodiscard]] Standing snap(const TipPlace& at, OpenContact& contact) const override;

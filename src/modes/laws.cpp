@@ -114,17 +114,15 @@ Standing LawOfAxialLoads::keep(const TipPlace& at, OpenContact& contact) const {
     return outside ? Standing::free : Standing::stands;
   }
   if (outside && !blade.releases_at_fold()) return Standing::free;
-  const bool found =
-      contact.bending > 0.0 ? follow(at, contact) : takes(blade.solve(at.pose, contact.slip), contact);
-  if (found) return Standing::stands;
+  if (!(contact.bending > 0.0)) {
+    if (takes(blade.solve(at.pose, contact.slip), contact)) return Standing::stands;
+  } else {
+    // On its branch, or on the next one where the change has taken it past the end.
+    auto root = blade.solve_near(at.pose, contact.slip, contact.bending);
+    if (!root && blade.has_branches()) root = blade.snap(at.pose, contact.slip, contact.bending, at.speed);
+    if (takes(root, contact)) return Standing::stands;
+  }
   return outside ? Standing::free : Standing::lost;
-}
-
-bool LawOfAxialLoads::follow(const TipPlace& at, OpenContact& contact) const {
-  const auto& blade = of(contact.blade);
-  auto root = blade.solve_near(at.pose, contact.slip, contact.bending);
-  if (!root && blade.has_branches()) root = blade.snap(at.pose, contact.slip, contact.bending, at.speed);
-  return takes(root, contact);
 }
 
 Standing LawOfAxialLoads::snap(const TipPlace& at, OpenContact& contact) const {

@@ -18,7 +18,6 @@ enum class Guard : std::uint8_t {
   comes_loose,  ///< a tip at rest begins to slip
   pressed_in,   ///< a tip that has skimmed has its full force, or a straight blade bends
   snap,         ///< a blade has come to the end of its branch of equilibria and goes over to the next
-  hands_over,   ///< another phase goes on with the same contacts
   left_validity,
   failed
 };

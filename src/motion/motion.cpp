@@ -27,7 +27,7 @@ constexpr int kNoBlade = -1;
 Motion::Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const Settings& settings)
     : machine_(std::move(machine)),
       limits_(settings.limits),
-      modes_({machine_, limits_, meter_, settings.make_phase, settings.make_fallback}, std::move(law)),
+      modes_({machine_, limits_, meter_, settings.make_phase}, std::move(law)),
       flight_(machine_),
       search_(machine_, geometries()) {
   contacts_.reserve(static_cast<std::size_t>(machine_.blades.count()));
@@ -110,7 +110,7 @@ Memory Motion::memory() const {
 
 WorkCounts Motion::work() const {
   WorkCounts result = work_;
-  modes_.each_phase([&](const modes::Phase& phase) {
+  modes_.phases().each([&](const modes::Phase& phase) {
     result.right_hand_sides += phase.evaluations();
     result.steps += phase.steps();
     result.rejected_steps += phase.rejected();
@@ -220,10 +220,6 @@ ending::PointStatus Motion::finish_revolution(double period) {
 }
 
 bool Motion::begin_in(modes::Phase* phase, const std::vector<modes::OpenContact>& contacts) {
-  if (phase == nullptr) {
-    refusal_ = ending::StatusDetail::step_too_short;
-    return false;
-  }
   phase_ = phase;
   undecided_ = false;
   const bool started = phase->start(time_, state_, contacts);
@@ -239,25 +235,15 @@ bool Motion::begin_mode() {
     undecided_ = false;
     return true;
   }
-  // What has been handed over is not asked for again before the contacts change.
-  const bool handed_over = ended_by_ == modes::Guard::hands_over;
-  modes::ContactPhases& phases = modes_.phases(handed_over);
   if (any_rests()) {
-    return modes_.has_law_of_rest() ? begin_in(modes_.resting(phases), modes_.at_rest(contacts_))
-                                    : begin_in(phases.sticking(), contacts_);
+    return modes_.has_law_of_rest() ? begin_in(modes_.resting(), modes_.at_rest(contacts_))
+                                    : begin_in(modes_.phases().sticking(), contacts_);
   }
   if (begins_to_skim()) {
-    if (modes::Phase* const skimming = phases.skimming()) return begin_in(skimming, contacts_);
+    if (modes::Phase* const skimming = modes_.phases().skimming()) return begin_in(skimming, contacts_);
     contacts_.front().skims = true;
   }
-  return begin_in(modes_.phases(handed_over || !all_follow()).slipping(), contacts_);
-}
-
-/// Finds the bending of all contacts, from where another mode has left it. False where one has no force.
-bool Motion::all_follow() {
-  return std::ranges::all_of(contacts_, [&](modes::OpenContact& open) {
-    return open.bending == 0.0 || law().follow(place(open.blade), open);
-  });
+  return begin_in(modes_.phases().slipping(), contacts_);
 }
 
 /// Whether the blade that has just touched down begins to skim. If so, it is the first of the contacts.
@@ -344,8 +330,6 @@ ending::PointStatus Motion::reset(const modes::ModeEnd& end, modes::MotionListen
       return ends(snap(contact, listener));
     case Guard::comes_loose:
       return ends(come_loose(contact, listener));
-    case Guard::hands_over:  // the last interval may have ended where friction no longer holds a tip
-      return ends(settle_others(kNoBlade, listener));
     case Guard::slip_reversal:
       return ends(reverse_slip(contact, listener));
     case Guard::pressed_in:  // a tip that has skimmed goes on under its full force, a straight blade bends
@@ -389,13 +373,12 @@ ending::StatusDetail Motion::snap(Contact contact, modes::MotionListener& listen
 ending::StatusDetail Motion::come_loose(Contact contact, modes::MotionListener& listener) {
   const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());
   if (!modes_.let_go(unbent(), contacts_, place_in_list)) return ending::StatusDetail::slip_undecided;
-  if (contact->slip == 0.0) {  // an arc has let it go a little early
-    if (!modes_.may_hand_over(phase_)) return ending::StatusDetail::slip_undecided;
-    ended_by_ = modes::Guard::hands_over;
-    return ending::StatusDetail::none;
+  if (contact->slip == 0.0) {  // it has been let go a little early, and rests on
+    const bool has_moved = reversal_cycle(*contact) > 0.0;
+    return has_moved ? ending::StatusDetail::none : ending::StatusDetail::slip_undecided;
   }
   if (!law().bend_anew(place(contact->blade), *contact)) return ending::StatusDetail::no_equilibrium;
-  if (modes_.is_law_of_rest(phase_)) modes_.set_out_from_rest(state_, time_, *contact);
+  modes_.set_out_from_rest(state_, time_, *contact);
   const ending::StatusDetail settled = settle_others(contact->blade, listener);
   tell(listener, modes::Guard::comes_loose, contact->blade, contact->slip);
   return settled;

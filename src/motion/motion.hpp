@@ -24,7 +24,6 @@ class Motion final : public PointMotion {
   struct Settings {
     modes::ContactLimits limits;
     modes::MakePhase* make_phase = modes::phase_on_arcs;
-    modes::MakePhase* make_fallback = nullptr;  ///< phases for contacts that the first ones hand over
   };
   Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const Settings& settings);
 
@@ -60,7 +59,6 @@ class Motion final : public PointMotion {
   ending::PointStatus finish_revolution(double period);
   bool begin_in(modes::Phase* phase, const std::vector<modes::OpenContact>& contacts);
   bool begin_mode();
-  [[nodiscard]] bool all_follow();
   [[nodiscard]] bool any_rests() const {
     return std::ranges::count(contacts_, 0.0, &modes::OpenContact::slip) > 0;
   }

@@ -100,9 +100,9 @@ struct Validity {
 };
 
 /// How a point is integrated: `hybrid` (closed-form flight, located events, order 8 in contact);
-/// `collocation`, the same with contacts of one elastic blade by collocation; `hybrid` with pairs of order
-/// 5(4) and 3(2); `paper`, the published scheme; `located`, one adaptive pair with located events; `fixed`,
-/// classical Runge–Kutta with a fixed step.
+/// `collocation`, the same with contacts by collocation; `hybrid` with pairs of order 5(4) and 3(2); `paper`,
+/// the published scheme; `located`, one adaptive pair with located events; `fixed`, classical Runge–Kutta
+/// with a fixed step.
 enum class Method : std::uint8_t { hybrid, collocation, hybrid_54, hybrid_32, paper, located, fixed };
 
 struct Accuracy {

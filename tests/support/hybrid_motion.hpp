@@ -42,8 +42,7 @@ std::unique_ptr<motion::Motion> hybrid_motion(const rotor::Machine& machine, con
   using Settings = motion::Motion::Settings;
   return std::make_unique<motion::Motion>(
       machine, law_of(laws_of(law, machine.blades.count())),
-      collocates ? Settings{limits, modes::phase_on_arcs, assembly::phase_in_steps}
-                 : Settings{limits, assembly::phase_in_steps});
+      Settings{limits, collocates ? modes::phase_on_arcs : assembly::phase_in_steps});
 }
 template <class Law, class Forcing>
 std::unique_ptr<motion::Motion> hybrid_motion(const rotor::RotorConstants& rotor,
