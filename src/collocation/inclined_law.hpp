@@ -114,7 +114,7 @@ class InclinedLaw final : public ArcLaw {
                                 const std::complex<double>& acceleration) const override {
     const auto& law = law_->of(touch.blade);
     const auto there = equations(law, at, speed, touch.slip, touch.bend);
-    auto drift = law.drift(at, speed, 0.0, acceleration, there);
+    auto drift = law.drift(at, speed, acceleration, there);
     if (touch.slip == 0.0) {
       const double along_rate =
           acceleration.real() + speed * (2.0 * at.tangential_velocity - speed * at.radial);

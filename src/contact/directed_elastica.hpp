@@ -127,19 +127,14 @@ class DirectedElastica {
     return result;
   }
 
-  /// The constraint, also of a blade without load (φ = 0). It is even in φ: φ and −φ are the same blade.
+  /// A blade at one bend, also without load (φ = 0). It is even in φ: φ and −φ are the same blade.
+  [[nodiscard]] static blade::InclinedPoint blade_at(const Bend& bend) {
+    return blade::inclined_equilibrium(bend.modulus, or_unloaded(bend).amplitude);
+  }
+  /// Its constraint.
   [[nodiscard]] Constraint constraint_or_unloaded(const Pose& at, double slip, double angular_speed,
                                                   const Bend& bend) const {
-    constexpr double kUnloaded = 1e-100;
-    const bool loaded = std::abs(bend.amplitude) > kUnloaded;
-    return constraint(at, slip, angular_speed, {bend.modulus, loaded ? bend.amplitude : kUnloaded});
-  }
-  /// Whether a bend, of either sign of φ, is within the chart or a little beyond its largest amplitude. Trial
-  /// steps may pass the end of a branch there, as far as the quadrature keeps its digits.
-  [[nodiscard]] static bool has_chart(const Bend& bend) {
-    constexpr double kBeyond = 0.1;  // [rad]
-    return std::abs(bend.modulus) <= blade::kLargestModulus &&
-           std::abs(bend.amplitude) <= blade::kLargestAmplitude + kBeyond;
+    return constraint(at, slip, angular_speed, or_unloaded(bend));
   }
   /// Newton's step from a bend towards h = 0 and d = 0.
   [[nodiscard]] static Bend correction(const Constraint& there) {
@@ -157,14 +152,14 @@ class DirectedElastica {
     set_force(at, angular_speed, there, force);
     return force;
   }
-  /// dh/dτ [m²] and dd/dτ [rad] at a fixed bend.
+  /// dh/dτ [m²] and dd/dτ [rad] at a fixed bend and a constant angular speed.
   struct Drift {
     double residual;
     double misdirection;
   };
   /// `acceleration`: that of the shaft's centre along (real part) and across the blade [m per unit τ²].
-  [[nodiscard]] Drift drift(const Pose& at, double angular_speed, double angular_acceleration,
-                            const std::complex<double>& acceleration, const Constraint& there) const {
+  [[nodiscard]] Drift drift(const Pose& at, double angular_speed, const std::complex<double>& acceleration,
+                            const Constraint& there) const {
     const double a = there.radial;
     const double b = there.tangential;
     // a' and b' at a fixed bend, as seen from the blade.
@@ -176,16 +171,13 @@ class DirectedElastica {
     if (follows_normal()) result.misdirection -= moment * inverse_square;
     if (friction_.depends_on_velocity()) {
       const double along_rate = acceleration.real() + 2.0 * angular_speed * at.tangential_velocity -
-                                angular_speed * angular_speed * at.radial +
-                                angular_acceleration * at.tangential;
+                                angular_speed * angular_speed * at.radial;
       const double across_rate = acceleration.imag() - 2.0 * angular_speed * at.radial_velocity -
-                                 angular_speed * angular_speed * at.tangential -
-                                 angular_acceleration * at.radial;
+                                 angular_speed * angular_speed * at.tangential;
       const double inverse_distance = std::sqrt(inverse_square);
       const double velocity = inverse_distance * moment + angular_speed * geometry_.ring_radius;
       const double velocity_rate = inverse_distance * (a * across_rate - b * along_rate -
-                                                       moment * (a * along + b * across) * inverse_square) +
-                                   angular_acceleration * geometry_.ring_radius;
+                                                       moment * (a * along + b * across) * inverse_square);
       result.misdirection -=
           friction_.slope(velocity) * velocity_rate / (1.0 + there.coefficient * there.coefficient);
     }
@@ -234,6 +226,10 @@ class DirectedElastica {
   }
 
  private:
+  static Bend or_unloaded(const Bend& bend) {
+    constexpr double kUnloaded = 1e-100;
+    return {bend.modulus, std::abs(bend.amplitude) > kUnloaded ? bend.amplitude : kUnloaded};
+  }
   [[nodiscard]] bool follows_normal() const { return direction_ == LoadDirection::normal; }
   /// Does a contact remember the side to which its blade is bent?
   [[nodiscard]] bool remembers_side() const {

@@ -4,7 +4,6 @@
 #include <memory>
 #include <utility>
 
-#include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
 #include "settings/scene.hpp"
 
@@ -12,10 +11,6 @@ namespace rubatlas::variation {
 
 inline contact::Geometry geometry_of(const settings::Ring& ring, const settings::Blades& blade) {
   return {blade.hub_radius + blade.length, ring.radius};
-}
-inline contact::ElasticRingContact elastic_ring_law(const settings::Ring& ring, const settings::Blades& blade,
-                                                    double friction) {
-  return {geometry_of(ring, blade), ring.stiffness, {friction}};
 }
 inline contact::ElasticaContact::Blade blade_of(const settings::Blades& blade) {
   const double thickness = blade.thickness;

@@ -1,11 +1,13 @@
 #include "variation/contact_stiffness.hpp"
 
+#include <array>
 #include <cmath>
+#include <memory>
+#include <unsupported/Eigen/AutoDiff>
 #include <utility>
 
 #include "settings/effects/list.hpp"
 #include "variation/blades_of_scene.hpp"
-#include "variation/directed_stiffness.hpp"
 #include "variation/friction_of_scene.hpp"
 
 namespace rubatlas::variation {
@@ -14,15 +16,37 @@ namespace {
 using Contact = trajectory::PathPoint::Contact;
 using trajectory::State;
 
-Eigen::Vector2d turned_by_quarter(const Eigen::Vector2d& vector) {
-  return {-vector[1], vector[0]};
+constexpr int kMostUnknowns = 2;
+/// Slopes by c, c', the time in which blades turn, and the bend.
+constexpr int kPlace = 0;
+constexpr int kVelocity = 2;
+constexpr int kTime = 4;
+constexpr int kBend = 5;
+using Slopes = Eigen::Matrix<double, kBend + kMostUnknowns, 1>;
+using Number = Eigen::AutoDiffScalar<Slopes>;
+
+/// A function of one number whose value and slope are known.
+Number of(double value, double slope, const Number& argument) {
+  return {value, slope * argument.derivatives()};
 }
-Eigen::Vector2d of_blade(const contact::BladeDirection& er, double along, double across) {
-  return {along * er.cosine - across * er.sine, along * er.sine + across * er.cosine};
+Number variable(double value, int column) {
+  return {value, Slopes::Unit(column)};
 }
-/// I + sμJ.
-Eigen::Matrix2d turned_by_friction(double friction) {
-  return (Eigen::Matrix2d() << 1.0, -friction, friction, 1.0).finished();
+/// Slopes along a motion.
+double rate(const Slopes& slopes, const State& state, const Eigen::Vector2d& acceleration) {
+  return slopes[kTime] + slopes.segment<2>(kPlace).dot(Eigen::Vector2d(state[2], state[3])) +
+         slopes.segment<2>(kVelocity).dot(acceleration);
+}
+
+struct Vector {
+  Number x, y;
+};
+Number dot(const Vector& one, const Vector& other) {
+  return one.x * other.x + one.y * other.y;
+}
+/// J.
+Vector turned_by_quarter(const Vector& vector) {
+  return {-vector.y, vector.x};
 }
 
 /// A table takes longer than a short motion, and lines that are computed one after the other mostly share it.
@@ -35,16 +59,58 @@ std::shared_ptr<const blade::ElasticaCurve> curve_of(double friction, blade::The
 
 }  // namespace
 
+/// A tip in contact.
+struct ContactStiffness::Tip {
+  Vector place;                                   ///< w [m]
+  Vector force;                                   ///< f [N]
+  Number slip;                                    ///< v |w| [m² per unit τ]
+  std::array<Number, kMostUnknowns> constraints;  ///< h [m²], and the direction of the load [rad]
+  int unknowns = 0;
+
+  /// D: so many rows and columns.
+  [[nodiscard]] Eigen::Matrix2d by_bend() const {
+    Eigen::Matrix2d result = Eigen::Matrix2d::Identity();
+    for (int i = 0; i < unknowns; ++i)
+      result.row(i).head(unknowns) =
+          constraints[static_cast<std::size_t>(i)].derivatives().segment(kBend, unknowns).transpose();
+    return result;
+  }
+  /// adj D. The row and column that one unknown leaves over are those of the unit matrix.
+  [[nodiscard]] Eigen::Matrix2d adjugate() const {
+    const Eigen::Matrix2d slopes = by_bend();
+    if (unknowns == 1) return Eigen::Vector2d(1.0, 0.0).asDiagonal();
+    return (Eigen::Matrix2d() << slopes(1, 1), -slopes(0, 1), -slopes(1, 0), slopes(0, 0)).finished();
+  }
+  /// Slopes by c and c', `share` of the time in them, where the bend changes by −`lambda` (adj D) g.
+  [[nodiscard]] Eigen::RowVector4d by_state(const Number& of, double share, double lambda) const {
+    Eigen::RowVector4d result = share * of.derivatives().head<4>().transpose();
+    if (unknowns == 0) return result;
+    const Eigen::RowVector2d by_constraint =
+        lambda * of.derivatives().segment<2>(kBend).transpose() * adjugate();
+    for (int i = 0; i < unknowns; ++i)
+      result -=
+          by_constraint[i] * constraints[static_cast<std::size_t>(i)].derivatives().head<4>().transpose();
+    return result;
+  }
+  /// (adj D) g_τ.
+  [[nodiscard]] Eigen::Vector2d drift(const State& state, const Eigen::Vector2d& acceleration) const {
+    Eigen::Vector2d rates = Eigen::Vector2d::Zero();
+    for (int i = 0; i < unknowns; ++i)
+      rates[i] = rate(constraints[static_cast<std::size_t>(i)].derivatives(), state, acceleration);
+    return adjugate() * rates;
+  }
+};
+
 ContactStiffness::Law ContactStiffness::law_of(const settings::Scene& line) {
   const contact::Geometry geometry = geometry_of(line.ring, line.blades);
   const contact::Friction friction = friction_of(line);
   if (line.contact.law == settings::ContactLaw::elastic_ring)
-    return RigidBlade{line.ring.stiffness, friction};
+    return RigidBlade(geometry, line.ring.stiffness, friction);
   if (friction.depends_on_velocity())
     return DirectedBlade(contact::LoadDirection::axial, geometry, blade_of(line.blades), friction);
   const auto theory = line.contact.law == settings::ContactLaw::beam_column ? blade::Theory::beam_column
                                                                             : blade::Theory::elastica;
-  return contact::ElasticaContact(geometry, blade_of(line.blades), curve_of(line.contact.friction, theory));
+  return ElasticBlade(geometry, blade_of(line.blades), curve_of(line.contact.friction, theory));
 }
 
 ContactStiffness::ContactStiffness(const settings::Scene& line)
@@ -55,63 +121,76 @@ void ContactStiffness::begin(const rotor::RotorConstants& rotor) {
   blades_ = rotor::BladeSet(blades_.count(), rotor.speed_ratio);
 }
 
-contact::BladeDirection ContactStiffness::direction(int blade, double time) const {
-  return blades_.direction(blade, blades_.first(time));
-}
+std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contact, double time,
+                                                           const State& state) const {
+  const contact::BladeDirection direction = blades_.direction(contact.blade, blades_.first(time));
+  const Number turned(0.0, rotor_.speed_ratio * Slopes::Unit(kTime));
+  const Vector er{of(direction.cosine, -direction.sine, turned),
+                  of(direction.sine, direction.cosine, turned)};
+  const Vector et = turned_by_quarter(er);
+  const Vector centre{variable(state[0], kPlace), variable(state[1] + rotor_.misalignment, kPlace + 1)};
+  const Vector velocity{variable(state[2], kVelocity), variable(state[3], kVelocity + 1)};
 
-std::optional<ContactStiffness::TipInContact> ContactStiffness::tip(const Contact& contact, double time,
-                                                                    const State& state) const {
-  TipInContact result;
-  const contact::BladeDirection er = direction(contact.blade, time);
-  result.centre = {state[0], state[1] + rotor_.misalignment};
-  if (std::holds_alternative<RigidBlade>(law_)) {
-    result.tip = result.centre + of_blade(er, geometry_.reach, 0.0);
-    result.tip_by_u.setZero();
-    return result;
+  Tip tip;
+  Number shortening(0.0), deflection(0.0);  // δ and sΔ
+  Number load(0.0), load_angle(0.0);
+  if (const auto* elastic = std::get_if<ElasticBlade>(&law_)) {
+    tip.unknowns = 1;
+    double bending = contact.bending;
+    if (!contact.carried) {
+      const contact::Pose pose = rotor::pose_of(rotor_, geometry_, direction, rotor::as_state(state));
+      const auto root = elastic->solve_near(pose, contact.slip, bending);
+      if (!root) return std::nullopt;
+      bending = *root;
+    }
+    const blade::CurvePoint point = elastic->curve().at(bending);
+    const Number u = variable(bending, kBend);
+    shortening = elastic->length() * of(point.shortening, point.shortening_slope, u);
+    deflection = contact.slip * elastic->length() * of(point.deflection, point.deflection_slope, u);
+    load = elastic->load_unit() * of(point.load, point.load_slope, u);
+  } else if (const auto* directed = std::get_if<DirectedBlade>(&law_)) {
+    tip.unknowns = 2;
+    const blade::InclinedPoint point = directed->blade_at({contact.modulus, contact.amplitude});
+    const auto of_bend = [](const auto& quantity) {
+      Slopes slopes = Slopes::Zero();
+      slopes.segment<2>(kBend) << quantity.by_modulus, quantity.by_amplitude;
+      return Number(quantity.value, slopes);
+    };
+    shortening = directed->length() * of_bend(point.shortening);
+    deflection = directed->length() * of_bend(point.deflection);
+    load = directed->load_unit() * of_bend(point.load);
+    load_angle = of_bend(point.load_angle);
   }
-  const auto& elastica = std::get<contact::ElasticaContact>(law_);
-  double bending = contact.bending;
-  if (!contact.carried) {
-    const contact::Pose pose = rotor::pose_of(rotor_, geometry_, er, rotor::as_state(state));
-    const auto root = elastica.solve_near(pose, contact.slip, bending);
-    if (!root) return std::nullopt;
-    bending = *root;
-  }
-  const blade::CurvePoint point = elastica.curve().at(bending);
-  const double length = elastica.length();
-  result.tip = result.centre + of_blade(er, geometry_.reach - length * point.shortening,
-                                        -contact.slip * length * point.deflection);
-  result.tip_by_u =
-      of_blade(er, -length * point.shortening_slope, -contact.slip * length * point.deflection_slope);
-  result.load = elastica.load_unit() * point.load;
-  result.load_by_u = elastica.load_unit() * point.load_slope;
-  result.closing_by_u = 2.0 * result.tip.dot(result.tip_by_u);
-  result.friction = contact.slip * elastica.curve().friction();
-  return result;
-}
+  const Number along = geometry_.reach - shortening;
+  const Vector from_centre{along * er.x - deflection * et.x, along * er.y - deflection * et.y};  // w − c
+  tip.place = {centre.x + from_centre.x, centre.y + from_centre.y};
+  const Number square = dot(tip.place, tip.place);
+  const Number distance = sqrt(square);
+  const Vector across = turned_by_quarter(tip.place);
+  tip.slip = dot(velocity, across) + rotor_.speed_ratio * dot(from_centre, tip.place);
 
-ForceSlopes ContactStiffness::of_rigid_blade(const RigidBlade& law, const Contact& contact, double time,
-                                             const State& state) const {
-  const Eigen::Vector2d to_tip = of_blade(direction(contact.blade, time), geometry_.reach, 0.0);
-  const Eigen::Vector2d w = Eigen::Vector2d(state[0], state[1] + rotor_.misalignment) + to_tip;
-  const Eigen::Vector2d velocity(state[2], state[3]);
-  const double distance = w.norm();
-  const Eigen::Vector2d normal = w / distance;
-  const Eigen::Vector2d tangent = turned_by_quarter(normal);
-  const Eigen::Matrix2d along = normal * normal.transpose();
-  const Eigen::Matrix2d across = Eigen::Matrix2d::Identity() - along;
-  const double load = law.stiffness * (distance - geometry_.ring_radius);
-  // v = c'·Jn + Ω (w − c)·n (MODEL 4.4), n the normal.
-  const double slip_velocity = velocity.dot(tangent) + rotor_.speed_ratio * to_tip.dot(normal);
-  const double coefficient = law.friction.coefficient(slip_velocity, contact.slip);
-  const double slope = law.friction.slope(slip_velocity);
-  const Eigen::RowVector2d velocity_by_place =
-      (rotor_.speed_ratio * to_tip - turned_by_quarter(velocity)).transpose() * across / distance;
-  ForceSlopes slopes;
-  slopes.by_place = -turned_by_friction(coefficient) * (law.stiffness * along + load / distance * across) -
-                    load * slope * tangent * velocity_by_place;
-  slopes.by_velocity = -load * slope * tangent * tangent.transpose();
-  return slopes;
+  const Number slip_velocity = tip.slip / distance;
+  const auto friction_under = [&](const contact::Friction& law) {
+    return of(law.coefficient(slip_velocity.value(), contact.slip), law.slope(slip_velocity.value()),
+              slip_velocity);
+  };
+  Number friction(0.0);
+  if (const auto* rigid = std::get_if<RigidBlade>(&law_)) {
+    friction = friction_under(rigid->friction());
+    load = rigid->stiffness() * (distance - geometry_.ring_radius);
+  } else if (const auto* directed = std::get_if<DirectedBlade>(&law_)) {
+    friction = friction_under(directed->friction());
+    const Number secant_square = friction * friction + 1.0;
+    tip.constraints[1] = load_angle - of(std::atan(friction.value()), 1.0 / secant_square.value(), friction);
+    load = load / sqrt(secant_square);
+  } else {
+    friction = Number(contact.slip * std::get<ElasticBlade>(law_).curve().friction());
+  }
+  tip.constraints[0] = square - geometry_.ring_radius * geometry_.ring_radius;
+  const Number per_distance = -load / distance;
+  tip.force = {per_distance * (tip.place.x + friction * across.x),
+               per_distance * (tip.place.y + friction * across.y)};
+  return tip;
 }
 
 std::optional<ForceSlopes> ContactStiffness::along_path(const trajectory::PathPoint& point,
@@ -119,53 +198,35 @@ std::optional<ForceSlopes> ContactStiffness::along_path(const trajectory::PathPo
                                                         const Eigen::Vector2d& acceleration) const {
   ForceSlopes sum;
   for (const Contact& contact : point.contacts) {
-    if (const auto* rigid = std::get_if<RigidBlade>(&law_)) {
-      const ForceSlopes slopes = of_rigid_blade(*rigid, contact, point.time, point.state);
-      sum += {point.time_rate * slopes.by_place, point.time_rate * slopes.by_velocity};
-      continue;
-    }
-    if (const auto* directed = std::get_if<DirectedBlade>(&law_)) {
-      const contact::BladeDirection er = direction(contact.blade, point.time);
-      const DirectedContact at{er,
-                               rotor::pose_of(rotor_, geometry_, er, rotor::as_state(point.state)),
-                               rotor_.speed_ratio,
-                               acceleration,
-                               point.time_rate,
-                               &contact};
-      sum += slopes_of_directed_blade(*directed, at, scale);
-      continue;
-    }
     const auto there = tip(contact, point.time, point.state);
     if (!there) return std::nullopt;
-    const Eigen::Vector2d& w = there->tip;
-    const double distance = w.norm();
-    const Eigen::Matrix2d turning = turned_by_friction(there->friction);
-    const Eigen::Vector2d velocity(point.state[2], point.state[3]);
-    // At fixed bending the tip moves with the shaft and turns about it.
-    const Eigen::Vector2d moves = velocity + rotor_.speed_ratio * turned_by_quarter(w - there->centre);
-    const double closing_rate = 2.0 * w.dot(moves);
-    double share = point.time_rate / there->closing_by_u;
+    const double determinant = there->by_bend().determinant();
+    double lambda = point.time_rate / determinant;
     if (contact.carried) {
-      const double by_time = there->closing_by_u / (scale.time_rate * scale.time_rate);
-      const double by_bending = closing_rate / (scale.bending_rate * scale.bending_rate);
-      share = (point.time_rate * by_time - contact.bending_rate * by_bending) /
-              (there->closing_by_u * by_time + closing_rate * by_bending);
+      const Eigen::Vector2d drift = there->drift(point.state, acceleration);
+      const Eigen::Vector2d rates = there->unknowns == 1
+                                        ? Eigen::Vector2d(contact.bending_rate, 0.0)
+                                        : Eigen::Vector2d(contact.modulus_rate, contact.amplitude_rate);
+      const double by_time = determinant / (scale.time_rate * scale.time_rate);
+      const Eigen::Vector2d by_bend = drift / (scale.bending_rate * scale.bending_rate);
+      lambda =
+          (point.time_rate * by_time - rates.dot(by_bend)) / (determinant * by_time + drift.dot(by_bend));
     }
-    const Eigen::Vector2d force_by_u =
-        -(turning * (there->load_by_u * w + there->load * there->tip_by_u)) / distance;
-    sum.by_place -=
-        (point.time_rate * there->load / distance) * turning + (2.0 * share) * force_by_u * w.transpose();
+    Eigen::Matrix<double, 2, 4> slopes;
+    slopes << there->by_state(there->force.x, point.time_rate, lambda),
+        there->by_state(there->force.y, point.time_rate, lambda);
+    sum.by_place += slopes.leftCols<2>();
+    sum.by_velocity += slopes.rightCols<2>();
   }
   return sum;
 }
 
 ContactStiffness::Guard ContactStiffness::gap(int blade, double time, const State& state) const {
-  const contact::BladeDirection er = direction(blade, time);
+  const contact::BladeDirection er = blades_.direction(blade, blades_.first(time));
   const contact::Pose pose = rotor::pose_of(rotor_, geometry_, er, rotor::as_state(state));
-  const Eigen::Vector2d tip =
-      Eigen::Vector2d(state[0], state[1] + rotor_.misalignment) + of_blade(er, geometry_.reach, 0.0);
   Guard guard;
-  guard.gradient << 2.0 * tip.transpose(), 0.0, 0.0;
+  guard.gradient << 2.0 * (state[0] + geometry_.reach * er.cosine),
+      2.0 * (state[1] + rotor_.misalignment + geometry_.reach * er.sine), 0.0, 0.0;
   guard.rate = contact::gap_rate(geometry_, pose, rotor_.speed_ratio);
   return guard;
 }
@@ -173,28 +234,14 @@ ContactStiffness::Guard ContactStiffness::gap(int blade, double time, const Stat
 std::optional<ContactStiffness::Guard> ContactStiffness::slip(const Contact& contact, double time,
                                                               const State& state,
                                                               const Eigen::Vector2d& acceleration) const {
-  // e = c'·Jw + Ω (w − c)·w, which is v |w| (MODEL 4.4).
   const auto there = tip(contact, time, state);
   if (!there) return std::nullopt;
-  const double speed = rotor_.speed_ratio;
-  const Eigen::Vector2d& w = there->tip;
-  const Eigen::Vector2d& c = there->centre;
-  const Eigen::Vector2d velocity(state[2], state[3]);
-  const auto by_tip = [&](const Eigen::Vector2d& change) {
-    return velocity.dot(turned_by_quarter(change)) + speed * (2.0 * w - c).dot(change);
-  };
-  const Eigen::Vector2d turns = speed * turned_by_quarter(w - c);  // of the tip at fixed c and u
-  Eigen::Vector2d by_place = -turned_by_quarter(velocity) + speed * (w - c);
-  double by_time = by_tip(turns);
-  if (there->closing_by_u != 0.0) {
-    const double by_closing = by_tip(there->tip_by_u) / there->closing_by_u;
-    by_place -= (2.0 * by_closing) * w;
-    by_time -= (2.0 * by_closing) * w.dot(turns);
-  }
-  const Eigen::Vector2d by_velocity = turned_by_quarter(w);
+  const double lambda = 1.0 / there->by_bend().determinant();
+  const Slopes& slopes = there->slip.derivatives();
   Guard guard;
-  guard.gradient << by_place.transpose(), by_velocity.transpose();
-  guard.rate = by_place.dot(velocity) + by_velocity.dot(acceleration) + by_time;
+  guard.gradient = there->by_state(there->slip, 1.0, lambda);
+  guard.rate = rate(slopes, state, acceleration) -
+               lambda * slopes.segment<2>(kBend).dot(there->drift(state, acceleration));
   return guard;
 }
 

@@ -1,37 +1,44 @@
-/// How the force of a contact, and the guard of its slip, change with place and velocity of the shaft.
+/// How the force of a contact, and the guards, change with place and velocity of the shaft.
 ///
-/// In the frame of the ring the tip lies at w = a er + b et, c + (rh+L−δ) er − sΔ et (MODEL 2). The rotor
-/// feels
-///     f = −(F/|w|) (w + sμ Jw)                                                 (MODEL 4.3),
-/// J a quarter turn. Elastic blades have F, δ and Δ as functions of the bending u, and h = |w|² − R² = 0
-/// (MODEL 4.1), so that the derivative by c is
-///     df/dc = f_c − f_u h_cᵀ / h_u,   f_c = −(F/R)(I + sμJ),   h_c = 2w.
-/// Where h_u passes through zero it grows beyond all bounds, and with it the time hardly moves along the path
-/// (τ(θ), u(θ)) of the contact: h_u u_θ + h_τ τ_θ = 0. So what is integrated is
-///     (df/dc) τ_θ = f_c τ_θ − λ f_u h_cᵀ,   λ = τ_θ / h_u = −u_θ / h_τ,
-/// which is regular unless the tip grazes, where both h_u and h_τ vanish. Source: the variational equation of
-/// a constrained system, by implicit differentiation.
-///
-/// Friction that depends on the slip velocity, c(v) in place of sμ, adds df/dc'. Rigid blades have both in
-/// closed form; elastic blades then have two unknowns, κ and φ (`directed_stiffness.hpp`).
+/// In the frame of the ring the tip of a blade lies at w, c + (rh+L−δ) er − sΔ et (MODEL 2). The rotor feels
+///     f = −F (n + c_f Jn),   n = w/|w|                                         (MODEL 4.3),
+/// J a quarter turn and c_f the friction coefficient, which may depend on the slip velocity v (MODEL 4.4).
+/// Elastic blades have F and the tip as functions of their bend b, which is u, or κ and φ, and follows from
+/// g(b, c, c', τ) = 0: the contact equation h, and the direction of the load. Written in numbers that carry
+/// their slopes, f and g give, by implicit differentiation,
+///     df/dc = f_c − f_b D⁻¹ g_c,   D = ∂g/∂b,   and likewise by c'.
+/// At touch-downs and folds D is singular, and time hardly moves along the path (τ(θ), b(θ)) of the contact:
+/// D b_θ + g_τ τ_θ = 0, g_τ along the motion. So what is integrated is
+///     (df/dc) τ_θ = f_c τ_θ − λ f_b (adj D) g_c,   λ = τ_θ / det D,   b_θ = −λ (adj D) g_τ,
+/// which is regular unless the tip grazes; λ comes from whichever of τ and b moves along the path. Source:
+/// the variational equation of a constrained system.
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
 #include <optional>
 #include <variant>
 
 #include "contact/directed_elastica.hpp"
+#include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
-#include "contact/friction_law.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/constants.hpp"
 #include "settings/scene.hpp"
 #include "trajectory/motion_piece.hpp"
 
-#include "variation/force_slopes.hpp"
-
 namespace rubatlas::variation {
+
+/// Derivatives of a contact's force on the rotor by c and c', times τ_θ.
+struct ForceSlopes {
+  Eigen::Matrix2d by_place = Eigen::Matrix2d::Zero();     ///< (df/dc) τ_θ [N/m]
+  Eigen::Matrix2d by_velocity = Eigen::Matrix2d::Zero();  ///< (df/dc') τ_θ [N per (m per unit τ)]
+};
+
+/// Sizes of τ_θ, and of u_θ or κ_θ and φ_θ, on a piece, against which their errors count.
+struct PathScale {
+  double time_rate = 1.0;
+  double bending_rate = 1.0;
+};
 
 class ContactStiffness {
  public:
@@ -64,33 +71,16 @@ class ContactStiffness {
                                           const Eigen::Vector2d& acceleration) const;
 
  private:
-  /// A tip in contact, of which `by_u` are slopes by the bending. Of a rigid one its place alone; not of a
-  /// directed blade.
-  struct TipInContact {
-    Eigen::Vector2d centre;     ///< c [m]
-    Eigen::Vector2d tip;        ///< w [m]
-    Eigen::Vector2d tip_by_u;   ///< [m]
-    double load = 0.0;          ///< F [N]
-    double load_by_u = 0.0;     ///< [N]
-    double closing_by_u = 0.0;  ///< h_u [m²]
-    double friction = 0.0;      ///< sμ [-]
-  };
-  [[nodiscard]] std::optional<TipInContact> tip(const trajectory::PathPoint::Contact& contact, double time,
-                                                const trajectory::State& state) const;
-  [[nodiscard]] contact::BladeDirection direction(int blade, double time) const;
-
-  /// Rigid blades on the elastic ring.
-  struct RigidBlade {
-    double stiffness;  ///< kr [N/m]
-    contact::Friction friction;
-  };
-  /// Elastic blades with friction that depends on the slip velocity.
+  using RigidBlade = contact::ElasticRingContact;
+  using ElasticBlade = contact::ElasticaContact;
+  /// Whose friction depends on the slip velocity.
   using DirectedBlade = contact::DirectedElastica;
-  using Law = std::variant<contact::ElasticaContact, RigidBlade, DirectedBlade>;
+  using Law = std::variant<ElasticBlade, RigidBlade, DirectedBlade>;
   static Law law_of(const settings::Scene& line);
-  [[nodiscard]] ForceSlopes of_rigid_blade(const RigidBlade& law,
-                                           const trajectory::PathPoint::Contact& contact, double time,
-                                           const trajectory::State& state) const;
+
+  struct Tip;
+  [[nodiscard]] std::optional<Tip> tip(const trajectory::PathPoint::Contact& contact, double time,
+                                       const trajectory::State& state) const;
 
   contact::Geometry geometry_;
   Law law_;
