@@ -21,14 +21,14 @@
 
 namespace rubatlas::compared {
 
-template <class Mode, class Pair>
+template <class Mode>
 class ContactPhase final : public Phase {
  public:
   using FullState = typename Mode::FullState;
 
-  explicit ContactPhase(const ContactSetup& setup)
+  ContactPhase(const ContactSetup& setup, const integrate::Tableau& pair)
       : mode_(setup),
-        step_(mode_),
+        step_(mode_, pair),
         search_(mode_, step_, setup.machine->blades.count()),
         meter_(setup.meter) {}
   ContactPhase(const ContactPhase&) = delete;  // members hold pointers to each other
@@ -52,7 +52,7 @@ class ContactPhase final : public Phase {
   [[nodiscard]] ending::StatusDetail refusal() const override { return refusal_; }
 
   ModeEnd advance(double until, MotionListener& listener) override {
-    using Outcome = typename integrate::ControlledStep<Mode, Pair>::Outcome;
+    using Outcome = typename integrate::ControlledStep<Mode>::Outcome;
     while (true) {
       if (pending_) {
         const bool beyond = segment_end_ > until;
@@ -216,8 +216,8 @@ class ContactPhase final : public Phase {
   }
 
   Mode mode_;
-  integrate::ControlledStep<Mode, Pair> step_;
-  GuardSearch<Mode, Pair> search_;
+  integrate::ControlledStep<Mode> step_;
+  GuardSearch<Mode> search_;
   WorkMeter* meter_;
   bool pending_ = false;         ///< a step has been made and not been recorded to its end
   ModeEnd end_{Guard::horizon};  ///< what happens at the end of that step's segment

@@ -31,10 +31,10 @@ struct WatchedBlade {
   double end_slip_velocity = 0.0;
 };
 
-template <class Mode, class Pair>
+template <class Mode>
 class GuardSearch {
  public:
-  using Step = integrate::ControlledStep<Mode, Pair>;
+  using Step = integrate::ControlledStep<Mode>;
   using FullState = typename Mode::FullState;
 
   GuardSearch(Mode& mode, Step& step, int blades)

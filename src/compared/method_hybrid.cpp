@@ -8,7 +8,7 @@
 namespace rubatlas::assembly {
 
 std::unique_ptr<modes::Phase> phase_in_steps(modes::Form form, const modes::ContactSetup& setup) {
-  return compared::phase_in_steps<integrate::DormandPrince853>(form, setup);
+  return compared::phase_in_steps(form, setup, integrate::tableau<integrate::DormandPrince853>());
 }
 
 }  // namespace rubatlas::assembly

@@ -6,13 +6,13 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 namespace rubatlas::integrate {
 
 struct BogackiShampine32 {
   static constexpr int kOrder = 3;
   static constexpr int kStages = 3;
-  static constexpr int kDenseStages = 4;
 
   /// a[i][j]: weights of the stages j before stage i.
   static constexpr std::array<std::array<double, 3>, 4> kStage = {{
@@ -24,13 +24,11 @@ struct BogackiShampine32 {
   /// b[j]: weights of the solution.
   static constexpr std::array<double, 3> kWeight = kStage[3];
   /// Difference to the embedded solution of order 2.
-  static constexpr std::array<double, 4> kError = {{-5.0 / 72, 1.0 / 12, 1.0 / 9, -1.0 / 8}};
+  static constexpr std::array<std::array<double, 4>, 1> kErrors = {
+      {{{-5.0 / 72, 1.0 / 12, 1.0 / 9, -1.0 / 8}}}};
 
-  /// It falls with size^3. `norm_of` gives the norm of the difference with the given weights.
-  template <class NormOf>
-  static double estimate(NormOf norm_of) {
-    return norm_of([] { return kError; });
-  }
+  /// It falls with size^3.
+  static double estimate(std::span<const double> norms) { return norms[0]; }
   static constexpr int kEstimatePower = 3;  ///< of the step, with which it falls
   /// The estimate is of the embedded solution, and taken as it is.
   static constexpr double kEstimateExcess = 1.0;

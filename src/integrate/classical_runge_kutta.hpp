@@ -12,7 +12,6 @@ namespace rubatlas::integrate {
 struct ClassicalRungeKutta {
   static constexpr int kOrder = 4;
   static constexpr int kStages = 4;
-  static constexpr int kDenseStages = 5;
 
   /// a[i][j]: weights of the stages j before stage i.
   static constexpr std::array<std::array<double, 4>, 5> kStage = {{

@@ -27,13 +27,14 @@
 
 namespace rubatlas::integrate {
 
-template <class System, class Pair>
+template <class System>
 class ControlledStep {
  public:
   using State = typename System::FullState;
 
-  /// `system` must outlive the steps.
-  explicit ControlledStep(System& system) : system_(&system), control_(Pair::kOrder, kFirstSize) {}
+  /// `system`, and what the tableau of the pair points at, must outlive the steps.
+  ControlledStep(System& system, const Tableau& pair)
+      : system_(&system), step_(pair), control_(pair.order, kFirstSize) {}
 
   /// Starts a series of steps from a state. False where it has no derivative.
   bool begin(const State& state) {
@@ -127,7 +128,7 @@ class ControlledStep {
   }
 
   System* system_;
-  RungeKutta<Pair, State::RowsAtCompileTime, State::MaxRowsAtCompileTime> step_;
+  RungeKuttaStep<State::RowsAtCompileTime, State::MaxRowsAtCompileTime> step_;
   StepControl control_;
   std::uint64_t accepted_ = 0;
   std::uint64_t rejected_ = 0;

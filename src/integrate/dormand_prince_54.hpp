@@ -6,13 +6,13 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 namespace rubatlas::integrate {
 
 struct DormandPrince54 {
   static constexpr int kOrder = 5;
   static constexpr int kStages = 6;
-  static constexpr int kDenseStages = 7;
 
   /// a[i][j]: weights of the stages j before stage i.
   static constexpr std::array<std::array<double, 6>, 7> kStage = {{
@@ -27,14 +27,11 @@ struct DormandPrince54 {
   /// b[j]: weights of the solution.
   static constexpr std::array<double, 6> kWeight = kStage[6];
   /// Difference to the embedded solution of order 4.
-  static constexpr std::array<double, 7> kError = {
-      {71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40}};
+  static constexpr std::array<std::array<double, 7>, 1> kErrors = {
+      {{{71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40}}}};
 
-  /// It falls with size^5. `norm_of` gives the norm of the difference with the given weights.
-  template <class NormOf>
-  static double estimate(NormOf norm_of) {
-    return norm_of([] { return kError; });
-  }
+  /// It falls with size^5.
+  static double estimate(std::span<const double> norms) { return norms[0]; }
   static constexpr int kEstimatePower = 5;  ///< of the step, with which it falls
   /// The estimate is of the embedded solution, and taken as it is.
   static constexpr double kEstimateExcess = 1.0;

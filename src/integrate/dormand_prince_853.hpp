@@ -9,13 +9,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace rubatlas::integrate {
 
 struct DormandPrince853 {
   static constexpr int kOrder = 8;
   static constexpr int kStages = 12;
-  static constexpr int kDenseStages = 16;
 
   /// a[i][j]: weights of the stages j before stage i.
   static constexpr std::array<std::array<double, 16>, 16> kStage = {{
@@ -60,12 +60,12 @@ struct DormandPrince853 {
   static constexpr std::array<double, 13> kError5 = {
       {0.01312004499419488, 0, 0, 0, 0, -1.2251564463762044, -0.4957589496572502, 1.6643771824549864,
        -0.35032884874997366, 0.3341791187130175, 0.08192320648511571, -0.022355307863886294, 0}};
-  /// The combination of the two that DOP853 uses: it falls with size^8. `norm_of` gives the norm of the
-  /// difference with the given weights. Infinite where the square of a difference is no finite number.
-  template <class NormOf>
-  static double estimate(NormOf norm_of) {
-    const double third = norm_of([] { return kError3; });
-    const double fifth = norm_of([] { return kError5; });
+  static constexpr std::array<std::array<double, 13>, 2> kErrors = {kError3, kError5};
+  /// The combination of the norms of both that DOP853 uses: it falls with size^8. Infinite where the square
+  /// of a norm is no finite number.
+  static double estimate(std::span<const double> norms) {
+    const double third = norms[0];
+    const double fifth = norms[1];
     const double denominator = std::sqrt(fifth * fifth + 0.01 * third * third);
     if (denominator == 0.0) return 0.0;
     return std::isfinite(denominator) ? fifth * fifth / denominator : std::numeric_limits<double>::infinity();

@@ -6,20 +6,22 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <utility>
+#include <span>
+
+#include "integrate/tableau.hpp"
 
 namespace rubatlas::integrate {
 
 /// `kSize` components, or as many as the state has at run time, up to `kMostSize` (Eigen::Dynamic).
-template <class Table, int kSize, int kMostSize = kSize>
-class RungeKutta {
+template <int kSize, int kMostSize = kSize>
+class RungeKuttaStep {
  public:
   using Vector = Eigen::Array<double, kSize, 1, 0, kMostSize, 1>;
-  using Coefficients = Table;
+
+  /// What the tableau points at outlives the step.
+  explicit RungeKuttaStep(const Tableau& table) : table_(table) {}
 
   /// Starts from a state; evaluates the first stage.
   template <class System>
@@ -39,16 +41,18 @@ class RungeKutta {
   bool attempt(System& system, double size) {
     size_ = size;
     dense_ready_ = false;
-    if (!evaluate_stages(system, std::make_index_sequence<Table::kStages - 1>{})) return false;
-    end_ = start_ + size * weighted_sum([] { return Table::kWeight; });
-    if (!system(end_, stages_[Table::kStages])) return false;
+    for (std::size_t row = 1; row < table_.stages; ++row) {
+      if (!evaluate_stage(system, row)) return false;
+    }
+    end_ = start_ + size * weighted_sum(table_.weight);
+    if (!system(end_, stages_[table_.stages])) return false;
     return end_.isFinite().all();
   }
 
   /// Goes on from the end of the last step, which becomes the start of the next one.
   void accept() {
     start_ = end_;
-    stages_[0] = stages_[Table::kStages];
+    stages_[0] = stages_[table_.stages];
   }
 
   [[nodiscard]] const Vector& start() const { return start_; }
@@ -57,28 +61,32 @@ class RungeKutta {
   [[nodiscard]] Vector& end() { return end_; }
   [[nodiscard]] double size() const { return size_; }
   [[nodiscard]] const Vector& start_derivative() const { return stages_[0]; }
-  [[nodiscard]] const Vector& end_derivative() const { return stages_[Table::kStages]; }
+  [[nodiscard]] const Vector& end_derivative() const { return stages_[table_.stages]; }
 
   /// Estimate of the local error, from the differences to the embedded solutions in the given norm (a
   /// functional from vectors to numbers).
   template <class Norm>
   [[nodiscard]] double error_estimate(Norm norm) const {
-    return Table::estimate([&](auto weights) { return norm(size_ * weighted_sum(weights)); });
+    std::array<double, Tableau::kMostErrors> norms{};
+    for (std::size_t i = 0; i < table_.errors.size(); ++i)
+      norms[i] = norm(Vector(size_ * weighted_sum(table_.errors[i])));
+    return table_.estimate(norms);
   }
+  [[nodiscard]] const Tableau& table() const { return table_; }
 
   /// Evaluates the further stages of dense output for the step last tried, once.
   template <class System>
   bool make_dense(System& system) {
     if (dense_ready_) return true;
-    if (!evaluate_dense_stages(system,
-                               std::make_index_sequence<Table::kDenseStages - Table::kStages - 1>{})) {
-      return false;
+    for (std::size_t row = table_.stages + 1; row < table_.stage.size(); ++row) {
+      if (!evaluate_stage(system, row)) return false;
     }
     const Vector difference = end_ - start_;
     dense_[0] = difference;
     dense_[1] = size_ * stages_[0] - difference;
-    dense_[2] = 2.0 * difference - size_ * (stages_[0] + stages_[Table::kStages]);
-    set_upper_coefficients(std::make_index_sequence<Table::kDense.size()>{});
+    dense_[2] = 2.0 * difference - size_ * (stages_[0] + stages_[table_.stages]);
+    for (std::size_t i = 0; i < table_.upper.size(); ++i)
+      dense_[3 + i] = size_ * weighted_sum(table_.upper[i]);
     dense_ready_ = true;
     return true;
   }
@@ -88,8 +96,8 @@ class RungeKutta {
   /// State at the fraction θ in [0, 1] of the step; needs `make_dense`. Coefficients are nested with factors
   /// θ and 1 − θ in turn, the first three being those of the cubic that the ends and their slopes give.
   [[nodiscard]] Vector interpolate(double fraction) const {
-    Vector value = dense_[kCoefficients - 1];
-    for (std::size_t i = kCoefficients - 1; i-- > 0;) value = dense_[i] + factor(i, fraction) * value;
+    Vector value = dense_[last_coefficient()];
+    for (std::size_t i = last_coefficient(); i-- > 0;) value = dense_[i] + factor(i, fraction) * value;
     return start_ + fraction * value;
   }
 
@@ -104,9 +112,9 @@ class RungeKutta {
     double slope;
   };
   [[nodiscard]] ValueAndSlope interpolate_with_slope(double fraction, int component) const {
-    double value = dense_[kCoefficients - 1][component];
+    double value = dense_[last_coefficient()][component];
     double slope = 0.0;
-    for (std::size_t i = kCoefficients - 1; i-- > 0;) {
+    for (std::size_t i = last_coefficient(); i-- > 0;) {
       slope = i % 2 != 0 ? value + fraction * slope : factor(i, fraction) * slope - value;
       value = dense_[i][component] + factor(i, fraction) * value;
     }
@@ -115,8 +123,8 @@ class RungeKutta {
 
   /// (component at θ − component at 0) / θ, finite at θ = 0.
   [[nodiscard]] double mean_slope(double fraction, int component) const {
-    double value = dense_[kCoefficients - 1][component];
-    for (std::size_t i = kCoefficients - 1; i-- > 0;) {
+    double value = dense_[last_coefficient()][component];
+    for (std::size_t i = last_coefficient(); i-- > 0;) {
       value = dense_[i][component] + factor(i, fraction) * value;
     }
     return value;
@@ -131,62 +139,43 @@ class RungeKutta {
  private:
   [[nodiscard]] static Vector zero() { return Vector::Zero(kSize == Eigen::Dynamic ? 0 : kSize); }
 
-  static constexpr std::size_t kCoefficients = 3 + Table::kDense.size();
+  [[nodiscard]] std::size_t last_coefficient() const { return 2 + table_.upper.size(); }
 
   /// Between the coefficients i and i + 1 of dense output.
   [[nodiscard]] static double factor(std::size_t i, double fraction) {
     return i % 2 != 0 ? fraction : 1.0 - fraction;
   }
 
-  template <std::size_t... kI>
-  void set_upper_coefficients(std::index_sequence<kI...>) {
-    ((dense_[3 + kI] = size_ * weighted_sum([] { return Table::kDense[kI]; })), ...);
-  }
-
-  // Weights come as a captureless function, so that each is a constant and zero ones leave no instruction
-  // behind.
-  template <class Weights>
-  [[nodiscard]] Vector weighted_sum(Weights) const {
-    return [&]<std::size_t... kJ>(std::index_sequence<kJ...>)->Vector {
-      return (... + (Weights{}()[kNonZero<Weights>[kJ]] * stages_[kNonZero<Weights>[kJ]]));
+  /// Stages that do not count are left out: they need not be there.
+  [[nodiscard]] Vector weighted_sum(std::span<const double> weights) const {
+    std::size_t j = 0;
+    while (weights[j] == 0.0) ++j;
+    Vector sum = weights[j] * stages_[j];
+    for (++j; j < weights.size(); ++j) {
+      if (weights[j] != 0.0) sum += weights[j] * stages_[j];
     }
-    (std::make_index_sequence<kNonZero<Weights>.size()>{});
+    return sum;
+  }
+  template <class System>
+  bool evaluate_stage(System& system, std::size_t row) {
+    const Vector state = start_ + size_ * weighted_sum(table_.stage[row]);
+    return system(state, stages_[row]);
   }
 
-  /// The stages that count in a sum, so that the others leave no instruction behind.
-  template <class Weights>
-  static constexpr auto kNonZero = [] {
-    constexpr auto kWeights = Weights{}();
-    constexpr auto kCount = static_cast<std::size_t>(
-        std::count_if(kWeights.begin(), kWeights.end(), [](double weight) { return weight != 0.0; }));
-    std::array<std::size_t, kCount> stages{};
-    std::size_t next = 0;
-    for (std::size_t j = 0; j < kWeights.size(); ++j) {
-      if (kWeights[j] != 0.0) stages[next++] = j;
-    }
-    return stages;
-  }();
-
-  template <class System, std::size_t... kI>
-  bool evaluate_stages(System& system, std::index_sequence<kI...>) {
-    return (evaluate_stage<kI + 1>(system) && ...);
-  }
-  template <class System, std::size_t... kI>
-  bool evaluate_dense_stages(System& system, std::index_sequence<kI...>) {
-    return (evaluate_stage<Table::kStages + 1 + kI>(system) && ...);
-  }
-  template <std::size_t kRow, class System>
-  bool evaluate_stage(System& system) {
-    const Vector state = start_ + size_ * weighted_sum([] { return Table::kStage[kRow]; });
-    return system(state, stages_[kRow]);
-  }
-
+  Tableau table_;
   Vector start_ = zero();
   Vector end_ = zero();
   double size_ = 0.0;
   bool dense_ready_ = false;
-  std::array<Vector, Table::kDenseStages> stages_;
-  std::array<Vector, kCoefficients> dense_;
+  std::array<Vector, Tableau::kMostStages> stages_;
+  std::array<Vector, 3 + Tableau::kMostUpper> dense_;
+};
+
+/// Of one table.
+template <class Table, int kSize>
+class RungeKutta : public RungeKuttaStep<kSize> {
+ public:
+  RungeKutta() : RungeKuttaStep<kSize>(tableau<Table>()) {}
 };
 
 }  // namespace rubatlas::integrate

@@ -268,8 +268,7 @@ TEST(RungeKutta, ShiftMovesOneComponentOfTheWholeStep) {
 TEST(DormandPrince853, CombinesItsTwoEstimatesAsDop853Does) {
   // The norm of the fifth-order difference, damped by how much smaller it is than that of the third.
   const auto combined = [](double third, double fifth) {
-    return DormandPrince853::estimate(
-        [&](auto weights) { return weights() == DormandPrince853::kError3 ? third : fifth; });
+    return DormandPrince853::estimate(std::array{third, fifth});
   };
   EXPECT_EQ(combined(0.0, 0.0), 0.0);
   EXPECT_NEAR(combined(0.0, 3.0), 3.0, 1e-15);
@@ -282,8 +281,7 @@ TEST(DormandPrince853, AStepWhoseErrorsAreTooLargeToBeSquaredIsRejected) {
   for (const double third : {1.0, kHuge, kNoNumber}) {
     for (const double fifth : {1.0, kHuge, kNoNumber}) {
       if (third == 1.0 && fifth == 1.0) continue;
-      const double estimate = DormandPrince853::estimate(
-          [&](auto weights) { return weights() == DormandPrince853::kError3 ? third : fifth; });
+      const double estimate = DormandPrince853::estimate(std::array{third, fifth});
       EXPECT_FALSE(StepControl::acceptable(estimate)) << third << ", " << fifth;
     }
   }
