@@ -27,7 +27,7 @@ fi
 
 rm -rf "$tree"  # it may hold folders that the sources no longer have
 # Warnings of the compiler are no errors here: clang does not know all of GCC's options.
-CXXFLAGS='' cmake -S . -B "$tree" -G Ninja -DRUBATLAS_TESTS=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
+CXXFLAGS='' cmake -S . -B "$tree" -G Ninja -DRUBATLAS_TESTS=OFF >/dev/null
 cmake --build "$tree" --target rubatlas_build_info >/dev/null
 # Such a source includes other sources, which is the one check that is switched off. src/assembly takes longest and
 # comes first.
