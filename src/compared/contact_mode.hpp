@@ -228,8 +228,8 @@ class ContactMode : public TipPlaces {
   /// Local error of a step in units of the tolerance: of the state at fixed time, of the time along the path,
   /// and of what bends, as `square_of_bending` has it from a difference of states. Each of them passes
   /// through zero at places, the sum does not. `smooth`: no force starts or ends like a root of the time.
-  /// Beside one that does errors are larger than their estimate; those of a smooth one are
-  /// smaller by `Tableau::estimate_excess`.
+  /// Beside one that does errors are larger than their estimate; those of a smooth one are smaller by
+  /// `Tableau::estimate_excess`.
   template <class Step, class Acceleration, class SquareOfBending>
   [[nodiscard]] double error_of(const Step& step, const Acceleration& acceleration, bool smooth,
                                 SquareOfBending square_of_bending) const {

@@ -146,7 +146,7 @@ class RungeKuttaStep {
     return i % 2 != 0 ? fraction : 1.0 - fraction;
   }
 
-  /// Stages that do not count are left out: they need not be there.
+  /// Stages of weight zero are left out: they need not be there. One at least counts.
   [[nodiscard]] Vector weighted_sum(std::span<const double> weights) const {
     std::size_t j = 0;
     while (weights[j] == 0.0) ++j;

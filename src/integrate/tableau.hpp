@@ -45,9 +45,11 @@ struct Tableau {
 
 template <class Table>
 constexpr Tableau tableau() {
+  static_assert(Table::kStage.size() <= Tableau::kMostStages && Table::kDense.size() <= Tableau::kMostUpper);
   Tableau result{Table::kOrder, Table::kStages, WeightRows(Table::kStage), Table::kWeight,
                  WeightRows(Table::kDense)};
   if constexpr (requires { Table::kErrors; }) {
+    static_assert(Table::kErrors.size() <= Tableau::kMostErrors);
     result.errors = WeightRows(Table::kErrors);
     result.estimate = Table::estimate;
     result.estimate_excess = Table::kEstimateExcess;

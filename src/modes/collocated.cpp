@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <stdexcept>
 
 #include "modes/contact_force.hpp"
 #include "modes/contact_setup.hpp"
@@ -25,7 +26,7 @@ std::unique_ptr<Phase> phase_on_arcs(Form form, const ContactSetup& setup) {
     default:
       arcs = setup.law->arcs(*setup.machine, setup.limits.max_shortening);
   }
-  if (arcs == nullptr) return nullptr;
+  if (arcs == nullptr) throw std::logic_error("contacts that have no arcs are asked to follow them");
   return std::make_unique<Collocated>(*setup.machine, std::move(arcs), setup.limits, *setup.meter);
 }
 

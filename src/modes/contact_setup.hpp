@@ -19,9 +19,10 @@ struct ContactSetup {
   WorkMeter* meter;
 };
 
-/// Null where there is none.
+/// Null where the phase of slipping tips is for this form, too.
 using MakePhase = std::unique_ptr<Phase>(Form, const ContactSetup&);
-/// By collocation (`Collocated`), which has one form for all.
+/// By collocation (`Collocated`), which has one form for all. The law has arcs (`Law::arcs`); throws
+/// `std::logic_error` where it has none.
 MakePhase phase_on_arcs;
 
 }  // namespace rubatlas::modes
