@@ -1,11 +1,11 @@
 #include "blade/bending_table.hpp"
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 
 #include "blade/elastica_curve.hpp"
+#include "integrate/decompositions.hpp"
 
 namespace rubatlas::blade {
 namespace {
@@ -31,20 +31,18 @@ class Fit {
   Fit() {
     for (int i = 0; i < kCount; ++i)
       points_[i] = 0.5 * (1.0 + std::cos(std::numbers::pi * (i + 0.5) / kCount));
-    Eigen::Matrix<long double, kCount, kCount> powers;
-    powers.col(0).setOnes();
+    powers_.col(0).setOnes();
     for (int k = 1; k < kCount; ++k)
-      powers.col(k) = powers.col(k - 1).cwiseProduct(points_.template cast<long double>());
-    powers_.compute(powers);
+      powers_.col(k) = powers_.col(k - 1).cwiseProduct(points_.template cast<long double>());
   }
   [[nodiscard]] double point(int i) const { return points_[i]; }
   [[nodiscard]] Values through(const Values& values) const {
-    return powers_.solve(values.template cast<long double>()).template cast<double>();
+    return integrate::solve_long(powers_, values.template cast<long double>()).template cast<double>();
   }
 
  private:
   Eigen::Matrix<double, kCount, 1> points_;
-  Eigen::FullPivLU<Eigen::Matrix<long double, kCount, kCount>> powers_;
+  integrate::LongMatrix powers_{kCount, kCount};
 };
 
 constexpr int kCount = static_cast<int>(BendingTable::kDegree) + 1;

@@ -1,17 +1,17 @@
 #include "blade/elastica_curve.hpp"
 
-#include <Eigen/LU>
 #include <numbers>
 
 #include "blade/beam_column.hpp"
 #include "blade/bending_table.hpp"
 #include "blade/elastica.hpp"
+#include "integrate/decompositions.hpp"
 
 namespace rubatlas::blade {
 namespace {
 
 using Real = long double;
-using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+using Matrix = integrate::LongMatrix;
 
 constexpr double kSmallestFriction = 1e-16;  ///< below it the blade is the column μ = 0 to the last bit
 constexpr double kLargestShortening = 0.8;   ///< of L: a margin over the largest limit that a scene may set
@@ -30,7 +30,7 @@ Matrix interpolation(int count, Scale scale) {
     powers(i, 0) = 1;
     for (int k = 1; k < count; ++k) powers(i, k) = powers(i, k - 1) * argument;
   }
-  return powers.fullPivLu().inverse();
+  return integrate::solve_long(powers, Matrix::Identity(count, count));
 }
 
 }  // namespace

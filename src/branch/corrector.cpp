@@ -1,6 +1,5 @@
 #include "branch/corrector.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
 
 #include "integrate/decompositions.hpp"
@@ -8,9 +7,7 @@
 namespace rubatlas::branch {
 
 Unknowns null_direction(const Rows& rows, const Unknowns& along) {
-  const Eigen::MatrixXd columns = rows.transpose();
-  const Eigen::HouseholderQR<Eigen::MatrixXd> factors(columns);
-  Unknowns direction = factors.householderQ() * Eigen::VectorXd::Unit(columns.rows(), columns.rows() - 1);
+  const Unknowns direction = integrate::orthogonal_factors(rows.transpose()).orthogonal.rightCols<1>();
   return direction.dot(along) < 0.0 ? Unknowns(-direction) : direction;
 }
 

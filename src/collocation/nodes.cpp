@@ -1,16 +1,16 @@
 #include "collocation/nodes.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
-#include <boost/math/special_functions/binomial.hpp>
 #include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
+
+#include "integrate/decompositions.hpp"
 
 namespace rubatlas::collocation {
 namespace {
 
 using Real = long double;
-using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+using Matrix = integrate::LongMatrix;
 using boost::math::legendre_p;
 
 Real legendre(std::size_t degree, Real fraction) {
@@ -68,7 +68,7 @@ NodeTables make_tables() {
                  : (legendre(k + 1, at[i]) - legendre(k - 1, at[i])) / (2 * (2 * static_cast<Real>(k) + 1));
     }
   }
-  const Matrix coefficients = value.fullPivLu().inverse();
+  const Matrix coefficients = integrate::solve_long(value, Matrix::Identity(kSize, kSize));
   const Matrix integrals = integral * coefficients;
   for (std::size_t j = 0; j < kNodes; ++j)
     tables.integral[j] = row_of(integrals, static_cast<Eigen::Index>(j));
@@ -109,14 +109,16 @@ NodeTables make_tables() {
 
   Matrix bernstein(kPlaces, kPlaces);
   for (std::size_t i = 0; i < kPlaces; ++i) {
+    Real binomial = 1;
     for (std::size_t k = 0; k < kPlaces; ++k) {
-      Real term = boost::math::binomial_coefficient<Real>(kNodes, static_cast<unsigned>(k));
+      Real term = binomial;
       for (std::size_t power = 0; power < k; ++power) term *= place[i];
       for (std::size_t power = k; power < kNodes; ++power) term *= 1 - place[i];
       bernstein(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = term;
+      binomial = binomial * static_cast<Real>(kNodes - k) / static_cast<Real>(k + 1);
     }
   }
-  const Matrix to_bernstein = bernstein.fullPivLu().inverse();
+  const Matrix to_bernstein = integrate::solve_long(bernstein, Matrix::Identity(kPlaces, kPlaces));
   const Matrix later = to_bernstein.bottomRows(kSize);
   tables.bernstein_of_start = row_of(later, 0);
   for (std::size_t j = 0; j < kNodes; ++j)

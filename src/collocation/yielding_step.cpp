@@ -1,9 +1,10 @@
 #include "collocation/yielding_step.hpp"
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cstddef>
+
+#include "integrate/decompositions.hpp"
 
 namespace rubatlas::collocation {
 
@@ -28,7 +29,7 @@ AtNodes yielding_step(const Blade& blade, double start, const AtNodes& yielding,
   const Vector given = vector(time_rate) * rate + weight * vector(load_changes.change);
   const Vector right = start - vector(yielding) + (integral * given.matrix()).array() +
                        (of_time * vector(time_changes.change).matrix()).array();
-  const Vector solution = whole.partialPivLu().solve(right.matrix()).array();
+  const Vector solution = integrate::solve(whole, right.matrix()).array();
   AtNodes step;
   std::copy_n(solution.data(), kNodes, step.value.begin());
   return step;

@@ -12,7 +12,7 @@ struct EigenModes {
 };
 EigenModes eigen_modes(const Eigen::Matrix4d& matrix);
 
-/// λ with det(`matrix` − λ `other`) = 0; infinite where `other` has no inverse.
+/// λ with det(`matrix` − λ `other`) = 0; very large where `other` has no inverse.
 Eigen::Vector4cd generalised_eigenvalues(const Eigen::Matrix4d& matrix, const Eigen::Matrix4d& other);
 
 struct SymmetricModes {
@@ -21,7 +21,18 @@ struct SymmetricModes {
 };
 SymmetricModes symmetric_modes(const Eigen::Matrix4d& matrix);
 
+/// `matrix` = Q R: Q orthogonal and square, R triangular.
+struct OrthogonalFactors {
+  Eigen::MatrixXd orthogonal;
+  Eigen::VectorXd diagonal;  ///< of R
+};
+OrthogonalFactors orthogonal_factors(const Eigen::MatrixXd& matrix);
+
 /// x with `matrix` x = `right`, column by column; the matrix has an inverse.
 Eigen::MatrixXd solve(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
+
+using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+/// The same for fits of polynomials, of which `double` would lose digits.
+LongMatrix solve_long(const LongMatrix& matrix, const LongMatrix& right);
 
 }  // namespace rubatlas::integrate

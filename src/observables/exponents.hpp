@@ -8,7 +8,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -16,6 +15,7 @@
 #include <memory>
 #include <vector>
 
+#include "integrate/decompositions.hpp"
 #include "observables/observable.hpp"
 #include "settings/scene.hpp"
 #include "variation/tangent_flow.hpp"
@@ -68,9 +68,9 @@ class Lyapunov final : public Observable {
   static constexpr std::size_t kBatches = 10;
 
   void make_orthogonal() {
-    const Eigen::HouseholderQR<variation::Tangents> factors(flow_.tangents());
-    growth_ += factors.matrixQR().diagonal().array().abs().log();
-    flow_.set_tangents(factors.householderQ());
+    const auto factors = integrate::orthogonal_factors(flow_.tangents());
+    growth_ += factors.diagonal.array().abs().log();
+    flow_.set_tangents(factors.orthogonal);
   }
   [[nodiscard]] std::span<const Growth> counted() const {
     return std::span(growths_).subspan(static_cast<std::size_t>(aligning_));

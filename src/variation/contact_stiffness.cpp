@@ -1,5 +1,6 @@
 #include "variation/contact_stiffness.hpp"
 
+#include <Eigen/LU>
 #include <array>
 #include <cmath>
 #include <memory>

@@ -1,6 +1,5 @@
 #include "variation/tangent_flow.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <boost/math/quadrature/gauss.hpp>
@@ -325,7 +324,7 @@ void TangentFlow::follow(trajectory::MotionPiece& piece) {
     right.template middleRows<kCoordinates>(kCoordinates * i) =
         stiffness * (place + elapsed[i] * velocity) - resistance * velocity;
   }
-  const Eigen::Matrix<double, kUnknowns, kColumns> acceleration = matrix.partialPivLu().solve(right);
+  const Eigen::Matrix<double, kUnknowns, kColumns> acceleration = integrate::solve(matrix, right);
   for (Eigen::Index i = 0; i < kStages; ++i) {
     Rows there = velocity;
     for (Eigen::Index j = 0; j < kStages; ++j)
