@@ -22,9 +22,9 @@ bool collocates(const LineRequest& request) {
 std::unique_ptr<point::LineSolver> make(const LineRequest& request) {
   switch (request.line.accuracy.method) {
     case settings::Method::collocation:
-      return hybrid_solver(request, collocates(request) ? modes::phase_on_arcs : phase_in_steps);
+      return hybrid_solver(request, collocates(request) ? modes::phases_on_arcs : phases_in_steps);
     case settings::Method::hybrid:
-      return hybrid_solver(request, phase_in_steps);
+      return hybrid_solver(request, phases_in_steps);
     case settings::Method::hybrid_54:
       return make_hybrid_54(request);
     case settings::Method::hybrid_32:

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "modes/contact_setup.hpp"
+#include "modes/contact_phases.hpp"
 #include "modes/law.hpp"
 #include "point/solver.hpp"
 #include "settings/combinations.hpp"
@@ -26,10 +26,10 @@ std::unique_ptr<modes::Law> law_of(const LineRequest& request);
 
 // Methods.
 
-/// Closed-form flight, located events; contacts in the phases of `make_phase`.
-std::unique_ptr<point::LineSolver> hybrid_solver(const LineRequest& request, modes::MakePhase* make_phase);
+/// Closed-form flight, located events; contacts in the phases of `make_phases`.
+std::unique_ptr<point::LineSolver> hybrid_solver(const LineRequest& request, modes::MakePhases* make_phases);
 /// Phases in steps of order 8(5,3).
-modes::MakePhase phase_in_steps;
+modes::MakePhases phases_in_steps;
 
 std::unique_ptr<point::LineSolver> make_hybrid_54(const LineRequest& request);
 std::unique_ptr<point::LineSolver> make_hybrid_32(const LineRequest& request);

@@ -23,7 +23,7 @@ class InclinedLaw final : public ArcLaw {
   using Laws = contact::UnequalBlades<contact::DirectedElastica>;
   /// `law` outlives it. `max_shortening`: of δ/L. `rests_at_once`: a tip that can rest does so where its slip
   /// velocity comes to zero, else only where its reversals accumulate (MODEL 4.4).
-  InclinedLaw(const Laws& law, int blade_count, double max_shortening, bool rests_at_once = true)
+  InclinedLaw(const Laws& law, int blade_count, double max_shortening, bool rests_at_once)
       : law_(&law),
         solver_(interval_solver()),
         max_shortening_(max_shortening),

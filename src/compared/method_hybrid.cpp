@@ -7,8 +7,8 @@
 
 namespace rubatlas::assembly {
 
-std::unique_ptr<modes::Phase> phase_in_steps(modes::Form form, const modes::ContactSetup& setup) {
-  return compared::phase_in_steps(form, setup, integrate::tableau<integrate::DormandPrince853>());
+std::unique_ptr<modes::ContactPhases> phases_in_steps(const modes::ContactSetup& setup) {
+  return compared::phases_in_steps(setup, integrate::tableau<integrate::DormandPrince853>());
 }
 
 }  // namespace rubatlas::assembly

@@ -10,17 +10,17 @@ namespace rubatlas::assembly {
 namespace {
 
 template <class Pair>
-std::unique_ptr<modes::Phase> phase_of(modes::Form form, const modes::ContactSetup& setup) {
-  return compared::phase_in_steps(form, setup, integrate::tableau<Pair>());
+std::unique_ptr<modes::ContactPhases> phases_of(const modes::ContactSetup& setup) {
+  return compared::phases_in_steps(setup, integrate::tableau<Pair>());
 }
 
 }  // namespace
 
 std::unique_ptr<point::LineSolver> make_hybrid_54(const LineRequest& request) {
-  return hybrid_solver(request, phase_of<integrate::DormandPrince54>);
+  return hybrid_solver(request, phases_of<integrate::DormandPrince54>);
 }
 std::unique_ptr<point::LineSolver> make_hybrid_32(const LineRequest& request) {
-  return hybrid_solver(request, phase_of<integrate::BogackiShampine32>);
+  return hybrid_solver(request, phases_of<integrate::BogackiShampine32>);
 }
 
 }  // namespace rubatlas::assembly

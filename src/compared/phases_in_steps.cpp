@@ -1,6 +1,6 @@
 #include "compared/phases_in_steps.hpp"
 
-#include <stdexcept>
+#include <algorithm>
 
 #include "compared/contact_phase.hpp"
 #include "compared/damped_ring.hpp"
@@ -9,29 +9,52 @@
 #include "compared/solved.hpp"
 #include "compared/sticking.hpp"
 #include "compared/sticking_elastic.hpp"
+#include "modes/law_of_damped_ring.hpp"
+#include "modes/law_of_rigid_blades.hpp"
 
 namespace rubatlas::compared {
+namespace {
 
-std::unique_ptr<Phase> phase_in_steps(Form form, const ContactSetup& setup, const integrate::Tableau& pair) {
-  switch (form) {
-    case Form::solved:
-      return std::make_unique<ContactPhase<Solved>>(setup, pair);
-    case Form::following_ring:
-      return std::make_unique<ContactPhase<FollowingRing>>(setup, pair);
-    case Form::damped_ring:
-      return std::make_unique<ContactPhase<DampedRing>>(setup, pair);
-    case Form::yielding_damped_ring:
-      return std::make_unique<ContactPhase<YieldingDampedRing>>(setup, pair);
-    case Form::skimming:
-      return std::make_unique<ContactPhase<Skimming>>(setup, pair);
-    case Form::sticking:
-      return std::make_unique<ContactPhase<Sticking>>(setup, pair);
-    case Form::sticking_elastic:
-      return std::make_unique<ContactPhase<StickingElastic>>(setup, pair);
-    case Form::resting:
-      return std::make_unique<ContactPhase<Resting>>(setup, pair);
+/// Each form of the equations is a phase of its own.
+class PhasesInSteps final : public modes::ContactPhases {
+ public:
+  PhasesInSteps(const ContactSetup& setup, const integrate::Tableau& pair) : setup_(setup), pair_(pair) {}
+
+  Phase& of(const std::vector<OpenContact>& contacts) override {
+    const auto* rigid = dynamic_cast<const modes::LawOfRigidBlades*>(setup_.law);
+    if (std::ranges::count(contacts, 0.0, &OpenContact::slip) > 0)
+      return rigid != nullptr ? made<Sticking>(resting_) : made<StickingElastic>(resting_);
+    if (std::ranges::count(contacts, true, &OpenContact::skims) > 0) return made<Skimming>(skimming_);
+    if (dynamic_cast<const modes::LawOfDampedRing*>(setup_.law) != nullptr)
+      return made<YieldingDampedRing>(slipping_);
+    if (rigid != nullptr && rigid->has_damper()) return made<DampedRing>(slipping_);
+    if (rigid != nullptr && setup_.machine->following_ring() != nullptr)
+      return made<FollowingRing>(slipping_);
+    return made<Solved>(slipping_);
   }
-  throw std::logic_error("a form of the equations that is none");
+  void each(const std::function<void(const Phase&)>& use) const override {
+    for (const auto* phase : {&slipping_, &resting_, &skimming_}) {
+      if (*phase != nullptr) use(**phase);
+    }
+  }
+
+ private:
+  template <class Mode>
+  Phase& made(std::unique_ptr<Phase>& phase) {
+    if (phase == nullptr) phase = std::make_unique<ContactPhase<Mode>>(setup_, pair_);
+    return *phase;
+  }
+
+  ContactSetup setup_;
+  integrate::Tableau pair_;
+  std::unique_ptr<Phase> slipping_, resting_, skimming_;
+};
+
+}  // namespace
+
+std::unique_ptr<modes::ContactPhases> phases_in_steps(const ContactSetup& setup,
+                                                      const integrate::Tableau& pair) {
+  return std::make_unique<PhasesInSteps>(setup, pair);
 }
 
 }  // namespace rubatlas::compared

@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "integrate/tableau.hpp"
-#include "modes/contact_setup.hpp"
+#include "modes/contact_phases.hpp"
 
 namespace rubatlas::compared {
 
-std::unique_ptr<modes::Phase> phase_in_steps(modes::Form form, const modes::ContactSetup& setup,
-                                             const integrate::Tableau& pair);
+std::unique_ptr<modes::ContactPhases> phases_in_steps(const modes::ContactSetup& setup,
+                                                      const integrate::Tableau& pair);
 
 }  // namespace rubatlas::compared

@@ -54,17 +54,4 @@ class StickingElastic : public Solved {
   modes::RestOfElasticBlades rest_;
 };
 
-/// The same where slip reversals have accumulated under Coulomb's law (MODEL 4.4): the tips that slip beside
-/// the one at rest reverse their slip at each zero of v, and nowhere else.
-class Resting : public StickingElastic {
- public:
-  using StickingElastic::StickingElastic;
-  [[nodiscard]] static bool rests_at_once() { return false; }
-
-  template <class Search>
-  void guards(Search& search) const {
-    guards_of_tips(*this, search);
-  }
-};
-
 }  // namespace rubatlas::compared

@@ -5,29 +5,32 @@
 #include <stdexcept>
 
 #include "modes/contact_force.hpp"
-#include "modes/contact_setup.hpp"
-#include "modes/law_of_inclined_loads.hpp"
+#include "modes/contact_phases.hpp"
+#include "modes/law.hpp"
 #include "modes/tip_of.hpp"
 
 namespace rubatlas::modes {
 
-std::unique_ptr<Phase> phase_on_arcs(Form form, const ContactSetup& setup) {
-  std::unique_ptr<collocation::ArcLaw> arcs;
-  switch (form) {
-    case Form::sticking:
-    case Form::sticking_elastic:
-    case Form::skimming:
-      return nullptr;  // that of slipping tips is for them, too
-    case Form::resting:
-      // Tips that slip beside one at rest reverse their slip at each zero of v.
-      arcs = static_cast<const LawOfInclinedLoads&>(*setup.law)
-                 .arcs_beside_rest(*setup.machine, setup.limits.max_shortening);
-      break;
-    default:
-      arcs = setup.law->arcs(*setup.machine, setup.limits.max_shortening);
-  }
+namespace {
+
+class PhasesOnArcs final : public ContactPhases {
+ public:
+  PhasesOnArcs(const ContactSetup& setup, std::unique_ptr<collocation::ArcLaw> arcs)
+      : phase_(*setup.machine, std::move(arcs), setup.limits, *setup.meter) {}
+
+  Phase& of(const std::vector<OpenContact>& /*contacts*/) override { return phase_; }
+  void each(const std::function<void(const Phase&)>& use) const override { use(phase_); }
+
+ private:
+  Collocated phase_;
+};
+
+}  // namespace
+
+std::unique_ptr<ContactPhases> phases_on_arcs(const ContactSetup& setup) {
+  auto arcs = setup.law->arcs(*setup.machine, setup.limits.max_shortening);
   if (arcs == nullptr) throw std::logic_error("contacts that have no arcs are asked to follow them");
-  return std::make_unique<Collocated>(*setup.machine, std::move(arcs), setup.limits, *setup.meter);
+  return std::make_unique<PhasesOnArcs>(setup, std::move(arcs));
 }
 
 bool Collocated::start(double time, const rotor::ShaftAndRing& state,

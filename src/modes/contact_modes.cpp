@@ -5,26 +5,16 @@
 #include <cstdint>
 #include <utility>
 
-#include "modes/rest_of_elastic_blades.hpp"
-#include "modes/rest_of_rigid_blades.hpp"
-
 namespace rubatlas::modes {
 
 ContactModes::ContactModes(const ModesRequest& request, std::unique_ptr<Law> law)
     : law_(std::move(law)),
       setup_{&request.machine, law_.get(), request.limits, &request.meter},
-      phases_(request.make_phase, setup_) {
+      make_phases_(request.make_phases) {
   if (law_->may_skim(0)) skimming_judge_.emplace(setup_);
   const int count = request.machine.blades.count();
-  if (law_->kind().sticks) {
-    if (law_->form_of_sticking() == Form::sticking) {
-      judge_ = std::make_unique<RestOfRigidBlades>(setup_);
-    } else {
-      judge_ = std::make_unique<RestOfElasticBlades>(setup_);
-    }
-  } else if (auto law_of_rest = law_->law_of_rest(count)) {
-    tips_at_rest_.emplace(std::move(*law_of_rest), setup_);
-  }
+  judge_ = law_->rest_judge(setup_);
+  if (auto law_of_rest = law_->law_of_rest(count)) tips_at_rest_.emplace(std::move(*law_of_rest), setup_);
   if (request.machine.following_ring() != nullptr) ring_placer_.emplace(setup_);
 }
 

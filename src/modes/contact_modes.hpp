@@ -31,7 +31,7 @@ struct ModesRequest {
   const rotor::Machine& machine;  ///< outlives the modes, as the meter does
   ContactLimits limits;
   WorkMeter& meter;
-  MakePhase* make_phase;
+  MakePhases* make_phases;
 };
 
 class ContactModes {
@@ -42,11 +42,15 @@ class ContactModes {
 
   [[nodiscard]] const Law& law() const { return *law_; }
 
-  [[nodiscard]] ContactPhases& phases() { return phases_; }
-  [[nodiscard]] const ContactPhases& phases() const { return phases_; }
-  [[nodiscard]] Phase* resting() { return phases_.resting(tips_at_rest_->setup()); }
-  [[nodiscard]] bool is_law_of_rest(const Phase* phase) const {
-    return phase != nullptr && phases_.has_resting(phase);
+  [[nodiscard]] ContactPhases& phases() { return made(phases_, setup_); }
+  /// Those under the law of rest.
+  [[nodiscard]] ContactPhases& resting() { return made(resting_, tips_at_rest_->setup()); }
+  /// Calls `use` with each phase that has been asked for.
+  template <class Use>
+  void each_phase(Use use) const {
+    for (const auto* phases : {&phases_, &resting_}) {
+      if (*phases != nullptr) (*phases)->each(use);
+    }
   }
 
   /// Price of the searches for equilibria since the last phase or call; nothing where they are short [ns].
@@ -102,12 +106,18 @@ class ContactModes {
   }
 
  private:
+  ContactPhases& made(std::unique_ptr<ContactPhases>& phases, const ContactSetup& setup) const {
+    if (phases == nullptr) phases = make_phases_(setup);
+    return *phases;
+  }
+
   std::unique_ptr<Law> law_;
   ContactSetup setup_;
   std::uint64_t paid_evaluations_ = 0;  ///< of curves, whose price has been told
-  ContactPhases phases_;
-  std::unique_ptr<RestJudge> judge_;        ///< of tips that stick
-  std::optional<TipsAtRest> tips_at_rest_;  ///< of those that rest because reversals accumulate
+  MakePhases* make_phases_;
+  std::unique_ptr<ContactPhases> phases_, resting_;  ///< once they are asked for
+  std::unique_ptr<RestJudge> judge_;                 ///< of tips that stick
+  std::optional<TipsAtRest> tips_at_rest_;           ///< of those that rest because reversals accumulate
   std::optional<SkimmingJudge> skimming_judge_;
   std::optional<RingPlacer> ring_placer_;  ///< of a ring without mass
 };

@@ -1,52 +1,34 @@
-/// The phases in contact of one motion, each made where it is first asked for.
+/// The phases in contact of a motion, and who makes them.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <vector>
 
 #include "modes/contact_setup.hpp"
-#include "modes/law.hpp"
+#include "modes/open_contact.hpp"
 #include "modes/phase.hpp"
 
 namespace rubatlas::modes {
 
+/// Those under one law.
 class ContactPhases {
  public:
-  /// What `setup` points at outlives the phases.
-  ContactPhases(MakePhase* make, const ContactSetup& setup) : make_(make), setup_(setup) {}
+  ContactPhases() = default;
+  ContactPhases(const ContactPhases&) = delete;
+  ContactPhases& operator=(const ContactPhases&) = delete;
+  virtual ~ContactPhases() = default;
 
-  [[nodiscard]] Phase* slipping() { return made(slipping_, setup_.law->form(*setup_.machine), setup_); }
-  /// Some tips rest.
-  [[nodiscard]] Phase* sticking() {
-    Phase* const own = made(sticking_, setup_.law->form_of_sticking(), setup_);
-    return own != nullptr ? own : slipping();
-  }
-  /// Null where the phase of slipping tips is told which of them skims.
-  [[nodiscard]] Phase* skimming() { return made(skimming_, Form::skimming, setup_); }
-  /// Tips that always slip and come to rest where their slip reversals accumulate, under the law of
-  /// `at_rest`.
-  [[nodiscard]] Phase* resting(const ContactSetup& at_rest) { return made(resting_, Form::resting, at_rest); }
-  [[nodiscard]] bool has_resting(const Phase* phase) const { return phase == resting_.get(); }
-
-  /// Calls `use` with each phase that has been made.
-  template <class Use>
-  void each(Use use) const {
-    for (const auto* phase : {&slipping_, &sticking_, &skimming_, &resting_}) {
-      if (*phase != nullptr) use(**phase);
-    }
-  }
-
- private:
-  Phase* made(std::unique_ptr<Phase>& phase, Form form, const ContactSetup& setup) const {
-    if (phase == nullptr) phase = make_(form, setup);
-    return phase.get();
-  }
-
-  MakePhase* make_;
-  ContactSetup setup_;
-  std::unique_ptr<Phase> slipping_;
-  std::unique_ptr<Phase> sticking_;
-  std::unique_ptr<Phase> skimming_;
-  std::unique_ptr<Phase> resting_;
+  /// The one for contacts that slip, rest or skim like these.
+  [[nodiscard]] virtual Phase& of(const std::vector<OpenContact>& contacts) = 0;
+  /// Calls `use` with each phase that has been asked for.
+  virtual void each(const std::function<void(const Phase&)>& use) const = 0;
 };
+
+/// What the setup points at outlives the phases.
+using MakePhases = std::unique_ptr<ContactPhases>(const ContactSetup&);
+/// By collocation (`Collocated`), which has one phase for all contacts. The law has arcs (`Law::arcs`);
+/// throws `std::logic_error` where it has none.
+MakePhases phases_on_arcs;
 
 }  // namespace rubatlas::modes

@@ -14,8 +14,10 @@
 #include "contact/directed_elastica.hpp"
 #include "contact/pose.hpp"
 #include "contact/unequal_blades.hpp"
+#include "modes/contact_setup.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/phase.hpp"
+#include "modes/rest_judge.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/machine.hpp"
 
@@ -53,10 +55,6 @@ class Law {
     bool searches_long = false;  ///< without a table a search may take milliseconds, and is paid for at once
   };
   [[nodiscard]] virtual Kind kind() const = 0;
-  /// The form of its equations for any contacts in steps.
-  [[nodiscard]] virtual Form form(const rotor::Machine& /*machine*/) const { return Form::solved; }
-  /// The same where tips stick, of a law under which they can.
-  [[nodiscard]] virtual Form form_of_sticking() const { return Form::sticking_elastic; }
   /// How often curves of blades have been evaluated.
   [[nodiscard]] virtual std::uint64_t evaluations() const { return 0; }
   /// What it means that a blade finds no force.
@@ -106,8 +104,13 @@ class Law {
     return false;
   }
 
-  // Rest where slip reversals accumulate (MODEL 4.4).
+  // Rest.
 
+  /// Who judges tips that stick; null where none does.
+  [[nodiscard]] virtual std::unique_ptr<RestJudge> rest_judge(const ContactSetup& /*setup*/) const {
+    return nullptr;
+  }
+  // Where slip reversals accumulate (MODEL 4.4):
   /// Whether the model says what follows there.
   [[nodiscard]] virtual bool knows_rest() const { return true; }
   /// The law of the tips that then rest, if it is another one.

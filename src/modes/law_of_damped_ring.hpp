@@ -20,9 +20,6 @@ class LawOfDampedRing final : public LawOfBlades<LawOfDampedRing, contact::Elast
         .respond(at.pose, contact.slip, at.speed, contact.yielding, contact.bending, force);
   }
   [[nodiscard]] Kind kind() const override { return {.price_of_curve = WorkPrice::kCurve}; }
-  [[nodiscard]] Form form(const rotor::Machine& /*machine*/) const override {
-    return Form::yielding_damped_ring;
-  }
   [[nodiscard]] std::uint64_t evaluations() const override { return blades().evaluations(); }
   [[nodiscard]] std::unique_ptr<collocation::ArcLaw> arcs(const rotor::Machine& machine,
                                                           double max_shortening) const override;

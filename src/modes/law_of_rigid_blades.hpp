@@ -22,15 +22,9 @@ class LawOfRigidBlades final : public LawOfBlades<LawOfRigidBlades, contact::Ela
             .sticks = friction.sticks,
             .load_follows_gap = !has_damper()};
   }
-  [[nodiscard]] Form form(const rotor::Machine& machine) const override {
-    if (has_damper()) return Form::damped_ring;
-    return machine.following_ring() != nullptr ? Form::following_ring : Form::solved;
-  }
-  [[nodiscard]] Form form_of_sticking() const override { return Form::sticking; }
   [[nodiscard]] std::unique_ptr<collocation::ArcLaw> arcs(const rotor::Machine& machine,
                                                           double max_shortening) const override;
-
- private:
+  [[nodiscard]] std::unique_ptr<RestJudge> rest_judge(const ContactSetup& setup) const override;
   [[nodiscard]] bool has_damper() const { return of(0).damping() > 0.0; }
 };
 

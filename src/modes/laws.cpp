@@ -13,6 +13,8 @@
 #include "modes/law_of_damped_ring.hpp"
 #include "modes/law_of_inclined_loads.hpp"
 #include "modes/law_of_rigid_blades.hpp"
+#include "modes/rest_of_elastic_blades.hpp"
+#include "modes/rest_of_rigid_blades.hpp"
 
 namespace rubatlas::modes {
 
@@ -36,6 +38,10 @@ bool takes(const std::optional<double>& root, OpenContact& contact) {
 std::unique_ptr<ArcLaw> LawOfRigidBlades::arcs(const rotor::Machine& machine,
                                                double /*max_shortening*/) const {
   return std::make_unique<collocation::RigidLaw>(blades(), machine);
+}
+
+std::unique_ptr<RestJudge> LawOfRigidBlades::rest_judge(const ContactSetup& setup) const {
+  return kind().sticks ? std::make_unique<RestOfRigidBlades>(setup) : nullptr;
 }
 
 // Elastic blades on a ring with dampers.
@@ -67,12 +73,12 @@ bool LawOfDampedRing::straightens(const TipPlace& at, OpenContact& contact) cons
 // Elastic blades under an inclined load.
 
 std::unique_ptr<ArcLaw> LawOfInclinedLoads::arcs(const rotor::Machine& machine, double max_shortening) const {
-  return std::make_unique<collocation::InclinedLaw>(blades(), machine.blades.count(), max_shortening);
+  return std::make_unique<collocation::InclinedLaw>(blades(), machine.blades.count(), max_shortening,
+                                                    rests_at_once_);
 }
 
-std::unique_ptr<ArcLaw> LawOfInclinedLoads::arcs_beside_rest(const rotor::Machine& machine,
-                                                             double max_shortening) const {
-  return std::make_unique<collocation::InclinedLaw>(blades(), machine.blades.count(), max_shortening, false);
+std::unique_ptr<RestJudge> LawOfInclinedLoads::rest_judge(const ContactSetup& setup) const {
+  return kind().sticks ? std::make_unique<RestOfElasticBlades>(setup) : nullptr;
 }
 
 Standing LawOfInclinedLoads::snap(const TipPlace& at, OpenContact& contact) const {

@@ -20,18 +20,6 @@ struct ModeEnd {
   ending::StatusDetail why = ending::StatusDetail::none;  ///< where the motion ends
 };
 
-/// The forms of the equations of contacts; those of arcs are one.
-enum class Form : std::uint8_t {
-  solved,
-  following_ring,        ///< the ring has no mass
-  damped_ring,           ///< dampers under rigid tips
-  yielding_damped_ring,  ///< under elastic blades: y of each is a state
-  skimming,
-  sticking,          ///< rigid tips of which some rest
-  sticking_elastic,  ///< elastic ones
-  resting            ///< the same where slip reversals have accumulated
-};
-
 /// Also the piece of motion that is being recorded.
 class Phase : public trajectory::MotionPiece {
  public:

@@ -16,7 +16,7 @@ class TipsAtRest {
  public:
   /// `slipping`: what the modes of the slipping tips are made from.
   TipsAtRest(LawOfInclinedLoads::Blades law, const ContactSetup& slipping)
-      : law_(std::move(law)),
+      : law_(std::move(law), false),
         setup_{slipping.machine, &law_, slipping.limits, slipping.meter},
         judge_(setup_),
         slips_in_u_(slipping.law->bends_in_u()) {}

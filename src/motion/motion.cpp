@@ -27,7 +27,7 @@ constexpr int kNoBlade = -1;
 Motion::Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const Settings& settings)
     : machine_(std::move(machine)),
       limits_(settings.limits),
-      modes_({machine_, limits_, meter_, settings.make_phase}, std::move(law)),
+      modes_({machine_, limits_, meter_, settings.make_phases}, std::move(law)),
       flight_(machine_),
       search_(machine_, geometries()) {
   contacts_.reserve(static_cast<std::size_t>(machine_.blades.count()));
@@ -82,7 +82,7 @@ std::vector<modes::OpenContact> Motion::contacts_now() {
   if (undecided_ || phase_ == nullptr) return contacts;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     contacts[i] = phase_->contact_at(i, time_);
-    if (modes_.is_law_of_rest(phase_)) modes_.leave_law_of_rest(contacts[i]);
+    if (under_law_of_rest_) modes_.leave_law_of_rest(contacts[i]);
   }
   return contacts;
 }
@@ -110,7 +110,7 @@ Memory Motion::memory() const {
 
 WorkCounts Motion::work() const {
   WorkCounts result = work_;
-  modes_.phases().each([&](const modes::Phase& phase) {
+  modes_.each_phase([&](const modes::Phase& phase) {
     result.right_hand_sides += phase.evaluations();
     result.steps += phase.steps();
     result.rejected_steps += phase.rejected();
@@ -196,7 +196,7 @@ modes::ModeEnd Motion::touch(double period, modes::MotionListener& listener) {
     contacts_[i].bend = there.bend;
     contacts_[i].yielding = there.yielding;
   }
-  if (modes_.is_law_of_rest(phase_)) {
+  if (under_law_of_rest_) {
     // Tips that slip beside a tip at rest go on under their own law, which finds their bending anew. The
     // reset does this for the blade of the event.
     for (modes::OpenContact& open : contacts_) {
@@ -219,31 +219,19 @@ ending::PointStatus Motion::finish_revolution(double period) {
   return ends(state_.isFinite().all() ? ending::StatusDetail::none : ending::StatusDetail::beyond_precision);
 }
 
-bool Motion::begin_in(modes::Phase* phase, const std::vector<modes::OpenContact>& contacts) {
-  phase_ = phase;
-  undecided_ = false;
-  const bool started = phase->start(time_, state_, contacts);
-  refusal_ = phase->refusal();
-  return started;
-}
-
 /// From the contacts to the mode for them. False where no mode can begin; `refusal_` says why.
 bool Motion::begin_mode() {
-  refusal_ = ending::StatusDetail::no_equilibrium;
-  if (contacts_.empty()) {
-    phase_ = nullptr;
-    undecided_ = false;
-    return true;
-  }
-  if (any_rests()) {
-    return modes_.has_law_of_rest() ? begin_in(modes_.resting(), modes_.at_rest(contacts_))
-                                    : begin_in(modes_.phases().sticking(), contacts_);
-  }
-  if (begins_to_skim()) {
-    if (modes::Phase* const skimming = modes_.phases().skimming()) return begin_in(skimming, contacts_);
-    contacts_.front().skims = true;
-  }
-  return begin_in(modes_.phases().slipping(), contacts_);
+  undecided_ = false;
+  phase_ = nullptr;
+  if (contacts_.empty()) return true;
+  const bool rests = any_rests();
+  if (!rests && begins_to_skim()) contacts_.front().skims = true;
+  under_law_of_rest_ = rests && modes_.has_law_of_rest();
+  const std::vector<modes::OpenContact> contacts = under_law_of_rest_ ? modes_.at_rest(contacts_) : contacts_;
+  phase_ = &(under_law_of_rest_ ? modes_.resting() : modes_.phases()).of(contacts);
+  const bool started = phase_->start(time_, state_, contacts);
+  refusal_ = phase_->refusal();
+  return started;
 }
 
 /// Whether the blade that has just touched down begins to skim. If so, it is the first of the contacts.

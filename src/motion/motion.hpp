@@ -23,7 +23,7 @@ class Motion final : public PointMotion {
   /// How contacts are computed.
   struct Settings {
     modes::ContactLimits limits;
-    modes::MakePhase* make_phase = modes::phase_on_arcs;
+    modes::MakePhases* make_phases = modes::phases_on_arcs;
   };
   Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const Settings& settings);
 
@@ -57,7 +57,6 @@ class Motion final : public PointMotion {
   modes::ModeEnd fly(double period, modes::MotionListener& listener);
   modes::ModeEnd touch(double period, modes::MotionListener& listener);
   ending::PointStatus finish_revolution(double period);
-  bool begin_in(modes::Phase* phase, const std::vector<modes::OpenContact>& contacts);
   bool begin_mode();
   [[nodiscard]] bool any_rests() const {
     return std::ranges::count(contacts_, 0.0, &modes::OpenContact::slip) > 0;
@@ -96,6 +95,7 @@ class Motion final : public PointMotion {
   ending::StatusDetail refusal_ = ending::StatusDetail::none;  ///< why the last mode could not begin
   WorkCounts work_;
   modes::Phase* phase_ = nullptr;                  ///< of the present mode in contact; null in flight
+  bool under_law_of_rest_ = false;                 ///< that phase is
   bool undecided_ = true;                          ///< the mode is to be chosen
   modes::Guard ended_by_ = modes::Guard::horizon;  ///< what ended the last mode; horizon: there is none
   bool never_touches_ = false;                     ///< proven at the start of the point: no blade can touch

@@ -23,10 +23,10 @@ namespace rubatlas::test {
 namespace {
 
 std::unique_ptr<point::LineSolver> on_arcs(const assembly::LineRequest& request) {
-  return assembly::hybrid_solver(request, modes::phase_on_arcs);
+  return assembly::hybrid_solver(request, modes::phases_on_arcs);
 }
 std::unique_ptr<point::LineSolver> in_steps(const assembly::LineRequest& request) {
-  return assembly::hybrid_solver(request, assembly::phase_in_steps);
+  return assembly::hybrid_solver(request, assembly::phases_in_steps);
 }
 
 /// The first point of a scene, from its initial state, by collocation and in steps, which end at most `apart`

@@ -167,7 +167,7 @@ int expect_both_solvers_agree(const ElasticaContact& blade, double speed_ratio, 
   modes::WorkMeter meter;
   const modes::ContactLimits limits{1e-13, 0.5};
   modes::Collocated collocated(machine, law->arcs(machine, limits.max_shortening), limits, meter);
-  const auto stepped = assembly::phase_in_steps(modes::Form::solved, {&machine, law.get(), limits, &meter});
+  const auto stepped = assembly::phases_in_steps({&machine, law.get(), limits, &meter});
   int compared = 0;
   for (const modes::Event& event : motion.witness.events) {
     if (event.kind != modes::Guard::touch_down) continue;
@@ -180,7 +180,7 @@ int expect_both_solvers_agree(const ElasticaContact& blade, double speed_ratio, 
     if (!blade.starts_unloaded(at, contact.slip)) contact.bending = blade.solve(at, contact.slip).value();
     const modes::Phase::End start{event.time, rotor::shaft_and_ring(event.state)};
     const Ended one = follow(collocated, meter, start, contact);
-    const Ended other = follow(*stepped, meter, start, contact);
+    const Ended other = follow(stepped->of({contact}), meter, start, contact);
     EXPECT_EQ(one.end.guard, other.end.guard);
     EXPECT_EQ(one.end.blade, other.end.blade);
     EXPECT_LT(std::abs(one.where.time - other.where.time), allowed);

@@ -42,7 +42,7 @@ std::unique_ptr<motion::Motion> hybrid_motion(const rotor::Machine& machine, con
   using Settings = motion::Motion::Settings;
   return std::make_unique<motion::Motion>(
       machine, law_of(laws_of(law, machine.blades.count())),
-      Settings{limits, collocates ? modes::phase_on_arcs : assembly::phase_in_steps});
+      Settings{limits, collocates ? modes::phases_on_arcs : assembly::phases_in_steps});
 }
 template <class Law, class Forcing>
 std::unique_ptr<motion::Motion> hybrid_motion(const rotor::RotorConstants& rotor,
