@@ -80,13 +80,10 @@ class ArcLaw {
   virtual Bending lead(const Touch& touch) = 0;
   /// ±1: to which side a blade is bent.
   [[nodiscard]] virtual double side(const Touch& touch) const = 0;
-  /// Of the leading blade, where it takes the lead.
+  /// A contact where the next interval starts, if it is new there, or its leader is.
   struct Start {
     contact::TipForce force;
-    double gap_measure;  ///< g/Δ [m]
-    // Of a blade under an inclined load:
-    double chart_left = 0.0;  ///< `InclinedLoad::chart_left`
-    double cone_left = 0.0;   ///< `Interval::cone_left`; of any tip at rest
+    TipStart tip{};           ///< but for `start_gap`
     double ring_opens = 0.0;  ///< d(R + y)²/dτ of a ring with dampers [m² per unit τ]
   };
   [[nodiscard]] virtual Start start(const Touch& touch, const contact::Pose& at, double speed) const = 0;
@@ -124,6 +121,17 @@ class ArcLaw {
     double modulus = 0.0, amplitude = 0.0;  ///< of κ and φ
   };
   [[nodiscard]] virtual Rates rates(const Bending& bending, const Tangent& along) const = 0;
+
+ protected:
+  /// What the force of a contact says of its start.
+  static Start starts(const contact::TipForce& force, double gap_measure) {
+    return {force,
+            {.start_gap_measure = gap_measure,
+             .start_slip_velocity = force.slip_velocity,
+             .start_force = force.normal,
+             .start_strain = force.root_strain,
+             .start_shortening = force.shortening}};
+  }
 };
 
 }  // namespace rubatlas::collocation

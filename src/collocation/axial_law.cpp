@@ -83,25 +83,14 @@ Bending AxialLaw::lead(const Touch& touch) {
 
 FurtherStart AxialLaw::further(const Touch& touch, const contact::Pose& at, double speed) {
   standing_.push_back({touch.blade, touch.straight, touch.skims});
-  if (!touch.straight) {
-    FurtherStart further = further_start(laws_->of(touch.blade), at, touch, speed);
-    further.tip.start_gap_measure = gap_measure(touch, at);
-    if (!touch.skims) return further;
-    further.skims = true;
-    further.tip.start_cone_left = left_until_pressed_in(touch);
-    further.force = rotor::share_of(further.force, touch.share);
-    return further;
-  }
   const Start there = start(touch, at, speed);
   return {.blade = touch.blade,
           .slip = touch.slip,
-          .straight = true,
-          .square = {there.gap_measure},
-          .tip = {.start_gap_measure = there.gap_measure,
-                  .start_slip_velocity = there.force.slip_velocity,
-                  .start_force = there.force.normal,
-                  .start_cone_left = there.cone_left,
-                  .start_yielding = touch.yielding},
+          .straight = touch.straight,
+          .skims = touch.skims,
+          .square = touch.straight ? FurtherStart::Course{there.tip.start_gap_measure}
+                                   : square_of_bent(of(touch.blade), at, touch, speed, there.ring_opens),
+          .tip = there.tip,
           .force = there.force};
 }
 
@@ -131,13 +120,14 @@ double AxialLaw::gap_measure(const Touch& touch, const contact::Pose& at) const 
 }
 
 ArcLaw::Start AxialLaw::start(const Touch& touch, const contact::Pose& at, double speed) const {
-  Start there{.force = force(touch, at, speed), .gap_measure = gap_measure(touch, at)};
-  if (touch.skims) there.cone_left = left_until_pressed_in(touch);
+  Start there = starts(force(touch, at, speed), gap_measure(touch, at));
+  there.tip.start_yielding = touch.yielding;
+  if (touch.skims) there.tip.start_cone_left = left_until_pressed_in(touch);
   if (!touch.straight) return there;
   // Of a column that has just straightened no load is left, to rounding.
   constexpr double kLeast = 1e-12;
   const double buckling = numbers(touch.blade).buckling_load;
-  there.cone_left = std::max(buckling - there.force.normal, kLeast * buckling);
+  there.tip.start_cone_left = std::max(buckling - there.force.normal, kLeast * buckling);
   return there;
 }
 

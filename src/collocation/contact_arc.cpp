@@ -59,20 +59,8 @@ void ContactArc::start_next(Interval& next) const {
   std::copy_n(end_.bodies.begin() + 4, 4, next.ring.start.begin());
   next.blade = {er_.cosine, er_.sine};
   machine_.start(next);
-  next.start_gap = gap_at_end_;
-  next.start_gap_measure = at_end_.gap_measure;
-  next.start_slip_velocity = at_end_.force.slip_velocity;
-  next.start_yielding = end_.bending.yielding;
+  static_cast<TipStart&>(next) = at_end_;
   next.further.resize(further_.size());
-  if (keeps_loads()) {
-    next.start_force = at_end_.force.normal;
-    next.start_strain = at_end_.force.root_strain;
-  }
-  if (keeps_loads() || contact_.skims) next.start_cone_left = at_end_.cone_left;
-  if (!contact_.leans) return;
-  next.start_lean = end_.bending.lean;
-  next.start_shortening = at_end_.force.shortening;
-  next.start_chart_left = at_end_.chart_left;
 }
 
 bool ContactArc::solve(Interval& interval, bool warm, double closest) {
@@ -110,26 +98,14 @@ double ContactArc::error_of(const Interval& interval) const {
 
 /// The stretch of an interval up to θ, solved for itself.
 bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter, double closest) {
-  shorter.start_time = whole.start_time;
-  shorter.start_argument = whole.start_argument;
+  static_cast<IntervalStart&>(shorter) = whole;
+  static_cast<TipStart&>(shorter) = whole;
   shorter.shaft.start = whole.shaft.start;
   shorter.ring.start = whole.ring.start;
-  shorter.blade = whole.blade;
-  shorter.start_angular_speed = whole.start_angular_speed;
-  std::copy_n(whole.forcing.begin(), machine().forcing_count, shorter.forcing.begin());
-  shorter.ripple = whole.ripple;
-  static_cast<TipStart&>(shorter) = static_cast<const TipStart&>(whole);
   shorter.further.resize(whole.further.size());
   for (std::size_t k = 0; k < whole.further.size(); ++k) {
-    static_cast<TipStart&>(shorter.further[k]) = static_cast<const TipStart&>(whole.further[k]);
-    shorter.further[k].blade = whole.further[k].blade;
-    shorter.further[k].load = whole.further[k].load;
-    shorter.further[k].short_of_fold = whole.further[k].short_of_fold;
-    shorter.further[k].offset = whole.further[k].offset;
-    shorter.further[k].slip = whole.further[k].slip;
-    shorter.further[k].straight = whole.further[k].straight;
-    shorter.further[k].skims = whole.further[k].skims;
-    shorter.further[k].start_square = whole.further[k].start_square;
+    static_cast<TipStart&>(shorter.further[k]) = whole.further[k];
+    static_cast<FurtherBladeStart&>(shorter.further[k]) = whole.further[k];
   }
   shorter.chord = {fraction * whole.chord.time, fraction * whole.chord.argument};
   shorter.normal = whole.normal;
@@ -298,18 +274,7 @@ void ContactArc::goes_on(const Ending& ending) {
   ++number_;
   ++interval_count_;
   end_at(made(), ending);
-  gap_at_end_ = made().gap.at_end();
-  at_end_.gap_measure = made().gap_measure.at_end();
-  at_end_.force.slip_velocity = made().slip_velocity.at_end();
-  if (contact_.leans) {
-    at_end_.force.shortening = made().shortening.at_end();
-    at_end_.chart_left = made().chart_left.at_end();
-  }
-  if (keeps_loads()) {
-    at_end_.force.normal = made().normal_force.at_end();
-    at_end_.force.root_strain = made().root_strain.at_end();
-  }
-  if (keeps_loads() || contact_.skims) at_end_.cone_left = made().cone_left.at_end();
+  at_end_ = collocation::end_of(made());
   for (std::size_t k = 0; k < further_.size(); ++k) go_on(made(), made().further[k], further_[k]);
   if (ending_.guard == Guard::none) predictor_.goes_on(made());
   begins_ = false;

@@ -99,7 +99,7 @@ class ContactArc {
   [[nodiscard]] const Point& start() const { return start_; }
   [[nodiscard]] const Point& end() const { return end_; }
   /// v of the leading blade at the end (MODEL 4.4) [m per unit τ].
-  [[nodiscard]] double slip_velocity() const { return at_end_.force.slip_velocity; }
+  [[nodiscard]] double slip_velocity() const { return at_end_.start_slip_velocity; }
 
   /// θ in the interval that has been made where it has reached a time.
   [[nodiscard]] double fraction_at(double time) const;
@@ -287,8 +287,7 @@ class ContactArc {
   const EarlierContact* alike_ = nullptr;  ///< is followed; null: no longer, or none
   EarlierContact* kept_ = nullptr;         ///< this contact, for later ones
   std::size_t number_ = 0;                 ///< of the next interval in the contact
-  ArcLaw::Start at_end_{};                 ///< of the leading blade there
-  double gap_at_end_ = 0.0;                ///< g of its straight tip [m²]
+  TipStart at_end_{};                      ///< of the leading blade there
   double rounding_at_end_ = 0.0;           ///< |v| or other where an ending is
   double displacement_bound_ = 0.0;
   double gap_bound_of_others_ = 0.0;

@@ -79,10 +79,10 @@ bool ContactArc::moves_little(double late) const {
 /// Whether a blade that is all but unbent moves off the ring, and has left it before anything has moved.
 bool ContactArc::lifts_off_at_once() const {
   if (law_->is_rigid() || is_straight(blade_) || machine().ring.is_massless()) return false;
-  if (!(end_.bending.argument < kNextToUnbent) || !(gap_at_end_ > 0.0)) return false;
+  if (!(end_.bending.argument < kNextToUnbent) || !(at_end_.start_gap > 0.0)) return false;
   const double rate =
       contact::gap_rate(law_->geometry(blade_), pose(blade_, end_), blades_->angular_speed(end_.time));
-  return rate < 0.0 && moves_little(-gap_at_end_ / rate);
+  return rate < 0.0 && moves_little(-at_end_.start_gap / rate);
 }
 
 /// The next event is where the next interval would begin.

@@ -78,7 +78,6 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
     start_.further.push_back({start.square.value, start.lean.value, start.tip.start_yielding, touch.share});
   }
   end_ = start_;
-  gap_at_end_ = gap_at(touching[leader], start_);
   others_.clear();
   for (int blade = 0; blade < blades_->count(); ++blade) {
     if (std::ranges::find(touching, blade, &Touch::blade) == touching.end())
@@ -92,8 +91,8 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
 }
 
 double ContactArc::shortening_at_start() const {
-  double largest = at_end_.force.shortening;
-  for (const FurtherStart& further : further_) largest = std::max(largest, further.force.shortening);
+  double largest = at_end_.start_shortening;
+  for (const FurtherStart& further : further_) largest = std::max(largest, further.tip.start_shortening);
   return largest;
 }
 bool ContactArc::starts_within_ring() const {
@@ -127,8 +126,10 @@ void ContactArc::look_for_earlier() {
 void ContactArc::predict(const Touch& touch) {
   const double angular_speed = blades_->angular_speed(end_.time);
   const contact::Pose there = pose(blade_, end_);
-  at_end_ = law_->start(touch, there, angular_speed);
-  std::complex<double> force = contact::on_rotor(at_end_.force, er_);
+  const ArcLaw::Start starts = law_->start(touch, there, angular_speed);
+  at_end_ = starts.tip;
+  at_end_.start_gap = gap_at(touch, start_);
+  std::complex<double> force = contact::on_rotor(starts.force, er_);
   for (const FurtherStart& further : further_) {
     const contact::BladeDirection er{er_.cosine * further.offset[0] - er_.sine * further.offset[1],
                                      er_.sine * further.offset[0] + er_.cosine * further.offset[1]};
@@ -137,7 +138,7 @@ void ContactArc::predict(const Touch& touch) {
   const rotor::Acceleration acceleration =
       whole_->acceleration(rotor::full_state(end_.bodies, end_.time, 0.0), force);
   const std::complex<double> closing = acceleration.shaft - acceleration.ring;
-  set_out(blade_, contact_.slip, closing, at_end_.force.slip_velocity);
+  set_out(blade_, contact_.slip, closing, at_end_.start_slip_velocity);
   for (FurtherStart& further : further_)
     set_out(further.blade, further.slip, closing, further.tip.start_slip_velocity);
   predictor_.begin({.touch = touch,
@@ -148,8 +149,8 @@ void ContactArc::predict(const Touch& touch) {
                     .pose = there,
                     .direction = er_,
                     .bending = end_.bending,
-                    .gap_measure = at_end_.gap_measure,
-                    .ring_opens = at_end_.ring_opens,
+                    .gap_measure = at_end_.start_gap_measure,
+                    .ring_opens = starts.ring_opens,
                     .acceleration = acceleration});
 }
 
@@ -168,7 +169,7 @@ bool ContactArc::begin_anew(std::size_t leader) {
   std::vector<Touch> touching = touching_at(end_);
   Touch& leads = touching[leader];
   contact::Pose there = pose(leads.blade, end_);
-  there.gap = leader == 0 ? gap_at_end_ : further_[leader - 1].tip.start_gap;
+  there.gap = leader == 0 ? at_end_.start_gap : further_[leader - 1].tip.start_gap;
   std::optional<Touch> found;
   if (std::abs(there.gap) > contact::gap_rounding(law_->geometry(leads.blade), there))
     found = law_->found_anew(leads, there, blades_->angular_speed(end_.time));
@@ -179,10 +180,10 @@ bool ContactArc::begin_anew(std::size_t leader) {
 /// Gaps stay those by how far the tips have come: those of places would lose digits, or be nothing but
 /// rounding.
 void ContactArc::begin_anew(std::span<const Touch> touching, std::size_t leader) {
-  std::vector<double> gaps{gap_at_end_};
+  std::vector<double> gaps{at_end_.start_gap};
   for (const FurtherStart& further : further_) gaps.push_back(further.tip.start_gap);
   lead(end_.time, rotor::ShaftAndRing(end_.bodies), touching, leader);
-  gap_at_end_ = gaps[leader];
+  at_end_.start_gap = gaps[leader];
   gaps.erase(gaps.begin() + static_cast<std::ptrdiff_t>(leader));
   for (std::size_t k = 0; k < further_.size(); ++k) further_[k].tip.start_gap = gaps[k];
   predictor_.begin_interval();

@@ -44,7 +44,7 @@ bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
   };
   if (!(bounds.distance < machine().ring_radius) && ending.guard != Guard::shaft_at_ring) return false;
   if (!stays_short(blade_, bounds.argument)) return false;
-  if (!keeps_slip(blade_, contact_.slip, at_end_.force.slip_velocity, bounds.slip_velocity)) return false;
+  if (!keeps_slip(blade_, contact_.slip, at_end_.start_slip_velocity, bounds.slip_velocity)) return false;
   for (std::size_t k = 0; k < further_.size(); ++k) {
     const FurtherStart& further = further_[k];
     if (!stays_short(further.blade, bounds.further[k].argument) ||

@@ -38,7 +38,7 @@ std::optional<Touch> DampedLaw::open(const Touch& touch, const contact::Pose& at
   if (touch.straight) {
     found.yielding = law.depth(at);
     const Start there = start(found, at, speed);
-    if (there.force.normal > 0.0 && there.cone_left > 0.0) return found;
+    if (there.force.normal > 0.0 && there.tip.start_cone_left > 0.0) return found;
     return std::nullopt;
   }
   if (touch.touches_down() && touch.yielding == 0.0) found.yielding = law.depth(at);
@@ -67,9 +67,10 @@ ArcLaw::Start DampedLaw::start(const Touch& touch, const contact::Pose& at, doub
   if (touch.straight) {
     const contact::ElasticBladeOnDampedRing& law = laws_->of(touch.blade);
     const contact::TipForce there = force(touch, at, speed);
-    return {.force = there,
-            .gap_measure = there.normal / law.ring().stiffness,
-            .cone_left = law.bending_load(at, touch.slip, speed) - there.normal};
+    Start start = starts(there, there.normal / law.ring().stiffness);
+    start.tip.start_yielding = touch.yielding;
+    start.tip.start_cone_left = law.bending_load(at, touch.slip, speed) - there.normal;
+    return start;
   }
   Start start = AxialLaw::start(touch, at, speed);
   start.ring_opens = ring_opens(touch, at, speed);
@@ -88,8 +89,6 @@ ArcLaw::Tangent DampedLaw::tangent(const Touch& touch, const contact::Pose& at, 
 
 FurtherStart DampedLaw::further(const Touch& touch, const contact::Pose& at, double speed) {
   FurtherStart further = AxialLaw::further(touch, at, speed);
-  if (touch.straight) return further;
-  further = further_start(of(touch.blade), at, touch, speed, ring_opens(touch, at, speed));
   if (touch.just_bent) further.square.rate = 0.0;
   return further;
 }

@@ -13,28 +13,31 @@ double deflection_per_square(const contact::ElasticaContact& law) {
   return law.length() * law.curve().at(bending).deflection / (kUnbent * kUnbent);
 }
 
-FurtherStart further_start(const contact::ElasticaContact& law, const contact::Pose& pose, const Touch& touch,
-                           double angular_speed, double ring_opens) {
+FurtherStart::Course square_of_bent(const contact::ElasticaContact& law, const contact::Pose& pose,
+                                    const Touch& touch, double angular_speed, double ring_opens) {
   const blade::BendingTable& table = law.curve().over_asinh();
-  const auto there = law.constraint(pose, touch.slip, touch.bending, angular_speed);
-  const double gap_measure = law.gap_per_deflection(pose, touch.slip, touch.bending);
-  const double argument = table.argument(touch.bending);
-  double rate = 0.0;
   if (touch.bending > 0.0) {
-    rate = -2.0 * argument * (there.time_slope - ring_opens) /
-           (there.bending_slope * table.bending_slope_at(touch.bending));
-  } else {
-    // Where the blade begins to bend, g = 2 s ct Δ, with Δ ~ p².
-    rate = (contact::gap_rate(law.geometry(), pose, angular_speed) - ring_opens) /
-           (gap_measure * deflection_per_square(law));
+    const auto there = law.constraint(pose, touch.slip, touch.bending, angular_speed);
+    const double argument = table.argument(touch.bending);
+    return {argument * argument, -2.0 * argument * (there.time_slope - ring_opens) /
+                                     (there.bending_slope * table.bending_slope_at(touch.bending))};
   }
-  return {.blade = touch.blade,
-          .slip = touch.slip,
-          .square = {argument * argument, rate},
-          .tip = {.start_gap_measure = gap_measure,
-                  .start_slip_velocity = there.force.slip_velocity,
-                  .start_yielding = touch.yielding},
-          .force = there.force};
+  // Where the blade begins to bend, g = 2 s ct Δ, with Δ ~ p².
+  return {0.0, (contact::gap_rate(law.geometry(), pose, angular_speed) - ring_opens) /
+                   (law.gap_per_deflection(pose, touch.slip, 0.0) * deflection_per_square(law))};
+}
+
+TipStart end_of(const TipInTime& tip) {
+  return {.start_gap = tip.gap.at_end(),
+          .start_gap_measure = tip.gap_measure.at_end(),
+          .start_slip_velocity = tip.slip_velocity.at_end(),
+          .start_force = tip.normal_force.at_end(),
+          .start_strain = tip.root_strain.at_end(),
+          .start_lean = tip.lean.at_end(),
+          .start_shortening = tip.shortening.at_end(),
+          .start_chart_left = tip.chart_left.at_end(),
+          .start_cone_left = tip.cone_left.at_end(),
+          .start_yielding = tip.yielding.at_end()};
 }
 
 FurtherStart::Course course_at_end(const Interval& made, const AtNodes& nodes) {
@@ -51,18 +54,8 @@ FurtherStart::Course course_at_end(const Interval& made, const AtNodes& nodes) {
 
 void go_on(const Interval& made, const FurtherBlade& blade, FurtherStart& start) {
   start.square = course_at_end(made, blade.square);
-  start.tip.start_gap = blade.gap.at_end();
-  start.tip.start_gap_measure = blade.gap_measure.at_end();
-  start.tip.start_slip_velocity = blade.slip_velocity.at_end();
-  start.tip.start_yielding = blade.yielding.at_end();
-  start.tip.start_force = blade.normal_force.at_end();
-  start.tip.start_strain = blade.root_strain.at_end();
-  start.tip.start_cone_left = blade.cone_left.at_end();
-  if (start.load == nullptr) return;
-  start.lean = course_at_end(made, blade.lean);
-  start.tip.start_lean = blade.lean.at_end();
-  start.tip.start_shortening = blade.shortening.at_end();
-  start.tip.start_chart_left = blade.chart_left.at_end();
+  start.tip = end_of(blade);
+  if (start.load != nullptr) start.lean = course_at_end(made, blade.lean);
 }
 
 namespace {

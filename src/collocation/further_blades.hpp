@@ -61,9 +61,12 @@ struct FurtherStart {
 /// Δ/p² [m] of a blade that is hardly bent.
 double deflection_per_square(const contact::ElasticaContact& law);
 
-/// From a blade's pose and the motion there. `ring_opens`: `ArcLaw::Start::ring_opens`.
-FurtherStart further_start(const contact::ElasticaContact& law, const contact::Pose& pose, const Touch& touch,
-                           double angular_speed, double ring_opens = 0.0);
+/// p² of a blade under an axial load, as the motion has it where its contact, or its leader, is new.
+/// `ring_opens`: `ArcLaw::Start::ring_opens`.
+FurtherStart::Course square_of_bent(const contact::ElasticaContact& law, const contact::Pose& pose,
+                                    const Touch& touch, double angular_speed, double ring_opens);
+/// A tip where the interval after this one starts.
+TipStart end_of(const TipInTime& tip);
 /// How a quantity goes on from the end of an interval, as the last three nodes have it.
 FurtherStart::Course course_at_end(const Interval& made, const AtNodes& nodes);
 /// How a blade goes on from there.

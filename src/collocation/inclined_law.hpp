@@ -23,7 +23,7 @@ class InclinedLaw final : public ArcLaw {
   using Laws = contact::UnequalBlades<contact::DirectedElastica>;
   /// `law` outlives it. `max_shortening`: of δ/L. `rests_at_once`: a tip that can rest does so where its slip
   /// velocity comes to zero, else only where its reversals accumulate (MODEL 4.4).
-  InclinedLaw(const Laws& law, int blade_count, double max_shortening, bool rests_at_once)
+  InclinedLaw(const Laws& law, int blade_count, double max_shortening, bool rests_at_once = true)
       : law_(&law),
         solver_(interval_solver()),
         max_shortening_(max_shortening),
@@ -106,9 +106,12 @@ class InclinedLaw final : public ArcLaw {
     const double share = deflection > kUnbent ? there.blade.shortening.value / deflection : 0.0;
     const double measure = 2.0 * side(touch) * there.tangential + law.length() * deflection +
                            share * (2.0 * there.radial + law.length() * there.blade.shortening.value);
-    return {law.force_of(at, speed, there), measure,
-            load_of(touch.blade).chart_left(bending_of(touch.bend), lean_of(touch.bend)),
-            load_of(touch.blade).cone() - there.coefficient * there.coefficient};
+    Start start = starts(law.force_of(at, speed, there), measure);
+    start.tip.start_lean = lean_of(touch.bend);
+    start.tip.start_chart_left =
+        load_of(touch.blade).chart_left(bending_of(touch.bend), start.tip.start_lean);
+    start.tip.start_cone_left = load_of(touch.blade).cone() - there.coefficient * there.coefficient;
+    return start;
   }
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
                                 const std::complex<double>& acceleration) const override {
@@ -145,20 +148,12 @@ class InclinedLaw final : public ArcLaw {
     const InclinedLoad& load = take(touch);
     const Start there = start(touch, at, speed);
     const double argument = argument_of(touch);
-    const double lean = lean_of(touch.bend);
     FurtherStart result{.blade = touch.blade,
                         .slip = touch.slip,
                         .load = &load,
                         .square = {argument * argument},
-                        .lean = {lean},
-                        .tip = {.start_gap_measure = there.gap_measure,
-                                .start_slip_velocity = there.force.slip_velocity,
-                                .start_force = there.force.normal,
-                                .start_strain = there.force.root_strain,
-                                .start_lean = lean,
-                                .start_shortening = there.force.shortening,
-                                .start_chart_left = there.chart_left,
-                                .start_cone_left = there.cone_left},
+                        .lean = {there.tip.start_lean},
+                        .tip = there.tip,
                         .force = there.force};
     if (argument > 0.0) {
       // As the shaft would move on without forces: for the first guess.
@@ -168,8 +163,9 @@ class InclinedLaw final : public ArcLaw {
     } else {
       // Where the blade begins to bend, g = (g/|D|) |D|, with |D| ~ p².
       const auto& law = law_->of(touch.blade);
-      result.square.rate = contact::gap_rate(law.geometry(), at, speed) /
-                           (there.gap_measure * law.length() * load.deflection_per_square(lean));
+      result.square.rate =
+          contact::gap_rate(law.geometry(), at, speed) /
+          (there.tip.start_gap_measure * law.length() * load.deflection_per_square(there.tip.start_lean));
     }
     return result;
   }

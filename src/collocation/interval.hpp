@@ -123,21 +123,25 @@ struct TipInTime : TipStart {
   AtNodes yielding;  ///< y of a ring with dampers under an elastic blade [m]
 };
 
-/// A further blade in contact. How far it is bent follows from where the shaft is.
-struct FurtherBlade : TipInTime {
+/// A further blade where an interval starts.
+struct FurtherBladeStart {
   const Blade* blade = nullptr;
   const InclinedLoad* load = nullptr;  ///< where it is inclined
   std::array<double, 2> offset{};      ///< cosine and sine of its angle from the leading blade
   double slip = 1.0;                   ///< s = ±1
   bool straight = false;               ///< as in `Contact`
   bool skims = false;                  ///< likewise
-  double start_square = 0.0;           ///< p² at the start
+  double start_square = 0.0;           ///< p²
+  double short_of_fold = 0.0;  ///< share of δ in ∂h/∂p by which `firmness` is zero before the fold
+};
+
+/// A further blade in contact. How far it is bent follows from where the shaft is.
+struct FurtherBlade : TipInTime, FurtherBladeStart {
   AtNodes square;          ///< p²; F/kr of a rigid blade [m]: a first guess, then the solution. Smooth at a
                            ///< touch-down, unlike p
   bool lifts_off = false;  ///< it would be bent by less than nothing at a node, where some p² is left to it
   AtNodes firmness;  ///< zero at the fold of its branch, or short of it: of one under an inclined load, and
                      ///< of one that is held beyond the ring
-  double short_of_fold = 0.0;  ///< by that share of δ in ∂h/∂p of the latter
 };
 
 /// Shaft or ring within an interval.
@@ -149,23 +153,27 @@ struct Body {
   AtNodes ax, ay;                        ///< [m per unit τ²]
 };
 
-/// A stretch of the curve h = 0 of one blade, which leads, in the plane (τ, p), written as a graph over its
-/// chord: at θ in [0, 1]
-///     (τ, p) = start + θ chord + w(θ) normal,
-/// where both vectors are the caller's. Every quantity is a polynomial of degree 8 through the start and the
-/// nodes. All of this is relative to the start, so that time keeps its digits.
-struct Interval : TipInTime {
-  struct Direction {
-    double time;      ///< τ
-    double argument;  ///< p
-  };
-
+/// The leading blade and what depends on time where an interval starts.
+struct IntervalStart {
   double start_time = 0.0;           ///< τ of the revolution
   double start_argument = 0.0;       ///< p
   std::array<double, 2> blade{};     ///< er of the blade in contact at the start
   double start_angular_speed = 0.0;  ///< φ' there [rad per unit τ]
   std::array<std::array<double, 2>, Machine::kMostForcings> forcing{};  ///< there [m per unit τ²]
   std::array<double, 2> ripple{};                                       ///< e^{i(fτ + ψ)} there
+};
+
+/// A stretch of the curve h = 0 of one blade, which leads, in the plane (τ, p), written as a graph over its
+/// chord: at θ in [0, 1]
+///     (τ, p) = start + θ chord + w(θ) normal,
+/// where both vectors are the caller's. Every quantity is a polynomial of degree 8 through the start and the
+/// nodes. All of this is relative to the start, so that time keeps its digits.
+struct Interval : TipInTime, IntervalStart {
+  struct Direction {
+    double time;      ///< τ
+    double argument;  ///< p
+  };
+
   Direction chord{};
   Direction normal{};
 

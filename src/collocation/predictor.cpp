@@ -154,10 +154,8 @@ void Predictor::begin_interval() {
 
 void Predictor::guess_lean(Interval& next) const {
   const AtNodes& node = node_tables().node;
-  for (std::size_t i = 0; i < kNodes; ++i) {
-    const double elapsed = node[i] * next.chord.time + next.deviation[i] * next.normal.time;
-    next.lean[i] = lean_.value + elapsed * (lean_.rate + elapsed * lean_.half_curvature);
-  }
+  for (std::size_t i = 0; i < kNodes; ++i)
+    next.lean[i] = lean_.after(node[i] * next.chord.time + next.deviation[i] * next.normal.time);
 }
 
 void Predictor::guess(Interval& next) {
@@ -255,17 +253,7 @@ void Predictor::goes_on(const Interval& interval) {
   ring_.take(interval.ring, time_between);
   curvature_ = curvature_after + (curvature_after - curvature_before) * after / (before + after);
   tangent_ = last[2].tangent;
-  if (!leans_) return;
-  const auto lean_slope = [&](std::size_t node) {
-    return (interval.lean[node + 1] - interval.lean[node]) /
-           (interval.elapsed[node + 1] - interval.elapsed[node]);
-  };
-  const double lean_before = lean_slope(kNodes - 3);
-  const double lean_after = lean_slope(kNodes - 2);
-  lean_.value = interval.lean.at_end();
-  lean_.half_curvature =
-      (lean_after - lean_before) / (interval.elapsed[kNodes - 1] - interval.elapsed[kNodes - 3]);
-  lean_.rate = lean_after + lean_.half_curvature * time_between;
+  if (leans_) lean_ = course_at_end(interval, interval.lean);
 }
 
 }  // namespace rubatlas::collocation

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "collocation/arc_law.hpp"
+#include "collocation/further_blades.hpp"
 #include "collocation/interval.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
@@ -95,13 +96,8 @@ class Predictor {
     std::array<double, 2> acceleration{};
     std::array<double, 2> jerk{};
     void take(const Body& body, double time_between);
-  } shaft_, ring_;  ///< second and third ones there
-  /// Of the time since the start of the next interval.
-  struct Lean {
-    double value = 0.0;
-    double rate = 0.0;
-    double half_curvature = 0.0;
-  } lean_;
+  } shaft_, ring_;             ///< second and third ones there
+  FurtherStart::Course lean_;  ///< since the start of the next interval
 };
 
 }  // namespace rubatlas::collocation

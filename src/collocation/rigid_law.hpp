@@ -74,9 +74,9 @@ class RigidLaw final : public ArcLaw {
     const contact::TipForce there = force(touch, at, speed);
     const double load = there.normal * machine_->constants.force_unit;
     const double largest = contact::largest_at_rest(friction_);
-    return {.force = there,
-            .gap_measure = there.normal / law_->of(touch.blade).stiffness(),
-            .cone_left = (largest * largest - touch.holding * touch.holding) * load * load};
+    Start start = starts(there, there.normal / law_->of(touch.blade).stiffness());
+    start.tip.start_cone_left = (largest * largest - touch.holding * touch.holding) * load * load;
+    return start;
   }
   [[nodiscard]] Tangent tangent(const Touch& /*touch*/, const contact::Pose& /*at*/, double /*speed*/,
                                 const std::complex<double>& /*acceleration*/) const override {
@@ -88,10 +88,8 @@ class RigidLaw final : public ArcLaw {
     const Start there = start(touch, at, speed);
     return {.blade = touch.blade,
             .slip = touch.slip,
-            .square = {there.gap_measure},
-            .tip = {.start_gap_measure = there.gap_measure,
-                    .start_slip_velocity = there.force.slip_velocity,
-                    .start_cone_left = there.cone_left},
+            .square = {there.tip.start_gap_measure},
+            .tip = there.tip,
             .force = there.force};
   }
   [[nodiscard]] bool solve(const Contact& contact, const Closeness& closeness,
