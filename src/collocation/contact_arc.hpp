@@ -235,7 +235,8 @@ class ContactArc {
   }
   /// |v| of a slip reversal that has been located [m per unit τ].
   [[nodiscard]] double slip_rounding() const {
-    return contact::kSlipRounding * std::abs(rotor_->speed_ratio) * machine().ring_radius;
+    return contact::slip_rounding(rotor_->speed_ratio * machine().ring_radius, end_.bodies[2],
+                                  end_.bodies[3]);
   }
   /// A blade in contact does not bend: it is rigid, or stands straight.
   [[nodiscard]] bool is_straight(int blade) const {

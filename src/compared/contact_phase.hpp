@@ -45,7 +45,7 @@ class ContactPhase final : public Phase {
     if (mode_.shortening() > mode_.limits().max_shortening) refusal_ = ending::StatusDetail::shortening_limit;
     if (mode_.beyond_ring(step_.start()) > 0.0) refusal_ = ending::StatusDetail::shaft_at_ring;
     if (refusal_ != ending::StatusDetail::none) return false;
-    search_.begin(mode_.slip_rounding());
+    search_.begin(mode_.slip_rounding(full));
     return true;
   }
 

@@ -82,7 +82,11 @@ inline double undeformed_slip_velocity(const Geometry& geometry, const Pose& at,
          std::hypot(a, b);
 }
 
-inline constexpr double kSlipRounding = 1e-12;  ///< of Ω R: |v| where a slip reversal has been located
+inline constexpr double kSlipRounding = 1e-12;  ///< of the larger of Ω R and the shaft's speed
+/// |v| where a slip reversal has been located [m per unit τ]. `tip_speed`: Ω R; `vx`, `vy`: z'.
+inline double slip_rounding(double tip_speed, double vx, double vy) {
+  return kSlipRounding * std::fmax(std::abs(tip_speed), std::hypot(vx, vy));
+}
 
 /// What a contact does: the force on the rotor, resolved along and across the blade, and what is recorded of
 /// it.

@@ -31,7 +31,7 @@ bool RestOfElasticBlades::settle(const State& state, std::vector<OpenContact>& c
       tell(contact);
     } else if (contact.bend.modulus == 0.0 && !opens_unbent(contact, state) && may_rest(contact, state)) {
       OpenContact bent = contact;
-      if (forward(bent, contact.slip, state) >= -slip_rounding()) continue;
+      if (forward(bent, contact.slip, state) >= -slip_rounding(state)) continue;
       if (!arrest(contact = bent, state)) return false;
     }
   }
@@ -112,7 +112,7 @@ bool RestOfElasticBlades::arrest(OpenContact& contact, const State& state) const
   forward(there, contact.slip, state);
   if (!rests(there, state)) {
     // v that has been located as zero has any sign, the more so where friction hardly moves the tip.
-    const bool slips = forward(there, -contact.slip, state) >= -slip_rounding();
+    const bool slips = forward(there, -contact.slip, state) >= -slip_rounding(state);
     // Neither direction slips as it should: v may be zero next to the other one.
     if (!slips && !rests(there, state)) return false;
   }
@@ -124,7 +124,7 @@ bool RestOfElasticBlades::arrest(OpenContact& contact, const State& state) const
 /// early, and rests on; false, and nothing changed, where it does not.
 bool RestOfElasticBlades::let_go(OpenContact& contact, const State& state) const {
   OpenContact there = contact;
-  if (leave_rest(there, state) < -slip_rounding()) return rests(contact, state);
+  if (leave_rest(there, state) < -slip_rounding(state)) return rests(contact, state);
   contact = there;
   return true;
 }

@@ -51,7 +51,7 @@ bool RingPlacer::slide(const State& state, const std::vector<OpenContact>& conta
   return std::ranges::all_of(contacts, [&](const OpenContact& contact) {
     const double velocity = contact::undeformed_slip_velocity(
         law_->geometry(contact.blade), pose(contact.blade, state), angular_speed(state));
-    return contact.slip * velocity >= -slip_rounding();
+    return contact.slip * velocity >= -slip_rounding(state);
   });
 }
 

@@ -22,8 +22,9 @@ class TipPlaces {
   [[nodiscard]] const rotor::RipplingBlades& blades() const { return machine_->blades; }
   [[nodiscard]] double ring_radius() const { return law_->geometry(0).ring_radius; }
   /// |v| of a slip reversal that has been located [m per unit τ].
-  [[nodiscard]] double slip_rounding() const {
-    return contact::kSlipRounding * std::abs(rotor().speed_ratio) * ring_radius();
+  template <class State>
+  [[nodiscard]] double slip_rounding(const State& state) const {
+    return contact::slip_rounding(rotor().speed_ratio * ring_radius(), state[2], state[3]);
   }
 
   /// Direction of blade 0 in a state.
